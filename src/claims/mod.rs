@@ -1,0 +1,1 @@
+//! The ledger: one function per claim, every verdict computed.

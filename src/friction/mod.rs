@@ -1,0 +1,9 @@
+//! Rate-and-state friction: parameters in SI, and the three dimensionless groups that are all there is.
+//!
+//! SI stops here: the floors above work in (η, κ, β) and in the unit of time D_c/V0.
+
+mod groups;
+mod parameters;
+
+pub use groups::Groups;
+pub use parameters::Parameters;

@@ -1,0 +1,20 @@
+//! When does a slider with rate-and-state friction stick, creep, oscillate or vibrate - and how sure are we?
+//!
+//! `slipmode` proves the linear theory of Im & Avouac, *Linear stability analysis of the condition for
+//! vibration during frictional slip*, in exact arithmetic, measures how far its asymptotes are from the exact
+//! boundary, and gives every claim of the paper a verdict that the program computes.
+//!
+//! Modules stand on floors and import lower floors only (`cargo xtask tidy` enforces it); ARCHITECTURE.md has the map.
+
+pub mod claims;
+pub mod friction;
+pub mod number;
+pub mod plot;
+pub mod polynomial;
+pub mod report;
+pub mod roots;
+pub mod scene;
+pub mod stability;
+pub mod study;
+pub mod table;
+pub mod theory;

@@ -1,0 +1,1 @@
+//! Scenes: what a user asks for, validated and exact.

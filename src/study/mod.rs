@@ -1,0 +1,1 @@
+//! What a scene needs, planned and computed: pure, and the same bytes on any number of threads.

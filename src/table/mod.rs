@@ -1,0 +1,1 @@
+//! Tables: rows with units in their column names.
