@@ -102,15 +102,11 @@ fn outermost_root_f64(p: f64, q: f64) -> f64 {
     let magnitude = q.abs();
     let start =
         if p > 0.0 { libm::cbrt(magnitude).min(magnitude / p) } else { (-p).sqrt() + libm::cbrt(magnitude) };
-    let mut root = start;
-    loop {
-        let step = ((root * root + p) * root - magnitude) / (3.0 * root * root + p);
-        let next = root - step;
-        // Rounding ends the descent; an underflow to 0/0 ends it too.
-        if !(next < root) {
-            break;
-        }
+    // Rounding ends the descent; an underflow to 0/0 ends it too, as no comparison with it holds.
+    let (mut root, mut next) = (f64::INFINITY, start);
+    while next < root {
         root = next;
+        next = root - ((root * root + p) * root - magnitude) / (3.0 * root * root + p);
     }
     if q > 0.0 { -root } else { root }
 }

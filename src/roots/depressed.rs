@@ -9,24 +9,24 @@ use rug::{Complete, Integer, Rational};
 
 /// An integer cubic lead·x³ + quadratic·x² + … and its depressed form.
 #[derive(Debug, Clone)]
-pub(super) struct Depressed {
+pub(crate) struct Depressed {
     /// The integer coefficients by ascending power, the last positive.
-    pub(super) cubic: [Integer; 4],
+    pub(crate) cubic: [Integer; 4],
     /// c3.
-    pub(super) lead: Integer,
+    pub(crate) lead: Integer,
     /// c2.
-    pub(super) quadratic: Integer,
+    pub(crate) quadratic: Integer,
     /// P.
-    pub(super) linear: Integer,
+    pub(crate) linear: Integer,
     /// Q.
-    pub(super) constant: Integer,
+    pub(crate) constant: Integer,
     /// −(4P³ + 27Q²) = Π(yᵢ − yⱼ)² = 729·c3²·Δ.
-    pub(super) discriminant: Integer,
+    pub(crate) discriminant: Integer,
 }
 
 impl Depressed {
     /// The depressed form, or `None` when the leading coefficient is zero.
-    pub(super) fn of(cubic: &[Rational; 4]) -> Option<Self> {
+    pub(crate) fn of(cubic: &[Rational; 4]) -> Option<Self> {
         if cubic[3].is_zero() {
             return None;
         }
@@ -44,24 +44,24 @@ impl Depressed {
     }
 
     /// The sign of the cubic's discriminant.
-    pub(super) fn discriminant_sign(&self) -> i8 {
+    pub(crate) fn discriminant_sign(&self) -> i8 {
         self.discriminant.cmp0() as i8
     }
 
-    /// Whether two roots sum to zero: c1c2 = c0c3, as c1c2 − c0c3 = −c3²·Π(rᵢ + rⱼ).
-    pub(super) fn hurwitz(&self) -> Integer {
+    /// c1c2 − c0c3 = −c3²·Π(rᵢ + rⱼ): zero when two roots sum to zero. For eq 8 it has the sign of K − K_c (Routh-Hurwitz).
+    pub(crate) fn hurwitz(&self) -> Integer {
         let [c0, c1, c2, c3] = &self.cubic;
         (c1 * c2).complete() - (c0 * c3).complete()
     }
 
     /// The smallest k with |P| ≤ 2^2k and |Q| ≤ 2^3k: every root y is at most 2^(k+1) in modulus.
-    pub(super) fn scale_log2(&self) -> i32 {
+    pub(crate) fn scale_log2(&self) -> i32 {
         bits(&self.linear).div_ceil(2).max(bits(&self.constant).div_ceil(3)) as i32
     }
 }
 
 /// Bits of |value|: 2^(bits−1) ≤ |value| < 2^bits, zero for zero.
-pub(super) fn bits(value: &Integer) -> u32 {
+pub(crate) fn bits(value: &Integer) -> u32 {
     value.significant_bits()
 }
 

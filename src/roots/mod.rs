@@ -11,5 +11,6 @@ mod multiple;
 mod rung;
 
 pub use certified::{CertifiedRoot, CertifiedRoots, certified_roots};
+pub(crate) use depressed::Depressed;
 pub use discriminant::discriminant;
 pub use rung::Rung;
