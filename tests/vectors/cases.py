@@ -16,12 +16,13 @@ PARAMETERS = [
     "loading_velocity_m_per_s",
 ]
 VERDICTS = ["expected_transition_sign", "expected_boundary_sign", "expected_spectral_class", "expected_slip_mode"]
-EXPECTED_GROUPS = [*VERDICTS, "expected_max_real", "expected_max_imaginary"]
-EXPECTED_PARAMETERS = [*VERDICTS, "expected_max_real_per_s", "expected_max_imaginary_per_s"]
+EXPECTED_GROUPS = [*VERDICTS, "expected_max_real", "its_modulus", "expected_max_imaginary"]
+EXPECTED_PARAMETERS = [*VERDICTS, "expected_max_real_per_s", "its_modulus_per_s", "expected_max_imaginary_per_s"]
 
 ABOUT = [
     "Made by generate.py with PARI/GP 2.15.2 and python-flint 0.9.0, which agree on every value; see README.md.",
     "Signs are exact; maxima have 30 significant digits; the inertial threshold is (omega/omega_n)^2 > 1/2.",
+    "its_modulus is that of the root with the largest real part: the measure of that part's error.",
 ]
 ABOUT_GROUPS = ["Hard cases in the dimensionless groups, exact rationals; exponents p in the unit V0/D_c.", *ABOUT]
 ABOUT_PARAMETERS = ["Hard cases in the seven inputs, SI, exact decimals: a CSV once the # lines are taken out.", *ABOUT]
