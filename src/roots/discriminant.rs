@@ -15,6 +15,14 @@ pub fn discriminant<R: Field>([c0, c1, c2, c3]: &[R; 4]) -> R {
         - R::from(27) * outer.square()
 }
 
+/// The sum of the magnitudes of Δ's terms, which bounds its rounding error.
+pub(super) fn discriminant_of_magnitudes([m0, m1, m2, m3]: &[f64; 4]) -> f64 {
+    let (outer, inner) = (m0 * m3, m1 * m2);
+    (18.0 * outer * inner + inner * inner)
+        + 4.0 * (m2 * m2 * m2 * m0 + m1 * m1 * m1 * m3)
+        + 27.0 * outer * outer
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
