@@ -1,10 +1,10 @@
 //! Exact algebra over the rationals: polynomials, discriminants, Sturm sequences, symbolic expressions, proofs that can be printed and re-checked.
 
-<<<<<<< HEAD
 mod certificate;
 mod conversion;
 mod division;
 mod domain;
+mod enclose;
 mod expression;
 mod latex;
 mod matrix;
@@ -17,17 +17,14 @@ mod proof;
 mod rational_function;
 mod refutation;
 mod series;
-=======
-mod enclose;
->>>>>>> boundary
 mod sturm;
 mod symbol;
 mod univariate;
 
-<<<<<<< HEAD
 pub use certificate::{Certificate, Toward};
 pub use conversion::ConversionError;
 pub use domain::Domain;
+pub use enclose::{Coefficients, enclose_root};
 pub use expression::{Expression, Function};
 pub use matrix::{determinant, discriminant, resultant};
 pub use monomial::Monomial;
@@ -37,9 +34,6 @@ pub use proof::{Proof, Step};
 pub use rational_function::RationalFunction;
 pub use refutation::{CounterExample, Refutation};
 pub use series::Series;
-=======
-pub use enclose::{Coefficients, enclose_root};
->>>>>>> boundary
 pub use sturm::{IsolatingInterval, Limit, SturmSequence};
 pub use symbol::Symbol;
 pub use univariate::UnivariatePolynomial;
