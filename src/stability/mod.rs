@@ -1,6 +1,8 @@
 //! Transition K = K_c, boundary max Im(s) = 0, its asymptotes and how far off they are.
 
+pub mod batch;
 mod decision;
+mod ladder;
 mod slip_mode;
 mod spectral_class;
 mod spectrum;
