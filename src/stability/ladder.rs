@@ -91,7 +91,7 @@ impl<R: Working> BoundedGroups<R> {
 fn certain_sign<R: Working>(bounded: &Bounded<R>) -> Option<i8> {
     let value = bounded.value.leading();
     // Written so that a value or bound that is not a number decides nothing.
-    (value.abs() > bounded.error).then(|| if value > 0.0 { 1 } else { -1 })
+    (value.abs() > bounded.error).then_some(if value > 0.0 { 1 } else { -1 })
 }
 
 /// The signs of a point, by the lowest rung that is certain.
@@ -147,6 +147,6 @@ fn inputs_in_range(point: &Parameters<f64>) -> bool {
 /// Whether the groups lie in the range where the error bounds hold.
 #[inline(always)]
 fn groups_in_range(groups: &Groups<f64>) -> bool {
-    let inside = |group: f64| (group >= RANGE.start) & (group < RANGE.end);
+    let inside = |group: f64| RANGE.contains(&group);
     inside(groups.inertial_parameter) & inside(groups.stiffness_group) & inside(groups.effect_ratio)
 }
