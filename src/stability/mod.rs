@@ -4,6 +4,9 @@ pub mod curve;
 mod decision;
 #[cfg(test)]
 mod fixtures;
+pub mod batch;
+mod decision;
+mod ladder;
 mod slip_mode;
 mod spectral_class;
 mod spectrum;
