@@ -6,3 +6,12 @@ mod fixtures;
 pub mod transition;
 
 pub use curve::Arc;
+mod decision;
+mod slip_mode;
+mod spectral_class;
+mod spectrum;
+
+pub use decision::{boundary_sign, transition_sign};
+pub use slip_mode::{InertialThreshold, SlipMode, slip_mode};
+pub use spectral_class::SpectralClass;
+pub use spectrum::{Classification, classify};
