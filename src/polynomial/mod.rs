@@ -1,10 +1,10 @@
 //! Exact algebra over the rationals: polynomials, discriminants, Sturm sequences, symbolic expressions, proofs that can be printed and re-checked.
 
-mod enclose;
 mod certificate;
 mod conversion;
 mod division;
 mod domain;
+mod enclose;
 mod expression;
 mod latex;
 mod matrix;
@@ -21,10 +21,10 @@ mod sturm;
 mod symbol;
 mod univariate;
 
-pub use enclose::{Coefficients, enclose_root};
 pub use certificate::{Certificate, Toward};
 pub use conversion::ConversionError;
 pub use domain::Domain;
+pub use enclose::{Coefficients, enclose_root};
 pub use expression::{Expression, Function};
 pub use matrix::{determinant, discriminant, resultant};
 pub use monomial::Monomial;
