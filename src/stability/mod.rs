@@ -7,11 +7,20 @@ mod fixtures;
 pub mod batch;
 mod decision;
 mod ladder;
+mod arc_point;
+pub mod asymptote;
+pub mod curve;
+pub mod cusp;
+mod decision;
+#[cfg(test)]
+mod fixtures;
 mod slip_mode;
 mod spectral_class;
 mod spectrum;
 pub mod transition;
 
+pub use arc_point::{ArcFrame, ArcPoint, Sensitivity};
+pub use asymptote::Asymptote;
 pub use curve::Arc;
 pub use decision::{boundary_sign, transition_sign};
 pub use slip_mode::{InertialThreshold, SlipMode, slip_mode};
