@@ -1,19 +1,14 @@
 //! Transition K = K_c, boundary max Im(s) = 0, its asymptotes and how far off they are.
 
-pub mod curve;
-mod decision;
-#[cfg(test)]
-mod fixtures;
-pub mod batch;
-mod decision;
-mod ladder;
 mod arc_point;
 pub mod asymptote;
+pub mod batch;
 pub mod curve;
 pub mod cusp;
 mod decision;
 #[cfg(test)]
 mod fixtures;
+mod ladder;
 mod slip_mode;
 mod spectral_class;
 mod spectrum;
