@@ -135,22 +135,18 @@ impl<'d> Converter<'d> {
         if argument.is_zero() {
             return argument.clone();
         }
-        let exact = self.root_of_term(argument.numerator()).zip(self.root_of_term(argument.denominator()));
-        if let Some(root) = exact.and_then(|(upper, lower)| RationalFunction::new(upper, lower)) {
-            return root;
+        let roots = argument.numerator().square_root().zip(argument.denominator().square_root());
+        if let Some(root) = roots.and_then(|(upper, lower)| RationalFunction::new(upper, lower)) {
+            match self.domain.sign_of(&root) {
+                Some(1) => return root,
+                Some(_) => return -root,
+                // Of two roots of unknown sign neither is the non-negative one: the root stays a variable.
+                None => {}
+            }
         }
         let name = format!("sqrt({})", Expression::from(argument));
         self.squares.insert(Symbol::new(&name), argument.clone());
         RationalFunction::variable(&name)
-    }
-
-    fn root_of_term(&self, polynomial: &Polynomial) -> Option<Polynomial> {
-        let (monomial, coefficient) = self.positive_term(polynomial)?;
-        let square = coefficient.numer().is_perfect_square() && coefficient.denom().is_perfect_square();
-        let root = square.then(|| {
-            Rational::from((coefficient.numer().clone().sqrt(), coefficient.denom().clone().sqrt()))
-        })?;
-        Some(Polynomial::term(root, monomial.square_root()?))
     }
 }
 

@@ -21,6 +21,29 @@ impl Polynomial {
         Some(quotient)
     }
 
+    /// A polynomial whose square this is (its leading coefficient positive), if there is one.
+    #[must_use]
+    pub fn square_root(&self) -> Option<Self> {
+        let (monomial, coefficient) = self.leading_term()?;
+        let leading = Self::term(square_root_of(coefficient)?, monomial.square_root()?);
+        let (step_monomial, step_coefficient) = leading.leading_term()?;
+        let mut root = leading.clone();
+        let mut remainder = self - &root.pow(2);
+        while let Some((monomial, coefficient)) = remainder.leading_term() {
+            let term = Self::term(
+                Rational::from(coefficient / step_coefficient) / 2,
+                monomial.divided_by(step_monomial)?,
+            );
+            // The terms of a root come in descending order; another order means that there is none.
+            if term.leading_term()?.0 >= root.terms().next()?.0 {
+                return None;
+            }
+            remainder = &remainder - &(&(&(&root + &root) + &term) * &term);
+            root = &root + &term;
+        }
+        Some(root)
+    }
+
     /// The greatest common divisor, its leading coefficient 1; zero only when both are zero.
     ///
     /// Primitive remainder sequences, one variable at a time.
@@ -83,6 +106,12 @@ impl Polynomial {
     }
 }
 
+fn square_root_of(value: &Rational) -> Option<Rational> {
+    let square =
+        !value.is_negative() && value.numer().is_perfect_square() && value.denom().is_perfect_square();
+    square.then(|| Rational::from((value.numer().clone().sqrt(), value.denom().clone().sqrt())))
+}
+
 fn leading_coefficient(polynomial: &Polynomial, variable: &Symbol) -> Polynomial {
     polynomial.coefficients(variable).pop().unwrap_or_default()
 }
@@ -96,6 +125,16 @@ mod tests {
         let (x, y) = (Polynomial::variable("x"), Polynomial::variable("y"));
         assert_eq!((&x.pow(2) + &y).divide_exact(&x), None);
         assert_eq!(x.divide_exact(&Polynomial::zero()), None);
+    }
+
+    #[test]
+    fn square_roots_are_found_exactly_for_squares() {
+        let (x, y) = (Polynomial::variable("x"), Polynomial::variable("y"));
+        let root = &(&x + &y.pow(2)) + &Polynomial::one();
+        assert_eq!(root.pow(2).square_root(), Some(root.clone()));
+        assert_eq!((&root.pow(2) + &x).square_root(), None);
+        assert_eq!((&root.pow(2) + &y).square_root(), None);
+        assert_eq!((-&root.pow(2)).square_root(), None);
     }
 
     #[test]
