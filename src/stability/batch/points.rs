@@ -140,23 +140,25 @@ mod tests {
         }
     }
 
+    fn all_one_but_stress<'a>(one: &'a [f64], stress: &'a [f64]) -> Parameters<&'a [f64]> {
+        Parameters {
+            direct_effect: one,
+            evolution_effect: one,
+            critical_slip_distance_m: one,
+            stiffness_pa_per_m: one,
+            mass_per_area_kg_per_m2: one,
+            normal_stress_pa: stress,
+            loading_velocity_m_per_s: one,
+        }
+    }
+
     #[test]
     fn columns_of_unequal_length_and_values_out_of_range_are_refused() {
-        let one = [1.0];
-        let with_stress = |stress| Parameters {
-            direct_effect: &one[..],
-            evolution_effect: &one,
-            critical_slip_distance_m: &one,
-            stiffness_pa_per_m: &one,
-            mass_per_area_kg_per_m2: &one,
-            normal_stress_pa: stress,
-            loading_velocity_m_per_s: &one,
-        };
-        assert!(classify_points(&with_stress(&[1.0])).is_some());
-        assert!(classify_points(&with_stress(&[1.0, 2.0])).is_none());
+        let classify = |stress: &[f64]| classify_points(&all_one_but_stress(&[1.0], stress));
+        assert!(classify(&[1.0]).is_some());
+        assert!(classify(&[1.0, 2.0]).is_none());
         for bad in [0.0, -1.0, f64::NAN, f64::INFINITY] {
-            let column = [bad];
-            assert!(classify_points(&with_stress(&column)).is_none());
+            assert!(classify(&[bad]).is_none());
         }
     }
 }
