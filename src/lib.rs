@@ -6,7 +6,6 @@
 //!
 //! Modules stand on floors and import lower floors only (`cargo xtask tidy` enforces it); ARCHITECTURE.md has the map.
 
-pub mod claims;
 pub mod friction;
 pub mod number;
 pub mod plot;
@@ -15,6 +14,5 @@ pub mod report;
 pub mod roots;
 pub mod scene;
 pub mod stability;
-pub mod study;
 pub mod table;
 pub mod theory;

@@ -97,6 +97,12 @@ pub fn find(id: &str) -> Option<&'static Check> {
     super::checks().find(|check| check.id == id)
 }
 
+/// The ids of all claims that have a check.
+#[must_use]
+pub fn known_ids() -> Vec<&'static str> {
+    super::checks().map(|check| check.id).collect()
+}
+
 /// What the listed claims need computed.
 #[must_use]
 pub fn needs(ids: &BTreeSet<String>) -> Needs {

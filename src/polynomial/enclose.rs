@@ -121,7 +121,8 @@ struct Bracket {
 impl Bracket {
     /// Halves until Newton's method maps the interval into itself.
     fn contract(&mut self, coefficients: &[Ball], precision: u32) -> Contraction {
-        let sign = |x: &Rational| horner(coefficients.iter().cloned(), &Ball::from_rational(x, precision)).sign();
+        let sign =
+            |x: &Rational| horner(coefficients.iter().cloned(), &Ball::from_rational(x, precision)).sign();
         let (Some(at_lower), Some(at_upper)) = (sign(&self.lower), sign(&self.upper)) else {
             return Contraction::TooCoarse;
         };

@@ -148,7 +148,7 @@ impl<R: Working> BoundedCubic<R> {
         let [_, _, _, c3] = self.coefficients;
         let t = real.value;
         let relative = real.error / t.leading().abs();
-        if !(relative < 0.01) {
+        if !is_small(relative) {
             return None;
         }
         let width = self.quadratic_discriminant_root(real)?;
@@ -170,7 +170,7 @@ impl<R: Working> BoundedCubic<R> {
         let sum = linear.value + outward;
         let sum_error = linear.error + width.error + R::UNIT * sum.leading().abs();
         let relative = sum_error / sum.leading().abs();
-        if !(relative < 0.01) {
+        if !is_small(relative) {
             return None;
         }
         let outer = divide(-sum, sum_error);
@@ -190,7 +190,7 @@ impl<R: Working> BoundedCubic<R> {
         let slope_error = slope_error + curvature * real.error;
         let slope_relative = slope_error / slope.leading().abs();
         let delta_relative = delta.error / delta.value.leading().abs();
-        if !(delta_relative < 0.01 && slope_relative < 0.01) {
+        if !(is_small(delta_relative) && is_small(slope_relative)) {
             return None;
         }
         let magnitude = if delta.value.leading() < 0.0 { -delta.value } else { delta.value };
@@ -222,6 +222,11 @@ impl<R: Working> BoundedCubic<R> {
         };
         (linear, Bounded { value: constant, error: constant_error })
     }
+}
+
+/// Whether a relative error is small enough for first-order bounds; what is not a number is not.
+fn is_small(relative: f64) -> bool {
+    relative < 0.01
 }
 
 /// Kahan's iteration in 64-bit: from outside the three roots to the one farthest from the inflection point, monotonically.

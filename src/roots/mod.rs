@@ -16,6 +16,6 @@ mod rung;
 pub use certified::{CertifiedRoot, CertifiedRoots, certified_roots};
 pub(crate) use depressed::Depressed;
 pub use discriminant::discriminant;
-pub(crate) use forward::BoundedCubic;
 pub use forward::{Bounded, Pair, Spectrum};
+pub(crate) use forward::{BoundedCubic, Working};
 pub use rung::Rung;

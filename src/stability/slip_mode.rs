@@ -81,7 +81,7 @@ impl InertialThreshold {
     /// −4ω² is a root of the equation of squared differences z(z + 3p)² + 4p³ + 27q² = 0 of the depressed cubic, at which
     /// its left side changes sign from − to +; the only other real root it can have is z = −p, a double one, when q = 0.
     /// So ω² > w ⇔ 4p³ + 27q² − 4w(3p − 4w)² > 0, or w = p/4 on that double root.
-    fn exceeded_by(&self, depressed: &Depressed) -> bool {
+    pub(super) fn exceeded_by(&self, depressed: &Depressed) -> bool {
         let [c0, _, _, c3] = &depressed.cubic;
         let (numerator, denominator) = (self.squared_ratio.numer(), self.squared_ratio.denom());
         // w = T·c0/c3 in x is 9T·c3·c0 in y = 3c3·x + c2; everything times powers of T's denominator stays an integer.
@@ -104,8 +104,17 @@ impl InertialThreshold {
 /// A point on the boundary counts as real, an oscillation exactly at the threshold as not inertial.
 #[must_use]
 pub fn slip_mode(groups: &Groups<Rational>, class: SpectralClass, threshold: &InertialThreshold) -> SlipMode {
-    let inertial =
-        || Depressed::of(&groups.characteristic_cubic()).is_some_and(|cubic| threshold.exceeded_by(&cubic));
+    slip_mode_given(groups, class, || {
+        Depressed::of(&groups.characteristic_cubic()).is_some_and(|cubic| threshold.exceeded_by(&cubic))
+    })
+}
+
+/// [`slip_mode`] with the answer to "does the pair oscillate above the threshold?", asked only where it matters.
+pub(super) fn slip_mode_given(
+    groups: &Groups<Rational>,
+    class: SpectralClass,
+    inertial: impl Fn() -> bool,
+) -> SlipMode {
     match class {
         SpectralClass::StableReal if groups.effect_ratio < 1 && !is_lower_area(groups) => {
             SlipMode::OverdampedOscillation
