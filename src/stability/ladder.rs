@@ -1,5 +1,7 @@
 //! The ladder of the two decisions: 64-bit, double-double, exact. Each rung answers only when its error bound allows.
 
+use std::ops::Range;
+
 use super::{boundary_sign, transition_sign};
 use crate::friction::{Groups, Parameters};
 use crate::number::{Dd, Rational};
@@ -7,10 +9,10 @@ use crate::roots::{Bounded, BoundedCubic, Rung, Working};
 
 /// Groups outside 2^±110 (about 1e±33) go to exact arithmetic: inside, no fourth-order product over- or underflows,
 /// not even the rounding errors that double-double keeps (2^±440 · 2^-106).
-const RANGE: std::ops::Range<f64> = power_of_two(-110)..power_of_two(110);
+const RANGE: Range<f64> = power_of_two(-110)..power_of_two(110);
 
 /// Inputs outside 2^±200 (about 1e±60) go to exact arithmetic as well.
-const INPUT_RANGE: std::ops::Range<f64> = power_of_two(-200)..power_of_two(200);
+const INPUT_RANGE: Range<f64> = power_of_two(-200)..power_of_two(200);
 
 const fn power_of_two(exponent: i64) -> f64 {
     f64::from_bits(((1023 + exponent) as u64) << 52)
@@ -129,6 +131,7 @@ pub(super) fn filter(point: &Parameters<f64>) -> (bool, bool, bool) {
 fn inputs_in_range(point: &Parameters<f64>) -> bool {
     let p = point;
     let inputs = [
+        p.direct_effect,
         p.evolution_effect,
         p.critical_slip_distance_m,
         p.stiffness_pa_per_m,
@@ -136,17 +139,22 @@ fn inputs_in_range(point: &Parameters<f64>) -> bool {
         p.normal_stress_pa,
         p.loading_velocity_m_per_s,
     ];
-    let (mut least, mut largest) = (p.direct_effect, p.direct_effect);
-    for input in inputs {
-        least = if input < least { input } else { least };
-        largest = if input > largest { input } else { largest };
-    }
-    (least > INPUT_RANGE.start) & (largest < INPUT_RANGE.end)
+    all_within(&INPUT_RANGE, inputs)
 }
 
 /// Whether the groups lie in the range where the error bounds hold.
 #[inline(always)]
 fn groups_in_range(groups: &Groups<f64>) -> bool {
-    let inside = |group: f64| RANGE.contains(&group);
-    inside(groups.inertial_parameter) & inside(groups.stiffness_group) & inside(groups.effect_ratio)
+    all_within(&RANGE, [groups.inertial_parameter, groups.stiffness_group, groups.effect_ratio])
+}
+
+/// Whether all values lie strictly inside the range; false if one is not a number. Without branches.
+#[inline(always)]
+fn all_within<const N: usize>(range: &Range<f64>, values: [f64; N]) -> bool {
+    let mut inside = true;
+    for value in values {
+        inside &= value > range.start;
+        inside &= value < range.end;
+    }
+    inside
 }

@@ -17,12 +17,11 @@ const BLOCK: usize = 1024;
 #[must_use]
 pub fn classify_points(columns: &Parameters<&[f64]>) -> Option<(Vec<SignPair>, RungCounts)> {
     let count = columns.direct_effect.len();
-    let valid = |column: &[f64]| column.len() == count && column.iter().all(|&x| x > 0.0 && x.is_finite());
-    if !as_array(columns).into_iter().all(valid) {
+    if as_array(columns).into_iter().any(|column| column.len() != count) {
         return None;
     }
     let mut cells = vec![SignPair::UNDECIDED; count];
-    let counts: Vec<RungCounts> = cells
+    let counts = cells
         .par_chunks_mut(BLOCK)
         .enumerate()
         .map(|(block, cells)| {
@@ -31,7 +30,7 @@ pub fn classify_points(columns: &Parameters<&[f64]>) -> Option<(Vec<SignPair>, R
             run_on_widest_unit(PointLoop { columns: &columns, cells });
             decide_the_rest(&columns, cells)
         })
-        .collect();
+        .collect::<Option<Vec<RungCounts>>>()?;
     let mut total = RungCounts::default();
     counts.into_iter().for_each(|block| total += block);
     Some((cells, total))
@@ -63,18 +62,25 @@ fn map<'a, T>(columns: &Parameters<&'a [f64]>, convert: impl Fn(&'a [f64]) -> T)
     }
 }
 
-fn decide_the_rest(columns: &Parameters<&[f64]>, cells: &mut [SignPair]) -> RungCounts {
+/// Hands the points that the filter left open to the upper rungs.
+///
+/// A value that is not positive and finite lies outside the filter's range, so that it is found here, at no cost to the rest.
+fn decide_the_rest(columns: &Parameters<&[f64]>, cells: &mut [SignPair]) -> Option<RungCounts> {
     let mut counts = RungCounts::default();
     for (index, cell) in cells.iter_mut().enumerate() {
         if *cell != SignPair::UNDECIDED {
             counts.f64 += 1;
             continue;
         }
+        let valid = |column: &[f64]| column[index] > 0.0 && column[index].is_finite();
+        if !as_array(columns).into_iter().all(valid) {
+            return None;
+        }
         let (signs, rung) = decide_above_filter(&map(columns, |column| exact(column[index])));
         *cell = signs;
         counts.count(rung);
     }
-    counts
+    Some(counts)
 }
 
 /// The inner loop over a block of points.
@@ -131,6 +137,28 @@ mod tests {
             PointLoop { columns: &points, cells: &mut plain }.run();
             run_on_widest_unit(PointLoop { columns: &points, cells: &mut vector });
             prop_assert_eq!(plain, vector);
+        }
+    }
+
+    fn all_one_but_stress<'a>(one: &'a [f64], stress: &'a [f64]) -> Parameters<&'a [f64]> {
+        Parameters {
+            direct_effect: one,
+            evolution_effect: one,
+            critical_slip_distance_m: one,
+            stiffness_pa_per_m: one,
+            mass_per_area_kg_per_m2: one,
+            normal_stress_pa: stress,
+            loading_velocity_m_per_s: one,
+        }
+    }
+
+    #[test]
+    fn columns_of_unequal_length_and_values_out_of_range_are_refused() {
+        let classify = |stress: &[f64]| classify_points(&all_one_but_stress(&[1.0], stress));
+        assert!(classify(&[1.0]).is_some());
+        assert!(classify(&[1.0, 2.0]).is_none());
+        for bad in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+            assert!(classify(&[bad]).is_none());
         }
     }
 }
