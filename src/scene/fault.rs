@@ -5,7 +5,7 @@ use std::fmt;
 use thiserror::Error;
 
 use crate::number::DecimalError;
-use crate::scene::NameError;
+use crate::scene::{CsvProblem, NameError};
 
 /// One fault of an input; printed as `file:line: key = value: problem`.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -107,6 +107,9 @@ pub enum Problem {
     /// A name that is not safe in every file system.
     #[error(transparent)]
     BadName(#[from] NameError),
+    /// A fault of a CSV file's form.
+    #[error(transparent)]
+    Csv(#[from] CsvProblem),
     /// A name or id for the second time.
     #[error("the same as {of}{}", if *.folded { " when case is ignored" } else { "" })]
     Duplicate {

@@ -37,7 +37,8 @@ pub(super) fn line_at(bytes: &[u8], offset: usize) -> usize {
 }
 
 /// Characters that no input file may hold: they hide text or reorder what a reader sees.
-pub(super) fn is_forbidden(character: char) -> bool {
+#[must_use]
+pub fn is_forbidden(character: char) -> bool {
     match character {
         '\t' | '\n' | '\r' => false,
         '\u{ad}' | '\u{61c}' | '\u{180e}' | '\u{2028}' | '\u{2029}' | '\u{feff}' => true,

@@ -6,6 +6,7 @@
 
 mod axis;
 mod claim_list;
+mod csv_problem;
 mod document;
 mod fault;
 mod file_text;
@@ -19,8 +20,9 @@ mod sections;
 
 pub use axis::{Limits, LogAxis};
 pub use claim_list::{ClaimEntry, ExpectedVerdict, read_claims};
+pub use csv_problem::CsvProblem;
 pub use fault::{Fault, Faults, Problem};
-pub use file_text::{MAX_FILE_BYTES, file_text};
+pub use file_text::{MAX_FILE_BYTES, file_text, is_forbidden};
 pub use name::{NameError, check_name, nearest, same_name};
 pub use quantity::{Quantity, SceneParameters, parameters_from};
 pub use range::AllowedRange;

@@ -1,8 +1,8 @@
 //! `report.toml`: the scenes and chapters of a report.
 
 use crate::scene::document::read_document;
-use crate::scene::section::{Entry, Section};
-use crate::scene::sections::safe_name;
+use crate::scene::section::Entry;
+use crate::scene::sections::{NAME_RULE, safe_name};
 use crate::scene::{Fault, Faults, Problem, Scene, same_name};
 
 /// A report: which scenes it computes, and in which chapters it tells of them.
@@ -18,17 +18,15 @@ pub struct ReportPlan {
     pub chapters: Vec<Chapter>,
 }
 
-/// A chapter: prose, then figures and tables.
+/// A chapter: prose that places figures, tables, equations and claims.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Chapter {
+    /// The deep link, safe as a file name and distinct among the chapters.
+    pub id: String,
     /// The title, for people.
     pub title: String,
-    /// The Markdown file in `prose/`; absent for a chapter without narrative.
-    pub prose: Option<String>,
-    /// The ids of its figures, in order.
-    pub figures: Vec<String>,
-    /// The ids of its tables, in order.
-    pub tables: Vec<String>,
+    /// The name of the Markdown file in `prose/`.
+    pub prose: String,
 }
 
 impl ReportPlan {
@@ -39,56 +37,50 @@ impl ReportPlan {
     pub fn parse(file: &str, bytes: &[u8]) -> Result<Self, Faults> {
         read_document(file, bytes, |top, faults| {
             let name = top
-                .required("name", "A-Z a-z 0-9 . _ -, at most 100 characters", faults)
+                .required("name", NAME_RULE, faults)
                 .and_then(|entry| safe_name(&entry, faults));
             let title = top.required("title", "a text", faults).and_then(|entry| entry.text(faults));
             let scenes = top
                 .required("scenes", "a list of scene names", faults)
-                .and_then(|entry| distinct_names(&entry, faults));
+                .and_then(|entry| read_scene_names(&entry, faults));
             let chapters = top
                 .required("chapter", "[[chapter]] sections", faults)
-                .and_then(|entry| entry.list(faults, Chapter::read));
+                .and_then(|entry| read_chapters(&entry, faults));
             Some(Self { name: name?, title: title?, scenes: scenes?, chapters: chapters? })
         })
     }
 }
 
-impl Chapter {
-    fn read(entry: &Entry<'_>, faults: &mut Faults) -> Option<Self> {
-        let mut section = entry.section(faults)?;
-        let title = section.required("title", "a text", faults).and_then(|entry| entry.text(faults));
-        let prose = match section.optional("prose") {
-            Some(entry) => safe_name(&entry, faults).map(Some),
-            None => Some(None),
-        };
-        let figures = names(&mut section, "figures", faults);
-        let tables = names(&mut section, "tables", faults);
-        section.finish(faults);
-        Some(Self { title: title?, prose: prose?, figures: figures?, tables: tables? })
-    }
+fn read_scene_names(entry: &Entry<'_>, faults: &mut Faults) -> Option<Vec<String>> {
+    let mut names = Vec::new();
+    entry.list(faults, |member, faults| distinct_name(member, &mut names, faults))
 }
 
-/// An optional list of ids.
-fn names(section: &mut Section<'_>, key: &'static str, faults: &mut Faults) -> Option<Vec<String>> {
-    match section.optional(key) {
-        Some(entry) => entry.list(faults, safe_name),
-        None => Some(Vec::new()),
-    }
-}
-
-/// A list of names that differ in more than case.
-fn distinct_names(entry: &Entry<'_>, faults: &mut Faults) -> Option<Vec<String>> {
-    let mut names: Vec<String> = Vec::new();
+fn read_chapters(entry: &Entry<'_>, faults: &mut Faults) -> Option<Vec<Chapter>> {
+    let mut ids = Vec::new();
     entry.list(faults, |member, faults| {
-        let name = safe_name(member, faults)?;
-        if let Some(first) = names.iter().find(|first| same_name(first, &name)) {
-            let folded = *first != name;
-            faults.push(member.fault(Problem::Duplicate { of: format!("an earlier `{first}`"), folded }));
-            return None;
-        }
-        names.push(name.clone());
-        Some(name)
+        let mut section = member.section(faults)?;
+        let id = section
+            .required("id", NAME_RULE, faults)
+            .and_then(|entry| distinct_name(&entry, &mut ids, faults));
+        let title = section.required("title", "a text", faults).and_then(|entry| entry.text(faults));
+        let prose =
+            section.required("prose", "a file of prose/", faults).and_then(|entry| safe_name(&entry, faults));
+        section.finish(faults);
+        Some(Chapter { id: id?, title: title?, prose: prose? })
     })
+}
+
+/// A name that differs from those before it in more than case.
+fn distinct_name(entry: &Entry<'_>, earlier: &mut Vec<String>, faults: &mut Faults) -> Option<String> {
+    let name = safe_name(entry, faults)?;
+    if let Some(first) = earlier.iter().find(|first| same_name(first, &name)) {
+        let folded = *first != name;
+        faults.push(entry.fault(Problem::Duplicate { of: format!("an earlier `{first}`"), folded }));
+        return None;
+    }
+    earlier.push(name.clone());
+    Some(name)
 }
 
 /// Refuses scenes of different files with one name: their outputs would overwrite each other.
@@ -113,4 +105,38 @@ pub fn check_distinct_scene_names(scenes: &[(String, Scene)]) -> Result<(), Faul
         }
     }
     if faults.is_empty() { Ok(()) } else { Err(faults) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::Limits;
+
+    const CHAPTER: &str = "[[chapter]]\nid = \"c\"\ntitle = \"C\"\nprose = \"c.md\"\n";
+
+    fn plan(scenes: &str) -> Result<ReportPlan, Faults> {
+        let text = format!("name = \"r\"\ntitle = \"R\"\nscenes = {scenes}\n{CHAPTER}");
+        ReportPlan::parse("report.toml", text.as_bytes())
+    }
+
+    #[test]
+    fn a_report_lists_scenes_and_chapters() {
+        let plan = plan("[\"one\", \"two\"]").unwrap();
+        assert_eq!(plan.scenes, ["one", "two"]);
+        assert_eq!(plan.chapters[0].prose, "c.md");
+    }
+
+    #[test]
+    fn doubled_scenes_are_refused_also_when_only_case_differs() {
+        for scenes in ["[\"one\", \"one\"]", "[\"one\", \"ONE\"]"] {
+            let fault = &plan(scenes).unwrap_err()[0];
+            assert!(fault.to_string().contains("the same as an earlier `one`"), "{fault}");
+        }
+        let scene = |name: &str| {
+            let text = format!("name = \"{name}\"\ntitle = \"T\"\n");
+            (format!("{name}.toml"), Scene::parse("s", text.as_bytes(), &Limits::default()).unwrap())
+        };
+        assert!(check_distinct_scene_names(&[scene("a"), scene("b")]).is_ok());
+        assert_eq!(check_distinct_scene_names(&[scene("a"), scene("b"), scene("A")]).unwrap_err().len(), 1);
+    }
 }

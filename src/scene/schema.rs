@@ -3,7 +3,7 @@
 use crate::number::Rational;
 use crate::scene::document::read_document;
 use crate::scene::section::Section;
-use crate::scene::sections::safe_name;
+use crate::scene::sections::{NAME_RULE, safe_name};
 use crate::scene::{
     AllowedRange, BoundarySection, EffectRatioSweep, Faults, FrequencySection, HardCases, Limits, Problem,
     Quantity, Rectangle, SceneParameters, ToleranceSection,
@@ -47,8 +47,7 @@ impl Scene {
 }
 
 fn read_scene(top: &mut Section<'_>, limits: &Limits, faults: &mut Faults) -> Option<Scene> {
-    let allowed_name = "A-Z a-z 0-9 . _ -, at most 100 characters";
-    let name = top.required("name", allowed_name, faults).and_then(|entry| safe_name(&entry, faults));
+    let name = top.required("name", NAME_RULE, faults).and_then(|entry| safe_name(&entry, faults));
     let title = top.required("title", "a text", faults).and_then(|entry| entry.text(faults));
     let parameters = top.optional("parameters").map(|entry| {
         let mut section = entry.section(faults)?;

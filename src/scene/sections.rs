@@ -134,6 +134,9 @@ impl HardCases {
     }
 }
 
+/// The rule of [`check_name`] as messages state it.
+pub(super) const NAME_RULE: &str = "A-Z a-z 0-9 . _ -, at most 100 characters";
+
 /// A text that can be a file name everywhere.
 pub(super) fn safe_name(entry: &Entry<'_>, faults: &mut Faults) -> Option<String> {
     let name = entry.text(faults)?;
