@@ -89,17 +89,22 @@ fn polish(polynomial: &impl Coefficients, start: Ball, first_precision: u32, bit
 /// m − p(m)/p′(X): contains every root of p in the ball X around m.
 fn newton(coefficients: &[Ball], enclosure: &Ball) -> Ball {
     let middle = Ball::exact(enclosure.centre().clone());
-    let value = horner(coefficients.iter().cloned(), &middle);
+    let value = horner(coefficients.to_vec(), &middle);
     let slope = horner(derivative(coefficients), enclosure);
     middle - value / slope
 }
 
-fn derivative(coefficients: &[Ball]) -> impl DoubleEndedIterator<Item = Ball> + ExactSizeIterator {
-    coefficients.iter().enumerate().skip(1).map(|(power, c)| c.clone() * Ball::from(power as i32))
+fn derivative(coefficients: &[Ball]) -> Vec<Ball> {
+    coefficients.iter().zip(0..).skip(1).map(|(c, power)| c.clone() * Ball::from(power)).collect()
 }
 
-fn horner(coefficients: impl DoubleEndedIterator<Item = Ball>, x: &Ball) -> Ball {
-    coefficients.rev().reduce(|value, coefficient| value * x + coefficient).unwrap_or_else(|| Ball::from(0))
+/// The value at x of the polynomial with these coefficients, by ascending power.
+pub(crate) fn horner(coefficients: Vec<Ball>, x: &Ball) -> Ball {
+    coefficients
+        .into_iter()
+        .rev()
+        .reduce(|value, coefficient| value * x + coefficient)
+        .unwrap_or_else(|| Ball::from(0))
 }
 
 /// What came of the attempt to start Newton's method at one precision.
@@ -121,8 +126,7 @@ struct Bracket {
 impl Bracket {
     /// Halves until Newton's method maps the interval into itself.
     fn contract(&mut self, coefficients: &[Ball], precision: u32) -> Contraction {
-        let sign =
-            |x: &Rational| horner(coefficients.iter().cloned(), &Ball::from_rational(x, precision)).sign();
+        let sign = |x: &Rational| horner(coefficients.to_vec(), &Ball::from_rational(x, precision)).sign();
         let (Some(at_lower), Some(at_upper)) = (sign(&self.lower), sign(&self.upper)) else {
             return Contraction::TooCoarse;
         };

@@ -10,7 +10,9 @@
 //! errors of the lower arc, which do change sign. A relative error of a few units in the last place follows for any
 //! β, a ≈ b included.
 
-use crate::number::Field;
+use rug::Rational;
+
+use crate::number::{Ball, Field, Real};
 use crate::stability::Arc;
 
 /// A place on the boundary: everything that depends on the arc, λ and β alone.
@@ -40,11 +42,11 @@ pub struct ArcFrame<R> {
 }
 
 impl<R: Field> ArcFrame<R> {
-    /// The frame of β, given its square root.
+    /// The frame of β, given β − 1 (which the caller knows without cancellation) and √β.
     #[must_use]
-    pub fn new(effect_ratio: &R, root_ratio: R) -> Self {
+    pub fn new(excess: R, root_ratio: R) -> Self {
         let sum = root_ratio.clone() + R::from(1);
-        let difference = (effect_ratio.clone() - R::from(1)) / &sum;
+        let difference = excess / &sum;
         Self { root_ratio, sum, difference }
     }
 
@@ -161,6 +163,15 @@ impl<R: Field> ArcFrame<R> {
     }
 }
 
+impl ArcFrame<Ball> {
+    /// The frame of a rational β; β − 1 is rounded once, however small it is.
+    #[must_use]
+    pub fn of_rational(effect_ratio: &Rational, bits: u32) -> Self {
+        let excess = Ball::from_rational(&Rational::from(effect_ratio - 1_u32), bits);
+        Self::new(excess, Ball::from_rational(effect_ratio, bits).sqrt())
+    }
+}
+
 /// The factors that η, κ, the roots and the errors are made of.
 struct Terms<R> {
     /// ρ.
@@ -208,7 +219,6 @@ impl<R> Sensitivity<R> {
 #[cfg(test)]
 mod tests {
     use proptest::prelude::*;
-    use rug::Rational;
 
     use super::*;
     use crate::stability::curve;
@@ -222,7 +232,7 @@ mod tests {
             let arc = if upper { Arc::Upper } else { Arc::Lower };
             let beta = q.clone().square();
             prop_assume!(beta != 1);
-            let frame = ArcFrame::new(&beta, q.clone());
+            let frame = ArcFrame::new(Rational::from(&beta - 1_u32), q.clone());
             let point = frame.point(arc, &parameter);
             let r = &point.double_root;
             prop_assert_eq!(&point.inertial_parameter, &curve::inertial_parameter(r, &beta));
@@ -250,7 +260,7 @@ mod tests {
             let arc = if upper { Arc::Upper } else { Arc::Lower };
             let beta = q.clone().square();
             prop_assume!(beta != 1);
-            let frame = ArcFrame::new(&beta, q);
+            let frame = ArcFrame::new(Rational::from(&beta - 1_u32), q);
             let ArcPoint { double_root: r, inertial_parameter: eta, stiffness_group: kappa, .. } =
                 frame.point(arc, &parameter);
             let s = frame.sensitivity(arc, &parameter);
