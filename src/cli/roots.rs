@@ -88,7 +88,11 @@ impl PrintedRoot {
             None if self.im == "0" => String::new(),
             None => format!(" + {} i", self.im),
         };
-        let times = if self.multiplicity == 1 { String::new() } else { format!(", multiplicity {}", self.multiplicity) };
+        let times = if self.multiplicity == 1 {
+            String::new()
+        } else {
+            format!(", multiplicity {}", self.multiplicity)
+        };
         format!("{}{imaginary} 1/s  (within {}{times})", self.re, self.radius)
     }
 }
@@ -99,7 +103,7 @@ fn distance(part: &Ball, printed: &str) -> Ball {
     let Ok(parsed) = Float::parse(printed) else { return part.clone() };
     let nearest = Float::with_val(bits, parsed);
     // Reading a decimal is exact to half a unit in the last place.
-    let reading = Float::with_val_round(32, nearest.as_abs().clone() >> bits, Round::Up).0;
+    let reading = Float::with_val_round(32, nearest.abs_ref(), Round::Up).0 >> bits;
     let difference = part.clone() - Ball::new(nearest, reading);
     if difference.centre().is_sign_negative() { -difference } else { difference }
 }
