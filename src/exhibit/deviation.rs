@@ -12,28 +12,30 @@ pub(super) const FIGURES: &[FigureMaker] = &[
     FigureMaker {
         id: "deviation",
         needs: &[Need::Boundary],
+        data: &["boundary"],
         make: |outcome| along_arcs(outcome.potentially_unstable()?),
     },
     FigureMaker {
         id: "corners",
         needs: &[Need::EffectRatioSweep],
+        data: &["corners"],
         make: |outcome| worst_errors(outcome.scenes.iter().find_map(|scene| scene.effect_ratio_sweep.as_ref())?),
     },
     FigureMaker {
         id: "tolerance",
         needs: &[Need::Tolerance],
+        data: &["tolerance", "convergence"],
         make: |outcome| good_enough(outcome.potentially_unstable()?),
     },
 ];
 
-fn figure(caption: Caption, label: &str, words: &str, svg: String, data: &str) -> Figure {
+fn figure(caption: Caption, label: &str, words: &str, svg: String) -> Figure {
     Figure {
         id: caption.id,
         label: label.into(),
         caption_markdown: words.into(),
         description: caption.description,
         svg,
-        data: vec![data.into()],
     }
 }
 
@@ -60,7 +62,6 @@ fn along_arcs(scene: &SceneOutcome) -> Option<Figure> {
         "Figure A1",
         "Signed relative error of each asymptote along its arc, for the paper's values: of σ at the same velocity for eqs 15 and 16, of V0 at the same normal stress for eqs 18 and 20. The lower arc turns back at the cusp.",
         chart.svg(),
-        "boundary",
     ))
 }
 
@@ -115,7 +116,6 @@ fn worst_errors(sweep: &SweepOutcome) -> Option<Figure> {
         "Figure A2",
         "Worst case of the asymptotes: it depends on b/a alone. Every point is an enclosure.",
         chart.svg(),
-        "corners",
     ))
 }
 
@@ -143,7 +143,6 @@ fn good_enough(scene: &SceneOutcome) -> Option<Figure> {
         "Figure A3",
         "Where each asymptote may be used instead of the exact boundary, for the paper's values, by the velocity on the boundary.",
         chart.svg(),
-        "tolerance",
     ))
 }
 

@@ -16,8 +16,6 @@ pub struct Figure {
     pub description: String,
     /// The drawing.
     pub svg: String,
-    /// Ids of the tables that hold its numbers.
-    pub data: Vec<String>,
 }
 
 /// How a figure is made.
@@ -27,6 +25,8 @@ pub struct FigureMaker {
     pub id: &'static str,
     /// What must have been computed.
     pub needs: &'static [Need],
+    /// Ids of the tables that hold its numbers.
+    pub data: &'static [&'static str],
     /// Draws it; `None` when the scenes do not hold what it shows.
     pub make: fn(&Outcome) -> Option<Figure>,
 }
