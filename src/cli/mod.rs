@@ -3,16 +3,13 @@
 mod boundary;
 mod classify;
 mod failure;
-mod folder;
 mod input;
 mod options;
 mod output;
 mod points;
 mod progress;
-mod report;
 mod roots;
 mod terminal;
-mod tree;
 
 use std::process::ExitCode;
 
@@ -44,12 +41,6 @@ enum Command {
     Roots(roots::Options),
     /// The exact boundary max Im(s) = 0 as CSV, whole or at one velocity or normal stress
     Boundary(boundary::Options),
-    /// One scene
-    Run(report::RunOptions),
-    /// A report folder: its page, tables, figures and ledger
-    Report(report::ReportOptions),
-    /// A report compared with its published copy
-    Verify(report::VerifyOptions),
 }
 
 /// Runs the command line and gives its exit code; errors go to standard error.
@@ -78,9 +69,6 @@ fn run(cli: Cli) -> Result<(), Failure> {
         Command::Classify(options) => classify::run(&options, &progress),
         Command::Roots(options) => roots::run(&options),
         Command::Boundary(options) => boundary::run(&options),
-        Command::Run(options) => report::run(&options, &progress),
-        Command::Report(options) => report::report(&options, &progress),
-        Command::Verify(options) => report::verify(&options, &progress),
     }
 }
 

@@ -56,7 +56,7 @@ fn keep_leading_space(text: &str) -> String {
     text.strip_prefix(' ').map_or_else(|| text.into(), |rest| format!("\u{a0}{rest}"))
 }
 
-/// Estimated width of the markup for a line of the given font size; good to some 10 %, for layout only.
+/// Estimated width of the markup for a line of the given font size: room enough for the wider system fonts.
 pub(crate) fn width(markup: &str, size: f64) -> f64 {
     let run_width = |run: Run| {
         let scale = if run.level == Level::Base { size } else { SCRIPT_SIZE * size };
@@ -73,11 +73,11 @@ fn plain(markup: &str) -> String {
 
 fn character_width(c: char) -> f64 {
     match c {
-        'i' | 'j' | 'l' | 'I' | '.' | ',' | ':' | ';' | '\'' | '|' | '!' => 0.28,
-        'f' | 't' | 'r' | '(' | ')' | ' ' | '/' | '-' | '·' => 0.36,
-        'm' | 'w' | 'M' | 'W' | '%' | '≈' => 0.86,
-        'A'..='Z' => 0.68,
-        _ => 0.57,
+        'i' | 'j' | 'l' | 'I' | '.' | ',' | ':' | ';' | '\'' | '|' | '!' => 0.31,
+        'f' | 't' | 'r' | '(' | ')' | ' ' | '/' | '-' | '·' => 0.39,
+        'm' | 'w' | 'M' | 'W' | '%' | '≈' => 0.93,
+        'A'..='Z' => 0.7,
+        _ => 0.62,
     }
 }
 

@@ -215,7 +215,7 @@ and never exceeds it.
 # How far off the asymptotes are
 
 | Asymptote | Leading error | 1 % where |
-|---|---|---|
+| --- | --- | --- |
 | eq. 15 | $\\eta$ | $\\eta < 0.01$ |
 | eq. 20 | $\\beta/(2\\kappa)$ | $\\kappa > 50\\,\\beta$ |
 

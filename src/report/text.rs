@@ -265,15 +265,15 @@ fn facts(views: &[FactView]) -> Vec<Fact> {
     views.iter().map(fact).collect()
 }
 
-/// The text without trailing spaces and with single blank lines, code apart, and one newline at the end.
+/// The text without trailing spaces, with single blank lines and even empty cells, code apart, and one newline at the end.
 fn tidied(text: &str) -> String {
     let mut tidy = String::with_capacity(text.len());
     let (mut in_code, mut blank) = (false, true);
     for line in text.lines() {
         let fence = line.trim_start().starts_with("```");
-        let kept = if in_code { line } else { line.trim_end() };
+        let kept = if in_code { line.to_owned() } else { line.trim_end().replace("|  |", "| |") };
         if in_code || fence || !(kept.is_empty() && blank) {
-            tidy += kept;
+            tidy += &kept;
             tidy.push('\n');
         }
         blank = !in_code && kept.is_empty();

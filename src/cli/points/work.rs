@@ -175,4 +175,3 @@ pub fn header_line(header: &Header, keep_going: bool) -> Vec<u8> {
     out.push(b'\n');
     out
 }
-
