@@ -10,6 +10,7 @@ mod decision;
 pub mod deviation;
 #[cfg(test)]
 mod fixtures;
+pub mod frequency;
 mod ladder;
 mod logarithm;
 mod parameter_coefficients;
