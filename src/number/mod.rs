@@ -1,8 +1,17 @@
 //! Numbers: one grammar for decimals, exact rationals, double-double, balls, and the traits that let one equation serve them all.
 
+mod ball;
+mod ball_arithmetic;
 mod decimal;
+mod double_double;
 mod field;
+pub mod format;
+mod operators;
+mod wide;
 
+pub use ball::{Ball, bits_for_digits};
 pub use decimal::{DecimalError, MAX_DIGITS, MAX_EXPONENT, parse_decimal};
+pub use double_double::Dd;
 pub use field::{Field, Real};
 pub use rug::Rational;
+pub use wide::Wide;

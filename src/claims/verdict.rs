@@ -1,0 +1,98 @@
+//! The words of the ledger: what a check can conclude, how sure it is, and from what.
+
+use serde::Serialize;
+
+use crate::polynomial::Proof;
+
+/// What the program concludes about a claim.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Verdict {
+    /// True as stated.
+    Holds,
+    /// True inside a limit that the finding quantifies.
+    HoldsWithin,
+    /// Refuted: the finding names a counter-example.
+    Fails,
+    /// This report did not ask for what the check needs.
+    NotChecked,
+}
+
+impl Verdict {
+    /// The word used in `claims.toml`, `ledger.json` and on pages.
+    #[must_use]
+    pub fn as_str(self) -> &'static str {
+        match self {
+            Verdict::Holds => "holds",
+            Verdict::HoldsWithin => "holds-within",
+            Verdict::Fails => "fails",
+            Verdict::NotChecked => "not-checked",
+        }
+    }
+}
+
+/// How sure a finding is; a finding is as sure as its weakest evidence.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Strength {
+    /// Decided over the rationals.
+    Exact,
+    /// Enclosed with outward rounding.
+    Certified,
+    /// Refined, with an error estimate.
+    Converged,
+    /// Looked at on finitely many points.
+    Sampled,
+}
+
+impl Strength {
+    /// The word used in `ledger.json` and on pages.
+    #[must_use]
+    pub fn as_str(self) -> &'static str {
+        match self {
+            Strength::Exact => "exact",
+            Strength::Certified => "certified",
+            Strength::Converged => "converged",
+            Strength::Sampled => "sampled",
+        }
+    }
+}
+
+/// One piece of evidence.
+#[derive(Debug, Clone, Serialize)]
+#[serde(tag = "kind", rename_all = "kebab-case")]
+pub enum Evidence {
+    /// An identity or inequality over ℚ with its certificate.
+    Proof {
+        /// The proof, re-checked when the ledger is made.
+        proof: Proof,
+    },
+    /// A number with certain digits.
+    Enclosure {
+        /// What was enclosed.
+        quantity: String,
+        /// Its certain digits, with unit.
+        value: String,
+    },
+    /// A count or extreme over finitely many points.
+    Sample {
+        /// What was looked at.
+        quantity: String,
+        /// What was found, with unit.
+        value: String,
+        /// On how many points.
+        points: usize,
+    },
+}
+
+impl Evidence {
+    /// How sure this piece is.
+    #[must_use]
+    pub fn strength(&self) -> Strength {
+        match self {
+            Evidence::Proof { .. } => Strength::Exact,
+            Evidence::Enclosure { .. } => Strength::Certified,
+            Evidence::Sample { .. } => Strength::Sampled,
+        }
+    }
+}

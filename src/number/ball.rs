@@ -1,0 +1,202 @@
+//! Balls: an MPFR centre of any precision and a 32-bit radius, always rounded so that the true value stays inside.
+
+use std::cmp::Ordering;
+
+use rug::float::{Round, Special};
+use rug::{Float, Integer, Rational};
+
+/// Bits of a radius; its rounding is always upward, so few are enough.
+pub(super) const RADIUS_BITS: u32 = 32;
+
+/// The set of reals within `radius` of `centre`.
+///
+/// Every operation returns a ball that contains the result for every choice of points in its operands.
+/// A result that cannot be bounded (a division by a ball that contains zero) has an infinite radius and centre zero.
+#[derive(Debug, Clone)]
+pub struct Ball {
+    pub(super) centre: Float,
+    pub(super) radius: Float,
+}
+
+/// Bits of significand that hold `digits` decimal digits: ⌈digits·log2 10⌉ and one more.
+#[must_use]
+pub const fn bits_for_digits(digits: u32) -> u32 {
+    (digits as u64 * 3_321_928_095 / 1_000_000_000) as u32 + 2
+}
+
+impl Ball {
+    /// The ball of this centre and radius; the radius is rounded up to 32 bits.
+    ///
+    /// A centre that is not finite, or a radius that is negative or not a number, gives the ball of infinite radius.
+    #[must_use]
+    pub fn new(centre: Float, radius: Float) -> Self {
+        let (radius, _) = Float::with_val_round(RADIUS_BITS, radius, Round::Up);
+        Self { centre, radius }.made_valid()
+    }
+
+    /// The ball of radius zero around a float.
+    #[must_use]
+    pub fn exact(centre: Float) -> Self {
+        Self { centre, radius: Float::new(RADIUS_BITS) }.made_valid()
+    }
+
+    /// The rational rounded to this precision, with its rounding error as radius.
+    #[must_use]
+    pub fn from_rational(value: &Rational, precision_bits: u32) -> Self {
+        let (centre, rounding) = Float::with_val_round(precision_bits, value, Round::Nearest);
+        Self::rounded(centre, rounding, Float::new(RADIUS_BITS))
+    }
+
+    /// The integer rounded to this precision, with its rounding error as radius.
+    #[must_use]
+    pub fn from_integer(value: &Integer, precision_bits: u32) -> Self {
+        let (centre, rounding) = Float::with_val_round(precision_bits, value, Round::Nearest);
+        Self::rounded(centre, rounding, Float::new(RADIUS_BITS))
+    }
+
+    /// A centre just rounded to nearest, with the radius known so far: adds half a unit in the last place if inexact.
+    pub(super) fn rounded(centre: Float, rounding: Ordering, mut radius: Float) -> Self {
+        if rounding != Ordering::Equal {
+            radius = Float::with_val_round(RADIUS_BITS, &radius + &half_unit(&centre), Round::Up).0;
+        }
+        Self { centre, radius }.made_valid()
+    }
+
+    /// The ball of infinite radius: nothing is known.
+    #[must_use]
+    pub fn unbounded(precision_bits: u32) -> Self {
+        Self { centre: Float::new(precision_bits), radius: infinity() }
+    }
+
+    fn made_valid(self) -> Self {
+        let usable = self.centre.is_finite() && self.radius.is_finite() && !self.radius.is_sign_negative();
+        if usable { self } else { Self::unbounded(self.centre.prec()) }
+    }
+
+    /// The centre.
+    #[must_use]
+    pub const fn centre(&self) -> &Float {
+        &self.centre
+    }
+
+    /// The radius, an upper bound of the distance of the true value from the centre.
+    #[must_use]
+    pub const fn radius(&self) -> &Float {
+        &self.radius
+    }
+
+    /// The precision of the centre in bits.
+    #[must_use]
+    pub fn precision_bits(&self) -> u32 {
+        self.centre.prec()
+    }
+
+    /// A lower bound of the true value.
+    #[must_use]
+    pub fn lower(&self) -> Float {
+        Float::with_val_round(self.centre.prec(), &self.centre - &self.radius, Round::Down).0
+    }
+
+    /// An upper bound of the true value.
+    #[must_use]
+    pub fn upper(&self) -> Float {
+        Float::with_val_round(self.centre.prec(), &self.centre + &self.radius, Round::Up).0
+    }
+
+    /// The sign of every point of the ball against zero; `None` when they differ.
+    #[must_use]
+    pub fn sign(&self) -> Option<Ordering> {
+        if self.radius.is_zero() {
+            self.centre.cmp0()
+        } else if self.contains_zero() {
+            None
+        } else {
+            self.centre.cmp0()
+        }
+    }
+
+    /// Whether zero lies in the ball.
+    #[must_use]
+    pub fn contains_zero(&self) -> bool {
+        self.centre.cmp_abs(&self.radius) != Some(Ordering::Greater)
+    }
+
+    /// Whether the rational lies in the ball, decided exactly.
+    #[must_use]
+    pub fn contains(&self, value: &Rational) -> bool {
+        match (self.centre.to_rational(), self.radius.to_rational()) {
+            (Some(centre), Some(radius)) => (centre - value).abs() <= radius,
+            _ => true,
+        }
+    }
+
+    /// Whether two balls have a point in common (may say yes for balls apart by a rounding error, never no wrongly).
+    #[must_use]
+    pub fn overlaps(&self, other: &Self) -> bool {
+        if self.radius.is_infinite() || other.radius.is_infinite() {
+            return true;
+        }
+        self.lower() <= other.upper() && other.lower() <= self.upper()
+    }
+
+    /// log2(radius/|centre|): minus the number of certain bits. −∞ for an exact ball, +∞ when the centre is zero.
+    #[must_use]
+    pub fn relative_radius_log2(&self) -> f64 {
+        if self.radius.is_zero() {
+            return f64::NEG_INFINITY;
+        }
+        if self.centre.is_zero() || self.radius.is_infinite() {
+            return f64::INFINITY;
+        }
+        log2(&self.radius) - log2(&self.centre)
+    }
+
+    /// The same set with the centre rounded to another precision; the rounding error goes into the radius.
+    #[must_use]
+    pub fn with_precision(&self, precision_bits: u32) -> Self {
+        let (centre, rounding) = Float::with_val_round(precision_bits, &self.centre, Round::Nearest);
+        Self::rounded(centre, rounding, self.radius.clone())
+    }
+
+    /// The f64 nearest to the centre (infinite or zero when it lies beyond f64's range).
+    #[must_use]
+    pub fn to_f64(&self) -> f64 {
+        self.centre.to_f64()
+    }
+}
+
+/// Half a unit in the last place of a float rounded to nearest: 2^(exponent − precision − 1).
+pub(super) fn half_unit(value: &Float) -> Float {
+    match value.get_exp() {
+        Some(exponent) => {
+            let mut half_unit = Float::with_val(RADIUS_BITS, 1);
+            half_unit <<= exponent - 1;
+            half_unit >>= value.prec();
+            half_unit
+        }
+        // Zero by underflow of MPFR's exponent, or not finite: nothing is known.
+        None => infinity(),
+    }
+}
+
+fn infinity() -> Float {
+    Float::with_val(RADIUS_BITS, Special::Infinity)
+}
+
+/// log2 of the magnitude of a finite non-zero float, whatever its exponent.
+fn log2(value: &Float) -> f64 {
+    let (mantissa, exponent) = value.to_f64_exp();
+    libm::log2(mantissa.abs()) + f64::from(exponent)
+}
+
+impl From<i32> for Ball {
+    fn from(value: i32) -> Self {
+        Self::exact(Float::with_val(RADIUS_BITS, value))
+    }
+}
+
+impl From<f64> for Ball {
+    fn from(value: f64) -> Self {
+        Self::exact(Float::with_val(53, value))
+    }
+}

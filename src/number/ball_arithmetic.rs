@@ -1,0 +1,246 @@
+//! Arithmetic on balls: centres rounded to nearest, radii rounded up.
+//!
+//! The precision of a result is the larger of its operands'.
+
+use std::ops::Neg;
+
+use rug::Float;
+use rug::float::Round;
+use rug::ops::{AddAssignRound, DivAssignRound, MulAssignRound, SubAssignRound};
+
+use super::ball::RADIUS_BITS;
+use super::operators::implement_operators;
+use super::{Ball, Field, Real};
+
+/// |value| in 32 bits, rounded up.
+fn magnitude_up(value: &Float) -> Float {
+    Float::with_val_round(RADIUS_BITS, value.abs_ref(), Round::Up).0
+}
+
+impl Ball {
+    fn joint_precision(&self, other: &Self) -> u32 {
+        self.centre.prec().max(other.centre.prec())
+    }
+
+    fn sum_of_radii(&self, other: &Self) -> Float {
+        Float::with_val_round(RADIUS_BITS, &self.radius + &other.radius, Round::Up).0
+    }
+
+    fn plus(&self, other: &Self) -> Self {
+        let (centre, rounding) =
+            Float::with_val_round(self.joint_precision(other), &self.centre + &other.centre, Round::Nearest);
+        Self::rounded(centre, rounding, self.sum_of_radii(other))
+    }
+
+    fn minus(&self, other: &Self) -> Self {
+        let (centre, rounding) =
+            Float::with_val_round(self.joint_precision(other), &self.centre - &other.centre, Round::Nearest);
+        Self::rounded(centre, rounding, self.sum_of_radii(other))
+    }
+
+    /// |xy − x'y'| ≤ |x|·r_y + (|y| + r_y)·r_x.
+    fn times(&self, other: &Self) -> Self {
+        let (centre, rounding) =
+            Float::with_val_round(self.joint_precision(other), &self.centre * &other.centre, Round::Nearest);
+        let mut radius = Float::new(RADIUS_BITS);
+        if !other.radius.is_zero() {
+            radius = magnitude_up(&self.centre);
+            radius.mul_assign_round(&other.radius, Round::Up);
+        }
+        if !self.radius.is_zero() {
+            let mut second = magnitude_up(&other.centre);
+            second.add_assign_round(&other.radius, Round::Up);
+            second.mul_assign_round(&self.radius, Round::Up);
+            radius.add_assign_round(&second, Round::Up);
+        }
+        Self::rounded(centre, rounding, radius)
+    }
+
+    /// |x/y − x'/y'| ≤ (r_x + |x/y|·r_y)/(|y| − r_y).
+    fn over(&self, other: &Self) -> Self {
+        let precision = self.joint_precision(other);
+        if other.contains_zero() {
+            return Self::unbounded(precision);
+        }
+        let (centre, rounding) =
+            Float::with_val_round(precision, &self.centre / &other.centre, Round::Nearest);
+        if self.radius.is_zero() && other.radius.is_zero() {
+            return Self::rounded(centre, rounding, Float::new(RADIUS_BITS));
+        }
+        // One more unit in the last of 32 bits covers the quotient's own rounding; a quotient of zero is exact.
+        let mut radius = magnitude_up(&centre);
+        if !radius.is_zero() {
+            radius.next_up();
+        }
+        radius.mul_assign_round(&other.radius, Round::Up);
+        radius.add_assign_round(&self.radius, Round::Up);
+        let mut smallest = Float::with_val_round(RADIUS_BITS, other.centre.abs_ref(), Round::Down).0;
+        smallest.sub_assign_round(&other.radius, Round::Down);
+        if smallest.cmp0() != Some(std::cmp::Ordering::Greater) {
+            return Self::unbounded(precision);
+        }
+        radius.div_assign_round(&smallest, Round::Up);
+        Self::rounded(centre, rounding, radius)
+    }
+
+    /// √ of a ball that lies above zero: |√x − √x'| ≤ r/(√x + √(x − r)).
+    fn sqrt_of_positive(&self) -> Self {
+        let (centre, rounding) =
+            Float::with_val_round(self.centre.prec(), self.centre.sqrt_ref(), Round::Nearest);
+        let mut denominator = Float::with_val_round(RADIUS_BITS, self.centre.sqrt_ref(), Round::Down).0;
+        let smallest = Float::with_val_round(RADIUS_BITS, &self.centre - &self.radius, Round::Down).0;
+        denominator.add_assign_round(
+            &Float::with_val_round(RADIUS_BITS, smallest.sqrt_ref(), Round::Down).0,
+            Round::Down,
+        );
+        let mut radius = self.radius.clone();
+        radius.div_assign_round(&denominator, Round::Up);
+        Self::rounded(centre, rounding, radius)
+    }
+
+    /// √ of the part above zero of a ball that reaches below it: the ball over [0, √upper].
+    fn sqrt_of_straddling(&self) -> Self {
+        let half = Float::with_val_round(RADIUS_BITS, self.upper().sqrt_ref(), Round::Up).0 / 2;
+        Self { centre: Float::with_val(self.centre.prec().max(RADIUS_BITS), &half), radius: half }
+    }
+}
+
+implement_operators!(Ball, Add::add => plus, Sub::sub => minus, Mul::mul => times, Div::div => over);
+
+impl Neg for Ball {
+    type Output = Self;
+    fn neg(self) -> Self {
+        Self { centre: -self.centre, radius: self.radius }
+    }
+}
+
+impl Field for Ball {
+    /// |x² − x'²| ≤ r·(2|x| + r).
+    fn square(&self) -> Self {
+        let (centre, rounding) =
+            Float::with_val_round(self.centre.prec(), self.centre.square_ref(), Round::Nearest);
+        let mut radius: Float = magnitude_up(&self.centre) * 2u32;
+        radius.add_assign_round(&self.radius, Round::Up);
+        radius.mul_assign_round(&self.radius, Round::Up);
+        Self::rounded(centre, rounding, radius)
+    }
+}
+
+impl Real for Ball {
+    /// √ of the part of the ball that is not negative; unbounded when there is none.
+    fn sqrt(&self) -> Self {
+        if self.radius.is_infinite() || self.centre.is_zero() && self.radius.is_zero() {
+            return self.clone();
+        }
+        if !self.contains_zero() && self.centre.is_sign_positive() {
+            self.sqrt_of_positive()
+        } else if self.upper().cmp0() == Some(std::cmp::Ordering::Less) {
+            Self::unbounded(self.centre.prec())
+        } else {
+            self.sqrt_of_straddling()
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+    use rug::Rational;
+
+    /// An expression tree over exact rationals.
+    #[derive(Debug, Clone)]
+    enum Expression {
+        Number(i32, i32),
+        Square(Box<Expression>),
+        Binary(u8, Box<Expression>, Box<Expression>),
+    }
+
+    fn any_expression() -> impl Strategy<Value = Expression> {
+        let leaf = (-1000i32..1000, 1i32..1000).prop_map(|(n, d)| Expression::Number(n, d));
+        leaf.prop_recursive(6, 40, 2, |inner| {
+            prop_oneof![
+                inner.clone().prop_map(|e| Expression::Square(Box::new(e))),
+                (0u8..4, inner.clone(), inner).prop_map(|(op, x, y)| Expression::Binary(
+                    op,
+                    Box::new(x),
+                    Box::new(y)
+                )),
+            ]
+        })
+    }
+
+    /// The value in ℚ and in balls, or `None` when the exact expression divides by zero.
+    fn evaluate(expression: &Expression, bits: u32) -> Option<(Rational, Ball)> {
+        Some(match expression {
+            Expression::Number(n, d) => {
+                let exact = Rational::from((*n, *d));
+                let ball = Ball::from_rational(&exact, bits);
+                (exact, ball)
+            }
+            Expression::Square(inner) => {
+                let (exact, ball) = evaluate(inner, bits)?;
+                (exact.square(), Field::square(&ball))
+            }
+            Expression::Binary(op, x, y) => {
+                let ((p, x), (q, y)) = (evaluate(x, bits)?, evaluate(y, bits)?);
+                match op {
+                    0 => (p + q, x + y),
+                    1 => (p - q, x - y),
+                    2 => (p * q, x * y),
+                    _ if q == 0 => return None,
+                    _ => (p / q, x / y),
+                }
+            }
+        })
+    }
+
+    proptest! {
+        #[test]
+        fn a_ball_contains_the_true_value_of_any_expression(tree in any_expression(), bits in 4u32..200) {
+            if let Some((exact, ball)) = evaluate(&tree, bits) {
+                prop_assert!(ball.contains(&exact), "{ball:?} misses {exact}");
+            }
+        }
+
+        #[test]
+        fn a_square_root_contains_the_root_of_every_point(n in 0u32..10_000, d in 1u32..10_000, width in 0u32..50) {
+            let root = Rational::from((n, d));
+            let square = root.clone().square();
+            let radius = Float::with_val(32, width) / 64u32;
+            let ball = Ball::new(Float::with_val(80, &square), radius);
+            prop_assert!(ball.contains(&square) && ball.sqrt().contains(&root) || !ball.contains(&square));
+        }
+    }
+
+    #[test]
+    fn radii_are_a_few_units_in_the_last_place_not_wildly_more() {
+        let third = Ball::from_rational(&Rational::from((1, 3)), 200);
+        let value = (third.clone() + &third) * &third / &third;
+        assert!(value.relative_radius_log2() < -197.0, "{}", value.relative_radius_log2());
+        assert!(value.sqrt().relative_radius_log2() < -197.0);
+    }
+
+    #[test]
+    fn a_division_by_a_ball_that_contains_zero_is_unbounded_and_never_a_panic() {
+        let around_zero = Ball::new(Float::with_val(64, 1e-3), Float::with_val(32, 1e-2));
+        let quotient = Ball::from(1) / &around_zero;
+        assert!(quotient.radius().is_infinite() && quotient.sign().is_none());
+        let later = quotient * &Ball::from(0) + Ball::from(3);
+        assert!(later.radius().is_infinite(), "unbounded stays unbounded");
+    }
+
+    #[test]
+    fn a_quotient_of_zero_stays_exact() {
+        let three = Ball::new(Float::with_val(64, 3), Float::with_val(32, 1));
+        assert!((Ball::from(0) / three).radius().is_zero());
+    }
+
+    #[test]
+    fn the_sign_is_given_only_when_all_points_share_it() {
+        use std::cmp::Ordering;
+        assert_eq!(Ball::from(0).sign(), Some(Ordering::Equal));
+        assert_eq!(Ball::from(-2).sign(), Some(Ordering::Less));
+        assert_eq!(Ball::new(Float::with_val(64, 1), Float::with_val(32, 1)).sign(), None);
+    }
+}

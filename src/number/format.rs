@@ -1,0 +1,206 @@
+//! Numbers as text, all in one form: plain for 1e-4 ≤ |x| < 1e6, `d.ddde±x` otherwise, ASCII signs.
+
+use rug::float::Round;
+use rug::ops::Pow;
+use rug::{Float, Integer, Rational};
+
+use super::Ball;
+
+/// Decimal digits with a sign: ±0.d₁d₂d₃… · 10^exponent.
+struct Decimal {
+    negative: bool,
+    digits: String,
+    exponent: i64,
+}
+
+impl Decimal {
+    fn trimmed(mut self) -> Self {
+        let length = self.digits.trim_end_matches('0').len().max(1);
+        self.digits.truncate(length);
+        self
+    }
+
+    /// Lays the digits out; `significant_zeros` says that every digit is meant, so that no zero may be added.
+    fn layout(&self, significant_zeros: bool) -> String {
+        let sign = if self.negative { "-" } else { "" };
+        let count = self.digits.len() as i64;
+        let plain = (-3..=6).contains(&self.exponent) && !(significant_zeros && count < self.exponent);
+        if !plain {
+            let (first, rest) = self.digits.split_at(1);
+            let point = if rest.is_empty() { "" } else { "." };
+            return format!("{sign}{first}{point}{rest}e{}", self.exponent - 1);
+        }
+        if self.exponent <= 0 {
+            return format!("{sign}0.{}{}", "0".repeat(self.exponent.unsigned_abs() as usize), self.digits);
+        }
+        if count <= self.exponent {
+            return format!("{sign}{}{}", self.digits, "0".repeat((self.exponent - count) as usize));
+        }
+        let (whole, fraction) = self.digits.split_at(self.exponent as usize);
+        format!("{sign}{whole}.{fraction}")
+    }
+}
+
+/// A finite non-zero float rounded to nearest at this many digits.
+fn decimal_of_float(value: &Float, significant: usize) -> Decimal {
+    let (negative, digits, exponent) =
+        value.to_sign_string_exp_round(10, Some(significant.max(1)), Round::Nearest);
+    Decimal { negative, digits, exponent: i64::from(exponent.unwrap_or(0)) }
+}
+
+/// The float rounded to this many significant digits, trailing zeros of the fraction dropped.
+#[must_use]
+pub fn round_float(value: &Float, significant: usize) -> String {
+    if value.is_zero() {
+        return "0".to_owned();
+    }
+    if !value.is_finite() {
+        return value.to_f64().to_string();
+    }
+    decimal_of_float(value, significant).trimmed().layout(false)
+}
+
+/// The f64 rounded to this many significant digits, trailing zeros of the fraction dropped.
+#[must_use]
+pub fn round_digits(value: f64, significant: usize) -> String {
+    round_float(&Float::with_val(53, value), significant)
+}
+
+/// The shortest decimal that reads back as the same f64.
+#[must_use]
+pub fn shortest(value: f64) -> String {
+    if value == 0.0 {
+        return "0".to_owned();
+    }
+    if !value.is_finite() {
+        return value.to_string();
+    }
+    let text = format!("{:e}", value.abs());
+    let (mantissa, exponent) = text.split_once('e').unwrap_or((&text, "0"));
+    let digits: String = mantissa.chars().filter(char::is_ascii_digit).collect();
+    let exponent = exponent.parse::<i64>().unwrap_or(0) + 1;
+    Decimal { negative: value < 0.0, digits, exponent }.layout(false)
+}
+
+/// Only the digits that are certain, at most `max_digits`: every point of the ball rounds to the printed decimal.
+///
+/// Trailing zeros are digits too (`2.500` is more certain than `2.5`). A ball that fixes no digit is printed as
+/// centre and radius, `0±3e-20`; the radius is rounded up.
+#[must_use]
+pub fn certain_digits(ball: &Ball, max_digits: usize) -> String {
+    if ball.centre().is_zero() && ball.radius().is_zero() {
+        return "0".to_owned();
+    }
+    if !ball.contains_zero() {
+        // Rounding may straddle a tie at one length and not at a shorter one, so lengths are tried downwards.
+        let certain =
+            (-ball.relative_radius_log2() * std::f64::consts::LOG10_2).min(max_digits as f64) as usize;
+        let (lower, upper) = (ball.lower(), ball.upper());
+        for significant in (1..=(certain + 1).min(max_digits)).rev() {
+            let (low, high) = (decimal_of_float(&lower, significant), decimal_of_float(&upper, significant));
+            if low.digits == high.digits && low.exponent == high.exponent {
+                return low.layout(true);
+            }
+        }
+    }
+    let (_, digits, exponent) = ball.radius().to_sign_string_exp_round(10, Some(1), Round::Up);
+    let radius = Decimal { negative: false, digits, exponent: i64::from(exponent.unwrap_or(0)) };
+    let radius = if ball.radius().is_infinite() { "inf".to_owned() } else { radius.layout(false) };
+    format!("{}±{radius}", round_float(ball.centre(), 2))
+}
+
+/// The rational as a decimal: exact when it has at most `significant` digits, rounded to nearest (ties to even) otherwise.
+#[must_use]
+pub fn rational_to_decimal(value: &Rational, significant: usize) -> String {
+    if value.is_zero() {
+        return "0".to_owned();
+    }
+    let significant = significant.max(1);
+    // The estimate of ⌊log10⌋ + 1 may be off by one next to a power of ten; the digit count repairs it.
+    let estimate =
+        Float::with_val(64, value).to_sign_string_exp_round(10, Some(5), Round::Nearest).2.unwrap_or(0);
+    let mut exponent = i64::from(estimate);
+    let mut digits = scaled_digits(value, significant as i64 - exponent);
+    if digits.len() < significant {
+        exponent -= 1;
+        digits = scaled_digits(value, significant as i64 - exponent);
+    }
+    exponent += digits.len() as i64 - significant as i64;
+    Decimal { negative: *value < 0, digits, exponent }.trimmed().layout(false)
+}
+
+/// The digits of |value|·10^shift rounded to an integer, ties to even.
+fn scaled_digits(value: &Rational, shift: i64) -> String {
+    let power = Integer::from(10).pow(u32::try_from(shift.unsigned_abs()).unwrap_or(u32::MAX));
+    let magnitude = Rational::from(value.abs_ref());
+    let scaled = if shift < 0 { magnitude / power } else { magnitude * power };
+    let mut rounded = Integer::from(scaled.floor_ref());
+    let twice_fraction = (scaled - &rounded) * 2u32;
+    if twice_fraction > 1 || (twice_fraction == 1 && rounded.is_odd()) {
+        rounded += 1;
+    }
+    rounded.to_string()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::number::parse_decimal;
+    use proptest::prelude::*;
+
+    #[test]
+    fn one_form_for_all_numbers() {
+        let cases = [
+            (1e-4, "0.0001"),
+            (9.999e-5, "9.999e-5"),
+            (1e6, "1e6"),
+            (999_999.0, "999999"),
+            (-0.5, "-0.5"),
+            (1.5964e-4, "0.00015964"),
+            (5857.9, "5857.9"),
+            (1e-300, "1e-300"),
+            (0.0, "0"),
+            (100.0, "100"),
+        ];
+        for (value, text) in cases {
+            assert_eq!(shortest(value), text);
+            assert_eq!(round_digits(value, 6), text);
+        }
+        assert_eq!(round_digits(999_999.9, 4), "1e6");
+    }
+
+    #[test]
+    fn certain_digits_are_those_the_radius_guarantees() {
+        let ball =
+            |centre: f64, radius: f64| Ball::new(Float::with_val(80, centre), Float::with_val(32, radius));
+        assert_eq!(certain_digits(&ball(1.596_412e-4, 3e-9), 20), "0.00015964");
+        assert_eq!(certain_digits(&ball(2.5, 1e-6), 4), "2.500");
+        assert_eq!(certain_digits(&ball(5890.0, 30.0), 20), "5.9e3");
+        assert_eq!(certain_digits(&ball(0.0, 2.5e-20), 20), "0±3e-20");
+        assert_eq!(certain_digits(&ball(0.0, 0.0), 20), "0");
+        assert_eq!(certain_digits(&ball(2.0, f64::INFINITY), 20), "0±inf");
+        assert_eq!(certain_digits(&Ball::from(-3), 5), "-3.0000");
+    }
+
+    #[test]
+    fn a_terminating_rational_is_printed_exactly() {
+        assert_eq!(rational_to_decimal(&Rational::from((1, 250)), 17), "0.004");
+        assert_eq!(rational_to_decimal(&Rational::from((2, 3)), 5), "0.66667");
+        assert_eq!(rational_to_decimal(&Rational::from((-199_999, 2)), 3), "-100000");
+        assert_eq!(rational_to_decimal(&parse_decimal("1e-400").unwrap(), 5), "1e-400");
+        assert_eq!(rational_to_decimal(&parse_decimal("99999999.9").unwrap(), 4), "1e8");
+    }
+
+    proptest! {
+        #[test]
+        fn a_decimal_of_few_digits_reads_back_as_itself(integer in -10i64.pow(15)..10i64.pow(15), exponent in -30i64..30) {
+            let value = parse_decimal(&format!("{integer}e{exponent}")).unwrap();
+            prop_assert_eq!(parse_decimal(&rational_to_decimal(&value, 16)).unwrap(), value);
+        }
+
+        #[test]
+        fn the_shortest_text_reads_back_as_the_same_f64(value in proptest::num::f64::NORMAL) {
+            prop_assert_eq!(shortest(value).parse::<f64>().unwrap().to_bits(), value.to_bits());
+        }
+    }
+}

@@ -1,0 +1,21 @@
+//! Spells out the by-value and by-reference operator traits of [`Field`](super::Field) from one method each.
+
+/// Implements `+`, `-`, `*` and `/` with the right side by value and by reference, from methods that take references.
+macro_rules! implement_operators {
+    ($number:ty, $($trait:ident :: $operator:ident => $method:ident),+ $(,)?) => {$(
+        impl std::ops::$trait for $number {
+            type Output = $number;
+            fn $operator(self, other: $number) -> $number {
+                <$number>::$method(&self, &other)
+            }
+        }
+        impl<'r> std::ops::$trait<&'r $number> for $number {
+            type Output = $number;
+            fn $operator(self, other: &'r $number) -> $number {
+                <$number>::$method(&self, other)
+            }
+        }
+    )+};
+}
+
+pub(super) use implement_operators;

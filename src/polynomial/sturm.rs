@@ -1,0 +1,251 @@
+//! Real roots of a polynomial over ℚ: exact counts by Sturm's theorem, isolation by bisection on exact signs.
+
+use std::cmp::Ordering;
+
+use rug::{Integer, Rational};
+
+use crate::polynomial::UnivariatePolynomial;
+
+/// An end of an interval on the extended real line.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Limit {
+    /// −∞.
+    MinusInfinity,
+    /// A rational number.
+    At(Rational),
+    /// +∞.
+    PlusInfinity,
+}
+
+/// Where one real root of a polynomial is.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum IsolatingInterval {
+    /// The root is this rational.
+    Exact(Rational),
+    /// The root is the only one between these rationals, neither of which is a root; they have one sign.
+    Between(Rational, Rational),
+}
+
+/// Sturm's sequence of the squarefree part of a polynomial: counts distinct real roots exactly.
+#[derive(Debug, Clone)]
+pub struct SturmSequence {
+    members: Vec<Vec<Integer>>,
+}
+
+impl SturmSequence {
+    /// The sequence p, p′, −(p mod p′), …; each member scaled by a positive number to coprime integers.
+    #[must_use]
+    pub fn new(polynomial: &UnivariatePolynomial) -> Self {
+        let mut current = polynomial.squarefree().primitive();
+        let mut next = current.derivative().primitive();
+        let mut members = vec![integers(&current)];
+        while !next.is_zero() {
+            members.push(integers(&next));
+            let remainder = current.divided_by(&next).1.primitive().scaled(&Rational::from(-1));
+            (current, next) = (next, remainder);
+        }
+        Self { members }
+    }
+
+    /// The number of distinct real roots in `lower < x ≤ upper`; 0 for the zero polynomial and for empty intervals.
+    #[must_use]
+    pub fn count_roots(&self, lower: &Limit, upper: &Limit) -> usize {
+        self.variations(lower).saturating_sub(self.variations(upper))
+    }
+
+    /// Sign changes along the sequence, zeros left out.
+    fn variations(&self, limit: &Limit) -> usize {
+        let signs: Vec<Ordering> = self
+            .members
+            .iter()
+            .map(|member| sign_at(member, limit))
+            .filter(|sign| *sign != Ordering::Equal)
+            .collect();
+        signs.windows(2).filter(|pair| pair[0] != pair[1]).count()
+    }
+
+    fn sign(&self, x: &Rational) -> Ordering {
+        sign_at_rational(&self.members[0], x)
+    }
+}
+
+impl UnivariatePolynomial {
+    /// The number of distinct real roots in `lower < x ≤ upper`, by Sturm's theorem.
+    #[must_use]
+    pub fn count_roots(&self, lower: &Limit, upper: &Limit) -> usize {
+        SturmSequence::new(self).count_roots(lower, upper)
+    }
+
+    /// Disjoint enclosures of all distinct real roots, ascending.
+    ///
+    /// Ends of intervals are dyadic and of one sign; a root found to be dyadic on the way is returned exactly.
+    #[must_use]
+    pub fn isolate_real_roots(&self) -> Vec<IsolatingInterval> {
+        let mut roots = self.reflected().isolate_positive_roots();
+        roots.reverse();
+        let mut roots: Vec<_> = roots.into_iter().map(IsolatingInterval::reflected).collect();
+        if !self.is_zero() && self.coefficients()[0] == 0 {
+            roots.push(IsolatingInterval::Exact(Rational::new()));
+        }
+        roots.extend(self.isolate_positive_roots());
+        roots
+    }
+
+    /// Disjoint enclosures of all distinct positive roots, ascending.
+    ///
+    /// The exponent is bisected before the mantissa, so that roots tens of thousands of decades apart cost little.
+    #[must_use]
+    pub fn isolate_positive_roots(&self) -> Vec<IsolatingInterval> {
+        let Some((low, high)) = positive_root_exponents(self) else { return Vec::new() };
+        let sequence = SturmSequence::new(self);
+        let mut roots = Vec::new();
+        bisect(&sequence, power_of_two(low), power_of_two(high), &mut roots);
+        roots
+    }
+}
+
+impl IsolatingInterval {
+    fn reflected(self) -> Self {
+        match self {
+            Self::Exact(root) => Self::Exact(-root),
+            Self::Between(lower, upper) => Self::Between(-upper, -lower),
+        }
+    }
+}
+
+/// Appends the roots of `lower < x ≤ upper`; the order is ascending because the left half goes first.
+fn bisect(sequence: &SturmSequence, lower: Rational, upper: Rational, roots: &mut Vec<IsolatingInterval>) {
+    let count = sequence.count_roots(&Limit::At(lower.clone()), &Limit::At(upper.clone()));
+    let end_is_root = sequence.sign(&upper) == Ordering::Equal;
+    match (count, end_is_root) {
+        (0, _) => {}
+        (1, true) => roots.push(IsolatingInterval::Exact(upper)),
+        // A root at the open end would spoil the change of sign over the interval.
+        (1, false) if sequence.sign(&lower) != Ordering::Equal => {
+            roots.push(IsolatingInterval::Between(lower, upper));
+        }
+        _ => {
+            let middle = middle(&lower, &upper);
+            bisect(sequence, lower, middle.clone(), roots);
+            bisect(sequence, middle, upper, roots);
+        }
+    }
+}
+
+/// A point between two positive numbers: the middle exponent while they are more than a factor 4 apart, then the mean.
+fn middle(lower: &Rational, upper: &Rational) -> Rational {
+    let (low, high) = (binary_exponent(lower), binary_exponent(upper));
+    if high - low > 2 { power_of_two(low + (high - low) / 2) } else { Rational::from(lower + upper) / 2 }
+}
+
+/// e with 2^(e−1) ≤ x < 2^(e+1) for positive x.
+fn binary_exponent(x: &Rational) -> i64 {
+    i64::from(x.numer().significant_bits()) - i64::from(x.denom().significant_bits())
+}
+
+/// 2^exponent.
+fn power_of_two(exponent: i64) -> Rational {
+    let magnitude = u32::try_from(exponent.unsigned_abs()).unwrap_or(u32::MAX);
+    let power = Integer::from(1) << magnitude;
+    if exponent < 0 { Rational::from((Integer::from(1), power)) } else { Rational::from(power) }
+}
+
+/// Exponents l < h of two such that every positive root is in 2^l < x < 2^h (Cauchy's bound for p and its reverse).
+///
+/// None when the polynomial has fewer than two non-zero terms, and so no positive root.
+fn positive_root_exponents(polynomial: &UnivariatePolynomial) -> Option<(i64, i64)> {
+    let nonzero: Vec<i64> = polynomial
+        .coefficients()
+        .iter()
+        .filter(|c| **c != 0)
+        .map(|c| binary_exponent(&c.clone().abs()))
+        .collect();
+    let (first, last) = (*nonzero.first()?, *nonzero.last()?);
+    let largest = *nonzero.iter().max()?;
+    // |c_i/c_n| < 2^(e_i − e_n + 2), hence |x| < 1 + 2^(…) < 2^(… + 1).
+    let bound = |end: i64| (largest - end + 2).max(0) + 1;
+    (nonzero.len() > 1).then(|| (-bound(first), bound(last)))
+}
+
+fn integers(polynomial: &UnivariatePolynomial) -> Vec<Integer> {
+    polynomial.coefficients().iter().map(|coefficient| coefficient.numer().clone()).collect()
+}
+
+fn sign_at(member: &[Integer], limit: &Limit) -> Ordering {
+    let leading = member.last().map_or(Ordering::Equal, Integer::cmp0);
+    match limit {
+        Limit::PlusInfinity => leading,
+        Limit::MinusInfinity if member.len() % 2 == 0 => leading.reverse(),
+        Limit::MinusInfinity => leading,
+        Limit::At(x) => sign_at_rational(member, x),
+    }
+}
+
+/// The sign at n/d (d > 0) of the polynomial, from the integer Σ c_i n^i d^(degree−i).
+fn sign_at_rational(member: &[Integer], x: &Rational) -> Ordering {
+    let mut value = Integer::new();
+    let mut denominator_power = Integer::from(1);
+    for coefficient in member.iter().rev() {
+        value *= x.numer();
+        value += Integer::from(coefficient * &denominator_power);
+        denominator_power *= x.denom();
+    }
+    value.cmp0()
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+
+    fn from_roots(roots: &[(i64, i64)]) -> UnivariatePolynomial {
+        roots.iter().fold(UnivariatePolynomial::from_integers(&[1]), |product, (numerator, denominator)| {
+            product.times(&UnivariatePolynomial::from_integers(&[-numerator, *denominator]))
+        })
+    }
+
+    #[test]
+    fn counts_are_of_distinct_roots_in_the_half_open_interval() {
+        let p = from_roots(&[(1, 2), (1, 2), (3, 1), (-4, 1)])
+            .times(&UnivariatePolynomial::from_integers(&[1, 0, 1]));
+        let at = |value: i32| Limit::At(Rational::from(value));
+        assert_eq!(p.count_roots(&Limit::MinusInfinity, &Limit::PlusInfinity), 3);
+        assert_eq!(p.count_roots(&at(0), &at(3)), 2);
+        assert_eq!(p.count_roots(&at(3), &Limit::PlusInfinity), 0);
+        assert_eq!(p.count_roots(&at(-4), &at(0)), 0);
+        assert_eq!(UnivariatePolynomial::from_integers(&[]).count_roots(&at(0), &at(1)), 0);
+        assert_eq!(UnivariatePolynomial::from_integers(&[7]).isolate_real_roots(), []);
+    }
+
+    #[test]
+    fn roots_twenty_thousand_decades_apart_are_isolated() {
+        let far = Rational::from(Integer::from(10) << 33_000_u32);
+        let near = Rational::from(far.recip_ref());
+        let factor =
+            |root: &Rational| UnivariatePolynomial::new(vec![Rational::from(-root), Rational::from(1)]);
+        let p = factor(&far).times(&factor(&near)).times(&factor(&Rational::from(-3)));
+        let roots = p.isolate_real_roots();
+        assert_eq!(roots.len(), 3);
+        let IsolatingInterval::Between(lower, upper) = &roots[2] else { panic!("the root is not dyadic") };
+        assert!(*lower < far && far < *upper);
+    }
+
+    proptest! {
+        #[test]
+        fn every_root_lies_in_its_interval(mut roots in prop::collection::vec((-60_i64..60, 1_i64..9), 1..6)) {
+            let p = from_roots(&roots);
+            roots.sort_by(|x, y| Rational::from(*x).cmp(&Rational::from(*y)));
+            roots.dedup_by(|x, y| Rational::from(*x) == Rational::from(*y));
+            let intervals = p.isolate_real_roots();
+            prop_assert_eq!(intervals.len(), roots.len());
+            for (interval, root) in intervals.iter().zip(&roots) {
+                let root = Rational::from(*root);
+                match interval {
+                    IsolatingInterval::Exact(value) => prop_assert_eq!(value, &root),
+                    IsolatingInterval::Between(lower, upper) => prop_assert!(*lower < root && root < *upper),
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,239 @@
+//! The view of a report: everything a page shows, as text.
+//!
+//! Fields called `*_markdown` hold Markdown with `$…$` mathematics (raw HTML is dropped, links are filtered); all
+//! others are plain text that is escaped wherever it appears. Nothing here is computed from anything else here.
+
+use serde::Serialize;
+
+use crate::table::Table;
+
+/// A whole report.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct ReportView {
+    /// Name of the page.
+    pub title: String,
+    /// One line below the title: what was checked, against what.
+    pub subtitle: String,
+    /// What was checked, how, and how to read the answer.
+    pub summary_markdown: String,
+    /// Counts of verdicts, in the order in which they are shown.
+    pub cards: Vec<CardView>,
+    /// The findings that matter most, first things first.
+    pub findings: Vec<FindingView>,
+    /// Chapters; their prose places equations, figures and tables.
+    pub chapters: Vec<ChapterView>,
+    /// Groups of claims in the order of the ledger.
+    pub ledger: Vec<ClaimGroupView>,
+    /// Equations that chapters and claims may place.
+    pub equations: Vec<EquationView>,
+    /// Figures; those that no chapter places are shown in an appendix.
+    pub figures: Vec<FigureView>,
+    /// Tables; those that no chapter places are shown in an appendix.
+    pub tables: Vec<Table>,
+    /// Where the numbers come from.
+    pub provenance: ProvenanceView,
+    /// Machine, versions, times: shown in a block of their own, outside what is compared. Empty for no block.
+    pub environment: Vec<FactView>,
+}
+
+/// How a claim fared.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Standing {
+    /// It holds as it stands.
+    Holds,
+    /// It holds within a quantified limit.
+    HoldsWithin,
+    /// A counter-example exists.
+    Fails,
+    /// Not decided in this run.
+    NotChecked,
+}
+
+impl Standing {
+    /// The verdict in words.
+    #[must_use]
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Holds => "holds",
+            Self::HoldsWithin => "holds within",
+            Self::Fails => "fails",
+            Self::NotChecked => "not checked",
+        }
+    }
+
+    /// The verdict as a sign that needs no colour.
+    #[must_use]
+    pub fn symbol(self) -> &'static str {
+        match self {
+            Self::Holds => "✓",
+            Self::HoldsWithin => "≈",
+            Self::Fails => "✗",
+            Self::NotChecked => "–",
+        }
+    }
+
+    /// The verdict as a class name and as it is spelled in `ledger.json`.
+    #[must_use]
+    pub fn class(self) -> &'static str {
+        match self {
+            Self::Holds => "holds",
+            Self::HoldsWithin => "holds-within",
+            Self::Fails => "fails",
+            Self::NotChecked => "not-checked",
+        }
+    }
+}
+
+/// A summary card: how many claims have one standing.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CardView {
+    /// Which standing is counted.
+    pub standing: Standing,
+    /// How many, formatted.
+    pub count: String,
+    /// A few words below the count; may be empty.
+    pub note: String,
+}
+
+/// A finding on the first screen.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FindingView {
+    /// The finding in one line.
+    pub headline: String,
+    /// Two or three sentences.
+    pub text_markdown: String,
+    /// Ids of the claims it rests on; each must be in the ledger.
+    pub claims: Vec<String>,
+}
+
+/// A chapter of prose.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ChapterView {
+    /// Deep link.
+    pub id: String,
+    /// Heading.
+    pub title: String,
+    /// Prose. A line `[[figure:ID]]`, `[[table:ID]]`, `[[equation:ID]]` or `[[claim:ID]]` places that block; headings
+    /// start at level 1 below the chapter's own.
+    pub text_markdown: String,
+}
+
+/// Claims that belong together, such as those of one letter.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ClaimGroupView {
+    /// Heading, such as `Stability (S)`.
+    pub title: String,
+    /// One or two sentences; may be empty.
+    pub intro_markdown: String,
+    /// Claims in order.
+    pub claims: Vec<ClaimView>,
+}
+
+/// One claim of the ledger.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ClaimView {
+    /// Id, such as `B8`; the deep link is `claim-B8`.
+    pub id: String,
+    /// Place in the paper, such as `3.2, fig. 6`.
+    pub place: String,
+    /// The claim in our words.
+    pub statement_markdown: String,
+    /// What had to be found for the claim to hold, stated before the result.
+    pub acceptance_markdown: String,
+    /// How it fared.
+    pub standing: Standing,
+    /// The limit within which it holds, or the reason why it fails or was not checked, in a few words; may be empty.
+    pub verdict_markdown: String,
+    /// exact, certified, converged or sampled; empty when not checked.
+    pub strength: String,
+    /// What the verdict rests on.
+    pub evidence: Vec<EvidenceView>,
+    /// Limits, as numbers.
+    pub limits_markdown: Vec<String>,
+    /// The counter-example, exact where it can be; empty when there is none.
+    pub counter_example_markdown: String,
+    /// What the verdict does not establish.
+    pub not_established_markdown: String,
+    /// Remark on the paper's words (ambiguous, contradicting a caption …); may be empty.
+    pub remark_markdown: String,
+    /// Ids of claims that this one rests on.
+    pub rests_on: Vec<String>,
+    /// The command that decides this claim again.
+    pub command: String,
+}
+
+/// One piece of evidence.
+#[derive(Debug, Clone, PartialEq)]
+pub struct EvidenceView {
+    /// `Proof`, `Enclosure` or `Simulation`.
+    pub kind: String,
+    /// exact, certified, converged or sampled.
+    pub strength: String,
+    /// What was done and found.
+    pub text_markdown: String,
+    /// Named numbers: error bounds, counts, digits.
+    pub numbers: Vec<FactView>,
+    /// A certificate or a series as plain text, set in a fixed-width block; may be empty.
+    pub certificate: String,
+}
+
+/// A name and its value.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct FactView {
+    /// Name.
+    pub name: String,
+    /// Value, formatted.
+    pub value: String,
+}
+
+/// An equation of the paper.
+#[derive(Debug, Clone, PartialEq)]
+pub struct EquationView {
+    /// Number or name, such as `16`; the deep link is `eq-16`.
+    pub id: String,
+    /// What it says in a few words; may be empty.
+    pub caption_markdown: String,
+    /// The formula in LaTeX, without a number.
+    pub latex: String,
+}
+
+/// A figure with its caption.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FigureView {
+    /// Id, which is also the file `figures/<id>.svg`.
+    pub id: String,
+    /// Label such as `Figure 1`.
+    pub label: String,
+    /// What it shows and what to look at.
+    pub caption_markdown: String,
+    /// Description for those who cannot see it: plain text, used in the Markdown report.
+    pub description: String,
+    /// The drawing, made by `plot`.
+    pub svg: String,
+    /// Ids of tables with the figure's numbers; may be empty.
+    pub data: Vec<String>,
+}
+
+/// Inputs and how to repeat the work.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct ProvenanceView {
+    /// How to repeat the report, sentence by sentence; may be empty.
+    pub text_markdown: String,
+    /// The command that makes this report.
+    pub command: String,
+    /// Files that went in.
+    pub inputs: Vec<InputView>,
+    /// Further facts that do not depend on the machine: program version, counts by rung.
+    pub facts: Vec<FactView>,
+}
+
+/// A file that went into the report.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct InputView {
+    /// Path relative to the report's folder.
+    pub path: String,
+    /// Size in bytes, formatted.
+    pub bytes: String,
+    /// SHA-256 in hexadecimal.
+    pub sha256: String,
+}

@@ -1,0 +1,235 @@
+//! A (V0, σ) grid at fixed material and machine: both decisions are polynomials in σ along a row of constant V0.
+//!
+//! Row after row the 64-bit [filter](RowFilter) decides nearly every point; the rest climbs the ladder.
+
+use rayon::prelude::*;
+use rug::Rational;
+
+use super::dispatch::run_on_widest_unit;
+use super::row_filter::{RowFilter, RowLoop};
+use super::{RungCounts, SignPair};
+use crate::friction::Parameters;
+use crate::number::{Ball, Field};
+use crate::stability::ladder;
+
+/// Precision of a row's coefficients before they are rounded to f64: room for a cancellation of 100 bits and more.
+const ROW_BITS: u32 = 192;
+
+/// The signs of every point of a grid, row after row.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Grid {
+    /// One entry per point; the σ index runs fastest.
+    pub cells: Vec<SignPair>,
+    /// How many points each rung decided.
+    pub counts: RungCounts,
+}
+
+/// Classifies every point of the grid exactly; V0 in m/s and σ in Pa are taken from the slices, the rest from `fixed`.
+///
+/// `None` unless every V0 and σ is positive and finite.
+#[must_use]
+pub fn classify_grid(
+    fixed: &Parameters<Rational>,
+    loading_velocities_m_per_s: &[f64],
+    normal_stresses_pa: &[f64],
+) -> Option<Grid> {
+    let kernel = GridKernel::new(fixed, normal_stresses_pa)?;
+    let width = normal_stresses_pa.len();
+    let mut cells = vec![SignPair::UNDECIDED; width * loading_velocities_m_per_s.len()];
+    let counts = cells
+        .par_chunks_mut(width.max(1))
+        .zip(loading_velocities_m_per_s)
+        .map(|(row, &velocity)| kernel.classify_row(velocity, row))
+        .collect::<Option<Vec<_>>>()?;
+    let mut total = RungCounts::default();
+    counts.into_iter().for_each(|row| total += row);
+    Some(Grid { cells, counts: total })
+}
+
+/// What the rows of a grid share: the fixed parameters and the scaled σ.
+#[derive(Debug, Clone)]
+pub struct GridKernel {
+    fixed: Parameters<Rational>,
+    direct_effect: Ball,
+    effect_difference: Ball,
+    spring: Ball,
+    mass_over_length: Ball,
+    normal_stresses_pa: Vec<f64>,
+    scaled_stresses: Vec<f64>,
+    stress_exponent: i32,
+}
+
+fn is_positive(value: &f64) -> bool {
+    *value > 0.0 && value.is_finite()
+}
+
+impl GridKernel {
+    /// Prepares a grid over these σ (Pa); `None` unless all are positive and finite.
+    #[must_use]
+    pub fn new(fixed: &Parameters<Rational>, normal_stresses_pa: &[f64]) -> Option<Self> {
+        if !normal_stresses_pa.iter().all(is_positive) {
+            return None;
+        }
+        let largest = normal_stresses_pa.iter().copied().fold(f64::MIN_POSITIVE, f64::max);
+        let (_, stress_exponent) = libm::frexp(largest);
+        let ball = |value: &Rational| Ball::from_rational(value, ROW_BITS);
+        let length = &fixed.critical_slip_distance_m;
+        Some(Self {
+            direct_effect: ball(&fixed.direct_effect),
+            effect_difference: ball(&(fixed.direct_effect.clone() - &fixed.evolution_effect)),
+            spring: ball(&(fixed.stiffness_pa_per_m.clone() * length)),
+            mass_over_length: ball(&(fixed.mass_per_area_kg_per_m2.clone() / length)),
+            scaled_stresses: normal_stresses_pa.iter().map(|&s| libm::ldexp(s, -stress_exponent)).collect(),
+            normal_stresses_pa: normal_stresses_pa.to_vec(),
+            stress_exponent,
+            fixed: fixed.clone(),
+        })
+    }
+
+    /// Classifies the row of this V0 (m/s) exactly; `None` unless it is positive and finite and `cells` has one entry per σ.
+    #[must_use]
+    pub fn classify_row(&self, loading_velocity_m_per_s: f64, cells: &mut [SignPair]) -> Option<RungCounts> {
+        if !is_positive(&loading_velocity_m_per_s) || cells.len() != self.scaled_stresses.len() {
+            return None;
+        }
+        let filter = self.row_filter(loading_velocity_m_per_s);
+        run_on_widest_unit(RowLoop { filter: &filter, stresses: &self.scaled_stresses, cells });
+        Some(self.decide_the_rest(loading_velocity_m_per_s, cells))
+    }
+
+    fn row_filter(&self, loading_velocity_m_per_s: f64) -> RowFilter {
+        let velocity = Ball::from(loading_velocity_m_per_s).with_precision(ROW_BITS);
+        let inertia = velocity.square() * &self.mass_over_length;
+        RowFilter::new(
+            &self.direct_effect,
+            &self.effect_difference,
+            &self.spring,
+            &inertia,
+            self.stress_exponent,
+        )
+    }
+
+    /// Hands the points that the filter left open to the upper rungs.
+    fn decide_the_rest(&self, loading_velocity_m_per_s: f64, cells: &mut [SignPair]) -> RungCounts {
+        let mut counts = RungCounts::default();
+        for (cell, &stress) in cells.iter_mut().zip(&self.normal_stresses_pa) {
+            if *cell != SignPair::UNDECIDED {
+                counts.f64 += 1;
+                continue;
+            }
+            let (signs, rung) = decide_above_filter(&self.point(loading_velocity_m_per_s, stress));
+            *cell = signs;
+            counts.count(rung);
+        }
+        counts
+    }
+
+    fn point(&self, loading_velocity_m_per_s: f64, normal_stress_pa: f64) -> Parameters<Rational> {
+        Parameters {
+            loading_velocity_m_per_s: exact(loading_velocity_m_per_s),
+            normal_stress_pa: exact(normal_stress_pa),
+            ..self.fixed.clone()
+        }
+    }
+}
+
+/// A finite f64 as the rational that it is (zero otherwise, which the callers' checks exclude).
+pub(super) fn exact(value: f64) -> Rational {
+    Rational::from_f64(value).unwrap_or_default()
+}
+
+/// The signs of a point that the 64-bit filter left open.
+pub(super) fn decide_above_filter(point: &Parameters<Rational>) -> (SignPair, crate::roots::Rung) {
+    let groups = point.groups();
+    let signs = ladder::signs_above_f64(&groups, ladder::BoundedGroups::of(&groups).as_ref());
+    (SignPair::new(signs.transition, signs.boundary), signs.rung)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::dispatch::Kernel;
+    use super::*;
+    use crate::stability::fixtures::with_effects;
+    use crate::stability::{boundary_sign, transition_sign};
+    use proptest::prelude::*;
+
+    fn potentially_unstable() -> Parameters<Rational> {
+        with_effects(Rational::from((4, 1000)), Rational::from((6, 1000)))
+    }
+
+    fn intrinsically_stable() -> Parameters<Rational> {
+        with_effects(Rational::from((6, 1000)), Rational::from((4, 1000)))
+    }
+
+    proptest! {
+        #[test]
+        fn every_cell_has_the_exact_signs(
+            velocity in -12f64..3.0, stress in -3f64..12.0, spread in 0f64..3.0, swap in prop::bool::ANY,
+        ) {
+            let fixed = if swap { intrinsically_stable() } else { potentially_unstable() };
+            let velocities = [0.0, 0.3].map(|x| libm::exp10(velocity + x * spread));
+            let stresses = [0.0, 0.1, 0.7, 1.0].map(|x| libm::exp10(stress + x * spread));
+            let grid = classify_grid(&fixed, &velocities, &stresses).unwrap();
+            let kernel = GridKernel::new(&fixed, &stresses).unwrap();
+            for (index, cell) in grid.cells.iter().enumerate() {
+                let groups = kernel.point(velocities[index / 4], stresses[index % 4]).groups();
+                prop_assert_eq!(cell.transition_sign(), transition_sign(&groups));
+                prop_assert_eq!(cell.boundary_sign(), boundary_sign(&groups));
+            }
+        }
+    }
+
+    #[test]
+    fn a_grid_point_exactly_on_the_cusp_or_on_the_transition_is_decided_as_zero() {
+        let mut fixed = with_effects(Rational::from(1), Rational::from(1));
+        // a = b = D_c = 1: the cusp η = M V²/σ = 1/8, κ = K/σ = 27/8 at V = 1, σ = 8.
+        fixed.critical_slip_distance_m = Rational::from(1);
+        fixed.mass_per_area_kg_per_m2 = Rational::from(1);
+        fixed.stiffness_pa_per_m = Rational::from(27);
+        let grid = classify_grid(&fixed, &[1.0], &[8.0, 9.0]).unwrap();
+        assert_eq!(grid.cells[0], SignPair::new(1, 0));
+        assert_eq!((grid.counts.exact, grid.counts.f64), (1, 1));
+        // K = K_c: κ = (β−1)(1+η) with β = 2, σ = 1, V = 1, M = 26.
+        fixed.evolution_effect = Rational::from(2);
+        fixed.mass_per_area_kg_per_m2 = Rational::from(26);
+        assert_eq!(classify_grid(&fixed, &[1.0], &[1.0]).unwrap().cells[0], SignPair::new(0, -1));
+    }
+
+    #[test]
+    fn next_to_the_boundary_double_double_decides_and_on_it_rationals() {
+        // a = b = D_c = V = 1, and η = 3/32, κ = 125/32 at σ = 32: the double root −5.
+        let mut fixed = with_effects(Rational::from(1), Rational::from(1));
+        fixed.critical_slip_distance_m = Rational::from(1);
+        fixed.mass_per_area_kg_per_m2 = Rational::from(3);
+        fixed.stiffness_pa_per_m = Rational::from(125);
+        let beside = 32.0 * f64::EPSILON;
+        let grid = classify_grid(&fixed, &[1.0], &[32.0 - beside, 32.0, 32.0 + beside, 40.0]).unwrap();
+        let boundary: Vec<i8> = grid.cells.iter().map(|cell| cell.boundary_sign()).collect();
+        assert_eq!(boundary, [-1, 0, 1, -1]);
+        assert_eq!(grid.counts, RungCounts { f64: 1, double_double: 2, exact: 1 });
+    }
+
+    #[test]
+    fn vector_units_and_the_baseline_leave_the_same_bits() {
+        let stresses: Vec<f64> = (0..1003).map(|i| libm::exp10(2.0 + 7.0 * f64::from(i) / 1002.0)).collect();
+        let kernel = GridKernel::new(&potentially_unstable(), &stresses).unwrap();
+        for exponent in -7..2 {
+            let filter = kernel.row_filter(libm::exp10(f64::from(exponent)));
+            let mut cells = [vec![SignPair::UNDECIDED; 1003], vec![SignPair::UNDECIDED; 1003]];
+            let [plain, vector] = &mut cells;
+            RowLoop { filter: &filter, stresses: &kernel.scaled_stresses, cells: plain }.run();
+            run_on_widest_unit(RowLoop { filter: &filter, stresses: &kernel.scaled_stresses, cells: vector });
+            assert_eq!(plain, vector);
+        }
+    }
+
+    #[test]
+    fn values_that_are_not_positive_and_finite_are_refused() {
+        let fixed = potentially_unstable();
+        for bad in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+            assert!(classify_grid(&fixed, &[1.0], &[bad]).is_none());
+            assert!(classify_grid(&fixed, &[bad], &[1.0]).is_none());
+        }
+        assert!(classify_grid(&fixed, &[], &[]).unwrap().cells.is_empty());
+    }
+}

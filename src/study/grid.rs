@@ -1,0 +1,103 @@
+//! Values on a (V, σ) grid, row by row of constant normal stress.
+
+/// A rectangle of values over loading velocity (fast index) and normal stress (slow index).
+#[derive(Debug, Clone, PartialEq)]
+pub struct Grid<T> {
+    /// Loading velocities, m/s, ascending.
+    pub loading_velocity_m_per_s: Vec<f64>,
+    /// Normal stresses, Pa, ascending.
+    pub normal_stress_pa: Vec<f64>,
+    /// One value a point, row by row of constant normal stress.
+    pub values: Vec<T>,
+}
+
+impl<T> Grid<T> {
+    /// The number of points.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.values.len()
+    }
+
+    /// Whether the grid has no point.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.values.is_empty()
+    }
+
+    /// The points in storage order as (V, σ, value).
+    pub fn points(&self) -> impl Iterator<Item = (f64, f64, &T)> {
+        let columns = self.loading_velocity_m_per_s.len();
+        self.values.iter().enumerate().map(move |(index, value)| {
+            (self.loading_velocity_m_per_s[index % columns], self.normal_stress_pa[index / columns], value)
+        })
+    }
+
+    /// The same grid with every value mapped.
+    #[must_use]
+    pub fn map<S>(&self, convert: impl FnMut(&T) -> S) -> Grid<S> {
+        Grid {
+            loading_velocity_m_per_s: self.loading_velocity_m_per_s.clone(),
+            normal_stress_pa: self.normal_stress_pa.clone(),
+            values: self.values.iter().map(convert).collect(),
+        }
+    }
+}
+
+impl<T: PartialEq> Grid<T> {
+    /// How many edge-connected areas of equal value `wanted` the grid shows.
+    ///
+    /// A count on a grid is a sample: two areas that touch between grid lines are counted apart.
+    #[must_use]
+    pub fn areas_of(&self, wanted: &T) -> usize {
+        let mut seen = vec![false; self.values.len()];
+        let mut areas = 0;
+        for start in 0..self.values.len() {
+            if !seen[start] && self.values[start] == *wanted {
+                areas += 1;
+                self.flood(start, wanted, &mut seen);
+            }
+        }
+        areas
+    }
+
+    fn flood(&self, start: usize, wanted: &T, seen: &mut [bool]) {
+        let mut open = vec![start];
+        while let Some(index) = open.pop() {
+            if std::mem::replace(&mut seen[index], true) {
+                continue;
+            }
+            open.extend(self.neighbours(index).filter(|&next| !seen[next] && self.values[next] == *wanted));
+        }
+    }
+
+    fn neighbours(&self, index: usize) -> impl Iterator<Item = usize> {
+        let columns = self.loading_velocity_m_per_s.len();
+        let (row, column) = (index / columns, index % columns);
+        [
+            (column > 0).then(|| index - 1),
+            (column + 1 < columns).then(|| index + 1),
+            (row > 0).then(|| index - columns),
+            (row + 1 < self.normal_stress_pa.len()).then(|| index + columns),
+        ]
+        .into_iter()
+        .flatten()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn areas_are_counted_by_edges_not_corners() {
+        let grid = Grid {
+            loading_velocity_m_per_s: vec![1.0, 2.0, 3.0],
+            normal_stress_pa: vec![1.0, 2.0, 3.0],
+            values: vec![1, 0, 1, 0, 1, 0, 1, 0, 1],
+        };
+        assert_eq!(grid.areas_of(&1), 5);
+        assert_eq!(grid.areas_of(&2), 0);
+        let ring = Grid { values: vec![1, 1, 1, 1, 0, 1, 1, 1, 1], ..grid };
+        assert_eq!((ring.areas_of(&1), ring.areas_of(&0)), (1, 1));
+    }
+}

@@ -1,0 +1,52 @@
+//! What somebody downstream asks of a scene: needs travel down as data, and nothing else is computed.
+
+use std::collections::BTreeSet;
+
+/// One kind of work that a claim, a table or a figure can ask for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Need {
+    /// max Im(s) and the spectral class on a (V, σ) grid.
+    Map,
+    /// The exact boundary with its asymptotes, and the agreement of its three routes.
+    Boundary,
+    /// max Im(s) along lines of constant normal stress.
+    Frequency,
+    /// The asymptotes' worst error against b/a.
+    EffectRatioSweep,
+    /// Where each asymptote is good to a given relative error.
+    Tolerance,
+    /// Slip modes on a (V, σ) grid against the simplified map of the asymptotes.
+    Zones,
+    /// Points with references from independent programs.
+    HardCases,
+}
+
+impl Need {
+    /// Every need.
+    pub const ALL: [Self; 7] = [
+        Self::Map,
+        Self::Boundary,
+        Self::Frequency,
+        Self::EffectRatioSweep,
+        Self::Tolerance,
+        Self::Zones,
+        Self::HardCases,
+    ];
+
+    /// The stable name used in the ids of work items.
+    #[must_use]
+    pub fn as_str(self) -> &'static str {
+        match self {
+            Need::Map => "map",
+            Need::Boundary => "boundary",
+            Need::Frequency => "frequency",
+            Need::EffectRatioSweep => "effect-ratio-sweep",
+            Need::Tolerance => "tolerance",
+            Need::Zones => "zones",
+            Need::HardCases => "hard-cases",
+        }
+    }
+}
+
+/// A set of needs, in a fixed order.
+pub type Needs = BTreeSet<Need>;

@@ -1,0 +1,22 @@
+//! The one error of this program: a message for people and the exit code that goes with it.
+
+/// Why a command did not succeed.
+#[derive(Debug)]
+pub struct Failure {
+    /// 1 when a check failed, 2 on bad input or a machine that lacks something.
+    pub code: u8,
+    /// One or more lines for standard error.
+    pub message: String,
+}
+
+impl Failure {
+    /// A check failed (exit code 1).
+    pub fn check(message: impl Into<String>) -> Self {
+        Self { code: 1, message: message.into() }
+    }
+
+    /// Bad usage, or a machine or repository that lacks something (exit code 2).
+    pub fn bad_input(message: impl Into<String>) -> Self {
+        Self { code: 2, message: message.into() }
+    }
+}

@@ -1,0 +1,118 @@
+//! `cargo xtask test`: every check of the repository in one command, and a count of the tests at the end.
+
+use std::time::Instant;
+
+use crate::failure::Failure;
+use crate::{licences, machine, process, tidy};
+
+/// A step's name and what it does.
+type Step = (&'static str, fn() -> Result<(), Failure>);
+
+const STEPS: [Step; 5] = [
+    ("fmt", format),
+    ("tidy", tidy::run),
+    ("licences", licences::run),
+    ("clippy", clippy),
+    ("rustdoc", rustdoc),
+];
+
+/// Runs all steps, even after one has failed, then all tests; ends with `N passed, N failed`.
+///
+/// # Errors
+/// When any step or any test fails.
+pub fn run() -> Result<(), Failure> {
+    machine::run()?;
+    machine::require_rust_components()?;
+    let mut failed = Vec::new();
+    for (name, step) in STEPS {
+        if let Err(failure) = timed(name, step) {
+            eprintln!("{}", failure.message);
+            failed.push(name);
+        }
+    }
+    let mut count = Count::default();
+    if timed("tests", || tests(&mut count)).is_err() {
+        failed.push("tests");
+    }
+    println!();
+    if !failed.is_empty() {
+        println!("failed: {}", failed.join(", "));
+    }
+    println!("{} passed, {} failed", count.passed, count.failed);
+    if failed.is_empty() { Ok(()) } else { Err(Failure::check(format!("failed: {}", failed.join(", ")))) }
+}
+
+fn timed(name: &str, step: impl FnOnce() -> Result<(), Failure>) -> Result<(), Failure> {
+    println!("== {name}");
+    let start = Instant::now();
+    let result = step();
+    let word = if result.is_ok() { "ok" } else { "FAILED" };
+    println!("== {name} {word} ({:.1} s)", start.elapsed().as_secs_f64());
+    result
+}
+
+fn format() -> Result<(), Failure> {
+    process::check(&mut process::cargo(&["fmt", "--all", "--check"]))
+}
+
+fn clippy() -> Result<(), Failure> {
+    let arguments =
+        ["clippy", "--workspace", "--all-targets", "--locked", "--quiet", "--", "--deny", "warnings"];
+    process::check(&mut process::cargo(&arguments))
+}
+
+fn rustdoc() -> Result<(), Failure> {
+    let mut command = process::cargo(&["doc", "--workspace", "--no-deps", "--locked", "--quiet"]);
+    process::check(command.env("RUSTDOCFLAGS", "--deny warnings"))
+}
+
+fn tests(count: &mut Count) -> Result<(), Failure> {
+    let mut command = process::cargo(&["test", "--workspace", "--locked", "--no-fail-fast"]);
+    let code = process::listen(&mut command, |line| count.hear(line))?;
+    if code == 0 && count.failed == 0 && count.passed > 0 {
+        return Ok(());
+    }
+    Err(Failure::check(format!("cargo test exited with {code}")))
+}
+
+/// Tests passed and failed, summed over all test programs.
+#[derive(Debug, Default, PartialEq, Eq)]
+struct Count {
+    passed: u64,
+    failed: u64,
+}
+
+impl Count {
+    /// Adds a line such as `test result: ok. 12 passed; 0 failed; …`; any other line changes nothing.
+    fn hear(&mut self, line: &str) {
+        let Some(result) = line.strip_prefix("test result: ") else { return };
+        let (_, counts) = result.split_once(". ").unwrap_or_default();
+        for part in counts.split("; ") {
+            match part.split_once(' ') {
+                Some((number, "passed")) => self.passed += number.parse::<u64>().unwrap_or(0),
+                Some((number, "failed")) => self.failed += number.parse::<u64>().unwrap_or(0),
+                _ => {}
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn result_lines_are_summed_and_all_others_ignored() {
+        let mut count = Count::default();
+        for line in [
+            "running 3 tests",
+            "test a ... ok",
+            "test result: ok. 3 passed; 0 failed; 0 ignored; 0 measured; 0 filtered out; finished in 0.00s",
+            "test result: FAILED. 10 passed; 2 failed; 0 ignored; 0 measured; 0 filtered out; finished in 1.00s",
+            "note: test result: ok. 100 passed; 100 failed",
+        ] {
+            count.hear(line);
+        }
+        assert_eq!(count, Count { passed: 13, failed: 2 });
+    }
+}

@@ -1,0 +1,124 @@
+//! `cargo xtask tidy`: the rules of the house that no compiler checks.
+//!
+//! Each rule is a function from texts to complaints, with good and bad samples beside it.
+
+mod elementary;
+mod floors;
+mod references;
+mod rust_rules;
+mod rust_source;
+mod text_rules;
+mod views;
+
+use std::collections::BTreeSet;
+use std::fmt;
+use std::fs;
+
+use crate::failure::Failure;
+use crate::repository;
+use rust_source::RustSource;
+
+/// A text file of the repository.
+#[derive(Debug)]
+pub struct TextFile {
+    /// Relative to the root, with `/`.
+    pub path: String,
+    /// The whole content.
+    pub text: String,
+}
+
+impl TextFile {
+    /// Whether the file's name ends with this extension.
+    fn has_extension(&self, extension: &str) -> bool {
+        self.path.rsplit_once('.').is_some_and(|(_, found)| found == extension)
+    }
+
+    /// A complaint about one line of this file, counted from 1; 0 is the file as a whole.
+    fn complaint(&self, line: usize, message: impl Into<String>) -> Complaint {
+        Complaint { path: self.path.clone(), line, message: message.into() }
+    }
+}
+
+/// A broken rule and where.
+#[derive(Debug)]
+pub struct Complaint {
+    path: String,
+    line: usize,
+    message: String,
+}
+
+impl fmt::Display for Complaint {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.line {
+            0 => write!(f, "{}: {}", self.path, self.message),
+            line => write!(f, "{}:{line}: {}", self.path, self.message),
+        }
+    }
+}
+
+/// Checks every rule on every file.
+///
+/// # Errors
+/// When a rule is broken; all complaints at once.
+pub fn run() -> Result<(), Failure> {
+    let paths = repository::files()?;
+    let files = read(&paths)?;
+    let complaints = complaints(&files, &paths);
+    if complaints.is_empty() {
+        println!("tidy: {} files, no complaint", files.len());
+        return Ok(());
+    }
+    let lines: Vec<String> = complaints.iter().map(Complaint::to_string).collect();
+    Err(Failure::check(format!("tidy: {} complaints\n{}", lines.len(), lines.join("\n"))))
+}
+
+fn complaints(files: &[TextFile], paths: &[String]) -> Vec<Complaint> {
+    let mut found = Vec::new();
+    for file in files {
+        text_rules::check(file, &mut found);
+        views::check_template(file, &mut found);
+        references::check_links(file, paths, &mut found);
+    }
+    for source in rust_sources(files) {
+        rust_rules::check(&source, &mut found);
+        floors::check(&source, &mut found);
+        elementary::check(&source, &mut found);
+        views::check_report(&source, &mut found);
+    }
+    references::check_data_is_read(files, paths, &mut found);
+    found
+}
+
+/// All Rust files; those that another declares as tests are marked so.
+fn rust_sources(files: &[TextFile]) -> Vec<RustSource<'_>> {
+    let rust_files = files.iter().filter(|file| file.has_extension("rs"));
+    let mut sources: Vec<RustSource> = rust_files.map(RustSource::new).collect();
+    let test_files: BTreeSet<String> = sources.iter().flat_map(RustSource::test_modules).collect();
+    for source in sources.iter_mut().filter(|source| test_files.contains(&source.file.path)) {
+        source.set_all_tests();
+    }
+    sources
+}
+
+/// Reads every file that is text; binary files (fonts, archives) have no rules here.
+fn read(paths: &[String]) -> Result<Vec<TextFile>, Failure> {
+    let root = repository::root();
+    let mut files = Vec::new();
+    for path in paths {
+        let bytes = fs::read(root.join(path))
+            .map_err(|error| Failure::bad_input(format!("{path} cannot be read: {error}")))?;
+        if let Ok(text) = String::from_utf8(bytes) {
+            files.push(TextFile { path: path.clone(), text });
+        }
+    }
+    Ok(files)
+}
+
+/// What one rule says about one sample: the lines it complains about.
+#[cfg(test)]
+fn lines_of(path: &str, text: &str, rule: impl Fn(&RustSource, &mut Vec<Complaint>)) -> Vec<usize> {
+    let file = TextFile { path: path.to_string(), text: text.to_string() };
+    let mut found = Vec::new();
+    rule(&RustSource::new(&file), &mut found);
+    found.iter().map(|complaint| complaint.line).collect()
+}

@@ -1,0 +1,177 @@
+//! The floors: a module imports lower floors only. The table below is the one place that says which is which.
+
+use super::Complaint;
+use super::rust_source::{RustSource, word_positions};
+
+/// Every top module and its floor; modules on one floor may not import each other.
+const FLOORS: [(&str, u32); 17] = [
+    ("number", 0),
+    ("polynomial", 1),
+    ("roots", 2),
+    ("friction", 3),
+    ("theory", 4),
+    ("stability", 4),
+    ("dynamics", 4),
+    ("scene", 5),
+    ("study", 6),
+    ("claims", 7),
+    ("table", 8),
+    ("plot", 9),
+    ("exhibit", 10),
+    ("report", 11),
+    ("archive", 12),
+    ("cli", 13),
+    ("main", 14),
+];
+
+/// Complains about imports of an equal or higher floor, and about paths that hide their floor.
+pub fn check(source: &RustSource, found: &mut Vec<Complaint>) {
+    let Some(module) = top_module(&source.file.path) else { return };
+    let Some(height) = floor(module) else {
+        found.push(
+            source.file.complaint(0, format!("module `{module}` has no floor in the table of xtask tidy")),
+        );
+        return;
+    };
+    for root in ["crate::", "slipmode::"] {
+        for (position, name) in imports(&source.code, root) {
+            if let Some(message) = objection(module, height, &name) {
+                found.push(source.file.complaint(source.line_at(position), message));
+            }
+        }
+    }
+    check_super(source, found);
+}
+
+/// A chain of `super` that is as long as the module is deep reaches the crate's root, where every floor is.
+fn check_super(source: &RustSource, found: &mut Vec<Complaint>) {
+    let depth = depth(&source.file.path);
+    for (number, code, _) in source.lines() {
+        let in_test_module = source.is_test_line(number) && !source.file.path.ends_with("/tests.rs");
+        let chain = "super::".repeat(depth + usize::from(in_test_module));
+        if code.contains(&chain) {
+            let message = "write the path from `crate::`, so that its floor can be seen";
+            found.push(source.file.complaint(number, message));
+        }
+    }
+}
+
+/// How many modules deep a file's module is: 1 for `src/roots/mod.rs`, 2 for `src/roots/ladder.rs`.
+fn depth(path: &str) -> usize {
+    path.matches('/').count() - usize::from(path.ends_with("/mod.rs"))
+}
+
+fn objection(module: &str, height: u32, imported: &str) -> Option<String> {
+    match floor(imported) {
+        _ if imported == module => None,
+        None => Some(format!("`{imported}` is not a floor: name the module that holds it")),
+        Some(other) if other < height => None,
+        Some(other) => {
+            Some(format!("`{module}` (floor {height}) may not import `{imported}` (floor {other})"))
+        }
+    }
+}
+
+fn floor(module: &str) -> Option<u32> {
+    FLOORS.iter().find(|(name, _)| *name == module).map(|(_, height)| *height)
+}
+
+/// The first component below `src/`, without `.rs`; the library's root stands on no floor.
+fn top_module(path: &str) -> Option<&str> {
+    let first = path.strip_prefix("src/")?.split('/').next()?;
+    let name = first.strip_suffix(".rs").unwrap_or(first);
+    (name != "lib").then_some(name)
+}
+
+/// Position and name of every module that follows `root`, groups such as `crate::{a::B, c}` included.
+fn imports(code: &str, root: &str) -> Vec<(usize, String)> {
+    let name = root.trim_end_matches(':');
+    let starts = word_positions(code, name).filter(|start| code[*start..].starts_with(root));
+    let mut found = Vec::new();
+    for start in starts {
+        let rest = &code[start + root.len()..];
+        let heads = if rest.starts_with('{') { group_heads(rest) } else { vec![identifier(rest)] };
+        found.extend(heads.into_iter().map(|head| (start, head)));
+    }
+    found
+}
+
+/// The first identifier of each entry of a braced group.
+fn group_heads(group: &str) -> Vec<String> {
+    let mut depth = 0_u32;
+    let mut heads = Vec::new();
+    for (position, character) in group.char_indices() {
+        let opens_entry = match character {
+            '{' => {
+                depth += 1;
+                depth == 1
+            }
+            '}' if depth == 1 => return heads,
+            '}' => {
+                depth -= 1;
+                false
+            }
+            ',' => depth == 1,
+            _ => false,
+        };
+        let head = identifier(group[position + 1..].trim_start());
+        if opens_entry && !head.is_empty() {
+            heads.push(head);
+        }
+    }
+    heads
+}
+
+fn identifier(text: &str) -> String {
+    text.chars().take_while(|c| c.is_alphanumeric() || *c == '_').collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::tidy::lines_of;
+
+    fn complaints(path: &str, text: &str) -> Vec<usize> {
+        lines_of(path, text, check)
+    }
+
+    #[test]
+    fn a_module_may_import_lower_floors_and_itself() {
+        let good = "use crate::number::Ball;\nuse crate::{friction::Groups, roots};\nuse crate::stability::Arc;\n// crate::cli";
+        assert_eq!(complaints("src/stability/curve.rs", good), [0; 0]);
+        assert_eq!(complaints("src/lib.rs", "pub use crate::anything;"), [0; 0]);
+        assert_eq!(
+            complaints("src/cli/run.rs", "use slipmode::report::Page;\nuse crate::cli::options;"),
+            [0; 0]
+        );
+    }
+
+    #[test]
+    fn equal_and_higher_floors_are_refused() {
+        assert_eq!(complaints("src/stability/curve.rs", "\nuse crate::dynamics::Slider;"), [2]);
+        assert_eq!(complaints("src/theory/mod.rs", "use crate::stability::Arc;"), [1]);
+        assert_eq!(complaints("src/dynamics/x.rs", "fn f() { crate::theory::g() }"), [1]);
+        assert_eq!(
+            complaints("src/number/ball.rs", "use crate::{\n    number::Dd,\n    roots::{Rung, x},\n};"),
+            [1]
+        );
+        assert_eq!(complaints("src/report/page.rs", "use slipmode::cli::x;"), [1]);
+    }
+
+    #[test]
+    fn what_is_not_in_the_table_is_refused() {
+        assert_eq!(complaints("src/helpers/mod.rs", ""), [0]);
+        assert_eq!(complaints("src/number/x.rs", "use crate::Ball;"), [1]);
+    }
+
+    #[test]
+    fn super_may_not_leave_the_module() {
+        assert_eq!(complaints("src/roots/a.rs", "use super::super::report;"), [1]);
+        assert_eq!(complaints("src/roots/mod.rs", "use super::report;"), [1]);
+        assert_eq!(complaints("src/roots/mod.rs", "#[cfg(test)]\nmod tests {\n    use super::*;\n}"), [0; 0]);
+        assert_eq!(complaints("src/roots/a.rs", "use super::ladder;"), [0; 0]);
+        let tests = "#[cfg(test)]\nmod tests {\n    use super::super::Ladder;\n}";
+        assert_eq!(complaints("src/roots/a.rs", tests), [0; 0]);
+        assert_eq!(complaints("src/roots/mod.rs", tests), [3]);
+    }
+}

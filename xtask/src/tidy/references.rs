@@ -1,0 +1,139 @@
+//! What is named exists, and what exists is named: links between files, and data that tests read.
+
+use std::collections::BTreeSet;
+
+use super::{Complaint, TextFile};
+
+/// Folders whose every file some test has to read.
+const TEST_DATA: [&str; 2] = ["tests/golden/", "tests/vectors/"];
+
+/// Complains about files of test data that no Rust file mentions, by name or by the folder that a test walks.
+pub fn check_data_is_read(files: &[TextFile], paths: &[String], found: &mut Vec<Complaint>) {
+    let sources: Vec<&str> = files
+        .iter()
+        .filter(|file| file.has_extension("rs") && !file.path.starts_with("xtask/"))
+        .map(|file| file.text.as_str())
+        .collect();
+    for path in paths {
+        let Some(inside) = TEST_DATA.iter().find_map(|folder| path.strip_prefix(folder)) else { continue };
+        if inside.ends_with(".md") || inside.ends_with(".py") {
+            continue;
+        }
+        let name = inside.rsplit('/').next().unwrap_or(inside);
+        let folder = inside.rsplit_once('/').map(|(folder, _)| format!("golden/{folder}"));
+        let is_mentioned = |source: &&str| {
+            source.contains(name) || folder.as_ref().is_some_and(|folder| source.contains(folder))
+        };
+        if !sources.iter().any(is_mentioned) {
+            let message = "no test mentions this file: read it or delete it".to_string();
+            found.push(Complaint { path: path.clone(), line: 0, message });
+        }
+    }
+}
+
+/// Complains about links in a Markdown file to files that do not exist.
+pub fn check_links(file: &TextFile, paths: &[String], found: &mut Vec<Complaint>) {
+    if !file.has_extension("md") {
+        return;
+    }
+    let known = with_folders(paths);
+    let mut in_fence = false;
+    for (index, line) in file.text.lines().enumerate() {
+        in_fence ^= line.trim_start().starts_with("```");
+        if in_fence {
+            continue;
+        }
+        for target in targets(line).filter(|target| is_local(target)) {
+            let path = resolve(&file.path, target);
+            if !known.contains(path.as_str()) {
+                found.push(file.complaint(index + 1, format!("the link `{target}` leads nowhere")));
+            }
+        }
+    }
+}
+
+/// All paths, and every folder on the way to one.
+fn with_folders(paths: &[String]) -> BTreeSet<&str> {
+    let mut known: BTreeSet<&str> = paths.iter().map(String::as_str).collect();
+    for path in paths {
+        known.extend(path.match_indices('/').map(|(at, _)| &path[..at]));
+    }
+    known.insert("");
+    known
+}
+
+/// The targets of `[text](target)`, `![text](target)` and `src="target"` in a line, code spans left out.
+fn targets(line: &str) -> impl Iterator<Item = &str> {
+    let code_free = line.split('`').step_by(2);
+    code_free.flat_map(|part| {
+        let links = part.split("](").skip(1).filter_map(|rest| rest.split([')', ' ']).next());
+        let images = part.split("src=\"").skip(1).filter_map(|rest| rest.split('"').next());
+        links.chain(images)
+    })
+}
+
+fn is_local(target: &str) -> bool {
+    !target.is_empty()
+        && !target.starts_with('#')
+        && !target.contains("://")
+        && !target.starts_with("mailto:")
+}
+
+/// The path from the root that a link in `from` means.
+fn resolve(from: &str, target: &str) -> String {
+    let target = target.split('#').next().unwrap_or(target);
+    let mut parts: Vec<&str> = if target.starts_with('/') { Vec::new() } else { from.split('/').collect() };
+    parts.pop();
+    for part in target.split('/') {
+        match part {
+            "" | "." => {}
+            // Above the root there is nothing: keep the dots, so that the link leads nowhere.
+            ".." if parts.pop().is_none() => parts.push(".."),
+            ".." => {}
+            name => parts.push(name),
+        }
+    }
+    parts.join("/")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn paths() -> Vec<String> {
+        ["README.md", "docs/a.md", "tests/vectors/a.txt", "tests/golden/run/b.csv"].map(String::from).to_vec()
+    }
+
+    fn links(path: &str, text: &str) -> Vec<usize> {
+        let mut found = Vec::new();
+        check_links(&TextFile { path: path.into(), text: text.into() }, &paths(), &mut found);
+        found.iter().map(|complaint| complaint.line).collect()
+    }
+
+    fn unread(test: &str) -> Vec<String> {
+        let files = [TextFile { path: "tests/suite/a.rs".into(), text: test.into() }];
+        let mut found = Vec::new();
+        check_data_is_read(&files, &paths(), &mut found);
+        found.into_iter().map(|complaint| complaint.path).collect()
+    }
+
+    #[test]
+    fn links_to_files_folders_and_the_web_pass() {
+        let good =
+            "[a](docs/a.md#x) [b](tests/vectors/) [c](https://x.org) [d](#e)\n`[x](y)`\n```\n[x](y)\n```\n";
+        assert_eq!(links("README.md", good), [0; 0]);
+        assert_eq!(links("docs/a.md", "[up](../README.md) [here](a.md)"), [0; 0]);
+    }
+
+    #[test]
+    fn links_that_lead_nowhere_are_refused() {
+        assert_eq!(links("README.md", "ok\n[a](docs/b.md) and ![c](d.svg)"), [2, 2]);
+        assert_eq!(links("docs/a.md", "[up](../../README.md)\n<img src=\"x.svg\">"), [1, 2]);
+    }
+
+    #[test]
+    fn test_data_has_to_be_read() {
+        assert_eq!(unread(""), ["tests/vectors/a.txt", "tests/golden/run/b.csv"]);
+        assert_eq!(unread("include_str!(\"../vectors/a.txt\"); golden(\"golden/run\")"), [""; 0]);
+    }
+}

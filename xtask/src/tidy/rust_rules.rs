@@ -1,0 +1,160 @@
+//! Rules for every Rust file: a header, one subject's length, no left-overs, no panics, one place for side effects.
+
+use super::Complaint;
+use super::rust_source::{RustSource, word_positions};
+
+const LONGEST_FILE: usize = 300;
+
+/// Macros and attributes that must not be committed.
+const LEFT_OVERS: [&str; 4] = ["todo!", "unimplemented!", "dbg!", "#[ignore"];
+
+/// Only the command line opens files, reads the clock and the environment, or ends the process.
+const SIDE_EFFECTS: [&str; 7] =
+    ["std::fs", "std::env", "std::process", "std::net", "SystemTime", "Instant", "std::io::stdin"];
+
+/// Where text from outside is handled: a panic there could be reached by input.
+const NEAR_INPUT: [&str; 7] = [
+    "src/cli",
+    "src/main.rs",
+    "src/scene",
+    "src/report",
+    "src/archive",
+    "src/table",
+    "src/number/decimal.rs",
+];
+
+/// The one place for `unsafe`: the dispatch to a function compiled for the machine's vector unit.
+const UNSAFE_ALLOWED: &str = "src/stability/batch";
+
+/// Checks all rules of this file.
+pub fn check(source: &RustSource, found: &mut Vec<Complaint>) {
+    check_header(source, found);
+    check_length(source, found);
+    check_left_overs(source, found);
+    if source.file.path.starts_with("src/") {
+        check_panics(source, found);
+        check_side_effects(source, found);
+        check_unsafe(source, found);
+    }
+}
+
+fn check_header(source: &RustSource, found: &mut Vec<Complaint>) {
+    if !source.file.text.starts_with("//!") {
+        found.push(source.file.complaint(1, "a file starts with `//!` and its one subject"));
+    }
+}
+
+fn check_length(source: &RustSource, found: &mut Vec<Complaint>) {
+    let lines = source.file.text.lines().count();
+    if lines > LONGEST_FILE {
+        let message = format!("{lines} lines (at most {LONGEST_FILE}): split by subject");
+        found.push(source.file.complaint(0, message));
+    }
+}
+
+fn check_left_overs(source: &RustSource, found: &mut Vec<Complaint>) {
+    for (number, code, _) in source.lines() {
+        for left_over in LEFT_OVERS {
+            if code
+                .match_indices(left_over)
+                .any(|(at, _)| !code[..at].ends_with(|c: char| c.is_alphanumeric()))
+            {
+                found.push(source.file.complaint(number, format!("`{left_over}` must not be committed")));
+            }
+        }
+    }
+}
+
+fn check_panics(source: &RustSource, found: &mut Vec<Complaint>) {
+    let near_input = NEAR_INPUT.iter().any(|part| source.file.path.starts_with(part));
+    for (number, code, _) in source.lines_outside_tests() {
+        if code.contains(".unwrap()") {
+            found.push(
+                source.file.complaint(number, "`.unwrap()` outside tests: handle it, or `expect` a reason"),
+            );
+        }
+        if near_input && [".expect(", "panic!(", "unreachable!("].iter().any(|panic| code.contains(panic)) {
+            found.push(source.file.complaint(number, "a panic that input could reach: return an error"));
+        }
+    }
+}
+
+fn check_side_effects(source: &RustSource, found: &mut Vec<Complaint>) {
+    let path = &source.file.path;
+    if path.starts_with("src/cli/") || path == "src/main.rs" {
+        return;
+    }
+    for (number, code, _) in source.lines_outside_tests() {
+        for effect in SIDE_EFFECTS {
+            if word_positions(code, effect).next().is_some() {
+                let message = format!("`{effect}` belongs to `cli`, the only floor that touches the world");
+                found.push(source.file.complaint(number, message));
+            }
+        }
+    }
+}
+
+fn check_unsafe(source: &RustSource, found: &mut Vec<Complaint>) {
+    if source.file.path.starts_with(UNSAFE_ALLOWED) {
+        return;
+    }
+    for (number, code, _) in source.lines() {
+        if word_positions(code, "unsafe").next().is_some() {
+            found.push(source.file.complaint(number, format!("`unsafe` is for {UNSAFE_ALLOWED} only")));
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::tidy::lines_of;
+
+    fn complaints(path: &str, text: &str) -> Vec<usize> {
+        lines_of(path, text, check)
+    }
+
+    #[test]
+    fn a_plain_file_has_no_complaint() {
+        let good = "//! Subject.\n/// todo! std::fs\nfn f() -> u8 { debug!(\"dbg!\"); 1 }\n";
+        assert_eq!(complaints("src/roots/x.rs", good), [0; 0]);
+    }
+
+    #[test]
+    fn a_header_is_wanted_and_length_is_limited() {
+        assert_eq!(complaints("tests/suite/main.rs", "mod a;\n"), [1]);
+        assert_eq!(complaints("benches/a.rs", &format!("//! A.\n{}", "\n".repeat(300))), [0]);
+        assert_eq!(complaints("benches/a.rs", &format!("//! A.\n{}", "\n".repeat(299))), [0; 0]);
+    }
+
+    #[test]
+    fn left_overs_are_refused_in_tests_too() {
+        for bad in ["//!\nfn f() { todo!() }", "//!\nfn f() { dbg!(1); }", "//!\n#[ignore = \"slow\"]"] {
+            assert_eq!(complaints("tests/suite/a.rs", bad), [2], "{bad}");
+        }
+    }
+
+    #[test]
+    fn panics_are_refused_outside_tests_and_near_input() {
+        let unwraps = "//!\nfn f() { g().unwrap(); }\n#[cfg(test)]\nmod tests { fn t() { g().unwrap(); } }\n";
+        assert_eq!(complaints("src/roots/x.rs", unwraps), [2]);
+        let expects = "//!\nfn f() { g().expect(\"a reason\"); }\n";
+        assert_eq!(complaints("src/scene/x.rs", expects), [2]);
+        assert_eq!(complaints("src/roots/x.rs", expects), [0; 0]);
+    }
+
+    #[test]
+    fn the_world_is_for_the_command_line() {
+        let bad = "//!\nuse std::fs;\nfn f() { std::time::Instant::now(); }\n";
+        assert_eq!(complaints("src/study/x.rs", bad), [2, 3]);
+        assert_eq!(complaints("src/cli/x.rs", bad), [0; 0]);
+    }
+
+    #[test]
+    fn unsafe_has_one_place() {
+        let code = "//!\nfn f() { unsafe { g() } }\n";
+        assert_eq!(complaints("src/number/dd.rs", code), [2]);
+        assert_eq!(complaints("src/stability/batch_grid.rs", code), [0; 0]);
+        assert_eq!(complaints("src/number/dd.rs", "//! unsafe\n#![forbid(unsafe_code)]\n"), [0; 0]);
+    }
+}

@@ -1,0 +1,230 @@
+//! A Rust file with comments and literals blanked out, so that a rule sees code only.
+
+use super::TextFile;
+
+/// A Rust file, its code and which of its lines are tests.
+#[derive(Debug)]
+pub struct RustSource<'a> {
+    /// The file as it is.
+    pub file: &'a TextFile,
+    /// The same text with the insides of comments, strings and characters replaced by spaces; lines are kept.
+    pub code: String,
+    /// For each line, whether it belongs to tests.
+    is_test: Vec<bool>,
+}
+
+impl<'a> RustSource<'a> {
+    /// Blanks comments and literals and finds the tests.
+    pub fn new(file: &'a TextFile) -> Self {
+        let code = blank(&file.text);
+        let is_test = test_lines(&file.path, &code);
+        Self { file, code, is_test }
+    }
+
+    /// Marks the whole file as tests, as its parent module declares it.
+    pub fn set_all_tests(&mut self) {
+        self.is_test.fill(true);
+    }
+
+    /// The paths that this file's `#[cfg(test)] mod name;` declarations may mean.
+    pub fn test_modules(&self) -> Vec<String> {
+        let path = self.file.path.as_str();
+        let (folder, name) = path.rsplit_once('/').unwrap_or(("", path));
+        let folder = match name {
+            "mod.rs" | "lib.rs" | "main.rs" => folder.to_string(),
+            name => format!("{folder}/{}", name.trim_end_matches(".rs")),
+        };
+        let declared = self.code.match_indices(TEST_MARKER).filter_map(|(start, marker)| {
+            let item = &self.code[start + marker.len()..item_end(&self.code, start + marker.len())];
+            item.trim().rsplit_once("mod ").map(|(_, name)| name.to_string())
+        });
+        declared.flat_map(|name| [format!("{folder}/{name}.rs"), format!("{folder}/{name}/mod.rs")]).collect()
+    }
+
+    /// Number (from 1), code and original text of each line.
+    pub fn lines(&self) -> impl Iterator<Item = (usize, &str, &str)> {
+        self.code.lines().zip(self.file.text.lines()).enumerate().map(|(n, (code, text))| (n + 1, code, text))
+    }
+
+    /// The same without the lines that belong to tests.
+    pub fn lines_outside_tests(&self) -> impl Iterator<Item = (usize, &str, &str)> {
+        self.lines().filter(|(number, _, _)| !self.is_test_line(*number))
+    }
+
+    /// Whether a line (from 1) belongs to tests.
+    pub fn is_test_line(&self, number: usize) -> bool {
+        self.is_test.get(number - 1).copied().unwrap_or(false)
+    }
+
+    /// The line (from 1) that holds a byte position of [`RustSource::code`].
+    pub fn line_at(&self, position: usize) -> usize {
+        self.code[..position].matches('\n').count() + 1
+    }
+}
+
+const TEST_MARKER: &str = "#[cfg(test)]";
+
+/// Byte positions of a word in code, where neither neighbour continues the identifier.
+pub fn word_positions<'a>(code: &'a str, word: &'a str) -> impl Iterator<Item = usize> + 'a {
+    let is_part = |c: char| c.is_alphanumeric() || c == '_';
+    code.match_indices(word).map(|(position, _)| position).filter(move |position| {
+        !code[..*position].ends_with(is_part) && !code[position + word.len()..].starts_with(is_part)
+    })
+}
+
+fn test_lines(path: &str, code: &str) -> Vec<bool> {
+    let whole_file = ["tests/", "benches/", "/tests.rs", "/tests/"].iter().any(|part| path.contains(part));
+    let mut flags = vec![whole_file; code.lines().count()];
+    for (start, marker) in code.match_indices(TEST_MARKER) {
+        let end = item_end(code, start + marker.len());
+        let (first, last) = (code[..start].matches('\n').count(), code[..end].matches('\n').count());
+        flags.iter_mut().take(last + 1).skip(first).for_each(|flag| *flag = true);
+    }
+    flags
+}
+
+/// Where the item that begins at `start` ends: at its closing brace, or at a semicolon before any brace.
+fn item_end(code: &str, start: usize) -> usize {
+    let mut depth = 0_u32;
+    for (offset, character) in code[start..].char_indices() {
+        match character {
+            ';' if depth == 0 => return start + offset,
+            '{' => depth += 1,
+            '}' if depth <= 1 => return start + offset,
+            '}' => depth -= 1,
+            _ => {}
+        }
+    }
+    code.len()
+}
+
+/// Replaces comments and the insides of literals by spaces, keeping line breaks.
+fn blank(text: &str) -> String {
+    let mut code = String::with_capacity(text.len());
+    let mut rest = text;
+    while let Some(first) = rest.chars().next() {
+        let length = literal_length(rest, code.chars().next_back()).unwrap_or(0);
+        if length == 0 {
+            code.push(first);
+            rest = &rest[first.len_utf8()..];
+        } else {
+            code.extend(rest[..length].chars().map(|c| if c == '\n' { '\n' } else { ' ' }));
+            rest = &rest[length..];
+        }
+    }
+    code
+}
+
+/// The length in bytes of the comment or literal that `rest` begins with, if any.
+fn literal_length(rest: &str, previous: Option<char>) -> Option<usize> {
+    if rest.starts_with("//") {
+        return Some(rest.find('\n').unwrap_or(rest.len()));
+    }
+    if rest.starts_with("/*") {
+        return Some(block_comment_length(rest));
+    }
+    if rest.starts_with('"') {
+        return Some(quoted_length(rest, '"'));
+    }
+    let in_word = previous.is_some_and(|c| c.is_alphanumeric() || c == '_');
+    if rest.starts_with('\'') {
+        return character_length(rest);
+    }
+    if in_word { None } else { raw_string_length(rest) }
+}
+
+fn block_comment_length(rest: &str) -> usize {
+    let (mut depth, mut position) = (0_u32, 0);
+    while position < rest.len() {
+        let here = &rest.as_bytes()[position..];
+        if here.starts_with(b"/*") {
+            depth += 1;
+            position += 2;
+        } else if here.starts_with(b"*/") {
+            depth -= 1;
+            position += 2;
+            if depth == 0 {
+                return position;
+            }
+        } else {
+            position += 1;
+        }
+    }
+    rest.len()
+}
+
+fn quoted_length(rest: &str, quote: char) -> usize {
+    let mut escaped = false;
+    for (position, character) in rest.char_indices().skip(1) {
+        match character {
+            _ if escaped => escaped = false,
+            '\\' => escaped = true,
+            c if c == quote => return position + 1,
+            _ => {}
+        }
+    }
+    rest.len()
+}
+
+/// A character literal's length; `None` for a lifetime.
+fn character_length(rest: &str) -> Option<usize> {
+    let mut characters = rest.char_indices().skip(1);
+    let (_, first) = characters.next()?;
+    let (position, second) = characters.next()?;
+    match (first, second) {
+        ('\\', _) => Some(quoted_length(rest, '\'')),
+        (_, '\'') => Some(position + 1),
+        _ => None,
+    }
+}
+
+fn raw_string_length(rest: &str) -> Option<usize> {
+    let prefix = ["br", "cr", "r"].into_iter().find(|prefix| rest.starts_with(prefix))?;
+    let hashes = rest[prefix.len()..].bytes().take_while(|byte| *byte == b'#').count();
+    let open = prefix.len() + hashes + 1;
+    if rest.as_bytes().get(open - 1) != Some(&b'"') {
+        return None;
+    }
+    let close = format!("\"{}", "#".repeat(hashes));
+    Some(rest[open..].find(&close).map_or(rest.len(), |end| open + end + close.len()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn comments_and_literals_are_blanked_and_lines_kept() {
+        let text = "a // b\n/* c /* d */\n e */ f(\"g\\\"h\", 'i', '\\'', r#\"j\"k\"#) &'l m";
+        let code = blank(text);
+        let kept: String = code.chars().filter(|c| c.is_alphanumeric()).collect();
+        assert_eq!(kept, "aflm");
+        assert_eq!(code.lines().count(), 3);
+    }
+
+    #[test]
+    fn test_modules_end_at_their_brace() {
+        let file = TextFile {
+            path: "src/x.rs".into(),
+            text: "fn a() {}\n#[cfg(test)]\nmod tests {\n  fn b() {}\n}\nfn c() {}\n#[cfg(test)]\nmod more;\nfn d() {}\n"
+                .into(),
+        };
+        let source = RustSource::new(&file);
+        let outside: Vec<usize> = source.lines_outside_tests().map(|(number, _, _)| number).collect();
+        assert_eq!(outside, [1, 6, 9]);
+    }
+
+    #[test]
+    fn a_file_may_be_declared_as_tests_by_its_parent() {
+        let text = "#[cfg(test)]\npub(crate) mod sample;\nmod other;\n#[cfg(test)]\nmod tests { mod x; }\n";
+        let file = TextFile { path: "src/plot/mod.rs".into(), text: text.into() };
+        let found = RustSource::new(&file).test_modules();
+        assert_eq!(found[..2], ["src/plot/sample.rs", "src/plot/sample/mod.rs"]);
+        assert!(!found.iter().any(|path| path.contains("other")));
+    }
+
+    #[test]
+    fn words_are_whole_identifiers() {
+        assert_eq!(word_positions("f64 xf64 f64x f64", "f64").collect::<Vec<_>>(), [0, 14]);
+    }
+}

@@ -1,0 +1,119 @@
+//! Rules for every text file: clean line ends, no notes to oneself, nothing that belongs to one machine.
+
+use super::{Complaint, TextFile};
+
+const NOTES: [&str; 4] = ["TODO", "FIXME", "XXX", "HACK"];
+
+/// First folders of absolute paths that exist on one machine only.
+const MACHINE_FOLDERS: [&str; 5] = ["work", "farm", "root", "home", "Users"];
+
+/// Hosts of package registries: a mirror's name tells of a machine, the default needs no mention.
+const REGISTRY_HOSTS: [&str; 5] = ["crates.io", "pypi.org", "npmjs", "proxy.golang", "artifactory"];
+
+/// The source of every package in the lock file.
+const LOCK_SOURCE: &str = "source = \"registry+https://github.com/rust-lang/crates.io-index\"";
+
+/// Checks all rules of this file; written-by-program files and this rule's own words are exempt where it says so.
+pub fn check(file: &TextFile, found: &mut Vec<Complaint>) {
+    if file.path == "Cargo.lock" {
+        check_lock(file, found);
+        return;
+    }
+    let is_generated = ["/published/", "tests/golden/", "proptest-regressions", "/snapshots/", "LICENSE-"]
+        .iter()
+        .any(|part| file.path.contains(part));
+    let holds_the_words = file.path == "xtask/src/tidy/text_rules.rs";
+    // Not `lines()`, which would hide a carriage return.
+    for (index, line) in file.text.split('\n').enumerate() {
+        if !is_generated && let Some(message) = whitespace(line) {
+            found.push(file.complaint(index + 1, message));
+        }
+        if !holds_the_words && let Some(message) = left_over(line).or_else(|| machine_path(line)) {
+            found.push(file.complaint(index + 1, message));
+        }
+    }
+    if !is_generated && !file.text.is_empty() && (!file.text.ends_with('\n') || file.text.ends_with("\n\n")) {
+        found.push(file.complaint(0, "a text file ends with exactly one line break"));
+    }
+}
+
+fn check_lock(file: &TextFile, found: &mut Vec<Complaint>) {
+    for (index, line) in file.text.lines().enumerate() {
+        if line.starts_with("source = ") && line != LOCK_SOURCE {
+            found.push(file.complaint(index + 1, "a package from elsewhere than the default registry"));
+        }
+    }
+}
+
+fn whitespace(line: &str) -> Option<String> {
+    if line.contains('\t') {
+        return Some("a tab: indent with spaces".into());
+    }
+    line.ends_with([' ', '\r']).then(|| "trailing whitespace".into())
+}
+
+fn left_over(line: &str) -> Option<String> {
+    let is_word = |note: &&&str| {
+        let mut words = line.split(|c: char| !c.is_alphanumeric() && c != '_');
+        words.any(|word| word == **note)
+    };
+    NOTES.iter().find(is_word).map(|note| format!("`{note}`: do it or drop it"))
+}
+
+fn machine_path(line: &str) -> Option<String> {
+    if let Some(host) = REGISTRY_HOSTS.iter().find(|host| line.contains(**host)) {
+        return Some(format!("a registry's host, `{host}`"));
+    }
+    let folder = MACHINE_FOLDERS.iter().find(|folder| is_absolute_below(line, folder))?;
+    Some(format!("an absolute path of one machine, below `{folder}`"))
+}
+
+/// Whether the line has a path that begins at the root with this folder and goes on.
+fn is_absolute_below(line: &str, folder: &str) -> bool {
+    let pattern = format!("/{folder}/");
+    line.match_indices(&pattern).any(|(at, _)| {
+        let follows_a_path = line[..at].ends_with(|c: char| c.is_alphanumeric() || "._-~}".contains(c));
+        let goes_on = line[at + pattern.len()..].starts_with(|c: char| c.is_alphanumeric() || c == '.');
+        !follows_a_path && goes_on
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn complaints(path: &str, text: &str) -> Vec<usize> {
+        let file = TextFile { path: path.into(), text: text.into() };
+        let mut found = Vec::new();
+        check(&file, &mut found);
+        found.iter().map(|complaint| complaint.line).collect()
+    }
+
+    #[test]
+    fn clean_text_passes() {
+        let good = "mathworks/work/x TODOS to-do ~/work/x $HOME/.cache \"https://a.org/root/x\"\n\nend\n";
+        assert_eq!(complaints("README.md", good), [0; 0]);
+    }
+
+    #[test]
+    fn tabs_trailing_blanks_and_line_ends_are_refused() {
+        assert_eq!(complaints("a.toml", "a\tb\nc \nd\r\ne"), [1, 2, 3, 0]);
+        assert_eq!(complaints("a.toml", "a\n\n"), [0]);
+        assert_eq!(complaints("tests/golden/a.csv", "a\tb\nc \nd"), [0; 0]);
+    }
+
+    #[test]
+    fn notes_machine_paths_and_hosts_are_refused() {
+        assert_eq!(
+            complaints("a.rs", "// TODO: x\n// see /home/me/x\n// crates.io\n(/root/.cargo)\n"),
+            [1, 2, 3, 4]
+        );
+        assert_eq!(complaints("reports/a/published/b.json", "\"/work/x\"\n"), [1]);
+    }
+
+    #[test]
+    fn a_foreign_source_in_the_lock_file_is_refused() {
+        assert_eq!(complaints("Cargo.lock", &format!("{LOCK_SOURCE}\n")), [0; 0]);
+        assert_eq!(complaints("Cargo.lock", "source = \"registry+https://elsewhere/index\"\n"), [1]);
+    }
+}

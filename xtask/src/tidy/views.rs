@@ -1,0 +1,85 @@
+//! Views hold strings: no numbers are computed in `report` or in a template.
+
+use super::rust_source::{RustSource, word_positions};
+use super::{Complaint, TextFile};
+
+const FLOAT_TYPES: [&str; 2] = ["f64", "f32"];
+
+/// Complains about floating-point types in `report` outside tests: who has none computes with none.
+pub fn check_report(source: &RustSource, found: &mut Vec<Complaint>) {
+    if !source.file.path.starts_with("src/report") {
+        return;
+    }
+    for (number, code, _) in source.lines_outside_tests() {
+        if FLOAT_TYPES.iter().any(|float| word_positions(code, float).next().is_some()) {
+            found
+                .push(source.file.complaint(number, "`report` gets strings; numbers are formatted below it"));
+        }
+    }
+}
+
+/// Complains about arithmetic between the delimiters of a template.
+pub fn check_template(file: &TextFile, found: &mut Vec<Complaint>) {
+    if !file.path.starts_with("templates/") {
+        return;
+    }
+    for (open, close) in [("{{", "}}"), ("{%", "%}")] {
+        for (start, _) in file.text.match_indices(open) {
+            let rest = &file.text[start + open.len()..];
+            let inside = rest.find(close).map_or(rest, |end| &rest[..end]);
+            if has_arithmetic(inside) {
+                let line = file.text[..start].matches('\n').count() + 1;
+                found.push(file.complaint(line, "arithmetic in a template: compute it below `report`"));
+            }
+        }
+    }
+}
+
+/// Whether a template expression, whitespace-control dashes removed, uses `+ - * / %` outside strings.
+fn has_arithmetic(inside: &str) -> bool {
+    let expression = inside.strip_prefix('-').unwrap_or(inside);
+    let expression = expression.strip_suffix('-').unwrap_or(expression);
+    let mut quote = None;
+    expression.chars().any(|character| match quote {
+        Some(open) => {
+            if character == open {
+                quote = None;
+            }
+            false
+        }
+        None if matches!(character, '"' | '\'' | '`') => {
+            quote = Some(character);
+            false
+        }
+        None => matches!(character, '+' | '-' | '*' | '/' | '%'),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::tidy::lines_of;
+
+    fn template(text: &str) -> Vec<usize> {
+        let file = TextFile { path: "templates/a.html".into(), text: text.into() };
+        let mut found = Vec::new();
+        check_template(&file, &mut found);
+        found.iter().map(|complaint| complaint.line).collect()
+    }
+
+    #[test]
+    fn a_template_prints_and_never_computes() {
+        let good =
+            "<a href=\"x-y\">\n{%- for row in rows -%}{{ row.name | join(sep=\"-\") }}{% endfor %} 1 + 1";
+        assert_eq!(template(good), [0; 0]);
+        for bad in ["\n{{ a * b }}", "\n{{ loop.index0 + 1 }}", "\n{% set x = a-b %}", "\n{%- if a / b -%}"] {
+            assert_eq!(template(bad), [2], "{bad}");
+        }
+    }
+
+    #[test]
+    fn report_has_no_floating_point_type() {
+        assert_eq!(lines_of("src/report/view.rs", "fn f(x: &str) {}\nfn g(x: f64) {}", check_report), [2]);
+        assert_eq!(lines_of("src/table/view.rs", "fn g(x: f64) {}", check_report), [0; 0]);
+    }
+}

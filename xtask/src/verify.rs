@@ -1,0 +1,47 @@
+//! `cargo xtask verify`: every report run afresh and compared with its published copy.
+
+use crate::failure::Failure;
+use crate::{machine, process, repository};
+
+/// Checks the machine, builds the release binary and verifies every report; the worst exit code wins.
+///
+/// # Errors
+/// With the code of `slipmode verify`: 1 on drift, 2 on bad input; also when the machine lacks a tool or the build fails.
+pub fn run() -> Result<(), Failure> {
+    machine::run()?;
+    build_release()?;
+    let mut worst = 0;
+    let mut unverified = Vec::new();
+    for name in repository::reports()? {
+        let code = slipmode("verify", &name)?;
+        if code != 0 {
+            unverified.push(name);
+        }
+        worst = worst.max(code);
+    }
+    match worst {
+        0 => Ok(()),
+        code => {
+            Err(Failure { code, message: format!("verify exited with {code} for {}", unverified.join(", ")) })
+        }
+    }
+}
+
+/// Builds the release binary as the lock file says.
+///
+/// # Errors
+/// When the build fails.
+pub fn build_release() -> Result<(), Failure> {
+    process::check(&mut process::cargo(&["build", "--release", "--locked", "--bin", "slipmode"]))
+}
+
+/// Runs one subcommand of the release binary on one report folder and returns its exit code.
+///
+/// # Errors
+/// When cargo cannot be started.
+pub fn slipmode(subcommand: &str, report: &str) -> Result<u8, Failure> {
+    // `cargo run` finds the binary wherever the target folder is configured to be, and passes the exit code on.
+    let folder = format!("reports/{report}");
+    let run = ["run", "--release", "--locked", "--quiet", "--bin", "slipmode", "--", subcommand, &folder];
+    process::status(&mut process::cargo(&run))
+}
