@@ -8,6 +8,7 @@ use std::ops::Range;
 use pulldown_cmark::{CowStr, Event, HeadingLevel, Options, Parser, Tag, TagEnd, html};
 
 use super::math::Mathematics;
+use crate::table::printable;
 
 /// Schemes that a link may have.
 const SCHEMES: [&str; 3] = ["https", "http", "mailto"];
@@ -35,7 +36,8 @@ impl Prose {
     pub fn blocks(&mut self, markdown: &str, shift: usize, place: &str) -> String {
         let mut events = Vec::new();
         let (mut dropped_links, mut image_depth) = (Vec::new(), 0_usize);
-        for event in Parser::new_ext(markdown, options()) {
+        let source = visible(markdown);
+        for event in Parser::new_ext(&source, options()) {
             match event {
                 Event::Html(_)
                 | Event::InlineHtml(_)
@@ -145,7 +147,7 @@ fn is_allowed(destination: &str) -> bool {
 ///
 /// `link` says where a deep link of the page leads in the Markdown report; a link that leads nowhere keeps its words.
 pub(crate) fn harmless(markdown: &str, shift: usize, link: &dyn Fn(&str) -> Option<String>) -> String {
-    let mut text = markdown.to_owned();
+    let mut text = visible(markdown);
     // What is dropped may bring forth new markup from its neighbours; every round makes the text shorter.
     loop {
         let edits = hazards(&text);
@@ -155,6 +157,11 @@ pub(crate) fn harmless(markdown: &str, shift: usize, link: &dyn Fn(&str) -> Opti
         text = edited(&text, edits);
     }
     edited(&text, finishing_edits(&text, shift, link))
+}
+
+/// The source with Unix line ends and without characters that are invisible or reorder text.
+fn visible(markdown: &str) -> String {
+    markdown.replace("\r\n", "\n").chars().map(printable).collect()
 }
 
 type Edit = (Range<usize>, String);
@@ -238,6 +245,17 @@ fn edited(text: &str, mut edits: Vec<Edit>) -> String {
         }
     }
     result + &text[at..]
+}
+
+/// Raw HTML that the Markdown still holds.
+#[cfg(test)]
+pub(crate) fn raw_html(markdown: &str) -> Vec<String> {
+    let events = Parser::new_ext(markdown, options());
+    let raw = events.filter_map(|event| match event {
+        Event::Html(text) | Event::InlineHtml(text) => Some(text.to_string()),
+        _ => None,
+    });
+    raw.collect()
 }
 
 #[cfg(test)]
