@@ -6,6 +6,8 @@
 //!
 //! Modules stand on floors and import lower floors only (`cargo xtask tidy` enforces it); ARCHITECTURE.md has the map.
 
+pub mod claims;
+pub mod exhibit;
 pub mod friction;
 pub mod number;
 pub mod plot;
@@ -14,5 +16,6 @@ pub mod report;
 pub mod roots;
 pub mod scene;
 pub mod stability;
+pub mod study;
 pub mod table;
 pub mod theory;

@@ -9,6 +9,7 @@ use crate::study::{FrequencyLine, FrequencyOutcome, Need, SceneOutcome};
 pub(super) const FIGURES: &[FigureMaker] = &[FigureMaker {
     id: "fig-2",
     needs: &[Need::Frequency],
+    data: &["frequency"],
     make: |outcome| frequency_lines(outcome.potentially_unstable()?),
 }];
 
@@ -36,7 +37,6 @@ fn frequency_lines(scene: &SceneOutcome) -> Option<Figure> {
         caption_markdown: "Largest imaginary part along lines of constant normal stress (compare fig 2 of the paper), with eq 23 and the natural angular frequency. Where a line is missing all roots are real.".into(),
         description: DESCRIPTION.into(),
         svg: chart.svg(),
-        data: vec!["frequency".into()],
     })
 }
 

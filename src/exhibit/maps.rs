@@ -10,21 +10,25 @@ pub(super) const FIGURES: &[FigureMaker] = &[
     FigureMaker {
         id: "fig-1",
         needs: &[Need::Map, Need::Boundary],
+        data: &["boundary"],
         make: |outcome| frequency_map(outcome.potentially_unstable()?, &FIG_1),
     },
     FigureMaker {
         id: "fig-6a",
         needs: &[Need::Map, Need::Boundary],
+        data: &["boundary"],
         make: |outcome| frequency_map(outcome.intrinsically_stable()?, &FIG_6A),
     },
     FigureMaker {
         id: "fig-7a",
         needs: &[Need::Map, Need::Zones, Need::Boundary],
+        data: &["zones"],
         make: |outcome| zone_map(outcome.potentially_unstable()?, &FIG_7A),
     },
     FigureMaker {
         id: "fig-7b",
         needs: &[Need::Map, Need::Zones, Need::Boundary],
+        data: &["zones"],
         make: |outcome| zone_map(outcome.intrinsically_stable()?, &FIG_7B),
     },
 ];
@@ -70,14 +74,13 @@ const FIG_7B: Words = Words {
     description: "Map of four slip modes over loading velocity and normal stress: overdamped stable sliding, non-inertial and inertial underdamped oscillation, and overdamped oscillation at high stress.",
 };
 
-fn figure(words: &Words, svg: String, data: &[&str]) -> Figure {
+fn figure(words: &Words, svg: String) -> Figure {
     Figure {
         id: words.id.into(),
         label: words.label.into(),
         caption_markdown: words.caption.into(),
         description: words.description.into(),
         svg,
-        data: data.iter().map(|&id| id.to_owned()).collect(),
     }
 }
 
@@ -117,7 +120,7 @@ fn frequency_map(scene: &SceneOutcome, words: &Words) -> Option<Figure> {
         x,
         y,
     };
-    Some(figure(words, heat_map.svg(), &[&format!("boundary-{}", scene.scene.name)]))
+    Some(figure(words, heat_map.svg()))
 }
 
 fn frequencies(map: &Grid<MapPoint>) -> Vec<f64> {
@@ -162,5 +165,5 @@ fn zone_map(scene: &SceneOutcome, words: &Words) -> Option<Figure> {
         .collect();
     let lines = theory_lines(scene, boundary, &x, &y);
     let map = ZoneMap { caption: caption(words), zones: present, lines, marks: cusp_mark(&boundary.points), labels: Vec::new(), x, y };
-    Some(figure(words, map.svg(), &[&format!("zones-{}", scene.scene.name)]))
+    Some(figure(words, map.svg()))
 }

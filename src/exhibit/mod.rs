@@ -4,6 +4,8 @@
 
 mod axes;
 mod boundary_tables;
+mod deviation;
+mod deviation_tables;
 mod figures;
 mod frequency;
 mod maps;

@@ -1,7 +1,7 @@
 //! Which tables there are, and what each needs.
 
 use crate::claims::Context;
-use crate::exhibit::{boundary_tables, mode_tables, numeric_tables, theory_tables};
+use crate::exhibit::{boundary_tables, deviation_tables, mode_tables, numeric_tables, theory_tables};
 use crate::study::Need;
 use crate::table::Table;
 
@@ -18,7 +18,7 @@ pub struct TableMaker {
 
 /// All tables.
 pub fn table_makers() -> impl Iterator<Item = &'static TableMaker> {
-    [theory_tables::TABLES, boundary_tables::TABLES, mode_tables::TABLES, numeric_tables::TABLES].into_iter().flatten()
+    [theory_tables::TABLES, boundary_tables::TABLES, deviation_tables::TABLES, mode_tables::TABLES, numeric_tables::TABLES].into_iter().flatten()
 }
 
 /// A table, unless it has no rows.

@@ -19,7 +19,7 @@ fn equations(context: &Context) -> Option<Table> {
     let mut table = Table::new("equations", "The paper's equations, as this report reads them", columns);
     for equation in context.equations.iter() {
         let text = format!("{} = {}", equation.left, equation.right);
-        table.push(vec![Cell::text(&equation.number), Cell::text(text), Cell::text(equation.note.as_deref().unwrap_or(""))]);
+        table.push(vec![Cell::text(&equation.number), Cell::text(text), Cell::text(&equation.note)]);
     }
     unless_empty(table)
 }

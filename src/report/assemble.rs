@@ -25,8 +25,8 @@ pub struct Material<'m> {
     pub equations: &'m PaperEquations,
     /// The verdicts.
     pub ledger: &'m Ledger,
-    /// The figures.
-    pub figures: Vec<Figure>,
+    /// The figures, each with the ids of the tables that hold its numbers.
+    pub figures: Vec<(Figure, &'static [&'static str])>,
     /// The tables.
     pub tables: Vec<Table>,
     /// The files that went in.
@@ -83,33 +83,18 @@ pub fn assemble(material: Material) -> ReportView {
     }
 }
 
-fn figure_view(figure: Figure) -> FigureView {
-    let Figure { id, label, caption_markdown, description, svg, data } = figure;
+fn figure_view((figure, data): (Figure, &[&str])) -> FigureView {
+    let Figure { id, label, caption_markdown, description, svg } = figure;
+    let data = data.iter().map(|&id| id.to_owned()).collect();
     FigureView { id, label, caption_markdown, description, svg, data }
 }
 
 fn chapter_view(chapter: &Chapter, prose: &BTreeMap<String, String>) -> ChapterView {
-    let stem = chapter.prose.as_deref().and_then(|name| name.strip_suffix(".md"));
-    ChapterView {
-        id: stem.unwrap_or(&chapter.title).to_owned(),
-        title: chapter.title.clone(),
-        text_markdown: chapter_text(chapter, prose),
-    }
+    ChapterView { id: chapter.id.clone(), title: chapter.title.clone(), text_markdown: chapter_text(chapter, prose) }
 }
 
-/// The chapter's prose; figures and tables that it lists without placing them follow at its end.
 fn chapter_text(chapter: &Chapter, prose: &BTreeMap<String, String>) -> String {
-    let mut text = chapter.prose.as_ref().and_then(|name| prose.get(name)).cloned().unwrap_or_default();
-    let figures = chapter.figures.iter().map(|id| format!("[[figure:{id}]]"));
-    let tables = chapter.tables.iter().map(|id| format!("[[table:{id}]]"));
-    for block in figures.chain(tables) {
-        if !text.lines().any(|line| line.trim() == block) {
-            text.push_str("\n\n");
-            text.push_str(&block);
-            text.push('\n');
-        }
-    }
-    text
+    prose.get(&chapter.prose).cloned().unwrap_or_default()
 }
 
 fn standing(verdict: Verdict) -> Standing {

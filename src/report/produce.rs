@@ -3,8 +3,9 @@
 use std::collections::BTreeMap;
 
 use crate::claims::{self, Context, Ledger};
-use crate::exhibit::{Figure, figure_makers, table_makers};
+use crate::exhibit::{Figure, FigureMaker, TableMaker, figure_makers, table_makers};
 use crate::report::assemble::{Material, assemble};
+use crate::report::blocks::{BlockKind, Piece, pieces};
 use crate::report::{FactView, InputView, ReportError, render_html, render_markdown};
 use crate::scene::{ClaimEntry, ReportPlan, Scene};
 use crate::study::{self, Needs, Outcome, Progress, References};
@@ -42,21 +43,21 @@ pub struct Product {
 /// Makes a report: the same bytes for the same folder, but for the environment block.
 ///
 /// # Errors
-/// When the plan names figures or tables that do not exist, or prose cannot be rendered.
+/// When prose places what does not exist or no scene provides, or cannot be rendered.
 pub fn produce(
     folder: &Folder,
     command: &str,
     environment: Vec<FactView>,
     progress: Progress,
 ) -> Result<Product, ReportError> {
-    let wanted = Wanted::of(&folder.plan)?;
+    let wanted = Wanted::of(folder);
     let mut needs = claims::needs(&folder.claims);
     needs.extend(wanted.needs());
     let outcome = study::run(&folder.scenes, &needs, &folder.references, progress);
     let context = Context { equations: &folder.equations, outcome: &outcome };
     let ledger = Ledger::decide(&folder.plan.name, &folder.claims, &context);
     let (figures, tables) = (wanted.figures(&outcome)?, wanted.tables(&context)?);
-    let mut files = exhibit_files(&figures, &tables);
+    let mut files = exhibit_files(figures.iter().map(|(figure, _)| figure), &tables);
     files.insert("ledger.json".into(), ledger.to_json());
     let view = assemble(Material {
         plan: &folder.plan,
@@ -83,52 +84,64 @@ pub fn produce_scene(scene: &Scene, equations: &PaperEquations, references: &Ref
     // Tables that need nothing computed are about the paper, not about the scene.
     let tables: Vec<Table> =
         table_makers().filter(|maker| !maker.needs.is_empty()).filter_map(|maker| (maker.make)(&context)).collect();
-    exhibit_files(&figures, &tables)
+    exhibit_files(figures.iter(), &tables)
 }
 
-fn exhibit_files(figures: &[Figure], tables: &[Table]) -> BTreeMap<String, String> {
-    let figures = figures.iter().map(|figure| (format!("figures/{}.svg", figure.id), figure.svg.clone()));
+fn exhibit_files<'f>(figures: impl Iterator<Item = &'f Figure>, tables: &[Table]) -> BTreeMap<String, String> {
+    let figures = figures.map(|figure| (format!("figures/{}.svg", figure.id), figure.svg.clone()));
     let tables = tables.iter().map(|table| (format!("tables/{}.csv", table.id), table.to_csv()));
     figures.chain(tables).collect()
 }
 
-/// The exhibits that a plan names.
-struct Wanted<'p> {
-    figures: Vec<&'p str>,
-    tables: Vec<&'p str>,
+/// The exhibits that prose places, and the tables with the numbers of its figures.
+struct Wanted {
+    figures: Vec<&'static FigureMaker>,
+    tables: Vec<&'static TableMaker>,
 }
 
-impl<'p> Wanted<'p> {
-    fn of(plan: &'p ReportPlan) -> Result<Self, ReportError> {
-        let figures: Vec<&str> = plan.chapters.iter().flat_map(|chapter| &chapter.figures).map(String::as_str).collect();
-        let tables: Vec<&str> = plan.chapters.iter().flat_map(|chapter| &chapter.tables).map(String::as_str).collect();
-        let no_figure = figures.iter().filter(|id| !figure_makers().any(|maker| maker.id == **id));
-        let no_table = tables.iter().filter(|id| !table_makers().any(|maker| maker.id == **id));
-        let faults: Vec<String> = no_figure
-            .map(|id| format!("report.toml: chapter.figures: there is no figure `{id}`"))
-            .chain(no_table.map(|id| format!("report.toml: chapter.tables: there is no table `{id}`")))
-            .collect();
-        if faults.is_empty() { Ok(Wanted { figures, tables }) } else { Err(ReportError::Faults(faults)) }
+impl Wanted {
+    /// What no maker knows is left to the renderer, which names the chapter that places it.
+    fn of(folder: &Folder) -> Self {
+        let mut wanted = Wanted { figures: Vec::new(), tables: Vec::new() };
+        for text in folder.plan.chapters.iter().filter_map(|chapter| folder.prose.get(&chapter.prose)) {
+            for piece in pieces(text) {
+                if let Piece::Block(kind, id) = piece {
+                    wanted.include(kind, &id);
+                }
+            }
+        }
+        let data: Vec<&str> = wanted.figures.iter().flat_map(|maker| maker.data).copied().collect();
+        for id in data {
+            wanted.include(BlockKind::Table, id);
+        }
+        wanted
+    }
+
+    fn include(&mut self, kind: BlockKind, id: &str) {
+        match kind {
+            BlockKind::Figure if !self.figures.iter().any(|maker| maker.id == id) => {
+                self.figures.extend(figure_makers().find(|maker| maker.id == id));
+            }
+            BlockKind::Table if !self.tables.iter().any(|maker| maker.id == id) => {
+                self.tables.extend(table_makers().find(|maker| maker.id == id));
+            }
+            BlockKind::Figure | BlockKind::Table | BlockKind::Equation | BlockKind::Claim => {}
+        }
     }
 
     fn needs(&self) -> Needs {
-        let of_figures = figure_makers().filter(|maker| self.figures.contains(&maker.id)).flat_map(|maker| maker.needs);
-        let of_tables = table_makers().filter(|maker| self.tables.contains(&maker.id)).flat_map(|maker| maker.needs);
+        let of_figures = self.figures.iter().flat_map(|maker| maker.needs);
+        let of_tables = self.tables.iter().flat_map(|maker| maker.needs);
         of_figures.chain(of_tables).copied().collect()
     }
 
-    fn figures(&self, outcome: &Outcome) -> Result<Vec<Figure>, ReportError> {
-        collect(
-            "figure",
-            figure_makers().filter(|maker| self.figures.contains(&maker.id)).map(|maker| (maker.id, (maker.make)(outcome))),
-        )
+    fn figures(&self, outcome: &Outcome) -> Result<Vec<(Figure, &'static [&'static str])>, ReportError> {
+        let made = |maker: &&FigureMaker| (maker.id, (maker.make)(outcome).map(|figure| (figure, maker.data)));
+        collect("figure", self.figures.iter().map(made))
     }
 
     fn tables(&self, context: &Context) -> Result<Vec<Table>, ReportError> {
-        collect(
-            "table",
-            table_makers().filter(|maker| self.tables.contains(&maker.id)).map(|maker| (maker.id, (maker.make)(context))),
-        )
+        collect("table", self.tables.iter().map(|maker| (maker.id, (maker.make)(context))))
     }
 }
 
@@ -139,7 +152,7 @@ fn collect<'i, T>(kind: &str, made: impl Iterator<Item = (&'i str, Option<T>)>) 
     for (id, one) in made {
         match one {
             Some(one) => all.push(one),
-            None => faults.push(format!("report.toml: no scene of the report states what {kind} `{id}` shows")),
+            None => faults.push(format!("report.toml: no scene of the report states what the {kind} `{id}` shows")),
         }
     }
     if faults.is_empty() { Ok(all) } else { Err(ReportError::Faults(faults)) }

@@ -27,6 +27,16 @@ pub enum SlipMode {
 }
 
 impl SlipMode {
+    /// Every slip mode, in the order of the enumeration.
+    pub const ALL: [Self; 6] = [
+        Self::OverdampedStableSliding,
+        Self::NonInertialUnderdampedOscillation,
+        Self::InertialUnderdampedOscillation,
+        Self::StickSlip,
+        Self::HarmonicVibration,
+        Self::OverdampedOscillation,
+    ];
+
     /// The name in tables and JSON.
     #[must_use]
     pub const fn as_str(self) -> &'static str {

@@ -139,6 +139,8 @@ impl LargestParts<Float> {
 mod tests {
     use super::*;
     use crate::number::parse_decimal;
+    use crate::stability::curve;
+    use crate::stability::fixtures::double_root_and_effect_ratio;
     use proptest::prelude::*;
 
     /// Unit a, D_c, V and σ make the groups the parameters: η = M, κ = K, β = b.
@@ -182,19 +184,6 @@ mod tests {
         (1i64..1_000_000, -36i32..31).prop_map(|(n, e)| parse_decimal(&format!("{n}e{e}")).unwrap())
     }
 
-    /// A point of the boundary with rational groups, moved off by a relative 10^-depth in κ.
-    fn beside_boundary(r: (i64, i64), beta: i64, depth: i32) -> Option<Parameters<Rational>> {
-        let (r, beta) = (Rational::from(r), Rational::from((beta, 100)));
-        let next = Rational::from(&r + 1).square();
-        if r.is_zero() || next.is_zero() {
-            return None;
-        }
-        let eta = (beta.clone() - &next) / (next.clone() * &r * 2u32);
-        let kappa = ((r.clone() * 2u32 + 1u32) * &beta - &next) * r / (next * 2u32);
-        let shift = parse_decimal(&format!("1e-{depth}")).unwrap() + 1u32;
-        (eta > 0 && kappa > 0).then(|| with_groups(&eta, &(kappa * shift), &beta))
-    }
-
     proptest! {
         #[test]
         fn promises_hold_for_groups_of_all_sizes(eta in group(), kappa in group(), beta in group()) {
@@ -202,10 +191,11 @@ mod tests {
         }
 
         #[test]
-        fn promises_hold_next_to_the_boundary(n in -4000i64..4000, d in 1i64..400, beta in 1i64..900, depth in 1i32..60) {
-            if let Some(parameters) = beside_boundary((n, d), beta, depth) {
-                assert_promises(&parameters);
-            }
+        fn promises_hold_on_and_next_to_the_boundary((r, beta) in double_root_and_effect_ratio(), depth in 1i32..60) {
+            let (eta, kappa) = (curve::inertial_parameter(&r, &beta), curve::stiffness_group(&r, &beta));
+            assert_promises(&with_groups(&eta, &kappa, &beta));
+            let shift = parse_decimal(&format!("1e-{depth}")).unwrap() + 1u32;
+            assert_promises(&with_groups(&eta, &(kappa * shift), &beta));
         }
 
         #[test]

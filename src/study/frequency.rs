@@ -4,7 +4,8 @@ use rayon::prelude::*;
 
 use crate::number::{Rational, Wide};
 use crate::scene::{FrequencySection, SceneParameters};
-use crate::stability::{InertialThreshold, classify, critical_normal_stress_pa};
+use crate::stability::transition::critical_normal_stress_pa;
+use crate::stability::{InertialThreshold, classify};
 use crate::study::map::exactly;
 
 /// One line of constant normal stress.
