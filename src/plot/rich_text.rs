@@ -21,6 +21,9 @@ enum Level {
 /// Size of sub- and superscripts relative to the line.
 const SCRIPT_SIZE: f64 = 0.72;
 
+/// Width of a space relative to the font size.
+const SPACE: f64 = 0.28;
+
 /// Markup as SVG content for a line of the given font size.
 pub(crate) fn to_svg(markup: &str, size: f64) -> String {
     let mut svg = String::new();
@@ -45,15 +48,15 @@ pub(crate) fn to_svg(markup: &str, size: f64) -> String {
         if run.bold {
             attributes += " font-weight=\"600\"";
         }
-        let text = keep_leading_space(&escape(&run.text));
+        // Some viewers drop a space at the start of a run; a shift is kept by all.
+        let words = run.text.strip_prefix(' ').filter(|_| !svg.is_empty());
+        if words.is_some() {
+            attributes += &format!(" dx=\"{}\"", number(SPACE * size));
+        }
+        let text = escape(words.unwrap_or(&run.text));
         svg += &if attributes.is_empty() { text } else { format!("<tspan{attributes}>{text}</tspan>") };
     }
     svg
-}
-
-/// Viewers may drop a space at the start of a run; a no-break space stays.
-fn keep_leading_space(text: &str) -> String {
-    text.strip_prefix(' ').map_or_else(|| text.into(), |rest| format!("\u{a0}{rest}"))
 }
 
 /// Estimated width of the markup for a line of the given font size: room enough for the wider system fonts.
@@ -130,7 +133,7 @@ mod tests {
     fn powers_are_raised_and_the_line_goes_on_at_its_base() {
         assert_eq!(
             to_svg("10^{−3} m", 10.0),
-            "10<tspan dy=\"-3.6\" font-size=\"7.2\">−3</tspan><tspan dy=\"3.6\">\u{a0}m</tspan>"
+            "10<tspan dy=\"-3.6\" font-size=\"7.2\">−3</tspan><tspan dy=\"3.6\" dx=\"2.8\">m</tspan>"
         );
     }
 
