@@ -27,7 +27,7 @@ const SPACE: f64 = 0.28;
 /// Markup as SVG content for a line of the given font size.
 pub(crate) fn to_svg(markup: &str, size: f64) -> String {
     let mut svg = String::new();
-    let mut shift = 0.0;
+    let (mut shift, mut space_before) = (0.0, false);
     for run in runs(markup) {
         let wanted = match run.level {
             Level::Base => 0.0,
@@ -48,12 +48,14 @@ pub(crate) fn to_svg(markup: &str, size: f64) -> String {
         if run.bold {
             attributes += " font-weight=\"600\"";
         }
-        // Some viewers drop a space at the start of a run; a shift is kept by all.
-        let words = run.text.strip_prefix(' ').filter(|_| !svg.is_empty());
-        if words.is_some() {
+        // Some viewers drop a space at the edge of a run; a shift is kept by all.
+        let words = run.text.trim_matches(' ');
+        let gap = !svg.is_empty() && (space_before || run.text.starts_with(' '));
+        if gap {
             attributes += &format!(" dx=\"{}\"", number(SPACE * size));
         }
-        let text = escape(words.unwrap_or(&run.text));
+        space_before = run.text.ends_with(' ');
+        let text = escape(words);
         svg += &if attributes.is_empty() { text } else { format!("<tspan{attributes}>{text}</tspan>") };
     }
     svg
@@ -135,6 +137,12 @@ mod tests {
             to_svg("10^{−3} m", 10.0),
             "10<tspan dy=\"-3.6\" font-size=\"7.2\">−3</tspan><tspan dy=\"3.6\" dx=\"2.8\">m</tspan>"
         );
+    }
+
+    #[test]
+    fn spaces_between_runs_become_shifts() {
+        assert_eq!(to_svg("*a* = *b*", 10.0).matches("dx=\"2.8\"").count(), 2);
+        assert_eq!(to_svg("10 m", 10.0), "10 m");
     }
 
     #[test]
