@@ -6,6 +6,7 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 use rug::Rational;
 use serde::{Deserialize, Serialize};
 
+use super::division::integer_scale;
 use super::{Monomial, Polynomial, RationalFunction, Symbol};
 
 /// The functions of one argument that the paper's equations use.
@@ -84,6 +85,7 @@ impl Expression {
         match exponent {
             0 => Self::integer(1),
             1 => self,
+            _ if self.is_one() || (self.is_zero() && exponent > 0) => self,
             _ => Self::Power(Box::new(self), exponent),
         }
     }
@@ -132,11 +134,11 @@ impl Expression {
         match self {
             Self::Number(_) => self.clone(),
             Self::Variable(name) => values.get(name).unwrap_or(self).clone(),
-            Self::Sum(parts) => Self::Sum(parts.iter().map(go).collect()),
-            Self::Product(parts) => Self::Product(parts.iter().map(go).collect()),
-            Self::Quotient(left, right) => Self::Quotient(Box::new(go(left)), Box::new(go(right))),
-            Self::Negation(inner) => Self::Negation(Box::new(go(inner))),
-            Self::Power(inner, exponent) => Self::Power(Box::new(go(inner)), *exponent),
+            Self::Sum(parts) => parts.iter().map(go).fold(Self::integer(0), Add::add),
+            Self::Product(parts) => parts.iter().map(go).fold(Self::integer(1), Mul::mul),
+            Self::Quotient(left, right) => go(left) / go(right),
+            Self::Negation(inner) => -go(inner),
+            Self::Power(inner, exponent) => go(inner).power(*exponent),
             Self::Call(function, inner) => Self::Call(*function, Box::new(go(inner))),
         }
     }
@@ -273,19 +275,16 @@ impl Div for Expression {
     }
 }
 
-impl From<&Monomial> for Expression {
-    fn from(monomial: &Monomial) -> Self {
-        monomial.factors().fold(Self::integer(1), |product, (name, exponent)| {
-            // Exponents here stay far below i32's limit: they come from equations of a dozen terms.
-            product * Self::Variable(name.clone()).power(*exponent as i32)
-        })
-    }
-}
-
 impl From<&Polynomial> for Expression {
     fn from(polynomial: &Polynomial) -> Self {
         let term = |(monomial, coefficient): (&Monomial, &Rational)| {
-            let size = Self::Number(coefficient.clone().abs()) * Self::from(monomial);
+            let size = monomial.factors().fold(
+                Self::Number(coefficient.clone().abs()),
+                |product, (name, exponent)| {
+                    // Exponents here stay far below i32's limit: they come from equations of a dozen terms.
+                    product * Self::Variable(name.clone()).power(*exponent as i32)
+                },
+            );
             if coefficient.is_negative() { -size } else { size }
         };
         polynomial.terms().rev().map(term).fold(Self::integer(0), Add::add)
@@ -294,6 +293,10 @@ impl From<&Polynomial> for Expression {
 
 impl From<&RationalFunction> for Expression {
     fn from(function: &RationalFunction) -> Self {
-        Self::from(function.numerator()) / Self::from(function.denominator())
+        let both = [function.numerator(), function.denominator()];
+        let scale =
+            integer_scale(both.iter().flat_map(|side| side.terms().map(|(_, coefficient)| coefficient)));
+        let [numerator, denominator] = both.map(|side| Self::from(&side.scale(&scale)));
+        numerator / denominator
     }
 }

@@ -85,14 +85,24 @@ pub fn slip_distance_and_stiffness(equations: &PaperEquations) -> Result<Proof, 
     let falls = -slope;
     Proof::new(
         "slip-distance-and-stiffness",
-        "The velocity of eq 20 is the same for every D_c and b and falls with K; η contains D_c and not K. The exact boundary \
-         depends on D_c: eq 20 is its limit for K D_c ≫ a σ.",
+        "The velocity of eq 20 is the same for every D_c and b and falls with K; η contains D_c and not K.",
     )
-    .identity("velocity of eq 20 with another D_c", &["20"], &velocity, &other(&velocity, "D_c", "d"), &domain)?
+    .identity(
+        "velocity of eq 20 with another D_c",
+        &["20"],
+        &velocity,
+        &other(&velocity, "D_c", "d"),
+        &domain,
+    )?
     .identity("velocity of eq 20 with another b", &["20"], &velocity, &other(&velocity, "b", "d"), &domain)?
     .positive("minus its slope in K", &["20"], &falls, &domain)?
     .identity("η with another stiffness", &["inertial-parameter"], &eta, &other(&eta, "K", "d"), &any())?
-    .positive("minus the slope of η in D_c", &["inertial-parameter"], &(-eta.derivative(&Symbol::new("D_c"))), &any())
+    .positive(
+        "minus the slope of η in D_c",
+        &["inertial-parameter"],
+        &(-eta.derivative(&Symbol::new("D_c"))),
+        &any(),
+    )
 }
 
 fn with_roots(domain: Domain) -> Domain {
