@@ -55,18 +55,34 @@ pub(super) const CHECKS: &[Check] = &[
 ];
 
 fn z1(context: &Context) -> Finding {
-    let scenes = [(context.outcome.potentially_unstable(), 5, "a < b"), (context.outcome.intrinsically_stable(), 4, "a > b")];
-    let mut finding = Finding::from_proofs([transition::stability(context.equations), frequency::low_frequency_zone(context.equations)]);
+    let scenes = [
+        (context.outcome.potentially_unstable(), 5, "a < b"),
+        (context.outcome.intrinsically_stable(), 4, "a > b"),
+    ];
+    let mut finding = Finding::from_proofs([
+        transition::stability(context.equations),
+        frequency::low_frequency_zone(context.equations),
+    ]);
     let mut limits = Vec::new();
     for (scene, expected, case) in scenes {
         let Some(zones) = scene.and_then(|scene: &SceneOutcome| scene.zones.as_ref()) else {
             return Finding::not_checked(format!("The report has no zones for {case}."));
         };
         let modes: BTreeSet<&str> = zones.exact.values.iter().map(|mode| mode.as_str()).collect();
-        finding = finding.with_evidence(modes_evidence(zones, &modes, case)).require(modes.len() == expected, || {
-            format!("{} slip modes for {case}: {}", modes.len(), modes.iter().copied().collect::<Vec<_>>().join(", "))
-        });
-        limits.push(format!("{} % of the points for {case}", percent(zones.disagreeing_areas, zones.exact.len())));
+        finding = finding.with_evidence(modes_evidence(zones, &modes, case)).require(
+            modes.len() == expected,
+            || {
+                format!(
+                    "{} slip modes for {case}: {}",
+                    modes.len(),
+                    modes.iter().copied().collect::<Vec<_>>().join(", ")
+                )
+            },
+        );
+        limits.push(format!(
+            "{} % of the points for {case}",
+            percent(zones.disagreeing_areas, zones.exact.len())
+        ));
         finding = finding.with_evidence(Evidence::Sample {
             quantity: format!("Points at which fig 7's zones and the exact slip modes differ, {case} (stability or oscillation; slip mode)"),
             value: format!("{}; {}", zones.disagreeing_areas, zones.disagreeing_modes),
@@ -119,7 +135,8 @@ fn z5(context: &Context) -> Finding {
         Some(tolerance) => {
             let at_corner = certain_digits(&tolerance.corners.lower_at_corner_normal_stress, 6);
             let worst = certain_digits(&tolerance.corners.lower_worst_log10, 6);
-            let enclosure = |quantity: &str, value: String| Evidence::Enclosure { quantity: quantity.into(), value };
+            let enclosure =
+                |quantity: &str, value: String| Evidence::Enclosure { quantity: quantity.into(), value };
             finding
                 .within(format!("eq 20 misses the exact velocity by the relative amount {at_corner} at its corner with eq 16; farther from the corner by bσ/(2KD_c) to leading order"))
                 .with_evidence(enclosure("V_exact/V_20 − 1 at the corner of eqs 16 and 20", at_corner))

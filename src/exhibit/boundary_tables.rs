@@ -54,7 +54,12 @@ pub fn boundary_row(point: &BoundaryPoint, digits: usize) -> Vec<Cell> {
     ]
 }
 
-fn point_table(context: &Context, id: &str, title: &str, wanted: fn(&BoundaryPoint) -> bool) -> Option<Table> {
+fn point_table(
+    context: &Context,
+    id: &str,
+    title: &str,
+    wanted: fn(&BoundaryPoint) -> bool,
+) -> Option<Table> {
     let mut columns = vec![Column::text("scene", "Scene")];
     columns.extend(boundary_columns());
     let mut table = Table::new(id, title, columns);
@@ -69,7 +74,11 @@ fn point_table(context: &Context, id: &str, title: &str, wanted: fn(&BoundaryPoi
 }
 
 fn boundaries<'c>(context: &Context<'c>) -> impl Iterator<Item = (&'c str, &'c BoundaryOutcome)> {
-    context.outcome.scenes.iter().filter_map(|scene| Some((scene.scene.name.as_str(), scene.boundary.as_ref()?)))
+    context
+        .outcome
+        .scenes
+        .iter()
+        .filter_map(|scene| Some((scene.scene.name.as_str(), scene.boundary.as_ref()?)))
 }
 
 fn all_points(context: &Context) -> Option<Table> {

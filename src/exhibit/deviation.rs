@@ -19,7 +19,9 @@ pub(super) const FIGURES: &[FigureMaker] = &[
         id: "corners",
         needs: &[Need::EffectRatioSweep],
         data: &["corners"],
-        make: |outcome| worst_errors(outcome.scenes.iter().find_map(|scene| scene.effect_ratio_sweep.as_ref())?),
+        make: |outcome| {
+            worst_errors(outcome.scenes.iter().find_map(|scene| scene.effect_ratio_sweep.as_ref())?)
+        },
     },
     FigureMaker {
         id: "tolerance",
@@ -134,9 +136,14 @@ fn good_enough(scene: &SceneOutcome) -> Option<Figure> {
         axis: Axis::log10("Loading velocity *V*_0 on the boundary", "m/s", scale * 1e-4, scale * 1e4),
         levels: tolerances
             .iter()
-            .map(|tolerance| format!("within {} %", rational_to_decimal(&Rational::from(*tolerance * 100u32), 4)))
+            .map(|tolerance| {
+                format!("within {} %", rational_to_decimal(&Rational::from(*tolerance * 100u32), 4))
+            })
             .collect(),
-        rows: Asymptote::ALL.into_iter().map(|asymptote| range_row(outcome, asymptote, &tolerances, scale)).collect(),
+        rows: Asymptote::ALL
+            .into_iter()
+            .map(|asymptote| range_row(outcome, asymptote, &tolerances, scale))
+            .collect(),
     };
     Some(figure(
         caption,
@@ -149,11 +156,17 @@ fn good_enough(scene: &SceneOutcome) -> Option<Figure> {
 /// D_c √(K/M), m/s: the velocity at which η/κ = 1.
 fn velocity_scale(scene: &SceneOutcome) -> Option<f64> {
     let parameters = scene.parameters()?;
-    let natural = (parameters.stiffness_pa_per_m.to_f64() / parameters.mass_per_area_kg_per_m2.to_f64()).sqrt();
+    let natural =
+        (parameters.stiffness_pa_per_m.to_f64() / parameters.mass_per_area_kg_per_m2.to_f64()).sqrt();
     Some(parameters.critical_slip_distance_m.to_f64() * natural)
 }
 
-fn range_row(outcome: &ToleranceOutcome, asymptote: Asymptote, tolerances: &[&Rational], scale: f64) -> RangeRow {
+fn range_row(
+    outcome: &ToleranceOutcome,
+    asymptote: Asymptote,
+    tolerances: &[&Rational],
+    scale: f64,
+) -> RangeRow {
     let spans = outcome
         .rows
         .iter()

@@ -43,12 +43,17 @@ fn tolerance(context: &Context) -> Option<Table> {
         for row in &outcome.rows {
             let limit = &row.limit;
             let quasi_static = limit.asymptote.is_quasi_static();
-            let group = if quasi_static { &limit.groups.inertial_parameter } else { &limit.groups.stiffness_group };
+            let group =
+                if quasi_static { &limit.groups.inertial_parameter } else { &limit.groups.stiffness_group };
             table.push(vec![
                 Cell::text(&scene.scene.name),
                 Cell::text(limit.asymptote.as_str()),
                 Cell::number(rational_to_decimal(&row.tolerance, 6)),
-                Cell::text(place(quasi_static, limit.whole_branch, limit.asymptote == crate::stability::Asymptote::InertialUpper)),
+                Cell::text(place(
+                    quasi_static,
+                    limit.whole_branch,
+                    limit.asymptote == crate::stability::Asymptote::InertialUpper,
+                )),
                 number(&row.in_si),
                 number(group),
                 Cell::number(rational_to_decimal(&limit.leading, ERROR_DIGITS)),
@@ -78,7 +83,8 @@ fn convergence(context: &Context) -> Option<Table> {
         Column::number("ratio", "error/leading", ""),
         Column::number("order", "Measured order (derived: 1)", ""),
     ];
-    let mut table = Table::new("convergence", "Measured order of convergence against the derived one", columns);
+    let mut table =
+        Table::new("convergence", "Measured order of convergence against the derived one", columns);
     for scene in &context.outcome.scenes {
         let Some(outcome) = &scene.tolerance else { continue };
         for (asymptote, steps) in &outcome.convergence {
@@ -110,7 +116,13 @@ fn corners(context: &Context) -> Option<Table> {
     ];
     let mut table = Table::new("corners", "Worst errors of the asymptotes against b/a", columns)
         .with_note("Errors are exact/asymptote − 1: of σ at the same V0 (eqs 15 and 16), of V0 at the same σ (eqs 18 and 20). Distances are to the nearer asymptote of the arc. Every digit is certain.");
-    for row in context.outcome.scenes.iter().filter_map(|scene| scene.effect_ratio_sweep.as_ref()).flat_map(|sweep| &sweep.rows) {
+    for row in context
+        .outcome
+        .scenes
+        .iter()
+        .filter_map(|scene| scene.effect_ratio_sweep.as_ref())
+        .flat_map(|sweep| &sweep.rows)
+    {
         let errors = &row.errors;
         table.push(vec![
             Cell::number(rational_to_decimal(&row.effect_ratio, 15)),

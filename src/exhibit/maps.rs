@@ -100,7 +100,8 @@ fn frequency_map(scene: &SceneOutcome, words: &Words) -> Option<Figure> {
     let (map, boundary) = (scene.map.as_ref()?, scene.boundary.as_ref()?);
     let (x, y) = axes(map)?;
     let parameters = scene.parameters()?;
-    let natural = (parameters.stiffness_pa_per_m.to_f64() / parameters.mass_per_area_kg_per_m2.to_f64()).sqrt();
+    let natural =
+        (parameters.stiffness_pa_per_m.to_f64() / parameters.mass_per_area_kg_per_m2.to_f64()).sqrt();
     let heat_map = HeatMap {
         caption: caption(words),
         columns: map.loading_velocity_m_per_s.len(),
@@ -152,8 +153,12 @@ fn zero_areas(boundary: &BoundaryOutcome, x: &Axis, y: &Axis) -> Vec<Vec<(f64, f
 fn zone_map(scene: &SceneOutcome, words: &Words) -> Option<Figure> {
     let (zones, boundary) = (scene.zones.as_ref()?, scene.boundary.as_ref()?);
     let (x, y) = axes(&zones.exact)?;
-    let classes: Vec<usize> =
-        zones.exact.values.iter().map(|mode| SlipMode::ALL.iter().position(|known| known == mode).unwrap_or(0)).collect();
+    let classes: Vec<usize> = zones
+        .exact
+        .values
+        .iter()
+        .map(|mode| SlipMode::ALL.iter().position(|known| known == mode).unwrap_or(0))
+        .collect();
     let columns = zones.exact.loading_velocity_m_per_s.len();
     let outlines = zones_of_grid(&x, &y, columns, &classes, SlipMode::ALL.len());
     let present = SlipMode::ALL
@@ -164,6 +169,14 @@ fn zone_map(scene: &SceneOutcome, words: &Words) -> Option<Figure> {
         .map(|(style, (mode, outlines))| Zone { label: mode.as_str().replace('-', " "), outlines, style })
         .collect();
     let lines = theory_lines(scene, boundary, &x, &y);
-    let map = ZoneMap { caption: caption(words), zones: present, lines, marks: cusp_mark(&boundary.points), labels: Vec::new(), x, y };
+    let map = ZoneMap {
+        caption: caption(words),
+        zones: present,
+        lines,
+        marks: cusp_mark(&boundary.points),
+        labels: Vec::new(),
+        x,
+        y,
+    };
     Some(figure(words, map.svg()))
 }

@@ -3,8 +3,8 @@
 use crate::claims::Context;
 use crate::exhibit::TableMaker;
 use crate::exhibit::tables::unless_empty;
-use crate::number::format::{rational_to_decimal, round_digits};
 use crate::number::Wide;
+use crate::number::format::{rational_to_decimal, round_digits};
 use crate::stability::SlipMode;
 use crate::study::{Need, SceneOutcome, ZonesOutcome};
 use crate::table::{Cell, Column, Table};
@@ -23,12 +23,15 @@ fn frequency(context: &Context) -> Option<Table> {
         Column::number("loading_velocity_m_per_s", "Loading velocity V0", "m/s"),
         Column::number("max_imaginary_per_s", "max Im(s)", "1/s"),
     ];
-    let mut table = Table::new("frequency", "Largest imaginary part along lines of constant normal stress", columns)
-        .with_note("Relative error at most 1e-14; 0 where all roots are real.");
+    let mut table =
+        Table::new("frequency", "Largest imaginary part along lines of constant normal stress", columns)
+            .with_note("Relative error at most 1e-14; 0 where all roots are real.");
     for scene in &context.outcome.scenes {
         let Some(outcome) = &scene.frequency else { continue };
         for line in &outcome.lines {
-            for (velocity, imaginary) in outcome.loading_velocity_m_per_s.iter().zip(&line.max_imaginary_per_s) {
+            for (velocity, imaginary) in
+                outcome.loading_velocity_m_per_s.iter().zip(&line.max_imaginary_per_s)
+            {
                 table.push(vec![
                     Cell::text(&scene.scene.name),
                     Cell::number(rational_to_decimal(&line.normal_stress_over_critical, 6)),
@@ -86,8 +89,12 @@ fn thresholds(context: &Context) -> Option<Table> {
         Column::number("inertial", "Of them inertial", ""),
         Column::number("moved", "Points whose mode differs from the default's", ""),
     ];
-    let mut table = Table::new("thresholds", "How the map depends on the threshold between inertial and non-inertial", columns)
-        .with_note("The default threshold is √½, the frequency ratio on K = K_c at η = 1.");
+    let mut table = Table::new(
+        "thresholds",
+        "How the map depends on the threshold between inertial and non-inertial",
+        columns,
+    )
+    .with_note("The default threshold is √½, the frequency ratio on K = K_c at η = 1.");
     for (scene, zones) in zoned(context) {
         for share in &zones.thresholds {
             table.push(vec![

@@ -24,7 +24,11 @@ fn rungs(context: &Context) -> Option<Table> {
         let Some(map) = &scene.map else { continue };
         for rung in [Rung::F64, Rung::DoubleDouble, Rung::Exact] {
             let points = map.values.iter().filter(|point| point.rung == rung).count();
-            table.push(vec![Cell::text(&scene.scene.name), Cell::text(rung.as_str()), Cell::number(points.to_string())]);
+            table.push(vec![
+                Cell::text(&scene.scene.name),
+                Cell::text(rung.as_str()),
+                Cell::number(points.to_string()),
+            ]);
         }
     }
     unless_empty(table)

@@ -18,7 +18,15 @@ pub struct TableMaker {
 
 /// All tables.
 pub fn table_makers() -> impl Iterator<Item = &'static TableMaker> {
-    [theory_tables::TABLES, boundary_tables::TABLES, deviation_tables::TABLES, mode_tables::TABLES, numeric_tables::TABLES].into_iter().flatten()
+    [
+        theory_tables::TABLES,
+        boundary_tables::TABLES,
+        deviation_tables::TABLES,
+        mode_tables::TABLES,
+        numeric_tables::TABLES,
+    ]
+    .into_iter()
+    .flatten()
 }
 
 /// A table, unless it has no rows.

@@ -15,7 +15,8 @@ pub(super) const TABLES: &[TableMaker] = &[
 const SERIES_ORDER: usize = 3;
 
 fn equations(context: &Context) -> Option<Table> {
-    let columns = vec![Column::text("equation", "Eq"), Column::text("text", "As read"), Column::text("note", "Note")];
+    let columns =
+        vec![Column::text("equation", "Eq"), Column::text("text", "As read"), Column::text("note", "Note")];
     let mut table = Table::new("equations", "The paper's equations, as this report reads them", columns);
     for equation in context.equations.iter() {
         let text = format!("{} = {}", equation.left, equation.right);
@@ -36,9 +37,14 @@ fn series(context: &Context) -> Option<Table> {
     let mut table = Table::new("series", "Relative error exact/asymptote − 1 as a series, derived from eq 8", columns)
         .with_note("Coefficients in w = √β for eqs 15 and 16, in β for eqs 18 and 20. Each series was derived along the rational curve and checked to make the discriminant vanish to the same order.");
     for series in asymptote_series::derive(context.equations, SERIES_ORDER).ok()? {
-        let mut row =
-            vec![Cell::text(format!("eq {}", series.equation)), Cell::text(series.quantity), Cell::text(series.variable)];
-        row.extend((1..=SERIES_ORDER).map(|order| Cell::text(series.coefficients.get(order).map_or_else(String::new, ToString::to_string))));
+        let mut row = vec![
+            Cell::text(format!("eq {}", series.equation)),
+            Cell::text(series.quantity),
+            Cell::text(series.variable),
+        ];
+        row.extend((1..=SERIES_ORDER).map(|order| {
+            Cell::text(series.coefficients.get(order).map_or_else(String::new, ToString::to_string))
+        }));
         table.push(row);
     }
     unless_empty(table)

@@ -5,8 +5,8 @@ use std::collections::BTreeMap;
 use crate::claims::{Entry, Evidence, Ledger, Verdict};
 use crate::exhibit::Figure;
 use crate::report::{
-    CardView, ChapterView, ClaimGroupView, ClaimView, EquationView, EvidenceView, FactView, FigureView, FindingView,
-    InputView, ProvenanceView, ReportView, Standing,
+    CardView, ChapterView, ClaimGroupView, ClaimView, EquationView, EvidenceView, FactView, FigureView,
+    FindingView, InputView, ProvenanceView, ReportView, Standing,
 };
 use crate::scene::{Chapter, ReportPlan};
 use crate::table::Table;
@@ -90,7 +90,11 @@ fn figure_view((figure, data): (Figure, &[&str])) -> FigureView {
 }
 
 fn chapter_view(chapter: &Chapter, prose: &BTreeMap<String, String>) -> ChapterView {
-    ChapterView { id: chapter.id.clone(), title: chapter.title.clone(), text_markdown: chapter_text(chapter, prose) }
+    ChapterView {
+        id: chapter.id.clone(),
+        title: chapter.title.clone(),
+        text_markdown: chapter_text(chapter, prose),
+    }
 }
 
 fn chapter_text(chapter: &Chapter, prose: &BTreeMap<String, String>) -> String {
@@ -164,7 +168,11 @@ fn claim_view(entry: &Entry, ledger: &Ledger, command: &str) -> ClaimView {
         acceptance_markdown: plain(entry.criterion),
         standing: standing(finding.verdict),
         verdict_markdown: plain(finding.limit.as_deref().unwrap_or_default()),
-        strength: if finding.verdict == Verdict::NotChecked { String::new() } else { finding.strength.as_str().into() },
+        strength: if finding.verdict == Verdict::NotChecked {
+            String::new()
+        } else {
+            finding.strength.as_str().into()
+        },
         evidence: finding.evidence.iter().map(evidence_view).collect(),
         limits_markdown: Vec::new(),
         counter_example_markdown: plain(finding.counter_example.as_deref().unwrap_or_default()),

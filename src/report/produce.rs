@@ -77,17 +77,27 @@ pub fn produce(
 
 /// The tables and figures of one scene, with everything that the scene states.
 #[must_use]
-pub fn produce_scene(scene: &Scene, equations: &PaperEquations, references: &References, progress: Progress) -> BTreeMap<String, String> {
+pub fn produce_scene(
+    scene: &Scene,
+    equations: &PaperEquations,
+    references: &References,
+    progress: Progress,
+) -> BTreeMap<String, String> {
     let outcome = study::run(std::slice::from_ref(scene), &study::all_needs(), references, progress);
     let context = Context { equations, outcome: &outcome };
     let figures: Vec<Figure> = figure_makers().filter_map(|maker| (maker.make)(&outcome)).collect();
     // Tables that need nothing computed are about the paper, not about the scene.
-    let tables: Vec<Table> =
-        table_makers().filter(|maker| !maker.needs.is_empty()).filter_map(|maker| (maker.make)(&context)).collect();
+    let tables: Vec<Table> = table_makers()
+        .filter(|maker| !maker.needs.is_empty())
+        .filter_map(|maker| (maker.make)(&context))
+        .collect();
     exhibit_files(figures.iter(), &tables)
 }
 
-fn exhibit_files<'f>(figures: impl Iterator<Item = &'f Figure>, tables: &[Table]) -> BTreeMap<String, String> {
+fn exhibit_files<'f>(
+    figures: impl Iterator<Item = &'f Figure>,
+    tables: &[Table],
+) -> BTreeMap<String, String> {
     let figures = figures.map(|figure| (format!("figures/{}.svg", figure.id), figure.svg.clone()));
     let tables = tables.iter().map(|table| (format!("tables/{}.csv", table.id), table.to_csv()));
     figures.chain(tables).collect()
@@ -136,7 +146,8 @@ impl Wanted {
     }
 
     fn figures(&self, outcome: &Outcome) -> Result<Vec<(Figure, &'static [&'static str])>, ReportError> {
-        let made = |maker: &&FigureMaker| (maker.id, (maker.make)(outcome).map(|figure| (figure, maker.data)));
+        let made =
+            |maker: &&FigureMaker| (maker.id, (maker.make)(outcome).map(|figure| (figure, maker.data)));
         collect("figure", self.figures.iter().map(made))
     }
 
@@ -146,13 +157,17 @@ impl Wanted {
 }
 
 /// All that could be made, or a fault for each that the scenes do not provide.
-fn collect<'i, T>(kind: &str, made: impl Iterator<Item = (&'i str, Option<T>)>) -> Result<Vec<T>, ReportError> {
+fn collect<'i, T>(
+    kind: &str,
+    made: impl Iterator<Item = (&'i str, Option<T>)>,
+) -> Result<Vec<T>, ReportError> {
     let mut faults = Vec::new();
     let mut all = Vec::new();
     for (id, one) in made {
         match one {
             Some(one) => all.push(one),
-            None => faults.push(format!("report.toml: no scene of the report states what the {kind} `{id}` shows")),
+            None => faults
+                .push(format!("report.toml: no scene of the report states what the {kind} `{id}` shows")),
         }
     }
     if faults.is_empty() { Ok(all) } else { Err(ReportError::Faults(faults)) }

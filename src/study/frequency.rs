@@ -41,7 +41,12 @@ pub fn frequency_lines(parameters: &SceneParameters, section: &FrequencySection)
     FrequencyOutcome { loading_velocity_m_per_s: velocities, lines }
 }
 
-fn line(parameters: &SceneParameters, velocities: &[f64], ratio: Rational, stress: Rational) -> FrequencyLine {
+fn line(
+    parameters: &SceneParameters,
+    velocities: &[f64],
+    ratio: Rational,
+    stress: Rational,
+) -> FrequencyLine {
     let threshold = InertialThreshold::default();
     let max_imaginary_per_s = velocities
         .par_iter()

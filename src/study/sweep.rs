@@ -29,9 +29,10 @@ const DIGITS: u32 = 20;
 /// Computes the worst errors along the axis, and at β = 1 ± each near-equal distance.
 #[must_use]
 pub fn sweep_effect_ratio(section: &EffectRatioSweep) -> SweepOutcome {
-    let near = section.near_equal.iter().flat_map(|distance| {
-        [Rational::from(1) - distance, Rational::from(1) + distance]
-    });
+    let near = section
+        .near_equal
+        .iter()
+        .flat_map(|distance| [Rational::from(1) - distance, Rational::from(1) + distance]);
     let mut ratios: Vec<Rational> =
         section.effect_ratio.coordinates().into_iter().map(exactly).chain(near).collect();
     ratios.sort();
