@@ -11,7 +11,6 @@ use crate::table::{escape_cell, escape_markdown, printable};
 pub(crate) struct ClaimText<'a> {
     id_md: String,
     link_md: String,
-    place: &'a str,
     place_md: String,
     symbol: &'static str,
     word: &'static str,
@@ -45,7 +44,6 @@ impl<'a> ClaimText<'a> {
         Self {
             id_md: escape_markdown(&claim.id),
             link_md: format!("[{}](#{})", escape_cell(&claim.id), slug(&claim.id)),
-            place: &claim.place,
             place_md: escape_cell(&claim.place),
             symbol: claim.standing.symbol(),
             word: claim.standing.word(),

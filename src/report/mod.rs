@@ -10,7 +10,10 @@ mod catalogue;
 mod claim_html;
 mod claim_text;
 mod error;
+#[cfg(test)]
+mod hostile_tests;
 mod html;
+mod html_context;
 mod markdown;
 mod math;
 mod page_style;
@@ -18,7 +21,10 @@ mod produce;
 #[cfg(test)]
 mod sample;
 mod templates;
+#[cfg(test)]
+mod tests;
 mod text;
+mod text_context;
 mod view;
 
 pub use error::ReportError;

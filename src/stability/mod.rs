@@ -7,14 +7,18 @@ pub mod boundary;
 pub mod curve;
 pub mod cusp;
 mod decision;
+pub mod deviation;
 #[cfg(test)]
 mod fixtures;
+pub mod frequency;
 mod ladder;
 mod logarithm;
+mod parameter_coefficients;
 mod parameter_equation;
 mod slip_mode;
 mod spectral_class;
 mod spectrum;
+pub mod tolerance;
 pub mod transition;
 
 pub use arc_point::{ArcFrame, ArcPoint, Sensitivity};
@@ -25,3 +29,7 @@ pub use decision::{boundary_sign, transition_sign};
 pub use slip_mode::{InertialThreshold, SlipMode, slip_mode};
 pub use spectral_class::SpectralClass;
 pub use spectrum::{Classification, classify};
+pub use transition::{
+    critical_normal_stress_pa, critical_stiffness, critical_stiffness_dynamic,
+    critical_stiffness_quasi_static, critical_velocity_m_per_s, critical_velocity_squared, has_transition,
+};

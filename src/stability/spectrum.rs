@@ -218,6 +218,24 @@ mod tests {
     }
 
     #[test]
+    fn inputs_at_the_ends_of_the_number_grammar_are_classified() {
+        let ends = ["1e-10000", "7", "1e10000"].map(|text| parse_decimal(text).unwrap());
+        // Every input at an end of the grammar in turn, in a fixed pattern of all three.
+        for pattern in 0..9 {
+            let end = |k: usize| ends[(pattern * (k + 1) + k / 3) % 3].clone();
+            assert_promises(&Parameters {
+                direct_effect: end(0),
+                evolution_effect: end(1),
+                critical_slip_distance_m: end(2),
+                stiffness_pa_per_m: end(3),
+                mass_per_area_kg_per_m2: end(4),
+                normal_stress_pa: end(5),
+                loading_velocity_m_per_s: end(6),
+            });
+        }
+    }
+
+    #[test]
     fn values_far_beyond_f64_are_neither_infinite_nor_zero() {
         let [eta, kappa, beta] = ["1e-1000", "1e5000", "2"].map(|text| parse_decimal(text).unwrap());
         let found = assert_promises(&with_groups(&eta, &kappa, &beta));

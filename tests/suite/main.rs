@@ -1,3 +1,5 @@
 //! The integration tests: what a user of the library and of the command line sees.
 
 mod hard_cases;
+mod hard_points;
+mod readme;

@@ -141,7 +141,7 @@ def main():
         cases.ABOUT_GROUPS,
         ["eta", "kappa", "beta", *cases.EXPECTED_GROUPS],
         [(title, len(family)) for title, family in groups],
-        [[str(value) for value in point] for point in points],
+        [[cases.shortest(value) for value in point] for point in points],
         [(*point, fmpq(1)) for point in points],
     )
     inputs = cases.parameter_families()
