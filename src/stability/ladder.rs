@@ -52,6 +52,16 @@ impl BoundedGroups<Dd> {
         certain_sign(&self.transition_margin())
     }
 
+    /// Both signs when 64-bit, or else double-double, is certain of both.
+    pub(super) fn signs_below_exact(&self) -> Option<Signs> {
+        self.leading().signs(Rung::F64).or_else(|| self.certain_signs())
+    }
+
+    /// The groups themselves.
+    pub(super) fn groups(&self) -> &Groups<Dd> {
+        &self.groups
+    }
+
     /// The leading parts.
     fn leading(&self) -> BoundedGroups<f64> {
         BoundedGroups { groups: self.groups.map(Dd::hi), relative_error: 2.0 * f64::UNIT }
