@@ -4,7 +4,7 @@ use std::cmp::Ordering;
 
 use rug::{Float, Rational};
 
-use crate::number::{Ball, Field};
+use crate::number::Ball;
 use crate::polynomial::{IsolatingInterval, UnivariatePolynomial};
 
 /// Precision of the first attempt, in bits.
