@@ -54,7 +54,7 @@ impl BoundedGroups<Dd> {
 
     /// Both signs when 64-bit, or else double-double, is certain of both.
     pub(super) fn signs_below_exact(&self) -> Option<Signs> {
-        self.leading().signs(Rung::F64).or_else(|| self.certain_signs())
+        self.leading().signs(Rung::F64).or_else(|| self.signs(Rung::DoubleDouble))
     }
 
     /// The groups themselves.
