@@ -173,6 +173,7 @@ impl Bracket {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::number::Field;
 
     #[test]
     fn the_square_root_of_two_to_a_thousand_digits() {
