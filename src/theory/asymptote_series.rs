@@ -176,7 +176,8 @@ fn finish(
     };
     let proof = proof
         .reason(format!(
-            "y is the error of \"{}\", derived along the boundary's parametrisation by its double root.",
+            "y is the error of \"{}\", derived along the boundary's parametrisation by its double \
+             root.",
             equations.equation(number)
         ))
         .certify(
