@@ -9,15 +9,13 @@ use slipmode::friction::Parameters;
 use slipmode::number::Rational;
 use slipmode::scene::{AllowedRange, Limits, Problem, Quantity, parameters_from};
 use slipmode::stability::boundary::BoundaryCurve;
+use slipmode::study::END_ERROR;
 use slipmode::table::Table;
 
 use crate::cli::failure::Failure;
 use crate::cli::options::{Arguments, SliderOptions};
 use crate::cli::output::{Output, machine_write};
 use crate::cli::roots::MOST_DIGITS;
-
-/// How far off the asymptotes are at the ends of the sampled arcs: beyond, arc and asymptote are one line in any figure.
-const END_ERROR: f64 = 1e-9;
 
 /// Options of `boundary`.
 #[derive(Debug, Args)]

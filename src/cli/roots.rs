@@ -1,5 +1,7 @@
 //! `slipmode roots`: the three roots s of eq 8, to any number of certified digits.
 
+use std::cmp::Ordering;
+
 use clap::Args;
 use rug::Float;
 use rug::float::Round;
@@ -101,9 +103,12 @@ impl PrintedRoot {
 fn distance(part: &Ball, printed: &str) -> Ball {
     let bits = part.precision_bits() + 64;
     let Ok(parsed) = Float::parse(printed) else { return part.clone() };
-    let nearest = Float::with_val(bits, parsed);
-    // Reading a decimal is exact to half a unit in the last place.
-    let reading = Float::with_val_round(32, nearest.abs_ref(), Round::Up).0 >> bits;
+    let (nearest, rounding) = Float::with_val_round(bits, parsed, Round::Nearest);
+    // Reading a decimal is exact, or off by half a unit in the last place.
+    let reading = match rounding {
+        Ordering::Equal => Float::new(32),
+        _ => Float::with_val_round(32, nearest.abs_ref(), Round::Up).0 >> bits,
+    };
     let difference = part.clone() - Ball::new(nearest, reading);
     if difference.centre().is_sign_negative() { -difference } else { difference }
 }

@@ -8,6 +8,7 @@ pub mod curve;
 pub mod cusp;
 mod decision;
 pub mod deviation;
+mod distance;
 #[cfg(test)]
 mod fixtures;
 pub mod frequency;
@@ -27,6 +28,7 @@ pub use asymptote::Asymptote;
 pub use boundary::{BoundaryCurve, BoundaryPoint, Mark, Section};
 pub use curve::Arc;
 pub use decision::{boundary_sign, transition_sign};
+pub use distance::LogDistance;
 pub use quick::classify_quickly;
 pub use slip_mode::{InertialThreshold, SlipMode, slip_mode};
 pub use spectral_class::SpectralClass;

@@ -16,7 +16,7 @@ pub struct BoundaryOutcome {
 }
 
 /// How far off the asymptotes are at the ends of the sampled arcs: beyond, arc and asymptote are one line in any figure.
-const END_ERROR: f64 = 1e-9;
+pub const END_ERROR: f64 = 1e-9;
 
 /// Sections per arc on which the routes are compared: enough to meet every regime of both arcs, cheap enough for a scene.
 const COMPARED_SECTIONS: usize = 24;

@@ -13,7 +13,7 @@ mod sweep;
 mod tolerance;
 mod zones;
 
-pub use boundary::{BoundaryOutcome, boundary_outcome};
+pub use boundary::{BoundaryOutcome, END_ERROR, boundary_outcome};
 pub use frequency::{FrequencyLine, FrequencyOutcome, frequency_lines};
 pub use grid::Grid;
 pub use hard_cases::{FamilyOutcome, HardCase, compare_hard_cases, read_hard_cases};

@@ -5,7 +5,7 @@ use serde_json::{Value, json};
 use slipmode::friction::{Groups, Parameters};
 use slipmode::number::format::round_float;
 use slipmode::number::{Rational, Wide};
-use slipmode::stability::{Classification, InertialThreshold, classify, transition};
+use slipmode::stability::{Classification, InertialThreshold, LogDistance, classify, transition};
 
 use crate::cli::roots::{PrintedRoot, print_roots};
 
@@ -21,6 +21,8 @@ pub struct PointView {
     critical_stiffness_pa_per_m: Rational,
     groups: Groups<Rational>,
     stiffness_ratio: Option<Rational>,
+    to_transition: LogDistance,
+    to_boundary: LogDistance,
     roots: Vec<PrintedRoot>,
 }
 
@@ -35,6 +37,8 @@ impl PointView {
             critical_stiffness_pa_per_m,
             groups: parameters.groups(),
             stiffness_ratio,
+            to_transition: LogDistance::to_transition(parameters),
+            to_boundary: LogDistance::to_boundary(parameters),
             roots: print_roots(parameters, ROOT_DIGITS),
         }
     }
@@ -52,6 +56,8 @@ impl PointView {
             "rung": found.rung.as_str(),
             "critical_stiffness_pa_per_m": nearest_number(&self.critical_stiffness_pa_per_m),
             "stiffness_over_critical": self.stiffness_ratio.as_ref().map(nearest_number),
+            "transition_distance": distance_object(&self.to_transition),
+            "boundary_distance": distance_object(&self.to_boundary),
             "groups": {
                 "inertial_parameter": nearest_number(&self.groups.inertial_parameter),
                 "stiffness_group": nearest_number(&self.groups.stiffness_group),
@@ -77,6 +83,8 @@ impl PointView {
                 self.stiffness_ratio.as_ref().map_or_else(|| "-".into(), shown),
                 if self.stiffness_ratio.is_some() { "" } else { "(a >= b: no transition)" },
             ),
+            ("distance to K = K_c", distance_text(&self.to_transition), ""),
+            ("distance to max Im(s) = 0", distance_text(&self.to_boundary), ""),
             ("eta, M V0^2/(sigma a D_c)", shown(&self.groups.inertial_parameter), ""),
             ("kappa, K D_c/(a sigma)", shown(&self.groups.stiffness_group), ""),
             ("beta, b/a", shown(&self.groups.effect_ratio), ""),
@@ -86,6 +94,24 @@ impl PointView {
         let line = |(name, value, note): &(&str, String, &str)| format!("{name:<26} {value}  {note}");
         lines.iter().map(line).map(|line| format!("{}\n", line.trim_end())).collect()
     }
+}
+
+/// log10 of the factors by which σ at the same V0, or V0 at the same σ, would have to change.
+fn distance_object(distance: &LogDistance) -> Value {
+    json!({
+        "log10_normal_stress": distance.normal_stress.map(number),
+        "log10_loading_velocity": distance.loading_velocity.map(number),
+    })
+}
+
+fn distance_text(distance: &LogDistance) -> String {
+    let part = |distance: Option<Wide>, coordinate: &str| match distance {
+        Some(distance) => {
+            format!("{} decades in {coordinate}", round_float(&distance.to_float(), SHOWN_DIGITS))
+        }
+        None => format!("none in {coordinate}"),
+    };
+    format!("{}, {}", part(distance.normal_stress, "sigma"), part(distance.loading_velocity, "V0"))
 }
 
 fn transition_words(sign: i8) -> &'static str {

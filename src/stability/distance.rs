@@ -1,0 +1,142 @@
+//! How far a point of the (V0, σ) plane is from the transition and from the boundary, along each axis.
+
+use rug::{Float, Rational};
+
+use super::boundary::{BoundaryCurve, BoundaryPoint};
+use super::logarithm::log10_one_plus;
+use super::{boundary_sign, transition, transition_sign};
+use crate::friction::Parameters;
+use crate::number::{Ball, Wide};
+
+/// Signed decimal logarithms of (coordinate of the line)/(coordinate of the point), of the nearest such place.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LogDistance {
+    /// log10(σ_line/σ) at the same V0; `None` when the line has no point there.
+    pub normal_stress: Option<Wide>,
+    /// log10(V_line/V0) at the same σ; `None` when the line has no point there.
+    pub loading_velocity: Option<Wide>,
+}
+
+impl LogDistance {
+    const ON_THE_LINE: Self = Self { normal_stress: Some(Wide::ZERO), loading_velocity: Some(Wide::ZERO) };
+
+    /// The distance to K = K_c; there is none for b ≤ a, where the transition does not exist.
+    #[must_use]
+    pub fn to_transition(parameters: &Parameters<Rational>) -> Self {
+        if transition_sign(&parameters.groups()) == 0 {
+            return Self::ON_THE_LINE;
+        }
+        if !transition::has_transition(parameters) {
+            return Self { normal_stress: None, loading_velocity: None };
+        }
+        let stress_ratio = transition::transition_normal_stress_pa(parameters) / &parameters.normal_stress_pa;
+        let velocity_squared = parameters.loading_velocity_m_per_s.clone().square();
+        let velocity_squared_ratio = transition::transition_velocity_squared(parameters) / velocity_squared;
+        Self { normal_stress: log10(stress_ratio, 1), loading_velocity: log10(velocity_squared_ratio, 2) }
+    }
+
+    /// The distance to max Im(s) = 0.
+    #[must_use]
+    pub fn to_boundary(parameters: &Parameters<Rational>) -> Self {
+        if boundary_sign(&parameters.groups()) == 0 {
+            return Self::ON_THE_LINE;
+        }
+        let (stress, velocity) = (&parameters.normal_stress_pa, &parameters.loading_velocity_m_per_s);
+        Self {
+            normal_stress: nearest(parameters, stress, |curve| {
+                coordinates(curve.at_velocity(velocity), |point| point.normal_stress_pa)
+            }),
+            loading_velocity: nearest(parameters, velocity, |curve| {
+                coordinates(curve.at_normal_stress(stress), |point| point.loading_velocity_m_per_s)
+            }),
+        }
+    }
+}
+
+/// log10(ratio)/divisor of a positive ratio.
+fn log10(ratio: Rational, divisor: u32) -> Option<Wide> {
+    if ratio <= 0 {
+        return None;
+    }
+    let excess = Ball::from_rational(&(ratio - 1u32), 80);
+    Some(Wide::from_float(&Float::with_val(80, log10_one_plus(&excess).centre() / divisor)))
+}
+
+fn coordinates(points: Vec<BoundaryPoint>, coordinate: fn(BoundaryPoint) -> Ball) -> Vec<Ball> {
+    points.into_iter().map(coordinate).collect()
+}
+
+/// Digits at which a distance is looked for first: enough for all but points made to be near.
+const FIRST_DIGITS: u32 = 40;
+/// Digits beyond which no point made of decimals of the grammar can hide its distance.
+const MOST_DIGITS: u32 = 1 << 17;
+
+/// The smallest of the distances from `from` to the curve's coordinates, with as many digits as it takes to tell it from zero.
+fn nearest(
+    parameters: &Parameters<Rational>,
+    from: &Rational,
+    on_curve: impl Fn(&BoundaryCurve) -> Vec<Ball>,
+) -> Option<Wide> {
+    let mut digits = FIRST_DIGITS;
+    loop {
+        let there = on_curve(&BoundaryCurve::new(parameters, digits));
+        let distances: Vec<Ball> = there.iter().map(|coordinate| log10_ratio(coordinate, from)).collect();
+        let separated = distances.iter().all(|distance| distance.relative_radius_log2() < -60.0);
+        if separated || digits >= MOST_DIGITS {
+            let magnitude = |distance: &&Ball| Wide::from_float(distance.centre()).to_float().abs();
+            let least = distances.iter().min_by(|x, y| magnitude(x).total_cmp(&magnitude(y)));
+            return least.map(|distance| Wide::from_float(distance.centre()));
+        }
+        digits *= 4;
+    }
+}
+
+fn log10_ratio(there: &Ball, from: &Rational) -> Ball {
+    let from = Ball::from_rational(from, there.precision_bits());
+    log10_one_plus(&((there.clone() - &from) / from))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::number::parse_decimal;
+    use crate::stability::fixtures::{paper, with_effects};
+
+    fn at(stress: &str, velocity: &str) -> Parameters<Rational> {
+        Parameters {
+            normal_stress_pa: parse_decimal(stress).unwrap(),
+            loading_velocity_m_per_s: parse_decimal(velocity).unwrap(),
+            ..paper()
+        }
+    }
+
+    fn number(distance: Option<Wide>) -> f64 {
+        distance.unwrap().to_f64().unwrap()
+    }
+
+    #[test]
+    fn the_transition_of_the_papers_values_is_where_eq_9_says() {
+        // σ_c = 50 kPa, and σ = σ_c − M V0²/(a D_c) = 49 750 Pa at V0 = 0.1 mm/s.
+        let distance = LogDistance::to_transition(&at("497500", "1e-4"));
+        assert!((number(distance.normal_stress) + 1.0).abs() < 1e-15);
+        assert!(distance.loading_velocity.is_none(), "σ above σ_c is unstable at any velocity");
+        assert_eq!(LogDistance::to_transition(&at("49750", "1e-4")), LogDistance::ON_THE_LINE);
+        let stable = with_effects(Rational::from((6, 1000)), Rational::from((4, 1000)));
+        assert!(LogDistance::to_transition(&stable).normal_stress.is_none());
+    }
+
+    #[test]
+    fn a_distance_from_the_boundary_is_resolved_however_small() {
+        // Eq 16 to leading order, and then a point beside the crossing that the curve gives.
+        let curve = BoundaryCurve::new(&paper(), 80);
+        let velocity = parse_decimal("1e-5").unwrap();
+        let crossing = curve.at_velocity(&velocity).remove(1).normal_stress_pa;
+        let beside = Rational::from(
+            crossing.centre().to_rational().unwrap()
+                * parse_decimal("1.00000000000000000000000000000000000000000000000001").unwrap(),
+        );
+        let point = Parameters { normal_stress_pa: beside, loading_velocity_m_per_s: velocity, ..paper() };
+        let distance = number(LogDistance::to_boundary(&point).normal_stress);
+        assert!((distance / -4.342_944_819_032_518e-51 - 1.0).abs() < 1e-12, "{distance:e}");
+    }
+}

@@ -1,0 +1,97 @@
+//! Outputs: complete or absent, never over what is not ours, and silent when nobody reads.
+
+use std::fs;
+use std::process::{Command, Stdio};
+
+use crate::harness::{HEADER, ROW, SLIDER, Workplace};
+
+const SCENE: &str = "name = \"s\"\ntitle = \"S\"\n[parameters]\ndirect_effect = 0.004\nevolution_effect = 0.006\n\
+    critical_slip_distance_m = 1e-5\nstiffness_pa_per_m = 1e7\nmass_per_area_kg_per_m2 = 1000\n\
+    [boundary]\npoints = 3\ndigits = 20\n";
+
+fn workplace() -> Workplace {
+    let place = Workplace::new();
+    place.write("in.csv", format!("{HEADER}\n{ROW}\n"));
+    place.write("s.toml", SCENE);
+    place
+}
+
+#[test]
+fn a_file_is_written_only_where_a_file_may_be() {
+    let place = workplace();
+    fs::create_dir(place.path("folder")).unwrap();
+    let points = |out: &'static str| ["classify", "--points", "in.csv", "-o", out];
+    place.run(points("folder")).expect_refusal(&["folder: is a folder; name a file"]);
+    place.run(points("missing/out.csv")).expect_refusal(&["cannot be created"]);
+    place.run(points("..")).expect_refusal(&["is a folder; name a file"]);
+    place.run(points("in.csv")).expect_success();
+    assert_eq!(place.read("in.csv").lines().count(), 2, "an input may be replaced by its output");
+    assert_eq!(place.names(), ["folder", "in.csv", "s.toml"]);
+}
+
+#[cfg(unix)]
+#[test]
+fn links_and_devices_are_left_alone() {
+    use std::os::unix::fs::symlink;
+    let place = workplace();
+    place.write("elsewhere.csv", "precious");
+    symlink(place.path("elsewhere.csv"), place.path("link.csv")).unwrap();
+    fs::create_dir(place.path("other")).unwrap();
+    symlink(place.path("other"), place.path("link")).unwrap();
+    place.run(["classify", "--points", "in.csv", "-o", "link.csv"]).expect_refusal(&["is a symbolic link"]);
+    place
+        .run(["classify", "--points", "in.csv", "-o", "/dev/null"])
+        .expect_refusal(&["is not a regular file"]);
+    place.run(["run", "s.toml", "-o", "link"]).expect_refusal(&["is a symbolic link"]);
+    place.run(["run", "s.toml", "-o", "link/"]).expect_refusal(&["is a symbolic link"]);
+    assert_eq!(place.read("elsewhere.csv"), "precious");
+    assert_eq!(place.names(), ["elsewhere.csv", "in.csv", "link", "link.csv", "other", "s.toml"]);
+}
+
+#[test]
+fn a_folder_replaces_an_earlier_output_and_nothing_else() {
+    let place = workplace();
+    place.write("theirs/letter.txt", "precious");
+    place.run(["run", "s.toml", "-o", "theirs"]).expect_refusal(&["is not empty and not an earlier output"]);
+    place.run(["run", "s.toml", "-o", "in.csv"]).expect_refusal(&["is a file; name a folder"]);
+    place.run(["run", "s.toml", "-o", "."]).expect_refusal(&["is not a name that can be written"]);
+    fs::create_dir(place.path("out")).unwrap();
+    let first = place.run(["run", "s.toml", "-o", "out"]).expect_success();
+    assert!(first.contains("out/tables/boundary.csv"), "{first}");
+    place.write("out/tables/stale.csv", "old");
+    assert_eq!(place.run(["run", "s.toml", "-o", "out/"]).expect_success().replace("//", "/"), first);
+    assert!(!place.path("out/tables/stale.csv").exists());
+    assert_eq!(place.read("theirs/letter.txt"), "precious");
+    assert_eq!(place.names(), ["in.csv", "out", "s.toml", "theirs"]);
+}
+
+#[test]
+fn outputs_have_the_same_bytes_on_any_number_of_threads() {
+    let place = workplace();
+    for threads in ["1", "2"] {
+        let folder = format!("out-{threads}");
+        place.run(["run", "s.toml", "-o", &folder, "--threads", threads]).expect_success();
+        let boundary = ["boundary"].iter().chain(&SLIDER).copied().chain(["--threads", threads, "-o"]);
+        place.run(boundary.chain([format!("b-{threads}.csv").as_str()])).expect_success();
+    }
+    assert_eq!(place.read("out-1/tables/boundary.csv"), place.read("out-2/tables/boundary.csv"));
+    assert_eq!(place.read("b-1.csv"), place.read("b-2.csv"));
+}
+
+#[cfg(unix)]
+#[test]
+fn a_reader_that_goes_away_ends_the_program_quietly() {
+    let place = workplace();
+    place.write("long.csv", format!("{HEADER}\n{}", format!("{ROW}\n").repeat(20_000)));
+    let mut child = Command::new(env!("CARGO_BIN_EXE_slipmode"))
+        .args(["classify", "--points", "long.csv"])
+        .current_dir(place.path(""))
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    drop(child.stdout.take());
+    let output = child.wait_with_output().unwrap();
+    assert_eq!(String::from_utf8(output.stderr).unwrap(), "");
+    assert_eq!(output.status.code(), Some(0));
+}

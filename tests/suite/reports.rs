@@ -1,0 +1,135 @@
+//! `report` and `verify`: a folder read whole, verdicts held against the record, files against the published copy.
+
+use std::fs;
+use std::path::Path;
+
+use crate::harness::{Workplace, names_in};
+
+const PLAN: &str = "name = \"small\"\ntitle = \"Small\"\nscenes = [\"a\"]\n\
+    [[chapter]]\nid = \"c\"\ntitle = \"C\"\nprose = \"c.md\"\n";
+const CLAIMS: &str = "[[claim]]\nid = \"S1\"\nplace = \"eq 9\"\nwords = \"W\"\nexpected = \"holds\"\n";
+const SCENE: &str = "name = \"a\"\ntitle = \"A\"\n";
+const EQUATIONS: &str = include_str!("../../reports/im-avouac/equations.toml");
+
+/// A small report that can be made in an instant.
+fn small_report() -> Workplace {
+    let place = Workplace::new();
+    place.write("small/report.toml", PLAN);
+    place.write("small/claims.toml", CLAIMS);
+    place.write("small/equations.toml", EQUATIONS);
+    place.write("small/scenes/a.toml", SCENE);
+    place.write("small/prose/c.md", "Words.\n");
+    place
+}
+
+/// Makes the report and publishes it.
+fn published() -> Workplace {
+    let place = small_report();
+    place.run(["report", "small", "-o", "out"]).expect_success();
+    copy(&place.path("out"), &place.path("small/published"));
+    place
+}
+
+fn copy(from: &Path, to: &Path) {
+    fs::create_dir_all(to).unwrap();
+    for name in names_in(from) {
+        let (from, to) = (from.join(&name), to.join(&name));
+        if from.is_dir() {
+            copy(&from, &to);
+        } else if name != "environment.json" {
+            fs::copy(from, to).unwrap();
+        }
+    }
+}
+
+#[test]
+fn a_report_that_is_as_published_and_as_recorded_is_verified() {
+    let place = published();
+    let said = place.run(["verify", "small", "-o", "out"]).expect_success();
+    assert!(said.starts_with("S1   holds         exact"), "{said}");
+    assert!(said.contains("1 claims: 1 hold, 0 hold within a limit, 0 fail, 0 not checked"), "{said}");
+    assert!(place.read("out/ledger.json").contains("\"verdict\": \"holds\""));
+    assert!(place.read("out/environment.json").contains("MPFR"));
+    let threads = place.run(["verify", "small", "-o", "out-2", "--threads", "2"]).expect_success();
+    assert_eq!(threads.replace("out-2", "out"), said);
+}
+
+#[test]
+fn drift_of_a_verdict_is_named_with_old_and_new() {
+    let place = published();
+    place.write("small/claims.toml", CLAIMS.replace("\"holds\"", "\"fails\""));
+    let ended = place.run(["verify", "small", "-o", "out"]);
+    assert_eq!(ended.code, 1);
+    assert!(ended.stderr.contains("S1: recorded fails, now holds"), "{}", ended.stderr);
+}
+
+#[test]
+fn a_wrong_equation_fails_the_claim_that_rests_on_it() {
+    let place = published();
+    let wrong = EQUATIONS.replacen("(b-a)", "(b+a)", 1).replacen("(b - a)", "(b + a)", 1);
+    assert_ne!(wrong, EQUATIONS);
+    place.write("small/equations.toml", wrong);
+    let ended = place.run(["verify", "small", "-o", "out"]);
+    assert_eq!(ended.code, 1, "{}", ended.stderr);
+    assert!(ended.stderr.contains("S1: recorded holds, now "), "{}", ended.stderr);
+}
+
+#[test]
+fn files_that_moved_are_named_one_by_one() {
+    let place = published();
+    let published = |name: &str| place.path("small/published").join(name);
+    let ledger = place.read("small/published/ledger.json");
+    fs::write(published("ledger.json"), ledger.replace("eq 9", "eq 8")).unwrap();
+    fs::remove_file(published("report.md")).unwrap();
+    fs::write(published("more.txt"), "").unwrap();
+    let ended = place.run(["verify", "small", "-o", "out"]);
+    assert_eq!(ended.code, 1);
+    for message in [
+        "differs from the published copy",
+        "report.md: not in the published copy",
+        "more.txt: published, but not made any more",
+        "drift: 0 verdicts, 3 files",
+    ] {
+        assert!(ended.stderr.contains(message), "{message}: {}", ended.stderr);
+    }
+}
+
+#[test]
+fn every_fault_of_every_file_of_a_report_is_told_at_once() {
+    let place = small_report();
+    place.write("small/report.toml", PLAN.replace("[\"a\"]", "[\"a\", \"b\"]"));
+    place.write("small/scenes/b.toml", format!("{SCENE}colour = 1\n"));
+    place.write("small/claims.toml", format!("{CLAIMS}{CLAIMS}{}", CLAIMS.replace("S1", "S0")));
+    fs::remove_file(place.path("small/prose/c.md")).unwrap();
+    place.run(["verify", "small", "-o", "out"]).expect_refusal(&[
+        "small/claims.toml:7: claim[2].id = \"S1\": the same as an earlier claim `S1`",
+        "small/claims.toml:12: claim[3].id = \"S0\": unknown",
+        "small/scenes/b.toml:3: colour: unknown key",
+        "small/prose/c.md: cannot be read",
+    ]);
+    assert_eq!(place.names(), ["small"]);
+}
+
+#[test]
+fn doubled_scenes_are_refused_by_file_and_by_name() {
+    let place = small_report();
+    place.write("small/report.toml", PLAN.replace("[\"a\"]", "[\"a\", \"A\"]"));
+    place
+        .run(["report", "small"])
+        .expect_refusal(&["scenes[2] = \"A\": the same as an earlier `a` when case is ignored"]);
+    place.write("small/report.toml", PLAN.replace("[\"a\"]", "[\"a\", \"b\"]"));
+    place.write("small/scenes/b.toml", SCENE);
+    place.run(["report", "small"]).expect_refusal(&[
+        "small/scenes/b.toml: name = a: the same as the name of the scene in small/scenes/a.toml",
+    ]);
+    assert_eq!(place.names(), ["small"]);
+}
+
+#[test]
+fn a_folder_that_is_no_report_is_refused() {
+    let place = Workplace::new();
+    place.run(["verify", "none"]).expect_refusal(&["none/report.toml: cannot be read"]);
+    let small = small_report();
+    small.write("small/equations.toml", "x = 1");
+    small.run(["report", "small"]).expect_refusal(&["small/equations.toml: "]);
+}
