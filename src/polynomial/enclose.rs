@@ -4,7 +4,7 @@ use std::cmp::Ordering;
 
 use rug::{Float, Rational};
 
-use crate::number::{Ball, Field};
+use crate::number::Ball;
 use crate::polynomial::{IsolatingInterval, UnivariatePolynomial};
 
 /// Precision of the first attempt, in bits.
@@ -173,6 +173,7 @@ impl Bracket {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::number::Field;
 
     #[test]
     fn the_square_root_of_two_to_a_thousand_digits() {
