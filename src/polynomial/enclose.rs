@@ -153,7 +153,7 @@ impl Bracket {
     fn halve(&mut self, at_lower: Ordering, sign: impl Fn(&Rational) -> Option<Ordering>) -> Option<()> {
         let width = Rational::from(&self.upper - &self.lower);
         for numerator in [4_u32, 3] {
-            let point = Rational::from(&self.lower + width.clone() * numerator / 8_u32);
+            let point = &self.lower + width.clone() * numerator / 8_u32;
             if let Some(at_point) = sign(&point).filter(|sign| *sign != Ordering::Equal) {
                 *(if at_point == at_lower { &mut self.lower } else { &mut self.upper }) = point;
                 return Some(());
