@@ -4,11 +4,12 @@ use std::io::Write;
 use std::path::PathBuf;
 
 use clap::Args;
+use slipmode::exhibit::{boundary_columns, boundary_row};
 use slipmode::friction::Parameters;
-use slipmode::number::format::certain_digits;
-use slipmode::number::{Ball, Rational};
+use slipmode::number::Rational;
 use slipmode::scene::{AllowedRange, Limits, Problem, Quantity, parameters_from};
-use slipmode::stability::boundary::{BoundaryCurve, BoundaryPoint, Mark};
+use slipmode::stability::boundary::BoundaryCurve;
+use slipmode::table::Table;
 
 use crate::cli::failure::Failure;
 use crate::cli::options::{Arguments, SliderOptions};
@@ -17,19 +18,6 @@ use crate::cli::roots::MOST_DIGITS;
 
 /// How far off the asymptotes are at the ends of the sampled arcs: beyond, arc and asymptote are one line in any figure.
 const END_ERROR: f64 = 1e-9;
-
-const COLUMNS: [&str; 10] = [
-    "arc",
-    "double_root",
-    "normal_stress_pa",
-    "loading_velocity_m_per_s",
-    "asymptote",
-    "asymptote_value",
-    "relative_error",
-    "log10_distance",
-    "condition_number",
-    "mark",
-];
 
 /// Options of `boundary`.
 #[derive(Debug, Args)]
@@ -75,13 +63,10 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     arguments.finish()?;
     let Some(request) = request else { return Ok(()) };
     let mut output = Output::create(&options.output)?;
-    let rows = request.rows();
-    let text: String = std::iter::once(COLUMNS.join(",") + "\n")
-        .chain(rows.iter().map(|row| row.join(",") + "\n"))
-        .collect();
-    output.write_all(text.as_bytes()).map_err(|error| machine_write(&error))?;
+    let table = request.table();
+    output.write_all(table.to_csv().as_bytes()).map_err(|error| machine_write(&error))?;
     output.commit()?;
-    if rows.is_empty() {
+    if table.rows.is_empty() {
         eprintln!("the boundary has no point there");
     }
     Ok(())
@@ -114,7 +99,8 @@ impl Request {
         })
     }
 
-    fn rows(&self) -> Vec<Vec<String>> {
+    /// The table of the points that were asked for.
+    fn table(&self) -> Table {
         let curve = BoundaryCurve::new(&self.parameters, self.digits);
         let mut points = Vec::new();
         if let Some(velocity) = &self.at_velocity {
@@ -126,27 +112,9 @@ impl Request {
         if self.at_velocity.is_none() && self.at_normal_stress.is_none() {
             points = curve.sample(self.points, END_ERROR);
         }
-        points.iter().map(|point| self.row(point)).collect()
-    }
-
-    fn row(&self, point: &BoundaryPoint) -> Vec<String> {
-        // An asymptote that meets the boundary: the enclosure of its error is tiny and around zero.
-        let digits = |ball: &Ball| match ball.contains_zero() {
-            true => "0".to_string(),
-            false => certain_digits(ball, self.digits as usize),
-        };
-        vec![
-            point.arc.as_str().to_string(),
-            digits(&point.double_root),
-            digits(&point.normal_stress_pa),
-            digits(&point.loading_velocity_m_per_s),
-            point.asymptote.as_str().to_string(),
-            digits(&point.asymptote_value),
-            digits(&point.relative_error),
-            digits(&point.log10_distance),
-            digits(&point.condition_number),
-            point.mark.map_or("", Mark::as_str).to_string(),
-        ]
+        let mut table = Table::new("boundary", "Boundary", boundary_columns());
+        points.iter().for_each(|point| table.push(boundary_row(point, self.digits as usize)));
+        table
     }
 }
 

@@ -2,14 +2,18 @@
 
 mod boundary;
 mod classify;
+mod environment;
 mod failure;
+mod folder;
 mod input;
 mod options;
 mod output;
 mod points;
 mod progress;
+mod report;
 mod roots;
 mod terminal;
+mod tree;
 
 use std::process::ExitCode;
 
@@ -41,6 +45,12 @@ enum Command {
     Roots(roots::Options),
     /// The exact boundary max Im(s) = 0 as CSV, whole or at one velocity or normal stress
     Boundary(boundary::Options),
+    /// One scene: its tables and figures
+    Run(report::RunOptions),
+    /// A report folder: its page, tables, figures and ledger
+    Report(report::ReportOptions),
+    /// A report compared with its recorded verdicts and its published copy; exits with 1 when anything moved
+    Verify(report::ReportOptions),
 }
 
 /// Runs the command line and gives its exit code; errors go to standard error.
@@ -69,6 +79,9 @@ fn run(cli: Cli) -> Result<(), Failure> {
         Command::Classify(options) => classify::run(&options, &progress),
         Command::Roots(options) => roots::run(&options),
         Command::Boundary(options) => boundary::run(&options),
+        Command::Run(options) => report::run(&options, &progress),
+        Command::Report(options) => report::report(&options, &progress),
+        Command::Verify(options) => report::verify(&options, &progress),
     }
 }
 

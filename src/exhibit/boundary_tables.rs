@@ -3,6 +3,7 @@
 use crate::claims::Context;
 use crate::exhibit::TableMaker;
 use crate::exhibit::tables::unless_empty;
+use crate::number::Ball;
 use crate::number::format::{certain_digits, round_float};
 use crate::stability::boundary::BoundaryPoint;
 use crate::study::{BoundaryOutcome, Need};
@@ -38,8 +39,12 @@ pub fn boundary_columns() -> Vec<Column> {
 #[must_use]
 pub fn boundary_row(point: &BoundaryPoint, digits: usize) -> Vec<Cell> {
     let number = |ball| Cell::number(certain_digits(ball, digits));
-    // A relative error or a condition is read, not computed with.
-    let short = |ball| Cell::number(certain_digits(ball, digits.min(SHOWN_DIGITS)));
+    // A relative error or a condition is read, not computed with. Where the asymptote meets the boundary, the enclosure of
+    // its error is tiny and around zero.
+    let short = |ball: &Ball| match ball.contains_zero() {
+        true => Cell::number("0"),
+        false => Cell::number(certain_digits(ball, digits.min(SHOWN_DIGITS))),
+    };
     vec![
         Cell::text(point.arc.as_str()),
         number(&point.double_root),

@@ -52,7 +52,7 @@ impl Polynomial {
         if self.is_zero() || other.is_zero() {
             return (self + other).monic();
         }
-        if self.len() == 1 || other.len() == 1 {
+        if self.term_count() == 1 || other.term_count() == 1 {
             return Self::term(Rational::from(1), self.common_monomial(other));
         }
         let (left, right) = (self.variables(), other.variables());

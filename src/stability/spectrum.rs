@@ -63,7 +63,10 @@ pub fn classify(parameters: &Parameters<Rational>, threshold: &InertialThreshold
         || Depressed::of(&groups.characteristic_cubic()).is_some_and(|cubic| threshold.exceeded_by(&cubic));
     let inertial = || {
         let imaginary = parts.as_ref().map(|parts| parts.imaginary.hi());
-        imaginary.and_then(|p| clearly_inertial(p, &groups, threshold)).unwrap_or_else(exactly_inertial)
+        let natural_squared = groups.stiffness_group.to_f64() / groups.inertial_parameter.to_f64();
+        imaginary
+            .and_then(|p| clearly_inertial(p, natural_squared, threshold))
+            .unwrap_or_else(exactly_inertial)
     };
     Classification {
         transition_sign: signs.transition,
@@ -78,8 +81,11 @@ pub fn classify(parameters: &Parameters<Rational>, threshold: &InertialThreshold
 }
 
 /// Whether ω² > T·κ/η, when 64-bit can tell: ω is known to 5e-15, and the few operations lose less than as much again.
-fn clearly_inertial(omega: f64, groups: &Groups<Rational>, threshold: &InertialThreshold) -> Option<bool> {
-    let natural_squared = groups.stiffness_group.to_f64() / groups.inertial_parameter.to_f64();
+pub(super) fn clearly_inertial(
+    omega: f64,
+    natural_squared: f64,
+    threshold: &InertialThreshold,
+) -> Option<bool> {
     let ratio = omega * omega / (natural_squared * threshold.squared_ratio().to_f64());
     ((ratio - 1.0).abs() > 1e-12).then_some(ratio > 1.0)
 }

@@ -47,8 +47,8 @@ pub fn grid_values(
 /// The values when double-double's error bounds allow.
 fn by_double_double(point: &Parameters<Dd>) -> Option<LargestPartsPerS> {
     let groups = BoundedGroups::of_parameters(point)?;
-    let signs = groups.certain_signs()?;
-    let parts = LargestParts::of_bounded(&groups.cubic().spectrum(), signs.transition)?;
+    let transition_sign = groups.certain_transition_sign()?;
+    let parts = LargestParts::of_bounded(&groups.cubic().spectrum(), transition_sign)?;
     let LargestParts { real, imaginary } = parts.times_rate(point.rate_per_s())?;
     Some(LargestPartsPerS { real, imaginary })
 }
