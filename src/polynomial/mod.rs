@@ -26,7 +26,7 @@ mod univariate;
 pub use certificate::{Certificate, Toward};
 pub use conversion::ConversionError;
 pub use domain::Domain;
-pub(crate) use enclose::horner;
+pub(crate) use enclose::{horner, newton};
 pub use enclose::{Coefficients, enclose_root};
 pub use expression::{Expression, Function};
 pub use matrix::{determinant, discriminant, resultant};
