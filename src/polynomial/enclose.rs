@@ -87,7 +87,7 @@ fn polish(polynomial: &impl Coefficients, start: Ball, first_precision: u32, bit
 }
 
 /// m − p(m)/p′(X): contains every root of p in the ball X around m.
-fn newton(coefficients: &[Ball], enclosure: &Ball) -> Ball {
+pub(crate) fn newton(coefficients: &[Ball], enclosure: &Ball) -> Ball {
     let middle = Ball::exact(enclosure.centre().clone());
     let value = horner(coefficients.to_vec(), &middle);
     let slope = horner(derivative(coefficients), enclosure);
@@ -153,7 +153,7 @@ impl Bracket {
     fn halve(&mut self, at_lower: Ordering, sign: impl Fn(&Rational) -> Option<Ordering>) -> Option<()> {
         let width = Rational::from(&self.upper - &self.lower);
         for numerator in [4_u32, 3] {
-            let point = Rational::from(&self.lower + width.clone() * numerator / 8_u32);
+            let point = &self.lower + width.clone() * numerator / 8_u32;
             if let Some(at_point) = sign(&point).filter(|sign| *sign != Ordering::Equal) {
                 *(if at_point == at_lower { &mut self.lower } else { &mut self.upper }) = point;
                 return Some(());

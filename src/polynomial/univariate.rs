@@ -177,9 +177,7 @@ impl UnivariatePolynomial {
             denominator.lcm_mut(coefficient.denom());
         }
         for coefficient in &self.coefficients {
-            content.gcd_mut(&Integer::from(
-                coefficient.numer() * Integer::from(&denominator / coefficient.denom()),
-            ));
+            content.gcd_mut(&(coefficient.numer() * Integer::from(&denominator / coefficient.denom())));
         }
         self.scaled(&Rational::from((denominator, content)))
     }

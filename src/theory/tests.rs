@@ -43,12 +43,12 @@ const PROVERS: [(&str, Prover); 31] = [
     ("criteria::all_parameters", criteria::all_parameters),
 ];
 
-/// The refutations of all proofs for these equations.
-fn refutations(equations: &PaperEquations) -> Vec<Refutation> {
-    let plain = PROVERS.iter().filter_map(|(_, prover)| prover(equations).err());
-    let series = asymptote_series::derive(equations, 2).err();
-    let exchange = exchange::asymptotes(equations).err();
-    plain.chain(series).chain(exchange).collect()
+/// Is there a proof whose refutation names this equation?
+fn refuted_by_name(equations: &PaperEquations, number: &str) -> bool {
+    let names = |refutation: Refutation| refutation.equations.iter().any(|equation| equation == number);
+    PROVERS.iter().any(|(_, prover)| prover(equations).err().is_some_and(names))
+        || exchange::asymptotes(equations).err().is_some_and(names)
+        || asymptote_series::derive(equations, 1).err().is_some_and(names)
 }
 
 #[test]
@@ -67,10 +67,7 @@ fn every_altered_equation_is_refuted_by_name() {
     for (number, texts) in ALTERATIONS {
         for text in texts {
             let altered = paper().altered(number, text).expect("in the grammar");
-            let named = refutations(&altered)
-                .into_iter()
-                .find(|refutation| refutation.equations.iter().any(|equation| equation == number));
-            assert!(named.is_some(), "equation {number} altered to {text} is not refuted");
+            assert!(refuted_by_name(&altered, number), "equation {number} altered to {text} is not refuted");
         }
     }
 }
@@ -167,7 +164,7 @@ fn leading_errors_of_the_asymptotes() {
     };
     assert_eq!(second("15"), ["0", "1", "-w + 1"]);
     assert_eq!(second("16"), ["0", "1", "w + 1"]);
-    assert_eq!(second("18")[1], "-2*beta/(beta^2 - 2*beta + 1)");
+    assert_eq!(second("18")[1], "-2*beta/(beta - 1)^2");
     assert_eq!(second("20"), ["0", "beta/2", "(3*beta^2 + 2*beta)/8"]);
 }
 

@@ -6,7 +6,7 @@ use slipmode::roots::certified_roots;
 use slipmode::stability::{InertialThreshold, classify};
 
 const GROUPS: &str = include_str!("../vectors/groups-hard.txt");
-pub const PARAMETERS: &str = include_str!("../vectors/classification-hard.txt");
+pub const PARAMETERS: &str = include_str!("../../reports/im-avouac/vectors/classification-hard.txt");
 const ROOTS: &str = include_str!("../vectors/roots-1000-digits.txt");
 
 /// What `classify` promises: max Im relative to itself, max Re relative to its root's modulus.

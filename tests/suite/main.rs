@@ -13,3 +13,4 @@ mod points;
 mod readme;
 mod reports;
 mod roots;
+mod sabotage;
