@@ -131,10 +131,8 @@ mod tests {
         let curve = BoundaryCurve::new(&paper(), 80);
         let velocity = parse_decimal("1e-5").unwrap();
         let crossing = curve.at_velocity(&velocity).remove(1).normal_stress_pa;
-        let beside = Rational::from(
-            crossing.centre().to_rational().unwrap()
-                * parse_decimal("1.00000000000000000000000000000000000000000000000001").unwrap(),
-        );
+        let factor = parse_decimal("1.00000000000000000000000000000000000000000000000001").unwrap();
+        let beside = crossing.centre().to_rational().unwrap() * factor;
         let point = Parameters { normal_stress_pa: beside, loading_velocity_m_per_s: velocity, ..paper() };
         let distance = number(LogDistance::to_boundary(&point).normal_stress);
         assert!((distance / -4.342_944_819_032_518e-51 - 1.0).abs() < 1e-12, "{distance:e}");

@@ -27,7 +27,7 @@ pub fn decimal(text: &str) -> Rational {
 }
 
 pub fn assert_within(found: &Rational, expected: &str, measure: &str, tolerance: &str, what: &str) {
-    let error = Rational::from(found - decimal(expected)).abs();
+    let error = (found - decimal(expected)).abs();
     let allowed = decimal(measure).abs() * decimal(tolerance);
     assert!(error <= allowed, "{what}: found {}, expected {expected}", found.to_f64());
 }

@@ -1,7 +1,7 @@
 //! `roots`: certified digits, multiplicities, and a radius that covers the printed decimals.
 
 use serde_json::Value;
-use slipmode::number::{Rational, parse_decimal};
+use slipmode::number::parse_decimal;
 
 use crate::harness::Workplace;
 
@@ -47,9 +47,12 @@ fn the_radius_covers_the_rounding_of_the_printed_decimals() {
         for (rough, exact) in roots("0.3", "0.7", "1.9", digits).iter().zip(&exact) {
             let off = |key| parse(rough, key) - parse(exact, key);
             let distance_squared = off("re").square() + off("im").square();
-            let radius = parse(rough, "radius");
-            assert!(distance_squared <= Rational::from(radius.clone().square()), "{digits}: {rough}");
-            assert!(radius.is_zero() || distance_squared * 10_000u32 >= radius.square() || digits != "1");
+            let radius_squared = parse(rough, "radius").square();
+            assert!(distance_squared <= radius_squared, "{digits}: {rough}");
+            // Not wider than half a unit in the last place of each part, and the little that the digits were short of.
+            let modulus_squared = parse(exact, "re").square() + parse(exact, "im").square();
+            let unit = parse_decimal(&format!("1.1e{}", 1 - digits.parse::<i32>().unwrap())).unwrap();
+            assert!(radius_squared <= modulus_squared * unit.square(), "{digits}: {rough}");
         }
     }
 }
