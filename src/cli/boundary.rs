@@ -4,11 +4,11 @@ use std::io::Write;
 use std::path::PathBuf;
 
 use clap::Args;
-use slipmode::exhibit::{boundary_columns, boundary_row};
+use slipmode::exhibit::{boundary_columns, boundary_row, vanishes};
 use slipmode::friction::Parameters;
-use slipmode::number::Rational;
+use slipmode::number::{Ball, Rational};
 use slipmode::scene::{AllowedRange, Limits, Problem, Quantity, parameters_from};
-use slipmode::stability::boundary::BoundaryCurve;
+use slipmode::stability::boundary::{BoundaryCurve, BoundaryPoint};
 use slipmode::study::END_ERROR;
 use slipmode::table::Table;
 
@@ -16,6 +16,9 @@ use crate::cli::failure::Failure;
 use crate::cli::options::{Arguments, SliderOptions};
 use crate::cli::output::{Output, machine_write};
 use crate::cli::roots::MOST_DIGITS;
+
+/// Working digits beyond which no input in the allowed range hides a point: its groups span less than 10 000 decades.
+const MOST_WORKING_DIGITS: u32 = 100_000;
 
 /// Options of `boundary`.
 #[derive(Debug, Args)]
@@ -99,20 +102,46 @@ impl Request {
 
     /// The table of the points that were asked for.
     fn table(&self) -> Table {
-        let curve = BoundaryCurve::new(&self.parameters, self.digits);
-        let mut points = Vec::new();
-        if let Some(velocity) = &self.at_velocity {
-            points.extend(curve.at_velocity(velocity));
-        }
-        if let Some(stress) = &self.at_normal_stress {
-            points.extend(curve.at_normal_stress(stress));
-        }
-        if self.at_velocity.is_none() && self.at_normal_stress.is_none() {
-            points = curve.sample(self.points, END_ERROR);
-        }
         let mut table = Table::new("boundary", "Boundary", boundary_columns());
-        points.iter().for_each(|point| table.push(boundary_row(point, self.digits as usize)));
+        self.points().iter().for_each(|point| table.push(boundary_row(point, self.digits as usize)));
         table
+    }
+
+    /// The points, computed with more digits than asked for where inputs hundreds of decades apart take them.
+    fn points(&self) -> Vec<BoundaryPoint> {
+        let mut working_digits = self.digits;
+        loop {
+            let points = self.points_to(working_digits);
+            if working_digits >= MOST_WORKING_DIGITS || points.iter().all(|point| self.is_enclosed(point)) {
+                return points;
+            }
+            working_digits = working_digits.saturating_mul(4).max(100);
+        }
+    }
+
+    fn points_to(&self, digits: u32) -> Vec<BoundaryPoint> {
+        let curve = BoundaryCurve::new(&self.parameters, digits);
+        if self.at_velocity.is_none() && self.at_normal_stress.is_none() {
+            return curve.sample(self.points, END_ERROR);
+        }
+        let at_velocity = self.at_velocity.iter().flat_map(|velocity| curve.at_velocity(velocity));
+        let at_stress = self.at_normal_stress.iter().flat_map(|stress| curve.at_normal_stress(stress));
+        at_velocity.chain(at_stress).collect()
+    }
+
+    /// Whether every number of a point has a digit, or is zero to all of them.
+    fn is_enclosed(&self, point: &BoundaryPoint) -> bool {
+        let numbers = [
+            &point.double_root,
+            &point.normal_stress_pa,
+            &point.loading_velocity_m_per_s,
+            &point.asymptote_value,
+            &point.relative_error,
+            &point.log10_distance,
+            &point.condition_number,
+        ];
+        let has_digits = |ball: &Ball| ball.relative_radius_log2() < -4.0;
+        numbers.into_iter().all(|ball| has_digits(ball) || vanishes(ball, self.digits as usize))
     }
 }
 

@@ -39,8 +39,7 @@ impl Output {
     /// When the place is a folder, a link or a device, or its folder is missing or not writable.
     pub fn create(place: &Path) -> Result<Self, Failure> {
         if place.as_os_str() == "-" {
-            let path = std::env::temp_dir().join(format!("slipmode-{}.spool", std::process::id()));
-            let (beside, file) = create_beside(path)?;
+            let (beside, file) = create_spool(&std::env::temp_dir())?;
             return Ok(Self {
                 target: Target::Spool(beside),
                 writer: BufWriter::with_capacity(1 << 16, file),
@@ -114,6 +113,16 @@ pub fn beside_name(place: &Path) -> Result<PathBuf, Failure> {
     hidden.push(name);
     hidden.push(format!(".{}.partial", std::process::id()));
     Ok(place.with_file_name(hidden))
+}
+
+/// Names tried for a spool file.
+const MOST_SPOOL_NAMES: u32 = 1000;
+
+/// A spool file under a name that nothing else has: a run that was killed may have left its own behind.
+fn create_spool(folder: &Path) -> Result<(Beside, File), Failure> {
+    let named = |number: u32| folder.join(format!("slipmode-{}-{number}.spool", std::process::id()));
+    let free = (0..MOST_SPOOL_NAMES).find(|number| !named(*number).exists());
+    create_beside(named(free.unwrap_or(MOST_SPOOL_NAMES)))
 }
 
 fn create_beside(path: PathBuf) -> Result<(Beside, File), Failure> {

@@ -1,5 +1,7 @@
 //! Tables of the boundary: its points, its marks, and the agreement of the routes.
 
+use rug::Float;
+
 use crate::claims::Context;
 use crate::exhibit::TableMaker;
 use crate::exhibit::tables::unless_empty;
@@ -39,9 +41,8 @@ pub fn boundary_columns() -> Vec<Column> {
 #[must_use]
 pub fn boundary_row(point: &BoundaryPoint, digits: usize) -> Vec<Cell> {
     let number = |ball| Cell::number(certain_digits(ball, digits));
-    // A relative error or a condition is read, not computed with. Where the asymptote meets the boundary, the enclosure of
-    // its error is tiny and around zero.
-    let short = |ball: &Ball| match ball.contains_zero() {
+    // A relative error or a condition is read, not computed with.
+    let short = |ball: &Ball| match vanishes(ball, digits) {
         true => Cell::number("0"),
         false => Cell::number(certain_digits(ball, digits.min(SHOWN_DIGITS))),
     };
@@ -57,6 +58,15 @@ pub fn boundary_row(point: &BoundaryPoint, digits: usize) -> Vec<Cell> {
         short(&point.condition_number),
         Cell::text(point.mark.map_or("", |mark| mark.as_str())),
     ]
+}
+
+/// Whether a number of order one is zero to all digits: where the asymptote meets the boundary, the enclosure of its error
+/// is tiny and around zero.
+#[must_use]
+pub fn vanishes(ball: &Ball, digits: usize) -> bool {
+    let decimals = -(digits as f64) * std::f64::consts::LOG2_10;
+    let is_tiny = |radius: &Float| radius.get_exp().is_some_and(|exponent| f64::from(exponent) < decimals);
+    ball.contains_zero() && (ball.radius().is_zero() || is_tiny(ball.radius()))
 }
 
 fn point_table(

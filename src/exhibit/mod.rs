@@ -14,6 +14,6 @@ mod numeric_tables;
 mod tables;
 mod theory_tables;
 
-pub use boundary_tables::{boundary_columns, boundary_row};
+pub use boundary_tables::{boundary_columns, boundary_row, vanishes};
 pub use figures::{Figure, FigureMaker, figure_makers};
 pub use tables::{TableMaker, table_makers};

@@ -80,3 +80,21 @@ fn equal_effects_leave_the_lower_arc_alone() {
     assert!(text.lines().skip(1).all(|line| line.starts_with("lower,")));
     assert!(text.contains(",cusp"));
 }
+
+#[test]
+fn inputs_hundreds_of_decades_apart_get_the_working_digits_they_take() {
+    let cases = [
+        ["6.33144e179", "1.825e-6", "1e299", "1e-150", "1e-150"],
+        ["1", "1e-300", "5e177", "4e266", "0.5"],
+        ["1e-300", "6.5e-273", "70", "0.5", "2"],
+    ];
+    for [a, b, d, k, m] in cases {
+        let slider = ["-a", a, "-b", b, "-d", d, "-k", k, "-m", m];
+        for wanted in [&["--points", "3"][..], &["--at-velocity", "0.125", "--at-normal-stress", "1e-200"]] {
+            let arguments =
+                ["boundary", "--digits", "8"].into_iter().chain(slider).chain(wanted.iter().copied());
+            let text = Workplace::new().run(arguments).expect_success();
+            assert!(!text.contains("inf") && !text.contains('±') && text.lines().count() > 1, "{text}");
+        }
+    }
+}

@@ -208,7 +208,10 @@ impl RowReader {
 
 #[cfg(test)]
 mod tests {
+    use proptest::prelude::*;
+
     use super::*;
+    use crate::cli::points::cells::push_cell;
 
     fn read(text: &[u8]) -> Result<Vec<(usize, u64, Vec<String>)>, Fault> {
         let input =
@@ -246,5 +249,35 @@ mod tests {
         assert!(read(",".repeat(MOST_CELLS - 1).as_bytes()).is_ok());
         let wide = read(",".repeat(20_000_000).as_bytes()).unwrap_err();
         assert_eq!(wide.problem, CsvProblem::TooManyCells(MOST_CELLS).into());
+    }
+
+    proptest! {
+        #[test]
+        fn any_bytes_end_in_rows_or_a_fault(bytes in prop::collection::vec(any::<u8>(), 0..200)) {
+            if let Err(fault) = read(&bytes) {
+                prop_assert!(fault.to_string().starts_with("f:"));
+            }
+        }
+
+        #[test]
+        fn cells_that_are_written_are_read_back(
+            rows in prop::collection::vec(prop::array::uniform3("[a-z0-9 ,\"\n\r]{1,6}"), 1..5),
+        ) {
+            let mut text = Vec::new();
+            for row in &rows {
+                for (index, cell) in row.iter().enumerate() {
+                    if index > 0 {
+                        text.push(b',');
+                    }
+                    push_cell(&mut text, cell.as_bytes());
+                }
+                text.push(b'\n');
+            }
+            let back: Vec<_> = read(&text).unwrap().into_iter().map(|(_, _, cells)| cells).collect();
+            // A leading carriage return would start a formula and is disarmed.
+            let disarmed = |cell: &String| if cell.starts_with('\r') { format!("'{cell}") } else { cell.clone() };
+            let expected: Vec<Vec<String>> = rows.iter().map(|row| row.iter().map(disarmed).collect()).collect();
+            prop_assert_eq!(back, expected);
+        }
     }
 }

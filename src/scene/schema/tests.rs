@@ -135,3 +135,32 @@ fn hostile_files_end_in_a_fault_with_a_line() {
         assert!(parse(&SLIDER.replace("0.004", number)).is_err(), "{number}");
     }
 }
+
+proptest::proptest! {
+    #[test]
+    fn any_text_ends_in_a_scene_or_in_faults(text in "(?s).{0,200}") {
+        if let Err(faults) = parse(&text) {
+            proptest::prop_assert!(!faults.is_empty());
+        }
+    }
+
+    #[test]
+    fn any_value_of_a_key_ends_in_a_scene_or_in_faults_that_print(value in "[-+0-9a-z.\"'\\[\\]{}=, /]{0,30}") {
+        for key in ["direct_effect = 0.004", "title = \"S\""] {
+            let name = key.split(' ').next().unwrap_or_default();
+            if let Err(faults) = parse(&SLIDER.replace(key, &format!("{name} = {value}"))) {
+                proptest::prop_assert!(faults.iter().all(|fault| fault.to_string().starts_with("s.toml:")));
+            }
+        }
+    }
+
+    #[test]
+    fn a_decimal_that_is_accepted_is_the_number_that_was_written(
+        digits in 1u64..1_000_000_000,
+        exponent in -290i32..290,
+    ) {
+        let text = format!("{digits}e{exponent}");
+        let scene = parse(&SLIDER.replace("0.004", &text)).unwrap();
+        proptest::prop_assert_eq!(scene.parameters.unwrap().direct_effect, parse_decimal(&text).unwrap());
+    }
+}
