@@ -1,11 +1,10 @@
 //! A thousand printed digits of every root against the texts of PARI/GP and FLINT (tests/vectors), character by character.
 
 use slipmode::friction::Groups;
-use slipmode::number::Rational;
 use slipmode::number::format::certain_digits;
 use slipmode::roots::certified_roots;
 
-use crate::hard_cases::rows;
+use crate::hard_cases::{number, rows};
 
 const ROOTS: &str = include_str!("../vectors/roots-1000-digits.txt");
 const DIGITS: u32 = 1000;
@@ -26,7 +25,7 @@ fn every_printed_digit_is_that_of_the_other_programs() {
     let mut expected = rows(ROOTS).skip(1).peekable();
     let mut parts = 0;
     while let Some(first) = expected.peek().cloned() {
-        let [eta, kappa, beta] = [0, 1, 2].map(|column| first[column].parse::<Rational>().unwrap());
+        let [eta, kappa, beta] = [0, 1, 2].map(|column| number(first[column]));
         let groups = Groups { inertial_parameter: eta, stiffness_group: kappa, effect_ratio: beta };
         let found = certified_roots(&groups.characteristic_cubic(), DIGITS + GUARD_DIGITS);
         // Of a pair the vectors list the upper root only.

@@ -18,7 +18,7 @@ pub fn rows(vectors: &str) -> impl Iterator<Item = Vec<&str>> {
 }
 
 /// A fraction or a decimal, exactly.
-fn number(text: &str) -> Rational {
+pub fn number(text: &str) -> Rational {
     if text.contains('/') { text.parse().unwrap() } else { decimal(text) }
 }
 
