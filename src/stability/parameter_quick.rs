@@ -33,8 +33,8 @@ pub(super) fn quick_root(coefficients: &[Ball], (lower, upper): (f64, f64), bits
 /// Bounds of all positive roots in 64-bit (Cauchy's, for the polynomial and its reverse).
 pub(super) fn positive_range(coefficients: &[Ball]) -> Option<(f64, f64)> {
     let magnitudes = coefficients.iter().map(|value| value.to_f64().abs());
-    let largest = magnitudes.clone().fold(0.0, f64::max);
-    let (first, last) = (magnitudes.clone().next()?, magnitudes.last()?);
+    let largest = magnitudes.fold(0.0, f64::max);
+    let (first, last) = (coefficients.first()?.to_f64().abs(), coefficients.last()?.to_f64().abs());
     let range = (first / (first + largest), 1.0 + largest / last);
     (range.0 > 1e-100 && range.1 < 1e100).then_some(range)
 }
@@ -43,8 +43,8 @@ pub(super) fn positive_range(coefficients: &[Ball]) -> Option<(f64, f64)> {
 fn root_in_f64(coefficients: &[f64], mut lower: f64, mut upper: f64) -> Option<f64> {
     let at_lower = value_and_slope(coefficients, lower).0;
     let at_upper = value_and_slope(coefficients, upper).0;
-    // Also refuses what is not a number.
-    if !(at_lower * at_upper < 0.0) {
+    let opposite = at_lower < 0.0 && at_upper > 0.0 || at_lower > 0.0 && at_upper < 0.0;
+    if !opposite {
         return None;
     }
     let mut x = (lower * upper).sqrt();
