@@ -89,6 +89,10 @@ impl ParameterEquation {
         if self.arc == Arc::Upper {
             return quick_root(&coefficients, (low, high), bits).map(|root| vec![root]);
         }
+        match horner(coefficients.clone(), cusp).sign()? {
+            Ordering::Less => {}
+            _ => return Some(Vec::new()),
+        }
         let middle = cusp.to_f64();
         let mut roots = Vec::with_capacity(2);
         if self.quasi_static_branch_has_solution() {

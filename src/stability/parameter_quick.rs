@@ -43,9 +43,8 @@ pub(super) fn positive_range(coefficients: &[Ball]) -> Option<(f64, f64)> {
 fn root_in_f64(coefficients: &[f64], mut lower: f64, mut upper: f64) -> Option<f64> {
     let at_lower = value_and_slope(coefficients, lower).0;
     let at_upper = value_and_slope(coefficients, upper).0;
-    let changes_sign = at_lower * at_upper < 0.0;
-    // Also refuses what is not a number.
-    if !changes_sign {
+    let opposite = at_lower < 0.0 && at_upper > 0.0 || at_lower > 0.0 && at_upper < 0.0;
+    if !opposite {
         return None;
     }
     let mut x = (lower * upper).sqrt();
