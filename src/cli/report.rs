@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use slipmode::claims::{Ledger, Verdict};
-use slipmode::report::{Product, ReportError, produce, produce_scene};
+use slipmode::report::{Product, ReportError, produce, produce_scene, without_environment};
 use slipmode::scene::Limits;
 
 use crate::cli::environment::{ENVIRONMENT_FILE, Environment};
@@ -54,6 +54,9 @@ pub struct ReportOptions {
     /// The folder to write [default: target/report/NAME, with the report's name]
     #[arg(short, long, value_name = "OUT")]
     output: Option<PathBuf>,
+    /// Leaves versions and times out of the page and the Markdown report, as a published copy does
+    #[arg(long)]
+    without_environment: bool,
     #[command(flatten)]
     limit: LimitOption,
 }
@@ -118,6 +121,9 @@ fn make(options: &ReportOptions, progress: &Progress) -> Result<(Product, PathBu
         .items(|progress| produce(&folder, &command, environment.facts(), progress))
         .map_err(|error| unrenderable(&options.folder, &error))?;
     let mut files: Files = product.files.clone();
+    if options.without_environment {
+        files.values_mut().for_each(|text| *text = without_environment(text));
+    }
     files.insert(ENVIRONMENT_FILE.into(), environment.to_json());
     output.commit(&files)?;
     Ok((product, place))

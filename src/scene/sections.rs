@@ -16,7 +16,7 @@ pub struct Rectangle {
 /// `[boundary]`: the exact boundary along its arcs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct BoundarySection {
-    /// Points over all arcs.
+    /// Points on each arc.
     pub points: u32,
     /// Certified decimal digits of each coordinate.
     pub digits: u32,

@@ -13,7 +13,7 @@ pub fn run() -> Result<(), Failure> {
     let mut worst = 0;
     let mut unverified = Vec::new();
     for name in repository::reports()? {
-        let code = slipmode("verify", &name)?;
+        let code = slipmode(&["verify"], &name)?;
         if code != 0 {
             unverified.push(name);
         }
@@ -39,9 +39,9 @@ pub fn build_release() -> Result<(), Failure> {
 ///
 /// # Errors
 /// When cargo cannot be started.
-pub fn slipmode(subcommand: &str, report: &str) -> Result<u8, Failure> {
+pub fn slipmode(subcommand: &[&str], report: &str) -> Result<u8, Failure> {
     // `cargo run` finds the binary wherever the target folder is configured to be, and passes the exit code on.
     let folder = format!("reports/{report}");
-    let run = ["run", "--release", "--locked", "--quiet", "--bin", "slipmode", "--", subcommand, &folder];
-    process::status(&mut process::cargo(&run))
+    let run = ["run", "--release", "--locked", "--quiet", "--bin", "slipmode", "--"];
+    process::status(process::cargo(&run).args(subcommand).arg(&folder))
 }
