@@ -1,0 +1,24 @@
+//! The nonlinear slider, integrated.
+
+mod arrow;
+mod collocation;
+mod dense_matrix;
+mod double_double_exp;
+mod failure;
+mod integrator;
+mod model;
+mod multi;
+mod radau;
+mod scalar;
+mod start;
+mod stepper;
+
+pub use arrow::Arrow;
+pub use failure::Failure;
+pub use integrator::{Control, Integrator};
+pub use model::{Balance, Model, State};
+pub use multi::Multi;
+pub use radau::Radau;
+pub use scalar::Scalar;
+pub use start::Start;
+pub use stepper::{Stepper, Trial, Weight};
