@@ -147,6 +147,20 @@ impl<'m, R: Scalar, M: Stepper<R>> Integrator<'m, R, M> {
         self.method.restart();
     }
 
+    /// Begins a new cycle at V = V_l, where the run stands up to rounding: x is 0, the clock is at zero.
+    pub fn begin_cycle(&mut self) {
+        self.state[0] = R::from(0);
+        self.clock = Clock::zero();
+    }
+
+    /// Takes the last step back; the next one will be at most half as long.
+    pub fn take_back(&mut self) {
+        self.clock.advance(&-self.step.clone());
+        self.proposal = self.step.clone() / R::from(2);
+        self.state = self.from.clone();
+        self.method.restart();
+    }
+
     fn weight(&self, state: &State<R>) -> Weight {
         let size = state.iter().fold(0.0f64, |size, c| size.max(c.to_f64().abs()));
         // Where the state is small the equations keep relative accuracy, and so must the steps.
@@ -229,10 +243,12 @@ impl<'m, R: Scalar, M: Stepper<R>> Integrator<'m, R, M> {
     /// Nothing when the method does not converge; the run is then unchanged.
     pub fn redo(&mut self, h: &R) -> Option<()> {
         let weight = self.weight(&self.from);
+        self.method.rewind();
         let trial = self.method.attempt(self.model, &self.from, h, weight)?;
         self.clock.advance(&(h.clone() - &self.step));
         self.step = h.clone();
         self.state = trial.to;
+        self.method.accept();
         Some(())
     }
 }

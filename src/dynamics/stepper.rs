@@ -34,11 +34,11 @@ pub trait Stepper<R: Scalar> {
     /// Forgets earlier steps: the next one starts elsewhere.
     fn restart(&mut self);
 
-    /// The step polynomial of the last trial at θ (0 = start, 1 = end), as the increment over the start.
-    fn increment(&self, theta: &R) -> State<R>;
+    /// Prepares a repetition of the last trial with another length: its polynomial then starts the iteration.
+    fn rewind(&mut self);
 
-    /// Derivative of the increment of x by θ.
-    fn velocity_slope(&self, theta: &R) -> R;
+    /// The step polynomial of the last trial as an increment over its start: coefficients of θ, θ², …
+    fn polynomial(&self) -> &[State<R>];
 
     /// Right-hand sides evaluated so far.
     fn evaluations(&self) -> u64;
@@ -47,13 +47,33 @@ pub trait Stepper<R: Scalar> {
     fn effort(&self) -> f64;
 }
 
-/// Evaluates Σ c_k θ^{k+1} of a polynomial without constant term.
-pub(super) fn without_constant<R: Scalar>(coefficients: &[State<R>], theta: &R) -> State<R> {
+/// Evaluates Σ c_k θ^{k+1}, the increment at θ (0 = start of the step, 1 = end).
+#[must_use]
+#[inline]
+pub fn increment<R: Scalar>(coefficients: &[State<R>], theta: &R) -> State<R> {
     std::array::from_fn(|i| coefficients.iter().rev().fold(R::from(0), |sum, c| (sum + &c[i]) * theta))
 }
 
-/// Derivative of component 0 of such a polynomial.
-pub(super) fn slope_of_first<R: Scalar>(coefficients: &[State<R>], theta: &R) -> R {
-    let terms = coefficients.iter().enumerate().rev();
-    terms.fold(R::from(0), |sum, (k, c)| sum * theta + c[0].clone() * R::from(k as i32 + 1))
+/// First and second derivative by θ of the increment of x.
+#[must_use]
+pub fn velocity_slopes<R: Scalar>(coefficients: &[State<R>], theta: &R) -> (R, R) {
+    let (mut slope, mut curvature) = (R::from(0), R::from(0));
+    for (k, c) in coefficients.iter().enumerate().rev() {
+        curvature = curvature * theta + &slope;
+        slope = slope * theta + c[0].clone() * R::from(k as i32 + 1);
+    }
+    (slope, curvature)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_slopes_of_a_cubic_are_its_derivatives() {
+        // x = 2θ − 3θ² + θ³ at θ = 0.5.
+        let polynomial = [[2.0, 0.0, 0.0], [-3.0, 1.0, 0.0], [1.0, 0.0, 0.0]];
+        assert_eq!(increment(&polynomial, &0.5), [0.375, 0.25, 0.0]);
+        assert_eq!(velocity_slopes(&polynomial, &0.5), (-0.25, -3.0));
+    }
 }
