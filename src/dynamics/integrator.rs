@@ -205,7 +205,7 @@ impl<'m, R: Scalar, M: Stepper<R>> Integrator<'m, R, M> {
     fn take(&mut self, trial: Trial<R>, h: R, limited: bool) {
         self.steps += 1;
         self.method.accept();
-        let growth = self.growth(trial.error);
+        let growth = self.growth(trial.error, &h);
         // A step cut short by its limit says nothing against the proposal it was cut from.
         if !limited || growth > 1.0 {
             let next = h.clone() * R::from_f64(growth);
@@ -213,7 +213,7 @@ impl<'m, R: Scalar, M: Stepper<R>> Integrator<'m, R, M> {
                 self.proposal = next;
             }
         }
-        self.last_error = trial.error.max(1e-4);
+        self.last_error = trial.error.max(1e-2);
         self.clock.advance(&h);
         self.step = h;
         self.from = std::mem::replace(&mut self.state, trial.to);
@@ -230,12 +230,17 @@ impl<'m, R: Scalar, M: Stepper<R>> Integrator<'m, R, M> {
         (0.9 * libm::pow(error.max(1e-30), -exponent)).clamp(0.1, 5.0)
     }
 
-    /// Gustafsson's predictive factor, damped when the iteration was slow.
-    fn growth(&self, error: f64) -> f64 {
+    /// Gustafsson's predictive factor, held back where the iteration was slow.
+    fn growth(&self, error: f64, h: &R) -> f64 {
         let exponent = 1.0 / f64::from(M::ERROR_EXPONENT);
-        let trend = libm::pow(self.last_error / error.max(1e-10), exponent).min(1.0);
-        let damping = 1.3 - 0.6 * self.method.effort().max(0.5);
-        self.factor(error) * trend.max(0.5) * damping.min(1.0)
+        let plain = self.factor(error);
+        let last = self.step.to_f64();
+        let ratio = if last > 0.0 { h.to_f64() / last } else { 1.0 };
+        let predicted = plain * ratio * libm::pow(self.last_error / error.max(1e-10), exponent);
+        // Slow convergence shortens the next step before it has to be refused.
+        let patience = 1.6 - self.method.effort();
+        let ceiling = if patience >= 1.0 { 5.0 } else { patience.max(0.6) };
+        plain.min(predicted.max(0.2)).min(ceiling)
     }
 
     /// Repeats the last step with another length, from the same start; the run then stands at its end.
