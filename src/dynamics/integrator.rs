@@ -135,14 +135,23 @@ impl<'m, R: Scalar, M: Stepper<R>> Integrator<'m, R, M> {
         (self.steps, self.refused)
     }
 
+    /// The permitted local error.
+    #[must_use]
+    pub const fn local_tolerance(&self) -> f64 {
+        self.control.local_tolerance
+    }
+
     /// Changes the local tolerance from the next step on.
     pub const fn set_local_tolerance(&mut self, local_tolerance: f64) {
         self.control.local_tolerance = local_tolerance;
     }
 
-    /// Continues from another state, as a new cycle: clock at zero, same step size.
-    pub fn continue_from(&mut self, state: State<R>) {
+    /// Continues from another state, as a new cycle: clock at zero, a cautious first step.
+    pub fn resume_from(&mut self, state: State<R>) {
+        self.proposal = first_step(self.model, &state, self.control);
+        self.from = state.clone();
         self.state = state;
+        self.step = R::from(0);
         self.clock = Clock::zero();
         self.method.restart();
     }

@@ -12,6 +12,7 @@ mod model;
 mod multi;
 mod radau;
 mod scalar;
+mod settle;
 mod start;
 mod stepper;
 
@@ -23,5 +24,6 @@ pub use model::{Balance, Model, State};
 pub use multi::Multi;
 pub use radau::Radau;
 pub use scalar::Scalar;
+pub use settle::{Cycle, Decay, Late, settle};
 pub use start::Start;
 pub use stepper::{Stepper, Trial, Weight};
