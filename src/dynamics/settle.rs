@@ -17,8 +17,8 @@ const LAPS_BEFORE_JUMP: usize = 4;
 /// The largest part of the state that one jump may change.
 const LARGEST_JUMP: f64 = 0.3;
 
-/// Relative changes of a lap below this part of the local tolerance may be the integrator's errors rather than the map's.
-const NOISE_IN_TOLERANCES: f64 = 0.1;
+/// Relative changes of a lap below this multiple of the local tolerance may be the integrator's errors rather than the map's.
+const NOISE_IN_TOLERANCES: f64 = 1.0;
 
 /// Most laps per cycle that are looked for.
 const MOST_LAPS_PER_CYCLE: usize = 4;
@@ -93,6 +93,14 @@ impl<R: Scalar> History<R> {
         Some(size(difference(last, before)) / size(last))
     }
 
+    /// Whether the last three changes are so small that they may be the integrator's errors, which no lap can improve on.
+    fn within(&self, noise: f64) -> bool {
+        (0..3).all(|n| {
+            let (Some(last), Some(before)) = (self.back(n), self.back(n + 1)) else { return false };
+            size(difference(last, before)) < noise * size(last)
+        })
+    }
+
     /// The factor by which the last lap shrank the change: along the slow direction, or any when it is small.
     fn multiplier(&self) -> Option<f64> {
         if let Some((multiplier, _)) = self.slow_direction() {
@@ -126,6 +134,7 @@ pub fn settle<R: Scalar, M: Stepper<R> + Clone>(
     let noise = NOISE_IN_TOLERANCES * run.local_tolerance();
     let mut jumped = false;
     let mut reach = LARGEST_JUMP;
+    let mut jumps_in_noise = 0;
     let mut retreat: Option<State<R>> = None;
     for _ in 0..most_laps {
         let (lap, end) = match (run_lap(run), &retreat) {
@@ -153,13 +162,13 @@ pub fn settle<R: Scalar, M: Stepper<R> + Clone>(
         }
         let Some(change) = history.change(1) else { continue };
         contraction = history.multiplier().or(contraction);
-        if let Some(known) = contraction {
-            let distance = change * known.max(1e-3) / (1.0 - known);
-            // Changes that no longer follow the slow direction are the integrator's own errors: no lap can improve on them.
-            let exhausted = history.passages.len() >= LAPS_BEFORE_JUMP && change < noise && history.multiplier().is_none();
-            if distance >= 0.0 && (distance <= target || exhausted) {
-                return Ok(Late::Cycle(cycle(&history, 1, known, distance)));
-            }
+        // Without a measurable contraction there was none to measure: the first laps already were on the cycle.
+        let known = contraction.unwrap_or(0.5);
+        let distance = change * known.max(1e-3) / (1.0 - known);
+        let measured = contraction.is_some() && distance <= target;
+        let exhausted = history.within(noise) && (history.multiplier().is_none() || jumps_in_noise >= 2);
+        if known < 1.0 && (measured || exhausted) {
+            return Ok(Late::Cycle(cycle(&history, 1, known, distance)));
         }
         if let Some(m) = laps_per_cycle(&history, target, noise) {
             let distance = history.change(m).unwrap_or(change);
@@ -167,6 +176,7 @@ pub fn settle<R: Scalar, M: Stepper<R> + Clone>(
         }
         if history.passages.len() >= LAPS_BEFORE_JUMP && let Some(to) = jump(&history, reach) {
             retreat = Some(run.state().clone());
+            jumps_in_noise += u32::from(change < noise);
             run.resume_from([R::from(0), R::from_f64(to[0]), R::from_f64(to[1])]);
             history = History::new();
             jumped = true;
