@@ -16,6 +16,5 @@ pub mod report;
 pub mod roots;
 pub mod scene;
 pub mod stability;
-pub mod study;
 pub mod table;
 pub mod theory;

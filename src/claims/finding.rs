@@ -33,6 +33,15 @@ impl Finding {
         finding
     }
 
+    /// A claim that is false: fails when its disproof succeeds, and is not decided when the disproof does not go through.
+    #[must_use]
+    pub fn from_disproof(disproof: Result<Proof, Refutation>, counter_example: &str) -> Self {
+        match disproof.and_then(|proof| proof.recheck().map(|()| proof)) {
+            Ok(proof) => Finding::holding(Strength::Exact).with_proof(Ok(proof)).refuted(counter_example),
+            Err(refutation) => Finding::not_checked(format!("The disproof does not go through: {refutation}")),
+        }
+    }
+
     /// A finding without evidence yet, as sure as exact until weaker evidence is added.
     fn holding(strength: Strength) -> Self {
         Finding {
@@ -80,6 +89,20 @@ impl Finding {
     pub fn with_evidence(mut self, evidence: Evidence) -> Self {
         self.strength = self.strength.max(evidence.strength());
         self.evidence.push(evidence);
+        self
+    }
+
+    /// Adds evidence that illustrates what stronger evidence decided: the strength stays.
+    #[must_use]
+    pub fn with_supporting(mut self, evidence: Evidence) -> Self {
+        self.evidence.push(evidence);
+        self
+    }
+
+    /// A claim that the evidence refutes.
+    #[must_use]
+    pub fn refuted(mut self, counter_example: impl Into<String>) -> Self {
+        self.refute(counter_example.into());
         self
     }
 

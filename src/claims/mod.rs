@@ -1,1 +1,61 @@
 //! The ledger: one function per claim, every verdict computed.
+//!
+//! One file per letter of the claims' ids; each has a list of checks, and a check says what must be found, what it
+//! needs computed, and what its verdict does not establish.
+
+mod boundary;
+mod finding;
+mod frequency;
+mod friction_law;
+mod ledger;
+mod linearisation;
+mod transition;
+mod verdict;
+mod zones;
+
+pub use finding::Finding;
+pub use ledger::{ClaimText, Entry, Ledger, find, known_ids, needs};
+pub use verdict::{Evidence, Strength, Verdict};
+
+use crate::study::{Need, Outcome};
+use crate::theory::PaperEquations;
+
+/// What a check may look at.
+#[derive(Debug, Clone, Copy)]
+pub struct Context<'c> {
+    /// The paper's equations as the report states them: the thing under test.
+    pub equations: &'c PaperEquations,
+    /// What was computed for the report's scenes.
+    pub outcome: &'c Outcome,
+}
+
+/// How one claim is decided.
+#[derive(Debug)]
+pub struct Check {
+    /// The claim's id, such as `B8`.
+    pub id: &'static str,
+    /// What has to be found for the claim to hold.
+    pub criterion: &'static str,
+    /// What a verdict does not establish.
+    pub not_established: &'static str,
+    /// What the check needs computed.
+    pub needs: &'static [Need],
+    /// Claims whose truth this one presupposes.
+    pub rests_on: &'static [&'static str],
+    /// Computes the verdict.
+    pub decide: fn(&Context) -> Finding,
+}
+
+/// All checks, in the order of the letters F, L, S, B, Q, Z.
+pub fn checks() -> impl Iterator<Item = &'static Check> {
+    [
+        friction_law::CHECKS,
+        linearisation::CHECKS,
+        transition::CHECKS,
+        boundary::CHECKS,
+        frequency::CHECKS,
+        zones::CHECKS,
+    ]
+    .into_iter()
+    .flatten()
+}

@@ -3,7 +3,7 @@
 use std::cmp::Ordering;
 
 use rug::float::{Round, Special};
-use rug::{Float, Rational};
+use rug::{Float, Integer, Rational};
 
 /// Bits of a radius; its rounding is always upward, so few are enough.
 pub(super) const RADIUS_BITS: u32 = 32;
@@ -43,6 +43,13 @@ impl Ball {
     /// The rational rounded to this precision, with its rounding error as radius.
     #[must_use]
     pub fn from_rational(value: &Rational, precision_bits: u32) -> Self {
+        let (centre, rounding) = Float::with_val_round(precision_bits, value, Round::Nearest);
+        Self::rounded(centre, rounding, Float::new(RADIUS_BITS))
+    }
+
+    /// The integer rounded to this precision, with its rounding error as radius.
+    #[must_use]
+    pub fn from_integer(value: &Integer, precision_bits: u32) -> Self {
         let (centre, rounding) = Float::with_val_round(precision_bits, value, Round::Nearest);
         Self::rounded(centre, rounding, Float::new(RADIUS_BITS))
     }

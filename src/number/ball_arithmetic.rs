@@ -67,9 +67,11 @@ impl Ball {
         if self.radius.is_zero() && other.radius.is_zero() {
             return Self::rounded(centre, rounding, Float::new(RADIUS_BITS));
         }
-        // One more unit in the last of 32 bits covers the quotient's own rounding.
+        // One more unit in the last of 32 bits covers the quotient's own rounding; a quotient of zero is exact.
         let mut radius = magnitude_up(&centre);
-        radius.next_up();
+        if !radius.is_zero() {
+            radius.next_up();
+        }
         radius.mul_assign_round(&other.radius, Round::Up);
         radius.add_assign_round(&self.radius, Round::Up);
         let mut smallest = Float::with_val_round(RADIUS_BITS, other.centre.abs_ref(), Round::Down).0;
@@ -226,6 +228,12 @@ mod tests {
         assert!(quotient.radius().is_infinite() && quotient.sign().is_none());
         let later = quotient * &Ball::from(0) + Ball::from(3);
         assert!(later.radius().is_infinite(), "unbounded stays unbounded");
+    }
+
+    #[test]
+    fn a_quotient_of_zero_stays_exact() {
+        let three = Ball::new(Float::with_val(64, 3), Float::with_val(32, 1));
+        assert!((Ball::from(0) / three).radius().is_zero());
     }
 
     #[test]

@@ -1,6 +1,12 @@
 //! Heat maps over two axes: filled contours of a grid of values, with the area of exact zeros left uncoloured.
 
-use super::{Axis, Caption, Line, PointMark, RegionLabel};
+use super::contour::outlines;
+use super::frame::{CANVAS_WIDTH, Frame, NORMAL, SMALL};
+use super::legend::{Entry, KEY_WIDTH, Legend};
+use super::overlay::{draw_labels, draw_lines, draw_marks, legend_entries};
+use super::path::{Point, outline_data, outline_data_in_tenths, simplify};
+use super::svg::{Svg, number};
+use super::{Axis, Caption, Line, PointMark, RegionLabel, palette, rich_text};
 
 /// The colour bar of a heat map: logarithmic, in even steps.
 #[derive(Debug, Clone, PartialEq)]
@@ -43,4 +49,135 @@ pub struct HeatMap {
     pub marks: Vec<PointMark>,
     /// Names of regions.
     pub labels: Vec<RegionLabel>,
+}
+
+/// Upper left corner of the map on the canvas.
+const CORNER: Point = (80.0, 14.0);
+/// Width and height of the map.
+const SIZE: Point = (452.0, 420.0);
+/// How far a drawn contour may lie from the interpolated one, in canvas units.
+const CONTOUR_TOLERANCE: f64 = 0.15;
+
+impl HeatMap {
+    /// The map as SVG text.
+    #[must_use]
+    pub fn svg(&self) -> String {
+        let frame = Frame::new(&self.x, &self.y, CORNER, SIZE);
+        let legend = Legend::new(self.legend_entries(), CANVAS_WIDTH - CORNER.0);
+        let below = frame.bounds.bottom + 60.0;
+        let mut svg = Svg::new(&self.caption, CANVAS_WIDTH, below + legend.height());
+        frame.draw_panel(&mut svg, "panel-map");
+        self.draw_values(&mut svg, &frame);
+        self.draw_zero_areas(&mut svg, &frame);
+        draw_lines(&mut svg, &frame, &self.lines);
+        draw_labels(&mut svg, &frame, &self.labels);
+        draw_marks(&mut svg, &frame, &self.marks);
+        frame.draw_axes(&mut svg);
+        self.draw_colour_bar(&mut svg, &frame);
+        legend.draw(&mut svg, (CORNER.0, below));
+        svg.finish()
+    }
+
+    fn steps(&self) -> usize {
+        self.colours.steps.clamp(2, 64)
+    }
+
+    /// Lower edge of a colour step; every positive value belongs to step 0 at least.
+    fn level(&self, step: usize) -> f64 {
+        let (low, high) = (libm::log10(self.colours.min), libm::log10(self.colours.max));
+        if step == 0 { 0.0 } else { libm::exp10(low + (high - low) * step as f64 / self.steps() as f64) }
+    }
+
+    /// Paints for each step the whole area above its lower edge, the brighter over the darker.
+    fn draw_values(&self, svg: &mut Svg, frame: &Frame) {
+        svg.open("g", &[("class", "values"), ("transform", "scale(.1)")]);
+        for step in 0..self.steps() {
+            let level = self.level(step);
+            let inside = |value: f64| value > 0.0 && value >= level;
+            let crossing = |outside: f64, inside: f64| self.crossing(level, outside, inside);
+            let areas = outlines(&self.values, self.columns, &inside, &crossing);
+            let data: String = areas.iter().map(|area| outline_in_tenths(frame, area)).collect();
+            svg.leaf("path", &[("d", &data), ("fill", &palette::value_colour(step, self.steps()))]);
+        }
+        svg.close();
+    }
+
+    /// Where between two grid points the level is crossed.
+    ///
+    /// Between positive values the logarithm is taken to be linear. Next to an exact zero the square is: the imaginary
+    /// part grows like the root of the distance from a double root.
+    fn crossing(&self, level: f64, outside: f64, inside: f64) -> f64 {
+        if outside > 0.0 {
+            let from = libm::log10(outside);
+            return (libm::log10(level) - from) / (libm::log10(inside) - from);
+        }
+        let ratio = level / inside;
+        let edge = if self.zero_areas.is_empty() { 0.5 } else { 0.0 };
+        edge + (1.0 - edge) * ratio * ratio
+    }
+
+    fn draw_zero_areas(&self, svg: &mut Svg, frame: &Frame) {
+        let outline = |area: &Vec<Point>| outline_data(&simplify(&frame.visible_outline(area), 0.06));
+        let data: String = self.zero_areas.iter().map(outline).collect();
+        if !data.is_empty() {
+            svg.leaf("path", &[("class", "zero"), ("d", &data), ("fill", palette::PLATE)]);
+        }
+    }
+
+    fn draw_colour_bar(&self, svg: &mut Svg, frame: &Frame) {
+        let axis = Axis::log10(&self.colours.title, &self.colours.unit, self.colours.min, self.colours.max);
+        let (left, width) = (frame.bounds.right + 16.0, 18.0);
+        let (top, height) = (frame.bounds.top, frame.size().1);
+        let step_height = height / self.steps() as f64;
+        svg.open("g", &[("class", "colour-bar"), ("shape-rendering", "crispEdges")]);
+        for step in 0..self.steps() {
+            let y = top + height - step_height * (step as f64 + 1.0);
+            let fill = palette::value_colour(step, self.steps());
+            svg.rect((left, y), (width, step_height + 0.4), &[("fill", &fill)]);
+        }
+        svg.close();
+        svg.open("g", &[("class", "axis"), ("stroke", palette::FAINT_INK), ("fill", "none")]);
+        svg.rect((left, top), (width, height), &[]);
+        svg.close();
+        self.label_colour_bar(svg, &axis, (left + width, top), height);
+    }
+
+    fn label_colour_bar(&self, svg: &mut Svg, axis: &Axis, (right, top): Point, height: f64) {
+        let ticks = axis.ticks();
+        let places =
+            ticks.iter().filter_map(|tick| Some((top + height * (1.0 - axis.position(tick.value)?), tick)));
+        svg.open("g", &[("class", "ink"), ("fill", palette::INK), ("font-size", "13")]);
+        for (y, tick) in places.filter(|(_, tick)| tick.is_major()) {
+            let at = [number(right + 6.0), number(y.clamp(top + 9.0, top + height) + 4.5)];
+            svg.text(&[("x", &at[0]), ("y", &at[1])], &rich_text::to_svg(&tick.label, SMALL));
+        }
+        svg.close();
+        let turn = format!("translate({} {}) rotate(-90)", number(right + 52.0), number(top + height / 2.0));
+        let attributes = [
+            ("class", "ink"),
+            ("fill", palette::INK),
+            ("text-anchor", "middle"),
+            ("transform", turn.as_str()),
+        ];
+        svg.text(&attributes, &rich_text::to_svg(&axis.heading(), NORMAL));
+    }
+
+    fn legend_entries(&self) -> Vec<Entry<'_>> {
+        let mut entries = legend_entries(&self.lines);
+        entries.push(Entry {
+            label: self.zero_label.clone(),
+            key: Box::new(|svg, (x, y)| {
+                let attributes =
+                    [("class", "zero-key"), ("fill", palette::PLATE), ("stroke", palette::FAINT_INK)];
+                svg.rect((x + 3.0, y - 7.0), (KEY_WIDTH - 13.0, 14.0), &attributes);
+            }),
+        });
+        entries
+    }
+}
+
+fn outline_in_tenths(frame: &Frame, area: &[Point]) -> String {
+    let placed: Vec<Point> = area.iter().map(|&point| frame.place_unit(point)).collect();
+    let closed: Vec<Point> = placed.iter().chain(placed.first()).copied().collect();
+    outline_data_in_tenths(&simplify(&closed, CONTOUR_TOLERANCE))
 }

@@ -1,6 +1,12 @@
 //! Line charts: several series over linear, logarithmic or signed logarithmic axes.
 
-use super::{Axis, Caption, RegionLabel};
+use super::frame::{CANVAS_WIDTH, Frame, SMALL};
+use super::legend::{Entry, KEY_WIDTH, Legend};
+use super::overlay::draw_labels;
+use super::path::{Point, line_data, simplify};
+use super::series_style::{Look, draw_marker, spread};
+use super::svg::{Svg, number};
+use super::{Axis, Caption, RegionLabel, palette, rich_text};
 
 /// One line of a chart. Dash, marker and colour follow from its place in the list.
 #[derive(Debug, Clone, PartialEq)]
@@ -64,4 +70,141 @@ pub struct LineChart {
     pub bands: Vec<Band>,
     /// Words inside the chart.
     pub labels: Vec<RegionLabel>,
+}
+
+/// Upper left corner of the chart on the canvas.
+const CORNER: Point = (80.0, 14.0);
+/// Width and height of the chart.
+const SIZE: Point = (544.0, 360.0);
+/// How far a drawn line may lie from the given one, in canvas units.
+const LINE_TOLERANCE: f64 = 0.06;
+
+impl LineChart {
+    /// The chart as SVG text.
+    #[must_use]
+    pub fn svg(&self) -> String {
+        let frame = Frame::new(&self.x, &self.y, CORNER, SIZE);
+        let legend = Legend::new(self.legend_entries(), CANVAS_WIDTH - CORNER.0);
+        let below = frame.bounds.bottom + 60.0;
+        let mut svg = Svg::new(&self.caption, CANVAS_WIDTH, below + legend.height());
+        frame.draw_panel(&mut svg, "panel");
+        for (index, band) in self.bands.iter().enumerate() {
+            draw_band(&mut svg, &frame, index, band);
+        }
+        frame.draw_grid(&mut svg);
+        for reference in &self.references {
+            draw_reference(&mut svg, &frame, reference);
+        }
+        for (look, series) in self.looks() {
+            draw_series(&mut svg, &frame, look, series);
+        }
+        draw_labels(&mut svg, &frame, &self.labels);
+        frame.draw_axes(&mut svg);
+        legend.draw(&mut svg, (CORNER.0, below));
+        svg.finish()
+    }
+
+    /// Each series with its look; theory lines do not use up the looks of the others.
+    fn looks(&self) -> impl Iterator<Item = (Look, &Series)> {
+        let mut measured = 0;
+        self.series.iter().map(move |series| {
+            if series.theory {
+                return (Look::theory(), series);
+            }
+            measured += 1;
+            (Look::of(measured - 1), series)
+        })
+    }
+
+    fn legend_entries(&self) -> Vec<Entry<'_>> {
+        let lines = self.looks().map(|(look, series)| Entry {
+            label: series.label.clone(),
+            key: Box::new(move |svg: &mut Svg, (x, y): Point| {
+                let end = x + KEY_WIDTH - 7.0;
+                look.open(svg);
+                look.stroke(svg, &line_data(&[(x, y), (end, y)]));
+                draw_marker(svg, look, ((x + end) / 2.0, y));
+                svg.close();
+            }),
+        });
+        let bands = self.bands.iter().enumerate().map(|(index, band)| Entry {
+            label: band.label.clone(),
+            key: Box::new(move |svg: &mut Svg, (x, y): Point| {
+                let (class, fill) = band_look(index);
+                svg.rect((x + 3.0, y - 7.0), (KEY_WIDTH - 13.0, 14.0), &[("class", &class), ("fill", fill)]);
+            }),
+        });
+        lines.chain(bands).collect()
+    }
+}
+
+fn draw_series(svg: &mut Svg, frame: &Frame, look: Look, series: &Series) {
+    look.open(svg);
+    let parts = frame.visible_line(&series.points);
+    let data: String = parts.iter().map(|part| line_data(&simplify(part, LINE_TOLERANCE))).collect();
+    look.stroke(svg, &data);
+    if series.marked {
+        let placed = series.points.iter().filter_map(|&point| frame.place(point));
+        placed.filter(|&point| frame.contains(point)).for_each(|point| draw_marker(svg, look, point));
+    } else {
+        spread(&parts, look).into_iter().for_each(|point| draw_marker(svg, look, point));
+    }
+    svg.close();
+}
+
+fn draw_reference(svg: &mut Svg, frame: &Frame, reference: &Reference) {
+    let b = frame.bounds;
+    let (ends, words, anchor, label) = match reference {
+        Reference::Horizontal { at, label } => {
+            let Some(v) = frame.y.position(*at).filter(|v| (0.0..=1.0).contains(v)) else { return };
+            let y = frame.place_unit((0.0, v)).1;
+            ([(b.left, y), (b.right, y)], (b.right - 8.0, y - 6.0), "end", label)
+        }
+        Reference::Vertical { at, label } => {
+            let Some(u) = frame.x.position(*at).filter(|u| (0.0..=1.0).contains(u)) else { return };
+            let x = frame.place_unit((u, 0.0)).0;
+            ([(x, b.top), (x, b.bottom)], (x + 6.0, b.top + 17.0), "start", label)
+        }
+    };
+    let stroke = [
+        ("class", "reference"),
+        ("stroke", palette::FAINT_INK),
+        ("stroke-width", "1.3"),
+        ("stroke-dasharray", "6 4"),
+    ];
+    svg.open("g", &stroke);
+    svg.line(ends[0], ends[1]);
+    svg.close();
+    let at = [number(words.0), number(words.1)];
+    let attributes = [
+        ("class", "ink halo"),
+        ("x", at[0].as_str()),
+        ("y", &at[1]),
+        ("text-anchor", anchor),
+        ("font-size", "13"),
+        ("fill", palette::FAINT_INK),
+        ("stroke", palette::PLATE),
+        ("stroke-width", "3.5"),
+        ("stroke-linejoin", "round"),
+        ("paint-order", "stroke"),
+    ];
+    if !label.is_empty() {
+        svg.text(&attributes, &rich_text::to_svg(label, SMALL));
+    }
+}
+
+fn band_look(index: usize) -> (String, &'static str) {
+    const FILLS: [&str; 3] = ["#edf3f9", "#d9e7f3", "#c0d8ec"];
+    let look = index % FILLS.len();
+    (format!("band band-{look}"), FILLS[look])
+}
+
+fn draw_band(svg: &mut Svg, frame: &Frame, index: usize, band: &Band) {
+    let axis = if band.across { frame.y } else { frame.x };
+    let (Some(one), Some(two)) = (axis.position(band.from), axis.position(band.to)) else { return };
+    let (low, high) = (one.min(two).clamp(0.0, 1.0), one.max(two).clamp(0.0, 1.0));
+    let (start, end) = if band.across { ((0.0, high), (1.0, low)) } else { ((low, 1.0), (high, 0.0)) };
+    let (from, to) = (frame.place_unit(start), frame.place_unit(end));
+    let (class, fill) = band_look(index);
+    svg.rect(from, (to.0 - from.0, to.1 - from.1), &[("class", &class), ("fill", fill)]);
 }

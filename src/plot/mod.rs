@@ -2,7 +2,7 @@
 //!
 //! A figure is a plain value; `svg()` turns it into text that is the same on every machine: coordinates are rounded
 //! to a tenth of a unit, logarithms come from the `libm` crate, and nothing depends on the order of threads.
-//! Words in figures (titles, labels, legends) may use a little markup: `*V*` is italic, `_0` or `_{qs}` a subscript,
+//! Words in figures (titles, labels, legends) may use a little markup: `*V*` is italic, `**K**` bold, `_0` or `_{qs}` a subscript,
 //! `^2` or `^{-3}` a superscript, a backslash takes the next character as it is.
 //!
 //! Colours: a perceptually even scale for values and a colour-blind-safe set for lines, which also differ by dash
@@ -10,12 +10,23 @@
 //! sheet the presentation attributes give a light plate.
 
 mod axis;
+mod contour;
+mod frame;
 mod heat_map;
+mod legend;
 mod line_chart;
 mod overlay;
+mod palette;
+mod path;
 mod range_chart;
+mod rich_text;
+#[cfg(test)]
+pub(crate) mod sample;
+mod series_style;
+mod svg;
 mod ticks;
 mod zone_map;
+mod zones;
 
 pub use axis::{Axis, Scale};
 pub use heat_map::{ColourScale, HeatMap};
@@ -23,6 +34,7 @@ pub use line_chart::{Band, LineChart, Reference, Series};
 pub use overlay::{Line, LineRole, PointMark, RegionLabel, Side};
 pub use range_chart::{RangeChart, RangeRow, Span};
 pub use zone_map::{Zone, ZoneMap};
+pub use zones::zones_of_grid;
 
 /// What names a figure: its id and the words read out instead of it.
 #[derive(Debug, Clone, PartialEq, Eq)]

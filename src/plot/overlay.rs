@@ -1,5 +1,11 @@
 //! What is drawn over a map: lines, points and the names of regions.
 
+use super::frame::{Frame, SMALL};
+use super::legend::{Entry, KEY_WIDTH};
+use super::path::{line_data, simplify};
+use super::svg::{Svg, number};
+use super::{palette, rich_text};
+
 /// What a line means; it decides colour, width and dash, the same in every figure.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum LineRole {
@@ -59,4 +65,170 @@ pub struct RegionLabel {
     pub x: f64,
     /// Vertical axis value of the centre.
     pub y: f64,
+}
+
+/// How a role is drawn.
+struct LineStyle {
+    class: &'static str,
+    colour: &'static str,
+    width: &'static str,
+    casing: &'static str,
+    casing_width: &'static str,
+    dash: &'static str,
+}
+
+impl LineRole {
+    fn style(self) -> LineStyle {
+        match self {
+            Self::Boundary => LineStyle {
+                class: "boundary",
+                colour: "#111111",
+                width: "2.2",
+                casing: "#ffffff",
+                casing_width: "4.4",
+                dash: "",
+            },
+            Self::Asymptote => LineStyle {
+                class: "asymptote",
+                colour: "#b3261e",
+                width: "1.7",
+                casing: "#ffffff",
+                casing_width: "3.7",
+                dash: "8 5",
+            },
+            Self::Transition => LineStyle {
+                class: "transition",
+                colour: "#ffffff",
+                width: "2.2",
+                casing: "#111111",
+                casing_width: "4.2",
+                dash: "",
+            },
+            Self::Guide => LineStyle {
+                class: "guide",
+                colour: "#444444",
+                width: "1.2",
+                casing: "#ffffff",
+                casing_width: "2.6",
+                dash: "2 3",
+            },
+        }
+    }
+}
+
+/// Draws the lines, boundaries below transitions below asymptotes, whatever their order in the list.
+pub(crate) fn draw_lines(svg: &mut Svg, frame: &Frame, lines: &[Line]) {
+    for role in [LineRole::Guide, LineRole::Boundary, LineRole::Transition, LineRole::Asymptote] {
+        let parts =
+            lines.iter().filter(|line| line.role == role).flat_map(|line| frame.visible_line(&line.points));
+        let data: String = parts.map(|part| line_data(&simplify(&part, LINE_TOLERANCE))).collect();
+        if !data.is_empty() {
+            draw_stroke(svg, role, &data);
+        }
+    }
+}
+
+/// How far a drawn line may lie from the given one, in canvas units.
+const LINE_TOLERANCE: f64 = 0.06;
+
+fn draw_stroke(svg: &mut Svg, role: LineRole, data: &str) {
+    let style = role.style();
+    let casing_class = format!("{}-casing", style.class);
+    let passes =
+        [(casing_class.as_str(), style.casing, style.casing_width), (style.class, style.colour, style.width)];
+    for (class, colour, width) in passes {
+        svg.leaf(
+            "path",
+            &[
+                ("class", class),
+                ("d", data),
+                ("fill", "none"),
+                ("stroke", colour),
+                ("stroke-width", width),
+                ("stroke-dasharray", style.dash),
+                ("stroke-linejoin", "round"),
+            ],
+        );
+    }
+}
+
+/// Legend entries of the lines, one for each label.
+pub(crate) fn legend_entries(lines: &[Line]) -> Vec<Entry<'_>> {
+    lines
+        .iter()
+        .map(|line| Entry {
+            label: line.label.clone(),
+            key: Box::new(move |svg, (x, y)| {
+                let data = line_data(&[(x, y), (x + KEY_WIDTH - 7.0, y)]);
+                draw_stroke(svg, line.role, &data);
+            }),
+        })
+        .collect()
+}
+
+/// Draws marked points with their labels.
+pub(crate) fn draw_marks(svg: &mut Svg, frame: &Frame, marks: &[PointMark]) {
+    for mark in marks {
+        let Some((x, y)) = frame.place((mark.x, mark.y)).filter(|&point| frame.contains(point)) else {
+            continue;
+        };
+        let at = [number(x), number(y)];
+        svg.leaf(
+            "circle",
+            &[
+                ("class", "mark"),
+                ("cx", &at[0]),
+                ("cy", &at[1]),
+                ("r", "4.5"),
+                ("fill", "#ffffff"),
+                ("stroke", "#111111"),
+                ("stroke-width", "2"),
+            ],
+        );
+        let (dx, dy, anchor) = match mark.side {
+            Side::Left => (-10.0, 4.5, "end"),
+            Side::Right => (10.0, 4.5, "start"),
+            Side::Above => (0.0, -11.0, "middle"),
+            Side::Below => (0.0, 20.0, "middle"),
+        };
+        draw_label(svg, (x + dx, y + dy), anchor, &mark.label);
+    }
+}
+
+/// Draws the names of regions, line below line around their centre.
+pub(crate) fn draw_labels(svg: &mut Svg, frame: &Frame, labels: &[RegionLabel]) {
+    for label in labels {
+        let Some((x, y)) = frame.place((label.x, label.y)).filter(|&point| frame.contains(point)) else {
+            continue;
+        };
+        let top = y - LABEL_LEADING * (label.lines.len() as f64 - 1.0) / 2.0 + 4.5;
+        for (index, line) in label.lines.iter().enumerate() {
+            draw_label(svg, (x, top + LABEL_LEADING * index as f64), "middle", line);
+        }
+    }
+}
+
+/// Distance between lines of a label.
+const LABEL_LEADING: f64 = 17.0;
+
+fn draw_label(svg: &mut Svg, (x, y): (f64, f64), anchor: &str, markup: &str) {
+    if markup.is_empty() {
+        return;
+    }
+    let at = [number(x), number(y)];
+    svg.text(
+        &[
+            ("class", "label"),
+            ("x", &at[0]),
+            ("y", &at[1]),
+            ("text-anchor", anchor),
+            ("font-size", "13"),
+            ("fill", palette::INK),
+            ("stroke", palette::PLATE),
+            ("stroke-width", "3.5"),
+            ("stroke-linejoin", "round"),
+            ("paint-order", "stroke"),
+        ],
+        &rich_text::to_svg(markup, SMALL),
+    );
 }

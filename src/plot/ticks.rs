@@ -29,11 +29,16 @@ impl Tick {
 /// Labels that fit along an axis.
 const MOST_LABELS: i32 = 9;
 
+/// Decades along an axis up to which every multiple gets a minor tick.
+const MOST_FINE_DECADES: i32 = 6;
+const ALL_DIGITS: &[i32] = &[2, 3, 4, 5, 6, 7, 8, 9];
+const FEW_DIGITS: &[i32] = &[2, 5];
+
 /// Ticks between `min` and `max`, ascending.
 pub(crate) fn ticks(scale: Scale, min: f64, max: f64) -> Vec<Tick> {
     let mut all = match scale {
         Scale::Linear => linear(min, max),
-        Scale::Log10 => decades(min, max, 1),
+        Scale::Log10 => decades(min, max, 1, MOST_FINE_DECADES),
         Scale::SignedLog10 { smallest } => signed_decades(smallest, min, max),
     };
     let slack = (max - min).abs() * 1e-9;
@@ -54,13 +59,14 @@ pub(crate) fn power_of_ten(exponent: i32) -> f64 {
     format!("1e{exponent}").parse().unwrap_or(f64::INFINITY)
 }
 
-fn decades(min: f64, max: f64, sign: i32) -> Vec<Tick> {
+fn decades(min: f64, max: f64, sign: i32, most_fine: i32) -> Vec<Tick> {
     if !(min > 0.0 && max.is_finite() && max > min) {
         return Vec::new();
     }
     let (first, last) = (exponent_floor(min), exponent_floor(max));
     let stride = (last - first) / MOST_LABELS + 1;
     let narrow = last - first < 2;
+    let digits = if last - first > most_fine { FEW_DIGITS } else { ALL_DIGITS };
     let mut all = Vec::new();
     for exponent in first..=last {
         let decade = f64::from(sign) * power_of_ten(exponent);
@@ -73,7 +79,7 @@ fn decades(min: f64, max: f64, sign: i32) -> Vec<Tick> {
         if stride > 1 {
             continue;
         }
-        for digit in 2..10 {
+        for &digit in digits {
             let value = f64::from(digit) * decade;
             let label = multiple_label(sign, digit, exponent);
             let shown = narrow && matches!(digit, 2 | 5);
@@ -84,11 +90,12 @@ fn decades(min: f64, max: f64, sign: i32) -> Vec<Tick> {
 }
 
 fn signed_decades(smallest: f64, min: f64, max: f64) -> Vec<Tick> {
-    let mut below = if min < -smallest { decades(smallest, -min, -1) } else { Vec::new() };
+    let mut below =
+        if min < -smallest { decades(smallest, -min, -1, MOST_FINE_DECADES / 2) } else { Vec::new() };
     below.reverse();
     below.push(Tick::major(0.0, "0".into()));
     if max > smallest {
-        below.extend(decades(smallest, max, 1));
+        below.extend(decades(smallest, max, 1, MOST_FINE_DECADES / 2));
     }
     below.retain(|tick| tick.value == 0.0 || tick.value.abs() >= smallest * (1.0 - 1e-9));
     below

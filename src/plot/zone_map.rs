@@ -1,6 +1,11 @@
 //! Zone maps: a plane divided into named regions, told apart by pattern, colour and name.
 
-use super::{Axis, Caption, Line, PointMark, RegionLabel};
+use super::frame::{CANVAS_WIDTH, Frame};
+use super::legend::{Entry, KEY_WIDTH, Legend};
+use super::overlay::{draw_labels, draw_lines, draw_marks, legend_entries};
+use super::path::{Point, outline_data, simplify};
+use super::svg::Svg;
+use super::{Axis, Caption, Line, PointMark, RegionLabel, palette};
 
 /// A region of the plane.
 #[derive(Debug, Clone, PartialEq)]
@@ -30,4 +35,116 @@ pub struct ZoneMap {
     pub marks: Vec<PointMark>,
     /// Names of zones.
     pub labels: Vec<RegionLabel>,
+}
+
+/// Upper left corner of the map on the canvas.
+const CORNER: Point = (80.0, 14.0);
+/// Width and height of the map.
+const SIZE: Point = (544.0, 440.0);
+/// How far a drawn edge may lie from the given one, in canvas units: less than a grid step of a fine map.
+const EDGE_TOLERANCE: f64 = 0.7;
+
+impl ZoneMap {
+    /// The map as SVG text.
+    #[must_use]
+    pub fn svg(&self) -> String {
+        let frame = Frame::new(&self.x, &self.y, CORNER, SIZE);
+        let legend = Legend::new(self.legend_entries(), CANVAS_WIDTH - CORNER.0);
+        let below = frame.bounds.bottom + 60.0;
+        let mut svg = Svg::new(&self.caption, CANVAS_WIDTH, below + legend.height());
+        self.define_patterns(&mut svg);
+        frame.draw_panel(&mut svg, "panel-map");
+        for zone in &self.zones {
+            draw_zone(&mut svg, &frame, zone);
+        }
+        draw_lines(&mut svg, &frame, &self.lines);
+        draw_labels(&mut svg, &frame, &self.labels);
+        draw_marks(&mut svg, &frame, &self.marks);
+        frame.draw_axes(&mut svg);
+        legend.draw(&mut svg, (CORNER.0, below));
+        svg.finish()
+    }
+
+    fn define_patterns(&self, svg: &mut Svg) {
+        let mut styles: Vec<usize> = self.zones.iter().map(|zone| look(zone.style)).collect();
+        styles.sort_unstable();
+        styles.dedup();
+        svg.open("defs", &[]);
+        styles.into_iter().for_each(|style| define_pattern(svg, style));
+        svg.close();
+    }
+
+    fn legend_entries(&self) -> Vec<Entry<'_>> {
+        let zones = self.zones.iter().map(|zone| Entry {
+            label: zone.label.clone(),
+            key: Box::new(|svg: &mut Svg, (x, y): Point| {
+                let style = look(zone.style);
+                let fill = svg.url(&pattern_name(style));
+                let attributes = [("fill", fill.as_str()), ("stroke", palette::ZONE_INKS[style])];
+                svg.rect((x + 1.0, y - 7.5), (KEY_WIDTH - 9.0, 15.0), &attributes);
+            }),
+        });
+        zones.chain(legend_entries(&self.lines)).collect()
+    }
+}
+
+fn look(style: usize) -> usize {
+    style % palette::ZONES.len()
+}
+
+fn pattern_name(style: usize) -> String {
+    format!("zone-{style}")
+}
+
+fn draw_zone(svg: &mut Svg, frame: &Frame, zone: &Zone) {
+    let outline = |points: &Vec<Point>| {
+        let visible = frame.visible_outline(points);
+        let closed: Vec<Point> = visible.iter().chain(visible.first()).copied().collect();
+        outline_data(&simplify(&closed, EDGE_TOLERANCE))
+    };
+    let data: String = zone.outlines.iter().map(outline).collect();
+    let fill = svg.url(&pattern_name(look(zone.style)));
+    // A hairline of the zone's own colour closes the gap that rounding leaves between neighbours.
+    svg.leaf(
+        "path",
+        &[
+            ("class", "zone"),
+            ("d", &data),
+            ("fill", &fill),
+            ("fill-rule", "evenodd"),
+            ("stroke", palette::ZONES[look(zone.style)]),
+            ("stroke-width", "0.8"),
+        ],
+    );
+}
+
+/// A tile of the zone's colour with strokes or dots of its ink: the pattern alone tells zones apart.
+fn define_pattern(svg: &mut Svg, style: usize) {
+    let (tile, strokes, dots): (f64, &str, &str) = match style {
+        1 => (10.0, "", "M5 4.2a.8 .8 0 1 0 .01 0z"),
+        2 => (9.0, "M-1 10L10 -1M-1 1L1 -1M8 10L10 8", ""),
+        3 => (9.0, "M-1 -1L10 10M8 -1L10 1M-1 8L1 10", ""),
+        4 => (9.0, "M0 4.5H9", ""),
+        5 => (9.0, "M4.5 0V9", ""),
+        6 => (11.0, "M0 5.5H11M5.5 0V11", ""),
+        7 => (11.0, "M3 5.5H8M5.5 3V8", ""),
+        _ => (10.0, "", ""),
+    };
+    let (id, size) = (svg.id(&pattern_name(style)), super::svg::number(tile));
+    let ink = palette::ZONE_INKS[style];
+    svg.open(
+        "pattern",
+        &[("id", &id), ("width", &size), ("height", &size), ("patternUnits", "userSpaceOnUse")],
+    );
+    svg.leaf("rect", &[("width", &size), ("height", &size), ("fill", palette::ZONES[style])]);
+    if !strokes.is_empty() {
+        svg.leaf(
+            "path",
+            &[("d", strokes), ("stroke", ink), ("stroke-width", "0.8"), ("stroke-opacity", "0.55")],
+        );
+    }
+    if !dots.is_empty() {
+        svg.leaf("path", &[("d", dots), ("fill", ink)]);
+    }
+    svg.close();
 }

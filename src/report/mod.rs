@@ -3,11 +3,54 @@
 //! Nothing here does arithmetic or reads files: numbers arrive formatted, figures arrive drawn, templates and fonts
 //! are part of the program. The page asks for nothing over the network and needs no scripts.
 
+mod base64;
+mod blocks;
+mod catalogue;
+mod claim_html;
+mod claim_text;
 mod error;
+mod html;
+mod markdown;
+mod math;
+mod page_style;
+#[cfg(test)]
+mod sample;
+mod templates;
+mod text;
 mod view;
 
 pub use error::ReportError;
+pub use html::render_html;
+pub use text::render_markdown;
 pub use view::{
     CardView, ChapterView, ClaimGroupView, ClaimView, EquationView, EvidenceView, FactView, FigureView,
     FindingView, InputView, ProvenanceView, ReportView, Standing,
 };
+
+use crate::table::Table;
+
+/// Rows of a table shown on the page and in the Markdown report; the CSV file has all.
+pub const MAX_SHOWN_ROWS: usize = 60;
+
+/// Size to which the paper's page is held, in bytes.
+pub const PAGE_BUDGET_BYTES: usize = 1 << 20;
+
+const ENVIRONMENT_BEGIN: &str = "<!-- environment:begin -->";
+const ENVIRONMENT_END: &str = "<!-- environment:end -->";
+
+/// A page or Markdown report without its environment block: the part that has the same bytes on every machine.
+#[must_use]
+pub fn without_environment(text: &str) -> String {
+    let Some((before, rest)) = text.rsplit_once(ENVIRONMENT_BEGIN) else { return text.into() };
+    let after = rest.split_once(ENVIRONMENT_END).map_or("", |(_, after)| after);
+    format!("{}\n{}", before.trim_end(), after.trim_start())
+}
+
+/// What is said below a table that is not shown whole; empty for one that is.
+fn cut_note(table: &Table) -> String {
+    let rows = table.rows.len();
+    if rows <= MAX_SHOWN_ROWS {
+        return String::new();
+    }
+    format!("The first {MAX_SHOWN_ROWS} of {rows} rows; all of them are in tables/{}.csv.", table.id)
+}

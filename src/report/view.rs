@@ -3,6 +3,8 @@
 //! Fields called `*_markdown` hold Markdown with `$…$` mathematics (raw HTML is dropped, links are filtered); all
 //! others are plain text that is escaped wherever it appears. Nothing here is computed from anything else here.
 
+use serde::Serialize;
+
 use crate::table::Table;
 
 /// A whole report.
@@ -176,7 +178,7 @@ pub struct EvidenceView {
 }
 
 /// A name and its value.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct FactView {
     /// Name.
     pub name: String,
@@ -226,7 +228,7 @@ pub struct ProvenanceView {
 }
 
 /// A file that went into the report.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct InputView {
     /// Path relative to the report's folder.
     pub path: String,

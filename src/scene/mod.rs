@@ -1,1 +1,33 @@
-//! Scenes: what a user asks for, validated and exact.
+//! Scenes, reports and claims as their files state them: read from text, validated, exact.
+//!
+//! Every reader takes the bytes of a file and its name, opens nothing, and returns either a valid value or
+//! **all** the faults at once, each with file, line, key, value and allowed range.
+//! Decimals are taken from their text ([`crate::number::parse_decimal`]); no number passes through binary.
+
+mod axis;
+mod claim_list;
+mod csv_problem;
+mod document;
+mod fault;
+mod file_text;
+mod name;
+mod quantity;
+mod range;
+mod report_plan;
+mod schema;
+mod section;
+mod sections;
+
+pub use axis::{Limits, LogAxis};
+pub use claim_list::{ClaimEntry, ExpectedVerdict, read_claims};
+pub use csv_problem::CsvProblem;
+pub use fault::{Fault, Faults, Problem};
+pub use file_text::{MAX_FILE_BYTES, file_text, is_forbidden};
+pub use name::{NameError, check_name, nearest, same_name};
+pub use quantity::{Quantity, SceneParameters, parameters_from};
+pub use range::AllowedRange;
+pub use report_plan::{Chapter, ReportPlan, check_distinct_scene_names};
+pub use schema::Scene;
+pub use sections::{
+    BoundarySection, EffectRatioSweep, FrequencySection, HardCases, Rectangle, ToleranceSection,
+};

@@ -1,1 +1,27 @@
 //! Transition K = K_c, boundary max Im(s) = 0, its asymptotes and how far off they are.
+
+mod arc_point;
+pub mod asymptote;
+pub mod batch;
+pub mod boundary;
+pub mod curve;
+pub mod cusp;
+mod decision;
+#[cfg(test)]
+mod fixtures;
+mod ladder;
+mod logarithm;
+mod parameter_equation;
+mod slip_mode;
+mod spectral_class;
+mod spectrum;
+pub mod transition;
+
+pub use arc_point::{ArcFrame, ArcPoint, Sensitivity};
+pub use asymptote::Asymptote;
+pub use boundary::{BoundaryCurve, BoundaryPoint, Mark, Section};
+pub use curve::Arc;
+pub use decision::{boundary_sign, transition_sign};
+pub use slip_mode::{InertialThreshold, SlipMode, slip_mode};
+pub use spectral_class::SpectralClass;
+pub use spectrum::{Classification, classify};

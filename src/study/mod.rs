@@ -1,1 +1,27 @@
 //! What a scene needs, planned and computed: pure, and the same bytes on any number of threads.
+
+mod boundary;
+mod frequency;
+mod grid;
+mod hard_cases;
+mod map;
+mod need;
+mod outcome;
+mod plan;
+mod run;
+mod sweep;
+mod tolerance;
+mod zones;
+
+pub use boundary::{BoundaryOutcome, boundary_outcome};
+pub use frequency::{FrequencyLine, FrequencyOutcome, frequency_lines};
+pub use grid::Grid;
+pub use hard_cases::{FamilyOutcome, HardCase, compare_hard_cases, read_hard_cases};
+pub use map::{MapPoint, classify_rectangle};
+pub use need::{Need, Needs};
+pub use outcome::{Outcome, References, SceneOutcome, effect_ratio};
+pub use plan::{Item, all_needs, plan};
+pub use run::{Progress, inertial_threshold, run};
+pub use sweep::{SweepOutcome, sweep_effect_ratio};
+pub use tolerance::{ToleranceOutcome, tolerance_limits};
+pub use zones::{ThresholdShare, ZonesOutcome, compare_zones};

@@ -22,6 +22,17 @@ pub enum Need {
 }
 
 impl Need {
+    /// Every need.
+    pub const ALL: [Self; 7] = [
+        Self::Map,
+        Self::Boundary,
+        Self::Frequency,
+        Self::EffectRatioSweep,
+        Self::Tolerance,
+        Self::Zones,
+        Self::HardCases,
+    ];
+
     /// The stable name used in the ids of work items.
     #[must_use]
     pub fn as_str(self) -> &'static str {

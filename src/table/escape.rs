@@ -35,13 +35,13 @@ pub fn escape_cell(text: &str) -> String {
     escaped
 }
 
-/// The character itself, or U+FFFD for controls, zero-width and direction-changing characters.
+/// The character itself, or U+FFFD for controls (newline and tab apart), zero-width and direction-changing characters.
 #[must_use]
 pub fn printable(c: char) -> char {
     let hidden = matches!(c,
         '\u{ad}' | '\u{61c}' | '\u{180e}' | '\u{200b}'..='\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2060}'..='\u{206f}'
         | '\u{feff}' | '\u{fff9}'..='\u{fffb}' | '\u{fffe}' | '\u{ffff}' | '\u{e0000}'..='\u{e007f}');
-    if hidden || (c.is_control() && c != '\n') { '\u{fffd}' } else { c }
+    if hidden || (c.is_control() && !matches!(c, '\n' | '\t')) { '\u{fffd}' } else { c }
 }
 
 #[cfg(test)]

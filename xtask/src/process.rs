@@ -99,7 +99,8 @@ mod tests {
 
     #[test]
     fn a_failing_program_is_a_failed_check_and_a_missing_one_is_bad_input() {
-        assert_eq!(check(&mut cargo(&["no-such-subcommand"])).unwrap_err().code, 1);
+        let mut failing = cargo(&["no-such-subcommand"]);
+        assert_eq!(check(failing.stderr(Stdio::null())).unwrap_err().code, 1);
         assert_eq!(check(&mut Command::new("no-such-program-anywhere")).unwrap_err().code, 2);
     }
 

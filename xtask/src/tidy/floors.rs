@@ -42,21 +42,22 @@ pub fn check(source: &RustSource, found: &mut Vec<Complaint>) {
     check_super(source, found);
 }
 
-/// `super::super` can reach any floor without naming `crate`, and so can `super` in a floor's own root outside tests.
+/// A chain of `super` that is as long as the module is deep reaches the crate's root, where every floor is.
 fn check_super(source: &RustSource, found: &mut Vec<Complaint>) {
-    let is_floor_root = source.file.path.matches('/').count() == 1 || is_top_mod_file(&source.file.path);
+    let depth = depth(&source.file.path);
     for (number, code, _) in source.lines() {
-        let hidden = code.contains("super::super");
-        let climbs = is_floor_root && !source.is_test_line(number) && code.contains("super::");
-        if hidden || climbs {
+        let in_test_module = source.is_test_line(number) && !source.file.path.ends_with("/tests.rs");
+        let chain = "super::".repeat(depth + usize::from(in_test_module));
+        if code.contains(&chain) {
             let message = "write the path from `crate::`, so that its floor can be seen";
             found.push(source.file.complaint(number, message));
         }
     }
 }
 
-fn is_top_mod_file(path: &str) -> bool {
-    path.ends_with("/mod.rs") && path.matches('/').count() == 2
+/// How many modules deep a file's module is: 1 for `src/roots/mod.rs`, 2 for `src/roots/ladder.rs`.
+fn depth(path: &str) -> usize {
+    path.matches('/').count() - usize::from(path.ends_with("/mod.rs"))
 }
 
 fn objection(module: &str, height: u32, imported: &str) -> Option<String> {
@@ -168,5 +169,8 @@ mod tests {
         assert_eq!(complaints("src/roots/mod.rs", "use super::report;"), [1]);
         assert_eq!(complaints("src/roots/mod.rs", "#[cfg(test)]\nmod tests {\n    use super::*;\n}"), [0; 0]);
         assert_eq!(complaints("src/roots/a.rs", "use super::ladder;"), [0; 0]);
+        let tests = "#[cfg(test)]\nmod tests {\n    use super::super::Ladder;\n}";
+        assert_eq!(complaints("src/roots/a.rs", tests), [0; 0]);
+        assert_eq!(complaints("src/roots/mod.rs", tests), [3]);
     }
 }

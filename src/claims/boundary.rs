@@ -1,0 +1,206 @@
+//! Claims B: the boundary max Im(s) = 0, its areas and its asymptotes.
+
+use crate::claims::{Check, Context, Evidence, Finding};
+use crate::study::{Need, SceneOutcome};
+use crate::theory::areas::{self, Effects};
+use crate::theory::{boundary, exchange, inertial, quasi_static};
+
+pub(super) const CHECKS: &[Check] = &[
+    Check {
+        id: "B1",
+        criterion: "For a < b the set max Im(s) = 0 has two connected parts over the whole (V, σ) plane, one with positive and one with negative roots.",
+        not_established: "The shape of the areas: see the boundary chapter.",
+        needs: &[Need::Map],
+        rests_on: &["L3"],
+        decide: b1,
+    },
+    Check {
+        id: "B2",
+        criterion: "Eq 14 is eq 8 with M = 0, and its discriminant vanishes at eqs 15 and 16 and nowhere else.",
+        not_established: "How much inertia moves the two lines: see the asymptotes chapter.",
+        needs: &[],
+        rests_on: &["L3"],
+        decide: |context| {
+            Finding::from_proofs([
+                quasi_static::reduced_equation(context.equations),
+                quasi_static::vanishing_frequency(context.equations),
+            ])
+        },
+    },
+    Check {
+        id: "B3",
+        criterion: "The product of eqs 15 and 16 is the square of eq 12.",
+        not_established: "Equal distances on the exact boundary, which has M > 0.",
+        needs: &[],
+        rests_on: &["B2", "S4"],
+        decide: |context| Finding::from_proofs([quasi_static::geometric_mean(context.equations)]),
+    },
+    Check {
+        id: "B4",
+        criterion: "Eq 8 times σD_c/V0 tends to eq 17 as D_c → 0, whose discriminant vanishes at eq 18, and the boundary's upper arc tends to eq 18.",
+        not_established: "How near the boundary is to eq 18 at a given D_c: see the asymptotes chapter.",
+        needs: &[],
+        rests_on: &["L3"],
+        decide: |context| Finding::from_proofs([inertial::small_slip_distance(context.equations)]),
+    },
+    Check {
+        id: "B5",
+        criterion: "Eq 8 tends to s times eq 19 as D_c → ∞, whose discriminant vanishes at eq 20, and the boundary's lower arc tends to eq 20.",
+        not_established: "How near the boundary is to eq 20 at a given D_c: see the asymptotes chapter.",
+        needs: &[],
+        rests_on: &["L3"],
+        decide: |context| {
+            Finding::from_proofs([inertial::large_slip_distance(context.equations)]).remark(
+                "The paper says that eq 19 is eq 17 with a − b in place of a; it is the other way round: eq 17 has a − b where eq 19 has a.",
+            )
+        },
+    },
+    Check {
+        id: "B6",
+        criterion: "None of the four equations changes when a and b are exchanged.",
+        not_established: "Anything about the exact boundary under the exchange: see B7.",
+        needs: &[],
+        rests_on: &["B2", "B4", "B5"],
+        decide: b6,
+    },
+    Check {
+        id: "B7",
+        criterion: "max Im(s) at every (V, σ) is the same for (a, b) and for (b, a).",
+        not_established: "That a reader could see the difference in the printed figure.",
+        needs: &[Need::Map],
+        rests_on: &["L3"],
+        decide: b7,
+    },
+    Check {
+        id: "B8",
+        criterion: "Eqs 15, 16, 18 and 20 give the same lines for (a, b) and for (b, a).",
+        not_established: "Which of the two figures was drawn with which line.",
+        needs: &[],
+        rests_on: &["B6"],
+        decide: b8,
+    },
+    Check {
+        id: "B9",
+        criterion: "Each of the areas (i)-(iv) has a point, for a < b, a = b and a > b.",
+        not_established: "That the four areas are what a reader would call slip modes: see Z1.",
+        needs: &[],
+        rests_on: &["B1", "S1"],
+        decide: b9,
+    },
+];
+
+fn b1(context: &Context) -> Finding {
+    let areas = match areas::count(context.equations, Effects::Weakening) {
+        Ok(areas) => areas,
+        Err(refutation) => return Finding::from_proofs([Err(refutation)]),
+    };
+    let (real, unstable) = (areas.real_areas, areas.unstable_real_areas);
+    let finding = Finding::from_proofs([Ok(areas.proof), boundary::prove(context.equations), boundary::cusp(context.equations)])
+        .require(real == 2 && unstable == 1, || format!("{real} areas, {unstable} of them unstable"))
+        .remark("The proof covers all σ > 0 and V > 0, not only the rectangle of fig 1.");
+    match context.outcome.potentially_unstable().and_then(areas_on_map) {
+        Some(evidence) => finding.with_supporting(evidence),
+        None => finding,
+    }
+}
+
+/// How many areas the computed map shows: a look at the picture beside the proof.
+fn areas_on_map(scene: &SceneOutcome) -> Option<Evidence> {
+    let map = scene.map.as_ref()?;
+    let real = map.map(|point| point.max_imaginary_per_s.is_zero());
+    Some(Evidence::Sample {
+        quantity: "Connected areas with max Im(s) = 0 on the grid of the map".into(),
+        value: real.areas_of(&true).to_string(),
+        points: map.len(),
+    })
+}
+
+fn b6(context: &Context) -> Finding {
+    let exchanges = match exchange::asymptotes(context.equations) {
+        Ok(exchanges) => exchanges,
+        Err(refutation) => return Finding::from_proofs([Err(refutation)]),
+    };
+    let list = |invariant: bool| {
+        let numbers: Vec<&str> = exchanges.iter().filter(|e| e.invariant == invariant).map(|e| e.equation).collect();
+        numbers.join(", ")
+    };
+    let (kept, moved) = (list(true), list(false));
+    let factors: Vec<String> =
+        exchanges.iter().filter(|e| !e.invariant).map(|e| format!("eq {} is multiplied by {}", e.equation, e.factor)).collect();
+    let fixed_a: Vec<&str> = exchanges.iter().filter(|e| !e.contains_b).map(|e| e.equation).collect();
+    let finding = Finding::from_proofs(exchanges.iter().map(|exchange| Ok(exchange.proof.clone())));
+    if moved.is_empty() {
+        return finding;
+    }
+    let finding = finding.outside(format!("Exchanging a and b: the solution of {}.", factors.join(", of "))).remark(format!(
+        "Two readings: no formula asks for the sign of a − b (true of all four; eq {} does not contain b at all), or exchanging a \
+         and b changes nothing, as the paper concludes. The second is true of eqs {kept} only.",
+        fixed_a.join(", "),
+    ));
+    if kept.is_empty() { finding.refuted("no equation is unchanged") } else { finding.within(format!("eqs {kept}; not eq {moved}")) }
+}
+
+fn b7(context: &Context) -> Finding {
+    let finding = Finding::from_disproof(
+        exchange::frequency_contours(context.equations),
+        "Without inertia the exchange multiplies every frequency by a/b; with inertia the contour of frequency zero moves as well.",
+    );
+    match largest_frequency_change(context) {
+        Some(evidence) => finding.with_supporting(evidence),
+        None => finding,
+    }
+}
+
+/// The largest ratio of max Im(s) between the scenes with a < b and a > b, where both oscillate.
+fn largest_frequency_change(context: &Context) -> Option<Evidence> {
+    let (one, other) = (context.outcome.potentially_unstable()?, context.outcome.intrinsically_stable()?);
+    let (one, other) = (one.map.as_ref()?, other.map.as_ref()?);
+    if one.loading_velocity_m_per_s != other.loading_velocity_m_per_s || one.normal_stress_pa != other.normal_stress_pa {
+        return None;
+    }
+    let mut differing = 0;
+    for (point, exchanged) in one.values.iter().zip(&other.values) {
+        differing += usize::from(point.max_imaginary_per_s.is_zero() != exchanged.max_imaginary_per_s.is_zero());
+    }
+    Some(Evidence::Sample {
+        quantity: "Points of the two maps at which one oscillates and the other does not".into(),
+        value: differing.to_string(),
+        points: one.len(),
+    })
+}
+
+fn b8(context: &Context) -> Finding {
+    match exchange::asymptotes(context.equations) {
+        Err(refutation) => Finding::from_proofs([Err(refutation)]),
+        Ok(exchanges) => {
+            let moved: Vec<String> = exchanges
+                .iter()
+                .filter(|exchange| !exchange.invariant)
+                .map(|exchange| format!("the velocity of eq {} is multiplied by {} when a and b are exchanged", exchange.equation, exchange.factor))
+                .collect();
+            let finding = Finding::from_proofs(exchanges.into_iter().map(|exchange| Ok(exchange.proof)));
+            if moved.is_empty() { finding } else { finding.refuted(moved.join("; ")) }
+        }
+    }
+}
+
+fn b9(context: &Context) -> Finding {
+    let mut finding = Finding::from_proofs([]);
+    let mut complete = Vec::new();
+    let mut lacking = Vec::new();
+    for effects in Effects::ALL {
+        match areas::count(context.equations, effects) {
+            Err(refutation) => finding = finding.with_proof(Err(refutation)),
+            Ok(areas) => {
+                let names: Vec<&str> =
+                    ["(i)", "(ii)", "(iii)", "(iv)"].into_iter().zip(areas.exists).filter_map(|(name, exists)| exists.then_some(name)).collect();
+                if names.len() == 4 { &mut complete } else { &mut lacking }.push(format!("{}: {}", effects.as_str(), names.join(", ")));
+                finding = finding.with_proof(Ok(areas.proof));
+            }
+        }
+    }
+    if lacking.is_empty() {
+        return finding;
+    }
+    finding.within(complete.join("; ")).outside(format!("The areas that exist are, for {}.", lacking.join("; for ")))
+}

@@ -1,0 +1,158 @@
+//! Claims Q: the frequency of oscillation and its limits.
+
+use crate::claims::{Check, Context, Evidence, Finding};
+use crate::number::format::{certain_digits, rational_to_decimal, round_digits};
+use crate::number::{Ball, Rational, Real};
+use crate::stability::Asymptote;
+use crate::study::{FrequencyLine, FrequencyOutcome, Need};
+use crate::theory::{frequency, non_inertial, period};
+
+pub(super) const CHECKS: &[Check] = &[
+    Check {
+        id: "Q1",
+        criterion: "Every complex root of eq 8 has |s| < √(K/M), for all parameters, and the bound is approached.",
+        not_established: "The frequency of finite-amplitude motion.",
+        needs: &[],
+        rests_on: &["L3"],
+        decide: |context| Finding::from_proofs([frequency::bounded(context.equations), frequency::limits(context.equations)]),
+    },
+    Check {
+        id: "Q2",
+        criterion: "Eq 8 tends to eq 21 as V0 → ∞ and to eq 22 as σ → 0, and both have the roots ±i√(K/M).",
+        not_established: "How fast the limits are approached.",
+        needs: &[],
+        rests_on: &["L3"],
+        decide: |context| Finding::from_proofs([frequency::limits(context.equations)]),
+    },
+    Check {
+        id: "Q3",
+        criterion: "At σ = σ_c the ratio of max Im(s) to eq 23 tends to 1 as V0 → 0, and max Im(s) rises strictly with V0.",
+        not_established: "Monotony along other lines of constant normal stress.",
+        needs: &[Need::Frequency],
+        rests_on: &["S6", "Q1"],
+        decide: q3,
+    },
+    Check {
+        id: "Q4",
+        criterion: "Below ω_n the frequency depends neither on M nor on K.",
+        not_established: "That a reader of fig 2, where K is fixed, would notice.",
+        needs: &[],
+        rests_on: &["B2", "S6"],
+        decide: q4,
+    },
+    Check {
+        id: "Q5",
+        criterion: "√(K/M) of the paper's values is 100 /s, and 2π/ω_n rounds to the printed period.",
+        not_established: "The period of the simulated vibrations: see the N claims.",
+        needs: &[],
+        rests_on: &[],
+        decide: q5,
+    },
+    Check {
+        id: "Q6",
+        criterion: "Between eqs 16 and 15 a bound on max Im(s)/ω_n tends to 0 with the velocity.",
+        not_established: "Where the authors drew the dashed line of fig 3a.",
+        needs: &[],
+        rests_on: &["B2", "Q1"],
+        decide: q6,
+    },
+];
+
+/// The period that the paper prints, s.
+fn printed_period_s() -> Rational {
+    Rational::from((625, 10_000))
+}
+
+fn q3(context: &Context) -> Finding {
+    let finding = Finding::from_proofs([non_inertial::at_critical_stress(context.equations)]).within(
+        "eq 23 is the limit V0 → 0, and ω_n the limit V0 → ∞: the frequency lies strictly below both at every velocity",
+    );
+    let Some(scene) = context.outcome.potentially_unstable() else { return finding };
+    let (Some(parameters), Some(outcome)) = (scene.parameters(), &scene.frequency) else { return finding };
+    let one = Rational::from(1);
+    let Some(line) = outcome.lines.iter().find(|line| line.normal_stress_over_critical == one) else { return finding };
+    // Eq 23 per velocity: √((b−a)/a)/D_c.
+    let effects = (parameters.evolution_effect.clone() - &parameters.direct_effect) / &parameters.direct_effect;
+    let per_metre = effects.to_f64().sqrt() / parameters.critical_slip_distance_m.to_f64();
+    let natural = (parameters.stiffness_pa_per_m.clone() / &parameters.mass_per_area_kg_per_m2).to_f64().sqrt();
+    finding
+        .with_supporting(last_velocity_near(outcome, line, per_metre))
+        .with_supporting(Evidence::Sample {
+            quantity: "max Im(s)/ω_n at the highest velocity of the line".into(),
+            value: round_digits(line.max_imaginary_per_s.last().and_then(|w| w.to_f64()).unwrap_or(0.0) / natural, 6),
+            points: outcome.loading_velocity_m_per_s.len(),
+        })
+}
+
+/// The highest velocity up to which eq 23 is within 1 %.
+fn last_velocity_near(outcome: &FrequencyOutcome, line: &FrequencyLine, eq23_per_metre: f64) -> Evidence {
+    let near = outcome
+        .loading_velocity_m_per_s
+        .iter()
+        .zip(&line.max_imaginary_per_s)
+        .take_while(|(velocity, imaginary)| {
+            let ratio = imaginary.to_f64().unwrap_or(0.0) / (eq23_per_metre * **velocity);
+            (ratio - 1.0).abs() <= 0.01
+        })
+        .last();
+    Evidence::Sample {
+        quantity: "Highest velocity of the line up to which eq 23 is within 1 %".into(),
+        value: near.map_or("none".into(), |(velocity, _)| format!("{} m/s", round_digits(*velocity, 4))),
+        points: outcome.loading_velocity_m_per_s.len(),
+    }
+}
+
+fn q4(context: &Context) -> Finding {
+    Finding::from_disproof(
+        non_inertial::mass_and_stiffness(context.equations),
+        "Stiffness: without inertia, at K = K_c,qs, K dω²/dK = ω², so that the frequency grows as √K.",
+    )
+    .remark("Mass: without inertia (eq 14) the frequency does not depend on it, and with inertia only to the relative order η: this half holds.")
+    .remark("Eq 23 contains no K because K was replaced by K_c; along it K is tied to the other parameters.")
+}
+
+fn q5(context: &Context) -> Finding {
+    let Some(parameters) = context.outcome.potentially_unstable().and_then(|scene| scene.parameters()) else {
+        return Finding::not_checked("The report has no scene with a < b to take K and M from.");
+    };
+    match period::natural(context.equations, &parameters.stiffness_pa_per_m, &parameters.mass_per_area_kg_per_m2) {
+        Err(refutation) => Finding::from_proofs([Err(refutation)]),
+        Ok(natural) => {
+            let printed = printed_period_s();
+            let [low, high] = &natural.period_s;
+            let low_error = (low.clone() - &printed) / &printed;
+            let high_error = (high.clone() - &printed) / &printed;
+            let finding = Finding::from_proofs([Ok(natural.proof)])
+                .require(natural.natural_angular_frequency_per_s.to_string() == "100", || {
+                    format!("ω_n = {} /s", natural.natural_angular_frequency_per_s)
+                });
+            if low_error <= 0 && high_error >= 0 {
+                return finding;
+            }
+            finding
+                .within(format!("{} %: ω_n = 100 /s is exact", rational_to_decimal(&(low_error * 100u32), 2)))
+                .outside(format!("2π/ω_n = {} s, not {} s", rational_to_decimal(low, 5), rational_to_decimal(&printed, 5)))
+        }
+    }
+}
+
+fn q6(context: &Context) -> Finding {
+    let finding = Finding::from_proofs([frequency::low_frequency_zone(context.equations)]);
+    let Some(parameters) = context.outcome.potentially_unstable().and_then(|scene| scene.parameters()) else {
+        return finding.within("η ≪ 1: the proof bounds (ω/ω_n)² by 2η");
+    };
+    // Everywhere above eq 16 η is below its value on eq 16, so that one velocity serves the whole strip.
+    let point = parameters.at(Rational::from(1), Rational::from(1)).map(|value| Ball::from_rational(value, 128));
+    let lowest_stress = Asymptote::QuasiStaticLower.value(&point);
+    let velocity_squared = lowest_stress * &point.direct_effect * &point.critical_slip_distance_m
+        / &point.mass_per_area_kg_per_m2
+        / Ball::from(200);
+    let velocity = certain_digits(&velocity_squared.sqrt(), 6);
+    finding
+        .within(format!("ω < ω_n/10 for V0 below {velocity} m/s anywhere between eqs 16 and 15, because (ω/ω_n)² < 2η"))
+        .with_evidence(Evidence::Enclosure {
+            quantity: "Velocity with η = 1/200 on eq 16".into(),
+            value: format!("{velocity} m/s"),
+        })
+        .remark("The dashed line of fig 3a has no equation in the paper. Candidates: the line η = 1, on which K = K_c has ω = ω_n/√2, and V0 = V_c, where eq 23 meets ω_n; the two cross on σ = σ_c.")
+}

@@ -1,0 +1,60 @@
+//! Claims F: the friction law and its two evolution laws.
+
+use crate::claims::{Check, Context, Finding};
+use crate::number::Rational;
+use crate::theory::{linearisation, regularised, steady_state};
+
+pub(super) const CHECKS: &[Check] = &[
+    Check {
+        id: "F1",
+        criterion: "θ = D_c/V makes the right sides of eqs 2 and 3 zero, and puts eq 1 into μ0 + (a−b) ln(V/V0).",
+        not_established: "That a real contact reaches this steady state.",
+        needs: &[],
+        rests_on: &[],
+        decide: |context| Finding::from_proofs([steady_state::prove(context.equations)]),
+    },
+    Check {
+        id: "F2",
+        criterion: "The derivatives of the right sides of eqs 2 and 3 in V and in θ agree at steady state.",
+        not_established: "Agreement of the laws at any finite distance from steady state.",
+        needs: &[],
+        rests_on: &["F1"],
+        decide: |context| Finding::from_proofs([linearisation::laws_agree(context.equations)]),
+    },
+    Check {
+        id: "F3",
+        criterion: "As V → 0 at fixed θ, dθ/dt tends to 1 by eq 2 and to 0 by eq 3.",
+        not_established: "Which of the two laws a given material follows.",
+        needs: &[],
+        rests_on: &["F1"],
+        decide: |context| Finding::from_proofs([steady_state::laws_differ_at_rest(context.equations)]),
+    },
+    Check {
+        id: "F4",
+        criterion: "The regularised law has the same linearisation at steady sliding, up to a certified relative difference.",
+        not_established: "The size of the difference during the stick phases of a nonlinear run, where V is far below V0.",
+        needs: &[],
+        rests_on: &["L3"],
+        decide: f4,
+    },
+];
+
+/// μ0 of the comparison, as the claim states it: 3/5.
+fn reference_friction() -> Rational {
+    Rational::from((3, 5))
+}
+
+fn f4(context: &Context) -> Finding {
+    let Some(parameters) = context.outcome.potentially_unstable().and_then(|scene| scene.parameters()) else {
+        return Finding::not_checked("The report has no scene with a < b to take the direct effect a from.");
+    };
+    match regularised::bound(context.equations, &reference_friction(), &parameters.direct_effect) {
+        Err(refutation) => Finding::from_proofs([Err(refutation)]),
+        Ok(difference) => {
+            let bound = difference.log10_bound;
+            Finding::from_proofs([Ok(difference.proof)])
+                .within(format!("a relative difference of σ in eq 8 below 1e{bound}, for μ0 = 0.6 and the scene's a"))
+                .remark("The two laws are not identical: the regularised one multiplies a and b by one factor below 1, which no 64-bit computation could tell from 1.")
+        }
+    }
+}

@@ -1,0 +1,110 @@
+//! The ledger: the claims a report lists, each with the verdict its check computed.
+
+use std::collections::BTreeSet;
+
+use serde::Serialize;
+
+use crate::claims::{Check, Context, Finding, Verdict};
+use crate::study::Needs;
+
+/// A claim as a report words it, with the verdict recorded when it was last reviewed.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct ClaimText {
+    /// The claim's id, such as `B8`.
+    pub id: String,
+    /// Where the paper makes it.
+    pub place: String,
+    /// The claim in our words.
+    pub words: String,
+    /// The recorded verdict, compared with the computed one.
+    pub expected: Verdict,
+}
+
+/// One line of the ledger.
+#[derive(Debug, Clone, Serialize)]
+pub struct Entry {
+    /// The claim's id.
+    pub id: String,
+    /// Where the paper makes it.
+    pub place: String,
+    /// The claim in our words.
+    pub words: String,
+    /// What had to be found for it to hold.
+    pub criterion: &'static str,
+    /// What the check concluded.
+    #[serde(flatten)]
+    pub finding: Finding,
+    /// What the verdict does not establish.
+    pub not_established: &'static str,
+    /// The recorded verdict.
+    pub expected: Verdict,
+}
+
+impl Entry {
+    /// Whether the computed verdict is the recorded one.
+    #[must_use]
+    pub fn is_as_recorded(&self) -> bool {
+        self.finding.verdict == self.expected
+    }
+}
+
+/// All claims of a report, in the order in which the report lists them.
+#[derive(Debug, Clone, Serialize)]
+pub struct Ledger {
+    /// The report's name.
+    pub report: String,
+    /// The entries.
+    pub claims: Vec<Entry>,
+}
+
+impl Ledger {
+    /// Decides every listed claim.
+    #[must_use]
+    pub fn decide(report: &str, texts: &[ClaimText], context: &Context) -> Self {
+        let claims = texts.iter().map(|text| decide_one(text, context)).collect();
+        Ledger { report: report.to_owned(), claims }
+    }
+
+    /// The claims whose computed verdict is not the recorded one.
+    pub fn drift(&self) -> impl Iterator<Item = &Entry> {
+        self.claims.iter().filter(|entry| !entry.is_as_recorded())
+    }
+
+    /// How many claims have this verdict.
+    #[must_use]
+    pub fn count(&self, verdict: Verdict) -> usize {
+        self.claims.iter().filter(|entry| entry.finding.verdict == verdict).count()
+    }
+}
+
+fn decide_one(text: &ClaimText, context: &Context) -> Entry {
+    let check = find(&text.id);
+    let finding = check.map_or_else(|| Finding::not_checked("The program has no check with this id."), |check| (check.decide)(context));
+    Entry {
+        id: text.id.clone(),
+        place: text.place.clone(),
+        words: text.words.clone(),
+        criterion: check.map_or("", |check| check.criterion),
+        finding,
+        not_established: check.map_or("", |check| check.not_established),
+        expected: text.expected,
+    }
+}
+
+/// The check of a claim, by id.
+#[must_use]
+pub fn find(id: &str) -> Option<&'static Check> {
+    super::checks().find(|check| check.id == id)
+}
+
+/// The ids of all claims that have a check.
+#[must_use]
+pub fn known_ids() -> Vec<&'static str> {
+    super::checks().map(|check| check.id).collect()
+}
+
+/// What the listed claims need computed.
+#[must_use]
+pub fn needs(ids: &BTreeSet<String>) -> Needs {
+    ids.iter().filter_map(|id| find(id)).flat_map(|check| check.needs.iter().copied()).collect()
+}

@@ -1,0 +1,126 @@
+//! Claims Z: the simplified maps, and what the criteria for vibration depend on.
+
+use std::collections::BTreeSet;
+
+use crate::claims::{Check, Context, Evidence, Finding};
+use crate::number::format::{certain_digits, round_digits};
+use crate::stability::SlipMode;
+use crate::study::{Need, SceneOutcome, ZonesOutcome};
+use crate::theory::{asymptote_series, criteria, frequency, transition};
+
+pub(super) const CHECKS: &[Check] = &[
+    Check {
+        id: "Z1",
+        criterion: "The exact map shows five slip modes for a < b and four for a > b, and the equations named draw the same zones.",
+        not_established: "That simulations show the same modes: see the N claims.",
+        needs: &[Need::Map, Need::Zones],
+        rests_on: &["B1", "B9", "S1"],
+        decide: z1,
+    },
+    Check {
+        id: "Z2",
+        criterion: "Points exist with η > 1 and no underdamped oscillation.",
+        not_established: "How η > 1 fares as a rule of thumb for a given apparatus.",
+        needs: &[],
+        rests_on: &["B1"],
+        decide: z2,
+    },
+    Check {
+        id: "Z3",
+        criterion: "The velocity of eq 20 is the same for every D_c and changes with K.",
+        not_established: "That the exact boundary is independent of D_c: it is not.",
+        needs: &[],
+        rests_on: &["B5"],
+        decide: |context| {
+            Finding::from_proofs([criteria::slip_distance_and_stiffness(context.equations)])
+                .remark("The sentence lacks a word after \"unlike the criterion\"; the criterion η > 1 seems to be meant, which does contain D_c and not K.")
+        },
+    },
+    Check {
+        id: "Z4",
+        criterion: "Changing a, b or D_c alone moves a point off the exact boundary.",
+        not_established: "That each matters by much: eq 20 contains a only, and b enters with the relative order bσ/(2KD_c).",
+        needs: &[],
+        rests_on: &["B5"],
+        decide: |context| Finding::from_proofs([criteria::all_parameters(context.equations)]),
+    },
+    Check {
+        id: "Z5",
+        criterion: "Each criterion is either an identity of the linear theory or has a quantified error.",
+        not_established: "What finite disturbances do.",
+        needs: &[Need::Tolerance],
+        rests_on: &["B2", "B4", "B5", "S1", "S6"],
+        decide: z5,
+    },
+];
+
+fn z1(context: &Context) -> Finding {
+    let scenes = [(context.outcome.potentially_unstable(), 5, "a < b"), (context.outcome.intrinsically_stable(), 4, "a > b")];
+    let mut finding = Finding::from_proofs([transition::stability(context.equations), frequency::low_frequency_zone(context.equations)]);
+    let mut limits = Vec::new();
+    for (scene, expected, case) in scenes {
+        let Some(zones) = scene.and_then(|scene: &SceneOutcome| scene.zones.as_ref()) else {
+            return Finding::not_checked(format!("The report has no zones for {case}."));
+        };
+        let modes: BTreeSet<&str> = zones.exact.values.iter().map(|mode| mode.as_str()).collect();
+        finding = finding.with_evidence(modes_evidence(zones, &modes, case)).require(modes.len() == expected, || {
+            format!("{} slip modes for {case}: {}", modes.len(), modes.iter().copied().collect::<Vec<_>>().join(", "))
+        });
+        limits.push(format!("{} % of the points for {case}", percent(zones.disagreeing_areas, zones.exact.len())));
+        finding = finding.with_evidence(Evidence::Sample {
+            quantity: format!("Points at which fig 7's zones and the exact slip modes differ, {case} (stability or oscillation; slip mode)"),
+            value: format!("{}; {}", zones.disagreeing_areas, zones.disagreeing_modes),
+            points: zones.exact.len(),
+        });
+    }
+    finding
+        .within(format!("the lines misplace stability or oscillation at {} of the map", limits.join(" and ")))
+        .remark("The line between inertial and non-inertial oscillation follows from none of the five equations: it needs a threshold on ω/ω_n, or a further line such as V0 = V_c.")
+}
+
+fn percent(part: usize, whole: usize) -> String {
+    #[expect(clippy::cast_precision_loss, reason = "counts of grid points are far below 2^53")]
+    round_digits(100.0 * part as f64 / whole as f64, 2)
+}
+
+fn modes_evidence(zones: &ZonesOutcome, modes: &BTreeSet<&str>, case: &str) -> Evidence {
+    let areas: Vec<String> = SlipMode::ALL
+        .iter()
+        .filter(|mode| modes.contains(mode.as_str()))
+        .map(|mode| format!("{} ({})", mode.as_str(), zones.exact.areas_of(mode)))
+        .collect();
+    Evidence::Sample {
+        quantity: format!("Slip modes on the exact map for {case}, each with its number of connected areas"),
+        value: areas.join(", "),
+        points: zones.exact.len(),
+    }
+}
+
+fn z2(context: &Context) -> Finding {
+    Finding::from_proofs([criteria::inertial_parameter(context.equations)])
+        .within("the upper area, which has real roots at every η; in the stable zone of a < b η ≥ 1/2 already suffices, and η > 1 is not necessary")
+        .outside("For a < b and K > K_c every point with η > 1 is underdamped: there the criterion is sufficient.")
+}
+
+fn z5(context: &Context) -> Finding {
+    let series = match asymptote_series::derive(context.equations, 2) {
+        Ok(series) => series,
+        Err(refutation) => return Finding::from_proofs([Err(refutation)]),
+    };
+    let proofs = series.into_iter().map(|series| Ok(series.proof));
+    let finding = Finding::from_proofs(proofs)
+        .with_proof(transition::stability(context.equations))
+        .with_proof(transition::crossing_frequency(context.equations))
+        .remark("Exact: eqs 9-13 and 23. Exact without inertia: eqs 15 and 16. Asymptotic: eqs 15, 16, 18 and 20 on the boundary of eq 8.")
+        .remark("Eq 20 governs one of three ways out of steady sliding without oscillation: at low velocity the boundary is eq 16, and around the corner it is neither.");
+    let corner = context.outcome.potentially_unstable().and_then(|scene| scene.tolerance.as_ref()).map(|tolerance| &tolerance.lower_corner);
+    match corner {
+        None => finding.within("the relative errors of the series"),
+        Some(error) => {
+            let value = certain_digits(error, 6);
+            finding
+                .within(format!("at its corner with eq 16 eq 20 gives a velocity that the exact boundary exceeds by the relative amount {value}"))
+                .with_evidence(Evidence::Enclosure { quantity: "V_exact/V_20 − 1 at the corner of eqs 16 and 20".into(), value })
+        }
+    }
+}

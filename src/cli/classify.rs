@@ -1,0 +1,59 @@
+//! `slipmode classify`: one point for people or programs, or every row of a CSV file.
+
+mod view;
+
+use std::path::PathBuf;
+
+use clap::Args;
+use slipmode::scene::Problem;
+
+use crate::cli::failure::Failure;
+use crate::cli::options::{Arguments, SliderOptions, ThresholdOption, option_of};
+use crate::cli::points;
+use crate::cli::progress::Progress;
+use crate::cli::terminal;
+use view::PointView;
+
+/// Options of `classify`.
+#[derive(Debug, Args)]
+pub struct Options {
+    #[command(flatten)]
+    slider: SliderOptions,
+    #[command(flatten)]
+    threshold: ThresholdOption,
+    /// One JSON object instead of text
+    #[arg(long, conflicts_with = "points")]
+    json: bool,
+    /// Classify every row of a CSV file; `-` reads standard input
+    #[arg(long, value_name = "FILE.csv")]
+    points: Option<PathBuf>,
+    /// Where to write the rows; `-` is standard output
+    #[arg(short, long, value_name = "OUT.csv", default_value = "-", requires = "points")]
+    output: PathBuf,
+    /// Give faulty rows an `error` column instead of stopping
+    #[arg(long, requires = "points")]
+    keep_going: bool,
+}
+
+/// Runs the command.
+///
+/// # Errors
+/// When the arguments or the rows are at fault, or the output cannot be written.
+pub fn run(options: &Options, progress: &Progress) -> Result<(), Failure> {
+    let mut arguments = Arguments::default();
+    let threshold = options.threshold.threshold(&mut arguments);
+    let Some(points) = &options.points else {
+        let parameters = options.slider.parameters(&mut arguments);
+        arguments.finish()?;
+        let (Some(parameters), Some(threshold)) = (parameters, threshold) else { return Ok(()) };
+        let view = PointView::new(&parameters, &threshold);
+        return if options.json { terminal::print_json(&view.json()) } else { terminal::print(&view.text()) };
+    };
+    for quantity in options.slider.given() {
+        let in_file = Problem::Needs("no --points: the file's columns give the slider".into());
+        arguments.fault::<()>(&option_of(quantity), options.slider.text(quantity), in_file);
+    }
+    arguments.finish()?;
+    let Some(threshold) = threshold else { return Ok(()) };
+    points::run(points, &options.output, threshold, options.keep_going, *progress)
+}

@@ -1,0 +1,63 @@
+//! Input files: opened, or named as a fault.
+
+use std::fs::File;
+use std::io::{self, Read};
+use std::path::Path;
+
+use slipmode::scene::{Fault, MAX_FILE_BYTES, Problem};
+
+/// A stream of bytes to read, with its name for messages and its size when known.
+pub struct Input {
+    /// The name that messages use.
+    pub name: String,
+    /// The bytes.
+    pub reader: Box<dyn Read + Send>,
+    /// The number of bytes, of regular files.
+    pub size: Option<u64>,
+}
+
+impl Input {
+    /// Opens a file, or standard input for `-`.
+    ///
+    /// # Errors
+    /// When the file is missing, a folder, or not readable.
+    pub fn open(path: &Path) -> Result<Self, Fault> {
+        if path.as_os_str() == "-" {
+            return Ok(Self { name: "standard input".into(), reader: Box::new(io::stdin()), size: None });
+        }
+        let name = path.display().to_string();
+        let (file, size) = open_file(path)?;
+        Ok(Self { name, reader: Box::new(file), size })
+    }
+}
+
+/// The bytes of a scene, report, claims or prose file; one byte more than the cap is read, never more.
+///
+/// # Errors
+/// When the file is missing, a folder, or not readable.
+pub fn read_small_file(path: &Path) -> Result<Vec<u8>, Fault> {
+    let (file, _) = open_file(path)?;
+    let mut bytes = Vec::new();
+    file.take(MAX_FILE_BYTES + 1).read_to_end(&mut bytes).map_err(|error| unreadable(path, &error))?;
+    Ok(bytes)
+}
+
+fn open_file(path: &Path) -> Result<(File, Option<u64>), Fault> {
+    let file = File::open(path).map_err(|error| unreadable(path, &error))?;
+    let metadata = file.metadata().map_err(|error| unreadable(path, &error))?;
+    if metadata.is_dir() {
+        return Err(unreadable(path, &io::Error::from(io::ErrorKind::IsADirectory)));
+    }
+    Ok((file, metadata.is_file().then_some(metadata.len())))
+}
+
+/// A file that cannot be read, as a fault.
+pub fn unreadable(path: &Path, error: &io::Error) -> Fault {
+    Fault {
+        file: path.display().to_string(),
+        line: None,
+        key: String::new(),
+        value: None,
+        problem: Problem::Unreadable(error.to_string()),
+    }
+}

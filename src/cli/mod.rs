@@ -1,0 +1,100 @@
+//! The subcommands: the only floor that opens files, reads the clock and sets exit codes.
+
+mod boundary;
+mod classify;
+mod failure;
+mod folder;
+mod input;
+mod options;
+mod output;
+mod points;
+mod progress;
+mod report;
+mod roots;
+mod terminal;
+mod tree;
+
+use std::process::ExitCode;
+
+use clap::{Parser, Subcommand};
+
+use failure::Failure;
+use options::Arguments;
+use progress::Progress;
+
+/// Decides, proves and reports when a slider with rate-and-state friction sticks, creeps, oscillates or vibrates.
+#[derive(Debug, Parser)]
+#[command(version, max_term_width = 110)]
+struct Cli {
+    #[command(subcommand)]
+    command: Command,
+    /// Number of threads; results do not depend on it [default: one per core]
+    #[arg(long, global = true, value_name = "N", allow_hyphen_values = true)]
+    threads: Option<String>,
+    /// No progress bar
+    #[arg(long, global = true)]
+    quiet: bool,
+}
+
+#[derive(Debug, Subcommand)]
+enum Command {
+    /// Stability, boundary, slip mode, growth rate and frequency of one point, or of every row of a CSV file
+    Classify(classify::Options),
+    /// The three roots of eq 8 with certified digits
+    Roots(roots::Options),
+    /// The exact boundary max Im(s) = 0 as CSV, whole or at one velocity or normal stress
+    Boundary(boundary::Options),
+    /// One scene
+    Run(report::RunOptions),
+    /// A report folder: its page, tables, figures and ledger
+    Report(report::ReportOptions),
+    /// A report compared with its published copy
+    Verify(report::VerifyOptions),
+}
+
+/// Runs the command line and gives its exit code; errors go to standard error.
+pub fn main() -> ExitCode {
+    let cli = match Cli::try_parse() {
+        Ok(cli) => cli,
+        Err(error) => {
+            // Help and version are no errors; a closed pipe is nobody's loss.
+            let _ = error.print();
+            return ExitCode::from(if error.use_stderr() { failure::BAD_INPUT } else { 0 });
+        }
+    };
+    match run(cli) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => {
+            failure.print();
+            ExitCode::from(failure.exit_code())
+        }
+    }
+}
+
+fn run(cli: Cli) -> Result<(), Failure> {
+    let progress = Progress::new(cli.quiet);
+    start_threads(cli.threads.as_deref())?;
+    match cli.command {
+        Command::Classify(options) => classify::run(&options, &progress),
+        Command::Roots(options) => roots::run(&options),
+        Command::Boundary(options) => boundary::run(&options),
+        Command::Run(options) => report::run(&options, &progress),
+        Command::Report(options) => report::report(&options, &progress),
+        Command::Verify(options) => report::verify(&options, &progress),
+    }
+}
+
+/// The most threads that can be asked for.
+const MOST_THREADS: u64 = 1024;
+
+fn start_threads(threads: Option<&str>) -> Result<(), Failure> {
+    let mut arguments = Arguments::default();
+    let threads = arguments.whole("--threads", threads, 1..=MOST_THREADS);
+    arguments.finish()?;
+    let builder = rayon::ThreadPoolBuilder::new();
+    let builder = match threads {
+        Some(threads) => builder.num_threads(usize::try_from(threads).unwrap_or(1)),
+        None => builder,
+    };
+    builder.build_global().map_err(|error| Failure::machine("threads cannot be started", &error))
+}

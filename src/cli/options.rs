@@ -1,0 +1,151 @@
+//! Options that commands share, and the reading of their values: exact, checked, all faults at once.
+
+use std::ops::RangeInclusive;
+
+use clap::Args;
+
+use slipmode::friction::Parameters;
+use slipmode::number::{Rational, parse_decimal};
+use slipmode::scene::{AllowedRange, Fault, Faults, Problem, Quantity, parameters_from};
+use slipmode::stability::InertialThreshold;
+
+use crate::cli::failure::Failure;
+
+/// The seven physical arguments, in SI; decimals are taken exactly as written.
+#[derive(Debug, Clone, Args)]
+#[command(next_help_heading = "Slider (SI; decimals are exact: 0.004 is 1/250)")]
+pub struct SliderOptions {
+    /// a of eq 1
+    #[arg(short = 'a', long, value_name = "A", allow_hyphen_values = true)]
+    pub direct_effect: Option<String>,
+    /// b of eq 1
+    #[arg(short = 'b', long, value_name = "B", allow_hyphen_values = true)]
+    pub evolution_effect: Option<String>,
+    /// D_c
+    #[arg(short = 'd', long, value_name = "D", allow_hyphen_values = true)]
+    pub critical_slip_distance_m: Option<String>,
+    /// K, shear stress per slip
+    #[arg(short = 'k', long, value_name = "K", allow_hyphen_values = true)]
+    pub stiffness_pa_per_m: Option<String>,
+    /// M
+    #[arg(short = 'm', long, value_name = "M", allow_hyphen_values = true)]
+    pub mass_per_area_kg_per_m2: Option<String>,
+    /// σ
+    #[arg(short = 's', long, value_name = "S", allow_hyphen_values = true)]
+    pub normal_stress_pa: Option<String>,
+    /// V0
+    #[arg(short = 'v', long, value_name = "V", allow_hyphen_values = true)]
+    pub loading_velocity_m_per_s: Option<String>,
+}
+
+impl SliderOptions {
+    /// The text given for a quantity.
+    pub fn text(&self, quantity: Quantity) -> Option<&str> {
+        match quantity {
+            Quantity::DirectEffect => self.direct_effect.as_deref(),
+            Quantity::EvolutionEffect => self.evolution_effect.as_deref(),
+            Quantity::CriticalSlipDistance => self.critical_slip_distance_m.as_deref(),
+            Quantity::Stiffness => self.stiffness_pa_per_m.as_deref(),
+            Quantity::MassPerArea => self.mass_per_area_kg_per_m2.as_deref(),
+            Quantity::NormalStress => self.normal_stress_pa.as_deref(),
+            Quantity::LoadingVelocity => self.loading_velocity_m_per_s.as_deref(),
+        }
+    }
+
+    /// The quantities that were given.
+    pub fn given(&self) -> impl Iterator<Item = Quantity> {
+        Quantity::ALL.into_iter().filter(|quantity| self.text(*quantity).is_some())
+    }
+
+    /// All seven values; what is missing or faulty is collected in `arguments`.
+    pub fn parameters(&self, arguments: &mut Arguments) -> Option<Parameters<Rational>> {
+        let values = Quantity::ALL.map(|quantity| self.required(quantity, arguments));
+        let [Some(a), Some(b), Some(d), Some(k), Some(m), Some(s), Some(v)] = values else { return None };
+        Some(parameters_from([a, b, d, k, m, s, v]))
+    }
+
+    /// The value of one quantity that must be given.
+    pub fn required(&self, quantity: Quantity, arguments: &mut Arguments) -> Option<Rational> {
+        let (option, range) = (option_of(quantity), AllowedRange::PHYSICAL);
+        match self.text(quantity) {
+            Some(text) => arguments.number(&option, text, |text| range.parse(text)),
+            None => arguments.fault(&option, None, Problem::Missing { allowed: range.text() }),
+        }
+    }
+}
+
+/// `--normal-stress-pa` for σ, and so on.
+pub fn option_of(quantity: Quantity) -> String {
+    format!("--{}", quantity.key().replace('_', "-"))
+}
+
+/// `--inertial-threshold`, shared by the commands that name slip modes.
+#[derive(Debug, Clone, Args)]
+pub struct ThresholdOption {
+    /// ω/ω_n above which an oscillation is called inertial, 0 < R < 1 [default: exactly √(1/2)]
+    #[arg(long, value_name = "R", allow_hyphen_values = true)]
+    inertial_threshold: Option<String>,
+}
+
+impl ThresholdOption {
+    /// The threshold as an exact square.
+    pub fn threshold(&self, arguments: &mut Arguments) -> Option<InertialThreshold> {
+        let Some(text) = &self.inertial_threshold else { return Some(InertialThreshold::default()) };
+        let range = AllowedRange::OPEN_UNIT;
+        arguments.number("--inertial-threshold", text, |text| {
+            let ratio = range.parse(text)?;
+            InertialThreshold::from_ratio(&ratio).ok_or(Problem::OutOfRange { allowed: range.text() })
+        })
+    }
+}
+
+/// The faults of a command line, collected while its values are read.
+#[derive(Debug, Default)]
+pub struct Arguments {
+    faults: Faults,
+}
+
+impl Arguments {
+    /// Notes a fault of an option.
+    pub fn fault<T>(&mut self, option: &str, value: Option<&str>, problem: Problem) -> Option<T> {
+        self.faults.push(Fault {
+            file: "command line".into(),
+            line: None,
+            key: option.to_string(),
+            value: value.map(str::to_string),
+            problem,
+        });
+        None
+    }
+
+    /// A value read by `parse`.
+    pub fn number<T>(
+        &mut self,
+        option: &str,
+        text: &str,
+        parse: impl FnOnce(&str) -> Result<T, Problem>,
+    ) -> Option<T> {
+        match parse(text) {
+            Ok(value) => Some(value),
+            Err(problem) => self.fault(option, Some(text), problem),
+        }
+    }
+
+    /// A whole number in a range, when given.
+    pub fn whole(&mut self, option: &str, text: Option<&str>, range: RangeInclusive<u64>) -> Option<u64> {
+        let allowed = format!("a whole number from {} to {}", range.start(), range.end());
+        self.number(option, text?, |text| match (text.parse::<u64>(), parse_decimal(text)) {
+            (Ok(value), _) if range.contains(&value) => Ok(value),
+            (Ok(_), _) | (Err(_), Ok(_)) => Err(Problem::OutOfRange { allowed }),
+            (Err(_), Err(reason)) => Err(Problem::NotANumber { reason, allowed }),
+        })
+    }
+
+    /// Ends the reading.
+    ///
+    /// # Errors
+    /// All the faults, if there are any.
+    pub fn finish(self) -> Result<(), Failure> {
+        if self.faults.is_empty() { Ok(()) } else { Err(Failure::Input(self.faults)) }
+    }
+}

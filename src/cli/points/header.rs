@@ -1,0 +1,105 @@
+//! The header of a points file: a contract on names and units.
+
+use slipmode::scene::{CsvProblem, Fault, Faults, Problem, Quantity, is_forbidden, nearest};
+
+use crate::cli::points::rows::Row;
+
+/// The columns that are appended to every row.
+pub const APPENDED: [&str; 7] = [
+    "transition_sign",
+    "boundary_sign",
+    "spectral_class",
+    "slip_mode",
+    "max_real_per_s",
+    "max_imaginary_per_s",
+    "rung",
+];
+
+/// The column that `--keep-going` appends last.
+pub const ERROR_COLUMN: &str = "error";
+
+/// A valid header.
+#[derive(Debug, Clone)]
+pub struct Header {
+    /// The names of all columns, in order.
+    pub names: Vec<String>,
+    /// Where each of [`Quantity::ALL`] stands.
+    pub positions: [usize; 7],
+}
+
+impl Header {
+    /// Reads the header of the file `file`; `None` stands for a file without any row.
+    ///
+    /// # Errors
+    /// Every column that is missing, doubled, in another unit, or named like one that is appended.
+    pub fn read(file: &str, row: Option<Row<'_>>, keep_going: bool) -> Result<Self, Faults> {
+        let fault = |key: String, problem: Problem| Fault {
+            file: file.to_string(),
+            line: row.map(|row| row.line),
+            key,
+            value: None,
+            problem,
+        };
+        let Some(row) = row else {
+            let wanted = Quantity::ALL.map(Quantity::key).join(", ");
+            return Err(vec![fault(String::new(), CsvProblem::NoHeader { wanted }.into())]);
+        };
+        let names = names(row).map_err(|problem| vec![fault("header".into(), problem)])?;
+        let mut faults: Faults = column_faults(&names, keep_going)
+            .into_iter()
+            .map(|(name, problem)| fault(format!("header, column {name}"), problem.into()))
+            .collect();
+        let positions = Quantity::ALL.map(|quantity| names.iter().position(|name| name == quantity.key()));
+        for (quantity, position) in Quantity::ALL.into_iter().zip(positions) {
+            if position.is_none() {
+                let (name, problem) = absent(quantity, &names);
+                faults.push(fault(format!("header, column {name}"), problem.into()));
+            }
+        }
+        let found: Vec<usize> = positions.into_iter().flatten().collect();
+        match <[usize; 7]>::try_from(found) {
+            Ok(positions) if faults.is_empty() => Ok(Self { names, positions }),
+            _ => Err(faults),
+        }
+    }
+}
+
+fn names(row: Row<'_>) -> Result<Vec<String>, Problem> {
+    let text = |index| {
+        let text = std::str::from_utf8(row.cell(index)).map_err(|error| Problem::NotUtf8(error.valid_up_to() + 1))?;
+        match text.chars().find(|character| is_forbidden(*character)) {
+            Some(character) => Err(Problem::ForbiddenCharacter(u32::from(character))),
+            None => Ok(text.to_string()),
+        }
+    };
+    (0..row.len()).map(text).collect()
+}
+
+/// Doubled columns, and columns that the output will have as well.
+fn column_faults(names: &[String], keep_going: bool) -> Vec<(String, CsvProblem)> {
+    let mut faults = Vec::new();
+    for (index, name) in names.iter().enumerate() {
+        if let Some(first) = names[..index].iter().position(|earlier| earlier == name) {
+            faults.push((name.clone(), CsvProblem::DoubledColumn { first: first + 1 }));
+        }
+        if APPENDED.contains(&name.as_str()) || (keep_going && name == ERROR_COLUMN) {
+            faults.push((name.clone(), CsvProblem::OutputColumn));
+        }
+    }
+    faults
+}
+
+/// Why a quantity's column is not there: it has another unit, or it is missing.
+fn absent(quantity: Quantity, names: &[String]) -> (String, CsvProblem) {
+    let other_unit = |name: &&String| {
+        let unit = name.strip_prefix(quantity.stem());
+        unit.is_some_and(|unit| unit.is_empty() || unit.starts_with(['_', ' ', '[', '(']))
+    };
+    match names.iter().find(other_unit) {
+        Some(name) => (name.clone(), CsvProblem::UnknownUnit { wanted: quantity.key() }),
+        None => {
+            let near = nearest(quantity.key(), names.iter().map(String::as_str)).map(str::to_string);
+            (quantity.key().to_string(), CsvProblem::MissingColumn { nearest: near })
+        }
+    }
+}

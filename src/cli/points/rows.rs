@@ -1,0 +1,247 @@
+//! Rows of a CSV stream: read block by block into memory of fixed size, with caps on cells, columns and row length.
+
+use std::io::Read;
+
+use csv_core::{ReadRecordResult, Reader};
+use slipmode::scene::{CsvProblem, Fault, Problem};
+
+use crate::cli::input::Input;
+
+/// The most cells in a row.
+pub const MOST_CELLS: usize = 1_000;
+/// The longest cell, in bytes: room for a number of 10 000 digits.
+pub const LONGEST_CELL: usize = 1 << 16;
+/// The longest row, in bytes.
+pub const LONGEST_ROW: usize = 1 << 20;
+
+/// How much is read from the stream at a time.
+const BUFFER_BYTES: usize = 1 << 18;
+
+/// Rows of the stream with their numbers; the unit of parallel work.
+#[derive(Debug, Default)]
+pub struct Block {
+    bytes: Vec<u8>,
+    ends: Vec<usize>,
+    rows: Vec<RowPlace>,
+}
+
+#[derive(Debug, Clone, Copy)]
+struct RowPlace {
+    first_byte: usize,
+    first_end: usize,
+    line: usize,
+    number: u64,
+}
+
+/// One row: its cells and its place.
+#[derive(Debug, Clone, Copy)]
+pub struct Row<'b> {
+    bytes: &'b [u8],
+    ends: &'b [usize],
+    /// The line of the file on which the row ends, counted from 1.
+    pub line: usize,
+    /// The number of the row, the header being row 0.
+    pub number: u64,
+}
+
+impl<'b> Row<'b> {
+    /// The number of cells.
+    pub fn len(self) -> usize {
+        self.ends.len()
+    }
+
+    /// The bytes of a cell; empty beyond the end of a short row.
+    pub fn cell(self, index: usize) -> &'b [u8] {
+        let start = if index == 0 { 0 } else { self.ends.get(index - 1).copied().unwrap_or(0) };
+        self.ends.get(index).and_then(|end| self.bytes.get(start..*end)).unwrap_or_default()
+    }
+
+    /// All bytes of the row, without separators.
+    pub fn bytes(self) -> &'b [u8] {
+        self.bytes
+    }
+}
+
+impl Block {
+    /// The rows in order.
+    pub fn rows(&self) -> impl Iterator<Item = Row<'_>> {
+        self.rows.iter().enumerate().map(|(index, place)| {
+            let next = self.rows.get(index + 1);
+            let last_byte = next.map_or(self.bytes.len(), |next| next.first_byte);
+            let last_end = next.map_or(self.ends.len(), |next| next.first_end);
+            Row {
+                bytes: &self.bytes[place.first_byte..last_byte],
+                ends: &self.ends[place.first_end..last_end],
+                line: place.line,
+                number: place.number,
+            }
+        })
+    }
+
+    /// Whether the block has no rows.
+    pub fn is_empty(&self) -> bool {
+        self.rows.is_empty()
+    }
+}
+
+/// A reader of rows; blank lines are skipped, a byte order mark at the start is dropped.
+pub struct RowReader {
+    input: Input,
+    parser: Reader,
+    buffer: Vec<u8>,
+    unread: std::ops::Range<usize>,
+    at_end: bool,
+    row_bytes: Vec<u8>,
+    row_ends: Vec<usize>,
+    lines: usize,
+    number: u64,
+    consumed: u64,
+}
+
+impl RowReader {
+    /// A reader at the start of the stream.
+    pub fn new(input: Input) -> Self {
+        Self {
+            input,
+            parser: Reader::new(),
+            buffer: vec![0; BUFFER_BYTES],
+            unread: 0..0,
+            at_end: false,
+            row_bytes: vec![0; LONGEST_ROW],
+            row_ends: vec![0; MOST_CELLS],
+            lines: 0,
+            number: 0,
+            consumed: 0,
+        }
+    }
+
+    /// The name of the stream for messages.
+    pub fn name(&self) -> &str {
+        &self.input.name
+    }
+
+    /// The bytes consumed so far.
+    pub fn consumed(&self) -> u64 {
+        self.consumed
+    }
+
+    /// The next rows, at most `count`; an empty block at the end of the stream.
+    ///
+    /// # Errors
+    /// When the stream cannot be read or parsed: after that its rows cannot be told apart any more.
+    pub fn block(&mut self, count: usize) -> Result<Block, Fault> {
+        let mut block = Block::default();
+        while block.rows.len() < count && self.row_into(&mut block)? {}
+        Ok(block)
+    }
+
+    fn row_into(&mut self, block: &mut Block) -> Result<bool, Fault> {
+        let (mut bytes, mut ends) = (0, 0);
+        loop {
+            if self.unread.is_empty() && !self.at_end {
+                self.fill()?;
+            }
+            let input = &self.buffer[self.unread.clone()];
+            let (result, read, written, ended) =
+                self.parser.read_record(input, &mut self.row_bytes[bytes..], &mut self.row_ends[ends..]);
+            let taken = &input[..read];
+            self.lines += taken.iter().filter(|byte| **byte == b'\n').count();
+            let ends_in_line_feed = taken.last() == Some(&b'\n');
+            self.unread.start += read;
+            self.consumed += read as u64;
+            bytes += written;
+            ends += ended;
+            match result {
+                ReadRecordResult::InputEmpty if self.at_end && bytes + ends > 0 => {
+                    return Err(self.fault(CsvProblem::UnclosedQuote));
+                }
+                ReadRecordResult::InputEmpty if self.at_end => return Ok(false),
+                ReadRecordResult::InputEmpty => {}
+                ReadRecordResult::OutputFull => return Err(self.fault(CsvProblem::RowTooLong(LONGEST_ROW))),
+                ReadRecordResult::OutputEndsFull => {
+                    return Err(self.fault(CsvProblem::TooManyCells(MOST_CELLS)));
+                }
+                ReadRecordResult::Record => {
+                    let line = self.lines + usize::from(!ends_in_line_feed);
+                    self.keep(block, bytes, ends, line);
+                    return Ok(true);
+                }
+                ReadRecordResult::End => return Ok(false),
+            }
+        }
+    }
+
+    /// Reads more; at the end of the stream one line feed, so that a last row without one ends, and a quoted cell does not.
+    fn fill(&mut self) -> Result<(), Fault> {
+        let read = loop {
+            match self.input.reader.read(&mut self.buffer) {
+                Err(error) if error.kind() == std::io::ErrorKind::Interrupted => {}
+                Err(error) => return Err(self.place(Problem::Unreadable(error.to_string()))),
+                Ok(read) => break read,
+            }
+        };
+        self.at_end = read == 0;
+        if self.at_end {
+            self.buffer[0] = b'\n';
+        }
+        self.unread = 0..read.max(1);
+        Ok(())
+    }
+
+    fn keep(&mut self, block: &mut Block, bytes: usize, ends: usize, line: usize) {
+        let (first_byte, first_end) = (block.bytes.len(), block.ends.len());
+        block.rows.push(RowPlace { first_byte, first_end, line, number: self.number });
+        block.bytes.extend_from_slice(&self.row_bytes[..bytes]);
+        block.ends.extend_from_slice(&self.row_ends[..ends]);
+        self.number += 1;
+    }
+
+    fn fault(&self, problem: CsvProblem) -> Fault {
+        self.place(Problem::Csv(problem))
+    }
+
+    fn place(&self, problem: Problem) -> Fault {
+        let key = if self.number == 0 { "header".into() } else { format!("row {}", self.number) };
+        Fault { file: self.input.name.clone(), line: Some(self.lines + 1), key, value: None, problem }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn read(text: &[u8]) -> Result<Vec<(usize, u64, Vec<String>)>, Fault> {
+        let input = Input { name: "f".into(), reader: Box::new(std::io::Cursor::new(text.to_vec())), size: None };
+        let block = RowReader::new(input).block(1_000_000)?;
+        let cells = |row: Row<'_>| (0..row.len()).map(|i| String::from_utf8_lossy(row.cell(i)).into_owned());
+        Ok(block.rows().map(|row| (row.line, row.number, cells(row).collect())).collect())
+    }
+
+    #[test]
+    fn rows_know_their_number_and_line() {
+        for end in ["\n", "\r\n"] {
+            let text = ["a,b", "", "1,\"x\ny\"", "2,3"].join(end);
+            let rows = read(text.as_bytes()).unwrap();
+            let places: Vec<_> = rows.iter().map(|(line, number, _)| (*line, *number)).collect();
+            assert_eq!(places, [(1, 0), (4, 1), (5, 2)]);
+            assert_eq!(rows[1].2, ["1", "x\ny"]);
+        }
+        assert_eq!(read(b"\xef\xbb\xbfa\n").unwrap()[0].2, ["a"]);
+        assert!(read(b"").unwrap().is_empty());
+    }
+
+    #[test]
+    fn a_quote_that_never_closes_is_a_fault_not_a_cell() {
+        assert_eq!(read(b"a,b\n1,\"2\n3,4\n").unwrap_err().problem, CsvProblem::UnclosedQuote.into());
+        assert_eq!(read(b"a,\"").unwrap_err().problem, CsvProblem::UnclosedQuote.into());
+        let long = format!("a\n\"{}", "x\n".repeat(LONGEST_ROW));
+        assert_eq!(read(long.as_bytes()).unwrap_err().problem, CsvProblem::RowTooLong(LONGEST_ROW).into());
+    }
+
+    #[test]
+    fn the_number_of_cells_is_capped() {
+        assert!(read(",".repeat(MOST_CELLS - 1).as_bytes()).is_ok());
+        let wide = read(",".repeat(20_000_000).as_bytes()).unwrap_err();
+        assert_eq!(wide.problem, CsvProblem::TooManyCells(MOST_CELLS).into());
+    }
+}

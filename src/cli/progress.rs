@@ -1,0 +1,40 @@
+//! Progress bars: on a terminal's standard error only.
+
+use std::io::IsTerminal;
+
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+
+/// Whether and how progress is shown.
+#[derive(Debug, Clone, Copy)]
+pub struct Progress {
+    shown: bool,
+}
+
+impl Progress {
+    /// Shown on a terminal, unless `quiet`.
+    pub fn new(quiet: bool) -> Self {
+        Self { shown: !quiet && std::io::stderr().is_terminal() }
+    }
+
+    /// A bar over a known number of bytes, or a spinner when it is unknown.
+    pub fn bytes(self, total: Option<u64>) -> ProgressBar {
+        match total {
+            Some(total) => self.bar(ProgressBar::new(total), "{bar:40} {bytes}/{total_bytes} {eta}"),
+            None => self.bar(ProgressBar::no_length(), "{spinner} {bytes} {bytes_per_sec}"),
+        }
+    }
+
+    /// A bar over steps of work.
+    pub fn steps(self, total: u64) -> ProgressBar {
+        self.bar(ProgressBar::new(total), "{bar:40} {pos}/{len} {msg} {eta}")
+    }
+
+    fn bar(self, bar: ProgressBar, template: &str) -> ProgressBar {
+        let target = if self.shown { ProgressDrawTarget::stderr() } else { ProgressDrawTarget::hidden() };
+        bar.set_draw_target(target);
+        match ProgressStyle::with_template(template) {
+            Ok(style) => bar.with_style(style),
+            Err(_) => bar,
+        }
+    }
+}

@@ -1,0 +1,173 @@
+//! Filled contours: outlines of the area where a grid of values lies above a level (marching squares).
+
+use super::path::Point;
+
+/// For each pattern of corners inside (1 lower left, 2 lower right, 4 upper right, 8 upper left), the segments that
+/// cross the cell from edge to edge (0 lower, 1 right, 2 upper, 3 left) with the inside on their left.
+/// Two opposite corners are never joined through the cell.
+const SEGMENTS: [&[(usize, usize)]; 16] = [
+    &[],
+    &[(0, 3)],
+    &[(1, 0)],
+    &[(1, 3)],
+    &[(2, 1)],
+    &[(0, 3), (2, 1)],
+    &[(2, 0)],
+    &[(2, 3)],
+    &[(3, 2)],
+    &[(0, 2)],
+    &[(1, 0), (3, 2)],
+    &[(1, 2)],
+    &[(3, 1)],
+    &[(0, 1)],
+    &[(3, 0)],
+    &[],
+];
+
+/// A grid with a ring of outside points around it, so that every outline closes along the frame.
+struct Grid<'a> {
+    values: &'a [f64],
+    columns: usize,
+    rows: usize,
+    inside: &'a dyn Fn(f64) -> bool,
+    crossing: &'a dyn Fn(f64, f64) -> f64,
+}
+
+/// Closed outlines of the area that is inside, in coordinates from 0 to 1 over the grid.
+///
+/// `values` are rows of `columns` points each, at least two of both. `crossing(outside, inside)` says where between an
+/// outside and an inside value the edge lies: 0 at the outside point, 1 at the inside point.
+pub(crate) fn outlines(
+    values: &[f64],
+    columns: usize,
+    inside: &dyn Fn(f64) -> bool,
+    crossing: &dyn Fn(f64, f64) -> f64,
+) -> Vec<Vec<Point>> {
+    if columns < 2 || values.len() < 2 * columns {
+        return Vec::new();
+    }
+    let grid = Grid { values, columns, rows: values.len() / columns, inside, crossing };
+    let mut next = grid.links();
+    let mut loops = Vec::new();
+    for start in 0..next.len() {
+        let mut outline = Vec::new();
+        let mut edge = start;
+        while let Some(to) = next[edge].take() {
+            outline.push(grid.point(edge));
+            edge = to;
+        }
+        if !outline.is_empty() {
+            loops.push(outline);
+        }
+    }
+    loops
+}
+
+impl Grid<'_> {
+    /// Points in a row, the ring included.
+    fn width(&self) -> usize {
+        self.columns + 2
+    }
+
+    fn value(&self, column: usize, row: usize) -> Option<f64> {
+        let ring = column == 0 || row == 0 || column > self.columns || row > self.rows;
+        if ring { None } else { Some(self.values[(row - 1) * self.columns + column - 1]) }
+    }
+
+    fn is_inside(&self, column: usize, row: usize) -> bool {
+        self.value(column, row).is_some_and(self.inside)
+    }
+
+    /// For each grid edge where an outline enters a cell, the edge where it leaves it.
+    fn links(&self) -> Vec<Option<usize>> {
+        let mut next = vec![None; 2 * self.width() * (self.rows + 2)];
+        for row in 0..=self.rows {
+            for column in 0..=self.columns {
+                let corners = [(column, row), (column + 1, row), (column + 1, row + 1), (column, row + 1)];
+                let pattern = corners
+                    .iter()
+                    .enumerate()
+                    .map(|(bit, &(i, j))| usize::from(self.is_inside(i, j)) << bit)
+                    .sum::<usize>();
+                let edges = self.edges(column, row);
+                for &(from, to) in SEGMENTS[pattern] {
+                    next[edges[from]] = Some(edges[to]);
+                }
+            }
+        }
+        next
+    }
+
+    /// Numbers of a cell's lower, right, upper and left edge: even ones lie, odd ones stand.
+    fn edges(&self, column: usize, row: usize) -> [usize; 4] {
+        let at = 2 * (row * self.width() + column);
+        [at, at + 3, at + 2 * self.width(), at + 1]
+    }
+
+    /// Where the outline crosses a grid edge.
+    fn point(&self, edge: usize) -> Point {
+        let (column, row) = (edge / 2 % self.width(), edge / 2 / self.width());
+        let other = if edge % 2 == 0 { (column + 1, row) } else { (column, row + 1) };
+        let (from, to) = (self.place(column, row), self.place(other.0, other.1));
+        let first_inside = self.is_inside(column, row);
+        let at = match (self.value(column, row), self.value(other.0, other.1)) {
+            (Some(one), Some(two)) if first_inside => 1.0 - (self.crossing)(two, one).clamp(0.0, 1.0),
+            (Some(one), Some(two)) => (self.crossing)(one, two).clamp(0.0, 1.0),
+            _ => 0.0,
+        };
+        (from.0 + at * (to.0 - from.0), from.1 + at * (to.1 - from.1))
+    }
+
+    /// Coordinates of a point; those of the ring lie on the frame.
+    fn place(&self, column: usize, row: usize) -> Point {
+        let along = |index: usize, count: usize| (index.clamp(1, count) - 1) as f64 / (count - 1) as f64;
+        (along(column, self.columns), along(row, self.rows))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn area(outline: &[Point]) -> f64 {
+        let pairs = outline.iter().zip(outline.iter().cycle().skip(1));
+        pairs.map(|(a, b)| a.0 * b.1 - b.0 * a.1).sum::<f64>() / 2.0
+    }
+
+    fn half(_: f64, _: f64) -> f64 {
+        0.5
+    }
+
+    #[test]
+    fn everything_inside_gives_the_whole_frame_counterclockwise() {
+        let loops = outlines(&[1.0; 12], 4, &|v| v > 0.0, &half);
+        assert_eq!(loops.len(), 1);
+        assert!((area(&loops[0]) - 1.0).abs() < 1e-15);
+        assert!(outlines(&[0.0; 12], 4, &|v| v > 0.0, &half).is_empty());
+    }
+
+    #[test]
+    fn a_hole_runs_the_other_way() {
+        let mut values = [1.0; 25];
+        values[12] = 0.0;
+        let loops = outlines(&values, 5, &|v| v > 0.0, &half);
+        let areas: Vec<f64> = loops.iter().map(|l| area(l)).collect();
+        assert_eq!(areas.len(), 2);
+        assert!(areas.iter().any(|a| *a < 0.0) && areas.iter().any(|a| *a > 0.9), "{areas:?}");
+    }
+
+    #[test]
+    fn a_plane_is_cut_where_the_level_lies() {
+        let values: Vec<f64> = (0..25).map(|i| f64::from(i % 5) / 4.0).collect();
+        let level = 0.4;
+        let crossing = |low: f64, high: f64| (level - low) / (high - low);
+        let loops = outlines(&values, 5, &|v| v >= level, &crossing);
+        assert!((area(&loops[0]) - 0.6).abs() < 1e-15);
+    }
+
+    #[test]
+    fn a_value_that_is_no_number_is_outside() {
+        let loops = outlines(&[f64::NAN, 1.0, 1.0, 1.0, 1.0, 1.0], 3, &|v| v > 0.0, &half);
+        assert!((area(&loops[0]) - 0.9375).abs() < 1e-15, "{}", area(&loops[0]));
+    }
+}

@@ -1,0 +1,189 @@
+//! The frame of a chart: where values lie on the canvas, axes with ticks, titles.
+
+use super::path::{Bounds, Point, clip_line, clip_polygon};
+use super::svg::{Svg, number};
+use super::ticks::Tick;
+use super::{Axis, palette, rich_text};
+
+/// Width of every figure's canvas.
+pub(crate) const CANVAS_WIDTH: f64 = 640.0;
+
+/// Size of tick labels and legends.
+pub(crate) const SMALL: f64 = 13.0;
+
+/// Size of axis titles.
+pub(crate) const NORMAL: f64 = 14.0;
+
+/// A rectangle of the canvas with its two axes.
+#[derive(Debug, Clone)]
+pub(crate) struct Frame<'a> {
+    /// Horizontal axis.
+    pub x: &'a Axis,
+    /// Vertical axis.
+    pub y: &'a Axis,
+    /// Edges on the canvas.
+    pub bounds: Bounds,
+}
+
+impl<'a> Frame<'a> {
+    /// A frame with its upper left corner, width and height on the canvas.
+    pub fn new(x: &'a Axis, y: &'a Axis, corner: Point, size: Point) -> Self {
+        let bounds =
+            Bounds { left: corner.0, top: corner.1, right: corner.0 + size.0, bottom: corner.1 + size.1 };
+        Self { x, y, bounds }
+    }
+
+    /// Width and height.
+    pub fn size(&self) -> Point {
+        (self.bounds.right - self.bounds.left, self.bounds.bottom - self.bounds.top)
+    }
+
+    /// The canvas point of coordinates that run from 0 to 1 along the axes.
+    pub fn place_unit(&self, (u, v): Point) -> Point {
+        let (width, height) = self.size();
+        (self.bounds.left + u * width, self.bounds.bottom - v * height)
+    }
+
+    /// The canvas point of a pair of values; `None` when an axis has no place for one of them.
+    pub fn place(&self, (x, y): Point) -> Option<Point> {
+        Some(self.place_unit((self.x.position(x)?, self.y.position(y)?)))
+    }
+
+    /// The visible parts of a line given in values.
+    pub fn visible_line(&self, points: &[Point]) -> Vec<Vec<Point>> {
+        let placed: Vec<Option<Point>> = points.iter().map(|&point| self.place(point)).collect();
+        clip_line(&placed, self.bounds)
+    }
+
+    /// The visible part of an outline given in values.
+    pub fn visible_outline(&self, points: &[Point]) -> Vec<Point> {
+        let placed: Vec<Point> = points.iter().filter_map(|&point| self.place(point)).collect();
+        clip_polygon(&placed, self.bounds)
+    }
+
+    /// Whether a canvas point lies in the frame.
+    pub fn contains(&self, (x, y): Point) -> bool {
+        let b = self.bounds;
+        (b.left..=b.right).contains(&x) && (b.top..=b.bottom).contains(&y)
+    }
+
+    /// Draws the background: `class` is `panel` for charts that follow the page's theme, `panel-map` for maps.
+    pub fn draw_panel(&self, svg: &mut Svg, class: &str) {
+        let corner = (self.bounds.left, self.bounds.top);
+        svg.rect(corner, self.size(), &[("class", class), ("fill", palette::PLATE)]);
+    }
+
+    /// Draws a line at every labelled tick of both axes.
+    pub fn draw_grid(&self, svg: &mut Svg) {
+        let b = self.bounds;
+        self.draw_upright_grid(svg);
+        svg.open("g", &[("class", "grid"), ("stroke", palette::GRID)]);
+        for y in
+            self.places(self.y).filter(|(_, tick)| tick.is_major()).map(|(v, _)| self.place_unit((0.0, v)).1)
+        {
+            svg.line((b.left, y), (b.right, y));
+        }
+        svg.close();
+    }
+
+    /// Draws a line at every labelled tick of the horizontal axis.
+    pub fn draw_upright_grid(&self, svg: &mut Svg) {
+        let b = self.bounds;
+        svg.open("g", &[("class", "grid"), ("stroke", palette::GRID)]);
+        for x in
+            self.places(self.x).filter(|(_, tick)| tick.is_major()).map(|(u, _)| self.place_unit((u, 0.0)).0)
+        {
+            svg.line((x, b.top), (x, b.bottom));
+        }
+        svg.close();
+    }
+
+    /// Draws border, ticks, tick labels and titles of both axes.
+    pub fn draw_axes(&self, svg: &mut Svg) {
+        let b = self.bounds;
+        svg.open("g", &[("class", "axis"), ("stroke", palette::FAINT_INK), ("fill", "none")]);
+        svg.rect((b.left, b.top), self.size(), &[]);
+        self.draw_ticks_x(svg);
+        self.draw_ticks_y(svg);
+        svg.close();
+        self.label_x(svg);
+        self.label_y(svg);
+        self.draw_title_x(svg);
+        self.draw_title_y(svg);
+    }
+
+    /// Draws border, ticks, tick labels and title of the horizontal axis alone.
+    pub fn draw_lower_axis(&self, svg: &mut Svg) {
+        let b = self.bounds;
+        svg.open("g", &[("class", "axis"), ("stroke", palette::FAINT_INK), ("fill", "none")]);
+        svg.rect((b.left, b.top), self.size(), &[]);
+        self.draw_ticks_x(svg);
+        svg.close();
+        self.label_x(svg);
+        self.draw_title_x(svg);
+    }
+
+    fn places<'b>(&self, axis: &'b Axis) -> impl Iterator<Item = (f64, Tick)> + 'b {
+        axis.ticks().into_iter().filter_map(|tick| Some((axis.position(tick.value)?, tick)))
+    }
+
+    fn draw_ticks_x(&self, svg: &mut Svg) {
+        for (u, tick) in self.places(self.x) {
+            let (x, y) = self.place_unit((u, 0.0));
+            svg.line((x, y), (x, y + tick_length(&tick)));
+        }
+    }
+
+    fn draw_ticks_y(&self, svg: &mut Svg) {
+        for (v, tick) in self.places(self.y) {
+            let (x, y) = self.place_unit((0.0, v));
+            svg.line((x - tick_length(&tick), y), (x, y));
+        }
+    }
+
+    fn label_x(&self, svg: &mut Svg) {
+        svg.open("g", &label_attributes("middle"));
+        for (u, tick) in self.places(self.x).filter(|(_, tick)| tick.is_major()) {
+            let (x, y) = self.place_unit((u, 0.0));
+            let at = [number(x), number(y + 21.0)];
+            svg.text(&[("x", &at[0]), ("y", &at[1])], &rich_text::to_svg(&tick.label, SMALL));
+        }
+        svg.close();
+    }
+
+    fn label_y(&self, svg: &mut Svg) {
+        svg.open("g", &label_attributes("end"));
+        for (v, tick) in self.places(self.y).filter(|(_, tick)| tick.is_major()) {
+            let (x, y) = self.place_unit((0.0, v));
+            let at = [number(x - 10.0), number(y + 4.5)];
+            svg.text(&[("x", &at[0]), ("y", &at[1])], &rich_text::to_svg(&tick.label, SMALL));
+        }
+        svg.close();
+    }
+
+    fn draw_title_x(&self, svg: &mut Svg) {
+        let b = self.bounds;
+        let at = [number((b.left + b.right) / 2.0), number(b.bottom + 44.0)];
+        let attributes = [TITLE[0], TITLE[1], TITLE[2], ("x", &at[0]), ("y", &at[1])];
+        svg.text(&attributes, &rich_text::to_svg(&self.x.heading(), NORMAL));
+    }
+
+    fn draw_title_y(&self, svg: &mut Svg) {
+        let b = self.bounds;
+        let turn =
+            format!("translate({} {}) rotate(-90)", number(b.left - 58.0), number((b.top + b.bottom) / 2.0));
+        let attributes = [TITLE[0], TITLE[1], TITLE[2], ("transform", &turn)];
+        svg.text(&attributes, &rich_text::to_svg(&self.y.heading(), NORMAL));
+    }
+}
+
+/// Attributes of axis titles.
+const TITLE: [(&str, &str); 3] = [("class", "ink"), ("fill", palette::INK), ("text-anchor", "middle")];
+
+fn label_attributes(anchor: &str) -> [(&str, &str); 4] {
+    [("class", "ink"), ("fill", palette::INK), ("font-size", "13"), ("text-anchor", anchor)]
+}
+
+fn tick_length(tick: &Tick) -> f64 {
+    if tick.is_major() { 6.0 } else { 3.5 }
+}

@@ -1,0 +1,76 @@
+//! Legends: rows of keys below the chart, broken to its width.
+
+use super::frame::SMALL;
+use super::path::Point;
+use super::svg::{Svg, number};
+use super::{palette, rich_text};
+
+/// Width of the sample before an entry's words.
+pub(crate) const KEY_WIDTH: f64 = 34.0;
+
+/// Height of a row.
+const ROW: f64 = 22.0;
+
+/// Space between entries.
+const GAP: f64 = 20.0;
+
+/// One entry: a sample drawn around a point, and its words.
+pub(crate) struct Entry<'a> {
+    /// Words in figure markup.
+    pub label: String,
+    /// Draws the sample, given the left end of its middle line; it is [`KEY_WIDTH`] − 6 wide.
+    pub key: Box<dyn Fn(&mut Svg, Point) + 'a>,
+}
+
+/// Rows of entries that fit a width.
+pub(crate) struct Legend<'a> {
+    rows: Vec<Vec<(f64, Entry<'a>)>>,
+}
+
+impl<'a> Legend<'a> {
+    /// Lays the entries out in rows of at most `width`; entries without words or with words already seen are left out.
+    pub fn new(entries: Vec<Entry<'a>>, width: f64) -> Self {
+        let mut seen: Vec<String> = vec![String::new()];
+        let mut rows: Vec<Vec<(f64, Entry<'a>)>> = Vec::new();
+        let mut right = f64::INFINITY;
+        for entry in entries {
+            if seen.contains(&entry.label) {
+                continue;
+            }
+            seen.push(entry.label.clone());
+            let needed = KEY_WIDTH + rich_text::width(&entry.label, SMALL);
+            if right + needed > width {
+                rows.push(Vec::new());
+                right = 0.0;
+            }
+            if let Some(row) = rows.last_mut() {
+                row.push((right, entry));
+            }
+            right += needed + GAP;
+        }
+        Self { rows }
+    }
+
+    /// Height on the canvas.
+    pub fn height(&self) -> f64 {
+        if self.rows.is_empty() { 0.0 } else { self.rows.len() as f64 * ROW + 6.0 }
+    }
+
+    /// Draws the legend with its upper left corner at `corner`.
+    pub fn draw(&self, svg: &mut Svg, corner: Point) {
+        if self.rows.is_empty() {
+            return;
+        }
+        svg.open("g", &[("class", "ink legend"), ("fill", palette::INK), ("font-size", "13")]);
+        for (index, row) in self.rows.iter().enumerate() {
+            let middle = corner.1 + ROW * (index as f64 + 0.5);
+            for (left, entry) in row {
+                let x = corner.0 + left;
+                (entry.key)(svg, (x, middle));
+                let at = [number(x + KEY_WIDTH), number(middle + 4.5)];
+                svg.text(&[("x", &at[0]), ("y", &at[1])], &rich_text::to_svg(&entry.label, SMALL));
+            }
+        }
+        svg.close();
+    }
+}

@@ -1,0 +1,154 @@
+//! The little markup of words in figures: `*italic*`, `**bold**`, `_sub`, `^super`, braces for more than one character.
+
+use super::svg::{escape, number};
+
+/// A run of characters in one style.
+#[derive(Debug, Clone, PartialEq, Eq)]
+struct Run {
+    text: String,
+    italic: bool,
+    bold: bool,
+    level: Level,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Level {
+    Base,
+    Sub,
+    Super,
+}
+
+/// Size of sub- and superscripts relative to the line.
+const SCRIPT_SIZE: f64 = 0.72;
+
+/// Markup as SVG content for a line of the given font size.
+pub(crate) fn to_svg(markup: &str, size: f64) -> String {
+    let mut svg = String::new();
+    let mut shift = 0.0;
+    for run in runs(markup) {
+        let wanted = match run.level {
+            Level::Base => 0.0,
+            Level::Sub => 0.22 * size,
+            Level::Super => -0.36 * size,
+        };
+        let mut attributes = String::new();
+        if wanted != shift {
+            attributes += &format!(" dy=\"{}\"", number(wanted - shift));
+            shift = wanted;
+        }
+        if run.level != Level::Base {
+            attributes += &format!(" font-size=\"{}\"", number(SCRIPT_SIZE * size));
+        }
+        if run.italic {
+            attributes += " font-style=\"italic\"";
+        }
+        if run.bold {
+            attributes += " font-weight=\"600\"";
+        }
+        let text = keep_leading_space(&escape(&run.text));
+        svg += &if attributes.is_empty() { text } else { format!("<tspan{attributes}>{text}</tspan>") };
+    }
+    svg
+}
+
+/// Viewers may drop a space at the start of a run; a no-break space stays.
+fn keep_leading_space(text: &str) -> String {
+    text.strip_prefix(' ').map_or_else(|| text.into(), |rest| format!("\u{a0}{rest}"))
+}
+
+/// Estimated width of the markup for a line of the given font size; good to some 10 %, for layout only.
+pub(crate) fn width(markup: &str, size: f64) -> f64 {
+    let run_width = |run: Run| {
+        let scale = if run.level == Level::Base { size } else { SCRIPT_SIZE * size };
+        run.text.chars().map(character_width).sum::<f64>() * scale
+    };
+    runs(markup).into_iter().map(run_width).sum()
+}
+
+/// The markup as plain words.
+#[cfg(test)]
+fn plain(markup: &str) -> String {
+    runs(markup).into_iter().map(|run| run.text).collect()
+}
+
+fn character_width(c: char) -> f64 {
+    match c {
+        'i' | 'j' | 'l' | 'I' | '.' | ',' | ':' | ';' | '\'' | '|' | '!' => 0.28,
+        'f' | 't' | 'r' | '(' | ')' | ' ' | '/' | '-' | '·' => 0.36,
+        'm' | 'w' | 'M' | 'W' | '%' | '≈' => 0.86,
+        'A'..='Z' => 0.68,
+        _ => 0.57,
+    }
+}
+
+/// Style that the next character takes.
+#[derive(Debug, Clone, Copy)]
+struct Pen {
+    italic: bool,
+    bold: bool,
+    level: Level,
+    braced: bool,
+}
+
+fn runs(markup: &str) -> Vec<Run> {
+    let mut found: Vec<Run> = Vec::new();
+    let mut pen = Pen { italic: false, bold: false, level: Level::Base, braced: false };
+    let mut characters = markup.chars().peekable();
+    while let Some(c) = characters.next() {
+        match c {
+            '*' if characters.next_if_eq(&'*').is_some() => pen.bold = !pen.bold,
+            '*' => pen.italic = !pen.italic,
+            '_' if pen.level == Level::Base => pen.level = Level::Sub,
+            '^' if pen.level == Level::Base => pen.level = Level::Super,
+            '{' if pen.level != Level::Base && !pen.braced => pen.braced = true,
+            '}' if pen.braced => (pen.level, pen.braced) = (Level::Base, false),
+            _ => {
+                write(&mut found, pen, if c == '\\' { characters.next().unwrap_or(c) } else { c });
+                if !pen.braced {
+                    pen.level = Level::Base;
+                }
+            }
+        }
+    }
+    found
+}
+
+fn write(found: &mut Vec<Run>, pen: Pen, c: char) {
+    match found.last_mut() {
+        Some(run) if (run.italic, run.bold, run.level) == (pen.italic, pen.bold, pen.level) => {
+            run.text.push(c)
+        }
+        _ => found.push(Run { text: c.into(), italic: pen.italic, bold: pen.bold, level: pen.level }),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn powers_are_raised_and_the_line_goes_on_at_its_base() {
+        assert_eq!(
+            to_svg("10^{−3} m", 10.0),
+            "10<tspan dy=\"-3.6\" font-size=\"7.2\">−3</tspan><tspan dy=\"3.6\">\u{a0}m</tspan>"
+        );
+    }
+
+    #[test]
+    fn variables_are_italic_and_their_indices_are_lowered() {
+        let svg = to_svg("*V*_0", 10.0);
+        assert_eq!(
+            svg,
+            "<tspan font-style=\"italic\">V</tspan><tspan dy=\"2.2\" font-size=\"7.2\">0</tspan>"
+        );
+    }
+
+    #[test]
+    fn markup_loses_no_character_of_hostile_words() {
+        assert_eq!(plain(r"a\_b\*c\\"), r"a_b*c\");
+        assert_eq!(to_svg("<b>&\"", 10.0), "&lt;b&gt;&amp;&quot;");
+        assert_eq!(plain("x_{ab"), "xab");
+        assert_eq!(plain("}{"), "}{");
+        assert_eq!(plain("**a** *b*"), "a b");
+    }
+}

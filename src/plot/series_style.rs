@@ -1,0 +1,140 @@
+//! How series differ: by colour, dash and marker together, so that any one of them is enough.
+
+use super::palette;
+use super::path::Point;
+use super::svg::{Svg, number};
+
+/// Colour, dash and marker of a series.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Look {
+    index: Option<usize>,
+}
+
+/// Markers along a line that has none of its own.
+const SPREAD: usize = 6;
+
+impl Look {
+    /// The look of the series with this index.
+    pub fn of(index: usize) -> Self {
+        Self { index: Some(index % palette::SERIES.len()) }
+    }
+
+    /// The look of a formula.
+    pub fn theory() -> Self {
+        Self { index: None }
+    }
+
+    /// Opens a group whose `currentColor` is the series' colour.
+    pub fn open(self, svg: &mut Svg) {
+        match self.index {
+            Some(index) => {
+                let class = format!("series s{index}");
+                svg.open("g", &[("class", &class), ("color", palette::SERIES[index]), ("fill", "none")]);
+            }
+            None => {
+                svg.open("g", &[("class", "series theory"), ("color", palette::FAINT_INK), ("fill", "none")])
+            }
+        }
+    }
+
+    /// Draws the line inside such a group.
+    pub fn stroke(self, svg: &mut Svg, data: &str) {
+        let (width, dash) = self.index.map_or(("1.4", "6 4"), |index| ("2.2", palette::DASHES[index]));
+        if !data.is_empty() {
+            svg.leaf(
+                "path",
+                &[
+                    ("d", data),
+                    ("stroke", "currentColor"),
+                    ("stroke-width", width),
+                    ("stroke-dasharray", dash),
+                    ("stroke-linejoin", "round"),
+                ],
+            );
+        }
+    }
+}
+
+/// Draws the marker of a look around a point, inside the look's group; formulas have none.
+pub(crate) fn draw_marker(svg: &mut Svg, look: Look, (x, y): Point) {
+    let Some(index) = look.index else { return };
+    let at = |dx: f64, dy: f64| format!("{} {}", number(x + dx), number(y + dy));
+    let data = match index {
+        0 => return draw_circle(svg, (x, y)),
+        1 => format!("M{}h7v7h-7z", at(-3.5, -3.5)),
+        2 => format!("M{}L{}L{}z", at(0.0, -4.8), at(4.6, 3.4), at(-4.6, 3.4)),
+        3 => format!("M{}L{}L{}L{}z", at(0.0, -5.0), at(5.0, 0.0), at(0.0, 5.0), at(-5.0, 0.0)),
+        4 => format!("M{}L{}L{}z", at(0.0, 4.8), at(4.6, -3.4), at(-4.6, -3.4)),
+        _ => format!("M{}L{}M{}L{}", at(-4.0, -4.0), at(4.0, 4.0), at(-4.0, 4.0), at(4.0, -4.0)),
+    };
+    svg.leaf(
+        "path",
+        &[
+            ("class", "marker"),
+            ("d", &data),
+            ("fill", palette::PLATE),
+            ("stroke", "currentColor"),
+            ("stroke-width", "1.8"),
+        ],
+    );
+}
+
+fn draw_circle(svg: &mut Svg, (x, y): Point) {
+    let at = [number(x), number(y)];
+    svg.leaf(
+        "circle",
+        &[
+            ("class", "marker"),
+            ("cx", &at[0]),
+            ("cy", &at[1]),
+            ("r", "3.9"),
+            ("fill", palette::PLATE),
+            ("stroke", "currentColor"),
+            ("stroke-width", "1.8"),
+        ],
+    );
+}
+
+/// Places for a few markers along the visible line, even in length and shifted from series to series.
+pub(crate) fn spread(parts: &[Vec<Point>], look: Look) -> Vec<Point> {
+    let Some(index) = look.index else { return Vec::new() };
+    let segments: Vec<(Point, Point)> =
+        parts.iter().flat_map(|part| part.windows(2).map(|pair| (pair[0], pair[1]))).collect();
+    let length = |(from, to): (Point, Point)| libm::hypot(to.0 - from.0, to.1 - from.1);
+    let total: f64 = segments.iter().map(|&segment| length(segment)).sum();
+    let shift = 0.3 + 0.4 * index as f64 / palette::SERIES.len() as f64;
+    let mut wanted = (0..SPREAD).map(|i| total * (i as f64 + shift) / SPREAD as f64).peekable();
+    let (mut points, mut walked) = (Vec::new(), 0.0);
+    for segment in segments {
+        let (from, to) = segment;
+        let step = length(segment);
+        while let Some(&target) = wanted.peek().filter(|&&target| target <= walked + step && step > 0.0) {
+            let t = (target - walked) / step;
+            points.push((from.0 + t * (to.0 - from.0), from.1 + t * (to.1 - from.1)));
+            wanted.next();
+        }
+        walked += step;
+    }
+    points
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn markers_lie_on_the_line_at_even_distances() {
+        let line = vec![vec![(0.0, 0.0), (30.0, 0.0), (30.0, 30.0)]];
+        let points = spread(&line, Look::of(0));
+        assert_eq!(points.len(), SPREAD);
+        let along = |p: &Point| p.0 + p.1;
+        assert!(points.windows(2).all(|p| (along(&p[1]) - along(&p[0]) - 10.0).abs() < 1e-12), "{points:?}");
+        assert!(points.iter().all(|p| p.1 == 0.0 || p.0 == 30.0));
+    }
+
+    #[test]
+    fn an_empty_line_has_no_markers() {
+        assert!(spread(&[], Look::of(3)).is_empty());
+        assert!(spread(&[vec![(1.0, 1.0), (1.0, 1.0)]], Look::of(3)).is_empty());
+    }
+}

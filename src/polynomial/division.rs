@@ -1,0 +1,145 @@
+//! Exact division and greatest common divisors of polynomials in several variables.
+
+use rug::Rational;
+
+use super::{Monomial, Polynomial, Symbol};
+
+impl Polynomial {
+    /// The quotient when the division leaves no remainder; `None` otherwise, and for division by zero.
+    #[must_use]
+    pub fn divide_exact(&self, divisor: &Self) -> Option<Self> {
+        let (leading, leading_coefficient) = divisor.leading_term()?;
+        let mut remainder = self.clone();
+        let mut quotient = Self::zero();
+        while let Some((monomial, coefficient)) = remainder.leading_term() {
+            let step = monomial.divided_by(leading)?;
+            let factor = Rational::from(coefficient / leading_coefficient);
+            let term = Self::term(factor, step);
+            remainder = &remainder - &(&term * divisor);
+            quotient = &quotient + &term;
+        }
+        Some(quotient)
+    }
+
+    /// A polynomial whose square this is (its leading coefficient positive), if there is one.
+    #[must_use]
+    pub fn square_root(&self) -> Option<Self> {
+        let (monomial, coefficient) = self.leading_term()?;
+        let leading = Self::term(square_root_of(coefficient)?, monomial.square_root()?);
+        let (step_monomial, step_coefficient) = leading.leading_term()?;
+        let mut root = leading.clone();
+        let mut remainder = self - &root.pow(2);
+        while let Some((monomial, coefficient)) = remainder.leading_term() {
+            let term = Self::term(
+                Rational::from(coefficient / step_coefficient) / 2,
+                monomial.divided_by(step_monomial)?,
+            );
+            // The terms of a root come in descending order; another order means that there is none.
+            if term.leading_term()?.0 >= root.terms().next()?.0 {
+                return None;
+            }
+            remainder = &remainder - &(&(&(&root + &root) + &term) * &term);
+            root = &root + &term;
+        }
+        Some(root)
+    }
+
+    /// The greatest common divisor, its leading coefficient 1; zero only when both are zero.
+    ///
+    /// Primitive remainder sequences, one variable at a time.
+    #[must_use]
+    pub fn gcd(&self, other: &Self) -> Self {
+        if self.is_zero() || other.is_zero() {
+            return (self + other).monic();
+        }
+        let variables = &self.variables() | &other.variables();
+        match variables.iter().next() {
+            None => Self::one(),
+            Some(variable) => self.gcd_in(other, variable).monic(),
+        }
+    }
+
+    /// The polynomial divided by its leading coefficient.
+    #[must_use]
+    pub fn monic(&self) -> Self {
+        self.leading_term()
+            .map_or_else(Self::zero, |(_, leading)| self.scale(&Rational::from(leading.recip_ref())))
+    }
+
+    fn gcd_in(&self, other: &Self, variable: &Symbol) -> Self {
+        let (left_content, right_content) = (self.content(variable), other.content(variable));
+        let content = left_content.gcd(&right_content);
+        let mut left = self.divide_or_keep(&left_content);
+        let mut right = other.divide_or_keep(&right_content);
+        if left.degree(variable) < right.degree(variable) {
+            std::mem::swap(&mut left, &mut right);
+        }
+        while !right.is_zero() {
+            let remainder = left.pseudo_remainder(&right, variable);
+            left = right;
+            right = remainder.divide_or_keep(&remainder.content(variable));
+        }
+        // A last non-zero remainder free of the variable means that the primitive parts have no common factor.
+        if left.degree(variable) == 0 { content } else { &content * &left }
+    }
+
+    /// The greatest common divisor of the coefficients with respect to one variable.
+    fn content(&self, variable: &Symbol) -> Self {
+        self.coefficients(variable).iter().fold(Self::zero(), |divisor, coefficient| divisor.gcd(coefficient))
+    }
+
+    fn divide_or_keep(&self, divisor: &Self) -> Self {
+        self.divide_exact(divisor).unwrap_or_else(|| self.clone())
+    }
+
+    /// A multiple of this polynomial reduced by `divisor` until its degree in the variable is lower.
+    fn pseudo_remainder(&self, divisor: &Self, variable: &Symbol) -> Self {
+        let degree = divisor.degree(variable);
+        let leading = leading_coefficient(divisor, variable);
+        let mut remainder = self.clone();
+        while !remainder.is_zero() && remainder.degree(variable) >= degree {
+            let shift = Monomial::power(variable, remainder.degree(variable) - degree);
+            let factor = &leading_coefficient(&remainder, variable) * &Self::term(Rational::from(1), shift);
+            remainder = &(&leading * &remainder) - &(&factor * divisor);
+        }
+        remainder
+    }
+}
+
+fn square_root_of(value: &Rational) -> Option<Rational> {
+    let square =
+        !value.is_negative() && value.numer().is_perfect_square() && value.denom().is_perfect_square();
+    square.then(|| Rational::from((value.numer().clone().sqrt(), value.denom().clone().sqrt())))
+}
+
+fn leading_coefficient(polynomial: &Polynomial, variable: &Symbol) -> Polynomial {
+    polynomial.coefficients(variable).pop().unwrap_or_default()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn indivisible_polynomials_have_no_quotient() {
+        let (x, y) = (Polynomial::variable("x"), Polynomial::variable("y"));
+        assert_eq!((&x.pow(2) + &y).divide_exact(&x), None);
+        assert_eq!(x.divide_exact(&Polynomial::zero()), None);
+    }
+
+    #[test]
+    fn square_roots_are_found_exactly_for_squares() {
+        let (x, y) = (Polynomial::variable("x"), Polynomial::variable("y"));
+        let root = &(&x + &y.pow(2)) + &Polynomial::one();
+        assert_eq!(root.pow(2).square_root(), Some(root.clone()));
+        assert_eq!((&root.pow(2) + &x).square_root(), None);
+        assert_eq!((&root.pow(2) + &y).square_root(), None);
+        assert_eq!((-&root.pow(2)).square_root(), None);
+    }
+
+    #[test]
+    fn coprime_polynomials_have_divisor_one() {
+        let (x, y) = (Polynomial::variable("x"), Polynomial::variable("y"));
+        assert_eq!((&x + &y).gcd(&(&x - &y)), Polynomial::one());
+    }
+}

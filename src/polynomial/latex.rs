@@ -1,0 +1,135 @@
+//! LaTeX of expressions, for display as MathML.
+
+use super::{Expression, Function, Symbol};
+
+const GREEK: [&str; 20] = [
+    "alpha", "beta", "gamma", "delta", "epsilon", "zeta", "eta", "theta", "kappa", "lambda", "mu", "nu",
+    "xi", "pi", "rho", "sigma", "tau", "phi", "chi", "omega",
+];
+
+impl Expression {
+    /// LaTeX in mathematics mode.
+    #[must_use]
+    pub fn latex(&self) -> String {
+        match self {
+            Self::Number(value) if value.is_integer() => value.to_string(),
+            Self::Number(value) if value.is_negative() => {
+                format!("-{}", Self::Number(value.clone().abs()).latex())
+            }
+            Self::Number(value) => format!("\\frac{{{}}}{{{}}}", value.numer(), value.denom()),
+            Self::Variable(name) => symbol(name),
+            Self::Sum(parts) => sum(parts),
+            Self::Product(parts) => product(parts),
+            Self::Quotient(left, right) => format!("\\frac{{{}}}{{{}}}", left.latex(), right.latex()),
+            Self::Negation(inner) => format!("-{}", factor(inner)),
+            Self::Power(inner, exponent) => format!("{}^{{{exponent}}}", base(inner)),
+            Self::Call(function, inner) => call(*function, &inner.latex()),
+        }
+    }
+}
+
+fn sum(parts: &[Expression]) -> String {
+    parts.iter().enumerate().fold(String::new(), |text, (index, part)| match index {
+        0 => part.latex(),
+        _ if part.is_negated() => text + " - " + &factor(&-part.clone()),
+        _ => text + " + " + &part.latex(),
+    })
+}
+
+fn product(parts: &[Expression]) -> String {
+    let mut text = String::new();
+    for (index, part) in parts.iter().enumerate() {
+        let number = matches!(part, Expression::Number(_));
+        text += match (index, number) {
+            (0, _) => "",
+            (_, true) => " \\cdot ",
+            _ if text.ends_with("\\pm ") => "",
+            _ => "\\,",
+        };
+        text += &factor(part);
+    }
+    text
+}
+
+/// A part of a product: sums in parentheses.
+fn factor(part: &Expression) -> String {
+    match part {
+        Expression::Sum(_) | Expression::Negation(_) => parenthesised(part),
+        Expression::Number(value) if value.is_negative() => parenthesised(part),
+        _ => part.latex(),
+    }
+}
+
+/// What is raised to a power: anything but a name or a natural number in parentheses.
+fn base(part: &Expression) -> String {
+    match part {
+        Expression::Variable(name)
+            if name.derivative_order() == 0 && !name.as_str().starts_with("Delta_") =>
+        {
+            symbol(name)
+        }
+        Expression::Number(value) if value.is_integer() && !value.is_negative() => value.to_string(),
+        _ => parenthesised(part),
+    }
+}
+
+fn parenthesised(part: &Expression) -> String {
+    format!("\\left({}\\right)", part.latex())
+}
+
+fn call(function: Function, argument: &str) -> String {
+    match function {
+        Function::Sqrt => format!("\\sqrt{{{argument}}}"),
+        Function::Abs => format!("\\left|{argument}\\right|"),
+        Function::Ln => format!("\\ln\\left({argument}\\right)"),
+        Function::Exp => format!("\\exp\\left({argument}\\right)"),
+        Function::Asinh => format!("\\operatorname{{asinh}}\\left({argument}\\right)"),
+    }
+}
+
+fn symbol(name: &Symbol) -> String {
+    let base = name.base();
+    if base == "pm" {
+        return "\\pm ".to_owned();
+    }
+    let (difference, plain) = match base.strip_prefix("Delta_") {
+        Some(rest) => ("\\Delta ", rest),
+        None => ("", base),
+    };
+    let (letter, index) = plain.split_once('_').unwrap_or((plain, ""));
+    let letter = if GREEK.contains(&letter) { format!("\\{letter}") } else { letter.to_owned() };
+    let dotted = match name.derivative_order() {
+        0 => letter,
+        1 => format!("\\dot{{{letter}}}"),
+        2 => format!("\\ddot{{{letter}}}"),
+        3 => format!("\\dddot{{{letter}}}"),
+        order => format!("{letter}^{{({order})}}"),
+    };
+    let index = if index.is_empty() { String::new() } else { format!("_{{{}}}", index.replace('_', ",")) };
+    format!("{difference}{dotted}{index}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn latex(text: &str) -> String {
+        text.parse::<Expression>().expect("in the grammar").latex()
+    }
+
+    #[test]
+    fn the_papers_notation_comes_out() {
+        assert_eq!(
+            latex("K*D_c/(sqrt(b) - sqrt(a))^2"),
+            r"\frac{K\,D_{c}}{\left(\sqrt{b} - \sqrt{a}\right)^{2}}"
+        );
+        assert_eq!(latex("M*Delta_delta''/sigma"), r"\frac{M\,\Delta \ddot{\delta}}{\sigma}");
+        assert_eq!(latex("K_c_qs"), "K_{c,qs}");
+        assert_eq!(latex("± i*abs(x - 1)"), r"\pm i\,\left|x - 1\right|");
+    }
+
+    #[test]
+    fn derivatives_carry_dots() {
+        assert_eq!(latex("Delta_theta'''"), r"\Delta \dddot{\theta}");
+    }
+}

@@ -1,0 +1,100 @@
+//! Determinants without fractions, and what is made of them: resultants and discriminants.
+
+use super::{Polynomial, Symbol};
+
+/// The determinant of a square matrix by Bareiss' fraction-free elimination: every division is exact.
+#[must_use]
+pub fn determinant(matrix: &[Vec<Polynomial>]) -> Polynomial {
+    let mut rows = matrix.to_vec();
+    let mut previous = Polynomial::one();
+    let mut negative = false;
+    for step in 0..rows.len().saturating_sub(1) {
+        let Some(pivot) = (step..rows.len()).find(|&row| !rows[row][step].is_zero()) else {
+            return Polynomial::zero();
+        };
+        if pivot != step {
+            rows.swap(pivot, step);
+            negative = !negative;
+        }
+        eliminate_below(&mut rows, step, &previous);
+        previous = rows[step][step].clone();
+    }
+    let last = rows.last().and_then(|row| row.last()).cloned().unwrap_or_else(Polynomial::one);
+    if negative { -&last } else { last }
+}
+
+fn eliminate_below(rows: &mut [Vec<Polynomial>], step: usize, previous: &Polynomial) {
+    let (done, below) = rows.split_at_mut(step + 1);
+    let pivot_row = &done[step];
+    for row in below {
+        for column in step + 1..pivot_row.len() {
+            let cross = &(&row[column] * &pivot_row[step]) - &(&row[step] * &pivot_row[column]);
+            // Sylvester's identity makes this division exact (Bareiss 1968).
+            row[column] = cross.divide_exact(previous).unwrap_or(cross);
+        }
+    }
+}
+
+/// The resultant with respect to one variable: zero exactly where both have a common root or drop in degree.
+#[must_use]
+pub fn resultant(left: &Polynomial, right: &Polynomial, variable: &Symbol) -> Polynomial {
+    let (left, right) = (left.coefficients(variable), right.coefficients(variable));
+    let (left_degree, right_degree) = (left.len() - 1, right.len() - 1);
+    let size = left_degree + right_degree;
+    let row = |coefficients: &[Polynomial], shift: usize| {
+        let mut row = vec![Polynomial::zero(); size];
+        for (power, coefficient) in coefficients.iter().rev().enumerate() {
+            row[shift + power] = coefficient.clone();
+        }
+        row
+    };
+    let upper = (0..right_degree).map(|shift| row(&left, shift));
+    let lower = (0..left_degree).map(|shift| row(&right, shift));
+    determinant(&upper.chain(lower).collect::<Vec<_>>())
+}
+
+/// The discriminant with respect to one variable: resultant with the derivative, divided by the leading
+/// coefficient, signed so that it is positive when all roots are real and distinct in degrees 2 and 3.
+///
+/// Degree at least 1; the zero polynomial has discriminant zero.
+#[must_use]
+pub fn discriminant(polynomial: &Polynomial, variable: &Symbol) -> Polynomial {
+    let degree = polynomial.degree(variable);
+    let leading = polynomial.coefficients(variable).pop().unwrap_or_default();
+    let resultant = resultant(polynomial, &polynomial.derivative(variable), variable);
+    let quotient = resultant.divide_exact(&leading).unwrap_or_default();
+    if degree * degree.saturating_sub(1) / 2 % 2 == 1 { -&quotient } else { quotient }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn variable(name: &str) -> Polynomial {
+        Polynomial::variable(name)
+    }
+
+    #[test]
+    fn discriminant_of_a_quadratic() {
+        let (a, b, c, x) = (variable("a"), variable("b"), variable("c"), variable("x"));
+        let quadratic = &(&(&a * &x.pow(2)) + &(&b * &x)) + &c;
+        let four = Polynomial::constant(rug::Rational::from(4));
+        let expected = &b.pow(2) - &(&four * &(&a * &c));
+        assert_eq!(discriminant(&quadratic, &Symbol::new("x")), expected);
+    }
+
+    #[test]
+    fn discriminant_of_a_product_is_the_product_of_squared_differences() {
+        let (p, q, r, x) = (variable("p"), variable("q"), variable("r"), variable("x"));
+        let cubic = &(&(&x - &p) * &(&x - &q)) * &(&x - &r);
+        let differences = &(&(&p - &q) * &(&q - &r)) * &(&p - &r);
+        assert_eq!(discriminant(&cubic, &Symbol::new("x")), differences.pow(2));
+    }
+
+    #[test]
+    fn determinant_needs_row_exchanges() {
+        let (zero, one) = (Polynomial::zero(), Polynomial::one());
+        let exchange = vec![vec![zero.clone(), one.clone()], vec![one, zero]];
+        assert_eq!(determinant(&exchange), -&Polynomial::one());
+    }
+}

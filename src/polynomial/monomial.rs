@@ -1,0 +1,143 @@
+//! Products of powers of variables, in lexicographic order.
+
+use std::cmp::Ordering;
+use std::collections::BTreeMap;
+
+use super::Symbol;
+
+/// A product of positive powers of distinct variables; the empty product is 1.
+///
+/// The order is lexicographic with the alphabetically first variable heaviest. It is admissible (1 is least, and
+/// products keep the order), which is all that exact division needs.
+#[derive(Debug, Clone, PartialEq, Eq, Hash, Default)]
+pub struct Monomial(Vec<(Symbol, u32)>);
+
+impl Monomial {
+    /// The monomial 1.
+    #[must_use]
+    pub fn one() -> Self {
+        Self::default()
+    }
+
+    /// variable^exponent.
+    #[must_use]
+    pub fn power(variable: &Symbol, exponent: u32) -> Self {
+        if exponent == 0 { Self::one() } else { Self(vec![(variable.clone(), exponent)]) }
+    }
+
+    /// Is it the empty product?
+    #[must_use]
+    pub fn is_one(&self) -> bool {
+        self.0.is_empty()
+    }
+
+    /// The factors, variables ascending, exponents positive.
+    pub fn factors(&self) -> impl Iterator<Item = &(Symbol, u32)> {
+        self.0.iter()
+    }
+
+    /// The exponent of a variable, 0 when it is absent.
+    #[must_use]
+    pub fn exponent(&self, variable: &Symbol) -> u32 {
+        self.0.iter().find(|(name, _)| name == variable).map_or(0, |(_, exponent)| *exponent)
+    }
+
+    /// This monomial with one variable struck out.
+    #[must_use]
+    pub fn without(&self, variable: &Symbol) -> Self {
+        Self(self.0.iter().filter(|(name, _)| name != variable).cloned().collect())
+    }
+
+    /// The product of two monomials.
+    #[must_use]
+    pub fn times(&self, other: &Self) -> Self {
+        let mut exponents: BTreeMap<Symbol, u32> = self.0.iter().cloned().collect();
+        for (name, exponent) in &other.0 {
+            *exponents.entry(name.clone()).or_insert(0) += exponent;
+        }
+        Self(exponents.into_iter().collect())
+    }
+
+    /// The quotient, if `other` divides this monomial.
+    #[must_use]
+    pub fn divided_by(&self, other: &Self) -> Option<Self> {
+        if other.0.iter().any(|(name, exponent)| self.exponent(name) < *exponent) {
+            return None;
+        }
+        let left = self.0.iter().map(|(name, exponent)| (name.clone(), exponent - other.exponent(name)));
+        Some(Self(left.filter(|(_, exponent)| *exponent > 0).collect()))
+    }
+
+    /// The greatest monomial that divides both.
+    #[must_use]
+    pub fn common_divisor(&self, other: &Self) -> Self {
+        let shared =
+            self.0.iter().map(|(name, exponent)| (name.clone(), (*exponent).min(other.exponent(name))));
+        Self(shared.filter(|(_, exponent)| *exponent > 0).collect())
+    }
+
+    /// The monomial whose square this is, if every exponent is even.
+    #[must_use]
+    pub fn square_root(&self) -> Option<Self> {
+        let even = self.0.iter().all(|(_, exponent)| exponent % 2 == 0);
+        even.then(|| Self(self.0.iter().map(|(name, exponent)| (name.clone(), exponent / 2)).collect()))
+    }
+}
+
+impl PartialOrd for Monomial {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl Ord for Monomial {
+    fn cmp(&self, other: &Self) -> Ordering {
+        for ((left_name, left), (right_name, right)) in self.0.iter().zip(&other.0) {
+            // The side that has the earlier variable at all is the heavier one.
+            let order = right_name.cmp(left_name).then(left.cmp(right));
+            if order != Ordering::Equal {
+                return order;
+            }
+        }
+        self.0.len().cmp(&other.0.len())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn monomial(factors: &[(&str, u32)]) -> Monomial {
+        factors.iter().fold(Monomial::one(), |product, (name, exponent)| {
+            product.times(&Monomial::power(&Symbol::new(name), *exponent))
+        })
+    }
+
+    #[test]
+    fn order_is_kept_by_products() {
+        let all = [
+            monomial(&[]),
+            monomial(&[("y", 3)]),
+            monomial(&[("x", 1)]),
+            monomial(&[("x", 1), ("y", 1)]),
+            monomial(&[("x", 1), ("z", 5)]),
+            monomial(&[("x", 2)]),
+        ];
+        for left in &all {
+            assert!(*left >= Monomial::one());
+            for right in &all {
+                for factor in &all {
+                    assert_eq!(left.cmp(right), left.times(factor).cmp(&right.times(factor)));
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn quotient_undoes_product() {
+        let (left, right) = (monomial(&[("x", 2), ("y", 1)]), monomial(&[("x", 1), ("z", 3)]));
+        assert_eq!(left.times(&right).divided_by(&right), Some(left.clone()));
+        assert_eq!(left.divided_by(&right), None);
+        assert_eq!(left.common_divisor(&right), monomial(&[("x", 1)]));
+    }
+}

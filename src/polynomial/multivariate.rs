@@ -1,0 +1,204 @@
+//! Sparse polynomials over ℚ in any number of named variables.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use rug::Rational;
+
+use super::{Monomial, Symbol};
+
+/// A polynomial over ℚ: a sum of rational coefficients times monomials, none of them zero.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct Polynomial(BTreeMap<Monomial, Rational>);
+
+impl Polynomial {
+    /// The zero polynomial.
+    #[must_use]
+    pub fn zero() -> Self {
+        Self::default()
+    }
+
+    /// The constant 1.
+    #[must_use]
+    pub fn one() -> Self {
+        Self::constant(Rational::from(1))
+    }
+
+    /// A constant.
+    #[must_use]
+    pub fn constant(value: Rational) -> Self {
+        Self::term(value, Monomial::one())
+    }
+
+    /// The polynomial that is one variable.
+    #[must_use]
+    pub fn variable(name: &str) -> Self {
+        Self::term(Rational::from(1), Monomial::power(&Symbol::new(name), 1))
+    }
+
+    /// coefficient · monomial.
+    #[must_use]
+    pub fn term(coefficient: Rational, monomial: Monomial) -> Self {
+        let mut polynomial = Self::zero();
+        polynomial.add_term(&monomial, &coefficient);
+        polynomial
+    }
+
+    /// Adds coefficient · monomial in place, keeping zeros out.
+    pub(super) fn add_term(&mut self, monomial: &Monomial, coefficient: &Rational) {
+        let sum = self.0.remove(monomial).unwrap_or_default() + coefficient;
+        if !sum.is_zero() {
+            self.0.insert(monomial.clone(), sum);
+        }
+    }
+
+    /// Monomials and their coefficients, lightest monomial first.
+    pub fn terms(&self) -> impl DoubleEndedIterator<Item = (&Monomial, &Rational)> {
+        self.0.iter()
+    }
+
+    /// The number of terms.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.0.len()
+    }
+
+    /// Is it the zero polynomial?
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.is_zero()
+    }
+
+    /// Is it the zero polynomial?
+    #[must_use]
+    pub fn is_zero(&self) -> bool {
+        self.0.is_empty()
+    }
+
+    /// Its value, if no variable occurs.
+    #[must_use]
+    pub fn as_constant(&self) -> Option<Rational> {
+        match self.0.len() {
+            0 => Some(Rational::new()),
+            1 => self.0.get(&Monomial::one()).cloned(),
+            _ => None,
+        }
+    }
+
+    /// The heaviest term, if there is any.
+    #[must_use]
+    pub fn leading_term(&self) -> Option<(&Monomial, &Rational)> {
+        self.0.last_key_value()
+    }
+
+    /// The variables that occur, in alphabetical order.
+    #[must_use]
+    pub fn variables(&self) -> BTreeSet<Symbol> {
+        self.0.keys().flat_map(|monomial| monomial.factors().map(|(name, _)| name.clone())).collect()
+    }
+
+    /// The degree in one variable; 0 for the zero polynomial.
+    #[must_use]
+    pub fn degree(&self, variable: &Symbol) -> u32 {
+        self.0.keys().map(|monomial| monomial.exponent(variable)).max().unwrap_or(0)
+    }
+
+    /// The coefficients as polynomials in the other variables, by ascending power of `variable` (at least one).
+    #[must_use]
+    pub fn coefficients(&self, variable: &Symbol) -> Vec<Self> {
+        let mut coefficients = vec![Self::zero(); self.degree(variable) as usize + 1];
+        for (monomial, coefficient) in &self.0 {
+            let power = monomial.exponent(variable) as usize;
+            coefficients[power].add_term(&monomial.without(variable), coefficient);
+        }
+        coefficients
+    }
+
+    /// The partial derivative.
+    #[must_use]
+    pub fn derivative(&self, variable: &Symbol) -> Self {
+        let mut derivative = Self::zero();
+        for (monomial, coefficient) in &self.0 {
+            let exponent = monomial.exponent(variable);
+            if let Some(lowered) = monomial.divided_by(&Monomial::power(variable, 1)) {
+                derivative.add_term(&lowered, &Rational::from(coefficient * exponent));
+            }
+        }
+        derivative
+    }
+
+    /// This polynomial with another one put in the place of a variable (Horner's rule).
+    #[must_use]
+    pub fn substitute(&self, variable: &Symbol, value: &Self) -> Self {
+        if self.degree(variable) == 0 {
+            return self.clone();
+        }
+        self.coefficients(variable)
+            .into_iter()
+            .rev()
+            .fold(Self::zero(), |sum, coefficient| &(&sum * value) + &coefficient)
+    }
+
+    /// The exact value at a rational point; `None` when a variable has no value.
+    #[must_use]
+    pub fn evaluate(&self, point: &BTreeMap<Symbol, Rational>) -> Option<Rational> {
+        let mut sum = Rational::new();
+        for (monomial, coefficient) in &self.0 {
+            let mut term = coefficient.clone();
+            for (name, exponent) in monomial.factors() {
+                term *= power_of(point.get(name)?, *exponent);
+            }
+            sum += term;
+        }
+        Some(sum)
+    }
+
+    /// variable² replaced by `square` until the variable's degree is below two.
+    #[must_use]
+    pub fn reduce_square(&self, variable: &Symbol, square: &Self) -> Self {
+        let (mut even, mut odd) = (Self::zero(), Self::zero());
+        for (power, coefficient) in self.coefficients(variable).into_iter().enumerate() {
+            let reduced = &coefficient * &square.pow(power as u32 / 2);
+            let side = if power % 2 == 0 { &mut even } else { &mut odd };
+            *side = &*side + &reduced;
+        }
+        &even + &(&odd * &Self::variable(variable.as_str()))
+    }
+
+    /// The polynomial to a natural power.
+    #[must_use]
+    pub fn pow(&self, exponent: u32) -> Self {
+        (0..exponent).fold(Self::one(), |product, _| &product * self)
+    }
+
+    /// The polynomial times a rational number.
+    #[must_use]
+    pub fn scale(&self, factor: &Rational) -> Self {
+        if factor.is_zero() {
+            return Self::zero();
+        }
+        Self(
+            self.0
+                .iter()
+                .map(|(monomial, value)| (monomial.clone(), Rational::from(value * factor)))
+                .collect(),
+        )
+    }
+
+    /// +1 when every coefficient is positive, −1 when every one is negative, `None` otherwise (and for zero).
+    ///
+    /// With positive variables this is the polynomial's sign: the certificate behind every inequality here.
+    #[must_use]
+    pub fn coefficient_sign(&self) -> Option<i8> {
+        let positive = self.0.values().filter(|value| value.is_positive()).count();
+        match positive {
+            _ if self.is_zero() => None,
+            0 => Some(-1),
+            count if count == self.len() => Some(1),
+            _ => None,
+        }
+    }
+}
+
+fn power_of(base: &Rational, exponent: u32) -> Rational {
+    (0..exponent).fold(Rational::from(1), |product, _| product * base)
+}

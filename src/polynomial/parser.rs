@@ -1,0 +1,219 @@
+//! The text grammar of expressions.
+//!
+//! ```text
+//! sum      := product (('+' | '-') product)*
+//! product  := signed (('*' | '/') signed)*
+//! signed   := ('-' | '+' | '±') signed | power
+//! power    := atom ('^' ['-'] digits)?
+//! atom     := decimal | name | function '(' sum ')' | '(' sum ')'
+//! name     := letter (letter | digit | '_')* '\''*        function := ln | sqrt | abs | exp | asinh
+//! ```
+//! `±` stands for the variable `pm` with pm² = 1, and `i` for the variable with i² = −1.
+
+use std::str::FromStr;
+
+use thiserror::Error;
+
+use super::{Expression, Function, Symbol};
+use crate::number::parse_decimal;
+
+/// The deepest nesting that is read; more is refused instead of exhausting the stack.
+const MAX_DEPTH: usize = 64;
+
+/// The longest text that is read, in characters.
+const MAX_LENGTH: usize = 4_000;
+
+/// The largest exponent that is read.
+const MAX_POWER: i32 = 64;
+
+/// Where and why a text is not an expression.
+#[derive(Debug, Clone, PartialEq, Eq, Error)]
+#[error("column {column}: {message}")]
+pub struct ParseError {
+    /// Counted in characters from 1.
+    pub column: usize,
+    /// What was expected or found.
+    pub message: String,
+}
+
+struct Parser {
+    text: Vec<char>,
+    position: usize,
+    depth: usize,
+}
+
+impl FromStr for Expression {
+    type Err = ParseError;
+
+    fn from_str(text: &str) -> Result<Self, ParseError> {
+        let mut parser = Parser { text: text.chars().collect(), position: 0, depth: 0 };
+        if parser.text.len() > MAX_LENGTH {
+            return Err(parser.error(format!("longer than {MAX_LENGTH} characters")));
+        }
+        let expression = parser.sum()?;
+        match parser.peek() {
+            None => Ok(expression),
+            Some(found) => Err(parser.error(format!("unexpected '{found}'"))),
+        }
+    }
+}
+
+impl TryFrom<String> for Expression {
+    type Error = ParseError;
+
+    fn try_from(text: String) -> Result<Self, ParseError> {
+        text.parse()
+    }
+}
+
+impl Parser {
+    fn error(&self, message: impl Into<String>) -> ParseError {
+        ParseError { column: self.position + 1, message: message.into() }
+    }
+
+    fn peek(&mut self) -> Option<char> {
+        while self.text.get(self.position).is_some_and(|c| c.is_whitespace()) {
+            self.position += 1;
+        }
+        self.text.get(self.position).copied()
+    }
+
+    fn take(&mut self, wanted: char) -> bool {
+        let found = self.peek() == Some(wanted);
+        self.position += usize::from(found);
+        found
+    }
+
+    fn expect(&mut self, wanted: char) -> Result<(), ParseError> {
+        if self.take(wanted) { Ok(()) } else { Err(self.error(format!("expected '{wanted}'"))) }
+    }
+
+    fn sum(&mut self) -> Result<Expression, ParseError> {
+        let mut sum = self.product()?;
+        loop {
+            if self.take('+') {
+                sum = sum + self.product()?;
+            } else if self.take('-') {
+                sum = sum - self.product()?;
+            } else {
+                return Ok(sum);
+            }
+        }
+    }
+
+    fn product(&mut self) -> Result<Expression, ParseError> {
+        let mut product = self.signed()?;
+        loop {
+            if self.take('*') {
+                product = product * self.signed()?;
+            } else if self.take('/') {
+                product = product / self.signed()?;
+            } else {
+                return Ok(product);
+            }
+        }
+    }
+
+    fn signed(&mut self) -> Result<Expression, ParseError> {
+        self.depth += 1;
+        if self.depth > MAX_DEPTH {
+            return Err(self.error(format!("nested deeper than {MAX_DEPTH} levels")));
+        }
+        let value = if self.take('-') {
+            -self.signed()?
+        } else if self.take('+') {
+            self.signed()?
+        } else if self.take('±') {
+            Expression::variable("pm") * self.signed()?
+        } else {
+            self.power()?
+        };
+        self.depth -= 1;
+        Ok(value)
+    }
+
+    fn power(&mut self) -> Result<Expression, ParseError> {
+        let base = self.atom()?;
+        if !self.take('^') {
+            return Ok(base);
+        }
+        let negative = self.take('-');
+        self.peek();
+        let digits = self.take_while(|c| c.is_ascii_digit());
+        let exponent = digits.parse::<i32>().ok().filter(|exponent| *exponent <= MAX_POWER);
+        let Some(exponent) = exponent else {
+            return Err(self.error(format!("expected a whole exponent up to {MAX_POWER}")));
+        };
+        Ok(base.power(if negative { -exponent } else { exponent }))
+    }
+
+    fn atom(&mut self) -> Result<Expression, ParseError> {
+        match self.peek() {
+            Some('(') => self.parenthesised(),
+            Some(c) if c.is_ascii_digit() || c == '.' => self.number(),
+            Some(c) if c.is_ascii_alphabetic() => self.named(),
+            Some(found) => Err(self.error(format!("expected a number, a name or '(', found '{found}'"))),
+            None => Err(self.error("expected a number, a name or '(', found the end")),
+        }
+    }
+
+    fn parenthesised(&mut self) -> Result<Expression, ParseError> {
+        self.expect('(')?;
+        let inner = self.sum()?;
+        self.expect(')')?;
+        Ok(inner)
+    }
+
+    fn number(&mut self) -> Result<Expression, ParseError> {
+        let start = self.position;
+        let digits = self.take_while(|c| c.is_ascii_digit() || c == '.');
+        parse_decimal(&digits)
+            .map(Expression::Number)
+            .map_err(|error| ParseError { column: start + 1, message: format!("'{digits}' is {error}") })
+    }
+
+    fn named(&mut self) -> Result<Expression, ParseError> {
+        let mut name = self.take_while(|c| c.is_ascii_alphanumeric() || c == '_');
+        name += &self.take_while(|c| c == '\'');
+        match Function::from_name(&name) {
+            Some(function) => Ok(self.parenthesised()?.call(function)),
+            None if self.peek() == Some('(') => {
+                Err(self.error(format!("'{name}' is not a function (write * for products)")))
+            }
+            None => Ok(Expression::Variable(Symbol::new(&name))),
+        }
+    }
+
+    fn take_while(&mut self, wanted: impl Fn(char) -> bool) -> String {
+        let start = self.position;
+        while self.text.get(self.position).is_some_and(|c| wanted(*c)) {
+            self.position += 1;
+        }
+        self.text[start..self.position].iter().collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn message(text: &str) -> String {
+        text.parse::<Expression>().expect_err("malformed").to_string()
+    }
+
+    #[test]
+    fn faults_name_the_column() {
+        assert_eq!(message("a + "), "column 5: expected a number, a name or '(', found the end");
+        assert_eq!(message("(a"), "column 3: expected ')'");
+        assert_eq!(message("a b"), "column 3: unexpected 'b'");
+        assert_eq!(message("f(x)"), "column 2: 'f' is not a function (write * for products)");
+        assert_eq!(message("x^y"), "column 3: expected a whole exponent up to 64");
+        assert!(message("1.2.3").starts_with("column 1: '1.2.3' is not a decimal number"));
+    }
+
+    #[test]
+    fn deep_nesting_is_refused() {
+        let text = format!("{}x{}", "(".repeat(100), ")".repeat(100));
+        assert!(message(&text).contains("nested deeper"));
+    }
+}

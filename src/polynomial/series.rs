@@ -1,0 +1,199 @@
+//! Truncated power series in one variable, with rational functions of other variables as coefficients.
+
+use super::{Expression, Polynomial, RationalFunction, Symbol};
+
+/// Σ c_k·x^k for k below the number of coefficients; everything from there on is cut off.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Series(Vec<RationalFunction>);
+
+impl Series {
+    /// The series of these coefficients, by ascending power.
+    #[must_use]
+    pub fn new(coefficients: Vec<RationalFunction>) -> Self {
+        Self(coefficients)
+    }
+
+    /// A constant, to this many coefficients.
+    #[must_use]
+    pub fn constant(value: RationalFunction, length: usize) -> Self {
+        let mut coefficients = vec![RationalFunction::from(0); length];
+        coefficients.iter_mut().take(1).for_each(|first| *first = value.clone());
+        Self(coefficients)
+    }
+
+    /// The variable itself, to this many coefficients.
+    #[must_use]
+    pub fn variable(length: usize) -> Self {
+        let coefficient = |power: usize| RationalFunction::from(i32::from(power == 1));
+        Self((0..length).map(coefficient).collect())
+    }
+
+    /// The coefficients, by ascending power.
+    #[must_use]
+    pub fn coefficients(&self) -> &[RationalFunction] {
+        &self.0
+    }
+
+    /// Σ coefficients[k]·variable^k as an expression, zero terms left out.
+    #[must_use]
+    pub fn expression(coefficients: &[Expression], variable: &Expression) -> Expression {
+        let term =
+            |(power, value): (usize, &Expression)| value.clone() * variable.clone().power(power as i32);
+        coefficients.iter().enumerate().map(term).fold(Expression::integer(0), |sum, part| sum + part)
+    }
+
+    /// The sum, cut to the shorter length.
+    #[must_use]
+    pub fn plus(&self, other: &Self) -> Self {
+        Self(self.0.iter().zip(&other.0).map(|(left, right)| left + right).collect())
+    }
+
+    /// The product, cut to the shorter length.
+    #[must_use]
+    pub fn times(&self, other: &Self) -> Self {
+        let length = self.0.len().min(other.0.len());
+        let coefficient = |power: usize| {
+            let terms = (0..=power).map(|split| &self.0[split] * &other.0[power - split]);
+            terms.fold(RationalFunction::from(0), |sum, term| sum + term)
+        };
+        Self((0..length).map(coefficient).collect())
+    }
+
+    /// A polynomial with series put in the place of two variables; other variables stay as they are.
+    #[must_use]
+    pub fn of_polynomial(polynomial: &Polynomial, places: [(&Symbol, &Self); 2]) -> Self {
+        let length = places[0].1.0.len().min(places[1].1.0.len());
+        let horner = |coefficients: Vec<Self>, value: &Self| {
+            let zero = Self::constant(RationalFunction::from(0), length);
+            coefficients.into_iter().rev().fold(zero, |sum, coefficient| sum.times(value).plus(&coefficient))
+        };
+        let inner = |outer: Polynomial| {
+            let constants = outer.coefficients(places[1].0).into_iter();
+            horner(constants.map(|value| Self::constant(value.into(), length)).collect(), places[1].1)
+        };
+        horner(polynomial.coefficients(places[0].0).into_iter().map(inner).collect(), places[0].1)
+    }
+
+    /// The series y(x) with y(0) = `start` that solves relation(x, y) = 0, to `length` coefficients.
+    ///
+    /// `None` when `start` is not a single root of relation(0, y): then y is no power series, or not the only one.
+    #[must_use]
+    pub fn implicit(
+        relation: &Polynomial,
+        variable: &Symbol,
+        unknown: &Symbol,
+        start: RationalFunction,
+        length: usize,
+    ) -> Option<Self> {
+        let mut series = Self::constant(start, length);
+        let slope = series.slope(relation, variable, unknown)?;
+        let x = Self::variable(length);
+        for power in 0..length {
+            let rest = Self::of_polynomial(relation, [(variable, &x), (unknown, &series)]);
+            let defect = rest.0.get(power)?;
+            if power == 0 && !defect.is_zero() {
+                return None;
+            }
+            // Newton's step changes one coefficient at a time, because y's others already solve the lower orders.
+            series.0[power] = &series.0[power] - &defect.checked_div(&slope)?;
+        }
+        Some(series)
+    }
+
+    /// ∂relation/∂y at x = 0, y = y(0), if it is not zero.
+    fn slope(&self, relation: &Polynomial, variable: &Symbol, unknown: &Symbol) -> Option<RationalFunction> {
+        let at_zero = relation.derivative(unknown).coefficients(variable).swap_remove(0);
+        let start = Self::constant(self.0.first()?.clone(), 1);
+        let zero = Self::constant(RationalFunction::from(0), 1);
+        let slope = Self::of_polynomial(&at_zero, [(variable, &zero), (unknown, &start)]);
+        slope.0.into_iter().next().filter(|value| !value.is_zero())
+    }
+
+    /// The first non-zero coefficient of relation(x, y(x)) within this length, zero when there is none; `None` when
+    /// the root at x = 0 is not single.
+    pub(super) fn residual(
+        &self,
+        relation: &Polynomial,
+        variable: &Symbol,
+        unknown: &Symbol,
+    ) -> Option<RationalFunction> {
+        self.slope(relation, variable, unknown)?;
+        let x = Self::variable(self.0.len());
+        let rest = Self::of_polynomial(relation, [(variable, &x), (unknown, self)]);
+        Some(rest.0.into_iter().find(|value| !value.is_zero()).unwrap_or_else(|| RationalFunction::from(0)))
+    }
+
+    /// 1/series; `None` when it begins with zero.
+    #[must_use]
+    pub fn reciprocal(&self) -> Option<Self> {
+        let first = RationalFunction::from(1).checked_div(self.0.first()?)?;
+        let mut inverse = vec![first.clone()];
+        for power in 1..self.0.len() {
+            let terms = (1..=power).map(|split| &self.0[split] * &inverse[power - split]);
+            let sum = terms.fold(RationalFunction::from(0), |sum, term| sum + term);
+            inverse.push(-(sum * &first));
+        }
+        Some(Self(inverse))
+    }
+
+    /// The square root that begins with 1; `None` when the series does not begin with 1.
+    #[must_use]
+    pub fn square_root(&self) -> Option<Self> {
+        if self.0.first()?.as_constant()? != 1 {
+            return None;
+        }
+        let mut root = vec![RationalFunction::from(1)];
+        for power in 1..self.0.len() {
+            let cross = (1..power).map(|split| &root[split] * &root[power - split]);
+            let rest = &self.0[power] - &cross.fold(RationalFunction::from(0), |sum, term| sum + term);
+            root.push(rest / RationalFunction::from(2));
+        }
+        Some(Self(root))
+    }
+
+    /// The series times itself.
+    #[must_use]
+    pub fn square(&self) -> Self {
+        self.times(self)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn numbers(values: &[i32]) -> Series {
+        Series::new(values.iter().map(|value| RationalFunction::from(*value)).collect())
+    }
+
+    #[test]
+    fn geometric_series_is_the_reciprocal() {
+        assert_eq!(numbers(&[1, -1, 0, 0]).reciprocal(), Some(numbers(&[1, 1, 1, 1])));
+        assert_eq!(numbers(&[0, 1]).reciprocal(), None);
+    }
+
+    #[test]
+    fn square_of_the_square_root_returns() {
+        let series = numbers(&[1, 3, -2, 5]);
+        let root = series.square_root().expect("begins with 1");
+        assert_eq!(root.square(), series);
+    }
+
+    #[test]
+    fn implicit_root_of_a_quadratic() {
+        // y² = 1 + x: y = 1 + x/2 − x²/8 + …
+        let (x, y) = (Symbol::new("x"), Symbol::new("y"));
+        let relation = &(&Polynomial::variable("y").pow(2) - &Polynomial::one()) - &Polynomial::variable("x");
+        let series = Series::implicit(&relation, &x, &y, RationalFunction::from(1), 3).expect("single root");
+        let eighth = RationalFunction::from(1) / RationalFunction::from(8);
+        assert_eq!(series.coefficients()[2], -eighth);
+        assert_eq!(Series::implicit(&relation, &x, &y, RationalFunction::from(2), 3), None);
+    }
+
+    #[test]
+    fn double_roots_have_no_unique_series() {
+        let (x, y) = (Symbol::new("x"), Symbol::new("y"));
+        let relation = &Polynomial::variable("y").pow(2) - &Polynomial::variable("x");
+        assert_eq!(Series::implicit(&relation, &x, &y, RationalFunction::from(0), 3), None);
+    }
+}

@@ -1,0 +1,143 @@
+//! What a view offers by id, and the faults that can be seen without rendering it.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use super::blocks::{BlockKind, Piece, pieces};
+use super::view::{ClaimView, EquationView, FigureView, ReportView};
+use crate::table::Table;
+
+/// Figures, tables, equations and claims by id.
+#[derive(Debug)]
+pub(crate) struct Catalogue<'a> {
+    /// Figures by id.
+    pub figures: BTreeMap<&'a str, &'a FigureView>,
+    /// Tables by id.
+    pub tables: BTreeMap<&'a str, &'a Table>,
+    /// Equations by id.
+    pub equations: BTreeMap<&'a str, &'a EquationView>,
+    /// Claims by id.
+    pub claims: BTreeMap<&'a str, &'a ClaimView>,
+}
+
+impl<'a> Catalogue<'a> {
+    /// Everything the view offers.
+    pub fn of(view: &'a ReportView) -> Self {
+        let claims = view.ledger.iter().flat_map(|group| &group.claims);
+        Self {
+            figures: view.figures.iter().map(|figure| (figure.id.as_str(), figure)).collect(),
+            tables: view.tables.iter().map(|table| (table.id.as_str(), table)).collect(),
+            equations: view.equations.iter().map(|equation| (equation.id.as_str(), equation)).collect(),
+            claims: claims.map(|claim| (claim.id.as_str(), claim)).collect(),
+        }
+    }
+
+    /// Whether there is such a block.
+    pub fn has(&self, kind: BlockKind, id: &str) -> bool {
+        match kind {
+            BlockKind::Figure => self.figures.contains_key(id),
+            BlockKind::Table => self.tables.contains_key(id),
+            BlockKind::Equation => self.equations.contains_key(id),
+            BlockKind::Claim => self.claims.contains_key(id),
+        }
+    }
+}
+
+/// Sections that every page has.
+const SECTIONS: [&str; 6] = ["overview", "findings", "ledger", "appendix", "provenance", "inputs"];
+
+/// Deep links of the page, in the order of the view; a link that occurs twice is a fault.
+pub(crate) fn anchors(view: &ReportView) -> Vec<String> {
+    let claims = view.ledger.iter().flat_map(|group| &group.claims);
+    let mut all: Vec<String> = SECTIONS.iter().map(|&section| section.into()).collect();
+    all.extend(view.chapters.iter().map(|chapter| chapter.id.clone()));
+    all.extend(claims.map(|claim| format!("claim-{}", claim.id)));
+    all.extend(view.figures.iter().map(|figure| figure.id.clone()));
+    all.extend(view.tables.iter().map(|table| format!("table-{}", table.id)));
+    all.extend(view.equations.iter().map(|equation| format!("eq-{}", equation.id)));
+    all.extend((1..=view.ledger.len()).map(group_anchor));
+    all
+}
+
+/// Deep link of a group of claims by its number from 1.
+pub(crate) fn group_anchor(number: usize) -> String {
+    format!("ledger-{number}")
+}
+
+/// Faults of ids and references: every one, in the order of the view.
+pub(crate) fn faults(view: &ReportView) -> Vec<String> {
+    let catalogue = Catalogue::of(view);
+    let mut found = id_faults(view);
+    let mut placed = BTreeSet::new();
+    for chapter in &view.chapters {
+        for piece in pieces(&chapter.text_markdown) {
+            match piece {
+                Piece::Block(kind, id) if !catalogue.has(kind, &id) => {
+                    found.push(format!("chapter {}: there is no {} `{id}`", chapter.id, word(kind)));
+                }
+                Piece::Block(BlockKind::Figure | BlockKind::Table | BlockKind::Equation, id)
+                    if !placed.insert(id.clone()) =>
+                {
+                    found.push(format!("chapter {}: `{id}` is placed a second time", chapter.id));
+                }
+                Piece::Unknown(line) => found.push(format!(
+                    "chapter {}: `{line}` names no block; known are figure, table, equation, claim",
+                    chapter.id
+                )),
+                _ => {}
+            }
+        }
+    }
+    found.extend(reference_faults(view, &catalogue));
+    found
+}
+
+fn word(kind: BlockKind) -> &'static str {
+    match kind {
+        BlockKind::Figure => "figure",
+        BlockKind::Table => "table",
+        BlockKind::Equation => "equation",
+        BlockKind::Claim => "claim",
+    }
+}
+
+fn id_faults(view: &ReportView) -> Vec<String> {
+    let mut found = Vec::new();
+    let mut seen = BTreeSet::new();
+    for anchor in anchors(view) {
+        let fits = anchor.len() <= 100
+            && anchor.starts_with(|c: char| c.is_ascii_alphanumeric())
+            && anchor.chars().all(|c| c.is_ascii_alphanumeric() || matches!(c, '.' | '_' | '-'));
+        if !fits {
+            found.push(format!(
+                "id `{}`: must be letters, digits, `.`, `_`, `-`, at most 100",
+                anchor.escape_debug()
+            ));
+        } else if !seen.insert(anchor.to_ascii_lowercase()) {
+            found.push(format!("id `{anchor}` occurs twice (upper and lower case count as equal)"));
+        }
+    }
+    found
+}
+
+fn reference_faults(view: &ReportView, catalogue: &Catalogue<'_>) -> Vec<String> {
+    let mut found = Vec::new();
+    for finding in &view.findings {
+        let unknown = finding.claims.iter().filter(|id| !catalogue.claims.contains_key(id.as_str()));
+        found.extend(unknown.map(|id| format!("finding `{}`: there is no claim `{id}`", finding.headline)));
+    }
+    for claim in catalogue.claims.values() {
+        let unknown = claim.rests_on.iter().filter(|id| !catalogue.claims.contains_key(id.as_str()));
+        found.extend(unknown.map(|id| format!("claim {}: rests on unknown claim `{id}`", claim.id)));
+    }
+    for figure in &view.figures {
+        let unknown = figure.data.iter().filter(|id| !catalogue.tables.contains_key(id.as_str()));
+        found.extend(unknown.map(|id| format!("figure {}: there is no table `{id}`", figure.id)));
+    }
+    for table in &view.tables {
+        let ragged = table.rows.iter().position(|row| row.len() != table.columns.len());
+        found.extend(
+            ragged.map(|row| format!("table {}: row {} has not one cell per column", table.id, row + 1)),
+        );
+    }
+    found
+}

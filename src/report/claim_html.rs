@@ -1,0 +1,99 @@
+//! One claim of the ledger as the page's templates see it.
+
+use serde::Serialize;
+
+use super::catalogue::Catalogue;
+use super::markdown::Prose;
+use super::view::{ClaimView, EvidenceView, FactView, Standing};
+
+/// A claim's id with its verdict, small enough for a line of text.
+#[derive(Debug, Serialize)]
+pub(crate) struct Chip<'a> {
+    id: &'a str,
+    class: &'static str,
+    symbol: &'static str,
+    word: &'static str,
+}
+
+impl<'a> Chip<'a> {
+    /// The chip of a claim.
+    pub fn of(claim: &'a ClaimView) -> Self {
+        let standing = claim.standing;
+        Self { id: &claim.id, class: standing.class(), symbol: standing.symbol(), word: standing.word() }
+    }
+
+    /// Chips of the claims with these ids; unknown ids are reported elsewhere.
+    pub fn list(ids: &[String], catalogue: &Catalogue<'a>) -> Vec<Self> {
+        ids.iter().filter_map(|id| catalogue.claims.get(id.as_str()).copied()).map(Chip::of).collect()
+    }
+}
+
+/// What `claim.html` and `verdict.html` ask for.
+#[derive(Debug, Serialize)]
+pub(crate) struct ClaimPage<'a> {
+    id: &'a str,
+    place: &'a str,
+    class: &'static str,
+    symbol: &'static str,
+    word: &'static str,
+    open: bool,
+    strength: &'a str,
+    statement_html: String,
+    acceptance_html: String,
+    verdict_html: String,
+    evidence: Vec<EvidencePage<'a>>,
+    limits_html: Vec<String>,
+    counter_example_html: String,
+    not_established_html: String,
+    remark_html: String,
+    rests_on: Vec<Chip<'a>>,
+    command: &'a str,
+}
+
+#[derive(Debug, Serialize)]
+struct EvidencePage<'a> {
+    kind: &'a str,
+    strength: &'a str,
+    text_html: String,
+    numbers: &'a [FactView],
+    certificate: &'a str,
+}
+
+impl<'a> ClaimPage<'a> {
+    /// The claim with its prose rendered.
+    pub fn of(claim: &'a ClaimView, catalogue: &Catalogue<'a>, prose: &mut Prose) -> Self {
+        let mut html =
+            |markdown: &str, part: &str| prose.inline(markdown, &format!("claim {}, {part}", claim.id));
+        Self {
+            id: &claim.id,
+            place: &claim.place,
+            class: claim.standing.class(),
+            symbol: claim.standing.symbol(),
+            word: claim.standing.word(),
+            open: claim.standing != Standing::Holds,
+            strength: &claim.strength,
+            statement_html: html(&claim.statement_markdown, "statement"),
+            acceptance_html: html(&claim.acceptance_markdown, "acceptance"),
+            verdict_html: html(&claim.verdict_markdown, "verdict"),
+            limits_html: claim.limits_markdown.iter().map(|limit| html(limit, "limit")).collect(),
+            counter_example_html: html(&claim.counter_example_markdown, "counter-example"),
+            not_established_html: html(&claim.not_established_markdown, "not established"),
+            remark_html: html(&claim.remark_markdown, "remark"),
+            evidence: claim.evidence.iter().map(|item| EvidencePage::of(item, &mut html)).collect(),
+            rests_on: Chip::list(&claim.rests_on, catalogue),
+            command: &claim.command,
+        }
+    }
+}
+
+impl<'a> EvidencePage<'a> {
+    fn of(item: &'a EvidenceView, html: &mut dyn FnMut(&str, &str) -> String) -> Self {
+        Self {
+            kind: &item.kind,
+            strength: &item.strength,
+            text_html: html(&item.text_markdown, "evidence"),
+            numbers: &item.numbers,
+            certificate: &item.certificate,
+        }
+    }
+}

@@ -1,0 +1,124 @@
+//! One claim of the ledger as the Markdown templates see it.
+
+use serde::Serialize;
+
+use super::markdown::slug;
+use super::view::{ClaimView, EvidenceView};
+use crate::table::{escape_cell, escape_markdown, printable};
+
+/// What `claim.md` and the ledger's table ask for.
+#[derive(Debug, Serialize)]
+pub(crate) struct ClaimText<'a> {
+    id_md: String,
+    link_md: String,
+    place: &'a str,
+    place_md: String,
+    symbol: &'static str,
+    word: &'static str,
+    strength: &'a str,
+    statement_md: String,
+    acceptance_md: String,
+    verdict_md: String,
+    evidence: Vec<EvidenceText<'a>>,
+    limits_md: Vec<String>,
+    counter_example_md: String,
+    not_established_md: String,
+    remark_md: String,
+    rests_on_md: String,
+    command_md: String,
+}
+
+#[derive(Debug, Serialize)]
+struct EvidenceText<'a> {
+    kind: &'a str,
+    strength: &'a str,
+    text_md: String,
+    numbers_md: String,
+    certificate_md: String,
+}
+
+impl<'a> ClaimText<'a> {
+    /// The claim with its prose made harmless; `rests_on` are links to other claims.
+    pub fn of(claim: &'a ClaimView, rests_on: String, prose: &dyn Fn(&str) -> String) -> Self {
+        let item = |markdown: &str| line(&prose(markdown));
+        Self {
+            id_md: escape_markdown(&claim.id),
+            link_md: format!("[{}](#{})", escape_cell(&claim.id), slug(&claim.id)),
+            place: &claim.place,
+            place_md: escape_cell(&claim.place),
+            symbol: claim.standing.symbol(),
+            word: claim.standing.word(),
+            strength: &claim.strength,
+            statement_md: item(&claim.statement_markdown),
+            acceptance_md: item(&claim.acceptance_markdown),
+            verdict_md: item(&claim.verdict_markdown),
+            evidence: claim.evidence.iter().map(|evidence| EvidenceText::of(evidence, &item)).collect(),
+            limits_md: claim.limits_markdown.iter().map(|limit| item(limit)).collect(),
+            counter_example_md: item(&claim.counter_example_markdown),
+            not_established_md: item(&claim.not_established_markdown),
+            remark_md: item(&claim.remark_markdown),
+            rests_on_md: rests_on,
+            command_md: code_span(&claim.command),
+        }
+    }
+}
+
+impl<'a> EvidenceText<'a> {
+    fn of(evidence: &'a EvidenceView, item: &dyn Fn(&str) -> String) -> Self {
+        let numbers = evidence
+            .numbers
+            .iter()
+            .map(|fact| format!("{}: {}", escape_cell(&fact.name), escape_cell(&fact.value)));
+        let numbers = numbers.collect::<Vec<_>>().join("; ");
+        Self {
+            kind: &evidence.kind,
+            strength: &evidence.strength,
+            text_md: item(&evidence.text_markdown),
+            numbers_md: if numbers.is_empty() { numbers } else { format!("({numbers})") },
+            certificate_md: code_block(&evidence.certificate),
+        }
+    }
+}
+
+/// Prose on one line, so that it can stand in a list item.
+pub(crate) fn line(markdown: &str) -> String {
+    markdown.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+/// Text as an inline code span that shows exactly these characters, on one line; empty for empty text.
+pub(crate) fn code_span(text: &str) -> String {
+    let one_line: String =
+        text.chars().map(|c| if c == '\n' || c == '|' { ' ' } else { printable(c) }).collect();
+    let fence = "`".repeat(longest_run(&one_line) + 1);
+    let pad = if one_line.starts_with('`') || one_line.ends_with('`') { " " } else { "" };
+    if one_line.trim().is_empty() { String::new() } else { format!("{fence}{pad}{one_line}{pad}{fence}") }
+}
+
+/// Text as a fenced block inside a list item; empty for empty text.
+fn code_block(text: &str) -> String {
+    if text.trim().is_empty() {
+        return String::new();
+    }
+    let fence = "`".repeat((longest_run(text) + 1).max(3));
+    let lines =
+        text.trim_end().lines().map(|row| format!("  {}", row.chars().map(printable).collect::<String>()));
+    format!("  {fence}text\n{}\n  {fence}", lines.collect::<Vec<_>>().join("\n"))
+}
+
+/// Length of the longest run of backticks.
+fn longest_run(text: &str) -> usize {
+    text.split(|c| c != '`').map(str::len).max().unwrap_or(0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn code_cannot_be_left() {
+        assert_eq!(code_span("a ` b"), "``a ` b``");
+        assert_eq!(code_span("`"), "`` ` ``");
+        assert_eq!(code_span(""), "");
+        assert_eq!(code_block("x\n```\n# y"), "  ````text\n  x\n  ```\n  # y\n  ````");
+    }
+}

@@ -1,0 +1,303 @@
+//! The page: one self-contained HTML file.
+
+use std::collections::BTreeSet;
+
+use serde::Serialize;
+
+use super::blocks::{BlockKind, Piece, pieces};
+use super::catalogue::{Catalogue, anchors, faults, group_anchor};
+use super::claim_html::{Chip, ClaimPage};
+use super::markdown::Prose;
+use super::page_style::{content_policy, style_sheet};
+use super::templates::Templates;
+use super::view::{CardView, EquationView, FactView, FigureView, InputView, ReportView};
+use super::{MAX_SHOWN_ROWS, ReportError, cut_note};
+use crate::table::{Cell, Column, Table};
+
+/// Renders the page: HTML with style sheet, font, figures and mathematics inside, readable without scripts.
+///
+/// # Errors
+/// All faults of the view at once: unknown or doubled ids, placing lines that place nothing, formulas that cannot be
+/// read, deep links that lead nowhere.
+pub fn render_html(view: &ReportView) -> Result<String, ReportError> {
+    let mut page = Page {
+        view,
+        catalogue: Catalogue::of(view),
+        templates: Templates::html()?,
+        prose: Prose { faults: faults(view), ..Prose::default() },
+        placed: BTreeSet::new(),
+    };
+    let context = page.context()?;
+    page.check_links();
+    if !page.prose.faults.is_empty() {
+        return Err(ReportError::Faults(page.prose.faults));
+    }
+    page.templates.render("report.html", &context)
+}
+
+/// A page under construction.
+struct Page<'a> {
+    view: &'a ReportView,
+    catalogue: Catalogue<'a>,
+    templates: Templates,
+    prose: Prose,
+    placed: BTreeSet<String>,
+}
+
+/// What `report.html` asks for.
+#[derive(Serialize)]
+struct PageContext<'a> {
+    title: &'a str,
+    subtitle: &'a str,
+    policy: String,
+    style_css: String,
+    summary_html: String,
+    cards: Vec<CardContext<'a>>,
+    findings: Vec<FindingContext<'a>>,
+    groups: Vec<GroupContext<'a>>,
+    chapters: Vec<ChapterContext<'a>>,
+    appendix_html: String,
+    provenance: ProvenanceContext<'a>,
+    environment_html: String,
+}
+
+#[derive(Serialize)]
+struct CardContext<'a> {
+    class: &'static str,
+    symbol: &'static str,
+    word: &'static str,
+    count: &'a str,
+    note: &'a str,
+}
+
+#[derive(Serialize)]
+struct FindingContext<'a> {
+    headline: &'a str,
+    text_html: String,
+    chips: Vec<Chip<'a>>,
+}
+
+#[derive(Serialize)]
+struct GroupContext<'a> {
+    anchor: String,
+    title: &'a str,
+    intro_html: String,
+    chips: Vec<Chip<'a>>,
+    claims_html: Vec<String>,
+}
+
+#[derive(Serialize)]
+struct ChapterContext<'a> {
+    id: &'a str,
+    title: &'a str,
+    body_html: String,
+}
+
+#[derive(Serialize)]
+struct ProvenanceContext<'a> {
+    text_html: String,
+    command: &'a str,
+    facts: &'a [FactView],
+    inputs: &'a [InputView],
+}
+
+#[derive(Serialize)]
+struct FigureContext<'a> {
+    id: &'a str,
+    label: &'a str,
+    drawing_svg: &'a str,
+    caption_html: String,
+    data: &'a [String],
+}
+
+#[derive(Serialize)]
+struct TableContext<'a> {
+    id: &'a str,
+    title: &'a str,
+    columns: &'a [Column],
+    rows: &'a [Vec<Cell>],
+    cut: String,
+    note_html: String,
+}
+
+#[derive(Serialize)]
+struct EquationContext<'a> {
+    id: &'a str,
+    formula_html: String,
+    caption_html: String,
+}
+
+#[derive(Serialize)]
+struct EnvironmentContext<'a> {
+    facts: &'a [FactView],
+}
+
+impl<'a> Page<'a> {
+    fn context(&mut self) -> Result<PageContext<'a>, ReportError> {
+        let view = self.view;
+        let summary_html = self.prose.blocks(&view.summary_markdown, 2, "summary");
+        let findings = view.findings.iter().map(|finding| FindingContext {
+            headline: &finding.headline,
+            text_html: self.prose.blocks(&finding.text_markdown, 3, &format!("finding {}", finding.headline)),
+            chips: Chip::list(&finding.claims, &self.catalogue),
+        });
+        let findings = findings.collect();
+        let groups = self.groups()?;
+        let chapters = self.chapters()?;
+        let appendix_html = self.appendix()?;
+        let provenance = ProvenanceContext {
+            text_html: self.prose.blocks(&view.provenance.text_markdown, 2, "provenance"),
+            command: &view.provenance.command,
+            facts: &view.provenance.facts,
+            inputs: &view.provenance.inputs,
+        };
+        let style_css = style_sheet(&self.prose.mathematics.style_rules());
+        Ok(PageContext {
+            title: &view.title,
+            subtitle: &view.subtitle,
+            policy: content_policy(&style_css),
+            style_css,
+            summary_html,
+            cards: cards(view),
+            findings,
+            groups,
+            chapters,
+            appendix_html,
+            provenance,
+            environment_html: self.environment()?,
+        })
+    }
+
+    fn groups(&mut self) -> Result<Vec<GroupContext<'a>>, ReportError> {
+        let mut groups = Vec::new();
+        for (index, group) in self.view.ledger.iter().enumerate() {
+            let mut claims_html = Vec::new();
+            for claim in &group.claims {
+                let page = ClaimPage::of(claim, &self.catalogue, &mut self.prose);
+                claims_html.push(self.templates.render("claim.html", &page)?);
+            }
+            groups.push(GroupContext {
+                anchor: group_anchor(index + 1),
+                title: &group.title,
+                intro_html: self.prose.blocks(&group.intro_markdown, 3, &group.title),
+                chips: group.claims.iter().map(Chip::of).collect(),
+                claims_html,
+            });
+        }
+        Ok(groups)
+    }
+
+    fn chapters(&mut self) -> Result<Vec<ChapterContext<'a>>, ReportError> {
+        let mut chapters = Vec::new();
+        for chapter in &self.view.chapters {
+            let mut body_html = String::new();
+            for piece in pieces(&chapter.text_markdown) {
+                body_html += &match piece {
+                    Piece::Prose(text) => self.prose.blocks(&text, 2, &chapter.id),
+                    Piece::Block(kind, id) => self.block(kind, &id)?,
+                    Piece::Unknown(_) => String::new(),
+                };
+            }
+            chapters.push(ChapterContext { id: &chapter.id, title: &chapter.title, body_html });
+        }
+        Ok(chapters)
+    }
+
+    /// A placed block; one that does not exist has been reported before.
+    fn block(&mut self, kind: BlockKind, id: &str) -> Result<String, ReportError> {
+        self.placed.insert(id.into());
+        let rendered = match kind {
+            BlockKind::Figure => self.catalogue.figures.get(id).copied().map(|figure| self.figure(figure)),
+            BlockKind::Table => self.catalogue.tables.get(id).copied().map(|table| self.table(table)),
+            BlockKind::Equation => {
+                self.catalogue.equations.get(id).copied().map(|equation| self.equation(equation))
+            }
+            BlockKind::Claim => self.catalogue.claims.get(id).copied().map(|claim| {
+                let page = ClaimPage::of(claim, &self.catalogue, &mut self.prose);
+                self.templates.render("verdict.html", &page)
+            }),
+        };
+        rendered.unwrap_or_else(|| Ok(String::new()))
+    }
+
+    fn figure(&mut self, figure: &FigureView) -> Result<String, ReportError> {
+        let context = FigureContext {
+            id: &figure.id,
+            label: &figure.label,
+            drawing_svg: &figure.svg,
+            caption_html: self.prose.inline(&figure.caption_markdown, &format!("caption of {}", figure.id)),
+            data: &figure.data,
+        };
+        self.templates.render("figure.html", &context)
+    }
+
+    fn table(&mut self, table: &Table) -> Result<String, ReportError> {
+        let context = TableContext {
+            id: &table.id,
+            title: &table.title,
+            columns: &table.columns,
+            rows: &table.rows[..table.rows.len().min(MAX_SHOWN_ROWS)],
+            cut: cut_note(table),
+            note_html: self.prose.blocks(&table.note, 3, &format!("note of table {}", table.id)),
+        };
+        self.templates.render("table.html", &context)
+    }
+
+    fn equation(&mut self, equation: &EquationView) -> Result<String, ReportError> {
+        let place = format!("equation {}", equation.id);
+        let formula_html = self.prose.mathematics.block(&equation.latex).unwrap_or_else(|fault| {
+            self.prose.faults.push(format!("{place}: formula {fault}"));
+            String::new()
+        });
+        let caption_html = self.prose.inline(&equation.caption_markdown, &place);
+        self.templates
+            .render("equation.html", &EquationContext { id: &equation.id, formula_html, caption_html })
+    }
+
+    /// Figures and tables that no chapter placed.
+    fn appendix(&mut self) -> Result<String, ReportError> {
+        let mut html = String::new();
+        for figure in
+            self.view.figures.iter().filter(|figure| !self.placed.contains(&figure.id)).collect::<Vec<_>>()
+        {
+            html += &self.figure(figure)?;
+        }
+        for table in
+            self.view.tables.iter().filter(|table| !self.placed.contains(&table.id)).collect::<Vec<_>>()
+        {
+            html += &self.table(table)?;
+        }
+        Ok(html)
+    }
+
+    fn environment(&self) -> Result<String, ReportError> {
+        if self.view.environment.is_empty() {
+            return Ok(String::new());
+        }
+        self.templates.render("environment.html", &EnvironmentContext { facts: &self.view.environment })
+    }
+
+    /// Deep links must lead somewhere on this page.
+    fn check_links(&mut self) {
+        let mut known: BTreeSet<String> = anchors(self.view).into_iter().collect();
+        known.extend(self.prose.anchors.iter().cloned());
+        let dead = self.prose.links.iter().filter(|(anchor, _)| !known.contains(anchor));
+        let faults: Vec<String> =
+            dead.map(|(anchor, place)| format!("{place}: link `#{anchor}` leads nowhere")).collect();
+        self.prose.faults.extend(faults);
+    }
+}
+
+fn cards(view: &ReportView) -> Vec<CardContext<'_>> {
+    let mut contexts = Vec::new();
+    for CardView { standing, count, note } in &view.cards {
+        contexts.push(CardContext {
+            class: standing.class(),
+            symbol: standing.symbol(),
+            word: standing.word(),
+            count,
+            note,
+        });
+    }
+    contexts
+}

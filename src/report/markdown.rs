@@ -1,0 +1,333 @@
+//! Prose: Markdown to HTML, and Markdown to harmless Markdown. The only place that knows `pulldown-cmark`.
+//!
+//! Raw HTML and images are dropped, links keep only known schemes, headings take no attributes: prose comes from
+//! files that somebody else may have written.
+
+use std::ops::Range;
+
+use pulldown_cmark::{CowStr, Event, HeadingLevel, Options, Parser, Tag, TagEnd, html};
+
+use super::math::Mathematics;
+
+/// Schemes that a link may have.
+const SCHEMES: [&str; 3] = ["https", "http", "mailto"];
+
+/// What rendering prose needs and gathers: formulas, deep links, faults.
+#[derive(Debug, Default)]
+pub(crate) struct Prose {
+    /// Converter of formulas.
+    pub mathematics: Mathematics,
+    /// Deep links that prose points at, with the place where.
+    pub links: Vec<(String, String)>,
+    /// Deep links that headings offer.
+    pub anchors: Vec<String>,
+    /// What is wrong, with the place where.
+    pub faults: Vec<String>,
+}
+
+/// What Markdown means here; one place for both outputs.
+fn options() -> Options {
+    Options::ENABLE_TABLES | Options::ENABLE_MATH
+}
+
+impl Prose {
+    /// Blocks of prose as HTML; headings start `shift` levels below the top. `place` names the text in faults.
+    pub fn blocks(&mut self, markdown: &str, shift: usize, place: &str) -> String {
+        let mut events = Vec::new();
+        let (mut dropped_links, mut image_depth) = (Vec::new(), 0_usize);
+        for event in Parser::new_ext(markdown, options()) {
+            match event {
+                Event::Html(_)
+                | Event::InlineHtml(_)
+                | Event::Start(Tag::HtmlBlock)
+                | Event::End(TagEnd::HtmlBlock) => {}
+                Event::Start(Tag::Image { .. }) => image_depth += 1,
+                Event::End(TagEnd::Image) => image_depth = image_depth.saturating_sub(1),
+                Event::Start(Tag::Link { ref dest_url, .. }) => {
+                    let kept = self.allow(dest_url, place);
+                    dropped_links.push(!kept);
+                    events.extend(kept.then_some(event));
+                }
+                Event::End(TagEnd::Link) => {
+                    events.extend((!dropped_links.pop().unwrap_or(false)).then_some(event))
+                }
+                Event::InlineMath(latex) => events.push(self.formula(&latex, false, place)),
+                Event::DisplayMath(latex) => events.push(self.formula(&latex, true, place)),
+                Event::Start(Tag::Table(columns)) => {
+                    events.push(raw(
+                        "<div class=\"scroll\" tabindex=\"0\" role=\"group\" aria-label=\"Table\">",
+                    ));
+                    events.push(Event::Start(Tag::Table(columns)));
+                }
+                Event::End(TagEnd::Table) => events.extend([event, raw("</div>\n")]),
+                other => events.push(other),
+            }
+        }
+        self.set_headings(&mut events, shift, place);
+        let mut text = String::new();
+        html::push_html(&mut text, events.into_iter());
+        text
+    }
+
+    /// One paragraph of prose as HTML without the paragraph around it; several are kept as paragraphs.
+    pub fn inline(&mut self, markdown: &str, place: &str) -> String {
+        let text = self.blocks(markdown, 5, place);
+        let inner = text.trim().strip_prefix("<p>").and_then(|rest| rest.strip_suffix("</p>"));
+        inner.filter(|inner| !inner.contains("<p>")).map_or_else(|| text.trim().into(), String::from)
+    }
+
+    fn formula(&mut self, latex: &str, display: bool, place: &str) -> Event<'static> {
+        let mathml = if display { self.mathematics.block(latex) } else { self.mathematics.inline(latex) };
+        let text = mathml.unwrap_or_else(|fault| {
+            self.faults.push(format!("{place}: formula {fault}"));
+            String::new()
+        });
+        Event::InlineHtml(CowStr::from(text))
+    }
+
+    fn allow(&mut self, destination: &str, place: &str) -> bool {
+        if let Some(anchor) = destination.strip_prefix('#') {
+            self.links.push((anchor.into(), place.into()));
+        }
+        is_allowed(destination)
+    }
+
+    /// Moves headings down and gives them ids made of the place and their words.
+    fn set_headings(&mut self, events: &mut [Event<'_>], shift: usize, place: &str) {
+        for at in 0..events.len() {
+            let words = words_of_heading(&events[at..]);
+            match &mut events[at] {
+                Event::Start(Tag::Heading { level, id, .. }) => {
+                    *level = lowered(*level, shift);
+                    let anchor = format!("{}-{}", slug(place), slug(&words));
+                    *id = Some(CowStr::from(anchor.clone()));
+                    self.anchors.push(anchor);
+                }
+                Event::End(TagEnd::Heading(level)) => *level = lowered(*level, shift),
+                _ => {}
+            }
+        }
+    }
+}
+
+fn raw(text: &'static str) -> Event<'static> {
+    Event::Html(CowStr::from(text))
+}
+
+fn words_of_heading(events: &[Event<'_>]) -> String {
+    let inside = events.iter().take_while(|event| !matches!(event, Event::End(TagEnd::Heading(_))));
+    let words = inside.filter_map(|event| match event {
+        Event::Text(text) | Event::Code(text) => Some(text.as_ref()),
+        _ => None,
+    });
+    words.collect()
+}
+
+fn lowered(level: HeadingLevel, shift: usize) -> HeadingLevel {
+    HeadingLevel::try_from((level as usize + shift).min(6)).unwrap_or(HeadingLevel::H6)
+}
+
+/// The words of a heading as forges spell its deep link: lower case, hyphens for spaces, other signs dropped.
+pub(crate) fn slug(words: &str) -> String {
+    let kept = words.chars().filter(|c| c.is_alphanumeric() || matches!(c, ' ' | '-' | '_'));
+    kept.flat_map(char::to_lowercase).map(|c| if c == ' ' { '-' } else { c }).collect()
+}
+
+/// Whether a link may stay: a deep link, a path beside the page, or one of the known schemes.
+fn is_allowed(destination: &str) -> bool {
+    let plain = !destination.chars().any(|c| c.is_control() || c.is_whitespace() || c == '\\');
+    let scheme = destination.split(['/', '?', '#']).next().and_then(|start| start.split_once(':'));
+    let known = scheme.is_none_or(|(name, _)| SCHEMES.iter().any(|s| s.eq_ignore_ascii_case(name)));
+    plain && known && !destination.starts_with("//")
+}
+
+/// The same prose as Markdown without raw HTML, images and unknown schemes; headings `shift` levels further down.
+///
+/// `link` says where a deep link of the page leads in the Markdown report; a link that leads nowhere keeps its words.
+pub(crate) fn harmless(markdown: &str, shift: usize, link: &dyn Fn(&str) -> Option<String>) -> String {
+    let mut text = markdown.to_owned();
+    // What is dropped may bring forth new markup from its neighbours; every round makes the text shorter.
+    loop {
+        let edits = hazards(&text);
+        if edits.is_empty() {
+            break;
+        }
+        text = edited(&text, edits);
+    }
+    edited(&text, finishing_edits(&text, shift, link))
+}
+
+type Edit = (Range<usize>, String);
+
+/// Replacements of everything that must not stay.
+fn hazards(text: &str) -> Vec<Edit> {
+    let parser = Parser::new_ext(text, options());
+    let definitions = parser.reference_definitions().iter();
+    let mut edits: Vec<Edit> = definitions
+        .filter(|(_, definition)| !is_allowed(&definition.dest))
+        .map(|(_, definition)| (definition.span.clone(), String::new()))
+        .collect();
+    let events: Vec<Spanned<'_>> = Parser::new_ext(text, options()).into_offset_iter().collect();
+    for (at, (event, range)) in events.iter().enumerate() {
+        match event {
+            Event::Html(_) | Event::InlineHtml(_) | Event::Start(Tag::HtmlBlock) => {
+                edits.push((range.clone(), String::new()));
+            }
+            Event::Start(Tag::Image { .. }) => edits.push((range.clone(), inner(text, &events[at..]))),
+            Event::Start(Tag::Link { dest_url, .. }) if !is_allowed(dest_url) => {
+                edits.push((range.clone(), inner(text, &events[at..])));
+            }
+            _ => {}
+        }
+    }
+    edits
+}
+
+/// Replacements that fit harmless prose into the Markdown report.
+fn finishing_edits(text: &str, shift: usize, link: &dyn Fn(&str) -> Option<String>) -> Vec<Edit> {
+    let mut edits = Vec::new();
+    let events: Vec<Spanned<'_>> = Parser::new_ext(text, options()).into_offset_iter().collect();
+    for (at, (event, range)) in events.iter().enumerate() {
+        match event {
+            Event::Start(Tag::Heading { level, .. }) => {
+                let marks = "#".repeat((*level as usize + shift).min(6));
+                edits.push((range.clone(), format!("{marks} {}\n", inner(text, &events[at..]))));
+            }
+            Event::Start(Tag::Link { dest_url, .. }) if dest_url.starts_with('#') => {
+                let words = inner(text, &events[at..]);
+                let target = link(&dest_url[1..]);
+                edits.push((
+                    range.clone(),
+                    target.map_or_else(|| words.clone(), |to| format!("[{words}](#{to})")),
+                ));
+            }
+            _ => {}
+        }
+    }
+    edits
+}
+
+type Spanned<'a> = (Event<'a>, Range<usize>);
+
+/// The source inside the element that starts first, on one line.
+fn inner(text: &str, events: &[Spanned<'_>]) -> String {
+    let (mut depth, mut first, mut last) = (0_usize, usize::MAX, 0);
+    for (event, span) in events {
+        match event {
+            Event::End(_) => depth -= 1,
+            _ if depth > 0 => (first, last) = (first.min(span.start), last.max(span.end)),
+            _ => {}
+        }
+        depth += usize::from(matches!(event, Event::Start(_)));
+        if depth == 0 {
+            break;
+        }
+    }
+    text.get(first..last).unwrap_or_default().replace('\n', " ")
+}
+
+/// The text with replacements made; of two that overlap the earlier, wider one counts.
+fn edited(text: &str, mut edits: Vec<Edit>) -> String {
+    edits.sort_by_key(|(range, _)| (range.start, std::cmp::Reverse(range.end)));
+    let (mut result, mut at) = (String::new(), 0);
+    for (range, replacement) in edits {
+        if range.start >= at {
+            result += &text[at..range.start];
+            result += &replacement;
+            at = range.end;
+        }
+    }
+    result + &text[at..]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const HOSTILE: &str = "# Title {onclick=alert(1)}\n\n<script>alert(1)</script>\n\nA <b onmouseover=x>b</b> \
+        [x](javascript:alert(1)) [y](JavaScript:z) <javascript:alert(2)> ![pic](https://example.org/p.png) \
+        [ok](https://example.org/a) [d](data:text/html,x) [v](vbscript:x) [p](//example.org) [e](java\tscript:x)\n\n\
+        [ref]\n\n[ref]: javascript:alert(3)\n\n<scr<b>ipt>alert(4)</scr</b>ipt>\n\n<div>[in](javascript:y)</div>\n";
+
+    #[test]
+    fn hostile_prose_becomes_harmless_html() {
+        let mut prose = Prose::default();
+        let html = prose.blocks(HOSTILE, 2, "chapter");
+        for forbidden in [
+            "<script",
+            "<b ",
+            "onmouseover=x>",
+            "onclick=\"",
+            "javascript:\"",
+            "href=\"javascript",
+            "<img",
+            "data:text",
+        ] {
+            assert!(!html.contains(forbidden), "{forbidden} in {html}");
+        }
+        let links: Vec<&str> =
+            html.split("href=\"").skip(1).map(|rest| rest.split('"').next().unwrap()).collect();
+        assert_eq!(links, ["https://example.org/a"]);
+        assert!(html.contains("<h3 id=\"chapter-title"), "{html}");
+    }
+
+    #[test]
+    fn hostile_prose_becomes_harmless_markdown() {
+        let markdown = harmless(HOSTILE, 2, &|_| None);
+        let html = {
+            let mut text = String::new();
+            html::push_html(&mut text, Parser::new_ext(&markdown, options()));
+            text
+        };
+        for forbidden in ["<script", "<b ", "<div", "href=\"javascript", "href=\"data", "<img"] {
+            assert!(!html.contains(forbidden), "{forbidden} in {html}");
+        }
+        assert!(markdown.contains("### Title"), "{markdown}");
+        assert!(markdown.contains("[ok](https://example.org/a)"));
+        assert!(!markdown.contains("[ref]: javascript"), "{markdown}");
+    }
+
+    #[test]
+    fn references_end_where_their_definitions_lead() {
+        let text = "![a][r] and [b][r] and [c][k]\n\n[r]: javascript:x\n[k]: #claim-B8\n";
+        let found = harmless(text, 2, &|anchor| (anchor == "claim-B8").then(|| "b8".into()));
+        assert!(found.starts_with("a and b and [c](#b8)\n"), "{found}");
+    }
+
+    #[test]
+    fn formulas_become_mathml_and_faults_name_the_place() {
+        let mut prose = Prose::default();
+        assert!(prose.inline("for $\\eta > 1$ it", "B8").contains("<math>"));
+        assert!(prose.faults.is_empty());
+        prose.inline("bad $\\nonsense{1}$", "claim B8, statement");
+        assert!(prose.faults[0].starts_with("claim B8, statement: formula"), "{:?}", prose.faults);
+    }
+
+    #[test]
+    fn deep_links_are_gathered_and_led_to_the_markdown_headings() {
+        let mut prose = Prose::default();
+        prose.blocks("see [B8](#claim-B8)", 2, "chapter x");
+        assert_eq!(prose.links, [("claim-B8".into(), "chapter x".into())]);
+        let to = |anchor: &str| (anchor == "claim-B8").then(|| "b8".into());
+        assert_eq!(harmless("see [**B8**](#claim-B8), [f](#fig)", 2, &to), "see [**B8**](#b8), f");
+    }
+
+    #[test]
+    fn headings_of_both_kinds_move_down() {
+        let found = harmless("# One\n\nText\n\nTwo\n---\n\nEnd\n", 2, &|_| None);
+        assert_eq!(found, "### One\n\nText\n\n#### Two\n\nEnd\n");
+    }
+
+    proptest::proptest! {
+        #[test]
+        fn no_prose_brings_markup_or_schemes(text in "[a<>/\\[\\]():!#`$*_ \n\\\\javscriptx=\"&;]{0,120}") {
+            let clean = harmless(&text, 2, &|_| None);
+            let bad = Parser::new_ext(&clean, options()).any(|event| match event {
+                Event::Html(_) | Event::InlineHtml(_) | Event::Start(Tag::Image { .. }) => true,
+                Event::Start(Tag::Link { dest_url, .. }) => !is_allowed(&dest_url),
+                _ => false,
+            });
+            proptest::prop_assert!(!bad, "{text:?} -> {clean:?}");
+        }
+    }
+}

@@ -1,0 +1,50 @@
+//! The page's style sheet with its embedded font, and the content policy that admits nothing else.
+
+use sha2::{Digest, Sha256};
+
+use super::base64::base64;
+
+const STYLE: &str = include_str!("../../templates/style.css");
+
+/// A subset of Latin Modern Math, renamed as its licence asks; see `templates/fonts/README.md`.
+const MATH_FONT: &[u8] = include_bytes!("../../templates/fonts/slipmode-math.woff2");
+
+/// The whole style sheet: the font, the rules, and those of the formulas' classes.
+#[must_use]
+pub(crate) fn style_sheet(formula_rules: &str) -> String {
+    let font = base64(MATH_FONT);
+    format!(
+        "@font-face{{font-family:\"Slipmode Math\";src:url(\"data:font/woff2;base64,{font}\") format(\"woff2\")}}\n\
+         {STYLE}{formula_rules}"
+    )
+}
+
+/// A content policy under which the page may use this style sheet and embedded fonts: no scripts, no requests.
+#[must_use]
+pub(crate) fn content_policy(style_sheet: &str) -> String {
+    let digest = base64(&Sha256::digest(style_sheet.as_bytes()));
+    format!(
+        "default-src 'none'; style-src 'sha256-{digest}'; font-src data:; base-uri 'none'; form-action 'none'"
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_style_sheet_asks_for_nothing() {
+        let style = style_sheet("");
+        let addresses: Vec<&str> = style.split("url(").skip(1).map(|rest| &rest[..6]).collect();
+        assert_eq!(addresses, ["\"data:"]);
+        assert!(!style.contains("@import") && !style.contains("</style") && !style.contains("http"));
+    }
+
+    #[test]
+    fn the_policy_admits_this_style_sheet_and_nothing_else() {
+        let policy = content_policy("a{}");
+        assert!(policy.contains("style-src 'sha256-"), "{policy}");
+        assert!(!policy.contains("unsafe") && !policy.contains("script") && !policy.contains('*'));
+        assert_ne!(policy, content_policy("b{}"));
+    }
+}

@@ -1,0 +1,372 @@
+//! A report with the parts of a real one, for tests and for looking at; its numbers are made up.
+
+use super::*;
+use crate::plot::sample as figures;
+use crate::table::{Cell, Column, Table};
+
+fn claim(id: &str, standing: Standing, statement: &str) -> ClaimView {
+    ClaimView {
+        id: id.into(),
+        place: "2.2, fig. 1".into(),
+        statement_markdown: statement.into(),
+        acceptance_markdown: "The identity holds over $\\mathbb{Q}$ for all $\\eta > 0$, $\\kappa > 0$, $\\beta > 0$.".into(),
+        standing,
+        verdict_markdown: String::new(),
+        strength: "exact".into(),
+        evidence: vec![EvidenceView {
+            kind: "Proof".into(),
+            strength: "exact".into(),
+            text_markdown: "The discriminant factors as $\\Delta = (\\sqrt{b}-\\sqrt{a})^2 - K D_c/\\sigma$ up to a positive factor; the remainder is the zero polynomial.".into(),
+            numbers: vec![
+                FactView { name: "Terms compared".into(), value: "41".into() },
+                FactView { name: "Remainder".into(), value: "0".into() },
+            ],
+            certificate: "variables: eta > 0, kappa > 0, beta > 0\n4*eta*kappa*(beta - 1)^2 - 18*eta*kappa^2 = (kappa - (1 + sqrt(beta))^2) * q\nremainder = 0".into(),
+        }],
+        limits_markdown: vec![],
+        counter_example_markdown: String::new(),
+        not_established_markdown: "Nothing about $M > 0$: there the boundary lies above eq. 16 by the relative amount $\\eta$.".into(),
+        remark_markdown: String::new(),
+        rests_on: vec!["L3".into()],
+        command: format!("slipmode verify reports/im-avouac --claim {id}"),
+    }
+}
+
+fn ledger() -> Vec<ClaimGroupView> {
+    use Standing::{Fails, Holds, HoldsWithin, NotChecked};
+    let mut limited = claim(
+        "B5",
+        HoldsWithin,
+        "Letting $D_c \\to \\infty$ in eq. 8 gives eq. 19, and eq. 20 is an asymptote of the boundary in the stable zone.",
+    );
+    limited.verdict_markdown =
+        "1 % where $\\sigma < 0.013\\,\\sigma_{16}$, 10 % where $\\sigma < 0.14\\,\\sigma_{16}$".into();
+    limited.strength = "certified".into();
+    limited.limits_markdown = vec![
+        "Relative error at the corner of eqs 16 and 20: **−37.2 %** for $\\beta = 1.5$.".into(),
+        "Leading term of the error: $V/V_{20} - 1 \\approx b\\,\\sigma/(2 K D_c)$.".into(),
+    ];
+    let mut failed = claim(
+        "S4",
+        Fails,
+        "The system is unstable whenever $V > V_c$ **or** $\\sigma > \\sigma_c$, and both are asymptotes of $K = K_c$.",
+    );
+    failed.verdict_markdown = "the first half holds, the caption contradicts eq. 9".into();
+    failed.counter_example_markdown =
+        "$V = 3/1000$ m/s, $\\sigma = 10^{5}$ Pa: $K - K_c = -1.75\\times 10^{7}$ Pa/m exactly.".into();
+    failed.remark_markdown =
+        "The text says *above*, the figure shows *below*; eq. 12 decides for the text.".into();
+    let open = {
+        let mut one = claim(
+            "N1",
+            NotChecked,
+            "Every simulation with $K < K_c$ is unstable, every one with $K > K_c$ is stable.",
+        );
+        one.strength = String::new();
+        one.evidence.clear();
+        one.verdict_markdown = "needs simulations, which this scene does not ask for".into();
+        one
+    };
+    let held = |id: &str, text: &str| claim(id, Holds, text);
+    vec![
+        ClaimGroupView {
+            title: "Linearisation (L)".into(),
+            intro_markdown: "From the friction law to the cubic.".into(),
+            claims: vec![
+                held("L1", "Eqs 5 and 6 are the linearisation of eqs 1, 2 or 3, and 4."),
+                held("L2", "Eqs 5 and 6 combine into one third-order equation in $\\Delta\\theta$."),
+                {
+                    let mut root = held("L3", "The characteristic equation is the cubic of eq. 8.");
+                    root.rests_on.clear();
+                    root
+                },
+            ],
+        },
+        ClaimGroupView {
+            title: "Stability (S)".into(),
+            intro_markdown: String::new(),
+            claims: vec![
+                held("S1", "A root pair crosses the imaginary axis exactly when $K = K_c$."),
+                failed,
+            ],
+        },
+        ClaimGroupView {
+            title: "Boundary (B)".into(),
+            intro_markdown: String::new(),
+            claims: vec![
+                held("B2", "For $M = 0$ the imaginary part vanishes at eqs 15 and 16."),
+                held("B3", "$\\sigma_c$ is the geometric mean of eqs 15 and 16."),
+                limited,
+            ],
+        },
+        ClaimGroupView { title: "Simulations (N)".into(), intro_markdown: String::new(), claims: vec![open] },
+    ]
+}
+
+fn corners() -> Table {
+    let columns = vec![
+        Column::text("corner", "Corner"),
+        Column::number("effect_ratio", "β = b/a", ""),
+        Column::number("normal_stress_pa", "Normal stress", "Pa"),
+        Column::number("loading_velocity_m_per_s", "Loading velocity", "m/s"),
+        Column::number("relative_error", "Relative error", ""),
+        Column::number("condition_number", "Condition", ""),
+    ];
+    let mut table = Table::new("corners", "Worst error of the asymptotes, at their corners", columns)
+        .with_note("The relative error is $\\sigma_\\text{exact}/\\sigma_\\text{asymptote} - 1$; it depends on $\\beta$ alone.");
+    for (index, beta) in ["0.001", "0.1", "0.5", "0.999", "1.001", "1.5", "10", "1000"].iter().enumerate() {
+        let corner = if index % 2 == 0 { "15 ∩ 18" } else { "16 ∩ 20" };
+        table.push(vec![
+            Cell::text(corner),
+            Cell::number(*beta),
+            Cell::number("494897.4"),
+            Cell::number("4.949e-3"),
+            Cell::number("-0.3719"),
+            Cell::number("2.41"),
+        ]);
+    }
+    table
+}
+
+fn figure(id: &str, label: &str, caption: &str, svg: String) -> FigureView {
+    FigureView {
+        id: id.into(),
+        label: label.into(),
+        caption_markdown: caption.into(),
+        description: "Map of max Im(s) over loading velocity and normal stress.".into(),
+        svg,
+        data: vec!["corners".into()],
+    }
+}
+
+fn drawings() -> Vec<FigureView> {
+    vec![
+        figure(
+            "fig-1",
+            "Figure 1",
+            "Largest imaginary part of the roots of eq. 8 for the paper's values. The exact boundary (solid) leaves its asymptotes (dashed) at the corners by up to 37 %; the cusp lies at $V_0 = 1.5964\\times10^{-4}$ m/s.",
+            figures::heat_map(160).svg(),
+        ),
+        figure(
+            "fig-2",
+            "Figure 2",
+            "Frequency against loading velocity at three normal stresses.",
+            figures::frequency_chart().svg(),
+        ),
+        figure(
+            "fig-7a",
+            "Figure 7a",
+            "Zones of slip modes for $a < b$, from exact decisions at 240 × 240 points.",
+            figures::zone_map(240).svg(),
+        ),
+        figure(
+            "error",
+            "Figure 8",
+            "Signed relative error of the asymptotes along their arcs.",
+            figures::error_chart().svg(),
+        ),
+        figure("good-enough", "Figure 9", "Where each asymptote may be used.", figures::range_chart().svg()),
+    ]
+}
+
+fn equations() -> Vec<EquationView> {
+    let equation = |id: &str, caption: &str, latex: &str| EquationView {
+        id: id.into(),
+        caption_markdown: caption.into(),
+        latex: latex.into(),
+    };
+    vec![
+        equation(
+            "8",
+            "the characteristic cubic",
+            r"\frac{M}{\sigma}s^3 + \left(\frac{a}{V_0} + \frac{M V_0}{\sigma D_c}\right)s^2 + \left(\frac{K}{\sigma} + \frac{a-b}{D_c}\right)s + \frac{K V_0}{\sigma D_c} = 0 \tag{8}",
+        ),
+        equation(
+            "9",
+            "",
+            r"K = K_c = \frac{(b-a)\,\sigma}{D_c}\left[1 + \frac{M V_0^2}{\sigma a D_c}\right]",
+        ),
+        equation("16", "", r"\sigma = \frac{K D_c}{(\sqrt{b} + \sqrt{a})^2}"),
+    ]
+}
+
+const CHAPTER: &str = "The slider obeys rate-and-state friction; with $s = p\\,V_0/D_c$ three groups are all there is:
+$\\eta = M V_0^2/(\\sigma a D_c)$, $\\kappa = K D_c/(a\\sigma)$ and $\\beta = b/a$.
+
+[[equation:8]]
+
+Stability is lost where the critical stiffness is reached ([S1](#claim-S1), [S4](#claim-S4)):
+
+[[equation:9]]
+
+# The map
+
+Between the quasi-static asymptotes the frequency is low; towards high velocity it reaches $\\omega_n = \\sqrt{K/M}$
+and never exceeds it.
+
+[[figure:fig-1]]
+
+[[claim:B5]]
+
+[[figure:fig-2]]
+
+[[figure:fig-7a]]
+
+# How far off the asymptotes are
+
+| Asymptote | Leading error | 1 % where |
+|---|---|---|
+| eq. 15 | $\\eta$ | $\\eta < 0.01$ |
+| eq. 20 | $\\beta/(2\\kappa)$ | $\\kappa > 50\\,\\beta$ |
+
+[[equation:16]]
+
+[[figure:error]]
+
+[[figure:good-enough]]
+
+[[table:corners]]
+";
+
+/// The sample report.
+pub(crate) fn view() -> ReportView {
+    let card =
+        |standing, count: &str, note: &str| CardView { standing, count: count.into(), note: note.into() };
+    let finding = |headline: &str, text: &str, claims: &[&str]| FindingView {
+        headline: headline.into(),
+        text_markdown: text.into(),
+        claims: claims.iter().map(|&id| id.into()).collect(),
+    };
+    let fact = |name: &str, value: &str| FactView { name: name.into(), value: value.into() };
+    ReportView {
+        title: "When does frictional slip vibrate?".into(),
+        subtitle: "The linear theory of Im & Avouac, proved, measured and checked claim by claim".into(),
+        summary_markdown: "Every checkable claim of *Linear stability analysis of the condition for vibration during frictional slip* was decided by computation: identities over $\\mathbb{Q}$, certified enclosures of the roots, and the exact boundary $\\max\\operatorname{Im}(s) = 0$ by three routes that share nothing but eq. 8.".into(),
+        cards: vec![
+            card(Standing::Holds, "21", "proved or certified"),
+            card(Standing::HoldsWithin, "7", "with a quantified limit"),
+            card(Standing::Fails, "2", "with a counter-example"),
+            card(Standing::NotChecked, "10", "need simulations"),
+        ],
+        findings: vec![
+            finding("The asymptotes are off by up to 37 % at their corners", "For the paper's values the exact boundary pokes past the corner of eqs 16 and 20. The largest error depends on $\\beta = b/a$ alone.", &["B5"]),
+            finding("The inertial parameter is the error of the quasi-static boundaries", "To leading order $\\sigma_\\text{exact}/\\sigma_{15} - 1 \\approx \\eta$, so eq. 15 is good to 1 % where $\\eta < 0.01$.", &["B2", "B5"]),
+            finding("One caption contradicts the equations", "The words of section 2.2 and eq. 12 disagree; the equations decide.", &["S4"]),
+        ],
+        chapters: vec![ChapterView { id: "theory".into(), title: "The linear theory".into(), text_markdown: CHAPTER.into() }],
+        ledger: ledger(),
+        equations: equations(),
+        figures: drawings(),
+        tables: vec![corners()],
+        provenance: ProvenanceView {
+            text_markdown: "The page is made by one command from the files below.".into(),
+            command: "cargo xtask verify".into(),
+            inputs: vec![
+                InputView { path: "report.toml".into(), bytes: "412".into(), sha256: "9f86d081884c7d659a2feaa0c55ad015a3bf4f1b2b0b822cd15d6c15b0f00a08".into() },
+                InputView { path: "scenes/figure-1.toml".into(), bytes: "1 204".into(), sha256: "60303ae22b998861bce3b28f33eec1be758a213c86c93c076dbe9f558c11c752".into() },
+            ],
+            facts: vec![fact("Decisions by 64-bit evaluation", "57 598 of 57 600"), fact("Decisions in exact arithmetic", "2")],
+        },
+        environment: vec![fact("rustc", "1.95.0"), fact("MPFR", "4.2.2"), fact("Wall time", "4.2 s")],
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn folder() -> std::path::PathBuf {
+        std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("target/sample-report")
+    }
+
+    #[test]
+    fn the_sample_is_written_for_looking_at() {
+        let (view, folder) = (view(), folder());
+        for part in ["figures", "tables"] {
+            std::fs::create_dir_all(folder.join(part)).unwrap();
+        }
+        std::fs::write(folder.join("index.html"), render_html(&view).unwrap()).unwrap();
+        std::fs::write(folder.join("report.md"), render_markdown(&view).unwrap()).unwrap();
+        for figure in &view.figures {
+            std::fs::write(folder.join(format!("figures/{}.svg", figure.id)), &figure.svg).unwrap();
+        }
+        for table in &view.tables {
+            std::fs::write(folder.join(format!("tables/{}.csv", table.id)), table.to_csv()).unwrap();
+        }
+    }
+
+    #[test]
+    fn the_page_is_small_and_asks_for_nothing() {
+        let page = render_html(&view()).unwrap();
+        assert!(page.len() < PAGE_BUDGET_BYTES, "{}", page.len());
+        assert!(!page.contains("<script") && !page.contains(" style=\"") && !page.contains("@import"));
+        let loads = [" src=", "<link", "<iframe", "<object", "<img", "url(http"];
+        assert!(loads.iter().all(|load| !page.contains(load)));
+    }
+
+    #[test]
+    fn ids_on_the_page_are_unique_and_every_deep_link_arrives() {
+        let page = render_html(&view()).unwrap();
+        let quoted = |start: &str| -> Vec<String> {
+            page.split(start).skip(1).map(|rest| rest.split('"').next().unwrap().to_owned()).collect()
+        };
+        let ids = quoted(" id=\"");
+        let unique: std::collections::BTreeSet<&String> = ids.iter().collect();
+        assert_eq!(ids.len(), unique.len());
+        for link in quoted("href=\"#") {
+            assert!(ids.contains(&link), "#{link}");
+        }
+    }
+
+    #[test]
+    fn what_holds_is_closed_and_all_else_is_open() {
+        let page = render_html(&view()).unwrap();
+        assert!(page.contains("<details class=\"claim holds\">"));
+        for class in ["holds-within", "fails", "not-checked"] {
+            assert!(page.contains(&format!("<details class=\"claim {class}\" open>")));
+        }
+    }
+
+    #[test]
+    fn the_acceptance_criterion_stands_before_the_result() {
+        let page = render_html(&view()).unwrap();
+        let claim = page.split("id=\"claim-B5\"").nth(1).unwrap();
+        assert!(claim.find("Holds if").unwrap() < claim.find("Result").unwrap());
+    }
+
+    #[test]
+    fn the_environment_can_be_taken_out_of_both_reports() {
+        let (with, mut bare) = (view(), view());
+        bare.environment.clear();
+        for render in [render_html, render_markdown] {
+            let (full, without) = (render(&with).unwrap(), render(&bare).unwrap());
+            assert!(full.contains("4.2.2") && !without_environment(&full).contains("4.2.2"));
+            let words = |text: &str| text.split_whitespace().map(str::to_owned).collect::<Vec<_>>();
+            assert_eq!(words(&without_environment(&full)), words(&without));
+        }
+    }
+
+    #[test]
+    fn all_faults_of_a_view_are_told_at_once() {
+        let mut view = view();
+        view.chapters[0].text_markdown =
+            "[[figure:nowhere]]\n[[figur:x]]\n[[table:corners]]\n[[table:corners]]\n".into();
+        view.figures[0].id = "../evil".into();
+        view.figures[1].id = "FIG-7A".into();
+        view.findings[0].claims = vec!["Z9".into()];
+        let Err(ReportError::Faults(faults)) = render_html(&view) else { panic!("accepted") };
+        for part in ["no figure `nowhere`", "[[figur:x]]", "second time", "../evil", "occurs twice", "`Z9`"] {
+            assert!(faults.iter().any(|fault| fault.contains(part)), "{part}: {faults:?}");
+        }
+        assert!(matches!(render_markdown(&view), Err(ReportError::Faults(_))));
+    }
+
+    #[test]
+    fn a_dead_link_and_a_broken_formula_name_their_place() {
+        let mut view = view();
+        view.chapters[0].text_markdown += "\nSee [x](#nowhere) and $\\nonsense{1}$.\n";
+        let error = render_html(&view).unwrap_err().to_string();
+        assert!(error.contains("theory: link `#nowhere` leads nowhere"), "{error}");
+        assert!(error.contains("theory: formula"), "{error}");
+    }
+}

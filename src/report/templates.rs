@@ -1,0 +1,112 @@
+//! The templates: embedded, parsed before use, every value in them escaped.
+
+use std::io::Write;
+
+use serde::Serialize;
+use tera::{Context, Tera};
+
+use super::ReportError;
+use crate::table::{escape_markdown, printable};
+
+/// Templates of the page. Every one is escaped for HTML, whatever its name.
+const HTML: [(&str, &str); 7] = [
+    ("report.html", include_str!("../../templates/report.html")),
+    ("claim.html", include_str!("../../templates/claim.html")),
+    ("figure.html", include_str!("../../templates/figure.html")),
+    ("table.html", include_str!("../../templates/table.html")),
+    ("equation.html", include_str!("../../templates/equation.html")),
+    ("verdict.html", include_str!("../../templates/verdict.html")),
+    ("environment.html", include_str!("../../templates/environment.html")),
+];
+
+/// Templates of the Markdown report. Every one is escaped for Markdown.
+const MARKDOWN: [(&str, &str); 2] = [
+    ("report.md", include_str!("../../templates/report.md")),
+    ("claim.md", include_str!("../../templates/claim.md")),
+];
+
+/// A set of templates with one way of escaping.
+#[derive(Debug)]
+pub(crate) struct Templates {
+    engine: Tera,
+}
+
+impl Templates {
+    /// The page's templates.
+    ///
+    /// # Errors
+    /// When a template does not parse: an error of this program.
+    pub fn html() -> Result<Self, ReportError> {
+        Self::parsed(&HTML, |text, output| escape_html(text, output))
+    }
+
+    /// The Markdown report's templates.
+    ///
+    /// # Errors
+    /// When a template does not parse: an error of this program.
+    pub fn markdown() -> Result<Self, ReportError> {
+        Self::parsed(&MARKDOWN, |text, output| output.write_all(escape_markdown(text).as_bytes()))
+    }
+
+    fn parsed(sources: &[(&'static str, &'static str)], escape: tera::EscapeFn) -> Result<Self, ReportError> {
+        let mut engine = Tera::new();
+        engine.set_escape_fn(escape);
+        // Every name ends with the empty suffix: nothing is left unescaped because of how it is called.
+        engine.autoescape_on([""]);
+        engine.add_raw_templates(sources.iter().copied()).map_err(|error| fault("templates", &error))?;
+        Ok(Self { engine })
+    }
+
+    /// Renders a template with a view.
+    ///
+    /// # Errors
+    /// When the template asks for what the view does not have: an error of this program.
+    pub fn render(&self, name: &str, view: &impl Serialize) -> Result<String, ReportError> {
+        let context = Context::from_serialize(view).map_err(|error| fault(name, &error))?;
+        self.engine.render(name, &context).map_err(|error| fault(name, &error))
+    }
+}
+
+fn fault(template: &str, error: &tera::Error) -> ReportError {
+    ReportError::Template { template: template.into(), reason: error.to_string() }
+}
+
+/// Text for HTML content and quoted attributes; invisible and direction-changing characters become U+FFFD.
+fn escape_html(text: &str, output: &mut dyn Write) -> std::io::Result<()> {
+    let mut buffer = [0; 4];
+    for c in text.chars() {
+        match c {
+            '&' => output.write_all(b"&amp;")?,
+            '<' => output.write_all(b"&lt;")?,
+            '>' => output.write_all(b"&gt;")?,
+            '"' => output.write_all(b"&quot;")?,
+            '\'' => output.write_all(b"&#39;")?,
+            c => output.write_all(printable(c).encode_utf8(&mut buffer).as_bytes())?,
+        }
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_values_that_this_program_made_are_trusted() {
+        for (name, source) in HTML.iter().chain(&MARKDOWN) {
+            for before in source.rsplit("| safe").skip(1) {
+                let value = before.trim_end().rsplit([' ', '.']).next().unwrap();
+                let made = ["_html", "_svg", "_css", "_md"].iter().any(|end| value.ends_with(end));
+                assert!(made, "{name}: {value} | safe");
+            }
+            assert!(!source.contains("<script") && !source.contains("style=\""), "{name}");
+        }
+    }
+
+    #[test]
+    fn attributes_are_quoted() {
+        for (name, source) in &HTML {
+            assert!(!source.contains("={{"), "{name}: an attribute without quotes");
+        }
+    }
+}

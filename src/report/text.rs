@@ -1,0 +1,283 @@
+//! The Markdown report: complete, for forges and for reading as it is, with links to figures and tables.
+
+use std::collections::BTreeSet;
+
+use serde::Serialize;
+
+use super::blocks::{BlockKind, Piece, pieces};
+use super::catalogue::{Catalogue, faults};
+use super::claim_text::{ClaimText, code_span, line};
+use super::markdown::{harmless, slug};
+use super::templates::Templates;
+use super::view::{EquationView, FactView, FigureView, ReportView};
+use super::{MAX_SHOWN_ROWS, ReportError, cut_note};
+use crate::table::{Table, escape_cell, escape_markdown, first_rows_to_markdown};
+
+/// Renders the report as Markdown, one document that links to `figures/*.svg` and `tables/*.csv` beside it.
+///
+/// # Errors
+/// The faults of the view that [`super::render_html`] reports too, save those of formulas and deep links.
+pub fn render_markdown(view: &ReportView) -> Result<String, ReportError> {
+    let found = faults(view);
+    if !found.is_empty() {
+        return Err(ReportError::Faults(found));
+    }
+    let templates = Templates::markdown()?;
+    let report = Report { view, catalogue: Catalogue::of(view), templates: &templates };
+    let text = templates.render("report.md", &report.context()?)?;
+    Ok(tidied(&text))
+}
+
+/// A report under construction.
+struct Report<'a> {
+    view: &'a ReportView,
+    catalogue: Catalogue<'a>,
+    templates: &'a Templates,
+}
+
+/// What `report.md` asks for.
+#[derive(Serialize)]
+struct ReportContext<'a> {
+    title: &'a str,
+    subtitle: &'a str,
+    summary_md: String,
+    cards: Vec<Card<'a>>,
+    findings: Vec<Finding<'a>>,
+    groups: Vec<Group<'a>>,
+    chapters: Vec<Chapter<'a>>,
+    appendix_md: String,
+    provenance: Provenance,
+    environment: Vec<Fact>,
+}
+
+#[derive(Serialize)]
+struct Card<'a> {
+    symbol: &'static str,
+    word: &'static str,
+    count: &'a str,
+    note: &'a str,
+}
+
+#[derive(Serialize)]
+struct Finding<'a> {
+    headline: &'a str,
+    text_md: String,
+    claims_md: String,
+}
+
+#[derive(Serialize)]
+struct Group<'a> {
+    title: &'a str,
+    intro_md: String,
+    claims: Vec<ClaimText<'a>>,
+    claims_md: Vec<String>,
+}
+
+#[derive(Serialize)]
+struct Chapter<'a> {
+    title: &'a str,
+    body_md: String,
+}
+
+#[derive(Serialize)]
+struct Provenance {
+    text_md: String,
+    command_md: String,
+    facts: Vec<Fact>,
+    inputs: Vec<Input>,
+}
+
+#[derive(Serialize)]
+struct Fact {
+    name_md: String,
+    value_md: String,
+}
+
+#[derive(Serialize)]
+struct Input {
+    path_md: String,
+    bytes_md: String,
+    sha256_md: String,
+}
+
+impl<'a> Report<'a> {
+    fn context(&self) -> Result<ReportContext<'a>, ReportError> {
+        let view = self.view;
+        Ok(ReportContext {
+            title: &view.title,
+            subtitle: &view.subtitle,
+            summary_md: self.prose(&view.summary_markdown, 1),
+            cards: cards(view),
+            findings: self.findings(),
+            groups: self.groups()?,
+            chapters: view
+                .chapters
+                .iter()
+                .map(|chapter| Chapter { title: &chapter.title, body_md: self.body(&chapter.text_markdown) })
+                .collect(),
+            appendix_md: self.appendix(),
+            provenance: self.provenance(),
+            environment: facts(&view.environment),
+        })
+    }
+
+    fn prose(&self, markdown: &str, shift: usize) -> String {
+        harmless(markdown, shift, &|anchor| self.heading_of(anchor))
+    }
+
+    /// Where a deep link of the page leads here: claims and chapters have headings, blocks have none.
+    fn heading_of(&self, anchor: &str) -> Option<String> {
+        if let Some(id) = anchor.strip_prefix("claim-").filter(|id| self.catalogue.claims.contains_key(id)) {
+            return Some(slug(id));
+        }
+        let chapter = self.view.chapters.iter().find(|chapter| chapter.id == anchor);
+        let fixed =
+            [("ledger", "ledger-of-claims"), ("provenance", "provenance"), ("findings", "what-matters-most")];
+        let section = fixed.iter().find(|(name, _)| *name == anchor).map(|(_, heading)| (*heading).into());
+        chapter.map(|chapter| slug(&chapter.title)).or(section)
+    }
+
+    fn findings(&self) -> Vec<Finding<'a>> {
+        let finding = |finding: &'a super::view::FindingView| Finding {
+            headline: &finding.headline,
+            text_md: self.prose(&finding.text_markdown, 3),
+            claims_md: self.claim_links(&finding.claims),
+        };
+        self.view.findings.iter().map(finding).collect()
+    }
+
+    fn claim_links(&self, ids: &[String]) -> String {
+        let links = ids.iter().map(|id| format!("[{}](#{})", escape_markdown(id), slug(id)));
+        links.collect::<Vec<_>>().join(", ")
+    }
+
+    fn groups(&self) -> Result<Vec<Group<'a>>, ReportError> {
+        let mut groups = Vec::new();
+        for group in &self.view.ledger {
+            let prose = |markdown: &str| self.prose(markdown, 4);
+            let claims: Vec<ClaimText<'a>> = group
+                .claims
+                .iter()
+                .map(|claim| ClaimText::of(claim, self.claim_links(&claim.rests_on), &prose))
+                .collect();
+            let rendered: Result<Vec<String>, ReportError> =
+                claims.iter().map(|claim| self.templates.render("claim.md", claim)).collect();
+            groups.push(Group {
+                title: &group.title,
+                intro_md: self.prose(&group.intro_markdown, 3),
+                claims,
+                claims_md: rendered?,
+            });
+        }
+        Ok(groups)
+    }
+
+    fn body(&self, markdown: &str) -> String {
+        let piece = |piece| match piece {
+            Piece::Prose(text) => self.prose(text.trim(), 2),
+            Piece::Block(kind, id) => self.block(kind, &id),
+            Piece::Unknown(_) => String::new(),
+        };
+        pieces(markdown).into_iter().map(piece).collect::<Vec<_>>().join("\n\n")
+    }
+
+    fn block(&self, kind: BlockKind, id: &str) -> String {
+        let text = match kind {
+            BlockKind::Figure => self.catalogue.figures.get(id).map(|figure| self.figure(figure)),
+            BlockKind::Table => self.catalogue.tables.get(id).map(|table| self.table(table)),
+            BlockKind::Equation => self.catalogue.equations.get(id).map(|equation| self.equation(equation)),
+            BlockKind::Claim => self.catalogue.claims.get(id).map(|claim| {
+                let statement = line(&self.prose(&claim.statement_markdown, 2));
+                let (link, standing) = (self.claim_links(std::slice::from_ref(&claim.id)), claim.standing);
+                format!("> {link} {} {}: {statement}", standing.symbol(), standing.word())
+            }),
+        };
+        text.unwrap_or_default()
+    }
+
+    fn figure(&self, figure: &FigureView) -> String {
+        let description = escape_markdown(&figure.description);
+        let caption = line(&self.prose(&figure.caption_markdown, 3));
+        let data = figure
+            .data
+            .iter()
+            .map(|id| format!(" [{}](tables/{id}.csv)", escape_markdown(&format!("{id}.csv"))));
+        let (id, label) = (&figure.id, escape_markdown(&figure.label));
+        format!("![{description}](figures/{id}.svg)\n\n**{label}.** {caption}{}", data.collect::<String>())
+    }
+
+    fn table(&self, table: &Table) -> String {
+        let rows = first_rows_to_markdown(table, MAX_SHOWN_ROWS);
+        let title = escape_markdown(&table.title);
+        let cut = escape_markdown(&cut_note(table));
+        let note = self.prose(&table.note, 3);
+        format!("**{title}.** [CSV](tables/{}.csv)\n\n{rows}\n{cut}\n\n{note}", table.id)
+    }
+
+    fn equation(&self, equation: &EquationView) -> String {
+        let caption = line(&self.prose(&equation.caption_markdown, 3));
+        let latex = equation.latex.trim().replace("$$", "");
+        format!("Equation {}: {caption}\n\n$$\n{latex}\n$$", escape_markdown(&equation.id))
+    }
+
+    fn appendix(&self) -> String {
+        let chapters = self.view.chapters.iter().flat_map(|chapter| pieces(&chapter.text_markdown));
+        let placed: BTreeSet<String> = chapters
+            .filter_map(|piece| match piece {
+                Piece::Block(_, id) => Some(id),
+                _ => None,
+            })
+            .collect();
+        let figures = self.view.figures.iter().filter(|figure| !placed.contains(&figure.id));
+        let tables = self.view.tables.iter().filter(|table| !placed.contains(&table.id));
+        let blocks = figures.map(|figure| self.figure(figure)).chain(tables.map(|table| self.table(table)));
+        blocks.collect::<Vec<_>>().join("\n\n")
+    }
+
+    fn provenance(&self) -> Provenance {
+        let provenance = &self.view.provenance;
+        let input = |input: &super::view::InputView| Input {
+            path_md: escape_cell(&input.path),
+            bytes_md: escape_cell(&input.bytes),
+            sha256_md: code_span(&input.sha256),
+        };
+        Provenance {
+            text_md: self.prose(&provenance.text_markdown, 2),
+            command_md: code_span(&provenance.command),
+            facts: facts(&provenance.facts),
+            inputs: provenance.inputs.iter().map(input).collect(),
+        }
+    }
+}
+
+fn cards(view: &ReportView) -> Vec<Card<'_>> {
+    let mut cards = Vec::new();
+    for card in &view.cards {
+        let (symbol, word) = (card.standing.symbol(), card.standing.word());
+        cards.push(Card { symbol, word, count: &card.count, note: &card.note });
+    }
+    cards
+}
+
+fn facts(views: &[FactView]) -> Vec<Fact> {
+    let fact =
+        |view: &FactView| Fact { name_md: escape_cell(&view.name), value_md: escape_cell(&view.value) };
+    views.iter().map(fact).collect()
+}
+
+/// The text without trailing spaces and with single blank lines, code apart, and one newline at the end.
+fn tidied(text: &str) -> String {
+    let mut tidy = String::with_capacity(text.len());
+    let (mut in_code, mut blank) = (false, true);
+    for line in text.lines() {
+        let fence = line.trim_start().starts_with("```");
+        let kept = if in_code { line } else { line.trim_end() };
+        if in_code || fence || !(kept.is_empty() && blank) {
+            tidy += kept;
+            tidy.push('\n');
+        }
+        blank = !in_code && kept.is_empty();
+        in_code ^= fence;
+    }
+    tidy.trim_end().to_owned() + "\n"
+}

@@ -1,0 +1,81 @@
+//! The depressed form y³ + Py + Q of a rational cubic, in exact integers.
+//!
+//! With y = 3c3·x + c2 the coefficients are P = 3(3c3c1 − c2²) and Q = 2c2³ − 9c3c2c1 + 27c3²c0. Its outermost real root
+//! is always well-conditioned in P and Q, also where roots of the cubic coincide (f'(y) ≥ 9y²/4 when P < 0; when P > 0
+//! all terms of f' are positive), and P, Q and the discriminant are computed exactly. So nothing is lost
+//! next to a double or triple root; what is lost is the shift by c2, and that is known in advance.
+
+use rug::{Complete, Integer, Rational};
+
+/// An integer cubic lead·x³ + quadratic·x² + … and its depressed form.
+#[derive(Debug, Clone)]
+pub(crate) struct Depressed {
+    /// The integer coefficients by ascending power, the last positive.
+    pub(crate) cubic: [Integer; 4],
+    /// c3.
+    pub(crate) lead: Integer,
+    /// c2.
+    pub(crate) quadratic: Integer,
+    /// P.
+    pub(crate) linear: Integer,
+    /// Q.
+    pub(crate) constant: Integer,
+    /// −(4P³ + 27Q²) = Π(yᵢ − yⱼ)² = 729·c3²·Δ.
+    pub(crate) discriminant: Integer,
+}
+
+impl Depressed {
+    /// The depressed form, or `None` when the leading coefficient is zero.
+    pub(crate) fn of(cubic: &[Rational; 4]) -> Option<Self> {
+        if cubic[3].is_zero() {
+            return None;
+        }
+        let cubic = integer_coefficients(cubic);
+        let [c0, c1, c2, c3] = &cubic;
+        let outer = (c3 * c1).complete();
+        let square = c2.square_ref().complete();
+        // P' = P/3 keeps the numbers short: 4P³ + 27Q² = 27(4P'³ + Q²).
+        let third = &outer * 3u32 - square.clone();
+        let constant = (square * 2u32 - outer * 9u32) * c2 + c3.square_ref().complete() * c0 * 27u32;
+        let discriminant =
+            (third.square_ref().complete() * &third * 4u32 + constant.square_ref().complete()) * -27;
+        let (lead, quadratic) = (c3.clone(), c2.clone());
+        Some(Self { lead, quadratic, linear: third * 3u32, constant, discriminant, cubic })
+    }
+
+    /// The sign of the cubic's discriminant.
+    pub(crate) fn discriminant_sign(&self) -> i8 {
+        self.discriminant.cmp0() as i8
+    }
+
+    /// c1c2 − c0c3 = −c3²·Π(rᵢ + rⱼ): zero when two roots sum to zero. For eq 8 it has the sign of K − K_c (Routh-Hurwitz).
+    pub(crate) fn hurwitz(&self) -> Integer {
+        let [c0, c1, c2, c3] = &self.cubic;
+        (c1 * c2).complete() - (c0 * c3).complete()
+    }
+
+    /// The smallest k with |P| ≤ 2^2k and |Q| ≤ 2^3k: every root y is at most 2^(k+1) in modulus.
+    pub(crate) fn scale_log2(&self) -> i32 {
+        bits(&self.linear).div_ceil(2).max(bits(&self.constant).div_ceil(3)) as i32
+    }
+}
+
+/// Bits of |value|: 2^(bits−1) ≤ |value| < 2^bits, zero for zero.
+pub(crate) fn bits(value: &Integer) -> u32 {
+    value.significant_bits()
+}
+
+/// The cubic times the common denominator, and times −1 if that makes the leading coefficient positive.
+fn integer_coefficients(cubic: &[Rational; 4]) -> [Integer; 4] {
+    let mut common = cubic[0].denom().clone();
+    for coefficient in &cubic[1..] {
+        common.lcm_mut(coefficient.denom());
+    }
+    if cubic[3] < 0 {
+        common = -common;
+    }
+    cubic.each_ref().map(|coefficient| {
+        let factor = common.div_exact_ref(coefficient.denom()).complete();
+        factor * coefficient.numer()
+    })
+}

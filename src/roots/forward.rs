@@ -1,0 +1,263 @@
+//! One root finder for 64-bit and double-double, with a forward error bound for every root.
+//!
+//! A real root t comes from Kahan's iteration (*To solve a real cubic equation*, 1986). The other two solve
+//! c3x² + ux + w with w = −c0/t and u from the better of the two deflations. Departing from Kahan, the quadratic's
+//! discriminant is not u² − 4c3w, which cancels next to a double root, but Δ/F'(t)², so that it is as good as Δ.
+//!
+//! Bounds are evaluated in 64-bit; their own rounding (some dozens of operations, 1e-14) is covered by [`SLACK`].
+
+use super::discriminant::{discriminant, discriminant_of_magnitudes};
+use crate::number::{Dd, Real};
+
+/// Covers the rounding of the bounds themselves, and the second order of their first-order terms (each below 1/100).
+const SLACK: f64 = 1.05;
+
+/// An arithmetic with a known relative error per operation.
+pub(crate) trait Working: Real + Copy + From<f64> {
+    /// Bound on the relative error of one operation.
+    const UNIT: f64;
+    /// Newton steps that bring a 64-bit root to this precision.
+    const POLISHING_STEPS: u32;
+    /// The number rounded to 64-bit.
+    fn leading(self) -> f64;
+}
+
+impl Working for f64 {
+    const UNIT: f64 = f64::EPSILON / 2.0;
+    const POLISHING_STEPS: u32 = 0;
+    #[inline(always)]
+    fn leading(self) -> f64 {
+        self
+    }
+}
+
+impl Working for Dd {
+    const UNIT: f64 = Dd::UNIT;
+    const POLISHING_STEPS: u32 = 2;
+    #[inline(always)]
+    fn leading(self) -> f64 {
+        self.hi()
+    }
+}
+
+/// A number with a bound on its absolute error.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Bounded<R> {
+    /// The computed value.
+    pub value: R,
+    /// |computed − true| is at most this; infinite when nothing is known.
+    pub error: f64,
+}
+
+/// The roots besides the first real one.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Pair<R> {
+    /// Two real roots, ascending.
+    Real([Bounded<R>; 2]),
+    /// A complex pair re ± i·im, im > 0.
+    Complex {
+        /// The common real part.
+        re: Bounded<R>,
+        /// The positive imaginary part.
+        im: Bounded<R>,
+    },
+    /// This precision cannot tell a double root, two real roots and a pair apart, or cannot bound them.
+    NotSeparated,
+}
+
+/// The roots of a cubic with forward error bounds.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Spectrum<R> {
+    /// A real root: the one farthest from the inflection point.
+    pub real: Bounded<R>,
+    /// The other two.
+    pub pair: Pair<R>,
+}
+
+/// A cubic whose coefficients are known to `relative_error` of the given magnitudes (which are ≥ |coefficient|).
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct BoundedCubic<R> {
+    pub(crate) coefficients: [R; 4],
+    pub(crate) magnitudes: [f64; 4],
+    pub(crate) relative_error: f64,
+}
+
+impl<R: Working> BoundedCubic<R> {
+    /// Δ with its error bound.
+    ///
+    /// Each of its five terms is a product of four coefficients, with at most 12 operations on the way of any of them.
+    pub(crate) fn discriminant(&self) -> Bounded<R> {
+        let terms = discriminant_of_magnitudes(&self.magnitudes);
+        let error = terms * (4.0 * self.relative_error + 12.0 * R::UNIT) * SLACK;
+        Bounded { value: discriminant(&self.coefficients), error }
+    }
+
+    /// All roots with forward error bounds.
+    pub(crate) fn spectrum(&self) -> Spectrum<R> {
+        let real = self.real_root();
+        let pair = self.pair(&real).unwrap_or(Pair::NotSeparated);
+        Spectrum { real, pair }
+    }
+
+    fn value_and_slope(&self, x: R) -> (R, R) {
+        let [c0, c1, c2, c3] = self.coefficients;
+        let value = ((c3 * x + c2) * x + c1) * x + c0;
+        let slope = (c3 * x * R::from(3) + c2 * R::from(2)) * x + c1;
+        (value, slope)
+    }
+
+    /// Bounds of the errors of F(x) and F'(x), and of |F''| within `reach` of x, by the sums of the terms' magnitudes.
+    fn evaluation_errors(&self, x: f64, reach: f64) -> [f64; 3] {
+        let [m0, m1, m2, m3] = self.magnitudes;
+        let x = x.abs();
+        let unit = (self.relative_error + 7.0 * R::UNIT) * SLACK;
+        let value = ((m3 * x + m2) * x + m1) * x + m0;
+        let slope = (3.0 * m3 * x + 2.0 * m2) * x + m1;
+        [unit * value, unit * slope, (6.0 * m3 * (x + reach) + 2.0 * m2) * SLACK]
+    }
+
+    fn real_root(&self) -> Bounded<R> {
+        let mut root = R::from(kahan_root(self.coefficients.map(R::leading)));
+        for _ in 0..R::POLISHING_STEPS {
+            let (value, slope) = self.value_and_slope(root);
+            let step = value / slope;
+            // At a triple root this is 0/0: the start is as good as it gets, and its bound says so.
+            if !step.leading().is_finite() {
+                break;
+            }
+            root = root - step;
+        }
+        Bounded { value: root, error: self.real_root_error(root) }
+    }
+
+    /// If |F'| stays above half of |F'(x)| within d = 2|F(x)|/|F'(x)|, a root lies there, and by the mean value theorem
+    /// no farther than |F(x)| over the least |F'|.
+    fn real_root_error(&self, x: R) -> f64 {
+        let (value, slope) = self.value_and_slope(x);
+        let x = x.leading();
+        let [value_error, slope_error, _] = self.evaluation_errors(x, 0.0);
+        let value = (value.leading().abs() + value_error) * SLACK;
+        let slope = slope.leading().abs() - slope_error;
+        let reach = 2.0 * value / slope * SLACK;
+        let [_, _, curvature] = self.evaluation_errors(x, reach);
+        let least_slope = slope - curvature * reach;
+        if slope > 0.0 && least_slope >= slope / 2.0 { value / least_slope * SLACK } else { f64::INFINITY }
+    }
+
+    fn pair(&self, real: &Bounded<R>) -> Option<Pair<R>> {
+        let [_, _, _, c3] = self.coefficients;
+        let t = real.value;
+        let relative = real.error / t.leading().abs();
+        if !is_small(relative) {
+            return None;
+        }
+        let width = self.quadratic_discriminant_root(real)?;
+        let (linear, constant) = self.deflate(t, relative);
+        let lead_error = self.relative_error * self.magnitudes[3] / c3.leading().abs() + 3.0 * R::UNIT;
+        let twice = c3 * R::from(2);
+        let divide = |numerator: R, error: f64| {
+            let value = numerator / twice;
+            let error = error / twice.leading().abs() + value.leading().abs() * lead_error;
+            Bounded { value, error: error * SLACK }
+        };
+        if self.discriminant().value.leading() < 0.0 {
+            let positive = if twice.leading() < 0.0 { -width.value } else { width.value };
+            let re = divide(-linear.value, linear.error);
+            return Some(Pair::Complex { re, im: divide(positive, width.error) });
+        }
+        // −u ∓ √ without cancellation; the other root by the product of both, w/c3.
+        let outward = if linear.value.leading() < 0.0 { -width.value } else { width.value };
+        let sum = linear.value + outward;
+        let sum_error = linear.error + width.error + R::UNIT * sum.leading().abs();
+        let relative = sum_error / sum.leading().abs();
+        if !is_small(relative) {
+            return None;
+        }
+        let outer = divide(-sum, sum_error);
+        let inner = -(constant.value * R::from(2)) / sum;
+        let inner_error =
+            inner.leading().abs() * (relative + 3.0 * R::UNIT) + 2.0 * constant.error / sum.leading().abs();
+        let inner = Bounded { value: inner, error: inner_error * SLACK };
+        let ascending = outer.value.leading() < inner.value.leading();
+        Some(Pair::Real(if ascending { [outer, inner] } else { [inner, outer] }))
+    }
+
+    /// √|u² − 4c3w| = √|Δ|/|F'(t)|, or nothing when the sign of Δ or F' is not certain.
+    fn quadratic_discriminant_root(&self, real: &Bounded<R>) -> Option<Bounded<R>> {
+        let delta = self.discriminant();
+        let (_, slope) = self.value_and_slope(real.value);
+        let [_, slope_error, curvature] = self.evaluation_errors(real.value.leading(), real.error);
+        let slope_error = slope_error + curvature * real.error;
+        let slope_relative = slope_error / slope.leading().abs();
+        let delta_relative = delta.error / delta.value.leading().abs();
+        if !(is_small(delta_relative) && is_small(slope_relative)) {
+            return None;
+        }
+        let magnitude = if delta.value.leading() < 0.0 { -delta.value } else { delta.value };
+        let slope = if slope.leading() < 0.0 { -slope } else { slope };
+        let value = magnitude.sqrt() / slope;
+        let relative = (delta_relative / 2.0 + slope_relative + 3.0 * R::UNIT) * SLACK;
+        Some(Bounded { value, error: value.leading() * relative })
+    }
+
+    /// u and w of F(x) = (x − t)(c3x² + ux + w): w = −c0/t; u = c2 + c3t or (w − c1)/t, whichever is better.
+    fn deflate(&self, t: R, t_relative: f64) -> (Bounded<R>, Bounded<R>) {
+        let [c0, c1, c2, c3] = self.coefficients;
+        let [m0, m1, m2, m3] = self.magnitudes;
+        let size = t.leading().abs();
+        let data = self.relative_error + 2.0 * R::UNIT;
+        let constant = -c0 / t;
+        let constant_size = constant.leading().abs();
+        let constant_error = (m0 / size * data + constant_size * (t_relative + R::UNIT)) * SLACK;
+        let above = c2 + c3 * t;
+        let above_error = (data * (m2 + m3 * size) + m3 * size * t_relative) * SLACK;
+        let below = (constant - c1) / t;
+        let below_error = ((constant_error + data * (constant_size + m1)) / size
+            + below.leading().abs() * (t_relative + R::UNIT))
+            * SLACK;
+        let linear = if above_error < below_error {
+            Bounded { value: above, error: above_error }
+        } else {
+            Bounded { value: below, error: below_error }
+        };
+        (linear, Bounded { value: constant, error: constant_error })
+    }
+}
+
+/// Whether a relative error is small enough for first-order bounds; what is not a number is not.
+fn is_small(relative: f64) -> bool {
+    relative < 0.01
+}
+
+/// Kahan's iteration in 64-bit: from outside the three roots to the one farthest from the inflection point, monotonically.
+fn kahan_root([c0, c1, c2, c3]: [f64; 4]) -> f64 {
+    let evaluate = |x: f64| {
+        let lead = c3 * x;
+        let first = lead + c2;
+        let second = first * x + c1;
+        (second * x + c0, (lead + first) * x + second)
+    };
+    let inflection = -(c2 / c3) / 3.0;
+    let (value, slope) = evaluate(inflection);
+    let height = value / c3;
+    let direction = if height < 0.0 { -1.0 } else { 1.0 };
+    let descent = -slope / c3;
+    let mut reach = libm::cbrt(height.abs());
+    if descent > 0.0 {
+        // The root of x³ = x + 1 bounds the distance for both shapes of the cubic.
+        reach = 1.324_717_957_244_746 * reach.max(descent.sqrt());
+    }
+    let mut next = inflection - direction * reach;
+    let mut root = inflection;
+    if next == inflection {
+        return root;
+    }
+    let mut first = true;
+    while first || direction * next > direction * root {
+        first = false;
+        root = next;
+        let (value, slope) = evaluate(root);
+        next = root - value / slope;
+    }
+    root
+}

@@ -1,0 +1,60 @@
+//! What can be wrong with a CSV file beyond its numbers.
+
+use thiserror::Error;
+
+/// A fault of a CSV header or row.
+#[derive(Debug, Clone, PartialEq, Eq, Error)]
+pub enum CsvProblem {
+    /// No header line.
+    #[error("empty file (wanted: a header line with the columns {wanted})")]
+    NoHeader {
+        /// The columns that must be there.
+        wanted: String,
+    },
+    /// A column that must be there and is not.
+    #[error("missing column{}", .nearest.as_ref().map(|near| format!("; did you mean it by `{near}`?")).unwrap_or_default())]
+    MissingColumn {
+        /// The column of the file with the most similar name, when one is similar.
+        nearest: Option<String>,
+    },
+    /// A column named like a quantity, in another unit.
+    #[error("unknown unit (allowed: `{wanted}`, in SI)")]
+    UnknownUnit {
+        /// The column's name in SI.
+        wanted: &'static str,
+    },
+    /// A column for the second time.
+    #[error("doubled column (column {first} has the same name)")]
+    DoubledColumn {
+        /// The position of the first column of that name, counted from 1.
+        first: usize,
+    },
+    /// A column that the output appends.
+    #[error("a column of the output; remove or rename it")]
+    OutputColumn,
+    /// A row with fewer or more cells than the header.
+    #[error("{found} cells, where the header has {wanted}")]
+    CellCount {
+        /// The row's cells.
+        found: usize,
+        /// The header's cells.
+        wanted: usize,
+    },
+    /// More columns than allowed.
+    #[error("more than {0} cells in a row")]
+    TooManyCells(usize),
+    /// A cell longer than allowed.
+    #[error("a cell of {bytes} bytes (allowed: at most {limit})")]
+    CellTooLong {
+        /// The cell's bytes.
+        bytes: usize,
+        /// The cap.
+        limit: usize,
+    },
+    /// A row longer than allowed: as a rule a quotation mark that is never closed.
+    #[error("a row of more than {0} bytes (is a quotation mark not closed?)")]
+    RowTooLong(usize),
+    /// The file ends inside a quoted cell.
+    #[error("the file ends inside a quoted cell")]
+    UnclosedQuote,
+}

@@ -1,0 +1,218 @@
+//! What is wrong with an input, said once for people: place, key, value, problem, allowed range.
+
+use std::fmt;
+
+use thiserror::Error;
+
+use crate::number::DecimalError;
+use crate::scene::{CsvProblem, NameError};
+
+/// One fault of an input; printed as `file:line: key = value: problem`.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Fault {
+    /// The file's name, or what else the input came from (`command line`).
+    pub file: String,
+    /// The line in the file, counted from 1.
+    pub line: Option<usize>,
+    /// The key with its path (`parameters.normal_stress_pa`), or the option or column.
+    pub key: String,
+    /// The value as written, when there is one.
+    pub value: Option<String>,
+    /// What is wrong.
+    pub problem: Problem,
+}
+
+/// All the faults of one or more inputs; never empty when returned as an error.
+pub type Faults = Vec<Fault>;
+
+/// The ways in which an input can be wrong.
+#[derive(Debug, Clone, PartialEq, Eq, Error)]
+pub enum Problem {
+    /// The operating system does not let the file be read.
+    #[error("cannot be read: {0}")]
+    Unreadable(String),
+    /// The file exceeds the cap on its size.
+    #[error("{bytes} bytes (allowed: at most {limit})")]
+    TooLarge {
+        /// The file's size.
+        bytes: u64,
+        /// The cap.
+        limit: u64,
+    },
+    /// The bytes are not UTF-8.
+    #[error("not UTF-8 text (byte {0})")]
+    NotUtf8(usize),
+    /// A character that is invisible or changes the reading direction.
+    #[error("character U+{0:04X} is not allowed (control, invisible or direction-changing)")]
+    ForbiddenCharacter(u32),
+    /// Not TOML.
+    #[error("not valid TOML: {0}")]
+    Syntax(String),
+    /// A key that the section does not have.
+    #[error("unknown key{}", suggestion(.nearest, .known))]
+    UnknownKey {
+        /// The nearest known key, when one is near.
+        nearest: Option<String>,
+        /// Every key that the section has.
+        known: String,
+    },
+    /// A key or option that must be there.
+    #[error("missing (allowed: {allowed})")]
+    Missing {
+        /// What may stand there.
+        allowed: String,
+    },
+    /// A value of another type.
+    #[error("must be {wanted}, not {found}")]
+    WrongType {
+        /// What is wanted.
+        wanted: String,
+        /// What was found.
+        found: &'static str,
+    },
+    /// A text that is not a number of the grammar.
+    #[error("{reason} (allowed: {allowed})")]
+    NotANumber {
+        /// Why.
+        reason: DecimalError,
+        /// The range that a number may have.
+        allowed: String,
+    },
+    /// A number outside the allowed range.
+    #[error("out of range (allowed: {allowed})")]
+    OutOfRange {
+        /// The range.
+        allowed: String,
+    },
+    /// A quantity that must be positive and is not.
+    #[error("must be > 0 (allowed: {allowed})")]
+    NotPositive {
+        /// The range.
+        allowed: String,
+    },
+    /// `from` and `to` are equal.
+    #[error("empty range: from and to are equal (allowed: from < to)")]
+    EmptyRange,
+    /// `from` is greater than `to`.
+    #[error("reversed range: from is greater than to (allowed: from < to)")]
+    ReversedRange,
+    /// More points than the limit.
+    #[error("{points} points are over the limit of {limit} (--max-points N lifts it)")]
+    TooManyPoints {
+        /// The points asked for.
+        points: String,
+        /// The limit.
+        limit: u64,
+    },
+    /// A name that is not safe in every file system.
+    #[error(transparent)]
+    BadName(#[from] NameError),
+    /// A fault of a CSV file's form.
+    #[error(transparent)]
+    Csv(#[from] CsvProblem),
+    /// A name or id for the second time.
+    #[error("the same as {of}{}", if *.folded { " when case is ignored" } else { "" })]
+    Duplicate {
+        /// Where it was first.
+        of: String,
+        /// Whether the two differ in case only.
+        folded: bool,
+    },
+    /// A word outside a fixed list.
+    #[error("unknown{}", suggestion(.nearest, .allowed))]
+    UnknownWord {
+        /// The nearest word of the list, when one is near.
+        nearest: Option<String>,
+        /// The list.
+        allowed: String,
+    },
+    /// A text without content, or a list without members.
+    #[error("empty (allowed: {allowed})")]
+    Empty {
+        /// What may stand there.
+        allowed: String,
+    },
+    /// A section that needs another one, or parameters that the scene does not state.
+    #[error("needs {0}")]
+    Needs(String),
+    /// Parameters for which the section has no meaning.
+    #[error("needs evolution_effect > direct_effect: otherwise no critical normal stress exists")]
+    NoCriticalNormalStress,
+}
+
+/// "did you mean" with the nearest word, or else the whole list.
+fn suggestion(nearest: &Option<String>, known: &str) -> String {
+    match nearest {
+        Some(nearest) => format!("; did you mean `{nearest}`? (allowed: {known})"),
+        None => format!(" (allowed: {known})"),
+    }
+}
+
+/// The longest piece of a value that a message repeats.
+const LONGEST_VALUE: usize = 60;
+
+/// A value as a message shows it: control characters escaped, cut when long.
+fn shown(value: &str) -> String {
+    let mut text: String = value.chars().take(LONGEST_VALUE).flat_map(visible).collect();
+    if value.chars().nth(LONGEST_VALUE).is_some() {
+        text.push('…');
+    }
+    text
+}
+
+fn visible(character: char) -> Vec<char> {
+    if character.is_control() || crate::scene::file_text::is_forbidden(character) {
+        character.escape_unicode().collect()
+    } else {
+        vec![character]
+    }
+}
+
+impl fmt::Display for Fault {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.write_str(&shown_place(&self.file))?;
+        if let Some(line) = self.line {
+            write!(formatter, ":{line}")?;
+        }
+        formatter.write_str(": ")?;
+        if !self.key.is_empty() {
+            formatter.write_str(&shown(&self.key))?;
+            if let Some(value) = &self.value {
+                write!(formatter, " = {}", shown(value))?;
+            }
+            formatter.write_str(": ")?;
+        }
+        write!(formatter, "{}", self.problem)
+    }
+}
+
+/// A path is never cut, only made visible.
+fn shown_place(file: &str) -> String {
+    file.chars().flat_map(visible).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_fault_prints_file_line_key_value_and_range() {
+        let fault = Fault {
+            file: "scene.toml".into(),
+            line: Some(7),
+            key: "parameters.stiffness_pa_per_m".into(),
+            value: Some("-1e7".into()),
+            problem: Problem::NotPositive { allowed: "1e-300 to 1e300".into() },
+        };
+        assert_eq!(
+            fault.to_string(),
+            "scene.toml:7: parameters.stiffness_pa_per_m = -1e7: must be > 0 (allowed: 1e-300 to 1e300)"
+        );
+    }
+
+    #[test]
+    fn a_hostile_value_is_shown_escaped_and_cut() {
+        assert_eq!(shown("a\u{1b}[31m\u{202e}"), "a\\u{1b}[31m\\u{202e}");
+        assert_eq!(shown(&"9".repeat(1000)).chars().count(), LONGEST_VALUE + 1);
+    }
+}

@@ -1,0 +1,78 @@
+//! From the bytes of a file to a text that is safe to read and to show.
+
+use crate::scene::{Fault, Problem};
+
+/// The largest scene, report or claims file, in bytes (1 MiB).
+pub const MAX_FILE_BYTES: u64 = 1 << 20;
+
+/// The text of a file: at most [`MAX_FILE_BYTES`] of UTF-8; a byte order mark at the start is dropped.
+///
+/// # Errors
+/// When the file is too large, not UTF-8, or holds a character that is invisible or changes the reading
+/// direction (NUL and other controls, zero-width characters, bidirectional overrides).
+pub fn file_text<'b>(file: &str, bytes: &'b [u8]) -> Result<&'b str, Fault> {
+    let fault =
+        |line, problem| Fault { file: file.to_string(), line, key: String::new(), value: None, problem };
+    let size = bytes.len() as u64;
+    if size > MAX_FILE_BYTES {
+        return Err(fault(None, Problem::TooLarge { bytes: size, limit: MAX_FILE_BYTES }));
+    }
+    let text = std::str::from_utf8(bytes).map_err(|error| {
+        let at = error.valid_up_to();
+        fault(Some(line_at(bytes, at)), Problem::NotUtf8(at + 1))
+    })?;
+    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+    match text.char_indices().find(|(_, character)| is_forbidden(*character)) {
+        Some((at, character)) => {
+            let line = line_at(text.as_bytes(), at);
+            Err(fault(Some(line), Problem::ForbiddenCharacter(u32::from(character))))
+        }
+        None => Ok(text),
+    }
+}
+
+/// The line, counted from 1, of a byte offset.
+pub(super) fn line_at(bytes: &[u8], offset: usize) -> usize {
+    bytes[..offset.min(bytes.len())].iter().filter(|byte| **byte == b'\n').count() + 1
+}
+
+/// Characters that no input file may hold: they hide text or reorder what a reader sees.
+#[must_use]
+pub fn is_forbidden(character: char) -> bool {
+    match character {
+        '\t' | '\n' | '\r' => false,
+        '\u{ad}' | '\u{61c}' | '\u{180e}' | '\u{2028}' | '\u{2029}' | '\u{feff}' => true,
+        '\u{200b}'..='\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2060}'..='\u{206f}' => true,
+        '\u{fff9}'..='\u{fffb}' | '\u{e0000}'..='\u{e007f}' => true,
+        other => other.is_control(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_byte_order_mark_and_carriage_returns_are_accepted() {
+        assert_eq!(file_text("f", b"\xef\xbb\xbfa = 1\r\n").unwrap(), "a = 1\r\n");
+    }
+
+    #[test]
+    fn what_hides_or_reorders_text_is_refused_with_its_line() {
+        for hidden in ['\0', '\u{202e}', '\u{200b}', '\u{feff}', '\u{7f}', '\u{1b}'] {
+            let text = format!("a = 1\nb = \"{hidden}\"\n");
+            let fault = file_text("f", text.as_bytes()).unwrap_err();
+            assert_eq!(fault.line, Some(2));
+            assert_eq!(fault.problem, Problem::ForbiddenCharacter(u32::from(hidden)));
+        }
+    }
+
+    #[test]
+    fn other_encodings_and_large_files_are_refused() {
+        let utf16 = file_text("f", b"\xff\xfea\0").unwrap_err();
+        assert_eq!(utf16.problem, Problem::NotUtf8(1));
+        let large = vec![b' '; MAX_FILE_BYTES as usize + 1];
+        assert!(matches!(file_text("f", &large).unwrap_err().problem, Problem::TooLarge { .. }));
+        assert!(file_text("f", &large[1..]).is_ok());
+    }
+}

@@ -1,0 +1,121 @@
+//! The seven physical inputs: their names in scenes, CSV files and on the command line.
+
+use crate::friction::Parameters;
+use crate::number::Rational;
+
+/// One of the seven inputs of the spring-slider, in the order of the command line.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Quantity {
+    /// a, dimensionless.
+    DirectEffect,
+    /// b, dimensionless.
+    EvolutionEffect,
+    /// D_c, m.
+    CriticalSlipDistance,
+    /// K, Pa/m.
+    Stiffness,
+    /// M, kg/m².
+    MassPerArea,
+    /// σ, Pa.
+    NormalStress,
+    /// V0, m/s.
+    LoadingVelocity,
+}
+
+impl Quantity {
+    /// All seven, in the order of columns and options.
+    pub const ALL: [Self; 7] = [
+        Self::DirectEffect,
+        Self::EvolutionEffect,
+        Self::CriticalSlipDistance,
+        Self::Stiffness,
+        Self::MassPerArea,
+        Self::NormalStress,
+        Self::LoadingVelocity,
+    ];
+
+    /// The name with its SI unit, as scene key and CSV column.
+    #[must_use]
+    pub fn key(self) -> &'static str {
+        match self {
+            Self::DirectEffect => "direct_effect",
+            Self::EvolutionEffect => "evolution_effect",
+            Self::CriticalSlipDistance => "critical_slip_distance_m",
+            Self::Stiffness => "stiffness_pa_per_m",
+            Self::MassPerArea => "mass_per_area_kg_per_m2",
+            Self::NormalStress => "normal_stress_pa",
+            Self::LoadingVelocity => "loading_velocity_m_per_s",
+        }
+    }
+
+    /// The key without its unit: what a column in other units still starts with.
+    #[must_use]
+    pub fn stem(self) -> &'static str {
+        match self {
+            Self::DirectEffect | Self::EvolutionEffect => self.key(),
+            Self::CriticalSlipDistance => "critical_slip_distance",
+            Self::Stiffness => "stiffness",
+            Self::MassPerArea => "mass_per_area",
+            Self::NormalStress => "normal_stress",
+            Self::LoadingVelocity => "loading_velocity",
+        }
+    }
+}
+
+/// The seven values, given in the order of [`Quantity::ALL`], as parameters.
+#[must_use]
+pub fn parameters_from<R>(values: [R; 7]) -> Parameters<R> {
+    let [a, b, d, k, m, s, v] = values;
+    Parameters {
+        direct_effect: a,
+        evolution_effect: b,
+        critical_slip_distance_m: d,
+        stiffness_pa_per_m: k,
+        mass_per_area_kg_per_m2: m,
+        normal_stress_pa: s,
+        loading_velocity_m_per_s: v,
+    }
+}
+
+/// The parameters of a scene: the material and the machine, and perhaps one point (V0, σ) of operation.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct SceneParameters {
+    /// a of eq 1, dimensionless.
+    pub direct_effect: Rational,
+    /// b of eq 1, dimensionless.
+    pub evolution_effect: Rational,
+    /// D_c, m.
+    pub critical_slip_distance_m: Rational,
+    /// K, Pa/m.
+    pub stiffness_pa_per_m: Rational,
+    /// M, kg/m².
+    pub mass_per_area_kg_per_m2: Rational,
+    /// σ, Pa; absent when the scene sweeps it.
+    pub normal_stress_pa: Option<Rational>,
+    /// V0, m/s; absent when the scene sweeps it.
+    pub loading_velocity_m_per_s: Option<Rational>,
+}
+
+impl SceneParameters {
+    /// The full set at one normal stress (Pa) and one loading velocity (m/s).
+    #[must_use]
+    pub fn at(&self, normal_stress_pa: Rational, loading_velocity_m_per_s: Rational) -> Parameters<Rational> {
+        Parameters {
+            direct_effect: self.direct_effect.clone(),
+            evolution_effect: self.evolution_effect.clone(),
+            critical_slip_distance_m: self.critical_slip_distance_m.clone(),
+            stiffness_pa_per_m: self.stiffness_pa_per_m.clone(),
+            mass_per_area_kg_per_m2: self.mass_per_area_kg_per_m2.clone(),
+            normal_stress_pa,
+            loading_velocity_m_per_s,
+        }
+    }
+
+    /// The scene's own point of operation, when it states both σ and V0.
+    #[must_use]
+    pub fn point(&self) -> Option<Parameters<Rational>> {
+        let normal_stress_pa = self.normal_stress_pa.clone()?;
+        let loading_velocity_m_per_s = self.loading_velocity_m_per_s.clone()?;
+        Some(self.at(normal_stress_pa, loading_velocity_m_per_s))
+    }
+}

@@ -1,0 +1,86 @@
+//! Which numbers an input accepts: a range between two decimals, and the message when it is left.
+
+use crate::number::{Rational, parse_decimal};
+use crate::scene::Problem;
+
+/// A range of numbers; its ends are decimals, so that messages and checks cannot differ.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct AllowedRange {
+    lower: &'static str,
+    upper: &'static str,
+    ends_included: bool,
+}
+
+impl AllowedRange {
+    /// Every physical quantity: positive, 1e-300 to 1e300, ends included.
+    ///
+    /// Far beyond any slider, and far inside what the exact arithmetic can do.
+    pub const PHYSICAL: Self = Self { lower: "1e-300", upper: "1e300", ends_included: true };
+
+    /// Ratios and relative errors strictly between 0 and 1.
+    pub const OPEN_UNIT: Self = Self { lower: "0", upper: "1", ends_included: false };
+
+    /// The range as messages state it.
+    #[must_use]
+    pub fn text(&self) -> String {
+        if self.ends_included {
+            format!("{} to {}", self.lower, self.upper)
+        } else {
+            format!("{} < value < {}", self.lower, self.upper)
+        }
+    }
+
+    /// Reads a decimal exactly and checks that it lies in the range.
+    ///
+    /// # Errors
+    /// When the text is not a number of the grammar, or lies outside.
+    pub fn parse(&self, text: &str) -> Result<Rational, Problem> {
+        let value =
+            parse_decimal(text).map_err(|reason| Problem::NotANumber { reason, allowed: self.text() })?;
+        self.check(value)
+    }
+
+    /// The value itself when it lies in the range.
+    ///
+    /// # Errors
+    /// When it lies outside; a value that is not positive is named so.
+    pub fn check(&self, value: Rational) -> Result<Rational, Problem> {
+        let allowed = self.text();
+        if value <= 0 {
+            return Err(Problem::NotPositive { allowed });
+        }
+        let lower = parse_decimal(self.lower).unwrap_or_default();
+        let inside = parse_decimal(self.upper).is_ok_and(|upper| {
+            if self.ends_included { lower <= value && value <= upper } else { lower < value && value < upper }
+        });
+        if inside { Ok(value) } else { Err(Problem::OutOfRange { allowed }) }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_physical_quantity_is_positive_and_finite_in_every_sense() {
+        let range = AllowedRange::PHYSICAL;
+        assert_eq!(range.parse("0.004").unwrap(), Rational::from((1, 250)));
+        assert!(range.parse("1e300").is_ok() && range.parse("1e-300").is_ok());
+        for text in ["0", "-1e7", "-0", "0e5"] {
+            assert!(matches!(range.parse(text), Err(Problem::NotPositive { .. })), "{text}");
+        }
+        for text in ["1e400", "1e-400", "1.0000000000000000000001e300", "0.9999999999999999999e-300"] {
+            assert!(matches!(range.parse(text), Err(Problem::OutOfRange { .. })), "{text}");
+        }
+        for text in ["nan", "inf", "1e99999", "1,5", ""] {
+            assert!(matches!(range.parse(text), Err(Problem::NotANumber { .. })), "{text}");
+        }
+    }
+
+    #[test]
+    fn the_ends_of_an_open_range_are_outside() {
+        let range = AllowedRange::OPEN_UNIT;
+        assert!(range.parse("0.5").is_ok());
+        assert!(range.parse("1").is_err() && range.parse("0").is_err());
+    }
+}

@@ -1,0 +1,142 @@
+//! `report.toml`: the scenes and chapters of a report.
+
+use crate::scene::document::read_document;
+use crate::scene::section::Entry;
+use crate::scene::sections::{NAME_RULE, safe_name};
+use crate::scene::{Fault, Faults, Problem, Scene, same_name};
+
+/// A report: which scenes it computes, and in which chapters it tells of them.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct ReportPlan {
+    /// The name, safe as a file name; the output folder has it.
+    pub name: String,
+    /// The title, for people.
+    pub title: String,
+    /// The names of the scenes, each in `scenes/NAME.toml`.
+    pub scenes: Vec<String>,
+    /// The chapters, in order.
+    pub chapters: Vec<Chapter>,
+}
+
+/// A chapter: prose that places figures, tables, equations and claims.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Chapter {
+    /// The deep link, safe as a file name and distinct among the chapters.
+    pub id: String,
+    /// The title, for people.
+    pub title: String,
+    /// The name of the Markdown file in `prose/`.
+    pub prose: String,
+}
+
+impl ReportPlan {
+    /// Reads `report.toml` from its bytes.
+    ///
+    /// # Errors
+    /// All the faults at once: among them scenes listed twice, also when only case differs.
+    pub fn parse(file: &str, bytes: &[u8]) -> Result<Self, Faults> {
+        read_document(file, bytes, |top, faults| {
+            let name = top
+                .required("name", NAME_RULE, faults)
+                .and_then(|entry| safe_name(&entry, faults));
+            let title = top.required("title", "a text", faults).and_then(|entry| entry.text(faults));
+            let scenes = top
+                .required("scenes", "a list of scene names", faults)
+                .and_then(|entry| read_scene_names(&entry, faults));
+            let chapters = top
+                .required("chapter", "[[chapter]] sections", faults)
+                .and_then(|entry| read_chapters(&entry, faults));
+            Some(Self { name: name?, title: title?, scenes: scenes?, chapters: chapters? })
+        })
+    }
+}
+
+fn read_scene_names(entry: &Entry<'_>, faults: &mut Faults) -> Option<Vec<String>> {
+    let mut names = Vec::new();
+    entry.list(faults, |member, faults| distinct_name(member, &mut names, faults))
+}
+
+fn read_chapters(entry: &Entry<'_>, faults: &mut Faults) -> Option<Vec<Chapter>> {
+    let mut ids = Vec::new();
+    entry.list(faults, |member, faults| {
+        let mut section = member.section(faults)?;
+        let id = section
+            .required("id", NAME_RULE, faults)
+            .and_then(|entry| distinct_name(&entry, &mut ids, faults));
+        let title = section.required("title", "a text", faults).and_then(|entry| entry.text(faults));
+        let prose =
+            section.required("prose", "a file of prose/", faults).and_then(|entry| safe_name(&entry, faults));
+        section.finish(faults);
+        Some(Chapter { id: id?, title: title?, prose: prose? })
+    })
+}
+
+/// A name that differs from those before it in more than case.
+fn distinct_name(entry: &Entry<'_>, earlier: &mut Vec<String>, faults: &mut Faults) -> Option<String> {
+    let name = safe_name(entry, faults)?;
+    if let Some(first) = earlier.iter().find(|first| same_name(first, &name)) {
+        let folded = *first != name;
+        faults.push(entry.fault(Problem::Duplicate { of: format!("an earlier `{first}`"), folded }));
+        return None;
+    }
+    earlier.push(name.clone());
+    Some(name)
+}
+
+/// Refuses scenes of different files with one name: their outputs would overwrite each other.
+///
+/// # Errors
+/// One fault for each scene whose name an earlier file has, also when only case differs.
+pub fn check_distinct_scene_names(scenes: &[(String, Scene)]) -> Result<(), Faults> {
+    let mut faults = Faults::new();
+    for (index, (file, scene)) in scenes.iter().enumerate() {
+        let first = scenes[..index].iter().find(|(_, first)| same_name(&first.name, &scene.name));
+        if let Some((first_file, first)) = first {
+            faults.push(Fault {
+                file: file.clone(),
+                line: None,
+                key: "name".into(),
+                value: Some(scene.name.clone()),
+                problem: Problem::Duplicate {
+                    of: format!("the name of the scene in {first_file}"),
+                    folded: first.name != scene.name,
+                },
+            });
+        }
+    }
+    if faults.is_empty() { Ok(()) } else { Err(faults) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::Limits;
+
+    const CHAPTER: &str = "[[chapter]]\nid = \"c\"\ntitle = \"C\"\nprose = \"c.md\"\n";
+
+    fn plan(scenes: &str) -> Result<ReportPlan, Faults> {
+        let text = format!("name = \"r\"\ntitle = \"R\"\nscenes = {scenes}\n{CHAPTER}");
+        ReportPlan::parse("report.toml", text.as_bytes())
+    }
+
+    #[test]
+    fn a_report_lists_scenes_and_chapters() {
+        let plan = plan("[\"one\", \"two\"]").unwrap();
+        assert_eq!(plan.scenes, ["one", "two"]);
+        assert_eq!(plan.chapters[0].prose, "c.md");
+    }
+
+    #[test]
+    fn doubled_scenes_are_refused_also_when_only_case_differs() {
+        for scenes in ["[\"one\", \"one\"]", "[\"one\", \"ONE\"]"] {
+            let fault = &plan(scenes).unwrap_err()[0];
+            assert!(fault.to_string().contains("the same as an earlier `one`"), "{fault}");
+        }
+        let scene = |name: &str| {
+            let text = format!("name = \"{name}\"\ntitle = \"T\"\n");
+            (format!("{name}.toml"), Scene::parse("s", text.as_bytes(), &Limits::default()).unwrap())
+        };
+        assert!(check_distinct_scene_names(&[scene("a"), scene("b")]).is_ok());
+        assert_eq!(check_distinct_scene_names(&[scene("a"), scene("b"), scene("A")]).unwrap_err().len(), 1);
+    }
+}

@@ -1,0 +1,152 @@
+//! The scene file: sections, their order of reading, and what they need of each other.
+
+use crate::number::Rational;
+use crate::scene::document::read_document;
+use crate::scene::section::Section;
+use crate::scene::sections::{NAME_RULE, safe_name};
+use crate::scene::{
+    AllowedRange, BoundarySection, EffectRatioSweep, Faults, FrequencySection, HardCases, Limits, Problem,
+    Quantity, Rectangle, SceneParameters, ToleranceSection,
+};
+
+/// What a user asks for: valid, exact, and nothing that was not asked.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Scene {
+    /// The name, safe as a file name.
+    pub name: String,
+    /// The title, for people.
+    pub title: String,
+    /// The slider; absent in scenes that need none.
+    pub parameters: Option<SceneParameters>,
+    /// ω/ω_n above which an oscillation is called inertial; absent for the default √(1/2), exactly.
+    pub inertial_threshold: Option<Rational>,
+    /// `[map]`: max Im(s) and the spectral class on a (V, σ) grid.
+    pub map: Option<Rectangle>,
+    /// `[boundary]`.
+    pub boundary: Option<BoundarySection>,
+    /// `[frequency]`.
+    pub frequency: Option<FrequencySection>,
+    /// `[effect_ratio_sweep]`.
+    pub effect_ratio_sweep: Option<EffectRatioSweep>,
+    /// `[tolerance]`.
+    pub tolerance: Option<ToleranceSection>,
+    /// `[zones]`: slip modes on a (V, σ) grid.
+    pub zones: Option<Rectangle>,
+    /// `[hard_cases]`.
+    pub hard_cases: Option<HardCases>,
+}
+
+impl Scene {
+    /// Reads a scene from the bytes of its file; `file` is the name that messages use.
+    ///
+    /// # Errors
+    /// All the faults of the file at once.
+    pub fn parse(file: &str, bytes: &[u8], limits: &Limits) -> Result<Self, Faults> {
+        read_document(file, bytes, |section, faults| read_scene(section, limits, faults))
+    }
+}
+
+fn read_scene(top: &mut Section<'_>, limits: &Limits, faults: &mut Faults) -> Option<Scene> {
+    let name = top.required("name", NAME_RULE, faults).and_then(|entry| safe_name(&entry, faults));
+    let title = top.required("title", "a text", faults).and_then(|entry| entry.text(faults));
+    let parameters = top.optional("parameters").map(|entry| {
+        let mut section = entry.section(faults)?;
+        let parameters = read_parameters(&mut section, faults);
+        section.finish(faults);
+        parameters
+    });
+    let threshold = top.optional("inertial_threshold").map(|entry| {
+        let mut section = entry.section(faults)?;
+        let range = AllowedRange::OPEN_UNIT;
+        let ratio = section
+            .required("frequency_ratio", &range.text(), faults)
+            .and_then(|entry| entry.decimal(range, faults));
+        section.finish(faults);
+        ratio
+    });
+    let map = top.optional("map").map(|entry| Rectangle::read(&entry, limits, faults));
+    let boundary = top.optional("boundary").map(|entry| BoundarySection::read(&entry, limits, faults));
+    let frequency = top.optional("frequency").map(|entry| FrequencySection::read(&entry, limits, faults));
+    let sweep =
+        top.optional("effect_ratio_sweep").map(|entry| EffectRatioSweep::read(&entry, limits, faults));
+    let tolerance = top.optional("tolerance").map(|entry| ToleranceSection::read(&entry, faults));
+    let zones = top.optional("zones").map(|entry| Rectangle::read(&entry, limits, faults));
+    let hard_cases = top.optional("hard_cases").map(|entry| HardCases::read(&entry, faults));
+    check_needs(top, parameters.as_ref(), frequency.is_some(), faults);
+    Some(Scene {
+        name: name?,
+        title: title?,
+        parameters: given(parameters)?,
+        inertial_threshold: given(threshold)?,
+        map: given(map)?,
+        boundary: given(boundary)?,
+        frequency: given(frequency)?,
+        effect_ratio_sweep: given(sweep)?,
+        tolerance: given(tolerance)?,
+        zones: given(zones)?,
+        hard_cases: given(hard_cases)?,
+    })
+}
+
+/// A section is absent, or there and sound; `None` when it is there and faulty.
+fn given<T>(section: Option<Option<T>>) -> Option<Option<T>> {
+    match section {
+        None => Some(None),
+        Some(read) => read.map(Some),
+    }
+}
+
+/// The sections that only mean something for a slider, and [`Scene::frequency`] for one with a critical normal stress.
+const NEED_PARAMETERS: [&str; 5] = ["map", "boundary", "frequency", "tolerance", "zones"];
+
+fn check_needs(
+    top: &mut Section<'_>,
+    parameters: Option<&Option<SceneParameters>>,
+    has_frequency: bool,
+    faults: &mut Faults,
+) {
+    if parameters.is_none() {
+        for key in NEED_PARAMETERS {
+            if let Some(entry) = top.optional(key) {
+                faults.push(entry.fault(Problem::Needs("a [parameters] section".into())));
+            }
+        }
+    }
+    let has_critical_stress =
+        |parameters: &SceneParameters| parameters.evolution_effect > parameters.direct_effect;
+    if let Some(Some(parameters)) = parameters
+        && has_frequency
+        && !has_critical_stress(parameters)
+    {
+        faults.push(top.fault("frequency", Problem::NoCriticalNormalStress));
+    }
+}
+
+fn read_parameters(section: &mut Section<'_>, faults: &mut Faults) -> Option<SceneParameters> {
+    let range = AllowedRange::PHYSICAL;
+    let mut required = |section: &mut Section<'_>, quantity: Quantity| {
+        section.required(quantity.key(), &range.text(), faults).and_then(|entry| entry.decimal(range, faults))
+    };
+    let direct_effect = required(section, Quantity::DirectEffect);
+    let evolution_effect = required(section, Quantity::EvolutionEffect);
+    let critical_slip_distance = required(section, Quantity::CriticalSlipDistance);
+    let stiffness = required(section, Quantity::Stiffness);
+    let mass_per_area = required(section, Quantity::MassPerArea);
+    let mut optional = |section: &mut Section<'_>, quantity: Quantity| {
+        section.optional(quantity.key()).map(|entry| entry.decimal(range, faults))
+    };
+    let normal_stress = optional(section, Quantity::NormalStress);
+    let loading_velocity = optional(section, Quantity::LoadingVelocity);
+    Some(SceneParameters {
+        direct_effect: direct_effect?,
+        evolution_effect: evolution_effect?,
+        critical_slip_distance_m: critical_slip_distance?,
+        stiffness_pa_per_m: stiffness?,
+        mass_per_area_kg_per_m2: mass_per_area?,
+        normal_stress_pa: given(normal_stress)?,
+        loading_velocity_m_per_s: given(loading_velocity)?,
+    })
+}
+
+#[cfg(test)]
+mod tests;

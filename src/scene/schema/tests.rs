@@ -1,0 +1,137 @@
+//! Scenes as users write them: the full one, and the ways to get one wrong.
+
+use super::*;
+use crate::number::parse_decimal;
+
+const SLIDER: &str = "name = \"s\"\ntitle = \"S\"\n[parameters]\ndirect_effect = 0.004\nevolution_effect = 0.006\n\
+    critical_slip_distance_m = 10e-6\nstiffness_pa_per_m = 10e6\nmass_per_area_kg_per_m2 = 1000\n";
+
+fn parse(text: &str) -> Result<Scene, Faults> {
+    Scene::parse("s.toml", text.as_bytes(), &Limits::default())
+}
+
+/// The messages of the faults of the slider's scene with more text appended.
+fn messages(more: &str) -> Vec<String> {
+    parse(&format!("{SLIDER}{more}")).unwrap_err().iter().map(ToString::to_string).collect()
+}
+
+#[test]
+fn decimals_are_taken_from_their_text() {
+    let scene = parse(SLIDER).unwrap();
+    let parameters = scene.parameters.unwrap();
+    assert_eq!(parameters.direct_effect, Rational::from((1, 250)));
+    assert_eq!(parameters.normal_stress_pa, None);
+    let quoted = parse(&SLIDER.replace("0.004", "\"0.00400000000000000000001\"")).unwrap();
+    assert_eq!(quoted.parameters.unwrap().direct_effect, parse_decimal("0.00400000000000000000001").unwrap());
+}
+
+#[test]
+fn every_section_is_read() {
+    let axes = "loading_velocity_m_per_s = { from = 1e-6, to = 1e-1, points = 5 }\n\
+        normal_stress_pa = { from = 1e2, to = 1e8, points = 7 }\n";
+    let text = format!(
+        "{SLIDER}normal_stress_pa = 1e5\nloading_velocity_m_per_s = 1e-4\n[map]\n{axes}[zones]\n{axes}\
+         [inertial_threshold]\nfrequency_ratio = 0.7\n[boundary]\npoints = 400\ndigits = 50\n\
+         [frequency]\nnormal_stress_over_critical = [\"1/3\", 1, 3.5]\n\
+         loading_velocity_m_per_s = {{ from = 1e-6, to = 1e-1, points = 5 }}\n\
+         [effect_ratio_sweep]\neffect_ratio = {{ from = 1e-3, to = 1e3, points = 9 }}\nnear_equal = [1e-3]\n\
+         [tolerance]\nrelative = [0.1, 0.01]\n[hard_cases]\nfile = \"hard.txt\"\n"
+    );
+    let scene = parse(&text).unwrap();
+    assert_eq!(scene.map.unwrap().normal_stress_pa.points, 7);
+    assert_eq!(scene.inertial_threshold, Some(Rational::from((7, 10))));
+    assert_eq!(scene.boundary, Some(BoundarySection { points: 400, digits: 50 }));
+    let ratios = [(1, 3), (1, 1), (7, 2)].map(Rational::from);
+    assert_eq!(scene.frequency.unwrap().normal_stress_over_critical, ratios);
+    assert_eq!(scene.hard_cases.unwrap().file, "hard.txt");
+    assert!(scene.parameters.unwrap().point().is_some());
+}
+
+#[test]
+fn all_faults_are_reported_at_once_in_the_order_of_lines() {
+    let text = "name = \"../x\"\ntitle = 3\n[parameters]\ndirect_effect = 0\nevolution_effect = nan\n\
+        critical_slip_distance_m = -1e-5\nstiffness_pa_per_m = 1e400\nmass_per_area = 1000\n";
+    let faults = parse(text).unwrap_err();
+    let lines: Vec<_> = faults.iter().filter_map(|fault| fault.line).collect();
+    assert_eq!(lines, [1, 2, 3, 4, 5, 6, 7, 8]);
+    let last = faults.last().unwrap().to_string();
+    assert!(last.starts_with("s.toml:8: parameters.mass_per_area: unknown key"), "{last}");
+}
+
+#[test]
+fn an_unknown_key_names_the_nearest_known_one() {
+    let found = messages("sigmaa = 3\nnormal_stres_pa = 1e5\n[mapp]\n");
+    assert!(found[0].contains("sigmaa: unknown key (allowed: direct_effect, "), "{found:?}");
+    assert!(found[1].contains("did you mean `normal_stress_pa`?"), "{found:?}");
+    assert!(found[2].contains("mapp: unknown key; did you mean `map`?"), "{found:?}");
+}
+
+#[test]
+fn ranges_must_ascend_from_a_positive_end() {
+    let sweep = |axis: &str| messages(&format!("[effect_ratio_sweep]\neffect_ratio = {axis}\n")).join("\n");
+    assert!(sweep("{ from = 2, to = 1, points = 3 }").contains("reversed range"));
+    assert!(sweep("{ from = 2, to = 2.0, points = 3 }").contains("empty range"));
+    assert!(sweep("{ from = 0, to = 2, points = 3 }").contains("effect_ratio.from = 0: must be > 0"));
+    assert!(sweep("{ from = 1, to = 2, points = 1 }").contains("allowed: a whole number from 2"));
+    assert!(sweep("{ from = 1, to = 2, points = 2.5 }").contains("allowed: a whole number from 2"));
+    assert!(sweep("{ from = 1, to = 2 }").contains("effect_ratio.points: missing"));
+    assert!(sweep("[1, 2]").contains("must be a table, not a list"));
+}
+
+#[test]
+fn a_grid_over_the_limit_names_the_limit_and_the_flag() {
+    let axes = |points: u64| {
+        format!(
+            "[map]\nloading_velocity_m_per_s = {{ from = 1, to = 2, points = {points} }}\n\
+             normal_stress_pa = {{ from = 1, to = 2, points = {points} }}\n"
+        )
+    };
+    assert!(parse(&format!("{SLIDER}{}", axes(2048))).is_ok());
+    for points in [2049, 9_223_372_036_854_775_807] {
+        let found = messages(&axes(points)).join("\n");
+        assert!(found.contains("limit of 4194304 (--max-points N lifts it)"), "{found}");
+    }
+    let lifted = Limits { max_points: 1 << 40 };
+    assert!(Scene::parse("s", format!("{SLIDER}{}", axes(2049)).as_bytes(), &lifted).is_ok());
+}
+
+#[test]
+fn fractions_are_read_where_ratios_are_and_nowhere_else() {
+    let ratios = |list: &str| {
+        messages(&format!(
+            "[frequency]\nnormal_stress_over_critical = {list}\n\
+             loading_velocity_m_per_s = {{ from = 1, to = 2, points = 2 }}\n"
+        ))
+        .join("\n")
+    };
+    assert!(ratios("[\"1/0\"]").contains("normal_stress_over_critical[1] = \"1/0\": must be > 0"));
+    assert!(ratios("[1, \"1/x\"]").contains("normal_stress_over_critical[2]"));
+    assert!(ratios("[]").contains("at least one member"));
+    assert!(messages("normal_stress_pa = \"1/2\"\n")[0].contains("not a decimal number"));
+}
+
+#[test]
+fn sections_name_what_they_need() {
+    let alone = parse("name = \"s\"\ntitle = \"S\"\n[tolerance]\nrelative = [0.1]\n").unwrap_err();
+    assert!(alone[0].to_string().contains("tolerance: needs a [parameters] section"), "{}", alone[0]);
+    let stable = SLIDER.replace("0.006", "0.004");
+    let text = format!(
+        "{stable}[frequency]\nnormal_stress_over_critical = [1]\n\
+         loading_velocity_m_per_s = {{ from = 1, to = 2, points = 2 }}\n"
+    );
+    assert_eq!(parse(&text).unwrap_err()[0].problem, Problem::NoCriticalNormalStress);
+}
+
+#[test]
+fn hostile_files_end_in_a_fault_with_a_line() {
+    let nested = format!("a = {}", "[".repeat(100_000));
+    let dotted = format!("{}a = 1", "a.".repeat(100_000));
+    let doubled = format!("{SLIDER}direct_effect = 1\n");
+    for text in [nested.as_str(), &dotted, &"+".repeat(100_000), &doubled, "a = \"x", "\u{0}"] {
+        let faults = parse(text).unwrap_err();
+        assert!(faults[0].line.is_some());
+    }
+    for number in ["0x1p3", "1_000", "0x10", "inf", "1e10001", "true", "\" 1\"", "\"1,5\"", "1979-05-27"] {
+        assert!(parse(&SLIDER.replace("0.004", number)).is_err(), "{number}");
+    }
+}

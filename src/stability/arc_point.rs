@@ -1,0 +1,279 @@
+//! Both arcs of the boundary in a positive parameter, without a single cancellation.
+//!
+//! With q = √β the double root of the curve (`curve`) runs over
+//!
+//! * upper arc: r = ρ(q−1), ρ = λ/(1+λ), and y = 1 + λq;
+//! * lower arc: r = −ρ(q+1), ρ = (1+λ)/λ, and y = 1 + q + λq,
+//!
+//! for 0 < λ < ∞: λ → ∞ is the quasi-static end (eqs 15, 16), λ → 0 the inertial one (eqs 18, 20). Every quantity below
+//! is then a quotient of polynomials in λ and q with positive coefficients, except d = q − 1 = (β−1)/(q+1) and the
+//! errors of the lower arc, which do change sign. A relative error of a few units in the last place follows for any
+//! β, a ≈ b included.
+
+use rug::Rational;
+
+use crate::number::{Ball, Field, Real};
+use crate::stability::Arc;
+
+/// A place on the boundary: everything that depends on the arc, λ and β alone.
+#[derive(Debug, Clone)]
+pub struct ArcPoint<R> {
+    /// The double root r of eq 8, in units of V0/D_c.
+    pub double_root: R,
+    /// The third root t, in units of V0/D_c.
+    pub third_root: R,
+    /// η.
+    pub inertial_parameter: R,
+    /// κ.
+    pub stiffness_group: R,
+    /// η/κ = (V0/D_c)²·M/K: the square of the velocity in units of D_c·√(K/M).
+    pub velocity_squared: R,
+}
+
+/// √β and what follows from it, shared by all points of one β.
+#[derive(Debug, Clone)]
+pub struct ArcFrame<R> {
+    /// q = √β.
+    pub root_ratio: R,
+    /// q + 1.
+    pub sum: R,
+    /// q − 1 = (β − 1)/(q + 1).
+    pub difference: R,
+}
+
+impl<R: Field> ArcFrame<R> {
+    /// The frame of β, given β − 1 (which the caller knows without cancellation) and √β.
+    #[must_use]
+    pub fn new(excess: R, root_ratio: R) -> Self {
+        let sum = root_ratio.clone() + R::from(1);
+        let difference = excess / &sum;
+        Self { root_ratio, sum, difference }
+    }
+
+    /// The point of the arc at the parameter λ > 0. The upper arc degenerates (κ = 0) for a = b.
+    #[must_use]
+    pub fn point(&self, arc: Arc, parameter: &R) -> ArcPoint<R> {
+        let terms = self.terms(arc, parameter);
+        let Terms { slope, y_squared, linear, cubic } = &terms;
+        let twice_y_squared = y_squared.clone() + y_squared;
+        let double_root = match arc {
+            Arc::Upper => slope.clone() * &self.difference,
+            Arc::Lower => -(slope.clone() * &self.sum),
+        };
+        let root_squared = double_root.square();
+        let third_root = -(cubic.clone() / linear);
+        ArcPoint {
+            inertial_parameter: linear.clone() / (slope.clone() * &twice_y_squared),
+            stiffness_group: root_squared.clone() * cubic / (slope.clone() * &twice_y_squared),
+            velocity_squared: linear.clone() / (root_squared * cubic),
+            third_root,
+            double_root,
+        }
+    }
+
+    /// κ_asymptote/κ − 1 = σ_exact/σ_asymptote − 1 at the same V0, for eq 15 (upper arc) or eq 16 (lower arc).
+    ///
+    /// Positive all along the upper arc; changes sign once on the lower one.
+    #[must_use]
+    pub fn quasi_static_error(&self, arc: Arc, parameter: &R) -> R {
+        let terms = self.terms(arc, parameter);
+        let x = self.scaled(parameter);
+        let one = R::from(1);
+        match arc {
+            Arc::Upper => {
+                let numerator = R::from(2) + parameter + R::from(3) * &x + R::from(2) * parameter * &x;
+                numerator / (parameter.clone() * &terms.cubic)
+            }
+            Arc::Lower => {
+                let next = parameter.clone() + &one;
+                let numerator = parameter.clone() - one + next.clone() * (R::from(2) * &x - &self.root_ratio);
+                numerator / (next * &terms.cubic)
+            }
+        }
+    }
+
+    /// (V_exact/V_asymptote)² − 1 at the same σ, for eq 18 (upper arc) or eq 20 (lower arc).
+    ///
+    /// Negative all along the upper arc; changes sign once on the lower one.
+    #[must_use]
+    pub fn inertial_error_of_square(&self, arc: Arc, parameter: &R) -> R {
+        let terms = self.terms(arc, parameter);
+        let x = self.scaled(parameter);
+        let (q, sum) = (&self.root_ratio, &self.sum);
+        let x_squared = x.square();
+        let y_fourth = terms.y_squared.square();
+        match arc {
+            Arc::Upper => {
+                let low = q.clone() * sum * (R::from(2) + R::from(6) * &x);
+                let middle = R::from(4) * &x_squared * q * (sum.clone() + R::from(1));
+                let high = sum.square() * &x * &x_squared;
+                -(x * (low + middle + high) / (sum.square() * y_fourth))
+            }
+            Arc::Lower => {
+                let low = R::from(2) * sum.square() * sum;
+                let middle = R::from(6) * sum.square() * &x + R::from(4) * sum * &x_squared;
+                let high = x_squared * &x;
+                x * ((low + middle) * q - high) / y_fourth
+            }
+        }
+    }
+
+    /// Relative change of the boundary's σ, at given V0, per relative change of each parameter.
+    ///
+    /// From r²dη + dκ = (r/(r+1))dβ along the boundary; the seven inputs enter η, κ and β as powers.
+    #[must_use]
+    pub fn sensitivity(&self, arc: Arc, parameter: &R) -> Sensitivity<R> {
+        let x = self.scaled(parameter);
+        let (one, q) = (R::from(1), &self.root_ratio);
+        let twice_x = x.clone() + &x;
+        let near = x.clone() + &one;
+        let far = x + &self.sum;
+        let mass = (self.sum.clone() + &twice_x) / (R::from(2) * &near * &far);
+        let evolution_effect = match arc {
+            Arc::Upper => -(q.square() * (parameter.clone() + &one) / (self.difference.clone() * &far)),
+            Arc::Lower => -(q.square() * parameter / (self.sum.clone() * &near)),
+        };
+        let twice_mass = mass.clone() + &mass;
+        Sensitivity {
+            direct_effect: -(evolution_effect.clone() + &one),
+            critical_slip_distance: one.clone() - &twice_mass,
+            stiffness: one - &mass,
+            loading_velocity: twice_mass,
+            evolution_effect,
+            mass,
+        }
+    }
+
+    /// λq.
+    fn scaled(&self, parameter: &R) -> R {
+        parameter.clone() * &self.root_ratio
+    }
+
+    fn terms(&self, arc: Arc, parameter: &R) -> Terms<R> {
+        let x = self.scaled(parameter);
+        let next = parameter.clone() + R::from(1);
+        let twice_x = x.clone() + &x;
+        let linear = self.sum.clone() + &twice_x;
+        let cubic = twice_x * (x.clone() + &self.root_ratio) + &linear;
+        let (slope, y) = match arc {
+            Arc::Upper => (parameter.clone() / &next, x + R::from(1)),
+            Arc::Lower => (next / parameter, x + &self.sum),
+        };
+        Terms { slope, y_squared: y.square(), linear, cubic }
+    }
+}
+
+impl ArcFrame<Ball> {
+    /// The frame of a rational β; β − 1 is rounded once, however small it is.
+    #[must_use]
+    pub fn of_rational(effect_ratio: &Rational, bits: u32) -> Self {
+        let excess = Ball::from_rational(&Rational::from(effect_ratio - 1_u32), bits);
+        Self::new(excess, Ball::from_rational(effect_ratio, bits).sqrt())
+    }
+}
+
+/// The factors that η, κ, the roots and the errors are made of.
+struct Terms<R> {
+    /// ρ.
+    slope: R,
+    /// y².
+    y_squared: R,
+    /// 1 + q + 2λq.
+    linear: R,
+    /// 1 + q + 2λq + 2λ(1+λ)q².
+    cubic: R,
+}
+
+/// ∂ ln σ/∂ ln(parameter) of the boundary at given V0.
+#[derive(Debug, Clone)]
+pub struct Sensitivity<R> {
+    /// With respect to a; grows like 1/(√β − 1) on the upper arc as a → b.
+    pub direct_effect: R,
+    /// With respect to b; minus one minus that of a.
+    pub evolution_effect: R,
+    /// With respect to D_c.
+    pub critical_slip_distance: R,
+    /// With respect to K.
+    pub stiffness: R,
+    /// With respect to M.
+    pub mass: R,
+    /// With respect to V0.
+    pub loading_velocity: R,
+}
+
+impl<R> Sensitivity<R> {
+    /// The six numbers.
+    #[must_use]
+    pub fn all(&self) -> [&R; 6] {
+        [
+            &self.direct_effect,
+            &self.evolution_effect,
+            &self.critical_slip_distance,
+            &self.stiffness,
+            &self.mass,
+            &self.loading_velocity,
+        ]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+    use crate::stability::curve;
+    use crate::stability::fixtures::positive_rational;
+
+    proptest! {
+        #[test]
+        fn the_positive_forms_are_the_curve_and_its_errors_exactly(
+            q in positive_rational(), parameter in positive_rational(), upper in any::<bool>(),
+        ) {
+            let arc = if upper { Arc::Upper } else { Arc::Lower };
+            let beta = q.clone().square();
+            prop_assume!(beta != 1);
+            let frame = ArcFrame::new(Rational::from(&beta - 1_u32), q.clone());
+            let point = frame.point(arc, &parameter);
+            let r = &point.double_root;
+            prop_assert_eq!(&point.inertial_parameter, &curve::inertial_parameter(r, &beta));
+            prop_assert_eq!(&point.stiffness_group, &curve::stiffness_group(r, &beta));
+            prop_assert_eq!(&point.third_root, &curve::third_root(r, &beta));
+            let ratio = Rational::from(&point.inertial_parameter / &point.stiffness_group);
+            prop_assert_eq!(&point.velocity_squared, &ratio);
+            prop_assert!(point.inertial_parameter > 0 && point.stiffness_group > 0);
+
+            let (end, factor) = match arc {
+                Arc::Upper => (q.clone() - 1_u32, Rational::from(&beta - 1_u32)),
+                Arc::Lower => (q.clone() + 1_u32, Rational::from(1)),
+            };
+            let quasi_static = end.square() / &point.stiffness_group - 1_u32;
+            prop_assert_eq!(frame.quasi_static_error(arc, &parameter), quasi_static);
+            let product = Rational::from(&point.inertial_parameter * &point.stiffness_group);
+            let inertial = product * 4_u32 / factor.square() - 1_u32;
+            prop_assert_eq!(frame.inertial_error_of_square(arc, &parameter), inertial);
+        }
+
+        #[test]
+        fn the_sensitivities_follow_from_the_differential_of_the_cubic_at_its_double_root(
+            q in positive_rational(), parameter in positive_rational(), upper in any::<bool>(),
+        ) {
+            let arc = if upper { Arc::Upper } else { Arc::Lower };
+            let beta = q.clone().square();
+            prop_assume!(beta != 1);
+            let frame = ArcFrame::new(Rational::from(&beta - 1_u32), q);
+            let ArcPoint { double_root: r, inertial_parameter: eta, stiffness_group: kappa, .. } =
+                frame.point(arc, &parameter);
+            let s = frame.sensitivity(arc, &parameter);
+            // (ηr² + κ) dlnσ = ηr² dln(M V²/(a D_c)) + κ dln(K D_c/a) − rβ/(r+1) dln(b/a).
+            let inertia = eta * r.clone().square();
+            let whole = Rational::from(&inertia + &kappa);
+            let effect = r.clone() * &beta / (r + 1_u32);
+            prop_assert_eq!(Rational::from(&s.mass * &whole), inertia.clone());
+            prop_assert_eq!(Rational::from(&s.stiffness * &whole), kappa.clone());
+            prop_assert_eq!(s.loading_velocity, s.mass * 2_u32);
+            prop_assert_eq!(s.critical_slip_distance * &whole, kappa - inertia);
+            prop_assert_eq!(s.evolution_effect * &whole, Rational::from(-&effect));
+            prop_assert_eq!(s.direct_effect * &whole, effect - whole);
+        }
+    }
+}

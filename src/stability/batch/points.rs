@@ -1,0 +1,164 @@
+//! Exact signs of many unrelated points, given as seven columns.
+
+use rayon::prelude::*;
+
+use super::dispatch::{Kernel, run_on_widest_unit};
+use super::grid::{decide_above_filter, exact};
+use super::{RungCounts, SignPair};
+use crate::friction::Parameters;
+use crate::stability::ladder;
+
+/// Points handled at a time: their columns stay in the first-level cache.
+const BLOCK: usize = 1024;
+
+/// Classifies the points whose seven inputs (SI) stand in seven columns of equal length.
+///
+/// `None` when the columns differ in length or hold a value that is not positive and finite.
+#[must_use]
+pub fn classify_points(columns: &Parameters<&[f64]>) -> Option<(Vec<SignPair>, RungCounts)> {
+    let count = columns.direct_effect.len();
+    if as_array(columns).into_iter().any(|column| column.len() != count) {
+        return None;
+    }
+    let mut cells = vec![SignPair::UNDECIDED; count];
+    let counts = cells
+        .par_chunks_mut(BLOCK)
+        .enumerate()
+        .map(|(block, cells)| {
+            let first = block * BLOCK;
+            let columns = map(columns, |column| &column[first..first + cells.len()]);
+            run_on_widest_unit(PointLoop { columns: &columns, cells });
+            decide_the_rest(&columns, cells)
+        })
+        .collect::<Option<Vec<RungCounts>>>()?;
+    let mut total = RungCounts::default();
+    counts.into_iter().for_each(|block| total += block);
+    Some((cells, total))
+}
+
+fn as_array<'a>(columns: &Parameters<&'a [f64]>) -> [&'a [f64]; 7] {
+    let p = columns;
+    [
+        p.direct_effect,
+        p.evolution_effect,
+        p.critical_slip_distance_m,
+        p.stiffness_pa_per_m,
+        p.mass_per_area_kg_per_m2,
+        p.normal_stress_pa,
+        p.loading_velocity_m_per_s,
+    ]
+}
+
+#[inline(always)]
+fn map<'a, T>(columns: &Parameters<&'a [f64]>, convert: impl Fn(&'a [f64]) -> T) -> Parameters<T> {
+    Parameters {
+        direct_effect: convert(columns.direct_effect),
+        evolution_effect: convert(columns.evolution_effect),
+        critical_slip_distance_m: convert(columns.critical_slip_distance_m),
+        stiffness_pa_per_m: convert(columns.stiffness_pa_per_m),
+        mass_per_area_kg_per_m2: convert(columns.mass_per_area_kg_per_m2),
+        normal_stress_pa: convert(columns.normal_stress_pa),
+        loading_velocity_m_per_s: convert(columns.loading_velocity_m_per_s),
+    }
+}
+
+/// Hands the points that the filter left open to the upper rungs.
+///
+/// A value that is not positive and finite lies outside the filter's range, so that it is found here, at no cost to the rest.
+fn decide_the_rest(columns: &Parameters<&[f64]>, cells: &mut [SignPair]) -> Option<RungCounts> {
+    let mut counts = RungCounts::default();
+    for (index, cell) in cells.iter_mut().enumerate() {
+        if *cell != SignPair::UNDECIDED {
+            counts.f64 += 1;
+            continue;
+        }
+        let valid = |column: &[f64]| column[index] > 0.0 && column[index].is_finite();
+        if !as_array(columns).into_iter().all(valid) {
+            return None;
+        }
+        let (signs, rung) = decide_above_filter(&map(columns, |column| exact(column[index])));
+        *cell = signs;
+        counts.count(rung);
+    }
+    Some(counts)
+}
+
+/// The inner loop over a block of points.
+struct PointLoop<'a> {
+    columns: &'a Parameters<&'a [f64]>,
+    cells: &'a mut [SignPair],
+}
+
+impl Kernel for PointLoop<'_> {
+    #[inline(always)]
+    fn run(self) {
+        let count = self.cells.len();
+        // One slice each of the same length: the compiler then sees that no index can be out of bounds.
+        let columns = map(self.columns, |column| &column[..count]);
+        for index in 0..count {
+            let point = map(&columns, |column| column[index]);
+            self.cells[index] = match ladder::filter(&point) {
+                (true, stable, real) => SignPair::from_decided(stable, real),
+                (false, ..) => SignPair::UNDECIDED,
+            };
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::stability::{boundary_sign, transition_sign};
+    use proptest::prelude::*;
+
+    proptest! {
+        #[test]
+        fn every_point_has_the_exact_signs(exponents in prop::collection::vec(prop::array::uniform7(-12f64..12.0), 1..40)) {
+            let column = |k: usize| exponents.iter().map(|e| libm::exp10(e[k])).collect::<Vec<f64>>();
+            let columns: Vec<Vec<f64>> = (0..7).map(column).collect();
+            let points = Parameters {
+                direct_effect: &columns[0][..],
+                evolution_effect: &columns[1][..],
+                critical_slip_distance_m: &columns[2][..],
+                stiffness_pa_per_m: &columns[3][..],
+                mass_per_area_kg_per_m2: &columns[4][..],
+                normal_stress_pa: &columns[5][..],
+                loading_velocity_m_per_s: &columns[6][..],
+            };
+            let (cells, counts) = classify_points(&points).unwrap();
+            prop_assert_eq!(counts.f64 + counts.double_double + counts.exact, cells.len() as u64);
+            for (index, cell) in cells.iter().enumerate() {
+                let groups = map(&points, |column| exact(column[index])).groups();
+                prop_assert_eq!(cell.transition_sign(), transition_sign(&groups));
+                prop_assert_eq!(cell.boundary_sign(), boundary_sign(&groups));
+            }
+            let mut plain = vec![SignPair::UNDECIDED; cells.len()];
+            let mut vector = plain.clone();
+            PointLoop { columns: &points, cells: &mut plain }.run();
+            run_on_widest_unit(PointLoop { columns: &points, cells: &mut vector });
+            prop_assert_eq!(plain, vector);
+        }
+    }
+
+    fn all_one_but_stress<'a>(one: &'a [f64], stress: &'a [f64]) -> Parameters<&'a [f64]> {
+        Parameters {
+            direct_effect: one,
+            evolution_effect: one,
+            critical_slip_distance_m: one,
+            stiffness_pa_per_m: one,
+            mass_per_area_kg_per_m2: one,
+            normal_stress_pa: stress,
+            loading_velocity_m_per_s: one,
+        }
+    }
+
+    #[test]
+    fn columns_of_unequal_length_and_values_out_of_range_are_refused() {
+        let classify = |stress: &[f64]| classify_points(&all_one_but_stress(&[1.0], stress));
+        assert!(classify(&[1.0]).is_some());
+        assert!(classify(&[1.0, 2.0]).is_none());
+        for bad in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+            assert!(classify(&[bad]).is_none());
+        }
+    }
+}

@@ -1,0 +1,186 @@
+//! Points of the boundary from the rational curve, at a given parameter, V0 or σ.
+
+use rug::Rational;
+
+use crate::friction::Parameters;
+use crate::number::{Ball, Real, bits_for_digits};
+use crate::stability::boundary::crossing::{stress_scale_pa, velocity_scale_squared};
+use crate::stability::boundary::{BoundaryPoint, Mark, Section};
+use crate::stability::parameter_equation::ParameterEquation;
+use crate::stability::{Arc, ArcFrame};
+
+/// Bits beyond the digits asked for: the forms of `arc_point` lose four or five, square roots and logarithms two more.
+const GUARD_BITS: u32 = 24;
+
+/// The boundary of one friction, spring and mass, ready for points of a given number of digits.
+///
+/// The parameters' own σ and V0 play no part.
+#[derive(Debug, Clone)]
+pub struct BoundaryCurve {
+    pub(super) parameters: Parameters<Rational>,
+    pub(super) effect_ratio: Rational,
+    pub(super) frame: ArcFrame<Ball>,
+    pub(super) bits: u32,
+    stress_scale_pa: Ball,
+    velocity_scale_m_per_s: Ball,
+}
+
+impl BoundaryCurve {
+    /// The boundary to this many digits.
+    #[must_use]
+    pub fn new(parameters: &Parameters<Rational>, digits: u32) -> Self {
+        let bits = bits_for_digits(digits) + GUARD_BITS;
+        let effect_ratio = Rational::from(&parameters.evolution_effect / &parameters.direct_effect);
+        Self {
+            frame: ArcFrame::of_rational(&effect_ratio, bits),
+            stress_scale_pa: Ball::from_rational(&stress_scale_pa(parameters), bits),
+            velocity_scale_m_per_s: Ball::from_rational(&velocity_scale_squared(parameters), bits).sqrt(),
+            parameters: parameters.clone(),
+            effect_ratio,
+            bits,
+        }
+    }
+
+    /// The arcs that exist: both, or only the lower one when a = b.
+    #[must_use]
+    pub fn arcs(&self) -> &'static [Arc] {
+        if self.effect_ratio == 1 { &[Arc::Lower] } else { &[Arc::Upper, Arc::Lower] }
+    }
+
+    /// √β and its companions.
+    #[must_use]
+    pub fn frame(&self) -> &ArcFrame<Ball> {
+        &self.frame
+    }
+
+    /// (σ in Pa, V0 in m/s) at the parameter λ of an arc.
+    #[must_use]
+    pub fn position(&self, arc: Arc, parameter: &Ball) -> (Ball, Ball) {
+        let place = self.frame.point(arc, &self.lifted(parameter));
+        let stress = self.stress_scale_pa.clone() / &place.stiffness_group;
+        let velocity = self.velocity_scale_m_per_s.clone() * place.velocity_squared.sqrt();
+        (stress, velocity)
+    }
+
+    /// The full row at the parameter λ of an arc.
+    #[must_use]
+    pub fn point(&self, arc: Arc, parameter: &Ball, mark: Option<Mark>) -> BoundaryPoint {
+        let lifted = self.lifted(parameter);
+        BoundaryPoint::new(&self.frame, (arc, &lifted), self.position(arc, &lifted), mark)
+    }
+
+    /// The same number with room for this curve's precision, so that λ + 1 is not rounded to λ's own.
+    fn lifted(&self, parameter: &Ball) -> Ball {
+        parameter.with_precision(self.bits.max(parameter.precision_bits()))
+    }
+
+    /// Every point of the boundary on a section, by arc, then from the quasi-static end on.
+    ///
+    /// At given V0: one on the upper arc (none for a = b), two, one (at the cusp) or none on the lower arc.
+    /// At given σ: one on the upper arc above σ of eq 15; on the lower arc one below eq 16, two up to the cusp.
+    #[must_use]
+    pub fn on_section(&self, section: &Section) -> Vec<BoundaryPoint> {
+        let mut points = Vec::new();
+        for &arc in self.arcs() {
+            for parameter in self.parameters_on(section, arc) {
+                let computed = self.position(arc, &parameter);
+                let position = match section {
+                    Section::AtVelocity(velocity) => (computed.0, Ball::from_rational(velocity, self.bits)),
+                    Section::AtNormalStress(stress) => (Ball::from_rational(stress, self.bits), computed.1),
+                };
+                points.push(BoundaryPoint::new(&self.frame, (arc, &parameter), position, None));
+            }
+        }
+        points
+    }
+
+    /// The points of the boundary at a given V0 in m/s.
+    #[must_use]
+    pub fn at_velocity(&self, velocity_m_per_s: &Rational) -> Vec<BoundaryPoint> {
+        self.on_section(&Section::AtVelocity(velocity_m_per_s.clone()))
+    }
+
+    /// The points of the boundary at a given σ in Pa.
+    #[must_use]
+    pub fn at_normal_stress(&self, normal_stress_pa: &Rational) -> Vec<BoundaryPoint> {
+        self.on_section(&Section::AtNormalStress(normal_stress_pa.clone()))
+    }
+
+    /// λ of the points of one arc on a section, descending (from the quasi-static end on).
+    fn parameters_on(&self, section: &Section, arc: Arc) -> Vec<Ball> {
+        let equation = match section {
+            Section::AtVelocity(velocity) => ParameterEquation::at_velocity(
+                &self.effect_ratio,
+                arc,
+                Section::velocity_squared(&self.parameters, velocity),
+            ),
+            Section::AtNormalStress(stress) => ParameterEquation::at_stiffness(
+                &self.effect_ratio,
+                arc,
+                Section::stiffness_group(&self.parameters, stress),
+            ),
+        };
+        equation.roots(self.bits)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::number::format::certain_digits;
+    use crate::stability::fixtures::{paper, with_effects};
+    use crate::stability::{Asymptote, asymptote};
+
+    #[test]
+    fn the_cusp_of_the_papers_values() {
+        let cusp = BoundaryCurve::new(&paper(), 50).cusp();
+        assert_eq!(certain_digits(&cusp.loading_velocity_m_per_s, 5), "0.00015964");
+        assert_eq!(certain_digits(&cusp.normal_stress_pa, 5), "5857.9");
+        assert!(cusp.normal_stress_pa.relative_radius_log2() < -f64::from(bits_for_digits(50)));
+        // The area pokes past the corner of eqs 16 and 20.
+        let (corner_stress, corner_velocity) =
+            asymptote::corner(Arc::Lower, &paper().map(|value| Ball::from_rational(value, 200)));
+        assert!(cusp.normal_stress_pa.lower() > corner_stress.upper());
+        assert!(cusp.loading_velocity_m_per_s.lower() > corner_velocity.upper());
+    }
+
+    #[test]
+    fn every_number_of_every_sample_has_the_digits_asked_for() {
+        for (a, b) in [(4, 6), (6, 4), (5, 5), (1, 1000), (1000, 1)] {
+            let parameters = with_effects(Rational::from((a, 1000)), Rational::from((b, 1000)));
+            let curve = BoundaryCurve::new(&parameters, 50);
+            let points = curve.sample(30, 1e-8);
+            assert_eq!(points.len(), curve.arcs().len() * 30 + if a == b { 4 } else { 5 });
+            let goal = -f64::from(bits_for_digits(50));
+            for point in points {
+                for ball in [&point.normal_stress_pa, &point.loading_velocity_m_per_s, &point.asymptote_value]
+                {
+                    assert!(ball.relative_radius_log2() < goal, "{a} {b} {point:?}");
+                }
+                let twin = Parameters {
+                    normal_stress_pa: point.normal_stress_pa.clone(),
+                    loading_velocity_m_per_s: point.loading_velocity_m_per_s.clone(),
+                    ..parameters.map(|value| Ball::from_rational(value, 300))
+                };
+                assert!(point.asymptote.value(&twin).overlaps(&point.asymptote_value));
+                assert_eq!(point.asymptote.arc(), point.arc);
+            }
+        }
+    }
+
+    #[test]
+    fn the_number_of_points_on_a_section_is_that_of_the_theory() {
+        let curve = BoundaryCurve::new(&paper(), 30);
+        let arcs = |section: Section| curve.on_section(&section).iter().map(|p| p.arc).collect::<Vec<_>>();
+        let number = |text: &str| crate::number::parse_decimal(text).unwrap_or_default();
+        use Arc::{Lower, Upper};
+        assert_eq!(arcs(Section::AtVelocity(number("1e-6"))), [Upper, Lower, Lower]);
+        assert_eq!(arcs(Section::AtVelocity(number("1.6e-4"))), [Upper]);
+        assert_eq!(arcs(Section::AtNormalStress(number("1e3"))), [Lower]);
+        assert_eq!(arcs(Section::AtNormalStress(number("5.5e3"))), [Lower, Lower]);
+        assert_eq!(arcs(Section::AtNormalStress(number("1e4"))), []);
+        assert_eq!(arcs(Section::AtNormalStress(number("1e6"))), [Upper]);
+        let asymptote = curve.at_velocity(&number("1e-6")).remove(0).asymptote;
+        assert_eq!(asymptote, Asymptote::QuasiStaticUpper);
+    }
+}

@@ -1,0 +1,139 @@
+//! Crossings of the boundary as roots of the discriminant of eq 8: isolated exactly over ℚ, then refined.
+//!
+//! At given V0 the ratio g = η/κ is fixed and Δ(gκ, κ, β) is a quartic in κ ∝ 1/σ; at given σ κ is fixed and
+//! Δ(η, κ, β) is a cubic in η ∝ V0². Sturm's theorem counts the positive roots, so none is missed and none invented.
+
+use std::cmp::Ordering;
+
+use rug::Rational;
+
+use crate::friction::{Groups, Parameters};
+use crate::number::{Ball, Field, bits_for_digits};
+use crate::polynomial::{IsolatingInterval, UnivariatePolynomial};
+use crate::roots::discriminant;
+use crate::stability::Arc;
+use crate::stability::boundary::{Crossing, Section};
+
+/// Bits beyond the digits asked for, for the arithmetic after the root is known.
+const GUARD_BITS: u32 = 24;
+
+/// The groups along a section, as functions of the unknown: κ at given V0, η at given σ.
+struct Line {
+    effect_ratio: Rational,
+    /// g = η/κ, or κ.
+    given: Rational,
+    at_velocity: bool,
+}
+
+/// All crossings of the section, by σ descending (given V0) or V0 ascending (given σ).
+#[must_use]
+pub fn by_discriminant(parameters: &Parameters<Rational>, section: &Section, digits: u32) -> Vec<Crossing> {
+    let bits = bits_for_digits(digits) + GUARD_BITS;
+    let line = Line::new(parameters, section);
+    let polynomial = line.along(|groups| discriminant(&groups.characteristic_cubic()), 4);
+    let cusps = line.along(|groups| distance_from_cusp(&groups.characteristic_cubic()), 2).gcd(&polynomial);
+    polynomial
+        .isolate_positive_roots()
+        .iter()
+        .map(|interval| {
+            let root = line.double_root(&polynomial, &cusps, interval, bits);
+            let groups =
+                line.groups(polynomial.refine(interval, bits), |value| Ball::from_rational(value, bits));
+            let (normal_stress_pa, loading_velocity_m_per_s) = section.coordinates(parameters, &groups, bits);
+            Crossing { arc: arc_of(&root), double_root: root, normal_stress_pa, loading_velocity_m_per_s }
+        })
+        .collect()
+}
+
+impl Line {
+    fn new(parameters: &Parameters<Rational>, section: &Section) -> Self {
+        let (given, at_velocity) = match section {
+            Section::AtVelocity(velocity) => (Section::velocity_squared(parameters, velocity), true),
+            Section::AtNormalStress(stress) => (Section::stiffness_group(parameters, stress), false),
+        };
+        let effect_ratio = Rational::from(&parameters.evolution_effect / &parameters.direct_effect);
+        Self { effect_ratio, given, at_velocity }
+    }
+
+    fn groups<R: Field>(&self, unknown: R, convert: impl Fn(&Rational) -> R) -> Groups<R> {
+        let (given, effect_ratio) = (convert(&self.given), convert(&self.effect_ratio));
+        if self.at_velocity {
+            Groups { inertial_parameter: given * &unknown, stiffness_group: unknown, effect_ratio }
+        } else {
+            Groups { inertial_parameter: unknown, stiffness_group: given, effect_ratio }
+        }
+    }
+
+    /// A polynomial function of the groups as a polynomial of the unknown, from its values at 0, 1, …, degree.
+    fn along(&self, function: impl Fn(&Groups<Rational>) -> Rational, degree: i32) -> UnivariatePolynomial {
+        let values =
+            (0..=degree).map(|x| function(&self.groups(Rational::from(x), Rational::clone))).collect();
+        interpolate(values)
+    }
+
+    /// r, from the cubic at its double root; the precision is raised until r is certain to the bits asked for.
+    fn double_root(
+        &self,
+        polynomial: &UnivariatePolynomial,
+        cusps: &UnivariatePolynomial,
+        interval: &IsolatingInterval,
+        bits: u32,
+    ) -> Ball {
+        let is_cusp = has_root_in(cusps, interval);
+        let mut precision = bits;
+        loop {
+            let unknown = polynomial.refine(interval, precision);
+            let groups = self.groups(unknown, |value| Ball::from_rational(value, precision));
+            let root = double_root(&groups.characteristic_cubic(), is_cusp);
+            if root.relative_radius_log2() <= 8.0 - f64::from(bits) || precision > bits.saturating_mul(64) {
+                return root;
+            }
+            precision = precision.saturating_mul(2);
+        }
+    }
+}
+
+/// c2² − 3c1c3: zero, on the boundary, only where all three roots coincide.
+fn distance_from_cusp<R: Field>([_, c1, c2, c3]: &[R; 4]) -> R {
+    c2.square() - R::from(3) * c1 * c3
+}
+
+/// r = (9c0c3 − c1c2)/(2(c2² − 3c1c3)), or −c2/(3c3) at a cusp.
+fn double_root<R: Field>(cubic: &[R; 4], is_cusp: bool) -> R {
+    let [c0, c1, c2, c3] = cubic;
+    if is_cusp {
+        return -(c2.clone() / (R::from(3) * c3));
+    }
+    (R::from(9) * c0 * c3 - c1.clone() * c2) / (R::from(2) * distance_from_cusp(cubic))
+}
+
+/// On the upper arc r > −1, on the lower r < −1.
+fn arc_of(double_root: &Ball) -> Arc {
+    if (double_root.clone() + Ball::from(1)).sign() == Some(Ordering::Less) { Arc::Lower } else { Arc::Upper }
+}
+
+fn has_root_in(polynomial: &UnivariatePolynomial, interval: &IsolatingInterval) -> bool {
+    use crate::polynomial::Limit;
+    match interval {
+        _ if polynomial.degree().unwrap_or(0) == 0 => false,
+        IsolatingInterval::Exact(root) => polynomial.evaluate(root) == 0,
+        IsolatingInterval::Between(lower, upper) => {
+            polynomial.count_roots(&Limit::At(lower.clone()), &Limit::At(upper.clone())) > 0
+        }
+    }
+}
+
+/// The polynomial with these values at 0, 1, 2, …: Newton's forward differences.
+fn interpolate(mut values: Vec<Rational>) -> UnivariatePolynomial {
+    let mut sum = UnivariatePolynomial::new(Vec::new());
+    let mut basis = UnivariatePolynomial::from_integers(&[1]);
+    for step in 0_i64.. {
+        let Some(first) = values.first() else { break };
+        sum = sum.plus(&basis.scaled(first));
+        values = values.windows(2).map(|pair| Rational::from(&pair[1] - &pair[0])).collect();
+        let next =
+            UnivariatePolynomial::new(vec![Rational::from((-step, step + 1)), Rational::from((1, step + 1))]);
+        basis = basis.times(&next);
+    }
+    sum
+}

@@ -1,0 +1,191 @@
+//! The three routes to the boundary side by side.
+
+use rug::{Float, Rational};
+
+use crate::friction::Parameters;
+use crate::number::Ball;
+use crate::stability::boundary::{
+    BoundaryCurve, BoundaryPoint, Crossing, Section, by_bisection, by_discriminant,
+};
+
+/// What came of the comparison.
+#[derive(Debug, Clone)]
+pub struct RouteComparison {
+    /// Crossings that all three routes found, with overlapping enclosures.
+    pub compared: usize,
+    /// Sections on which the routes disagree: in the number of crossings, in an arc, or by disjoint enclosures.
+    pub disagreements: Vec<Section>,
+    /// An upper bound of the largest relative difference between two routes' true answers, from enclosures alone.
+    pub largest_difference: Float,
+}
+
+/// Compares the routes on sections through `count` points of each arc, alternately at given V0 and at given σ.
+///
+/// The points are spread over each arc from where its asymptotes are off by 10⁻⁶ on one end to the same on the other; the
+/// section goes through the f64 nearest to the point's coordinate, taken exactly.
+#[must_use]
+pub fn compare_routes(parameters: &Parameters<Rational>, count: usize, digits: u32) -> RouteComparison {
+    let curve = BoundaryCurve::new(parameters, digits);
+    let mut comparison =
+        RouteComparison { compared: 0, disagreements: Vec::new(), largest_difference: Float::new(32) };
+    for &arc in curve.arcs() {
+        for (index, parameter) in curve.sample_parameters(count, 1e-6).iter().enumerate() {
+            let (stress, velocity) = curve.position(arc, parameter);
+            let section = if index % 2 == 0 {
+                short_rational(&velocity).map(Section::AtVelocity)
+            } else {
+                short_rational(&stress).map(Section::AtNormalStress)
+            };
+            if let Some(section) = section {
+                comparison.add(parameters, &curve, section, digits);
+            }
+        }
+    }
+    comparison
+}
+
+impl RouteComparison {
+    fn add(
+        &mut self,
+        parameters: &Parameters<Rational>,
+        curve: &BoundaryCurve,
+        section: Section,
+        digits: u32,
+    ) {
+        let along_curve = in_order(curve.on_section(&section), &section);
+        let of_discriminant = in_order_of_crossings(by_discriminant(parameters, &section, digits), &section);
+        let separators = separators(&along_curve);
+        let mut agree = along_curve.len() == of_discriminant.len();
+        for (index, (first, second)) in along_curve.iter().zip(&of_discriminant).enumerate() {
+            let bracket = (&separators[index], &separators[index + 1]);
+            let third = by_bisection(parameters, &section, bracket, digits);
+            agree &= first.1 == second.1 && self.agree([Some(&first.0), Some(&second.0), third.as_ref()]);
+        }
+        if !agree {
+            self.disagreements.push(section);
+        }
+    }
+
+    /// Whether the three enclosures overlap pairwise; notes how far the true values can be apart.
+    fn agree(&mut self, answers: [Option<&Ball>; 3]) -> bool {
+        let [Some(curve), Some(discriminant), Some(bisection)] = answers else { return false };
+        for (one, other) in [(curve, discriminant), (curve, bisection), (discriminant, bisection)] {
+            let difference = (one.clone() - other) / one;
+            let bound = Float::with_val(32, difference.lower().abs())
+                .max(&Float::with_val(32, difference.upper().abs()));
+            if bound > self.largest_difference {
+                self.largest_difference = bound;
+            }
+        }
+        self.compared += 1;
+        curve.overlaps(discriminant) && curve.overlaps(bisection) && discriminant.overlaps(bisection)
+    }
+}
+
+type Located = (Ball, crate::stability::Arc);
+
+/// The coordinates sought, ascending, with their arcs.
+fn in_order(points: Vec<BoundaryPoint>, section: &Section) -> Vec<Located> {
+    let sought = points.into_iter().map(|point| match section {
+        Section::AtVelocity(_) => (point.normal_stress_pa, point.arc),
+        Section::AtNormalStress(_) => (point.loading_velocity_m_per_s, point.arc),
+    });
+    ascending(sought.collect())
+}
+
+fn in_order_of_crossings(crossings: Vec<Crossing>, section: &Section) -> Vec<Located> {
+    let sought = crossings.into_iter().map(|crossing| match section {
+        Section::AtVelocity(_) => (crossing.normal_stress_pa, crossing.arc),
+        Section::AtNormalStress(_) => (crossing.loading_velocity_m_per_s, crossing.arc),
+    });
+    ascending(sought.collect())
+}
+
+fn ascending(mut located: Vec<Located>) -> Vec<Located> {
+    located.sort_by(|x, y| x.0.centre().partial_cmp(y.0.centre()).unwrap_or(std::cmp::Ordering::Equal));
+    located
+}
+
+/// Numbers that keep the answers apart: half the first, the middles, twice the last. The class must differ between
+/// neighbouring ones, which bisection finds out for itself.
+fn separators(located: &[Located]) -> Vec<Rational> {
+    let centres: Vec<Rational> =
+        located.iter().map(|(ball, _)| ball.centre().to_rational().unwrap_or_default()).collect();
+    let mut separators = Vec::with_capacity(centres.len() + 1);
+    separators.extend(centres.first().map(|first| first.clone() / 2_u32));
+    separators.extend(centres.windows(2).map(|pair| Rational::from(&pair[0] + &pair[1]) / 2_u32));
+    separators.extend(centres.last().map(|last| last.clone() * 2_u32));
+    separators
+}
+
+/// The nearest 53-bit number, as a rational.
+fn short_rational(value: &Ball) -> Option<Rational> {
+    Float::with_val(53, value.centre()).to_rational()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::number::parse_decimal;
+    use crate::stability::fixtures::{paper, with_effects};
+
+    fn compare(ratio: &Rational, count: usize, digits: u32) -> usize {
+        let a = Rational::from((4, 1000));
+        let b = Rational::from(&a * ratio);
+        let comparison = compare_routes(&with_effects(a, b), count, digits);
+        assert!(comparison.disagreements.is_empty(), "beta {ratio}: {:?}", comparison.disagreements);
+        // Enclosures of relative radius 10^-digits that overlap are at most four radii apart.
+        let limit = parse_decimal(&format!("4e-{digits}")).unwrap();
+        assert!(comparison.largest_difference < limit, "beta {ratio}: {}", comparison.largest_difference);
+        comparison.compared
+    }
+
+    #[test]
+    fn the_three_routes_agree_to_fifty_digits_for_every_ratio_of_effects() {
+        let ratios = [
+            "1e-3",
+            "3e-3",
+            "0.01",
+            "0.03",
+            "0.1",
+            "0.2",
+            "0.3",
+            "0.5",
+            "0.7",
+            "0.9",
+            "0.99",
+            "0.9999",
+            "0.999999999999",
+            "1",
+            "1.000000000001",
+            "1.0001",
+            "1.01",
+            "1.1",
+            "1.3",
+            "1.5",
+            "2",
+            "3",
+            "5",
+            "10",
+            "30",
+            "100",
+            "300",
+            "1000",
+        ];
+        let compared: usize = ratios.iter().map(|text| compare(&parse_decimal(text).unwrap(), 40, 50)).sum();
+        assert!(compared >= 2_000, "{compared}");
+    }
+
+    #[test]
+    fn the_three_routes_agree_to_a_thousand_digits() {
+        let ratios = ["0.001", "0.7", "1", "1.5", "1000"];
+        let compared: usize =
+            ratios.iter().map(|text| compare(&parse_decimal(text).unwrap(), 2, 1_000)).sum();
+        assert!(compared >= 10, "{compared}");
+    }
+
+    #[test]
+    fn the_papers_values_are_compared_too() {
+        assert!(compare_routes(&paper(), 20, 50).compared > 40);
+    }
+}

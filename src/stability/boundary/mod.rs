@@ -1,0 +1,23 @@
+//! The boundary max Im(s) = 0 in SI: certified points on it, by three routes that share nothing but eq 8.
+//!
+//! * [`BoundaryCurve`]: the rational curve in its positive parameter (`arc_point`), any number of points at the cost of
+//!   a dozen multiplications each, and single points at given V0 or σ by solving for the parameter;
+//! * [`by_discriminant`]: isolated real roots of the discriminant over ℚ, refined;
+//! * [`by_bisection`]: halving between two points of different exact class.
+//!
+//! [`compare_routes`] puts the three side by side.
+
+mod by_bisection;
+mod by_curve;
+mod by_discriminant;
+mod comparison;
+mod crossing;
+mod point;
+mod sampling;
+
+pub use by_bisection::by_bisection;
+pub use by_curve::BoundaryCurve;
+pub use by_discriminant::by_discriminant;
+pub use comparison::{RouteComparison, compare_routes};
+pub use crossing::{Crossing, Section};
+pub use point::{BoundaryPoint, Mark};

@@ -1,0 +1,236 @@
+//! The classification of a point: exact signs, their names, and the growth rate and frequency.
+
+use rug::Float;
+
+use super::ladder::{self, BoundedGroups};
+use super::slip_mode::slip_mode_given;
+use super::{InertialThreshold, SlipMode, SpectralClass};
+use crate::friction::{Groups, Parameters};
+use crate::number::{Dd, Rational, Wide};
+use crate::roots::{Bounded, CertifiedRoots, Depressed, Pair, Rung, Spectrum, certified_roots};
+
+/// Digits of the enclosures behind the values when double-double does not suffice.
+const EXACT_DIGITS: u32 = 19;
+
+/// The relative error up to which double-double values are taken; half of the promised 1e-14.
+const TOLERANCE: f64 = 5e-15;
+
+/// What is known of a point: signs and names exactly, values to 1e-14.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Classification {
+    /// Sign of K − K_c: +1 linearly stable, 0 on the transition.
+    pub transition_sign: i8,
+    /// Sign of the discriminant: +1 all roots real, −1 a complex pair, 0 on the boundary.
+    pub boundary_sign: i8,
+    /// The class those two signs give.
+    pub spectral_class: SpectralClass,
+    /// The slip mode.
+    pub slip_mode: SlipMode,
+    /// Largest Re(s), 1/s, with an error of at most 1e-14 of that root's modulus and always the sign of K_c − K;
+    /// exactly 0 on the transition.
+    pub max_real_per_s: Wide,
+    /// Largest Im(s), 1/s, with a relative error of at most 1e-14; exactly 0 when no root is complex.
+    pub max_imaginary_per_s: Wide,
+    /// The rung that decided the signs.
+    pub rung: Rung,
+    /// The rung that gave the values: 64-bit cannot guarantee 1e-14, so double-double or exact.
+    pub value_rung: Rung,
+}
+
+/// The largest real and imaginary parts of the dimensionless roots p.
+pub(super) struct LargestParts<R> {
+    pub(super) real: R,
+    pub(super) imaginary: R,
+}
+
+/// Classifies a point. Signs and names are right for the decimals as written, of any length.
+#[must_use]
+pub fn classify(parameters: &Parameters<Rational>, threshold: &InertialThreshold) -> Classification {
+    let groups = parameters.groups();
+    let approximate = BoundedGroups::of(&groups);
+    let signs = ladder::signs(&groups, approximate.as_ref());
+    let spectral_class = SpectralClass::from_signs(signs.transition, signs.boundary);
+    let rate_per_s = parameters.rate_per_s();
+
+    let parts = approximate
+        .and_then(|approximate| LargestParts::of_bounded(&approximate.cubic().spectrum(), signs.transition));
+    let in_si = parts.as_ref().and_then(|parts| parts.times_rate(Dd::from_rational(&rate_per_s)));
+    let value_rung = if in_si.is_some() { Rung::DoubleDouble } else { Rung::Exact };
+    let LargestParts { real, imaginary } =
+        in_si.unwrap_or_else(|| LargestParts::exactly(&groups).times_rate(&rate_per_s));
+
+    let exactly_inertial =
+        || Depressed::of(&groups.characteristic_cubic()).is_some_and(|cubic| threshold.exceeded_by(&cubic));
+    let inertial = || {
+        let imaginary = parts.as_ref().map(|parts| parts.imaginary.hi());
+        imaginary.and_then(|p| clearly_inertial(p, &groups, threshold)).unwrap_or_else(exactly_inertial)
+    };
+    Classification {
+        transition_sign: signs.transition,
+        boundary_sign: signs.boundary,
+        spectral_class,
+        slip_mode: slip_mode_given(&groups, spectral_class, inertial),
+        max_real_per_s: real,
+        max_imaginary_per_s: imaginary,
+        rung: signs.rung,
+        value_rung,
+    }
+}
+
+/// Whether ω² > T·κ/η, when 64-bit can tell: ω is known to 5e-15, and the few operations lose less than as much again.
+fn clearly_inertial(omega: f64, groups: &Groups<Rational>, threshold: &InertialThreshold) -> Option<bool> {
+    let natural_squared = groups.stiffness_group.to_f64() / groups.inertial_parameter.to_f64();
+    let ratio = omega * omega / (natural_squared * threshold.squared_ratio().to_f64());
+    ((ratio - 1.0).abs() > 1e-12).then_some(ratio > 1.0)
+}
+
+impl LargestParts<Dd> {
+    /// From roots with error bounds, when these are small enough.
+    pub(super) fn of_bounded(spectrum: &Spectrum<Dd>, transition_sign: i8) -> Option<Self> {
+        let zero = Dd::from(0.0);
+        let within = |bounded: &Bounded<Dd>, size: f64| bounded.error <= TOLERANCE * size;
+        let own_size = |bounded: &Bounded<Dd>| within(bounded, bounded.value.hi().abs());
+        let (pair, imaginary) = match &spectrum.pair {
+            Pair::NotSeparated => return None,
+            Pair::Real([lower, upper]) => (own_size(lower) && own_size(upper)).then_some((*upper, zero))?,
+            Pair::Complex { re, im } => {
+                let (x, y) = (re.value.hi(), im.value.hi());
+                let separate = own_size(im) && within(re, (x * x + y * y).sqrt());
+                separate.then_some((*re, im.value))?
+            }
+        };
+        let largest = if pair.value > spectrum.real.value { pair } else { spectrum.real };
+        // Growth is negative exactly when stable; a value whose sign is not certain is left to the exact rung.
+        let signed = transition_sign == 0 || largest.value.hi().abs() > largest.error;
+        let real = if transition_sign == 0 { zero } else { largest.value };
+        (own_size(&spectrum.real) && signed).then_some(Self { real, imaginary })
+    }
+
+    /// The parts in 1/s, if the rate and they lie well inside f64's range.
+    pub(super) fn times_rate(&self, rate: Dd) -> Option<LargestParts<Wide>> {
+        let part = |part: Dd| {
+            let value = (part * rate).hi();
+            (value.abs() > 1e-250 && value.abs() < 1e250 || part.hi() == 0.0)
+                .then(|| Wide::from_f64(value))
+                .flatten()
+        };
+        let usable = rate.hi() > 1e-100 && rate.hi() < 1e100;
+        usable.then_some(LargestParts { real: part(self.real)?, imaginary: part(self.imaginary)? })
+    }
+}
+
+impl LargestParts<Float> {
+    fn exactly(groups: &Groups<Rational>) -> Self {
+        let CertifiedRoots { roots, .. } = certified_roots(&groups.characteristic_cubic(), EXACT_DIGITS);
+        let parts = |part: fn(&crate::roots::CertifiedRoot) -> &Float| {
+            let largest = roots.iter().map(part).max_by(|x, y| x.total_cmp(y));
+            largest.map_or_else(|| Float::new(80), |part| Float::with_val(80, part))
+        };
+        Self { real: parts(|root| &root.re), imaginary: parts(|root| &root.im) }
+    }
+
+    fn times_rate(&self, rate_per_s: &Rational) -> LargestParts<Wide> {
+        let in_si = |part: &Float| Wide::from_float(&Float::with_val(80, part * rate_per_s));
+        LargestParts { real: in_si(&self.real), imaginary: in_si(&self.imaginary) }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::number::parse_decimal;
+    use proptest::prelude::*;
+
+    /// Unit a, D_c, V and σ make the groups the parameters: η = M, κ = K, β = b.
+    fn with_groups(eta: &Rational, kappa: &Rational, beta: &Rational) -> Parameters<Rational> {
+        let one = Rational::from(1);
+        Parameters {
+            direct_effect: one.clone(),
+            evolution_effect: beta.clone(),
+            critical_slip_distance_m: one.clone(),
+            stiffness_pa_per_m: kappa.clone(),
+            mass_per_area_kg_per_m2: eta.clone(),
+            normal_stress_pa: one.clone(),
+            loading_velocity_m_per_s: one,
+        }
+    }
+
+    /// Checks every promise of [`Classification`] against the exact signs and 60-digit roots.
+    fn assert_promises(parameters: &Parameters<Rational>) -> Classification {
+        let found = classify(parameters, &InertialThreshold::default());
+        let groups = parameters.groups();
+        assert_eq!(found.transition_sign, super::super::transition_sign(&groups));
+        assert_eq!(found.boundary_sign, super::super::boundary_sign(&groups));
+        let class = found.spectral_class;
+        let named = super::super::slip_mode(&groups, class, &InertialThreshold::default());
+        assert_eq!(found.slip_mode, named);
+        let roots = certified_roots(&groups.characteristic_cubic(), 60).roots;
+        let rate = Float::with_val(300, &parameters.rate_per_s());
+        let largest_im = roots.iter().map(|root| root.im.clone()).max_by(Float::total_cmp).unwrap() * &rate;
+        let top = roots.iter().max_by(|x, y| x.re.total_cmp(&y.re)).unwrap();
+        let modulus = (top.re.clone().square() + top.im.clone().square()).sqrt() * &rate;
+        let im_error = (found.max_imaginary_per_s.to_float() - &largest_im).abs();
+        assert!(im_error <= largest_im * 1e-14, "{parameters:?} {found:?}");
+        let re_error = (found.max_real_per_s.to_float() - top.re.clone() * rate).abs();
+        assert!(re_error <= modulus * 1e-14, "{parameters:?} {found:?}");
+        let growth = found.max_real_per_s.to_float().cmp0().unwrap() as i8;
+        assert_eq!(growth, -found.transition_sign, "growth has the sign of K_c − K");
+        found
+    }
+
+    fn group() -> impl Strategy<Value = Rational> {
+        (1i64..1_000_000, -36i32..31).prop_map(|(n, e)| parse_decimal(&format!("{n}e{e}")).unwrap())
+    }
+
+    /// A point of the boundary with rational groups, moved off by a relative 10^-depth in κ.
+    fn beside_boundary(r: (i64, i64), beta: i64, depth: i32) -> Option<Parameters<Rational>> {
+        let (r, beta) = (Rational::from(r), Rational::from((beta, 100)));
+        let next = Rational::from(&r + 1).square();
+        if r.is_zero() || next.is_zero() {
+            return None;
+        }
+        let eta = (beta.clone() - &next) / (next.clone() * &r * 2u32);
+        let kappa = ((r.clone() * 2u32 + 1u32) * &beta - &next) * r / (next * 2u32);
+        let shift = parse_decimal(&format!("1e-{depth}")).unwrap() + 1u32;
+        (eta > 0 && kappa > 0).then(|| with_groups(&eta, &(kappa * shift), &beta))
+    }
+
+    proptest! {
+        #[test]
+        fn promises_hold_for_groups_of_all_sizes(eta in group(), kappa in group(), beta in group()) {
+            assert_promises(&with_groups(&eta, &kappa, &beta));
+        }
+
+        #[test]
+        fn promises_hold_next_to_the_boundary(n in -4000i64..4000, d in 1i64..400, beta in 1i64..900, depth in 1i32..60) {
+            if let Some(parameters) = beside_boundary((n, d), beta, depth) {
+                assert_promises(&parameters);
+            }
+        }
+
+        #[test]
+        fn promises_hold_next_to_the_transition(eta in group(), excess in group(), depth in 1i32..60) {
+            let beta = Rational::from(&excess + 1);
+            let kappa = excess * Rational::from(&eta + 1);
+            let shift = parse_decimal(&format!("1e-{depth}")).unwrap() + 1u32;
+            assert_promises(&with_groups(&eta, &kappa, &beta));
+            assert_promises(&with_groups(&eta, &(kappa * shift), &beta));
+        }
+    }
+
+    #[test]
+    fn on_the_cusp_all_is_decided_and_nothing_oscillates() {
+        let [eta, kappa, beta] = ["0.125", "3.375", "1"].map(|text| parse_decimal(text).unwrap());
+        let found = assert_promises(&with_groups(&eta, &kappa, &beta));
+        assert_eq!((found.boundary_sign, found.spectral_class), (0, SpectralClass::StableReal));
+        assert!(found.max_imaginary_per_s.is_zero());
+        assert_eq!(found.max_real_per_s.to_f64(), Some(-3.0));
+    }
+
+    #[test]
+    fn values_far_beyond_f64_are_neither_infinite_nor_zero() {
+        let [eta, kappa, beta] = ["1e-1000", "1e5000", "2"].map(|text| parse_decimal(text).unwrap());
+        let found = assert_promises(&with_groups(&eta, &kappa, &beta));
+        assert_eq!(found.max_imaginary_per_s.to_f64(), None, "about 1e3000");
+    }
+}

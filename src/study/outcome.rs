@@ -1,0 +1,89 @@
+//! What a study found, scene by scene.
+
+use std::collections::BTreeMap;
+
+use crate::number::Rational;
+use crate::scene::{Scene, SceneParameters};
+use crate::study::{BoundaryOutcome, FamilyOutcome, FrequencyOutcome, Grid, HardCase, MapPoint, SweepOutcome, ToleranceOutcome, ZonesOutcome};
+
+/// Everything computed for one scene; what nobody needed is absent.
+#[derive(Debug, Clone)]
+pub struct SceneOutcome {
+    /// The scene.
+    pub scene: Scene,
+    /// Its map.
+    pub map: Option<Grid<MapPoint>>,
+    /// Its boundary.
+    pub boundary: Option<BoundaryOutcome>,
+    /// Its lines of constant normal stress.
+    pub frequency: Option<FrequencyOutcome>,
+    /// Its sweep over b/a.
+    pub effect_ratio_sweep: Option<SweepOutcome>,
+    /// Where its asymptotes are good enough.
+    pub tolerance: Option<ToleranceOutcome>,
+    /// Its slip modes against the simplified map.
+    pub zones: Option<ZonesOutcome>,
+    /// How its hard cases fared.
+    pub hard_cases: Option<Vec<FamilyOutcome>>,
+}
+
+impl SceneOutcome {
+    /// A scene of which nothing has been computed yet.
+    #[must_use]
+    pub fn new(scene: Scene) -> Self {
+        SceneOutcome {
+            scene,
+            map: None,
+            boundary: None,
+            frequency: None,
+            effect_ratio_sweep: None,
+            tolerance: None,
+            zones: None,
+            hard_cases: None,
+        }
+    }
+
+    /// The slider's parameters, where the scene states them.
+    #[must_use]
+    pub fn parameters(&self) -> Option<&SceneParameters> {
+        self.scene.parameters.as_ref()
+    }
+}
+
+/// The outcomes of a report's scenes, in the report's order.
+#[derive(Debug, Clone, Default)]
+pub struct Outcome {
+    /// One per scene.
+    pub scenes: Vec<SceneOutcome>,
+}
+
+impl Outcome {
+    /// The first scene with a < b: the potentially unstable slider of the paper.
+    #[must_use]
+    pub fn potentially_unstable(&self) -> Option<&SceneOutcome> {
+        self.first_with(|p| p.evolution_effect > p.direct_effect)
+    }
+
+    /// The first scene with a > b: the intrinsically stable slider of the paper.
+    #[must_use]
+    pub fn intrinsically_stable(&self) -> Option<&SceneOutcome> {
+        self.first_with(|p| p.evolution_effect < p.direct_effect)
+    }
+
+    fn first_with(&self, wanted: impl Fn(&SceneParameters) -> bool) -> Option<&SceneOutcome> {
+        self.scenes.iter().find(|scene| scene.parameters().is_some_and(&wanted))
+    }
+}
+
+/// What scenes refer to by file name and `cli` has read: study itself opens nothing.
+#[derive(Debug, Clone, Default)]
+pub struct References {
+    /// Hard cases by file name.
+    pub hard_cases: BTreeMap<String, Vec<HardCase>>,
+}
+
+/// b/a of a slider.
+#[must_use]
+pub fn effect_ratio(parameters: &SceneParameters) -> Rational {
+    parameters.evolution_effect.clone() / &parameters.direct_effect
+}

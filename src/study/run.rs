@@ -1,0 +1,68 @@
+//! Running a plan: pure, and the same values on any number of threads.
+
+use crate::scene::Scene;
+use crate::stability::InertialThreshold;
+use crate::study::{
+    Item, Need, Needs, Outcome, References, SceneOutcome, boundary_outcome, classify_rectangle, compare_hard_cases,
+    compare_zones, frequency_lines, plan, sweep_effect_ratio, tolerance_limits,
+};
+
+/// Hears of each item that is about to be computed: its id, its number and how many there are.
+pub type Progress<'p> = &'p dyn Fn(&str, usize, usize);
+
+/// Computes what the needs and the scenes have in common, item by item; each item spreads over the threads.
+#[must_use]
+pub fn run(scenes: &[Scene], needs: &Needs, references: &References, progress: Progress) -> Outcome {
+    let items = plan(scenes, needs);
+    let mut outcome = Outcome { scenes: scenes.iter().cloned().map(SceneOutcome::new).collect() };
+    for (index, item) in items.iter().enumerate() {
+        progress(&item.id(), index, items.len());
+        if let Some(scene) = outcome.scenes.iter_mut().find(|scene| scene.scene.name == item.scene.name) {
+            compute(item, scene, references);
+        }
+    }
+    outcome
+}
+
+/// The threshold between inertial and non-inertial that a scene chose, or the default.
+#[must_use]
+pub fn inertial_threshold(scene: &Scene) -> InertialThreshold {
+    scene.inertial_threshold.as_ref().and_then(InertialThreshold::from_ratio).unwrap_or_default()
+}
+
+fn compute(item: &Item, outcome: &mut SceneOutcome, references: &References) {
+    let scene = item.scene;
+    let parameters = scene.parameters.as_ref();
+    let threshold = inertial_threshold(scene);
+    match item.need {
+        Need::Map => {
+            outcome.map = parameters
+                .zip(scene.map.as_ref())
+                .map(|(parameters, map)| classify_rectangle(parameters, map, &threshold));
+        }
+        Need::Boundary => {
+            outcome.boundary = parameters.zip(scene.boundary).map(|(parameters, section)| boundary_outcome(parameters, section));
+        }
+        Need::Frequency => {
+            outcome.frequency =
+                parameters.zip(scene.frequency.as_ref()).map(|(parameters, section)| frequency_lines(parameters, section));
+        }
+        Need::EffectRatioSweep => outcome.effect_ratio_sweep = scene.effect_ratio_sweep.as_ref().map(sweep_effect_ratio),
+        Need::Tolerance => {
+            outcome.tolerance =
+                parameters.zip(scene.tolerance.as_ref()).map(|(parameters, section)| tolerance_limits(parameters, section));
+        }
+        Need::Zones => {
+            // A map of the same rectangle has the exact half already.
+            let same = outcome.map.as_ref().filter(|_| scene.map == scene.zones);
+            outcome.zones = parameters.zip(scene.zones.as_ref()).map(|(parameters, rectangle)| match same {
+                Some(map) => compare_zones(parameters, map),
+                None => compare_zones(parameters, &classify_rectangle(parameters, rectangle, &threshold)),
+            });
+        }
+        Need::HardCases => {
+            let cases = scene.hard_cases.as_ref().and_then(|section| references.hard_cases.get(&section.file));
+            outcome.hard_cases = cases.map(|cases| compare_hard_cases(cases));
+        }
+    }
+}

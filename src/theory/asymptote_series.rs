@@ -1,0 +1,197 @@
+//! How wrong the asymptotes are: relative errors of eqs 15, 16, 18 and 20 as power series, derived to any order.
+//!
+//! Two ways that share only eq 8: along the boundary's parametrisation by its double root, and by checking that the
+//! series makes the discriminant of eq 8 vanish to the same order (the proof's certificate).
+
+use super::PaperEquations;
+use super::boundary::{Curve, cubic_discriminant, curve};
+use super::inertial::velocity_ratio;
+use super::notation::{formula, in_groups, rational};
+use crate::polynomial::{
+    Certificate, Domain, Expression, Polynomial, Proof, RationalFunction, Refutation, Series, Symbol,
+};
+
+/// The relative error (exact boundary)/(asymptote) − 1 of one asymptote as a power series.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct AsymptoteSeries {
+    /// The number of the asymptote's equation.
+    pub equation: &'static str,
+    /// What is compared: `sigma` at the same V0 (eqs 15, 16), `V_0` at the same σ (eqs 18, 20).
+    pub quantity: &'static str,
+    /// The small variable in words: η or κ at the exact boundary, or 1/κ.
+    pub variable: &'static str,
+    /// Coefficients by ascending power, the first zero; in w = √β for eqs 15 and 16, in β for eqs 18 and 20.
+    pub coefficients: Vec<Expression>,
+    /// That the coefficients solve the discriminant's equation, and no other series does.
+    pub proof: Proof,
+}
+
+/// The series of eqs 15, 16, 18 and 20 up to the power `order`.
+///
+/// # Errors
+/// When an equation is no asymptote of the boundary of eq 8.
+pub fn derive(equations: &PaperEquations, order: usize) -> Result<Vec<AsymptoteSeries>, Refutation> {
+    let curve = curve(equations)?;
+    let length = order + 1;
+    let quasi_static = |number| quasi_static(equations, &curve, number, length);
+    let inertial = |number| inertial(equations, &curve, number, length);
+    Ok(vec![quasi_static("15")?, quasi_static("16")?, inertial("18")?, inertial("20")?])
+}
+
+/// Eqs 15 and 16: σ_exact/σ_asymptote − 1 in η, at the same V0; β = w².
+fn quasi_static(
+    equations: &PaperEquations,
+    curve: &Curve,
+    number: &'static str,
+    length: usize,
+) -> Result<AsymptoteSeries, Refutation> {
+    let proof = series_proof(number, "σ_exact/σ_asymptote − 1 in x = η at the same V0, β = w²");
+    let domain = Domain::positive("w kappa").with("beta", formula("w^2"));
+    // With σ = 1 the right side is σ_asymptote/σ, which is κ/κ_asymptote.
+    let ratio = rational(&proof, &[number], &in_groups(&equations.right(number)), &domain)?;
+    let slope = ratio.derivative(&Symbol::new("kappa"));
+    let level = RationalFunction::from(1)
+        .checked_div(&slope)
+        .filter(|level| !level.numerator().variables().contains(&Symbol::new("kappa")))
+        .ok_or_else(|| {
+            proof.refute("σ is proportional to K", &[number], Expression::from(&ratio).to_string())
+        })?;
+    let [eta, kappa] = [&curve.inertial_parameter, &curve.stiffness_group].map(|part| in_root(part));
+    let error = ["w - 1", "-w - 1"].into_iter().find_map(|start| {
+        let start = Domain::default().rational_function(&formula(start)).ok()?;
+        let root = inverse_series(&eta, start, length)?;
+        let error = along(&kappa, &root)?.reciprocal()?;
+        let error = error.times(&Series::constant(level.clone(), length)).plus(&minus_one(length));
+        error.coefficients()[0].is_zero().then_some(error)
+    });
+    let error = error.ok_or_else(|| no_asymptote(&proof, number))?;
+    let relation = Expression::from(&cubic_discriminant(equations)?)
+        .with("beta", &formula("w^2"))
+        .with("eta", &formula("x"))
+        .with("kappa", &(Expression::from(&level) / formula("1 + y")));
+    finish(proof, equations, number, ("sigma", "eta"), &relation, &error)
+}
+
+/// Eqs 18 and 20: V_exact/V_asymptote − 1 in κ or 1/κ, at the same σ.
+fn inertial(
+    equations: &PaperEquations,
+    curve: &Curve,
+    number: &'static str,
+    length: usize,
+) -> Result<AsymptoteSeries, Refutation> {
+    let small = number == "18";
+    let says = if small { "x = κ" } else { "x = 1/κ" };
+    let proof = series_proof(number, &format!("V_exact/V_asymptote − 1 in {says} at the same σ"));
+    let square = ratio_squared(&proof, equations, number)?;
+    let place = if small { formula("r") } else { formula("1/r") };
+    let on_curve = Domain::default()
+        .with("eta", Expression::from(&curve.inertial_parameter).with("r", &place))
+        .with("kappa", Expression::from(&curve.stiffness_group).with("r", &place));
+    let variable = if small { formula("kappa") } else { formula("1/kappa") };
+    let [variable, along_curve] =
+        [rational(&proof, &["8"], &variable, &on_curve)?, rational(&proof, &[number], &square, &on_curve)?];
+    let error = inverse_series(&variable, RationalFunction::from(0), length)
+        .and_then(|root| along(&along_curve, &root)?.square_root())
+        .map(|ratio| ratio.plus(&minus_one(length)))
+        .ok_or_else(|| no_asymptote(&proof, number))?;
+    let (kappa, inverse) =
+        if small { (formula("x"), formula("1/x")) } else { (formula("1/x"), formula("x")) };
+    // V²/V_asymptote² is proportional to η κ, so η is (1 + y)² divided by its factor and by κ.
+    let factor = square.with("eta", &formula("1")).with("kappa", &formula("1"));
+    let relation = Expression::from(&cubic_discriminant(equations)?)
+        .with("eta", &(formula("(1 + y)^2") * inverse / factor))
+        .with("kappa", &kappa);
+    finish(proof, equations, number, ("V_0", if small { "kappa" } else { "1/kappa" }), &relation, &error)
+}
+
+/// (V0/V_asymptote)² in groups, the same for a < b and a > b.
+fn ratio_squared(
+    proof: &Proof,
+    equations: &PaperEquations,
+    number: &'static str,
+) -> Result<Expression, Refutation> {
+    let ratio = in_groups(&velocity_ratio(equations.equation(number)).power(2));
+    let positive = "eta kappa d";
+    let case = |beta: &str, distance: &str| {
+        let square =
+            rational(proof, &[number], &ratio, &Domain::positive(positive).with("beta", formula(beta)))?;
+        Ok(Expression::from(&square).with("d", &formula(distance)))
+    };
+    let (below, above) = (case("1 + d", "beta - 1")?, case("1 - d", "1 - beta")?);
+    proof.clone().identity("the same for a < b and a > b", &[number], &below, &above, &Domain::default())?;
+    Ok(below)
+}
+
+fn series_proof(number: &str, what: &str) -> Proof {
+    Proof::new(&format!("asymptote-series-{number}"), format!("Relative error of eq {number}: {what}."))
+}
+
+fn no_asymptote(proof: &Proof, number: &str) -> Refutation {
+    proof.refute(
+        "the equation is an asymptote of the boundary",
+        &["8", number],
+        "the relative error does not tend to zero",
+    )
+}
+
+/// A function of r and β in r and w, β = w².
+fn in_root(function: &RationalFunction) -> RationalFunction {
+    let domain = Domain::default().with("beta", formula("w^2"));
+    domain.rational_function(&Expression::from(function)).unwrap_or_else(|_| function.clone())
+}
+
+/// r as a power series in x = function(r), beginning with `start`.
+fn inverse_series(function: &RationalFunction, start: RationalFunction, length: usize) -> Option<Series> {
+    let relation = function.numerator() - &(&Polynomial::variable("x") * function.denominator());
+    Series::implicit(&relation, &Symbol::new("x"), &Symbol::new("r"), start, length)
+}
+
+/// function(r) along a series for r.
+fn along(function: &RationalFunction, root: &Series) -> Option<Series> {
+    let x = Series::variable(root.coefficients().len());
+    let places = [(&Symbol::new("x"), &x), (&Symbol::new("r"), root)];
+    let denominator = Series::of_polynomial(function.denominator(), places).reciprocal()?;
+    Some(Series::of_polynomial(function.numerator(), places).times(&denominator))
+}
+
+fn minus_one(length: usize) -> Series {
+    Series::constant(RationalFunction::from(-1), length)
+}
+
+fn finish(
+    proof: Proof,
+    equations: &PaperEquations,
+    number: &'static str,
+    (quantity, variable): (&'static str, &'static str),
+    relation: &Expression,
+    error: &Series,
+) -> Result<AsymptoteSeries, Refutation> {
+    let relation = without_powers(&rational(&proof, &["8"], relation, &Domain::default())?);
+    let coefficients: Vec<Expression> = error.coefficients().iter().map(Expression::from).collect();
+    let certificate = Certificate::Series {
+        relation: Expression::from(&relation),
+        variable: "x".to_owned(),
+        unknown: "y".to_owned(),
+        coefficients: coefficients.clone(),
+    };
+    let proof = proof
+        .reason(format!(
+            "y is the error of \"{}\", derived along the boundary's parametrisation by its double root.",
+            equations.equation(number)
+        ))
+        .certify(
+            "the same series makes the discriminant of eq 8 vanish, to every power given",
+            &["8", number],
+            certificate,
+        )?;
+    Ok(AsymptoteSeries { equation: number, quantity, variable, coefficients, proof })
+}
+
+/// The numerator without powers of x as a factor.
+fn without_powers(function: &RationalFunction) -> Polynomial {
+    let x = Symbol::new("x");
+    let coefficients = function.numerator().coefficients(&x);
+    let lowest = coefficients.iter().position(|coefficient| !coefficient.is_zero()).unwrap_or(0);
+    let kept = coefficients.into_iter().skip(lowest).rev();
+    kept.fold(Polynomial::zero(), |sum, coefficient| &(&sum * &Polynomial::variable("x")) + &coefficient)
+}

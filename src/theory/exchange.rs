@@ -1,0 +1,127 @@
+//! What exchanging a and b leaves unchanged.
+
+use super::PaperEquations;
+use super::notation::{any, coefficients, formula, strengthening, weakening};
+use crate::polynomial::{Certificate, Expression, Proof, Refutation, Symbol, discriminant};
+
+/// What becomes of one equation when a and b are exchanged.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Exchange {
+    /// The number of the equation.
+    pub equation: &'static str,
+    /// Is it the same equation afterwards?
+    pub invariant: bool,
+    /// Does it contain b at all? An equation without b cannot change with the sign of a − b at fixed a.
+    pub contains_b: bool,
+    /// The factor by which the normal stress (eqs 15, 16) or velocity (18, 20) that solves it changes, in a and b.
+    pub factor: Expression,
+    /// The proof of all that.
+    pub proof: Proof,
+}
+
+/// Decides for eqs 15, 16, 18 and 20 whether exchanging a and b leaves them unchanged (claims B6 and B8).
+///
+/// # Errors
+/// When an equation has no definite factor under the exchange.
+pub fn asymptotes(equations: &PaperEquations) -> Result<Vec<Exchange>, Refutation> {
+    ["15", "16", "18", "20"].into_iter().map(|number| exchange(equations, number)).collect()
+}
+
+fn exchange(equations: &PaperEquations, number: &'static str) -> Result<Exchange, Refutation> {
+    let equation = equations.equation(number);
+    // Each of the four says "ratio = 1" with a ratio proportional to V0 or inversely proportional to σ.
+    let ratio = equation.left.clone() / equation.right.clone();
+    let exchanged = exchanged(&ratio);
+    let invariant = weakening().difference(&ratio, &exchanged).is_ok_and(|difference| difference.is_zero());
+    let contains_b = ratio.variables().contains(&Symbol::new("b"));
+    let factor = if invariant { formula("1") } else { formula("b/a") };
+    let proof = Proof::new(
+        &format!("exchange-of-a-and-b-in-eq-{number}"),
+        match invariant {
+            true => format!("Exchanging a and b leaves eq {number} unchanged."),
+            false => {
+                format!("Exchanging a and b changes eq {number}: its solution is multiplied by {factor}.")
+            }
+        },
+    );
+    let scaled = exchanged * factor.clone();
+    let mut proof = proof
+        .identity(
+            "for a < b, the equation's ratio against that after the exchange",
+            &[number],
+            &ratio,
+            &scaled,
+            &weakening(),
+        )?
+        .identity("the same for a > b", &[number], &ratio, &scaled, &strengthening())?;
+    if !invariant {
+        proof = proof.reason("The factor is not 1 for a ≠ b.");
+    }
+    Ok(Exchange { equation: number, invariant, contains_b, factor, proof })
+}
+
+/// The frequency maps for (a, b) and for (b, a) differ (claim B7).
+///
+/// Without inertia every frequency is multiplied by a/b, so that only the contour Im = 0 stays; with inertia that one
+/// moves too.
+///
+/// # Errors
+/// When eq 8 or 14 behaves otherwise.
+pub fn frequency_contours(equations: &PaperEquations) -> Result<Proof, Refutation> {
+    let proof = Proof::new(
+        "frequency-contours-under-exchange",
+        "Exchanging a and b changes the frequency contours. Without inertia each angular frequency is multiplied by a/b, so \
+         only the contour of frequency zero stays; with inertia that one moves as well. Both maps tend to ω_n at high velocity.",
+    );
+    let [c0, c1, c2]: [Expression; 3] = coefficients(&proof, &["14"], &equations.residual("14"), "s")?;
+    let square = (formula("4") * c2.clone() * c0 - c1.power(2)) / (formula("4") * c2.power(2));
+    let other = exchanged(&square);
+    let cubic = equations.residual("8") * formula("sigma");
+    let point = boundary_point();
+    let (before, after) = (discriminant_at(&cubic, &point)?, discriminant_at(&exchanged(&cubic), &point)?);
+    let values = [before.1.clone(), after.1.clone()];
+    let certificate = Certificate::Difference { left: before.0, right: after.0, point, values };
+    proof
+        .identity(
+            "ω² of eq 14 times a², before and after the exchange",
+            &["14"],
+            &(square * formula("a^2")),
+            &(other * formula("b^2")),
+            &any(),
+        )?
+        .certify(
+            "discriminant of eq 8 (times σ) at a point of the boundary, before and after the exchange",
+            &["8"],
+            certificate,
+        )
+}
+
+/// a and b exchanged, both at once.
+fn exchanged(expression: &Expression) -> Expression {
+    expression.substitute(&[(Symbol::new("a"), formula("b")), (Symbol::new("b"), formula("a"))].into())
+}
+
+/// A rational point with a = 0.004, b = 0.006, D_c = 10 µm, K = 10 MPa/m, M = 1000 kg/m² on the boundary: its double root
+/// is r = −3 D_c/V0, so that κ = 69/16 and η = 5/48; σ follows from κ and V0² from η.
+fn boundary_point() -> Vec<(String, Expression)> {
+    let values =
+        [("a", "1/250"), ("b", "3/500"), ("D_c", "1/100000"), ("K", "10000000"), ("sigma", "400000/69")];
+    let mut point: Vec<_> = values.map(|(name, value)| (name.to_owned(), formula(value))).into();
+    // V0² = η σ a D_c/M is rational, V0 is not: the discriminant in s·V0 needs V0² only, so M V0² is given as a mass at V0 = 1.
+    point.push(("M".to_owned(), formula("5/48*400000/69*1/250*1/100000")));
+    point.push(("V_0".to_owned(), formula("1")));
+    point
+}
+
+/// The discriminant in s with its exact value at a point.
+fn discriminant_at(
+    cubic: &Expression,
+    point: &[(String, Expression)],
+) -> Result<(Expression, Expression), Refutation> {
+    let proof = Proof::new("frequency-contours-under-exchange", "");
+    let function = super::notation::rational(&proof, &["8"], &(cubic.clone() * formula("V_0*D_c")), &any())?;
+    let expression = Expression::from(&discriminant(function.numerator(), &Symbol::new("s")));
+    let values = point.iter().map(|(name, value)| (Symbol::new(name), value.clone())).collect();
+    let value = super::notation::simplified(&proof, &["8"], &expression.substitute(&values), &any())?;
+    Ok((expression, value))
+}

@@ -1,0 +1,120 @@
+//! The linearisation of eqs 1-4 about steady sliding (eqs 5 and 6).
+
+use super::PaperEquations;
+use super::notation::{any, formula};
+use crate::polynomial::{Expression, Proof, Refutation, Symbol};
+
+/// The law by which the state variable evolves.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Law {
+    /// Eq 2.
+    Aging,
+    /// Eq 3.
+    Slip,
+}
+
+impl Law {
+    /// Both laws.
+    pub const ALL: [Self; 2] = [Self::Aging, Self::Slip];
+
+    /// The number of the law's equation.
+    #[must_use]
+    pub fn equation(self) -> &'static str {
+        match self {
+            Self::Aging => "2",
+            Self::Slip => "3",
+        }
+    }
+
+    /// The law's name.
+    #[must_use]
+    pub fn as_str(self) -> &'static str {
+        match self {
+            Self::Aging => "aging law",
+            Self::Slip => "slip law",
+        }
+    }
+}
+
+/// The moving variables, their steady values, and the names of their perturbations.
+fn perturbations(equations: &PaperEquations) -> [(&'static str, Expression, &'static str); 5] {
+    let steady = equations.right("steady-state").with("V", &formula("V_0"));
+    [
+        ("delta", formula("V_0*t + delta_0"), "Delta_delta"),
+        ("delta'", formula("V_0"), "Delta_delta'"),
+        ("delta''", formula("0"), "Delta_delta''"),
+        ("theta", steady, "Delta_theta"),
+        ("theta'", formula("0"), "Delta_theta'"),
+    ]
+}
+
+/// The part of a residual that is linear in the perturbations of steady sliding at velocity V_0.
+pub(super) fn linearised(equations: &PaperEquations, residual: &Expression) -> Expression {
+    let moving = perturbations(equations);
+    let steady = moving.iter().map(|(name, value, _)| (Symbol::new(name), value.clone())).collect();
+    let term = |(name, _, perturbation): &(&str, Expression, &str)| {
+        residual.derivative(&Symbol::new(name)).substitute(&steady) * formula(perturbation)
+    };
+    moving.iter().map(term).fold(Expression::integer(0), |sum, part| sum + part)
+}
+
+/// Eq 4 with a friction law put in, as left − right in δ and θ.
+pub(super) fn motion(equations: &PaperEquations, friction: &Expression) -> Expression {
+    let velocity = formula("delta'");
+    equations.residual("4").with("mu", &friction.with("V", &velocity))
+}
+
+/// Eq 2 or 3 as left − right in δ and θ.
+pub(super) fn evolution(equations: &PaperEquations, law: Law) -> Expression {
+    equations.residual(law.equation()).with("V", &formula("delta'"))
+}
+
+/// Both evolution laws have the same linearisation about steady state (claim F2).
+///
+/// # Errors
+/// When they differ.
+pub fn laws_agree(equations: &PaperEquations) -> Result<Proof, Refutation> {
+    let [aging, slip] = Law::ALL.map(|law| linearised(equations, &evolution(equations, law)));
+    Proof::new(
+        "laws-agree-near-steady-state",
+        "The aging law and the slip law have the same linearisation about steady sliding.",
+    )
+    .identity(
+        "linear parts of eqs 2 and 3 at θ = D_c/V_0",
+        &["2", "3", "steady-state"],
+        &aging,
+        &slip,
+        &any(),
+    )
+}
+
+/// Eqs 5 and 6 are the linearisation of eqs 1, 2 or 3, and 4 about steady sliding (claim L1).
+///
+/// # Errors
+/// When a linear part is another one.
+pub fn prove(equations: &PaperEquations) -> Result<Proof, Refutation> {
+    let motion = linearised(equations, &motion(equations, &equations.right("1")));
+    let mut proof = Proof::new(
+        "linearisation",
+        "Eq 5 is the linear part of eq 4 with friction by eq 1; eq 6 is the linear part of eq 2 and of eq 3.",
+    )
+    .identity(
+        "eq 4 with eq 1 in Δδ and Δθ",
+        &["1", "4", "5", "steady-state"],
+        &motion,
+        &equations.residual("5"),
+        &any(),
+    )?;
+    for law in Law::ALL {
+        let evolution = linearised(equations, &evolution(equations, law));
+        let says = format!("{} in Δδ and Δθ", law.as_str());
+        proof = proof.identity(
+            &says,
+            &[law.equation(), "6", "steady-state"],
+            &evolution,
+            &equations.residual("6"),
+            &any(),
+        )?;
+    }
+    Ok(proof)
+}

@@ -1,0 +1,123 @@
+//! Non-inertial frequencies: along σ = σ_c (eqs 12 and 23), and how they depend on mass and stiffness (eq 14).
+
+use super::PaperEquations;
+use super::notation::{any, coefficients, crossing, formula, weakening_by_square};
+use crate::polynomial::{Domain, Expression, Proof, Refutation, Symbol, Toward};
+
+/// At σ = σ_c the frequency begins as eq 23 and rises strictly with velocity towards ω_n (claim Q3).
+///
+/// # Errors
+/// When the cubic at σ_c is another one, or the slope has no certified sign.
+pub fn at_critical_stress(equations: &PaperEquations) -> Result<Proof, Refutation> {
+    let slope = slope_at_critical_stress(&frequency_squared());
+    let proof = critical_stress_lemma(
+        equations,
+        Proof::new(
+            "frequency-at-critical-stress",
+            "For a < b and σ = σ_c the roots are always a complex pair; its frequency tends to eq 23 as V0 → 0, rises \
+             strictly with V0, and tends to ω_n as V0 → ∞ without reaching it.",
+        ),
+    )?
+    .positive("ω²/ω_n² rises with v at fixed g (its slope times ∂g/∂u)", &[], &slope, &critical_stress_domain())?
+    .limit("low velocity: eq 8 at σ_c with s = p V0/D_c, times D_c²/(a V0)", &["8", "12"], &low_velocity(equations), ("V_0", Toward::Zero), &formula("p^2 + (b - a)/a"), &any())?
+    .identity("eq 23 solves that", &["23"], &formula("p^2 + (b - a)/a").with("p", &(equations.right("23") * formula("D_c/V_0"))), &formula("0"), &weakening_by_square())?;
+    Ok(proof.reason(
+        "As V0 → ∞ eq 8 tends to eq 21, whose roots are ±i ω_n; the bound |s| < ω_n holds at every velocity.",
+    ))
+}
+
+/// What "independent of mass and stiffness" means below ω_n: true of mass without inertia, false of stiffness (claim Q4).
+///
+/// # Errors
+/// When eq 14's frequency depends otherwise on M and K.
+pub fn mass_and_stiffness(equations: &PaperEquations) -> Result<Proof, Refutation> {
+    let proof = Proof::new(
+        "mass-and-stiffness",
+        "Without inertia (eq 14) the frequency does not depend on M; with inertia it falls strictly with M at σ = σ_c. \
+         It does depend on K: at K = K_c,qs it grows as √K. Eq 23 contains no K only because K was replaced by K_c.",
+    );
+    let [c0, c1, c2]: [Expression; 3] = coefficients(&proof, &["14"], &equations.residual("14"), "s")?;
+    let square = (formula("4") * c2.clone() * c0 - c1.power(2)) / (formula("4") * c2.power(2));
+    let elasticity = formula("K") * square.derivative(&Symbol::new("K"));
+    let critical = equations.right("10");
+    let pair = Expression::integer(-1) * equations.right("23").power(2);
+    let per_velocity = frequency_squared() / formula("v^2");
+    let falls = Expression::integer(-1) * slope_at_critical_stress(&per_velocity);
+    let proof = proof
+        .identity(
+            "ω² of eq 14 with another mass",
+            &["14"],
+            &square,
+            &square.with("M", &formula("M_1")),
+            &any(),
+        )?
+        .identity(
+            "ω² of eq 14 at K = K_c,qs against eq 23",
+            &["10", "14", "23"],
+            &square.with("K", &critical),
+            &pair,
+            &crossing(),
+        )?
+        .identity(
+            "K dω²/dK there is ω² itself: ω grows as √K",
+            &["10", "14"],
+            &elasticity.with("K", &critical),
+            &square.with("K", &critical),
+            &any(),
+        )?;
+    critical_stress_lemma(equations, proof)?.positive(
+        "(ω D_c/V0)² falls with v = V0/(ω_n D_c) at fixed g, so with M at fixed K, V0, D_c",
+        &[],
+        &falls,
+        &critical_stress_domain(),
+    )
+}
+
+/// Eq 8 at σ = σ_c, s = p V0/D_c.
+fn low_velocity(equations: &PaperEquations) -> Expression {
+    let scaled = equations.residual("8").with("s", &formula("p*V_0/D_c")) * formula("D_c^2/(a*V_0)");
+    scaled.with("sigma", &equations.right("12"))
+}
+
+/// ω²/ω_n² at σ = σ_c by the real root −u and the velocity v, both in units of ω_n.
+fn frequency_squared() -> Expression {
+    formula("v/u - v^2/(4*u^4)")
+}
+
+/// g = a/(b − a) by u and v.
+fn ratio_of_effects() -> Expression {
+    formula("u*v - v^2/u^2 - v^2")
+}
+
+/// The slope of a quantity in v at fixed g, times ∂g/∂u (which is positive).
+fn slope_at_critical_stress(quantity: &Expression) -> Expression {
+    let (u, v) = (Symbol::new("u"), Symbol::new("v"));
+    let g = ratio_of_effects();
+    quantity.derivative(&v) * g.derivative(&u) - quantity.derivative(&u) * g.derivative(&v)
+}
+
+/// Every u > 0 and v > 0 with g > 0 is v = u³/(1 + u² + k) for one k > 0.
+fn critical_stress_domain() -> Domain {
+    Domain::positive("u k").with("v", formula("u^3/(1 + u^2 + k)"))
+}
+
+/// At σ = σ_c: the cubic in z = s/ω_n, its factors, and the quantities u, v, g.
+fn critical_stress_lemma(equations: &PaperEquations, proof: Proof) -> Result<Proof, Refutation> {
+    let at_stress = (equations.residual("8") * formula("sigma")).with("sigma", &equations.right("12"));
+    let units = Domain::default()
+        .with("s", formula("omega*z"))
+        .with("V_0", formula("v*omega*D_c"))
+        .with("K", formula("M*omega^2"))
+        .with("b", formula("a + a/g"));
+    let cubic = formula("z^3 + (g/v + v)*z^2 + v");
+    let factors = formula("(z + u)*(z^2 - v/u^2*z + v/u)");
+    let domain = critical_stress_domain();
+    let g = ratio_of_effects();
+    proof
+        .identity("eq 8 at σ = σ_c in z = s/ω_n, v = V0/(ω_n D_c), g = a/(b − a)", &["8", "12"], &at_stress, &(formula("M*omega^3") * cubic.clone()), &units)?
+        .reason("It is positive for z ≥ 0, so it has a root −u < 0; −z²(z + g/v + v) = v has one negative solution only, because its left side is negative right of −(g/v + v) and falls from +∞ to 0 left of it.")
+        .identity("factors with g = u v − v²/u² − v²", &[], &cubic, &factors, &Domain::default().with("g", g.clone()))?
+        .positive("g > 0 exactly for v = u³/(1 + u² + k), k > 0", &[], &g, &domain)?
+        .positive("∂g/∂u", &[], &g.derivative(&Symbol::new("u")), &domain)?
+        .positive("ω²/ω_n² = v/u − v²/(4u⁴): the pair is complex", &[], &frequency_squared(), &domain)
+}

@@ -1,0 +1,142 @@
+//! Formulas and assumptions that the proofs share.
+
+use super::PaperEquations;
+use crate::polynomial::{Domain, Expression, Polynomial, Proof, RationalFunction, Refutation, Symbol};
+
+/// The physical quantities, all positive.
+const QUANTITIES: &str = "a b D_c K M sigma V V_0 theta mu_0";
+
+/// A formula written in the program text.
+///
+/// # Panics
+/// When the text is not of the grammar: a slip in the program text, which the test of the module shows.
+pub(super) fn formula(text: &str) -> Expression {
+    text.parse().unwrap_or_else(|error| panic!("formula {text}: {error}"))
+}
+
+/// All physical quantities are positive, nothing is said of a − b.
+pub(super) fn any() -> Domain {
+    Domain::positive(QUANTITIES)
+}
+
+/// a < b with both roots rational: a = α², b = (α + γ)².
+pub(super) fn weakening() -> Domain {
+    roots_of_machine().with("a", formula("alpha^2")).with("b", formula("(alpha + gamma)^2"))
+}
+
+/// a > b with both roots rational: a = (α + γ)², b = α².
+pub(super) fn strengthening() -> Domain {
+    roots_of_machine().with("a", formula("(alpha + gamma)^2")).with("b", formula("alpha^2"))
+}
+
+/// a = b with a rational root: a = b = α².
+pub(super) fn neutral() -> Domain {
+    roots_of_machine().with("a", formula("alpha^2")).with("b", formula("alpha^2"))
+}
+
+/// a < b with √a and √(b − a) rational: a = α², b = α² + γ²; K = k², M = m².
+pub(super) fn weakening_by_square() -> Domain {
+    roots_of_machine().with("a", formula("alpha^2")).with("b", formula("alpha^2 + gamma^2"))
+}
+
+/// a = α², b = α² + γ² without a free K: for equations in which K is replaced by K_c.
+pub(super) fn crossing() -> Domain {
+    Domain::positive("D_c M sigma V_0 alpha gamma")
+        .with("a", formula("alpha^2"))
+        .with("b", formula("alpha^2 + gamma^2"))
+}
+
+/// a ≥ b written as a = b + d: strictly greater with d > 0.
+pub(super) fn stronger_direct_effect() -> Domain {
+    Domain::positive(&format!("{QUANTITIES} d")).with("a", formula("b + d"))
+}
+
+/// a < b written as b = a + d with d > 0.
+pub(super) fn weaker_direct_effect() -> Domain {
+    Domain::positive(&format!("{QUANTITIES} d")).with("b", formula("a + d"))
+}
+
+/// √K and √M rational: K = k², M = m².
+fn roots_of_machine() -> Domain {
+    Domain::positive(&format!("{QUANTITIES} alpha gamma k m"))
+        .with("K", formula("k^2"))
+        .with("M", formula("m^2"))
+}
+
+/// An equation in dimensionless groups: the unit of time is D_c/V_0, of length D_c, of stress a·σ.
+///
+/// For an equation that is homogeneous in units this is the general case; `characteristic::dimensionless` proves it for
+/// eq 8, the steps named "in groups" for the others.
+pub(super) fn in_groups(expression: &Expression) -> Expression {
+    let values = [
+        ("a", "1"),
+        ("D_c", "1"),
+        ("V_0", "1"),
+        ("sigma", "1"),
+        ("M", "eta"),
+        ("K", "kappa"),
+        ("b", "beta"),
+        ("s", "p"),
+    ];
+    expression.substitute(&values.map(|(name, value)| (Symbol::new(name), formula(value))).into())
+}
+
+/// Eq 8 in groups: F(p) = η p³ + (1 + η) p² + (κ + 1 − β) p + κ when eq 8 is right.
+pub(super) fn cubic(equations: &PaperEquations) -> Expression {
+    in_groups(&equations.residual("8"))
+}
+
+/// The coefficients of a polynomial equation by ascending power of one variable.
+///
+/// # Errors
+/// A refutation that names the equation, when it is no polynomial in that variable of the wanted degree.
+pub(super) fn coefficients<const COUNT: usize>(
+    proof: &Proof,
+    equation: &[&str],
+    expression: &Expression,
+    variable: &str,
+) -> Result<[Expression; COUNT], Refutation> {
+    let function = rational(proof, equation, expression, &any())?;
+    let name = Symbol::new(variable);
+    let says = format!("a polynomial of degree {} in {variable}", COUNT - 1);
+    if function.denominator().degree(&name) > 0 {
+        return Err(proof.refute(&says, equation, expression.to_string()));
+    }
+    let parts = function.numerator().coefficients(&name).into_iter();
+    let quotient = |part: Polynomial| {
+        RationalFunction::new(part, function.denominator().clone())
+            .map(|quotient| Expression::from(&quotient))
+    };
+    let parts: Option<Vec<Expression>> = parts.map(quotient).collect();
+    parts
+        .and_then(|parts| <[Expression; COUNT]>::try_from(parts).ok())
+        .ok_or_else(|| proof.refute(&says, equation, expression.to_string()))
+}
+
+/// The expression in lowest terms.
+///
+/// # Errors
+/// A refutation that names the equations, when it is no rational function.
+pub(super) fn simplified(
+    proof: &Proof,
+    equations: &[&str],
+    expression: &Expression,
+    domain: &Domain,
+) -> Result<Expression, Refutation> {
+    Ok(Expression::from(&rational(proof, equations, expression, domain)?))
+}
+
+/// The expression as a rational function.
+///
+/// # Errors
+/// A refutation that names the equations, when it is none.
+pub(super) fn rational(
+    proof: &Proof,
+    equations: &[&str],
+    expression: &Expression,
+    domain: &Domain,
+) -> Result<RationalFunction, Refutation> {
+    domain.rational_function(expression).map_err(|error| {
+        proof.refute("an expression of the derivation is no rational function", equations, error.to_string())
+    })
+}

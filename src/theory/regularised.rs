@@ -1,0 +1,86 @@
+//! The regularised friction law μ = a asinh(V/(2V0) exp((μ0 + b ln(V0θ/D_c))/a)) in the linear analysis (claim F4).
+
+use rug::Rational;
+use rug::ops::Pow;
+
+use super::PaperEquations;
+use super::notation::{any, formula};
+use crate::polynomial::{Certificate, Domain, Expression, Proof, Refutation, Symbol};
+
+/// By how much the regularised law changes the linear analysis.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct RegularisedDifference {
+    /// The relative change of a and of b (equivalently of σ) is positive and less than 10 to this power.
+    pub log10_bound: i32,
+    /// The proof.
+    pub proof: Proof,
+}
+
+/// Linearised, the regularised law is eq 1 with a and b both multiplied by u/√(1 + u²), u = e^(μ0/a)/2.
+///
+/// In eq 8 that is the same as multiplying σ by this factor.
+///
+/// # Errors
+/// When the derivatives of the two laws are not in that ratio.
+pub fn linearisation(equations: &PaperEquations) -> Result<Proof, Refutation> {
+    let u = formula("V/(2*V_0)*exp((mu_0 + b*ln(V_0*theta/D_c))/a)");
+    let factor = u.clone() / (formula("1") + u.clone().power(2)).call(crate::polynomial::Function::Sqrt);
+    let slope = |number: &str, name: &str| equations.right(number).derivative(&Symbol::new(name));
+    let steady = |expression: &Expression| {
+        expression.with("theta", &equations.right("steady-state")).with("V", &formula("V_0"))
+    };
+    let stiffer = equations.residual("8").with("a", &formula("phi*a")).with("b", &formula("phi*b"));
+    let heavier = equations.residual("8").with("sigma", &formula("phi*sigma"));
+    let u_steady = steady(&u);
+    Proof::new(
+        "regularised-law",
+        "The regularised law has the slopes of eq 1 in V and in θ, both times φ = u/√(1 + u²); at steady sliding with V = V0, \
+         u = e^(μ0/a)/2. The linear analysis is that of eq 1 with normal stress φσ.",
+    )
+    .identity("slope in V", &["1", "regularised"], &slope("regularised", "V"), &(slope("1", "V") * factor.clone()), &any())?
+    .identity("slope in θ", &["1", "regularised"], &slope("regularised", "theta"), &(slope("1", "theta") * factor), &any())?
+    .identity("u at steady sliding", &["regularised", "steady-state"], &u_steady, &formula("exp(mu_0/a)/2"), &any())?
+    .identity("eq 8 with φa and φb is φ times eq 8 with φσ", &["8"], &stiffer, &(formula("phi") * heavier), &any())
+}
+
+/// A certified bound of the relative difference 1 − φ < 2 e^(−2μ0/a) for these numbers.
+///
+/// # Errors
+/// As [`linearisation`].
+pub fn bound(
+    equations: &PaperEquations,
+    reference_friction: &Rational,
+    direct_effect: &Rational,
+) -> Result<RegularisedDifference, Refutation> {
+    let gap = formula("1 - (1 - z/2)^2*(1 + z)");
+    let domain = Domain::positive("z w").with("z", formula("3/(1 + w)"));
+    let exponent = Rational::from(reference_friction * 2) / direct_effect;
+    // A whole exponent and 2.718 < e keep the bound a rational number.
+    let whole = exponent.clone().floor().numer().to_u32().unwrap_or(0).min(MAX_EXPONENT);
+    let bound = Rational::from(2) / Rational::from((2_718, 1_000)).pow(whole);
+    let log10_bound = power_of_ten_above(&bound);
+    let margin = Expression::Number(Rational::from(10).pow(log10_bound) - bound);
+    let e = formula("1 + 1 + 1/2 + 1/6 + 1/24 + 1/120 + 1/720 - 2718/1000");
+    let proof = linearisation(equations)?
+        .reason("φ = 1/√(1 + z) with z = 1/u² = 4 e^(−2μ0/a).")
+        .positive("1/√(1 + z) > 1 − z/2 for 0 < z < 3, squared: 1 − (1 − z/2)²(1 + z)", &[], &gap, &domain)?
+        .positive("e − 2.718, from the first terms of e", &[], &e, &Domain::default())?
+        .certify(
+            &format!("10^{log10_bound} exceeds 2/2.718^{whole} > 2 e^(−2μ0/a) for μ0 = {reference_friction}, a = {direct_effect}"),
+            &[],
+            Certificate::Sign { expression: margin, sign: 1, domain: Domain::default() },
+        )?;
+    Ok(RegularisedDifference { log10_bound, proof })
+}
+
+/// The largest exponent of e that the bound uses: enough for a difference far below anything measurable.
+const MAX_EXPONENT: u32 = 2_000;
+
+/// The least n with value < 10^n, for 0 < value.
+fn power_of_ten_above(value: &Rational) -> i32 {
+    let mut power = 1;
+    while Rational::from(10).pow(power - 1) > *value {
+        power -= 1;
+    }
+    power
+}
