@@ -18,7 +18,10 @@ const LAPS_BEFORE_JUMP: usize = 4;
 const LARGEST_JUMP: f64 = 0.3;
 
 /// Relative changes of a lap below this multiple of the local tolerance may be the integrator's errors rather than the map's.
-const NOISE_IN_TOLERANCES: f64 = 1.0;
+const NOISE_IN_TOLERANCES: f64 = 0.01;
+
+/// The farthest from its cycle that a trajectory may be called periodic, when the integrator's errors hide the rest of the way.
+const FARTHEST: f64 = 1e-3;
 
 /// Most laps per cycle that are looked for.
 const MOST_LAPS_PER_CYCLE: usize = 4;
@@ -134,7 +137,6 @@ pub fn settle<R: Scalar, M: Stepper<R> + Clone>(
     let noise = NOISE_IN_TOLERANCES * run.local_tolerance();
     let mut jumped = false;
     let mut reach = LARGEST_JUMP;
-    let mut jumps_in_noise = 0;
     let mut retreat: Option<State<R>> = None;
     for _ in 0..most_laps {
         let (lap, end) = match (run_lap(run), &retreat) {
@@ -161,22 +163,23 @@ pub fn settle<R: Scalar, M: Stepper<R> + Clone>(
             return measure_decay(run, history, transient);
         }
         let Some(change) = history.change(1) else { continue };
-        contraction = history.multiplier().or(contraction);
-        // Without a measurable contraction there was none to measure: the first laps already were on the cycle.
-        let known = contraction.unwrap_or(0.5);
+        if change > noise {
+            contraction = history.multiplier().or(contraction);
+        }
+        // Where no contraction could be measured the first laps already were on the cycle.
+        let known = contraction.filter(|&known| known < 1.0).unwrap_or(0.5);
         let distance = change * known.max(1e-3) / (1.0 - known);
-        let measured = contraction.is_some() && distance <= target;
-        let exhausted = history.within(noise) && (history.multiplier().is_none() || jumps_in_noise >= 2);
-        if known < 1.0 && (measured || exhausted) {
+        let measured = contraction.is_some_and(|known| known < 1.0) && distance <= target;
+        if measured || history.within(noise) && distance <= FARTHEST {
             return Ok(Late::Cycle(cycle(&history, 1, known, distance)));
         }
         if let Some(m) = laps_per_cycle(&history, target, noise) {
             let distance = history.change(m).unwrap_or(change);
             return Ok(Late::Cycle(cycle(&history, m, contraction.unwrap_or(1.0), distance)));
         }
-        if history.passages.len() >= LAPS_BEFORE_JUMP && let Some(to) = jump(&history, reach) {
+        let may_jump = history.passages.len() >= LAPS_BEFORE_JUMP && change > noise;
+        if may_jump && let Some(to) = jump(&history, reach) {
             retreat = Some(run.state().clone());
-            jumps_in_noise += u32::from(change < noise);
             run.resume_from([R::from(0), R::from_f64(to[0]), R::from_f64(to[1])]);
             history = History::new();
             jumped = true;

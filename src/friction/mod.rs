@@ -5,7 +5,9 @@
 mod evolution;
 mod groups;
 mod parameters;
+mod slip_mode;
 
 pub use evolution::EvolutionLaw;
 pub use groups::Groups;
 pub use parameters::Parameters;
+pub use slip_mode::SlipMode;
