@@ -95,9 +95,13 @@ fn b1(context: &Context) -> Finding {
         Err(refutation) => return Finding::from_proofs([Err(refutation)]),
     };
     let (real, unstable) = (areas.real_areas, areas.unstable_real_areas);
-    let finding = Finding::from_proofs([Ok(areas.proof), boundary::prove(context.equations), boundary::cusp(context.equations)])
-        .require(real == 2 && unstable == 1, || format!("{real} areas, {unstable} of them unstable"))
-        .remark("The proof covers all σ > 0 and V > 0, not only the rectangle of fig 1.");
+    let finding = Finding::from_proofs([
+        Ok(areas.proof),
+        boundary::prove(context.equations),
+        boundary::cusp(context.equations),
+    ])
+    .require(real == 2 && unstable == 1, || format!("{real} areas, {unstable} of them unstable"))
+    .remark("The proof covers all σ > 0 and V > 0, not only the rectangle of fig 1.");
     match context.outcome.potentially_unstable().and_then(areas_on_map) {
         Some(evidence) => finding.with_supporting(evidence),
         None => finding,
@@ -121,12 +125,16 @@ fn b6(context: &Context) -> Finding {
         Err(refutation) => return Finding::from_proofs([Err(refutation)]),
     };
     let list = |invariant: bool| {
-        let numbers: Vec<&str> = exchanges.iter().filter(|e| e.invariant == invariant).map(|e| e.equation).collect();
+        let numbers: Vec<&str> =
+            exchanges.iter().filter(|e| e.invariant == invariant).map(|e| e.equation).collect();
         numbers.join(", ")
     };
     let (kept, moved) = (list(true), list(false));
-    let factors: Vec<String> =
-        exchanges.iter().filter(|e| !e.invariant).map(|e| format!("eq {} is multiplied by {}", e.equation, e.factor)).collect();
+    let factors: Vec<String> = exchanges
+        .iter()
+        .filter(|e| !e.invariant)
+        .map(|e| format!("eq {} is multiplied by {}", e.equation, e.factor))
+        .collect();
     let fixed_a: Vec<&str> = exchanges.iter().filter(|e| !e.contains_b).map(|e| e.equation).collect();
     let finding = Finding::from_proofs(exchanges.iter().map(|exchange| Ok(exchange.proof.clone())));
     if moved.is_empty() {
@@ -137,7 +145,11 @@ fn b6(context: &Context) -> Finding {
          and b changes nothing, as the paper concludes. The second is true of eqs {kept} only.",
         fixed_a.join(", "),
     ));
-    if kept.is_empty() { finding.refuted("no equation is unchanged") } else { finding.within(format!("eqs {kept}; not eq {moved}")) }
+    if kept.is_empty() {
+        finding.refuted("no equation is unchanged")
+    } else {
+        finding.within(format!("eqs {kept}; not eq {moved}"))
+    }
 }
 
 fn b7(context: &Context) -> Finding {
@@ -155,12 +167,15 @@ fn b7(context: &Context) -> Finding {
 fn largest_frequency_change(context: &Context) -> Option<Evidence> {
     let (one, other) = (context.outcome.potentially_unstable()?, context.outcome.intrinsically_stable()?);
     let (one, other) = (one.map.as_ref()?, other.map.as_ref()?);
-    if one.loading_velocity_m_per_s != other.loading_velocity_m_per_s || one.normal_stress_pa != other.normal_stress_pa {
+    if one.loading_velocity_m_per_s != other.loading_velocity_m_per_s
+        || one.normal_stress_pa != other.normal_stress_pa
+    {
         return None;
     }
     let mut differing = 0;
     for (point, exchanged) in one.values.iter().zip(&other.values) {
-        differing += usize::from(point.max_imaginary_per_s.is_zero() != exchanged.max_imaginary_per_s.is_zero());
+        differing +=
+            usize::from(point.max_imaginary_per_s.is_zero() != exchanged.max_imaginary_per_s.is_zero());
     }
     Some(Evidence::Sample {
         quantity: "Points of the two maps at which one oscillates and the other does not".into(),
@@ -176,7 +191,12 @@ fn b8(context: &Context) -> Finding {
             let moved: Vec<String> = exchanges
                 .iter()
                 .filter(|exchange| !exchange.invariant)
-                .map(|exchange| format!("the velocity of eq {} is multiplied by {} when a and b are exchanged", exchange.equation, exchange.factor))
+                .map(|exchange| {
+                    format!(
+                        "the velocity of eq {} is multiplied by {} when a and b are exchanged",
+                        exchange.equation, exchange.factor
+                    )
+                })
                 .collect();
             let finding = Finding::from_proofs(exchanges.into_iter().map(|exchange| Ok(exchange.proof)));
             if moved.is_empty() { finding } else { finding.refuted(moved.join("; ")) }
@@ -192,9 +212,16 @@ fn b9(context: &Context) -> Finding {
         match areas::count(context.equations, effects) {
             Err(refutation) => finding = finding.with_proof(Err(refutation)),
             Ok(areas) => {
-                let names: Vec<&str> =
-                    ["(i)", "(ii)", "(iii)", "(iv)"].into_iter().zip(areas.exists).filter_map(|(name, exists)| exists.then_some(name)).collect();
-                if names.len() == 4 { &mut complete } else { &mut lacking }.push(format!("{}: {}", effects.as_str(), names.join(", ")));
+                let names: Vec<&str> = ["(i)", "(ii)", "(iii)", "(iv)"]
+                    .into_iter()
+                    .zip(areas.exists)
+                    .filter_map(|(name, exists)| exists.then_some(name))
+                    .collect();
+                if names.len() == 4 { &mut complete } else { &mut lacking }.push(format!(
+                    "{}: {}",
+                    effects.as_str(),
+                    names.join(", ")
+                ));
                 finding = finding.with_proof(Ok(areas.proof));
             }
         }
@@ -202,5 +229,7 @@ fn b9(context: &Context) -> Finding {
     if lacking.is_empty() {
         return finding;
     }
-    finding.within(complete.join("; ")).outside(format!("The areas that exist are, for {}.", lacking.join("; for ")))
+    finding
+        .within(complete.join("; "))
+        .outside(format!("The areas that exist are, for {}.", lacking.join("; for ")))
 }

@@ -14,7 +14,12 @@ pub(super) const CHECKS: &[Check] = &[
         not_established: "The frequency of finite-amplitude motion.",
         needs: &[],
         rests_on: &["L3"],
-        decide: |context| Finding::from_proofs([frequency::bounded(context.equations), frequency::limits(context.equations)]),
+        decide: |context| {
+            Finding::from_proofs([
+                frequency::bounded(context.equations),
+                frequency::limits(context.equations),
+            ])
+        },
     },
     Check {
         id: "Q2",
@@ -70,18 +75,23 @@ fn q3(context: &Context) -> Finding {
     let Some(scene) = context.outcome.potentially_unstable() else { return finding };
     let (Some(parameters), Some(outcome)) = (scene.parameters(), &scene.frequency) else { return finding };
     let one = Rational::from(1);
-    let Some(line) = outcome.lines.iter().find(|line| line.normal_stress_over_critical == one) else { return finding };
+    let Some(line) = outcome.lines.iter().find(|line| line.normal_stress_over_critical == one) else {
+        return finding;
+    };
     // Eq 23 per velocity: √((b−a)/a)/D_c.
-    let effects = (parameters.evolution_effect.clone() - &parameters.direct_effect) / &parameters.direct_effect;
+    let effects =
+        (parameters.evolution_effect.clone() - &parameters.direct_effect) / &parameters.direct_effect;
     let per_metre = effects.to_f64().sqrt() / parameters.critical_slip_distance_m.to_f64();
-    let natural = (parameters.stiffness_pa_per_m.clone() / &parameters.mass_per_area_kg_per_m2).to_f64().sqrt();
-    finding
-        .with_supporting(last_velocity_near(outcome, line, per_metre))
-        .with_supporting(Evidence::Sample {
-            quantity: "max Im(s)/ω_n at the highest velocity of the line".into(),
-            value: round_digits(line.max_imaginary_per_s.last().and_then(|w| w.to_f64()).unwrap_or(0.0) / natural, 6),
-            points: outcome.loading_velocity_m_per_s.len(),
-        })
+    let natural =
+        (parameters.stiffness_pa_per_m.clone() / &parameters.mass_per_area_kg_per_m2).to_f64().sqrt();
+    finding.with_supporting(last_velocity_near(outcome, line, per_metre)).with_supporting(Evidence::Sample {
+        quantity: "max Im(s)/ω_n at the highest velocity of the line".into(),
+        value: round_digits(
+            line.max_imaginary_per_s.last().and_then(|w| w.to_f64()).unwrap_or(0.0) / natural,
+            6,
+        ),
+        points: outcome.loading_velocity_m_per_s.len(),
+    })
 }
 
 /// The highest velocity up to which eq 23 is within 1 %.
@@ -115,7 +125,11 @@ fn q5(context: &Context) -> Finding {
     let Some(parameters) = context.outcome.potentially_unstable().and_then(|scene| scene.parameters()) else {
         return Finding::not_checked("The report has no scene with a < b to take K and M from.");
     };
-    match period::natural(context.equations, &parameters.stiffness_pa_per_m, &parameters.mass_per_area_kg_per_m2) {
+    match period::natural(
+        context.equations,
+        &parameters.stiffness_pa_per_m,
+        &parameters.mass_per_area_kg_per_m2,
+    ) {
         Err(refutation) => Finding::from_proofs([Err(refutation)]),
         Ok(natural) => {
             let printed = printed_period_s();
@@ -131,7 +145,11 @@ fn q5(context: &Context) -> Finding {
             }
             finding
                 .within(format!("{} %: ω_n = 100 /s is exact", rational_to_decimal(&(low_error * 100u32), 2)))
-                .outside(format!("2π/ω_n = {} s, not {} s", rational_to_decimal(low, 5), rational_to_decimal(&printed, 5)))
+                .outside(format!(
+                    "2π/ω_n = {} s, not {} s",
+                    rational_to_decimal(low, 5),
+                    rational_to_decimal(&printed, 5)
+                ))
         }
     }
 }
@@ -142,7 +160,8 @@ fn q6(context: &Context) -> Finding {
         return finding.within("η ≪ 1: the proof bounds (ω/ω_n)² by 2η");
     };
     // Everywhere above eq 16 η is below its value on eq 16, so that one velocity serves the whole strip.
-    let point = parameters.at(Rational::from(1), Rational::from(1)).map(|value| Ball::from_rational(value, 128));
+    let point =
+        parameters.at(Rational::from(1), Rational::from(1)).map(|value| Ball::from_rational(value, 128));
     let lowest_stress = Asymptote::QuasiStaticLower.value(&point);
     let velocity_squared = lowest_stress * &point.direct_effect * &point.critical_slip_distance_m
         / &point.mass_per_area_kg_per_m2

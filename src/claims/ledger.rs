@@ -79,7 +79,10 @@ impl Ledger {
 
 fn decide_one(text: &ClaimText, context: &Context) -> Entry {
     let check = find(&text.id);
-    let finding = check.map_or_else(|| Finding::not_checked("The program has no check with this id."), |check| (check.decide)(context));
+    let finding = check.map_or_else(
+        || Finding::not_checked("The program has no check with this id."),
+        |check| (check.decide)(context),
+    );
     Entry {
         id: text.id.clone(),
         place: text.place.clone(),

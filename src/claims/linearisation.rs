@@ -53,5 +53,8 @@ fn join(orders: &[usize]) -> String {
 }
 
 fn l3(context: &Context) -> Finding {
-    Finding::from_proofs([characteristic::prove(context.equations), characteristic::dimensionless(context.equations)])
+    Finding::from_proofs([
+        characteristic::prove(context.equations),
+        characteristic::dimensionless(context.equations),
+    ])
 }

@@ -55,18 +55,34 @@ pub(super) const CHECKS: &[Check] = &[
 ];
 
 fn z1(context: &Context) -> Finding {
-    let scenes = [(context.outcome.potentially_unstable(), 5, "a < b"), (context.outcome.intrinsically_stable(), 4, "a > b")];
-    let mut finding = Finding::from_proofs([transition::stability(context.equations), frequency::low_frequency_zone(context.equations)]);
+    let scenes = [
+        (context.outcome.potentially_unstable(), 5, "a < b"),
+        (context.outcome.intrinsically_stable(), 4, "a > b"),
+    ];
+    let mut finding = Finding::from_proofs([
+        transition::stability(context.equations),
+        frequency::low_frequency_zone(context.equations),
+    ]);
     let mut limits = Vec::new();
     for (scene, expected, case) in scenes {
         let Some(zones) = scene.and_then(|scene: &SceneOutcome| scene.zones.as_ref()) else {
             return Finding::not_checked(format!("The report has no zones for {case}."));
         };
         let modes: BTreeSet<&str> = zones.exact.values.iter().map(|mode| mode.as_str()).collect();
-        finding = finding.with_evidence(modes_evidence(zones, &modes, case)).require(modes.len() == expected, || {
-            format!("{} slip modes for {case}: {}", modes.len(), modes.iter().copied().collect::<Vec<_>>().join(", "))
-        });
-        limits.push(format!("{} % of the points for {case}", percent(zones.disagreeing_areas, zones.exact.len())));
+        finding = finding.with_evidence(modes_evidence(zones, &modes, case)).require(
+            modes.len() == expected,
+            || {
+                format!(
+                    "{} slip modes for {case}: {}",
+                    modes.len(),
+                    modes.iter().copied().collect::<Vec<_>>().join(", ")
+                )
+            },
+        );
+        limits.push(format!(
+            "{} % of the points for {case}",
+            percent(zones.disagreeing_areas, zones.exact.len())
+        ));
         finding = finding.with_evidence(Evidence::Sample {
             quantity: format!("Points at which fig 7's zones and the exact slip modes differ, {case} (stability or oscillation; slip mode)"),
             value: format!("{}; {}", zones.disagreeing_areas, zones.disagreeing_modes),
@@ -113,7 +129,11 @@ fn z5(context: &Context) -> Finding {
         .with_proof(transition::crossing_frequency(context.equations))
         .remark("Exact: eqs 9-13 and 23. Exact without inertia: eqs 15 and 16. Asymptotic: eqs 15, 16, 18 and 20 on the boundary of eq 8.")
         .remark("Eq 20 governs one of three ways out of steady sliding without oscillation: at low velocity the boundary is eq 16, and around the corner it is neither.");
-    let corner = context.outcome.potentially_unstable().and_then(|scene| scene.tolerance.as_ref()).map(|tolerance| &tolerance.lower_corner);
+    let corner = context
+        .outcome
+        .potentially_unstable()
+        .and_then(|scene| scene.tolerance.as_ref())
+        .map(|tolerance| &tolerance.lower_corner);
     match corner {
         None => finding.within("the relative errors of the series"),
         Some(error) => {

@@ -117,11 +117,17 @@ fn evaluate(polynomial: &[Float], at: &Float) -> Float {
 }
 
 fn derivative(polynomial: &[Float]) -> Vec<Float> {
-    polynomial.iter().enumerate().skip(1).map(|(k, c)| Float::with_val(PRECISION_BITS, c * k as u32)).collect()
+    polynomial
+        .iter()
+        .enumerate()
+        .skip(1)
+        .map(|(k, c)| Float::with_val(PRECISION_BITS, c * k as u32))
+        .collect()
 }
 
 fn antiderivative(polynomial: &[Float]) -> Vec<Float> {
-    let terms = polynomial.iter().enumerate().map(|(k, c)| Float::with_val(PRECISION_BITS, c / (k + 1) as u32));
+    let terms =
+        polynomial.iter().enumerate().map(|(k, c)| Float::with_val(PRECISION_BITS, c / (k + 1) as u32));
     std::iter::once(real(0)).chain(terms).collect()
 }
 
@@ -167,7 +173,8 @@ fn modes(polynomial: &[Float], nodes: &[Float]) -> (Vec<Float>, Matrix) {
     let mut eigenvalues = Vec::new();
     let mut columns = Vec::new();
     for root in complex_zeros(&characteristic) {
-        let vector: Vec<Complex> = nodes.iter().map(|node| eigenvector_entry(&derivatives, &root, node)).collect();
+        let vector: Vec<Complex> =
+            nodes.iter().map(|node| eigenvector_entry(&derivatives, &root, node)).collect();
         let is_real = root.imag().clone().abs() < 1e-30;
         eigenvalues.push(root.real().clone());
         columns.push(vector.iter().map(|z| z.real().clone()).collect::<Vec<_>>());
@@ -221,14 +228,22 @@ fn complex_zeros(polynomial: &[Float]) -> Vec<Complex> {
 fn error_weights(nodes: &[Float], inverse_runge_kutta: &Matrix, real_eigenvalue: &Float) -> Vec<Float> {
     let stages = nodes.len();
     let vandermonde: Matrix = (0..stages)
-        .map(|k| nodes.iter().map(|node| Float::with_val(PRECISION_BITS, rug::ops::Pow::pow(node, k as u32))).collect())
+        .map(|k| {
+            nodes
+                .iter()
+                .map(|node| Float::with_val(PRECISION_BITS, rug::ops::Pow::pow(node, k as u32)))
+                .collect()
+        })
         .collect();
     // The quadrature takes γ0 f(y_n) as well, so the stages must give −γ0 at order one and nothing at the others.
-    let solution: Vec<Float> =
-        inverse(&vandermonde).iter().map(|row| -Float::with_val(PRECISION_BITS, &row[0] / real_eigenvalue)).collect();
+    let solution: Vec<Float> = inverse(&vandermonde)
+        .iter()
+        .map(|row| -Float::with_val(PRECISION_BITS, &row[0] / real_eigenvalue))
+        .collect();
     (0..stages)
         .map(|j| {
-            let terms = (0..stages).map(|i| Float::with_val(PRECISION_BITS, &solution[i] * &inverse_runge_kutta[i][j]));
+            let terms = (0..stages)
+                .map(|i| Float::with_val(PRECISION_BITS, &solution[i] * &inverse_runge_kutta[i][j]));
             terms.fold(real(0), |sum, term| sum + term)
         })
         .collect()
@@ -244,7 +259,8 @@ mod tests {
         for k in 1..=S as u32 {
             let power = |node: f64, k: u32| libm::pow(node, f64::from(k));
             let values: [f64; S] = table.nodes.map(|c| power(c, k));
-            let modes: [f64; S] = std::array::from_fn(|i| (0..S).map(|j| table.to_modes[i][j] * values[j]).sum());
+            let modes: [f64; S] =
+                std::array::from_fn(|i| (0..S).map(|j| table.to_modes[i][j] * values[j]).sum());
             let mut scaled = [table.eigenvalues[0] * modes[0]; S];
             for m in (1..S).step_by(2) {
                 let (re, im) = (table.eigenvalues[m], table.eigenvalues[m + 1]);
@@ -254,7 +270,10 @@ mod tests {
             for i in 0..S {
                 let derivative: f64 = (0..S).map(|j| table.from_modes[i][j] * scaled[j]).sum();
                 let exact = f64::from(k) * power(table.nodes[i], k - 1);
-                assert!((derivative - exact).abs() < 1e-11 * (S * S) as f64, "{S} {k} {i}: {derivative} {exact}");
+                assert!(
+                    (derivative - exact).abs() < 1e-11 * (S * S) as f64,
+                    "{S} {k} {i}: {derivative} {exact}"
+                );
             }
         }
     }
@@ -272,8 +291,10 @@ mod tests {
         for stages in [3, 5, 7] {
             let polynomial = node_polynomial(stages);
             let nodes = zeros_in_unit_interval(&polynomial, stages);
-            let weights: Vec<Float> =
-                nodes.iter().map(|c| evaluate(&antiderivative(&lagrange(&polynomial, c)), &real(1))).collect();
+            let weights: Vec<Float> = nodes
+                .iter()
+                .map(|c| evaluate(&antiderivative(&lagrange(&polynomial, c)), &real(1)))
+                .collect();
             for order in 1..=2 * stages {
                 let terms = nodes.iter().zip(&weights).map(|(c, b)| {
                     Float::with_val(PRECISION_BITS, rug::ops::Pow::pow(c, order as u32 - 1)) * b

@@ -15,7 +15,8 @@ pub(super) fn inverse(matrix: &Matrix) -> Matrix {
         .collect();
     for column in 0..size {
         let largest = |row: &usize| left[*row][column].clone().abs();
-        let pivot_row = (column..size).fold(column, |best, row| if largest(&row) > largest(&best) { row } else { best });
+        let pivot_row =
+            (column..size).fold(column, |best, row| if largest(&row) > largest(&best) { row } else { best });
         left.swap(column, pivot_row);
         right.swap(column, pivot_row);
         let pivot = left[column][column].clone();

@@ -40,7 +40,9 @@ const REPETITIONS: usize = 5;
 
 /// The candidates of the last step in order of time; unused places are `None`.
 #[must_use]
-pub fn candidates<R: Scalar, M: Stepper<R>>(run: &Integrator<'_, R, M>) -> [Option<Candidate>; MOST_CANDIDATES] {
+pub fn candidates<R: Scalar, M: Stepper<R>>(
+    run: &Integrator<'_, R, M>,
+) -> [Option<Candidate>; MOST_CANDIDATES] {
     let polynomial = run.method().polynomial();
     let start = &run.step_start()[0];
     let mut found = [None; MOST_CANDIDATES];
@@ -54,11 +56,13 @@ pub fn candidates<R: Scalar, M: Stepper<R>>(run: &Integrator<'_, R, M>) -> [Opti
         let mut pair = [None; 2];
         if (left_value < 0.0) != (right_value < 0.0) {
             let mark = if left_value < 0.0 { Mark::Rise } else { Mark::Fall };
-            pair[0] = Some(Candidate { mark, theta: zero_between(value, left, left_value, right, right_value) });
+            pair[0] =
+                Some(Candidate { mark, theta: zero_between(value, left, left_value, right, right_value) });
         }
         if (left_slope < 0.0) != (right_slope < 0.0) {
             let mark = if left_slope < 0.0 { Mark::Trough } else { Mark::Peak };
-            pair[1] = Some(Candidate { mark, theta: zero_between(slope, left, left_slope, right, right_slope) });
+            pair[1] =
+                Some(Candidate { mark, theta: zero_between(slope, left, left_slope, right, right_slope) });
         }
         if pair[0].zip(pair[1]).is_some_and(|(a, b)| b.theta < a.theta) {
             pair.swap(0, 1);
@@ -116,7 +120,7 @@ pub fn move_to<R: Scalar, M: Stepper<R>>(run: &mut Integrator<'_, R, M>, candida
         if size <= good || !size.is_finite() {
             break;
         }
-        h = h.clone() + h * R::from_f64(correction.to_f64().clamp(-0.5, 0.5)) ;
+        h = h.clone() + h * R::from_f64(correction.to_f64().clamp(-0.5, 0.5));
     }
     true
 }
@@ -126,7 +130,10 @@ const SHORTER_STEPS: usize = 12;
 
 /// The state at a candidate, leaving the run where it is.
 #[must_use]
-pub fn state_at<R: Scalar, M: Stepper<R> + Clone>(run: &Integrator<'_, R, M>, candidate: Candidate) -> State<R> {
+pub fn state_at<R: Scalar, M: Stepper<R> + Clone>(
+    run: &Integrator<'_, R, M>,
+    candidate: Candidate,
+) -> State<R> {
     let mut aside = run.clone();
     if move_to(&mut aside, candidate) {
         return aside.state().clone();

@@ -9,7 +9,9 @@ pub enum Failure {
     #[error("the start or a group is not a finite, admissible number")]
     InvalidStart,
     /// No step, however short, meets the tolerance.
-    #[error("no step meets the tolerance {tolerance:e} at time {time:e} D_c/V_l, where ln(V/V_l) = {log_velocity}")]
+    #[error(
+        "no step meets the tolerance {tolerance:e} at time {time:e} D_c/V_l, where ln(V/V_l) = {log_velocity}"
+    )]
     StepVanished {
         /// Local tolerance asked for.
         tolerance: f64,
@@ -27,7 +29,9 @@ pub enum Failure {
         time: f64,
     },
     /// Neither a limit cycle nor a decay was reached.
-    #[error("late behaviour undecided after {cycles} oscillations; the last changed by a relative {change:e}")]
+    #[error(
+        "late behaviour undecided after {cycles} oscillations; the last changed by a relative {change:e}"
+    )]
     Undecided {
         /// Oscillations computed.
         cycles: u64,

@@ -201,7 +201,9 @@ impl<'m, R: Scalar, M: Stepper<R>> Integrator<'m, R, M> {
                 Some(trial) => self.shrink(&h, self.factor(trial.error).min(0.9)),
                 None => self.shrink(&h, 0.3),
             }
-            if self.proposal.to_f64() <= first_proposal * smallest || self.proposal.to_f64() < f64::MIN_POSITIVE {
+            if self.proposal.to_f64() <= first_proposal * smallest
+                || self.proposal.to_f64() < f64::MIN_POSITIVE
+            {
                 return Err(Failure::StepVanished {
                     tolerance: weight.absolute,
                     time: self.time().to_f64(),

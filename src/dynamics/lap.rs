@@ -39,7 +39,9 @@ pub enum LapEnd {
 ///
 /// # Errors
 /// Those of the integrator.
-pub fn run_lap<R: Scalar, M: Stepper<R> + Clone>(run: &mut Integrator<'_, R, M>) -> Result<(Lap<R>, LapEnd), Failure> {
+pub fn run_lap<R: Scalar, M: Stepper<R> + Clone>(
+    run: &mut Integrator<'_, R, M>,
+) -> Result<(Lap<R>, LapEnd), Failure> {
     let start = run.state().clone();
     let mut lap = Lap {
         duration: R::from(0),

@@ -50,7 +50,11 @@ impl<R: Scalar, const S: usize> Radau<R, S> {
     /// Starts Newton's iteration on the last polynomial: extrapolated over a new step, interpolated for a repeated one.
     fn predict(&mut self, h: &R) {
         let rewound = std::mem::take(&mut self.rewound);
-        let source = if rewound { Some((&self.polynomial, &self.step)) } else { self.previous.as_ref().map(|p| (&p.0, &p.1)) };
+        let source = if rewound {
+            Some((&self.polynomial, &self.step))
+        } else {
+            self.previous.as_ref().map(|p| (&p.0, &p.1))
+        };
         let Some((polynomial, step)) = source else {
             self.stages = std::array::from_fn(|_| std::array::from_fn(|_| R::from(0)));
             return;
@@ -67,7 +71,11 @@ impl<R: Scalar, const S: usize> Radau<R, S> {
     /// Solves for Newton's update of the stage increments.
     #[inline]
     fn update(
-        &mut self, model: &Model<R>, from: &State<R>, h: &R, factors: &StepFactors<R, S>,
+        &mut self,
+        model: &Model<R>,
+        from: &State<R>,
+        h: &R,
+        factors: &StepFactors<R, S>,
     ) -> [State<R>; S] {
         let derivatives: [State<R>; S] = std::array::from_fn(|i| {
             let state: State<R> = std::array::from_fn(|c| from[c].clone() + &self.stages[i][c]);
@@ -101,7 +109,12 @@ impl<R: Scalar, const S: usize> Radau<R, S> {
 
     /// Newton's iteration on the stages; false when it does not converge.
     fn solve_stages(
-        &mut self, model: &Model<R>, from: &State<R>, h: &R, factors: &StepFactors<R, S>, weight: Weight,
+        &mut self,
+        model: &Model<R>,
+        from: &State<R>,
+        h: &R,
+        factors: &StepFactors<R, S>,
+        weight: Weight,
     ) -> bool {
         // Sums over the stages magnify the rounding errors of the state.
         let noise = weight.noise * (2 * S) as f64;
@@ -133,7 +146,13 @@ impl<R: Scalar, const S: usize> Radau<R, S> {
     }
 
     /// The estimated error, filtered by (λ0 − hJ)^{-1} so that it stays bounded for stiff components.
-    fn estimate(&mut self, model: &Model<R>, from: &State<R>, h: &R, factors: &StepFactors<R, S>) -> State<R> {
+    fn estimate(
+        &mut self,
+        model: &Model<R>,
+        from: &State<R>,
+        h: &R,
+        factors: &StepFactors<R, S>,
+    ) -> State<R> {
         let real = self.constants.eigenvalues[0].clone();
         let weights = &self.constants.error_weights;
         let from_stages: State<R> = std::array::from_fn(|c| {

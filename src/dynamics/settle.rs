@@ -33,9 +33,9 @@ pub struct Cycle<R> {
     pub lap: Lap<R>,
     /// Upward passages of V = V_l in one cycle.
     pub laps_per_cycle: usize,
-    /// Factor by which the last measurable deviation shrank in one cycle: the leading Floquet multiplier, or its upper bound when superattracting.
-    pub contraction: f64,
-    /// Estimated relative distance of the state on the section from the cycle.
+    /// Factor by which the last measurable deviation shrank in one lap: the leading Floquet multiplier, an upper bound when superattracting.
+    pub contraction: Option<f64>,
+    /// Estimated relative distance between the cycle and the state with which the reported lap began.
     pub distance: f64,
 }
 
@@ -109,7 +109,8 @@ impl<R: Scalar> History<R> {
         if let Some((multiplier, _)) = self.slow_direction() {
             return Some(multiplier.abs());
         }
-        let (last, before) = (self.change(1)?, size(difference(self.back(1)?, self.back(2)?)) / size(self.back(0)?));
+        let (last, before) =
+            (self.change(1)?, size(difference(self.back(1)?, self.back(2)?)) / size(self.back(0)?));
         (last < 0.1 * before).then(|| last / before)
     }
 
@@ -129,7 +130,9 @@ impl<R: Scalar> History<R> {
 /// # Errors
 /// Those of the integrator, and [`Failure::Undecided`] after `most_laps`.
 pub fn settle<R: Scalar, M: Stepper<R> + Clone>(
-    run: &mut Integrator<'_, R, M>, target: f64, most_laps: u64,
+    run: &mut Integrator<'_, R, M>,
+    target: f64,
+    most_laps: u64,
 ) -> Result<Late<R>, Failure> {
     let mut transient: Option<Lap<R>> = None;
     let mut history = History::new();
@@ -154,12 +157,19 @@ pub fn settle<R: Scalar, M: Stepper<R> + Clone>(
         }
         if end == LapEnd::Quiet {
             let rate = final_rate(run);
-            return Ok(Late::Decay(Decay { oscillation: sparse_oscillation(&history), transient: transient.unwrap_or(lap), rate }));
+            return Ok(Late::Decay(Decay {
+                oscillation: sparse_oscillation(&history),
+                transient: transient.unwrap_or(lap),
+                rate,
+            }));
         }
         history.push(lap);
         let amplitude = history.back(0).map_or(0.0, size);
         let shrinking = history.back(1).is_some_and(|before| size(before) > amplitude);
-        if amplitude < LINEAR && shrinking && let Some(transient) = transient.clone() {
+        if amplitude < LINEAR
+            && shrinking
+            && let Some(transient) = transient.clone()
+        {
             return measure_decay(run, history, transient);
         }
         let Some(change) = history.change(1) else { continue };
@@ -168,14 +178,15 @@ pub fn settle<R: Scalar, M: Stepper<R> + Clone>(
         }
         // Where no contraction could be measured the first laps already were on the cycle.
         let known = contraction.filter(|&known| known < 1.0).unwrap_or(0.5);
-        let distance = change * known.max(1e-3) / (1.0 - known);
+        // The lap's peak and duration belong to the state that it began with.
+        let distance = change / (1.0 - known);
         let measured = contraction.is_some_and(|known| known < 1.0) && distance <= target;
         if measured || history.within(noise) && distance <= FARTHEST {
-            return Ok(Late::Cycle(cycle(&history, 1, known, distance)));
+            return Ok(Late::Cycle(cycle(&history, 1, contraction, distance)));
         }
         if let Some(m) = laps_per_cycle(&history, target, noise) {
             let distance = history.change(m).unwrap_or(change);
-            return Ok(Late::Cycle(cycle(&history, m, contraction.unwrap_or(1.0), distance)));
+            return Ok(Late::Cycle(cycle(&history, m, None, distance)));
         }
         let may_jump = history.passages.len() >= LAPS_BEFORE_JUMP && change > noise;
         if may_jump && let Some(to) = jump(&history, reach) {
@@ -188,7 +199,12 @@ pub fn settle<R: Scalar, M: Stepper<R> + Clone>(
     Err(Failure::Undecided { cycles: most_laps, change: history.change(1).unwrap_or(f64::INFINITY) })
 }
 
-fn cycle<R: Scalar>(history: &History<R>, laps_per_cycle: usize, contraction: f64, distance: f64) -> Cycle<R> {
+fn cycle<R: Scalar>(
+    history: &History<R>,
+    laps_per_cycle: usize,
+    contraction: Option<f64>,
+    distance: f64,
+) -> Cycle<R> {
     let laps = &history.laps[history.laps.len() - laps_per_cycle..];
     let joined = laps[1..].iter().fold(laps[0].clone(), |sum, lap| sum.joined(lap.clone()));
     Cycle { lap: joined, laps_per_cycle, contraction, distance }
@@ -229,7 +245,9 @@ fn jump<R: Scalar>(history: &History<R>, reach: f64) -> Option<Passage> {
 
 /// Period and growth rate in the linear regime, when laps agree with one another.
 fn measure_decay<R: Scalar, M: Stepper<R> + Clone>(
-    run: &mut Integrator<'_, R, M>, mut history: History<R>, transient: Lap<R>,
+    run: &mut Integrator<'_, R, M>,
+    mut history: History<R>,
+    transient: Lap<R>,
 ) -> Result<Late<R>, Failure> {
     /// Laps until the fast direction has died out; it shrinks by e^{−2π} a lap at least when there is an oscillation.
     const LAPS: usize = 12;

@@ -18,8 +18,12 @@ pub enum Start {
 
 impl Start {
     /// All four, the default first.
-    pub const ALL: [Self; 4] =
-        [Self::SteadyAtVelocity, Self::SteadyStateSpringAtLoading, Self::VelocityStepInEquilibrium, Self::VelocityKick];
+    pub const ALL: [Self; 4] = [
+        Self::SteadyAtVelocity,
+        Self::SteadyStateSpringAtLoading,
+        Self::VelocityStepInEquilibrium,
+        Self::VelocityKick,
+    ];
 
     /// The word for tables and command lines.
     #[must_use]
@@ -46,7 +50,9 @@ impl Start {
         let steady_friction = model.friction(&[zero.clone(), zero.clone(), zero.clone()]);
         let equilibrium = model.friction(&[x.clone(), y.clone(), zero]);
         let zeta = match self {
-            Self::SteadyStateSpringAtLoading | Self::VelocityKick if *model.balance() != Balance::QuasiStatic => {
+            Self::SteadyStateSpringAtLoading | Self::VelocityKick
+                if *model.balance() != Balance::QuasiStatic =>
+            {
                 steady_friction
             }
             _ => equilibrium,

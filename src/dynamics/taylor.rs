@@ -105,7 +105,8 @@ impl<R: Scalar, const N: usize> Stepper<R> for Taylor<R, N> {
             self.polynomial[k] = std::array::from_fn(|c| self.series[k][c].clone() * &power);
         }
         // The last two terms bound the rest of a series that converges.
-        let last = |k: usize| self.polynomial[k].iter().fold(0.0f64, |largest, e| largest.max(e.to_f64().abs()));
+        let last =
+            |k: usize| self.polynomial[k].iter().fold(0.0f64, |largest, e| largest.max(e.to_f64().abs()));
         let largest = last(N - 2).max(last(N - 3));
         let to: State<R> = std::array::from_fn(|c| {
             self.polynomial.iter().rev().fold(R::from(0), |sum, term| sum + &term[c]) + &from[c]

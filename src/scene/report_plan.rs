@@ -36,9 +36,7 @@ impl ReportPlan {
     /// All the faults at once: among them scenes listed twice, also when only case differs.
     pub fn parse(file: &str, bytes: &[u8]) -> Result<Self, Faults> {
         read_document(file, bytes, |top, faults| {
-            let name = top
-                .required("name", NAME_RULE, faults)
-                .and_then(|entry| safe_name(&entry, faults));
+            let name = top.required("name", NAME_RULE, faults).and_then(|entry| safe_name(&entry, faults));
             let title = top.required("title", "a text", faults).and_then(|entry| entry.text(faults));
             let scenes = top
                 .required("scenes", "a list of scene names", faults)

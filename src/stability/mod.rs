@@ -17,12 +17,12 @@ mod spectral_class;
 mod spectrum;
 pub mod transition;
 
+pub use crate::friction::SlipMode;
 pub use arc_point::{ArcFrame, ArcPoint, Sensitivity};
 pub use asymptote::Asymptote;
 pub use boundary::{BoundaryCurve, BoundaryPoint, Mark, Section};
 pub use curve::Arc;
 pub use decision::{boundary_sign, transition_sign};
-pub use crate::friction::SlipMode;
 pub use slip_mode::{InertialThreshold, slip_mode};
 pub use spectral_class::SpectralClass;
 pub use spectrum::{Classification, classify};

@@ -1,10 +1,10 @@
 //! Slip modes: the names the paper gives to areas of the (V0, σ) plane, decided exactly.
 
-use rug::Complete;
 use super::SpectralClass;
 use crate::friction::{Groups, SlipMode};
 use crate::number::Rational;
 use crate::roots::Depressed;
+use rug::Complete;
 
 /// From which ω/ω_n on an oscillation is called inertial, ω being the imaginary part of the complex pair.
 ///
