@@ -151,13 +151,13 @@ impl<R: Scalar> Model<R> {
         Arrow { xx, xy: -(xz.clone() * beta * slope), xz, yx, yy, zx }
     }
 
-    /// η e^x |x'| relative to the stresses at play: how far inertia is from negligible at a point of a quasi-static trajectory.
+    /// η e^x x', what inertia takes of the stress in units of aσ: how far it is from negligible on a quasi-static trajectory.
     ///
     /// The slow trajectory of the full system is x = ζ − βy − η e^x x' + O(η²): leaving inertia out shifts ln V by this much.
     #[must_use]
     pub fn inertia_neglected(&self, state: &State<R>) -> R {
         let (velocity, _) = state[0].exponentials();
-        (self.rate(state)[0].clone() * velocity * &self.groups.inertial_parameter).abs()
+        self.rate(state)[0].clone() * velocity * &self.groups.inertial_parameter
     }
 }
 

@@ -278,6 +278,12 @@ impl Outcome {
         peak_and_period(&self.late, self.start).0
     }
 
+    /// Accepted and refused steps of all runs.
+    #[must_use]
+    pub const fn steps(&self) -> u64 {
+        self.steps
+    }
+
     /// Factor by which deviations from the cycle shrank in one lap of the approach; none for a decay.
     #[must_use]
     pub const fn contraction(&self) -> Option<f64> {
