@@ -20,7 +20,7 @@ fn paper(a: &str, b: &str) -> Parameters<Rational> {
         evolution_effect: number(b),
         critical_slip_distance_m: number("1e-5"),
         stiffness_pa_per_m: number("1e7"),
-        mass_per_area_kg_per_m2: number("100"),
+        mass_per_area_kg_per_m2: number("1000"),
         normal_stress_pa: number("1"),
         loading_velocity_m_per_s: number("1"),
     }
@@ -167,8 +167,8 @@ fn value_case(fixed: &Parameters<Rational>) {
 }
 
 fn main() {
-    grid_case("a < b", &paper("0.004", "0.005"));
-    grid_case("a > b", &paper("0.005", "0.004"));
+    grid_case("a < b", &paper("0.004", "0.006"));
+    grid_case("a > b", &paper("0.006", "0.004"));
     points_case();
-    value_case(&paper("0.004", "0.005"));
+    value_case(&paper("0.004", "0.006"));
 }

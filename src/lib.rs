@@ -8,6 +8,7 @@
 
 pub mod claims;
 pub mod dynamics;
+pub mod exhibit;
 pub mod friction;
 pub mod number;
 pub mod plot;
@@ -16,5 +17,6 @@ pub mod report;
 pub mod roots;
 pub mod scene;
 pub mod stability;
+pub mod study;
 pub mod table;
 pub mod theory;

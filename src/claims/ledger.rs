@@ -1,24 +1,10 @@
 //! The ledger: the claims a report lists, each with the verdict its check computed.
 
-use std::collections::BTreeSet;
-
 use serde::Serialize;
 
 use crate::claims::{Check, Context, Finding, Verdict};
+use crate::scene::ClaimEntry;
 use crate::study::Needs;
-
-/// A claim as a report words it, with the verdict recorded when it was last reviewed.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct ClaimText {
-    /// The claim's id, such as `B8`.
-    pub id: String,
-    /// Where the paper makes it.
-    pub place: String,
-    /// The claim in our words.
-    pub words: String,
-    /// The recorded verdict, compared with the computed one.
-    pub expected: Verdict,
-}
 
 /// One line of the ledger.
 #[derive(Debug, Clone, Serialize)]
@@ -36,15 +22,17 @@ pub struct Entry {
     pub finding: Finding,
     /// What the verdict does not establish.
     pub not_established: &'static str,
-    /// The recorded verdict.
-    pub expected: Verdict,
+    /// Claims whose truth this one presupposes.
+    pub rests_on: &'static [&'static str],
+    /// The word of the recorded verdict.
+    pub expected: &'static str,
 }
 
 impl Entry {
     /// Whether the computed verdict is the recorded one.
     #[must_use]
     pub fn is_as_recorded(&self) -> bool {
-        self.finding.verdict == self.expected
+        self.finding.verdict.as_str() == self.expected
     }
 }
 
@@ -60,7 +48,7 @@ pub struct Ledger {
 impl Ledger {
     /// Decides every listed claim.
     #[must_use]
-    pub fn decide(report: &str, texts: &[ClaimText], context: &Context) -> Self {
+    pub fn decide(report: &str, texts: &[ClaimEntry], context: &Context) -> Self {
         let claims = texts.iter().map(|text| decide_one(text, context)).collect();
         Ledger { report: report.to_owned(), claims }
     }
@@ -70,6 +58,13 @@ impl Ledger {
         self.claims.iter().filter(|entry| !entry.is_as_recorded())
     }
 
+    /// The ledger as pretty JSON with a final newline.
+    #[must_use]
+    pub fn to_json(&self) -> String {
+        // Serialising plain data with string keys cannot fail.
+        serde_json::to_string_pretty(self).map_or_else(|error| format!("\"{error}\""), |text| text + "\n")
+    }
+
     /// How many claims have this verdict.
     #[must_use]
     pub fn count(&self, verdict: Verdict) -> usize {
@@ -77,7 +72,7 @@ impl Ledger {
     }
 }
 
-fn decide_one(text: &ClaimText, context: &Context) -> Entry {
+fn decide_one(text: &ClaimEntry, context: &Context) -> Entry {
     let check = find(&text.id);
     let finding = check.map_or_else(
         || Finding::not_checked("The program has no check with this id."),
@@ -90,7 +85,8 @@ fn decide_one(text: &ClaimText, context: &Context) -> Entry {
         criterion: check.map_or("", |check| check.criterion),
         finding,
         not_established: check.map_or("", |check| check.not_established),
-        expected: text.expected,
+        rests_on: check.map_or(&[], |check| check.rests_on),
+        expected: text.expected.as_str(),
     }
 }
 
@@ -108,6 +104,6 @@ pub fn known_ids() -> Vec<&'static str> {
 
 /// What the listed claims need computed.
 #[must_use]
-pub fn needs(ids: &BTreeSet<String>) -> Needs {
-    ids.iter().filter_map(|id| find(id)).flat_map(|check| check.needs.iter().copied()).collect()
+pub fn needs(claims: &[ClaimEntry]) -> Needs {
+    claims.iter().filter_map(|claim| find(&claim.id)).flat_map(|check| check.needs.iter().copied()).collect()
 }

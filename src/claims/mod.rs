@@ -14,7 +14,7 @@ mod verdict;
 mod zones;
 
 pub use finding::Finding;
-pub use ledger::{ClaimText, Entry, Ledger, find, known_ids, needs};
+pub use ledger::{Entry, Ledger, find, known_ids, needs};
 pub use verdict::{Evidence, Strength, Verdict};
 
 use crate::study::{Need, Outcome};

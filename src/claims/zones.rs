@@ -129,18 +129,18 @@ fn z5(context: &Context) -> Finding {
         .with_proof(transition::crossing_frequency(context.equations))
         .remark("Exact: eqs 9-13 and 23. Exact without inertia: eqs 15 and 16. Asymptotic: eqs 15, 16, 18 and 20 on the boundary of eq 8.")
         .remark("Eq 20 governs one of three ways out of steady sliding without oscillation: at low velocity the boundary is eq 16, and around the corner it is neither.");
-    let corner = context
-        .outcome
-        .potentially_unstable()
-        .and_then(|scene| scene.tolerance.as_ref())
-        .map(|tolerance| &tolerance.lower_corner);
-    match corner {
+    let tolerance = context.outcome.potentially_unstable().and_then(|scene| scene.tolerance.as_ref());
+    match tolerance {
         None => finding.within("the relative errors of the series"),
-        Some(error) => {
-            let value = certain_digits(error, 6);
+        Some(tolerance) => {
+            let at_corner = certain_digits(&tolerance.corners.lower_at_corner_normal_stress, 6);
+            let worst = certain_digits(&tolerance.corners.lower_worst_log10, 6);
+            let enclosure =
+                |quantity: &str, value: String| Evidence::Enclosure { quantity: quantity.into(), value };
             finding
-                .within(format!("at its corner with eq 16 eq 20 gives a velocity that the exact boundary exceeds by the relative amount {value}"))
-                .with_evidence(Evidence::Enclosure { quantity: "V_exact/V_20 − 1 at the corner of eqs 16 and 20".into(), value })
+                .within(format!("eq 20 misses the exact velocity by the relative amount {at_corner} at its corner with eq 16; farther from the corner by bσ/(2KD_c) to leading order"))
+                .with_evidence(enclosure("V_exact/V_20 − 1 at the corner of eqs 16 and 20", at_corner))
+                .with_evidence(enclosure("Largest log10 distance between the lower arc and the nearer of eqs 16 and 20", worst))
         }
     }
 }

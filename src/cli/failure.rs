@@ -61,7 +61,11 @@ impl Failure {
                     eprintln!("error: {fault}");
                 }
             }
-            Self::Refused(message) => eprintln!("error: {message}"),
+            Self::Refused(message) => {
+                for line in message.lines() {
+                    eprintln!("error: {line}");
+                }
+            }
             Self::Check(message) => eprintln!("{message}"),
             Self::ReaderGone => {}
         }

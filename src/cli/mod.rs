@@ -2,6 +2,7 @@
 
 mod boundary;
 mod classify;
+mod environment;
 mod failure;
 mod folder;
 mod input;
@@ -44,12 +45,12 @@ enum Command {
     Roots(roots::Options),
     /// The exact boundary max Im(s) = 0 as CSV, whole or at one velocity or normal stress
     Boundary(boundary::Options),
-    /// One scene
+    /// One scene: its tables and figures
     Run(report::RunOptions),
     /// A report folder: its page, tables, figures and ledger
     Report(report::ReportOptions),
-    /// A report compared with its published copy
-    Verify(report::VerifyOptions),
+    /// A report compared with its recorded verdicts and its published copy; exits with 1 when anything moved
+    Verify(report::ReportOptions),
 }
 
 /// Runs the command line and gives its exit code; errors go to standard error.

@@ -41,7 +41,10 @@ impl Output {
         if place.as_os_str() == "-" {
             let path = std::env::temp_dir().join(format!("slipmode-{}.spool", std::process::id()));
             let (beside, file) = create_beside(path)?;
-            return Ok(Self { target: Target::Spool(beside), writer: BufWriter::with_capacity(1 << 16, file) });
+            return Ok(Self {
+                target: Target::Spool(beside),
+                writer: BufWriter::with_capacity(1 << 16, file),
+            });
         }
         check_place(place)?;
         let (beside, file) = create_beside(beside_name(place)?)?;
@@ -59,7 +62,8 @@ impl Output {
         match target {
             Target::File { place, beside } => {
                 file.sync_all().map_err(|error| Failure::io(&place, "cannot be written", &error))?;
-                fs::rename(&beside.0, &place).map_err(|error| Failure::io(&place, "cannot be written", &error))
+                fs::rename(&beside.0, &place)
+                    .map_err(|error| Failure::io(&place, "cannot be written", &error))
             }
             Target::Spool(_beside) => {
                 file.seek(SeekFrom::Start(0)).map_err(|error| machine_write(&error))?;

@@ -24,9 +24,16 @@ impl Progress {
         }
     }
 
-    /// A bar over steps of work.
-    pub fn steps(self, total: u64) -> ProgressBar {
-        self.bar(ProgressBar::new(total), "{bar:40} {pos}/{len} {msg} {eta}")
+    /// A bar over the items of a plan, fed by the work itself.
+    pub fn items<T>(self, work: impl FnOnce(slipmode::study::Progress) -> T) -> T {
+        let bar = self.bar(ProgressBar::no_length(), "{bar:40} {pos}/{len} {msg}");
+        let result = work(&|item: &str, number: usize, count: usize| {
+            bar.set_length(count as u64);
+            bar.set_position(number as u64);
+            bar.set_message(item.to_string());
+        });
+        bar.finish_and_clear();
+        result
     }
 
     fn bar(self, bar: ProgressBar, template: &str) -> ProgressBar {

@@ -60,9 +60,9 @@ fn at(parameters: &SceneParameters, stress: f64) -> crate::friction::Parameters<
 
 /// Eqs 15, 16, 18 and 20, each from the edge of the map to its corner.
 pub(super) fn asymptote_lines(parameters: &SceneParameters, x: &Axis, y: &Axis) -> Vec<Line> {
-    let arcs = [Arc::Upper, Arc::Lower].into_iter().filter(|arc| {
-        *arc == Arc::Lower || parameters.direct_effect != parameters.evolution_effect
-    });
+    let arcs = [Arc::Upper, Arc::Lower]
+        .into_iter()
+        .filter(|arc| *arc == Arc::Lower || parameters.direct_effect != parameters.evolution_effect);
     arcs.flat_map(|arc| {
         let (corner_stress, corner_velocity) = asymptote::corner(arc, &at(parameters, 1.0));
         // The inertial asymptote leaves the corner upwards on the upper arc, downwards on the lower one.
@@ -97,7 +97,8 @@ pub(super) fn transition_line(parameters: &SceneParameters, x: &Axis, y: &Axis) 
             let share = f64::from(index) / f64::from(TRANSITION_VERTICES);
             let velocity = libm::exp10(low + (high - low) * (1.0 - (1.0 - share) * (1.0 - share)));
             let velocity = velocity.min(critical_velocity * (1.0 - 1e-9));
-            let place = parameters.at(Rational::from(1), Rational::from_f64(velocity)?).map(|value| value.to_f64());
+            let place =
+                parameters.at(Rational::from(1), Rational::from_f64(velocity)?).map(|value| value.to_f64());
             Some((velocity, transition_normal_stress_pa(&place)))
         })
         .chain(std::iter::once((critical_velocity, y.min)))

@@ -1,6 +1,6 @@
 //! Which figures there are, and what each needs.
 
-use crate::exhibit::{frequency, maps};
+use crate::exhibit::{deviation, frequency, maps};
 use crate::study::{Need, Outcome};
 
 /// A figure that is ready to be placed.
@@ -16,8 +16,6 @@ pub struct Figure {
     pub description: String,
     /// The drawing.
     pub svg: String,
-    /// Ids of the tables that hold its numbers.
-    pub data: Vec<String>,
 }
 
 /// How a figure is made.
@@ -27,11 +25,13 @@ pub struct FigureMaker {
     pub id: &'static str,
     /// What must have been computed.
     pub needs: &'static [Need],
+    /// Ids of the tables that hold its numbers.
+    pub data: &'static [&'static str],
     /// Draws it; `None` when the scenes do not hold what it shows.
     pub make: fn(&Outcome) -> Option<Figure>,
 }
 
 /// All figures.
 pub fn figure_makers() -> impl Iterator<Item = &'static FigureMaker> {
-    [maps::FIGURES, frequency::FIGURES].into_iter().flatten()
+    [maps::FIGURES, frequency::FIGURES, deviation::FIGURES].into_iter().flatten()
 }

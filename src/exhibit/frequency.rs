@@ -9,6 +9,7 @@ use crate::study::{FrequencyLine, FrequencyOutcome, Need, SceneOutcome};
 pub(super) const FIGURES: &[FigureMaker] = &[FigureMaker {
     id: "fig-2",
     needs: &[Need::Frequency],
+    data: &["frequency"],
     make: |outcome| frequency_lines(outcome.potentially_unstable()?),
 }];
 
@@ -18,7 +19,8 @@ fn frequency_lines(scene: &SceneOutcome) -> Option<Figure> {
     let (parameters, outcome) = (scene.parameters()?, scene.frequency.as_ref()?);
     let velocities = &outcome.loading_velocity_m_per_s;
     let (first, last) = (*velocities.first()?, *velocities.last()?);
-    let natural = (parameters.stiffness_pa_per_m.to_f64() / parameters.mass_per_area_kg_per_m2.to_f64()).sqrt();
+    let natural =
+        (parameters.stiffness_pa_per_m.to_f64() / parameters.mass_per_area_kg_per_m2.to_f64()).sqrt();
     let mut series: Vec<Series> = outcome.lines.iter().map(|line| line_series(outcome, line)).collect();
     series.push(crossing_series(parameters, natural, first, last));
     let chart = LineChart {
@@ -36,7 +38,6 @@ fn frequency_lines(scene: &SceneOutcome) -> Option<Figure> {
         caption_markdown: "Largest imaginary part along lines of constant normal stress (compare fig 2 of the paper), with eq 23 and the natural angular frequency. Where a line is missing all roots are real.".into(),
         description: DESCRIPTION.into(),
         svg: chart.svg(),
-        data: vec!["frequency".into()],
     })
 }
 
@@ -54,8 +55,14 @@ fn line_series(outcome: &FrequencyOutcome, line: &FrequencyLine) -> Series {
 
 /// Eq 23, drawn up to three times the natural frequency.
 fn crossing_series(parameters: &SceneParameters, natural: f64, first: f64, last: f64) -> Series {
-    let effects = (parameters.evolution_effect.clone() - &parameters.direct_effect) / &parameters.direct_effect;
+    let effects =
+        (parameters.evolution_effect.clone() - &parameters.direct_effect) / &parameters.direct_effect;
     let per_metre = effects.to_f64().sqrt() / parameters.critical_slip_distance_m.to_f64();
     let end = last.min(natural * 3.0 / per_metre);
-    Series { label: "eq 23".into(), points: vec![(first, first * per_metre), (end, end * per_metre)], marked: false, theory: true }
+    Series {
+        label: "eq 23".into(),
+        points: vec![(first, first * per_metre), (end, end * per_metre)],
+        marked: false,
+        theory: true,
+    }
 }

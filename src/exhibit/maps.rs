@@ -10,21 +10,25 @@ pub(super) const FIGURES: &[FigureMaker] = &[
     FigureMaker {
         id: "fig-1",
         needs: &[Need::Map, Need::Boundary],
+        data: &["boundary"],
         make: |outcome| frequency_map(outcome.potentially_unstable()?, &FIG_1),
     },
     FigureMaker {
         id: "fig-6a",
         needs: &[Need::Map, Need::Boundary],
+        data: &["boundary"],
         make: |outcome| frequency_map(outcome.intrinsically_stable()?, &FIG_6A),
     },
     FigureMaker {
         id: "fig-7a",
         needs: &[Need::Map, Need::Zones, Need::Boundary],
+        data: &["zones"],
         make: |outcome| zone_map(outcome.potentially_unstable()?, &FIG_7A),
     },
     FigureMaker {
         id: "fig-7b",
         needs: &[Need::Map, Need::Zones, Need::Boundary],
+        data: &["zones"],
         make: |outcome| zone_map(outcome.intrinsically_stable()?, &FIG_7B),
     },
 ];
@@ -70,14 +74,13 @@ const FIG_7B: Words = Words {
     description: "Map of four slip modes over loading velocity and normal stress: overdamped stable sliding, non-inertial and inertial underdamped oscillation, and overdamped oscillation at high stress.",
 };
 
-fn figure(words: &Words, svg: String, data: &[&str]) -> Figure {
+fn figure(words: &Words, svg: String) -> Figure {
     Figure {
         id: words.id.into(),
         label: words.label.into(),
         caption_markdown: words.caption.into(),
         description: words.description.into(),
         svg,
-        data: data.iter().map(|&id| id.to_owned()).collect(),
     }
 }
 
@@ -97,7 +100,8 @@ fn frequency_map(scene: &SceneOutcome, words: &Words) -> Option<Figure> {
     let (map, boundary) = (scene.map.as_ref()?, scene.boundary.as_ref()?);
     let (x, y) = axes(map)?;
     let parameters = scene.parameters()?;
-    let natural = (parameters.stiffness_pa_per_m.to_f64() / parameters.mass_per_area_kg_per_m2.to_f64()).sqrt();
+    let natural =
+        (parameters.stiffness_pa_per_m.to_f64() / parameters.mass_per_area_kg_per_m2.to_f64()).sqrt();
     let heat_map = HeatMap {
         caption: caption(words),
         columns: map.loading_velocity_m_per_s.len(),
@@ -117,7 +121,7 @@ fn frequency_map(scene: &SceneOutcome, words: &Words) -> Option<Figure> {
         x,
         y,
     };
-    Some(figure(words, heat_map.svg(), &[&format!("boundary-{}", scene.scene.name)]))
+    Some(figure(words, heat_map.svg()))
 }
 
 fn frequencies(map: &Grid<MapPoint>) -> Vec<f64> {
@@ -149,8 +153,12 @@ fn zero_areas(boundary: &BoundaryOutcome, x: &Axis, y: &Axis) -> Vec<Vec<(f64, f
 fn zone_map(scene: &SceneOutcome, words: &Words) -> Option<Figure> {
     let (zones, boundary) = (scene.zones.as_ref()?, scene.boundary.as_ref()?);
     let (x, y) = axes(&zones.exact)?;
-    let classes: Vec<usize> =
-        zones.exact.values.iter().map(|mode| SlipMode::ALL.iter().position(|known| known == mode).unwrap_or(0)).collect();
+    let classes: Vec<usize> = zones
+        .exact
+        .values
+        .iter()
+        .map(|mode| SlipMode::ALL.iter().position(|known| known == mode).unwrap_or(0))
+        .collect();
     let columns = zones.exact.loading_velocity_m_per_s.len();
     let outlines = zones_of_grid(&x, &y, columns, &classes, SlipMode::ALL.len());
     let present = SlipMode::ALL
@@ -161,6 +169,14 @@ fn zone_map(scene: &SceneOutcome, words: &Words) -> Option<Figure> {
         .map(|(style, (mode, outlines))| Zone { label: mode.as_str().replace('-', " "), outlines, style })
         .collect();
     let lines = theory_lines(scene, boundary, &x, &y);
-    let map = ZoneMap { caption: caption(words), zones: present, lines, marks: cusp_mark(&boundary.points), labels: Vec::new(), x, y };
-    Some(figure(words, map.svg(), &[&format!("zones-{}", scene.scene.name)]))
+    let map = ZoneMap {
+        caption: caption(words),
+        zones: present,
+        lines,
+        marks: cusp_mark(&boundary.points),
+        labels: Vec::new(),
+        x,
+        y,
+    };
+    Some(figure(words, map.svg()))
 }

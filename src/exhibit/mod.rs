@@ -3,10 +3,17 @@
 //! An exhibit is asked for by id; the registry says what each needs, so that nothing is computed for figures nobody shows.
 
 mod axes;
+mod boundary_tables;
+mod deviation;
+mod deviation_tables;
 mod figures;
 mod frequency;
 mod maps;
+mod mode_tables;
+mod numeric_tables;
 mod tables;
+mod theory_tables;
 
+pub use boundary_tables::{boundary_columns, boundary_row};
 pub use figures::{Figure, FigureMaker, figure_makers};
 pub use tables::{TableMaker, table_makers};

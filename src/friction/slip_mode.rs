@@ -1,4 +1,4 @@
-//! The names of the slip modes: the linear theory and the simulation must use the same words without knowing each other.
+//! The names of the slip modes: the linear theory and the simulation use the same words without knowing each other.
 
 use serde::Serialize;
 
@@ -21,6 +21,16 @@ pub enum SlipMode {
 }
 
 impl SlipMode {
+    /// Every slip mode, in the order of the enumeration.
+    pub const ALL: [Self; 6] = [
+        Self::OverdampedStableSliding,
+        Self::NonInertialUnderdampedOscillation,
+        Self::InertialUnderdampedOscillation,
+        Self::StickSlip,
+        Self::HarmonicVibration,
+        Self::OverdampedOscillation,
+    ];
+
     /// The name in tables and JSON.
     #[must_use]
     pub const fn as_str(self) -> &'static str {

@@ -7,6 +7,7 @@ mod double_double;
 mod field;
 pub mod format;
 mod operators;
+mod short_decimal;
 mod wide;
 
 pub use ball::{Ball, bits_for_digits};
@@ -14,4 +15,5 @@ pub use decimal::{DecimalError, MAX_DIGITS, MAX_EXPONENT, parse_decimal};
 pub use double_double::Dd;
 pub use field::{Field, Real};
 pub use rug::Rational;
+pub use short_decimal::parse_short_decimal;
 pub use wide::Wide;

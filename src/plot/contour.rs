@@ -107,7 +107,7 @@ impl Grid<'_> {
     /// Where the outline crosses a grid edge.
     fn point(&self, edge: usize) -> Point {
         let (column, row) = (edge / 2 % self.width(), edge / 2 / self.width());
-        let other = if edge % 2 == 0 { (column + 1, row) } else { (column, row + 1) };
+        let other = if edge.is_multiple_of(2) { (column + 1, row) } else { (column, row + 1) };
         let (from, to) = (self.place(column, row), self.place(other.0, other.1));
         let first_inside = self.is_inside(column, row);
         let at = match (self.value(column, row), self.value(other.0, other.1)) {

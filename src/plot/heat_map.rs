@@ -148,7 +148,7 @@ impl HeatMap {
             ticks.iter().filter_map(|tick| Some((top + height * (1.0 - axis.position(tick.value)?), tick)));
         svg.open("g", &[("class", "ink"), ("fill", palette::INK), ("font-size", "13")]);
         for (y, tick) in places.filter(|(_, tick)| tick.is_major()) {
-            let at = [number(right + 6.0), number(y.clamp(top + 9.0, top + height) + 4.5)];
+            let at = [number(right + 6.0), number(y + 4.5)];
             svg.text(&[("x", &at[0]), ("y", &at[1])], &rich_text::to_svg(&tick.label, SMALL));
         }
         svg.close();

@@ -14,12 +14,15 @@ const ROW: f64 = 22.0;
 /// Space between entries.
 const GAP: f64 = 20.0;
 
+/// Draws a sample at a point.
+pub(crate) type Key<'a> = Box<dyn Fn(&mut Svg, Point) + 'a>;
+
 /// One entry: a sample drawn around a point, and its words.
 pub(crate) struct Entry<'a> {
     /// Words in figure markup.
     pub label: String,
     /// Draws the sample, given the left end of its middle line; it is [`KEY_WIDTH`] − 6 wide.
-    pub key: Box<dyn Fn(&mut Svg, Point) + 'a>,
+    pub key: Key<'a>,
 }
 
 /// Rows of entries that fit a width.

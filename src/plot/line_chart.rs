@@ -92,12 +92,13 @@ impl LineChart {
             draw_band(&mut svg, &frame, index, band);
         }
         frame.draw_grid(&mut svg);
-        for reference in &self.references {
-            draw_reference(&mut svg, &frame, reference);
-        }
+        let references: Vec<ReferencePlace<'_>> =
+            self.references.iter().filter_map(|reference| place_reference(&frame, reference)).collect();
+        references.iter().for_each(|place| draw_reference_line(&mut svg, place));
         for (look, series) in self.looks() {
             draw_series(&mut svg, &frame, look, series);
         }
+        references.iter().for_each(|place| draw_reference_words(&mut svg, place));
         draw_labels(&mut svg, &frame, &self.labels);
         frame.draw_axes(&mut svg);
         legend.draw(&mut svg, (CORNER.0, below));
@@ -152,35 +153,57 @@ fn draw_series(svg: &mut Svg, frame: &Frame, look: Look, series: &Series) {
     svg.close();
 }
 
-fn draw_reference(svg: &mut Svg, frame: &Frame, reference: &Reference) {
+/// Where a reference line and its words lie on the canvas.
+struct ReferencePlace<'a> {
+    ends: [Point; 2],
+    words_at: Point,
+    anchor: &'static str,
+    label: &'a str,
+}
+
+/// The place of a reference line; `None` when its value is not on the axis.
+fn place_reference<'a>(frame: &Frame, reference: &'a Reference) -> Option<ReferencePlace<'a>> {
     let b = frame.bounds;
-    let (ends, words, anchor, label) = match reference {
+    match reference {
         Reference::Horizontal { at, label } => {
-            let Some(v) = frame.y.position(*at).filter(|v| (0.0..=1.0).contains(v)) else { return };
+            let v = frame.y.position(*at).filter(|v| (0.0..=1.0).contains(v))?;
             let y = frame.place_unit((0.0, v)).1;
-            ([(b.left, y), (b.right, y)], (b.right - 8.0, y - 6.0), "end", label)
+            let (ends, words_at) = ([(b.left, y), (b.right, y)], (b.right - 8.0, y - 9.0));
+            Some(ReferencePlace { ends, words_at, anchor: "end", label })
         }
         Reference::Vertical { at, label } => {
-            let Some(u) = frame.x.position(*at).filter(|u| (0.0..=1.0).contains(u)) else { return };
+            let u = frame.x.position(*at).filter(|u| (0.0..=1.0).contains(u))?;
             let x = frame.place_unit((u, 0.0)).0;
-            ([(x, b.top), (x, b.bottom)], (x + 6.0, b.top + 17.0), "start", label)
+            let (ends, words_at) = ([(x, b.top), (x, b.bottom)], (x + 6.0, b.top + 17.0));
+            Some(ReferencePlace { ends, words_at, anchor: "start", label })
         }
-    };
-    let stroke = [
-        ("class", "reference"),
-        ("stroke", palette::FAINT_INK),
-        ("stroke-width", "1.3"),
-        ("stroke-dasharray", "6 4"),
-    ];
-    svg.open("g", &stroke);
-    svg.line(ends[0], ends[1]);
+    }
+}
+
+fn draw_reference_line(svg: &mut Svg, place: &ReferencePlace<'_>) {
+    svg.open(
+        "g",
+        &[
+            ("class", "reference"),
+            ("stroke", palette::FAINT_INK),
+            ("stroke-width", "1.3"),
+            ("stroke-dasharray", "6 4"),
+        ],
+    );
+    svg.line(place.ends[0], place.ends[1]);
     svg.close();
-    let at = [number(words.0), number(words.1)];
+}
+
+fn draw_reference_words(svg: &mut Svg, place: &ReferencePlace<'_>) {
+    if place.label.is_empty() {
+        return;
+    }
+    let at = [number(place.words_at.0), number(place.words_at.1)];
     let attributes = [
         ("class", "ink halo"),
         ("x", at[0].as_str()),
         ("y", &at[1]),
-        ("text-anchor", anchor),
+        ("text-anchor", place.anchor),
         ("font-size", "13"),
         ("fill", palette::FAINT_INK),
         ("stroke", palette::PLATE),
@@ -188,9 +211,7 @@ fn draw_reference(svg: &mut Svg, frame: &Frame, reference: &Reference) {
         ("stroke-linejoin", "round"),
         ("paint-order", "stroke"),
     ];
-    if !label.is_empty() {
-        svg.text(&attributes, &rich_text::to_svg(label, SMALL));
-    }
+    svg.text(&attributes, &rich_text::to_svg(place.label, SMALL));
 }
 
 fn band_look(index: usize) -> (String, &'static str) {

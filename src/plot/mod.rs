@@ -24,6 +24,8 @@ mod rich_text;
 pub(crate) mod sample;
 mod series_style;
 mod svg;
+#[cfg(test)]
+mod tests;
 mod ticks;
 mod zone_map;
 mod zones;

@@ -159,6 +159,9 @@ pub(crate) fn legend_entries(lines: &[Line]) -> Vec<Entry<'_>> {
         .map(|line| Entry {
             label: line.label.clone(),
             key: Box::new(move |svg, (x, y)| {
+                // A dark page would turn casing and line around; the sample keeps the map's own ground.
+                let plate = [("class", "key-plate"), ("fill", palette::PLATE)];
+                svg.rect((x - 1.0, y - 7.0), (KEY_WIDTH - 5.0, 14.0), &plate);
                 let data = line_data(&[(x, y), (x + KEY_WIDTH - 7.0, y)]);
                 draw_stroke(svg, line.role, &data);
             }),

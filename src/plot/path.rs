@@ -57,10 +57,10 @@ fn clip_segment(from: Point, to: Point, bounds: Bounds) -> Option<(Point, Point)
 
 /// The part of a polygon inside the bounds (Sutherland and Hodgman).
 pub(crate) fn clip_polygon(points: &[Point], bounds: Bounds) -> Vec<Point> {
-    let inside_of: [(fn(Point, Bounds) -> f64,); 4] =
-        [(|p, b| p.0 - b.left,), (|p, b| b.right - p.0,), (|p, b| p.1 - b.top,), (|p, b| b.bottom - p.1,)];
+    let rooms: [fn(Point, Bounds) -> f64; 4] =
+        [|p, b| p.0 - b.left, |p, b| b.right - p.0, |p, b| p.1 - b.top, |p, b| b.bottom - p.1];
     let mut polygon = points.to_vec();
-    for (room,) in inside_of {
+    for room in rooms {
         let mut kept = Vec::with_capacity(polygon.len() + 4);
         for (index, &to) in polygon.iter().enumerate() {
             let from = polygon[(index + polygon.len() - 1) % polygon.len()];

@@ -81,27 +81,33 @@ impl RangeChart {
             return;
         }
         let (left, right) = (frame.place_unit((low, 0.0)).0, frame.place_unit((high, 0.0)).0);
-        draw_bar(svg, (left, middle), right - left, span.level);
+        draw_bar(svg, (left, middle), (right - left, bar_height(span.level)), span.level);
     }
 
     fn legend_entries(&self) -> Vec<Entry<'_>> {
         let entry = |(level, words): (usize, &String)| Entry {
             label: words.clone(),
-            key: Box::new(move |svg: &mut Svg, at: Point| draw_bar(svg, at, KEY_WIDTH - 8.0, level))
+            key: Box::new(move |svg: &mut Svg, at: Point| draw_bar(svg, at, (KEY_WIDTH - 8.0, 14.0), level))
                 as Box<_>,
         };
         self.levels.iter().enumerate().map(entry).collect()
     }
 }
 
-fn draw_bar(svg: &mut Svg, (left, middle): Point, width: f64, level: usize) {
-    let look = level.min(palette::LEVELS.len() - 1);
-    let height = BAR - 6.0 * look as f64;
-    let class = format!("level level-{look}");
+fn look(level: usize) -> usize {
+    level.min(palette::LEVELS.len() - 1)
+}
+
+fn bar_height(level: usize) -> f64 {
+    BAR - 6.0 * look(level) as f64
+}
+
+fn draw_bar(svg: &mut Svg, (left, middle): Point, (width, height): Point, level: usize) {
+    let class = format!("level level-{}", look(level));
     svg.rect(
         (left, middle - height / 2.0),
         (width, height),
-        &[("class", &class), ("fill", palette::LEVELS[look]), ("stroke", palette::LEVELS[2])],
+        &[("class", &class), ("fill", palette::LEVELS[look(level)]), ("stroke", palette::LEVELS[2])],
     );
 }
 

@@ -21,10 +21,13 @@ enum Level {
 /// Size of sub- and superscripts relative to the line.
 const SCRIPT_SIZE: f64 = 0.72;
 
+/// Width of a space relative to the font size.
+const SPACE: f64 = 0.28;
+
 /// Markup as SVG content for a line of the given font size.
 pub(crate) fn to_svg(markup: &str, size: f64) -> String {
     let mut svg = String::new();
-    let mut shift = 0.0;
+    let (mut shift, mut space_before) = (0.0, false);
     for run in runs(markup) {
         let wanted = match run.level {
             Level::Base => 0.0,
@@ -45,18 +48,20 @@ pub(crate) fn to_svg(markup: &str, size: f64) -> String {
         if run.bold {
             attributes += " font-weight=\"600\"";
         }
-        let text = keep_leading_space(&escape(&run.text));
+        // Some viewers drop a space at the edge of a run; a shift is kept by all.
+        let words = run.text.trim_matches(' ');
+        let gap = !svg.is_empty() && (space_before || run.text.starts_with(' '));
+        if gap {
+            attributes += &format!(" dx=\"{}\"", number(SPACE * size));
+        }
+        space_before = run.text.ends_with(' ');
+        let text = escape(words);
         svg += &if attributes.is_empty() { text } else { format!("<tspan{attributes}>{text}</tspan>") };
     }
     svg
 }
 
-/// Viewers may drop a space at the start of a run; a no-break space stays.
-fn keep_leading_space(text: &str) -> String {
-    text.strip_prefix(' ').map_or_else(|| text.into(), |rest| format!("\u{a0}{rest}"))
-}
-
-/// Estimated width of the markup for a line of the given font size; good to some 10 %, for layout only.
+/// Estimated width of the markup for a line of the given font size: room enough for the wider system fonts.
 pub(crate) fn width(markup: &str, size: f64) -> f64 {
     let run_width = |run: Run| {
         let scale = if run.level == Level::Base { size } else { SCRIPT_SIZE * size };
@@ -73,11 +78,11 @@ fn plain(markup: &str) -> String {
 
 fn character_width(c: char) -> f64 {
     match c {
-        'i' | 'j' | 'l' | 'I' | '.' | ',' | ':' | ';' | '\'' | '|' | '!' => 0.28,
-        'f' | 't' | 'r' | '(' | ')' | ' ' | '/' | '-' | '·' => 0.36,
-        'm' | 'w' | 'M' | 'W' | '%' | '≈' => 0.86,
-        'A'..='Z' => 0.68,
-        _ => 0.57,
+        'i' | 'j' | 'l' | 'I' | '.' | ',' | ':' | ';' | '\'' | '|' | '!' => 0.31,
+        'f' | 't' | 'r' | '(' | ')' | ' ' | '/' | '-' | '·' => 0.39,
+        'm' | 'w' | 'M' | 'W' | '%' | '≈' => 0.93,
+        'A'..='Z' => 0.7,
+        _ => 0.62,
     }
 }
 
@@ -130,8 +135,14 @@ mod tests {
     fn powers_are_raised_and_the_line_goes_on_at_its_base() {
         assert_eq!(
             to_svg("10^{−3} m", 10.0),
-            "10<tspan dy=\"-3.6\" font-size=\"7.2\">−3</tspan><tspan dy=\"3.6\">\u{a0}m</tspan>"
+            "10<tspan dy=\"-3.6\" font-size=\"7.2\">−3</tspan><tspan dy=\"3.6\" dx=\"2.8\">m</tspan>"
         );
+    }
+
+    #[test]
+    fn spaces_between_runs_become_shifts() {
+        assert_eq!(to_svg("*a* = *b*", 10.0).matches("dx=\"2.8\"").count(), 2);
+        assert_eq!(to_svg("10 m", 10.0), "10 m");
     }
 
     #[test]

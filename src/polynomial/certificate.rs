@@ -1,12 +1,10 @@
 //! What a proof's step rests on, in a form that can be printed and checked again.
 
-use std::collections::BTreeMap;
 use std::fmt;
 
 use serde::{Deserialize, Serialize};
 
-use super::refutation::CounterExample;
-use super::{ConversionError, Domain, Expression, RationalFunction, Series, Symbol};
+use super::{Domain, Expression, Series};
 
 /// Which way a variable goes in a limit; the others are held fixed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
@@ -23,69 +21,70 @@ pub enum Toward {
 #[serde(tag = "kind", rename_all = "kebab-case")]
 pub enum Certificate {
     /// Both sides are the same rational function.
-    Identity { left: Expression, right: Expression, domain: Domain },
+    Identity {
+        /// What was derived.
+        left: Expression,
+        /// What is claimed.
+        right: Expression,
+        /// Assumptions and substitutions.
+        domain: Domain,
+    },
     /// After the substitutions all coefficients of the expression have this sign, and all variables are positive.
-    Sign { expression: Expression, sign: i8, domain: Domain },
+    Sign {
+        /// What has the sign.
+        expression: Expression,
+        /// +1 or −1.
+        sign: i8,
+        /// Assumptions and substitutions.
+        domain: Domain,
+    },
     /// The limit of an expression as one variable goes to zero or infinity.
-    Limit { expression: Expression, variable: String, toward: Toward, value: Expression, domain: Domain },
+    Limit {
+        /// What has the limit.
+        expression: Expression,
+        /// The variable that moves; the others are fixed.
+        variable: String,
+        /// Where it goes.
+        toward: Toward,
+        /// The limit.
+        value: Expression,
+        /// Assumptions and substitutions.
+        domain: Domain,
+    },
     /// Both sides have these different values at a rational point.
     Difference {
+        /// One side.
         left: Expression,
+        /// The other side.
         right: Expression,
+        /// Names and values.
         point: Vec<(String, Expression)>,
+        /// The value of either side.
         values: [Expression; 2],
     },
     /// The expression has this value at a rational point.
-    Value { expression: Expression, point: Vec<(String, Expression)>, value: Expression },
+    Value {
+        /// What is evaluated.
+        expression: Expression,
+        /// Names and values.
+        point: Vec<(String, Expression)>,
+        /// The exact value.
+        value: Expression,
+    },
     /// unknown = Σ coefficients[k]·variable^k solves relation = 0 up to the next order, and is the only such series.
-    Series { relation: Expression, variable: String, unknown: String, coefficients: Vec<Expression> },
-}
-
-/// Why a certificate does not hold.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub(super) struct Failure {
-    pub remainder: String,
-    pub counter_example: Option<Box<CounterExample>>,
-}
-
-impl From<ConversionError> for Failure {
-    fn from(error: ConversionError) -> Self {
-        Self { remainder: error.to_string(), counter_example: None }
-    }
-}
-
-impl Failure {
-    fn remainder(remainder: impl Into<String>) -> Self {
-        Self { remainder: remainder.into(), counter_example: None }
-    }
+    Series {
+        /// What vanishes, in the variable and the unknown.
+        relation: Expression,
+        /// The small variable.
+        variable: String,
+        /// The unknown.
+        unknown: String,
+        /// The coefficients by ascending power.
+        coefficients: Vec<Expression>,
+    },
 }
 
 impl Certificate {
-    /// Computes the certificate's fact anew.
-    pub(super) fn check(&self) -> Result<(), Failure> {
-        match self {
-            Self::Identity { left, right, domain } => check_identity(left, right, domain),
-            Self::Sign { expression, sign, domain } => check_sign(expression, *sign, domain),
-            Self::Limit { expression, variable, toward, value, domain } => {
-                let limit = limit(&domain.rational_function(expression)?, variable, *toward, domain)?;
-                compare(&limit, &domain.rational_function(value)?, domain)
-            }
-            Self::Difference { left, right, point, values } => {
-                check_value(left, point, &values[0])?;
-                check_value(right, point, &values[1])?;
-                if values[0] == values[1] {
-                    Err(Failure::remainder("both sides are equal there"))
-                } else {
-                    Ok(())
-                }
-            }
-            Self::Value { expression, point, value } => check_value(expression, point, value),
-            Self::Series { relation, variable, unknown, coefficients } => {
-                check_series(relation, variable, unknown, coefficients)
-            }
-        }
-    }
-
     /// The certificate's fact in LaTeX.
     #[must_use]
     pub fn latex(&self) -> String {
@@ -159,92 +158,5 @@ impl fmt::Display for Point<'_> {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         let parts: Vec<String> = self.0.iter().map(|(name, value)| format!("{name} = {value}")).collect();
         formatter.write_str(&parts.join(", "))
-    }
-}
-
-fn check_identity(left: &Expression, right: &Expression, domain: &Domain) -> Result<(), Failure> {
-    // The difference is reduced as a whole, because a root may vanish only between the two sides.
-    if domain.difference(left, right)?.is_zero() {
-        return Ok(());
-    }
-    compare(&domain.rational_function(left)?, &domain.rational_function(right)?, domain)
-}
-
-fn compare(left: &RationalFunction, right: &RationalFunction, domain: &Domain) -> Result<(), Failure> {
-    let difference = left - right;
-    if difference.is_zero() {
-        return Ok(());
-    }
-    let counter_example = CounterExample::search(left, right, domain).map(Box::new);
-    Err(Failure { remainder: Expression::from(&difference).to_string(), counter_example })
-}
-
-fn check_sign(expression: &Expression, sign: i8, domain: &Domain) -> Result<(), Failure> {
-    let function = domain.rational_function(expression)?;
-    if domain.sign_of(&function) == Some(sign) {
-        return Ok(());
-    }
-    Err(Failure::remainder(format!("{} has no certified sign {sign:+}", Expression::from(&function))))
-}
-
-fn limit(
-    function: &RationalFunction,
-    variable: &str,
-    toward: Toward,
-    domain: &Domain,
-) -> Result<RationalFunction, Failure> {
-    let name = Symbol::new(variable);
-    let end = |polynomial: &super::Polynomial, degree: u32| match toward {
-        Toward::Zero => polynomial.coefficients(&name).swap_remove(0),
-        Toward::Infinity => {
-            polynomial.coefficients(&name).into_iter().nth(degree as usize).unwrap_or_default()
-        }
-    };
-    let degree = function.denominator().degree(&name);
-    let denominator = RationalFunction::from(end(function.denominator(), degree));
-    // A denominator of one sign at the limit makes the limit finite for all values of the other variables.
-    let grows = toward == Toward::Infinity && function.numerator().degree(&name) > degree;
-    if grows || domain.sign_of(&denominator).is_none() {
-        return Err(Failure::remainder(format!(
-            "{} has no finite limit in {variable}",
-            Expression::from(function)
-        )));
-    }
-    Ok(&RationalFunction::from(end(function.numerator(), degree)) / &denominator)
-}
-
-fn check_value(
-    expression: &Expression,
-    point: &[(String, Expression)],
-    value: &Expression,
-) -> Result<(), Failure> {
-    let values: BTreeMap<Symbol, Expression> =
-        point.iter().map(|(name, value)| (Symbol::new(name), value.clone())).collect();
-    let domain = Domain::default();
-    compare(
-        &domain.rational_function(&expression.substitute(&values))?,
-        &domain.rational_function(value)?,
-        &domain,
-    )
-}
-
-fn check_series(
-    relation: &Expression,
-    variable: &str,
-    unknown: &str,
-    coefficients: &[Expression],
-) -> Result<(), Failure> {
-    let domain = Domain::default();
-    let relation = domain.rational_function(relation)?;
-    let coefficients: Result<Vec<_>, _> =
-        coefficients.iter().map(|value| domain.rational_function(value)).collect();
-    let series = Series::new(coefficients?);
-    let names = (Symbol::new(variable), Symbol::new(unknown));
-    match series.residual(relation.numerator(), &names.0, &names.1) {
-        None => {
-            Err(Failure::remainder(format!("the relation has no single root in {unknown} at {variable} = 0")))
-        }
-        Some(rest) if rest.is_zero() => Ok(()),
-        Some(rest) => Err(Failure::remainder(Expression::from(&rest).to_string())),
     }
 }

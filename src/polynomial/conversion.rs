@@ -116,7 +116,7 @@ impl<'d> Converter<'d> {
 
     /// The only term, when its coefficient and all its variables are positive.
     fn positive_term<'p>(&self, polynomial: &'p Polynomial) -> Option<(&'p Monomial, &'p Rational)> {
-        let (monomial, coefficient) = polynomial.leading_term().filter(|_| polynomial.len() == 1)?;
+        let (monomial, coefficient) = polynomial.leading_term().filter(|_| polynomial.term_count() == 1)?;
         let positive =
             coefficient.is_positive() && monomial.factors().all(|(name, _)| self.domain.is_positive(name));
         positive.then_some((monomial, coefficient))

@@ -1,6 +1,6 @@
 //! Exact division and greatest common divisors of polynomials in several variables.
 
-use rug::Rational;
+use rug::{Integer, Rational};
 
 use super::{Monomial, Polynomial, Symbol};
 
@@ -52,8 +52,21 @@ impl Polynomial {
         if self.is_zero() || other.is_zero() {
             return (self + other).monic();
         }
-        let variables = &self.variables() | &other.variables();
-        match variables.iter().next() {
+        if self.term_count() == 1 || other.term_count() == 1 {
+            return Self::term(Rational::from(1), self.common_monomial(other));
+        }
+        let (left, right) = (self.variables(), other.variables());
+        // A divisor of both is free of every variable that only one of them has, so it divides that one's coefficients.
+        for (polynomial, divided, alone) in [(self, other, &left - &right), (other, self, &right - &left)] {
+            if let Some(variable) = alone.iter().next() {
+                let coefficients =
+                    polynomial.coefficients(variable).into_iter().filter(|part| !part.is_zero());
+                return coefficients.fold(divided.monic(), |divisor, part| divisor.gcd(&part));
+            }
+        }
+        // The variable of least degree keeps the remainder sequence short.
+        let degree = |name: &&Symbol| self.degree(name).min(other.degree(name));
+        match left.iter().min_by_key(degree) {
             None => Self::one(),
             Some(variable) => self.gcd_in(other, variable).monic(),
         }
@@ -64,6 +77,19 @@ impl Polynomial {
     pub fn monic(&self) -> Self {
         self.leading_term()
             .map_or_else(Self::zero, |(_, leading)| self.scale(&Rational::from(leading.recip_ref())))
+    }
+
+    /// The polynomial times the positive number that makes its coefficients integers without a common factor.
+    #[must_use]
+    pub fn with_integers(&self) -> Self {
+        self.scale(&integer_scale(self.terms().map(|(_, coefficient)| coefficient)))
+    }
+
+    /// The greatest monomial that divides every term of both.
+    fn common_monomial(&self, other: &Self) -> Monomial {
+        let mut monomials = self.terms().chain(other.terms()).map(|(monomial, _)| monomial);
+        let first = monomials.next().cloned().unwrap_or_default();
+        monomials.fold(first, |divisor, monomial| divisor.common_divisor(monomial))
     }
 
     fn gcd_in(&self, other: &Self, variable: &Symbol) -> Self {
@@ -77,7 +103,7 @@ impl Polynomial {
         while !right.is_zero() {
             let remainder = left.pseudo_remainder(&right, variable);
             left = right;
-            right = remainder.divide_or_keep(&remainder.content(variable));
+            right = remainder.divide_or_keep(&remainder.content(variable)).with_integers();
         }
         // A last non-zero remainder free of the variable means that the primitive parts have no common factor.
         if left.degree(variable) == 0 { content } else { &content * &left }
@@ -104,6 +130,15 @@ impl Polynomial {
         }
         remainder
     }
+}
+
+/// The positive factor that turns rationals, not all zero, into integers without a common factor.
+pub(super) fn integer_scale<'r>(values: impl Iterator<Item = &'r Rational>) -> Rational {
+    let (divisor, multiple) = values
+        .fold((Integer::new(), Integer::from(1)), |(divisor, multiple), value| {
+            (divisor.gcd(value.numer()), multiple.lcm(value.denom()))
+        });
+    if divisor.is_zero() { Rational::from(1) } else { Rational::from((multiple, divisor)) }
 }
 
 fn square_root_of(value: &Rational) -> Option<Rational> {
@@ -135,6 +170,13 @@ mod tests {
         assert_eq!((&root.pow(2) + &x).square_root(), None);
         assert_eq!((&root.pow(2) + &y).square_root(), None);
         assert_eq!((-&root.pow(2)).square_root(), None);
+    }
+
+    #[test]
+    fn integers_without_a_common_factor() {
+        let x = Polynomial::variable("x");
+        let fractions = &x.scale(&Rational::from((4, 3))) - &Polynomial::constant(Rational::from((2, 5)));
+        assert_eq!(fractions.with_integers().to_string(), "10*x - 3");
     }
 
     #[test]

@@ -10,8 +10,8 @@ use super::{ConversionError, Expression, RationalFunction, Symbol};
 
 /// Assumptions on variables: which are positive, and which are expressed by others.
 ///
-/// Writing a = α², b = (α + δ)² with α, δ > 0 says a < b, makes √a and √b rational, and fixes the sign of b − a, all at
-/// once. Identities and signs proved after the substitution hold for all values that it can take.
+/// Writing a = α², b = (α + γ)² with α, γ > 0 says a < b, makes √a and √b rational, and fixes the sign of b − a, all
+/// at once. Identities and signs proved after the substitution hold for all values that it can take.
 #[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, Deserialize)]
 pub struct Domain {
     positive: Vec<String>,

@@ -4,7 +4,7 @@ use std::cmp::Ordering;
 
 use rug::{Float, Rational};
 
-use crate::number::{Ball, Field};
+use crate::number::Ball;
 use crate::polynomial::{IsolatingInterval, UnivariatePolynomial};
 
 /// Precision of the first attempt, in bits.
@@ -153,7 +153,7 @@ impl Bracket {
     fn halve(&mut self, at_lower: Ordering, sign: impl Fn(&Rational) -> Option<Ordering>) -> Option<()> {
         let width = Rational::from(&self.upper - &self.lower);
         for numerator in [4_u32, 3] {
-            let point = Rational::from(&self.lower + width.clone() * numerator / 8_u32);
+            let point = &self.lower + width.clone() * numerator / 8_u32;
             if let Some(at_point) = sign(&point).filter(|sign| *sign != Ordering::Equal) {
                 *(if at_point == at_lower { &mut self.lower } else { &mut self.upper }) = point;
                 return Some(());
@@ -173,6 +173,7 @@ impl Bracket {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::number::Field;
 
     #[test]
     fn the_square_root_of_two_to_a_thousand_digits() {

@@ -6,6 +6,7 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 use rug::Rational;
 use serde::{Deserialize, Serialize};
 
+use super::division::integer_scale;
 use super::{Monomial, Polynomial, RationalFunction, Symbol};
 
 /// The functions of one argument that the paper's equations use.
@@ -84,6 +85,7 @@ impl Expression {
         match exponent {
             0 => Self::integer(1),
             1 => self,
+            _ if self.is_one() || (self.is_zero() && exponent > 0) => self,
             _ => Self::Power(Box::new(self), exponent),
         }
     }
@@ -132,11 +134,11 @@ impl Expression {
         match self {
             Self::Number(_) => self.clone(),
             Self::Variable(name) => values.get(name).unwrap_or(self).clone(),
-            Self::Sum(parts) => Self::Sum(parts.iter().map(go).collect()),
-            Self::Product(parts) => Self::Product(parts.iter().map(go).collect()),
-            Self::Quotient(left, right) => Self::Quotient(Box::new(go(left)), Box::new(go(right))),
-            Self::Negation(inner) => Self::Negation(Box::new(go(inner))),
-            Self::Power(inner, exponent) => Self::Power(Box::new(go(inner)), *exponent),
+            Self::Sum(parts) => parts.iter().map(go).fold(Self::integer(0), Add::add),
+            Self::Product(parts) => parts.iter().map(go).fold(Self::integer(1), Mul::mul),
+            Self::Quotient(left, right) => go(left) / go(right),
+            Self::Negation(inner) => -go(inner),
+            Self::Power(inner, exponent) => go(inner).power(*exponent),
             Self::Call(function, inner) => Self::Call(*function, Box::new(go(inner))),
         }
     }
@@ -145,61 +147,6 @@ impl Expression {
     #[must_use]
     pub fn with(&self, name: &str, value: &Expression) -> Self {
         self.substitute(&BTreeMap::from([(Symbol::new(name), value.clone())]))
-    }
-
-    /// The derivative with respect to one variable; the others, primed ones too, are held fixed.
-    #[must_use]
-    pub fn derivative(&self, variable: &Symbol) -> Self {
-        let d = |inner: &Self| inner.derivative(variable);
-        match self {
-            Self::Number(_) => Self::integer(0),
-            Self::Variable(name) => Self::integer(i32::from(name == variable)),
-            Self::Sum(parts) => parts.iter().map(d).fold(Self::integer(0), Add::add),
-            Self::Product(parts) => product_rule(parts, variable),
-            Self::Quotient(left, right) if !right.variables().contains(variable) => {
-                d(left) / (**right).clone()
-            }
-            Self::Quotient(left, right) => {
-                (d(left) * (**right).clone() - (**left).clone() * d(right)) / (**right).clone().power(2)
-            }
-            Self::Negation(inner) => -d(inner),
-            Self::Power(inner, exponent) => {
-                Self::integer(*exponent) * (**inner).clone().power(exponent - 1) * d(inner)
-            }
-            Self::Call(function, inner) => chain_rule(*function, inner) * d(inner),
-        }
-    }
-
-    /// The derivative with respect to time: every variable of `moving` gains a prime by the chain rule.
-    #[must_use]
-    pub fn time_derivative(&self, moving: &[&str]) -> Self {
-        self.variables()
-            .iter()
-            .filter(|name| moving.contains(&name.base()))
-            .map(|name| self.derivative(name) * Self::Variable(name.time_derivative()))
-            .fold(Self::integer(0), Add::add)
-    }
-}
-
-fn product_rule(parts: &[Expression], variable: &Symbol) -> Expression {
-    let term = |index: usize| {
-        parts.iter().enumerate().fold(Expression::integer(1), |product, (position, factor)| {
-            product * if position == index { factor.derivative(variable) } else { factor.clone() }
-        })
-    };
-    (0..parts.len()).map(term).fold(Expression::integer(0), Add::add)
-}
-
-/// The derivative of a function at its argument.
-fn chain_rule(function: Function, argument: &Expression) -> Expression {
-    let (one, two) = (Expression::integer(1), Expression::integer(2));
-    let argument = argument.clone();
-    match function {
-        Function::Ln => one / argument,
-        Function::Sqrt => one / (two * argument.call(Function::Sqrt)),
-        Function::Abs => argument.clone() / argument.call(Function::Abs),
-        Function::Exp => argument.call(Function::Exp),
-        Function::Asinh => one.clone() / (one + argument.power(2)).call(Function::Sqrt),
     }
 }
 
@@ -273,19 +220,16 @@ impl Div for Expression {
     }
 }
 
-impl From<&Monomial> for Expression {
-    fn from(monomial: &Monomial) -> Self {
-        monomial.factors().fold(Self::integer(1), |product, (name, exponent)| {
-            // Exponents here stay far below i32's limit: they come from equations of a dozen terms.
-            product * Self::Variable(name.clone()).power(*exponent as i32)
-        })
-    }
-}
-
 impl From<&Polynomial> for Expression {
     fn from(polynomial: &Polynomial) -> Self {
         let term = |(monomial, coefficient): (&Monomial, &Rational)| {
-            let size = Self::Number(coefficient.clone().abs()) * Self::from(monomial);
+            let size = monomial.factors().fold(
+                Self::Number(coefficient.clone().abs()),
+                |product, (name, exponent)| {
+                    // Exponents here stay far below i32's limit: they come from equations of a dozen terms.
+                    product * Self::Variable(name.clone()).power(*exponent as i32)
+                },
+            );
             if coefficient.is_negative() { -size } else { size }
         };
         polynomial.terms().rev().map(term).fold(Self::integer(0), Add::add)
@@ -294,6 +238,10 @@ impl From<&Polynomial> for Expression {
 
 impl From<&RationalFunction> for Expression {
     fn from(function: &RationalFunction) -> Self {
-        Self::from(function.numerator()) / Self::from(function.denominator())
+        let both = [function.numerator(), function.denominator()];
+        let scale =
+            integer_scale(both.iter().flat_map(|side| side.terms().map(|(_, coefficient)| coefficient)));
+        let [numerator, denominator] = both.map(|side| Self::from(&side.scale(&scale)));
+        numerator / denominator
     }
 }

@@ -129,6 +129,22 @@ mod tests {
     }
 
     #[test]
+    fn every_construct_of_the_grammar_becomes_mathml() {
+        let converter = math_core::LatexToMathML::default();
+        for text in [
+            "-3/4*x^2 + 1/2",
+            "sqrt(abs(a - b))*ln(x)/exp(-x)",
+            "a*asinh(V/(2*V_0))",
+            "Delta_theta''' + Delta_theta'' + Delta_theta' + K_c_qs",
+            "±i*sqrt((b - a)/a)*V_0/D_c",
+            "(x + 1)*(2*x - 3)^-2",
+        ] {
+            let converted = converter.convert_with_local_state(&latex(text), math_core::MathDisplay::Inline);
+            assert!(converted.is_ok(), "{text}: {}", latex(text));
+        }
+    }
+
+    #[test]
     fn derivatives_carry_dots() {
         assert_eq!(latex("Delta_theta'''"), r"\Delta \dddot{\theta}");
     }

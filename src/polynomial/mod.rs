@@ -1,6 +1,8 @@
 //! Exact algebra over the rationals: polynomials, discriminants, Sturm sequences, symbolic expressions, proofs that can be printed and re-checked.
 
+mod calculus;
 mod certificate;
+mod check;
 mod conversion;
 mod division;
 mod domain;

@@ -58,14 +58,8 @@ impl Polynomial {
 
     /// The number of terms.
     #[must_use]
-    pub fn len(&self) -> usize {
+    pub fn term_count(&self) -> usize {
         self.0.len()
-    }
-
-    /// Is it the zero polynomial?
-    #[must_use]
-    pub fn is_empty(&self) -> bool {
-        self.is_zero()
     }
 
     /// Is it the zero polynomial?
@@ -193,7 +187,7 @@ impl Polynomial {
         match positive {
             _ if self.is_zero() => None,
             0 => Some(-1),
-            count if count == self.len() => Some(1),
+            count if count == self.term_count() => Some(1),
             _ => None,
         }
     }

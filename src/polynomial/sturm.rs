@@ -175,7 +175,7 @@ fn sign_at(member: &[Integer], limit: &Limit) -> Ordering {
     let leading = member.last().map_or(Ordering::Equal, Integer::cmp0);
     match limit {
         Limit::PlusInfinity => leading,
-        Limit::MinusInfinity if member.len() % 2 == 0 => leading.reverse(),
+        Limit::MinusInfinity if member.len().is_multiple_of(2) => leading.reverse(),
         Limit::MinusInfinity => leading,
         Limit::At(x) => sign_at_rational(member, x),
     }

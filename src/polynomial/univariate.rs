@@ -26,6 +26,22 @@ impl UnivariatePolynomial {
         Self::new(coefficients.iter().map(|value| Rational::from(*value)).collect())
     }
 
+    /// The polynomial of least degree with these values at 0, 1, 2, … (Newton's forward differences).
+    #[must_use]
+    pub fn interpolating(mut values: Vec<Rational>) -> Self {
+        let mut sum = Self::new(Vec::new());
+        let mut basis = Self::from_integers(&[1]);
+        for step in 0_i64.. {
+            let Some(first) = values.first() else { break };
+            sum = sum.plus(&basis.scaled(first));
+            values = values.windows(2).map(|pair| Rational::from(&pair[1] - &pair[0])).collect();
+            // (x − step)/(step + 1) turns C(x, step) into C(x, step + 1).
+            let next = Self::new(vec![Rational::from((-step, step + 1)), Rational::from((1, step + 1))]);
+            basis = basis.times(&next);
+        }
+        sum
+    }
+
     /// The coefficients by ascending power.
     #[must_use]
     pub fn coefficients(&self) -> &[Rational] {
@@ -161,9 +177,7 @@ impl UnivariatePolynomial {
             denominator.lcm_mut(coefficient.denom());
         }
         for coefficient in &self.coefficients {
-            content.gcd_mut(&Integer::from(
-                coefficient.numer() * Integer::from(&denominator / coefficient.denom()),
-            ));
+            content.gcd_mut(&(coefficient.numer() * Integer::from(&denominator / coefficient.denom())));
         }
         self.scaled(&Rational::from((denominator, content)))
     }
@@ -200,6 +214,13 @@ mod tests {
         let (double, triple) = (polynomial(&[-1, 2]), polynomial(&[3, 1]));
         let product = double.times(&double).times(&triple).times(&triple).times(&triple);
         assert_eq!(product.squarefree().monic(), double.times(&triple).monic());
+    }
+
+    #[test]
+    fn interpolation_gives_back_a_polynomial_from_its_values() {
+        let p = polynomial(&[3, 0, -7, 2, 5]);
+        let values = (0..=4).map(|x| p.evaluate(&Rational::from(x))).collect();
+        assert_eq!(UnivariatePolynomial::interpolating(values), p);
     }
 
     #[test]

@@ -74,8 +74,8 @@ pub(crate) fn faults(view: &ReportView) -> Vec<String> {
                 Piece::Block(kind, id) if !catalogue.has(kind, &id) => {
                     found.push(format!("chapter {}: there is no {} `{id}`", chapter.id, word(kind)));
                 }
-                Piece::Block(BlockKind::Figure | BlockKind::Table | BlockKind::Equation, id)
-                    if !placed.insert(id.clone()) =>
+                Piece::Block(kind @ (BlockKind::Figure | BlockKind::Table | BlockKind::Equation), id)
+                    if !placed.insert((word(kind), id.clone())) =>
                 {
                     found.push(format!("chapter {}: `{id}` is placed a second time", chapter.id));
                 }

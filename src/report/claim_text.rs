@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use super::markdown::slug;
-use super::view::{ClaimView, EvidenceView};
+use super::view::{ClaimView, EvidenceView, Standing};
 use crate::table::{escape_cell, escape_markdown, printable};
 
 /// What `claim.md` and the ledger's table ask for.
@@ -11,10 +11,10 @@ use crate::table::{escape_cell, escape_markdown, printable};
 pub(crate) struct ClaimText<'a> {
     id_md: String,
     link_md: String,
-    place: &'a str,
     place_md: String,
     symbol: &'static str,
     word: &'static str,
+    colon: bool,
     strength: &'a str,
     statement_md: String,
     acceptance_md: String,
@@ -44,10 +44,10 @@ impl<'a> ClaimText<'a> {
         Self {
             id_md: escape_markdown(&claim.id),
             link_md: format!("[{}](#{})", escape_cell(&claim.id), slug(&claim.id)),
-            place: &claim.place,
             place_md: escape_cell(&claim.place),
             symbol: claim.standing.symbol(),
             word: claim.standing.word(),
+            colon: claim.standing != Standing::HoldsWithin && !claim.verdict_markdown.is_empty(),
             strength: &claim.strength,
             statement_md: item(&claim.statement_markdown),
             acceptance_md: item(&claim.acceptance_markdown),

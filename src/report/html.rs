@@ -2,17 +2,19 @@
 
 use std::collections::BTreeSet;
 
-use serde::Serialize;
-
 use super::blocks::{BlockKind, Piece, pieces};
 use super::catalogue::{Catalogue, anchors, faults, group_anchor};
 use super::claim_html::{Chip, ClaimPage};
+use super::html_context::{
+    CardContext, ChapterContext, EnvironmentContext, EquationContext, FigureContext, FindingContext,
+    GroupContext, PageContext, ProvenanceContext, TableContext,
+};
 use super::markdown::Prose;
 use super::page_style::{content_policy, style_sheet};
 use super::templates::Templates;
-use super::view::{CardView, EquationView, FactView, FigureView, InputView, ReportView};
+use super::view::{CardView, EquationView, FigureView, ReportView};
 use super::{MAX_SHOWN_ROWS, ReportError, cut_note};
-use crate::table::{Cell, Column, Table};
+use crate::table::Table;
 
 /// Renders the page: HTML with style sheet, font, figures and mathematics inside, readable without scripts.
 ///
@@ -42,94 +44,6 @@ struct Page<'a> {
     templates: Templates,
     prose: Prose,
     placed: BTreeSet<String>,
-}
-
-/// What `report.html` asks for.
-#[derive(Serialize)]
-struct PageContext<'a> {
-    title: &'a str,
-    subtitle: &'a str,
-    policy: String,
-    style_css: String,
-    summary_html: String,
-    cards: Vec<CardContext<'a>>,
-    findings: Vec<FindingContext<'a>>,
-    groups: Vec<GroupContext<'a>>,
-    chapters: Vec<ChapterContext<'a>>,
-    appendix_html: String,
-    provenance: ProvenanceContext<'a>,
-    environment_html: String,
-}
-
-#[derive(Serialize)]
-struct CardContext<'a> {
-    class: &'static str,
-    symbol: &'static str,
-    word: &'static str,
-    count: &'a str,
-    note: &'a str,
-}
-
-#[derive(Serialize)]
-struct FindingContext<'a> {
-    headline: &'a str,
-    text_html: String,
-    chips: Vec<Chip<'a>>,
-}
-
-#[derive(Serialize)]
-struct GroupContext<'a> {
-    anchor: String,
-    title: &'a str,
-    intro_html: String,
-    chips: Vec<Chip<'a>>,
-    claims_html: Vec<String>,
-}
-
-#[derive(Serialize)]
-struct ChapterContext<'a> {
-    id: &'a str,
-    title: &'a str,
-    body_html: String,
-}
-
-#[derive(Serialize)]
-struct ProvenanceContext<'a> {
-    text_html: String,
-    command: &'a str,
-    facts: &'a [FactView],
-    inputs: &'a [InputView],
-}
-
-#[derive(Serialize)]
-struct FigureContext<'a> {
-    id: &'a str,
-    label: &'a str,
-    drawing_svg: &'a str,
-    caption_html: String,
-    data: &'a [String],
-}
-
-#[derive(Serialize)]
-struct TableContext<'a> {
-    id: &'a str,
-    title: &'a str,
-    columns: &'a [Column],
-    rows: &'a [Vec<Cell>],
-    cut: String,
-    note_html: String,
-}
-
-#[derive(Serialize)]
-struct EquationContext<'a> {
-    id: &'a str,
-    formula_html: String,
-    caption_html: String,
-}
-
-#[derive(Serialize)]
-struct EnvironmentContext<'a> {
-    facts: &'a [FactView],
 }
 
 impl<'a> Page<'a> {

@@ -4,6 +4,8 @@ use std::collections::BTreeMap;
 
 use math_core::{LatexToMathML, MathDisplay};
 
+use crate::table::printable;
+
 /// A converter that gathers the inline styles of its formulas as rules for the page's style sheet: a strict content
 /// policy refuses `style` attributes.
 #[derive(Debug, Default)]
@@ -36,7 +38,7 @@ impl Mathematics {
     }
 
     fn convert(&mut self, latex: &str, display: MathDisplay) -> Result<String, String> {
-        let untagged = without_tags(latex);
+        let untagged: String = without_tags(latex).chars().map(printable).collect();
         let converted = self.converter.convert_with_local_state(untagged.trim(), display);
         let result = converted.map_err(|error| format!("`{}`: {error}", latex.trim()))?;
         Ok(self.with_classes(&result.mathml))

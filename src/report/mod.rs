@@ -3,24 +3,33 @@
 //! Nothing here does arithmetic or reads files: numbers arrive formatted, figures arrive drawn, templates and fonts
 //! are part of the program. The page asks for nothing over the network and needs no scripts.
 
+mod assemble;
 mod base64;
 mod blocks;
 mod catalogue;
 mod claim_html;
 mod claim_text;
 mod error;
+#[cfg(test)]
+mod hostile_tests;
 mod html;
+mod html_context;
 mod markdown;
 mod math;
 mod page_style;
+mod produce;
 #[cfg(test)]
 mod sample;
 mod templates;
+#[cfg(test)]
+mod tests;
 mod text;
+mod text_context;
 mod view;
 
 pub use error::ReportError;
 pub use html::render_html;
+pub use produce::{Folder, Product, produce, produce_scene};
 pub use text::render_markdown;
 pub use view::{
     CardView, ChapterView, ClaimGroupView, ClaimView, EquationView, EvidenceView, FactView, FigureView,

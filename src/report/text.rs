@@ -2,14 +2,13 @@
 
 use std::collections::BTreeSet;
 
-use serde::Serialize;
-
 use super::blocks::{BlockKind, Piece, pieces};
 use super::catalogue::{Catalogue, faults};
 use super::claim_text::{ClaimText, code_span, line};
 use super::markdown::{harmless, slug};
 use super::templates::Templates;
-use super::view::{EquationView, FactView, FigureView, ReportView};
+use super::text_context::{Card, Chapter, Fact, Finding, Group, Input, Provenance, ReportContext};
+use super::view::{EquationView, FactView, FigureView, FindingView, InputView, ReportView};
 use super::{MAX_SHOWN_ROWS, ReportError, cut_note};
 use crate::table::{Table, escape_cell, escape_markdown, first_rows_to_markdown};
 
@@ -33,71 +32,6 @@ struct Report<'a> {
     view: &'a ReportView,
     catalogue: Catalogue<'a>,
     templates: &'a Templates,
-}
-
-/// What `report.md` asks for.
-#[derive(Serialize)]
-struct ReportContext<'a> {
-    title: &'a str,
-    subtitle: &'a str,
-    summary_md: String,
-    cards: Vec<Card<'a>>,
-    findings: Vec<Finding<'a>>,
-    groups: Vec<Group<'a>>,
-    chapters: Vec<Chapter<'a>>,
-    appendix_md: String,
-    provenance: Provenance,
-    environment: Vec<Fact>,
-}
-
-#[derive(Serialize)]
-struct Card<'a> {
-    symbol: &'static str,
-    word: &'static str,
-    count: &'a str,
-    note: &'a str,
-}
-
-#[derive(Serialize)]
-struct Finding<'a> {
-    headline: &'a str,
-    text_md: String,
-    claims_md: String,
-}
-
-#[derive(Serialize)]
-struct Group<'a> {
-    title: &'a str,
-    intro_md: String,
-    claims: Vec<ClaimText<'a>>,
-    claims_md: Vec<String>,
-}
-
-#[derive(Serialize)]
-struct Chapter<'a> {
-    title: &'a str,
-    body_md: String,
-}
-
-#[derive(Serialize)]
-struct Provenance {
-    text_md: String,
-    command_md: String,
-    facts: Vec<Fact>,
-    inputs: Vec<Input>,
-}
-
-#[derive(Serialize)]
-struct Fact {
-    name_md: String,
-    value_md: String,
-}
-
-#[derive(Serialize)]
-struct Input {
-    path_md: String,
-    bytes_md: String,
-    sha256_md: String,
 }
 
 impl<'a> Report<'a> {
@@ -138,7 +72,7 @@ impl<'a> Report<'a> {
     }
 
     fn findings(&self) -> Vec<Finding<'a>> {
-        let finding = |finding: &'a super::view::FindingView| Finding {
+        let finding = |finding: &'a FindingView| Finding {
             headline: &finding.headline,
             text_md: self.prose(&finding.text_markdown, 3),
             claims_md: self.claim_links(&finding.claims),
@@ -236,7 +170,7 @@ impl<'a> Report<'a> {
 
     fn provenance(&self) -> Provenance {
         let provenance = &self.view.provenance;
-        let input = |input: &super::view::InputView| Input {
+        let input = |input: &InputView| Input {
             path_md: escape_cell(&input.path),
             bytes_md: escape_cell(&input.bytes),
             sha256_md: code_span(&input.sha256),
@@ -265,15 +199,15 @@ fn facts(views: &[FactView]) -> Vec<Fact> {
     views.iter().map(fact).collect()
 }
 
-/// The text without trailing spaces and with single blank lines, code apart, and one newline at the end.
+/// The text without trailing spaces, with single blank lines and even empty cells, code apart, and one newline at the end.
 fn tidied(text: &str) -> String {
     let mut tidy = String::with_capacity(text.len());
     let (mut in_code, mut blank) = (false, true);
     for line in text.lines() {
         let fence = line.trim_start().starts_with("```");
-        let kept = if in_code { line } else { line.trim_end() };
+        let kept = if in_code { line.to_owned() } else { line.trim_end().replace("|  |", "| |") };
         if in_code || fence || !(kept.is_empty() && blank) {
-            tidy += kept;
+            tidy += &kept;
             tidy.push('\n');
         }
         blank = !in_code && kept.is_empty();

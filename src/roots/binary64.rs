@@ -8,8 +8,9 @@ pub type Spectrum64 = Spectrum<f64>;
 
 /// The roots of the cubic with exactly these coefficients.
 ///
-/// Coefficients and their fourth-order products must lie well inside f64's range (2^±250 suffices);
-/// a bound that overflows is infinite, and a pair that cannot be bounded is `NotSeparated`.
+/// Coefficients and their fourth-order products must lie well inside f64's range: 2^±200 suffices, also for
+/// double-double, whose rounding errors are 2^-106 smaller. A bound that overflows is infinite, and a pair that cannot be
+/// bounded is `NotSeparated`.
 #[must_use]
 pub fn roots(cubic: [f64; 4]) -> Spectrum64 {
     with_coefficient_error(cubic, 0.0)

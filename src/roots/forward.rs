@@ -7,6 +7,7 @@
 //! Bounds are evaluated in 64-bit; their own rounding (some dozens of operations, 1e-14) is covered by [`SLACK`].
 
 use super::discriminant::{discriminant, discriminant_of_magnitudes};
+use super::kahan::kahan_root;
 use crate::number::{Dd, Real};
 
 /// Covers the rounding of the bounds themselves, and the second order of their first-order terms (each below 1/100).
@@ -94,16 +95,21 @@ impl<R: Working> BoundedCubic<R> {
 
     /// All roots with forward error bounds.
     pub(crate) fn spectrum(&self) -> Spectrum<R> {
-        let real = self.real_root();
-        let pair = self.pair(&real).unwrap_or(Pair::NotSeparated);
+        let root = self.real_root();
+        let slope = self.slope(root);
+        let real = Bounded { value: root, error: self.real_root_error(root, slope) };
+        let pair = self.pair(&real, slope).unwrap_or(Pair::NotSeparated);
         Spectrum { real, pair }
     }
 
-    fn value_and_slope(&self, x: R) -> (R, R) {
+    fn value(&self, x: R) -> R {
         let [c0, c1, c2, c3] = self.coefficients;
-        let value = ((c3 * x + c2) * x + c1) * x + c0;
-        let slope = (c3 * x * R::from(3) + c2 * R::from(2)) * x + c1;
-        (value, slope)
+        ((c3 * x + c2) * x + c1) * x + c0
+    }
+
+    fn slope(&self, x: R) -> R {
+        let [_, c1, c2, c3] = self.coefficients;
+        (c3 * x * R::from(3) + c2 * R::from(2)) * x + c1
     }
 
     /// Bounds of the errors of F(x) and F'(x), and of |F''| within `reach` of x, by the sums of the terms' magnitudes.
@@ -116,24 +122,27 @@ impl<R: Working> BoundedCubic<R> {
         [unit * value, unit * slope, (6.0 * m3 * (x + reach) + 2.0 * m2) * SLACK]
     }
 
-    fn real_root(&self) -> Bounded<R> {
-        let mut root = R::from(kahan_root(self.coefficients.map(R::leading)));
+    /// Kahan's root, polished by Newton steps whose slope needs no more than 64 bits.
+    fn real_root(&self) -> R {
+        let [c0, c1, c2, c3] = self.coefficients.map(R::leading);
+        let start = kahan_root([c0, c1, c2, c3]);
+        let mut root = R::from(start);
+        let slope = (3.0 * c3 * start + 2.0 * c2) * start + c1;
         for _ in 0..R::POLISHING_STEPS {
-            let (value, slope) = self.value_and_slope(root);
-            let step = value / slope;
+            let step = self.value(root).leading() / slope;
             // At a triple root this is 0/0: the start is as good as it gets, and its bound says so.
-            if !step.leading().is_finite() {
+            if !step.is_finite() {
                 break;
             }
-            root = root - step;
+            root = root - R::from(step);
         }
-        Bounded { value: root, error: self.real_root_error(root) }
+        root
     }
 
     /// If |F'| stays above half of |F'(x)| within d = 2|F(x)|/|F'(x)|, a root lies there, and by the mean value theorem
     /// no farther than |F(x)| over the least |F'|.
-    fn real_root_error(&self, x: R) -> f64 {
-        let (value, slope) = self.value_and_slope(x);
+    fn real_root_error(&self, x: R, slope: R) -> f64 {
+        let value = self.value(x);
         let x = x.leading();
         let [value_error, slope_error, _] = self.evaluation_errors(x, 0.0);
         let value = (value.leading().abs() + value_error) * SLACK;
@@ -144,14 +153,15 @@ impl<R: Working> BoundedCubic<R> {
         if slope > 0.0 && least_slope >= slope / 2.0 { value / least_slope * SLACK } else { f64::INFINITY }
     }
 
-    fn pair(&self, real: &Bounded<R>) -> Option<Pair<R>> {
+    fn pair(&self, real: &Bounded<R>, slope: R) -> Option<Pair<R>> {
         let [_, _, _, c3] = self.coefficients;
         let t = real.value;
         let relative = real.error / t.leading().abs();
         if !is_small(relative) {
             return None;
         }
-        let width = self.quadratic_discriminant_root(real)?;
+        let delta = self.discriminant();
+        let width = self.quadratic_discriminant_root(real, slope, &delta)?;
         let (linear, constant) = self.deflate(t, relative);
         let lead_error = self.relative_error * self.magnitudes[3] / c3.leading().abs() + 3.0 * R::UNIT;
         let twice = c3 * R::from(2);
@@ -160,7 +170,7 @@ impl<R: Working> BoundedCubic<R> {
             let error = error / twice.leading().abs() + value.leading().abs() * lead_error;
             Bounded { value, error: error * SLACK }
         };
-        if self.discriminant().value.leading() < 0.0 {
+        if delta.value.leading() < 0.0 {
             let positive = if twice.leading() < 0.0 { -width.value } else { width.value };
             let re = divide(-linear.value, linear.error);
             return Some(Pair::Complex { re, im: divide(positive, width.error) });
@@ -183,9 +193,12 @@ impl<R: Working> BoundedCubic<R> {
     }
 
     /// √|u² − 4c3w| = √|Δ|/|F'(t)|, or nothing when the sign of Δ or F' is not certain.
-    fn quadratic_discriminant_root(&self, real: &Bounded<R>) -> Option<Bounded<R>> {
-        let delta = self.discriminant();
-        let (_, slope) = self.value_and_slope(real.value);
+    fn quadratic_discriminant_root(
+        &self,
+        real: &Bounded<R>,
+        slope: R,
+        delta: &Bounded<R>,
+    ) -> Option<Bounded<R>> {
         let [_, slope_error, curvature] = self.evaluation_errors(real.value.leading(), real.error);
         let slope_error = slope_error + curvature * real.error;
         let slope_relative = slope_error / slope.leading().abs();
@@ -227,37 +240,4 @@ impl<R: Working> BoundedCubic<R> {
 /// Whether a relative error is small enough for first-order bounds; what is not a number is not.
 fn is_small(relative: f64) -> bool {
     relative < 0.01
-}
-
-/// Kahan's iteration in 64-bit: from outside the three roots to the one farthest from the inflection point, monotonically.
-fn kahan_root([c0, c1, c2, c3]: [f64; 4]) -> f64 {
-    let evaluate = |x: f64| {
-        let lead = c3 * x;
-        let first = lead + c2;
-        let second = first * x + c1;
-        (second * x + c0, (lead + first) * x + second)
-    };
-    let inflection = -(c2 / c3) / 3.0;
-    let (value, slope) = evaluate(inflection);
-    let height = value / c3;
-    let direction = if height < 0.0 { -1.0 } else { 1.0 };
-    let descent = -slope / c3;
-    let mut reach = libm::cbrt(height.abs());
-    if descent > 0.0 {
-        // The root of x³ = x + 1 bounds the distance for both shapes of the cubic.
-        reach = 1.324_717_957_244_746 * reach.max(descent.sqrt());
-    }
-    let mut next = inflection - direction * reach;
-    let mut root = inflection;
-    if next == inflection {
-        return root;
-    }
-    let mut first = true;
-    while first || direction * next > direction * root {
-        first = false;
-        root = next;
-        let (value, slope) = evaluate(root);
-        next = root - value / slope;
-    }
-    root
 }

@@ -10,6 +10,7 @@ mod depressed;
 mod discriminant;
 pub mod double_double;
 mod forward;
+mod kahan;
 mod multiple;
 mod rung;
 

@@ -107,6 +107,9 @@ pub enum Problem {
     /// A name that is not safe in every file system.
     #[error(transparent)]
     BadName(#[from] NameError),
+    /// An equation that cannot be read.
+    #[error("{0}")]
+    Equation(String),
     /// A fault of a CSV file's form.
     #[error(transparent)]
     Csv(#[from] CsvProblem),

@@ -189,7 +189,7 @@ mod tests {
     #[test]
     fn effects_that_agree_in_eighteen_digits_cost_eighteen_digits_once_and_not_twice() {
         let a = Rational::from((4, 1000));
-        let b = Rational::from(&a + Rational::from(&a * parse_decimal("1e-18").unwrap()));
+        let b = &a + &a * parse_decimal("1e-18").unwrap();
         let value = quasi_static_upper_normal_stress_pa(&balls(&with_effects(a, b)));
         // The rounding of b at 200 bits is 2^60 times larger relative to b − a, and squared to twice that.
         assert!(value.relative_radius_log2() < 60.0 + 3.0 - 200.0);

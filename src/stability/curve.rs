@@ -77,7 +77,7 @@ mod tests {
             };
             let [c0, c1, c2, c3] = groups.characteristic_cubic();
             // (p − r)²(p − t)·η, coefficient by coefficient.
-            prop_assert_eq!(c0, Rational::from(-(r.clone().square() * &t)) * &c3);
+            prop_assert_eq!(c0, -(r.clone().square() * &t) * &c3);
             prop_assert_eq!(c1, (r.clone().square() + Rational::from(2) * &r * &t) * &c3);
             prop_assert_eq!(c2, -(Rational::from(2) * &r + &t) * &c3);
         }

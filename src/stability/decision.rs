@@ -30,6 +30,8 @@ mod tests {
     use super::*;
     use crate::number::parse_decimal;
     use crate::roots::discriminant;
+    use crate::stability::curve;
+    use crate::stability::fixtures::double_root_and_effect_ratio;
     use proptest::prelude::*;
 
     fn group() -> impl Strategy<Value = Rational> {
@@ -44,12 +46,12 @@ mod tests {
         })
     }
 
-    /// The point of the boundary with the double root r (mathematics: η(r), κ(r)), wherever it lies.
     fn on_boundary(r: &Rational, beta: &Rational) -> Groups<Rational> {
-        let next = (r.clone() + 1u32).square();
-        let eta = (beta.clone() - &next) / (next.clone() * r * 2u32);
-        let kappa = ((r.clone() * 2u32 + 1u32) * beta - &next) * r / (next * 2u32);
-        Groups { inertial_parameter: eta, stiffness_group: kappa, effect_ratio: beta.clone() }
+        Groups {
+            inertial_parameter: curve::inertial_parameter(r, beta),
+            stiffness_group: curve::stiffness_group(r, beta),
+            effect_ratio: beta.clone(),
+        }
     }
 
     proptest! {
@@ -61,19 +63,17 @@ mod tests {
 
         #[test]
         fn points_on_the_boundary_and_1e_60_beside_it_are_told_apart(
-            n in -4000i64..4000, d in 1i64..500, beta in 1i64..1000,
+            (r, beta) in double_root_and_effect_ratio(),
         ) {
-            let (r, beta) = (Rational::from((n, d)), Rational::from((beta, 100)));
-            prop_assume!(n != 0 && n != -d);
             let mut groups = on_boundary(&r, &beta);
-            prop_assume!(groups.inertial_parameter > 0 && groups.stiffness_group > 0);
+            prop_assert!(groups.inertial_parameter > 0 && groups.stiffness_group > 0);
             prop_assert_eq!(boundary_sign(&groups), 0);
-            // The third root t; ∂F/∂κ = r + 1 at the double root splits it into reals on one side, a pair on the other.
-            let third = -(groups.inertial_parameter.clone() + 1u32) / &groups.inertial_parameter - r.clone() * 2u32;
-            prop_assume!(third != r);
-            let shift = parse_decimal("1e-60").unwrap();
-            let below = { let mut g = groups.clone(); g.stiffness_group -= &shift; boundary_sign(&g) };
-            groups.stiffness_group += shift;
+            prop_assume!(curve::third_root(&r, &beta) != r);
+            // Off the cusp, κ splits the double root into two reals on one side and a pair on the other: ∂F/∂κ = r + 1 ≠ 0.
+            let shift = parse_decimal("1e-60").unwrap() * &groups.stiffness_group;
+            groups.stiffness_group -= &shift;
+            let below = boundary_sign(&groups);
+            groups.stiffness_group += shift * 2u32;
             prop_assert_eq!(boundary_sign(&groups), -below);
             prop_assert_ne!(below, 0);
         }

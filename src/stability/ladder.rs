@@ -47,9 +47,19 @@ impl BoundedGroups<Dd> {
         usable.then_some(Self { groups, relative_error: 12.0 * Dd::UNIT })
     }
 
-    /// Both signs when double-double is certain of both.
-    pub(super) fn certain_signs(&self) -> Option<Signs> {
-        self.signs(Rung::DoubleDouble)
+    /// The sign of K − K_c when double-double is certain of it.
+    pub(super) fn certain_transition_sign(&self) -> Option<i8> {
+        certain_sign(&self.transition_margin())
+    }
+
+    /// Both signs when 64-bit, or else double-double, is certain of both.
+    pub(super) fn signs_below_exact(&self) -> Option<Signs> {
+        self.leading().signs(Rung::F64).or_else(|| self.signs(Rung::DoubleDouble))
+    }
+
+    /// The groups themselves.
+    pub(super) fn groups(&self) -> &Groups<Dd> {
+        &self.groups
     }
 
     /// The leading parts.
@@ -105,7 +115,7 @@ pub(super) fn signs(exact: &Groups<Rational>, approximate: Option<&BoundedGroups
 
 /// The signs of a point, by double-double if it is certain and by rationals otherwise.
 pub(super) fn signs_above_f64(exact: &Groups<Rational>, approximate: Option<&BoundedGroups<Dd>>) -> Signs {
-    approximate.and_then(BoundedGroups::certain_signs).unwrap_or_else(|| Signs {
+    approximate.and_then(|groups| groups.signs(Rung::DoubleDouble)).unwrap_or_else(|| Signs {
         transition: transition_sign(exact),
         boundary: boundary_sign(exact),
         rung: Rung::Exact,

@@ -7,14 +7,19 @@ pub mod boundary;
 pub mod curve;
 pub mod cusp;
 mod decision;
+pub mod deviation;
 #[cfg(test)]
 mod fixtures;
+pub mod frequency;
 mod ladder;
 mod logarithm;
+mod parameter_coefficients;
 mod parameter_equation;
+mod quick;
 mod slip_mode;
 mod spectral_class;
 mod spectrum;
+pub mod tolerance;
 pub mod transition;
 
 pub use crate::friction::SlipMode;
@@ -24,5 +29,11 @@ pub use boundary::{BoundaryCurve, BoundaryPoint, Mark, Section};
 pub use curve::Arc;
 pub use decision::{boundary_sign, transition_sign};
 pub use slip_mode::{InertialThreshold, slip_mode};
+pub use quick::classify_quickly;
+pub use slip_mode::{InertialThreshold, SlipMode, slip_mode};
 pub use spectral_class::SpectralClass;
 pub use spectrum::{Classification, classify};
+pub use transition::{
+    critical_normal_stress_pa, critical_stiffness, critical_stiffness_dynamic,
+    critical_stiffness_quasi_static, critical_velocity_m_per_s, critical_velocity_squared, has_transition,
+};

@@ -14,21 +14,11 @@ use std::cmp::Ordering;
 
 use rug::Rational;
 
-use crate::number::{Ball, Field};
+use crate::number::Ball;
 use crate::polynomial::{enclose_root, horner};
 use crate::stability::cusp::cusp;
-use crate::stability::{Arc, ArcFrame};
-
-/// What is given.
-#[derive(Debug, Clone)]
-enum Given {
-    /// g = η/κ.
-    VelocitySquared(Rational),
-    /// The V0 of the corner of the arc's asymptotes: g d² = A²/4 on the upper arc, g A² = 1/(4A²) on the lower one.
-    CornerVelocity,
-    /// κ.
-    StiffnessGroup(Rational),
-}
+use crate::stability::parameter_coefficients::Given;
+use crate::stability::{Arc, ArcFrame, Asymptote};
 
 /// An equation for λ on one arc.
 #[derive(Debug, Clone)]
@@ -52,6 +42,16 @@ impl ParameterEquation {
     /// κ = K D_c/(a σ) is given.
     pub(crate) fn at_stiffness(effect_ratio: &Rational, arc: Arc, stiffness_group: Rational) -> Self {
         Self { effect_ratio: effect_ratio.clone(), arc, given: Given::StiffnessGroup(stiffness_group) }
+    }
+
+    /// The asymptote is off by the relative amount ±`tolerance`, with the sign of its leading error.
+    pub(crate) fn at_error(effect_ratio: &Rational, asymptote: Asymptote, tolerance: Rational) -> Self {
+        let given = if asymptote.is_quasi_static() {
+            Given::QuasiStaticError(tolerance)
+        } else {
+            Given::InertialError(tolerance)
+        };
+        Self { effect_ratio: effect_ratio.clone(), arc: asymptote.arc(), given }
     }
 
     /// All positive solutions, descending, each with a relative radius of at most 2^−bits.
@@ -83,6 +83,8 @@ impl ParameterEquation {
                 let rest = Rational::from(&self.effect_ratio + 1_u32) - kappa;
                 rest > 0 && rest.square() > Rational::from(&self.effect_ratio * 4_u32)
             }
+            // Eq 18 is too large by a factor: the error −1 is reached nowhere.
+            Given::InertialError(tolerance) => *tolerance < 1,
             _ => true,
         }
     }
@@ -143,78 +145,10 @@ impl ParameterEquation {
         horner(self.coefficients(bits), &Ball::from_rational(parameter, bits)).sign()
     }
 
-    /// The equation as a polynomial in λ, by ascending power: positive where λ is too large (upper arc), negative between the
-    /// two solutions (lower arc).
+    /// Left minus right side as a polynomial in λ.
     fn coefficients(&self, precision_bits: u32) -> Vec<Ball> {
         let frame = ArcFrame::of_rational(&self.effect_ratio, precision_bits);
-        let (q, sum) = (&frame.root_ratio, &frame.sum);
-        let rational = |value: &Rational| Ball::from_rational(value, precision_bits);
-        let end = match self.arc {
-            Arc::Upper => frame.difference.clone(),
-            Arc::Lower => sum.clone(),
-        };
-        let end = end.square();
-        let quarter = rational(&Rational::from((1, 4)));
-        match (&self.given, self.arc) {
-            (Given::VelocitySquared(g), arc) => velocity_coefficients(arc, q, sum, &(rational(g) * end)),
-            (Given::CornerVelocity, Arc::Upper) => {
-                velocity_coefficients(Arc::Upper, q, sum, &(sum.square() * quarter))
-            }
-            (Given::CornerVelocity, Arc::Lower) => {
-                velocity_coefficients(Arc::Lower, q, sum, &(quarter / sum.square()))
-            }
-            (Given::StiffnessGroup(kappa), arc) => {
-                stiffness_coefficients(arc, q, sum, &end, &rational(kappa))
-            }
-        }
-    }
-}
-
-/// gd²·λ²P − (1+λ)²B on the upper arc, gA²·(1+λ)²P − λ²B on the lower one; `scaled` is gd² or gA².
-fn velocity_coefficients(arc: Arc, q: &Ball, sum: &Ball, scaled: &Ball) -> Vec<Ball> {
-    let int = |value: i32| Ball::from(value);
-    let linear = int(2) * q;
-    let cubic = [sum.clone(), int(2) * q * sum, int(2) * q.square()];
-    let scaled_cubic = cubic.map(|coefficient| coefficient * scaled);
-    let [s0, s1, s2] = &scaled_cubic;
-    match arc {
-        Arc::Upper => vec![
-            -sum.clone(),
-            -(linear.clone() + int(2) * sum),
-            s0.clone() - (int(2) * &linear + sum),
-            s1.clone() - linear,
-            s2.clone(),
-        ],
-        Arc::Lower => vec![
-            s0.clone(),
-            int(2) * s0 + s1,
-            s0.clone() + int(2) * s1 + s2 - sum,
-            s1.clone() + int(2) * s2 - linear,
-            s2.clone(),
-        ],
-    }
-}
-
-/// d²λP − 2κ(1+λ)(1+qλ)² on the upper arc, A²(1+λ)P − 2κλ(A+qλ)² on the lower one; `end` is d² or A².
-fn stiffness_coefficients(arc: Arc, q: &Ball, sum: &Ball, end: &Ball, kappa: &Ball) -> Vec<Ball> {
-    let int = |value: i32| Ball::from(value);
-    let twice_kappa = int(2) * kappa;
-    let cubic = [sum.clone(), int(2) * q * sum, int(2) * q.square()];
-    let [p0, p1, p2] = &cubic.map(|coefficient| coefficient * end);
-    let q_squared = q.square();
-    match arc {
-        Arc::Upper => vec![
-            -twice_kappa.clone(),
-            p0.clone() - twice_kappa.clone() * (int(1) + int(2) * q),
-            p1.clone() - twice_kappa.clone() * (int(2) * q + &q_squared),
-            p2.clone() - twice_kappa * q_squared,
-        ],
-        Arc::Lower => vec![
-            p0.clone(),
-            p0.clone() + p1 - twice_kappa.clone() * sum.square(),
-            p1.clone() + p2 - int(2) * &twice_kappa * q * sum,
-            p2.clone() - twice_kappa * q_squared,
-        ],
+        self.given.coefficients(self.arc, &frame, precision_bits)
     }
 }
 

@@ -1,10 +1,11 @@
 //! Slip modes: the names the paper gives to areas of the (V0, σ) plane, decided exactly.
 
+use rug::Complete;
+
 use super::SpectralClass;
 use crate::friction::{Groups, SlipMode};
 use crate::number::Rational;
 use crate::roots::Depressed;
-use rug::Complete;
 
 /// From which ω/ω_n on an oscillation is called inertial, ω being the imaginary part of the complex pair.
 ///
@@ -80,19 +81,33 @@ pub(super) fn slip_mode_given(
     class: SpectralClass,
     inertial: impl Fn() -> bool,
 ) -> SlipMode {
-    match class {
-        SpectralClass::StableReal if groups.effect_ratio < 1 && !is_lower_area(groups) => {
-            SlipMode::OverdampedOscillation
+    let upper_area = || Some(groups.effect_ratio < 1 && !is_lower_area(groups));
+    // Both answers are always given, so that no mode is left open.
+    slip_mode_by(class, upper_area, || Some(inertial())).unwrap_or(SlipMode::StickSlip)
+}
+
+/// The table of modes: `upper_area` says whether real roots lie in the upper area of a > b, `inertial` whether the pair
+/// oscillates above the threshold. Each is asked only where it matters; without its answer there is no mode.
+pub(super) fn slip_mode_by(
+    class: SpectralClass,
+    upper_area: impl Fn() -> Option<bool>,
+    inertial: impl Fn() -> Option<bool>,
+) -> Option<SlipMode> {
+    let either = |answer: bool, yes: SlipMode, no: SlipMode| if answer { yes } else { no };
+    Some(match class {
+        SpectralClass::StableReal => {
+            either(upper_area()?, SlipMode::OverdampedOscillation, SlipMode::OverdampedStableSliding)
         }
-        SpectralClass::StableReal => SlipMode::OverdampedStableSliding,
         SpectralClass::UnstableReal => SlipMode::StickSlip,
-        SpectralClass::StableComplex | SpectralClass::Neutral if inertial() => {
-            SlipMode::InertialUnderdampedOscillation
+        SpectralClass::StableComplex | SpectralClass::Neutral => either(
+            inertial()?,
+            SlipMode::InertialUnderdampedOscillation,
+            SlipMode::NonInertialUnderdampedOscillation,
+        ),
+        SpectralClass::UnstableComplex => {
+            either(inertial()?, SlipMode::HarmonicVibration, SlipMode::StickSlip)
         }
-        SpectralClass::StableComplex | SpectralClass::Neutral => SlipMode::NonInertialUnderdampedOscillation,
-        SpectralClass::UnstableComplex if inertial() => SlipMode::HarmonicVibration,
-        SpectralClass::UnstableComplex => SlipMode::StickSlip,
-    }
+    })
 }
 
 /// Whether a point with real roots lies in the lower area, where all of them are below −1.

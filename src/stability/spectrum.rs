@@ -63,7 +63,10 @@ pub fn classify(parameters: &Parameters<Rational>, threshold: &InertialThreshold
         || Depressed::of(&groups.characteristic_cubic()).is_some_and(|cubic| threshold.exceeded_by(&cubic));
     let inertial = || {
         let imaginary = parts.as_ref().map(|parts| parts.imaginary.hi());
-        imaginary.and_then(|p| clearly_inertial(p, &groups, threshold)).unwrap_or_else(exactly_inertial)
+        let natural_squared = groups.stiffness_group.to_f64() / groups.inertial_parameter.to_f64();
+        imaginary
+            .and_then(|p| clearly_inertial(p, natural_squared, threshold))
+            .unwrap_or_else(exactly_inertial)
     };
     Classification {
         transition_sign: signs.transition,
@@ -78,8 +81,11 @@ pub fn classify(parameters: &Parameters<Rational>, threshold: &InertialThreshold
 }
 
 /// Whether ω² > T·κ/η, when 64-bit can tell: ω is known to 5e-15, and the few operations lose less than as much again.
-fn clearly_inertial(omega: f64, groups: &Groups<Rational>, threshold: &InertialThreshold) -> Option<bool> {
-    let natural_squared = groups.stiffness_group.to_f64() / groups.inertial_parameter.to_f64();
+pub(super) fn clearly_inertial(
+    omega: f64,
+    natural_squared: f64,
+    threshold: &InertialThreshold,
+) -> Option<bool> {
     let ratio = omega * omega / (natural_squared * threshold.squared_ratio().to_f64());
     ((ratio - 1.0).abs() > 1e-12).then_some(ratio > 1.0)
 }
@@ -139,6 +145,8 @@ impl LargestParts<Float> {
 mod tests {
     use super::*;
     use crate::number::parse_decimal;
+    use crate::stability::curve;
+    use crate::stability::fixtures::double_root_and_effect_ratio;
     use proptest::prelude::*;
 
     /// Unit a, D_c, V and σ make the groups the parameters: η = M, κ = K, β = b.
@@ -182,19 +190,6 @@ mod tests {
         (1i64..1_000_000, -36i32..31).prop_map(|(n, e)| parse_decimal(&format!("{n}e{e}")).unwrap())
     }
 
-    /// A point of the boundary with rational groups, moved off by a relative 10^-depth in κ.
-    fn beside_boundary(r: (i64, i64), beta: i64, depth: i32) -> Option<Parameters<Rational>> {
-        let (r, beta) = (Rational::from(r), Rational::from((beta, 100)));
-        let next = Rational::from(&r + 1).square();
-        if r.is_zero() || next.is_zero() {
-            return None;
-        }
-        let eta = (beta.clone() - &next) / (next.clone() * &r * 2u32);
-        let kappa = ((r.clone() * 2u32 + 1u32) * &beta - &next) * r / (next * 2u32);
-        let shift = parse_decimal(&format!("1e-{depth}")).unwrap() + 1u32;
-        (eta > 0 && kappa > 0).then(|| with_groups(&eta, &(kappa * shift), &beta))
-    }
-
     proptest! {
         #[test]
         fn promises_hold_for_groups_of_all_sizes(eta in group(), kappa in group(), beta in group()) {
@@ -202,10 +197,11 @@ mod tests {
         }
 
         #[test]
-        fn promises_hold_next_to_the_boundary(n in -4000i64..4000, d in 1i64..400, beta in 1i64..900, depth in 1i32..60) {
-            if let Some(parameters) = beside_boundary((n, d), beta, depth) {
-                assert_promises(&parameters);
-            }
+        fn promises_hold_on_and_next_to_the_boundary((r, beta) in double_root_and_effect_ratio(), depth in 1i32..60) {
+            let (eta, kappa) = (curve::inertial_parameter(&r, &beta), curve::stiffness_group(&r, &beta));
+            assert_promises(&with_groups(&eta, &kappa, &beta));
+            let shift = parse_decimal(&format!("1e-{depth}")).unwrap() + 1u32;
+            assert_promises(&with_groups(&eta, &(kappa * shift), &beta));
         }
 
         #[test]
@@ -225,6 +221,24 @@ mod tests {
         assert_eq!((found.boundary_sign, found.spectral_class), (0, SpectralClass::StableReal));
         assert!(found.max_imaginary_per_s.is_zero());
         assert_eq!(found.max_real_per_s.to_f64(), Some(-3.0));
+    }
+
+    #[test]
+    fn inputs_at_the_ends_of_the_number_grammar_are_classified() {
+        let ends = ["1e-10000", "7", "1e10000"].map(|text| parse_decimal(text).unwrap());
+        // Every input at an end of the grammar in turn, in a fixed pattern of all three.
+        for pattern in 0..9 {
+            let end = |k: usize| ends[(pattern * (k + 1) + k / 3) % 3].clone();
+            assert_promises(&Parameters {
+                direct_effect: end(0),
+                evolution_effect: end(1),
+                critical_slip_distance_m: end(2),
+                stiffness_pa_per_m: end(3),
+                mass_per_area_kg_per_m2: end(4),
+                normal_stress_pa: end(5),
+                loading_velocity_m_per_s: end(6),
+            });
+        }
     }
 
     #[test]

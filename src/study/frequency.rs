@@ -4,7 +4,8 @@ use rayon::prelude::*;
 
 use crate::number::{Rational, Wide};
 use crate::scene::{FrequencySection, SceneParameters};
-use crate::stability::{InertialThreshold, classify, critical_normal_stress_pa};
+use crate::stability::transition::critical_normal_stress_pa;
+use crate::stability::{InertialThreshold, classify};
 use crate::study::map::exactly;
 
 /// One line of constant normal stress.
@@ -40,7 +41,12 @@ pub fn frequency_lines(parameters: &SceneParameters, section: &FrequencySection)
     FrequencyOutcome { loading_velocity_m_per_s: velocities, lines }
 }
 
-fn line(parameters: &SceneParameters, velocities: &[f64], ratio: Rational, stress: Rational) -> FrequencyLine {
+fn line(
+    parameters: &SceneParameters,
+    velocities: &[f64],
+    ratio: Rational,
+    stress: Rational,
+) -> FrequencyLine {
     let threshold = InertialThreshold::default();
     let max_imaginary_per_s = velocities
         .par_iter()

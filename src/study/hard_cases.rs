@@ -103,7 +103,8 @@ fn read_case(file: &str, line: usize, row: &str, columns: &[usize], family: &str
     let cells: Vec<&str> = row.split(',').collect();
     let mut texts = Vec::with_capacity(columns.len());
     for (&column, name) in columns.iter().zip(column_names()) {
-        let missing = || fault(file, line, name, None, Problem::Missing { allowed: "a cell in every column".into() });
+        let missing =
+            || fault(file, line, name, None, Problem::Missing { allowed: "a cell in every column".into() });
         texts.push((name, *cells.get(column).ok_or_else(missing)?));
     }
     let number = |index: usize| {

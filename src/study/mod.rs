@@ -22,6 +22,6 @@ pub use need::{Need, Needs};
 pub use outcome::{Outcome, References, SceneOutcome, effect_ratio};
 pub use plan::{Item, all_needs, plan};
 pub use run::{Progress, inertial_threshold, run};
-pub use sweep::{SweepOutcome, sweep_effect_ratio};
-pub use tolerance::{ToleranceOutcome, tolerance_limits};
+pub use sweep::{SweepOutcome, SweepRow, sweep_effect_ratio};
+pub use tolerance::{ToleranceOutcome, ToleranceRow, tolerance_limits};
 pub use zones::{ThresholdShare, ZonesOutcome, compare_zones};

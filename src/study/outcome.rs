@@ -4,7 +4,10 @@ use std::collections::BTreeMap;
 
 use crate::number::Rational;
 use crate::scene::{Scene, SceneParameters};
-use crate::study::{BoundaryOutcome, FamilyOutcome, FrequencyOutcome, Grid, HardCase, MapPoint, SweepOutcome, ToleranceOutcome, ZonesOutcome};
+use crate::study::{
+    BoundaryOutcome, FamilyOutcome, FrequencyOutcome, Grid, HardCase, MapPoint, SweepOutcome,
+    ToleranceOutcome, ZonesOutcome,
+};
 
 /// Everything computed for one scene; what nobody needed is absent.
 #[derive(Debug, Clone)]

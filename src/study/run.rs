@@ -3,8 +3,8 @@
 use crate::scene::Scene;
 use crate::stability::InertialThreshold;
 use crate::study::{
-    Item, Need, Needs, Outcome, References, SceneOutcome, boundary_outcome, classify_rectangle, compare_hard_cases,
-    compare_zones, frequency_lines, plan, sweep_effect_ratio, tolerance_limits,
+    Item, Need, Needs, Outcome, References, SceneOutcome, boundary_outcome, classify_rectangle,
+    compare_hard_cases, compare_zones, frequency_lines, plan, sweep_effect_ratio, tolerance_limits,
 };
 
 /// Hears of each item that is about to be computed: its id, its number and how many there are.
@@ -41,16 +41,22 @@ fn compute(item: &Item, outcome: &mut SceneOutcome, references: &References) {
                 .map(|(parameters, map)| classify_rectangle(parameters, map, &threshold));
         }
         Need::Boundary => {
-            outcome.boundary = parameters.zip(scene.boundary).map(|(parameters, section)| boundary_outcome(parameters, section));
+            outcome.boundary = parameters
+                .zip(scene.boundary)
+                .map(|(parameters, section)| boundary_outcome(parameters, section));
         }
         Need::Frequency => {
-            outcome.frequency =
-                parameters.zip(scene.frequency.as_ref()).map(|(parameters, section)| frequency_lines(parameters, section));
+            outcome.frequency = parameters
+                .zip(scene.frequency.as_ref())
+                .map(|(parameters, section)| frequency_lines(parameters, section));
         }
-        Need::EffectRatioSweep => outcome.effect_ratio_sweep = scene.effect_ratio_sweep.as_ref().map(sweep_effect_ratio),
+        Need::EffectRatioSweep => {
+            outcome.effect_ratio_sweep = scene.effect_ratio_sweep.as_ref().map(sweep_effect_ratio)
+        }
         Need::Tolerance => {
-            outcome.tolerance =
-                parameters.zip(scene.tolerance.as_ref()).map(|(parameters, section)| tolerance_limits(parameters, section));
+            outcome.tolerance = parameters
+                .zip(scene.tolerance.as_ref())
+                .map(|(parameters, section)| tolerance_limits(parameters, section));
         }
         Need::Zones => {
             // A map of the same rectangle has the exact half already.
@@ -61,7 +67,8 @@ fn compute(item: &Item, outcome: &mut SceneOutcome, references: &References) {
             });
         }
         Need::HardCases => {
-            let cases = scene.hard_cases.as_ref().and_then(|section| references.hard_cases.get(&section.file));
+            let cases =
+                scene.hard_cases.as_ref().and_then(|section| references.hard_cases.get(&section.file));
             outcome.hard_cases = cases.map(|cases| compare_hard_cases(cases));
         }
     }

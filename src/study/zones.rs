@@ -45,7 +45,10 @@ pub fn compare_zones(parameters: &SceneParameters, map: &Grid<MapPoint>) -> Zone
     let simplified = Grid {
         loading_velocity_m_per_s: map.loading_velocity_m_per_s.clone(),
         normal_stress_pa: map.normal_stress_pa.clone(),
-        values: map.points().map(|(velocity, stress, _)| simplified_zone(parameters, velocity, stress)).collect(),
+        values: map
+            .points()
+            .map(|(velocity, stress, _)| simplified_zone(parameters, velocity, stress))
+            .collect(),
     };
     let pairs = || map.values.iter().zip(&simplified.values);
     let disagreeing_areas = pairs().filter(|(point, zone)| area(point.spectral_class) != zone.area()).count();
@@ -98,7 +101,8 @@ impl Zone {
 
 /// The lines of fig 7 in 64 bits: a rounding error could only move a point that lies on a line.
 fn simplified_zone(parameters: &SceneParameters, velocity: f64, stress: f64) -> Zone {
-    let point: Parameters<f64> = parameters.at(exactly(stress), exactly(velocity)).map(|value| value.to_f64());
+    let point: Parameters<f64> =
+        parameters.at(exactly(stress), exactly(velocity)).map(|value| value.to_f64());
     let value = |asymptote: Asymptote| asymptote.value(&point);
     Zone {
         stable: point.stiffness_pa_per_m > critical_stiffness(&point),
@@ -110,7 +114,8 @@ fn simplified_zone(parameters: &SceneParameters, velocity: f64, stress: f64) -> 
 }
 
 fn threshold_shares(parameters: &SceneParameters, map: &Grid<MapPoint>) -> Vec<ThresholdShare> {
-    let natural = (parameters.stiffness_pa_per_m.to_f64() / parameters.mass_per_area_kg_per_m2.to_f64()).sqrt();
+    let natural =
+        (parameters.stiffness_pa_per_m.to_f64() / parameters.mass_per_area_kg_per_m2.to_f64()).sqrt();
     let ratios: Vec<f64> = map
         .values
         .iter()
@@ -123,7 +128,12 @@ fn threshold_shares(parameters: &SceneParameters, map: &Grid<MapPoint>) -> Vec<T
         .iter()
         .map(|&frequency_ratio| {
             let inertial = above(frequency_ratio);
-            ThresholdShare { frequency_ratio, oscillating: ratios.len(), inertial, moved: inertial.abs_diff(default) }
+            ThresholdShare {
+                frequency_ratio,
+                oscillating: ratios.len(),
+                inertial,
+                moved: inertial.abs_diff(default),
+            }
         })
         .collect()
 }

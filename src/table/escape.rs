@@ -21,11 +21,14 @@ pub fn escape_markdown(text: &str) -> String {
 #[must_use]
 pub fn escape_cell(text: &str) -> String {
     let mut escaped = String::with_capacity(text.len());
-    for c in text.trim().chars() {
+    let mut characters = text.trim().chars().peekable();
+    while let Some(c) = characters.next() {
         match c {
             '\n' | '\r' | '\t' => escaped.push(' '),
-            '\\' | '`' | '*' | '_' | '[' | ']' | '<' | '>' | '|' | '~' | '$' | '#' | '&' | '!' | '{'
-            | '}' => {
+            '&' if !characters.peek().is_some_and(|next| next.is_alphanumeric() || *next == '#') => {
+                escaped.push(c)
+            }
+            '\\' | '`' | '*' | '_' | '[' | ']' | '<' | '>' | '|' | '~' | '$' | '#' | '&' => {
                 escaped.push('\\');
                 escaped.push(c);
             }
@@ -54,6 +57,7 @@ mod tests {
         assert_eq!(escape_markdown("<img src=x>"), r"\<img src=x\>");
         assert_eq!(escape_markdown("[x](javascript:y)"), r"\[x\](javascript:y)");
         assert_eq!(escape_markdown("two\nlines"), "two lines");
+        assert_eq!(escape_markdown("a & b &lt; &#60;"), r"a & b \&lt; \&\#60;");
     }
 
     #[test]

@@ -65,7 +65,8 @@ pub fn count(equations: &PaperEquations, effects: Effects) -> Result<Areas, Refu
     };
     let real_areas = 1 + usize::from(upper != Upper::Absent);
     let statement = format!(
-        "For {} the (V, σ) plane has {real_areas} separate area(s) with max Im(s) = 0: a stable one at low σ, {}.",
+        "For {} the (V, σ) plane has {real_areas} separate area(s) with max Im(s) = 0: a \
+             stable one at low σ, {}.",
         effects.as_str(),
         upper.as_str()
     );
@@ -99,12 +100,12 @@ impl Upper {
 fn separate(proof: Proof) -> Proof {
     proof
         .reason(
-            "The sets are closed in the open quadrant and disjoint (in one two roots exceed −1, in the other none), so they \
-             are separate areas; outside them a pair is complex.",
+            "The sets are closed in the open quadrant and disjoint (in one two roots exceed −1, \
+             in the other none), so they are separate areas; outside them a pair is complex.",
         )
         .reason(
-            "(η, κ) ↔ (V0, σ) by σ = K D_c/(a κ), V0² = η σ a D_c/M maps the open quadrants continuously onto each other, \
-             both ways.",
+            "(η, κ) ↔ (V0, σ) by σ = K D_c/(a κ), V0² = η σ a D_c/M maps the open quadrants \
+             continuously onto each other, both ways.",
         )
 }
 
@@ -161,7 +162,8 @@ fn upper_area(proof: Proof, effects: Effects) -> Result<(Proof, Upper), Refutati
     let sign = case.sign(&slope).map_err(|error| proof.refute("g'(0) has a sign", &[], error.to_string()))?;
     let Some(sign) = sign else {
         let proof = proof.identity("g'(0)", &[], &slope, &formula("0"), &case)?.reason(
-            "So the greatest value of g right of −1 is g(0) = 0: no root there for any κ > 0, and no upper area.",
+            "So the greatest value of g right of −1 is g(0) = 0: no root there for any κ > 0, and \
+             no upper area.",
         );
         return Ok((proof, Upper::Absent));
     };
@@ -176,9 +178,9 @@ fn upper_area(proof: Proof, effects: Effects) -> Result<(Proof, Upper), Refutati
 
 fn concave(roots: &str) -> String {
     format!(
-        "g → −∞ at both ends of (−1, ∞), so it has one greatest value m(η) > 0, continuous in η, and takes each value κ in \
-         (0, m) twice. Two roots right of −1 exist exactly for 0 < κ ≤ m(η): a connected area for all η > 0, in which these \
-         roots are {roots}."
+        "g → −∞ at both ends of (−1, ∞), so it has one greatest value m(η) > 0, continuous in \
+             η, and takes each value κ in (0, m) twice. Two roots right of −1 exist exactly for 0 \
+             < κ ≤ m(η): a connected area for all η > 0, in which these roots are {roots}."
     )
 }
 
@@ -196,21 +198,31 @@ fn lower_area(proof: Proof) -> Result<Proof, Refutation> {
     let below_half = formula("1/2") - threshold.clone();
     let cusp = formula("x^3/(3*x + 2)").derivative(&x);
     let proof = proof
-        .certify("G''' < 0: G' is strictly concave", &[], Certificate::Sign { expression: third, sign: -1, domain: positive.clone() })?
+        .certify(
+            "G''' < 0: G' is strictly concave",
+            &[],
+            Certificate::Sign { expression: third, sign: -1, domain: positive.clone() },
+        )?
         .identity("G' is 2(1 + x)(e(x) − η) with e(x) = (1 − β/x²)/(2(1 + x))", &[], &slope, &factor, &free)?
         .positive("e(x) < 1/2, so that G' < 0 throughout for η ≥ 1/2", &[], &below_half, &positive)?
         .identity("slope of e", &[], &threshold.derivative(&x), &threshold_slope, &free)?
-        .positive("x³/(3x + 2) rises from 0 without limit: e has one greatest value η_c, rising before it and falling after", &[], &cusp, &positive)?
+        .positive(
+            "x³/(3x + 2) rises from 0 without limit: e has one greatest value η_c, rising before \
+             it and falling after",
+            &[],
+            &cusp,
+            &positive,
+        )?
         .positive("G > 0 where G' = 0", &[], &stationary, &positive)?;
     Ok(proof
         .reason(
-            "So for η > η_c there is one root left of −1, and for 0 < η ≤ η_c G has a least value at x1(η) and a greatest at \
-             x2(η), both continuous in η and equal at η_c only; three roots left of −1 exist exactly for \
-             G(x1) ≤ κ ≤ G(x2), all κ > 0: one connected area, with η < 1/2, stable because all roots are below −1, closed by \
-             one cusp at η_c.",
+            "So for η > η_c there is one root left of −1, and for 0 < η ≤ η_c G has a least value \
+             at x1(η) and a greatest at x2(η), both continuous in η and equal at η_c only; three \
+             roots left of −1 exist exactly for G(x1) ≤ κ ≤ G(x2), all κ > 0: one connected area, \
+             with η < 1/2, stable because all roots are below −1, closed by one cusp at η_c.",
         )
         .reason(
-            "F(−1) > 0 puts an odd number of roots left of −1: three, or one with the other two both right of −1 or complex. \
-             So all roots are real exactly in these sets.",
+            "F(−1) > 0 puts an odd number of roots left of −1: three, or one with the other two \
+             both right of −1 or complex. So all roots are real exactly in these sets.",
         ))
 }

@@ -56,7 +56,7 @@ fn quasi_static(
         .ok_or_else(|| {
             proof.refute("σ is proportional to K", &[number], Expression::from(&ratio).to_string())
         })?;
-    let [eta, kappa] = [&curve.inertial_parameter, &curve.stiffness_group].map(|part| in_root(part));
+    let [eta, kappa] = [&curve.inertial_parameter, &curve.stiffness_group].map(in_root);
     let error = ["w - 1", "-w - 1"].into_iter().find_map(|start| {
         let start = Domain::default().rational_function(&formula(start)).ok()?;
         let root = inverse_series(&eta, start, length)?;
@@ -167,7 +167,7 @@ fn finish(
     error: &Series,
 ) -> Result<AsymptoteSeries, Refutation> {
     let relation = without_powers(&rational(&proof, &["8"], relation, &Domain::default())?);
-    let coefficients: Vec<Expression> = error.coefficients().iter().map(Expression::from).collect();
+    let coefficients: Vec<Expression> = error.coefficients().iter().map(with_short_denominator).collect();
     let certificate = Certificate::Series {
         relation: Expression::from(&relation),
         variable: "x".to_owned(),
@@ -176,7 +176,8 @@ fn finish(
     };
     let proof = proof
         .reason(format!(
-            "y is the error of \"{}\", derived along the boundary's parametrisation by its double root.",
+            "y is the error of \"{}\", derived along the boundary's parametrisation by its double \
+             root.",
             equations.equation(number)
         ))
         .certify(
@@ -185,6 +186,18 @@ fn finish(
             certificate,
         )?;
     Ok(AsymptoteSeries { equation: number, quantity, variable, coefficients, proof })
+}
+
+/// The coefficient as an expression, a denominator that is a power of β − 1 written as one.
+fn with_short_denominator(coefficient: &RationalFunction) -> Expression {
+    let whole = Expression::from(coefficient);
+    let degree = coefficient.denominator().degree(&Symbol::new("beta"));
+    let distance = &Polynomial::variable("beta") - &Polynomial::one();
+    // Denominators in lowest terms have leading coefficient 1, so equality is all there is to check.
+    if degree == 0 || distance.pow(degree) != *coefficient.denominator() {
+        return whole;
+    }
+    Expression::from(coefficient.numerator()) / formula("beta - 1").power(degree as i32)
 }
 
 /// The numerator without powers of x as a factor.

@@ -73,7 +73,8 @@ pub fn prove(equations: &PaperEquations) -> Result<Proof, Refutation> {
     Proof::new(
         "boundary-curve",
         format!(
-            "Eq 8 has a double root r exactly for η = {eta}, κ = {kappa}; the third root is {}; dκ/dη = −r².",
+            "Eq 8 has a double root r exactly for η = {eta}, κ = {kappa}; the third root is {}; \
+             dκ/dη = −r².",
             Expression::from(&curve.third_root)
         ),
     )
@@ -86,7 +87,10 @@ pub fn prove(equations: &PaperEquations) -> Result<Proof, Refutation> {
         &formula("-2*r*(r + 1)^2"),
         &free,
     )?
-    .reason("With β, κ > 0 no root is −1 or 0, so the determinant is not zero: r determines η and κ.")
+    .reason(
+        "With β, κ > 0 no root is −1 or 0, so the determinant is not zero: r determines η and \
+             κ.",
+    )
     .identity("F on the curve", &["8"], &f, &product, &on_curve)?
     .identity("dκ/dr = −r² dη/dr", &[], &envelope, &zero, &free)?
     .identity(
@@ -133,18 +137,31 @@ pub fn cusp(equations: &PaperEquations) -> Result<Proof, Refutation> {
     )?;
     let proof = Proof::new(
         "cusp",
-        "The boundary has exactly one cusp for each β > 0: the triple root r = −1 − x with β = x³/(3x + 2), η = 1/(3x + 2) < 1/2, \
-         κ = (1 + x)³/(3x + 2). At a = b: r = −3, η = 1/8, κ = 27/8.",
+        "The boundary has exactly one cusp for each β > 0: the triple root r = −1 − x with β \
+             = x³/(3x + 2), η = 1/(3x + 2) < 1/2, κ = (1 + x)³/(3x + 2). At a = b: r = −3, η = \
+             1/8, κ = 27/8.",
     )
     .identity("F is η (p + 1 + x)³ there", &["8"], &f, &formula("eta*(p + 1 + x)^3"), &at_cusp)?
-    .identity("second derivative at the triple root", &["8"], &second.with("p", &formula("-1 - x")), &formula("0"), &at_cusp)?
-    .identity("dη/dr vanishes where (r + 1)³ = β (3r + 1)", &["8"], &eta_slope, &(quotient * condition), &Domain::default())?
+    .identity(
+        "second derivative at the triple root",
+        &["8"],
+        &second.with("p", &formula("-1 - x")),
+        &formula("0"),
+        &at_cusp,
+    )?
+    .identity(
+        "dη/dr vanishes where (r + 1)³ = β (3r + 1)",
+        &["8"],
+        &eta_slope,
+        &(quotient * condition),
+        &Domain::default(),
+    )?
     .positive("β rises with x, from 0 without limit: one x for each β", &[], &slope, &Domain::positive("x"))?
     .positive("1/2 − η", &[], &formula("1/2 - 1/(3*x + 2)"), &Domain::positive("x"))?
     .identity("β at x = 2", &[], &ratio.with("x", &formula("2")), &formula("1"), &Domain::default())?;
     Ok(proof.reason(
-        "Conversely a triple root r has the sum 3r = −(1 + η)/η, so 3r + 1 = −1/η < 0; it is a double root at which \
-         dη/dr vanishes, and (r + 1)³ = β (3r + 1) < 0 makes r < −1.",
+        "Conversely a triple root r has the sum 3r = −(1 + η)/η, so 3r + 1 = −1/η < 0; it is \
+             a double root at which dη/dr vanishes, and (r + 1)³ = β (3r + 1) < 0 makes r < −1.",
     ))
 }
 
@@ -158,7 +175,8 @@ pub fn transition_avoids(equations: &PaperEquations) -> Result<Proof, Refutation
     let domain = Domain::positive("eta d").with("beta", formula("1 + d"));
     Proof::new(
         "transition-avoids-boundary",
-        "For a < b the roots on K = K_c are never all real: K = K_c does not meet the boundary.",
+        "For a < b the roots on K = K_c are never all real: K = K_c does not meet the \
+             boundary.",
     )
     .positive(
         "minus the discriminant at κ = (β − 1)(1 + η), β = 1 + d",

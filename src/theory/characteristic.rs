@@ -19,7 +19,8 @@ pub fn prove(equations: &PaperEquations) -> Result<Proof, Refutation> {
     let motion = linearised(equations, &motion(equations, &equations.right("1")));
     let mut proof = Proof::new(
         "characteristic-polynomial",
-        "Perturbations proportional to e^(st) exist exactly for the roots s of eq 8, for both evolution laws.",
+        "Perturbations proportional to e^(st) exist exactly for the roots s of eq 8, for both \
+             evolution laws.",
     );
     for law in Law::ALL {
         let evolution = linearised(equations, &evolution(equations, law));
@@ -59,11 +60,33 @@ pub fn dimensionless(equations: &PaperEquations) -> Result<Proof, Refutation> {
         .with("eta", &Expression::from(&groups.inertial_parameter))
         .with("kappa", &Expression::from(&groups.stiffness_group))
         .with("beta", &Expression::from(&groups.effect_ratio));
-    Proof::new("dimensionless-groups", "With s = p V_0/D_c, η = M V_0²/(σ a D_c), κ = K D_c/(a σ) and β = b/a, eq 8 is η p³ + (1 + η) p² + (κ + 1 − β) p + κ = 0.")
-        .identity("η of the text", &["inertial-parameter"], &Expression::from(&groups.inertial_parameter), &equations.right("inertial-parameter"), &any())?
-        .identity("eq 8 times D_c²/(a V_0) against the program's dimensionless cubic", &["8"], &scaled, &cubic, &any())?
-        .identity("the same cubic written in η, κ, β", &["8"], &scaled, &named, &any())?
-        .identity("eq 8 times σ against the program's cubic in s", &["8"], &(equations.residual("8") * formula("sigma")), &physical, &any())
+    Proof::new(
+        "dimensionless-groups",
+        "With s = p V_0/D_c, η = M V_0²/(σ a D_c), κ = K D_c/(a σ) and β = b/a, eq 8 is η p³ \
+             + (1 + η) p² + (κ + 1 − β) p + κ = 0.",
+    )
+    .identity(
+        "η of the text",
+        &["inertial-parameter"],
+        &Expression::from(&groups.inertial_parameter),
+        &equations.right("inertial-parameter"),
+        &any(),
+    )?
+    .identity(
+        "eq 8 times D_c²/(a V_0) against the program's dimensionless cubic",
+        &["8"],
+        &scaled,
+        &cubic,
+        &any(),
+    )?
+    .identity("the same cubic written in η, κ, β", &["8"], &scaled, &named, &any())?
+    .identity(
+        "eq 8 times σ against the program's cubic in s",
+        &["8"],
+        &(equations.residual("8") * formula("sigma")),
+        &physical,
+        &any(),
+    )
 }
 
 /// The parameters as symbols.

@@ -17,11 +17,17 @@ pub fn inertial_parameter(equations: &PaperEquations) -> Result<Proof, Refutatio
     let threshold = formula("1/2 - (1 - beta/x^2)/(2*(1 + x))");
     let proof = Proof::new(
         "inertial-parameter-criterion",
-        "η > 1 (indeed η ≥ 1/2) excludes the lower real area: in the stable zone of a < b it is sufficient for a complex pair. \
-         It is not necessary there, and not sufficient in the upper real area, which exists at every η for a ≠ b.",
+        "η > 1 (indeed η ≥ 1/2) excludes the lower real area: in the stable zone of a < b it \
+             is sufficient for a complex pair. It is not necessary there, and not sufficient in \
+             the upper real area, which exists at every η for a ≠ b.",
     )
     .using(transition::stability(equations)?)
-    .positive("three roots left of −1 need η ≤ e(x) = (1 − β/x²)/(2(1 + x)) < 1/2 for some x > 0", &[], &threshold, &Domain::positive("beta x"))?;
+    .positive(
+        "three roots left of −1 need η ≤ e(x) = (1 − β/x²)/(2(1 + x)) < 1/2 for some x > 0",
+        &[],
+        &threshold,
+        &Domain::positive("beta x"),
+    )?;
     let proof = at_point(
         proof,
         "K − K_c (in units of aσ/D_c) at a stable point with η = 1/10",
@@ -85,14 +91,25 @@ pub fn slip_distance_and_stiffness(equations: &PaperEquations) -> Result<Proof, 
     let falls = -slope;
     Proof::new(
         "slip-distance-and-stiffness",
-        "The velocity of eq 20 is the same for every D_c and b and falls with K; η contains D_c and not K. The exact boundary \
-         depends on D_c: eq 20 is its limit for K D_c ≫ a σ.",
+        "The velocity of eq 20 is the same for every D_c and b and falls with K; η contains \
+             D_c and not K.",
     )
-    .identity("velocity of eq 20 with another D_c", &["20"], &velocity, &other(&velocity, "D_c", "d"), &domain)?
+    .identity(
+        "velocity of eq 20 with another D_c",
+        &["20"],
+        &velocity,
+        &other(&velocity, "D_c", "d"),
+        &domain,
+    )?
     .identity("velocity of eq 20 with another b", &["20"], &velocity, &other(&velocity, "b", "d"), &domain)?
     .positive("minus its slope in K", &["20"], &falls, &domain)?
     .identity("η with another stiffness", &["inertial-parameter"], &eta, &other(&eta, "K", "d"), &any())?
-    .positive("minus the slope of η in D_c", &["inertial-parameter"], &(-eta.derivative(&Symbol::new("D_c"))), &any())
+    .positive(
+        "minus the slope of η in D_c",
+        &["inertial-parameter"],
+        &(-eta.derivative(&Symbol::new("D_c"))),
+        &any(),
+    )
 }
 
 fn with_roots(domain: Domain) -> Domain {
@@ -129,8 +146,8 @@ pub fn all_parameters(equations: &PaperEquations) -> Result<Proof, Refutation> {
     let changes = [("a", "11/10"), ("b", "8/5"), ("D_c", "5")];
     let proof = Proof::new(
         "vibration-depends-on-all",
-        "The exact boundary depends on each of a, b and D_c: at a point of it, changing any one of them alone leaves the boundary. \
-         Its asymptote eq 20 contains a only.",
+        "The exact boundary depends on each of a, b and D_c: at a point of it, changing any \
+             one of them alone leaves the boundary. Its asymptote eq 20 contains a only.",
     );
     let at = |name: &str, value: &str| -> Vec<(String, Expression)> {
         let pick = |known: &str, kept: &str| if known == name { formula(value) } else { formula(kept) };

@@ -3,72 +3,8 @@
 use std::collections::BTreeMap;
 use std::fmt;
 
-use serde::Deserialize;
-
+use super::reading;
 use crate::polynomial::{Domain, Expression};
-
-/// Every equation that must be there, with the name that stands alone on its left side, if one does.
-const REQUIRED: [(&str, Option<&str>); 28] = [
-    ("1", Some("mu")),
-    ("2", Some("theta'")),
-    ("3", Some("theta'")),
-    ("4", None),
-    ("5", None),
-    ("6", None),
-    ("7", None),
-    ("8", None),
-    ("9", Some("K_c")),
-    ("10", Some("K_c_qs")),
-    ("11", Some("K_c_dyn")),
-    ("12", Some("sigma_c")),
-    ("13", Some("V_c")),
-    ("14", None),
-    ("15", Some("sigma")),
-    ("16", Some("sigma")),
-    ("17", None),
-    ("18", None),
-    ("19", None),
-    ("20", None),
-    ("21", None),
-    ("22", None),
-    ("23", Some("s")),
-    ("steady-state", Some("theta_ss")),
-    ("steady-friction", Some("mu_ss")),
-    ("natural-frequency", Some("omega_n")),
-    ("inertial-parameter", Some("eta")),
-    ("regularised", Some("mu")),
-];
-
-/// The variables that may occur, without primes.
-const VARIABLES: [&str; 27] = [
-    "a",
-    "b",
-    "D_c",
-    "K",
-    "M",
-    "sigma",
-    "V",
-    "V_0",
-    "theta",
-    "mu_0",
-    "mu",
-    "t",
-    "s",
-    "i",
-    "pm",
-    "delta",
-    "Delta_delta",
-    "Delta_theta",
-    "K_c",
-    "K_c_qs",
-    "K_c_dyn",
-    "sigma_c",
-    "V_c",
-    "theta_ss",
-    "mu_ss",
-    "omega_n",
-    "eta",
-];
 
 /// One equation of the paper.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -141,30 +77,6 @@ pub struct PaperEquations {
     positive: Vec<String>,
 }
 
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct File {
-    assumptions: Assumptions,
-    #[serde(default)]
-    equation: Vec<Entry>,
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct Assumptions {
-    positive: Vec<String>,
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct Entry {
-    number: String,
-    equation: String,
-    printed: Option<String>,
-    #[serde(default)]
-    note: String,
-}
-
 impl PaperEquations {
     /// Reads a file of equations (TOML text).
     ///
@@ -172,29 +84,8 @@ impl PaperEquations {
     /// All faults at once: TOML that does not parse, unknown keys, missing, repeated or unknown numbers, text outside
     /// the grammar, unknown variables, a left side that should be one name and is not.
     pub fn parse(text: &str) -> Result<Self, EquationsError> {
-        let file: File = toml::from_str(text).map_err(|error| EquationsError {
-            faults: vec![EquationFault { key: String::new(), message: error.to_string() }],
-        })?;
-        let mut faults = assumption_faults(&file.assumptions);
-        let mut equations = BTreeMap::new();
-        for entry in file.equation {
-            let key = format!("equation {}", entry.number);
-            match read_entry(entry) {
-                Ok(equation) if equations.contains_key(&equation.number) => {
-                    faults.push(EquationFault { key, message: "stands twice".to_owned() });
-                }
-                Ok(equation) => {
-                    equations.insert(equation.number.clone(), equation);
-                }
-                Err(message) => faults.push(EquationFault { key, message }),
-            }
-        }
-        faults.extend(missing(&equations, &faults));
-        if faults.is_empty() {
-            Ok(Self { equations, positive: file.assumptions.positive })
-        } else {
-            Err(EquationsError { faults })
-        }
+        let (equations, positive) = reading::read(text)?;
+        Ok(Self { equations, positive })
     }
 
     /// The equation of this number.
@@ -208,7 +99,7 @@ impl PaperEquations {
 
     /// All equations: the numbered ones in order, then the named ones.
     pub fn iter(&self) -> impl Iterator<Item = &Equation> {
-        REQUIRED.iter().map(|(number, _)| self.equation(number))
+        reading::REQUIRED.iter().map(|(number, _)| self.equation(number))
     }
 
     /// The right side of the equation of this number.
@@ -237,72 +128,12 @@ impl PaperEquations {
         };
         let known =
             self.equations.get(number).ok_or_else(|| fault("there is no such equation".to_owned()))?;
-        let entry = Entry {
-            number: number.to_owned(),
-            equation: text.to_owned(),
-            printed: None,
-            note: String::new(),
-        };
-        let mut changed = read_entry(entry).map_err(fault)?;
+        let mut changed = reading::read_equation(number, text).map_err(fault)?;
         changed.printed.clone_from(&known.printed);
         let mut altered = self.clone();
         altered.equations.insert(number.to_owned(), changed);
         Ok(altered)
     }
-}
-
-/// The assumptions that every derivation makes must be among those of the file.
-fn assumption_faults(assumptions: &Assumptions) -> Vec<EquationFault> {
-    let fault = |message| EquationFault { key: "assumptions.positive".to_owned(), message };
-    let known = |name: &&String| !VARIABLES.contains(&name.as_str());
-    let unknown = assumptions
-        .positive
-        .iter()
-        .filter(known)
-        .map(|name| format!("'{name}' is not a variable of the paper"));
-    let needed = ["a", "b", "D_c", "K", "M", "sigma", "V", "V_0", "theta", "mu_0"];
-    let absent = needed.iter().filter(|name| !assumptions.positive.iter().any(|known| known == *name));
-    unknown.chain(absent.map(|name| format!("'{name}' must be positive"))).map(fault).collect()
-}
-
-fn read_entry(entry: Entry) -> Result<Equation, String> {
-    let Some((_, name)) = REQUIRED.iter().find(|(number, _)| *number == entry.number) else {
-        return Err("is not an equation of the paper (1 to 23, or one of its named ones)".to_owned());
-    };
-    let (left, right) = read_sides(&entry.equation)?;
-    if let Some(name) = name.filter(|name| left != Expression::variable(name)) {
-        return Err(format!("the left side must be {name}, not {left}"));
-    }
-    let printed =
-        entry.printed.as_deref().map(read_sides).transpose().map_err(|error| format!("printed: {error}"))?;
-    Ok(Equation { number: entry.number, left, right, printed, note: entry.note })
-}
-
-fn read_sides(text: &str) -> Result<(Expression, Expression), String> {
-    let sides: Vec<&str> = text.split('=').collect();
-    let [left, right] = sides[..] else {
-        return Err(format!("needs one '=' but has {}: {text}", sides.len() - 1));
-    };
-    Ok((read_side(left, "left")?, read_side(right, "right")?))
-}
-
-fn read_side(text: &str, side: &str) -> Result<Expression, String> {
-    let expression: Expression =
-        text.trim().parse().map_err(|error| format!("{side} side '{}', {error}", text.trim()))?;
-    match expression.variables().iter().find(|name| !VARIABLES.contains(&name.base())) {
-        Some(name) => Err(format!("{side} side: '{name}' is not a variable of the paper")),
-        None => Ok(expression),
-    }
-}
-
-fn missing(equations: &BTreeMap<String, Equation>, faults: &[EquationFault]) -> Vec<EquationFault> {
-    let keys = REQUIRED
-        .iter()
-        .filter(|(number, _)| !equations.contains_key(*number))
-        .map(|(number, _)| format!("equation {number}"));
-    keys.filter(|key| !faults.iter().any(|fault| fault.key == *key))
-        .map(|key| EquationFault { key, message: "is missing".to_owned() })
-        .collect()
 }
 
 #[cfg(test)]
@@ -317,7 +148,7 @@ pub(super) mod tests {
 
     #[test]
     fn all_equations_of_the_paper_are_read() {
-        assert_eq!(paper().iter().count(), REQUIRED.len());
+        assert_eq!(paper().iter().count(), 28);
         assert!(paper().equation("7").printed.is_some());
     }
 

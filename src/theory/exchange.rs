@@ -70,8 +70,9 @@ fn exchange(equations: &PaperEquations, number: &'static str) -> Result<Exchange
 pub fn frequency_contours(equations: &PaperEquations) -> Result<Proof, Refutation> {
     let proof = Proof::new(
         "frequency-contours-under-exchange",
-        "Exchanging a and b changes the frequency contours. Without inertia each angular frequency is multiplied by a/b, so \
-         only the contour of frequency zero stays; with inertia that one moves as well. Both maps tend to ω_n at high velocity.",
+        "Exchanging a and b changes the frequency contours. Without inertia each angular \
+             frequency is multiplied by a/b, so only the contour of frequency zero stays; with \
+             inertia that one moves as well. Both maps tend to ω_n at high velocity.",
     );
     let [c0, c1, c2]: [Expression; 3] = coefficients(&proof, &["14"], &equations.residual("14"), "s")?;
     let square = (formula("4") * c2.clone() * c0 - c1.power(2)) / (formula("4") * c2.power(2));
@@ -90,7 +91,8 @@ pub fn frequency_contours(equations: &PaperEquations) -> Result<Proof, Refutatio
             &any(),
         )?
         .certify(
-            "discriminant of eq 8 (times σ) at a point of the boundary, before and after the exchange",
+            "discriminant of eq 8 (times σ) at a point of the boundary, before and after the \
+             exchange",
             &["8"],
             certificate,
         )

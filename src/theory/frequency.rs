@@ -16,18 +16,38 @@ pub fn bounded(equations: &PaperEquations) -> Result<Proof, Refutation> {
     let natural = equations.right("natural-frequency").power(2);
     let proof = Proof::new(
         "frequency-bound",
-        "Eq 8 always has a real root −u V0/D_c with u > 1, and a complex pair obeys |s|² = ω_n²/u < ω_n²: the angular \
-         frequency never reaches ω_n, at any parameters.",
+        "Eq 8 always has a real root −u V0/D_c with u > 1, and a complex pair obeys |s|² = \
+             ω_n²/u < ω_n²: the angular frequency never reaches ω_n, at any parameters.",
     )
     .positive("eq 8 at s = −V0/D_c", &["8"], &at_rate, &any())?;
     let [c0, _, _, c3]: [Expression; 4] = coefficients(&proof, &["8"], &eq8, "s")?;
     let proof = proof
         .positive("its leading coefficient", &["8"], &c3, &any())?
-        .reason("Positive there and negative far to the left, it has a real root −u V0/D_c with u > 1; let T and Q be the sum and product of the other two.")
-        .identity("constant coefficient of the product of factors", &[], &roots.with("s", &formula("0")), &formula("M*u*V_0*Q/(sigma*D_c)"), &any())?
-        .identity("so Q = K/(M u) makes it that of eq 8", &["8"], &formula("M*u*V_0*Q/(sigma*D_c)").with("Q", &modulus), &c0, &any())?
+        .reason(
+            "Positive there and negative far to the left, it has a real root −u V0/D_c with u > \
+             1; let T and Q be the sum and product of the other two.",
+        )
+        .identity(
+            "constant coefficient of the product of factors",
+            &[],
+            &roots.with("s", &formula("0")),
+            &formula("M*u*V_0*Q/(sigma*D_c)"),
+            &any(),
+        )?
+        .identity(
+            "so Q = K/(M u) makes it that of eq 8",
+            &["8"],
+            &formula("M*u*V_0*Q/(sigma*D_c)").with("Q", &modulus),
+            &c0,
+            &any(),
+        )?
         .identity("ω_n²/u", &["natural-frequency"], &(natural / formula("u")), &modulus, &any())?
-        .positive("1 − 1/u for u = 1 + w", &[], &formula("1 - 1/u"), &Domain::positive("w").with("u", formula("1 + w")))?;
+        .positive(
+            "1 − 1/u for u = 1 + w",
+            &[],
+            &formula("1 - 1/u"),
+            &Domain::positive("w").with("u", formula("1 + w")),
+        )?;
     Ok(proof.reason("A complex pair has |s|² = Q, and Im(s)² ≤ |s|²."))
 }
 
@@ -45,8 +65,9 @@ pub fn limits(equations: &PaperEquations) -> Result<Proof, Refutation> {
     let zero = formula("0");
     Proof::new(
         "natural-frequency-limits",
-        "Eq 8 tends to eq 21 as V0 → ∞ (times σ D_c/V0; the third root goes to −∞) and to eq 22 as σ → 0 (times σ); \
-         s = ±i√(K/M) solves both, and the third root of eq 22 is −V0/D_c.",
+        "Eq 8 tends to eq 21 as V0 → ∞ (times σ D_c/V0; the third root goes to −∞) and to eq \
+             22 as σ → 0 (times σ); s = ±i√(K/M) solves both, and the third root of eq 22 is \
+             −V0/D_c.",
     )
     .limit("eq 8 times σ D_c/V0 as V0 → ∞", &["8", "21"], &fast, ("V_0", Toward::Infinity), &eq21, &any())?
     .limit("eq 8 times σ as σ → 0", &["8", "22"], &light, ("sigma", Toward::Zero), &eq22, &any())?
@@ -73,16 +94,40 @@ pub fn low_frequency_zone(equations: &PaperEquations) -> Result<Proof, Refutatio
         .with("kappa", formula("(1 + e)/2 - d"));
     let proof = Proof::new(
         "low-frequency-zone",
-        "On K = K_c, (ω/ω_n)² = η/(1 + η): one half at η = 1, a line that crosses σ = σ_c at V0 = V_c, where eq 23 equals \
-         ω_n. Everywhere left of eq 20 with η < 1/2 a complex pair has (ω/ω_n)² < 2η: the low-frequency zone is η ≪ 1.",
+        "On K = K_c, (ω/ω_n)² = η/(1 + η): one half at η = 1, a line that crosses σ = σ_c at \
+             V0 = V_c, where eq 23 equals ω_n. Everywhere left of eq 20 with η < 1/2 a complex \
+             pair has (ω/ω_n)² < 2η: the low-frequency zone is η ≪ 1.",
     )
-    .identity("(ω/ω_n)² on K = K_c", &["9", "23", "inertial-parameter"], &ratio, &(eta.clone() / (formula("1") + eta)), &crossing())?
-    .identity("eq 23 at V0 = V_c is ω_n", &["13", "23", "natural-frequency"], &meeting, &natural.power(2), &domain)?
+    .identity(
+        "(ω/ω_n)² on K = K_c",
+        &["9", "23", "inertial-parameter"],
+        &ratio,
+        &(eta.clone() / (formula("1") + eta)),
+        &crossing(),
+    )?
+    .identity(
+        "eq 23 at V0 = V_c is ω_n",
+        &["13", "23", "natural-frequency"],
+        &meeting,
+        &natural.power(2),
+        &domain,
+    )?
     .identity("η at V0 = V_c, σ = σ_c", &["12", "13", "inertial-parameter"], &corner, &formula("1"), &domain)?
-    .identity("eq 20 in groups is 4ηκ = 1", &["20"], &in_groups(&equations.equation("20").left.clone().power(2)), &formula("4*eta*kappa"), &Domain::positive("eta kappa"))?
-    .positive("F(−1/(2η)) for η = 1/(2(1 + e)) and κ = 1/(4η) − d, d > 0", &["8"], &probe, &left_of_eq20)?;
+    .identity(
+        "eq 20 in groups is 4ηκ = 1",
+        &["20"],
+        &in_groups(&equations.equation("20").left.clone().power(2)),
+        &formula("4*eta*kappa"),
+        &Domain::positive("eta kappa"),
+    )?
+    .positive(
+        "F(−1/(2η)) for η = 1/(2(1 + e)) and κ = 1/(4η) − d, d > 0",
+        &["8"],
+        &probe,
+        &left_of_eq20,
+    )?;
     Ok(proof.reason(
-        "With a complex pair t is the only real root, and F is negative to its left: so t < −1/(2η), and \
-         |s|² = ω_n²/|t| < 2η ω_n².",
+        "With a complex pair t is the only real root, and F is negative to its left: so t < \
+             −1/(2η), and |s|² = ω_n²/|t| < 2η ω_n².",
     ))
 }

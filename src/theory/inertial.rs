@@ -13,10 +13,18 @@ pub fn small_slip_distance(equations: &PaperEquations) -> Result<Proof, Refutati
     let toward = ("D_c", Toward::Zero);
     let proof = Proof::new(
         "small-slip-distance",
-        "Eq 8 times σ D_c/V0 tends to eq 17 as D_c → 0 (the third root, of sum −aσ/(M V0) − V0/D_c with the others, \
-         goes to −∞). Its imaginary part vanishes exactly where V0 is at most that of eq 18.",
+        "Eq 8 times σ D_c/V0 tends to eq 17 as D_c → 0 (the third root, of sum −aσ/(M V0) − \
+             V0/D_c with the others, goes to −∞). Its imaginary part vanishes exactly where V0 is \
+             at most that of eq 18.",
     )
-    .limit("eq 8 times σ D_c/V0 as D_c → 0", &["8", "17"], &scaled, toward, &equations.residual("17"), &any())?;
+    .limit(
+        "eq 8 times σ D_c/V0 as D_c → 0",
+        &["8", "17"],
+        &scaled,
+        toward,
+        &equations.residual("17"),
+        &any(),
+    )?;
     let proof = critical_damping(proof, equations, ("17", "18"), "(a - b)^2*sigma^2", &weakening(), "a < b")?;
     critical_damping(proof, equations, ("17", "18"), "(a - b)^2*sigma^2", &strengthening(), "a > b")
 }
@@ -31,8 +39,9 @@ pub fn large_slip_distance(equations: &PaperEquations) -> Result<Proof, Refutati
     let toward = ("D_c", Toward::Infinity);
     let proof = Proof::new(
         "large-slip-distance",
-        "Eq 8 times σ tends to s times eq 19 as D_c → ∞: eq 19 after dividing by s (a root of order −V0/D_c goes to 0). \
-         Its imaginary part vanishes exactly where V0 is at most that of eq 20.",
+        "Eq 8 times σ tends to s times eq 19 as D_c → ∞: eq 19 after dividing by s (a root of \
+             order −V0/D_c goes to 0). Its imaginary part vanishes exactly where V0 is at most \
+             that of eq 20.",
     )
     .limit("eq 8 times σ as D_c → ∞", &["8", "19"], &scaled, toward, &value, &any())?;
     critical_damping(proof, equations, ("19", "20"), "a^2*sigma^2", &weakening(), "any a and b")
@@ -52,8 +61,10 @@ fn critical_damping(
     let discriminant = (c1.power(2) - formula("4") * c2 * c0) * formula("V_0^2");
     let ratio = velocity_ratio(equations.equation(boundary));
     let product = formula(factor) * (formula("1") - ratio.power(2));
-    let says =
-        format!("discriminant times V0² for {case}, with L the ratio of V0 to the velocity of eq {boundary}");
+    let says = format!(
+        "discriminant times V0² for {case}, with L the ratio of V0 to the velocity of eq \
+             {boundary}"
+    );
     proof.identity(&says, &[quadratic, boundary], &discriminant, &product, domain)
 }
 

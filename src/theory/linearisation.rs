@@ -96,7 +96,8 @@ pub fn prove(equations: &PaperEquations) -> Result<Proof, Refutation> {
     let motion = linearised(equations, &motion(equations, &equations.right("1")));
     let mut proof = Proof::new(
         "linearisation",
-        "Eq 5 is the linear part of eq 4 with friction by eq 1; eq 6 is the linear part of eq 2 and of eq 3.",
+        "Eq 5 is the linear part of eq 4 with friction by eq 1; eq 6 is the linear part of eq \
+             2 and of eq 3.",
     )
     .identity(
         "eq 4 with eq 1 in Δδ and Δθ",

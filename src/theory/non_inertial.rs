@@ -14,15 +14,35 @@ pub fn at_critical_stress(equations: &PaperEquations) -> Result<Proof, Refutatio
         equations,
         Proof::new(
             "frequency-at-critical-stress",
-            "For a < b and σ = σ_c the roots are always a complex pair; its frequency tends to eq 23 as V0 → 0, rises \
-             strictly with V0, and tends to ω_n as V0 → ∞ without reaching it.",
+            "For a < b and σ = σ_c the roots are always a complex pair; its frequency tends to eq \
+             23 as V0 → 0, rises strictly with V0, and tends to ω_n as V0 → ∞ without reaching \
+             it.",
         ),
     )?
-    .positive("ω²/ω_n² rises with v at fixed g (its slope times ∂g/∂u)", &[], &slope, &critical_stress_domain())?
-    .limit("low velocity: eq 8 at σ_c with s = p V0/D_c, times D_c²/(a V0)", &["8", "12"], &low_velocity(equations), ("V_0", Toward::Zero), &formula("p^2 + (b - a)/a"), &any())?
-    .identity("eq 23 solves that", &["23"], &formula("p^2 + (b - a)/a").with("p", &(equations.right("23") * formula("D_c/V_0"))), &formula("0"), &weakening_by_square())?;
+    .positive(
+        "ω²/ω_n² rises with v at fixed g (its slope times ∂g/∂u)",
+        &[],
+        &slope,
+        &critical_stress_domain(),
+    )?
+    .limit(
+        "low velocity: eq 8 at σ_c with s = p V0/D_c, times D_c²/(a V0)",
+        &["8", "12"],
+        &low_velocity(equations),
+        ("V_0", Toward::Zero),
+        &formula("p^2 + (b - a)/a"),
+        &any(),
+    )?
+    .identity(
+        "eq 23 solves that",
+        &["23"],
+        &formula("p^2 + (b - a)/a").with("p", &(equations.right("23") * formula("D_c/V_0"))),
+        &formula("0"),
+        &weakening_by_square(),
+    )?;
     Ok(proof.reason(
-        "As V0 → ∞ eq 8 tends to eq 21, whose roots are ±i ω_n; the bound |s| < ω_n holds at every velocity.",
+        "As V0 → ∞ eq 8 tends to eq 21, whose roots are ±i ω_n; the bound |s| < ω_n holds at \
+             every velocity.",
     ))
 }
 
@@ -33,8 +53,9 @@ pub fn at_critical_stress(equations: &PaperEquations) -> Result<Proof, Refutatio
 pub fn mass_and_stiffness(equations: &PaperEquations) -> Result<Proof, Refutation> {
     let proof = Proof::new(
         "mass-and-stiffness",
-        "Without inertia (eq 14) the frequency does not depend on M; with inertia it falls strictly with M at σ = σ_c. \
-         It does depend on K: at K = K_c,qs it grows as √K. Eq 23 contains no K only because K was replaced by K_c.",
+        "Without inertia (eq 14) the frequency does not depend on M; with inertia it falls \
+             strictly with M at σ = σ_c. It does depend on K: at K = K_c,qs it grows as √K. Eq 23 \
+             contains no K only because K was replaced by K_c.",
     );
     let [c0, c1, c2]: [Expression; 3] = coefficients(&proof, &["14"], &equations.residual("14"), "s")?;
     let square = (formula("4") * c2.clone() * c0 - c1.power(2)) / (formula("4") * c2.power(2));
@@ -114,9 +135,25 @@ fn critical_stress_lemma(equations: &PaperEquations, proof: Proof) -> Result<Pro
     let domain = critical_stress_domain();
     let g = ratio_of_effects();
     proof
-        .identity("eq 8 at σ = σ_c in z = s/ω_n, v = V0/(ω_n D_c), g = a/(b − a)", &["8", "12"], &at_stress, &(formula("M*omega^3") * cubic.clone()), &units)?
-        .reason("It is positive for z ≥ 0, so it has a root −u < 0; −z²(z + g/v + v) = v has one negative solution only, because its left side is negative right of −(g/v + v) and falls from +∞ to 0 left of it.")
-        .identity("factors with g = u v − v²/u² − v²", &[], &cubic, &factors, &Domain::default().with("g", g.clone()))?
+        .identity(
+            "eq 8 at σ = σ_c in z = s/ω_n, v = V0/(ω_n D_c), g = a/(b − a)",
+            &["8", "12"],
+            &at_stress,
+            &(formula("M*omega^3") * cubic.clone()),
+            &units,
+        )?
+        .reason(
+            "It is positive for z ≥ 0, so it has a root −u < 0; −z²(z + g/v + v) = v has one \
+             negative solution only, because its left side is negative right of −(g/v + v) and \
+             falls from +∞ to 0 left of it.",
+        )
+        .identity(
+            "factors with g = u v − v²/u² − v²",
+            &[],
+            &cubic,
+            &factors,
+            &Domain::default().with("g", g.clone()),
+        )?
         .positive("g > 0 exactly for v = u³/(1 + u² + k), k > 0", &[], &g, &domain)?
         .positive("∂g/∂u", &[], &g.derivative(&Symbol::new("u")), &domain)?
         .positive("ω²/ω_n² = v/u − v²/(4u⁴): the pair is complex", &[], &frequency_squared(), &domain)

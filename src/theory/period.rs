@@ -39,7 +39,7 @@ pub fn natural(
             Expression::from(&value).to_string(),
         ));
     };
-    let period_s = pi_bounds().map(|pi| Rational::from(pi * 2) / &omega);
+    let period_s = pi_bounds().map(|pi| Rational::from(2) * pi / &omega);
     let natural = Expression::Number(omega);
     let squared = formula("K/M")
         .with("K", &Expression::Number(stiffness.clone()))
@@ -78,8 +78,8 @@ fn pi_bounds() -> [Rational; 2] {
     let [low_5, high_5] = arctangent_bounds(5);
     let [low_239, high_239] = arctangent_bounds(239);
     let scale = Rational::from(1_000_000_000);
-    let low = Rational::from(low_5 * 16) - Rational::from(high_239 * 4);
-    let high = Rational::from(high_5 * 16) - Rational::from(low_239 * 4);
+    let low: Rational = low_5 * 16 - high_239 * 4;
+    let high: Rational = high_5 * 16 - low_239 * 4;
     [(low * &scale).floor() / &scale, (high * &scale).ceil() / &scale]
 }
 

@@ -28,8 +28,9 @@ pub fn vanishing_frequency(equations: &PaperEquations) -> Result<Proof, Refutati
     let (upper, lower) = (equations.right("15"), equations.right("16"));
     let proof = Proof::new(
         "quasi-static-boundary",
-        "For M = 0 the discriminant in s vanishes at the normal stresses of eqs 15 and 16 and nowhere else; the roots are \
-         complex exactly between them. For a = b there is no upper one: complex for every σ above eq 16.",
+        "For M = 0 the discriminant in s vanishes at the normal stresses of eqs 15 and 16 and \
+             nowhere else; the roots are complex exactly between them. For a = b there is no \
+             upper one: complex for every σ above eq 16.",
     )
     .using(reduced_equation(equations)?);
     let [c0, c1, c2]: [Expression; 3] =
@@ -58,8 +59,9 @@ pub fn geometric_mean(equations: &PaperEquations) -> Result<Proof, Refutation> {
     let used = ["12", "15", "16"];
     Proof::new(
         "geometric-mean",
-        "The product of eqs 15 and 16 is σ_c², so for a < b σ_c lies midway between them on a logarithmic axis. \
-         For a > b the same holds of |σ_c|, although σ_c itself is negative and no critical stress.",
+        "The product of eqs 15 and 16 is σ_c², so for a < b σ_c lies midway between them on a \
+             logarithmic axis. For a > b the same holds of |σ_c|, although σ_c itself is negative \
+             and no critical stress.",
     )
     .identity("product for a < b", &used, &product, &stress.clone().power(2), &weakening())?
     .identity("product for a > b", &used, &product, &stress.clone().power(2), &strengthening())?

@@ -34,13 +34,38 @@ pub fn linearisation(equations: &PaperEquations) -> Result<Proof, Refutation> {
     let u_steady = steady(&u);
     Proof::new(
         "regularised-law",
-        "The regularised law has the slopes of eq 1 in V and in θ, both times φ = u/√(1 + u²); at steady sliding with V = V0, \
-         u = e^(μ0/a)/2. The linear analysis is that of eq 1 with normal stress φσ.",
+        "The regularised law has the slopes of eq 1 in V and in θ, both times φ = u/√(1 + \
+             u²); at steady sliding with V = V0, u = e^(μ0/a)/2. The linear analysis is that of \
+             eq 1 with normal stress φσ.",
     )
-    .identity("slope in V", &["1", "regularised"], &slope("regularised", "V"), &(slope("1", "V") * factor.clone()), &any())?
-    .identity("slope in θ", &["1", "regularised"], &slope("regularised", "theta"), &(slope("1", "theta") * factor), &any())?
-    .identity("u at steady sliding", &["regularised", "steady-state"], &u_steady, &formula("exp(mu_0/a)/2"), &any())?
-    .identity("eq 8 with φa and φb is φ times eq 8 with φσ", &["8"], &stiffer, &(formula("phi") * heavier), &any())
+    .identity(
+        "slope in V",
+        &["1", "regularised"],
+        &slope("regularised", "V"),
+        &(slope("1", "V") * factor.clone()),
+        &any(),
+    )?
+    .identity(
+        "slope in θ",
+        &["1", "regularised"],
+        &slope("regularised", "theta"),
+        &(slope("1", "theta") * factor),
+        &any(),
+    )?
+    .identity(
+        "u at steady sliding",
+        &["regularised", "steady-state"],
+        &u_steady,
+        &formula("exp(mu_0/a)/2"),
+        &any(),
+    )?
+    .identity(
+        "eq 8 with φa and φb is φ times eq 8 with φσ",
+        &["8"],
+        &stiffer,
+        &(formula("phi") * heavier),
+        &any(),
+    )
 }
 
 /// A certified bound of the relative difference 1 − φ < 2 e^(−2μ0/a) for these numbers.
@@ -66,7 +91,10 @@ pub fn bound(
         .positive("1/√(1 + z) > 1 − z/2 for 0 < z < 3, squared: 1 − (1 − z/2)²(1 + z)", &[], &gap, &domain)?
         .positive("e − 2.718, from the first terms of e", &[], &e, &Domain::default())?
         .certify(
-            &format!("10^{log10_bound} exceeds 2/2.718^{whole} > 2 e^(−2μ0/a) for μ0 = {reference_friction}, a = {direct_effect}"),
+            &format!(
+                "10^{log10_bound} exceeds 2/2.718^{whole} > 2 e^(−2μ0/a) for μ0 = \
+             {reference_friction}, a = {direct_effect}"
+            ),
             &[],
             Certificate::Sign { expression: margin, sign: 1, domain: Domain::default() },
         )?;

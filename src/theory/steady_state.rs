@@ -14,12 +14,34 @@ pub fn prove(equations: &PaperEquations) -> Result<Proof, Refutation> {
     let zero = formula("0");
     let friction = equations.right("1").with("theta", &steady);
     let ratio = |number: &str| equations.right(number).with("theta", &formula("x*D_c/V"));
-    Proof::new("steady-state", "Both evolution laws have exactly one steady state at velocity V, θ = D_c/V, with friction μ0 + (a − b) ln(V/V0).")
-        .identity("the aging law rests at θ = D_c/V", &["2", "steady-state"], &at_rest("2"), &zero, &any())?
-        .identity("the slip law rests at θ = D_c/V", &["3", "steady-state"], &at_rest("3"), &zero, &any())?
-        .identity("in x = Vθ/D_c the aging law is 1 − x, zero at x = 1 only", &["2"], &ratio("2"), &formula("1 - x"), &with_ratio())?
-        .identity("in x = Vθ/D_c the slip law is −x ln x, zero for x > 0 at x = 1 only", &["3"], &ratio("3"), &formula("-x*ln(x)"), &with_ratio())?
-        .identity("eq 1 at θ = D_c/V", &["1", "steady-state", "steady-friction"], &friction, &equations.right("steady-friction"), &any())
+    Proof::new(
+        "steady-state",
+        "Both evolution laws have exactly one steady state at velocity V, θ = D_c/V, with \
+             friction μ0 + (a − b) ln(V/V0).",
+    )
+    .identity("the aging law rests at θ = D_c/V", &["2", "steady-state"], &at_rest("2"), &zero, &any())?
+    .identity("the slip law rests at θ = D_c/V", &["3", "steady-state"], &at_rest("3"), &zero, &any())?
+    .identity(
+        "in x = Vθ/D_c the aging law is 1 − x, zero at x = 1 only",
+        &["2"],
+        &ratio("2"),
+        &formula("1 - x"),
+        &with_ratio(),
+    )?
+    .identity(
+        "in x = Vθ/D_c the slip law is −x ln x, zero for x > 0 at x = 1 only",
+        &["3"],
+        &ratio("3"),
+        &formula("-x*ln(x)"),
+        &with_ratio(),
+    )?
+    .identity(
+        "eq 1 at θ = D_c/V",
+        &["1", "steady-state", "steady-friction"],
+        &friction,
+        &equations.right("steady-friction"),
+        &any(),
+    )
 }
 
 /// Far from steady state the laws part: at V → 0 the aging law heals at rate 1, the slip law not at all (claim F3).
@@ -32,15 +54,40 @@ pub fn laws_differ_at_rest(equations: &PaperEquations) -> Result<Proof, Refutati
     let slip = formula("y/(1 + y + y^2/2)");
     Proof::new(
         "laws-differ-at-rest",
-        "At V = 0 the aging law gives dθ/dt = 1 for every θ, while the slip law's rate tends to 0 as V → 0; the aging law's rate is the larger one everywhere but at steady state.",
+        "At V = 0 the aging law gives dθ/dt = 1 for every θ, while the slip law's rate tends \
+             to 0 as V → 0; the aging law's rate is the larger one everywhere but at steady \
+             state.",
     )
     .limit("aging law at V → 0", &["2"], &equations.right("2"), ("V", Toward::Zero), &formula("1"), &any())?
     .identity("slip law in x = Vθ/D_c", &["3"], &in_ratio("3"), &formula("-x*ln(x)"), &with_ratio())?
-    .reason("With x = e^(−y) the slip law's rate is y e^(−y), and e^y > 1 + y + y²/2 for y > 0 because every term of its series is positive.")
-    .limit("so the slip law's rate is below a bound that vanishes as x → 0", &[], &slip, ("y", Toward::Infinity), &formula("0"), &Domain::positive("y"))?
+    .reason(
+        "With x = e^(−y) the slip law's rate is y e^(−y), and e^y > 1 + y + y²/2 for y > 0 \
+             because every term of its series is positive.",
+    )
+    .limit(
+        "so the slip law's rate is below a bound that vanishes as x → 0",
+        &[],
+        &slip,
+        ("y", Toward::Infinity),
+        &formula("0"),
+        &Domain::positive("y"),
+    )?
     .identity("difference of the laws", &["2", "3"], &difference, &formula("1 - x + x*ln(x)"), &with_ratio())?
-    .identity("its derivative is ln x: negative below x = 1, positive above, so that the least value is at x = 1", &[], &formula("1 - x + x*ln(x)").derivative(&"x".into()), &formula("ln(x)"), &with_ratio())?
-    .identity("and that least value is 0", &[], &formula("1 - x + x*ln(x)").with("x", &formula("1")), &formula("0"), &with_ratio())
+    .identity(
+        "its derivative is ln x: negative below x = 1, positive above, so that the least \
+             value is at x = 1",
+        &[],
+        &formula("1 - x + x*ln(x)").derivative(&"x".into()),
+        &formula("ln(x)"),
+        &with_ratio(),
+    )?
+    .identity(
+        "and that least value is 0",
+        &[],
+        &formula("1 - x + x*ln(x)").with("x", &formula("1")),
+        &formula("0"),
+        &with_ratio(),
+    )
 }
 
 fn with_ratio() -> Domain {

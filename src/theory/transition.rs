@@ -14,8 +14,9 @@ use crate::polynomial::{Domain, Expression, Proof, Refutation, Symbol, Toward};
 pub fn stability(equations: &PaperEquations) -> Result<Proof, Refutation> {
     let proof = Proof::new(
         "stability-transition",
-        "All roots of eq 8 have negative real parts exactly when K > K_c (eq 9), two have positive real parts \
-         exactly when K < K_c, and a pair is imaginary exactly when K = K_c.",
+        "All roots of eq 8 have negative real parts exactly when K > K_c (eq 9), two have \
+             positive real parts exactly when K < K_c, and a pair is imaginary exactly when K = \
+             K_c.",
     );
     let [c0, c1, c2, c3] = coefficients(&proof, &["8"], &equations.residual("8"), "s")?;
     let hurwitz = c2.clone() * c1 - c3.clone() * c0.clone();
@@ -53,17 +54,30 @@ fn hurwitz_lemma(proof: Proof) -> Result<Proof, Refutation> {
     let factor = formula("u^2 - u*T + Q");
     let proof = proof
         .reason(
-            "With c3, c2, c0 > 0 the cubic is positive at 0 and negative far to the left, so it has a real root −u, \
-             u > 0; call the sum and product of the other two T and Q. Divided by c3 it is (s + u)(s² − T s + Q), so \
-             c2/c3 = u − T > 0, c1/c3 = Q − u T and c0/c3 = u Q > 0, hence Q > 0.",
+            "With c3, c2, c0 > 0 the cubic is positive at 0 and negative far to the left, so it \
+             has a real root −u, u > 0; call the sum and product of the other two T and Q. \
+             Divided by c3 it is (s + u)(s² − T s + Q), so c2/c3 = u − T > 0, c1/c3 = Q − u T and \
+             c0/c3 = u Q > 0, hence Q > 0.",
         )
-        .identity("(c2 c1 − c3 c0)/c3²", &[], &determinant, &(formula("-T") * factor.clone()), &Domain::default())?
+        .identity(
+            "(c2 c1 − c3 c0)/c3²",
+            &[],
+            &determinant,
+            &(formula("-T") * factor.clone()),
+            &Domain::default(),
+        )?
         .positive("the second factor for T = −w < 0", &[], &factor, &domain.clone().with("T", formula("-w")))?
-        .positive("the second factor for T > 0, where u − T = w > 0", &[], &factor, &domain.with("u", formula("T + w")))?;
+        .positive(
+            "the second factor for T > 0, where u − T = w > 0",
+            &[],
+            &factor,
+            &domain.with("u", formula("T + w")),
+        )?;
     Ok(proof.reason(
-            "For T = 0 the second factor is u² + Q > 0. So c2 c1 − c3 c0 has the sign of −T, and with Q > 0 the pair \
-             has negative real parts for T < 0, positive ones for T > 0, and is ±i√Q for T = 0.",
-        ))
+        "For T = 0 the second factor is u² + Q > 0. So c2 c1 − c3 c0 has the sign of −T, and \
+             with Q > 0 the pair has negative real parts for T < 0, positive ones for T > 0, and \
+             is ±i√Q for T = 0.",
+    ))
 }
 
 /// K_c is the sum of eqs 10 and 11; the first depends on σ alone, the second on M·V0² alone (claim S2).
@@ -78,8 +92,8 @@ pub fn parts(equations: &PaperEquations) -> Result<Proof, Refutation> {
     let other_velocity = dynamic.with("M", &formula("E/V_1^2")).with("V_0", &formula("V_1"));
     Proof::new(
         "critical-stiffness-parts",
-        "K_c = K_c,qs + K_c,dyn. At given a, b and D_c the first depends on σ only, the second on M V0² only \
-         (the kinetic energy per area is half of that).",
+        "K_c = K_c,qs + K_c,dyn. At given a, b and D_c the first depends on σ only, the \
+             second on M V0² only (the kinetic energy per area is half of that).",
     )
     .identity("K_c at M = 0", &["9", "10"], &total.with("M", &formula("0")), &quasi_static, &any())?
     .identity("the rest of K_c", &["9", "10", "11"], &(total - quasi_static.clone()), &dynamic, &any())?
@@ -105,11 +119,19 @@ pub fn velocity_destabilises(equations: &PaperEquations) -> Result<Proof, Refuta
     let falls = Expression::integer(-1) * slope.clone();
     Proof::new(
         "velocity-destabilises",
-        "For a < b, K_c grows with V0 beyond every K: each system is unstable from some velocity on (for σ ≥ σ_c at \
-         every velocity). For a > b, K_c falls with V0 and stays negative: there the statement has no content.",
+        "For a < b, K_c grows with V0 beyond every K: each system is unstable from some \
+             velocity on (for σ ≥ σ_c at every velocity). For a > b, K_c falls with V0 and stays \
+             negative: there the statement has no content.",
     )
     .positive("K_c grows with V0 for a < b", &["9"], &slope, &weaker_direct_effect())?
-    .limit("1/K_c as V0 → ∞", &["9"], &inverse, ("V_0", Toward::Infinity), &formula("0"), &weaker_direct_effect())?
+    .limit(
+        "1/K_c as V0 → ∞",
+        &["9"],
+        &inverse,
+        ("V_0", Toward::Infinity),
+        &formula("0"),
+        &weaker_direct_effect(),
+    )?
     .positive("K_c falls with V0 for a > b", &["9"], &falls, &stronger_direct_effect())
 }
 
@@ -127,13 +149,20 @@ pub fn critical_stress_and_velocity(equations: &PaperEquations) -> Result<Proof,
     let used = ["9", "12", "13"];
     Proof::new(
         "critical-stress-and-velocity",
-        "For a < b, K_c/K = σ/σ_c + (V0/V_c)². So K < K_c whenever σ > σ_c or V0 > V_c; on K = K_c, σ → σ_c as V0 → 0 \
-         and V0 → V_c as σ → 0. The condition is sufficient, not necessary.",
+        "For a < b, K_c/K = σ/σ_c + (V0/V_c)². So K < K_c whenever σ > σ_c or V0 > V_c; on K \
+             = K_c, σ → σ_c as V0 → 0 and V0 → V_c as σ → 0. The condition is sufficient, not \
+             necessary.",
     )
     .identity("K_c/K", &used, &(equations.right("9") / formula("K")), &shares, &domain)?
     .positive("σ_c is positive", &["12"], &stress, &domain)?
     .positive("V_c is positive", &["13"], &velocity, &domain)?
-    .identity("σ on K = K_c", &used, &equations.right("9").with("sigma", &transition), &formula("K"), &domain)?
+    .identity(
+        "σ on K = K_c",
+        &used,
+        &equations.right("9").with("sigma", &transition),
+        &formula("K"),
+        &domain,
+    )?
     .limit("σ on K = K_c as V0 → 0", &used, &transition, ("V_0", Toward::Zero), &stress, &domain)?
     .limit("V0² on K = K_c as σ → 0", &used, &square, ("sigma", Toward::Zero), &velocity.power(2), &domain)?
     .positive("K_c/K − 1 at σ = 9/10 σ_c and V0 = 9/10 V_c: unstable below both", &[], &nearby, &domain)
@@ -147,7 +176,8 @@ pub fn intrinsically_stable(equations: &PaperEquations) -> Result<Proof, Refutat
     let critical = equations.right("9");
     let proof = Proof::new(
         "intrinsically-stable",
-        "For a ≥ b, K_c ≤ 0 < K at every normal stress and velocity: no transition, and all roots have negative real parts.",
+        "For a ≥ b, K_c ≤ 0 < K at every normal stress and velocity: no transition, and all \
+             roots have negative real parts.",
     )
     .using(stability(equations)?);
     proof.positive("−K_c for a > b", &["9"], &(-critical.clone()), &stronger_direct_effect())?.identity(
@@ -170,10 +200,17 @@ pub fn crossing_frequency(equations: &PaperEquations) -> Result<Proof, Refutatio
     let third = formula("a*sigma/(M*V_0) + V_0/D_c");
     Proof::new(
         "crossing-frequency",
-        "On K = K_c (a < b) eq 8 is the product of s² + (b−a)/a (V0/D_c)² and a linear factor; the crossing pair is \
-         ±i√((b−a)/a) V0/D_c, the third root −aσ/(M V0) − V0/D_c is negative.",
+        "On K = K_c (a < b) eq 8 is the product of s² + (b−a)/a (V0/D_c)² and a linear \
+             factor; the crossing pair is ±i√((b−a)/a) V0/D_c, the third root −aσ/(M V0) − V0/D_c \
+             is negative.",
     )
     .identity("eq 8 on K = K_c", &["8", "9"], &on_transition, &factors, &any())?
-    .identity("eq 23 is a root there, with either sign", &["8", "9", "23"], &at_crossing, &formula("0"), &crossing())?
+    .identity(
+        "eq 23 is a root there, with either sign",
+        &["8", "9", "23"],
+        &at_crossing,
+        &formula("0"),
+        &crossing(),
+    )?
     .positive("minus the third root", &[], &third, &any())
 }

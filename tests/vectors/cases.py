@@ -115,6 +115,13 @@ def extreme_groups():
     return [point for number, point in enumerate(chosen) if number % 2 == 0 or point[0] in (ladder[0], ladder[4])]
 
 
+def beyond_binary64():
+    """Points whose groups, and roots, no 64-bit number holds."""
+    tiny, huge = power(-400), power(400)
+    chosen = [(tiny, huge, q("1.5")), (huge, tiny, q("0.75")), (huge, q(2), huge), (tiny, tiny, huge), (tiny, q(2), tiny)]
+    return [*chosen, on_transition(huge, q("1.5"))]
+
+
 def group_families():
     """Families of (eta, kappa, beta)."""
     upper = [on_boundary(q(r), q(beta)) for r, beta in BOUNDARY_UPPER]
@@ -131,6 +138,7 @@ def group_families():
          around([on_threshold(q(t), q(x)) for t, x in THRESHOLDS], 1)),
         ("a -> b: beta = 1 +- 1e-3, 1e-18, 1e-30 on both arcs, on K = K_c, and a = b's cusp beside", nearly_equal_effects()),
         ("groups from 1e-30 to 1e30", extreme_groups()),
+        ("groups and exponents beyond the range of binary64", beyond_binary64()),
     ]  # fmt: skip
 
 
@@ -188,7 +196,7 @@ def papers_map():
 
 def overflowing():
     """Ordinary groups from inputs whose products leave the range of binary64."""
-    scales = [("1e-200", "1e150", "1e250", "1e140"), ("1e180", "1e-170", "1e-190", "1e-160"), ("1e-5000", "1e-30", "1e4000", "1e-35")]
+    scales = [("1e-200", "1e150", "1e250", "1e140"), ("1e180", "1e-170", "1e-190", "1e-160"), ("1e-280", "1e-30", "1e220", "1e-35")]
     points = [on_boundary(q("-3"), q("3/2")), on_transition(q("1/8"), q("3/2")), (q("0.3"), q("0.2"), q("4/3"))]
     return [realise(point, scale) for scale in scales for point in points]
 
@@ -213,6 +221,12 @@ def parameter_families():
         ("random inputs with 3 digits", [random_parameters(3) for _ in range(20)]),
         ("random inputs with 40 digits", [random_parameters(40) for _ in range(10)]),
     ]  # fmt: skip
+
+
+def shortest(value):
+    """A rational as a fraction or, where that is shorter, as a decimal."""
+    texts = [str(value)] + ([decimal(value)] if odd_part(int(value.q)) == 1 else [])
+    return min(texts, key=len)
 
 
 def decimal(value):

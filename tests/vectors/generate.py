@@ -141,13 +141,13 @@ def main():
         cases.ABOUT_GROUPS,
         ["eta", "kappa", "beta", *cases.EXPECTED_GROUPS],
         [(title, len(family)) for title, family in groups],
-        [[str(value) for value in point] for point in points],
+        [[cases.shortest(value) for value in point] for point in points],
         [(*point, fmpq(1)) for point in points],
     )
     inputs = cases.parameter_families()
     points = [point for _, family in inputs for point in family]
     write(
-        "classification-hard.txt",
+        "../../reports/im-avouac/vectors/classification-hard.txt",
         cases.ABOUT_PARAMETERS,
         [*cases.PARAMETERS, *cases.EXPECTED_PARAMETERS],
         [(title, len(family)) for title, family in inputs],

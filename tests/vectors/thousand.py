@@ -100,7 +100,7 @@ def main():
                 modulus = abs(root)
                 if int(multiplicity) != count or not (agrees(re, root.real, modulus) and agrees(im, root.imag, modulus)):
                     raise SystemExit(f"the two programs disagree at {point}")
-                file.write(",".join([*map(str, point), multiplicity, re, im]) + "\n")
+                file.write(",".join([*map(cases.shortest, point), multiplicity, re, im]) + "\n")
 
 
 if __name__ == "__main__":

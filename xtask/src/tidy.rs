@@ -10,6 +10,7 @@ mod rust_source;
 mod text_rules;
 mod views;
 
+use std::collections::BTreeSet;
 use std::fmt;
 use std::fs;
 
@@ -77,16 +78,26 @@ fn complaints(files: &[TextFile], paths: &[String]) -> Vec<Complaint> {
         text_rules::check(file, &mut found);
         views::check_template(file, &mut found);
         references::check_links(file, paths, &mut found);
-        if file.has_extension("rs") {
-            let source = RustSource::new(file);
-            rust_rules::check(&source, &mut found);
-            floors::check(&source, &mut found);
-            elementary::check(&source, &mut found);
-            views::check_report(&source, &mut found);
-        }
+    }
+    for source in rust_sources(files) {
+        rust_rules::check(&source, &mut found);
+        floors::check(&source, &mut found);
+        elementary::check(&source, &mut found);
+        views::check_report(&source, &mut found);
     }
     references::check_data_is_read(files, paths, &mut found);
     found
+}
+
+/// All Rust files; those that another declares as tests are marked so.
+fn rust_sources(files: &[TextFile]) -> Vec<RustSource<'_>> {
+    let rust_files = files.iter().filter(|file| file.has_extension("rs"));
+    let mut sources: Vec<RustSource> = rust_files.map(RustSource::new).collect();
+    let test_files: BTreeSet<String> = sources.iter().flat_map(RustSource::test_modules).collect();
+    for source in sources.iter_mut().filter(|source| test_files.contains(&source.file.path)) {
+        source.set_all_tests();
+    }
+    sources
 }
 
 /// Reads every file that is text; binary files (fonts, archives) have no rules here.

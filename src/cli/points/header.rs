@@ -66,7 +66,8 @@ impl Header {
 
 fn names(row: Row<'_>) -> Result<Vec<String>, Problem> {
     let text = |index| {
-        let text = std::str::from_utf8(row.cell(index)).map_err(|error| Problem::NotUtf8(error.valid_up_to() + 1))?;
+        let text = std::str::from_utf8(row.cell(index))
+            .map_err(|error| Problem::NotUtf8(error.valid_up_to() + 1))?;
         match text.chars().find(|character| is_forbidden(*character)) {
             Some(character) => Err(Problem::ForbiddenCharacter(u32::from(character))),
             None => Ok(text.to_string()),

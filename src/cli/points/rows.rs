@@ -211,10 +211,13 @@ mod tests {
     use super::*;
 
     fn read(text: &[u8]) -> Result<Vec<(usize, u64, Vec<String>)>, Fault> {
-        let input = Input { name: "f".into(), reader: Box::new(std::io::Cursor::new(text.to_vec())), size: None };
+        let input =
+            Input { name: "f".into(), reader: Box::new(std::io::Cursor::new(text.to_vec())), size: None };
         let block = RowReader::new(input).block(1_000_000)?;
-        let cells = |row: Row<'_>| (0..row.len()).map(|i| String::from_utf8_lossy(row.cell(i)).into_owned());
-        Ok(block.rows().map(|row| (row.line, row.number, cells(row).collect())).collect())
+        let cells = |row: Row<'_>| -> Vec<String> {
+            (0..row.len()).map(|i| String::from_utf8_lossy(row.cell(i)).into_owned()).collect()
+        };
+        Ok(block.rows().map(|row| (row.line, row.number, cells(row))).collect())
     }
 
     #[test]

@@ -1,9 +1,11 @@
 //! What is done with a row: read its seven numbers, classify, append.
 
+use std::io::Write;
+
 use slipmode::friction::Parameters;
-use slipmode::number::Rational;
+use slipmode::number::{Dd, Rational, parse_short_decimal};
 use slipmode::scene::{AllowedRange, CsvProblem, Fault, Faults, Problem, is_forbidden, parameters_from};
-use slipmode::stability::{Classification, InertialThreshold, classify};
+use slipmode::stability::{Classification, InertialThreshold, classify, classify_quickly};
 
 use crate::cli::points::cells::push_cell;
 use crate::cli::points::header::{APPENDED, Header};
@@ -64,8 +66,20 @@ impl Work {
             return Err(vec![self.fault(row, None, problem.into())]);
         }
         self.check_text(row)?;
-        let parameters = self.parameters(row)?;
-        Ok(classify(&parameters, &self.threshold))
+        let quick = self.short_parameters(row).and_then(|short| classify_quickly(&short, &self.threshold));
+        match quick {
+            Some(found) => Ok(found),
+            None => Ok(classify(&self.parameters(row)?, &self.threshold)),
+        }
+    }
+
+    /// The seven numbers when all are short and positive, as nearly all are.
+    fn short_parameters(&self, row: Row<'_>) -> Option<Parameters<Dd>> {
+        let mut values = [Dd::from(0.0); 7];
+        for (value, position) in values.iter_mut().zip(self.header.positions) {
+            *value = parse_short_decimal(std::str::from_utf8(row.cell(position)).ok()?)?;
+        }
+        Some(parameters_from(values))
     }
 
     fn parameters(&self, row: Row<'_>) -> Result<Parameters<Rational>, Faults> {
@@ -89,8 +103,7 @@ impl Work {
 
     /// Cells are UTF-8 without hidden characters, and not too long. Nearly all rows are plain ASCII.
     fn check_text(&self, row: Row<'_>) -> Result<(), Faults> {
-        let is_plain = row.bytes().iter().all(|byte| (b' '..=b'~').contains(byte));
-        if is_plain && row.bytes().len() <= LONGEST_CELL {
+        if is_plain(row) {
             return Ok(());
         }
         let faults: Faults = (0..row.len())
@@ -112,16 +125,22 @@ impl Work {
 
     /// The input's cells, brought to the header's number; a cell that is not text is left out and named by its error.
     fn push_input(&self, row: Row<'_>, out: &mut Vec<u8>) {
+        let is_plain = is_plain(row);
         for index in 0..self.header.names.len() {
             if index > 0 {
                 out.push(b',');
             }
             let cell = row.cell(index);
-            if cell_problem(cell).is_none() {
+            if is_plain || cell_problem(cell).is_none() {
                 push_cell(out, cell);
             }
         }
     }
+}
+
+/// Whether no cell can have a problem: printable ASCII, and not more of it than one cell may have.
+fn is_plain(row: Row<'_>) -> bool {
+    row.bytes().len() <= LONGEST_CELL && row.bytes().iter().all(|byte| (b' '..=b'~').contains(byte))
 }
 
 fn cell_problem(cell: &[u8]) -> Option<Problem> {
@@ -147,7 +166,9 @@ fn short_message(fault: &Fault) -> String {
 }
 
 fn push_result(out: &mut Vec<u8>, found: &Classification) {
-    let text = format!(
+    // A vector takes every write.
+    let _ = write!(
+        out,
         ",{},{},{},{},{},{},{}",
         found.transition_sign,
         found.boundary_sign,
@@ -157,7 +178,6 @@ fn push_result(out: &mut Vec<u8>, found: &Classification) {
         found.max_imaginary_per_s,
         found.rung.as_str(),
     );
-    out.extend_from_slice(text.as_bytes());
 }
 
 /// The header line of the output.
@@ -175,4 +195,3 @@ pub fn header_line(header: &Header, keep_going: bool) -> Vec<u8> {
     out.push(b'\n');
     out
 }
-

@@ -1,19 +1,12 @@
 //! A (V0, σ) grid at fixed material and machine: both decisions are polynomials in σ along a row of constant V0.
 //!
-//! With k = K·D_c, m = M·V0²/D_c and δ = a − b, eq 8 times aσ has the coefficients k, k + δσ, aσ + m, m. Its discriminant is a
-//! quartic in σ, and a·D_c·(K − K_c) = ka + δm + δaσ is linear. A row computes those coefficients once in
-//! balls, so that the inner loop is two Horner schemes for values and two for their error bounds.
-//!
-//! **The filter's bound.** σ is scaled by a power of two to x ≤ 1, the coefficients q_i by another so that the largest lies
-//! in [1/2, 1]. Horner's scheme of degree 4 with separate products and sums errs by at most γ₈·Σ|q_i|x^i (γ_n = nu/(1−nu),
-//! u = 2^-53), rounding q_i to f64 by u|q_i| and by the radius r_i of its ball. The bound is evaluated in 64-bit itself with
-//! e_i = 2^-48·|q_i| + r_i: 32u leaves room for γ₉ and for the bound's own rounding. All intermediate values are
-//! at most 5, so nothing overflows; underflow contributes less than 10·2^-1074 and is covered by 2^-1000.
+//! Row after row the 64-bit [filter](RowFilter) decides nearly every point; the rest climbs the ladder.
 
 use rayon::prelude::*;
-use rug::{Float, Rational};
+use rug::Rational;
 
-use super::dispatch::{Kernel, run_on_widest_unit};
+use super::dispatch::run_on_widest_unit;
+use super::row_filter::{RowFilter, RowLoop};
 use super::{RungCounts, SignPair};
 use crate::friction::Parameters;
 use crate::number::{Ball, Field};
@@ -21,12 +14,6 @@ use crate::stability::ladder;
 
 /// Precision of a row's coefficients before they are rounded to f64: room for a cancellation of 100 bits and more.
 const ROW_BITS: u32 = 192;
-
-/// Relative part of the filter's error bound.
-const RELATIVE_BOUND: f64 = 1.0 / (1u64 << 48) as f64;
-
-/// Absolute part of the filter's error bound, for underflow: 2^-1000.
-const ABSOLUTE_BOUND: f64 = f64::from_bits((1023 - 1000) << 52);
 
 /// The signs of every point of a grid, row after row.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -113,36 +100,13 @@ impl GridKernel {
     fn row_filter(&self, loading_velocity_m_per_s: f64) -> RowFilter {
         let velocity = Ball::from(loading_velocity_m_per_s).with_precision(ROW_BITS);
         let inertia = velocity.square() * &self.mass_over_length;
-        let (a, difference, k) = (&self.direct_effect, &self.effect_difference, &self.spring);
-        RowFilter {
-            boundary: self.scaled_to_f64(&boundary_quartic(a, difference, k, &inertia)),
-            transition: self.scaled_to_f64(&transition_line(a, difference, k, &inertia)),
-        }
-    }
-
-    /// The coefficients for x = σ/2^e, scaled by one power of two to a maximum in [1/2, 1], with the coefficients of the bound.
-    fn scaled_to_f64<const N: usize>(&self, coefficients: &[Ball]) -> BoundedPolynomial<N> {
-        let exponent = |power: usize, value: &Float| {
-            value
-                .get_exp()
-                .map(|exponent| i64::from(exponent) + power as i64 * i64::from(self.stress_exponent))
-        };
-        let largest =
-            coefficients.iter().enumerate().filter_map(|(i, c)| exponent(i, c.centre())).max().unwrap_or(0);
-        let scale = |power: usize, value: &Float| {
-            let (mantissa, exponent) = value.to_f64_exp();
-            let shift = i64::from(exponent) + power as i64 * i64::from(self.stress_exponent) - largest;
-            libm::ldexp(mantissa, shift.clamp(-5000, 5000) as i32)
-        };
-        let mut scaled = BoundedPolynomial { value: [0.0; N], bound: [0.0; N] };
-        for (power, coefficient) in coefficients.iter().enumerate().take(N) {
-            let value = scale(power, coefficient.centre());
-            scaled.value[power] = value;
-            // A radius of 32 bits is exact in f64 unless it underflows, which the absolute part covers.
-            scaled.bound[power] = RELATIVE_BOUND * value.abs() + scale(power, coefficient.radius());
-        }
-        scaled.bound[0] += ABSOLUTE_BOUND;
-        scaled
+        RowFilter::new(
+            &self.direct_effect,
+            &self.effect_difference,
+            &self.spring,
+            &inertia,
+            self.stress_exponent,
+        )
     }
 
     /// Hands the points that the filter left open to the upper rungs.
@@ -181,116 +145,28 @@ pub(super) fn decide_above_filter(point: &Parameters<Rational>) -> (SignPair, cr
     (SignPair::new(signs.transition, signs.boundary), signs.rung)
 }
 
-/// The discriminant of (k, k + δσ, aσ + m, m), by ascending power of σ.
-fn boundary_quartic<R: Field>(a: &R, difference: &R, k: &R, m: &R) -> [R; 5] {
-    let integer = R::from;
-    let (aa, dd, ad) = (a.square(), difference.square(), a.clone() * difference);
-    let (kk, mm, km) = (k.square(), m.square(), k.clone() * m);
-    let first = integer(20) * a - integer(12) * difference;
-    let second = integer(20) * difference - integer(12) * a;
-    [
-        -(integer(4) * &km * (k.clone() + m).square()),
-        (first * k + second * m) * &km,
-        aa.clone() * &kk + mm * &dd + (integer(22) * &ad - integer(12) * (aa.clone() + &dd)) * &km,
-        (integer(2) * &ad - integer(4) * &aa) * a * k
-            + (integer(2) * &ad - integer(4) * &dd) * difference * m,
-        ad.square(),
-    ]
-}
-
-/// a·D_c·(K − K_c) = a²σ·(κ + (1−β)(1+η)) = ka + δm + δaσ, by ascending power of σ.
-fn transition_line<R: Field>(a: &R, difference: &R, k: &R, m: &R) -> [R; 2] {
-    [k.clone() * a + difference.clone() * m, difference.clone() * a]
-}
-
-/// A polynomial in 64-bit with the polynomial that bounds its error.
-#[derive(Debug, Clone, Copy)]
-struct BoundedPolynomial<const N: usize> {
-    value: [f64; N],
-    bound: [f64; N],
-}
-
-impl<const N: usize> BoundedPolynomial<N> {
-    /// Value and bound at x ≥ 0 by Horner's scheme.
-    #[inline(always)]
-    fn at(&self, x: f64) -> (f64, f64) {
-        let (mut value, mut bound) = (self.value[N - 1], self.bound[N - 1]);
-        for power in (0..N - 1).rev() {
-            value = value * x + self.value[power];
-            bound = bound * x + self.bound[power];
-        }
-        (value, bound)
-    }
-}
-
-/// The two polynomials of a row.
-#[derive(Debug, Clone, Copy)]
-struct RowFilter {
-    boundary: BoundedPolynomial<5>,
-    transition: BoundedPolynomial<2>,
-}
-
-/// The inner loop over the σ of a row.
-struct RowLoop<'a> {
-    filter: &'a RowFilter,
-    stresses: &'a [f64],
-    cells: &'a mut [SignPair],
-}
-
-impl Kernel for RowLoop<'_> {
-    #[inline(always)]
-    fn run(self) {
-        let filter = *self.filter;
-        for (cell, &x) in self.cells.iter_mut().zip(self.stresses) {
-            let (boundary, boundary_bound) = filter.boundary.at(x);
-            let (transition, transition_bound) = filter.transition.at(x);
-            let certain = (boundary.abs() > boundary_bound) & (transition.abs() > transition_bound);
-            let signs = SignPair::from_decided(transition > 0.0, boundary > 0.0);
-            *cell = if certain { signs } else { SignPair::UNDECIDED };
-        }
-    }
-}
-
 #[cfg(test)]
 mod tests {
+    use super::super::dispatch::Kernel;
     use super::*;
-    use crate::number::parse_decimal;
-    use crate::roots::discriminant;
+    use crate::stability::fixtures::with_effects;
     use crate::stability::{boundary_sign, transition_sign};
     use proptest::prelude::*;
 
-    /// The paper's values (V0 and σ do not matter here).
-    fn paper(a: &str, b: &str) -> Parameters<Rational> {
-        let number = |text: &str| parse_decimal(text).unwrap();
-        Parameters {
-            direct_effect: number(a),
-            evolution_effect: number(b),
-            critical_slip_distance_m: number("1e-5"),
-            stiffness_pa_per_m: number("1e7"),
-            mass_per_area_kg_per_m2: number("100"),
-            normal_stress_pa: number("1"),
-            loading_velocity_m_per_s: number("1"),
-        }
+    fn potentially_unstable() -> Parameters<Rational> {
+        with_effects(Rational::from((4, 1000)), Rational::from((6, 1000)))
+    }
+
+    fn intrinsically_stable() -> Parameters<Rational> {
+        with_effects(Rational::from((6, 1000)), Rational::from((4, 1000)))
     }
 
     proptest! {
         #[test]
-        fn the_quartic_in_normal_stress_is_the_discriminant(
-            values in prop::array::uniform5(1i64..1000),
-        ) {
-            let [a, b, k, m, s] = values.map(Rational::from);
-            let difference = a.clone() - b;
-            let cubic = [k.clone(), k.clone() + difference.clone() * &s, a.clone() * &s + &m, m.clone()];
-            let quartic = boundary_quartic(&a, &difference, &k, &m);
-            let value = quartic.into_iter().rev().fold(Rational::new(), |sum, q| sum * &s + q);
-            prop_assert_eq!(value, discriminant(&cubic));
-        }
-
-        #[test]
         fn every_cell_has_the_exact_signs(
             velocity in -12f64..3.0, stress in -3f64..12.0, spread in 0f64..3.0, swap in prop::bool::ANY,
         ) {
-            let fixed = if swap { paper("0.005", "0.004") } else { paper("0.004", "0.005") };
+            let fixed = if swap { intrinsically_stable() } else { potentially_unstable() };
             let velocities = [0.0, 0.3].map(|x| libm::exp10(velocity + x * spread));
             let stresses = [0.0, 0.1, 0.7, 1.0].map(|x| libm::exp10(stress + x * spread));
             let grid = classify_grid(&fixed, &velocities, &stresses).unwrap();
@@ -305,7 +181,7 @@ mod tests {
 
     #[test]
     fn a_grid_point_exactly_on_the_cusp_or_on_the_transition_is_decided_as_zero() {
-        let mut fixed = paper("1", "1");
+        let mut fixed = with_effects(Rational::from(1), Rational::from(1));
         // a = b = D_c = 1: the cusp η = M V²/σ = 1/8, κ = K/σ = 27/8 at V = 1, σ = 8.
         fixed.critical_slip_distance_m = Rational::from(1);
         fixed.mass_per_area_kg_per_m2 = Rational::from(1);
@@ -320,9 +196,23 @@ mod tests {
     }
 
     #[test]
+    fn next_to_the_boundary_double_double_decides_and_on_it_rationals() {
+        // a = b = D_c = V = 1, and η = 3/32, κ = 125/32 at σ = 32: the double root −5.
+        let mut fixed = with_effects(Rational::from(1), Rational::from(1));
+        fixed.critical_slip_distance_m = Rational::from(1);
+        fixed.mass_per_area_kg_per_m2 = Rational::from(3);
+        fixed.stiffness_pa_per_m = Rational::from(125);
+        let beside = 32.0 * f64::EPSILON;
+        let grid = classify_grid(&fixed, &[1.0], &[32.0 - beside, 32.0, 32.0 + beside, 40.0]).unwrap();
+        let boundary: Vec<i8> = grid.cells.iter().map(|cell| cell.boundary_sign()).collect();
+        assert_eq!(boundary, [-1, 0, 1, -1]);
+        assert_eq!(grid.counts, RungCounts { f64: 1, double_double: 2, exact: 1 });
+    }
+
+    #[test]
     fn vector_units_and_the_baseline_leave_the_same_bits() {
         let stresses: Vec<f64> = (0..1003).map(|i| libm::exp10(2.0 + 7.0 * f64::from(i) / 1002.0)).collect();
-        let kernel = GridKernel::new(&paper("0.004", "0.005"), &stresses).unwrap();
+        let kernel = GridKernel::new(&potentially_unstable(), &stresses).unwrap();
         for exponent in -7..2 {
             let filter = kernel.row_filter(libm::exp10(f64::from(exponent)));
             let mut cells = [vec![SignPair::UNDECIDED; 1003], vec![SignPair::UNDECIDED; 1003]];
@@ -335,7 +225,7 @@ mod tests {
 
     #[test]
     fn values_that_are_not_positive_and_finite_are_refused() {
-        let fixed = paper("0.004", "0.005");
+        let fixed = potentially_unstable();
         for bad in [0.0, -1.0, f64::NAN, f64::INFINITY] {
             assert!(classify_grid(&fixed, &[1.0], &[bad]).is_none());
             assert!(classify_grid(&fixed, &[bad], &[1.0]).is_none());

@@ -6,6 +6,7 @@
 mod dispatch;
 mod grid;
 mod points;
+mod row_filter;
 mod sign_pair;
 mod values;
 

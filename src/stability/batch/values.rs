@@ -47,8 +47,8 @@ pub fn grid_values(
 /// The values when double-double's error bounds allow.
 fn by_double_double(point: &Parameters<Dd>) -> Option<LargestPartsPerS> {
     let groups = BoundedGroups::of_parameters(point)?;
-    let signs = groups.certain_signs()?;
-    let parts = LargestParts::of_bounded(&groups.cubic().spectrum(), signs.transition)?;
+    let transition_sign = groups.certain_transition_sign()?;
+    let parts = LargestParts::of_bounded(&groups.cubic().spectrum(), transition_sign)?;
     let LargestParts { real, imaginary } = parts.times_rate(point.rate_per_s())?;
     Some(LargestPartsPerS { real, imaginary })
 }
@@ -67,20 +67,10 @@ fn exactly(fixed: &Parameters<Rational>, velocity: f64, stress: f64) -> LargestP
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::number::parse_decimal;
 
     #[test]
     fn values_of_a_grid_are_those_of_its_points() {
-        let number = |text: &str| parse_decimal(text).unwrap();
-        let fixed = Parameters {
-            direct_effect: number("0.004"),
-            evolution_effect: number("0.005"),
-            critical_slip_distance_m: number("1e-5"),
-            stiffness_pa_per_m: number("1e7"),
-            mass_per_area_kg_per_m2: number("100"),
-            normal_stress_pa: number("1"),
-            loading_velocity_m_per_s: number("1"),
-        };
+        let fixed = crate::stability::fixtures::paper();
         let axis = |from: f64, to: f64| {
             (0..40).map(|i| libm::exp10(from + (to - from) * f64::from(i) / 39.0)).collect()
         };

@@ -5,7 +5,7 @@ use rug::Rational;
 use crate::friction::Parameters;
 use crate::number::{Ball, Real, bits_for_digits};
 use crate::stability::boundary::crossing::{stress_scale_pa, velocity_scale_squared};
-use crate::stability::boundary::{BoundaryPoint, Mark, Section};
+use crate::stability::boundary::{BoundaryPoint, Crossing, Mark, Section};
 use crate::stability::parameter_equation::ParameterEquation;
 use crate::stability::{Arc, ArcFrame};
 
@@ -80,18 +80,39 @@ impl BoundaryCurve {
     /// At given σ: one on the upper arc above σ of eq 15; on the lower arc one below eq 16, two up to the cusp.
     #[must_use]
     pub fn on_section(&self, section: &Section) -> Vec<BoundaryPoint> {
-        let mut points = Vec::new();
+        let row = |(crossing, parameter): (Crossing, Ball)| {
+            let position = (crossing.normal_stress_pa, crossing.loading_velocity_m_per_s);
+            BoundaryPoint::new(&self.frame, (crossing.arc, &parameter), position, None)
+        };
+        self.crossings(section).into_iter().map(row).collect()
+    }
+
+    /// The places of [`Self::on_section`] without errors and condition number, each with its parameter λ.
+    #[must_use]
+    pub fn crossings(&self, section: &Section) -> Vec<(Crossing, Ball)> {
+        let mut crossings = Vec::new();
         for &arc in self.arcs() {
             for parameter in self.parameters_on(section, arc) {
-                let computed = self.position(arc, &parameter);
-                let position = match section {
-                    Section::AtVelocity(velocity) => (computed.0, Ball::from_rational(velocity, self.bits)),
-                    Section::AtNormalStress(stress) => (Ball::from_rational(stress, self.bits), computed.1),
-                };
-                points.push(BoundaryPoint::new(&self.frame, (arc, &parameter), position, None));
+                crossings.push((self.crossing(section, arc, &parameter), parameter));
             }
         }
-        points
+        crossings
+    }
+
+    /// The crossing at λ, with the coordinate that the section gives put in as it is given.
+    fn crossing(&self, section: &Section, arc: Arc, parameter: &Ball) -> Crossing {
+        let place = self.frame.point(arc, parameter);
+        let (normal_stress_pa, loading_velocity_m_per_s) = match section {
+            Section::AtVelocity(velocity) => (
+                self.stress_scale_pa.clone() / &place.stiffness_group,
+                Ball::from_rational(velocity, self.bits),
+            ),
+            Section::AtNormalStress(stress) => (
+                Ball::from_rational(stress, self.bits),
+                self.velocity_scale_m_per_s.clone() * place.velocity_squared.sqrt(),
+            ),
+        };
+        Crossing { arc, double_root: place.double_root, normal_stress_pa, loading_velocity_m_per_s }
     }
 
     /// The points of the boundary at a given V0 in m/s.

@@ -68,7 +68,7 @@ impl Line {
     fn along(&self, function: impl Fn(&Groups<Rational>) -> Rational, degree: i32) -> UnivariatePolynomial {
         let values =
             (0..=degree).map(|x| function(&self.groups(Rational::from(x), Rational::clone))).collect();
-        interpolate(values)
+        UnivariatePolynomial::interpolating(values)
     }
 
     /// r, from the cubic at its double root; the precision is raised until r is certain to the bits asked for.
@@ -121,19 +121,4 @@ fn has_root_in(polynomial: &UnivariatePolynomial, interval: &IsolatingInterval) 
             polynomial.count_roots(&Limit::At(lower.clone()), &Limit::At(upper.clone())) > 0
         }
     }
-}
-
-/// The polynomial with these values at 0, 1, 2, …: Newton's forward differences.
-fn interpolate(mut values: Vec<Rational>) -> UnivariatePolynomial {
-    let mut sum = UnivariatePolynomial::new(Vec::new());
-    let mut basis = UnivariatePolynomial::from_integers(&[1]);
-    for step in 0_i64.. {
-        let Some(first) = values.first() else { break };
-        sum = sum.plus(&basis.scaled(first));
-        values = values.windows(2).map(|pair| Rational::from(&pair[1] - &pair[0])).collect();
-        let next =
-            UnivariatePolynomial::new(vec![Rational::from((-step, step + 1)), Rational::from((1, step + 1))]);
-        basis = basis.times(&next);
-    }
-    sum
 }

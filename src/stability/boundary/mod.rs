@@ -20,4 +20,4 @@ pub use by_curve::BoundaryCurve;
 pub use by_discriminant::by_discriminant;
 pub use comparison::{RouteComparison, compare_routes};
 pub use crossing::{Crossing, Section};
-pub use point::{BoundaryPoint, Mark};
+pub use point::{BoundaryPoint, ErrorPair, Mark};

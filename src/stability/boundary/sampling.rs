@@ -4,9 +4,10 @@ use std::cmp::Ordering;
 
 use rug::{Float, Rational};
 
-use crate::number::{Ball, Real};
+use crate::number::Ball;
 use crate::stability::Arc;
 use crate::stability::boundary::{BoundaryCurve, BoundaryPoint, Mark};
+use crate::stability::deviation::corner_normal_stress_parameter;
 use crate::stability::parameter_equation::{ParameterEquation, cusp_parameter};
 
 /// Bits that place a sample; the points themselves are exact for their λ, wherever it is.
@@ -68,12 +69,10 @@ impl BoundaryCurve {
         ParameterEquation::at_corner_velocity(&self.effect_ratio, arc).roots(self.bits)
     }
 
-    /// λ where the lower arc has the σ of eq 16: the positive root of 2qλ² + (1+q)λ − (1+q).
+    /// λ where the lower arc has the σ of eq 16.
     #[must_use]
     pub fn corner_normal_stress_parameter(&self) -> Ball {
-        let sum = &self.frame.sum;
-        let discriminant = crate::number::Field::square(sum) + Ball::from(8) * &self.frame.root_ratio * sum;
-        Ball::from(2) * sum / (discriminant.sqrt() + sum)
+        corner_normal_stress_parameter(&self.frame)
     }
 
     /// The cusp: the point of the lower arc where σ and V0 are both as large as they get.

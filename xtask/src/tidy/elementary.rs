@@ -16,6 +16,9 @@ const WITHOUT_ARGUMENTS: [&str; 2] = ["arg", "norm"];
 /// Text cannot tell an `f64` from an MPFR number: this comment, on the line or the one above, does.
 const NOT_BINARY64: &str = "// not f64:";
 
+/// A statement that makes an MPFR number says so itself.
+const MULTIPLE_PRECISION: &str = "Float::with_val(";
+
 /// Complains about calls that may reach the system's library of elementary functions.
 pub fn check(source: &RustSource, found: &mut Vec<Complaint>) {
     if !source.file.path.starts_with("src/") {
@@ -23,7 +26,7 @@ pub fn check(source: &RustSource, found: &mut Vec<Complaint>) {
     }
     let mut excused = false;
     for (number, code, text) in source.lines_outside_tests() {
-        let is_excused = text.contains(NOT_BINARY64);
+        let is_excused = text.contains(NOT_BINARY64) || code.contains(MULTIPLE_PRECISION);
         if !is_excused && !excused {
             for method in METHODS.iter().filter(|method| calls(code, method)) {
                 let message = format!(
@@ -32,8 +35,8 @@ pub fn check(source: &RustSource, found: &mut Vec<Complaint>) {
                 found.push(source.file.complaint(number, message));
             }
         }
-        // The comment excuses the rest of a chain of calls, but nothing after the statement's end.
-        excused = is_excused || (excused && !code.contains(';') && !code.contains('}'));
+        // An excuse holds for the rest of a chain of calls, but for nothing after the statement's end.
+        excused = (is_excused || excused) && !code.contains(';') && !code.contains('}');
     }
 }
 
@@ -93,6 +96,7 @@ mod tests {
     fn a_comment_excuses_one_statement() {
         assert_eq!(complaints("// not f64: MPFR.\nlet y = x\n    .ln();\nlet z = x.ln();"), [4]);
         assert_eq!(complaints("let y = x.ln(); // not f64: MPFR.\nlet z = 1;"), [0; 0]);
+        assert_eq!(complaints("let y = Float::with_val(64, x).ln();\nlet z = y.ln();"), [2]);
     }
 
     #[test]

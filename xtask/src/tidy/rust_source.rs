@@ -21,6 +21,26 @@ impl<'a> RustSource<'a> {
         Self { file, code, is_test }
     }
 
+    /// Marks the whole file as tests, as its parent module declares it.
+    pub fn set_all_tests(&mut self) {
+        self.is_test.fill(true);
+    }
+
+    /// The paths that this file's `#[cfg(test)] mod name;` declarations may mean.
+    pub fn test_modules(&self) -> Vec<String> {
+        let path = self.file.path.as_str();
+        let (folder, name) = path.rsplit_once('/').unwrap_or(("", path));
+        let folder = match name {
+            "mod.rs" | "lib.rs" | "main.rs" => folder.to_string(),
+            name => format!("{folder}/{}", name.trim_end_matches(".rs")),
+        };
+        let declared = self.code.match_indices(TEST_MARKER).filter_map(|(start, marker)| {
+            let item = &self.code[start + marker.len()..item_end(&self.code, start + marker.len())];
+            item.trim().rsplit_once("mod ").map(|(_, name)| name.to_string())
+        });
+        declared.flat_map(|name| [format!("{folder}/{name}.rs"), format!("{folder}/{name}/mod.rs")]).collect()
+    }
+
     /// Number (from 1), code and original text of each line.
     pub fn lines(&self) -> impl Iterator<Item = (usize, &str, &str)> {
         self.code.lines().zip(self.file.text.lines()).enumerate().map(|(n, (code, text))| (n + 1, code, text))
@@ -42,6 +62,8 @@ impl<'a> RustSource<'a> {
     }
 }
 
+const TEST_MARKER: &str = "#[cfg(test)]";
+
 /// Byte positions of a word in code, where neither neighbour continues the identifier.
 pub fn word_positions<'a>(code: &'a str, word: &'a str) -> impl Iterator<Item = usize> + 'a {
     let is_part = |c: char| c.is_alphanumeric() || c == '_';
@@ -53,7 +75,7 @@ pub fn word_positions<'a>(code: &'a str, word: &'a str) -> impl Iterator<Item = 
 fn test_lines(path: &str, code: &str) -> Vec<bool> {
     let whole_file = ["tests/", "benches/", "/tests.rs", "/tests/"].iter().any(|part| path.contains(part));
     let mut flags = vec![whole_file; code.lines().count()];
-    for (start, marker) in code.match_indices("#[cfg(test)]") {
+    for (start, marker) in code.match_indices(TEST_MARKER) {
         let end = item_end(code, start + marker.len());
         let (first, last) = (code[..start].matches('\n').count(), code[..end].matches('\n').count());
         flags.iter_mut().take(last + 1).skip(first).for_each(|flag| *flag = true);
@@ -190,6 +212,15 @@ mod tests {
         let source = RustSource::new(&file);
         let outside: Vec<usize> = source.lines_outside_tests().map(|(number, _, _)| number).collect();
         assert_eq!(outside, [1, 6, 9]);
+    }
+
+    #[test]
+    fn a_file_may_be_declared_as_tests_by_its_parent() {
+        let text = "#[cfg(test)]\npub(crate) mod sample;\nmod other;\n#[cfg(test)]\nmod tests { mod x; }\n";
+        let file = TextFile { path: "src/plot/mod.rs".into(), text: text.into() };
+        let found = RustSource::new(&file).test_modules();
+        assert_eq!(found[..2], ["src/plot/sample.rs", "src/plot/sample/mod.rs"]);
+        assert!(!found.iter().any(|path| path.contains("other")));
     }
 
     #[test]

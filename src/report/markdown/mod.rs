@@ -1,13 +1,16 @@
-//! Prose: Markdown to HTML, and Markdown to harmless Markdown. The only place that knows `pulldown-cmark`.
+//! Prose: Markdown to HTML, and Markdown to harmless Markdown. The only folder that knows `pulldown-cmark`.
 //!
 //! Raw HTML and images are dropped, links keep only known schemes, headings take no attributes: prose comes from
 //! files that somebody else may have written.
 
-use std::ops::Range;
+mod harmless;
+
+pub(crate) use harmless::harmless;
 
 use pulldown_cmark::{CowStr, Event, HeadingLevel, Options, Parser, Tag, TagEnd, html};
 
 use super::math::Mathematics;
+use crate::table::printable;
 
 /// Schemes that a link may have.
 const SCHEMES: [&str; 3] = ["https", "http", "mailto"];
@@ -35,7 +38,8 @@ impl Prose {
     pub fn blocks(&mut self, markdown: &str, shift: usize, place: &str) -> String {
         let mut events = Vec::new();
         let (mut dropped_links, mut image_depth) = (Vec::new(), 0_usize);
-        for event in Parser::new_ext(markdown, options()) {
+        let source = visible(markdown);
+        for event in Parser::new_ext(&source, options()) {
             match event {
                 Event::Html(_)
                 | Event::InlineHtml(_)
@@ -141,103 +145,20 @@ fn is_allowed(destination: &str) -> bool {
     plain && known && !destination.starts_with("//")
 }
 
-/// The same prose as Markdown without raw HTML, images and unknown schemes; headings `shift` levels further down.
-///
-/// `link` says where a deep link of the page leads in the Markdown report; a link that leads nowhere keeps its words.
-pub(crate) fn harmless(markdown: &str, shift: usize, link: &dyn Fn(&str) -> Option<String>) -> String {
-    let mut text = markdown.to_owned();
-    // What is dropped may bring forth new markup from its neighbours; every round makes the text shorter.
-    loop {
-        let edits = hazards(&text);
-        if edits.is_empty() {
-            break;
-        }
-        text = edited(&text, edits);
-    }
-    edited(&text, finishing_edits(&text, shift, link))
+/// The source with Unix line ends and without characters that are invisible or reorder text.
+fn visible(markdown: &str) -> String {
+    markdown.replace("\r\n", "\n").chars().map(printable).collect()
 }
 
-type Edit = (Range<usize>, String);
-
-/// Replacements of everything that must not stay.
-fn hazards(text: &str) -> Vec<Edit> {
-    let parser = Parser::new_ext(text, options());
-    let definitions = parser.reference_definitions().iter();
-    let mut edits: Vec<Edit> = definitions
-        .filter(|(_, definition)| !is_allowed(&definition.dest))
-        .map(|(_, definition)| (definition.span.clone(), String::new()))
-        .collect();
-    let events: Vec<Spanned<'_>> = Parser::new_ext(text, options()).into_offset_iter().collect();
-    for (at, (event, range)) in events.iter().enumerate() {
-        match event {
-            Event::Html(_) | Event::InlineHtml(_) | Event::Start(Tag::HtmlBlock) => {
-                edits.push((range.clone(), String::new()));
-            }
-            Event::Start(Tag::Image { .. }) => edits.push((range.clone(), inner(text, &events[at..]))),
-            Event::Start(Tag::Link { dest_url, .. }) if !is_allowed(dest_url) => {
-                edits.push((range.clone(), inner(text, &events[at..])));
-            }
-            _ => {}
-        }
-    }
-    edits
-}
-
-/// Replacements that fit harmless prose into the Markdown report.
-fn finishing_edits(text: &str, shift: usize, link: &dyn Fn(&str) -> Option<String>) -> Vec<Edit> {
-    let mut edits = Vec::new();
-    let events: Vec<Spanned<'_>> = Parser::new_ext(text, options()).into_offset_iter().collect();
-    for (at, (event, range)) in events.iter().enumerate() {
-        match event {
-            Event::Start(Tag::Heading { level, .. }) => {
-                let marks = "#".repeat((*level as usize + shift).min(6));
-                edits.push((range.clone(), format!("{marks} {}\n", inner(text, &events[at..]))));
-            }
-            Event::Start(Tag::Link { dest_url, .. }) if dest_url.starts_with('#') => {
-                let words = inner(text, &events[at..]);
-                let target = link(&dest_url[1..]);
-                edits.push((
-                    range.clone(),
-                    target.map_or_else(|| words.clone(), |to| format!("[{words}](#{to})")),
-                ));
-            }
-            _ => {}
-        }
-    }
-    edits
-}
-
-type Spanned<'a> = (Event<'a>, Range<usize>);
-
-/// The source inside the element that starts first, on one line.
-fn inner(text: &str, events: &[Spanned<'_>]) -> String {
-    let (mut depth, mut first, mut last) = (0_usize, usize::MAX, 0);
-    for (event, span) in events {
-        match event {
-            Event::End(_) => depth -= 1,
-            _ if depth > 0 => (first, last) = (first.min(span.start), last.max(span.end)),
-            _ => {}
-        }
-        depth += usize::from(matches!(event, Event::Start(_)));
-        if depth == 0 {
-            break;
-        }
-    }
-    text.get(first..last).unwrap_or_default().replace('\n', " ")
-}
-
-/// The text with replacements made; of two that overlap the earlier, wider one counts.
-fn edited(text: &str, mut edits: Vec<Edit>) -> String {
-    edits.sort_by_key(|(range, _)| (range.start, std::cmp::Reverse(range.end)));
-    let (mut result, mut at) = (String::new(), 0);
-    for (range, replacement) in edits {
-        if range.start >= at {
-            result += &text[at..range.start];
-            result += &replacement;
-            at = range.end;
-        }
-    }
-    result + &text[at..]
+/// Raw HTML that the Markdown still holds.
+#[cfg(test)]
+pub(crate) fn raw_html(markdown: &str) -> Vec<String> {
+    let events = Parser::new_ext(markdown, options());
+    let raw = events.filter_map(|event| match event {
+        Event::Html(text) | Event::InlineHtml(text) => Some(text.to_string()),
+        _ => None,
+    });
+    raw.collect()
 }
 
 #[cfg(test)]

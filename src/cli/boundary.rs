@@ -1,0 +1,132 @@
+//! `slipmode boundary`: the exact boundary max Im(s) = 0 as CSV, along its arcs or at one velocity or normal stress.
+
+use std::io::Write;
+use std::path::PathBuf;
+
+use clap::Args;
+use slipmode::exhibit::{boundary_columns, boundary_row};
+use slipmode::friction::Parameters;
+use slipmode::number::Rational;
+use slipmode::scene::{AllowedRange, Limits, Problem, Quantity, parameters_from};
+use slipmode::stability::boundary::BoundaryCurve;
+use slipmode::table::Table;
+
+use crate::cli::failure::Failure;
+use crate::cli::options::{Arguments, SliderOptions};
+use crate::cli::output::{Output, machine_write};
+use crate::cli::roots::MOST_DIGITS;
+
+/// How far off the asymptotes are at the ends of the sampled arcs: beyond, arc and asymptote are one line in any figure.
+const END_ERROR: f64 = 1e-9;
+
+/// Options of `boundary`.
+#[derive(Debug, Args)]
+pub struct Options {
+    #[command(flatten)]
+    slider: SliderOptions,
+    /// Points on each arc, besides the marked ones (cusp and corners)
+    #[arg(long, value_name = "N", default_value = "200", allow_hyphen_values = true)]
+    points: String,
+    /// Significant digits, 1 to 1 000 000; only certain ones are printed, and 0 for an error that vanishes to all of them
+    #[arg(long, value_name = "D", default_value = "20", allow_hyphen_values = true)]
+    digits: String,
+    /// The points of the boundary at this loading velocity instead, m/s
+    #[arg(long, value_name = "V", allow_hyphen_values = true)]
+    at_velocity: Option<String>,
+    /// The points of the boundary at this normal stress instead, Pa
+    #[arg(long, value_name = "S", allow_hyphen_values = true)]
+    at_normal_stress: Option<String>,
+    /// Lifts the limit on --points [default: 4 194 304]
+    #[arg(long, value_name = "N", allow_hyphen_values = true)]
+    max_points: Option<String>,
+    /// Where to write; `-` is standard output
+    #[arg(short, long, value_name = "OUT.csv", default_value = "-")]
+    output: PathBuf,
+}
+
+/// What was asked for, valid.
+struct Request {
+    parameters: Parameters<Rational>,
+    points: usize,
+    digits: u32,
+    at_velocity: Option<Rational>,
+    at_normal_stress: Option<Rational>,
+}
+
+/// Runs the command.
+///
+/// # Errors
+/// When the arguments are at fault or the output cannot be written.
+pub fn run(options: &Options) -> Result<(), Failure> {
+    let mut arguments = Arguments::default();
+    let request = Request::read(options, &mut arguments);
+    arguments.finish()?;
+    let Some(request) = request else { return Ok(()) };
+    let mut output = Output::create(&options.output)?;
+    let table = request.table();
+    output.write_all(table.to_csv().as_bytes()).map_err(|error| machine_write(&error))?;
+    output.commit()?;
+    if table.rows.is_empty() {
+        eprintln!("the boundary has no point there");
+    }
+    Ok(())
+}
+
+impl Request {
+    fn read(options: &Options, arguments: &mut Arguments) -> Option<Self> {
+        let parameters = slider(&options.slider, arguments);
+        let limit = arguments.whole("--max-points", options.max_points.as_deref(), 2..=u64::from(u32::MAX));
+        let limit = limit.unwrap_or(Limits::default().max_points);
+        let points = arguments.whole("--points", Some(&options.points), 2..=u64::MAX);
+        let points = points.filter(|points| *points <= limit).or_else(|| {
+            let points = points?.to_string();
+            let problem = Problem::TooManyPoints { points, limit };
+            arguments.fault("--points", Some(&options.points), problem)
+        });
+        let digits = arguments.whole("--digits", Some(&options.digits), 1..=MOST_DIGITS);
+        let mut coordinate = |option, text: &Option<String>| match text {
+            Some(text) => arguments.number(option, text, |text| AllowedRange::PHYSICAL.parse(text)).map(Some),
+            None => Some(None),
+        };
+        let at_velocity = coordinate("--at-velocity", &options.at_velocity);
+        let at_normal_stress = coordinate("--at-normal-stress", &options.at_normal_stress);
+        Some(Self {
+            parameters: parameters?,
+            points: usize::try_from(points?).ok()?,
+            digits: u32::try_from(digits?).ok()?,
+            at_velocity: at_velocity?,
+            at_normal_stress: at_normal_stress?,
+        })
+    }
+
+    /// The table of the points that were asked for.
+    fn table(&self) -> Table {
+        let curve = BoundaryCurve::new(&self.parameters, self.digits);
+        let mut points = Vec::new();
+        if let Some(velocity) = &self.at_velocity {
+            points.extend(curve.at_velocity(velocity));
+        }
+        if let Some(stress) = &self.at_normal_stress {
+            points.extend(curve.at_normal_stress(stress));
+        }
+        if self.at_velocity.is_none() && self.at_normal_stress.is_none() {
+            points = curve.sample(self.points, END_ERROR);
+        }
+        let mut table = Table::new("boundary", "Boundary", boundary_columns());
+        points.iter().for_each(|point| table.push(boundary_row(point, self.digits as usize)));
+        table
+    }
+}
+
+/// The slider without its point of operation: σ and V0 are what is sought, and are checked but not used when given.
+fn slider(options: &SliderOptions, arguments: &mut Arguments) -> Option<Parameters<Rational>> {
+    let values = Quantity::ALL.map(|quantity| {
+        let sought = matches!(quantity, Quantity::NormalStress | Quantity::LoadingVelocity);
+        match options.text(quantity) {
+            None if sought => Some(Rational::from(1)),
+            _ => options.required(quantity, arguments),
+        }
+    });
+    let [Some(a), Some(b), Some(d), Some(k), Some(m), Some(s), Some(v)] = values else { return None };
+    Some(parameters_from([a, b, d, k, m, s, v]))
+}

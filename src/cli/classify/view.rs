@@ -1,0 +1,123 @@
+//! What `classify` says of one point: as text for people, as one JSON object for programs.
+
+use rug::Float;
+use serde_json::{Value, json};
+use slipmode::friction::{Groups, Parameters};
+use slipmode::number::format::round_float;
+use slipmode::number::{Rational, Wide};
+use slipmode::stability::{Classification, InertialThreshold, classify, transition};
+
+use crate::cli::roots::{PrintedRoot, print_roots};
+
+/// Significant digits of the roots beside a classification: those of a 64-bit number.
+const ROOT_DIGITS: u32 = 17;
+/// Significant digits in the text for people.
+const SHOWN_DIGITS: usize = 6;
+
+/// A classified point with what surrounds it.
+#[derive(Debug)]
+pub struct PointView {
+    found: Classification,
+    critical_stiffness_pa_per_m: Rational,
+    groups: Groups<Rational>,
+    stiffness_ratio: Option<Rational>,
+    roots: Vec<PrintedRoot>,
+}
+
+impl PointView {
+    /// Classifies the point.
+    pub fn new(parameters: &Parameters<Rational>, threshold: &InertialThreshold) -> Self {
+        let critical_stiffness_pa_per_m = transition::critical_stiffness(parameters);
+        let stiffness_ratio = (critical_stiffness_pa_per_m > 0)
+            .then(|| Rational::from(&parameters.stiffness_pa_per_m / &critical_stiffness_pa_per_m));
+        Self {
+            found: classify(parameters, threshold),
+            critical_stiffness_pa_per_m,
+            groups: parameters.groups(),
+            stiffness_ratio,
+            roots: print_roots(parameters, ROOT_DIGITS),
+        }
+    }
+
+    /// One object with the names of the CSV columns and more.
+    pub fn json(&self) -> Value {
+        let found = &self.found;
+        json!({
+            "transition_sign": found.transition_sign,
+            "boundary_sign": found.boundary_sign,
+            "spectral_class": found.spectral_class.as_str(),
+            "slip_mode": found.slip_mode.as_str(),
+            "max_real_per_s": number(found.max_real_per_s),
+            "max_imaginary_per_s": number(found.max_imaginary_per_s),
+            "rung": found.rung.as_str(),
+            "critical_stiffness_pa_per_m": nearest_number(&self.critical_stiffness_pa_per_m),
+            "stiffness_over_critical": self.stiffness_ratio.as_ref().map(nearest_number),
+            "groups": {
+                "inertial_parameter": nearest_number(&self.groups.inertial_parameter),
+                "stiffness_group": nearest_number(&self.groups.stiffness_group),
+                "effect_ratio": nearest_number(&self.groups.effect_ratio),
+            },
+            "roots": self.roots.iter().map(PrintedRoot::json).collect::<Vec<_>>(),
+        })
+    }
+
+    /// Lines of name, value and meaning.
+    pub fn text(&self) -> String {
+        let found = &self.found;
+        let mut lines = vec![
+            ("slip mode", found.slip_mode.as_str().to_string(), ""),
+            ("spectral class", found.spectral_class.as_str().to_string(), ""),
+            ("sign of K - K_c", signed(found.transition_sign), transition_words(found.transition_sign)),
+            ("sign of discriminant", signed(found.boundary_sign), boundary_words(found.boundary_sign)),
+            ("max Re(s)", format!("{} 1/s", found.max_real_per_s), ""),
+            ("max Im(s)", format!("{} 1/s", found.max_imaginary_per_s), ""),
+            ("K_c", format!("{} Pa/m", shown(&self.critical_stiffness_pa_per_m)), "(eq 9)"),
+            (
+                "K / K_c",
+                self.stiffness_ratio.as_ref().map_or_else(|| "-".into(), shown),
+                if self.stiffness_ratio.is_some() { "" } else { "(a >= b: no transition)" },
+            ),
+            ("eta, M V0^2/(sigma a D_c)", shown(&self.groups.inertial_parameter), ""),
+            ("kappa, K D_c/(a sigma)", shown(&self.groups.stiffness_group), ""),
+            ("beta, b/a", shown(&self.groups.effect_ratio), ""),
+            ("decided by", found.rung.as_str().to_string(), ""),
+        ];
+        lines.extend(self.roots.iter().map(|root| ("root s", root.text(), "")));
+        let line = |(name, value, note): &(&str, String, &str)| format!("{name:<26} {value}  {note}");
+        lines.iter().map(line).map(|line| format!("{}\n", line.trim_end())).collect()
+    }
+}
+
+fn transition_words(sign: i8) -> &'static str {
+    match sign {
+        1 => "(K > K_c: linearly stable)",
+        0 => "(K = K_c: on the transition)",
+        _ => "(K < K_c: linearly unstable)",
+    }
+}
+
+fn boundary_words(sign: i8) -> &'static str {
+    match sign {
+        1 => "(all roots real)",
+        0 => "(on the boundary max Im(s) = 0)",
+        _ => "(a complex pair)",
+    }
+}
+
+fn signed(sign: i8) -> String {
+    if sign > 0 { format!("+{sign}") } else { sign.to_string() }
+}
+
+fn shown(value: &Rational) -> String {
+    round_float(&Float::with_val(64, value), SHOWN_DIGITS)
+}
+
+/// A JSON number; a text beyond the range of 64-bit numbers, which JSON readers would turn into infinity or zero.
+fn number(value: Wide) -> Value {
+    value.to_f64().map_or_else(|| json!(value.to_string()), |value| json!(value))
+}
+
+/// The nearest 64-bit number.
+fn nearest_number(value: &Rational) -> Value {
+    number(Wide::from_float(&Float::with_val(53, value)))
+}

@@ -1,0 +1,48 @@
+//! What a result depends on without being part of it: versions, machine, time. It is written apart and never compared.
+
+use std::collections::BTreeMap;
+use std::time::{Instant, SystemTime, UNIX_EPOCH};
+
+use gmp_mpfr_sys::{gmp, mpc, mpfr};
+use slipmode::report::FactView;
+
+/// The file of an output folder that holds the environment; it also marks the folder as one of ours.
+pub const ENVIRONMENT_FILE: &str = "environment.json";
+
+/// The environment of one run, from its start.
+#[derive(Debug)]
+pub struct Environment {
+    started: Instant,
+}
+
+impl Environment {
+    /// Starts the clock.
+    pub fn start() -> Self {
+        Self { started: Instant::now() }
+    }
+
+    /// Versions and machine, as name and value.
+    pub fn facts(&self) -> Vec<FactView> {
+        let version = |major, minor, patch| format!("{major}.{minor}.{patch}");
+        let facts = [
+            ("slipmode", env!("CARGO_PKG_VERSION").to_string()),
+            ("GMP", version(gmp::VERSION, gmp::VERSION_MINOR, gmp::VERSION_PATCHLEVEL)),
+            ("MPFR", version(mpfr::VERSION_MAJOR, mpfr::VERSION_MINOR, mpfr::VERSION_PATCHLEVEL)),
+            ("MPC", version(mpc::VERSION_MAJOR, mpc::VERSION_MINOR, mpc::VERSION_PATCHLEVEL)),
+            ("compiler", env!("SLIPMODE_RUSTC").to_string()),
+            ("machine", format!("{} {}", std::env::consts::OS, std::env::consts::ARCH)),
+            ("threads", rayon::current_num_threads().to_string()),
+        ];
+        facts.into_iter().map(|(name, value)| FactView { name: name.into(), value }).collect()
+    }
+
+    /// The facts with the times, as `environment.json`.
+    pub fn to_json(&self) -> String {
+        let mut facts: BTreeMap<String, String> =
+            self.facts().into_iter().map(|fact| (fact.name, fact.value)).collect();
+        let since_epoch = SystemTime::now().duration_since(UNIX_EPOCH).unwrap_or_default();
+        facts.insert("finished, seconds since 1970".into(), since_epoch.as_secs().to_string());
+        facts.insert("computed in, seconds".into(), format!("{:.2}", self.started.elapsed().as_secs_f64()));
+        format!("{:#}\n", serde_json::json!(facts))
+    }
+}

@@ -1,0 +1,159 @@
+//! Scenes and report folders, read whole, with every fault of every file.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::{Path, PathBuf};
+
+use sha2::{Digest, Sha256};
+use slipmode::claims::known_ids;
+use slipmode::report::{Folder, InputView};
+use slipmode::scene::{
+    Fault, Faults, Limits, Problem, ReportPlan, Scene, check_distinct_scene_names, file_text, read_claims,
+};
+use slipmode::study::{References, read_hard_cases};
+use slipmode::theory::PaperEquations;
+
+use crate::cli::input::read_small_file;
+
+/// The paper's equations for scenes that stand outside a report.
+const EQUATIONS: &str = include_str!("../../reports/im-avouac/equations.toml");
+
+/// A reader of the files below one folder that keeps their faults and digests.
+#[derive(Debug)]
+struct Reader {
+    root: PathBuf,
+    limits: Limits,
+    faults: Faults,
+    inputs: Vec<InputView>,
+}
+
+/// Reads a report folder.
+///
+/// # Errors
+/// Every fault of every file.
+pub fn read_report(root: &Path, limits: Limits) -> Result<Folder, Faults> {
+    let mut reader = Reader::new(root, limits);
+    let plan = reader.read("report.toml", |file, bytes, _| ReportPlan::parse(file, bytes));
+    let claims = reader.read("claims.toml", |file, bytes, _| read_claims(file, bytes, &known_ids()));
+    let equations = reader.read("equations.toml", |file, bytes, _| read_equations(file, bytes));
+    let (names, chapters) = plan.as_ref().map_or((&[][..], &[][..]), |plan| (&plan.scenes, &plan.chapters));
+    let scenes: Vec<(String, Scene)> = names
+        .iter()
+        .filter_map(|name| {
+            let scene = reader.read(&format!("scenes/{name}.toml"), Scene::parse)?;
+            Some((reader.name(&format!("scenes/{name}.toml")), scene))
+        })
+        .collect();
+    if let Err(faults) = check_distinct_scene_names(&scenes) {
+        reader.faults.extend(faults);
+    }
+    let scenes: Vec<Scene> = scenes.into_iter().map(|(_, scene)| scene).collect();
+    let mut prose = BTreeMap::new();
+    for file in chapters.iter().map(|chapter| &chapter.prose).collect::<BTreeSet<_>>() {
+        let text = reader.read(&format!("prose/{file}"), |file, bytes, _| read_text(file, bytes));
+        prose.extend(text.map(|text| (file.clone(), text)));
+    }
+    let references = reader.references(&scenes, "vectors");
+    match (plan, claims, equations) {
+        (Some(plan), Some(claims), Some(equations)) if reader.faults.is_empty() => {
+            Ok(Folder { plan, claims, equations, scenes, prose, references, inputs: reader.inputs })
+        }
+        _ => Err(reader.faults),
+    }
+}
+
+/// A scene on its own, with what it refers to.
+#[derive(Debug)]
+pub struct LoneScene {
+    /// The scene.
+    pub scene: Scene,
+    /// The paper's equations.
+    pub equations: PaperEquations,
+    /// Files that the scene names: beside it, or in the `vectors` folder of its report.
+    pub references: References,
+}
+
+/// Reads a scene.
+///
+/// # Errors
+/// Every fault of the scene and of the files that it names.
+pub fn read_scene(path: &Path, limits: Limits) -> Result<LoneScene, Faults> {
+    let bytes = read_small_file(path).map_err(|fault| vec![fault])?;
+    let scene = Scene::parse(&path.display().to_string(), &bytes, &limits)?;
+    let beside = path.parent().unwrap_or(Path::new(""));
+    let report_vectors =
+        beside.parent().map(|report| report.join("vectors")).filter(|folder| folder.is_dir());
+    let mut reader = Reader::new(beside, limits);
+    if let Some(folder) = report_vectors {
+        reader.root = folder;
+    }
+    let references = reader.references(std::slice::from_ref(&scene), "");
+    if !reader.faults.is_empty() {
+        return Err(reader.faults);
+    }
+    let equations = read_equations("equations.toml", EQUATIONS.as_bytes())?;
+    Ok(LoneScene { scene, equations, references })
+}
+
+impl Reader {
+    fn new(root: &Path, limits: Limits) -> Self {
+        Self { root: root.to_path_buf(), limits, faults: Faults::new(), inputs: Vec::new() }
+    }
+
+    /// The name of a file below the root, for messages.
+    fn name(&self, path: &str) -> String {
+        self.root.join(path).display().to_string()
+    }
+
+    /// Reads a file with `parse`; its faults are kept.
+    fn read<T>(
+        &mut self,
+        path: &str,
+        parse: impl FnOnce(&str, &[u8], &Limits) -> Result<T, Faults>,
+    ) -> Option<T> {
+        let bytes = match read_small_file(&self.root.join(path)) {
+            Ok(bytes) => bytes,
+            Err(fault) => {
+                self.faults.push(fault);
+                return None;
+            }
+        };
+        self.inputs.push(InputView {
+            path: path.to_string(),
+            bytes: bytes.len().to_string(),
+            sha256: Sha256::digest(&bytes).iter().map(|byte| format!("{byte:02x}")).collect(),
+        });
+        parse(&self.name(path), &bytes, &self.limits).map_err(|faults| self.faults.extend(faults)).ok()
+    }
+
+    /// The files that scenes name, from one folder below the root.
+    fn references(&mut self, scenes: &[Scene], folder: &str) -> References {
+        let named = scenes.iter().filter_map(|scene| scene.hard_cases.as_ref());
+        let mut references = References::default();
+        for file in named.map(|section| section.file.clone()).collect::<BTreeSet<_>>() {
+            let path = if folder.is_empty() { file.clone() } else { format!("{folder}/{file}") };
+            let cases = self.read(&path, |name, bytes, _| {
+                read_hard_cases(name, file_text(name, bytes).map_err(|fault| vec![fault])?)
+            });
+            references.hard_cases.extend(cases.map(|cases| (file, cases)));
+        }
+        references
+    }
+}
+
+fn read_text(file: &str, bytes: &[u8]) -> Result<String, Faults> {
+    file_text(file, bytes).map(str::to_string).map_err(|fault| vec![fault])
+}
+
+fn read_equations(file: &str, bytes: &[u8]) -> Result<PaperEquations, Faults> {
+    let text = file_text(file, bytes).map_err(|fault| vec![fault])?;
+    PaperEquations::parse(text).map_err(|error| {
+        let fault = |found: &slipmode::theory::EquationFault| Fault {
+            file: file.to_string(),
+            line: None,
+            key: found.key.clone(),
+            value: None,
+            problem: Problem::Equation(found.message.trim_end().to_string()),
+        };
+        error.faults.iter().map(fault).collect()
+    })
+}

@@ -1,0 +1,160 @@
+//! `slipmode run`, `report` and `verify`: scenes and report folders in, folders of pages, tables and figures out.
+
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use slipmode::claims::{Ledger, Verdict};
+use slipmode::report::{Product, ReportError, produce, produce_scene};
+use slipmode::scene::Limits;
+
+use crate::cli::environment::{ENVIRONMENT_FILE, Environment};
+use crate::cli::failure::Failure;
+use crate::cli::folder::{read_report, read_scene};
+use crate::cli::options::Arguments;
+use crate::cli::progress::Progress;
+use crate::cli::terminal;
+use crate::cli::tree::{Files, OutputFolder, differences};
+
+/// The limit on grids, shared by the commands that read scenes.
+#[derive(Debug, Args)]
+pub struct LimitOption {
+    /// Lifts the limit on the points of one grid, line or sweep [default: 4194304]
+    #[arg(long, value_name = "N", allow_hyphen_values = true)]
+    max_points: Option<String>,
+}
+
+impl LimitOption {
+    fn limits(&self) -> Result<Limits, Failure> {
+        let mut arguments = Arguments::default();
+        let given = arguments.whole("--max-points", self.max_points.as_deref(), 2..=u64::MAX);
+        arguments.finish()?;
+        Ok(given.map_or_else(Limits::default, |max_points| Limits { max_points }))
+    }
+}
+
+/// Options of `run`.
+#[derive(Debug, Args)]
+pub struct RunOptions {
+    /// The scene
+    #[arg(value_name = "SCENE.toml")]
+    scene: PathBuf,
+    /// The folder to write [default: target/run/NAME, with the scene's name]
+    #[arg(short, long, value_name = "OUT")]
+    output: Option<PathBuf>,
+    #[command(flatten)]
+    limit: LimitOption,
+}
+
+/// Options of `report` and `verify`.
+#[derive(Debug, Args)]
+pub struct ReportOptions {
+    /// The report's folder, with report.toml, claims.toml, equations.toml, scenes/ and prose/
+    #[arg(value_name = "DIR")]
+    folder: PathBuf,
+    /// The folder to write [default: target/report/NAME, with the report's name]
+    #[arg(short, long, value_name = "OUT")]
+    output: Option<PathBuf>,
+    #[command(flatten)]
+    limit: LimitOption,
+}
+
+/// Computes all that a scene states, and writes its tables and figures.
+///
+/// # Errors
+/// When the scene is at fault or the folder cannot be written.
+pub fn run(options: &RunOptions, progress: &Progress) -> Result<(), Failure> {
+    let environment = Environment::start();
+    let lone = read_scene(&options.scene, options.limit.limits()?)?;
+    let place = options.output.clone().unwrap_or_else(|| Path::new("target/run").join(&lone.scene.name));
+    let output = OutputFolder::create(&place)?;
+    let mut files =
+        progress.items(|progress| produce_scene(&lone.scene, &lone.equations, &lone.references, progress));
+    let listing: String = files.keys().map(|name| format!("{}\n", place.join(name).display())).collect();
+    files.insert(ENVIRONMENT_FILE.into(), environment.to_json());
+    output.commit(&files)?;
+    terminal::print(&listing)
+}
+
+/// Makes a report.
+///
+/// # Errors
+/// When the report's files are at fault or the folder cannot be written.
+pub fn report(options: &ReportOptions, progress: &Progress) -> Result<(), Failure> {
+    let (product, place) = make(options, progress)?;
+    let page = place.join("index.html");
+    terminal::print(&format!("{}{}\n", summary(&product.ledger), page.display()))
+}
+
+/// Makes a report and compares it with its published copy.
+///
+/// # Errors
+/// When a verdict is not the recorded one or a published byte moved; and as [`report`].
+pub fn verify(options: &ReportOptions, progress: &Progress) -> Result<(), Failure> {
+    let (product, place) = make(options, progress)?;
+    let moved = differences(&product.files, &options.folder.join("published"))?;
+    let drift = drift(&product.ledger);
+    let mut text: String = product.ledger.claims.iter().map(claim_line).collect();
+    text += &summary(&product.ledger);
+    text += &format!("{}\n", place.join("index.html").display());
+    terminal::print(&text)?;
+    if drift.is_empty() && moved.is_empty() {
+        return Ok(());
+    }
+    let counts = format!("drift: {} verdicts, {} files", drift.len(), moved.len());
+    let hint = "look at them, then `cargo xtask bless` publishes them deliberately".to_string();
+    let lines: Vec<String> = drift.into_iter().chain(moved).chain([counts, hint]).collect();
+    Err(Failure::Check(lines.join("\n")))
+}
+
+/// Reads, computes and writes; gives the product and its place.
+fn make(options: &ReportOptions, progress: &Progress) -> Result<(Product, PathBuf), Failure> {
+    let environment = Environment::start();
+    let folder = read_report(&options.folder, options.limit.limits()?)?;
+    let name = &folder.plan.name;
+    let place = options.output.clone().unwrap_or_else(|| Path::new("target/report").join(name));
+    let output = OutputFolder::create(&place)?;
+    let command = format!("slipmode report reports/{name}");
+    let product = progress
+        .items(|progress| produce(&folder, &command, environment.facts(), progress))
+        .map_err(|error| unrenderable(&options.folder, &error))?;
+    let mut files: Files = product.files.clone();
+    files.insert(ENVIRONMENT_FILE.into(), environment.to_json());
+    output.commit(&files)?;
+    Ok((product, place))
+}
+
+fn unrenderable(folder: &Path, error: &ReportError) -> Failure {
+    let lines: Vec<String> =
+        error.to_string().lines().map(|line| format!("{}: {line}", folder.display())).collect();
+    Failure::Refused(lines.join("\n"))
+}
+
+fn claim_line(entry: &slipmode::claims::Entry) -> String {
+    let finding = &entry.finding;
+    let limit = finding.limit.as_ref().or(finding.counter_example.as_ref());
+    let limit = limit.map(|text| format!("  {text}")).unwrap_or_default();
+    let (verdict, strength) = (finding.verdict.as_str(), finding.strength.as_str());
+    format!("{:<4} {verdict:<13} {strength:<10}{limit}\n", entry.id)
+}
+
+/// The claims whose verdict is not the recorded one: id, old, new.
+fn drift(ledger: &Ledger) -> Vec<String> {
+    ledger
+        .drift()
+        .map(|entry| {
+            format!("{}: recorded {}, now {}", entry.id, entry.expected, entry.finding.verdict.as_str())
+        })
+        .collect()
+}
+
+fn summary(ledger: &Ledger) -> String {
+    let count = |verdict| ledger.count(verdict);
+    format!(
+        "{} claims: {} hold, {} hold within a limit, {} fail, {} not checked\n",
+        ledger.claims.len(),
+        count(Verdict::Holds),
+        count(Verdict::HoldsWithin),
+        count(Verdict::Fails),
+        count(Verdict::NotChecked),
+    )
+}

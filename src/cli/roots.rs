@@ -1,0 +1,118 @@
+//! `slipmode roots`: the three roots s of eq 8, to any number of certified digits.
+
+use clap::Args;
+use rug::Float;
+use rug::float::Round;
+use serde_json::{Value, json};
+use slipmode::friction::Parameters;
+use slipmode::number::format::{certain_digits, round_float};
+use slipmode::number::{Ball, Rational};
+use slipmode::roots::{CertifiedRoot, certified_roots};
+
+use crate::cli::failure::Failure;
+use crate::cli::options::{Arguments, SliderOptions};
+use crate::cli::terminal;
+
+/// The most digits that can be asked for.
+pub const MOST_DIGITS: u64 = 1_000_000;
+/// Digits computed beyond those printed, so that the last one is certain: a closer call than 1e-12 of a digit is
+/// printed with one digit fewer.
+const GUARD_DIGITS: u32 = 12;
+/// Significant digits of a printed radius.
+const RADIUS_DIGITS: usize = 3;
+
+/// Options of `roots`.
+#[derive(Debug, Args)]
+pub struct Options {
+    #[command(flatten)]
+    slider: SliderOptions,
+    /// Significant digits of every real and imaginary part, 1 to 1 000 000
+    #[arg(long, value_name = "N", default_value = "17", allow_hyphen_values = true)]
+    digits: String,
+    /// A JSON list instead of text
+    #[arg(long)]
+    json: bool,
+}
+
+/// Runs the command.
+///
+/// # Errors
+/// When the arguments are at fault or the output cannot be written.
+pub fn run(options: &Options) -> Result<(), Failure> {
+    let mut arguments = Arguments::default();
+    let parameters = options.slider.parameters(&mut arguments);
+    let digits = arguments.whole("--digits", Some(&options.digits), 1..=MOST_DIGITS);
+    arguments.finish()?;
+    let (Some(parameters), Some(Ok(digits))) = (parameters, digits.map(u32::try_from)) else { return Ok(()) };
+    let roots = print_roots(&parameters, digits);
+    if options.json {
+        return terminal::print_json(&roots.iter().map(PrintedRoot::json).collect());
+    }
+    let lines: Vec<String> = roots.iter().map(|root| format!("{}\n", root.text())).collect();
+    terminal::print(&lines.concat())
+}
+
+/// A root in 1/s as decimals: the true one lies within `radius` of re + i·im as printed.
+#[derive(Debug)]
+pub struct PrintedRoot {
+    re: String,
+    im: String,
+    radius: String,
+    multiplicity: u32,
+}
+
+/// The roots of eq 8 for these parameters, 1/s, each part with this many certain digits.
+pub fn print_roots(parameters: &Parameters<Rational>, digits: u32) -> Vec<PrintedRoot> {
+    let certified = certified_roots(&parameters.characteristic_cubic_per_s(), digits + GUARD_DIGITS);
+    certified.roots.iter().map(|root| PrintedRoot::new(root, digits)).collect()
+}
+
+impl PrintedRoot {
+    fn new(root: &CertifiedRoot, digits: u32) -> Self {
+        let (re, im) = (root.re_ball(), root.im_ball());
+        let [re_text, im_text] = [&re, &im].map(|part| certain_digits(part, digits as usize));
+        let radius = distance(&re, &re_text) + distance(&im, &im_text);
+        let radius = Float::with_val_round(32, radius.upper(), Round::Up).0;
+        Self { re: re_text, im: im_text, radius: rounded_up(&radius), multiplicity: root.multiplicity }
+    }
+
+    /// The object of the JSON list.
+    pub fn json(&self) -> Value {
+        json!({ "re": self.re, "im": self.im, "radius": self.radius, "multiplicity": self.multiplicity })
+    }
+
+    /// One line for people.
+    pub fn text(&self) -> String {
+        let imaginary = match self.im.strip_prefix('-') {
+            Some(magnitude) => format!(" - {magnitude} i"),
+            None if self.im == "0" => String::new(),
+            None => format!(" + {} i", self.im),
+        };
+        let times = if self.multiplicity == 1 {
+            String::new()
+        } else {
+            format!(", multiplicity {}", self.multiplicity)
+        };
+        format!("{}{imaginary} 1/s  (within {}{times})", self.re, self.radius)
+    }
+}
+
+/// A ball around |part − printed|, printing's rounding included.
+fn distance(part: &Ball, printed: &str) -> Ball {
+    let bits = part.precision_bits() + 64;
+    let Ok(parsed) = Float::parse(printed) else { return part.clone() };
+    let nearest = Float::with_val(bits, parsed);
+    // Reading a decimal is exact to half a unit in the last place.
+    let reading = Float::with_val_round(32, nearest.abs_ref(), Round::Up).0 >> bits;
+    let difference = part.clone() - Ball::new(nearest, reading);
+    if difference.centre().is_sign_negative() { -difference } else { difference }
+}
+
+/// A non-negative number as a short decimal that is not smaller.
+fn rounded_up(value: &Float) -> String {
+    if value.is_zero() {
+        return "0".into();
+    }
+    let short = value.to_string_radix_round(10, Some(RADIUS_DIGITS), Round::Up);
+    Float::parse(&short).map_or(short, |parsed| round_float(&Float::with_val(64, parsed), RADIUS_DIGITS))
+}

@@ -1,0 +1,106 @@
+//! Markdown to Markdown: raw HTML, images and unknown schemes taken out, headings and deep links fitted in.
+
+use std::ops::Range;
+
+use pulldown_cmark::{Event, Parser, Tag};
+
+use super::{is_allowed, options, visible};
+
+/// The same prose as Markdown without raw HTML, images and unknown schemes; headings `shift` levels further down.
+///
+/// `link` says where a deep link of the page leads in the Markdown report; a link that leads nowhere keeps its words.
+pub(crate) fn harmless(markdown: &str, shift: usize, link: &dyn Fn(&str) -> Option<String>) -> String {
+    let mut text = visible(markdown);
+    // What is dropped may bring forth new markup from its neighbours; every round makes the text shorter.
+    loop {
+        let edits = hazards(&text);
+        if edits.is_empty() {
+            break;
+        }
+        text = edited(&text, edits);
+    }
+    edited(&text, finishing_edits(&text, shift, link))
+}
+
+type Edit = (Range<usize>, String);
+
+/// Replacements of everything that must not stay.
+fn hazards(text: &str) -> Vec<Edit> {
+    let parser = Parser::new_ext(text, options());
+    let definitions = parser.reference_definitions().iter();
+    let mut edits: Vec<Edit> = definitions
+        .filter(|(_, definition)| !is_allowed(&definition.dest))
+        .map(|(_, definition)| (definition.span.clone(), String::new()))
+        .collect();
+    let events: Vec<Spanned<'_>> = Parser::new_ext(text, options()).into_offset_iter().collect();
+    for (at, (event, range)) in events.iter().enumerate() {
+        match event {
+            Event::Html(_) | Event::InlineHtml(_) | Event::Start(Tag::HtmlBlock) => {
+                edits.push((range.clone(), String::new()));
+            }
+            Event::Start(Tag::Image { .. }) => edits.push((range.clone(), inner(text, &events[at..]))),
+            Event::Start(Tag::Link { dest_url, .. }) if !is_allowed(dest_url) => {
+                edits.push((range.clone(), inner(text, &events[at..])));
+            }
+            _ => {}
+        }
+    }
+    edits
+}
+
+/// Replacements that fit harmless prose into the Markdown report.
+fn finishing_edits(text: &str, shift: usize, link: &dyn Fn(&str) -> Option<String>) -> Vec<Edit> {
+    let mut edits = Vec::new();
+    let events: Vec<Spanned<'_>> = Parser::new_ext(text, options()).into_offset_iter().collect();
+    for (at, (event, range)) in events.iter().enumerate() {
+        match event {
+            Event::Start(Tag::Heading { level, .. }) => {
+                let marks = "#".repeat((*level as usize + shift).min(6));
+                edits.push((range.clone(), format!("{marks} {}\n", inner(text, &events[at..]))));
+            }
+            Event::Start(Tag::Link { dest_url, .. }) if dest_url.starts_with('#') => {
+                let words = inner(text, &events[at..]);
+                let target = link(&dest_url[1..]);
+                edits.push((
+                    range.clone(),
+                    target.map_or_else(|| words.clone(), |to| format!("[{words}](#{to})")),
+                ));
+            }
+            _ => {}
+        }
+    }
+    edits
+}
+
+type Spanned<'a> = (Event<'a>, Range<usize>);
+
+/// The source inside the element that starts first, on one line.
+fn inner(text: &str, events: &[Spanned<'_>]) -> String {
+    let (mut depth, mut first, mut last) = (0_usize, usize::MAX, 0);
+    for (event, span) in events {
+        match event {
+            Event::End(_) => depth -= 1,
+            _ if depth > 0 => (first, last) = (first.min(span.start), last.max(span.end)),
+            _ => {}
+        }
+        depth += usize::from(matches!(event, Event::Start(_)));
+        if depth == 0 {
+            break;
+        }
+    }
+    text.get(first..last).unwrap_or_default().replace('\n', " ")
+}
+
+/// The text with replacements made; of two that overlap the earlier, wider one counts.
+fn edited(text: &str, mut edits: Vec<Edit>) -> String {
+    edits.sort_by_key(|(range, _)| (range.start, std::cmp::Reverse(range.end)));
+    let (mut result, mut at) = (String::new(), 0);
+    for (range, replacement) in edits {
+        if range.start >= at {
+            result += &text[at..range.start];
+            result += &replacement;
+            at = range.end;
+        }
+    }
+    result + &text[at..]
+}

@@ -1,0 +1,161 @@
+//! All roots of a rational cubic, enclosed to any number of digits.
+//!
+//! Multiplicity is decided exactly first. Distinct roots then follow from one certified real root y of the depressed cubic:
+//! the other two are −y/2 ± √D/(2f'(y)) with the exact discriminant D, so that a difference of close roots,
+//! or a small imaginary part, keeps its full relative accuracy.
+
+mod precision;
+#[cfg(test)]
+mod tests;
+
+use rug::{Float, Integer};
+
+use super::bracket::outermost_real_root;
+use super::depressed::Depressed;
+use super::multiple::rational_roots;
+use crate::number::{Ball, Field, Rational, Real, bits_for_digits};
+
+/// Guard bits: the few operations after the root is known lose less than half of them.
+const GUARD_BITS: u32 = 16;
+
+/// One root of a cubic: the true root lies within `radius` of re + i·im.
+#[derive(Debug, Clone)]
+pub struct CertifiedRoot {
+    /// Real part; exactly zero when the true one is.
+    pub re: Float,
+    /// Imaginary part; exactly zero for a real root.
+    pub im: Float,
+    /// Upper bound of the distance to the true root; zero when the root is exact.
+    pub radius: Float,
+    /// How often the root counts: 1, 2 or 3.
+    pub multiplicity: u32,
+}
+
+/// The roots of a cubic with what was decided exactly about them.
+#[derive(Debug, Clone)]
+pub struct CertifiedRoots {
+    /// Real roots first, ascending; then the conjugate pair, negative imaginary part first. Enclosures are disjoint.
+    pub roots: Vec<CertifiedRoot>,
+    /// Sign of the discriminant: +1 three distinct real roots, −1 a complex pair, 0 a multiple root.
+    pub discriminant_sign: i8,
+    /// The precision the roots were computed with.
+    pub precision_bits: u32,
+}
+
+impl CertifiedRoot {
+    /// The enclosure of the real part, exact when the real part is exactly zero.
+    #[must_use]
+    pub fn re_ball(&self) -> Ball {
+        component_ball(&self.re, &self.radius)
+    }
+
+    /// The enclosure of the imaginary part, exact for a real root.
+    #[must_use]
+    pub fn im_ball(&self) -> Ball {
+        component_ball(&self.im, &self.radius)
+    }
+
+    fn real(enclosure: &Ball, multiplicity: u32) -> Self {
+        let im = Float::new(enclosure.precision_bits());
+        Self { re: enclosure.centre().clone(), im, radius: enclosure.radius().clone(), multiplicity }
+    }
+
+    fn complex(re: &Ball, im: &Ball) -> Self {
+        let radius =
+            Ball::new(Float::new(2), re.radius().clone()) + Ball::new(Float::new(2), im.radius().clone());
+        let radius = radius.radius().clone();
+        Self { re: re.centre().clone(), im: im.centre().clone(), radius, multiplicity: 1 }
+    }
+}
+
+fn component_ball(part: &Float, radius: &Float) -> Ball {
+    if part.is_zero() { Ball::exact(part.clone()) } else { Ball::new(part.clone(), radius.clone()) }
+}
+
+/// The roots of c0 + c1·x + c2·x² + c3·x³ to this many certain digits.
+///
+/// Every real part and every imaginary part that is not exactly zero has a relative error of at most 10^-digits,
+/// also next to a double root, next to the imaginary axis and for roots many orders of magnitude apart.
+/// A polynomial of degree below three (c3 = 0) is not a cubic and gives no roots.
+#[must_use]
+pub fn certified_roots(cubic: &[Rational; 4], digits: u32) -> CertifiedRoots {
+    let target_bits = bits_for_digits(digits);
+    let Some(depressed) = Depressed::of(cubic) else {
+        return CertifiedRoots { roots: Vec::new(), discriminant_sign: 0, precision_bits: target_bits };
+    };
+    let discriminant_sign = depressed.discriminant_sign();
+    let precision_bits = match discriminant_sign {
+        0 => target_bits,
+        _ => target_bits + depressed.lost_bits() + GUARD_BITS,
+    };
+    let roots = match discriminant_sign {
+        0 => multiple_roots(&depressed, precision_bits),
+        1 => real_roots(&depressed, precision_bits),
+        _ => real_root_and_pair(&depressed, precision_bits),
+    };
+    CertifiedRoots { roots, discriminant_sign, precision_bits }
+}
+
+fn multiple_roots(depressed: &Depressed, bits: u32) -> Vec<CertifiedRoot> {
+    let rounded = |(root, multiplicity)| CertifiedRoot::real(&Ball::from_rational(&root, bits), multiplicity);
+    rational_roots(depressed).into_iter().map(rounded).collect()
+}
+
+fn real_roots(depressed: &Depressed, bits: u32) -> Vec<CertifiedRoot> {
+    let enclosures = Enclosures::of(depressed, bits);
+    let mut roots = [
+        enclosures.single,
+        enclosures.pair_centre.clone() - &enclosures.pair_half_width,
+        enclosures.pair_centre + &enclosures.pair_half_width,
+    ];
+    if depressed.cubic[0].is_zero() {
+        // Zero is a root; no enclosure of positive radius says so.
+        for root in roots.iter_mut().filter(|root| root.contains_zero()) {
+            *root = Ball::exact(Float::new(bits));
+        }
+    }
+    roots.sort_by(|x, y| x.centre().total_cmp(y.centre()));
+    roots.iter().map(|root| CertifiedRoot::real(root, 1)).collect()
+}
+
+fn real_root_and_pair(depressed: &Depressed, bits: u32) -> Vec<CertifiedRoot> {
+    let Enclosures { mut single, mut pair_centre, pair_half_width } = Enclosures::of(depressed, bits);
+    if depressed.cubic[0].is_zero() {
+        single = Ball::exact(Float::new(bits));
+    }
+    if depressed.hurwitz().is_zero() && depressed.cubic[1].cmp0() == depressed.cubic[3].cmp0() {
+        // c1c2 = c0c3 and c1/c3 > 0: the cubic is (x² + c1/c3)(c3x + c2), and the pair purely imaginary.
+        pair_centre = Ball::exact(Float::new(bits));
+    }
+    vec![
+        CertifiedRoot::real(&single, 1),
+        CertifiedRoot::complex(&pair_centre, &-pair_half_width.clone()),
+        CertifiedRoot::complex(&pair_centre, &pair_half_width),
+    ]
+}
+
+/// A real root and the other two as centre ± half width (half width real or imaginary by the discriminant's sign).
+struct Enclosures {
+    single: Ball,
+    pair_centre: Ball,
+    pair_half_width: Ball,
+}
+
+impl Enclosures {
+    /// x = (y − c2)/(3c3) for the certified y, and for −y/2 ± √|D|/(2f'(y)).
+    fn of(depressed: &Depressed, bits: u32) -> Self {
+        let ball = |value: &Integer| Ball::from_integer(value, bits);
+        let y = outermost_real_root(depressed, bits);
+        let slope = y.square() * Ball::from(3) + ball(&depressed.linear);
+        let divisor = ball(&(depressed.lead.clone() * 6u32));
+        let half_width =
+            Ball::from_integer(&depressed.discriminant.clone().abs(), bits).sqrt() / (slope * &divisor);
+        let quadratic = ball(&depressed.quadratic);
+        let twice = Ball::from(2);
+        Self {
+            single: (y.clone() - &quadratic) * &twice / &divisor,
+            pair_centre: -(y + quadratic * twice) / &divisor,
+            pair_half_width: half_width,
+        }
+    }
+}

@@ -1,0 +1,177 @@
+//! Where an asymptote is good to a given relative error, exactly and in closed form to leading order.
+//!
+//! Every error grows monotonically from its asymptotic end to the end of its branch (`deviation`), so one number per
+//! asymptote and tolerance says it all: η for eqs 15 and 16, κ for eqs 18 and 20.
+
+use rug::Rational;
+
+use crate::friction::{Groups, Parameters};
+use crate::number::{Ball, Real, bits_for_digits};
+use crate::stability::parameter_equation::{ParameterEquation, cusp_parameter};
+use crate::stability::{Arc, ArcFrame, Asymptote};
+
+/// Bits beyond the digits asked for.
+const GUARD_BITS: u32 = 24;
+
+/// How far an asymptote can be used.
+#[derive(Debug, Clone)]
+pub struct Limit {
+    /// The asymptote.
+    pub asymptote: Asymptote,
+    /// Whether the whole branch, up to the cusp, is within the tolerance (eqs 16 and 20 only); the groups are then the cusp's.
+    pub whole_branch: bool,
+    /// η and κ of the boundary where the error reaches the tolerance, and β.
+    pub groups: Groups<Ball>,
+    /// (V0/D_c)²·M/K = η/κ there.
+    pub velocity_squared: Ball,
+    /// The same limit in closed form to leading order: η = ε for eqs 15 and 16, κ = ε(β−1)²/(2β) for eq 18,
+    /// κ = β/(2ε) for eq 20.
+    pub leading: Rational,
+    /// The exact limit over the leading one: of η (eqs 15, 16) or κ (eqs 18, 20).
+    pub exact_over_leading: Ball,
+}
+
+impl Limit {
+    /// V0 up to which eq 15 or 16 is good, or σ from which (eq 18) or up to which (eq 20) the inertial one is, in SI.
+    #[must_use]
+    pub fn in_si(&self, parameters: &Parameters<Ball>) -> Ball {
+        let p = parameters;
+        if self.asymptote.is_quasi_static() {
+            let rate = (p.natural_angular_frequency_squared_per_s2() * &self.velocity_squared).sqrt();
+            rate * &p.critical_slip_distance_m
+        } else {
+            let scale = p.stiffness_pa_per_m.clone() * &p.critical_slip_distance_m / &p.direct_effect;
+            scale / &self.groups.stiffness_group
+        }
+    }
+}
+
+/// Where the asymptote's relative error reaches `tolerance`; none for eqs 15 and 18 at β = 1 and for an error of eq 18 of
+/// 100 % or more.
+#[must_use]
+pub fn limit(
+    asymptote: Asymptote,
+    effect_ratio: &Rational,
+    tolerance: &Rational,
+    digits: u32,
+) -> Option<Limit> {
+    let bits = bits_for_digits(digits) + GUARD_BITS;
+    let arc = asymptote.arc();
+    let roots = ParameterEquation::at_error(effect_ratio, asymptote, tolerance.clone()).roots(bits);
+    // Descending: the first lies towards the quasi-static end, the last towards the inertial one.
+    let reached = if asymptote.is_quasi_static() { roots.first() } else { roots.last() };
+    let parameter = match (reached, arc) {
+        (Some(parameter), _) => parameter.clone(),
+        (None, Arc::Lower) => cusp_parameter(effect_ratio, bits),
+        (None, Arc::Upper) => return None,
+    };
+    let place = ArcFrame::of_rational(effect_ratio, bits).point(arc, &parameter);
+    let leading = leading_limit(asymptote, effect_ratio, tolerance);
+    let exact = if asymptote.is_quasi_static() { &place.inertial_parameter } else { &place.stiffness_group };
+    Some(Limit {
+        asymptote,
+        whole_branch: reached.is_none(),
+        exact_over_leading: exact.clone() / Ball::from_rational(&leading, bits),
+        velocity_squared: place.velocity_squared,
+        groups: Groups {
+            inertial_parameter: place.inertial_parameter,
+            stiffness_group: place.stiffness_group,
+            effect_ratio: Ball::from_rational(effect_ratio, bits),
+        },
+        leading,
+    })
+}
+
+/// η or κ at which the leading term of the relative error is the tolerance.
+#[must_use]
+pub fn leading_limit(asymptote: Asymptote, effect_ratio: &Rational, tolerance: &Rational) -> Rational {
+    match asymptote {
+        Asymptote::QuasiStaticUpper | Asymptote::QuasiStaticLower => tolerance.clone(),
+        Asymptote::InertialUpper => {
+            let excess = Rational::from(effect_ratio - 1_u32);
+            excess.square() * tolerance / Rational::from(effect_ratio * 2_u32)
+        }
+        Asymptote::InertialLower => effect_ratio.clone() / Rational::from(tolerance * 2_u32),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::number::{Field, parse_decimal};
+    use crate::stability::BoundaryCurve;
+    use crate::stability::boundary::by_discriminant;
+    use crate::stability::fixtures::with_effects;
+    use crate::stability::{Section, asymptote};
+
+    fn number(text: &str) -> Rational {
+        parse_decimal(text).unwrap()
+    }
+
+    #[test]
+    fn at_the_limit_the_error_is_the_tolerance() {
+        for beta in ["1e-3", "0.5", "1", "1.5", "1000"] {
+            for tolerance in ["0.1", "0.01", "0.001"] {
+                for asymptote in Asymptote::ALL {
+                    let Some(limit) = limit(asymptote, &number(beta), &number(tolerance), 30) else {
+                        assert!(beta == "1" && asymptote.arc() == Arc::Upper);
+                        continue;
+                    };
+                    let groups = &limit.groups;
+                    let frame = ArcFrame::of_rational(&number(beta), 200);
+                    let end = match asymptote.arc() {
+                        Arc::Upper => frame.difference.square(),
+                        Arc::Lower => frame.sum.square(),
+                    };
+                    // Straight from eqs 15, 16, 18, 20 in groups: κ, and 4ηκ against (β−1)² or 1.
+                    let factor = if asymptote.arc() == Arc::Upper {
+                        (groups.effect_ratio.clone() - Ball::from(1)).square()
+                    } else {
+                        Ball::from(1)
+                    };
+                    let error = if asymptote.is_quasi_static() {
+                        end / &groups.stiffness_group - Ball::from(1)
+                    } else {
+                        let product = Ball::from(4) * &groups.inertial_parameter * &groups.stiffness_group;
+                        (product / factor).sqrt() - Ball::from(1)
+                    };
+                    let magnitude = if asymptote == Asymptote::InertialUpper { -error } else { error };
+                    let tolerance = number(tolerance);
+                    if limit.whole_branch {
+                        assert!(magnitude.upper() < tolerance);
+                    } else {
+                        assert!(magnitude.contains(&tolerance), "{beta} {asymptote:?}");
+                        assert!(magnitude.relative_radius_log2() < -60.0);
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn the_limit_in_si_is_where_the_discriminant_says_the_error_is_reached() {
+        let parameters = with_effects(number("0.004"), number("0.006"));
+        let balls = parameters.map(|value| Ball::from_rational(value, 200));
+        let limit = limit(Asymptote::QuasiStaticUpper, &number("1.5"), &number("0.01"), 30).unwrap();
+        let velocity = limit.in_si(&balls).centre().to_rational().unwrap();
+        let crossing = by_discriminant(&parameters, &Section::AtVelocity(velocity), 30).remove(0);
+        let crossings = [crossing.normal_stress_pa];
+        let ratio = crossings[0].clone() / asymptote::quasi_static_upper_normal_stress_pa(&balls);
+        assert!((ratio.to_f64() - 1.01).abs() < 1e-15);
+        assert!(BoundaryCurve::new(&parameters, 30).arcs().contains(&crossing.arc));
+    }
+
+    #[test]
+    fn the_leading_limit_is_approached_in_proportion_to_the_tolerance() {
+        for beta in ["0.1", "1.5", "20"] {
+            for asymptote in Asymptote::ALL {
+                let off = |tolerance: &str| {
+                    limit(asymptote, &number(beta), &number(tolerance), 30)
+                        .map_or(0.0, |limit| limit.exact_over_leading.to_f64() - 1.0)
+                };
+                let (coarse, fine) = (off("1e-5"), off("1e-6"));
+                assert!((coarse / fine - 10.0).abs() < 0.1, "{beta} {asymptote:?} {coarse} {fine}");
+            }
+        }
+    }
+}

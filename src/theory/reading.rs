@@ -1,0 +1,189 @@
+//! Reading a file of equations: all faults at once.
+
+use std::collections::BTreeMap;
+
+use serde::Deserialize;
+
+use super::{Equation, EquationFault, EquationsError};
+use crate::polynomial::Expression;
+
+/// Every equation that must be there, with the name that stands alone on its left side, if one does.
+pub(super) const REQUIRED: [(&str, Option<&str>); 28] = [
+    ("1", Some("mu")),
+    ("2", Some("theta'")),
+    ("3", Some("theta'")),
+    ("4", None),
+    ("5", None),
+    ("6", None),
+    ("7", None),
+    ("8", None),
+    ("9", Some("K_c")),
+    ("10", Some("K_c_qs")),
+    ("11", Some("K_c_dyn")),
+    ("12", Some("sigma_c")),
+    ("13", Some("V_c")),
+    ("14", None),
+    ("15", Some("sigma")),
+    ("16", Some("sigma")),
+    ("17", None),
+    ("18", None),
+    ("19", None),
+    ("20", None),
+    ("21", None),
+    ("22", None),
+    ("23", Some("s")),
+    ("steady-state", Some("theta_ss")),
+    ("steady-friction", Some("mu_ss")),
+    ("natural-frequency", Some("omega_n")),
+    ("inertial-parameter", Some("eta")),
+    ("regularised", Some("mu")),
+];
+
+/// The variables that may occur, without primes.
+const VARIABLES: [&str; 27] = [
+    "a",
+    "b",
+    "D_c",
+    "K",
+    "M",
+    "sigma",
+    "V",
+    "V_0",
+    "theta",
+    "mu_0",
+    "mu",
+    "t",
+    "s",
+    "i",
+    "pm",
+    "delta",
+    "Delta_delta",
+    "Delta_theta",
+    "K_c",
+    "K_c_qs",
+    "K_c_dyn",
+    "sigma_c",
+    "V_c",
+    "theta_ss",
+    "mu_ss",
+    "omega_n",
+    "eta",
+];
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct File {
+    assumptions: Assumptions,
+    #[serde(default)]
+    equation: Vec<Entry>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Assumptions {
+    positive: Vec<String>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Entry {
+    number: String,
+    equation: String,
+    printed: Option<String>,
+    #[serde(default)]
+    note: String,
+}
+
+/// Equations by number.
+pub(super) type Equations = BTreeMap<String, Equation>;
+
+/// The equations and the positive variables of a file.
+pub(super) fn read(text: &str) -> Result<(Equations, Vec<String>), EquationsError> {
+    let file: File = toml::from_str(text).map_err(|error| EquationsError {
+        faults: vec![EquationFault { key: String::new(), message: error.to_string() }],
+    })?;
+    let mut faults = assumption_faults(&file.assumptions);
+    let mut equations = BTreeMap::new();
+    for entry in file.equation {
+        let key = format!("equation {}", entry.number);
+        match read_entry(entry) {
+            Ok(equation) if equations.contains_key(&equation.number) => {
+                faults.push(EquationFault { key, message: "stands twice".to_owned() });
+            }
+            Ok(equation) => {
+                equations.insert(equation.number.clone(), equation);
+            }
+            Err(message) => faults.push(EquationFault { key, message }),
+        }
+    }
+    faults.extend(missing(&equations, &faults));
+    if faults.is_empty() {
+        Ok((equations, file.assumptions.positive))
+    } else {
+        Err(EquationsError { faults })
+    }
+}
+
+/// The assumptions that every derivation makes must be among those of the file.
+fn assumption_faults(assumptions: &Assumptions) -> Vec<EquationFault> {
+    let fault = |message| EquationFault { key: "assumptions.positive".to_owned(), message };
+    let known = |name: &&String| !VARIABLES.contains(&name.as_str());
+    let unknown = assumptions
+        .positive
+        .iter()
+        .filter(known)
+        .map(|name| format!("'{name}' is not a variable of the paper"));
+    let needed = ["a", "b", "D_c", "K", "M", "sigma", "V", "V_0", "theta", "mu_0"];
+    let absent = needed.iter().filter(|name| !assumptions.positive.iter().any(|known| known == *name));
+    unknown.chain(absent.map(|name| format!("'{name}' must be positive"))).map(fault).collect()
+}
+
+/// One equation of this number from its text.
+pub(super) fn read_equation(number: &str, text: &str) -> Result<Equation, String> {
+    read_entry(Entry {
+        number: number.to_owned(),
+        equation: text.to_owned(),
+        printed: None,
+        note: String::new(),
+    })
+}
+
+fn read_entry(entry: Entry) -> Result<Equation, String> {
+    let Some((_, name)) = REQUIRED.iter().find(|(number, _)| *number == entry.number) else {
+        return Err("is not an equation of the paper (1 to 23, or one of its named ones)".to_owned());
+    };
+    let (left, right) = read_sides(&entry.equation)?;
+    if let Some(name) = name.filter(|name| left != Expression::variable(name)) {
+        return Err(format!("the left side must be {name}, not {left}"));
+    }
+    let printed =
+        entry.printed.as_deref().map(read_sides).transpose().map_err(|error| format!("printed: {error}"))?;
+    Ok(Equation { number: entry.number, left, right, printed, note: entry.note })
+}
+
+fn read_sides(text: &str) -> Result<(Expression, Expression), String> {
+    let sides: Vec<&str> = text.split('=').collect();
+    let [left, right] = sides[..] else {
+        return Err(format!("needs one '=' but has {}: {text}", sides.len() - 1));
+    };
+    Ok((read_side(left, "left")?, read_side(right, "right")?))
+}
+
+fn read_side(text: &str, side: &str) -> Result<Expression, String> {
+    let expression: Expression =
+        text.trim().parse().map_err(|error| format!("{side} side '{}', {error}", text.trim()))?;
+    match expression.variables().iter().find(|name| !VARIABLES.contains(&name.base())) {
+        Some(name) => Err(format!("{side} side: '{name}' is not a variable of the paper")),
+        None => Ok(expression),
+    }
+}
+
+fn missing(equations: &BTreeMap<String, Equation>, faults: &[EquationFault]) -> Vec<EquationFault> {
+    let keys = REQUIRED
+        .iter()
+        .filter(|(number, _)| !equations.contains_key(*number))
+        .map(|(number, _)| format!("equation {number}"));
+    keys.filter(|key| !faults.iter().any(|fault| fault.key == *key))
+        .map(|key| EquationFault { key, message: "is missing".to_owned() })
+        .collect()
+}

@@ -1,0 +1,243 @@
+//! Every proof holds for the paper's equations, survives a round trip, and fails when an equation is altered.
+
+use rug::Rational;
+
+use super::equations::tests::paper;
+use super::*;
+use crate::polynomial::{Expression, Limit, Proof, Refutation, Symbol, UnivariatePolynomial};
+
+type Prover = fn(&PaperEquations) -> Result<Proof, Refutation>;
+
+/// Every proof of this module, by the path of its function.
+const PROVERS: [(&str, Prover); 31] = [
+    ("steady_state::prove", steady_state::prove),
+    ("steady_state::laws_differ_at_rest", steady_state::laws_differ_at_rest),
+    ("regularised::linearisation", regularised::linearisation),
+    ("linearisation::laws_agree", linearisation::laws_agree),
+    ("linearisation::prove", linearisation::prove),
+    ("third_order::prove", third_order::prove),
+    ("characteristic::prove", characteristic::prove),
+    ("characteristic::dimensionless", characteristic::dimensionless),
+    ("transition::stability", transition::stability),
+    ("transition::parts", transition::parts),
+    ("transition::velocity_destabilises", transition::velocity_destabilises),
+    ("transition::critical_stress_and_velocity", transition::critical_stress_and_velocity),
+    ("transition::intrinsically_stable", transition::intrinsically_stable),
+    ("transition::crossing_frequency", transition::crossing_frequency),
+    ("quasi_static::reduced_equation", quasi_static::reduced_equation),
+    ("quasi_static::vanishing_frequency", quasi_static::vanishing_frequency),
+    ("quasi_static::geometric_mean", quasi_static::geometric_mean),
+    ("inertial::small_slip_distance", inertial::small_slip_distance),
+    ("inertial::large_slip_distance", inertial::large_slip_distance),
+    ("frequency::bounded", frequency::bounded),
+    ("frequency::limits", frequency::limits),
+    ("frequency::low_frequency_zone", frequency::low_frequency_zone),
+    ("non_inertial::at_critical_stress", non_inertial::at_critical_stress),
+    ("non_inertial::mass_and_stiffness", non_inertial::mass_and_stiffness),
+    ("exchange::frequency_contours", exchange::frequency_contours),
+    ("boundary::prove", boundary::prove),
+    ("boundary::cusp", boundary::cusp),
+    ("boundary::transition_avoids", boundary::transition_avoids),
+    ("criteria::inertial_parameter", criteria::inertial_parameter),
+    ("criteria::slip_distance_and_stiffness", criteria::slip_distance_and_stiffness),
+    ("criteria::all_parameters", criteria::all_parameters),
+];
+
+/// Is there a proof whose refutation names this equation?
+fn refuted_by_name(equations: &PaperEquations, number: &str) -> bool {
+    let names = |refutation: Refutation| refutation.equations.iter().any(|equation| equation == number);
+    PROVERS.iter().any(|(_, prover)| prover(equations).err().is_some_and(names))
+        || exchange::asymptotes(equations).err().is_some_and(names)
+        || asymptote_series::derive(equations, 1).err().is_some_and(names)
+}
+
+#[test]
+fn the_papers_equations_are_proved_and_the_proofs_recheck_after_a_round_trip() {
+    for (name, prover) in PROVERS {
+        let proof = prover(&paper()).unwrap_or_else(|refutation| panic!("{name}: {refutation}"));
+        let text = serde_json::to_string(&proof).expect("serialisable");
+        let read: Proof = serde_json::from_str(&text).expect("readable");
+        assert_eq!(read.to_string(), proof.to_string(), "{name}");
+        assert_eq!(read.recheck(), Ok(()), "{name}");
+    }
+}
+
+#[test]
+fn every_altered_equation_is_refuted_by_name() {
+    for (number, texts) in ALTERATIONS {
+        for text in texts {
+            let altered = paper().altered(number, text).expect("in the grammar");
+            assert!(refuted_by_name(&altered, number), "equation {number} altered to {text} is not refuted");
+        }
+    }
+}
+
+/// Wrong signs and wrong factors, two for each equation.
+const ALTERATIONS: [(&str, [&str; 2]); 28] = [
+    (
+        "1",
+        ["mu = mu_0 - a*ln(V/V_0) + b*ln(V_0*theta/D_c)", "mu = mu_0 + a*ln(V/V_0) + 2*b*ln(V_0*theta/D_c)"],
+    ),
+    ("2", ["theta' = 1 + V*theta/D_c", "theta' = 1 - 2*V*theta/D_c"]),
+    ("3", ["theta' = V*theta/D_c*ln(V*theta/D_c)", "theta' = -2*V*theta/D_c*ln(V*theta/D_c)"]),
+    (
+        "4",
+        ["M*delta''/sigma = -K*(V_0*t - delta)/sigma - mu", "M*delta/sigma = K*(V_0*t - delta)/sigma - mu"],
+    ),
+    (
+        "5",
+        [
+            "M*Delta_delta''/sigma + K*Delta_delta/sigma - a*Delta_delta'/V_0 + b*V_0*Delta_theta/D_c = 0",
+            "M*Delta_delta''/sigma + K*Delta_delta/sigma + a*Delta_delta'/V_0 + b*Delta_theta/D_c = 0",
+        ],
+    ),
+    (
+        "6",
+        [
+            "Delta_theta' = V_0/D_c*Delta_theta - 1/V_0*Delta_delta'",
+            "Delta_theta' = -V_0/D_c*Delta_theta - 2/V_0*Delta_delta'",
+        ],
+    ),
+    (
+        "7",
+        [
+            "M/sigma*Delta_theta'' + (a/V_0 + M*V_0/(sigma*D_c))*Delta_theta'' + (K/sigma + (a - b)/D_c)*Delta_theta' \
+             + K*V_0/(sigma*D_c)*Delta_theta' = 0",
+            "M/sigma*Delta_theta''' + (a/V_0 + M*V_0/(sigma*D_c))*Delta_theta'' + (K/sigma + (b - a)/D_c)*Delta_theta' \
+             + K*V_0/(sigma*D_c)*Delta_theta = 0",
+        ],
+    ),
+    (
+        "8",
+        [
+            "M/sigma*s^3 + (a/V_0 + M*V_0/(sigma*D_c))*s^2 + (K/sigma - (a - b)/D_c)*s + K*V_0/(sigma*D_c) = 0",
+            "M/sigma*s^3 + (a/V_0 + 2*M*V_0/(sigma*D_c))*s^2 + (K/sigma + (a - b)/D_c)*s + K*V_0/(sigma*D_c) = 0",
+        ],
+    ),
+    (
+        "9",
+        [
+            "K_c = (a - b)*sigma/D_c*(1 + M*V_0^2/(sigma*a*D_c))",
+            "K_c = (b - a)*sigma/D_c*(1 + M*V_0^2/(sigma*b*D_c))",
+        ],
+    ),
+    ("10", ["K_c_qs = (a - b)*sigma/D_c", "K_c_qs = 2*(b - a)*sigma/D_c"]),
+    ("11", ["K_c_dyn = (a - b)/a*M*V_0^2/D_c^2", "K_c_dyn = (b - a)/a*M*V_0^2/D_c"]),
+    ("12", ["sigma_c = K*D_c/(a - b)", "sigma_c = 2*K*D_c/(b - a)"]),
+    ("13", ["V_c = -D_c*sqrt(a/(b - a))*sqrt(K/M)", "V_c = D_c*sqrt(b/(b - a))*sqrt(K/M)"]),
+    (
+        "14",
+        [
+            "a/V_0*s^2 + (K/sigma - (a - b)/D_c)*s + K*V_0/(sigma*D_c) = 0",
+            "a/V_0*s^2 + (K/sigma + (a - b)/D_c)*s + 2*K*V_0/(sigma*D_c) = 0",
+        ],
+    ),
+    ("15", ["sigma = K*D_c/(sqrt(b) + sqrt(a))^2", "sigma = 2*K*D_c/(sqrt(b) - sqrt(a))^2"]),
+    ("16", ["sigma = K*D_c/(sqrt(b) - sqrt(a))^2", "sigma = -K*D_c/(sqrt(b) + sqrt(a))^2"]),
+    ("17", ["M*s^2 - (a - b)*sigma/V_0*s + K = 0", "M*s^2 + a*sigma/V_0*s + K = 0"]),
+    ("18", ["2*V_0*sqrt(M*K)/(abs(a + b)*sigma) = 1", "V_0*sqrt(M*K)/(abs(a - b)*sigma) = 1"]),
+    ("19", ["M*s^2 - a*sigma/V_0*s + K = 0", "M*s^2 + (a - b)*sigma/V_0*s + K = 0"]),
+    ("20", ["2*V_0*sqrt(M*K)/(b*sigma) = 1", "V_0*sqrt(M*K)/(a*sigma) = 1"]),
+    ("21", ["M*s^2 - K = 0", "M*s^2 + 2*K = 0"]),
+    ("22", ["M*s^3 + M*V_0/D_c*s^2 - K*s + K*V_0/D_c = 0", "M*s^3 + 2*M*V_0/D_c*s^2 + K*s + K*V_0/D_c = 0"]),
+    ("23", ["s = ±sqrt((b - a)/a)*V_0/D_c", "s = ±i*sqrt((b - a)/b)*V_0/D_c"]),
+    ("steady-state", ["theta_ss = 2*D_c/V", "theta_ss = V/D_c"]),
+    ("steady-friction", ["mu_ss = mu_0 + (b - a)*ln(V/V_0)", "mu_ss = mu_0 + 2*(a - b)*ln(V/V_0)"]),
+    ("natural-frequency", ["omega_n = sqrt(M/K)", "omega_n = 2*sqrt(K/M)"]),
+    ("inertial-parameter", ["eta = -M*V_0^2/(sigma*a*D_c)", "eta = M*V_0^2/(sigma*b*D_c)"]),
+    (
+        "regularised",
+        [
+            "mu = a*asinh(V/V_0*exp((mu_0 + b*ln(V_0*theta/D_c))/a))",
+            "mu = a*asinh(V/(2*V_0)*exp((mu_0 - b*ln(V_0*theta/D_c))/a))",
+        ],
+    ),
+];
+
+#[test]
+fn leading_errors_of_the_asymptotes() {
+    let second = |number: &str| -> Vec<String> {
+        let all = asymptote_series::derive(&paper(), 2).expect("asymptotes of the boundary");
+        let series = all.into_iter().find(|series| series.equation == number).expect("one of the four");
+        assert_eq!(series.proof.recheck(), Ok(()));
+        series.coefficients.iter().map(ToString::to_string).collect()
+    };
+    assert_eq!(second("15"), ["0", "1", "-w + 1"]);
+    assert_eq!(second("16"), ["0", "1", "w + 1"]);
+    assert_eq!(second("18")[1], "-2*beta/(beta - 1)^2");
+    assert_eq!(second("20"), ["0", "beta/2", "(3*beta^2 + 2*beta)/8"]);
+}
+
+#[test]
+fn areas_are_two_one_and_two_and_unstable_for_weakening_only() {
+    let counted = areas::Effects::ALL.map(|effects| {
+        let areas = areas::count(&paper(), effects).expect("eq 8 has the form");
+        assert_eq!(areas.proof.recheck(), Ok(()));
+        (areas.real_areas, areas.unstable_real_areas, areas.exists)
+    });
+    let (stable, all) = ([true, true, false, false], [true; 4]);
+    assert_eq!(counted, [(2, 1, all), (1, 0, stable), (2, 0, stable)]);
+}
+
+/// The same count by another way: at fixed η the positive roots of the discriminant in κ, counted by Sturm sequences,
+/// close one interval [0, m] (a ≠ b) and, below the cusp, a second one.
+#[test]
+fn sturm_sequences_count_the_same_areas_on_lines_of_fixed_inertial_parameter() {
+    let discriminant = boundary::cubic_discriminant(&paper()).expect("eq 8");
+    let ends = |beta: (i32, i32), eta: (i32, i32)| {
+        let point = [("beta", beta), ("eta", eta)];
+        let line = point.iter().fold(discriminant.clone(), |line, (name, value)| {
+            line.substitute(
+                &Symbol::new(name),
+                &crate::polynomial::Polynomial::constant(Rational::from(*value)),
+            )
+        });
+        let coefficients = line
+            .coefficients(&Symbol::new("kappa"))
+            .iter()
+            .filter_map(crate::polynomial::Polynomial::as_constant)
+            .collect();
+        let zero = Limit::At(Rational::new());
+        UnivariatePolynomial::new(coefficients).count_roots(&zero, &Limit::PlusInfinity)
+    };
+    for (beta, upper) in [((3, 2), 1), ((1, 1), 0), ((2, 3), 1), ((1, 10), 1), ((100, 1), 1)] {
+        // The cusp has η = 1/(3x + 2), β = x³/(3x + 2): η = 1/1000 is below it and 1/2 above it for all these β.
+        assert_eq!(ends(beta, (1, 1_000)), upper + 2, "below the cusp, beta {beta:?}");
+        assert_eq!(ends(beta, (1, 2)), upper, "above the cusp, beta {beta:?}");
+    }
+}
+
+#[test]
+fn exchange_changes_equation_20_only() {
+    let exchanges = exchange::asymptotes(&paper()).expect("definite factors");
+    let changed: Vec<&str> = exchanges.iter().filter(|e| !e.invariant).map(|e| e.equation).collect();
+    assert_eq!(changed, ["20"]);
+    assert_eq!(exchanges[3].factor, "b/a".parse::<Expression>().expect("in the grammar"));
+    assert!(!exchanges[3].contains_b);
+    assert!(exchanges.iter().all(|exchange| exchange.proof.recheck().is_ok()));
+}
+
+#[test]
+fn regularised_law_differs_by_less_than_86_orders_of_magnitude() {
+    let bound = |effect: (i32, i32)| {
+        let difference = regularised::bound(&paper(), &Rational::from((3, 5)), &Rational::from(effect));
+        difference.expect("the regularised law").log10_bound
+    };
+    assert_eq!([bound((4, 1_000)), bound((6, 1_000))], [-129, -86]);
+}
+
+#[test]
+fn natural_period_of_the_papers_machine_is_not_the_printed_one() {
+    let period =
+        period::natural(&paper(), &Rational::from(10_000_000), &Rational::from(1_000)).expect("ω_n = 100 /s");
+    assert_eq!(period.natural_angular_frequency_per_s.to_string(), "100");
+    let [low, high] = &period.period_s;
+    assert!(*low > Rational::from((628, 10_000)) && *high < Rational::from((629, 10_000)));
+}
+
+#[test]
+fn seventh_equation_as_printed_has_other_orders_and_is_refuted() {
+    let orders = third_order::orders(&paper());
+    assert_eq!((orders.derived, orders.printed), (vec![3, 2, 1, 0], Some(vec![2, 2, 1, 1])));
+    assert!(third_order::refute_printed(&paper()).is_some());
+}
