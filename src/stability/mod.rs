@@ -28,9 +28,8 @@ pub use asymptote::Asymptote;
 pub use boundary::{BoundaryCurve, BoundaryPoint, Mark, Section};
 pub use curve::Arc;
 pub use decision::{boundary_sign, transition_sign};
-pub use slip_mode::{InertialThreshold, slip_mode};
 pub use quick::classify_quickly;
-pub use slip_mode::{InertialThreshold, SlipMode, slip_mode};
+pub use slip_mode::{InertialThreshold, slip_mode};
 pub use spectral_class::SpectralClass;
 pub use spectrum::{Classification, classify};
 pub use transition::{
