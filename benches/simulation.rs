@@ -8,8 +8,8 @@
 use std::time::Instant;
 
 use slipmode::dynamics::{
-    Control, Integrator, Late, Model, Options, Radau, Rodas5P, Scalar, Start, State, Stepper, Taylor, run_lap, settle,
-    simulate_model,
+    Control, Integrator, Late, Model, Options, Radau, Rodas5P, Scalar, Start, State, Stepper, Taylor,
+    run_lap, settle, simulate_model,
 };
 use slipmode::friction::{EvolutionLaw, Groups};
 use slipmode::number::Dd;
@@ -30,7 +30,10 @@ struct Case<'c> {
 }
 
 fn lap<R: Scalar, M: Stepper<R> + Clone>(
-    model: &Model<R>, method: M, section: &State<f64>, local_tolerance: f64,
+    model: &Model<R>,
+    method: M,
+    section: &State<f64>,
+    local_tolerance: f64,
 ) -> Option<([R; 2], u64, u64)> {
     let control = Control { local_tolerance, most_steps: 100_000 };
     let start: State<R> = std::array::from_fn(|i| R::from_f64(section[i]));
@@ -68,13 +71,19 @@ fn work_precision() {
             let model = Model::new(paper(v, s, 0.004, 0.006), law);
             let control = Control { local_tolerance: 1e-9, most_steps: 10_000_000 };
             let start = Start::default().at_a_tenth(&model);
-            let Ok(mut run) = Integrator::new(&model, Radau::<f64, 5>::new(), start, control) else { continue };
+            let Ok(mut run) = Integrator::new(&model, Radau::<f64, 5>::new(), start, control) else {
+                continue;
+            };
             let Ok(Late::Cycle(_)) = settle(&mut run, 1e-9, 10_000) else { continue };
             let section = *run.state();
             let fine = Model::new(model.groups().map(|&g| Dd::from(g)), law);
             let Some((exact, ..)) = lap(&fine, Radau::<Dd, 7>::new(), &section, 1e-20) else { continue };
             let case = Case { model: &model, section, exact: exact.map(|value| value.to_f64()) };
-            println!("sigma 1e{s} Pa, V_l 1e{v} m/s, {} law, ln(V_peak/V_l) = {}", law.as_str(), case.exact[0]);
+            println!(
+                "sigma 1e{s} Pa, V_l 1e{v} m/s, {} law, ln(V_peak/V_l) = {}",
+                law.as_str(),
+                case.exact[0]
+            );
             println!("  method    local   steps    evals   time/us   err peak   err dur");
             measure("rodas5p", &case, &Rodas5P::new());
             measure("radau 5", &case, &Radau::<f64, 3>::new());

@@ -31,6 +31,8 @@ pub struct Model<R> {
     law: EvolutionLaw,
     balance: Balance<R>,
     inverse_inertia: R,
+    /// What the regularised friction of steady sliding at V_l exceeds μ0 by, in units of a; ζ and φ are counted from there.
+    steady_excess: R,
 }
 
 /// The exponentials of one state, computed once for rate and Jacobian.
@@ -53,7 +55,11 @@ impl<R: Scalar> Model<R> {
     #[must_use]
     pub fn with_balance(groups: Groups<R>, law: EvolutionLaw, balance: Balance<R>) -> Self {
         let inverse_inertia = R::from(1) / &groups.inertial_parameter;
-        Self { groups, law, balance, inverse_inertia }
+        let steady_excess = match &balance {
+            Balance::Regularised(reference) => regularised_friction(&R::from(0), reference).0,
+            _ => R::from(0),
+        };
+        Self { groups, law, balance, inverse_inertia, steady_excess }
     }
 
     /// η, κ and β.
@@ -90,13 +96,15 @@ impl<R: Scalar> Model<R> {
         Exponentials { velocity, velocity_excess, healing, healing_excess }
     }
 
-    /// The friction φ = (μ − μ0)/a.
+    /// The friction φ = (μ − μ0)/a; for the regularised law relative to that of steady sliding at V_l.
     #[must_use]
     #[inline]
     pub fn friction(&self, state: &State<R>) -> R {
         let logarithmic = state[0].clone() + self.groups.effect_ratio.clone() * &state[1];
         match &self.balance {
-            Balance::Regularised(reference) => regularised_friction(&logarithmic, reference).0,
+            Balance::Regularised(reference) => {
+                regularised_friction(&logarithmic, reference).0 - &self.steady_excess
+            }
             _ => logarithmic,
         }
     }
@@ -142,12 +150,12 @@ impl<R: Scalar> Model<R> {
             return Arrow { xx, xy: -(beta.clone() * &yy), xz: R::from(0), yx, yy, zx };
         }
         let logarithmic = state[0].clone() + beta.clone() * &state[1];
-        let (friction, slope) = match &self.balance {
-            Balance::Regularised(reference) => regularised_friction(&logarithmic, reference),
-            _ => (logarithmic, R::from(1)),
+        let slope = match &self.balance {
+            Balance::Regularised(reference) => regularised_friction(&logarithmic, reference).1,
+            _ => R::from(1),
         };
         let xz = self.inverse_inertia.clone() / &e.velocity;
-        let xx = -(xz.clone() * (slope.clone() + (state[2].clone() - friction)));
+        let xx = -(xz.clone() * (slope.clone() + self.imbalance(state)));
         Arrow { xx, xy: -(xz.clone() * beta * slope), xz, yx, yy, zx }
     }
 

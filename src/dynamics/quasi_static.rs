@@ -75,10 +75,11 @@ mod tests {
     use crate::dynamics::simulate_model;
 
     #[test]
+    // Steady sliding at V_l/10 is a kick of ln 10 that the slip law survives only for K/K_c − 1 > ln 10 or so.
     fn what_is_neglected_bounds_the_error_of_the_peak() {
         let options = Options { tolerance: 1e-2, ..Options::default() };
         for law in EvolutionLaw::ALL {
-            for (inertial_parameter, stiffness_group) in [(1e-7, 1.0), (1e-5, 3.0), (1e-10, 0.7)] {
+            for (inertial_parameter, stiffness_group) in [(1e-7, 2.0), (1e-5, 3.0), (1e-4, 10.0)] {
                 let groups = Groups { inertial_parameter, stiffness_group, effect_ratio: 1.5 };
                 let quasi_static = simulate_quasi_statically(&groups, law, &options).unwrap().unwrap();
                 let full = simulate_model(&Model::new(groups, law), &Options::default()).unwrap();

@@ -137,3 +137,32 @@ impl<R: Scalar> Stepper<R> for Rodas5P<R> {
         0.0
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::dynamics::{Radau, increment};
+    use crate::friction::{EvolutionLaw, Groups};
+
+    fn defect(h: f64) -> (f64, f64) {
+        let groups = Groups { inertial_parameter: 3.0, stiffness_group: 2.0, effect_ratio: 1.5 };
+        let model = Model::new(groups, EvolutionLaw::Aging);
+        let weight = Weight { absolute: 1e-14, noise: 1e-16 };
+        let from = [0.3, -0.2, 0.1];
+        let mut method = Rodas5P::new();
+        let trial = method.attempt(&model, &from, &h, weight).unwrap();
+        let exact = Radau::<f64, 7>::new().attempt(&model, &from, &h, weight).unwrap().to;
+        let middle = Radau::<f64, 7>::new().attempt(&model, &from, &(0.5 * h), weight).unwrap().to;
+        let dense = increment(method.polynomial(), &0.5);
+        (f64::abs(trial.to[0] - exact[0]), f64::abs(from[0] + dense[0] - middle[0]))
+    }
+
+    #[test]
+    fn a_step_has_order_five_and_its_polynomial_order_four() {
+        // Halving the step divides the local error by 2^6 and that of the polynomial by 2^5, to leading order.
+        let (coarse, fine) = (defect(0.2), defect(0.1));
+        let (step, dense) = (libm::log2(coarse.0 / fine.0), libm::log2(coarse.1 / fine.1));
+        assert!((5.3..6.7).contains(&step), "{step}");
+        assert!((4.3..6.0).contains(&dense), "{dense}");
+    }
+}

@@ -9,7 +9,7 @@ use super::integrator::{Control, Integrator};
 use super::lap::Lap;
 use super::settle::{Cycle, Decay, Late, settle};
 use super::stepper::Stepper;
-use super::{Failure, Model, Radau, Start};
+use super::{Balance, Failure, Model, Radau, Start};
 use crate::friction::{EvolutionLaw, Groups, Parameters, SlipMode};
 use crate::number::Rational;
 
@@ -22,6 +22,8 @@ pub struct Options {
     pub velocity_ratio: f64,
     /// Permitted relative error of peak velocity and period.
     pub tolerance: f64,
+    /// μ0 of the regularised friction law; none for eq 1 as it stands.
+    pub regularised_reference_friction: Option<f64>,
     /// Most steps of one run, refused ones included.
     pub most_steps: u64,
     /// Most oscillations before the late behaviour is called undecided.
@@ -34,6 +36,7 @@ impl Default for Options {
             start: Start::default(),
             velocity_ratio: 0.1,
             tolerance: 1e-8,
+            regularised_reference_friction: None,
             most_steps: 5_000_000,
             most_laps: 4_000,
         }
@@ -123,9 +126,13 @@ pub fn simulate(
     options: &Options,
 ) -> Result<Simulation, Failure> {
     let groups = parameters.groups().map(Rational::to_f64);
-    let model = Model::new(groups, law);
-    let outcome = simulate_model(&model, options)?;
-    Ok(outcome.in_si(&parameters.map(Rational::to_f64)))
+    let parameters = parameters.map(Rational::to_f64);
+    let balance = match options.regularised_reference_friction {
+        Some(reference) => Balance::Regularised(reference / parameters.direct_effect),
+        None => Balance::Inertial,
+    };
+    let outcome = simulate_model(&Model::with_balance(groups, law, balance), options)?;
+    Ok(outcome.in_si(&parameters))
 }
 
 /// A simulation in units of V_l, D_c/V_l and aσ.

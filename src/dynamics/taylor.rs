@@ -133,3 +133,40 @@ impl<R: Scalar, const N: usize> Stepper<R> for Taylor<R, N> {
         0.0
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::friction::Groups;
+
+    #[test]
+    fn the_series_solves_the_equations_to_its_order() {
+        let groups = Groups { inertial_parameter: 3.0, stiffness_group: 2.0, effect_ratio: 1.5 };
+        for law in EvolutionLaw::ALL {
+            let model = Model::new(groups.clone(), law);
+            let from = [0.3, -0.2, 0.1];
+            let terms = series::<f64, 16>(&model, &from).unwrap();
+            // At t = 0.05 the derivative of the series and the rate of its value differ by the sixteenth power of t.
+            let t = 0.05;
+            let value: State<f64> = std::array::from_fn(|c| {
+                terms.iter().rev().fold(0.0, |sum, term| (sum + term[c]) * t) + from[c]
+            });
+            let rate = model.rate(&value);
+            for c in 0..3 {
+                let slope = terms
+                    .iter()
+                    .enumerate()
+                    .rev()
+                    .fold(0.0, |sum, (k, term)| sum * t + (k + 1) as f64 * term[c]);
+                assert!((slope - rate[c]).abs() < 1e-14, "{law:?} {c}: {slope} {}", rate[c]);
+            }
+        }
+    }
+
+    #[test]
+    fn a_model_without_inertia_is_declined() {
+        let groups = Groups { inertial_parameter: 3.0, stiffness_group: 2.0, effect_ratio: 1.5 };
+        let model = Model::with_balance(groups, EvolutionLaw::Slip, Balance::QuasiStatic);
+        assert!(series::<f64, 8>(&model, &[0.1, 0.0, 0.1]).is_none());
+    }
+}
