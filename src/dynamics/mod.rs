@@ -25,7 +25,11 @@
 mod arrow;
 #[cfg(test)]
 mod checks;
+#[cfg(test)]
+mod checks_elsewhere;
 mod collocation;
+mod collocation_modes;
+mod decay;
 mod dense_matrix;
 mod deviations;
 mod double_double_exp;
@@ -37,8 +41,10 @@ mod lap;
 mod model;
 mod multi;
 mod original_scheme;
+mod outcome;
 mod quasi_static;
 mod radau;
+mod return_map;
 mod rodas;
 mod scalar;
 mod settle;
@@ -57,12 +63,13 @@ pub use lap::{Lap, LapEnd, run_lap};
 pub use model::{Balance, Model, State};
 pub use multi::Multi;
 pub use original_scheme::OriginalScheme;
+pub use outcome::{Behaviour, Outcome, Simulation};
 pub use quasi_static::{QuasiStatic, simulate_quasi_statically};
 pub use radau::Radau;
 pub use rodas::Rodas5P;
 pub use scalar::Scalar;
 pub use settle::{Cycle, Decay, Late, settle};
-pub use simulation::{Behaviour, Options, Outcome, Simulation, simulate, simulate_model};
+pub use simulation::{Options, simulate, simulate_model};
 pub use start::Start;
 pub use stepper::{Stepper, Trial, Weight, increment, velocity_slopes};
 pub use taylor::Taylor;

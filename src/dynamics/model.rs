@@ -178,14 +178,14 @@ fn regularised_friction<R: Scalar>(logarithmic: &R, reference: &R) -> (R, R) {
     if exponent > R::from(1) {
         let (tail, _) = (-(exponent + logarithmic + reference)).exponentials();
         let root = (one.clone() + R::from(4) * tail).sqrt();
-        let correction = ((one.clone() + &root) / R::from(2)).ln();
+        let correction = ((one.clone() + &root) / R::from(2)).logarithm();
         return (logarithmic.clone() + correction, one / root);
     }
     let (exponential, _) = exponent.exponentials();
     let argument = exponential / R::from(2);
     let root = (one + argument.square()).sqrt();
     // For a vanishing argument asinh(z) = z − z³/6; the logarithm would lose it, and nothing physical happens there.
-    let inverse_sine = (argument.clone() + &root).ln();
+    let inverse_sine = (argument.clone() + &root).logarithm();
     (inverse_sine - reference, argument / root)
 }
 

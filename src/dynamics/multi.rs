@@ -86,10 +86,12 @@ impl<const BITS: u32> Scalar for Multi<BITS> {
     }
 
     fn exponentials(&self) -> (Self, Self) {
+        // not f64: MPFR's own, correctly rounded.
         (Self(self.0.clone().exp()), Self(self.0.clone().exp_m1()))
     }
 
-    fn ln(&self) -> Self {
+    fn logarithm(&self) -> Self {
+        // not f64: MPFR's own, correctly rounded.
         Self(self.0.clone().ln())
     }
 

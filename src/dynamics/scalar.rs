@@ -30,7 +30,7 @@ pub trait Scalar: Real + PartialOrd + Send + Sync + std::fmt::Debug + 'static {
 
     /// The natural logarithm.
     #[must_use]
-    fn ln(&self) -> Self;
+    fn logarithm(&self) -> Self;
 
     /// The absolute value.
     #[must_use]
@@ -74,7 +74,7 @@ impl Scalar for f64 {
         }
     }
 
-    fn ln(&self) -> Self {
+    fn logarithm(&self) -> Self {
         libm::log(*self)
     }
 
@@ -109,7 +109,7 @@ impl Scalar for Dd {
         double_double_exponentials(*self)
     }
 
-    fn ln(&self) -> Self {
+    fn logarithm(&self) -> Self {
         // Two Newton steps on the exponential double the 53 correct bits twice.
         let mut logarithm = Dd::from(libm::log(self.hi()));
         for _ in 0..2 {
@@ -146,7 +146,7 @@ mod tests {
         #[test]
         fn the_logarithm_of_a_double_double_inverts_its_exponential(x in 0.1f64..300.0) {
             let (exponential, _) = Dd::from(x).exponentials();
-            let error = exponential.ln() - Dd::from(x);
+            let error = exponential.logarithm() - Dd::from(x);
             // The exponential's relative error is the logarithm's absolute one.
             prop_assert!(Scalar::abs(&error).to_f64() < 64.0 * Dd::UNIT * x.max(1.0));
         }

@@ -63,7 +63,7 @@ impl Start {
     /// The paper's start, V = V_l/10.
     #[must_use]
     pub fn at_a_tenth<R: Scalar>(self, model: &Model<R>) -> State<R> {
-        self.state(model, &-R::from(10).ln())
+        self.state(model, &-R::from(10).logarithm())
     }
 }
 
