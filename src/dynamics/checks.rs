@@ -237,3 +237,15 @@ fn the_regularised_law_changes_nothing_at_the_friction_of_rocks() {
         }
     }
 }
+
+#[test]
+fn velocities_below_the_range_of_f64_do_not_stop_a_run() {
+    for (inertial_parameter, stiffness_group, effect_ratio) in
+        [(8.24e5, 51.0, 9.622), (2.61e5, 9.49e3, 5.299)]
+    {
+        let groups = Groups { inertial_parameter, stiffness_group, effect_ratio };
+        let outcome = simulate_model(&Model::new(groups, EvolutionLaw::Slip), &Options::default()).unwrap();
+        let seen = outcome.in_si(&unit_parameters());
+        assert!(seen.minimum_velocity_log10_ratio < -308.0, "{}", seen.minimum_velocity_log10_ratio);
+    }
+}

@@ -175,8 +175,8 @@ impl<'m, R: Scalar, M: Stepper<R>> Integrator<'m, R, M> {
         // Where the state is small the equations keep relative accuracy, and so must the steps.
         let scale = if size == 0.0 { 1.0 } else { size.min(1.0) };
         let noise = 2.0 * R::UNIT_ROUNDOFF * size.max(f64::MIN_POSITIVE);
-        let tightest = TIGHTEST_IN_UNITS * R::UNIT_ROUNDOFF;
-        Weight { absolute: self.control.local_tolerance.max(tightest) * scale, noise }
+        let tightest = TIGHTEST_IN_UNITS * R::UNIT_ROUNDOFF * size;
+        Weight { absolute: (self.control.local_tolerance * scale).max(tightest), noise }
     }
 
     /// Takes one step no longer than `limit`.

@@ -35,6 +35,10 @@ pub struct Model<R> {
     steady_excess: R,
 }
 
+/// Where e^{−x} stops growing. Down there V/V_l is below 1e-286 and x is slaved to ζ − βy: it lags by η e^x x', which is no more
+/// than 1e-280 η x' with the bound in place of e^x, so that the bound changes no digit and keeps the rate from overflowing.
+const SLOWEST: f64 = 1e-286;
+
 /// The exponentials of one state, computed once for rate and Jacobian.
 struct Exponentials<R> {
     velocity: R,
@@ -87,6 +91,12 @@ impl<R: Scalar> Model<R> {
     }
 
     #[inline]
+    fn inverse_momentum(&self, velocity: &R) -> R {
+        let floor = R::from_f64(SLOWEST);
+        self.inverse_inertia.clone() / if *velocity < floor { &floor } else { velocity }
+    }
+
+    #[inline]
     fn exponentials(&self, [x, y, _]: &State<R>) -> Exponentials<R> {
         let (velocity, velocity_excess) = x.exponentials();
         let (healing, healing_excess) = match self.law {
@@ -128,7 +138,7 @@ impl<R: Scalar> Model<R> {
         let stress_rate = -(self.groups.stiffness_group.clone() * &e.velocity_excess);
         let velocity_rate = match self.balance {
             Balance::QuasiStatic => stress_rate.clone() - self.groups.effect_ratio.clone() * &state_rate,
-            _ => self.imbalance(state) * &self.inverse_inertia / &e.velocity,
+            _ => self.imbalance(state) * self.inverse_momentum(&e.velocity),
         };
         [velocity_rate, state_rate, stress_rate]
     }
@@ -154,7 +164,7 @@ impl<R: Scalar> Model<R> {
             Balance::Regularised(reference) => regularised_friction(&logarithmic, reference).1,
             _ => R::from(1),
         };
-        let xz = self.inverse_inertia.clone() / &e.velocity;
+        let xz = self.inverse_momentum(&e.velocity);
         let xx = -(xz.clone() * (slope.clone() + self.imbalance(state)));
         Arrow { xx, xy: -(xz.clone() * beta * slope), xz, yx, yy, zx }
     }

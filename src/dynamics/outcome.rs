@@ -108,7 +108,7 @@ impl Outcome {
         // A hundred steps of rounding in x, what the local tolerance alone lets expect, and the way left to the cycle,
         // whose estimate rests on a multiplier known to a few parts only.
         let floor = |size: f64| {
-            (100.0 * f64::EPSILON + ERROR_OVER_LOCAL * local_tolerance + 5.0 * distance) * size.max(1.0)
+            (100.0 * f64::EPSILON + ERROR_OVER_LOCAL * local_tolerance + 20.0 * distance) * size.max(1.0)
         };
         let seen = |late: &Late<f64>| if let Late::Cycle(cycle) = late { cycle.contraction } else { None };
         // The finer run began on the cycle and has no approach to show.

@@ -15,7 +15,7 @@ use crate::friction::{EvolutionLaw, Groups};
 pub struct QuasiStatic {
     /// ln(V_peak/V_l) of the transient.
     pub log_peak: f64,
-    /// Upward passages of V = V_l, counted up to [`MOST_PASSAGES`].
+    /// Upward passages of V = V_l, counted up to 20.
     pub passages: u32,
     /// Total variation of η e^x x': the estimated error of ln V from leaving inertia out.
     pub inertia_neglected: f64,
@@ -24,7 +24,7 @@ pub struct QuasiStatic {
 }
 
 /// Passages after which a run ends: the transient's peak is long past.
-pub const MOST_PASSAGES: u32 = 20;
+const MOST_PASSAGES: u32 = 20;
 
 /// Simulates the transient of a slider without inertia; `None` when inertia matters more than the tolerance allows, as in every instability.
 ///
