@@ -133,7 +133,7 @@ fn b6(context: &Context) -> Finding {
     let factors: Vec<String> = exchanges
         .iter()
         .filter(|e| !e.invariant)
-        .map(|e| format!("eq {} is multiplied by {}", e.equation, e.factor))
+        .map(|e| format!("eq {}, whose solution is multiplied by {}", e.equation, e.factor))
         .collect();
     let fixed_a: Vec<&str> = exchanges.iter().filter(|e| !e.contains_b).map(|e| e.equation).collect();
     let finding = Finding::from_proofs(exchanges.iter().map(|exchange| Ok(exchange.proof.clone())));

@@ -6,7 +6,7 @@ use crate::claims::{Check, Context, Evidence, Finding};
 use crate::number::format::{certain_digits, round_digits};
 use crate::stability::SlipMode;
 use crate::study::{Need, SceneOutcome, ZonesOutcome};
-use crate::theory::{asymptote_series, criteria, frequency, transition};
+use crate::theory::{asymptote_series, criteria, frequency, inertial, quasi_static, transition};
 
 pub(super) const CHECKS: &[Check] = &[
     Check {
@@ -125,6 +125,9 @@ fn z5(context: &Context) -> Finding {
     };
     let proofs = series.into_iter().map(|series| Ok(series.proof));
     let finding = Finding::from_proofs(proofs)
+        .with_proof(quasi_static::vanishing_frequency(context.equations))
+        .with_proof(inertial::small_slip_distance(context.equations))
+        .with_proof(inertial::large_slip_distance(context.equations))
         .with_proof(transition::stability(context.equations))
         .with_proof(transition::crossing_frequency(context.equations))
         .remark("Exact: eqs 9-13 and 23. Exact without inertia: eqs 15 and 16. Asymptotic: eqs 15, 16, 18 and 20 on the boundary of eq 8.")

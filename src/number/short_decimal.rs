@@ -83,7 +83,7 @@ mod tests {
         let Some(found) = parse_short_decimal(text) else { return };
         let exact = parse_decimal(text).unwrap_or_else(|error| panic!("{text}: {error}"));
         let [hi, lo] = [found.hi(), found.lo()].map(|part| Rational::from_f64(part).unwrap());
-        let error = Rational::from(hi + lo - &exact).abs();
+        let error = (hi + lo - &exact).abs();
         assert!(error <= exact * Rational::from_f64(Dd::UNIT).unwrap(), "{text}");
     }
 

@@ -71,7 +71,7 @@ pub enum Certificate {
         /// The exact value.
         value: Expression,
     },
-    /// unknown = Σ coefficients[k]·variable^k solves relation = 0 up to the next order, and is the only such series.
+    /// unknown = Σ `coefficients[k]`·variable^k solves relation = 0 up to the next order, and is the only such series.
     Series {
         /// What vanishes, in the variable and the unknown.
         relation: Expression,

@@ -87,7 +87,7 @@ fn polish(polynomial: &impl Coefficients, start: Ball, first_precision: u32, bit
 }
 
 /// m − p(m)/p′(X): contains every root of p in the ball X around m.
-fn newton(coefficients: &[Ball], enclosure: &Ball) -> Ball {
+pub(crate) fn newton(coefficients: &[Ball], enclosure: &Ball) -> Ball {
     let middle = Ball::exact(enclosure.centre().clone());
     let value = horner(coefficients.to_vec(), &middle);
     let slope = horner(derivative(coefficients), enclosure);

@@ -34,7 +34,7 @@ impl Series {
         &self.0
     }
 
-    /// Σ coefficients[k]·variable^k as an expression, zero terms left out.
+    /// Σ `coefficients[k]`·variable^k as an expression, zero terms left out.
     #[must_use]
     pub fn expression(coefficients: &[Expression], variable: &Expression) -> Expression {
         let term =

@@ -54,20 +54,29 @@ impl<R: Field> ArcFrame<R> {
     #[must_use]
     pub fn point(&self, arc: Arc, parameter: &R) -> ArcPoint<R> {
         let terms = self.terms(arc, parameter);
-        let Terms { slope, y_squared, linear, cubic } = &terms;
-        let twice_y_squared = y_squared.clone() + y_squared;
-        let double_root = match arc {
-            Arc::Upper => slope.clone() * &self.difference,
-            Arc::Lower => -(slope.clone() * &self.sum),
-        };
-        let root_squared = double_root.square();
-        let third_root = -(cubic.clone() / linear);
+        let double_root = self.double_root(arc, &terms);
+        let (scaled, cubic) = (terms.scaled_slope(), double_root.square() * &terms.cubic);
         ArcPoint {
-            inertial_parameter: linear.clone() / (slope.clone() * &twice_y_squared),
-            stiffness_group: root_squared.clone() * cubic / (slope.clone() * &twice_y_squared),
-            velocity_squared: linear.clone() / (root_squared * cubic),
-            third_root,
+            third_root: -(terms.cubic / &terms.linear),
+            inertial_parameter: terms.linear.clone() / &scaled,
+            stiffness_group: cubic.clone() / scaled,
+            velocity_squared: terms.linear / cubic,
             double_root,
+        }
+    }
+
+    /// (1/κ, η/κ) of the same point: all that its coordinates need.
+    #[must_use]
+    pub fn place(&self, arc: Arc, parameter: &R) -> (R, R) {
+        let terms = self.terms(arc, parameter);
+        let cubic = self.double_root(arc, &terms).square() * &terms.cubic;
+        (terms.scaled_slope() / &cubic, terms.linear / cubic)
+    }
+
+    fn double_root(&self, arc: Arc, terms: &Terms<R>) -> R {
+        match arc {
+            Arc::Upper => terms.slope.clone() * &self.difference,
+            Arc::Lower => -(terms.slope.clone() * &self.sum),
         }
     }
 
@@ -184,6 +193,14 @@ struct Terms<R> {
     cubic: R,
 }
 
+impl<R: Field> Terms<R> {
+    /// 2ρy².
+    fn scaled_slope(&self) -> R {
+        let half = self.slope.clone() * &self.y_squared;
+        half.clone() + half
+    }
+}
+
 /// ∂ ln σ/∂ ln(parameter) of the boundary at given V0.
 #[derive(Debug, Clone)]
 pub struct Sensitivity<R> {
@@ -240,6 +257,8 @@ mod tests {
             prop_assert_eq!(&point.third_root, &curve::third_root(r, &beta));
             let ratio = Rational::from(&point.inertial_parameter / &point.stiffness_group);
             prop_assert_eq!(&point.velocity_squared, &ratio);
+            let inverse = Rational::from(point.stiffness_group.recip_ref());
+            prop_assert_eq!(frame.place(arc, &parameter), (inverse, ratio));
             prop_assert!(point.inertial_parameter > 0 && point.stiffness_group > 0);
 
             let (end, factor) = match arc {

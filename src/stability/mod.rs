@@ -15,6 +15,7 @@ mod ladder;
 mod logarithm;
 mod parameter_coefficients;
 mod parameter_equation;
+mod parameter_quick;
 mod quick;
 mod slip_mode;
 mod spectral_class;

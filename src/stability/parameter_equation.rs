@@ -18,6 +18,7 @@ use crate::number::Ball;
 use crate::polynomial::{enclose_root, horner};
 use crate::stability::cusp::cusp;
 use crate::stability::parameter_coefficients::Given;
+use crate::stability::parameter_quick::{positive_range, quick_root};
 use crate::stability::{Arc, ArcFrame, Asymptote};
 
 /// An equation for λ on one arc.
@@ -74,6 +75,29 @@ impl ParameterEquation {
             }
             Arc::Lower => self.roots_beside_the_cusp(bits),
         }
+    }
+
+    /// The same as [`Self::roots`], in microseconds, for one root on each branch that is well separated; none otherwise.
+    ///
+    /// The frame must be that of this equation's β, the cusp its λ on the lower arc.
+    pub(crate) fn roots_quickly(&self, frame: &ArcFrame<Ball>, cusp: &Ball, bits: u32) -> Option<Vec<Ball>> {
+        if self.arc == Arc::Upper && (self.effect_ratio == 1 || !self.upper_has_solution()) {
+            return Some(Vec::new());
+        }
+        let coefficients = self.given.coefficients(self.arc, frame, frame.root_ratio.precision_bits());
+        let (low, high) = positive_range(&coefficients)?;
+        if self.arc == Arc::Upper {
+            return quick_root(&coefficients, (low, high), bits).map(|root| vec![root]);
+        }
+        let middle = cusp.to_f64();
+        let mut roots = Vec::with_capacity(2);
+        if self.quasi_static_branch_has_solution() {
+            let above = quick_root(&coefficients, (middle, high), bits)?;
+            roots.push((above.lower() > cusp.upper()).then_some(above)?);
+        }
+        let below = quick_root(&coefficients, (low, middle), bits)?;
+        roots.push((below.upper() < cusp.lower()).then_some(below)?);
+        Some(roots)
     }
 
     /// Eq 15 bounds the upper arc: κ < (√β − 1)², that is 1 + β − κ > 2√β; any velocity occurs.

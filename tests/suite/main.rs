@@ -5,3 +5,4 @@ mod digit_for_digit;
 mod hard_cases;
 mod hard_points;
 mod readme;
+mod sabotage;

@@ -6,11 +6,14 @@ use crate::friction::Parameters;
 use crate::number::{Ball, Real, bits_for_digits};
 use crate::stability::boundary::crossing::{stress_scale_pa, velocity_scale_squared};
 use crate::stability::boundary::{BoundaryPoint, Crossing, Mark, Section};
-use crate::stability::parameter_equation::ParameterEquation;
+use crate::stability::parameter_equation::{ParameterEquation, cusp_parameter};
 use crate::stability::{Arc, ArcFrame};
 
 /// Bits beyond the digits asked for: the forms of `arc_point` lose four or five, square roots and logarithms two more.
 const GUARD_BITS: u32 = 24;
+
+/// Of the guard bits, those that a root of an equation with coefficients of that precision may lose.
+const ROOT_BITS_TO_SPARE: u32 = 14;
 
 /// The boundary of one friction, spring and mass, ready for points of a given number of digits.
 ///
@@ -21,6 +24,7 @@ pub struct BoundaryCurve {
     pub(super) effect_ratio: Rational,
     pub(super) frame: ArcFrame<Ball>,
     pub(super) bits: u32,
+    pub(super) cusp_parameter: Ball,
     stress_scale_pa: Ball,
     velocity_scale_m_per_s: Ball,
 }
@@ -35,6 +39,7 @@ impl BoundaryCurve {
             frame: ArcFrame::of_rational(&effect_ratio, bits),
             stress_scale_pa: Ball::from_rational(&stress_scale_pa(parameters), bits),
             velocity_scale_m_per_s: Ball::from_rational(&velocity_scale_squared(parameters), bits).sqrt(),
+            cusp_parameter: cusp_parameter(&effect_ratio, bits),
             parameters: parameters.clone(),
             effect_ratio,
             bits,
@@ -56,10 +61,9 @@ impl BoundaryCurve {
     /// (σ in Pa, V0 in m/s) at the parameter λ of an arc.
     #[must_use]
     pub fn position(&self, arc: Arc, parameter: &Ball) -> (Ball, Ball) {
-        let place = self.frame.point(arc, &self.lifted(parameter));
-        let stress = self.stress_scale_pa.clone() / &place.stiffness_group;
-        let velocity = self.velocity_scale_m_per_s.clone() * place.velocity_squared.sqrt();
-        (stress, velocity)
+        let (inverse_stiffness_group, velocity_squared) = self.frame.place(arc, &self.lifted(parameter));
+        let stress = self.stress_scale_pa.clone() * inverse_stiffness_group;
+        (stress, self.velocity_scale_m_per_s.clone() * velocity_squared.sqrt())
     }
 
     /// The full row at the parameter λ of an arc.
@@ -141,7 +145,9 @@ impl BoundaryCurve {
                 Section::stiffness_group(&self.parameters, stress),
             ),
         };
-        equation.roots(self.bits)
+        equation
+            .roots_quickly(&self.frame, &self.cusp_parameter, self.bits - ROOT_BITS_TO_SPARE)
+            .unwrap_or_else(|| equation.roots(self.bits))
     }
 }
 

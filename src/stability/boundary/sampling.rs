@@ -8,7 +8,7 @@ use crate::number::Ball;
 use crate::stability::Arc;
 use crate::stability::boundary::{BoundaryCurve, BoundaryPoint, Mark};
 use crate::stability::deviation::corner_normal_stress_parameter;
-use crate::stability::parameter_equation::{ParameterEquation, cusp_parameter};
+use crate::stability::parameter_equation::ParameterEquation;
 
 /// Bits that place a sample; the points themselves are exact for their λ, wherever it is.
 const PLACING_BITS: u32 = 53;
@@ -59,7 +59,7 @@ impl BoundaryCurve {
     /// λ of the cusp on the lower arc.
     #[must_use]
     pub fn cusp_parameter(&self) -> Ball {
-        cusp_parameter(&self.effect_ratio, self.bits)
+        self.cusp_parameter.clone()
     }
 
     /// λ where the arc has the V0 of the corner of its asymptotes: one on the upper arc, two on the lower (the cusp lies

@@ -1,0 +1,109 @@
+//! One root of an equation for λ in a few microseconds: 64-bit, one double-double step, one certified Newton step.
+//!
+//! The last step is the interval Newton test on a ball around the double-double root: when the image lies inside, the
+//! ball holds exactly one root and the image encloses it, whatever the two steps before were worth.
+
+use rug::Float;
+
+use crate::number::{Ball, Dd};
+use crate::polynomial::newton;
+
+/// The double-double root is trusted to 2^−PROVISIONAL_BITS of itself; the Newton test finds out.
+const PROVISIONAL_BITS: u32 = 97;
+
+/// Newton steps in 64-bit before giving up; each at least halves the logarithmic bracket or converges quadratically.
+const MOST_STEPS: u32 = 100;
+
+/// The root between two positive numbers at which the polynomial differs in sign, to a relative radius of 2^−bits.
+///
+/// None when 64-bit cannot follow (range, or signs that it does not see) or the precision is not reached; the caller then
+/// takes the general way.
+pub(super) fn quick_root(coefficients: &[Ball], (lower, upper): (f64, f64), bits: u32) -> Option<Ball> {
+    let start = root_in_f64(&coefficients.iter().map(Ball::to_f64).collect::<Vec<_>>(), lower, upper)?;
+    let provisional = step_in_double_double(coefficients, start)?;
+    let centre = Float::with_val(PROVISIONAL_BITS + 16, provisional.hi()) + provisional.lo();
+    let radius = Float::with_val(32, provisional.hi()) >> PROVISIONAL_BITS;
+    let enclosure = Ball::new(centre, radius);
+    let image = newton(coefficients, &enclosure);
+    let inside =
+        image.radius().is_finite() && image.lower() > enclosure.lower() && image.upper() < enclosure.upper();
+    (inside && image.relative_radius_log2() <= -f64::from(bits)).then_some(image)
+}
+
+/// Bounds of all positive roots in 64-bit (Cauchy's, for the polynomial and its reverse).
+pub(super) fn positive_range(coefficients: &[Ball]) -> Option<(f64, f64)> {
+    let magnitudes = coefficients.iter().map(|value| value.to_f64().abs());
+    let largest = magnitudes.fold(0.0, f64::max);
+    let (first, last) = (coefficients.first()?.to_f64().abs(), coefficients.last()?.to_f64().abs());
+    let range = (first / (first + largest), 1.0 + largest / last);
+    (range.0 > 1e-100 && range.1 < 1e100).then_some(range)
+}
+
+/// Newton's method on ln λ, kept inside a bracket that halves when a step leaves it.
+fn root_in_f64(coefficients: &[f64], mut lower: f64, mut upper: f64) -> Option<f64> {
+    let at_lower = value_and_slope(coefficients, lower).0;
+    let at_upper = value_and_slope(coefficients, upper).0;
+    let changes_sign = at_lower * at_upper < 0.0;
+    // Also refuses what is not a number.
+    if !changes_sign {
+        return None;
+    }
+    let mut x = (lower * upper).sqrt();
+    for _ in 0..MOST_STEPS {
+        let (value, slope) = value_and_slope(coefficients, x);
+        *(if (value < 0.0) == (at_lower < 0.0) { &mut lower } else { &mut upper }) = x;
+        let next = x - value / slope;
+        // A linear step is right next to the root; far from it the middle of the logarithms is as good as any.
+        let next = if next > lower && next < upper { next } else { (lower * upper).sqrt() };
+        let moved = (next - x).abs();
+        x = next;
+        if moved <= 1e-14 * x {
+            return Some(x);
+        }
+    }
+    None
+}
+
+fn value_and_slope(coefficients: &[f64], x: f64) -> (f64, f64) {
+    coefficients.iter().rev().fold((0.0, 0.0), |(value, slope), c| (value * x + c, slope * x + value))
+}
+
+/// x − f(x)/f′(x) with f in double-double.
+fn step_in_double_double(coefficients: &[Ball], x: f64) -> Option<Dd> {
+    let at = Dd::from(x);
+    let zero = Dd::from(0.0);
+    let (value, slope) = coefficients.iter().rev().fold((zero, zero), |(value, slope), coefficient| {
+        let leading = coefficient.to_f64();
+        let trailing = Float::with_val(64, coefficient.centre() - leading).to_f64();
+        (value * at + Dd::exact_sum(leading, trailing), slope * at + value)
+    });
+    let next = at - value / slope;
+    next.is_finite().then_some(next)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::number::Field;
+
+    fn coefficients(values: &[i32]) -> Vec<Ball> {
+        values.iter().map(|value| Ball::from(*value).with_precision(200)).collect()
+    }
+
+    #[test]
+    fn the_square_root_of_two_is_certified_to_190_bits() {
+        let polynomial = coefficients(&[-2, 0, 1]);
+        let range = positive_range(&polynomial).unwrap();
+        let root = quick_root(&polynomial, range, 185).unwrap();
+        assert!((root.square() - Ball::from(2)).contains_zero());
+        assert!(root.relative_radius_log2() <= -185.0);
+    }
+
+    #[test]
+    fn without_a_change_of_sign_or_without_the_precision_there_is_no_answer() {
+        assert!(quick_root(&coefficients(&[1, 0, 1]), (0.5, 2.0), 100).is_none());
+        assert!(quick_root(&coefficients(&[-2, 0, 1]), (0.5, 2.0), 400).is_none());
+        // A triple root: Newton's test cannot hold.
+        assert!(quick_root(&coefficients(&[-1, 3, -3, 1]), (0.5, 3.0), 100).is_none());
+    }
+}
