@@ -5,9 +5,10 @@ use super::lap::Lap;
 use super::settle::{Cycle, Decay, Late};
 use crate::friction::{Groups, Parameters, SlipMode};
 
-/// Errors of peak and period over the local tolerance: the largest seen on a grid of 1 764 cases is below this, so that
-/// two runs that agree by chance cannot state less.
-const ERROR_OVER_LOCAL: f64 = 2e-3;
+/// Errors of peak and period over local_tolerance^(3/2): the estimate that the tolerance bounds is proportional to h^6, the error of the
+/// method to h^9. The largest seen on a grid of 1 764 cases and three tolerances is below 2; two runs that agree by
+/// chance cannot state less.
+const EXPECTED_ERROR: f64 = 4.0;
 
 /// The late behaviour in one word.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -107,9 +108,8 @@ impl Outcome {
         };
         // A hundred steps of rounding in x, what the local tolerance alone lets expect, and the way left to the cycle,
         // whose estimate rests on a multiplier known to a few parts only.
-        let floor = |size: f64| {
-            (100.0 * f64::EPSILON + ERROR_OVER_LOCAL * local_tolerance + 20.0 * distance) * size.max(1.0)
-        };
+        let expected = EXPECTED_ERROR * local_tolerance * local_tolerance.sqrt();
+        let floor = |size: f64| (100.0 * f64::EPSILON + expected + 50.0 * distance) * size.max(1.0);
         let seen = |late: &Late<f64>| if let Late::Cycle(cycle) = late { cycle.contraction } else { None };
         // The finer run began on the cycle and has no approach to show.
         let contraction = seen(coarse).or(seen(&fine));

@@ -21,4 +21,23 @@ impl EvolutionLaw {
             Self::Slip => "slip",
         }
     }
+
+    /// The law of a word, the inverse of [`Self::as_str`].
+    #[must_use]
+    pub fn from_word(word: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|law| law.as_str() == word)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_law_is_found_by_its_word_and_no_other_word_is_a_law() {
+        for law in EvolutionLaw::ALL {
+            assert_eq!(EvolutionLaw::from_word(law.as_str()), Some(law));
+        }
+        assert_eq!(EvolutionLaw::from_word("Slip"), None);
+    }
 }
