@@ -19,7 +19,7 @@ pub(super) fn size(v: Passage) -> f64 {
     v[0].abs().max(v[1].abs())
 }
 
-fn difference(a: Passage, b: Passage) -> Passage {
+pub(super) fn difference(a: Passage, b: Passage) -> Passage {
     [a[0] - b[0], a[1] - b[1]]
 }
 

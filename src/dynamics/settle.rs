@@ -6,7 +6,7 @@
 
 use super::decay::{final_rate, measure_decay, sparse_oscillation};
 use super::lap::{Lap, LapEnd, run_lap};
-use super::return_map::{History, jump, laps_per_cycle, size};
+use super::return_map::{History, difference, jump, laps_per_cycle, size};
 use super::stepper::Stepper;
 use super::{Failure, Integrator, Scalar, State};
 
@@ -24,6 +24,9 @@ const NOISE_IN_TOLERANCES: f64 = 0.01;
 
 /// The farthest from its cycle that a trajectory may be called periodic, when the integrator's errors hide the rest of the way.
 const FARTHEST: f64 = 1e-3;
+
+/// Contraction of a lap assumed where none could be measured, because the laps closed at once.
+const UNMEASURED: f64 = 0.5;
 
 /// A limit cycle.
 #[derive(Debug, Clone, PartialEq)]
@@ -110,7 +113,7 @@ pub fn settle<R: Scalar, M: Stepper<R> + Clone>(
             contraction = history.multiplier().or(contraction);
         }
         // Where no contraction could be measured the first laps already were on the cycle.
-        let known = contraction.filter(|&known| known < 1.0).unwrap_or(0.5);
+        let known = contraction.filter(|&known| known < 1.0).unwrap_or(UNMEASURED);
         // The lap's peak and duration belong to the state that it began with.
         let distance = change / (1.0 - known);
         let measured = contraction.is_some_and(|known| known < 1.0) && distance <= target;
@@ -130,6 +133,28 @@ pub fn settle<R: Scalar, M: Stepper<R> + Clone>(
         }
     }
     Err(Failure::Undecided { cycles: most_laps, change: history.change(1).unwrap_or(f64::INFINITY) })
+}
+
+/// Settles a run that begins on a known cycle, usually at a finer tolerance: one lap that closes is enough.
+///
+/// # Errors
+/// Those of [`settle`], which takes over when the lap does not close.
+pub fn settle_again<R: Scalar, M: Stepper<R> + Clone>(
+    run: &mut Integrator<'_, R, M>,
+    found: &Cycle<R>,
+    target: f64,
+    most_laps: u64,
+) -> Result<Late<R>, Failure> {
+    let section = |state: &State<R>| [state[1].to_f64(), state[2].to_f64()];
+    let before = section(run.state());
+    let (lap, end) = run_lap(run)?;
+    let after = section(&lap.end);
+    let known = found.contraction.filter(|&known| known < 1.0).unwrap_or(UNMEASURED);
+    let distance = size(difference(after, before)) / size(after) / (1.0 - known);
+    if end == LapEnd::Rise && found.laps_per_cycle == 1 && distance <= target {
+        return Ok(Late::Cycle(Cycle { lap, laps_per_cycle: 1, contraction: found.contraction, distance }));
+    }
+    settle(run, target, most_laps)
 }
 
 fn cycle<R: Scalar>(

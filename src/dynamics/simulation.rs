@@ -7,7 +7,7 @@
 use super::deviations::oscillation_of_small_deviations;
 use super::integrator::{Control, Integrator};
 use super::outcome::{Outcome, Simulation};
-use super::settle::{Late, settle};
+use super::settle::{Late, settle, settle_again};
 use super::stepper::Stepper;
 use super::{Balance, Failure, Model, Radau, Start};
 use crate::friction::{EvolutionLaw, Parameters};
@@ -83,11 +83,12 @@ pub fn simulate(
 pub fn simulate_model(model: &Model<f64>, options: &Options) -> Result<Outcome, Failure> {
     let asked = options.tolerance;
     let mut local = (LOCAL_OVER_ASKED * asked).clamp(TIGHTEST, LOOSEST);
+    let mut target = 0.01 * asked;
     let mut reached = f64::INFINITY;
     let mut last_failure = None;
     let (mut steps, mut evaluations) = (0, 0);
     while local >= TIGHTEST {
-        match both_runs(model, options, local) {
+        match both_runs(model, options, local, target) {
             Ok((coarse, fine)) => {
                 steps += coarse.steps + fine.steps;
                 evaluations += coarse.evaluations + fine.evaluations;
@@ -105,6 +106,7 @@ pub fn simulate_model(model: &Model<f64>, options: &Options) -> Result<Outcome, 
             Err(failure) => return Err(failure),
         }
         local *= 0.01;
+        target *= 0.1;
     }
     match last_failure {
         Some(failure) if reached.is_infinite() => Err(failure),
@@ -112,12 +114,11 @@ pub fn simulate_model(model: &Model<f64>, options: &Options) -> Result<Outcome, 
     }
 }
 
-/// A run at the local tolerance and one at a tenth of it; on a cycle the second begins where the first ended.
-fn both_runs(model: &Model<f64>, options: &Options, local: f64) -> Result<(Run, Run), Failure> {
+/// A run at the local tolerance, followed until it is within `target` of its late behaviour, and one at a tenth of it; on a cycle the second begins where the first ended.
+fn both_runs(model: &Model<f64>, options: &Options, local: f64, target: f64) -> Result<(Run, Run), Failure> {
     let start = options.start.state(model, &libm::log(options.velocity_ratio));
     let control = Control { local_tolerance: local, most_steps: options.most_steps };
     let mut integrator = Integrator::new(model, Radau::<f64, 5>::new(), start, control)?;
-    let target = options.tolerance * 0.01;
     let late = settle(&mut integrator, target, options.most_laps)?;
     let mut coarse = Run::of(late, &integrator);
     let finer = Control { local_tolerance: 0.1 * local, ..control };
@@ -126,7 +127,10 @@ fn both_runs(model: &Model<f64>, options: &Options, local: f64) -> Result<(Run, 
         Late::Decay(_) => start,
     };
     let mut integrator = Integrator::new(model, Radau::<f64, 5>::new(), from, finer)?;
-    let late = settle(&mut integrator, target, options.most_laps)?;
+    let late = match &coarse.late {
+        Late::Cycle(found) => settle_again(&mut integrator, found, target, options.most_laps)?,
+        Late::Decay(_) => settle(&mut integrator, target, options.most_laps)?,
+    };
     let mut fine = Run::of(late, &integrator);
     // A pair that dies faster than the real mode leaves no trace in late behaviour, but it is there.
     if let (Late::Decay(coarse), Late::Decay(fine)) = (&mut coarse.late, &mut fine.late)
