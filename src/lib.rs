@@ -7,6 +7,7 @@
 //! Modules stand on floors and import lower floors only (`cargo xtask tidy` enforces it); ARCHITECTURE.md has the map.
 
 pub mod claims;
+pub mod dynamics;
 pub mod exhibit;
 pub mod friction;
 pub mod number;

@@ -2,8 +2,12 @@
 //!
 //! SI stops here: the floors above work in (η, κ, β) and in the unit of time D_c/V0.
 
+mod evolution;
 mod groups;
 mod parameters;
+mod slip_mode;
 
+pub use evolution::EvolutionLaw;
 pub use groups::Groups;
 pub use parameters::Parameters;
+pub use slip_mode::SlipMode;

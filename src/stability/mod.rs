@@ -24,6 +24,7 @@ mod spectrum;
 pub mod tolerance;
 pub mod transition;
 
+pub use crate::friction::SlipMode;
 pub use arc_point::{ArcFrame, ArcPoint, Sensitivity};
 pub use asymptote::Asymptote;
 pub use boundary::{BoundaryCurve, BoundaryPoint, Mark, Section};
@@ -31,7 +32,7 @@ pub use curve::Arc;
 pub use decision::{boundary_sign, transition_sign};
 pub use distance::LogDistance;
 pub use quick::classify_quickly;
-pub use slip_mode::{InertialThreshold, SlipMode, slip_mode};
+pub use slip_mode::{InertialThreshold, slip_mode};
 pub use spectral_class::SpectralClass;
 pub use spectrum::{Classification, classify};
 pub use transition::{

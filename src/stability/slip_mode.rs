@@ -1,55 +1,11 @@
 //! Slip modes: the names the paper gives to areas of the (V0, σ) plane, decided exactly.
 
 use rug::Complete;
-use serde::Serialize;
 
 use super::SpectralClass;
-use crate::friction::Groups;
+use crate::friction::{Groups, SlipMode};
 use crate::number::Rational;
 use crate::roots::Depressed;
-
-/// How the slider slips, in the words of the paper's figures 1 and 7.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum SlipMode {
-    /// Stable, all roots real.
-    OverdampedStableSliding,
-    /// Stable, oscillating well below the natural frequency.
-    NonInertialUnderdampedOscillation,
-    /// Stable, oscillating near the natural frequency.
-    InertialUnderdampedOscillation,
-    /// Unstable, not oscillating or oscillating well below the natural frequency.
-    StickSlip,
-    /// Unstable, oscillating near the natural frequency.
-    HarmonicVibration,
-    /// Stable with real roots in the upper area of a > b (fig. 7b, iii).
-    OverdampedOscillation,
-}
-
-impl SlipMode {
-    /// Every slip mode, in the order of the enumeration.
-    pub const ALL: [Self; 6] = [
-        Self::OverdampedStableSliding,
-        Self::NonInertialUnderdampedOscillation,
-        Self::InertialUnderdampedOscillation,
-        Self::StickSlip,
-        Self::HarmonicVibration,
-        Self::OverdampedOscillation,
-    ];
-
-    /// The name in tables and JSON.
-    #[must_use]
-    pub const fn as_str(self) -> &'static str {
-        match self {
-            Self::OverdampedStableSliding => "overdamped-stable-sliding",
-            Self::NonInertialUnderdampedOscillation => "non-inertial-underdamped-oscillation",
-            Self::InertialUnderdampedOscillation => "inertial-underdamped-oscillation",
-            Self::StickSlip => "stick-slip",
-            Self::HarmonicVibration => "harmonic-vibration",
-            Self::OverdampedOscillation => "overdamped-oscillation",
-        }
-    }
-}
 
 /// From which ω/ω_n on an oscillation is called inertial, ω being the imaginary part of the complex pair.
 ///

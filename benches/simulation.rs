@@ -1,0 +1,127 @@
+//! Work against error of the integrators on the hard cases, and the time of sweeps and grids.
+//!
+//! Every method runs one lap of the limit cycle from the same state on V = V_l. The reference is Radau IIA of order 13 in
+//! double-double at a local tolerance of 1e-20. Printed per method and tolerance: steps (refused ones included), evaluations, time of
+//! the best of several repetitions, and the errors of ln(V_peak/V_l) and of the duration. Steps and errors do not depend on the machine.
+//! Omissions: Taylor series where a lap would take more than a hundred thousand steps.
+
+use std::time::Instant;
+
+use slipmode::dynamics::{
+    Control, Integrator, Late, Model, Options, Radau, Rodas5P, Scalar, Start, State, Stepper, Taylor,
+    run_lap, settle, simulate_model,
+};
+use slipmode::friction::{EvolutionLaw, Groups};
+use slipmode::number::Dd;
+
+/// The paper's values at σ = 10^s Pa and V_l = 10^v m/s.
+fn paper(v: f64, s: f64, direct_effect: f64, evolution_effect: f64) -> Groups<f64> {
+    Groups {
+        inertial_parameter: 1000.0 * libm::exp10(2.0 * v) / (libm::exp10(s) * direct_effect * 1e-5),
+        stiffness_group: 100.0 / (direct_effect * libm::exp10(s)),
+        effect_ratio: evolution_effect / direct_effect,
+    }
+}
+
+struct Case<'c> {
+    model: &'c Model<f64>,
+    section: State<f64>,
+    exact: [f64; 2],
+}
+
+fn lap<R: Scalar, M: Stepper<R> + Clone>(
+    model: &Model<R>,
+    method: M,
+    section: &State<f64>,
+    local_tolerance: f64,
+) -> Option<([R; 2], u64, u64)> {
+    let control = Control { local_tolerance, most_steps: 100_000 };
+    let start: State<R> = std::array::from_fn(|i| R::from_f64(section[i]));
+    let mut run = Integrator::new(model, method, start, control).ok()?;
+    let (lap, _) = run_lap(&mut run).ok()?;
+    let (accepted, refused) = run.step_counts();
+    Some(([lap.peak, lap.duration], accepted + refused, run.method().evaluations()))
+}
+
+fn measure<M: Stepper<f64> + Clone>(name: &str, case: &Case<'_>, method: &M) {
+    for exponent in [3, 5, 7, 9, 11] {
+        let tolerance = libm::exp10(-f64::from(exponent));
+        let mut best = f64::INFINITY;
+        let mut result = None;
+        for _ in 0..5 {
+            let began = Instant::now();
+            result = lap(case.model, method.clone(), &case.section, tolerance);
+            best = best.min(began.elapsed().as_secs_f64());
+        }
+        match result {
+            Some(([peak, duration], steps, evaluations)) => println!(
+                "  {name:<9} 1e-{exponent:<3} {steps:>7} {evaluations:>8} {:>9.1} {:>9.1e} {:>9.1e}",
+                best * 1e6,
+                (peak - case.exact[0]).abs(),
+                (duration / case.exact[1] - 1.0).abs()
+            ),
+            None => println!("  {name:<9} 1e-{exponent:<3} not finished"),
+        }
+    }
+}
+
+fn work_precision() {
+    for (v, s) in [(-5.5, 6.5), (-6.0, 7.5), (-5.0, 5.0), (-1.5, 4.0), (-1.0, 2.5)] {
+        for law in EvolutionLaw::ALL {
+            let model = Model::new(paper(v, s, 0.004, 0.006), law);
+            let control = Control { local_tolerance: 1e-9, most_steps: 10_000_000 };
+            let start = Start::default().at_a_tenth(&model);
+            let Ok(mut run) = Integrator::new(&model, Radau::<f64, 5>::new(), start, control) else {
+                continue;
+            };
+            let Ok(Late::Cycle(_)) = settle(&mut run, 1e-9, 10_000) else { continue };
+            let section = *run.state();
+            let fine = Model::new(model.groups().map(|&g| Dd::from(g)), law);
+            let Some((exact, ..)) = lap(&fine, Radau::<Dd, 7>::new(), &section, 1e-20) else { continue };
+            let case = Case { model: &model, section, exact: exact.map(|value| value.to_f64()) };
+            println!(
+                "sigma 1e{s} Pa, V_l 1e{v} m/s, {} law, ln(V_peak/V_l) = {}",
+                law.as_str(),
+                case.exact[0]
+            );
+            println!("  method    local   steps    evals   time/us   err peak   err dur");
+            measure("rodas5p", &case, &Rodas5P::new());
+            measure("radau 5", &case, &Radau::<f64, 3>::new());
+            measure("radau 9", &case, &Radau::<f64, 5>::new());
+            measure("radau 13", &case, &Radau::<f64, 7>::new());
+            measure("taylor 20", &case, &Taylor::<f64, 20>::new());
+        }
+    }
+}
+
+/// Runs a square grid of (V_l, σ) and prints failures, runs a second and the largest stated error.
+fn grid(name: &str, side: u32, velocity: [f64; 2], stress: [f64; 2], effects: &[[f64; 2]], tolerance: f64) {
+    let options = Options { tolerance, ..Options::default() };
+    let at = |[low, high]: [f64; 2], i: u32| low + (high - low) * f64::from(i) / f64::from(side - 1);
+    let (mut runs, mut failures, mut steps) = (0u32, 0u32, 0u64);
+    let began = Instant::now();
+    for &[a, b] in effects {
+        for law in EvolutionLaw::ALL {
+            for (i, j) in (0..side * side).map(|cell| (cell / side, cell % side)) {
+                let model = Model::new(paper(at(velocity, i), at(stress, j), a, b), law);
+                runs += 1;
+                match simulate_model(&model, &options) {
+                    Ok(outcome) => steps += outcome.steps(),
+                    Err(_) => failures += 1,
+                }
+            }
+        }
+    }
+    let seconds = began.elapsed().as_secs_f64();
+    println!(
+        "{name}: {runs} runs, {failures} failures, {steps} steps, {seconds:.2} s on one core, {:.0} runs/s",
+        f64::from(runs) / seconds
+    );
+}
+
+fn main() {
+    work_precision();
+    let unstable = [0.004, 0.006];
+    grid("figures 3 and 6 at 1e-8", 21, [-6.0, -1.0], [2.5, 7.5], &[unstable, [0.006, 0.004]], 1e-8);
+    grid("sweep at 1e-2", 20, [-6.0, -1.0], [3.0, 7.0], &[unstable], 1e-2);
+}

@@ -1,0 +1,220 @@
+//! The Jacobian of the slider, an arrowhead matrix, and the solution of (λ − hJ) d = r without any search for pivots.
+//!
+//! The velocity couples to both other variables, they never couple to each other; so two eliminations and one division solve
+//! the system. The eliminated diagonals λ − hJ_yy and λ have no smaller modulus than Re λ > 0, because J_yy ≤ 0 for
+//! both laws: nothing cancels there. Only the last pivot can be small, and it is exactly when the step is.
+
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+use super::Scalar;
+
+/// The non-zero entries of the Jacobian in the order (x, y, ζ).
+#[derive(Debug, Clone)]
+pub struct Arrow<R> {
+    /// ∂x'/∂x.
+    pub xx: R,
+    /// ∂x'/∂y.
+    pub xy: R,
+    /// ∂x'/∂ζ.
+    pub xz: R,
+    /// ∂y'/∂x.
+    pub yx: R,
+    /// ∂y'/∂y.
+    pub yy: R,
+    /// ∂ζ'/∂x.
+    pub zx: R,
+}
+
+impl<R: Scalar> Arrow<R> {
+    /// The product with a column.
+    #[must_use]
+    pub fn times(&self, v: &[R; 3]) -> [R; 3] {
+        [
+            self.xx.clone() * &v[0] + self.xy.clone() * &v[1] + self.xz.clone() * &v[2],
+            self.yx.clone() * &v[0] + self.yy.clone() * &v[1],
+            self.zx.clone() * &v[0],
+        ]
+    }
+
+    /// All entries times the step.
+    #[must_use]
+    pub fn scaled(&self, h: &R) -> Self {
+        Self {
+            xx: self.xx.clone() * h,
+            xy: self.xy.clone() * h,
+            xz: self.xz.clone() * h,
+            yx: self.yx.clone() * h,
+            yy: self.yy.clone() * h,
+            zx: self.zx.clone() * h,
+        }
+    }
+}
+
+/// A complex number over any scalar, with just the operations that the elimination needs.
+#[derive(Debug, Clone)]
+pub struct Complex<R> {
+    /// The real part.
+    pub re: R,
+    /// The imaginary part.
+    pub im: R,
+}
+
+/// What the elimination asks of its numbers: a field, with the real scalars acting on it.
+pub trait OverReals<R>:
+    Clone + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self> + Neg<Output = Self>
+{
+    /// A real number as one of these.
+    fn from_real(value: &R) -> Self;
+    /// The product with a real number.
+    fn times_real(&self, factor: &R) -> Self;
+}
+
+impl<R: Scalar> OverReals<R> for R {
+    #[inline(always)]
+    fn from_real(value: &R) -> Self {
+        value.clone()
+    }
+    #[inline(always)]
+    fn times_real(&self, factor: &R) -> Self {
+        self.clone() * factor
+    }
+}
+
+impl<R: Scalar> OverReals<R> for Complex<R> {
+    #[inline(always)]
+    fn from_real(value: &R) -> Self {
+        Self { re: value.clone(), im: R::from(0) }
+    }
+    #[inline(always)]
+    fn times_real(&self, factor: &R) -> Self {
+        Self { re: self.re.clone() * factor, im: self.im.clone() * factor }
+    }
+}
+
+impl<R: Scalar> Add for Complex<R> {
+    type Output = Self;
+    #[inline(always)]
+    fn add(self, other: Self) -> Self {
+        Self { re: self.re + other.re, im: self.im + other.im }
+    }
+}
+
+impl<R: Scalar> Sub for Complex<R> {
+    type Output = Self;
+    #[inline(always)]
+    fn sub(self, other: Self) -> Self {
+        Self { re: self.re - other.re, im: self.im - other.im }
+    }
+}
+
+impl<R: Scalar> Neg for Complex<R> {
+    type Output = Self;
+    #[inline(always)]
+    fn neg(self) -> Self {
+        Self { re: -self.re, im: -self.im }
+    }
+}
+
+impl<R: Scalar> Mul for Complex<R> {
+    type Output = Self;
+    #[inline(always)]
+    fn mul(self, other: Self) -> Self {
+        Self {
+            re: self.re.clone() * &other.re - self.im.clone() * &other.im,
+            im: self.re * &other.im + self.im * &other.re,
+        }
+    }
+}
+
+impl<R: Scalar> Div for Complex<R> {
+    type Output = Self;
+    /// Smith's quotient: no overflow while operands and result are in range.
+    #[inline(always)]
+    fn div(self, other: Self) -> Self {
+        if other.re.abs() < other.im.abs() {
+            let ratio = other.re.clone() / &other.im;
+            let scale = other.re * &ratio + other.im;
+            Self {
+                re: (self.re.clone() * &ratio + &self.im) / &scale,
+                im: (self.im * &ratio - self.re) / &scale,
+            }
+        } else {
+            let ratio = other.im.clone() / &other.re;
+            let scale = other.im * &ratio + other.re;
+            Self {
+                re: (self.re.clone() + self.im.clone() * &ratio) / &scale,
+                im: (self.im - self.re * &ratio) / &scale,
+            }
+        }
+    }
+}
+
+/// The factorised matrix λ − hJ for one λ, real or complex.
+#[derive(Debug, Clone)]
+pub struct Factors<C> {
+    inverse_y: C,
+    inverse_zeta: C,
+    inverse_pivot: C,
+}
+
+impl<C> Factors<C> {
+    /// Eliminates y and ζ from λ − J, where `jacobian` already carries the step's factor.
+    #[must_use]
+    #[inline]
+    pub fn new<R: Scalar>(lambda: &C, jacobian: &Arrow<R>) -> Self
+    where
+        C: OverReals<R>,
+    {
+        let one = C::from_real(&R::from(1));
+        let inverse_y = one.clone() / (lambda.clone() - C::from_real(&jacobian.yy));
+        let inverse_zeta = one.clone() / lambda.clone();
+        let through_y = inverse_y.times_real(&(jacobian.xy.clone() * &jacobian.yx));
+        let through_zeta = inverse_zeta.times_real(&(jacobian.xz.clone() * &jacobian.zx));
+        let pivot = lambda.clone() - C::from_real(&jacobian.xx) - through_y - through_zeta;
+        Self { inverse_y, inverse_zeta, inverse_pivot: one / pivot }
+    }
+
+    /// Solves (λ − J) d = r.
+    #[must_use]
+    #[inline]
+    pub fn solve<R: Scalar>(&self, jacobian: &Arrow<R>, [x, y, zeta]: [C; 3]) -> [C; 3]
+    where
+        C: OverReals<R>,
+    {
+        let y = y * self.inverse_y.clone();
+        let zeta = zeta * self.inverse_zeta.clone();
+        let right = x + y.times_real(&jacobian.xy) + zeta.times_real(&jacobian.xz);
+        let x = right * self.inverse_pivot.clone();
+        let y = y + x.times_real(&jacobian.yx) * self.inverse_y.clone();
+        let zeta = zeta + x.times_real(&jacobian.zx) * self.inverse_zeta.clone();
+        [x, y, zeta]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn arrow(e: [f64; 6]) -> Arrow<f64> {
+        Arrow { xx: e[0], xy: e[1], xz: e[2], yx: e[3], yy: -e[4].abs(), zx: e[5] }
+    }
+
+    proptest! {
+        #[test]
+        fn the_solution_satisfies_the_system(
+            e in prop::array::uniform6(-2.0f64..2.0), r in prop::array::uniform3(-1.0f64..1.0), re in 10.0f64..20.0, im in -9.0f64..9.0
+        ) {
+            let jacobian = arrow(e);
+            let lambda = Complex { re, im };
+            let right = r.map(|re| Complex { re, im: 0.25 });
+            let d = Factors::new(&lambda, &jacobian).solve(&jacobian, right.clone());
+            let product_re = jacobian.times(&[d[0].re, d[1].re, d[2].re]);
+            let product_im = jacobian.times(&[d[0].im, d[1].im, d[2].im]);
+            for i in 0..3 {
+                let left = lambda.clone() * d[i].clone() - Complex { re: product_re[i], im: product_im[i] };
+                prop_assert!((left.re - right[i].re).abs() < 1e-13 && (left.im - right[i].im).abs() < 1e-13);
+            }
+        }
+    }
+}

@@ -1,0 +1,251 @@
+//! Checks of the whole: linear regime, steady sliding, references in more digits, stated errors, the paper's grid.
+
+use super::integrator::{Control, Integrator};
+use super::lap::run_lap;
+use super::settle::{Late, settle};
+use super::{
+    Balance, Model, Multi, Options, Radau, Rodas5P, Scalar, Start, State, Stepper, Taylor, simulate_model,
+};
+use crate::friction::{EvolutionLaw, Groups};
+use crate::number::Dd;
+
+/// The paper's values at σ = 10^s Pa and V_l = 10^v m/s.
+pub(super) fn paper(v: f64, s: f64) -> Groups<f64> {
+    let ten = |exponent: f64| libm::exp10(exponent);
+    Groups {
+        inertial_parameter: 1000.0 * ten(2.0 * v) / (ten(s) * 0.004 * 1e-5),
+        stiffness_group: 1e7 * 1e-5 / (0.004 * ten(s)),
+        effect_ratio: 1.5,
+    }
+}
+
+/// The pair of eq 8 by Newton's iteration from a guess: (Re, Im).
+fn pair_near(groups: &Groups<f64>, guess: (f64, f64)) -> (f64, f64) {
+    use num_complex::Complex;
+    let coefficients = groups.characteristic_cubic();
+    let mut p = Complex::new(guess.0, guess.1);
+    for _ in 0..50 {
+        let value = coefficients.iter().rev().fold(Complex::new(0.0, 0.0), |sum, c| sum * p + c);
+        let slope = (1..4).rev().fold(Complex::new(0.0, 0.0), |sum, k| sum * p + coefficients[k] * k as f64);
+        p -= value / slope;
+    }
+    (p.re, p.im)
+}
+
+#[test]
+fn late_decay_matches_the_roots_of_eq_8() {
+    for law in EvolutionLaw::ALL {
+        // Overdamped-looking to barely damped: inertial and quasi-static, near K = K_c and far from it.
+        for (eta, kappa) in [(50.0, 40.0), (5.0, 3.3), (0.5, 1.2), (1e-3, 0.6), (1e-6, 0.7), (2.0, 1.501)] {
+            let groups = Groups { inertial_parameter: eta, stiffness_group: kappa, effect_ratio: 1.5 };
+            let model = Model::new(groups.clone(), law);
+            let outcome = simulate_model(&model, &Options::default()).unwrap();
+            let Late::Decay(decay) = outcome.late() else { unreachable!("K > K_c: {eta} {kappa}") };
+            let (period, growth) = decay.oscillation.unwrap();
+            let angular = std::f64::consts::TAU / period;
+            let (re, im) = pair_near(&groups, (growth, angular));
+            assert!((angular / im - 1.0).abs() < 1e-8, "{law:?} {eta} {kappa}: {angular} {im}");
+            assert!((growth - re).abs() < 1e-8 * re.hypot(im), "{law:?} {eta} {kappa}: {growth} {re}");
+        }
+    }
+}
+
+#[test]
+fn steady_sliding_is_kept_over_a_million_time_units() {
+    for law in EvolutionLaw::ALL {
+        let model = Model::new(paper(-1.5, 4.0), law);
+        let control = Control { local_tolerance: 1e-8, most_steps: 100_000 };
+        let mut run = Integrator::new(&model, Radau::<f64, 5>::new(), [0.0; 3], control).unwrap();
+        while run.time() < 1e6 {
+            run.advance(None).unwrap();
+        }
+        assert_eq!(run.state().map(f64::abs), [0.0; 3]);
+    }
+}
+
+fn lap_from<R: Scalar, M: Stepper<R> + Clone>(
+    model: &Model<R>,
+    method: M,
+    section: &State<f64>,
+    tolerance: f64,
+) -> [R; 2] {
+    let start: State<R> = std::array::from_fn(|i| R::from_f64(section[i]));
+    let control = Control { local_tolerance: tolerance, most_steps: 1_000_000 };
+    let mut run = Integrator::new(model, method, start, control).unwrap();
+    let (lap, _) = run_lap(&mut run).unwrap();
+    [lap.peak, lap.duration]
+}
+
+/// A state on the limit cycle, in f64: the start of reference laps.
+fn section(model: &Model<f64>) -> State<f64> {
+    let control = Control { local_tolerance: 1e-9, most_steps: 1_000_000 };
+    let start = Start::default().at_a_tenth(model);
+    let mut run = Integrator::new(model, Radau::<f64, 5>::new(), start, control).unwrap();
+    settle(&mut run, 1e-9, 1000).unwrap();
+    *run.state()
+}
+
+/// The reference is Radau IIA of order 13 in double-double at 1e-22, where f64 methods differ by 1e-12 and less.
+#[test]
+fn every_method_reaches_the_double_double_reference() {
+    for (v, s) in [(-5.5, 6.5), (-1.5, 4.0)] {
+        for law in EvolutionLaw::ALL {
+            let model = Model::new(paper(v, s), law);
+            let fine = Model::new(paper(v, s).map(|&g| Dd::from(g)), law);
+            let start = section(&model);
+            let exact = lap_from(&fine, Radau::<Dd, 7>::new(), &start, 1e-20).map(|value| value.to_f64());
+            let check = |[peak, duration]: [f64; 2], bound: f64| {
+                assert!((peak - exact[0]).abs() < bound, "{v} {s} {law:?}: {peak} {exact:?}");
+                assert!((duration / exact[1] - 1.0).abs() < bound, "{v} {s} {law:?}: {duration} {exact:?}");
+            };
+            check(lap_from(&model, Radau::<f64, 3>::new(), &start, 1e-10), 1e-11);
+            check(lap_from(&model, Radau::<f64, 5>::new(), &start, 1e-9), 1e-11);
+            check(lap_from(&model, Radau::<f64, 7>::new(), &start, 1e-8), 1e-11);
+            check(lap_from(&model, Rodas5P::<f64>::new(), &start, 1e-10), 1e-9);
+            if v == -1.5 {
+                check(lap_from(&model, Taylor::<f64, 20>::new(), &start, 1e-11), 1e-10);
+            }
+        }
+    }
+}
+
+#[test]
+fn double_double_and_mpfr_agree_beyond_f64() {
+    let model = Model::new(paper(-1.5, 4.0), EvolutionLaw::Aging);
+    let start = section(&model);
+    let fine = Model::new(model.groups().map(|&g| Dd::from(g)), EvolutionLaw::Aging);
+    let finest = Model::new(model.groups().map(|&g| Multi::<160>::from_f64(g)), EvolutionLaw::Aging);
+    let [peak, duration] = lap_from(&fine, Radau::<Dd, 7>::new(), &start, 1e-22);
+    let [reference, reference_duration] = lap_from(&finest, Taylor::<Multi<160>, 40>::new(), &start, 1e-30);
+    let difference = |value: Dd, exact: Multi<160>| {
+        (Multi::<160>::from_f64(value.hi()) + Multi::from_f64(value.lo()) - exact).to_f64().abs()
+    };
+    assert!(difference(peak, reference) < 1e-22);
+    assert!(difference(duration, reference_duration) < 1e-19);
+}
+
+#[test]
+fn the_stated_error_holds_against_a_tighter_run() {
+    let cases = [
+        (-6.0, 7.5),
+        (-5.5, 6.5),
+        (-5.0, 5.0),
+        (-3.0, 5.0),
+        (-1.5, 4.0),
+        (-1.0, 2.5),
+        (-4.0, 4.0),
+        (-2.75, 2.75),
+    ];
+    for law in EvolutionLaw::ALL {
+        for (v, s) in cases {
+            let model = Model::new(paper(v, s), law);
+            let parameters = unit_parameters();
+            let run = |tolerance| {
+                let options = Options { tolerance, ..Options::default() };
+                simulate_model(&model, &options).unwrap().in_si(&parameters)
+            };
+            let (usual, tight) = (run(1e-8), run(1e-10));
+            let error = (usual.peak_velocity_m_per_s / tight.peak_velocity_m_per_s - 1.0).abs();
+            assert!(
+                usual.peak_relative_error <= 1e-8 && error <= usual.peak_relative_error,
+                "{law:?} {v} {s}: {error:e}"
+            );
+            if let (Some(a), Some(b)) = (usual.period_s, tight.period_s) {
+                assert!((a / b - 1.0).abs() <= usual.period_relative_error.unwrap(), "{law:?} {v} {s}");
+            }
+        }
+    }
+}
+
+/// Parameters of value one: SI and dimensionless values then coincide.
+const fn unit_parameters() -> crate::friction::Parameters<f64> {
+    crate::friction::Parameters {
+        direct_effect: 1.0,
+        evolution_effect: 1.0,
+        critical_slip_distance_m: 1.0,
+        stiffness_pa_per_m: 1.0,
+        mass_per_area_kg_per_m2: 1.0,
+        normal_stress_pa: 1.0,
+        loading_velocity_m_per_s: 1.0,
+    }
+}
+
+#[test]
+fn an_unreachable_tolerance_says_what_was_reached() {
+    let model = Model::new(paper(-3.0, 5.0), EvolutionLaw::Slip);
+    let options = Options { tolerance: 1e-18, ..Options::default() };
+    match simulate_model(&model, &options) {
+        Err(super::Failure::UnreachableTolerance { asked, reached }) => {
+            assert!(asked == 1e-18 && reached > 1e-16 && reached < 1e-9, "{reached:e}");
+        }
+        other => unreachable!("{other:?}"),
+    }
+}
+
+#[test]
+fn inadmissible_groups_are_refused() {
+    for (eta, kappa) in [(0.0, 1.0), (f64::NAN, 1.0), (1.0, -1.0), (f64::INFINITY, 1.0), (1e-320, 1.0)] {
+        let groups = Groups { inertial_parameter: eta, stiffness_group: kappa, effect_ratio: 1.5 };
+        let result = simulate_model(&Model::new(groups, EvolutionLaw::Aging), &Options::default());
+        assert_eq!(result.unwrap_err(), super::Failure::InvalidStart);
+    }
+}
+
+#[test]
+fn the_start_does_not_change_the_limit_cycle() {
+    let model = Model::new(paper(-3.0, 5.0), EvolutionLaw::Aging);
+    let peak = |start| simulate_model(&model, &Options { start, ..Options::default() }).unwrap().log_peak();
+    let usual = peak(Start::default());
+    for start in Start::ALL {
+        assert!((peak(start) - usual).abs() < 1e-8, "{start:?}");
+    }
+}
+
+#[test]
+fn one_tenth_of_a_grid_of_the_paper_runs_without_a_failure() {
+    for law in EvolutionLaw::ALL {
+        for effect_ratio in [1.5, 1.0 / 1.5] {
+            for i in 0..7 {
+                for j in 0..7 {
+                    let groups = Groups {
+                        effect_ratio,
+                        ..paper(-6.0 + 0.75 * f64::from(i), 2.5 + 0.75 * f64::from(j))
+                    };
+                    let unstable = groups.transition_margin() < 0.0;
+                    let outcome = simulate_model(&Model::new(groups, law), &Options::default()).unwrap();
+                    assert_eq!(
+                        matches!(outcome.late(), Late::Cycle(_)),
+                        unstable,
+                        "{law:?} {effect_ratio} {i} {j}"
+                    );
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn the_regularised_law_changes_nothing_at_the_friction_of_rocks() {
+    // μ0/a = 150: e^{-300} is far below rounding as long as friction does not approach zero.
+    for (v, s) in [(-5.0, 5.0), (-1.5, 4.0), (-4.0, 3.0)] {
+        for law in EvolutionLaw::ALL {
+            let groups = paper(v, s);
+            let usual = simulate_model(&Model::new(groups.clone(), law), &Options::default()).unwrap();
+            let regularised = Model::with_balance(groups, law, Balance::Regularised(150.0));
+            let regularised = simulate_model(&regularised, &Options::default()).unwrap();
+            assert!((usual.log_peak() - regularised.log_peak()).abs() < 1e-9, "{v} {s} {law:?}");
+        }
+    }
+}
+
+#[test]
+fn velocities_below_the_range_of_f64_do_not_stop_a_run() {
+    for (inertial_parameter, stiffness_group, effect_ratio) in
+        [(8.24e5, 51.0, 9.622), (2.61e5, 9.49e3, 5.299)]
+    {
+        let groups = Groups { inertial_parameter, stiffness_group, effect_ratio };
+        let outcome = simulate_model(&Model::new(groups, EvolutionLaw::Slip), &Options::default()).unwrap();
+        let seen = outcome.in_si(&unit_parameters());
+        assert!(seen.minimum_velocity_log10_ratio < -308.0, "{}", seen.minimum_velocity_log10_ratio);
+    }
+}

@@ -1,0 +1,269 @@
+//! The constants of Radau IIA with any number of stages, derived with MPFR from the definition of the method.
+//!
+//! The nodes are the zeros of M(t) = d^{s−1}/dt^{s−1} [t^{s−1} (t − 1)^s]; A integrates the Lagrange polynomials on them.
+//! A eigenvector of A to the eigenvalue μ holds the node values of p = Σ μ^k M^{(k+1)}, because μ p and the integral of p differ
+//! by a multiple of M; so the eigenvalues are the zeros of Σ μ^k M^{(k)}(0), the denominator of the stability function.
+//! (Hairer & Wanner, *Solving Ordinary Differential Equations II*, IV.5 and IV.8, use the same A^{-1} = T Λ T^{-1}.)
+
+use std::sync::OnceLock;
+
+use rug::{Assign, Float};
+
+use super::collocation_modes::modes;
+use super::dense_matrix::{Matrix, inverse};
+use super::scalar::Scalar;
+
+/// Bits of all computations here: enough for the constants of every number type in use.
+pub(super) const PRECISION_BITS: u32 = 640;
+
+/// Most stages that a table is kept for.
+const MOST_STAGES: usize = 16;
+
+/// The constants of an S-stage method in one number type.
+#[derive(Debug, Clone)]
+pub struct Collocation<R, const S: usize> {
+    /// The nodes, ascending; the last is 1.
+    pub nodes: [R; S],
+    /// T: columns are the real eigenvector, then real and imaginary part of one of each conjugate pair.
+    pub from_modes: [[R; S]; S],
+    /// T^{-1}.
+    pub to_modes: [[R; S]; S],
+    /// Eigenvalues λ of A^{-1}: the real one, then (Re, Im > 0) of each pair.
+    pub eigenvalues: [R; S],
+    /// Weights e of the stages in the error estimate γ0 h f(y_n) + Σ e_i Z_i of order S, γ0 the inverse real eigenvalue.
+    pub error_weights: [R; S],
+    /// Row k: weights of the stages in the coefficient of θ^{k+1} of the step polynomial.
+    pub dense: [[R; S]; S],
+}
+
+impl<R: Scalar, const S: usize> Collocation<R, S> {
+    /// The constants, rounded from the ones kept at 640 bits.
+    ///
+    /// # Panics
+    /// When S is even or above 16: no such method exists here.
+    #[must_use]
+    pub fn new() -> Self {
+        const { assert!(S % 2 == 1 && S <= MOST_STAGES) };
+        static TABLES: [OnceLock<Table>; MOST_STAGES + 1] = [const { OnceLock::new() }; MOST_STAGES + 1];
+        let table = TABLES[S].get_or_init(|| Table::derive(S));
+        let row = |source: &[Float]| std::array::from_fn(|i| R::from_float(&source[i]));
+        let matrix = |source: &Matrix| std::array::from_fn(|i| row(&source[i]));
+        Self {
+            nodes: row(&table.nodes),
+            from_modes: matrix(&table.from_modes),
+            to_modes: matrix(&table.to_modes),
+            eigenvalues: row(&table.eigenvalues),
+            error_weights: row(&table.error_weights),
+            dense: matrix(&table.dense),
+        }
+    }
+}
+
+impl<R: Scalar, const S: usize> Default for Collocation<R, S> {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+struct Table {
+    nodes: Vec<Float>,
+    from_modes: Matrix,
+    to_modes: Matrix,
+    eigenvalues: Vec<Float>,
+    error_weights: Vec<Float>,
+    dense: Matrix,
+}
+
+fn real(value: impl Into<f64>) -> Float {
+    Float::with_val(PRECISION_BITS, value.into())
+}
+
+impl Table {
+    fn derive(stages: usize) -> Self {
+        let polynomial = node_polynomial(stages);
+        let nodes = zeros_in_unit_interval(&polynomial, stages);
+        let basis: Vec<Vec<Float>> = (0..stages).map(|j| lagrange(&polynomial, &nodes[j])).collect();
+        let runge_kutta: Matrix = nodes
+            .iter()
+            .map(|node| basis.iter().map(|l| evaluate(&antiderivative(l), node)).collect())
+            .collect();
+        let (eigenvalues, from_modes) = modes(&polynomial, &nodes);
+        let error_weights = error_weights(&nodes, &inverse(&runge_kutta), &eigenvalues[0]);
+        let dense = (0..stages)
+            .map(|k| (0..stages).map(|j| Float::with_val(PRECISION_BITS, &basis[j][k] / &nodes[j])).collect())
+            .collect();
+        Self { to_modes: inverse(&from_modes), nodes, from_modes, eigenvalues, error_weights, dense }
+    }
+}
+
+/// Coefficients of M by ascending power, scaled to leading coefficient 1.
+fn node_polynomial(stages: usize) -> Vec<Float> {
+    // t^{s−1} (t−1)^s has the coefficients (−1)^{s−k} C(s, k) at t^{s−1+k}; each derivative multiplies by the exponent.
+    let mut coefficients = Vec::with_capacity(stages + 1);
+    let mut binomial = real(1);
+    for k in 0..=stages {
+        let mut c = binomial.clone();
+        for exponent in (k + 1)..(k + stages) {
+            c *= exponent as u32;
+        }
+        coefficients.push(if (stages - k) % 2 == 1 { -c } else { c });
+        binomial = binomial * (stages - k) as u32 / (k + 1) as u32;
+    }
+    let leading = coefficients[stages].clone();
+    coefficients.into_iter().map(|c| c / &leading).collect()
+}
+
+pub(super) fn evaluate(polynomial: &[Float], at: &Float) -> Float {
+    polynomial.iter().rev().fold(real(0), |sum, c| sum * at + c)
+}
+
+pub(super) fn derivative(polynomial: &[Float]) -> Vec<Float> {
+    polynomial
+        .iter()
+        .enumerate()
+        .skip(1)
+        .map(|(k, c)| Float::with_val(PRECISION_BITS, c * k as u32))
+        .collect()
+}
+
+fn antiderivative(polynomial: &[Float]) -> Vec<Float> {
+    let terms =
+        polynomial.iter().enumerate().map(|(k, c)| Float::with_val(PRECISION_BITS, c / (k + 1) as u32));
+    std::iter::once(real(0)).chain(terms).collect()
+}
+
+/// The zeros of M: bracketed on a grid finer than their least distance, then Newton; the last one is 1 exactly.
+fn zeros_in_unit_interval(polynomial: &[Float], stages: usize) -> Vec<Float> {
+    let slope = derivative(polynomial);
+    let cells = (8 * stages * stages) as u32;
+    let value = |cell: u32| evaluate(polynomial, &(real(cell) / cells));
+    let mut zeros: Vec<Float> = (0..cells - 1)
+        .filter(|&cell| value(cell).is_sign_negative() != value(cell + 1).is_sign_negative())
+        .map(|cell| (real(cell) + 0.5f64) / cells)
+        .collect();
+    for zero in &mut zeros {
+        // From 1 correct digit at least to 640 bits: ten doublings, and two to spare.
+        for _ in 0..14 {
+            *zero -= evaluate(polynomial, zero) / evaluate(&slope, zero);
+        }
+    }
+    zeros.push(real(1));
+    zeros
+}
+
+/// The Lagrange polynomial of one node: M divided by (t − node), scaled to 1 at the node.
+fn lagrange(polynomial: &[Float], node: &Float) -> Vec<Float> {
+    let mut quotient = vec![real(0); polynomial.len() - 1];
+    let mut carry = real(0);
+    for k in (0..quotient.len()).rev() {
+        carry = carry * node + &polynomial[k + 1];
+        quotient[k].assign(&carry);
+    }
+    let scale = evaluate(&quotient, node);
+    quotient.into_iter().map(|c| c / &scale).collect()
+}
+
+/// Weights of the stages in the difference between the embedded quadrature of order s and the method.
+fn error_weights(nodes: &[Float], inverse_runge_kutta: &Matrix, real_eigenvalue: &Float) -> Vec<Float> {
+    let stages = nodes.len();
+    let vandermonde: Matrix = (0..stages)
+        .map(|k| {
+            nodes
+                .iter()
+                .map(|node| Float::with_val(PRECISION_BITS, rug::ops::Pow::pow(node, k as u32)))
+                .collect()
+        })
+        .collect();
+    // The quadrature takes γ0 f(y_n) as well, so the stages must give −γ0 at order one and nothing at the others.
+    let solution: Vec<Float> = inverse(&vandermonde)
+        .iter()
+        .map(|row| -Float::with_val(PRECISION_BITS, &row[0] / real_eigenvalue))
+        .collect();
+    (0..stages)
+        .map(|j| {
+            let terms = (0..stages)
+                .map(|i| Float::with_val(PRECISION_BITS, &solution[i] * &inverse_runge_kutta[i][j]));
+            terms.fold(real(0), |sum, term| sum + term)
+        })
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn assert_order_conditions<const S: usize>() {
+        let table = Collocation::<f64, S>::new();
+        // Stage order: the modes turn λ back into A^{-1}, and A^{-1} applied to c^k is k c^{k−1} for k = 1..S.
+        for k in 1..=S as u32 {
+            let power = |node: f64, k: u32| libm::pow(node, f64::from(k));
+            let values: [f64; S] = table.nodes.map(|c| power(c, k));
+            let modes: [f64; S] =
+                std::array::from_fn(|i| (0..S).map(|j| table.to_modes[i][j] * values[j]).sum());
+            let mut scaled = [table.eigenvalues[0] * modes[0]; S];
+            for m in (1..S).step_by(2) {
+                let (re, im) = (table.eigenvalues[m], table.eigenvalues[m + 1]);
+                scaled[m] = re * modes[m] + im * modes[m + 1];
+                scaled[m + 1] = re * modes[m + 1] - im * modes[m];
+            }
+            for i in 0..S {
+                let derivative: f64 = (0..S).map(|j| table.from_modes[i][j] * scaled[j]).sum();
+                let exact = f64::from(k) * power(table.nodes[i], k - 1);
+                assert!(
+                    (derivative - exact).abs() < 1e-11 * (S * S) as f64,
+                    "{S} {k} {i}: {derivative} {exact}"
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn the_modes_satisfy_the_stage_order_conditions() {
+        assert_order_conditions::<3>();
+        assert_order_conditions::<5>();
+        assert_order_conditions::<7>();
+        assert_order_conditions::<11>();
+    }
+
+    #[test]
+    fn the_quadrature_has_order_2s_minus_1_and_no_more() {
+        for stages in [3, 5, 7] {
+            let polynomial = node_polynomial(stages);
+            let nodes = zeros_in_unit_interval(&polynomial, stages);
+            let weights: Vec<Float> = nodes
+                .iter()
+                .map(|c| evaluate(&antiderivative(&lagrange(&polynomial, c)), &real(1)))
+                .collect();
+            for order in 1..=2 * stages {
+                let terms = nodes.iter().zip(&weights).map(|(c, b)| {
+                    Float::with_val(PRECISION_BITS, rug::ops::Pow::pow(c, order as u32 - 1)) * b
+                });
+                let defect = (terms.fold(real(0), |sum, term| sum + term) * order as u32 - 1u32).abs();
+                assert_eq!(defect < 1e-150, order < 2 * stages, "{stages} {order}");
+            }
+        }
+    }
+
+    #[test]
+    fn the_three_stage_constants_are_the_known_ones() {
+        // Closed forms: c = (4 ∓ √6)/10, 1; the real eigenvalue is 3 + 3^{2/3} − 3^{1/3}.
+        let table = Collocation::<f64, 3>::new();
+        let root = 6f64.sqrt();
+        assert!((table.nodes[0] - (4.0 - root) / 10.0).abs() < 1e-16);
+        assert!((table.nodes[1] - (4.0 + root) / 10.0).abs() < 1e-15);
+        let cube_root = libm::cbrt(3.0);
+        assert!((table.eigenvalues[0] - (3.0 + cube_root * cube_root - cube_root)).abs() < 1e-14);
+    }
+
+    #[test]
+    fn the_error_estimate_vanishes_on_polynomials_up_to_the_stage_order() {
+        // y = t^k from y(0) = 0: Z = c^k and h f(y_n) is 1 for k = 1, else 0.
+        let table = Collocation::<f64, 5>::new();
+        for k in 1..=5u32 {
+            let stages: f64 =
+                (0..5).map(|i| table.error_weights[i] * libm::pow(table.nodes[i], f64::from(k))).sum();
+            let start = if k == 1 { 1.0 / table.eigenvalues[0] } else { 0.0 };
+            assert!((stages + start).abs() < 1e-12, "{k}");
+        }
+    }
+}

@@ -1,0 +1,68 @@
+//! The end of a decay: period and growth rate of its oscillation, or the rate of an end without one.
+
+use super::lap::{Lap, LapEnd, run_lap};
+use super::return_map::{History, size};
+use super::settle::{Decay, Late};
+use super::stepper::Stepper;
+use super::{Failure, Integrator, Scalar, State};
+
+/// Period and growth rate in the linear regime, when laps agree with one another.
+pub(super) fn measure_decay<R: Scalar, M: Stepper<R> + Clone>(
+    run: &mut Integrator<'_, R, M>,
+    mut history: History<R>,
+    transient: Lap<R>,
+) -> Result<Late<R>, Failure> {
+    /// Laps until the fast direction has died out; it shrinks by e^{−2π} a lap at least when there is an oscillation.
+    const LAPS: usize = 12;
+    for _ in 0..LAPS {
+        let (lap, end) = run_lap(run)?;
+        if end == LapEnd::Quiet {
+            let rate = final_rate(run);
+            return Ok(Late::Decay(Decay { oscillation: sparse_oscillation(&history), transient, rate }));
+        }
+        history.push(lap);
+        if let Some((period, rate)) = last_oscillation(&history)
+            && history.laps.len() >= 4
+            && steady(&history)
+        {
+            return Ok(Late::Decay(Decay { transient, oscillation: Some((period, rate)), rate: None }));
+        }
+    }
+    let oscillation = last_oscillation(&history);
+    Ok(Late::Decay(Decay { transient, oscillation, rate: None }))
+}
+
+/// Whether the last three laps took the same time to eleven digits.
+fn steady<R: Scalar>(history: &History<R>) -> bool {
+    let n = history.laps.len();
+    let duration = |back: usize| history.laps[n - back].duration.to_f64();
+    let last = duration(1);
+    (2..=3).all(|back| (duration(back) / last - 1.0).abs() < 1e-11)
+}
+
+fn last_oscillation<R: Scalar>(history: &History<R>) -> Option<(R, R)> {
+    let n = history.laps.len();
+    let (before, last) = (history.laps.get(n.checked_sub(2)?)?, &history.laps[n - 1]);
+    // ζ and y shrink by the same factor; the larger one is the better measured.
+    let component = if last.end[1].abs() < last.end[2].abs() { 2 } else { 1 };
+    let factor = last.end[component].clone() / &before.end[component];
+    (factor > R::from(0)).then(|| (last.duration.clone(), factor.logarithm() / &last.duration))
+}
+
+/// An oscillation so damped that only a few passages came before the end: believed when the last two laps agree to 1 %.
+pub(super) fn sparse_oscillation<R: Scalar>(history: &History<R>) -> Option<(R, R)> {
+    let n = history.laps.len();
+    let linear = history.back(1).is_some_and(|passage| size(passage) < 1e-3);
+    let (before, last) = (history.laps.get(n.checked_sub(2)?)?, &history.laps[n - 1]);
+    let agree = (before.duration.to_f64() / last.duration.to_f64() - 1.0).abs() < 0.01;
+    (linear && agree).then(|| last_oscillation(history)).flatten()
+}
+
+/// d ln|state|/dt at the end of a decay without oscillation, from the component that moves.
+pub(super) fn final_rate<R: Scalar, M: Stepper<R>>(run: &Integrator<'_, R, M>) -> Option<R> {
+    let state: &State<R> = run.state();
+    let rate = run.model().rate(state);
+    let largest = (0..3).fold(0, |best, i| if state[i].abs() > state[best].abs() { i } else { best });
+    let value = rate[largest].clone() / &state[largest];
+    value.is_finite().then_some(value)
+}

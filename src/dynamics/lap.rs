@@ -1,0 +1,117 @@
+//! One lap: from one upward passage of V = V_l to the next.
+
+use super::events::{Mark, candidates, move_to, state_at};
+use super::stepper::Stepper;
+use super::{Failure, Integrator, Scalar, State};
+
+/// Below this size of (x, y, ζ) a trajectory that no longer crosses V = V_l has come to rest in steady sliding.
+///
+/// The equations keep relative accuracy down to here, so a late oscillation is seen unless it loses 150 decades in a few turns.
+pub const QUIET: f64 = 1e-150;
+
+/// What one lap showed.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Lap<R> {
+    /// Duration in D_c/V_l.
+    pub duration: R,
+    /// Largest x = ln(V/V_l), minus infinity's stand-in −1e300 when no maximum occurred.
+    pub peak: R,
+    /// Least x, +1e300 when no minimum occurred.
+    pub trough: R,
+    /// Largest ζ at a passage of V = V_l, the start included.
+    pub highest_stress: R,
+    /// Least ζ at a passage of V = V_l.
+    pub lowest_stress: R,
+    /// The state at the end.
+    pub end: State<R>,
+}
+
+/// How a lap ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum LapEnd {
+    /// At the next upward passage.
+    Rise,
+    /// In steady sliding, without another passage.
+    Quiet,
+}
+
+/// Runs to the next upward passage of V = V_l, and leaves the run standing on it with its clock at zero.
+///
+/// # Errors
+/// Those of the integrator.
+pub fn run_lap<R: Scalar, M: Stepper<R> + Clone>(
+    run: &mut Integrator<'_, R, M>,
+) -> Result<(Lap<R>, LapEnd), Failure> {
+    let start = run.state().clone();
+    let mut lap = Lap {
+        duration: R::from(0),
+        peak: R::from_f64(-1e300),
+        trough: R::from_f64(1e300),
+        highest_stress: start[2].clone(),
+        lowest_stress: start[2].clone(),
+        end: start,
+    };
+    loop {
+        run.advance(None)?;
+        for candidate in candidates(run).into_iter().flatten() {
+            if candidate.mark != Mark::Rise {
+                lap.note(candidate.mark, &state_at(run, candidate));
+                continue;
+            }
+            if move_to(run, candidate) {
+                return Ok((lap.finish(run, LapEnd::Rise), LapEnd::Rise));
+            }
+            run.take_back();
+            break;
+        }
+        let size = run.state().iter().fold(0.0f64, |size, c| size.max(c.to_f64().abs()));
+        if size < QUIET {
+            return Ok((lap.finish(run, LapEnd::Quiet), LapEnd::Quiet));
+        }
+    }
+}
+
+impl<R: Scalar> Lap<R> {
+    fn note(&mut self, mark: Mark, state: &State<R>) {
+        let raise = |record: &mut R, value: &R| {
+            if *value > *record {
+                *record = value.clone();
+            }
+        };
+        let lower = |record: &mut R, value: &R| {
+            if *value < *record {
+                *record = value.clone();
+            }
+        };
+        match mark {
+            Mark::Peak => raise(&mut self.peak, &state[0]),
+            Mark::Trough => lower(&mut self.trough, &state[0]),
+            Mark::Fall => lower(&mut self.lowest_stress, &state[2]),
+            Mark::Rise => raise(&mut self.highest_stress, &state[2]),
+        }
+    }
+
+    fn finish<M: Stepper<R>>(mut self, run: &mut Integrator<'_, R, M>, end: LapEnd) -> Self {
+        self.duration = run.time();
+        if end == LapEnd::Rise {
+            self.note(Mark::Rise, run.state());
+            run.begin_cycle();
+        }
+        self.end = run.state().clone();
+        self
+    }
+
+    /// Two laps as one: durations add, extremes are compared.
+    #[must_use]
+    pub fn joined(mut self, next: Self) -> Self {
+        self.duration = self.duration + next.duration;
+        for (mark, value) in [(Mark::Peak, next.peak), (Mark::Trough, next.trough)] {
+            self.note(mark, &[value, R::from(0), R::from(0)]);
+        }
+        for (mark, value) in [(Mark::Rise, next.highest_stress), (Mark::Fall, next.lowest_stress)] {
+            self.note(mark, &[R::from(0), R::from(0), value]);
+        }
+        self.end = next.end;
+        self
+    }
+}

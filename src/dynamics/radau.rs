@@ -1,0 +1,248 @@
+//! Radau IIA with S stages: order 2S − 1, L-stable, stiffly accurate; simplified Newton in the modes of A^{-1}.
+//!
+//! The stage increments Z satisfy A^{-1} Z = h F(y + Z). In the modes W = T^{-1} Z this splits into one real and (S − 1)/2 complex
+//! systems (λ − hJ) ΔW = T^{-1} h F − ΛW, each solved by the arrowhead elimination. Newton stops on the update: the
+//! residual of x' is rounding noise magnified by e^{−x}/η in stick phases and says nothing.
+
+use super::arrow::{Arrow, Complex, Factors};
+use super::collocation::Collocation;
+use super::stepper::{Stepper, Trial, Weight, increment};
+use super::{Model, Scalar, State};
+
+/// Newton iterations before a step is given up.
+const MOST_ITERATIONS: u32 = 12;
+
+/// Newton's update must fall below this part of the step's permitted error: the method is far more accurate than its estimate.
+const UPDATE_FRACTION: f64 = 1e-4;
+
+/// The method and the workspace of its last step.
+#[derive(Debug, Clone)]
+pub struct Radau<R, const S: usize> {
+    constants: Collocation<R, S>,
+    stages: [State<R>; S],
+    /// Coefficients of the last trial's polynomial, and the step it belongs to.
+    polynomial: [State<R>; S],
+    step: R,
+    /// The same for the last accepted step.
+    previous: Option<([State<R>; S], R)>,
+    rewound: bool,
+    evaluations: u64,
+    iterations: u32,
+}
+
+impl<R: Scalar, const S: usize> Radau<R, S> {
+    /// The method with its constants in the number type R.
+    #[must_use]
+    pub fn new() -> Self {
+        let zero = || std::array::from_fn(|_| std::array::from_fn(|_| R::from(0)));
+        Self {
+            constants: Collocation::new(),
+            stages: zero(),
+            polynomial: zero(),
+            step: R::from(0),
+            previous: None,
+            rewound: false,
+            evaluations: 0,
+            iterations: 0,
+        }
+    }
+
+    /// Starts Newton's iteration on the last polynomial: extrapolated over a new step, interpolated for a repeated one.
+    fn predict(&mut self, h: &R) {
+        let rewound = std::mem::take(&mut self.rewound);
+        let source = if rewound {
+            Some((&self.polynomial, &self.step))
+        } else {
+            self.previous.as_ref().map(|p| (&p.0, &p.1))
+        };
+        let Some((polynomial, step)) = source else {
+            self.stages = std::array::from_fn(|_| std::array::from_fn(|_| R::from(0)));
+            return;
+        };
+        let offset = R::from(i32::from(!rewound));
+        let origin = increment(polynomial, &offset);
+        let ratio = h.clone() / step;
+        for i in 0..S {
+            let value = increment(polynomial, &(offset.clone() + ratio.clone() * &self.constants.nodes[i]));
+            self.stages[i] = std::array::from_fn(|c| value[c].clone() - &origin[c]);
+        }
+    }
+
+    /// Solves for Newton's update of the stage increments.
+    #[inline]
+    fn update(
+        &mut self,
+        model: &Model<R>,
+        from: &State<R>,
+        h: &R,
+        factors: &StepFactors<R, S>,
+    ) -> [State<R>; S] {
+        let derivatives: [State<R>; S] = std::array::from_fn(|i| {
+            let state: State<R> = std::array::from_fn(|c| from[c].clone() + &self.stages[i][c]);
+            model.rate(&state).map(|rate| rate * h)
+        });
+        self.evaluations += S as u64;
+        let mut right = transform(&self.constants.to_modes, &derivatives);
+        let modes = transform(&self.constants.to_modes, &self.stages);
+        let eigenvalues = &self.constants.eigenvalues;
+        let real: State<R> =
+            std::array::from_fn(|c| right[0][c].clone() - eigenvalues[0].clone() * &modes[0][c]);
+        right[0] = factors.real.solve(&factors.jacobian, real);
+        for m in (1..S).step_by(2) {
+            let (re, im) = (&eigenvalues[m], &eigenvalues[m + 1]);
+            // The pair (a, b) of modes acts as a − ib, on which A^{-1} is multiplication by λ.
+            let residual: [Complex<R>; 3] = std::array::from_fn(|c| {
+                let (a, b) = (&modes[m][c], &modes[m + 1][c]);
+                Complex {
+                    re: right[m][c].clone() - re.clone() * a - im.clone() * b,
+                    im: re.clone() * b - im.clone() * a - &right[m + 1][c],
+                }
+            });
+            let solution = factors.pairs[m / 2].solve(&factors.jacobian, residual);
+            for (c, d) in solution.into_iter().enumerate() {
+                right[m][c] = d.re;
+                right[m + 1][c] = -d.im;
+            }
+        }
+        transform(&self.constants.from_modes, &right)
+    }
+
+    /// Newton's iteration on the stages; false when it does not converge.
+    fn solve_stages(
+        &mut self,
+        model: &Model<R>,
+        from: &State<R>,
+        h: &R,
+        factors: &StepFactors<R, S>,
+        weight: Weight,
+    ) -> bool {
+        // Sums over the stages magnify the rounding errors of the state.
+        let noise = weight.noise * (2 * S) as f64;
+        let target = (UPDATE_FRACTION * weight.absolute).max(noise);
+        let mut last_size = f64::INFINITY;
+        for iteration in 1..=MOST_ITERATIONS {
+            self.iterations = iteration;
+            let update = self.update(model, from, h, factors);
+            let mut size = 0.0f64;
+            for (stage, d) in self.stages.iter_mut().zip(update) {
+                for (value, d) in stage.iter_mut().zip(d) {
+                    size = size.max(d.to_f64().abs());
+                    *value = value.clone() + d;
+                }
+            }
+            let ratio = size / last_size;
+            // With a contraction `ratio` the remaining error is size·ratio/(1 − ratio).
+            let remaining = if iteration == 1 { size } else { size * ratio / (1.0 - ratio) };
+            if ratio < 1.0 && remaining <= target || size <= noise {
+                return true;
+            }
+            if !size.is_finite() || iteration > 1 && ratio >= 0.9 {
+                // Updates that neither shrink nor matter are rounding errors of the rate.
+                return size <= target;
+            }
+            last_size = size;
+        }
+        false
+    }
+
+    /// The estimated error, filtered by (λ0 − hJ)^{-1} so that it stays bounded for stiff components.
+    fn estimate(
+        &mut self,
+        model: &Model<R>,
+        from: &State<R>,
+        h: &R,
+        factors: &StepFactors<R, S>,
+    ) -> State<R> {
+        let real = self.constants.eigenvalues[0].clone();
+        let weights = &self.constants.error_weights;
+        let from_stages: State<R> = std::array::from_fn(|c| {
+            let terms = weights.iter().zip(&self.stages);
+            terms.fold(R::from(0), |sum, (e, z)| sum + e.clone() * &z[c]) * &real
+        });
+        let rate = model.rate(from);
+        self.evaluations += 1;
+        let raw = std::array::from_fn(|c| rate[c].clone() * h + &from_stages[c]);
+        factors.real.solve(&factors.jacobian, raw)
+    }
+}
+
+impl<R: Scalar, const S: usize> Default for Radau<R, S> {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+/// hJ and its factorisations for all eigenvalues of A^{-1}.
+struct StepFactors<R, const S: usize> {
+    jacobian: Arrow<R>,
+    real: Factors<R>,
+    /// One per pair; the rest of the array repeats the last and is never read.
+    pairs: [Factors<Complex<R>>; S],
+}
+
+impl<R: Scalar, const S: usize> StepFactors<R, S> {
+    fn new(eigenvalues: &[R; S], jacobian: Arrow<R>) -> Self {
+        let real = Factors::new(&eigenvalues[0], &jacobian);
+        let pairs = std::array::from_fn(|k| {
+            let m = (2 * k + 1).min(S - 2);
+            let lambda = Complex { re: eigenvalues[m].clone(), im: eigenvalues[m + 1].clone() };
+            Factors::new(&lambda, &jacobian)
+        });
+        Self { jacobian, real, pairs }
+    }
+}
+
+#[inline]
+fn transform<R: Scalar, const S: usize>(matrix: &[[R; S]; S], values: &[State<R>; S]) -> [State<R>; S] {
+    std::array::from_fn(|i| {
+        std::array::from_fn(|c| {
+            let terms = matrix[i].iter().zip(values);
+            terms.fold(R::from(0), |sum, (m, v)| sum + m.clone() * &v[c])
+        })
+    })
+}
+
+impl<R: Scalar, const S: usize> Stepper<R> for Radau<R, S> {
+    const ERROR_EXPONENT: u32 = S as u32 + 1;
+
+    fn attempt(&mut self, model: &Model<R>, from: &State<R>, h: &R, weight: Weight) -> Option<Trial<R>> {
+        self.predict(h);
+        // The Jacobian of the predicted middle of the step: in half the iterations of the one at its start.
+        let centre: State<R> = std::array::from_fn(|c| from[c].clone() + &self.stages[S / 2][c]);
+        let factors = StepFactors::new(&self.constants.eigenvalues, model.jacobian(&centre).scaled(h));
+        if !self.solve_stages(model, from, h, &factors, weight) {
+            return None;
+        }
+        self.polynomial = transform(&self.constants.dense, &self.stages);
+        self.step = h.clone();
+        let estimate = self.estimate(model, from, h, &factors);
+        let largest = estimate.iter().fold(0.0f64, |largest, e| largest.max(e.to_f64().abs()));
+        let to: State<R> = std::array::from_fn(|c| from[c].clone() + &self.stages[S - 1][c]);
+        let finite = to.iter().all(Scalar::is_finite) && largest.is_finite();
+        finite.then(|| Trial { to, error: largest / weight.absolute })
+    }
+
+    fn accept(&mut self) {
+        self.previous = Some((self.polynomial.clone(), self.step.clone()));
+    }
+
+    fn restart(&mut self) {
+        self.previous = None;
+    }
+
+    fn rewind(&mut self) {
+        self.rewound = true;
+    }
+
+    fn polynomial(&self) -> &[State<R>] {
+        &self.polynomial
+    }
+
+    fn evaluations(&self) -> u64 {
+        self.evaluations
+    }
+
+    fn effort(&self) -> f64 {
+        f64::from(self.iterations) / f64::from(MOST_ITERATIONS)
+    }
+}

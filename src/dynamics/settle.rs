@@ -1,0 +1,169 @@
+//! Late behaviour: a limit cycle, or decay to steady sliding, decided on the Poincaré section x = 0 (upward).
+//!
+//! Deep stick-slip is superattracting: two or three laps settle it. Near K = K_c a lap changes the state by a part in
+//! 10^4, so the laps are extrapolated along the slow direction (the secant step of a fixed-point iteration), each jump limited to a
+//! part of the state and followed by laps of the true map; nothing is accepted on extrapolation alone.
+
+use super::decay::{final_rate, measure_decay, sparse_oscillation};
+use super::lap::{Lap, LapEnd, run_lap};
+use super::return_map::{History, difference, jump, laps_per_cycle, size};
+use super::stepper::Stepper;
+use super::{Failure, Integrator, Scalar, State};
+
+/// Size of the state on the section below which the equations are linear to about this relative accuracy.
+const LINEAR: f64 = 1e-7;
+
+/// Laps between two jumps: one to return to the slow direction, three to measure it.
+const LAPS_BEFORE_JUMP: usize = 4;
+
+/// The largest part of the state that one jump may change.
+const LARGEST_JUMP: f64 = 0.3;
+
+/// Relative changes of a lap below this multiple of the local tolerance may be the integrator's errors rather than the map's.
+const NOISE_IN_TOLERANCES: f64 = 0.01;
+
+/// The farthest from its cycle that a trajectory may be called periodic, when the integrator's errors hide the rest of the way.
+const FARTHEST: f64 = 1e-3;
+
+/// Contraction of a lap assumed where none could be measured, because the laps closed at once.
+const UNMEASURED: f64 = 0.5;
+
+/// A limit cycle.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Cycle<R> {
+    /// The whole cycle.
+    pub lap: Lap<R>,
+    /// Upward passages of V = V_l in one cycle.
+    pub laps_per_cycle: usize,
+    /// Factor by which the last measurable deviation shrank in one lap: the leading Floquet multiplier, an upper bound when superattracting.
+    pub contraction: Option<f64>,
+    /// Estimated relative distance between the cycle and the state with which the reported lap began.
+    pub distance: f64,
+}
+
+/// A return to steady sliding.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Decay<R> {
+    /// All that happened before it was called linear, as one lap.
+    pub transient: Lap<R>,
+    /// Period and growth rate (negative) of the late oscillation in units of D_c/V_l; none when there is no oscillation.
+    pub oscillation: Option<(R, R)>,
+    /// Rate at which the state shrank at the very end, when it does not oscillate.
+    pub rate: Option<R>,
+}
+
+/// Where a trajectory ends up.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Late<R> {
+    /// On a limit cycle.
+    Cycle(Cycle<R>),
+    /// In steady sliding.
+    Decay(Decay<R>),
+}
+
+/// Follows a run to its late behaviour; `target` is the permitted relative distance from the limit cycle.
+///
+/// # Errors
+/// Those of the integrator, and [`Failure::Undecided`] after `most_laps`.
+pub fn settle<R: Scalar, M: Stepper<R> + Clone>(
+    run: &mut Integrator<'_, R, M>,
+    target: f64,
+    most_laps: u64,
+) -> Result<Late<R>, Failure> {
+    let mut transient: Option<Lap<R>> = None;
+    let mut history = History::new();
+    let mut contraction = None;
+    let noise = NOISE_IN_TOLERANCES * run.local_tolerance();
+    let mut jumped = false;
+    let mut reach = LARGEST_JUMP;
+    let mut retreat: Option<State<R>> = None;
+    for _ in 0..most_laps {
+        let (lap, end) = match (run_lap(run), &retreat) {
+            (Ok(lap), _) => lap,
+            // The jump led where no trajectory goes: back to where it came from, and less far the next time.
+            (Err(Failure::StepVanished { .. }), Some(origin)) => {
+                run.resume_from(origin.clone());
+                (reach, retreat, history) = (0.25 * reach, None, History::new());
+                continue;
+            }
+            (Err(failure), _) => return Err(failure),
+        };
+        if !jumped {
+            transient = Some(transient.map_or_else(|| lap.clone(), |so_far| so_far.joined(lap.clone())));
+        }
+        if end == LapEnd::Quiet {
+            let rate = final_rate(run);
+            return Ok(Late::Decay(Decay {
+                oscillation: sparse_oscillation(&history),
+                transient: transient.unwrap_or(lap),
+                rate,
+            }));
+        }
+        history.push(lap);
+        let amplitude = history.back(0).map_or(0.0, size);
+        let shrinking = history.back(1).is_some_and(|before| size(before) > amplitude);
+        if amplitude < LINEAR
+            && shrinking
+            && let Some(transient) = transient.clone()
+        {
+            return measure_decay(run, history, transient);
+        }
+        let Some(change) = history.change(1) else { continue };
+        if change > noise {
+            contraction = history.multiplier().or(contraction);
+        }
+        // Where no contraction could be measured the first laps already were on the cycle.
+        let known = contraction.filter(|&known| known < 1.0).unwrap_or(UNMEASURED);
+        // The lap's peak and duration belong to the state that it began with.
+        let distance = change / (1.0 - known);
+        let measured = contraction.is_some_and(|known| known < 1.0) && distance <= target;
+        if measured || history.within(noise) && distance <= FARTHEST {
+            return Ok(Late::Cycle(cycle(&history, 1, contraction, distance)));
+        }
+        if let Some(m) = laps_per_cycle(&history, target, noise) {
+            let distance = history.change(m).unwrap_or(change);
+            return Ok(Late::Cycle(cycle(&history, m, None, distance)));
+        }
+        let may_jump = history.passages.len() >= LAPS_BEFORE_JUMP && change > noise;
+        if may_jump && let Some(to) = jump(&history, reach) {
+            retreat = Some(run.state().clone());
+            run.resume_from([R::from(0), R::from_f64(to[0]), R::from_f64(to[1])]);
+            history = History::new();
+            jumped = true;
+        }
+    }
+    Err(Failure::Undecided { cycles: most_laps, change: history.change(1).unwrap_or(f64::INFINITY) })
+}
+
+/// Settles a run that begins on a known cycle, usually at a finer tolerance: one lap that closes is enough.
+///
+/// # Errors
+/// Those of [`settle`], which takes over when the lap does not close.
+pub fn settle_again<R: Scalar, M: Stepper<R> + Clone>(
+    run: &mut Integrator<'_, R, M>,
+    found: &Cycle<R>,
+    target: f64,
+    most_laps: u64,
+) -> Result<Late<R>, Failure> {
+    let section = |state: &State<R>| [state[1].to_f64(), state[2].to_f64()];
+    let before = section(run.state());
+    let (lap, end) = run_lap(run)?;
+    let after = section(&lap.end);
+    let known = found.contraction.filter(|&known| known < 1.0).unwrap_or(UNMEASURED);
+    let distance = size(difference(after, before)) / size(after) / (1.0 - known);
+    if end == LapEnd::Rise && found.laps_per_cycle == 1 && distance <= target {
+        return Ok(Late::Cycle(Cycle { lap, laps_per_cycle: 1, contraction: found.contraction, distance }));
+    }
+    settle(run, target, most_laps)
+}
+
+fn cycle<R: Scalar>(
+    history: &History<R>,
+    laps_per_cycle: usize,
+    contraction: Option<f64>,
+    distance: f64,
+) -> Cycle<R> {
+    let laps = &history.laps[history.laps.len() - laps_per_cycle..];
+    let joined = laps[1..].iter().fold(laps[0].clone(), |sum, lap| sum.joined(lap.clone()));
+    Cycle { lap: joined, laps_per_cycle, contraction, distance }
+}

@@ -1,0 +1,43 @@
+//! The two laws by which the frictional state evolves (eqs 2 and 3).
+
+/// How the state variable θ evolves; both laws share the steady state θ = D_c/V and the linearisation about it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum EvolutionLaw {
+    /// dθ/dt = 1 − Vθ/D_c (eq 2): heals at rest.
+    Aging,
+    /// dθ/dt = −(Vθ/D_c) ln(Vθ/D_c) (eq 3): evolves by slip only.
+    Slip,
+}
+
+impl EvolutionLaw {
+    /// Both laws, in the order of the paper's equations.
+    pub const ALL: [Self; 2] = [Self::Aging, Self::Slip];
+
+    /// The word of the command line and of CSV files: `aging` or `slip`.
+    #[must_use]
+    pub const fn as_str(self) -> &'static str {
+        match self {
+            Self::Aging => "aging",
+            Self::Slip => "slip",
+        }
+    }
+
+    /// The law of a word, the inverse of [`Self::as_str`].
+    #[must_use]
+    pub fn from_word(word: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|law| law.as_str() == word)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_law_is_found_by_its_word_and_no_other_word_is_a_law() {
+        for law in EvolutionLaw::ALL {
+            assert_eq!(EvolutionLaw::from_word(law.as_str()), Some(law));
+        }
+        assert_eq!(EvolutionLaw::from_word("Slip"), None);
+    }
+}
