@@ -87,7 +87,9 @@ pub(super) fn frequency_shift(law: Law) -> Expression {
 pub(super) fn square_amplitude(law: Law) -> Expression {
     formula(match law {
         Law::Slip => "-4*((1 + eta)^2 + 4*eta^2*omega^2)/(eta*(1 + 9*eta)*(1 + omega^2))",
-        Law::Aging => "-4*(1 + eta)*((1 + eta)^2 + 4*eta^2*omega^2)/(eta*(eta^2*(7 + 4*omega^2) + 6*eta - 1))",
+        Law::Aging => {
+            "-4*(1 + eta)*((1 + eta)^2 + 4*eta^2*omega^2)/(eta*(eta^2*(7 + 4*omega^2) + 6*eta - 1))"
+        }
     })
 }
 
@@ -137,11 +139,22 @@ fn aging_sign(proof: Proof) -> Result<Proof, Refutation> {
     let below = beyond.clone().with("eta", formula("1/((1 + e)*(2*(2 + d) + 3))"));
     proof
         .positive("−Re c_1 divided by N = η²(4β + 3) + 6η − 1", &used, &-scale, &on_transition())?
-        .identity("N with β = r² − 3", &used, &factor.with("beta", &formula("r^2 - 3")), &split, &Domain::default())?
+        .identity(
+            "N with β = r² − 3",
+            &used,
+            &factor.with("beta", &formula("r^2 - 3")),
+            &split,
+            &Domain::default(),
+        )?
         .positive("the second factor, r > 2 because β > 1", &used, &formula("(2*r - 3)*eta + 1"), &beyond)?
         .positive("the first factor for η > η_0 = 1/(3 + 2r)", &used, &margin, &above)?
         .positive("minus the first factor for η < η_0", &used, &-margin, &below)?
-        .positive("1/7 − η_0: the sign never changes above η = 1/7", &used, &formula("1/7 - 1/(3 + 2*r)"), &beyond)
+        .positive(
+            "1/7 − η_0: the sign never changes above η = 1/7",
+            &used,
+            &formula("1/7 - 1/(3 + 2*r)"),
+            &beyond,
+        )
 }
 
 /// Adds the quasi-static limit: l_1 vanishes in proportion to η, with opposite signs for the two laws.
@@ -156,7 +169,12 @@ pub(super) fn quasi_static(proof: Proof, law: Law) -> Result<Proof, Refutation> 
     };
     let ends = ("eta", Toward::Zero);
     let used = [law.equation()];
-    proof
-        .limit("l_1 = Re c_1/ω as η → 0", &used, &first, ends, &formula("0"), &on_transition())?
-        .limit("l_1/η as η → 0", &used, &(first / formula("eta")), ends, &per_eta, &on_transition())
+    proof.limit("l_1 = Re c_1/ω as η → 0", &used, &first, ends, &formula("0"), &on_transition())?.limit(
+        "l_1/η as η → 0",
+        &used,
+        &(first / formula("eta")),
+        ends,
+        &per_eta,
+        &on_transition(),
+    )
 }

@@ -1,8 +1,5 @@
 //! Taylor parts of expressions, and unknown coefficients found by the conditions that something vanishes.
 
-use std::collections::BTreeMap;
-
-use crate::number::Rational;
 use crate::polynomial::{Domain, Expression, Polynomial, Proof, RationalFunction, Refutation, Symbol};
 use crate::theory::notation::{formula, rational};
 
@@ -37,7 +34,7 @@ pub(super) struct Conditions<'c> {
     pub unknowns: &'c [&'c str],
 }
 
-/// The values of the unknowns.
+/// The domain with the values of the unknowns.
 ///
 /// # Errors
 /// A refutation with the condition that no values meet, or the unknown that stays open.
@@ -45,11 +42,11 @@ pub(super) fn solve(
     proof: &Proof,
     equations: &[&str],
     conditions: &Conditions,
-    domain: &Domain,
-) -> Result<BTreeMap<Symbol, Expression>, Refutation> {
+    domain: Domain,
+) -> Result<Domain, Refutation> {
     let mut parts = Vec::new();
     for expression in conditions.vanishing {
-        parts.push(rational(proof, equations, expression, domain)?.numerator().clone());
+        parts.push(rational(proof, equations, expression, &domain)?.numerator().clone());
     }
     for name in conditions.identically_in {
         parts = parts.iter().flat_map(|part| part.coefficients(&Symbol::new(name))).collect();
@@ -58,13 +55,15 @@ pub(super) fn solve(
     let rows = parts.iter().filter(|part| !part.is_zero()).map(|part| row(part, &unknowns)).collect();
     let values = eliminate(rows, unknowns.len())
         .map_err(|rest| proof.refute("unknown coefficients can be found", equations, rest))?;
-    Ok(unknowns.into_iter().zip(values.iter().map(Expression::from)).collect())
+    let values = unknowns.iter().zip(values.iter().map(Expression::from));
+    Ok(values.fold(domain, |domain, (name, value)| domain.with(name.as_str(), value)))
 }
 
 /// The coefficients of the unknowns, then the constant part, of a polynomial linear in the unknowns.
 fn row(part: &Polynomial, unknowns: &[Symbol]) -> Vec<RationalFunction> {
     let slopes = unknowns.iter().map(|name| part.derivative(name));
-    let constant = unknowns.iter().fold(part.clone(), |rest, name| rest.substitute(name, &Polynomial::zero()));
+    let constant =
+        unknowns.iter().fold(part.clone(), |rest, name| rest.substitute(name, &Polynomial::zero()));
     slopes.chain([constant]).map(RationalFunction::from).collect()
 }
 
@@ -98,11 +97,6 @@ fn eliminate(mut rows: Vec<Vec<RationalFunction>>, count: usize) -> Result<Vec<R
         .collect()
 }
 
-/// A rational constant as an expression.
-pub(super) fn fraction(numerator: i32, denominator: i32) -> Expression {
-    Expression::Number(Rational::from((numerator, denominator)))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -123,11 +117,12 @@ mod tests {
         let proof = Proof::new("unknowns", "");
         let attempt = |vanishing: &[Expression], unknowns: &[&str]| {
             let conditions = Conditions { vanishing, identically_in: &["i"], unknowns };
-            solve(&proof, &[], &conditions, &Domain::default())
+            solve(&proof, &[], &conditions, Domain::default())
         };
         let values = attempt(&[formula("(1 + i)*(f + i*g) - 2*i")], &["f", "g"]).expect("1 + i");
-        assert!(values.values().all(|value| same(value, "1")));
-        let contradiction = attempt(&[formula("f - eta"), formula("f")], &["f"]).expect_err("f = η and f = 0");
+        assert!(values.substitutions().iter().all(|(_, value)| same(value, "1")));
+        let contradiction =
+            attempt(&[formula("f - eta"), formula("f")], &["f"]).expect_err("f = η and f = 0");
         assert!(contradiction.remainder.contains("eta"));
         assert!(attempt(&[formula("f - g")], &["f", "g"]).is_err());
     }

@@ -48,8 +48,11 @@ pub struct HopfCoefficient {
 pub fn coefficient(equations: &PaperEquations, law: Law) -> Result<HopfCoefficient, Refutation> {
     let used = ["1", law.equation(), "4", "steady-state"];
     let id = format!("hopf-coefficient-{}", law.as_str().replace(' ', "-"));
-    let statement =
-        format!("The first Lyapunov coefficient on K = K_c with the {}: {}.", law.as_str(), closed_form::sign_statement(law));
+    let statement = format!(
+        "The first Lyapunov coefficient on K = K_c with the {}: {}.",
+        law.as_str(),
+        closed_form::sign_statement(law)
+    );
     let (proof, slider) = slider::derive(Proof::new(&id, statement), equations, law)?;
     let (proof, derived) = projection::coefficient(proof, &used, &slider)?;
     let [real, imaginary] = [closed_form::real(law), closed_form::imaginary(law)];

@@ -18,7 +18,9 @@ pub(super) struct Slider {
 
 /// η, ω > 0 with β = 1 + ω² and κ = (β − 1)(1 + η): the line K = K_c.
 pub(super) fn on_transition() -> Domain {
-    Domain::positive("eta omega").with("beta", formula("1 + omega^2")).with("kappa", formula("omega^2*(1 + eta)"))
+    Domain::positive("eta omega")
+        .with("beta", formula("1 + omega^2"))
+        .with("kappa", formula("omega^2*(1 + eta)"))
 }
 
 /// The physical quantities by the three groups: everything but them is a unit.
@@ -88,7 +90,8 @@ fn physical_rates(equations: &PaperEquations, law: Law) -> [Expression; 3] {
     let velocity = force / (mass * formula("V_0^2/D_c*X"));
     let evolution = state(&(equations.right(law.equation()) / formula("theta"))) * formula("D_c/V_0");
     let loading = spring(equations).time_derivative(&["t", "delta"]);
-    let loading = loading.with("t'", &formula("1")).with("delta'", &formula("V_0*X")) * formula("D_c/(V_0*a)");
+    let loading =
+        loading.with("t'", &formula("1")).with("delta'", &formula("V_0*X")) * formula("D_c/(V_0*a)");
     [velocity, evolution, loading]
 }
 
