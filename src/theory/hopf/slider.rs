@@ -4,7 +4,7 @@ use super::expansion::in_basis;
 use crate::polynomial::{Domain, Expression, Proof, Refutation, Symbol};
 use crate::theory::PaperEquations;
 use crate::theory::linearisation::Law;
-use crate::theory::notation::{any, formula, rational, simplified};
+use crate::theory::notation::{any, cubic, formula, simplified};
 
 /// x = ln(V/V_0), y = ln(V_0 θ/D_c) and ζ = (spring stress/σ − μ_0)/a.
 pub(super) const STATE: [&str; 3] = ["x", "y", "zeta"];
@@ -107,10 +107,9 @@ fn in_logarithms(rate: &Expression) -> Expression {
 /// # Errors
 /// When eq 8 depends otherwise on κ.
 pub(super) fn crossing_speed(proof: Proof, equations: &PaperEquations) -> Result<Proof, Refutation> {
-    let cubic = crate::theory::notation::cubic(equations);
+    let cubic = cubic(equations);
     let slope = |name: &str| cubic.derivative(&Symbol::new(name)).with("p", &formula("i*omega"));
     let speed = -slope("kappa") / slope("p");
-    rational(&proof, &["8"], &speed, &on_transition())?;
     proof
         .identity(
             "p = iω solves eq 8 on K = K_c",
