@@ -12,6 +12,7 @@ pub mod criteria;
 mod equations;
 pub mod exchange;
 pub mod frequency;
+pub mod hopf;
 pub mod inertial;
 pub mod linearisation;
 pub mod non_inertial;

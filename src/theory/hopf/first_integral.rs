@@ -1,0 +1,111 @@
+//! Without inertia K = K_c is a centre for either law, so that every Lyapunov coefficient vanishes, and no other K has a
+//! cycle.
+
+use super::slider::{by_groups, derive};
+use crate::polynomial::{Domain, Expression, Proof, Refutation, Symbol};
+use crate::theory::PaperEquations;
+use crate::theory::linearisation::Law;
+use crate::theory::notation::formula;
+
+/// In the limit η → 0 every orbit near steady sliding is closed at K = K_c, and for K ≠ K_c none is, of whatever size.
+///
+/// By a first integral, and by the criterion of Bendixson and Dulac.
+///
+/// # Errors
+/// When eqs 1-4 give another slider.
+pub fn prove(equations: &PaperEquations, law: Law) -> Result<Proof, Refutation> {
+    let id = format!("quasi-static-centre-{}", law.as_str().replace(' ', "-"));
+    let proof = Proof::new(
+        &id,
+        format!(
+            "Without inertia, at κ = β − 1 the slider with the {} has a first integral with a strict extremum at \
+             steady sliding: the orbits near it are closed, of every small amplitude. At any other κ no orbit is closed.",
+            law.as_str()
+        ),
+    );
+    let (proof, slider) = derive(proof, equations, law)?;
+    let used = ["1", law.equation(), "4", "steady-state"];
+    let [velocity, evolution, loading] = slider.rates;
+    // η → 0 leaves x on the sheet where the force in x' vanishes: ζ = x + β y.
+    let sheet = formula("x + beta*y");
+    let domain = by_groups();
+    let proof = proof.identity(
+        "the force on the mass vanishes at ζ = x + β y",
+        &used,
+        &velocity.with("zeta", &sheet),
+        &formula("0"),
+        &domain,
+    )?;
+    let rates =
+        [loading - formula("beta") * evolution.clone(), evolution].map(|rate| rate.with("zeta", &sheet));
+    let proof = no_cycle(proof, &used, law, &rates)?;
+    let (integral, factor) = integral(law);
+    let critical = domain.with("kappa", formula("beta - 1"));
+    let along = |function: &Expression| {
+        slope(function, "x") * rates[0].clone() + slope(function, "y") * rates[1].clone()
+    };
+    let proof = match law {
+        Law::Aging => proof.identity("H = x + β y − (e^x + β − 1) e^y is constant", &used, &along(&integral), &formula("0"), &critical)?,
+        Law::Slip => proof.identity(
+            "H = (x + y − 1 + (β − 1)/β e^(−x)) exp(β(x + y) − (β − 1)x) is constant: its rate over the exponential",
+            &used,
+            &(along(&integral) + integral.clone() * along(&factor)),
+            &formula("0"),
+            &critical,
+        )?,
+    };
+    extremum(proof, law)
+}
+
+/// The rates times e^(y) (aging) or e^(βy) (slip) have a divergence of one sign, so that no orbit can close.
+fn no_cycle(proof: Proof, used: &[&str], law: Law, rates: &[Expression; 2]) -> Result<Proof, Refutation> {
+    let exponent = match law {
+        Law::Aging => formula("1"),
+        Law::Slip => formula("beta"),
+    };
+    let divergence = slope(&rates[0], "x") + slope(&rates[1], "y") + exponent * rates[1].clone();
+    let says =
+        "divergence of the weighted rates of x and y over the weight, e^y (aging law) or e^(βy) (slip law)";
+    let proof =
+        proof.identity(says, used, &divergence, &formula("(beta - 1 - kappa)*exp(x)"), &by_groups())?;
+    Ok(proof.reason(
+        "For κ ≠ β − 1 it has one sign in the whole plane, so that no closed orbit exists (Bendixson and Dulac).",
+    ))
+}
+
+/// H itself (aging), or H without its exponential factor and the factor's exponent (slip).
+fn integral(law: Law) -> (Expression, Expression) {
+    match law {
+        Law::Aging => (formula("x + beta*y - (exp(x) + beta - 1)*exp(y)"), formula("0")),
+        Law::Slip => {
+            (formula("x + y - 1 + (beta - 1)/(beta*exp(x))"), formula("beta*(x + y) - (beta - 1)*x"))
+        }
+    }
+}
+
+/// The Hessian of H at the origin is definite.
+fn extremum(proof: Proof, law: Law) -> Result<Proof, Refutation> {
+    let (integral, factor) = integral(law);
+    let whole = match law {
+        Law::Aging => integral,
+        Law::Slip => integral * factor.call(crate::polynomial::Function::Exp),
+    };
+    let rest = |expression: Expression| expression.with("x", &formula("0")).with("y", &formula("0"));
+    let second = |one: &str, other: &str| rest(slope(&slope(&whole, one), other));
+    let determinant = second("x", "x") * second("y", "y") - second("x", "y").power(2);
+    let above = Domain::positive("d").with("beta", formula("1 + d"));
+    let used = [law.equation()];
+    proof
+        .identity("∂H/∂x at steady sliding", &used, &rest(slope(&whole, "x")), &formula("0"), &above)?
+        .identity("∂H/∂y at steady sliding", &used, &rest(slope(&whole, "y")), &formula("0"), &above)?
+        .positive(
+            "determinant of H's second derivatives there: a strict extremum",
+            &used,
+            &determinant,
+            &above,
+        )
+}
+
+fn slope(expression: &Expression, name: &str) -> Expression {
+    expression.derivative(&Symbol::new(name))
+}

@@ -1,0 +1,178 @@
+//! The cycle next to K = K_c by the expansion of Lindstedt and Poincaré, in V and θ themselves, order by order.
+//!
+//! It shares only eqs 1-4 with the projection: other variables, no eigenvectors, no normal form, real arithmetic.
+
+use super::expansion::{Conditions, solve, taylor_part};
+use super::slider::{by_groups, on_transition};
+use crate::polynomial::{Domain, Expression, Proof, Refutation, Symbol};
+use crate::theory::PaperEquations;
+use crate::theory::linearisation::{Law, evolution, motion};
+use crate::theory::notation::{formula, simplified};
+
+/// u = V/V_0 − 1 with its first two rates, w = V_0 θ/D_c − 1 with its rate, in the time D_c/V_0.
+const MOTION: [&str; 5] = ["u", "u'", "u''", "w", "w'"];
+
+/// The values of [`MOTION`].
+type Motion = [Expression; 5];
+
+/// A pair of equations: eq 4 differentiated in time, and the law.
+type Pair = [Expression; 2];
+
+/// What the two are called in a proof.
+const NAMES: [&str; 2] = ["eq 4 differentiated in time", "the law"];
+
+/// What the expansion finds for u = ε cos τ + O(ε²), τ = Ω t, in which cos τ and sin τ do not occur again.
+pub(super) struct Cycle {
+    /// κ_2 of κ = κ_c + ε² κ_2.
+    pub stiffness: Expression,
+    /// Ω_2 of Ω = ω + ε² Ω_2.
+    pub frequency: Expression,
+}
+
+/// Derives κ_2 and Ω_2.
+///
+/// # Errors
+/// When no periodic motion of this form solves the equations to third order.
+pub(super) fn cycle(
+    proof: Proof,
+    equations: &PaperEquations,
+    law: Law,
+) -> Result<(Proof, Cycle), Refutation> {
+    let used = ["1", law.equation(), "4", "steady-state"];
+    let (proof, [linear, quadratic, cubic]) = taylor_parts(proof, &used, equations, law)?;
+
+    let first = moving("C", "w_c*C + w_s*S");
+    let rest = at(&linear, &first);
+    let (proof, domain) = order(proof, &used, "ε", &rest, &["w_c", "w_s"], on_circle())?;
+
+    let harmonics = |f: &str| format!("{f}_0 + {f}_c*(2*C^2 - 1) + {f}_s*2*S*C");
+    let second = moving(&harmonics("f"), &harmonics("g"));
+    let rest = plus(&at(&linear, &second), &at(&quadratic, &first));
+    let unknowns = ["f_0", "f_c", "f_s", "g_0", "g_c", "g_s"];
+    let (proof, domain) = order(proof, &used, "ε²", &rest, &unknowns, domain)?;
+
+    let harmonics = |f: &str| format!("{f}_c*(4*C^3 - 3*C) + {f}_s*S*(4*C^2 - 1)");
+    let third = moving(&harmonics("h"), &format!("{} + l_c*C + l_s*S", harmonics("k")));
+    let third = sum(&third, &retimed(&first));
+    let softened = linear.clone().map(|part| formula("kappa_2") * part.derivative(&Symbol::new("kappa")));
+    let rest = plus(&at(&linear, &third), &at(&softened, &first));
+    let rest = plus(&rest, &plus(&mixed(&quadratic, &first, &second), &at(&cubic, &first)));
+    let unknowns = ["h_c", "h_s", "k_c", "k_s", "l_c", "l_s", "Omega_2", "kappa_2"];
+    let (proof, domain) = order(proof, &used, "ε³", &rest, &unknowns, domain)?;
+    let value = |name: &str| domain.substituted(&formula(name));
+    Ok((proof, Cycle { stiffness: value("kappa_2"), frequency: value("Omega_2") }))
+}
+
+/// Finds the unknowns for which both equations vanish at this order, and certifies it. The domain gains their values.
+fn order(
+    mut proof: Proof,
+    used: &[&str],
+    power: &str,
+    vanishing: &Pair,
+    unknowns: &[&str],
+    domain: Domain,
+) -> Result<(Proof, Domain), Refutation> {
+    // On the circle the sine is a root; the conversion names it, and so do the conditions.
+    let sine = simplified(&proof, used, &formula("S"), &domain)?.to_string();
+    let identically_in = ["C", sine.as_str()];
+    let conditions = Conditions { vanishing, identically_in: &identically_in, unknowns };
+    let domain = solve(&proof, used, &conditions, domain)?;
+    for (part, name) in vanishing.iter().zip(NAMES) {
+        let says = format!("{name} at order {power}, C = cos τ, S = sin τ");
+        proof = proof.identity(&says, used, part, &formula("0"), &domain)?;
+    }
+    Ok((proof, domain))
+}
+
+/// Twice the bilinear form of quadratic forms: what two motions add to each other.
+fn mixed(quadratic: &Pair, one: &Motion, other: &Motion) -> Pair {
+    let both = at(quadratic, &sum(one, other));
+    let (one, other) = (at(quadratic, one), at(quadratic, other));
+    [0, 1].map(|n| both[n].clone() - one[n].clone() - other[n].clone())
+}
+
+/// K = K_c and a point (C, S) of the unit circle.
+fn on_circle() -> Domain {
+    on_transition().with("S", formula("sqrt(1 - C^2)"))
+}
+
+/// Both equations in X = V/V_0, Y = V_0 θ/D_c and rates per D_c/V_0, as eqs 1, 4 and the law give them.
+fn physical(equations: &PaperEquations, law: Law) -> Pair {
+    let balance = motion(equations, &equations.right("1")).time_derivative(&["t", "delta", "theta"]);
+    let values = [
+        ("t'", formula("1")),
+        ("delta'", formula("V_0*X")),
+        ("delta''", formula("V_0^2/D_c*u'")),
+        ("delta'''", formula("V_0^3/D_c^2*u''")),
+        ("theta", equations.right("steady-state").with("V", &formula("V_0")) * formula("Y")),
+        ("theta'", formula("w'")),
+    ];
+    let values = values.map(|(name, value)| (Symbol::new(name), value)).into();
+    let pair = [balance * formula("D_c/(a*V_0)"), evolution(equations, law)];
+    pair.map(|equation| equation.substitute(&values))
+}
+
+/// The Taylor parts of degrees 1, 2 and 3 in the variables of [`MOTION`], each with its certificate.
+fn taylor_parts(
+    mut proof: Proof,
+    used: &[&str],
+    equations: &PaperEquations,
+    law: Law,
+) -> Result<(Proof, [Pair; 3]), Refutation> {
+    let mut parts = [0; 3].map(|_| [formula("0"), formula("0")]);
+    for (side, (equation, name)) in physical(equations, law).iter().zip(NAMES).enumerate() {
+        let reduced = simplified(&proof, used, equation, &by_groups())?;
+        let says = format!("{name} in X = V/V_0 = 1 + u, Y = V_0 θ/D_c = 1 + w and the groups");
+        proof = proof.identity(&says, used, equation, &reduced, &by_groups())?;
+        let residual = [("ln(X)", "ln(1 + u)"), ("ln(Y)", "ln(1 + w)"), ("X", "1 + u"), ("Y", "1 + w")]
+            .iter()
+            .fold(reduced, |residual, (name, value)| residual.with(name, &formula(value)));
+        for (degree, pair) in (1..).zip(&mut parts) {
+            let derived = taylor_part(&residual, &MOTION, degree);
+            pair[side] = simplified(&proof, used, &derived, &by_groups())?;
+            let says = format!("degree {degree} of {name}");
+            proof = proof.identity(&says, used, &derived, &pair[side], &by_groups())?;
+        }
+    }
+    Ok((proof, parts))
+}
+
+/// The motion at frequency ω along these u and w.
+fn moving(u: &str, w: &str) -> Motion {
+    let (u, w) = (formula(u), formula(w));
+    let rate = |expression: &Expression| formula("omega") * turned(expression);
+    [u.clone(), rate(&u), rate(&rate(&u)), w.clone(), rate(&w)]
+}
+
+/// What the frequency's change Ω_2 adds to the rates, for rates that were taken at frequency ω.
+fn retimed(motion: &Motion) -> Motion {
+    let [_, speed, acceleration, _, evolution] = motion.clone();
+    let relative = formula("Omega_2/omega");
+    let zero = formula("0");
+    [
+        zero.clone(),
+        relative.clone() * speed,
+        formula("2") * relative.clone() * acceleration,
+        zero,
+        relative * evolution,
+    ]
+}
+
+/// The derivative by τ of an expression in C = cos τ and S = sin τ.
+fn turned(expression: &Expression) -> Expression {
+    formula("C") * expression.derivative(&Symbol::new("S"))
+        - formula("S") * expression.derivative(&Symbol::new("C"))
+}
+
+fn at(forms: &Pair, motion: &Motion) -> Pair {
+    let values = MOTION.iter().zip(motion).map(|(name, value)| (Symbol::new(name), value.clone())).collect();
+    forms.clone().map(|form| form.substitute(&values))
+}
+
+fn plus(left: &Pair, right: &Pair) -> Pair {
+    [0, 1].map(|n| left[n].clone() + right[n].clone())
+}
+
+fn sum(left: &Motion, right: &Motion) -> Motion {
+    [0, 1, 2, 3, 4].map(|n| left[n].clone() + right[n].clone())
+}

@@ -1,0 +1,117 @@
+//! The Hopf bifurcation on K = K_c: how the nonlinear slider leaves steady sliding, for either evolution law.
+//!
+//! With η = M V_0²/(σ a D_c), κ = K D_c/(a σ), β = b/a = 1 + ω² and time in D_c/V_0, K = K_c is κ_c = ω²(1 + η) and the
+//! critical pair is ±iω. The normal form is w' = iω w + c_1 w |w|² with ln(V/V_l) = w + w̄ + …, and the first Lyapunov
+//! coefficient is l_1 = Re c_1/ω. It is derived twice from eqs 1-4, by projection on the critical eigenvectors and by
+//! the expansion of Lindstedt and Poincaré, and both are certified to agree.
+
+mod closed_form;
+mod expansion;
+mod first_integral;
+mod lindstedt;
+mod projection;
+mod slider;
+
+pub use closed_form::Criticality;
+pub use first_integral::prove as quasi_static_centre;
+
+use super::PaperEquations;
+use super::linearisation::Law;
+use super::notation::{formula, simplified};
+use crate::polynomial::{Expression, Proof, Refutation};
+
+/// The cubic coefficient on K = K_c and what follows from it, as functions of `eta` and `omega` = √(β − 1).
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct HopfCoefficient {
+    /// The evolution law.
+    pub law: Law,
+    /// The first Lyapunov coefficient l_1 = Re c_1/ω.
+    pub expression: Expression,
+    /// Re c_1 and Im c_1 of w' = iω w + c_1 w |w|².
+    pub normal_form: [Expression; 2],
+    /// A²/(K/K_c − 1) to leading order, A the amplitude of ln(V/V_l) along the cycle. The cycle exists on the side of
+    /// K = K_c on which A² > 0.
+    pub square_amplitude: Expression,
+    /// (Ω − ω)/(K/K_c − 1) to leading order, Ω the angular frequency of the cycle in V_l/D_c.
+    pub frequency_slope: Expression,
+    /// Where l_1 is negative, zero and positive.
+    pub sign_statement: &'static str,
+    /// The proof of all that.
+    pub proof: Proof,
+}
+
+/// Derives the coefficient from eqs 1, 4 and the law, by both routes, with its sign.
+///
+/// # Errors
+/// When a step of the derivation fails or the coefficient is not the one stated; the refutation names the equations and
+/// gives the exact difference.
+pub fn coefficient(equations: &PaperEquations, law: Law) -> Result<HopfCoefficient, Refutation> {
+    let used = ["1", law.equation(), "4", "steady-state"];
+    let id = format!("hopf-coefficient-{}", law.as_str().replace(' ', "-"));
+    let statement = format!(
+        "The first Lyapunov coefficient on K = K_c with the {}: {}.",
+        law.as_str(),
+        closed_form::sign_statement(law)
+    );
+    let (proof, slider) = slider::derive(Proof::new(&id, statement), equations, law)?;
+    let (proof, derived) = projection::coefficient(proof, &used, &slider)?;
+    let [real, imaginary] = [closed_form::real(law), closed_form::imaginary(law)];
+    let stated = real.clone() + formula("i") * imaginary.clone();
+    let proof = proof.identity("c_1 in closed form", &used, &derived, &stated, &slider::on_transition())?;
+    let proof = slider::crossing_speed(proof, equations)?;
+    let (proof, cycle) = lindstedt::cycle(proof, equations, law)?;
+    let proof = compare(proof, &used, law, &cycle)?;
+    let proof = closed_form::quasi_static(closed_form::sign(proof, law)?, law)?;
+    Ok(HopfCoefficient {
+        law,
+        expression: simplified(&proof, &used, &(real.clone() / formula("omega")), &slider::on_transition())?,
+        normal_form: [real, imaginary],
+        square_amplitude: closed_form::square_amplitude(law),
+        frequency_slope: closed_form::frequency_slope(law),
+        sign_statement: closed_form::sign_statement(law),
+        proof,
+    })
+}
+
+/// The two routes agree: what the normal form says of the cycle is what the expansion found.
+fn compare(proof: Proof, used: &[&str], law: Law, cycle: &lindstedt::Cycle) -> Result<Proof, Refutation> {
+    let domain = slider::on_transition();
+    proof
+        .reason(
+            "By the normal form a cycle has |w|² = −Re(dp/dκ)(κ − κ_c)/Re c_1 and Ω = ω + Im(dp/dκ)(κ − κ_c) + \
+             Im(c_1)|w|², and the amplitude of ln(V/V_l) is A = 2|w|, that of V/V_l − 1 the same to leading order.",
+        )
+        .identity(
+            "(κ − κ_c)/A²: both routes agree",
+            used,
+            &cycle.stiffness,
+            &closed_form::stiffness_shift(law),
+            &domain,
+        )?
+        .identity(
+            "(Ω − ω)/A²: both routes agree",
+            used,
+            &cycle.frequency,
+            &closed_form::frequency_shift(law),
+            &domain,
+        )?
+        .identity(
+            "A²/(K/K_c − 1)",
+            used,
+            &(formula("kappa") / cycle.stiffness.clone()),
+            &closed_form::square_amplitude(law),
+            &domain,
+        )?
+        .identity(
+            "(Ω − ω)/(K/K_c − 1)",
+            used,
+            &(formula("kappa") * cycle.frequency.clone() / cycle.stiffness.clone()),
+            &closed_form::frequency_slope(law),
+            &domain,
+        )
+}
+
+#[cfg(test)]
+mod simulated;
+#[cfg(test)]
+mod tests;
