@@ -147,8 +147,10 @@ impl Outcome {
             .map(|(coarse, fine)| 2.0 * (coarse / fine - 1.0).abs() + floor(1.0) + doubt);
         let (coarse_trough, fine_trough) = (trough(coarse, start), trough(&fine, start));
         let trough_error = 2.0 * (coarse_trough - fine_trough).abs() + floor(fine_trough.abs()) + doubt;
-        let highest = extremes(&fine).highest_stress.abs().max(extremes(&fine).lowest_stress.abs());
-        let drop_error = 2.0 * (stress_drop(coarse) - stress_drop(&fine)).abs() + floor(highest) + doubt;
+        // A difference of two stresses, each with an error of its own.
+        let stresses = [extremes(&fine).highest_stress, extremes(&fine).lowest_stress];
+        let expected_of_drop: f64 = stresses.iter().map(|stress| floor(stress.abs())).sum();
+        let drop_error = 2.0 * (stress_drop(coarse) - stress_drop(&fine)).abs() + expected_of_drop + doubt;
         Self {
             late: fine,
             groups: model.groups().clone(),
