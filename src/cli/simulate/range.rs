@@ -1,8 +1,9 @@
 //! Doubts about a slider's values: units off by a million, and groups for which no simulation was tested.
 
+use rug::Float;
 use slipmode::friction::Parameters;
 use slipmode::number::Rational;
-use slipmode::number::format::round_digits;
+use slipmode::number::format::{round_digits, round_float};
 
 /// Normal stresses below this are rather MPa written as Pa, Pa.
 const LEAST_USUAL_NORMAL_STRESS_PA: u32 = 200;
@@ -20,14 +21,15 @@ pub fn doubt(parameters: &Parameters<Rational>) -> Option<String> {
     let stress = &parameters.normal_stress_pa;
     let mut doubts = Vec::new();
     if *stress < LEAST_USUAL_NORMAL_STRESS_PA {
-        let shown = round_digits(stress.to_f64(), 6);
+        let shown = round_float(&Float::with_val(64, stress), 6);
         doubts.push(format!("normal_stress_pa = {shown}: normal stress looks like MPa (wanted: Pa)"));
     }
-    let groups = parameters.groups().map(Rational::to_f64);
+    let groups = parameters.groups();
     let values = [groups.inertial_parameter, groups.stiffness_group, groups.effect_ratio];
-    for (value, (name, [from, to])) in values.into_iter().zip(TESTED) {
-        if !(from..=to).contains(&value) {
-            let [shown, from, to] = [value, from, to].map(|number| round_digits(number, 3));
+    for (value, (name, [from, to])) in values.iter().zip(TESTED) {
+        if !(from..=to).contains(&value.to_f64()) {
+            let shown = round_float(&Float::with_val(64, value), 3);
+            let [from, to] = [from, to].map(|end| round_digits(end, 3));
             doubts.push(format!("{name} is {shown}, outside the tested range {from} to {to}"));
         }
     }
