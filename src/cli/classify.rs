@@ -1,17 +1,18 @@
 //! `slipmode classify`: one point for people or programs, or every row of a CSV file.
 
+mod rows;
 mod view;
 
 use std::path::PathBuf;
 
 use clap::Args;
-use slipmode::scene::Problem;
 
 use crate::cli::failure::Failure;
-use crate::cli::options::{Arguments, SliderOptions, ThresholdOption, option_of};
+use crate::cli::options::{Arguments, SliderOptions, ThresholdOption};
 use crate::cli::points;
 use crate::cli::progress::Progress;
 use crate::cli::terminal;
+use rows::ClassifyRows;
 use view::PointView;
 
 /// Options of `classify`.
@@ -54,11 +55,8 @@ pub fn run(options: &Options, progress: &Progress) -> Result<(), Failure> {
         let view = PointView::new(&parameters, &threshold);
         return if options.json { terminal::print_json(&view.json()) } else { terminal::print(&view.text()) };
     };
-    for quantity in options.slider.given() {
-        let in_file = Problem::Needs("no --points: the file's columns give the slider".into());
-        arguments.fault::<()>(&option_of(quantity), options.slider.text(quantity), in_file);
-    }
+    options.slider.refuse_beside_points(&mut arguments);
     arguments.finish()?;
     let Some(threshold) = threshold else { return Ok(()) };
-    points::run(points, &options.output, threshold, options.keep_going, *progress)
+    points::run(points, &options.output, ClassifyRows { threshold }, options.keep_going, *progress)
 }

@@ -12,6 +12,7 @@ mod points;
 mod progress;
 mod report;
 mod roots;
+mod simulate;
 mod terminal;
 mod tree;
 
@@ -45,6 +46,8 @@ enum Command {
     Roots(roots::Options),
     /// The exact boundary max Im(s) = 0 as CSV, whole or at one velocity or normal stress
     Boundary(boundary::Options),
+    /// The nonlinear slider, simulated: mode, peak velocity, period, stress drop, each with its error
+    Simulate(simulate::Options),
     /// One scene: its tables and figures
     Run(report::RunOptions),
     /// A report folder: its page, tables, figures and ledger
@@ -79,6 +82,7 @@ fn run(cli: Cli) -> Result<(), Failure> {
         Command::Classify(options) => classify::run(&options, &progress),
         Command::Roots(options) => roots::run(&options),
         Command::Boundary(options) => boundary::run(&options),
+        Command::Simulate(options) => simulate::run(&options, &progress),
         Command::Run(options) => report::run(&options, &progress),
         Command::Report(options) => report::report(&options, &progress),
         Command::Verify(options) => report::verify(&options, &progress),

@@ -52,16 +52,19 @@ impl SliderOptions {
         }
     }
 
-    /// The quantities that were given.
-    pub fn given(&self) -> impl Iterator<Item = Quantity> {
-        Quantity::ALL.into_iter().filter(|quantity| self.text(*quantity).is_some())
-    }
-
     /// All seven values; what is missing or faulty is collected in `arguments`.
     pub fn parameters(&self, arguments: &mut Arguments) -> Option<Parameters<Rational>> {
         let values = Quantity::ALL.map(|quantity| self.required(quantity, arguments));
         let [Some(a), Some(b), Some(d), Some(k), Some(m), Some(s), Some(v)] = values else { return None };
         Some(parameters_from([a, b, d, k, m, s, v]))
+    }
+
+    /// Notes every quantity that was given although a file's columns give the slider.
+    pub fn refuse_beside_points(&self, arguments: &mut Arguments) {
+        for quantity in Quantity::ALL.into_iter().filter(|quantity| self.text(*quantity).is_some()) {
+            let in_file = Problem::Needs("no --points: the file's columns give the slider".into());
+            arguments.fault::<()>(&option_of(quantity), self.text(quantity), in_file);
+        }
     }
 
     /// The value of one quantity that must be given.

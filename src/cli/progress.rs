@@ -36,6 +36,16 @@ impl Progress {
         result
     }
 
+    /// A spinner beside work of unknown length.
+    pub fn spinner<T>(self, message: &'static str, work: impl FnOnce() -> T) -> T {
+        let bar = self.bar(ProgressBar::no_length(), "{spinner} {msg} {elapsed}");
+        bar.set_message(message);
+        bar.enable_steady_tick(std::time::Duration::from_millis(100));
+        let result = work();
+        bar.finish_and_clear();
+        result
+    }
+
     fn bar(self, bar: ProgressBar, template: &str) -> ProgressBar {
         let target = if self.shown { ProgressDrawTarget::stderr() } else { ProgressDrawTarget::hidden() };
         bar.set_draw_target(target);

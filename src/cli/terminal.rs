@@ -23,3 +23,9 @@ pub fn print(text: &str) -> Result<(), Failure> {
 pub fn print_json(value: &serde_json::Value) -> Result<(), Failure> {
     print(&format!("{value:#}\n"))
 }
+
+/// Lines of name, value and remark.
+pub fn named_values(lines: &[(&str, String, &str)]) -> String {
+    let line = |(name, value, note): &(&str, String, &str)| format!("{name:<26} {value}  {note}");
+    lines.iter().map(line).map(|line| format!("{}\n", line.trim_end())).collect()
+}

@@ -4,7 +4,8 @@ use super::integrator::{Control, Integrator};
 use super::lap::run_lap;
 use super::settle::{Late, settle};
 use super::{
-    Balance, Model, Multi, Options, Radau, Rodas5P, Scalar, Start, State, Stepper, Taylor, simulate_model,
+    Balance, Model, Multi, Options, Radau, Rodas5P, Scalar, Simulation, Start, State, Stepper, Taylor,
+    simulate_model,
 };
 use crate::friction::{EvolutionLaw, Groups};
 use crate::number::Dd;
@@ -144,7 +145,11 @@ fn the_stated_error_holds_against_a_tighter_run() {
                 let options = Options { tolerance, ..Options::default() };
                 simulate_model(&model, &options).unwrap().in_si(&parameters)
             };
+            for tolerance in [1e-2, 1e-4, 1e-6] {
+                hold_extremes(&run(tolerance), &run(1e-2 * tolerance));
+            }
             let (usual, tight) = (run(1e-8), run(1e-10));
+            hold_extremes(&usual, &tight);
             let error = (usual.peak_velocity_m_per_s / tight.peak_velocity_m_per_s - 1.0).abs();
             assert!(
                 usual.peak_relative_error <= 1e-8 && error <= usual.peak_relative_error,
@@ -155,6 +160,14 @@ fn the_stated_error_holds_against_a_tighter_run() {
             }
         }
     }
+}
+
+/// Checks the stated errors of least velocity and stress drop against a tighter run.
+fn hold_extremes(usual: &Simulation, tight: &Simulation) {
+    let lowest = (usual.minimum_velocity_log10_ratio - tight.minimum_velocity_log10_ratio).abs();
+    assert!(lowest <= usual.minimum_velocity_log10_error, "{usual:?} {lowest:e}");
+    let drop = (usual.stress_drop_pa / tight.stress_drop_pa - 1.0).abs();
+    assert!(drop <= usual.stress_drop_relative_error, "{usual:?} {drop:e}");
 }
 
 /// Parameters of value one: SI and dimensionless values then coincide.

@@ -39,7 +39,7 @@ pub enum Failure {
         change: f64,
     },
     /// The asked accuracy is below what the arithmetic gives.
-    #[error("a relative error of {asked:e} is out of reach: {reached:e} was reached")]
+    #[error("a relative error of {asked:e} is out of reach: {reached:.1e} was reached")]
     UnreachableTolerance {
         /// Relative error asked for.
         asked: f64,

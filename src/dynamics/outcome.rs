@@ -57,6 +57,10 @@ pub struct Simulation {
     pub peak_relative_error: f64,
     /// Estimated relative error of the period; none when there is none.
     pub period_relative_error: Option<f64>,
+    /// Estimated error of `minimum_velocity_log10_ratio`, absolute.
+    pub minimum_velocity_log10_error: f64,
+    /// Estimated relative error of the stress drop.
+    pub stress_drop_relative_error: f64,
     /// Accepted and refused steps of all runs.
     pub steps: u64,
     /// Evaluations of the right-hand side of all runs.
@@ -74,6 +78,8 @@ pub struct Outcome {
     contraction: Option<f64>,
     peak_relative_error: f64,
     period_relative_error: Option<f64>,
+    trough_error: f64,
+    drop_error: f64,
     steps: u64,
     evaluations: u64,
     local_tolerance: f64,
@@ -88,6 +94,25 @@ fn peak_and_period(late: &Late<f64>, start: f64) -> (f64, Option<f64>) {
             (decay.transient.peak.max(approached), decay.oscillation.map(|(period, _)| period))
         }
     }
+}
+
+/// The extremes of a cycle or of a transient.
+const fn extremes(late: &Late<f64>) -> &Lap<f64> {
+    match late {
+        Late::Cycle(cycle) => &cycle.lap,
+        Late::Decay(decay) => &decay.transient,
+    }
+}
+
+/// Least x; the start counts for a transient's.
+fn trough(late: &Late<f64>, start: f64) -> f64 {
+    let lowest = extremes(late).trough;
+    if matches!(late, Late::Cycle(_)) { lowest } else { lowest.min(start) }
+}
+
+/// Largest minus least ζ.
+fn stress_drop(late: &Late<f64>) -> f64 {
+    extremes(late).highest_stress - extremes(late).lowest_stress
 }
 
 impl Outcome {
@@ -120,6 +145,12 @@ impl Outcome {
         let period_relative_error = coarse_period
             .zip(period)
             .map(|(coarse, fine)| 2.0 * (coarse / fine - 1.0).abs() + floor(1.0) + doubt);
+        let (coarse_trough, fine_trough) = (trough(coarse, start), trough(&fine, start));
+        let trough_error = 2.0 * (coarse_trough - fine_trough).abs() + floor(fine_trough.abs()) + doubt;
+        // A difference of two stresses, each with an error of its own.
+        let stresses = [extremes(&fine).highest_stress, extremes(&fine).lowest_stress];
+        let expected_of_drop: f64 = stresses.iter().map(|stress| floor(stress.abs())).sum();
+        let drop_error = 2.0 * (stress_drop(coarse) - stress_drop(&fine)).abs() + expected_of_drop + doubt;
         Self {
             late: fine,
             groups: model.groups().clone(),
@@ -127,6 +158,8 @@ impl Outcome {
             contraction,
             peak_relative_error,
             period_relative_error,
+            trough_error,
+            drop_error,
             steps,
             evaluations,
             local_tolerance,
@@ -161,13 +194,6 @@ impl Outcome {
         self.peak_relative_error.max(self.period_relative_error.unwrap_or(0.0))
     }
 
-    fn extremes(&self) -> &Lap<f64> {
-        match &self.late {
-            Late::Cycle(cycle) => &cycle.lap,
-            Late::Decay(decay) => &decay.transient,
-        }
-    }
-
     /// The slip mode, from the trajectory alone: what it ends in, and how fast it oscillates against √(K/M).
     #[must_use]
     pub fn slip_mode(&self) -> SlipMode {
@@ -196,13 +222,8 @@ impl Outcome {
     pub fn in_si(&self, parameters: &Parameters<f64>) -> Simulation {
         let rate_per_s = parameters.rate_per_s();
         let direct_stress_pa = parameters.direct_effect * parameters.normal_stress_pa;
-        let extremes = self.extremes();
-        let drop = extremes.highest_stress - extremes.lowest_stress;
+        let drop = stress_drop(&self.late);
         let (log_peak, period) = peak_and_period(&self.late, self.start);
-        let trough = match self.late {
-            Late::Cycle(_) => extremes.trough,
-            Late::Decay(_) => extremes.trough.min(self.start),
-        };
         let (laps, growth) = match &self.late {
             Late::Cycle(cycle) => (cycle.laps_per_cycle, None),
             Late::Decay(decay) => (1, decay.oscillation.map(|(_, growth)| growth).or(decay.rate)),
@@ -212,7 +233,7 @@ impl Outcome {
             behaviour: if periodic { Behaviour::Periodic } else { Behaviour::Decaying },
             slip_mode: self.slip_mode(),
             peak_velocity_m_per_s: parameters.loading_velocity_m_per_s * libm::exp(log_peak),
-            minimum_velocity_log10_ratio: trough / std::f64::consts::LN_10,
+            minimum_velocity_log10_ratio: trough(&self.late, self.start) / std::f64::consts::LN_10,
             period_s: period.map(|period| period / rate_per_s),
             stress_drop_pa: drop * direct_stress_pa,
             stress_drop_over_direct_effect: drop,
@@ -221,6 +242,8 @@ impl Outcome {
             floquet_multiplier: self.contraction,
             peak_relative_error: self.peak_relative_error,
             period_relative_error: self.period_relative_error,
+            minimum_velocity_log10_error: self.trough_error / std::f64::consts::LN_10,
+            stress_drop_relative_error: self.drop_error / drop,
             steps: self.steps,
             evaluations: self.evaluations,
             local_tolerance: self.local_tolerance,

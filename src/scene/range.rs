@@ -20,6 +20,9 @@ impl AllowedRange {
     /// Ratios and relative errors strictly between 0 and 1.
     pub const OPEN_UNIT: Self = Self { lower: "0", upper: "1", ends_included: false };
 
+    /// Permitted relative errors of a simulation: its loosest steps still give two digits, and 64-bit numbers have no more than 15.
+    pub const SIMULATION_TOLERANCE: Self = Self { lower: "1e-15", upper: "1e-2", ends_included: true };
+
     /// The range as messages state it.
     #[must_use]
     pub fn text(&self) -> String {

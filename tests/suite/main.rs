@@ -16,3 +16,5 @@ mod readme;
 mod reports;
 mod roots;
 mod sabotage;
+mod simulate;
+mod simulate_points;

@@ -8,6 +8,7 @@ use slipmode::number::{Rational, Wide};
 use slipmode::stability::{Classification, InertialThreshold, LogDistance, classify, transition};
 
 use crate::cli::roots::{PrintedRoot, print_roots};
+use crate::cli::terminal;
 
 /// Significant digits of the roots beside a classification: those of a 64-bit number.
 const ROOT_DIGITS: u32 = 17;
@@ -91,8 +92,7 @@ impl PointView {
             ("decided by", found.rung.as_str().to_string(), ""),
         ];
         lines.extend(self.roots.iter().map(|root| ("root s", root.text(), "")));
-        let line = |(name, value, note): &(&str, String, &str)| format!("{name:<26} {value}  {note}");
-        lines.iter().map(line).map(|line| format!("{}\n", line.trim_end())).collect()
+        terminal::named_values(&lines)
     }
 }
 

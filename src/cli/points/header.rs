@@ -2,18 +2,8 @@
 
 use slipmode::scene::{CsvProblem, Fault, Faults, Problem, Quantity, is_forbidden, nearest};
 
+use crate::cli::points::row_work::RowWork;
 use crate::cli::points::rows::Row;
-
-/// The columns that are appended to every row.
-pub const APPENDED: [&str; 7] = [
-    "transition_sign",
-    "boundary_sign",
-    "spectral_class",
-    "slip_mode",
-    "max_real_per_s",
-    "max_imaginary_per_s",
-    "rung",
-];
 
 /// The column that `--keep-going` appends last.
 pub const ERROR_COLUMN: &str = "error";
@@ -28,11 +18,21 @@ pub struct Header {
 }
 
 impl Header {
+    /// Where a column of this name stands.
+    pub fn position(&self, name: &str) -> Option<usize> {
+        self.names.iter().position(|known| known == name)
+    }
+
     /// Reads the header of the file `file`; `None` stands for a file without any row.
     ///
     /// # Errors
     /// Every column that is missing, doubled, in another unit, or named like one that is appended.
-    pub fn read(file: &str, row: Option<Row<'_>>, keep_going: bool) -> Result<Self, Faults> {
+    pub fn read<W: RowWork>(
+        file: &str,
+        row: Option<Row<'_>>,
+        keep_going: bool,
+        command: &W,
+    ) -> Result<Self, Faults> {
         let fault = |key: String, problem: Problem| Fault {
             file: file.to_string(),
             line: row.map(|row| row.line),
@@ -45,9 +45,11 @@ impl Header {
             return Err(vec![fault(String::new(), CsvProblem::NoHeader { wanted }.into())]);
         };
         let names = names(row).map_err(|problem| vec![fault("header".into(), problem)])?;
-        let mut faults: Faults = column_faults(&names, keep_going)
+        let mut faults: Faults = column_faults(&names, W::APPENDED, keep_going)
             .into_iter()
-            .map(|(name, problem)| fault(format!("header, column {name}"), problem.into()))
+            .map(|(name, problem)| (name, problem.into()))
+            .chain(command.header_faults(&names))
+            .map(|(name, problem)| fault(format!("header, column {name}"), problem))
             .collect();
         let positions = Quantity::ALL.map(|quantity| names.iter().position(|name| name == quantity.key()));
         for (quantity, position) in Quantity::ALL.into_iter().zip(positions) {
@@ -77,13 +79,13 @@ fn names(row: Row<'_>) -> Result<Vec<String>, Problem> {
 }
 
 /// Doubled columns, and columns that the output will have as well.
-fn column_faults(names: &[String], keep_going: bool) -> Vec<(String, CsvProblem)> {
+fn column_faults(names: &[String], appended: &[&str], keep_going: bool) -> Vec<(String, CsvProblem)> {
     let mut faults = Vec::new();
     for (index, name) in names.iter().enumerate() {
         if let Some(first) = names[..index].iter().position(|earlier| earlier == name) {
             faults.push((name.clone(), CsvProblem::DoubledColumn { first: first + 1 }));
         }
-        if APPENDED.contains(&name.as_str()) || (keep_going && name == ERROR_COLUMN) {
+        if appended.contains(&name.as_str()) || (keep_going && name == ERROR_COLUMN) {
             faults.push((name.clone(), CsvProblem::OutputColumn));
         }
     }

@@ -1,0 +1,100 @@
+//! What a command does with the rows of a points file, apart from reading and writing them.
+
+use slipmode::friction::Parameters;
+use slipmode::number::{Dd, Rational, parse_short_decimal};
+use slipmode::scene::{AllowedRange, Fault, Faults, Problem, parameters_from};
+
+use crate::cli::points::header::Header;
+use crate::cli::points::rows::Row;
+
+/// A command's part in the rows.
+pub trait RowWork: Sync {
+    /// What is read from a row before the work on it.
+    type Input;
+
+    /// The columns that are appended to every row.
+    const APPENDED: &'static [&'static str];
+    /// Rows of a block, the unit of parallel work.
+    const BLOCK_ROWS: usize;
+    /// Blocks that each thread gets between two reads.
+    const BLOCKS_PER_THREAD: usize;
+
+    /// Faults of the header beyond the seven quantities, each with its column.
+    fn header_faults(&self, names: &[String]) -> Vec<(String, Problem)>;
+
+    /// Reads a row.
+    ///
+    /// # Errors
+    /// All faults of the row.
+    fn read(&self, cells: Cells<'_>) -> Result<Self::Input, Faults>;
+
+    /// Does the work and appends one cell for each of [`Self::APPENDED`], each behind a comma.
+    fn append(&self, input: &Self::Input, out: &mut Vec<u8>) -> Remark;
+}
+
+/// What is to be said of a row besides its cells.
+#[derive(Debug, Default)]
+pub struct Remark {
+    /// Whether the work ended without an answer, which the row's cells explain.
+    pub is_unanswered: bool,
+    /// A doubt about the row's input.
+    pub warning: Option<String>,
+}
+
+/// The cells of a row, found by the header.
+#[derive(Debug, Clone, Copy)]
+pub struct Cells<'r> {
+    /// The name of the file, for messages.
+    pub file: &'r str,
+    /// The columns.
+    pub header: &'r Header,
+    /// The row; its text was checked.
+    pub row: Row<'r>,
+}
+
+impl<'r> Cells<'r> {
+    /// The seven numbers when all are short and positive, as nearly all are.
+    pub fn short_parameters(self) -> Option<Parameters<Dd>> {
+        let mut values = [Dd::from(0.0); 7];
+        for (value, position) in values.iter_mut().zip(self.header.positions) {
+            *value = parse_short_decimal(self.text(position))?;
+        }
+        Some(parameters_from(values))
+    }
+
+    /// The seven numbers, exactly.
+    ///
+    /// # Errors
+    /// Every cell that is not a number in the allowed range.
+    pub fn parameters(self) -> Result<Parameters<Rational>, Faults> {
+        let mut faults = Faults::new();
+        let values = [0, 1, 2, 3, 4, 5, 6].map(|index| {
+            let position = self.header.positions[index];
+            AllowedRange::PHYSICAL
+                .parse(self.text(position))
+                .map_err(|problem| faults.push(self.fault(Some(position), problem)))
+                .ok()
+        });
+        match values {
+            [Some(a), Some(b), Some(d), Some(k), Some(m), Some(s), Some(v)] => {
+                Ok(parameters_from([a, b, d, k, m, s, v]))
+            }
+            _ => Err(faults),
+        }
+    }
+
+    /// The text of a cell; the row's text was checked, so that none is lost here.
+    pub fn text(self, position: usize) -> &'r str {
+        std::str::from_utf8(self.row.cell(position)).unwrap_or_default()
+    }
+
+    /// A fault of the row, or of one of its cells.
+    pub fn fault(self, column: Option<usize>, problem: Problem) -> Fault {
+        let key = match column.and_then(|index| self.header.names.get(index)) {
+            Some(name) => format!("row {}, column {name}", self.row.number),
+            None => format!("row {}", self.row.number),
+        };
+        let value = column.map(|index| String::from_utf8_lossy(self.row.cell(index)).into_owned());
+        Fault { file: self.file.to_string(), line: Some(self.row.line), key, value, problem }
+    }
+}

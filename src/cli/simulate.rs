@@ -1,0 +1,181 @@
+//! `slipmode simulate`: the nonlinear slider at one point for people or programs, or for every row of a CSV file.
+
+mod history;
+mod range;
+mod rows;
+mod run;
+mod view;
+
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use rug::Float;
+use slipmode::dynamics::Start;
+use slipmode::friction::EvolutionLaw;
+use slipmode::scene::{AllowedRange, Problem, nearest};
+
+use crate::cli::failure::Failure;
+use crate::cli::options::{Arguments, SliderOptions};
+use crate::cli::output::Output;
+use crate::cli::points;
+use crate::cli::progress::Progress;
+use crate::cli::terminal;
+use rows::SimulateRows;
+use run::{Found, Settings, simulate_point};
+
+/// Options of `simulate`.
+#[derive(Debug, Args)]
+pub struct Options {
+    #[command(flatten)]
+    slider: SliderOptions,
+    /// The evolution law, `slip` (eq 3) or `aging` (eq 2); not needed when the file of --points has a column `law`
+    #[arg(long, value_name = "LAW", allow_hyphen_values = true)]
+    law: Option<String>,
+    /// Permitted relative error of peak velocity and period, 1e-15 to 1e-2; one that cannot be reached is a failure
+    #[arg(long, value_name = "T", default_value = "1e-8", allow_hyphen_values = true)]
+    tolerance: String,
+    /// How the start at V = V0/10 is completed
+    ///
+    /// steady-at-velocity: state and spring as in steady sliding at V; steady-state-spring-at-loading: state steady at V,
+    /// spring as in steady sliding at V0; velocity-step-in-equilibrium: state steady at V0, spring in equilibrium with
+    /// friction at V; velocity-kick: state and spring as in steady sliding at V0.
+    #[arg(long, value_name = "WORD", default_value = "steady-at-velocity", allow_hyphen_values = true)]
+    start: String,
+    /// One JSON object instead of text
+    #[arg(long, conflicts_with = "points")]
+    json: bool,
+    /// Also write the run from its start as CSV: time, velocity, state variable, and shear stress beyond that of steady sliding
+    ///
+    /// Time is counted from the start and strictly increases: of samples that 64-bit time cannot tell apart, the first is kept.
+    #[arg(long, value_name = "OUT.csv", conflicts_with = "points")]
+    trajectory: Option<PathBuf>,
+    /// How long the trajectory is, s [default: ten periods; without oscillation until 1e-13 of the deviation is left]
+    #[arg(long, value_name = "T", requires = "trajectory", allow_hyphen_values = true)]
+    duration_s: Option<String>,
+    /// Simulate every row of a CSV file; `-` reads standard input
+    ///
+    /// The header is that of `classify --points`, with an optional column `law`. A row whose simulation fails says so in
+    /// its column `status`, and the others go on.
+    #[arg(long, value_name = "FILE.csv")]
+    points: Option<PathBuf>,
+    /// Where to write the rows; `-` is standard output
+    #[arg(short, long, value_name = "OUT.csv", default_value = "-", requires = "points")]
+    output: PathBuf,
+    /// Give faulty rows an `error` column instead of stopping
+    #[arg(long, requires = "points")]
+    keep_going: bool,
+}
+
+/// Runs the command.
+///
+/// # Errors
+/// When the arguments or the rows are at fault, the output cannot be written, or the simulation of a single point fails.
+pub fn run(options: &Options, progress: &Progress) -> Result<(), Failure> {
+    let mut arguments = Arguments::default();
+    let law = options.law.as_ref().and_then(|word| law(word, &mut arguments));
+    let settings = options.settings(&mut arguments);
+    let Some(points) = &options.points else {
+        return options.single(law, settings, arguments, *progress);
+    };
+    options.slider.refuse_beside_points(&mut arguments);
+    arguments.finish()?;
+    let Some(settings) = settings else { return Ok(()) };
+    points::run(points, &options.output, SimulateRows { law, settings }, options.keep_going, *progress)
+}
+
+impl Options {
+    fn settings(&self, arguments: &mut Arguments) -> Option<Settings> {
+        let range = AllowedRange::SIMULATION_TOLERANCE;
+        let tolerance = arguments.number("--tolerance", &self.tolerance, |text| range.parse(text));
+        let start = word("--start", &self.start, Start::ALL.map(|start| (start.as_str(), start)), arguments);
+        Some(Settings { tolerance: Float::with_val(53, tolerance?).to_f64(), start: start? })
+    }
+
+    fn single(
+        &self,
+        law: Option<EvolutionLaw>,
+        settings: Option<Settings>,
+        mut arguments: Arguments,
+        progress: Progress,
+    ) -> Result<(), Failure> {
+        let parameters = self.slider.parameters(&mut arguments);
+        if self.law.is_none() {
+            arguments.fault::<()>("--law", None, Problem::Missing { allowed: LAWS.into() });
+        }
+        let duration_s = self.duration_s.as_ref().and_then(|text| {
+            arguments.number("--duration-s", text, |text| AllowedRange::PHYSICAL.parse(text))
+        });
+        if let Some(Some(name)) = self.trajectory.as_deref().filter(|path| is_stream(path)).map(Path::to_str)
+        {
+            let file = Problem::Needs("a file: standard output has the result".into());
+            arguments.fault::<()>("--trajectory", Some(name), file);
+        }
+        arguments.finish()?;
+        let (Some(parameters), Some(law), Some(settings)) = (parameters, law, settings) else {
+            return Ok(());
+        };
+        // An output that cannot be written is told before the work, not after it.
+        let output = self.trajectory.as_deref().map(Output::create).transpose()?;
+        if let Some(doubt) = range::doubt(&parameters) {
+            eprintln!("warning: {doubt}");
+        }
+        let (found, written) = progress.spinner("simulating", || {
+            let found = simulate_point(&parameters, law, settings);
+            let history = output.zip(found.as_ref().ok()).map(|(output, simulation)| {
+                history::write(output, &parameters, law, settings, simulation, duration_s.as_ref())
+            });
+            (found, history.transpose())
+        });
+        self.tell(&found, law, settings)?;
+        written.map(drop)
+    }
+
+    /// Prints what was found; a failure is an object for programs, and a message in any case.
+    fn tell(&self, found: &Found, law: EvolutionLaw, settings: Settings) -> Result<(), Failure> {
+        if self.json {
+            terminal::print_json(&view::json(found))?;
+        }
+        match found {
+            Ok(_) if self.json => Ok(()),
+            Ok(simulation) => terminal::print(&view::text(simulation, law, settings)),
+            Err(reason) => Err(Failure::Check(format!("error: the simulation failed: {reason}"))),
+        }
+    }
+}
+
+fn is_stream(path: &Path) -> bool {
+    path.as_os_str() == "-"
+}
+
+/// The words of the laws, for messages.
+const LAWS: &str = "slip, aging";
+
+/// The law of a word.
+fn law(text: &str, arguments: &mut Arguments) -> Option<EvolutionLaw> {
+    arguments.number("--law", text, law_of_word)
+}
+
+/// The law of a word of the command line or of a CSV file.
+fn law_of_word(text: &str) -> Result<EvolutionLaw, Problem> {
+    EvolutionLaw::from_word(text).ok_or_else(|| {
+        let near = nearest(text, EvolutionLaw::ALL.map(EvolutionLaw::as_str)).map(str::to_string);
+        Problem::UnknownWord { nearest: near, allowed: LAWS.into() }
+    })
+}
+
+/// What a word out of a list stands for.
+fn word<T: Copy, const N: usize>(
+    option: &str,
+    text: &str,
+    known: [(&str, T); N],
+    arguments: &mut Arguments,
+) -> Option<T> {
+    arguments.number(option, text, |text| {
+        let found = known.iter().find(|(word, _)| *word == text);
+        let words = known.map(|(word, _)| word);
+        found.map(|(_, value)| *value).ok_or_else(|| Problem::UnknownWord {
+            nearest: nearest(text, words).map(str::to_string),
+            allowed: words.join(", "),
+        })
+    })
+}

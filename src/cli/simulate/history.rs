@@ -1,0 +1,111 @@
+//! `simulate --trajectory`: the run from its start as CSV, in SI.
+
+use std::fmt;
+use std::io::Write;
+
+use rug::Float;
+use slipmode::dynamics::{Control, Model, Radau, Sample, Simulation, trajectory};
+use slipmode::friction::{EvolutionLaw, Parameters};
+use slipmode::number::Rational;
+use slipmode::number::format::{round_float, shortest};
+
+use crate::cli::failure::Failure;
+use crate::cli::output::{Output, machine_write};
+use crate::cli::simulate::run::Settings;
+
+/// The columns; the stress is counted from that of steady sliding at V0, which eq 1 gives up to μ0 only.
+const HEADER: &str = "time_s,velocity_m_per_s,state_variable_s,shear_stress_pa\n";
+/// Periods that a trajectory shows.
+const PERIODS: f64 = 10.0;
+/// Decay times that a trajectory without oscillation shows: e^-30 is 1e-13.
+const DECAY_TIMES: f64 = 30.0;
+/// Samples of a step: the steps of a method of order 9 are too long for a smooth line.
+const SAMPLES_PER_STEP: usize = 8;
+/// Most steps of a trajectory, so that its samples stay below half a gigabyte.
+const MOST_STEPS: u64 = 1_000_000;
+/// Digits of a sample beyond those of the stated error of the peak.
+const GUARD_DIGITS: usize = 1;
+
+/// Integrates from the start again, as accurately as the finest run of the simulation, and writes every step.
+pub fn write(
+    mut output: Output,
+    parameters: &Parameters<Rational>,
+    law: EvolutionLaw,
+    settings: Settings,
+    simulation: &Simulation,
+    duration_s: Option<&Rational>,
+) -> Result<(), Failure> {
+    let model = Model::new(parameters.groups().map(Rational::to_f64), law);
+    let units = Units::new(parameters, simulation);
+    let duration = duration_s.map_or_else(|| default_duration(simulation, &units), Rational::to_f64);
+    let until = duration * units.rate_per_s;
+    if !(until.is_normal() && units.rate_per_s.is_normal()) {
+        return Err(failed(&"its duration is beyond the range of 64-bit numbers"));
+    }
+    let control = Control { local_tolerance: simulation.local_tolerance, most_steps: MOST_STEPS };
+    let start = settings.start.state(&model, &libm::log(settings.options().velocity_ratio));
+    let method = Radau::<f64, 5>::new();
+    let run = trajectory(&model, method, start, control, until, SAMPLES_PER_STEP)
+        .map_err(|failure| failed(&failure))?;
+    let mut text = String::from(HEADER);
+    let mut last = f64::NEG_INFINITY;
+    for sample in &run.samples {
+        let time_s = sample.time / units.rate_per_s;
+        if time_s > last {
+            text.push_str(&units.line(time_s, sample));
+            last = time_s;
+        }
+    }
+    output.write_all(text.as_bytes()).map_err(|error| machine_write(&error))?;
+    output.commit()
+}
+
+fn failed(reason: &dyn fmt::Display) -> Failure {
+    Failure::Check(format!("error: the trajectory failed: {reason}"))
+}
+
+fn default_duration(simulation: &Simulation, units: &Units) -> f64 {
+    match (simulation.period_s, simulation.growth_rate_per_s) {
+        (Some(period_s), _) => PERIODS * period_s,
+        (None, Some(rate)) if rate.is_normal() => DECAY_TIMES / rate.abs(),
+        _ => DECAY_TIMES / units.rate_per_s,
+    }
+}
+
+/// From the model's units to SI.
+struct Units {
+    rate_per_s: f64,
+    velocity_m_per_s: Float,
+    state_s: Float,
+    stress_pa: f64,
+    digits: usize,
+}
+
+impl Units {
+    fn new(parameters: &Parameters<Rational>, simulation: &Simulation) -> Self {
+        let rate_per_s = parameters.rate_per_s();
+        let stress_pa = Rational::from(&parameters.direct_effect * &parameters.normal_stress_pa);
+        let certain = -libm::log10(simulation.peak_relative_error);
+        Self {
+            velocity_m_per_s: Float::with_val(64, &parameters.loading_velocity_m_per_s),
+            state_s: Float::with_val(64, rate_per_s.clone().recip()),
+            rate_per_s: rate_per_s.to_f64(),
+            stress_pa: stress_pa.to_f64(),
+            // At least two digits are certain at any tolerance, and 64-bit numbers have fifteen.
+            digits: certain.clamp(2.0, 14.0) as usize + GUARD_DIGITS,
+        }
+    }
+
+    /// A velocity far below the least 64-bit number is still positive, so exponentials are taken in a wider range.
+    fn line(&self, time_s: f64, sample: &Sample) -> String {
+        let [x, y, zeta] = sample.state;
+        let exponential = |exponent: f64, unit: &Float| Float::with_val(64, exponent).exp() * unit;
+        format!(
+            "{},{},{},{}\n",
+            shortest(time_s),
+            round_float(&exponential(x, &self.velocity_m_per_s), self.digits),
+            round_float(&exponential(y, &self.state_s), self.digits),
+            round_float(&Float::with_val(64, zeta * self.stress_pa), self.digits),
+        )
+    }
+}

@@ -1,0 +1,37 @@
+//! Doubts about a slider's values: units off by a million, and groups for which no simulation was tested.
+
+use rug::Float;
+use slipmode::friction::Parameters;
+use slipmode::number::Rational;
+use slipmode::number::format::{round_digits, round_float};
+
+/// Normal stresses below this are rather MPa written as Pa, Pa.
+const LEAST_USUAL_NORMAL_STRESS_PA: u32 = 200;
+
+/// Groups between which simulations were tested: the paper's values over its figures' V0 = 10^-6 to 10^-1 m/s and
+/// σ = 10^2.5 to 10^7.5 Pa, with a and b of its section 3 and exchanged.
+const TESTED: [(&str, [f64; 2]); 3] = [
+    ("eta = M V0^2/(sigma a D_c)", [5e-10, 8e5]),
+    ("kappa = K D_c/(a sigma)", [5e-4, 80.0]),
+    ("beta = b/a", [0.66, 1.5]),
+];
+
+/// What a user should know of the values before trusting a simulation, if anything.
+pub fn doubt(parameters: &Parameters<Rational>) -> Option<String> {
+    let stress = &parameters.normal_stress_pa;
+    let mut doubts = Vec::new();
+    if *stress < LEAST_USUAL_NORMAL_STRESS_PA {
+        let shown = round_float(&Float::with_val(64, stress), 6);
+        doubts.push(format!("normal_stress_pa = {shown}: normal stress looks like MPa (wanted: Pa)"));
+    }
+    let groups = parameters.groups();
+    let values = [groups.inertial_parameter, groups.stiffness_group, groups.effect_ratio];
+    for (value, (name, [from, to])) in values.iter().zip(TESTED) {
+        if !(from..=to).contains(&value.to_f64()) {
+            let shown = round_float(&Float::with_val(64, value), 3);
+            let [from, to] = [from, to].map(|end| round_digits(end, 3));
+            doubts.push(format!("{name} is {shown}, outside the tested range {from} to {to}"));
+        }
+    }
+    (!doubts.is_empty()).then(|| doubts.join("; "))
+}

@@ -1,0 +1,80 @@
+//! What `simulate` says of one point: as text for people, as one JSON object for programs.
+
+use rug::Float;
+use rug::float::Round;
+use serde_json::{Value, json};
+use slipmode::dynamics::{Behaviour, Simulation};
+use slipmode::friction::EvolutionLaw;
+use slipmode::number::Ball;
+use slipmode::number::format::{certain_digits, round_digits};
+
+use crate::cli::simulate::run::{Found, Settings};
+use crate::cli::terminal;
+
+/// The most significant digits in the text for people: those of a 64-bit number.
+const MOST_DIGITS: usize = 17;
+/// Significant digits of an error.
+const ERROR_DIGITS: usize = 2;
+/// The status of a simulation that has an answer.
+pub const ANSWERED: &str = "ok";
+
+/// One object with the names of the CSV columns; null where there is no value.
+pub fn json(found: &Found) -> Value {
+    let simulation = found.as_ref().ok();
+    json!({
+        "mode": simulation.map(|found| found.behaviour.as_str()),
+        "slip_mode": simulation.map(|found| found.slip_mode.as_str()),
+        "peak_velocity_m_per_s": simulation.map(|found| found.peak_velocity_m_per_s),
+        "minimum_velocity_log10_ratio": simulation.map(|found| found.minimum_velocity_log10_ratio),
+        "period_s": simulation.and_then(|found| found.period_s),
+        "stress_drop_pa": simulation.map(|found| found.stress_drop_pa),
+        "frequency_hz": simulation.and_then(|found| found.frequency_hz),
+        "peak_relative_error": simulation.map(|found| found.peak_relative_error),
+        "period_relative_error": simulation.and_then(|found| found.period_relative_error),
+        "steps": simulation.map(|found| found.steps),
+        "evaluations": simulation.map(|found| found.evaluations),
+        "status": found.as_ref().err().map_or(ANSWERED, String::as_str),
+    })
+}
+
+/// Lines of name, value and meaning, with those digits only that the stated errors guarantee.
+pub fn text(found: &Simulation, law: EvolutionLaw, settings: Settings) -> String {
+    let (mode, extent, oscillation) = match found.behaviour {
+        Behaviour::Periodic => ("(a limit cycle)", "(of the cycle)", "(of the cycle)"),
+        Behaviour::Decaying => {
+            ("(back to steady sliding)", "(of the transient)", "(of the late oscillation)")
+        }
+    };
+    let period_error = found.period_relative_error.unwrap_or(0.0);
+    let period = found.period_s.map_or_else(|| "none".into(), |period| relative(period, period_error, "s"));
+    let frequency =
+        found.frequency_hz.map_or_else(|| "none".into(), |frequency| relative(frequency, period_error, "Hz"));
+    let lowest = certain(found.minimum_velocity_log10_ratio, found.minimum_velocity_log10_error);
+    let error =
+        |error: Option<f64>| error.map_or_else(|| "none".into(), |error| round_digits(error, ERROR_DIGITS));
+    let oscillation = if found.period_s.is_some() { oscillation } else { "(nothing oscillates)" };
+    terminal::named_values(&[
+        ("mode", found.behaviour.as_str().into(), mode),
+        ("slip mode", found.slip_mode.as_str().into(), "(from the trajectory alone)"),
+        ("peak velocity", relative(found.peak_velocity_m_per_s, found.peak_relative_error, "m/s"), extent),
+        ("log10 of least V/V0", lowest, extent),
+        ("stress drop", relative(found.stress_drop_pa, found.stress_drop_relative_error, "Pa"), extent),
+        ("period", period, oscillation),
+        ("frequency", frequency, oscillation),
+        ("error of the peak", error(Some(found.peak_relative_error)), "(relative)"),
+        ("error of the period", error(found.period_relative_error), "(relative)"),
+        ("law", law.as_str().into(), ""),
+        ("start", settings.start.as_str().into(), "(V = V0/10)"),
+        ("steps, evaluations", format!("{}, {}", found.steps, found.evaluations), ""),
+    ])
+}
+
+fn relative(value: f64, relative_error: f64, unit: &str) -> String {
+    format!("{} {unit}", certain(value, relative_error * value.abs()))
+}
+
+/// The digits that an absolute error leaves certain.
+fn certain(value: f64, error: f64) -> String {
+    let radius = Float::with_val_round(32, error, Round::Up).0;
+    certain_digits(&Ball::new(Float::with_val(64, value), radius), MOST_DIGITS)
+}
