@@ -20,6 +20,9 @@ impl AllowedRange {
     /// Ratios and relative errors strictly between 0 and 1.
     pub const OPEN_UNIT: Self = Self { lower: "0", upper: "1", ends_included: false };
 
+    /// Relative errors that a simulation in 64 bits can be asked to meet.
+    pub const SIMULATED: Self = Self { lower: "1e-10", upper: "1e-2", ends_included: true };
+
     /// The range as messages state it.
     #[must_use]
     pub fn text(&self) -> String {
