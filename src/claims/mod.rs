@@ -11,6 +11,7 @@ mod ledger;
 mod linearisation;
 mod numerical;
 mod simulated;
+mod simulated_laws;
 mod simulated_trends;
 mod transition;
 mod verdict;
