@@ -9,6 +9,10 @@ mod frequency;
 mod friction_law;
 mod ledger;
 mod linearisation;
+mod numerical;
+mod simulated;
+mod simulated_laws;
+mod simulated_trends;
 mod transition;
 mod verdict;
 mod zones;
@@ -46,7 +50,7 @@ pub struct Check {
     pub decide: fn(&Context) -> Finding,
 }
 
-/// All checks, in the order of the letters F, L, S, B, Q, Z.
+/// All checks, in the order of the letters F, L, S, B, Q, Z, N.
 pub fn checks() -> impl Iterator<Item = &'static Check> {
     [
         friction_law::CHECKS,
@@ -55,6 +59,7 @@ pub fn checks() -> impl Iterator<Item = &'static Check> {
         boundary::CHECKS,
         frequency::CHECKS,
         zones::CHECKS,
+        numerical::CHECKS,
     ]
     .into_iter()
     .flatten()

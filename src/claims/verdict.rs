@@ -74,6 +74,17 @@ pub enum Evidence {
         /// Its certain digits, with unit.
         value: String,
     },
+    /// A number from simulations, each run again at a tenth of its tolerance.
+    Simulation {
+        /// What was simulated.
+        quantity: String,
+        /// What was found, with unit.
+        value: String,
+        /// The largest error estimate of the runs.
+        error: String,
+        /// The number of runs.
+        runs: usize,
+    },
     /// A count or extreme over finitely many points.
     Sample {
         /// What was looked at.
@@ -92,6 +103,7 @@ impl Evidence {
         match self {
             Evidence::Proof { .. } => Strength::Exact,
             Evidence::Enclosure { .. } => Strength::Certified,
+            Evidence::Simulation { .. } => Strength::Converged,
             Evidence::Sample { .. } => Strength::Sampled,
         }
     }

@@ -1,7 +1,7 @@
 //! The end of a decay: period and growth rate of its oscillation, or the rate of an end without one.
 
 use super::lap::{Lap, LapEnd, run_lap};
-use super::return_map::{History, size};
+use super::return_map::History;
 use super::settle::{Decay, Late};
 use super::stepper::Stepper;
 use super::{Failure, Integrator, Scalar, State};
@@ -17,8 +17,7 @@ pub(super) fn measure_decay<R: Scalar, M: Stepper<R> + Clone>(
     for _ in 0..LAPS {
         let (lap, end) = run_lap(run)?;
         if end == LapEnd::Quiet {
-            let rate = final_rate(run);
-            return Ok(Late::Decay(Decay { oscillation: sparse_oscillation(&history), transient, rate }));
+            return Ok(Late::Decay(Decay { oscillation: None, transient, rate: final_rate(run) }));
         }
         history.push(lap);
         if let Some((period, rate)) = last_oscillation(&history)
@@ -28,8 +27,8 @@ pub(super) fn measure_decay<R: Scalar, M: Stepper<R> + Clone>(
             return Ok(Late::Decay(Decay { transient, oscillation: Some((period, rate)), rate: None }));
         }
     }
-    let oscillation = last_oscillation(&history);
-    Ok(Late::Decay(Decay { transient, oscillation, rate: None }))
+    // A real mode that dies about as slowly as the pair keeps the laps unequal: their last one is no measure of the period.
+    Ok(Late::Decay(Decay { transient, oscillation: None, rate: final_rate(run) }))
 }
 
 /// Whether the last three laps took the same time to eleven digits.
@@ -47,15 +46,6 @@ fn last_oscillation<R: Scalar>(history: &History<R>) -> Option<(R, R)> {
     let component = if last.end[1].abs() < last.end[2].abs() { 2 } else { 1 };
     let factor = last.end[component].clone() / &before.end[component];
     (factor > R::from(0)).then(|| (last.duration.clone(), factor.logarithm() / &last.duration))
-}
-
-/// An oscillation so damped that only a few passages came before the end: believed when the last two laps agree to 1 %.
-pub(super) fn sparse_oscillation<R: Scalar>(history: &History<R>) -> Option<(R, R)> {
-    let n = history.laps.len();
-    let linear = history.back(1).is_some_and(|passage| size(passage) < 1e-3);
-    let (before, last) = (history.laps.get(n.checked_sub(2)?)?, &history.laps[n - 1]);
-    let agree = (before.duration.to_f64() / last.duration.to_f64() - 1.0).abs() < 0.01;
-    (linear && agree).then(|| last_oscillation(history)).flatten()
 }
 
 /// d ln|state|/dt at the end of a decay without oscillation, from the component that moves.

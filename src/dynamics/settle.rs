@@ -4,7 +4,7 @@
 //! 10^4, so the laps are extrapolated along the slow direction (the secant step of a fixed-point iteration), each jump limited to a
 //! part of the state and followed by laps of the true map; nothing is accepted on extrapolation alone.
 
-use super::decay::{final_rate, measure_decay, sparse_oscillation};
+use super::decay::{final_rate, measure_decay};
 use super::lap::{Lap, LapEnd, run_lap};
 use super::return_map::{History, difference, jump, laps_per_cycle, size};
 use super::stepper::Stepper;
@@ -92,11 +92,10 @@ pub fn settle<R: Scalar, M: Stepper<R> + Clone>(
             transient = Some(transient.map_or_else(|| lap.clone(), |so_far| so_far.joined(lap.clone())));
         }
         if end == LapEnd::Quiet {
-            let rate = final_rate(run);
             return Ok(Late::Decay(Decay {
-                oscillation: sparse_oscillation(&history),
+                oscillation: None,
                 transient: transient.unwrap_or(lap),
-                rate,
+                rate: final_rate(run),
             }));
         }
         history.push(lap);

@@ -132,10 +132,9 @@ fn both_runs(model: &Model<f64>, options: &Options, local: f64, target: f64) -> 
         Late::Decay(_) => settle(&mut integrator, target, options.most_laps)?,
     };
     let mut fine = Run::of(late, &integrator);
-    // A pair that dies faster than the real mode leaves no trace in late behaviour, but it is there.
+    // A pair that dies faster than the real mode leaves no clear trace in late behaviour, but it is there.
     if let (Late::Decay(coarse), Late::Decay(fine)) = (&mut coarse.late, &mut fine.late)
-        && coarse.oscillation.is_none()
-        && fine.oscillation.is_none()
+        && (coarse.oscillation.is_none() || fine.oscillation.is_none())
     {
         coarse.oscillation = oscillation_of_small_deviations(model, local.min(1e-6))?;
         fine.oscillation = oscillation_of_small_deviations(model, 0.1 * local.min(1e-6))?;

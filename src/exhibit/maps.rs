@@ -88,7 +88,12 @@ fn caption(words: &Words) -> Caption {
     Caption::new(words.id, words.title, words.description)
 }
 
-fn theory_lines(scene: &SceneOutcome, boundary: &BoundaryOutcome, x: &Axis, y: &Axis) -> Vec<Line> {
+pub(super) fn theory_lines(
+    scene: &SceneOutcome,
+    boundary: &BoundaryOutcome,
+    x: &Axis,
+    y: &Axis,
+) -> Vec<Line> {
     let Some(parameters) = scene.parameters() else { return Vec::new() };
     let mut lines = boundary_lines(&boundary.points);
     lines.extend(asymptote_lines(parameters, x, y));

@@ -1,7 +1,9 @@
 //! Which tables there are, and what each needs.
 
 use crate::claims::Context;
-use crate::exhibit::{boundary_tables, deviation_tables, mode_tables, numeric_tables, theory_tables};
+use crate::exhibit::{
+    boundary_tables, deviation_tables, mode_tables, numeric_tables, simulation_tables, theory_tables,
+};
 use crate::study::Need;
 use crate::table::Table;
 
@@ -24,6 +26,7 @@ pub fn table_makers() -> impl Iterator<Item = &'static TableMaker> {
         deviation_tables::TABLES,
         mode_tables::TABLES,
         numeric_tables::TABLES,
+        simulation_tables::TABLES,
     ]
     .into_iter()
     .flatten()

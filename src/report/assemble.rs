@@ -201,6 +201,17 @@ fn evidence_view(evidence: &Evidence) -> EvidenceView {
             numbers: vec![fact(quantity, value)],
             certificate: String::new(),
         },
+        Evidence::Simulation { quantity, value, error, runs } => EvidenceView {
+            kind: "Simulation".into(),
+            strength,
+            text_markdown: String::new(),
+            numbers: vec![
+                fact(quantity, value),
+                fact("largest error estimate", error),
+                fact("runs", &runs.to_string()),
+            ],
+            certificate: String::new(),
+        },
         Evidence::Sample { quantity, value, points } => EvidenceView {
             kind: "Sample".into(),
             strength,

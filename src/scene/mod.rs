@@ -17,6 +17,7 @@ mod report_plan;
 mod schema;
 mod section;
 mod sections;
+mod simulations;
 
 pub use axis::{Limits, LogAxis};
 pub use claim_list::{ClaimEntry, ExpectedVerdict, read_claims};
@@ -31,3 +32,4 @@ pub use schema::Scene;
 pub use sections::{
     BoundarySection, EffectRatioSweep, FrequencySection, HardCases, Rectangle, ToleranceSection,
 };
+pub use simulations::{NearTransition, SimulationsSection};

@@ -6,7 +6,7 @@ use crate::scene::section::Section;
 use crate::scene::sections::{NAME_RULE, safe_name};
 use crate::scene::{
     AllowedRange, BoundarySection, EffectRatioSweep, Faults, FrequencySection, HardCases, Limits, Problem,
-    Quantity, Rectangle, SceneParameters, ToleranceSection,
+    Quantity, Rectangle, SceneParameters, SimulationsSection, ToleranceSection,
 };
 
 /// What a user asks for: valid, exact, and nothing that was not asked.
@@ -34,6 +34,8 @@ pub struct Scene {
     pub zones: Option<Rectangle>,
     /// `[hard_cases]`.
     pub hard_cases: Option<HardCases>,
+    /// `[simulations]`: the nonlinear slider on a (V, σ) grid.
+    pub simulations: Option<SimulationsSection>,
 }
 
 impl Scene {
@@ -72,6 +74,8 @@ fn read_scene(top: &mut Section<'_>, limits: &Limits, faults: &mut Faults) -> Op
     let tolerance = top.optional("tolerance").map(|entry| ToleranceSection::read(&entry, faults));
     let zones = top.optional("zones").map(|entry| Rectangle::read(&entry, limits, faults));
     let hard_cases = top.optional("hard_cases").map(|entry| HardCases::read(&entry, faults));
+    let simulations =
+        top.optional("simulations").map(|entry| SimulationsSection::read(&entry, limits, faults));
     check_needs(top, parameters.as_ref(), frequency.is_some(), faults);
     Some(Scene {
         name: name?,
@@ -85,6 +89,7 @@ fn read_scene(top: &mut Section<'_>, limits: &Limits, faults: &mut Faults) -> Op
         tolerance: given(tolerance)?,
         zones: given(zones)?,
         hard_cases: given(hard_cases)?,
+        simulations: given(simulations)?,
     })
 }
 
@@ -97,7 +102,7 @@ fn given<T>(section: Option<Option<T>>) -> Option<Option<T>> {
 }
 
 /// The sections that only mean something for a slider, and [`Scene::frequency`] for one with a critical normal stress.
-const NEED_PARAMETERS: [&str; 5] = ["map", "boundary", "frequency", "tolerance", "zones"];
+const NEED_PARAMETERS: [&str; 6] = ["map", "boundary", "frequency", "tolerance", "zones", "simulations"];
 
 fn check_needs(
     top: &mut Section<'_>,

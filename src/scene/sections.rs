@@ -154,7 +154,7 @@ fn open_unit_list(entry: &Entry<'_>, faults: &mut Faults) -> Option<Vec<Rational
 }
 
 /// `{ from, to, points }` with positive ends in ascending order.
-fn axis(
+pub(super) fn axis(
     section: &mut Section<'_>,
     key: &'static str,
     limits: &Limits,
@@ -193,7 +193,12 @@ fn points(section: &mut Section<'_>, limits: &Limits, faults: &mut Faults) -> Op
     count
 }
 
-fn check_points(entry: &Entry<'_>, points: u64, limits: &Limits, faults: &mut Faults) -> Option<()> {
+pub(super) fn check_points(
+    entry: &Entry<'_>,
+    points: u64,
+    limits: &Limits,
+    faults: &mut Faults,
+) -> Option<()> {
     if points <= limits.max_points {
         return Some(());
     }

@@ -19,11 +19,13 @@ pub enum Need {
     Zones,
     /// Points with references from independent programs.
     HardCases,
+    /// The nonlinear slider on a (V, σ) grid.
+    Simulations,
 }
 
 impl Need {
     /// Every need.
-    pub const ALL: [Self; 7] = [
+    pub const ALL: [Self; 8] = [
         Self::Map,
         Self::Boundary,
         Self::Frequency,
@@ -31,6 +33,7 @@ impl Need {
         Self::Tolerance,
         Self::Zones,
         Self::HardCases,
+        Self::Simulations,
     ];
 
     /// The stable name used in the ids of work items.
@@ -44,6 +47,7 @@ impl Need {
             Need::Tolerance => "tolerance",
             Need::Zones => "zones",
             Need::HardCases => "hard-cases",
+            Need::Simulations => "simulations",
         }
     }
 }

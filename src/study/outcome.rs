@@ -5,8 +5,8 @@ use std::collections::BTreeMap;
 use crate::number::Rational;
 use crate::scene::{Scene, SceneParameters};
 use crate::study::{
-    BoundaryOutcome, FamilyOutcome, FrequencyOutcome, Grid, HardCase, MapPoint, SweepOutcome,
-    ToleranceOutcome, ZonesOutcome,
+    BoundaryOutcome, FamilyOutcome, FrequencyOutcome, Grid, HardCase, MapPoint, SimulationsOutcome,
+    SweepOutcome, ToleranceOutcome, ZonesOutcome,
 };
 
 /// Everything computed for one scene; what nobody needed is absent.
@@ -28,6 +28,8 @@ pub struct SceneOutcome {
     pub zones: Option<ZonesOutcome>,
     /// How its hard cases fared.
     pub hard_cases: Option<Vec<FamilyOutcome>>,
+    /// Its simulations.
+    pub simulations: Option<SimulationsOutcome>,
 }
 
 impl SceneOutcome {
@@ -43,6 +45,7 @@ impl SceneOutcome {
             tolerance: None,
             zones: None,
             hard_cases: None,
+            simulations: None,
         }
     }
 

@@ -46,5 +46,6 @@ fn states(scene: &Scene, need: Need) -> bool {
         Need::Tolerance => scene.tolerance.is_some(),
         Need::Zones => scene.zones.is_some(),
         Need::HardCases => scene.hard_cases.is_some(),
+        Need::Simulations => scene.simulations.is_some(),
     }
 }

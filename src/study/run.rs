@@ -4,7 +4,8 @@ use crate::scene::Scene;
 use crate::stability::InertialThreshold;
 use crate::study::{
     Item, Need, Needs, Outcome, References, SceneOutcome, boundary_outcome, classify_rectangle,
-    compare_hard_cases, compare_zones, frequency_lines, plan, sweep_effect_ratio, tolerance_limits,
+    compare_hard_cases, compare_zones, frequency_lines, plan, simulations, sweep_effect_ratio,
+    tolerance_limits,
 };
 
 /// Hears of each item that is about to be computed: its id, its number and how many there are.
@@ -70,6 +71,11 @@ fn compute(item: &Item, outcome: &mut SceneOutcome, references: &References) {
             let cases =
                 scene.hard_cases.as_ref().and_then(|section| references.hard_cases.get(&section.file));
             outcome.hard_cases = cases.map(|cases| compare_hard_cases(cases));
+        }
+        Need::Simulations => {
+            outcome.simulations = parameters
+                .zip(scene.simulations.as_ref())
+                .map(|(parameters, section)| simulations(parameters, section, &threshold));
         }
     }
 }

@@ -1,6 +1,7 @@
 //! Scenes as users write them: the full one, and the ways to get one wrong.
 
 use super::*;
+use crate::friction::EvolutionLaw;
 use crate::number::parse_decimal;
 
 const SLIDER: &str = "name = \"s\"\ntitle = \"S\"\n[parameters]\ndirect_effect = 0.004\nevolution_effect = 0.006\n\
@@ -35,7 +36,9 @@ fn every_section_is_read() {
          [frequency]\nnormal_stress_over_critical = [\"1/3\", 1, 3.5]\n\
          loading_velocity_m_per_s = {{ from = 1e-6, to = 1e-1, points = 5 }}\n\
          [effect_ratio_sweep]\neffect_ratio = {{ from = 1e-3, to = 1e3, points = 9 }}\nnear_equal = [1e-3]\n\
-         [tolerance]\nrelative = [0.1, 0.01]\n[hard_cases]\nfile = \"hard.txt\"\n"
+         [tolerance]\nrelative = [0.1, 0.01]\n[hard_cases]\nfile = \"hard.txt\"\n\
+         [simulations]\n{axes}laws = [\"slip\", \"aging\"]\ntolerance = 1e-8\n\
+         [simulations.near_transition]\ninertial_parameter = 0.01\nstiffness_over_critical = [1.002]\n"
     );
     let scene = parse(&text).unwrap();
     assert_eq!(scene.map.unwrap().normal_stress_pa.points, 7);
@@ -44,7 +47,24 @@ fn every_section_is_read() {
     let ratios = [(1, 3), (1, 1), (7, 2)].map(Rational::from);
     assert_eq!(scene.frequency.unwrap().normal_stress_over_critical, ratios);
     assert_eq!(scene.hard_cases.unwrap().file, "hard.txt");
+    let simulations = scene.simulations.unwrap();
+    assert_eq!(simulations.laws, [EvolutionLaw::Slip, EvolutionLaw::Aging]);
+    assert_eq!(simulations.tolerance, Rational::from((1, 100_000_000)));
+    assert_eq!(simulations.near_transition.unwrap().stiffness_over_critical, [Rational::from((501, 500))]);
     assert!(scene.parameters.unwrap().point().is_some());
+}
+
+#[test]
+fn unknown_and_doubled_laws_and_a_tolerance_out_of_reach_are_all_named() {
+    let axes = "loading_velocity_m_per_s = { from = 1e-6, to = 1e-1, points = 5 }\n\
+        normal_stress_pa = { from = 1e2, to = 1e8, points = 7 }\n";
+    let faulty = "laws = [\"slip\", \"ageing\", \"slip\"]\ntolerance = 1e-16\n";
+    let faults = parse(&format!("{SLIDER}[simulations]\n{axes}{faulty}")).unwrap_err();
+    let said: Vec<String> = faults.iter().map(ToString::to_string).collect();
+    assert_eq!(said.len(), 3, "{said:?}");
+    assert!(said[0].contains("did you mean `aging`?"), "{said:?}");
+    assert!(said[1].contains("an earlier law `slip`"), "{said:?}");
+    assert!(said[2].contains("1e-15 to 1e-2"), "{said:?}");
 }
 
 #[test]

@@ -1,0 +1,190 @@
+//! Claims N on which slip mode a simulation ends in: transition, six modes, both laws, critical damping.
+
+use crate::claims::simulated::{Run, Runs, evidence, for_each_law, grids};
+use crate::claims::simulated_laws::n4;
+use crate::claims::simulated_trends::{n3, n5, n7, n8, n10};
+use crate::claims::{Check, Context, Evidence, Finding};
+use crate::number::format::round_digits;
+use crate::stability::SlipMode;
+use crate::study::{Need, Outcome};
+
+const NEEDS: &[Need] = &[Need::Simulations];
+
+pub(super) const CHECKS: &[Check] = &[
+    Check {
+        id: "N1",
+        criterion: "Every run of the grid with K < K_c ends on a limit cycle and every run with K > K_c decays.",
+        not_established: "What happens between the grid's points, nearer to K = K_c than the grid comes: see N4.",
+        needs: NEEDS,
+        rests_on: &["S1"],
+        decide: |context| n1(context).unwrap_or_else(|undecided| undecided),
+    },
+    Check {
+        id: "N2",
+        criterion: "The slip mode read off the trajectory alone is at every grid point that of the exact linear theory.",
+        not_established: "The six cases of fig 3b-g themselves, whose coordinates the text does not state; the word for a cycle depends on the threshold ω/ω_n = √½.",
+        needs: NEEDS,
+        rests_on: &["S1", "B1"],
+        decide: |context| n2(context).unwrap_or_else(|undecided| undecided),
+    },
+    Check {
+        id: "N3",
+        criterion: "The peak velocity of the limit cycles rises between all neighbours of the grid, along σ and along V_l.",
+        not_established: "Monotony between the grid's points.",
+        needs: NEEDS,
+        rests_on: &["N1"],
+        decide: |context| n3(context).unwrap_or_else(|undecided| undecided),
+    },
+    Check {
+        id: "N4",
+        criterion: "Both laws end in the same behaviour at every grid point, and in every run next to K = K_c.",
+        not_established: "Starts other than V_l/10 in steady state.",
+        needs: NEEDS,
+        rests_on: &["F2"],
+        decide: |context| n4(context).unwrap_or_else(|undecided| undecided),
+    },
+    Check {
+        id: "N5",
+        criterion: "Between stick-slip neighbours at one V_l, stress drop and period are both smaller at the lower σ.",
+        not_established: "Monotony between the grid's points.",
+        needs: NEEDS,
+        rests_on: &["N1"],
+        decide: |context| n5(context).unwrap_or_else(|undecided| undecided),
+    },
+    Check {
+        id: "N7",
+        criterion: "At every σ above σ_c the velocity that minimises the peak velocity is that of eq 18, to the error of the minimiser.",
+        not_established: "A minimum outside one decade around eq 18; normal stresses below σ_c, where eq 18 lies in the stable zone.",
+        needs: NEEDS,
+        rests_on: &["B4"],
+        decide: |context| n7(context).unwrap_or_else(|undecided| undecided),
+    },
+    Check {
+        id: "N8",
+        criterion: "Between neighbours at one σ the peak velocity falls in stick-slip and rises in harmonic vibration.",
+        not_established: "That another threshold between the two modes gives the same counts.",
+        needs: NEEDS,
+        rests_on: &["N1"],
+        decide: |context| n8(context).unwrap_or_else(|undecided| undecided),
+    },
+    Check {
+        id: "N9",
+        criterion: "For a > b every run decays, and small motion oscillates exactly where the discriminant is negative.",
+        not_established: "What a reader sees: an oscillation that dies within a fraction of its period exists but leaves no visible wave.",
+        needs: NEEDS,
+        rests_on: &["S5", "B1"],
+        decide: |context| n9(context).unwrap_or_else(|undecided| undecided),
+    },
+    Check {
+        id: "N10",
+        criterion: "The period of every harmonic vibration and of every inertial underdamped oscillation is 2π/√(K/M).",
+        not_established: "Periods between the grid's points.",
+        needs: NEEDS,
+        rests_on: &["Q1"],
+        decide: |context| n10(context).unwrap_or_else(|undecided| undecided),
+    },
+];
+
+fn n1(context: &Context) -> Result<Finding, Finding> {
+    let grids = grids(context, Outcome::potentially_unstable)?;
+    let all = || grids.iter().flat_map(|grid| &grid.runs);
+    let wrong: Vec<_> = all().filter(|run| run.periodic() != (run.theory.transition_sign < 0)).collect();
+    let ratios = || all().filter_map(|run| run.stiffness_over_critical);
+    let below = ratios().filter(|ratio| *ratio < 1.0).fold(0.0, f64::max);
+    let above = ratios().filter(|ratio| *ratio > 1.0).fold(f64::INFINITY, f64::min);
+    let value = for_each_law(&grids, |grid| {
+        let cycles = grid.runs.iter().filter(|run| run.periodic()).count();
+        format!("{cycles} limit cycles, {} decays", grid.runs.len() - cycles)
+    });
+    Ok(Finding::from_proofs([])
+        .with_evidence(evidence(&grids, "Late behaviour", value))
+        .require(wrong.is_empty(), || {
+            format!("{} runs contradict the sign of K − K_c: {}", wrong.len(), wrong[0].place())
+        })
+        .remark(format!(
+            "The grid comes as near to K = K_c as K/K_c = {} and {}.",
+            round_digits(below, 4),
+            round_digits(above, 4)
+        )))
+}
+
+fn n2(context: &Context) -> Result<Finding, Finding> {
+    let grids = grids(context, Outcome::potentially_unstable)?;
+    let all: Vec<_> = grids.iter().flat_map(|grid| &grid.runs).collect();
+    let differing: Vec<_> = all.iter().filter(|run| !run.is(run.theory.slip_mode)).collect();
+    let slowed = differing
+        .iter()
+        .filter(|run| run.theory.slip_mode == SlipMode::HarmonicVibration && run.is(SlipMode::StickSlip))
+        .count();
+    let counts = |run_mode: bool| {
+        let named = |mode: &SlipMode| {
+            let count = all
+                .iter()
+                .filter(|run| if run_mode { run.is(*mode) } else { run.theory.slip_mode == *mode })
+                .count();
+            (count > 0).then(|| format!("{} {count}", mode.as_str()))
+        };
+        SlipMode::ALL.iter().filter_map(named).collect::<Vec<_>>().join(", ")
+    };
+    let finding = Finding::from_proofs([])
+        .with_evidence(evidence(&grids, "Slip modes by simulation", counts(true)))
+        .with_supporting(Evidence::Sample {
+            quantity: "Slip modes by the exact linear theory".into(),
+            value: counts(false),
+            points: all.len(),
+        })
+        .require(slowed == differing.len(), || {
+            format!("{} modes differ otherwise than in the period of a cycle", differing.len() - slowed)
+        });
+    let Some(first) = differing.first() else { return Ok(finding) };
+    Ok(finding
+        .within(format!(
+            "{} of {} runs; the other {} are unstable with a complex pair above the threshold, but their limit cycle is slower than their small oscillation and falls below it",
+            all.len() - differing.len(),
+            all.len(),
+            differing.len()
+        ))
+        .outside(format!("{}: theory harmonic vibration, simulation stick-slip", first.place()))
+        .remark("Stick-slip answers two of the six conditions, so that there are five words for six conditions; no simulation tells those two apart."))
+}
+
+/// Relative deviation of a decay's period from that of the exact pair; 0 without oscillation.
+fn period_deviation(run: &Run) -> f64 {
+    let exact = run.theory.max_imaginary_per_s.to_f64().unwrap_or(0.0);
+    run.simulation.period_s.map_or(0.0, |period| (period * exact / std::f64::consts::TAU - 1.0).abs())
+}
+
+fn n9(context: &Context) -> Result<Finding, Finding> {
+    let grids = grids(context, Outcome::intrinsically_stable)?;
+    let all: Vec<_> = grids.iter().flat_map(|grid| &grid.runs).collect();
+    let ends_in = |mode| all.iter().filter(|run| run.is(mode)).count();
+    let deviation = all.iter().map(|run| period_deviation(run)).fold(0.0, f64::max);
+    let oscillating = |grid: &Runs| grid.runs.iter().filter(|run| run.simulation.period_s.is_some()).count();
+    let wrong = all.iter().find(|run| run.simulation.period_s.is_some() != (run.theory.boundary_sign < 0));
+    Ok(Finding::from_proofs([])
+        .with_evidence(evidence(
+            &grids,
+            "Runs that oscillate late",
+            for_each_law(&grids, |grid| format!("{} of {}", oscillating(grid), grid.runs.len())),
+        ))
+        .require(!all.iter().any(|run| run.periodic()), || "a run ends on a limit cycle".into())
+        .require(wrong.is_none(), || {
+            wrong.map_or_else(String::new, |run| {
+                format!("{}: oscillation and discriminant disagree", run.place())
+            })
+        })
+        .with_evidence(evidence(
+            &grids,
+            "Runs without oscillation: in the upper area, in the lower area",
+            format!(
+                "{}, {}",
+                ends_in(SlipMode::OverdampedOscillation),
+                ends_in(SlipMode::OverdampedStableSliding)
+            ),
+        ))
+        .with_evidence(evidence(
+            &grids,
+            "Largest relative deviation of a period from 2π/max Im(s)",
+            round_digits(deviation, 2),
+        )))
+}

@@ -1,0 +1,122 @@
+//! The simulations as the N claims read them: complete grids, neighbours on them, and error estimates.
+
+use crate::claims::{Context, Evidence, Finding};
+use crate::dynamics::{Behaviour, Simulation};
+use crate::friction::EvolutionLaw;
+use crate::number::format::round_digits;
+use crate::stability::{Classification, SlipMode};
+use crate::study::{Outcome, SceneOutcome, SimulationsOutcome};
+
+/// One simulated point.
+pub(super) struct Run<'c> {
+    pub(super) velocity_m_per_s: f64,
+    pub(super) normal_stress_pa: f64,
+    pub(super) simulation: &'c Simulation,
+    pub(super) theory: &'c Classification,
+    pub(super) stiffness_over_critical: Option<f64>,
+}
+
+/// The complete grid of one law, row by row of constant normal stress.
+pub(super) struct Runs<'c> {
+    pub(super) law: EvolutionLaw,
+    pub(super) runs: Vec<Run<'c>>,
+    columns: usize,
+}
+
+/// The scene whose simulations a claim is about.
+pub(super) type Pick = fn(&Outcome) -> Option<&SceneOutcome>;
+
+/// The simulations of a scene.
+pub(super) fn outcome<'c>(context: &'c Context, pick: Pick) -> Result<&'c SimulationsOutcome, Finding> {
+    pick(context.outcome)
+        .and_then(|scene| scene.simulations.as_ref())
+        .ok_or_else(|| Finding::not_checked("The report has no simulations of the slider in question."))
+}
+
+/// The grids of a scene, if every run has a result: a claim on every simulation cannot be decided with holes.
+pub(super) fn grids<'c>(context: &'c Context, pick: Pick) -> Result<Vec<Runs<'c>>, Finding> {
+    outcome(context, pick)?
+        .grids
+        .iter()
+        .map(|(law, grid)| {
+            let run = |(velocity_m_per_s, normal_stress_pa, point): (
+                f64,
+                f64,
+                &'c crate::study::SimulatedPoint,
+            )| {
+                match &point.simulation {
+                    Ok(simulation) => Ok(Run {
+                        velocity_m_per_s,
+                        normal_stress_pa,
+                        simulation,
+                        theory: &point.theory,
+                        stiffness_over_critical: point.stiffness_over_critical,
+                    }),
+                    Err(failure) => Err(Finding::not_checked(format!(
+                        "A run with the {} law has no result: {failure}",
+                        law.as_str()
+                    ))),
+                }
+            };
+            let runs = grid.points().map(run).collect::<Result<Vec<_>, _>>()?;
+            Ok(Runs { law: *law, runs, columns: grid.loading_velocity_m_per_s.len() })
+        })
+        .collect()
+}
+
+impl Run<'_> {
+    pub(super) fn periodic(&self) -> bool {
+        self.simulation.behaviour == Behaviour::Periodic
+    }
+
+    pub(super) fn is(&self, mode: SlipMode) -> bool {
+        self.simulation.slip_mode == mode
+    }
+
+    /// Where the run lies, for people.
+    pub(super) fn place(&self) -> String {
+        format!(
+            "σ = {} Pa, V_l = {} m/s",
+            round_digits(self.normal_stress_pa, 4),
+            round_digits(self.velocity_m_per_s, 4)
+        )
+    }
+}
+
+impl<'c> Runs<'c> {
+    /// Neighbouring limit cycles at the same normal stress, the slower loading first.
+    pub(super) fn along_velocity(&self) -> impl Iterator<Item = (&Run<'c>, &Run<'c>)> {
+        self.runs.chunks(self.columns).flat_map(|row| row.windows(2)).filter_map(both_periodic)
+    }
+
+    /// Neighbouring limit cycles at the same loading velocity, the lower normal stress first.
+    pub(super) fn along_stress(&self) -> impl Iterator<Item = (&Run<'c>, &Run<'c>)> {
+        let above = self.runs.iter().skip(self.columns);
+        self.runs.iter().zip(above).filter(|(lower, upper)| lower.periodic() && upper.periodic())
+    }
+}
+
+fn both_periodic<'r, 'c>(pair: &'r [Run<'c>]) -> Option<(&'r Run<'c>, &'r Run<'c>)> {
+    let [first, second] = pair else { return None };
+    (first.periodic() && second.periodic()).then_some((first, second))
+}
+
+/// Evidence from all runs of the grids, with their largest error estimate.
+pub(super) fn evidence(grids: &[Runs], quantity: &str, value: String) -> Evidence {
+    let errors = grids.iter().flat_map(|grid| &grid.runs).map(|run| {
+        run.simulation.peak_relative_error.max(run.simulation.period_relative_error.unwrap_or(0.0))
+    });
+    Evidence::Simulation {
+        quantity: quantity.into(),
+        value,
+        error: format!("{} of peak velocity or period", round_digits(errors.fold(0.0, f64::max), 2)),
+        runs: grids.iter().map(|grid| grid.runs.len()).sum(),
+    }
+}
+
+/// `slip: x; aging: y`.
+pub(super) fn for_each_law<'c>(grids: &[Runs<'c>], value: impl Fn(&Runs<'c>) -> String) -> String {
+    let each: Vec<String> =
+        grids.iter().map(|grid| format!("{}: {}", grid.law.as_str(), value(grid))).collect();
+    each.join("; ")
+}

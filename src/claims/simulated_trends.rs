@@ -1,0 +1,199 @@
+//! Claims N on peak velocity, stress drop and period across the grid.
+
+use crate::claims::simulated::{Run, Runs, evidence, for_each_law, grids, outcome};
+use crate::claims::{Context, Evidence, Finding};
+use crate::number::format::round_digits;
+use crate::stability::SlipMode;
+use crate::study::{LeastPeak, MINIMISER_ERROR_DEX, Outcome};
+
+fn rises((first, second): &(&Run, &Run)) -> bool {
+    second.simulation.peak_velocity_m_per_s > first.simulation.peak_velocity_m_per_s
+}
+
+/// How many of the pairs pass, and of how many.
+fn share<'r, 'c: 'r>(
+    pairs: impl Iterator<Item = (&'r Run<'c>, &'r Run<'c>)>,
+    passes: impl Fn(&(&Run, &Run)) -> bool,
+) -> (usize, usize) {
+    pairs.fold((0, 0), |(passed, all), pair| (passed + usize::from(passes(&pair)), all + 1))
+}
+
+fn of((passed, all): (usize, usize)) -> String {
+    format!("{passed} of {all}")
+}
+
+fn total(grids: &[Runs], count: impl Fn(&Runs) -> (usize, usize)) -> (usize, usize) {
+    grids.iter().map(count).fold((0, 0), |sum, (passed, all)| (sum.0 + passed, sum.1 + all))
+}
+
+fn peaks(pair: (&Run, &Run)) -> String {
+    format!(
+        "from {} to V_l = {} m/s the peak velocity goes from {} to {} m/s",
+        pair.0.place(),
+        round_digits(pair.1.velocity_m_per_s, 4),
+        round_digits(pair.0.simulation.peak_velocity_m_per_s, 4),
+        round_digits(pair.1.simulation.peak_velocity_m_per_s, 4)
+    )
+}
+
+pub(super) fn n3(context: &Context) -> Result<Finding, Finding> {
+    let grids = grids(context, Outcome::potentially_unstable)?;
+    let with_stress = total(&grids, |grid| share(grid.along_stress(), rises));
+    let with_velocity = |grid: &Runs| share(grid.along_velocity(), rises);
+    let all_velocity = total(&grids, with_velocity);
+    let falling = grids.iter().flat_map(Runs::along_velocity).find(|pair| !rises(pair));
+    let finding = Finding::from_proofs([])
+        .with_evidence(evidence(
+            &grids,
+            "Neighbours at one V_l whose peak velocity rises with σ",
+            of(with_stress),
+        ))
+        .with_evidence(evidence(
+            &grids,
+            "Neighbours at one σ whose peak velocity rises with V_l",
+            for_each_law(&grids, |grid| of(with_velocity(grid))),
+        ))
+        .require(with_stress.0 == with_stress.1, || {
+            format!("along σ only {} neighbours rise", of(with_stress))
+        });
+    let Some(pair) = falling else { return Ok(finding) };
+    Ok(finding
+        .within(format!(
+            "growth with σ, at every V_l, so that the peak is least next to K = K_c; with V_l it grows between {} neighbours only",
+            of(all_velocity)
+        ))
+        .outside(peaks(pair))
+        .remark("Claim N8, from the same section, says of stick-slip the opposite of the half that fails here."))
+}
+
+pub(super) fn n5(context: &Context) -> Result<Finding, Finding> {
+    let grids = grids(context, Outcome::potentially_unstable)?;
+    let both = |(lower, upper): &(&Run, &Run)| lower.is(SlipMode::StickSlip) && upper.is(SlipMode::StickSlip);
+    let larger_and_rarer = |(lower, upper): &(&Run, &Run)| {
+        upper.simulation.stress_drop_pa > lower.simulation.stress_drop_pa
+            && upper.simulation.period_s > lower.simulation.period_s
+    };
+    let count = |grid: &Runs| share(grid.along_stress().filter(both), larger_and_rarer);
+    let (passed, all) = total(&grids, count);
+    Ok(Finding::from_proofs([])
+        .with_evidence(evidence(
+            &grids,
+            "Stick-slip neighbours at one V_l with the smaller stress drop and the shorter period at the lower σ",
+            for_each_law(&grids, |grid| of(count(grid))),
+        ))
+        .require(all > 0 && passed == all, || format!("only {passed} of {all} neighbours")))
+}
+
+pub(super) fn n8(context: &Context) -> Result<Finding, Finding> {
+    let grids = grids(context, Outcome::potentially_unstable)?;
+    let both_are = |mode| move |(first, second): &(&Run, &Run)| first.is(mode) && second.is(mode);
+    let stick_slip =
+        |grid: &Runs| share(grid.along_velocity().filter(both_are(SlipMode::StickSlip)), |pair| !rises(pair));
+    let vibration =
+        |grid: &Runs| share(grid.along_velocity().filter(both_are(SlipMode::HarmonicVibration)), rises);
+    let falls = total(&grids, stick_slip);
+    let grows = total(&grids, vibration);
+    let stray = grids
+        .iter()
+        .flat_map(Runs::along_velocity)
+        .find(|pair| both_are(SlipMode::StickSlip)(pair) && rises(pair));
+    let finding = Finding::from_proofs([])
+        .with_evidence(evidence(
+            &grids,
+            "Stick-slip neighbours at one σ whose peak velocity falls with V_l",
+            for_each_law(&grids, |grid| of(stick_slip(grid))),
+        ))
+        .with_evidence(evidence(
+            &grids,
+            "Harmonic neighbours at one σ whose peak velocity rises with V_l",
+            for_each_law(&grids, |grid| of(vibration(grid))),
+        ))
+        .require(grows.0 == grows.1, || format!("in vibration only {} neighbours rise", of(grows)));
+    let Some(pair) = stray else { return Ok(finding) };
+    Ok(finding
+        .within(format!(
+            "{} stick-slip neighbours, and all {} harmonic ones: the peak turns before the cycle's frequency passes the threshold",
+            of(falls),
+            grows.1
+        ))
+        .outside(peaks(pair)))
+}
+
+pub(super) fn n10(context: &Context) -> Result<Finding, Finding> {
+    let grids = grids(context, Outcome::potentially_unstable)?;
+    let natural_s = context
+        .outcome
+        .potentially_unstable()
+        .and_then(|scene| scene.parameters())
+        .map(|p| (p.mass_per_area_kg_per_m2.clone() / &p.stiffness_pa_per_m).to_f64().sqrt())
+        .map(|unit| std::f64::consts::TAU * unit)
+        .ok_or_else(|| Finding::not_checked("The scene has no parameters."))?;
+    let modes = [SlipMode::HarmonicVibration, SlipMode::InertialUnderdampedOscillation];
+    let mut ratios: Vec<f64> = grids
+        .iter()
+        .flat_map(|grid| &grid.runs)
+        .filter(|run| modes.contains(&run.simulation.slip_mode))
+        .filter_map(|run| run.simulation.period_s.map(|period| period / natural_s))
+        .collect();
+    ratios.sort_by(f64::total_cmp);
+    let (Some(shortest), Some(longest)) = (ratios.first(), ratios.last()) else {
+        return Err(Finding::not_checked("No run vibrates near the natural frequency."));
+    };
+    let within = |percent: f64| ratios.iter().filter(|ratio| **ratio <= 1.0 + percent / 100.0).count();
+    let excess = |ratio: f64| format!("{} %", round_digits(100.0 * (ratio - 1.0), 3));
+    Ok(Finding::from_proofs([])
+        .with_evidence(evidence(
+            &grids,
+            "Excess of the period over 2π/√(K/M): least, greatest",
+            format!("{}, {}", excess(*shortest), excess(*longest)),
+        ))
+        .with_supporting(Evidence::Sample {
+            quantity: "Vibrations within 0.1 %, 1 % and 10 % of the natural period".into(),
+            value: format!("{}, {}, {}", within(0.1), within(1.0), within(10.0)),
+            points: ratios.len(),
+        })
+        .require(*shortest > 1.0, || format!("a period is {} of the natural one", round_digits(*shortest, 8)))
+        .within(format!(
+            "1 % in {} of {} vibrations and 10 % in {}; every period is longer than the natural one, by up to {}",
+            within(1.0),
+            ratios.len(),
+            within(10.0),
+            excess(*longest)
+        ))
+        .remark("The longest periods belong to the threshold ω/ω_n = √½ that ends the two modes, where the period is √2 times the natural one."))
+}
+
+pub(super) fn n7(context: &Context) -> Result<Finding, Finding> {
+    let least = &outcome(context, Outcome::potentially_unstable)?.least_peaks;
+    let offsets = || least.iter().map(|least| least.offset_dex);
+    let (low, high) = (offsets().fold(f64::INFINITY, f64::min), offsets().fold(f64::NEG_INFINITY, f64::max));
+    if least.is_empty() {
+        return Err(Finding::not_checked("No peak velocity was minimised."));
+    }
+    let excess = least.iter().map(|least| least.peak_at_eq18_over_least).fold(1.0, f64::max);
+    let range = format!("{} to {}", round_digits(low, 3), round_digits(high, 3));
+    let each = |least: &LeastPeak| {
+        format!(
+            "{} {} Pa {}",
+            least.law.as_str(),
+            round_digits(least.normal_stress_pa, 4),
+            round_digits(least.offset_dex, 3)
+        )
+    };
+    let finding = Finding::from_proofs([]).with_evidence(Evidence::Simulation {
+        quantity: "log10 of the minimising velocity over that of eq 18: law, σ, offset".into(),
+        value: least.iter().map(each).collect::<Vec<_>>().join("; "),
+        error: format!("{MINIMISER_ERROR_DEX} dex"),
+        runs: least.len(),
+    });
+    if low.abs().max(high.abs()) <= MINIMISER_ERROR_DEX {
+        return Ok(finding);
+    }
+    Ok(finding
+        .within(format!(
+            "offsets of {range} dex from eq 18; the peak there is at most {} % above the least one",
+            round_digits(100.0 * (excess - 1.0), 3)
+        ))
+        .outside(format!("the minimum lies {range} dex from eq 18, not on it"))
+        .remark("Dividing by the peak at one velocity, as fig 5 does, changes no minimum."))
+}

@@ -1,0 +1,82 @@
+//! The map of simulated peak velocities with the theory's lines over it (fig 3a).
+
+use crate::exhibit::axes::axes;
+use crate::exhibit::maps::theory_lines;
+use crate::exhibit::{Figure, FigureMaker};
+use crate::friction::EvolutionLaw;
+use crate::plot::{Caption, ColourScale, HeatMap, Line, LineRole};
+use crate::study::{LeastPeak, Need, SceneOutcome, SimulatedPoint, SimulationsOutcome};
+
+pub(super) const FIGURES: &[FigureMaker] = &[FigureMaker {
+    id: "fig-3a",
+    needs: &[Need::Simulations, Need::Boundary],
+    data: &["simulations", "least-peaks"],
+    make: |outcome| peak_map(outcome.potentially_unstable()?),
+}];
+
+const TITLE: &str = "Peak velocity of the simulated limit cycles, slip law, a < b";
+const DESCRIPTION: &str = "Map over loading velocity and normal stress. Simulations that end in steady sliding fill the lower left and are uncoloured, up to the line of the transition. Beyond it the peak velocity grows with normal stress; from left to right it falls to a minimum near equation 18 and rises after it.";
+const CAPTION: &str = "Peak velocity of the limit cycle, simulated on a grid of quarter decades with the slip law (compare fig 3a of the paper). Points that end in steady sliding are uncoloured. The exact boundary, its asymptotes and the transition of the linear theory lie over it; the dotted line joins the least peak velocities at given normal stress (compare fig 5). The edge of the colour lies half-way between grid points.";
+
+fn peak_map(scene: &SceneOutcome) -> Option<Figure> {
+    let outcome = scene.simulations.as_ref()?;
+    let (_, grid) = outcome.grids.iter().find(|(law, _)| *law == LAW)?;
+    let (x, y) = axes(grid)?;
+    let values: Vec<f64> = grid.values.iter().map(peak_velocity).collect();
+    let positive = || values.iter().copied().filter(|value| *value > 0.0);
+    let lowest = positive().fold(f64::INFINITY, f64::min);
+    let highest = positive().fold(0.0, f64::max);
+    let mut lines = theory_lines(scene, scene.boundary.as_ref()?, &x, &y);
+    lines.push(least_peak_line(outcome));
+    let map = HeatMap {
+        caption: Caption::new("fig-3a", TITLE, DESCRIPTION),
+        columns: grid.loading_velocity_m_per_s.len(),
+        colours: ColourScale {
+            title: "Peak velocity".into(),
+            unit: "m/s".into(),
+            min: libm::exp10(libm::log10(lowest).floor()),
+            max: libm::exp10(libm::log10(highest).ceil()),
+            steps: STEPS,
+        },
+        values,
+        zero_areas: Vec::new(),
+        zero_label: "ends in steady sliding".into(),
+        lines,
+        marks: Vec::new(),
+        labels: Vec::new(),
+        x,
+        y,
+    };
+    highest.is_normal().then(|| Figure {
+        id: "fig-3a".into(),
+        label: "Figure 3a".into(),
+        caption_markdown: CAPTION.into(),
+        description: DESCRIPTION.into(),
+        svg: map.svg(),
+    })
+}
+
+/// The law of the paper's figure.
+const LAW: EvolutionLaw = EvolutionLaw::Slip;
+
+/// Colour steps of the map.
+const STEPS: usize = 30;
+
+fn least_peak_line(outcome: &SimulationsOutcome) -> Line {
+    let place = |least: &LeastPeak| {
+        (least.eq18_velocity_m_per_s * libm::exp10(least.offset_dex), least.normal_stress_pa)
+    };
+    Line {
+        label: "least peak velocity at given *σ*".into(),
+        role: LineRole::Guide,
+        points: outcome.least_peaks.iter().filter(|least| least.law == LAW).map(place).collect(),
+    }
+}
+
+/// The peak velocity of a limit cycle, m/s; 0, which a map leaves uncoloured, for a decay or a run without a result.
+fn peak_velocity(point: &SimulatedPoint) -> f64 {
+    match (&point.simulation, point.periodic()) {
+        (Ok(simulation), Some(true)) => simulation.peak_velocity_m_per_s,
+        _ => 0.0,
+    }
+}
