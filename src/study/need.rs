@@ -25,7 +25,7 @@ pub enum Need {
 
 impl Need {
     /// Every need.
-    pub const ALL: [Self; 8] = [
+    pub const ALL: &'static [Self] = &[
         Self::Map,
         Self::Boundary,
         Self::Frequency,

@@ -34,7 +34,7 @@ pub fn plan<'s>(scenes: &'s [Scene], needs: &Needs) -> Vec<Item<'s>> {
 /// Everything a scene states: what `slipmode run` computes.
 #[must_use]
 pub fn all_needs() -> Needs {
-    Need::ALL.into_iter().collect()
+    Need::ALL.iter().copied().collect()
 }
 
 fn states(scene: &Scene, need: Need) -> bool {
