@@ -1,6 +1,8 @@
 //! Which figures there are, and what each needs.
 
-use crate::exhibit::{deviation, frequency, maps, simulation_map};
+use crate::exhibit::{
+    deviation, frequency, maps, overshoot_map, phase_portraits, simulation_map, trajectory_figures,
+};
 use crate::study::{Need, Outcome};
 
 /// A figure that is ready to be placed.
@@ -33,5 +35,15 @@ pub struct FigureMaker {
 
 /// All figures.
 pub fn figure_makers() -> impl Iterator<Item = &'static FigureMaker> {
-    [maps::FIGURES, frequency::FIGURES, deviation::FIGURES, simulation_map::FIGURES].into_iter().flatten()
+    [
+        maps::FIGURES,
+        frequency::FIGURES,
+        deviation::FIGURES,
+        simulation_map::FIGURES,
+        overshoot_map::FIGURES,
+        trajectory_figures::FIGURES,
+        phase_portraits::FIGURES,
+    ]
+    .into_iter()
+    .flatten()
 }

@@ -11,10 +11,15 @@ mod frequency;
 mod maps;
 mod mode_tables;
 mod numeric_tables;
+mod overshoot_map;
+mod phase_portraits;
 mod simulation_map;
 mod simulation_tables;
 mod tables;
 mod theory_tables;
+mod trajectory_curves;
+mod trajectory_figures;
+mod trajectory_tables;
 
 pub use boundary_tables::{boundary_columns, boundary_row, vanishes};
 pub use figures::{Figure, FigureMaker, figure_makers};

@@ -2,9 +2,10 @@
 
 use crate::exhibit::axes::axes;
 use crate::exhibit::maps::theory_lines;
+use crate::exhibit::trajectory_curves::point_marks;
 use crate::exhibit::{Figure, FigureMaker};
 use crate::friction::EvolutionLaw;
-use crate::plot::{Caption, ColourScale, HeatMap, Line, LineRole};
+use crate::plot::{Caption, ColourScale, HeatMap, Line, LineRole, Side};
 use crate::study::{LeastPeak, Need, SceneOutcome, SimulatedPoint, SimulationsOutcome};
 
 pub(super) const FIGURES: &[FigureMaker] = &[FigureMaker {
@@ -42,7 +43,7 @@ fn peak_map(scene: &SceneOutcome) -> Option<Figure> {
         zero_areas: Vec::new(),
         zero_label: "ends in steady sliding".into(),
         lines,
-        marks: Vec::new(),
+        marks: point_marks(scene, "3", |id| format!("**{}**", id.trim_start_matches('3')), Side::Right),
         labels: Vec::new(),
         x,
         y,

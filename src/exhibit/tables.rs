@@ -3,6 +3,7 @@
 use crate::claims::Context;
 use crate::exhibit::{
     boundary_tables, deviation_tables, mode_tables, numeric_tables, simulation_tables, theory_tables,
+    trajectory_tables,
 };
 use crate::study::Need;
 use crate::table::Table;
@@ -27,6 +28,7 @@ pub fn table_makers() -> impl Iterator<Item = &'static TableMaker> {
         mode_tables::TABLES,
         numeric_tables::TABLES,
         simulation_tables::TABLES,
+        trajectory_tables::TABLES,
     ]
     .into_iter()
     .flatten()

@@ -143,8 +143,14 @@ impl<'a> Frame<'a> {
 
     fn label_x(&self, svg: &mut Svg) {
         svg.open("g", &label_attributes("middle"));
+        let mut free_from = f64::NEG_INFINITY;
         for (u, tick) in self.places(self.x).filter(|(_, tick)| tick.is_major()) {
             let (x, y) = self.place_unit((u, 0.0));
+            let half = rich_text::width(&tick.label, SMALL) / 2.0;
+            if x - half < free_from {
+                continue;
+            }
+            free_from = x + half + LABEL_GAP;
             let at = [number(x), number(y + 21.0)];
             svg.text(&[("x", &at[0]), ("y", &at[1])], &rich_text::to_svg(&tick.label, SMALL));
         }
@@ -153,8 +159,13 @@ impl<'a> Frame<'a> {
 
     fn label_y(&self, svg: &mut Svg) {
         svg.open("g", &label_attributes("end"));
+        let mut free_below = f64::INFINITY;
         for (v, tick) in self.places(self.y).filter(|(_, tick)| tick.is_major()) {
             let (x, y) = self.place_unit((0.0, v));
+            if y > free_below {
+                continue;
+            }
+            free_below = y - LABEL_ROW;
             let at = [number(x - 10.0), number(y + 4.5)];
             svg.text(&[("x", &at[0]), ("y", &at[1])], &rich_text::to_svg(&tick.label, SMALL));
         }
@@ -176,6 +187,12 @@ impl<'a> Frame<'a> {
         svg.text(&attributes, &rich_text::to_svg(&self.y.heading(), NORMAL));
     }
 }
+
+/// Least space between two tick labels side by side; a label without room is left out.
+const LABEL_GAP: f64 = 6.0;
+
+/// Least distance between two tick labels above each other.
+const LABEL_ROW: f64 = 18.0;
 
 /// Attributes of axis titles.
 const TITLE: [(&str, &str); 3] = [("class", "ink"), ("fill", palette::INK), ("text-anchor", "middle")];

@@ -18,6 +18,7 @@ mod schema;
 mod section;
 mod sections;
 mod simulations;
+mod trajectories;
 
 pub use axis::{Limits, LogAxis};
 pub use claim_list::{ClaimEntry, ExpectedVerdict, read_claims};
@@ -33,3 +34,4 @@ pub use sections::{
     BoundarySection, EffectRatioSweep, FrequencySection, HardCases, Rectangle, ToleranceSection,
 };
 pub use simulations::{NearTransition, SimulationsSection};
+pub use trajectories::{TrajectoriesSection, TrajectoryPoint};

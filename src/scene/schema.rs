@@ -6,7 +6,7 @@ use crate::scene::section::Section;
 use crate::scene::sections::{NAME_RULE, safe_name};
 use crate::scene::{
     AllowedRange, BoundarySection, EffectRatioSweep, Faults, FrequencySection, HardCases, Limits, Problem,
-    Quantity, Rectangle, SceneParameters, SimulationsSection, ToleranceSection,
+    Quantity, Rectangle, SceneParameters, SimulationsSection, ToleranceSection, TrajectoriesSection,
 };
 
 /// What a user asks for: valid, exact, and nothing that was not asked.
@@ -36,6 +36,8 @@ pub struct Scene {
     pub hard_cases: Option<HardCases>,
     /// `[simulations]`: the nonlinear slider on a (V, σ) grid.
     pub simulations: Option<SimulationsSection>,
+    /// `[trajectories]`: the nonlinear slider's course at named points.
+    pub trajectories: Option<TrajectoriesSection>,
 }
 
 impl Scene {
@@ -76,6 +78,8 @@ fn read_scene(top: &mut Section<'_>, limits: &Limits, faults: &mut Faults) -> Op
     let hard_cases = top.optional("hard_cases").map(|entry| HardCases::read(&entry, faults));
     let simulations =
         top.optional("simulations").map(|entry| SimulationsSection::read(&entry, limits, faults));
+    let trajectories =
+        top.optional("trajectories").map(|entry| TrajectoriesSection::read(&entry, limits, faults));
     check_needs(top, parameters.as_ref(), frequency.is_some(), faults);
     Some(Scene {
         name: name?,
@@ -90,6 +94,7 @@ fn read_scene(top: &mut Section<'_>, limits: &Limits, faults: &mut Faults) -> Op
         zones: given(zones)?,
         hard_cases: given(hard_cases)?,
         simulations: given(simulations)?,
+        trajectories: given(trajectories)?,
     })
 }
 
@@ -102,7 +107,8 @@ fn given<T>(section: Option<Option<T>>) -> Option<Option<T>> {
 }
 
 /// The sections that only mean something for a slider, and [`Scene::frequency`] for one with a critical normal stress.
-const NEED_PARAMETERS: [&str; 6] = ["map", "boundary", "frequency", "tolerance", "zones", "simulations"];
+const NEED_PARAMETERS: &[&str] =
+    &["map", "boundary", "frequency", "tolerance", "zones", "simulations", "trajectories"];
 
 fn check_needs(
     top: &mut Section<'_>,

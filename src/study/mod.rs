@@ -13,7 +13,9 @@ mod plan;
 mod run;
 mod simulations;
 mod sweep;
+mod thinning;
 mod tolerance;
+mod trajectories;
 mod zones;
 
 pub use boundary::{BoundaryOutcome, END_ERROR, boundary_outcome};
@@ -30,4 +32,5 @@ pub use run::{Progress, inertial_threshold, run};
 pub use simulations::{SimulatedPoint, SimulationsOutcome, simulations};
 pub use sweep::{SweepOutcome, SweepRow, sweep_effect_ratio};
 pub use tolerance::{ToleranceOutcome, ToleranceRow, tolerance_limits};
+pub use trajectories::{Course, Moment, TrajectoryRun, trajectories};
 pub use zones::{ThresholdShare, ZonesOutcome, compare_zones};

@@ -6,7 +6,7 @@ use crate::number::Rational;
 use crate::scene::{Scene, SceneParameters};
 use crate::study::{
     BoundaryOutcome, FamilyOutcome, FrequencyOutcome, Grid, HardCase, MapPoint, SimulationsOutcome,
-    SweepOutcome, ToleranceOutcome, ZonesOutcome,
+    SweepOutcome, ToleranceOutcome, TrajectoryRun, ZonesOutcome,
 };
 
 /// Everything computed for one scene; what nobody needed is absent.
@@ -30,6 +30,8 @@ pub struct SceneOutcome {
     pub hard_cases: Option<Vec<FamilyOutcome>>,
     /// Its simulations.
     pub simulations: Option<SimulationsOutcome>,
+    /// Its trajectories, point by point and law by law.
+    pub trajectories: Option<Vec<TrajectoryRun>>,
 }
 
 impl SceneOutcome {
@@ -46,6 +48,7 @@ impl SceneOutcome {
             zones: None,
             hard_cases: None,
             simulations: None,
+            trajectories: None,
         }
     }
 

@@ -5,7 +5,7 @@ use crate::stability::InertialThreshold;
 use crate::study::{
     Item, Need, Needs, Outcome, References, SceneOutcome, boundary_outcome, classify_rectangle,
     compare_hard_cases, compare_zones, frequency_lines, plan, simulations, sweep_effect_ratio,
-    tolerance_limits,
+    tolerance_limits, trajectories,
 };
 
 /// Hears of each item that is about to be computed: its id, its number and how many there are.
@@ -76,6 +76,11 @@ fn compute(item: &Item, outcome: &mut SceneOutcome, references: &References) {
             outcome.simulations = parameters
                 .zip(scene.simulations.as_ref())
                 .map(|(parameters, section)| simulations(parameters, section, &threshold));
+        }
+        Need::Trajectories => {
+            outcome.trajectories = parameters
+                .zip(scene.trajectories.as_ref())
+                .map(|(parameters, section)| trajectories(parameters, section, &threshold));
         }
     }
 }
