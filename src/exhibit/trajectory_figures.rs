@@ -4,7 +4,7 @@ use crate::exhibit::trajectory_curves::{
     extent, linear_axis, mode_words, power_markup, runs_of, series, stress_unit, velocity_ratio,
 };
 use crate::exhibit::{Figure, FigureMaker};
-use crate::friction::EvolutionLaw;
+use crate::friction::{EvolutionLaw, SlipMode};
 use crate::plot::{Axis, Caption, Panel, Panels, Reference};
 use crate::study::{Moment, Need, SceneOutcome, TrajectoryRun};
 
@@ -72,7 +72,7 @@ pub(super) fn place_words(run: &TrajectoryRun) -> String {
 }
 
 const APPROACH_DESCRIPTION: &str = "Three panels of velocity over loading velocity against time, four loading velocities in each. In panel b, at high normal stress, the slower two rise to the loading velocity without passing it and the faster two vibrate about it. In panel c the slow two show one rise and one trough, the fast two vibrate. In panel d, at low normal stress, the slowest passes the loading velocity once and returns without a trough below it, the faster ones vibrate.";
-const APPROACH_CAPTION: &str = "Velocity over loading velocity after a start at a tenth of it, for a > b and the slip law (compare figs 6b to 6d of the paper): across the upper boundary (b), from non-inertial to inertial oscillation (c) and across the lower boundary (d). The legend names the exact class of each point; the points, which the paper's text does not state, are marked in figure 6a as simulated. Curves are converged, drawn to half a pixel.";
+const APPROACH_CAPTION: &str = "Velocity over loading velocity after a start at a tenth of it, for a > b and the slip law (compare figs 6b to 6d of the paper): across the upper boundary (b), from non-inertial to inertial oscillation (c) and across the lower boundary (d). The legend says of each point whether its exact class is overdamped or an underdamped oscillation, non-inertial or inertial; the points, which the paper's text does not state, are marked in figure 6a as simulated. Curves are converged, drawn to half a pixel.";
 
 /// Height of a panel of the three.
 const APPROACH_HEIGHT: f64 = 170.0;
@@ -111,7 +111,7 @@ fn approach_panel(runs: &[&TrajectoryRun], words: &str) -> Option<Panel> {
     let stress = power_markup(runs.first()?.point.normal_stress_pa.to_f64());
     let lines = runs.iter().map(|run| {
         let velocity = power_markup(run.point.loading_velocity_m_per_s.to_f64());
-        let label = format!("{velocity} m/s, {}", mode_words(run)[0]);
+        let label = format!("{velocity} m/s, {}", damping_words(run));
         series(label, run, |moment| (moment.time_s, velocity_ratio(moment)))
     });
     Some(Panel {
@@ -121,4 +121,14 @@ fn approach_panel(runs: &[&TrajectoryRun], words: &str) -> Option<Panel> {
         series: lines.collect(),
         references: vec![Reference::Horizontal { at: 1.0, label: String::new() }],
     })
+}
+
+/// What the theory's slip mode says of the damping, in a word that fits a legend.
+fn damping_words(run: &TrajectoryRun) -> &'static str {
+    match run.theory.slip_mode {
+        SlipMode::OverdampedStableSliding | SlipMode::OverdampedOscillation => "overdamped",
+        SlipMode::NonInertialUnderdampedOscillation => "non-inertial",
+        SlipMode::InertialUnderdampedOscillation => "inertial",
+        SlipMode::StickSlip | SlipMode::HarmonicVibration => "unstable",
+    }
 }

@@ -92,7 +92,8 @@ impl LineChart {
             draw_band(&mut svg, &frame, index, band);
         }
         frame.draw_grid(&mut svg);
-        draw_lines(&mut svg, &frame, &self.references, &self.series);
+        let style = LineStyle { tolerance: LINE_TOLERANCE, markers: true };
+        draw_lines(&mut svg, &frame, &self.references, &self.series, style);
         draw_labels(&mut svg, &frame, &self.labels);
         frame.draw_axes(&mut svg);
         legend.draw(&mut svg, (CORNER.0, below));
@@ -109,6 +110,15 @@ impl LineChart {
         });
         series_entries(&self.series).into_iter().chain(bands).collect()
     }
+}
+
+/// How the lines of a chart are drawn.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct LineStyle {
+    /// How far a drawn line may lie from the given one, in canvas units.
+    pub tolerance: f64,
+    /// Whether a line without markers of its own gets a few.
+    pub markers: bool,
 }
 
 /// Each series with its look; theory lines do not use up the looks of the others.
@@ -140,25 +150,31 @@ pub(super) fn series_entries(all: &[Series]) -> Vec<Entry<'_>> {
 }
 
 /// Draws reference lines, the series over them, and the references' words over both.
-pub(super) fn draw_lines(svg: &mut Svg, frame: &Frame, references: &[Reference], series: &[Series]) {
+pub(super) fn draw_lines(
+    svg: &mut Svg,
+    frame: &Frame,
+    references: &[Reference],
+    series: &[Series],
+    style: LineStyle,
+) {
     let places: Vec<ReferencePlace<'_>> =
         references.iter().filter_map(|reference| place_reference(frame, reference)).collect();
     places.iter().for_each(|place| draw_reference_line(svg, place));
     for (look, series) in looks(series) {
-        draw_series(svg, frame, look, series);
+        draw_series(svg, frame, look, series, style);
     }
     places.iter().for_each(|place| draw_reference_words(svg, place));
 }
 
-fn draw_series(svg: &mut Svg, frame: &Frame, look: Look, series: &Series) {
+fn draw_series(svg: &mut Svg, frame: &Frame, look: Look, series: &Series, style: LineStyle) {
     look.open(svg);
     let parts = frame.visible_line(&series.points);
-    let data: String = parts.iter().map(|part| line_data(&simplify(part, LINE_TOLERANCE))).collect();
+    let data: String = parts.iter().map(|part| line_data(&simplify(part, style.tolerance))).collect();
     look.stroke(svg, &data);
     if series.marked {
         let placed = series.points.iter().filter_map(|&point| frame.place(point));
         placed.filter(|&point| frame.contains(point)).for_each(|point| draw_marker(svg, look, point));
-    } else {
+    } else if style.markers {
         spread(&parts, look).into_iter().for_each(|point| draw_marker(svg, look, point));
     }
     svg.close();

@@ -2,7 +2,7 @@
 
 use super::frame::{CANVAS_WIDTH, Frame, SMALL};
 use super::legend::Legend;
-use super::line_chart::{draw_lines, series_entries};
+use super::line_chart::{LineStyle, draw_lines, series_entries};
 use super::path::Point;
 use super::svg::{Svg, number};
 use super::{Axis, Caption, Reference, Series, palette, rich_text};
@@ -38,7 +38,9 @@ pub struct Panels {
 /// Room left of a chart for its tick labels and its title.
 const LEFT: f64 = 76.0;
 /// Room right of a chart.
-const RIGHT: f64 = 10.0;
+const RIGHT: f64 = 18.0;
+/// How far a drawn line may lie from the given one, in canvas units: panels are many and looked at as a whole.
+const LINE_TOLERANCE: f64 = 0.2;
 /// Height of one line of a heading.
 const LINE: f64 = 18.0;
 /// Room above a heading.
@@ -112,7 +114,8 @@ impl Panels {
         let frame = Frame::new(&panel.x, &panel.y, place, (width - LEFT - RIGHT, self.height));
         frame.draw_panel(svg, "panel");
         frame.draw_grid(svg);
-        draw_lines(svg, &frame, &panel.references, &panel.series);
+        let style = LineStyle { tolerance: LINE_TOLERANCE, markers: panel.series.len() > 1 };
+        draw_lines(svg, &frame, &panel.references, &panel.series, style);
         frame.draw_axes(svg);
         for (index, line) in panel.heading.iter().enumerate() {
             let at = [number(place.0), number(corner.1 + ABOVE + LINE * index as f64 + 12.0)];

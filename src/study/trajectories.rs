@@ -131,3 +131,60 @@ fn places(samples: &[Sample]) -> Vec<[f64; 4]> {
     }
     places
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::dynamics::Behaviour;
+    use crate::number::parse_decimal;
+
+    fn run(stress: &str, velocity: &str, duration: &str) -> TrajectoryRun {
+        let decimal = |text| parse_decimal(text).unwrap();
+        let parameters = SceneParameters {
+            direct_effect: decimal("0.004"),
+            evolution_effect: decimal("0.006"),
+            critical_slip_distance_m: decimal("10e-6"),
+            stiffness_pa_per_m: decimal("10e6"),
+            mass_per_area_kg_per_m2: decimal("1000"),
+            normal_stress_pa: None,
+            loading_velocity_m_per_s: None,
+        };
+        let point = TrajectoryPoint {
+            id: "point".into(),
+            normal_stress_pa: decimal(stress),
+            loading_velocity_m_per_s: decimal(velocity),
+            laws: vec![EvolutionLaw::Slip],
+            duration_s: decimal(duration),
+        };
+        let section = TrajectoriesSection { tolerance: decimal("1e-8"), points: vec![point] };
+        trajectories(&parameters, &section, &InertialThreshold::default()).remove(0)
+    }
+
+    #[test]
+    fn the_drawn_curve_of_a_limit_cycle_has_the_peak_and_the_stress_drop_of_the_cycle() {
+        let run = run("1e5", "1e-5", "150");
+        let (found, course) = (run.simulation.unwrap(), run.course.unwrap());
+        assert_eq!(found.behaviour, Behaviour::Periodic);
+        let period = found.period_s.unwrap();
+        let last = || course.moments.iter().filter(|moment| moment.time_s > 150.0 - period);
+        let peak = last().map(|moment| moment.log_velocity_ratio).fold(f64::NEG_INFINITY, f64::max);
+        let highest = last().map(|moment| moment.stress_change_pa).fold(f64::NEG_INFINITY, f64::max);
+        let lowest = last().map(|moment| moment.stress_change_pa).fold(f64::INFINITY, f64::min);
+        // What thinning may leave out, as a share of the extent: the peak is the extent of the velocity itself.
+        let exact_peak = libm::log(found.peak_velocity_m_per_s / 1e-5);
+        assert!((peak - exact_peak).abs() < 4.0 * DRAWING_TOLERANCE, "{peak} {exact_peak}");
+        let drop = highest - lowest;
+        assert!((drop / found.stress_drop_pa - 1.0).abs() < 4.0 * DRAWING_TOLERANCE, "{drop}");
+        assert!(course.moments.len() * 2 < course.sampled && course.free_residual_pa < 1e-10 * 1e5);
+    }
+
+    #[test]
+    fn a_course_ends_at_its_duration_and_starts_at_a_tenth_of_the_loading_velocity() {
+        let course = run("1e3", "3e-4", "0.4").course.unwrap();
+        let (first, last) = (course.moments[0], course.moments.last().unwrap());
+        assert_eq!((first.time_s, first.log_velocity_ratio), (0.0, -std::f64::consts::LN_10));
+        assert!((last.time_s / 0.4 - 1.0).abs() < 1e-12);
+        // Steady sliding at a tenth: (a - b) sigma ln(1/10).
+        assert!((first.stress_change_pa - 2.0 * std::f64::consts::LN_10).abs() < 1e-12);
+    }
+}
