@@ -71,7 +71,7 @@ pub(super) fn place_words(run: &TrajectoryRun) -> String {
     format!("*σ* = {stress} Pa, *V*_l = {velocity} m/s")
 }
 
-const APPROACH_DESCRIPTION: &str = "Three panels of velocity over loading velocity against time, four loading velocities in each. In panel b, at high normal stress, the slower two rise to the loading velocity without passing it and the faster two vibrate about it. In panel c the slow two show one rise and one trough, the fast two vibrate. In panel d, at low normal stress, the slowest passes the loading velocity once and returns without a trough below it, the faster ones vibrate.";
+const APPROACH_DESCRIPTION: &str = "Three panels of velocity over loading velocity against time, four loading velocities in each. In panel b, at high normal stress, the slower two rise to the loading velocity without passing it and the faster two vibrate about it. In panel c the slow two show one rise and one trough, the fast two vibrate. In panel d, at low normal stress, the slower two pass the loading velocity by less than a tenth and return to it slowly from above, the faster two vibrate.";
 const APPROACH_CAPTION: &str = "Velocity over loading velocity after a start at a tenth of it, for a > b and the slip law (compare figs 6b to 6d of the paper): across the upper boundary (b), from non-inertial to inertial oscillation (c) and across the lower boundary (d). The legend says of each point whether its exact class is overdamped or an underdamped oscillation, non-inertial or inertial; the points, which the paper's text does not state, are marked in figure 6a as simulated. Curves are converged, drawn to half a pixel.";
 
 /// Height of a panel of the three.

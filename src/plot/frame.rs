@@ -3,7 +3,7 @@
 use super::path::{Bounds, Point, clip_line, clip_polygon};
 use super::svg::{Svg, number};
 use super::ticks::Tick;
-use super::{Axis, palette, rich_text};
+use super::{Axis, Scale, palette, rich_text};
 
 /// Width of every figure's canvas.
 pub(crate) const CANVAS_WIDTH: f64 = 640.0;
@@ -127,11 +127,21 @@ impl<'a> Frame<'a> {
         axis.ticks().into_iter().filter_map(|tick| Some((axis.position(tick.value)?, tick)))
     }
 
+    /// Ticks of an axis of this length, without the minor ones where an even scale would crowd them.
+    fn uncrowded(&self, axis: &Axis, length: f64) -> Vec<(f64, Tick)> {
+        let mut ticks: Vec<(f64, Tick)> = self.places(axis).collect();
+        let close = |pair: &[(f64, Tick)]| (pair[1].0 - pair[0].0) * length < TICK_ROOM;
+        if axis.scale == Scale::Linear && ticks.windows(2).any(close) {
+            ticks.retain(|(_, tick)| tick.is_major());
+        }
+        ticks
+    }
+
     /// Ticks of the horizontal axis, as many of them labelled as have room.
     fn ticks_x(&self) -> Vec<(f64, Tick)> {
         let length = self.size().0;
         let width = |tick: &Tick| rich_text::width(&tick.label, SMALL);
-        with_room(self.places(self.x).collect(), |(u, tick), (next_u, next)| {
+        with_room(self.uncrowded(self.x, length), |(u, tick), (next_u, next)| {
             (next_u - u) * length >= (width(tick) + width(next)) / 2.0 + LABEL_GAP
         })
     }
@@ -139,7 +149,7 @@ impl<'a> Frame<'a> {
     /// Ticks of the vertical axis, as many of them labelled as have room.
     fn ticks_y(&self) -> Vec<(f64, Tick)> {
         let length = self.size().1;
-        with_room(self.places(self.y).collect(), |(v, _), (next_v, _)| (next_v - v) * length >= LABEL_ROW)
+        with_room(self.uncrowded(self.y, length), |(v, _), (next_v, _)| (next_v - v) * length >= LABEL_ROW)
     }
 
     fn draw_ticks_x(&self, svg: &mut Svg) {
@@ -191,6 +201,9 @@ impl<'a> Frame<'a> {
         svg.text(&attributes, &rich_text::to_svg(&self.y.heading(), NORMAL));
     }
 }
+
+/// Least distance between two ticks of an even scale.
+const TICK_ROOM: f64 = 5.0;
 
 /// Least space between two tick labels side by side.
 const LABEL_GAP: f64 = 6.0;
