@@ -182,7 +182,7 @@ mod tests {
     fn a_course_ends_at_its_duration_and_starts_at_a_tenth_of_the_loading_velocity() {
         let course = run("1e3", "3e-4", "0.4").course.unwrap();
         let (first, last) = (course.moments[0], course.moments.last().unwrap());
-        assert_eq!((first.time_s, first.log_velocity_ratio), (0.0, -std::f64::consts::LN_10));
+        assert_eq!((first.time_s, first.log_velocity_ratio), (0.0, libm::log(0.1)));
         assert!((last.time_s / 0.4 - 1.0).abs() < 1e-12);
         // Steady sliding at a tenth: (a - b) sigma ln(1/10).
         assert!((first.stress_change_pa - 2.0 * std::f64::consts::LN_10).abs() < 1e-12);
