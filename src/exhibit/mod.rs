@@ -8,11 +8,13 @@ mod deviation;
 mod deviation_tables;
 mod figures;
 mod frequency;
+mod linear_regime;
 mod maps;
 mod mode_tables;
 mod numeric_tables;
 mod simulation_map;
 mod simulation_tables;
+mod start_tables;
 mod tables;
 mod theory_tables;
 

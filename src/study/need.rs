@@ -21,6 +21,10 @@ pub enum Need {
     HardCases,
     /// The nonlinear slider on a (V, σ) grid.
     Simulations,
+    /// Small disturbances along the eigenvectors, and steady sliding itself.
+    LinearRegime,
+    /// Every completion of the start V_l/10.
+    StartSensitivity,
 }
 
 impl Need {
@@ -34,6 +38,8 @@ impl Need {
         Self::Zones,
         Self::HardCases,
         Self::Simulations,
+        Self::LinearRegime,
+        Self::StartSensitivity,
     ];
 
     /// The stable name used in the ids of work items.
@@ -48,6 +54,8 @@ impl Need {
             Need::Zones => "zones",
             Need::HardCases => "hard-cases",
             Need::Simulations => "simulations",
+            Need::LinearRegime => "linear-regime",
+            Need::StartSensitivity => "start-sensitivity",
         }
     }
 }
