@@ -23,6 +23,10 @@ pub enum Need {
     Simulations,
     /// The nonlinear slider's course at named points.
     Trajectories,
+    /// Small disturbances along the eigenvectors, and steady sliding itself.
+    LinearRegime,
+    /// Every completion of the start V_l/10.
+    StartSensitivity,
 }
 
 impl Need {
@@ -37,6 +41,8 @@ impl Need {
         Self::HardCases,
         Self::Simulations,
         Self::Trajectories,
+        Self::LinearRegime,
+        Self::StartSensitivity,
     ];
 
     /// The stable name used in the ids of work items.
@@ -52,6 +58,8 @@ impl Need {
             Need::HardCases => "hard-cases",
             Need::Simulations => "simulations",
             Need::Trajectories => "trajectories",
+            Need::LinearRegime => "linear-regime",
+            Need::StartSensitivity => "start-sensitivity",
         }
     }
 }
