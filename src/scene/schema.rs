@@ -5,8 +5,8 @@ use crate::scene::document::read_document;
 use crate::scene::section::Section;
 use crate::scene::sections::{NAME_RULE, safe_name};
 use crate::scene::{
-    AllowedRange, BoundarySection, EffectRatioSweep, Faults, FrequencySection, HardCases, Limits, Problem,
-    Quantity, Rectangle, SceneParameters, SimulationsSection, ToleranceSection,
+    AllowedRange, BoundarySection, EffectRatioSweep, Faults, FrequencySection, HardCases, Limits,
+    OnsetSection, Problem, Quantity, Rectangle, SceneParameters, SimulationsSection, ToleranceSection,
 };
 
 /// What a user asks for: valid, exact, and nothing that was not asked.
@@ -36,6 +36,8 @@ pub struct Scene {
     pub hard_cases: Option<HardCases>,
     /// `[simulations]`: the nonlinear slider on a (V, σ) grid.
     pub simulations: Option<SimulationsSection>,
+    /// `[onset]`: where oscillation begins along lines of constant normal stress.
+    pub onset: Option<OnsetSection>,
 }
 
 impl Scene {
@@ -76,6 +78,7 @@ fn read_scene(top: &mut Section<'_>, limits: &Limits, faults: &mut Faults) -> Op
     let hard_cases = top.optional("hard_cases").map(|entry| HardCases::read(&entry, faults));
     let simulations =
         top.optional("simulations").map(|entry| SimulationsSection::read(&entry, limits, faults));
+    let onset = top.optional("onset").map(|entry| OnsetSection::read(&entry, limits, faults));
     check_needs(top, parameters.as_ref(), frequency.is_some(), faults);
     Some(Scene {
         name: name?,
@@ -90,6 +93,7 @@ fn read_scene(top: &mut Section<'_>, limits: &Limits, faults: &mut Faults) -> Op
         zones: given(zones)?,
         hard_cases: given(hard_cases)?,
         simulations: given(simulations)?,
+        onset: given(onset)?,
     })
 }
 
@@ -102,7 +106,8 @@ fn given<T>(section: Option<Option<T>>) -> Option<Option<T>> {
 }
 
 /// The sections that only mean something for a slider, and [`Scene::frequency`] for one with a critical normal stress.
-const NEED_PARAMETERS: [&str; 6] = ["map", "boundary", "frequency", "tolerance", "zones", "simulations"];
+const NEED_PARAMETERS: [&str; 7] =
+    ["map", "boundary", "frequency", "tolerance", "zones", "simulations", "onset"];
 
 fn check_needs(
     top: &mut Section<'_>,

@@ -56,7 +56,8 @@ impl SimulationsSection {
     }
 }
 
-fn read_laws(entry: &Entry<'_>, faults: &mut Faults) -> Option<Vec<EvolutionLaw>> {
+/// Evolution laws by their words, each once.
+pub(super) fn read_laws(entry: &Entry<'_>, faults: &mut Faults) -> Option<Vec<EvolutionLaw>> {
     let mut seen = Vec::new();
     entry.list(faults, |member, faults| {
         let word = member.text(faults)?;

@@ -21,6 +21,8 @@ pub enum Need {
     HardCases,
     /// The nonlinear slider on a (V, σ) grid.
     Simulations,
+    /// Where oscillation begins along lines of constant normal stress.
+    Onset,
 }
 
 impl Need {
@@ -34,6 +36,7 @@ impl Need {
         Self::Zones,
         Self::HardCases,
         Self::Simulations,
+        Self::Onset,
     ];
 
     /// The stable name used in the ids of work items.
@@ -48,6 +51,7 @@ impl Need {
             Need::Zones => "zones",
             Need::HardCases => "hard-cases",
             Need::Simulations => "simulations",
+            Need::Onset => "onset",
         }
     }
 }

@@ -4,7 +4,7 @@ use crate::scene::Scene;
 use crate::stability::InertialThreshold;
 use crate::study::{
     Item, Need, Needs, Outcome, References, SceneOutcome, boundary_outcome, classify_rectangle,
-    compare_hard_cases, compare_zones, frequency_lines, plan, simulations, sweep_effect_ratio,
+    compare_hard_cases, compare_zones, frequency_lines, onset, plan, simulations, sweep_effect_ratio,
     tolerance_limits,
 };
 
@@ -76,6 +76,11 @@ fn compute(item: &Item, outcome: &mut SceneOutcome, references: &References) {
             outcome.simulations = parameters
                 .zip(scene.simulations.as_ref())
                 .map(|(parameters, section)| simulations(parameters, section, &threshold));
+        }
+        Need::Onset => {
+            outcome.onset = parameters
+                .zip(scene.onset.as_ref())
+                .map(|(parameters, section)| onset(parameters, section, &threshold));
         }
     }
 }

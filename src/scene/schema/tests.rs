@@ -38,7 +38,9 @@ fn every_section_is_read() {
          [effect_ratio_sweep]\neffect_ratio = {{ from = 1e-3, to = 1e3, points = 9 }}\nnear_equal = [1e-3]\n\
          [tolerance]\nrelative = [0.1, 0.01]\n[hard_cases]\nfile = \"hard.txt\"\n\
          [simulations]\n{axes}laws = [\"slip\", \"aging\"]\ntolerance = 1e-8\n\
-         [simulations.near_transition]\ninertial_parameter = 0.01\nstiffness_over_critical = [1.002]\n"
+         [simulations.near_transition]\ninertial_parameter = 0.01\nstiffness_over_critical = [1.002]\n\
+         [onset]\nnormal_stress_pa = [1778.28, 562.34]\nvelocity_over_asymptote = [0.5, 5]\n\
+         laws = [\"slip\"]\ntolerance = 1e-8\nvisible = 0.01\nother_unit_pa = 1e6\n"
     );
     let scene = parse(&text).unwrap();
     assert_eq!(scene.map.unwrap().normal_stress_pa.points, 7);
@@ -51,6 +53,9 @@ fn every_section_is_read() {
     assert_eq!(simulations.laws, [EvolutionLaw::Slip, EvolutionLaw::Aging]);
     assert_eq!(simulations.tolerance, Rational::from((1, 100_000_000)));
     assert_eq!(simulations.near_transition.unwrap().stiffness_over_critical, [Rational::from((501, 500))]);
+    let onset = scene.onset.unwrap();
+    assert_eq!((onset.normal_stress_pa.len(), onset.velocity_over_asymptote.len()), (2, 2));
+    assert_eq!(onset.other_unit_pa, Some(Rational::from(1_000_000)));
     assert!(scene.parameters.unwrap().point().is_some());
 }
 

@@ -1,0 +1,89 @@
+//! Runs on either side of the onset of oscillation, with the velocities of theory (fig 4).
+
+use crate::exhibit::{Figure, FigureMaker};
+use crate::number::format::round_digits;
+use crate::plot::{Axis, Caption, LineChart, Reference, Series};
+use crate::stability::Asymptote;
+use crate::study::{Need, Onset, Outcome, ShownRun};
+
+pub(super) const FIGURES: &[FigureMaker] = &[
+    FigureMaker {
+        id: "fig-4a",
+        needs: &[Need::Onset],
+        data: &["onset", "onset-runs"],
+        make: |outcome| runs(outcome, 0, "a"),
+    },
+    FigureMaker {
+        id: "fig-4b",
+        needs: &[Need::Onset],
+        data: &["onset", "onset-runs"],
+        make: |outcome| runs(outcome, 1, "b"),
+    },
+];
+
+/// The velocities shown, in units of V_l.
+const LOWEST: f64 = 0.6;
+const HIGHEST: f64 = 1.6;
+
+fn runs(outcome: &Outcome, index: usize, letter: &str) -> Option<Figure> {
+    let scene = outcome.potentially_unstable()?;
+    let found = scene.onset.as_ref()?;
+    let mut lines = found.lines.iter().filter(|line| line.asymptote == Asymptote::InertialLower);
+    let line = lines.nth(index)?;
+    let until = line.shown.iter().filter_map(|run| run.history.last()).map(|last| last.0).fold(0.0, f64::max);
+    let stress = round_digits(line.normal_stress_pa.to_f64(), 4);
+    let exact =
+        round_digits(line.boundary_velocity_m_per_s.to_f64() / line.asymptote_velocity_m_per_s.to_f64(), 5);
+    let seen = line.seen.first().and_then(|seen| seen.undershoot).map_or("never".into(), |found| {
+        round_digits(found.velocity_m_per_s / line.asymptote_velocity_m_per_s.to_f64(), 4)
+    });
+    let law = line.seen.first().map_or("", |seen| seen.law.as_str());
+    let visible = round_digits(found.visible.to_f64(), 3);
+    let id = format!("fig-4{letter}");
+    let title =
+        format!("Velocity after a start at a tenth of the loading velocity, σ = {stress} Pa, {law} law");
+    let description = format!(
+        "Velocity over loading velocity against loaded distance over critical slip distance for {} loading velocities. Below the boundary, at {exact} times the velocity of equation 20, the velocity rises once above the loading velocity and returns without falling below it; well above the boundary it rings.",
+        line.shown.len()
+    );
+    let chart = LineChart {
+        caption: Caption::new(&id, &title, &description),
+        x: Axis::linear("Loaded distance over slip distance *V*_l *t*/*D*_c", "", 0.0, until),
+        y: Axis::linear("*V*/*V*_l", "", LOWEST, HIGHEST),
+        series: line.shown.iter().map(|run| series(line, run)).collect(),
+        references: vec![Reference::Horizontal {
+            at: 1.0 - found.visible.to_f64(),
+            label: format!("1 − {visible}: seen"),
+        }],
+        bands: Vec::new(),
+        labels: Vec::new(),
+    };
+    let caption = format!(
+        "Runs at σ = {stress} Pa with the {law} law on either side of the onset (compare fig 4{letter} of the paper, whose caption must mean Pa). Velocities are in units of that of eq 20; the exact boundary lies at {exact}, and an undershoot of {visible} V_l is first reached at {seen}. The single rise above V_l below the boundary is no oscillation: the spring has to shorten."
+    );
+    (!line.shown.is_empty()).then(|| Figure {
+        label: format!("Figure 4{letter}"),
+        caption_markdown: caption,
+        svg: chart.svg(),
+        description,
+        id,
+    })
+}
+
+fn series(line: &Onset, run: &ShownRun) -> Series {
+    let ratio = round_digits(run.velocity_over_asymptote, 3);
+    let boundary = line.boundary_velocity_m_per_s.to_f64();
+    let side = if run.oscillates {
+        "complex pair"
+    } else if run.loading_velocity_m_per_s < boundary {
+        "real roots, below the boundary"
+    } else {
+        "real roots"
+    };
+    Series {
+        label: format!("*V*_l = {ratio} *V*_{{20}} ({side})"),
+        points: run.history.clone(),
+        marked: false,
+        theory: false,
+    }
+}
