@@ -56,7 +56,7 @@ pub(super) const CHECKS: &[Check] = &[
     Check {
         id: "N6",
         criterion: "At each σ the velocity where small deviations begin to oscillate in simulations is that of the exact boundary, and eq 20 lies within twice its own leading error bσ/(2KD_c) of it.",
-        not_established: "The velocities of the paper's own runs, which only the colours of fig 3a state; another definition of what a reader sees than an undershoot of the stated depth.",
+        not_established: "The velocities of the paper's own runs, which only the colours of fig 3a state; other starts than V_l/10 in steady state, and other definitions of what a reader sees.",
         needs: &[Need::Onset],
         rests_on: &["B5"],
         decide: |context| n6(context).unwrap_or_else(|undecided| undecided),

@@ -1,12 +1,13 @@
 //! Claim N6: at which velocity inertial vibration first appears in the runs of fig 4, and in which unit its caption speaks.
 
 use crate::claims::{Context, Evidence, Finding};
+use crate::dynamics::Behaviour;
 use crate::friction::Parameters;
 use crate::number::format::{certain_digits, rational_to_decimal, round_digits};
 use crate::number::{Ball, Rational};
 use crate::scene::SceneParameters;
 use crate::stability::Asymptote;
-use crate::study::{Located, Onset, OnsetOutcome, OtherUnit};
+use crate::study::{Located, Onset, OnsetOutcome, OtherUnit, SeenOnset};
 use crate::theory::emergence;
 
 /// Precision of eq 20's velocity, in bits.
@@ -42,8 +43,7 @@ pub(super) fn n6(context: &Context) -> Result<Finding, Finding> {
         return Err(Finding::not_checked("No line of constant normal stress crosses the lower boundary."));
     }
     let finding = compared.iter().fold(Finding::from_proofs([]), judge);
-    let finding = outcome.other_unit.iter().fold(finding, judge_unit);
-    Ok(finding
+    Ok(unit(finding, &outcome.other_unit)
         .within(limit(outcome, &compared))
         .remark(first_peak(&compared))
         .remark("The text states no velocity of fig 4. The report's runs take five of fig 3a's quarter decades, two below eq 20 and three above it, as the words on the colours ask."))
@@ -79,8 +79,15 @@ impl Compared<'_> {
         libm::log10(located.velocity_m_per_s / self.line.boundary_velocity_m_per_s.to_f64())
     }
 
-    fn undershoots(&self) -> impl Iterator<Item = f64> {
-        self.line.seen.iter().filter_map(|seen| seen.undershoot.as_ref()).map(|found| self.dex(found))
+    /// Least and greatest log10 over eq 20 of what the laws show, for people.
+    fn laws(&self, of: fn(&SeenOnset) -> Option<Located>) -> String {
+        let places = self.line.seen.iter().filter_map(of).map(|found| self.dex(&found));
+        let (low, high) =
+            places.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), dex| (low.min(dex), high.max(dex)));
+        if low > high {
+            return "no velocity".into();
+        }
+        format!("{} to {} dex", round_digits(low, 3), round_digits(high, 3))
     }
 }
 
@@ -110,16 +117,16 @@ fn judge(finding: Finding, compared: &Compared) -> Finding {
             return finding.refuted(format!("{law} law, σ = {stress} Pa: no oscillation was found"));
         };
         let distance = compared.from_boundary(exists);
-        let undershoot = seen.undershoot.as_ref().map_or("none".into(), |found| {
-            format!("{} dex", round_digits(compared.dex(found), 4))
-        });
-        let error = seen.undershoot.as_ref().map_or(exists.error_dex, |found| found.error_dex.max(exists.error_dex));
+        let dex = |found: Option<Located>| {
+            found.map_or("none".into(), |found| format!("{} dex", round_digits(compared.dex(&found), 4)))
+        };
+        let errors = [seen.exists, seen.second_rise, seen.undershoot].map(|found| found.map_or(0.0, |found| found.error_dex));
         finding
             .with_evidence(Evidence::Simulation {
-                quantity: format!("σ = {stress} Pa, {law} law: log10 over eq 20 of the velocity where small deviations begin to oscillate; where an undershoot is first seen"),
-                value: format!("{} dex; {undershoot}", round_digits(compared.dex(exists), 4)),
-                error: format!("{} dex", round_digits(error, 2)),
-                runs: 2,
+                quantity: format!("σ = {stress} Pa, {law} law: log10 over eq 20 of the velocity where small deviations begin to oscillate; where a second rise is seen; where an undershoot is seen"),
+                value: format!("{}; {}; {}", dex(seen.exists), dex(seen.second_rise), dex(seen.undershoot)),
+                error: format!("{} dex", round_digits(errors.into_iter().fold(0.0, f64::max), 2)),
+                runs: 3,
             })
             .require(distance.abs() <= exists.error_dex, || {
                 format!("{law} law, σ = {stress} Pa: simulated oscillation begins {} dex from the exact boundary", round_digits(distance, 2))
@@ -127,37 +134,43 @@ fn judge(finding: Finding, compared: &Compared) -> Finding {
     })
 }
 
-/// The caption's unit: Pa, if in it the line crosses the boundary and in the other it does not.
-fn judge_unit(finding: Finding, other: &OtherUnit) -> Finding {
-    let stress = rational_to_decimal(&other.normal_stress_pa, 4);
-    let end = other.behaviour.map_or("no result", |behaviour| behaviour.as_str());
-    if other.has_boundary {
-        return finding.remark(format!(
-            "Read in the caption's unit, {stress} Pa has an onset too: the unit is not decided."
-        ));
+/// The caption's unit: Pa, if in it the lines cross the boundary and in the other none does.
+fn unit(finding: Finding, others: &[OtherUnit]) -> Finding {
+    if others.is_empty() {
+        return finding;
     }
-    let always = if other.always_unstable { "steady sliding is unstable at every velocity and" } else { "" };
-    finding.remark(format!(
-        "The caption says MPa; it must be Pa. At {stress} Pa {always} max Im(s) = 0 is not crossed in the stable zone, no run settles (the one at eq 20 is {end}), and the point lies outside fig 3a; in Pa all of fig 4 follows."
-    ))
+    let stresses: Vec<String> =
+        others.iter().map(|other| rational_to_decimal(&other.normal_stress_pa, 4)).collect();
+    let stresses = stresses.join(" and ");
+    let settles = |other: &OtherUnit| other.behaviour != Some(Behaviour::Periodic);
+    if others.iter().any(|other| other.has_boundary || !other.always_unstable || settles(other)) {
+        return finding.remark(format!("At {stresses} Pa, the normal stresses in the caption's unit, there is an onset too: the unit is not decided."));
+    }
+    finding
+        .with_evidence(Evidence::Simulation {
+            quantity: format!("Late behaviour at {stresses} Pa, the caption's MPa, and the velocity of eq 20 there"),
+            value: "limit cycle".into(),
+            error: "the same at two tolerances".into(),
+            runs: others.len(),
+        })
+        .remark(format!("The caption of fig 4 says MPa and must mean Pa. At {stresses} Pa σ exceeds σ_c, so that steady sliding is unstable at every velocity, no boundary is left in the stable zone, and the runs end on limit cycles instead of settling; in Pa all that the section says of the figure is found."))
 }
 
 fn limit(outcome: &OnsetOutcome, compared: &[Compared]) -> String {
     let percent = |value: f64| round_digits(100.0 * value, 3);
+    let visible = percent(outcome.visible.to_f64());
     let each = |one: &Compared| {
-        let seen =
-            one.undershoots().fold((f64::INFINITY, 0.0f64), |(low, high), dex| (low.min(dex), high.max(dex)));
-        let inertial =
-            one.line.inertial.as_ref().map_or("never".into(), |found| {
-                format!("{} dex above eq 20", round_digits(one.dex(found), 3))
-            });
+        let inertial = one
+            .line
+            .inertial
+            .as_ref()
+            .map_or("no velocity".into(), |found| format!("{} dex", round_digits(one.dex(found), 3)));
         format!(
-            "at σ = {} Pa oscillation begins {} % above eq 20, is inertial by the threshold from {inertial}, and shows an undershoot of {} % from {} to {} dex above eq 20, depending on the law",
+            "at σ = {} Pa oscillation begins {} % above eq 20; it is inertial by the threshold from {inertial} above eq 20, rises again by {visible} % of V_l from {}, and undershoots V_l by {visible} % from {}, depending on the law",
             one.stress(),
             percent(one.excess.to_f64()),
-            percent(outcome.visible.to_f64()),
-            round_digits(seen.0, 3),
-            round_digits(seen.1, 3)
+            one.laws(|seen| seen.second_rise),
+            one.laws(|seen| seen.undershoot)
         )
     };
     compared.iter().map(each).collect::<Vec<_>>().join("; ")

@@ -60,13 +60,14 @@ const MAP: &str = "Map over loading velocity and normal stress of the peak veloc
 fn map(scene: &SceneOutcome) -> Option<Figure> {
     let outcome = scene.simulations.as_ref()?;
     let (law, grid) = outcome.grids.first()?;
-    let (x, y) = axes(grid)?;
-    let values = normalised(grid)?;
-    let positive = || values.iter().copied().filter(|value| *value > 0.0);
-    let (low, high) = (positive().fold(f64::INFINITY, f64::min), positive().fold(0.0, f64::max));
-    if !high.is_normal() {
-        return None;
-    }
+    let (x, mut y) = axes(grid)?;
+    let columns = grid.loading_velocity_m_per_s.len();
+    // Rows without a limit cycle at the velocity of normalisation have nothing to show.
+    let all = normalised(grid)?;
+    let first = all.iter().position(|value| *value > 0.0)? / columns;
+    let values = all[first * columns..].to_vec();
+    y.min = grid.normal_stress_pa[first];
+    let low = values.iter().copied().filter(|value| *value > 0.0).fold(f64::INFINITY, f64::min);
     let law_word = law.as_str();
     let eq18 = |stress: f64| {
         let stress = crate::number::Rational::from_f64(stress).unwrap_or_default();
@@ -81,17 +82,17 @@ fn map(scene: &SceneOutcome) -> Option<Figure> {
     let title = format!("Peak velocity over that at 10^−5.5 m/s, {law_word} law, a < b");
     let map = HeatMap {
         caption: Caption::new("fig-5a", &title, MAP),
-        columns: grid.loading_velocity_m_per_s.len(),
+        columns,
         colours: ColourScale {
             title: "Normalised peak".into(),
             unit: String::new(),
             min: libm::exp10((5.0 * libm::log10(low)).floor() / 5.0),
-            max: libm::exp10((5.0 * libm::log10(high)).ceil() / 5.0),
+            max: BRIGHTEST,
             steps: STEPS,
         },
         values,
         zero_areas: Vec::new(),
-        zero_label: "no limit cycle here or at 10^{−5.5} m/s".into(),
+        zero_label: String::new(),
         lines: vec![asymptote, least_peak_line(outcome, *law)],
         marks: Vec::new(),
         labels: Vec::new(),
@@ -109,6 +110,9 @@ fn map(scene: &SceneOutcome) -> Option<Figure> {
     })
 }
 
+/// Normalised peak that takes the brightest colour, with all above it: the valley is what the figure is about.
+const BRIGHTEST: f64 = 2.0;
+
 /// Colour steps of the map.
 const STEPS: usize = 30;
 
@@ -118,8 +122,9 @@ const EVERY: usize = 2;
 /// The most curves of one chart: the looks that can be told apart, less one for the minima.
 const CURVES: usize = 5;
 
-/// Range of the chart in dex around eq 18.
-const REACH: f64 = 1e3;
+/// Range of the chart in units of the velocity of eq 18.
+const LOWEST: f64 = 1e-2;
+const HIGHEST: f64 = 10.0;
 
 fn curves(scene: &SceneOutcome, law: EvolutionLaw, id: &str, label: &str) -> Option<Figure> {
     let outcome = scene.simulations.as_ref()?;
@@ -136,7 +141,7 @@ fn curves(scene: &SceneOutcome, law: EvolutionLaw, id: &str, label: &str) -> Opt
         marked: true,
         theory: false,
     });
-    let heights = || series.iter().flat_map(|line| &line.points).filter(|p| p.0 > 1.0 / REACH && p.0 < 20.0);
+    let heights = || series.iter().flat_map(|line| &line.points).filter(|p| p.0 > LOWEST && p.0 < HIGHEST);
     let (low, high) =
         (heights().map(|p| p.1).fold(f64::INFINITY, f64::min), heights().map(|p| p.1).fold(0.0, f64::max));
     let description = format!(
@@ -146,7 +151,7 @@ fn curves(scene: &SceneOutcome, law: EvolutionLaw, id: &str, label: &str) -> Opt
     let title = format!("Normalised peak velocity against V_l over that of eq 18, {} law", law.as_str());
     let chart = LineChart {
         caption: Caption::new(id, &title, &description),
-        x: Axis::log10("*V*_l over the velocity of eq 18", "", 1.0 / REACH, 20.0),
+        x: Axis::log10("*V*_l over the velocity of eq 18", "", LOWEST, HIGHEST),
         y: Axis::log10("Peak velocity over that at 10^{−5.5} m/s", "", 0.8 * low, 1.25 * high),
         series,
         references: vec![Reference::Vertical { at: 1.0, label: "eq 18".into() }],

@@ -4,7 +4,7 @@ use crate::exhibit::{Figure, FigureMaker};
 use crate::number::format::round_digits;
 use crate::plot::{Axis, Caption, LineChart, Reference, Series};
 use crate::stability::Asymptote;
-use crate::study::{Need, Onset, Outcome, ShownRun};
+use crate::study::{Need, Outcome, ShownRun};
 
 pub(super) const FIGURES: &[FigureMaker] = &[
     FigureMaker {
@@ -21,9 +21,8 @@ pub(super) const FIGURES: &[FigureMaker] = &[
     },
 ];
 
-/// The velocities shown, in units of V_l.
+/// The lowest velocity shown, in units of V_l; the highest is that of the runs.
 const LOWEST: f64 = 0.6;
-const HIGHEST: f64 = 1.6;
 
 fn runs(outcome: &Outcome, index: usize, letter: &str) -> Option<Figure> {
     let scene = outcome.potentially_unstable()?;
@@ -34,7 +33,8 @@ fn runs(outcome: &Outcome, index: usize, letter: &str) -> Option<Figure> {
     let stress = round_digits(line.normal_stress_pa.to_f64(), 4);
     let exact =
         round_digits(line.boundary_velocity_m_per_s.to_f64() / line.asymptote_velocity_m_per_s.to_f64(), 5);
-    let seen = line.seen.first().and_then(|seen| seen.undershoot).map_or("never".into(), |found| {
+    let highest = line.shown.iter().flat_map(|run| &run.history).map(|sample| sample.1).fold(1.0, f64::max);
+    let seen = line.seen.first().and_then(|seen| seen.second_rise).map_or("never".into(), |found| {
         round_digits(found.velocity_m_per_s / line.asymptote_velocity_m_per_s.to_f64(), 4)
     });
     let law = line.seen.first().map_or("", |seen| seen.law.as_str());
@@ -49,17 +49,14 @@ fn runs(outcome: &Outcome, index: usize, letter: &str) -> Option<Figure> {
     let chart = LineChart {
         caption: Caption::new(&id, &title, &description),
         x: Axis::linear("Loaded distance over slip distance *V*_l *t*/*D*_c", "", 0.0, until),
-        y: Axis::linear("*V*/*V*_l", "", LOWEST, HIGHEST),
-        series: line.shown.iter().map(|run| series(line, run)).collect(),
-        references: vec![Reference::Horizontal {
-            at: 1.0 - found.visible.to_f64(),
-            label: format!("1 − {visible}: seen"),
-        }],
+        y: Axis::linear("*V*/*V*_l", "", LOWEST, (5.0 * highest).ceil() / 5.0),
+        series: line.shown.iter().map(series).collect(),
+        references: vec![Reference::Horizontal { at: 1.0, label: String::new() }],
         bands: Vec::new(),
         labels: Vec::new(),
     };
     let caption = format!(
-        "Runs at σ = {stress} Pa with the {law} law on either side of the onset (compare fig 4{letter} of the paper, whose caption must mean Pa). Velocities are in units of that of eq 20; the exact boundary lies at {exact}, and an undershoot of {visible} V_l is first reached at {seen}. The single rise above V_l below the boundary is no oscillation: the spring has to shorten."
+        "Runs at σ = {stress} Pa with the {law} law on either side of the onset (compare fig 4{letter} of the paper, whose caption must mean Pa). Velocities are in units of that of eq 20; the exact boundary lies at {exact}, and from {seen} on V rises again by {visible} V_l after its first peak. The single rise above V_l below the boundary is no oscillation: the spring has to shorten."
     );
     (!line.shown.is_empty()).then(|| Figure {
         label: format!("Figure 4{letter}"),
@@ -70,16 +67,9 @@ fn runs(outcome: &Outcome, index: usize, letter: &str) -> Option<Figure> {
     })
 }
 
-fn series(line: &Onset, run: &ShownRun) -> Series {
+fn series(run: &ShownRun) -> Series {
     let ratio = round_digits(run.velocity_over_asymptote, 3);
-    let boundary = line.boundary_velocity_m_per_s.to_f64();
-    let side = if run.oscillates {
-        "complex pair"
-    } else if run.loading_velocity_m_per_s < boundary {
-        "real roots, below the boundary"
-    } else {
-        "real roots"
-    };
+    let side = if run.oscillates { "complex pair" } else { "real roots" };
     Series {
         label: format!("*V*_l = {ratio} *V*_{{20}} ({side})"),
         points: run.history.clone(),

@@ -47,16 +47,18 @@ fn onset(context: &Context) -> Option<Table> {
         Column::number("simulated_dex", "Oscillation in simulations", "dex"),
         Column::number("simulated_error_dex", "Its error", "dex"),
         Column::number("inertial_dex", "Inertial by the threshold", "dex"),
+        Column::number("second_rise_dex", "Second rise seen", "dex"),
         Column::number("undershoot_dex", "Undershoot seen", "dex"),
-        Column::number("undershoot_error_dex", "Its error", "dex"),
+        Column::number("seen_error_dex", "Error of what is seen", "dex"),
         Column::number("peak_excess_at_boundary", "V_peak/V_l − 1 at the boundary", ""),
     ];
     let mut table = Table::new("onset", "Where oscillation begins at given normal stress", columns)
-        .with_note("Velocities in dex are log10 over that of the asymptote (eq 20; eq 18 on the upper arc). The exact boundary is enclosed and the threshold decided exactly; simulated oscillation is where the squared frequency of small deviations is extrapolated to zero; an undershoot is seen when V, after its first rise above V_l in the run from V_l/10, falls below V_l by the scene's visible part.");
+        .with_note("Velocities in dex are log10 over that of the asymptote (eq 20; eq 18 on the upper arc). The exact boundary is enclosed and the threshold decided exactly; simulated oscillation is where the squared frequency of small deviations is extrapolated to zero; something is seen when V, after its first peak above V_l in the run from V_l/10, rises again, or falls below V_l, by the scene's visible part of V_l.");
     for (scene, line) in lines(context) {
         for seen in &line.seen {
             let [exists, exists_error] = located(line, seen.exists.as_ref());
-            let [undershoot, undershoot_error] = located(line, seen.undershoot.as_ref());
+            let [second_rise, _] = located(line, seen.second_rise.as_ref());
+            let [undershoot, seen_error] = located(line, seen.undershoot.as_ref());
             let [inertial, _] = located(line, line.inertial.as_ref());
             let peak = seen.peak_excess_at_boundary;
             table.push(vec![
@@ -70,8 +72,9 @@ fn onset(context: &Context) -> Option<Table> {
                 exists,
                 exists_error,
                 inertial,
+                second_rise,
                 undershoot,
-                undershoot_error,
+                seen_error,
                 peak.map_or_else(Cell::empty, |peak| Cell::number(round_digits(peak, 3))),
             ]);
         }

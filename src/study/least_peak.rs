@@ -50,6 +50,9 @@ const REACH_DEX: f64 = 1.0;
 /// Samples that bracket the minimum before it is refined.
 const SAMPLES: i32 = 9;
 
+/// Distance of the samples, dex.
+const SAMPLE_STEP_DEX: f64 = 0.25;
+
 /// Distance of the points from which the minimum is refined, dex.
 const STENCIL_DEX: f64 = 0.03;
 
@@ -109,9 +112,8 @@ impl Line<'_> {
     }
 
     fn least_peak(&self, threshold: &InertialThreshold) -> Option<LeastPeak> {
-        let step = 2.0 * REACH_DEX / f64::from(SAMPLES - 1);
         let sample = |index| {
-            let offset = f64::from(index).mul_add(step, -REACH_DEX);
+            let offset = f64::from(index).mul_add(SAMPLE_STEP_DEX, -REACH_DEX);
             Some((offset, self.cycle(offset)?))
         };
         let samples: Option<Vec<(f64, Simulation)>> = (0..SAMPLES).map(sample).collect();
@@ -157,12 +159,22 @@ impl Line<'_> {
         [side(lower.into_iter().rev().find(high)), side(upper.into_iter().find(high))]
     }
 
-    /// The first change from stick-slip to harmonic vibration between neighbouring samples, refined.
+    /// The first change from stick-slip to harmonic vibration among the samples and as far again beyond them, refined.
     fn cycle_mode_change(&self, samples: &[(f64, Simulation)]) -> Option<f64> {
         let harmonic = |found: &Simulation| found.slip_mode == SlipMode::HarmonicVibration;
-        let pair = samples.windows(2).find(|pair| !harmonic(&pair[0].1) && harmonic(&pair[1].1))?;
         let holds = |offset: f64| self.cycle(offset).as_ref().map(harmonic);
-        border_between(holds, (pair[0].0, pair[1].0), SIDE_WIDTH).map(|(_, with)| with)
+        let known = samples.iter().map(|(offset, found)| (*offset, Some(harmonic(found))));
+        let last = samples.last()?.0;
+        let beyond = (1..SAMPLES).map(|index| f64::from(index).mul_add(SAMPLE_STEP_DEX, last));
+        let mut places = known.chain(beyond.map(|offset| (offset, holds(offset))));
+        let mut without = places.next().filter(|first| first.1 == Some(false))?.0;
+        for (offset, answer) in places {
+            if answer? {
+                return border_between(holds, (without, offset), SIDE_WIDTH).map(|(_, with)| with);
+            }
+            without = offset;
+        }
+        None
     }
 
     fn theory_mode_change(&self, threshold: &InertialThreshold) -> Option<f64> {

@@ -1,6 +1,7 @@
 //! What a scene needs, planned and computed: pure, and the same bytes on any number of threads.
 
 mod boundary;
+mod first_swing;
 mod frequency;
 mod grid;
 mod hard_cases;

@@ -228,8 +228,9 @@ mod tests {
             assert!(distance <= exists.error_dex, "{distance:e} {seen:?}");
             assert!(exists.error_dex < 1e-3 * off, "{off} {seen:?}");
             // What is seen comes later than what exists.
-            let undershoot = seen.undershoot.unwrap();
-            assert!(undershoot.velocity_m_per_s > 1.1 * exact && undershoot.error_dex < 1e-5, "{seen:?}");
+            let (rise, undershoot) = (seen.second_rise.unwrap(), seen.undershoot.unwrap());
+            assert!(rise.velocity_m_per_s > 1.1 * exact && undershoot.error_dex < 1e-5, "{seen:?}");
+            assert!(undershoot.velocity_m_per_s > rise.velocity_m_per_s && rise.error_dex < 1e-5, "{seen:?}");
         }
         assert!(!line.shown[0].oscillates && line.shown[1].oscillates);
     }

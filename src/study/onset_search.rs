@@ -1,15 +1,14 @@
 //! The velocities at which oscillation begins in simulations: where it exists, and where a reader first sees it.
 //!
 //! *Exists*: the frequency of small deviations from steady sliding, squared, extrapolated to zero. *Seen*: in the run
-//! from V_l/10, after V has first risen above V_l, it falls below V_l by a given part. The rise above V_l itself is no
+//! from V_l/10, after its first peak above V_l, V rises again by a given part of V_l, or falls below V_l by it. The first rise above V_l itself is no
 //! sign of oscillation: with a < b the spring has to shorten on the way to V_l, and only V > V_l shortens it.
 
-use crate::dynamics::{
-    Control, Failure, Integrator, LapEnd, Model, Radau, Start, oscillation_of_small_deviations, run_lap,
-};
+use crate::dynamics::{Control, Failure, Integrator, Model, Radau, Start, oscillation_of_small_deviations};
 use crate::friction::EvolutionLaw;
 use crate::number::Rational;
 use crate::scene::SceneParameters;
+use crate::study::first_swing::Swing;
 use crate::study::map::exactly;
 use crate::study::search::{border_between, extrapolate_to_zero};
 
@@ -29,7 +28,9 @@ pub struct SeenOnset {
     pub law: EvolutionLaw,
     /// Where the frequency of small deviations reaches zero.
     pub exists: Option<Located>,
-    /// Where the first undershoot reaches the visible depth.
+    /// Where V first rises again by the visible part of V_l after its first peak.
+    pub second_rise: Option<Located>,
+    /// Where V first falls below V_l by the visible part of it after its first peak.
     pub undershoot: Option<Located>,
     /// Largest V/V_l − 1 after the first rise above V_l in a run at the boundary, where nothing oscillates yet.
     pub peak_excess_at_boundary: Option<f64>,
@@ -44,13 +45,6 @@ pub(super) struct Line<'p> {
     pub tolerance: f64,
 }
 
-/// The first passage above V_l and the one below it that follows, as |ln(V/V_l)|; 0 when there is none.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Swing {
-    pub overshoot: f64,
-    pub undershoot: f64,
-}
-
 /// Half the range of ln V searched for the existence of oscillation, around the asymptote.
 const REACH: f64 = 1.5;
 
@@ -63,11 +57,11 @@ const SPACING: f64 = 0.03;
 /// Points that are extrapolated.
 const POINTS: usize = 6;
 
-/// Steps of ln V in the search for a visible undershoot, and how many of them.
+/// Steps of ln V in the search for what is seen, and how many of them.
 const SCAN_STEP: f64 = 0.1;
 const SCAN_STEPS: usize = 70;
 
-/// Width in ln V to which a visible undershoot is located.
+/// Width in ln V to which what is seen is located.
 const VISIBLE_WIDTH: f64 = 1e-8;
 
 impl Line<'_> {
@@ -80,12 +74,14 @@ impl Line<'_> {
     /// Searches along the line; the asymptote's velocity only says where to begin, the boundary's where to look at a run.
     pub fn search(&self, asymptote_m_per_s: f64, boundary_m_per_s: f64, visible: f64) -> SeenOnset {
         let centre = libm::log(asymptote_m_per_s);
-        let at_boundary = self.swing(libm::log(boundary_m_per_s), self.tolerance);
+        let at_boundary = Swing::of(&self.model(libm::log(boundary_m_per_s)), self.tolerance);
+        let from = centre - REACH;
         SeenOnset {
             law: self.law,
             exists: self.existence(centre),
-            undershoot: self.visible_undershoot(centre - REACH, visible),
-            peak_excess_at_boundary: at_boundary.ok().map(|swing| libm::expm1(swing.overshoot)),
+            second_rise: self.visible(from, |swing| swing.second_rise >= visible),
+            undershoot: self.visible(from, |swing| swing.undershoot >= visible),
+            peak_excess_at_boundary: at_boundary.ok().map(|swing| swing.overshoot),
         }
     }
 
@@ -116,10 +112,11 @@ impl Line<'_> {
         Some(located(finer, 2.0 * (finer - coarser).abs()))
     }
 
-    fn visible_undershoot(&self, from: f64, visible: f64) -> Option<Located> {
-        let depth = -libm::log1p(-visible);
+    /// The slowest velocity of the scan from which on something is seen, refined.
+    fn visible(&self, from: f64, is_seen: impl Fn(&Swing) -> bool) -> Option<Located> {
         let seen = |tolerance: f64| {
-            move |log_velocity| Some(self.swing(log_velocity, tolerance).ok()?.undershoot >= depth)
+            let is_seen = &is_seen;
+            move |log_velocity| Some(is_seen(&Swing::of(&self.model(log_velocity), tolerance).ok()?))
         };
         let coarse = seen(self.tolerance);
         let place = |index: usize| SCAN_STEP.mul_add(index as f64, from);
@@ -128,20 +125,6 @@ impl Line<'_> {
         let (_, coarse) = border_between(coarse, ends, VISIBLE_WIDTH)?;
         let (_, fine) = border_between(seen(0.1 * self.tolerance), ends, VISIBLE_WIDTH)?;
         Some(located(fine, 2.0 * (coarse - fine).abs() + VISIBLE_WIDTH))
-    }
-
-    /// The first swing of the run from V_l/10.
-    pub fn swing(&self, log_velocity: f64, local_tolerance: f64) -> Result<Swing, Failure> {
-        let model = self.model(log_velocity);
-        let control = Control { local_tolerance, most_steps: 1_000_000 };
-        let start = Start::default().at_a_tenth(&model);
-        let mut run = Integrator::new(&model, Radau::<f64, 5>::new(), start, control)?;
-        let (_, end) = run_lap(&mut run)?;
-        if end == LapEnd::Quiet {
-            return Ok(Swing { overshoot: 0.0, undershoot: 0.0 });
-        }
-        let (lap, _) = run_lap(&mut run)?;
-        Ok(Swing { overshoot: lap.peak.max(0.0), undershoot: (-lap.trough).max(0.0) })
     }
 
     /// V/V_l at equal times (units of D_c/V_l) from the start on.
