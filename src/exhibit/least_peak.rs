@@ -152,7 +152,7 @@ fn curves(scene: &SceneOutcome, law: EvolutionLaw, id: &str, label: &str) -> Opt
     let chart = LineChart {
         caption: Caption::new(id, &title, &description),
         x: Axis::log10("*V*_l over the velocity of eq 18", "", LOWEST, HIGHEST),
-        y: Axis::log10("Peak velocity over that at 10^{−5.5} m/s", "", 0.8 * low, 1.25 * high),
+        y: Axis::linear("Peak velocity over that at 10^{−5.5} m/s", "", 0.8 * low, 1.25 * high),
         series,
         references: vec![Reference::Vertical { at: 1.0, label: "eq 18".into() }],
         bands: Vec::new(),

@@ -50,7 +50,7 @@ fn runs(outcome: &Outcome, index: usize, letter: &str) -> Option<Figure> {
         caption: Caption::new(&id, &title, &description),
         x: Axis::linear("Loaded distance over slip distance *V*_l *t*/*D*_c", "", 0.0, until),
         y: Axis::linear("*V*/*V*_l", "", LOWEST, (5.0 * highest).ceil() / 5.0),
-        series: line.shown.iter().map(series).collect(),
+        series: line.shown.iter().map(series).chain(line.at_boundary.as_ref().map(boundary_series)).collect(),
         references: vec![Reference::Horizontal { at: 1.0, label: String::new() }],
         bands: Vec::new(),
         labels: Vec::new(),
@@ -75,5 +75,16 @@ fn series(run: &ShownRun) -> Series {
         points: run.history.clone(),
         marked: false,
         theory: false,
+    }
+}
+
+/// The run at the boundary as the theory line among the others.
+fn boundary_series(run: &ShownRun) -> Series {
+    let ratio = round_digits(run.velocity_over_asymptote, 4);
+    Series {
+        label: format!("exact boundary, *V*_l = {ratio} *V*_{{20}}"),
+        points: run.history.clone(),
+        marked: false,
+        theory: true,
     }
 }

@@ -11,6 +11,7 @@ mod near_transition;
 mod need;
 mod onset;
 mod onset_search;
+mod onset_theory;
 mod outcome;
 mod plan;
 mod run;

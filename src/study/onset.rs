@@ -3,15 +3,13 @@
 use rayon::prelude::*;
 
 use crate::dynamics::{Behaviour, simulate};
+use crate::friction::Parameters;
 use crate::number::{Ball, Rational, bits_for_digits};
 use crate::scene::{OnsetSection, SceneParameters};
-use crate::stability::{
-    Arc, Asymptote, BoundaryCurve, InertialThreshold, Section, SlipMode, classify, critical_normal_stress_pa,
-    has_transition,
-};
+use crate::stability::{Asymptote, InertialThreshold, classify, critical_normal_stress_pa, has_transition};
 use crate::study::map::exactly;
 use crate::study::onset_search::Line;
-use crate::study::search::border_between;
+use crate::study::onset_theory::{DIGITS, inertial_velocity, stable_boundary};
 use crate::study::simulations::options;
 use crate::study::{Located, SeenOnset};
 
@@ -32,6 +30,8 @@ pub struct Onset {
     pub seen: Vec<SeenOnset>,
     /// The runs to show, slowest loading first, with the first law.
     pub shown: Vec<ShownRun>,
+    /// The same run at the exact boundary.
+    pub at_boundary: Option<ShownRun>,
 }
 
 /// One run to show.
@@ -71,11 +71,8 @@ pub struct OnsetOutcome {
     pub visible: Rational,
 }
 
-/// Certain digits of the theory's velocities: more than any table shows.
-const DIGITS: u32 = 20;
-
-/// Length of the shown runs in D_c/V_l, and their samples.
-const SHOWN_UNTIL: f64 = 4.0;
+/// Length of the shown runs in natural periods at the fastest of their velocities, and their samples.
+const SHOWN_PERIODS: f64 = 4.0;
 const SHOWN_SAMPLES: usize = 161;
 
 /// Compares the velocities at every normal stress of the section.
@@ -97,18 +94,6 @@ pub fn onset(
     }
 }
 
-/// The boundary of the stable zone with the largest velocity at a normal stress: arc and velocity.
-fn stable_boundary(parameters: &SceneParameters, stress: &Rational) -> Option<(Arc, Ball)> {
-    let anywhere = parameters.at(Rational::from(1), Rational::from(1));
-    let upper_is_stable = !has_transition(&anywhere);
-    BoundaryCurve::new(&anywhere, DIGITS)
-        .crossings(&Section::AtNormalStress(stress.clone()))
-        .into_iter()
-        .map(|(crossing, _)| (crossing.arc, crossing.loading_velocity_m_per_s))
-        .filter(|(arc, _)| *arc == Arc::Lower || upper_is_stable)
-        .max_by(|(_, one), (_, other)| one.to_f64().total_cmp(&other.to_f64()))
-}
-
 fn onset_at(
     parameters: &SceneParameters,
     section: &OnsetSection,
@@ -124,10 +109,10 @@ fn onset_at(
         |law| Line { parameters, normal_stress_pa: stress, law, tolerance: section.tolerance.to_f64() };
     let (from, at) = (asymptote_velocity.to_f64(), boundary.to_f64());
     let visible = section.visible.to_f64();
-    let shown = section.laws.first().map_or_else(Vec::new, |&law| {
-        let ratios = section.velocity_over_asymptote.par_iter();
-        ratios.map(|ratio| shown_run(&line(law), threshold, from, ratio.to_f64())).collect()
-    });
+    let first = section.laws.first().map(|&law| line(law));
+    let fastest = section.velocity_over_asymptote.iter().map(Rational::to_f64).fold(0.0, f64::max);
+    let until = SHOWN_PERIODS * natural_period(&at_stress, from * fastest);
+    let run = |ratio: f64| Some(shown_run(first.as_ref()?, threshold, from, ratio, until));
     Some(Onset {
         normal_stress_pa: stress.clone(),
         asymptote,
@@ -135,41 +120,25 @@ fn onset_at(
         seen: section.laws.par_iter().map(|&law| line(law).search(from, at, visible)).collect(),
         asymptote_velocity_m_per_s: asymptote_velocity,
         boundary_velocity_m_per_s: boundary,
-        shown,
+        shown: section.velocity_over_asymptote.iter().filter_map(|ratio| run(ratio.to_f64())).collect(),
+        at_boundary: run(at / from),
     })
 }
 
-/// Largest factor above the boundary at which the threshold is sought, and the width in ln V to which it is located.
-const INERTIAL_REACH: f64 = 1e3;
-const INERTIAL_WIDTH: f64 = 1e-12;
-
-/// Halving on the exact slip mode.
-fn inertial_velocity(
-    parameters: &SceneParameters,
-    threshold: &InertialThreshold,
-    stress: &Rational,
-    boundary: f64,
-) -> Option<Located> {
-    let is_inertial = |log_velocity: f64| {
-        let point = parameters.at(stress.clone(), exactly(libm::exp(log_velocity)));
-        Some(classify(&point, threshold).slip_mode == SlipMode::InertialUnderdampedOscillation)
-    };
-    let ends = (libm::log(boundary), libm::log(boundary * INERTIAL_REACH));
-    // With a < b the stable zone ends at V_c; the last inertial velocity below it serves as the upper end.
-    let mut upper = (1..=64).map(|index| ends.0 + (ends.1 - ends.0) * f64::from(index) / 64.0);
-    let upper = upper.find(|&place| is_inertial(place) == Some(true))?;
-    let (low, high) = border_between(is_inertial, (ends.0, upper), INERTIAL_WIDTH)?;
-    Some(Located { velocity_m_per_s: libm::exp(high), error_dex: (high - low) / std::f64::consts::LN_10 })
+/// 2π/ω_n in units of D_c/V_l at a loading velocity.
+fn natural_period(parameters: &Parameters<Rational>, velocity: f64) -> f64 {
+    let squared = parameters.natural_angular_frequency_squared_per_s2().to_f64();
+    std::f64::consts::TAU / squared.sqrt() * velocity / parameters.critical_slip_distance_m.to_f64()
 }
 
-fn shown_run(line: &Line, threshold: &InertialThreshold, asymptote: f64, ratio: f64) -> ShownRun {
+fn shown_run(line: &Line, threshold: &InertialThreshold, asymptote: f64, ratio: f64, until: f64) -> ShownRun {
     let velocity = asymptote * ratio;
     let point = line.parameters.at(line.normal_stress_pa.clone(), exactly(velocity));
     ShownRun {
         velocity_over_asymptote: ratio,
         loading_velocity_m_per_s: velocity,
         oscillates: classify(&point, threshold).boundary_sign < 0,
-        history: line.history(libm::log(velocity), SHOWN_UNTIL, SHOWN_SAMPLES).unwrap_or_default(),
+        history: line.history(libm::log(velocity), until, SHOWN_SAMPLES).unwrap_or_default(),
     }
 }
 
