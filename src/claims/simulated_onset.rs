@@ -75,7 +75,7 @@ impl Compared<'_> {
     }
 
     /// log10 of a velocity over that of the exact boundary.
-    fn from_boundary(&self, located: &Located) -> f64 {
+    fn dex_over_boundary(&self, located: &Located) -> f64 {
         libm::log10(located.velocity_m_per_s / self.line.boundary_velocity_m_per_s.to_f64())
     }
 
@@ -116,7 +116,7 @@ fn judge(finding: Finding, compared: &Compared) -> Finding {
         let Some(exists) = &seen.exists else {
             return finding.refuted(format!("{law} law, σ = {stress} Pa: no oscillation was found"));
         };
-        let distance = compared.from_boundary(exists);
+        let distance = compared.dex_over_boundary(exists);
         let dex = |found: Option<Located>| {
             found.map_or("none".into(), |found| format!("{} dex", round_digits(compared.dex(&found), 4)))
         };
