@@ -34,8 +34,10 @@ pub struct FigureMaker {
 const ROOMS: &[&[FigureMaker]] = &[
     crate::exhibit::deviation::FIGURES,
     crate::exhibit::frequency::FIGURES,
+    crate::exhibit::least_peak::FIGURES,
     crate::exhibit::linear_regime::FIGURES,
     crate::exhibit::maps::FIGURES,
+    crate::exhibit::onset::FIGURES,
     crate::exhibit::overshoot_map::FIGURES,
     crate::exhibit::phase_portraits::FIGURES,
     crate::exhibit::simulation_map::FIGURES,

@@ -28,7 +28,7 @@ fn peak_map(scene: &SceneOutcome) -> Option<Figure> {
     let lowest = positive().fold(f64::INFINITY, f64::min);
     let highest = positive().fold(0.0, f64::max);
     let mut lines = theory_lines(scene, scene.boundary.as_ref()?, &x, &y);
-    lines.push(least_peak_line(outcome));
+    lines.push(least_peak_line(outcome, LAW));
     let map = HeatMap {
         caption: Caption::new("fig-3a", TITLE, DESCRIPTION),
         columns: grid.loading_velocity_m_per_s.len(),
@@ -63,19 +63,20 @@ const LAW: EvolutionLaw = EvolutionLaw::Slip;
 /// Colour steps of the map.
 const STEPS: usize = 30;
 
-fn least_peak_line(outcome: &SimulationsOutcome) -> Line {
+/// The minima of the peak velocity with one law.
+pub(super) fn least_peak_line(outcome: &SimulationsOutcome, law: EvolutionLaw) -> Line {
     let place = |least: &LeastPeak| {
         (least.eq18_velocity_m_per_s * libm::exp10(least.offset_dex), least.normal_stress_pa)
     };
     Line {
         label: "least peak velocity at given *σ*".into(),
         role: LineRole::Guide,
-        points: outcome.least_peaks.iter().filter(|least| least.law == LAW).map(place).collect(),
+        points: outcome.least_peaks.iter().filter(|least| least.law == law).map(place).collect(),
     }
 }
 
 /// The peak velocity of a limit cycle, m/s; 0, which a map leaves uncoloured, for a decay or a run without a result.
-fn peak_velocity(point: &SimulatedPoint) -> f64 {
+pub(super) fn peak_velocity(point: &SimulatedPoint) -> f64 {
     match (&point.simulation, point.periodic()) {
         (Ok(simulation), Some(true)) => simulation.peak_velocity_m_per_s,
         _ => 0.0,

@@ -22,6 +22,7 @@ const ROOMS: &[&[TableMaker]] = &[
     crate::exhibit::linear_regime::TABLES,
     crate::exhibit::mode_tables::TABLES,
     crate::exhibit::numeric_tables::TABLES,
+    crate::exhibit::onset_tables::TABLES,
     crate::exhibit::simulation_tables::TABLES,
     crate::exhibit::start_tables::TABLES,
     crate::exhibit::theory_tables::TABLES,

@@ -6,7 +6,7 @@ use crate::scene::section::Section;
 use crate::scene::sections::{NAME_RULE, safe_name};
 use crate::scene::{
     AllowedRange, BoundarySection, EffectRatioSweep, Faults, FrequencySection, HardCases, Limits,
-    LinearRegimeSection, Problem, Quantity, Rectangle, SceneParameters, SimulationsSection,
+    LinearRegimeSection, OnsetSection, Problem, Quantity, Rectangle, SceneParameters, SimulationsSection,
     StartSensitivitySection, ToleranceSection, TrajectoriesSection,
 };
 
@@ -43,6 +43,8 @@ pub struct Scene {
     pub linear_regime: Option<LinearRegimeSection>,
     /// `[start_sensitivity]`: every completion of the start V_l/10.
     pub start_sensitivity: Option<StartSensitivitySection>,
+    /// `[onset]`: where oscillation begins along lines of constant normal stress.
+    pub onset: Option<OnsetSection>,
 }
 
 impl Scene {
@@ -89,6 +91,7 @@ fn read_scene(top: &mut Section<'_>, limits: &Limits, faults: &mut Faults) -> Op
         top.optional("linear_regime").map(|entry| LinearRegimeSection::read(&entry, limits, faults));
     let start_sensitivity =
         top.optional("start_sensitivity").map(|entry| StartSensitivitySection::read(&entry, limits, faults));
+    let onset = top.optional("onset").map(|entry| OnsetSection::read(&entry, limits, faults));
     check_needs(top, parameters.as_ref(), frequency.is_some(), faults);
     Some(Scene {
         name: name?,
@@ -106,6 +109,7 @@ fn read_scene(top: &mut Section<'_>, limits: &Limits, faults: &mut Faults) -> Op
         trajectories: given(trajectories)?,
         linear_regime: given(linear_regime)?,
         start_sensitivity: given(start_sensitivity)?,
+        onset: given(onset)?,
     })
 }
 
@@ -128,6 +132,7 @@ const NEED_PARAMETERS: &[&str] = &[
     "trajectories",
     "linear_regime",
     "start_sensitivity",
+    "onset",
 ];
 
 fn check_needs(

@@ -1,6 +1,7 @@
 //! What a scene needs, planned and computed: pure, and the same bytes on any number of threads.
 
 mod boundary;
+mod first_swing;
 mod frequency;
 mod grid;
 mod hard_cases;
@@ -10,9 +11,13 @@ mod linear_regime;
 mod map;
 mod near_transition;
 mod need;
+mod onset;
+mod onset_search;
+mod onset_theory;
 mod outcome;
 mod plan;
 mod run;
+mod search;
 mod simulations;
 mod snapshots;
 mod start_sensitivity;
@@ -27,12 +32,14 @@ pub use boundary::{BoundaryOutcome, END_ERROR, boundary_outcome};
 pub use frequency::{FrequencyLine, FrequencyOutcome, frequency_lines};
 pub use grid::Grid;
 pub use hard_cases::{FamilyOutcome, HardCase, compare_hard_cases, read_hard_cases};
-pub use least_peak::{LeastPeak, MINIMISER_ERROR_DEX, least_peaks};
+pub use least_peak::{FLATNESS_LEVELS, LeastPeak, SIDE_WIDTH, least_peaks};
 pub use linear_modes::Direction;
 pub use linear_regime::{LinearRegimeOutcome, Mismatch, ModeRuns, linear_regime};
 pub use map::{MapPoint, classify_rectangle};
 pub use near_transition::{NearRun, near_runs};
 pub use need::{Need, Needs};
+pub use onset::{Onset, OnsetOutcome, OtherUnit, ShownRun, onset};
+pub use onset_search::{Located, SeenOnset};
 pub use outcome::{Outcome, References, SceneOutcome, effect_ratio};
 pub use plan::{Item, all_needs, plan};
 pub use run::{Progress, inertial_threshold, run};

@@ -27,6 +27,8 @@ pub enum Need {
     LinearRegime,
     /// Every completion of the start V_l/10.
     StartSensitivity,
+    /// Where oscillation begins along lines of constant normal stress.
+    Onset,
 }
 
 impl Need {
@@ -43,6 +45,7 @@ impl Need {
         Self::Trajectories,
         Self::LinearRegime,
         Self::StartSensitivity,
+        Self::Onset,
     ];
 
     /// The stable name used in the ids of work items.
@@ -60,6 +63,7 @@ impl Need {
             Need::Trajectories => "trajectories",
             Need::LinearRegime => "linear-regime",
             Need::StartSensitivity => "start-sensitivity",
+            Need::Onset => "onset",
         }
     }
 }

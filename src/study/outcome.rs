@@ -6,7 +6,8 @@ use crate::number::Rational;
 use crate::scene::{Scene, SceneParameters};
 use crate::study::{
     BoundaryOutcome, FamilyOutcome, FrequencyOutcome, Grid, HardCase, LinearRegimeOutcome, MapPoint,
-    SimulationsOutcome, StartGroup, SweepOutcome, ToleranceOutcome, TrajectoryRun, ZonesOutcome,
+    OnsetOutcome, SimulationsOutcome, StartGroup, SweepOutcome, ToleranceOutcome, TrajectoryRun,
+    ZonesOutcome,
 };
 
 /// Everything computed for one scene; what nobody needed is absent.
@@ -36,6 +37,8 @@ pub struct SceneOutcome {
     pub linear_regime: Option<LinearRegimeOutcome>,
     /// Its completions of the start, a group for each point and law.
     pub start_sensitivity: Option<Vec<StartGroup>>,
+    /// Where its oscillation begins.
+    pub onset: Option<OnsetOutcome>,
 }
 
 impl SceneOutcome {
@@ -55,6 +58,7 @@ impl SceneOutcome {
             trajectories: None,
             linear_regime: None,
             start_sensitivity: None,
+            onset: None,
         }
     }
 

@@ -50,5 +50,6 @@ fn states(scene: &Scene, need: Need) -> bool {
         Need::Trajectories => scene.trajectories.is_some(),
         Need::LinearRegime => scene.linear_regime.is_some(),
         Need::StartSensitivity => scene.start_sensitivity.is_some(),
+        Need::Onset => scene.onset.is_some(),
     }
 }

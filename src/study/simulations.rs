@@ -65,7 +65,7 @@ pub fn simulations(
         grids: section.laws.iter().map(grid).collect(),
         near_transition: near
             .map_or_else(Vec::new, |near| near_runs(parameters, near, &section.laws, &options)),
-        least_peaks: least_peaks(parameters, section, &options),
+        least_peaks: least_peaks(parameters, section, threshold, &options),
     }
 }
 

@@ -42,6 +42,8 @@ fn every_section_is_read() {
          [simulations.near_transition]\ninertial_parameter = 0.01\nstiffness_over_critical = [1.002]\n\
          [linear_regime]\n{points}laws = [\"aging\"]\namplitudes = [1e-3, 1e-9]\n\
          [start_sensitivity]\n{points}laws = [\"slip\"]\ntolerance = 1e-8\n\
+         [onset]\nnormal_stress_pa = [1778.28, 562.34]\nvelocity_over_asymptote = [0.5, 5]\n\
+         laws = [\"slip\"]\ntolerance = 1e-8\nvisible = 0.01\nother_unit_pa = 1e6\n\
          [trajectories]\ntolerance = 1e-8\n{POINT}"
     );
     let scene = parse(&text).unwrap();
@@ -63,6 +65,9 @@ fn every_section_is_read() {
     assert_eq!(linear.points, [[Rational::from((1, 100_000)), Rational::from(1000)]]);
     assert_eq!(linear.amplitudes.len(), 2);
     assert_eq!(scene.start_sensitivity.unwrap().laws, [EvolutionLaw::Slip]);
+    let onset = scene.onset.unwrap();
+    assert_eq!((onset.normal_stress_pa.len(), onset.velocity_over_asymptote.len()), (2, 2));
+    assert_eq!(onset.other_unit_pa, Some(Rational::from(1_000_000)));
     assert!(scene.parameters.unwrap().point().is_some());
 }
 
