@@ -10,6 +10,8 @@ mod figures;
 mod frequency;
 mod maps;
 mod mode_tables;
+mod near_transition;
+mod near_transition_tables;
 mod numeric_tables;
 mod simulation_map;
 mod simulation_tables;

@@ -11,6 +11,7 @@ mod document;
 mod fault;
 mod file_text;
 mod name;
+mod near_transition;
 mod quantity;
 mod range;
 mod report_plan;
@@ -25,6 +26,7 @@ pub use csv_problem::CsvProblem;
 pub use fault::{Fault, Faults, Problem};
 pub use file_text::{MAX_FILE_BYTES, file_text, is_forbidden};
 pub use name::{NameError, check_name, nearest, same_name};
+pub use near_transition::NearTransition;
 pub use quantity::{Quantity, SceneParameters, parameters_from};
 pub use range::AllowedRange;
 pub use report_plan::{Chapter, ReportPlan, check_distinct_scene_names};
@@ -32,4 +34,4 @@ pub use schema::Scene;
 pub use sections::{
     BoundarySection, EffectRatioSweep, FrequencySection, HardCases, Rectangle, ToleranceSection,
 };
-pub use simulations::{NearTransition, SimulationsSection};
+pub use simulations::SimulationsSection;

@@ -5,8 +5,8 @@ use crate::scene::document::read_document;
 use crate::scene::section::Section;
 use crate::scene::sections::{NAME_RULE, safe_name};
 use crate::scene::{
-    AllowedRange, BoundarySection, EffectRatioSweep, Faults, FrequencySection, HardCases, Limits, Problem,
-    Quantity, Rectangle, SceneParameters, SimulationsSection, ToleranceSection,
+    AllowedRange, BoundarySection, EffectRatioSweep, Faults, FrequencySection, HardCases, Limits,
+    NearTransition, Problem, Quantity, Rectangle, SceneParameters, SimulationsSection, ToleranceSection,
 };
 
 /// What a user asks for: valid, exact, and nothing that was not asked.
@@ -36,6 +36,8 @@ pub struct Scene {
     pub hard_cases: Option<HardCases>,
     /// `[simulations]`: the nonlinear slider on a (V, σ) grid.
     pub simulations: Option<SimulationsSection>,
+    /// `[near_transition]`: the nonlinear slider close to K = K_c.
+    pub near_transition: Option<NearTransition>,
 }
 
 impl Scene {
@@ -76,7 +78,8 @@ fn read_scene(top: &mut Section<'_>, limits: &Limits, faults: &mut Faults) -> Op
     let hard_cases = top.optional("hard_cases").map(|entry| HardCases::read(&entry, faults));
     let simulations =
         top.optional("simulations").map(|entry| SimulationsSection::read(&entry, limits, faults));
-    check_needs(top, parameters.as_ref(), frequency.is_some(), faults);
+    let near = top.optional("near_transition").map(|entry| NearTransition::read(&entry, limits, faults));
+    check_needs(top, parameters.as_ref(), faults);
     Some(Scene {
         name: name?,
         title: title?,
@@ -90,6 +93,7 @@ fn read_scene(top: &mut Section<'_>, limits: &Limits, faults: &mut Faults) -> Op
         zones: given(zones)?,
         hard_cases: given(hard_cases)?,
         simulations: given(simulations)?,
+        near_transition: given(near)?,
     })
 }
 
@@ -101,15 +105,14 @@ fn given<T>(section: Option<Option<T>>) -> Option<Option<T>> {
     }
 }
 
-/// The sections that only mean something for a slider, and [`Scene::frequency`] for one with a critical normal stress.
-const NEED_PARAMETERS: [&str; 6] = ["map", "boundary", "frequency", "tolerance", "zones", "simulations"];
+/// The sections that only mean something for a slider.
+const NEED_PARAMETERS: &[&str] =
+    &["map", "boundary", "frequency", "tolerance", "zones", "simulations", "near_transition"];
 
-fn check_needs(
-    top: &mut Section<'_>,
-    parameters: Option<&Option<SceneParameters>>,
-    has_frequency: bool,
-    faults: &mut Faults,
-) {
+/// The sections that only mean something for a slider with a critical normal stress.
+const NEED_CRITICAL_STRESS: &[&str] = &["frequency", "near_transition"];
+
+fn check_needs(top: &mut Section<'_>, parameters: Option<&Option<SceneParameters>>, faults: &mut Faults) {
     if parameters.is_none() {
         for key in NEED_PARAMETERS {
             if let Some(entry) = top.optional(key) {
@@ -120,10 +123,13 @@ fn check_needs(
     let has_critical_stress =
         |parameters: &SceneParameters| parameters.evolution_effect > parameters.direct_effect;
     if let Some(Some(parameters)) = parameters
-        && has_frequency
         && !has_critical_stress(parameters)
     {
-        faults.push(top.fault("frequency", Problem::NoCriticalNormalStress));
+        for key in NEED_CRITICAL_STRESS {
+            if top.optional(key).is_some() {
+                faults.push(top.fault(key, Problem::NoCriticalNormalStress));
+            }
+        }
     }
 }
 

@@ -1,6 +1,8 @@
 //! What a scene needs, planned and computed: pure, and the same bytes on any number of threads.
 
+mod bistability;
 mod boundary;
+mod cycle_families;
 mod frequency;
 mod grid;
 mod hard_cases;
@@ -16,13 +18,15 @@ mod sweep;
 mod tolerance;
 mod zones;
 
+pub use bistability::{Edge, Threshold, place_on_transition};
 pub use boundary::{BoundaryOutcome, END_ERROR, boundary_outcome};
+pub use cycle_families::{Agreement, CycleFamilyOutcome, FamilyCycle};
 pub use frequency::{FrequencyLine, FrequencyOutcome, frequency_lines};
 pub use grid::Grid;
 pub use hard_cases::{FamilyOutcome, HardCase, compare_hard_cases, read_hard_cases};
 pub use least_peak::{LeastPeak, MINIMISER_ERROR_DEX, least_peaks};
 pub use map::{MapPoint, classify_rectangle};
-pub use near_transition::{NearRun, near_runs};
+pub use near_transition::{NearRun, NearTransitionOutcome, near_transition};
 pub use need::{Need, Needs};
 pub use outcome::{Outcome, References, SceneOutcome, effect_ratio};
 pub use plan::{Item, all_needs, plan};

@@ -21,6 +21,8 @@ pub enum Need {
     HardCases,
     /// The nonlinear slider on a (V, σ) grid.
     Simulations,
+    /// The nonlinear slider close to K = K_c.
+    NearTransition,
 }
 
 impl Need {
@@ -34,6 +36,7 @@ impl Need {
         Self::Zones,
         Self::HardCases,
         Self::Simulations,
+        Self::NearTransition,
     ];
 
     /// The stable name used in the ids of work items.
@@ -48,6 +51,7 @@ impl Need {
             Need::Zones => "zones",
             Need::HardCases => "hard-cases",
             Need::Simulations => "simulations",
+            Need::NearTransition => "near-transition",
         }
     }
 }

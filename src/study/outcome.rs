@@ -5,8 +5,8 @@ use std::collections::BTreeMap;
 use crate::number::Rational;
 use crate::scene::{Scene, SceneParameters};
 use crate::study::{
-    BoundaryOutcome, FamilyOutcome, FrequencyOutcome, Grid, HardCase, MapPoint, SimulationsOutcome,
-    SweepOutcome, ToleranceOutcome, ZonesOutcome,
+    BoundaryOutcome, FamilyOutcome, FrequencyOutcome, Grid, HardCase, MapPoint, NearTransitionOutcome,
+    SimulationsOutcome, SweepOutcome, ToleranceOutcome, ZonesOutcome,
 };
 
 /// Everything computed for one scene; what nobody needed is absent.
@@ -30,6 +30,8 @@ pub struct SceneOutcome {
     pub hard_cases: Option<Vec<FamilyOutcome>>,
     /// Its simulations.
     pub simulations: Option<SimulationsOutcome>,
+    /// Its slider close to K = K_c.
+    pub near_transition: Option<NearTransitionOutcome>,
 }
 
 impl SceneOutcome {
@@ -46,6 +48,7 @@ impl SceneOutcome {
             zones: None,
             hard_cases: None,
             simulations: None,
+            near_transition: None,
         }
     }
 

@@ -47,5 +47,6 @@ fn states(scene: &Scene, need: Need) -> bool {
         Need::Zones => scene.zones.is_some(),
         Need::HardCases => scene.hard_cases.is_some(),
         Need::Simulations => scene.simulations.is_some(),
+        Need::NearTransition => scene.near_transition.is_some(),
     }
 }

@@ -4,8 +4,8 @@ use crate::scene::Scene;
 use crate::stability::InertialThreshold;
 use crate::study::{
     Item, Need, Needs, Outcome, References, SceneOutcome, boundary_outcome, classify_rectangle,
-    compare_hard_cases, compare_zones, frequency_lines, plan, simulations, sweep_effect_ratio,
-    tolerance_limits,
+    compare_hard_cases, compare_zones, frequency_lines, near_transition, plan, simulations,
+    sweep_effect_ratio, tolerance_limits,
 };
 
 /// Hears of each item that is about to be computed: its id, its number and how many there are.
@@ -76,6 +76,11 @@ fn compute(item: &Item, outcome: &mut SceneOutcome, references: &References) {
             outcome.simulations = parameters
                 .zip(scene.simulations.as_ref())
                 .map(|(parameters, section)| simulations(parameters, section, &threshold));
+        }
+        Need::NearTransition => {
+            outcome.near_transition = parameters
+                .zip(scene.near_transition.as_ref())
+                .map(|(parameters, section)| near_transition(parameters, section));
         }
     }
 }

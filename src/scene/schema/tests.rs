@@ -38,7 +38,8 @@ fn every_section_is_read() {
          [effect_ratio_sweep]\neffect_ratio = {{ from = 1e-3, to = 1e3, points = 9 }}\nnear_equal = [1e-3]\n\
          [tolerance]\nrelative = [0.1, 0.01]\n[hard_cases]\nfile = \"hard.txt\"\n\
          [simulations]\n{axes}laws = [\"slip\", \"aging\"]\ntolerance = 1e-8\n\
-         [simulations.near_transition]\ninertial_parameter = 0.01\nstiffness_over_critical = [1.002]\n"
+         [near_transition]\ninertial_parameter = [0.01]\nstiffness_over_critical = [1.002]\n\
+         edge_inertial_parameter = [0.02]\ntolerance = 1e-6\n"
     );
     let scene = parse(&text).unwrap();
     assert_eq!(scene.map.unwrap().normal_stress_pa.points, 7);
@@ -50,7 +51,7 @@ fn every_section_is_read() {
     let simulations = scene.simulations.unwrap();
     assert_eq!(simulations.laws, [EvolutionLaw::Slip, EvolutionLaw::Aging]);
     assert_eq!(simulations.tolerance, Rational::from((1, 100_000_000)));
-    assert_eq!(simulations.near_transition.unwrap().stiffness_over_critical, [Rational::from((501, 500))]);
+    assert_eq!(scene.near_transition.unwrap().stiffness_over_critical, [Rational::from((501, 500))]);
     assert!(scene.parameters.unwrap().point().is_some());
 }
 
