@@ -40,8 +40,8 @@ pub struct Fold {
     pub relative_error: f64,
 }
 
-/// How often the bracket of a fold is halved before a parabola takes over: neighbours a factor of 1.2 apart end half a percent apart.
-const HALVINGS: u32 = 5;
+/// How often the bracket of a fold is halved before a parabola takes over: neighbours a factor of 1.2 apart end a third of a percent apart.
+const HALVINGS: u32 = 6;
 
 /// Relative error of κ that Newton's method leaves.
 const ROUNDING_OF_STIFFNESS: f64 = 1e-12;

@@ -10,6 +10,7 @@ mod digit_for_digit;
 mod hard_cases;
 mod hard_points;
 mod harness;
+mod near_transition;
 mod outputs;
 mod points;
 mod readme;
