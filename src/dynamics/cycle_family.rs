@@ -40,8 +40,8 @@ pub struct Fold {
     pub relative_error: f64,
 }
 
-/// How often the bracket of a fold is halved before a parabola takes over: neighbours a factor of 1.2 apart end a third of a percent apart.
-const HALVINGS: u32 = 6;
+/// How often the bracket of a fold is halved before a parabola takes over: neighbours a tenth apart end a third of a percent apart.
+const HALVINGS: u32 = 5;
 
 /// Relative error of κ that Newton's method leaves.
 const ROUNDING_OF_STIFFNESS: f64 = 1e-12;
@@ -158,22 +158,34 @@ impl CycleFamily {
         }
     }
 
-    /// The member at a stiffness between those of two neighbours.
+    /// The member at a stiffness between those of two members, by the secant that keeps the bracket (the Illinois rule).
     ///
     /// # Errors
-    /// Those of [`CycleFamily::member`].
-    pub fn between(&self, [one, other]: [&Member; 2], stiffness_group: f64) -> Result<Member, Failure> {
+    /// Those of [`CycleFamily::member`], and [`Failure::Undecided`] when the stiffness is not between theirs.
+    pub fn between(&self, ends: [&Member; 2], stiffness_group: f64) -> Result<Member, Failure> {
         let height = |member: &Member| libm::log(member.stiffness_group / stiffness_group);
-        let (mut before, mut last) = (one.clone(), other.clone());
-        for _ in 0..MOST_ITERATIONS {
-            let slope = libm::log(last.lap.end[2] / before.lap.end[2]) / (height(&last) - height(&before));
-            let next = self.beside(&last, -slope * height(&last))?;
-            if height(&next).abs() <= ROUNDING_OF_STIFFNESS || height(&next).abs() >= height(&last).abs() {
-                return Ok(next);
-            }
-            before = std::mem::replace(&mut last, next);
+        let place = |member: &Member| libm::log(member.lap.end[2]);
+        let [mut one, mut other] = ends.map(|end| (place(end), height(end)));
+        let mut nearest = ends[0].clone();
+        if one.1 * other.1 > 0.0 {
+            return Err(Failure::Undecided { cycles: 0, change: one.1 });
         }
-        Ok(last)
+        for _ in 0..MOST_ITERATIONS {
+            let to = other.0 - other.1 * (other.0 - one.0) / (other.1 - one.1);
+            nearest = self.beside(&nearest, to - place(&nearest))?;
+            let reached = height(&nearest);
+            if reached.abs() <= ROUNDING_OF_STIFFNESS {
+                return Ok(nearest);
+            }
+            one = if reached * other.1 < 0.0 { other } else { (one.0, 0.5 * one.1) };
+            other = (to, reached);
+        }
+        let change = height(&nearest).abs();
+        if change < CLOSED {
+            Ok(nearest)
+        } else {
+            Err(Failure::Undecided { cycles: MOST_ITERATIONS, change })
+        }
     }
 
     /// The leading Floquet multiplier's real part: above 1 the member is unstable.
@@ -253,7 +265,7 @@ mod tests {
         let imbalance = 0.05 * (EFFECT_RATIO - 1.0).sqrt() * family.inertial_parameter;
         let stress = imbalance * (1.0 + family.inertial_parameter) / family.inertial_parameter;
         let first = family.member(stress, [imbalance, critical(family)]).unwrap();
-        family.follow(first, 1.3, |member| member.stiffness_group > 0.98 * critical(family))
+        family.follow(first, 1.1, |member| member.stiffness_group > 0.98 * critical(family))
     }
 
     #[test]

@@ -160,7 +160,7 @@ fn amplitudes(near: &NearTransitionOutcome) -> Option<Figure> {
     let highest = near_peak(&upper, x.min);
     let chart = LineChart {
         caption: Caption::new("cycle-amplitudes", "Amplitudes of cycles close to K = K_c", AMPLITUDES),
-        y: Axis::linear("ln(*V*_peak/*V*_l)", "", 0.0, 1.1 * highest),
+        y: Axis::linear("ln(*V*_{peak}/*V*_l)", "", 0.0, 1.1 * highest),
         series: vec![
             series("aging, stable", [vec![fold], upper].concat()),
             series("aging, unstable", [origin.clone(), lower, vec![fold]].concat()),

@@ -4,7 +4,7 @@ use crate::claims::Context;
 use crate::exhibit::TableMaker;
 use crate::exhibit::tables::unless_empty;
 use crate::number::format::{rational_to_decimal, round_digits};
-use crate::study::{Edge, NearRun, NearTransitionOutcome, Need, Threshold};
+use crate::study::{CycleFamilyOutcome, Edge, NearRun, NearTransitionOutcome, Need, Threshold, effect_ratio};
 use crate::table::{Cell, Column, Table};
 use crate::theory::hopf::{coefficient, degenerate_inertial_parameter};
 use crate::theory::linearisation::Law;
@@ -34,7 +34,7 @@ fn optional(value: Option<f64>, digits: usize) -> Cell {
 fn coefficients(context: &Context) -> Option<Table> {
     let columns = vec![
         Column::text("law", "Law"),
-        Column::text("lyapunov_coefficient", "l_1, with ω² = β − 1"),
+        Column::text("real_part", "Re c_1 = ω l_1, with ω² = β − 1"),
         Column::text("square_amplitude", "A²/(K/K_c − 1), leading order"),
         Column::text("sign", "Sign over all parameters"),
     ];
@@ -44,7 +44,7 @@ fn coefficients(context: &Context) -> Option<Table> {
         let hopf = coefficient(context.equations, law).ok()?;
         table.push(vec![
             Cell::text(law.as_str()),
-            Cell::text(hopf.expression.to_string()),
+            Cell::text(hopf.normal_form[0].to_string()),
             Cell::text(hopf.square_amplitude.to_string()),
             Cell::text(hopf.sign_statement),
         ]);

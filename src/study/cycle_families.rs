@@ -51,6 +51,7 @@ pub struct CycleFamilyOutcome {
     family: CycleFamily,
     members: Vec<Member>,
     effect_ratio: Rational,
+    critical: f64,
     square_amplitude: Option<f64>,
 }
 
@@ -58,13 +59,16 @@ pub struct CycleFamilyOutcome {
 const SMALLEST: f64 = 0.05;
 
 /// Ratio of the stresses of neighbouring cycles.
-const FACTOR: f64 = 1.2;
+const FACTOR: f64 = 1.1;
 
 /// Where a family is no longer followed: beyond this K/K_c nothing is close to the transition.
 const FARTHEST: f64 = 0.88;
 
 /// The cycles whose deviations show the order: amplitudes of about 0.1 and 0.2.
-const COMPARED: [usize; 2] = [4, 8];
+const COMPARED: [usize; 2] = [8, 15];
+
+/// Part of a small amplitude by which it may differ from that of the coefficient: more than the square of [`SMALLEST`] leads to.
+const AROUND: f64 = 0.05;
 
 /// Local tolerance of the laps: their error is about 1e-12.
 const LOCAL_TOLERANCE: f64 = 1e-8;
@@ -98,8 +102,20 @@ impl CycleFamilyOutcome {
     #[must_use]
     pub fn log_peak_at(&self, stiffness_group: f64) -> Option<f64> {
         let stiffer = |member: &Member| member.stiffness_group > stiffness_group;
-        let pair = self.members.windows(2).rfind(|pair| stiffer(&pair[0]) != stiffer(&pair[1]))?;
-        self.family.between([&pair[0], &pair[1]], stiffness_group).ok().map(|member| member.lap.peak)
+        let pair = self.members.windows(2).rfind(|pair| stiffer(&pair[0]) != stiffer(&pair[1]));
+        let found = match pair {
+            Some(pair) => self.family.between([&pair[0], &pair[1]], stiffness_group),
+            None => self.smaller(stiffness_group)?,
+        };
+        found.ok().map(|member| member.lap.peak)
+    }
+
+    /// A cycle smaller than those followed: between two about the size that the coefficient says.
+    fn smaller(&self, stiffness_group: f64) -> Option<Result<Member, Failure>> {
+        let predicted = self.predicted_amplitude(stiffness_group / self.critical - 1.0)?;
+        let end = |part: f64| first(&self.family, self.critical, part * predicted);
+        let ends = end(1.0 - AROUND).and_then(|below| Ok([below, end(1.0 + AROUND)?]));
+        Some(ends.and_then(|[below, above]| self.family.between([&below, &above], stiffness_group)))
     }
 }
 
@@ -129,10 +145,7 @@ fn follow(parameters: &SceneParameters, law: EvolutionLaw, inertial: &Rational) 
     };
     let critical = (Rational::from(&effect_ratio - 1) * Rational::from(inertial + 1)).to_f64();
     let square = square_amplitude(named(law), inertial, &effect_ratio).map(|square| square.to_f64());
-    // The linear motion along the critical eigenvector: ζ = A ω (1 + η) and ζ − φ = A ω η as x rises through zero.
-    let turn = SMALLEST * (family.effect_ratio - 1.0).sqrt();
-    let first =
-        family.member(turn * (1.0 + family.inertial_parameter), [turn * family.inertial_parameter, critical]);
+    let first = first(&family, critical, SMALLEST);
     let members = first
         .map(|first| family.follow(first, FACTOR, |member| member.stiffness_group > FARTHEST * critical));
     let edge = members
@@ -148,8 +161,16 @@ fn follow(parameters: &SceneParameters, law: EvolutionLaw, inertial: &Rational) 
         family,
         members,
         effect_ratio,
+        critical,
         square_amplitude: square,
     }
+}
+
+/// The cycle of about this amplitude of ln(V/V_l), from the linear motion along the critical eigenvector: ζ = A ω (1 + η) and
+/// ζ − φ = A ω η as x rises through zero.
+fn first(family: &CycleFamily, critical: f64, amplitude: f64) -> Result<Member, Failure> {
+    let turn = amplitude * (family.effect_ratio - 1.0).sqrt();
+    family.member(turn * (1.0 + family.inertial_parameter), [turn * family.inertial_parameter, critical])
 }
 
 fn family_cycle(family: &CycleFamily, member: &Member, critical: f64, square: Option<f64>) -> FamilyCycle {
