@@ -30,6 +30,7 @@ mod checks_elsewhere;
 mod collocation;
 mod collocation_modes;
 mod cycle_family;
+mod cycle_fold;
 mod decay;
 mod dense_matrix;
 mod deviations;
@@ -57,7 +58,8 @@ mod threshold;
 mod trajectory;
 
 pub use arrow::Arrow;
-pub use cycle_family::{CycleFamily, Fold, Member};
+pub use cycle_family::{CycleFamily, Member};
+pub use cycle_fold::Fold;
 pub use deviations::oscillation_of_small_deviations;
 pub use failure::Failure;
 pub use floquet::floquet_multipliers;
