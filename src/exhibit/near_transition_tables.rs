@@ -132,7 +132,7 @@ fn agreement(context: &Context) -> Option<Table> {
         Column::number("order", "Order in the amplitude", ""),
     ];
     let mut table = Table::new("cycle-agreement", "Integrated cycles against the first Lyapunov coefficient", columns)
-        .with_note("The deviation is of second order in the amplitude: the next term of the normal form. The order shown follows from two cycles a factor of about two apart (sampled).");
+        .with_note("The deviation is of second order in the amplitude: the next term of the normal form. The order shown follows from two cycles a factor of about two apart (sampled); it is left out where the second-order term is about to change sign and the next one shows.");
     for family in found(context).flat_map(|outcome| &outcome.families) {
         let Some(agreement) = family.agreement() else { continue };
         table.push(vec![
@@ -141,7 +141,7 @@ fn agreement(context: &Context) -> Option<Table> {
             Cell::text(family.criticality().as_str()),
             number(agreement.amplitude, 3),
             number(agreement.deviation, 3),
-            number(agreement.order, 3),
+            optional(agreement.order, 3),
         ]);
     }
     unless_empty(table)

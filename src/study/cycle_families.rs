@@ -33,8 +33,9 @@ pub struct Agreement {
     pub amplitude: f64,
     /// K/K_c − 1 over the predicted one, minus 1.
     pub deviation: f64,
-    /// Power of the amplitude with which the deviation vanishes, from two cycles; 2 is derived.
-    pub order: f64,
+    /// Power of the amplitude with which the deviation vanishes, from two cycles; 2 is derived. None where the deviation is below the
+    /// fourth power of the amplitude: there its second-order term is about to change sign, and the next one shows.
+    pub order: Option<f64>,
 }
 
 /// The cycles of one slider.
@@ -95,7 +96,8 @@ impl CycleFamilyOutcome {
         let deviation = |cycle: &FamilyCycle| Some(cycle.excess / cycle.predicted_excess? - 1.0);
         let (first, second) = (deviation(small)?, deviation(large)?);
         let order = libm::log(second / first) / libm::log(large.amplitude / small.amplitude);
-        order.is_finite().then_some(Agreement { amplitude: small.amplitude, deviation: first, order })
+        let readable = order.is_finite() && first.abs() > libm::pow(small.amplitude, 4.0);
+        Some(Agreement { amplitude: small.amplitude, deviation: first, order: readable.then_some(order) })
     }
 
     /// ln(V_peak/V_l) of the outermost cycle at this κ, by Newton's method on the return map.
