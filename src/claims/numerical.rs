@@ -39,9 +39,9 @@ pub(super) const CHECKS: &[Check] = &[
     },
     Check {
         id: "N4",
-        criterion: "Both laws end in the same behaviour at every grid point, and in every run next to K = K_c.",
-        not_established: "Starts other than V_l/10 in steady state.",
-        needs: NEEDS,
+        criterion: "Both laws end in the same behaviour at every grid point and in every run next to K = K_c, and neither has a limit cycle where K > K_c.",
+        not_established: "Starts other than V_l/10 in steady state, and cycles that no continuation from K = K_c reaches.",
+        needs: &[Need::Simulations, Need::NearTransition],
         rests_on: &["F2"],
         decide: |context| n4(context).unwrap_or_else(|undecided| undecided),
     },

@@ -12,6 +12,8 @@ mod least_peak;
 mod linear_regime;
 mod maps;
 mod mode_tables;
+mod near_transition;
+mod near_transition_tables;
 mod numeric_tables;
 mod onset;
 mod onset_tables;

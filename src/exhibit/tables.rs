@@ -21,6 +21,7 @@ const ROOMS: &[&[TableMaker]] = &[
     crate::exhibit::deviation_tables::TABLES,
     crate::exhibit::linear_regime::TABLES,
     crate::exhibit::mode_tables::TABLES,
+    crate::exhibit::near_transition_tables::TABLES,
     crate::exhibit::numeric_tables::TABLES,
     crate::exhibit::onset_tables::TABLES,
     crate::exhibit::simulation_tables::TABLES,

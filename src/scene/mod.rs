@@ -11,6 +11,7 @@ mod document;
 mod fault;
 mod file_text;
 mod name;
+mod near_transition;
 mod onset;
 mod operating_points;
 mod quantity;
@@ -28,6 +29,7 @@ pub use csv_problem::CsvProblem;
 pub use fault::{Fault, Faults, Problem};
 pub use file_text::{MAX_FILE_BYTES, file_text, is_forbidden};
 pub use name::{NameError, check_name, nearest, same_name};
+pub use near_transition::NearTransition;
 pub use onset::OnsetSection;
 pub use operating_points::{LinearRegimeSection, StartSensitivitySection};
 pub use quantity::{Quantity, SceneParameters, parameters_from};
@@ -37,5 +39,5 @@ pub use schema::Scene;
 pub use sections::{
     BoundarySection, EffectRatioSweep, FrequencySection, HardCases, Rectangle, ToleranceSection,
 };
-pub use simulations::{NearTransition, SimulationsSection};
+pub use simulations::SimulationsSection;
 pub use trajectories::{TrajectoriesSection, TrajectoryPoint};

@@ -6,8 +6,8 @@ use crate::scene::section::Section;
 use crate::scene::sections::{NAME_RULE, safe_name};
 use crate::scene::{
     AllowedRange, BoundarySection, EffectRatioSweep, Faults, FrequencySection, HardCases, Limits,
-    LinearRegimeSection, OnsetSection, Problem, Quantity, Rectangle, SceneParameters, SimulationsSection,
-    StartSensitivitySection, ToleranceSection, TrajectoriesSection,
+    LinearRegimeSection, NearTransition, OnsetSection, Problem, Quantity, Rectangle, SceneParameters,
+    SimulationsSection, StartSensitivitySection, ToleranceSection, TrajectoriesSection,
 };
 
 /// What a user asks for: valid, exact, and nothing that was not asked.
@@ -45,6 +45,8 @@ pub struct Scene {
     pub start_sensitivity: Option<StartSensitivitySection>,
     /// `[onset]`: where oscillation begins along lines of constant normal stress.
     pub onset: Option<OnsetSection>,
+    /// `[near_transition]`: the nonlinear slider close to K = K_c.
+    pub near_transition: Option<NearTransition>,
 }
 
 impl Scene {
@@ -92,7 +94,8 @@ fn read_scene(top: &mut Section<'_>, limits: &Limits, faults: &mut Faults) -> Op
     let start_sensitivity =
         top.optional("start_sensitivity").map(|entry| StartSensitivitySection::read(&entry, limits, faults));
     let onset = top.optional("onset").map(|entry| OnsetSection::read(&entry, limits, faults));
-    check_needs(top, parameters.as_ref(), frequency.is_some(), faults);
+    let near = top.optional("near_transition").map(|entry| NearTransition::read(&entry, limits, faults));
+    check_needs(top, parameters.as_ref(), faults);
     Some(Scene {
         name: name?,
         title: title?,
@@ -110,6 +113,7 @@ fn read_scene(top: &mut Section<'_>, limits: &Limits, faults: &mut Faults) -> Op
         linear_regime: given(linear_regime)?,
         start_sensitivity: given(start_sensitivity)?,
         onset: given(onset)?,
+        near_transition: given(near)?,
     })
 }
 
@@ -121,7 +125,7 @@ fn given<T>(section: Option<Option<T>>) -> Option<Option<T>> {
     }
 }
 
-/// The sections that only mean something for a slider, and [`Scene::frequency`] for one with a critical normal stress.
+/// The sections that only mean something for a slider.
 const NEED_PARAMETERS: &[&str] = &[
     "map",
     "boundary",
@@ -133,14 +137,13 @@ const NEED_PARAMETERS: &[&str] = &[
     "linear_regime",
     "start_sensitivity",
     "onset",
+    "near_transition",
 ];
 
-fn check_needs(
-    top: &mut Section<'_>,
-    parameters: Option<&Option<SceneParameters>>,
-    has_frequency: bool,
-    faults: &mut Faults,
-) {
+/// The sections that only mean something for a slider with a critical normal stress.
+const NEED_CRITICAL_STRESS: &[&str] = &["frequency", "near_transition"];
+
+fn check_needs(top: &mut Section<'_>, parameters: Option<&Option<SceneParameters>>, faults: &mut Faults) {
     if parameters.is_none() {
         for key in NEED_PARAMETERS {
             if let Some(entry) = top.optional(key) {
@@ -151,10 +154,13 @@ fn check_needs(
     let has_critical_stress =
         |parameters: &SceneParameters| parameters.evolution_effect > parameters.direct_effect;
     if let Some(Some(parameters)) = parameters
-        && has_frequency
         && !has_critical_stress(parameters)
     {
-        faults.push(top.fault("frequency", Problem::NoCriticalNormalStress));
+        for key in NEED_CRITICAL_STRESS {
+            if top.optional(key).is_some() {
+                faults.push(top.fault(key, Problem::NoCriticalNormalStress));
+            }
+        }
     }
 }
 

@@ -1,6 +1,8 @@
 //! What a scene needs, planned and computed: pure, and the same bytes on any number of threads.
 
+mod bistability;
 mod boundary;
+mod cycle_families;
 mod first_swing;
 mod frequency;
 mod grid;
@@ -28,7 +30,9 @@ mod tolerance;
 mod trajectories;
 mod zones;
 
+pub use bistability::{Edge, Threshold, place_on_transition};
 pub use boundary::{BoundaryOutcome, END_ERROR, boundary_outcome};
+pub use cycle_families::{Agreement, CycleFamilyOutcome, FamilyCycle};
 pub use frequency::{FrequencyLine, FrequencyOutcome, frequency_lines};
 pub use grid::Grid;
 pub use hard_cases::{FamilyOutcome, HardCase, compare_hard_cases, read_hard_cases};
@@ -36,7 +40,7 @@ pub use least_peak::{FLATNESS_LEVELS, LeastPeak, SIDE_WIDTH, least_peaks};
 pub use linear_modes::Direction;
 pub use linear_regime::{LinearRegimeOutcome, Mismatch, ModeRuns, linear_regime};
 pub use map::{MapPoint, classify_rectangle};
-pub use near_transition::{NearRun, near_runs};
+pub use near_transition::{NearRun, NearTransitionOutcome, near_transition};
 pub use need::{Need, Needs};
 pub use onset::{Onset, OnsetOutcome, OtherUnit, ShownRun, onset};
 pub use onset_search::{Located, SeenOnset};

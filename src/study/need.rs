@@ -29,6 +29,8 @@ pub enum Need {
     StartSensitivity,
     /// Where oscillation begins along lines of constant normal stress.
     Onset,
+    /// The nonlinear slider close to K = K_c.
+    NearTransition,
 }
 
 impl Need {
@@ -46,6 +48,7 @@ impl Need {
         Self::LinearRegime,
         Self::StartSensitivity,
         Self::Onset,
+        Self::NearTransition,
     ];
 
     /// The stable name used in the ids of work items.
@@ -64,6 +67,7 @@ impl Need {
             Need::LinearRegime => "linear-regime",
             Need::StartSensitivity => "start-sensitivity",
             Need::Onset => "onset",
+            Need::NearTransition => "near-transition",
         }
     }
 }

@@ -6,8 +6,8 @@ use crate::number::Rational;
 use crate::scene::{Scene, SceneParameters};
 use crate::study::{
     BoundaryOutcome, FamilyOutcome, FrequencyOutcome, Grid, HardCase, LinearRegimeOutcome, MapPoint,
-    OnsetOutcome, SimulationsOutcome, StartGroup, SweepOutcome, ToleranceOutcome, TrajectoryRun,
-    ZonesOutcome,
+    NearTransitionOutcome, OnsetOutcome, SimulationsOutcome, StartGroup, SweepOutcome, ToleranceOutcome,
+    TrajectoryRun, ZonesOutcome,
 };
 
 /// Everything computed for one scene; what nobody needed is absent.
@@ -39,6 +39,8 @@ pub struct SceneOutcome {
     pub start_sensitivity: Option<Vec<StartGroup>>,
     /// Where its oscillation begins.
     pub onset: Option<OnsetOutcome>,
+    /// Its slider close to K = K_c.
+    pub near_transition: Option<NearTransitionOutcome>,
 }
 
 impl SceneOutcome {
@@ -59,6 +61,7 @@ impl SceneOutcome {
             linear_regime: None,
             start_sensitivity: None,
             onset: None,
+            near_transition: None,
         }
     }
 

@@ -51,5 +51,6 @@ fn states(scene: &Scene, need: Need) -> bool {
         Need::LinearRegime => scene.linear_regime.is_some(),
         Need::StartSensitivity => scene.start_sensitivity.is_some(),
         Need::Onset => scene.onset.is_some(),
+        Need::NearTransition => scene.near_transition.is_some(),
     }
 }

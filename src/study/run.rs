@@ -4,8 +4,8 @@ use crate::scene::Scene;
 use crate::stability::InertialThreshold;
 use crate::study::{
     Item, Need, Needs, Outcome, References, SceneOutcome, boundary_outcome, classify_rectangle,
-    compare_hard_cases, compare_zones, frequency_lines, linear_regime, onset, plan, simulations,
-    start_sensitivity, sweep_effect_ratio, tolerance_limits, trajectories,
+    compare_hard_cases, compare_zones, frequency_lines, linear_regime, near_transition, onset, plan,
+    simulations, start_sensitivity, sweep_effect_ratio, tolerance_limits, trajectories,
 };
 
 /// Hears of each item that is about to be computed: its id, its number and how many there are.
@@ -96,6 +96,11 @@ fn compute(item: &Item, outcome: &mut SceneOutcome, references: &References) {
             outcome.onset = parameters
                 .zip(scene.onset.as_ref())
                 .map(|(parameters, section)| onset(parameters, section, &threshold));
+        }
+        Need::NearTransition => {
+            outcome.near_transition = parameters
+                .zip(scene.near_transition.as_ref())
+                .map(|(parameters, section)| near_transition(parameters, section));
         }
     }
 }

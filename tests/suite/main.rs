@@ -11,6 +11,7 @@ mod full_disk;
 mod hard_cases;
 mod hard_points;
 mod harness;
+mod near_transition;
 mod outputs;
 mod points;
 mod readme;

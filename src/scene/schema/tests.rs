@@ -39,11 +39,12 @@ fn every_section_is_read() {
          [effect_ratio_sweep]\neffect_ratio = {{ from = 1e-3, to = 1e3, points = 9 }}\nnear_equal = [1e-3]\n\
          [tolerance]\nrelative = [0.1, 0.01]\n[hard_cases]\nfile = \"hard.txt\"\n\
          [simulations]\n{axes}laws = [\"slip\", \"aging\"]\ntolerance = 1e-8\n\
-         [simulations.near_transition]\ninertial_parameter = 0.01\nstiffness_over_critical = [1.002]\n\
          [linear_regime]\n{points}laws = [\"aging\"]\namplitudes = [1e-3, 1e-9]\n\
          [start_sensitivity]\n{points}laws = [\"slip\"]\ntolerance = 1e-8\n\
          [onset]\nnormal_stress_pa = [1778.28, 562.34]\nvelocity_over_asymptote = [0.5, 5]\n\
          laws = [\"slip\"]\ntolerance = 1e-8\nvisible = 0.01\nother_unit_pa = 1e6\n\
+         [near_transition]\ninertial_parameter = [0.01]\nstiffness_over_critical = [1.002]\n\
+         edge_inertial_parameter = [0.02]\ntolerance = 1e-6\n\
          [trajectories]\ntolerance = 1e-8\n{POINT}"
     );
     let scene = parse(&text).unwrap();
@@ -56,7 +57,6 @@ fn every_section_is_read() {
     let simulations = scene.simulations.unwrap();
     assert_eq!(simulations.laws, [EvolutionLaw::Slip, EvolutionLaw::Aging]);
     assert_eq!(simulations.tolerance, Rational::from((1, 100_000_000)));
-    assert_eq!(simulations.near_transition.unwrap().stiffness_over_critical, [Rational::from((501, 500))]);
     let point = scene.trajectories.unwrap().points.remove(0);
     assert_eq!((point.id.as_str(), point.laws.as_slice()), ("3g", [EvolutionLaw::Aging].as_slice()));
     assert_eq!(point.loading_velocity_m_per_s, Rational::from((3, 10_000)));
@@ -68,6 +68,7 @@ fn every_section_is_read() {
     let onset = scene.onset.unwrap();
     assert_eq!((onset.normal_stress_pa.len(), onset.velocity_over_asymptote.len()), (2, 2));
     assert_eq!(onset.other_unit_pa, Some(Rational::from(1_000_000)));
+    assert_eq!(scene.near_transition.unwrap().stiffness_over_critical, [Rational::from((501, 500))]);
     assert!(scene.parameters.unwrap().point().is_some());
 }
 
