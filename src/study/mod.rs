@@ -32,5 +32,5 @@ pub use run::{Progress, inertial_threshold, run};
 pub use simulations::{SimulatedPoint, SimulationsOutcome, simulations};
 pub use sweep::{SweepOutcome, SweepRow, sweep_effect_ratio};
 pub use tolerance::{ToleranceOutcome, ToleranceRow, tolerance_limits};
-pub use trajectories::{Course, Moment, TrajectoryRun, trajectories};
+pub use trajectories::{Course, DRAWING_TOLERANCE, Moment, TrajectoryRun, trajectories};
 pub use zones::{ThresholdShare, ZonesOutcome, compare_zones};
