@@ -26,7 +26,7 @@ pub(super) const FIGURES: &[FigureMaker] = &[
 /// The law of the paper's figures.
 const LAW: EvolutionLaw = EvolutionLaw::Slip;
 
-const MODES_DESCRIPTION: &str = "Six panels of shear stress against time. Panels b and c show saw teeth of slow loading and sudden drops, larger and rarer in b at the higher normal stress. Panel d shows a slow oscillation that dies after two swings. Panel e shows an even vibration at the natural period that neither grows nor dies. Panel f rises once and settles without oscillation. Panel g shows a fast oscillation that dies within ten swings.";
+const MODES_DESCRIPTION: &str = "Six panels of shear stress against time. Panels b and c show saw teeth of slow loading and sudden drops, larger and rarer in b at the higher normal stress. Panel d shows a slow oscillation that dies after two swings. Panel e shows an even vibration at the natural period that neither grows nor dies. Panel f rises once and settles without oscillation. Panel g shows a fast oscillation that dies away over six swings and more.";
 const MODES_CAPTION: &str = "Shear stress beyond that of steady sliding, against time, in each of the six cases of section 3.1 (compare figs 3b to 3g of the paper), slip law, from steady sliding at a tenth of the loading velocity. The paper's text does not state its points; these lie well inside each area and are marked in figure 3a. Curves are converged, drawn to half a pixel; periods and peaks with their errors are in the table.";
 
 /// Height of a panel of the six.

@@ -52,5 +52,5 @@ pub use start_sensitivity::{BACK, Early, StartGroup, StartRun, start_sensitivity
 pub use steady_sliding::{DISTURBANCE, GATHERED, GATHERED_FROM_DECAY, SteadyRun, WATCHED, steady_sliding};
 pub use sweep::{SweepOutcome, SweepRow, sweep_effect_ratio};
 pub use tolerance::{ToleranceOutcome, ToleranceRow, tolerance_limits};
-pub use trajectories::{Course, Moment, TrajectoryRun, trajectories};
+pub use trajectories::{Course, DRAWING_TOLERANCE, Moment, TrajectoryRun, trajectories};
 pub use zones::{ThresholdShare, ZonesOutcome, compare_zones};
