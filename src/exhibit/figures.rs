@@ -1,6 +1,9 @@
 //! Which figures there are, and what each needs.
 
-use crate::exhibit::{deviation, frequency, linear_regime, maps, simulation_map};
+use crate::exhibit::{
+    deviation, frequency, linear_regime, maps, overshoot_map, phase_portraits, simulation_map,
+    trajectory_figures,
+};
 use crate::study::{Need, Outcome};
 
 /// A figure that is ready to be placed.
@@ -33,7 +36,16 @@ pub struct FigureMaker {
 
 /// All figures.
 pub fn figure_makers() -> impl Iterator<Item = &'static FigureMaker> {
-    [maps::FIGURES, frequency::FIGURES, deviation::FIGURES, simulation_map::FIGURES, linear_regime::FIGURES]
-        .into_iter()
-        .flatten()
+    [
+        maps::FIGURES,
+        frequency::FIGURES,
+        deviation::FIGURES,
+        simulation_map::FIGURES,
+        overshoot_map::FIGURES,
+        trajectory_figures::FIGURES,
+        phase_portraits::FIGURES,
+        linear_regime::FIGURES,
+    ]
+    .into_iter()
+    .flatten()
 }

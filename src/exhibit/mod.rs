@@ -12,11 +12,16 @@ mod linear_regime;
 mod maps;
 mod mode_tables;
 mod numeric_tables;
+mod overshoot_map;
+mod phase_portraits;
 mod simulation_map;
 mod simulation_tables;
 mod start_tables;
 mod tables;
 mod theory_tables;
+mod trajectory_curves;
+mod trajectory_figures;
+mod trajectory_tables;
 
 pub use boundary_tables::{boundary_columns, boundary_row, vanishes};
 pub use figures::{Figure, FigureMaker, figure_makers};

@@ -3,7 +3,7 @@
 use crate::claims::Context;
 use crate::exhibit::{
     boundary_tables, deviation_tables, linear_regime, mode_tables, numeric_tables, simulation_tables,
-    start_tables, theory_tables,
+    start_tables, theory_tables, trajectory_tables,
 };
 use crate::study::Need;
 use crate::table::Table;
@@ -30,6 +30,7 @@ pub fn table_makers() -> impl Iterator<Item = &'static TableMaker> {
         simulation_tables::TABLES,
         linear_regime::TABLES,
         start_tables::TABLES,
+        trajectory_tables::TABLES,
     ]
     .into_iter()
     .flatten()

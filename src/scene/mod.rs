@@ -19,6 +19,7 @@ mod schema;
 mod section;
 mod sections;
 mod simulations;
+mod trajectories;
 
 pub use axis::{Limits, LogAxis};
 pub use claim_list::{ClaimEntry, ExpectedVerdict, read_claims};
@@ -35,3 +36,4 @@ pub use sections::{
     BoundarySection, EffectRatioSweep, FrequencySection, HardCases, Rectangle, ToleranceSection,
 };
 pub use simulations::{NearTransition, SimulationsSection};
+pub use trajectories::{TrajectoriesSection, TrajectoryPoint};

@@ -7,7 +7,7 @@ use crate::scene::sections::{NAME_RULE, safe_name};
 use crate::scene::{
     AllowedRange, BoundarySection, EffectRatioSweep, Faults, FrequencySection, HardCases, Limits,
     LinearRegimeSection, Problem, Quantity, Rectangle, SceneParameters, SimulationsSection,
-    StartSensitivitySection, ToleranceSection,
+    StartSensitivitySection, ToleranceSection, TrajectoriesSection,
 };
 
 /// What a user asks for: valid, exact, and nothing that was not asked.
@@ -41,6 +41,8 @@ pub struct Scene {
     pub linear_regime: Option<LinearRegimeSection>,
     /// `[start_sensitivity]`: every completion of the start V_l/10.
     pub start_sensitivity: Option<StartSensitivitySection>,
+    /// `[trajectories]`: the nonlinear slider's course at named points.
+    pub trajectories: Option<TrajectoriesSection>,
 }
 
 impl Scene {
@@ -85,6 +87,8 @@ fn read_scene(top: &mut Section<'_>, limits: &Limits, faults: &mut Faults) -> Op
         top.optional("linear_regime").map(|entry| LinearRegimeSection::read(&entry, limits, faults));
     let start_sensitivity =
         top.optional("start_sensitivity").map(|entry| StartSensitivitySection::read(&entry, limits, faults));
+    let trajectories =
+        top.optional("trajectories").map(|entry| TrajectoriesSection::read(&entry, limits, faults));
     check_needs(top, parameters.as_ref(), frequency.is_some(), faults);
     Some(Scene {
         name: name?,
@@ -101,6 +105,7 @@ fn read_scene(top: &mut Section<'_>, limits: &Limits, faults: &mut Faults) -> Op
         simulations: given(simulations)?,
         linear_regime: given(linear_regime)?,
         start_sensitivity: given(start_sensitivity)?,
+        trajectories: given(trajectories)?,
     })
 }
 
@@ -113,7 +118,7 @@ fn given<T>(section: Option<Option<T>>) -> Option<Option<T>> {
 }
 
 /// The sections that only mean something for a slider, and [`Scene::frequency`] for one with a critical normal stress.
-const NEED_PARAMETERS: [&str; 8] = [
+const NEED_PARAMETERS: &[&str] = &[
     "map",
     "boundary",
     "frequency",
@@ -122,6 +127,7 @@ const NEED_PARAMETERS: [&str; 8] = [
     "simulations",
     "linear_regime",
     "start_sensitivity",
+    "trajectories",
 ];
 
 fn check_needs(

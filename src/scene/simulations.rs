@@ -56,7 +56,7 @@ impl SimulationsSection {
     }
 }
 
-/// A list of laws, each once.
+/// A list of evolution laws, each at most once.
 pub(super) fn read_laws(entry: &Entry<'_>, faults: &mut Faults) -> Option<Vec<EvolutionLaw>> {
     let mut seen = Vec::new();
     entry.list(faults, |member, faults| {

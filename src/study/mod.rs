@@ -18,7 +18,9 @@ mod snapshots;
 mod start_sensitivity;
 mod steady_sliding;
 mod sweep;
+mod thinning;
 mod tolerance;
+mod trajectories;
 mod zones;
 
 pub use boundary::{BoundaryOutcome, END_ERROR, boundary_outcome};
@@ -39,4 +41,5 @@ pub use start_sensitivity::{Early, StartGroup, StartRun, start_sensitivity};
 pub use steady_sliding::{SteadyRun, steady_sliding};
 pub use sweep::{SweepOutcome, SweepRow, sweep_effect_ratio};
 pub use tolerance::{ToleranceOutcome, ToleranceRow, tolerance_limits};
+pub use trajectories::{Course, Moment, TrajectoryRun, trajectories};
 pub use zones::{ThresholdShare, ZonesOutcome, compare_zones};

@@ -25,6 +25,8 @@ pub enum Need {
     LinearRegime,
     /// Every completion of the start V_l/10.
     StartSensitivity,
+    /// The nonlinear slider's course at named points.
+    Trajectories,
 }
 
 impl Need {
@@ -40,6 +42,7 @@ impl Need {
         Self::Simulations,
         Self::LinearRegime,
         Self::StartSensitivity,
+        Self::Trajectories,
     ];
 
     /// The stable name used in the ids of work items.
@@ -56,6 +59,7 @@ impl Need {
             Need::Simulations => "simulations",
             Need::LinearRegime => "linear-regime",
             Need::StartSensitivity => "start-sensitivity",
+            Need::Trajectories => "trajectories",
         }
     }
 }

@@ -6,7 +6,7 @@ use crate::number::Rational;
 use crate::scene::{Scene, SceneParameters};
 use crate::study::{
     BoundaryOutcome, FamilyOutcome, FrequencyOutcome, Grid, HardCase, LinearRegimeOutcome, MapPoint,
-    SimulationsOutcome, StartGroup, SweepOutcome, ToleranceOutcome, ZonesOutcome,
+    SimulationsOutcome, StartGroup, SweepOutcome, ToleranceOutcome, TrajectoryRun, ZonesOutcome,
 };
 
 /// Everything computed for one scene; what nobody needed is absent.
@@ -34,6 +34,8 @@ pub struct SceneOutcome {
     pub linear_regime: Option<LinearRegimeOutcome>,
     /// Its completions of the start, a group for each point and law.
     pub start_sensitivity: Option<Vec<StartGroup>>,
+    /// Its trajectories, point by point and law by law.
+    pub trajectories: Option<Vec<TrajectoryRun>>,
 }
 
 impl SceneOutcome {
@@ -52,6 +54,7 @@ impl SceneOutcome {
             simulations: None,
             linear_regime: None,
             start_sensitivity: None,
+            trajectories: None,
         }
     }
 

@@ -49,5 +49,6 @@ fn states(scene: &Scene, need: Need) -> bool {
         Need::Simulations => scene.simulations.is_some(),
         Need::LinearRegime => scene.linear_regime.is_some(),
         Need::StartSensitivity => scene.start_sensitivity.is_some(),
+        Need::Trajectories => scene.trajectories.is_some(),
     }
 }

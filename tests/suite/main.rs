@@ -7,6 +7,7 @@ mod boundary;
 mod boundary_command;
 mod classify;
 mod digit_for_digit;
+mod full_disk;
 mod hard_cases;
 mod hard_points;
 mod harness;

@@ -41,7 +41,8 @@ fn every_section_is_read() {
          [simulations]\n{axes}laws = [\"slip\", \"aging\"]\ntolerance = 1e-8\n\
          [simulations.near_transition]\ninertial_parameter = 0.01\nstiffness_over_critical = [1.002]\n\
          [linear_regime]\n{points}laws = [\"aging\"]\namplitudes = [1e-3, 1e-9]\n\
-         [start_sensitivity]\n{points}laws = [\"slip\"]\ntolerance = 1e-8\n"
+         [start_sensitivity]\n{points}laws = [\"slip\"]\ntolerance = 1e-8\n\
+         [trajectories]\ntolerance = 1e-8\n{POINT}"
     );
     let scene = parse(&text).unwrap();
     assert_eq!(scene.map.unwrap().normal_stress_pa.points, 7);
@@ -58,7 +59,29 @@ fn every_section_is_read() {
     assert_eq!(linear.points, [[Rational::from((1, 100_000)), Rational::from(1000)]]);
     assert_eq!(linear.amplitudes.len(), 2);
     assert_eq!(scene.start_sensitivity.unwrap().laws, [EvolutionLaw::Slip]);
+    let point = scene.trajectories.unwrap().points.remove(0);
+    assert_eq!((point.id.as_str(), point.laws.as_slice()), ("3g", [EvolutionLaw::Aging].as_slice()));
+    assert_eq!(point.loading_velocity_m_per_s, Rational::from((3, 10_000)));
+    assert_eq!(point.duration_s, Rational::from((2, 5)));
     assert!(scene.parameters.unwrap().point().is_some());
+}
+
+const POINT: &str = "[[trajectories.point]]\nid = \"3g\"\nnormal_stress_pa = 1e3\n\
+    loading_velocity_m_per_s = 3e-4\nlaws = [\"aging\"]\nduration_s = 0.4\n";
+
+#[test]
+fn points_of_trajectories_have_names_of_their_own_and_positive_durations() {
+    let twice = messages(&format!("[trajectories]\ntolerance = 1e-8\n{POINT}{POINT}"));
+    assert!(
+        twice[0].contains("trajectories.point[2]") && twice[0].contains("an earlier id `3g`"),
+        "{twice:?}"
+    );
+    let endless = POINT.replace("0.4", "0").replace("3g", "../3g");
+    let said = messages(&format!("[trajectories]\ntolerance = 1e-8\n{endless}"));
+    assert_eq!(said.len(), 2, "{said:?}");
+    assert!(said[1].contains("point[1].duration_s = 0: must be > 0"), "{said:?}");
+    let none = messages("[trajectories]\ntolerance = 1e-8\n");
+    assert!(none[0].contains("trajectories.point: missing"), "{none:?}");
 }
 
 #[test]
