@@ -16,7 +16,7 @@ pub(super) const TABLES: &[TableMaker] = &[
 ];
 
 pub(super) const FIGURES: &[FigureMaker] = &[FigureMaker {
-    id: "linear-regime",
+    id: "small-disturbances",
     needs: &[Need::LinearRegime],
     data: &["linear-regime", "linear-regime-extremes"],
     make: mismatch_chart,
@@ -213,7 +213,8 @@ fn mismatch_chart(outcome: &Outcome) -> Option<Figure> {
     let decade = |value: f64, round: fn(f64) -> f64| libm::exp10(round(libm::log10(value)));
     let highest = series.iter().flat_map(|s| &s.points).map(|point| point.1).fold(0.0, f64::max);
     let lowest = series.iter().flat_map(|s| &s.points).map(|point| point.1).fold(floor, f64::min);
-    let caption = Caption::new("linear-regime", "Mismatch with the roots against amplitude", DESCRIPTION);
+    let caption =
+        Caption::new("small-disturbances", "Mismatch with the roots against amplitude", DESCRIPTION);
     let chart = LineChart {
         caption,
         x: Axis::log10("Amplitude of the start", "", least, most),
@@ -224,7 +225,7 @@ fn mismatch_chart(outcome: &Outcome) -> Option<Figure> {
         labels: Vec::new(),
     };
     (least < most && floor > 0.0).then(|| Figure {
-        id: "linear-regime".into(),
+        id: "small-disturbances".into(),
         label: "Figure L1".into(),
         caption_markdown: "Relative mismatch between the measured rate of a small disturbance and the certified root, against the size of the disturbance: for each law the starts with the largest and the smallest predicted constant of all points. Nonlinear runs in double-double. All lines have slope 1, as the quadratic terms require; the others lie between them. The grey line is the largest difference of a 64-bit run from the smallest amplitude.".into(),
         description: DESCRIPTION.into(),

@@ -21,8 +21,6 @@ pub enum Need {
     HardCases,
     /// The nonlinear slider on a (V, σ) grid.
     Simulations,
-    /// The nonlinear slider's course at named points.
-    Trajectories,
     /// Small disturbances along the eigenvectors, and steady sliding itself.
     LinearRegime,
     /// Every completion of the start V_l/10.
@@ -31,6 +29,8 @@ pub enum Need {
     Onset,
     /// The nonlinear slider close to K = K_c.
     NearTransition,
+    /// The nonlinear slider's course at named points.
+    Trajectories,
 }
 
 impl Need {
@@ -44,11 +44,11 @@ impl Need {
         Self::Zones,
         Self::HardCases,
         Self::Simulations,
-        Self::Trajectories,
         Self::LinearRegime,
         Self::StartSensitivity,
         Self::Onset,
         Self::NearTransition,
+        Self::Trajectories,
     ];
 
     /// The stable name used in the ids of work items.
@@ -63,11 +63,11 @@ impl Need {
             Need::Zones => "zones",
             Need::HardCases => "hard-cases",
             Need::Simulations => "simulations",
-            Need::Trajectories => "trajectories",
             Need::LinearRegime => "linear-regime",
             Need::StartSensitivity => "start-sensitivity",
             Need::Onset => "onset",
             Need::NearTransition => "near-transition",
+            Need::Trajectories => "trajectories",
         }
     }
 }

@@ -31,8 +31,6 @@ pub struct SceneOutcome {
     pub hard_cases: Option<Vec<FamilyOutcome>>,
     /// Its simulations.
     pub simulations: Option<SimulationsOutcome>,
-    /// Its trajectories, point by point and law by law.
-    pub trajectories: Option<Vec<TrajectoryRun>>,
     /// Its small disturbances, and steady sliding itself.
     pub linear_regime: Option<LinearRegimeOutcome>,
     /// Its completions of the start, a group for each point and law.
@@ -41,6 +39,8 @@ pub struct SceneOutcome {
     pub onset: Option<OnsetOutcome>,
     /// Its slider close to K = K_c.
     pub near_transition: Option<NearTransitionOutcome>,
+    /// Its trajectories, point by point and law by law.
+    pub trajectories: Option<Vec<TrajectoryRun>>,
 }
 
 impl SceneOutcome {
@@ -57,11 +57,11 @@ impl SceneOutcome {
             zones: None,
             hard_cases: None,
             simulations: None,
-            trajectories: None,
             linear_regime: None,
             start_sensitivity: None,
             onset: None,
             near_transition: None,
+            trajectories: None,
         }
     }
 

@@ -18,14 +18,14 @@ const TOLERANCES: [f64; 2] = [1e-9, 1e-10];
 const MOST_STEPS: u64 = 1_000_000;
 
 /// The part of ln(V/V_l) at the start below which the velocity counts as back at V_l.
-pub const BACK: f64 = 0.01;
+const BACK: f64 = 0.01;
 
 /// The early part of a run.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Early {
     /// Largest ln(V/V_l) before the second upward passage of V = V_l; none when the velocity has no maximum until then.
     pub first_log_peak: Option<f64>,
-    /// Time until |ln(V/V_l)| first is below [`BACK`] of its start, D_c/V_l.
+    /// Time until |ln(V/V_l)| first is below 1 % of its start, D_c/V_l.
     pub time_back: f64,
     /// The larger of |ln(V_l θ/D_c)| and the spring's distance from steady sliding in units of aσ at that moment.
     pub left_over: f64,

@@ -8,7 +8,7 @@ use crate::number::Rational;
 use crate::scene::{LinearRegimeSection, SceneParameters};
 
 /// How long steady sliding is watched, D_c/V_l.
-pub const WATCHED: f64 = 1e6;
+const WATCHED: f64 = 1e6;
 
 /// The longest step in that time: left to itself the method would cross it in twenty.
 const LONGEST_STEP: f64 = 1e3;
@@ -20,13 +20,13 @@ const DISTURBED_WATCHED: f64 = 1e3;
 const DEAD: f64 = 1e-6;
 
 /// A start that differs from steady sliding by rounding alone: 2^-52 in each variable.
-pub const DISTURBANCE: f64 = f64::EPSILON;
+const DISTURBANCE: f64 = f64::EPSILON;
 
 /// How long the free residual gathers on the way to a limit cycle and on it, D_c/V_l: more than a cycle of stick-slip, tens of vibration.
-pub const GATHERED: f64 = 1e3;
+const GATHERED: f64 = 1e3;
 
 /// The same for a decay, which is over long before: 1e3 would take the state below the least 64-bit number.
-pub const GATHERED_FROM_DECAY: f64 = 1e2;
+const GATHERED_FROM_DECAY: f64 = 1e2;
 
 /// Local tolerance of the runs.
 const TOLERANCE: f64 = 1e-11;
@@ -45,7 +45,7 @@ pub struct SteadyRun {
     pub law: EvolutionLaw,
     /// Largest of |x|, |y|, |ζ| at any step of a run that starts in steady sliding.
     pub departure: f64,
-    /// The same for a start disturbed by [`DISTURBANCE`] over that disturbance; none where steady sliding is unstable.
+    /// The same for a start disturbed by 2^-52 in each variable, over that disturbance; none where steady sliding is unstable.
     pub disturbed_over_disturbance: Option<f64>,
     /// Largest |spring stress − what loading and the separately integrated slip leave of it| over σ, from the paper's start.
     pub free_residual_over_normal_stress: f64,
@@ -101,4 +101,48 @@ fn largest_departure(model: &Model<f64>, start: State<f64>, until: f64) -> Resul
         }
     }
     Ok(largest)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::friction::Groups;
+    use crate::number::parse_decimal;
+
+    #[test]
+    fn steady_sliding_is_exact_and_the_residual_far_below_its_bound() {
+        let decimal = |text| parse_decimal(text).unwrap();
+        let parameters = SceneParameters {
+            direct_effect: decimal("0.004"),
+            evolution_effect: decimal("0.006"),
+            critical_slip_distance_m: decimal("10e-6"),
+            stiffness_pa_per_m: decimal("10e6"),
+            mass_per_area_kg_per_m2: decimal("1000"),
+            normal_stress_pa: None,
+            loading_velocity_m_per_s: None,
+        };
+        let section = LinearRegimeSection {
+            points: vec![[decimal("1e-5"), decimal("2e4")], [decimal("1e-5"), decimal("1e6")]],
+            laws: EvolutionLaw::ALL.to_vec(),
+            amplitudes: Vec::new(),
+        };
+        let runs = steady_sliding(&parameters, &section);
+        assert_eq!(runs.len(), 4);
+        for run in runs {
+            let run = run.unwrap();
+            assert_eq!(run.departure, 0.0);
+            let residual = run.free_residual_over_normal_stress;
+            assert!(residual > 0.0 && residual < 1e-10, "{residual:e}");
+            let grown = run.disturbed_over_disturbance;
+            assert_eq!(grown.is_some(), run.normal_stress_pa < 5e4);
+            assert!(grown.is_none_or(|grown| grown < 10.0), "{grown:?}");
+        }
+    }
+
+    #[test]
+    fn a_disturbance_of_an_unstable_slider_leaves_steady_sliding() {
+        let groups = Groups { inertial_parameter: 0.01, stiffness_group: 0.2, effect_ratio: 1.5 };
+        let model = Model::new(groups, EvolutionLaw::Slip);
+        assert!(largest_departure(&model, [DISTURBANCE; 3], DISTURBED_WATCHED).unwrap() > 1.0);
+    }
 }
