@@ -1,6 +1,7 @@
 //! What a scene needs, planned and computed: pure, and the same bytes on any number of threads.
 
 mod boundary;
+mod comparison;
 mod frequency;
 mod grid;
 mod hard_cases;
@@ -10,6 +11,7 @@ mod near_transition;
 mod need;
 mod outcome;
 mod plan;
+mod recording;
 mod run;
 mod simulations;
 mod sweep;
@@ -17,6 +19,10 @@ mod tolerance;
 mod zones;
 
 pub use boundary::{BoundaryOutcome, END_ERROR, boundary_outcome};
+pub use comparison::{
+    Agreement, Comparison, Finding, Observable, Origin, Reference, Simulate, StatedMode, StatedRun, Theory,
+    Value, compare_run,
+};
 pub use frequency::{FrequencyLine, FrequencyOutcome, frequency_lines};
 pub use grid::Grid;
 pub use hard_cases::{FamilyOutcome, HardCase, compare_hard_cases, read_hard_cases};
@@ -26,6 +32,7 @@ pub use near_transition::{NearRun, near_runs};
 pub use need::{Need, Needs};
 pub use outcome::{Outcome, References, SceneOutcome, effect_ratio};
 pub use plan::{Item, all_needs, plan};
+pub use recording::{Gap, LEAST_SAMPLES, LateDecay, LateRun, Measured, Recording, Unsettled};
 pub use run::{Progress, inertial_threshold, run};
 pub use simulations::{SimulatedPoint, SimulationsOutcome, simulations};
 pub use sweep::{SweepOutcome, SweepRow, sweep_effect_ratio};
