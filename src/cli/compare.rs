@@ -24,7 +24,7 @@ use crate::cli::progress::Progress;
 use crate::cli::terminal;
 use crate::cli::tree::OutputFolder;
 use crate::cli::words::law_of_word;
-use rows::{CompareRows, ComparedRow};
+use rows::{CompareRows, ComparedRow, nearest_number};
 
 /// Options of `compare`.
 #[derive(Debug, Args)]
@@ -108,7 +108,7 @@ impl Options {
         Ok(CompareRows {
             folder: folder.unwrap_or(Path::new(".")).to_path_buf(),
             law,
-            tolerance: tolerance.map_or(0.0, |tolerance| tolerance.to_f64()),
+            tolerance: tolerance.map_or(0.0, |tolerance| nearest_number(&tolerance)),
             keeps_recordings: self.report.is_some(),
         })
     }

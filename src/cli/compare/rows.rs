@@ -3,10 +3,11 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
+use rug::Float;
 use slipmode::dynamics::Start;
 use slipmode::friction::{EvolutionLaw, Parameters};
 use slipmode::number::Rational;
-use slipmode::scene::{AllowedRange, CsvProblem, Faults, Problem, nearest};
+use slipmode::scene::{AllowedRange, CsvProblem, Faults, Problem, Quantity, nearest};
 use slipmode::study::{Agreement, Comparison, Observable, Recording, StatedMode, StatedRun, compare_run};
 
 use crate::cli::compare::cells::{APPENDED, push_comparison};
@@ -68,6 +69,9 @@ impl RowWork for CompareRows {
 
     fn header_faults(&self, names: &[String]) -> Vec<(String, Problem)> {
         let has = |key: &str| names.iter().any(|name| name == key);
+        // A column that is known by its own name is no misspelling of another.
+        let is_unknown = |name: &&str| !Quantity::ALL.iter().any(|quantity| quantity.key() == *name);
+        let unknown: Vec<&str> = names.iter().map(String::as_str).filter(is_unknown).collect();
         let mut faults = Vec::new();
         if has(LAW_COLUMN) && self.law.is_some() {
             let problem = Problem::Needs("no --law beside it: the column chooses the law".into());
@@ -76,7 +80,7 @@ impl RowWork for CompareRows {
         for of in Observable::STATED.into_iter().filter(|of| !has(of.key())) {
             if let Some(name) = other_unit(of.stem(), names) {
                 faults.push((name.to_string(), CsvProblem::UnknownUnit { wanted: of.key() }.into()));
-            } else if let Some(near) = nearest(of.key(), names.iter().map(String::as_str)) {
+            } else if let Some(near) = nearest(of.key(), unknown.iter().copied()) {
                 let problem = CsvProblem::MissingColumn { nearest: Some(near.to_string()) };
                 faults.push((of.key().to_string(), problem.into()));
             }
@@ -97,7 +101,9 @@ impl RowWork for CompareRows {
         let tolerance = reader.optional(TOLERANCE_COLUMN, |text| AllowedRange::RUN_TOLERANCE.parse(text));
         let mode = reader.optional(Observable::Mode.key(), mode_of_word);
         let values = Observable::STATED.map(|of| {
-            reader.optional(of.key(), |text| AllowedRange::PHYSICAL.parse(text)).map(|value| value.to_f64())
+            reader
+                .optional(of.key(), |text| AllowedRange::PHYSICAL.parse(text))
+                .map(|value| nearest_number(&value))
         });
         let recording = self.recording(&mut reader, parameters.as_ref());
         let (Some(parameters), true) = (parameters, reader.faults.is_empty()) else {
@@ -107,7 +113,7 @@ impl RowWork for CompareRows {
             parameters,
             law,
             has_known_start: start.is_some(),
-            tolerance: tolerance.map_or(self.tolerance, |tolerance| tolerance.to_f64()),
+            tolerance: tolerance.map_or(self.tolerance, |tolerance| nearest_number(&tolerance)),
             mode,
             values,
             recording: recording.map(Arc::new),
@@ -146,6 +152,11 @@ impl CompareRows {
         let log_level = libm::log(parameters?.loading_velocity_m_per_s.to_f64());
         recording::read(&place, log_level).map_err(|faults| reader.faults.extend(faults)).ok()
     }
+}
+
+/// The nearest 64-bit number.
+pub fn nearest_number(value: &Rational) -> f64 {
+    Float::with_val(53, value).to_f64()
 }
 
 /// Columns of which one at least has to be there.

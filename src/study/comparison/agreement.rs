@@ -213,7 +213,7 @@ impl Finding {
             let shown = if error.is_finite() { format!("only to {error:.1e}") } else { "not at all".into() };
             (
                 Agreement::NotCompared,
-                format!("{whose} resolves it {shown}, coarser than the tolerance {tolerance:e}"),
+                format!("{whose} resolves it {shown}, coarser than the tolerance {tolerance:.1e}"),
             )
         };
         let (verdict, why) = match () {

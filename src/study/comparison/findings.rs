@@ -34,12 +34,12 @@ const THEORY_ERROR: f64 = 1e-14;
 #[must_use]
 pub fn compare_run(run: &StatedRun, simulate: Simulate<'_>) -> Comparison {
     let mut found = compare_as_stated(run, simulate);
-    if found.verdict == Agreement::Differs {
-        found.diagnosis = diagnose(run, simulate);
-    }
-    if run.is_empty() {
-        found.diagnosis = Some("the row gives nothing to compare".into());
-    }
+    found.diagnosis = match found.verdict {
+        Agreement::Agrees => None,
+        _ if run.is_empty() => Some("the row gives nothing to compare".into()),
+        // Velocities in another unit never pass V_l, so that such a trajectory is not even compared.
+        Agreement::Differs | Agreement::NotCompared => diagnose(run, simulate),
+    };
     found
 }
 
@@ -165,7 +165,10 @@ impl Side<'_> {
             Ok(simulation) => simulation,
             Err(why) => {
                 findings.push(self.without_simulation(observable, Origin::Column, run, why));
-                self.compare_linear(observable, Origin::Column, (value, 0.0), findings);
+                // A cycle is not linear: only a decay has the theory's frequency.
+                if self.theory.behaviour == Some(Behaviour::Decaying) {
+                    self.compare_linear(observable, Origin::Column, (value, 0.0), findings);
+                }
                 return;
             }
         };

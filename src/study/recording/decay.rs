@@ -4,8 +4,12 @@ use super::Recording;
 use super::laps::Lap;
 use super::late::{LateDecay, Measured, Reduced};
 
-/// Deviations below this part of the largest one are noise.
+/// Deviations below this part of the largest one are noise, in a decay without oscillation.
 const NOISE: f64 = 1e-6;
+/// Laps whose swing is below this part of the largest one are noise at any accuracy; above it their rates tell.
+const NOISY_LAP: f64 = 1e-10;
+/// Neighbouring rates that are compared.
+const WINDOW: usize = 3;
 /// Parts of a decay without oscillation that are compared with each other.
 const PARTS: usize = 3;
 
@@ -16,7 +20,7 @@ const PARTS: usize = 3;
 pub(super) fn decay_of_laps(reduced: &Reduced) -> LateDecay {
     let laps = &reduced.whole;
     let largest = laps.iter().map(Lap::swing).fold(0.0, f64::max);
-    let alive = laps.iter().position(|lap| lap.swing() < NOISE * largest).unwrap_or(laps.len());
+    let alive = laps.iter().position(|lap| lap.swing() < NOISY_LAP * largest).unwrap_or(laps.len());
     let laps = &laps[..alive];
     let rates: Vec<f64> = laps
         .windows(2)
@@ -28,19 +32,21 @@ pub(super) fn decay_of_laps(reduced: &Reduced) -> LateDecay {
         });
         high - low
     };
-    let windows = 0..rates.len().saturating_sub(2);
-    let best = windows
-        .min_by(|one, other| spread(&rates[*one..one + 3]).total_cmp(&spread(&rates[*other..other + 3])));
+    let width = WINDOW.min(rates.len());
+    let windows = 0..if width < 2 { 0 } else { rates.len() + 1 - width };
+    let best = windows.min_by(|one, other| {
+        spread(&rates[*one..one + width]).total_cmp(&spread(&rates[*other..other + width]))
+    });
     let Some(at) = best else {
         return LateDecay {
             period_s: laps.last().map(|lap| period(reduced, lap, lap.duration_s)),
             rate_per_s: None,
         };
     };
-    let durations: Vec<f64> = laps[at + 1..at + 4].iter().map(|lap| lap.duration_s).collect();
+    let durations: Vec<f64> = laps[at + 1..at + 1 + width].iter().map(|lap| lap.duration_s).collect();
     let lap = &laps[at + 2];
     let swings = reduced.resolution(lap, Lap::swing) / lap.swing();
-    let error = spread(&rates[at..at + 3]) + 2.0 * swings / lap.duration_s;
+    let error = spread(&rates[at..at + width]) + 2.0 * swings / lap.duration_s;
     let rate = Measured { value: rates[at + 1], relative_error: error / rates[at + 1].abs() };
     LateDecay { period_s: Some(period(reduced, lap, spread(&durations))), rate_per_s: Some(rate) }
 }
@@ -62,13 +68,14 @@ pub(super) fn decay_without_laps(recording: &Recording, log_level: f64) -> Optio
     let alive = deviations.iter().rposition(|value| value.abs() > NOISE * largest)?;
     let is_small = |value: &f64| value.abs() < 0.1 * largest;
     let begin = deviations[..=alive].iter().rposition(|value| !is_small(value)).map_or(0, |index| index + 1);
+    let change = deviations[..=alive].windows(2).rposition(|pair| pair[0] * pair[1] <= 0.0);
+    let begin = begin.max(change.map_or(0, |index| index + 1));
     Some(LateDecay { period_s: None, rate_per_s: rate(&recording.times_s, &deviations, begin, alive) })
 }
 
 /// The slope of ln |deviation| over the last of three parts of a stretch of samples, with the change from the part before as error.
 fn rate(times: &[f64], deviations: &[f64], begin: usize, end: usize) -> Option<Measured> {
-    let has_one_sign = deviations.get(begin..=end)?.windows(2).all(|pair| pair[0] * pair[1] > 0.0);
-    if end < begin + 2 * PARTS || !has_one_sign {
+    if end < begin + 2 * PARTS {
         return None;
     }
     let (from, to) = (times[begin], times[end]);

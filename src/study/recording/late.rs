@@ -61,6 +61,10 @@ pub enum Unsettled {
 ///
 /// A true cycle is as small as this only within about 1e-8 of K = K_c, where no recording is long enough to settle.
 const DEAD: f64 = 1e-4;
+/// A geometric approach is what three cycles let expect; an early approach is slower, so that more than expected is left.
+const APPROACH: f64 = 3.0;
+/// A cycle is only told when its swing changed by less than this part of it through the last third of the recording.
+const SETTLED: f64 = 0.05;
 /// Changes of the swing below this part of it count as none.
 const STILL: f64 = 1e-6;
 
@@ -143,7 +147,7 @@ impl Reduced {
         let values = spaced(&self.whole).map(value);
         let last = value(&self.whole[count - 1]);
         let step = (last - value(&self.whole[count - 2])).abs();
-        (last, resolution + step.max(remaining(values)))
+        (last, resolution + APPROACH * step.max(remaining(values)))
     }
 }
 
@@ -183,11 +187,11 @@ fn limit_of_swing(whole: &[Lap], largest: f64) -> Option<Limit> {
     }
     if !(0.0..1.0).contains(&ratio) {
         // Cycles that scatter about a value are settled; those that run away are not.
-        return (ratio < 0.0 && after.abs() <= 0.05 * third).then_some(Limit::Cycle);
+        return (ratio < 0.0 && after.abs() <= SETTLED * third).then_some(Limit::Cycle);
     }
     match (third + after * ratio / (1.0 - ratio)) / third {
         limit if limit < 0.2 => Some(Limit::Zero),
-        limit if (0.8..1.25).contains(&limit) => Some(Limit::Cycle),
+        limit if (0.8..1.25).contains(&limit) && after.abs() <= SETTLED * third => Some(Limit::Cycle),
         _ => None,
     }
 }
