@@ -209,6 +209,8 @@ impl Finding {
     ) -> Self {
         let difference = run.0 / ours.0 - 1.0;
         let allowed = tolerance + run.1 + ours.1;
+        // Not so for an error that is no number.
+        let resolves = |error: f64| error <= tolerance;
         let unresolved = |whose: &str, error: f64| {
             let shown = if error.is_finite() { format!("only to {error:.1e}") } else { "not at all".into() };
             (
@@ -218,8 +220,8 @@ impl Finding {
         };
         let (verdict, why) = match () {
             () if difference.abs() > allowed => (Agreement::Differs, String::new()),
-            () if !(run.1 <= tolerance) => unresolved("the trajectory", run.1),
-            () if !(ours.1 <= tolerance) => unresolved("our simulation", ours.1),
+            () if !resolves(run.1) => unresolved("the trajectory", run.1),
+            () if !resolves(ours.1) => unresolved("our simulation", ours.1),
             () => (Agreement::Agrees, String::new()),
         };
         let number = |(value, relative_error)| Value::Number { value, relative_error };

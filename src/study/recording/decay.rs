@@ -62,7 +62,8 @@ pub(super) fn decay_without_laps(recording: &Recording, log_level: f64) -> Optio
     let largest = deviations.iter().fold(0.0, |largest: f64, value| largest.max(value.abs()));
     let (last, middle) = (deviations.last()?.abs(), deviations[deviations.len() / 2].abs());
     let is_dead = last <= NOISE * largest;
-    if !is_dead && !(last < 0.5 * middle && last < 0.1 * largest) {
+    let shrinks = last < 0.5 * middle && last < 0.1 * largest;
+    if !(is_dead || shrinks) {
         return None;
     }
     let alive = deviations.iter().rposition(|value| value.abs() > NOISE * largest)?;
