@@ -2,9 +2,10 @@
 
 use crate::exhibit::axes::axes;
 use crate::exhibit::maps::theory_lines;
+use crate::exhibit::trajectory_curves::point_marks;
 use crate::exhibit::{Figure, FigureMaker};
 use crate::friction::EvolutionLaw;
-use crate::plot::{Caption, ColourScale, HeatMap, Line, LineRole};
+use crate::plot::{Caption, ColourScale, HeatMap, Line, LineRole, Side};
 use crate::study::{LeastPeak, Need, SceneOutcome, SimulatedPoint, SimulationsOutcome};
 
 pub(super) const FIGURES: &[FigureMaker] = &[FigureMaker {
@@ -16,7 +17,7 @@ pub(super) const FIGURES: &[FigureMaker] = &[FigureMaker {
 
 const TITLE: &str = "Peak velocity of the simulated limit cycles, slip law, a < b";
 const DESCRIPTION: &str = "Map over loading velocity and normal stress. Simulations that end in steady sliding fill the lower left and are uncoloured, up to the line of the transition. Beyond it the peak velocity grows with normal stress; from left to right it falls to a minimum near equation 18 and rises after it.";
-const CAPTION: &str = "Peak velocity of the limit cycle, simulated on a grid of quarter decades with the slip law (compare fig 3a of the paper). Points that end in steady sliding are uncoloured. The exact boundary, its asymptotes and the transition of the linear theory lie over it; the dotted line joins the least peak velocities at given normal stress (compare fig 5). The edge of the colour lies half-way between grid points.";
+const CAPTION: &str = "Peak velocity of the limit cycle, simulated on a grid of quarter decades with the slip law (compare fig 3a of the paper). Points that end in steady sliding are uncoloured. The exact boundary, its asymptotes and the transition of the linear theory lie over it; the dotted line joins the least peak velocities at given normal stress (compare fig 5). Letters mark the points of figs 3b to 3g. The edge of the colour lies half-way between grid points.";
 
 fn peak_map(scene: &SceneOutcome) -> Option<Figure> {
     let outcome = scene.simulations.as_ref()?;
@@ -42,7 +43,7 @@ fn peak_map(scene: &SceneOutcome) -> Option<Figure> {
         zero_areas: Vec::new(),
         zero_label: "ends in steady sliding".into(),
         lines,
-        marks: Vec::new(),
+        marks: point_marks(scene, "3", |id| format!("**{}**", id.trim_start_matches('3')), Side::Right),
         labels: Vec::new(),
         x,
         y,

@@ -11,6 +11,7 @@ mod document;
 mod fault;
 mod file_text;
 mod name;
+mod operating_points;
 mod quantity;
 mod range;
 mod report_plan;
@@ -18,6 +19,7 @@ mod schema;
 mod section;
 mod sections;
 mod simulations;
+mod trajectories;
 
 pub use axis::{Limits, LogAxis};
 pub use claim_list::{ClaimEntry, ExpectedVerdict, read_claims};
@@ -25,6 +27,7 @@ pub use csv_problem::CsvProblem;
 pub use fault::{Fault, Faults, Problem};
 pub use file_text::{MAX_FILE_BYTES, file_text, is_forbidden};
 pub use name::{NameError, check_name, nearest, same_name};
+pub use operating_points::{LinearRegimeSection, StartSensitivitySection};
 pub use quantity::{Quantity, SceneParameters, parameters_from};
 pub use range::AllowedRange;
 pub use report_plan::{Chapter, ReportPlan, check_distinct_scene_names};
@@ -33,3 +36,4 @@ pub use sections::{
     BoundarySection, EffectRatioSweep, FrequencySection, HardCases, Rectangle, ToleranceSection,
 };
 pub use simulations::{NearTransition, SimulationsSection};
+pub use trajectories::{TrajectoriesSection, TrajectoryPoint};

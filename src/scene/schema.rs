@@ -5,8 +5,9 @@ use crate::scene::document::read_document;
 use crate::scene::section::Section;
 use crate::scene::sections::{NAME_RULE, safe_name};
 use crate::scene::{
-    AllowedRange, BoundarySection, EffectRatioSweep, Faults, FrequencySection, HardCases, Limits, Problem,
-    Quantity, Rectangle, SceneParameters, SimulationsSection, ToleranceSection,
+    AllowedRange, BoundarySection, EffectRatioSweep, Faults, FrequencySection, HardCases, Limits,
+    LinearRegimeSection, Problem, Quantity, Rectangle, SceneParameters, SimulationsSection,
+    StartSensitivitySection, ToleranceSection, TrajectoriesSection,
 };
 
 /// What a user asks for: valid, exact, and nothing that was not asked.
@@ -36,6 +37,12 @@ pub struct Scene {
     pub hard_cases: Option<HardCases>,
     /// `[simulations]`: the nonlinear slider on a (V, σ) grid.
     pub simulations: Option<SimulationsSection>,
+    /// `[trajectories]`: the nonlinear slider's course at named points.
+    pub trajectories: Option<TrajectoriesSection>,
+    /// `[linear_regime]`: small disturbances along the eigenvectors.
+    pub linear_regime: Option<LinearRegimeSection>,
+    /// `[start_sensitivity]`: every completion of the start V_l/10.
+    pub start_sensitivity: Option<StartSensitivitySection>,
 }
 
 impl Scene {
@@ -76,6 +83,12 @@ fn read_scene(top: &mut Section<'_>, limits: &Limits, faults: &mut Faults) -> Op
     let hard_cases = top.optional("hard_cases").map(|entry| HardCases::read(&entry, faults));
     let simulations =
         top.optional("simulations").map(|entry| SimulationsSection::read(&entry, limits, faults));
+    let trajectories =
+        top.optional("trajectories").map(|entry| TrajectoriesSection::read(&entry, limits, faults));
+    let linear_regime =
+        top.optional("linear_regime").map(|entry| LinearRegimeSection::read(&entry, limits, faults));
+    let start_sensitivity =
+        top.optional("start_sensitivity").map(|entry| StartSensitivitySection::read(&entry, limits, faults));
     check_needs(top, parameters.as_ref(), frequency.is_some(), faults);
     Some(Scene {
         name: name?,
@@ -90,6 +103,9 @@ fn read_scene(top: &mut Section<'_>, limits: &Limits, faults: &mut Faults) -> Op
         zones: given(zones)?,
         hard_cases: given(hard_cases)?,
         simulations: given(simulations)?,
+        trajectories: given(trajectories)?,
+        linear_regime: given(linear_regime)?,
+        start_sensitivity: given(start_sensitivity)?,
     })
 }
 
@@ -102,7 +118,17 @@ fn given<T>(section: Option<Option<T>>) -> Option<Option<T>> {
 }
 
 /// The sections that only mean something for a slider, and [`Scene::frequency`] for one with a critical normal stress.
-const NEED_PARAMETERS: [&str; 6] = ["map", "boundary", "frequency", "tolerance", "zones", "simulations"];
+const NEED_PARAMETERS: &[&str] = &[
+    "map",
+    "boundary",
+    "frequency",
+    "tolerance",
+    "zones",
+    "simulations",
+    "trajectories",
+    "linear_regime",
+    "start_sensitivity",
+];
 
 fn check_needs(
     top: &mut Section<'_>,

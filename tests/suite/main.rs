@@ -9,6 +9,7 @@ mod classify;
 mod compare;
 mod compare_bad;
 mod digit_for_digit;
+mod full_disk;
 mod hard_cases;
 mod hard_points;
 mod harness;
