@@ -81,7 +81,7 @@ fn line(finding: &Finding) -> String {
 }
 
 /// A value with its unit and, when it has one, its error.
-pub fn shown_value(value: Value, unit: &str) -> String {
+fn shown_value(value: Value, unit: &str) -> String {
     match value {
         Value::Word(word) => word.into(),
         Value::None => "-".into(),
