@@ -2,6 +2,7 @@
 
 mod boundary;
 mod classify;
+mod compare;
 mod environment;
 mod failure;
 mod folder;
@@ -15,6 +16,7 @@ mod roots;
 mod simulate;
 mod terminal;
 mod tree;
+mod words;
 
 use std::process::ExitCode;
 
@@ -48,6 +50,8 @@ enum Command {
     Boundary(boundary::Options),
     /// The nonlinear slider, simulated: mode, peak velocity, period, stress drop, each with its error
     Simulate(simulate::Options),
+    /// Runs of other programs, held against the theory and against our simulation; exits with 1 unless all agree
+    Compare(compare::Options),
     /// One scene: its tables and figures
     Run(report::RunOptions),
     /// A report folder: its page, tables, figures and ledger
@@ -83,6 +87,7 @@ fn run(cli: Cli) -> Result<(), Failure> {
         Command::Roots(options) => roots::run(&options),
         Command::Boundary(options) => boundary::run(&options),
         Command::Simulate(options) => simulate::run(&options, &progress),
+        Command::Compare(options) => compare::run(&options, progress),
         Command::Run(options) => report::run(&options, &progress),
         Command::Report(options) => report::report(&options, &progress),
         Command::Verify(options) => report::verify(&options, &progress),

@@ -1,18 +1,17 @@
 //! `slipmode simulate`: the nonlinear slider at one point for people or programs, or for every row of a CSV file.
 
 mod history;
-mod range;
+pub mod range;
 mod rows;
-mod run;
-mod view;
+pub mod run;
+pub mod view;
 
 use std::path::{Path, PathBuf};
 
 use clap::Args;
 use rug::Float;
-use slipmode::dynamics::Start;
 use slipmode::friction::EvolutionLaw;
-use slipmode::scene::{AllowedRange, Problem, nearest};
+use slipmode::scene::{AllowedRange, Problem};
 
 use crate::cli::failure::Failure;
 use crate::cli::options::{Arguments, SliderOptions};
@@ -20,6 +19,7 @@ use crate::cli::output::Output;
 use crate::cli::points;
 use crate::cli::progress::Progress;
 use crate::cli::terminal;
+use crate::cli::words::{LAWS, law_of_word, start_of_word};
 use rows::SimulateRows;
 use run::{Found, Settings, simulate_point};
 
@@ -72,7 +72,7 @@ pub struct Options {
 /// When the arguments or the rows are at fault, the output cannot be written, or the simulation of a single point fails.
 pub fn run(options: &Options, progress: &Progress) -> Result<(), Failure> {
     let mut arguments = Arguments::default();
-    let law = options.law.as_ref().and_then(|word| law(word, &mut arguments));
+    let law = options.law.as_ref().and_then(|word| arguments.number("--law", word, law_of_word));
     let settings = options.settings(&mut arguments);
     let Some(points) = &options.points else {
         return options.single(law, settings, arguments, *progress);
@@ -87,7 +87,7 @@ impl Options {
     fn settings(&self, arguments: &mut Arguments) -> Option<Settings> {
         let range = AllowedRange::SIMULATION_TOLERANCE;
         let tolerance = arguments.number("--tolerance", &self.tolerance, |text| range.parse(text));
-        let start = word("--start", &self.start, Start::ALL.map(|start| (start.as_str(), start)), arguments);
+        let start = arguments.number("--start", &self.start, start_of_word);
         Some(Settings { tolerance: Float::with_val(53, tolerance?).to_f64(), start: start? })
     }
 
@@ -145,37 +145,4 @@ impl Options {
 
 fn is_stream(path: &Path) -> bool {
     path.as_os_str() == "-"
-}
-
-/// The words of the laws, for messages.
-const LAWS: &str = "slip, aging";
-
-/// The law of a word.
-fn law(text: &str, arguments: &mut Arguments) -> Option<EvolutionLaw> {
-    arguments.number("--law", text, law_of_word)
-}
-
-/// The law of a word of the command line or of a CSV file.
-fn law_of_word(text: &str) -> Result<EvolutionLaw, Problem> {
-    EvolutionLaw::from_word(text).ok_or_else(|| {
-        let near = nearest(text, EvolutionLaw::ALL.map(EvolutionLaw::as_str)).map(str::to_string);
-        Problem::UnknownWord { nearest: near, allowed: LAWS.into() }
-    })
-}
-
-/// What a word out of a list stands for.
-fn word<T: Copy, const N: usize>(
-    option: &str,
-    text: &str,
-    known: [(&str, T); N],
-    arguments: &mut Arguments,
-) -> Option<T> {
-    arguments.number(option, text, |text| {
-        let found = known.iter().find(|(word, _)| *word == text);
-        let words = known.map(|(word, _)| word);
-        found.map(|(_, value)| *value).ok_or_else(|| Problem::UnknownWord {
-            nearest: nearest(text, words).map(str::to_string),
-            allowed: words.join(", "),
-        })
-    })
 }

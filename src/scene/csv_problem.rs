@@ -54,6 +54,33 @@ pub enum CsvProblem {
     /// A row longer than allowed: as a rule a quotation mark that is never closed.
     #[error("a row of more than {0} bytes (is a quotation mark not closed?)")]
     RowTooLong(usize),
+    /// More rows than can be held.
+    #[error("more than {0} rows")]
+    TooManyRows(usize),
+    /// A time that is not later than the one before.
+    #[error("time does not increase (allowed: {allowed})")]
+    NotIncreasing {
+        /// What may stand there.
+        allowed: String,
+    },
+    /// A trajectory too short to show anything.
+    #[error("{found} samples (allowed: at least {wanted})")]
+    TooFewSamples {
+        /// The samples that there are.
+        found: usize,
+        /// The fewest that say anything.
+        wanted: usize,
+    },
+    /// A stretch of time without samples.
+    #[error("a gap of {step} s before this row, where the usual {what} takes {usual} s")]
+    Gap {
+        /// The length of the gap, s.
+        step: String,
+        /// What it is compared with, s.
+        usual: String,
+        /// A `step` or an `oscillation`.
+        what: &'static str,
+    },
     /// The file ends inside a quoted cell.
     #[error("the file ends inside a quoted cell")]
     UnclosedQuote,

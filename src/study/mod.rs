@@ -4,6 +4,7 @@ mod bistability;
 mod boundary;
 mod cycle_families;
 mod first_swing;
+mod comparison;
 mod frequency;
 mod grid;
 mod hard_cases;
@@ -18,6 +19,7 @@ mod onset_search;
 mod onset_theory;
 mod outcome;
 mod plan;
+mod recording;
 mod run;
 mod search;
 mod simulations;
@@ -33,6 +35,10 @@ mod zones;
 pub use bistability::{Edge, Threshold, place_on_transition};
 pub use boundary::{BoundaryOutcome, END_ERROR, boundary_outcome};
 pub use cycle_families::{Agreement, CycleFamilyOutcome, FamilyCycle};
+pub use comparison::{
+    Agreement, Comparison, Finding, Observable, Origin, Reference, Simulate, StatedMode, StatedRun, Theory,
+    Value, compare_run,
+};
 pub use frequency::{FrequencyLine, FrequencyOutcome, frequency_lines};
 pub use grid::Grid;
 pub use hard_cases::{FamilyOutcome, HardCase, compare_hard_cases, read_hard_cases};
@@ -46,6 +52,7 @@ pub use onset::{Onset, OnsetOutcome, OtherUnit, ShownRun, onset};
 pub use onset_search::{Located, SeenOnset};
 pub use outcome::{Outcome, References, SceneOutcome, effect_ratio};
 pub use plan::{Item, all_needs, plan};
+pub use recording::{Gap, LEAST_SAMPLES, LateDecay, LateRun, Measured, Recording, Unsettled};
 pub use run::{Progress, inertial_threshold, run};
 pub use simulations::{SimulatedPoint, SimulationsOutcome, simulations};
 pub use start_sensitivity::{Early, StartGroup, StartRun, start_sensitivity};

@@ -6,6 +6,8 @@ mod bad_scenes;
 mod boundary;
 mod boundary_command;
 mod classify;
+mod compare;
+mod compare_bad;
 mod digit_for_digit;
 mod full_disk;
 mod hard_cases;

@@ -17,6 +17,7 @@ pub struct ClassifyRows {
 impl RowWork for ClassifyRows {
     /// Reading decides nearly every row: its short decimals are classified as they are.
     type Input = Classification;
+    type Kept = ();
 
     const APPENDED: &'static [&'static str] = &[
         "transition_sign",

@@ -54,7 +54,7 @@ impl Header {
         let positions = Quantity::ALL.map(|quantity| names.iter().position(|name| name == quantity.key()));
         for (quantity, position) in Quantity::ALL.into_iter().zip(positions) {
             if position.is_none() {
-                let (name, problem) = absent(quantity, &names);
+                let (name, problem) = absent(quantity.key(), quantity.stem(), &names);
                 faults.push(fault(format!("header, column {name}"), problem.into()));
             }
         }
@@ -66,7 +66,11 @@ impl Header {
     }
 }
 
-fn names(row: Row<'_>) -> Result<Vec<String>, Problem> {
+/// The names of a header row.
+///
+/// # Errors
+/// A name that is not text.
+pub fn names(row: Row<'_>) -> Result<Vec<String>, Problem> {
     let text = |index| {
         let text = std::str::from_utf8(row.cell(index))
             .map_err(|error| Problem::NotUtf8(error.valid_up_to() + 1))?;
@@ -79,7 +83,7 @@ fn names(row: Row<'_>) -> Result<Vec<String>, Problem> {
 }
 
 /// Doubled columns, and columns that the output will have as well.
-fn column_faults(names: &[String], appended: &[&str], keep_going: bool) -> Vec<(String, CsvProblem)> {
+pub fn column_faults(names: &[String], appended: &[&str], keep_going: bool) -> Vec<(String, CsvProblem)> {
     let mut faults = Vec::new();
     for (index, name) in names.iter().enumerate() {
         if let Some(first) = names[..index].iter().position(|earlier| earlier == name) {
@@ -92,17 +96,22 @@ fn column_faults(names: &[String], appended: &[&str], keep_going: bool) -> Vec<(
     faults
 }
 
-/// Why a quantity's column is not there: it has another unit, or it is missing.
-fn absent(quantity: Quantity, names: &[String]) -> (String, CsvProblem) {
-    let other_unit = |name: &&String| {
-        let unit = name.strip_prefix(quantity.stem());
-        unit.is_some_and(|unit| unit.is_empty() || unit.starts_with(['_', ' ', '[', '(']))
-    };
-    match names.iter().find(other_unit) {
-        Some(name) => (name.clone(), CsvProblem::UnknownUnit { wanted: quantity.key() }),
+/// Why a column is not there: it has another unit, or it is missing.
+pub fn absent(key: &'static str, stem: &str, names: &[String]) -> (String, CsvProblem) {
+    match other_unit(stem, names) {
+        Some(name) => (name.to_string(), CsvProblem::UnknownUnit { wanted: key }),
         None => {
-            let near = nearest(quantity.key(), names.iter().map(String::as_str)).map(str::to_string);
-            (quantity.key().to_string(), CsvProblem::MissingColumn { nearest: near })
+            let near = nearest(key, names.iter().map(String::as_str)).map(str::to_string);
+            (key.to_string(), CsvProblem::MissingColumn { nearest: near })
         }
     }
+}
+
+/// A column that gives a quantity in a unit of its own, or in none.
+pub fn other_unit<'n>(stem: &str, names: &'n [String]) -> Option<&'n str> {
+    let is_other = |name: &&String| {
+        let unit = name.strip_prefix(stem);
+        unit.is_some_and(|unit| unit.is_empty() || unit.starts_with(['_', ' ', '[', '(']))
+    };
+    names.iter().find(is_other).map(String::as_str)
 }

@@ -12,6 +12,7 @@ mod work;
 use std::io::Write;
 use std::path::Path;
 
+use indicatif::ProgressBar;
 use rayon::prelude::*;
 use slipmode::scene::{Fault, Faults};
 
@@ -21,12 +22,23 @@ use crate::cli::output::{Output, machine_write};
 use crate::cli::progress::Progress;
 pub use cells::push_cell;
 use header::Header;
+pub use header::{absent, column_faults, names, other_unit};
 pub use row_work::{Cells, Remark, RowWork};
-use rows::{Block, RowReader};
+use rows::Block;
+pub use rows::{Row, RowReader};
+pub use work::cell_problem;
 use work::{Work, Worked};
 
 /// The most faults that are reported before the run stops looking for more.
 const MOST_FAULTS: usize = 20;
+
+/// What is left of the rows when all are done.
+#[derive(Debug)]
+pub struct Done<K> {
+    /// What the command kept of each row, in their order.
+    pub kept: Vec<K>,
+    counts: Counts,
+}
 
 /// Works on every row of `input` and writes to `output` (`-` for the standard streams).
 ///
@@ -40,41 +52,78 @@ pub fn run<W: RowWork>(
     keep_going: bool,
     progress: Progress,
 ) -> Result<(), Failure> {
-    let input = Input::open(input)?;
-    let bar = progress.bytes(input.size);
-    let mut reader = RowReader::new(input);
-    let file = reader.name().to_string();
-    let first = reader.block(1)?;
-    let header = Header::read(&file, first.rows().next(), keep_going, &command)?;
-    let work = Work { file, header, command, keep_going };
+    // An output that cannot be written is told before the work, not after it; a faulty header before the output.
+    let started = Started::new(input, command, keep_going, progress)?;
     let mut output = Output::create(output)?;
-    output.write_all(&work.header_line()).map_err(|error| machine_write(&error))?;
-
-    let mut counts = Counts::default();
-    let mut faults = Faults::new();
-    let mut batch = read_batch::<W>(&mut reader)?;
-    while !batch.is_empty() && (keep_going || faults.len() < MOST_FAULTS) {
-        let is_lost = !keep_going && !faults.is_empty();
-        let (worked, next) =
-            rayon::join(|| work_batch(&work, &batch, is_lost), || read_batch::<W>(&mut reader));
-        for part in worked {
-            if keep_going || faults.is_empty() {
-                output.write_all(&part.text).map_err(|error| machine_write(&error))?;
-            }
-            faults.extend(part.faults.iter().take(MOST_FAULTS.saturating_sub(faults.len())).cloned());
-            counts.add(part);
-        }
-        counts.rows += batch.iter().map(|block| block.rows().count() as u64).sum::<u64>();
-        batch = next?;
-        bar.set_position(reader.consumed());
-    }
-    bar.finish_and_clear();
-    if !keep_going && !faults.is_empty() {
-        return Err(Failure::Input(faults));
-    }
+    let done = started.work(&mut output)?;
     output.commit()?;
-    counts.tell();
+    done.tell();
     Ok(())
+}
+
+/// A points file whose header is sound.
+pub struct Started<W> {
+    work: Work<W>,
+    reader: RowReader,
+    bar: ProgressBar,
+}
+
+impl<W: RowWork> Started<W> {
+    /// Opens a file and reads its header.
+    ///
+    /// # Errors
+    /// When it cannot be opened or read, or its header is at fault.
+    pub fn new(input: &Path, command: W, keep_going: bool, progress: Progress) -> Result<Self, Failure> {
+        let input = Input::open(input)?;
+        let bar = progress.bytes(input.size);
+        let mut reader = RowReader::new(input);
+        let file = reader.name().to_string();
+        let first = reader.block(1)?;
+        let header = Header::read(&file, first.rows().next(), keep_going, &command)?;
+        Ok(Self { work: Work { file, header, command, keep_going }, reader, bar })
+    }
+
+    /// Works on every row.
+    ///
+    /// # Errors
+    /// As [`run`].
+    pub fn work(self, output: &mut impl Write) -> Result<Done<W::Kept>, Failure> {
+        let Self { work, mut reader, bar } = self;
+        output.write_all(&work.header_line()).map_err(|error| machine_write(&error))?;
+        let mut done = Done { kept: Vec::new(), counts: Counts::default() };
+        let mut faults = Faults::new();
+        let mut batch = read_batch::<W>(&mut reader)?;
+        while !batch.is_empty() && (work.keep_going || faults.len() < MOST_FAULTS) {
+            let is_lost = !work.keep_going && !faults.is_empty();
+            let (worked, next) =
+                rayon::join(|| work_batch(&work, &batch, is_lost), || read_batch::<W>(&mut reader));
+            for mut part in worked {
+                if work.keep_going || faults.is_empty() {
+                    output.write_all(&part.text).map_err(|error| machine_write(&error))?;
+                }
+                faults.extend(part.faults.iter().take(MOST_FAULTS.saturating_sub(faults.len())).cloned());
+                done.kept.append(&mut part.kept);
+                done.counts.add(part);
+            }
+            done.counts.rows += batch.iter().map(|block| block.rows().count() as u64).sum::<u64>();
+            batch = next?;
+            bar.set_position(reader.consumed());
+        }
+        bar.finish_and_clear();
+        if work.keep_going || faults.is_empty() { Ok(done) } else { Err(Failure::Input(faults)) }
+    }
+}
+
+impl<K> Done<K> {
+    /// Says on standard error that rows were passed over or are doubtful.
+    pub fn tell(&self) {
+        self.counts.tell();
+    }
+
+    /// Says on standard error which rows are doubtful, and nothing else.
+    pub fn tell_doubts(&self) {
+        self.counts.tell_doubts();
+    }
 }
 
 fn read_batch<W: RowWork>(reader: &mut RowReader) -> Result<Vec<Block>, Fault> {
@@ -89,15 +138,8 @@ fn read_batch<W: RowWork>(reader: &mut RowReader) -> Result<Vec<Block>, Fault> {
     Ok(batch)
 }
 
-fn work_batch<W: RowWork>(work: &Work<W>, batch: &[Block], only_read: bool) -> Vec<Worked> {
+fn work_batch<W: RowWork>(work: &Work<W>, batch: &[Block], only_read: bool) -> Vec<Worked<W::Kept>> {
     batch.par_iter().with_max_len(1).map(|block| work.block(block, only_read)).collect()
-}
-
-/// Rows with at least one fault; the faults of a row follow each other.
-fn count_rows(faults: &[Fault]) -> u64 {
-    let mut lines: Vec<_> = faults.iter().map(|fault| fault.line).collect();
-    lines.dedup();
-    lines.len() as u64
 }
 
 /// How many rows there were, and how many of them need a word.
@@ -111,8 +153,8 @@ struct Counts {
 }
 
 impl Counts {
-    fn add(&mut self, part: Worked) {
-        self.faulty += count_rows(&part.faults);
+    fn add<K>(&mut self, part: Worked<K>) {
+        self.faulty += part.faulty;
         self.unanswered += part.unanswered;
         self.doubtful += part.doubtful;
         self.first_doubt = self.first_doubt.take().or(part.first_doubt);
@@ -126,6 +168,10 @@ impl Counts {
         if self.unanswered > 0 {
             eprintln!("{} of {} rows have no answer; see the column `status`", self.unanswered, self.rows);
         }
+        self.tell_doubts();
+    }
+
+    fn tell_doubts(&self) {
         if let Some((row, doubt)) = &self.first_doubt {
             eprintln!("warning: row {row}: {doubt}; {} of {} rows have a warning", self.doubtful, self.rows);
         }

@@ -11,6 +11,8 @@ use crate::cli::points::rows::Row;
 pub trait RowWork: Sync {
     /// What is read from a row before the work on it.
     type Input;
+    /// What the command keeps of a row beyond its cells.
+    type Kept: Send;
 
     /// The columns that are appended to every row.
     const APPENDED: &'static [&'static str];
@@ -29,16 +31,18 @@ pub trait RowWork: Sync {
     fn read(&self, cells: Cells<'_>) -> Result<Self::Input, Faults>;
 
     /// Does the work and appends one cell for each of [`Self::APPENDED`], each behind a comma.
-    fn append(&self, input: &Self::Input, out: &mut Vec<u8>) -> Remark;
+    fn append(&self, input: &Self::Input, out: &mut Vec<u8>) -> Remark<Self::Kept>;
 }
 
 /// What is to be said of a row besides its cells.
 #[derive(Debug, Default)]
-pub struct Remark {
+pub struct Remark<K = ()> {
     /// Whether the work ended without an answer, which the row's cells explain.
     pub is_unanswered: bool,
     /// A doubt about the row's input.
     pub warning: Option<String>,
+    /// What the command wants back when all rows are done.
+    pub kept: K,
 }
 
 /// The cells of a row, found by the header.

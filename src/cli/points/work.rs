@@ -21,12 +21,16 @@ pub struct Work<W> {
 }
 
 /// A block's part of the output.
-#[derive(Debug, Default)]
-pub struct Worked {
+#[derive(Debug)]
+pub struct Worked<K> {
     /// The lines of the output.
     pub text: Vec<u8>,
     /// The faults of the rows.
     pub faults: Faults,
+    /// Rows with at least one fault.
+    pub faulty: u64,
+    /// What the command keeps, in the order of the rows.
+    pub kept: Vec<K>,
     /// Rows without an answer.
     pub unanswered: u64,
     /// Rows whose input is doubtful.
@@ -35,10 +39,24 @@ pub struct Worked {
     pub first_doubt: Option<(u64, String)>,
 }
 
+impl<K> Worked<K> {
+    fn nothing() -> Self {
+        Self {
+            text: Vec::new(),
+            faults: Faults::new(),
+            faulty: 0,
+            kept: Vec::new(),
+            unanswered: 0,
+            doubtful: 0,
+            first_doubt: None,
+        }
+    }
+}
+
 impl<W: RowWork> Work<W> {
     /// Works on the rows of a block, or only reads them when the output is lost already.
-    pub fn block(&self, block: &Block, only_read: bool) -> Worked {
-        let mut worked = Worked::default();
+    pub fn block(&self, block: &Block, only_read: bool) -> Worked<W::Kept> {
+        let mut worked = Worked::nothing();
         for row in block.rows() {
             match self.read(row) {
                 Ok(_) if only_read => {}
@@ -47,6 +65,7 @@ impl<W: RowWork> Work<W> {
                     if self.keep_going {
                         self.append_faults(row, &faults, &mut worked.text);
                     }
+                    worked.faulty += 1;
                     worked.faults.extend(faults);
                 }
             }
@@ -65,10 +84,11 @@ impl<W: RowWork> Work<W> {
         self.command.read(cells)
     }
 
-    fn append(&self, row: Row<'_>, input: &W::Input, worked: &mut Worked) {
+    fn append(&self, row: Row<'_>, input: &W::Input, worked: &mut Worked<W::Kept>) {
         self.push_input(row, &mut worked.text);
         let remark = self.command.append(input, &mut worked.text);
         worked.text.extend_from_slice(if self.keep_going { b",\n" } else { b"\n" });
+        worked.kept.push(remark.kept);
         worked.unanswered += u64::from(remark.is_unanswered);
         if let Some(doubt) = remark.warning {
             worked.doubtful += 1;
@@ -132,7 +152,8 @@ fn is_plain(row: Row<'_>) -> bool {
     row.bytes().len() <= LONGEST_CELL && row.bytes().iter().all(|byte| (b' '..=b'~').contains(byte))
 }
 
-fn cell_problem(cell: &[u8]) -> Option<Problem> {
+/// Why a cell is not a text of the allowed length, if it is not.
+pub fn cell_problem(cell: &[u8]) -> Option<Problem> {
     if cell.len() > LONGEST_CELL {
         return Some(CsvProblem::CellTooLong { bytes: cell.len(), limit: LONGEST_CELL }.into());
     }

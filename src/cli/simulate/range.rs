@@ -24,6 +24,13 @@ pub fn doubt(parameters: &Parameters<Rational>) -> Option<String> {
         let shown = round_float(&Float::with_val(64, stress), 6);
         doubts.push(format!("normal_stress_pa = {shown}: normal stress looks like MPa (wanted: Pa)"));
     }
+    doubts.extend(outside_tested(parameters));
+    (!doubts.is_empty()).then(|| doubts.join("; "))
+}
+
+/// The groups of a slider that lie outside the ranges over which simulations were tested.
+pub fn outside_tested(parameters: &Parameters<Rational>) -> Vec<String> {
+    let mut doubts = Vec::new();
     let groups = parameters.groups();
     let values = [groups.inertial_parameter, groups.stiffness_group, groups.effect_ratio];
     for (value, (name, [from, to])) in values.iter().zip(TESTED) {
@@ -33,5 +40,5 @@ pub fn doubt(parameters: &Parameters<Rational>) -> Option<String> {
             doubts.push(format!("{name} is {shown}, outside the tested range {from} to {to}"));
         }
     }
-    (!doubts.is_empty()).then(|| doubts.join("; "))
+    doubts
 }

@@ -7,12 +7,10 @@ use slipmode::number::format::shortest;
 use slipmode::scene::{Faults, Problem};
 
 use crate::cli::points::{Cells, Remark, RowWork, push_cell};
+use crate::cli::simulate::range;
 use crate::cli::simulate::run::{Settings, simulate_point};
 use crate::cli::simulate::view::ANSWERED;
-use crate::cli::simulate::{LAWS, law_of_word, range};
-
-/// The input column that chooses the law.
-const LAW_COLUMN: &str = "law";
+use crate::cli::words::{LAW_COLUMN, LAWS, law_of_word};
 
 /// Simulates rows.
 #[derive(Debug)]
@@ -25,6 +23,7 @@ pub struct SimulateRows {
 
 impl RowWork for SimulateRows {
     type Input = (Parameters<Rational>, EvolutionLaw);
+    type Kept = ();
 
     const APPENDED: &'static [&'static str] = &[
         "mode",
@@ -73,12 +72,12 @@ impl RowWork for SimulateRows {
         match simulate_point(parameters, *law, self.settings) {
             Ok(found) => {
                 push_found(&found, out);
-                Remark { is_unanswered: false, warning }
+                Remark { is_unanswered: false, warning, kept: () }
             }
             Err(reason) => {
                 out.extend_from_slice(",".repeat(Self::APPENDED.len()).as_bytes());
                 push_cell(out, reason.as_bytes());
-                Remark { is_unanswered: true, warning }
+                Remark { is_unanswered: true, warning, kept: () }
             }
         }
     }

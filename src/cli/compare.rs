@@ -1,0 +1,128 @@
+//! `slipmode compare`: runs of other programs held against the theory and against our simulation.
+
+mod cells;
+mod figures;
+mod page;
+mod recording;
+mod rows;
+mod tables;
+mod view;
+
+use std::io;
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use slipmode::scene::{AllowedRange, Problem};
+use slipmode::study::Agreement;
+
+use crate::cli::environment::Environment;
+use crate::cli::failure::Failure;
+use crate::cli::options::Arguments;
+use crate::cli::output::Output;
+use crate::cli::points::Started;
+use crate::cli::progress::Progress;
+use crate::cli::terminal;
+use crate::cli::tree::OutputFolder;
+use crate::cli::words::law_of_word;
+use rows::{CompareRows, ComparedRow, nearest_number};
+
+/// Options of `compare`.
+#[derive(Debug, Args)]
+pub struct Options {
+    /// The runs, one a row; `-` reads standard input
+    ///
+    /// The header is that of `classify --points`, with at least one of the columns peak_velocity_m_per_s, period_s,
+    /// stress_drop_pa, frequency_hz, mode (periodic, decaying, or a slip mode) and trajectory (a CSV file in the folder of the
+    /// runs file or below it, with time_s, velocity_m_per_s and perhaps shear_stress_pa, that of the spring). Columns law, start
+    /// and tolerance are optional, other columns are kept, an empty cell gives nothing. Limits of a trajectory: 8 to 10 000 000
+    /// samples.
+    #[arg(long, value_name = "FILE.csv")]
+    runs: PathBuf,
+    /// The evolution law, `slip` or `aging`, of a file without a column `law` [default: slip]
+    #[arg(long, value_name = "LAW", allow_hyphen_values = true)]
+    law: Option<String>,
+    /// Relative error of the runs' values, 1e-13 to 0.5; a column `tolerance` states it row by row
+    ///
+    /// A value agrees when it differs from ours by no more than this and the errors of both sides together. An error larger
+    /// than this decides nothing. Our simulation is a hundred times more accurate, and 1e-8 at least.
+    #[arg(long, value_name = "T", default_value = "1e-2", allow_hyphen_values = true)]
+    tolerance: String,
+    /// One JSON object instead of text
+    #[arg(long)]
+    json: bool,
+    /// Also write the rows as CSV, with what theory and simulation say and the verdicts; `-` is standard output, instead of text
+    #[arg(short, long, value_name = "OUT.csv")]
+    output: Option<PathBuf>,
+    /// Also write a report folder: index.html, report.md, tables and figures
+    #[arg(long, value_name = "DIR")]
+    report: Option<PathBuf>,
+}
+
+/// Runs the command.
+///
+/// # Errors
+/// When the arguments, the rows or their trajectories are at fault, an output cannot be written, or a row does not agree.
+pub fn run(options: &Options, progress: Progress) -> Result<(), Failure> {
+    let environment = Environment::start();
+    let command = options.command()?;
+    let folder = options.report.as_deref().map(OutputFolder::create).transpose()?;
+    let started = Started::new(&options.runs, command, false, progress)?;
+    let output = options.output.as_deref().map(Output::create).transpose()?;
+    let (done, output) = match output {
+        Some(mut output) => (started.work(&mut output)?, Some(output)),
+        None => (started.work(&mut io::sink())?, None),
+    };
+    if let Some(folder) = folder {
+        folder.commit(&page::files(&options.runs, &done.kept, &environment)?)?;
+    }
+    let takes_stdout = output.is_some() && options.writes_rows_to_stdout();
+    if let Some(output) = output {
+        output.commit()?;
+    }
+    if options.json {
+        terminal::print_json(&view::json(&done.kept))?;
+    } else if !takes_stdout {
+        terminal::print(&view::text(&done.kept))?;
+    }
+    done.tell_doubts();
+    verdict(&done.kept)
+}
+
+impl Options {
+    fn writes_rows_to_stdout(&self) -> bool {
+        self.output.as_deref().is_some_and(|path| path.as_os_str() == "-")
+    }
+
+    fn command(&self) -> Result<CompareRows, Failure> {
+        let mut arguments = Arguments::default();
+        let law = self.law.as_ref().and_then(|word| arguments.number("--law", word, law_of_word));
+        let range = AllowedRange::RUN_TOLERANCE;
+        let tolerance = arguments.number("--tolerance", &self.tolerance, |text| range.parse(text));
+        if self.json && self.writes_rows_to_stdout() {
+            let file = Problem::Needs("a file: standard output has the object".into());
+            arguments.fault::<()>("--output", Some("-"), file);
+        }
+        arguments.finish()?;
+        // Standard input has no folder: trajectories are looked for in the current one.
+        let folder = self.runs.parent().filter(|folder| !folder.as_os_str().is_empty());
+        Ok(CompareRows {
+            folder: folder.unwrap_or(Path::new(".")).to_path_buf(),
+            law,
+            tolerance: tolerance.map_or(0.0, |tolerance| nearest_number(&tolerance)),
+            keeps_recordings: self.report.is_some(),
+        })
+    }
+}
+
+/// Success when every row agrees.
+fn verdict(rows: &[ComparedRow]) -> Result<(), Failure> {
+    let count = |verdict: Agreement| rows.iter().filter(|row| row.comparison.verdict == verdict).count();
+    match (count(Agreement::Differs), count(Agreement::NotCompared)) {
+        _ if rows.is_empty() => Err(Failure::Check("no rows, so nothing was compared".into())),
+        (0, 0) => Ok(()),
+        (differs, open) => {
+            let total = rows.len();
+            Err(Failure::Check(format!("of {total} rows, {differs} differ and {open} could not be compared")))
+        }
+    }
+}

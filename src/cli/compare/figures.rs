@@ -1,0 +1,165 @@
+//! The figures of a comparison: how far values lie apart, and late cycles of both sides drawn over each other.
+
+use slipmode::dynamics::{Behaviour, Control, Model, Radau, trajectory};
+use slipmode::number::format::round_digits;
+use slipmode::plot::{Axis, Band, Caption, LineChart, Series};
+use slipmode::report::FigureView;
+use slipmode::study::{Observable, Recording, Reference};
+
+use crate::cli::compare::rows::ComparedRow;
+use crate::cli::simulate::run::Settings;
+
+/// Late cycles drawn, from the first rows that have one.
+const MOST_CYCLES: usize = 6;
+/// Where the axis of differences becomes linear, in units of the allowed difference.
+const SMALLEST: f64 = 1e-4;
+/// Periods after which our cycle is drawn, samples of a step, and most steps.
+const PERIODS: f64 = 12.0;
+const SAMPLES_PER_STEP: usize = 8;
+const MOST_STEPS: u64 = 1_000_000;
+
+/// All figures that the rows have numbers for.
+pub fn figures(rows: &[ComparedRow]) -> Vec<FigureView> {
+    let cycles = rows.iter().filter_map(late_cycles).take(MOST_CYCLES);
+    let mut figures: Vec<FigureView> = differences(rows).into_iter().chain(cycles).collect();
+    for (index, figure) in figures.iter_mut().enumerate() {
+        figure.label = format!("Figure {}", index + 1);
+    }
+    figures
+}
+
+/// Differences from our simulation in units of what is allowed.
+fn differences(rows: &[ComparedRow]) -> Option<FigureView> {
+    let series: Vec<Series> = Observable::ALL
+        .into_iter()
+        .map(|of| series(rows, of))
+        .filter(|series| !series.points.is_empty())
+        .collect();
+    let values = series.iter().flat_map(|series| &series.points).map(|(_, y)| y.abs());
+    let largest = values.filter(|size| size.is_finite()).fold(1.0, f64::max);
+    if series.is_empty() {
+        return None;
+    }
+    let end = libm::exp10(libm::log10(largest).floor() + 1.0);
+    let description = "One mark for each number of a run that was held against a simulation: the difference from it over the difference that tolerance and errors allow. Marks inside the strip between -1 and 1 agree.";
+    let chart = LineChart {
+        caption: Caption::new("differences", "Runs against our simulations", description),
+        x: Axis::linear("Row", "", first(rows) - 0.5, last(rows) + 0.5),
+        y: Axis::signed_log10("Difference over the allowed one", "", SMALLEST, -end, end),
+        series,
+        references: Vec::new(),
+        bands: vec![Band { across: true, from: -1.0, to: 1.0, label: "agreement".into() }],
+        labels: Vec::new(),
+    };
+    Some(FigureView {
+        id: "differences".into(),
+        label: String::new(),
+        caption_markdown: "Differences of the runs' numbers from our simulation, relative, in units of what the tolerance and the errors of both sides allow. Inside the strip they agree.".into(),
+        description: description.into(),
+        svg: chart.svg(),
+        data: vec!["findings".into()],
+    })
+}
+
+/// Marks without a line between them: a point without a place on the axes interrupts it.
+fn series(rows: &[ComparedRow], of: Observable) -> Series {
+    let mut points = Vec::new();
+    for row in rows {
+        for finding in &row.comparison.findings {
+            let is_meant = finding.observable == of && finding.reference == Reference::Simulation;
+            if let (true, Some(difference), Some(allowed)) = (is_meant, finding.difference, finding.allowed) {
+                let at = difference / allowed;
+                points.extend(
+                    at.is_finite()
+                        .then_some([(row.number as f64, at), (f64::NAN, f64::NAN)])
+                        .into_iter()
+                        .flatten(),
+                );
+            }
+        }
+    }
+    Series { label: of.words().into(), points, marked: true, theory: false }
+}
+
+fn first(rows: &[ComparedRow]) -> f64 {
+    rows.first().map_or(0.0, |row| row.number as f64)
+}
+
+fn last(rows: &[ComparedRow]) -> f64 {
+    rows.last().map_or(1.0, |row| row.number as f64)
+}
+
+/// The last cycle of a trajectory and of our run, both from their upward passage of V_l on.
+fn late_cycles(row: &ComparedRow) -> Option<FigureView> {
+    let recording = row.run.recording.as_ref()?;
+    let level = row.run.parameters.loading_velocity_m_per_s.to_f64();
+    let theirs = last_cycle(recording, level)?;
+    let ours = last_cycle(&our_recording(row)?, level)?;
+    let both = || theirs.iter().chain(&ours);
+    let lowest = both().map(|(_, v)| *v).fold(f64::INFINITY, f64::min);
+    let highest = both().map(|(_, v)| *v).fold(0.0, f64::max);
+    let end = both().map(|(t, _)| *t).fold(0.0, f64::max);
+    let (low, high) = (libm::log10(lowest).floor(), libm::log10(highest).ceil());
+    let id = format!("late-cycle-row-{}", row.number);
+    let description = format!(
+        "Velocity over one late cycle of row {}, from the upward passage of the loading velocity on: the trajectory as recorded, and our simulation.",
+        row.number
+    );
+    let chart = LineChart {
+        caption: Caption::new(&id, &format!("Late cycle of row {}", row.number), &description),
+        x: Axis::linear("Time since the upward passage of *V*_0", "s", 0.0, end),
+        y: Axis::log10("Velocity", "m/s", libm::exp10(low), libm::exp10(high.max(low + 1.0))),
+        series: vec![line("simulation", ours), line("run", theirs)],
+        references: Vec::new(),
+        bands: Vec::new(),
+        labels: Vec::new(),
+    };
+    let periods = round_digits(PERIODS, 2);
+    Some(FigureView {
+        id,
+        label: String::new(),
+        caption_markdown: format!(
+            "The last cycle that the trajectory of row {} shows, and the last one of {periods} periods of our simulation from its start; both begin where the velocity passes the loading velocity upwards.",
+            row.number
+        ),
+        description,
+        svg: chart.svg(),
+        data: Vec::new(),
+    })
+}
+
+fn line(label: &str, points: Vec<(f64, f64)>) -> Series {
+    Series { label: label.into(), points, marked: false, theory: false }
+}
+
+/// Time since the last upward passage but one, s, and velocity, m/s; none without two passages.
+fn last_cycle(recording: &Recording, level: f64) -> Option<Vec<(f64, f64)>> {
+    let passages = recording.upward_passages_s(libm::log(level));
+    let [.., begin, end] = passages[..] else { return None };
+    let samples = recording.times_s.iter().zip(&recording.log_velocities);
+    let inside = samples.filter(|(time, _)| (begin..=end).contains(*time));
+    let mut points = vec![(0.0, level)];
+    points.extend(inside.map(|(time, log)| (time - begin, libm::exp(*log))));
+    points.push((end - begin, level));
+    Some(points)
+}
+
+/// Our run from its start as a recording; none unless it ends in a cycle.
+fn our_recording(row: &ComparedRow) -> Option<Recording> {
+    let found = row.comparison.simulation.as_ref().ok()?;
+    let period_s = found.period_s.filter(|_| found.behaviour == Behaviour::Periodic)?;
+    let parameters = &row.run.parameters;
+    let rate_per_s = parameters.rate_per_s().to_f64();
+    let model = Model::new(parameters.groups().map(|group| group.to_f64()), row.run.law);
+    let options = Settings { tolerance: found.peak_relative_error, start: row.start }.options();
+    let start = row.start.state(&model, &libm::log(options.velocity_ratio));
+    let control = Control { local_tolerance: found.local_tolerance, most_steps: MOST_STEPS };
+    let until = PERIODS * period_s * rate_per_s;
+    let run = trajectory(&model, Radau::<f64, 5>::new(), start, control, until, SAMPLES_PER_STEP).ok()?;
+    let level = libm::log(parameters.loading_velocity_m_per_s.to_f64());
+    Some(Recording {
+        times_s: run.samples.iter().map(|sample| sample.time / rate_per_s).collect(),
+        log_velocities: run.samples.iter().map(|sample| sample.state[0] + level).collect(),
+        stresses_pa: Vec::new(),
+    })
+}

@@ -1,0 +1,74 @@
+//! The report folder of a comparison: the page, its Markdown, tables and figures.
+
+use std::path::Path;
+
+use slipmode::report::{ChapterView, ProvenanceView, ReportView, render_html, render_markdown};
+use slipmode::study::Agreement;
+
+use crate::cli::compare::figures::figures;
+use crate::cli::compare::rows::ComparedRow;
+use crate::cli::compare::tables::tables;
+use crate::cli::environment::{ENVIRONMENT_FILE, Environment};
+use crate::cli::failure::Failure;
+use crate::cli::tree::Files;
+
+const SUBTITLE: &str = "Runs of other programs held against the linear theory and against our simulation";
+const HOW: &str = "Each number is compared with our simulation of the same slider and, for decaying oscillations, with the roots of the linear theory. It agrees when it differs by no more than the stated tolerance and the errors of both sides together; it differs beyond them. Where an error is larger than the tolerance, an agreement would say nothing, and the number counts as not compared.\n\nA trajectory is reduced to what it does late: its first lap is left out, the rest of it decides between a cycle and a decay, and the last cycle gives peak, period and stress drop. Their errors come from the samples themselves: the same reduction on every second sample, and the change that the last cycles still show. Periods are those between upward passages of the loading velocity.\n\nA mode is compared with the linear theory as well; where our own simulation departs from the theory, that is no verdict on the run.\n";
+
+/// All files of the folder.
+///
+/// # Errors
+/// When the page cannot be rendered: an error of this program.
+pub fn files(runs: &Path, rows: &[ComparedRow], environment: &Environment) -> Result<Files, Failure> {
+    let (figures, tables) = (figures(rows), tables(rows));
+    let mut files = Files::new();
+    for figure in &figures {
+        files.insert(format!("figures/{}.svg", figure.id), figure.svg.clone());
+    }
+    for table in &tables {
+        files.insert(format!("tables/{}.csv", table.id), table.to_csv());
+    }
+    let placed: String = figures.iter().map(|figure| format!("[[figure:{}]]\n\n", figure.id)).collect();
+    let chapter = |id: &str, title: &str, text_markdown: String| ChapterView {
+        id: id.into(),
+        title: title.into(),
+        text_markdown,
+    };
+    let view = ReportView {
+        title: "Comparison of runs".into(),
+        subtitle: SUBTITLE.into(),
+        summary_markdown: summary(rows),
+        chapters: vec![
+            chapter("verdicts", "Verdicts", format!("[[table:runs]]\n\n{placed}")),
+            chapter("numbers", "Numbers", "[[table:findings]]\n".into()),
+            chapter("method", "How runs are compared", HOW.into()),
+        ],
+        figures,
+        tables,
+        provenance: ProvenanceView { command: command(runs), ..ProvenanceView::default() },
+        environment: environment.facts(),
+        ..ReportView::default()
+    };
+    let unrenderable = |error| Failure::machine("the report cannot be made", &error);
+    files.insert("index.html".into(), render_html(&view).map_err(unrenderable)?);
+    files.insert("report.md".into(), render_markdown(&view).map_err(unrenderable)?);
+    files.insert(ENVIRONMENT_FILE.into(), environment.to_json());
+    Ok(files)
+}
+
+/// The command without the folders of this machine.
+fn command(runs: &Path) -> String {
+    let name = runs.file_name().map_or_else(|| "-".into(), |name| name.to_string_lossy());
+    format!("slipmode compare --runs {name} --report DIR")
+}
+
+fn summary(rows: &[ComparedRow]) -> String {
+    let count = |verdict: Agreement| rows.iter().filter(|row| row.comparison.verdict == verdict).count();
+    format!(
+        "Of {} runs, **{} agree**, **{} differ** and **{} could not be compared**.\n",
+        rows.len(),
+        count(Agreement::Agrees),
+        count(Agreement::Differs),
+        count(Agreement::NotCompared),
+    )
+}

@@ -1,0 +1,191 @@
+//! A trajectory's file: time, velocity and perhaps stress, streamed, with every fault named by line and column.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use slipmode::number::{Rational, parse_decimal, parse_short_decimal};
+use slipmode::scene::{AllowedRange, CsvProblem, Fault, Faults, Problem, check_name};
+use slipmode::study::{LEAST_SAMPLES, Recording};
+
+use crate::cli::input::Input;
+use crate::cli::points::{Row, RowReader, absent, cell_problem, column_faults, names};
+
+/// The columns, with their stems; the last one may be missing.
+const COLUMNS: [(&str, &str); 3] =
+    [("time_s", "time"), ("velocity_m_per_s", "velocity"), ("shear_stress_pa", "shear_stress")];
+/// Most samples of a trajectory: 240 MB of numbers.
+pub const MOST_SAMPLES: usize = 10_000_000;
+/// Rows read at a time.
+const BLOCK_ROWS: usize = 4096;
+/// The most faults that are reported of one file.
+const MOST_FAULTS: usize = 20;
+/// What times and stresses may be, for messages.
+const SIGNED: &str = "-1e300 to 1e300";
+
+/// A recording and the lines on which its samples stand.
+struct Read {
+    recording: Recording,
+    lines: Vec<usize>,
+}
+
+/// The place of a trajectory: parts of safe names below the folder of the runs file, and no link that leads out of it.
+///
+/// # Errors
+/// When the name is not safe or the file is not there.
+pub fn locate(folder: &Path, name: &str) -> Result<PathBuf, Problem> {
+    if let Some(error) = name.split('/').find_map(|part| check_name(part).err()) {
+        return Err(Problem::BadName(error));
+    }
+    let unreadable = |error: std::io::Error| Problem::Unreadable(error.to_string());
+    let root = fs::canonicalize(folder).map_err(unreadable)?;
+    let place = fs::canonicalize(root.join(name)).map_err(unreadable)?;
+    let outside = || Problem::Needs("a file in the folder of the runs file, or below it".into());
+    if place.starts_with(&root) { Ok(folder.join(name)) } else { Err(outside()) }
+}
+
+/// Reads a trajectory; gaps are told about the loading velocity, of which the logarithm is given.
+///
+/// # Errors
+/// Every fault of the file, up to twenty.
+pub fn read(path: &Path, log_level: f64) -> Result<Recording, Faults> {
+    let mut reader = RowReader::new(Input::open(path).map_err(|fault| vec![fault])?);
+    let file = reader.name().to_string();
+    let first = reader.block(1).map_err(|fault| vec![fault])?;
+    let positions = header(&file, first.rows().next())?;
+    let mut read = Read { recording: Recording::default(), lines: Vec::new() };
+    let mut faults = Faults::new();
+    loop {
+        let block = reader.block(BLOCK_ROWS).map_err(|fault| vec![fault])?;
+        if block.is_empty() || faults.len() >= MOST_FAULTS {
+            break;
+        }
+        for row in block.rows() {
+            if let Err(found) = read.sample(&file, row, &positions) {
+                faults.extend(found);
+            }
+        }
+        if read.lines.len() > MOST_SAMPLES {
+            faults.push(fault(&file, None, "", CsvProblem::TooManyRows(MOST_SAMPLES).into()));
+            break;
+        }
+    }
+    faults.truncate(MOST_FAULTS);
+    if faults.is_empty() {
+        faults.extend(read.fault_of_the_whole(&file, log_level));
+    }
+    if faults.is_empty() { Ok(read.recording) } else { Err(faults) }
+}
+
+fn fault(file: &str, line: Option<usize>, key: &str, problem: Problem) -> Fault {
+    Fault { file: file.into(), line, key: key.into(), value: None, problem }
+}
+
+/// Number of columns, and where each of [`COLUMNS`] stands.
+struct Positions {
+    count: usize,
+    columns: [Option<usize>; 3],
+}
+
+fn header(file: &str, row: Option<Row<'_>>) -> Result<Positions, Faults> {
+    let Some(row) = row else {
+        let wanted = "time_s, velocity_m_per_s and perhaps shear_stress_pa".into();
+        return Err(vec![fault(file, None, "", CsvProblem::NoHeader { wanted }.into())]);
+    };
+    let line = Some(row.line);
+    let names = names(row).map_err(|problem| vec![fault(file, line, "header", problem)])?;
+    let columns = COLUMNS.map(|(key, _)| names.iter().position(|name| name == key));
+    let mut faults = column_faults(&names, &[], false);
+    for ((key, stem), position) in COLUMNS.into_iter().zip(columns) {
+        let (name, problem) = absent(key, stem, &names);
+        // Without a stress nothing is missing, but one in another unit is not to be passed over.
+        let is_optional = key == COLUMNS[2].0 && !matches!(problem, CsvProblem::UnknownUnit { .. });
+        if position.is_none() && !is_optional {
+            faults.push((name, problem));
+        }
+    }
+    if faults.is_empty() {
+        return Ok(Positions { count: names.len(), columns });
+    }
+    let told = |(name, problem): (String, CsvProblem)| {
+        fault(file, line, &format!("header, column {name}"), problem.into())
+    };
+    Err(faults.into_iter().map(told).collect())
+}
+
+impl Read {
+    fn sample(&mut self, file: &str, row: Row<'_>, positions: &Positions) -> Result<(), Faults> {
+        let key = |index: usize| format!("row {}, column {}", row.number, COLUMNS[index].0);
+        let told = |key: String, value: Option<String>, problem| Fault {
+            file: file.into(),
+            line: Some(row.line),
+            key,
+            value,
+            problem,
+        };
+        if row.len() != positions.count {
+            let problem = CsvProblem::CellCount { found: row.len(), wanted: positions.count };
+            return Err(vec![told(format!("row {}", row.number), None, problem.into())]);
+        }
+        let mut faults = Faults::new();
+        let mut values = [None; 3];
+        for (index, position) in positions.columns.into_iter().enumerate() {
+            let Some(position) = position else { continue };
+            match number(row.cell(position), index == 1) {
+                Ok(value) => values[index] = Some(value),
+                Err(problem) => {
+                    let written = String::from_utf8_lossy(row.cell(position)).into_owned();
+                    faults.push(told(key(index), Some(written), problem));
+                }
+            }
+        }
+        if let (Some(time), Some(last)) = (values[0], self.recording.times_s.last())
+            && time <= *last
+        {
+            let written = String::from_utf8_lossy(row.cell(positions.columns[0].unwrap_or(0))).into_owned();
+            let allowed = format!("more than {last:e}, the time of the row before");
+            faults.push(told(key(0), Some(written), CsvProblem::NotIncreasing { allowed }.into()));
+        }
+        if !faults.is_empty() {
+            return Err(faults);
+        }
+        if let [Some(time), Some(velocity), stress] = values {
+            self.recording.times_s.push(time);
+            self.recording.log_velocities.push(libm::log(velocity));
+            self.recording.stresses_pa.extend(stress);
+            self.lines.push(row.line);
+        }
+        Ok(())
+    }
+
+    fn fault_of_the_whole(&self, file: &str, log_level: f64) -> Option<Fault> {
+        let found = self.lines.len();
+        if found < LEAST_SAMPLES {
+            let problem = CsvProblem::TooFewSamples { found, wanted: LEAST_SAMPLES };
+            return Some(fault(file, None, "", problem.into()));
+        }
+        let gap = self.recording.gap(log_level)?;
+        let (step, usual) = (format!("{:.4e}", gap.step_s), format!("{:.4e}", gap.usual_s));
+        let what = if gap.is_lap { "oscillation" } else { "step" };
+        let line = self.lines.get(gap.sample).copied();
+        Some(fault(file, line, "column time_s", CsvProblem::Gap { step, usual, what }.into()))
+    }
+}
+
+/// A cell as the nearest 64-bit number; its decimal is read exactly first.
+fn number(cell: &[u8], must_be_positive: bool) -> Result<f64, Problem> {
+    if let Some(problem) = cell_problem(cell) {
+        return Err(problem);
+    }
+    let text = std::str::from_utf8(cell).unwrap_or_default();
+    if let Some(short) = parse_short_decimal(text) {
+        return Ok(short.hi());
+    }
+    if must_be_positive {
+        return AllowedRange::PHYSICAL.parse(text).map(|value| value.to_f64());
+    }
+    let value =
+        parse_decimal(text).map_err(|reason| Problem::NotANumber { reason, allowed: SIGNED.into() })?;
+    let limit = parse_decimal("1e300").unwrap_or_default();
+    let size = Rational::from(value.abs_ref());
+    if size <= limit { Ok(value.to_f64()) } else { Err(Problem::OutOfRange { allowed: SIGNED.into() }) }
+}

@@ -1,0 +1,190 @@
+//! The rows of a runs file: read with their trajectories, compared, their verdicts appended.
+
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use rug::Float;
+use slipmode::dynamics::Start;
+use slipmode::friction::{EvolutionLaw, Parameters};
+use slipmode::number::Rational;
+use slipmode::scene::{AllowedRange, CsvProblem, Faults, Problem, Quantity, nearest};
+use slipmode::study::{Agreement, Comparison, Observable, Recording, StatedMode, StatedRun, compare_run};
+
+use crate::cli::compare::cells::{APPENDED, push_comparison};
+use crate::cli::compare::recording;
+use crate::cli::points::{Cells, Remark, RowWork, other_unit};
+use crate::cli::simulate::range;
+use crate::cli::simulate::run::{Settings, simulate_point};
+use crate::cli::words::{LAW_COLUMN, law_of_word, of_word, start_of_word};
+
+/// The optional columns beside the values.
+const TRAJECTORY_COLUMN: &str = "trajectory";
+const START_COLUMN: &str = "start";
+const TOLERANCE_COLUMN: &str = "tolerance";
+
+/// Compares rows.
+#[derive(Debug)]
+pub struct CompareRows {
+    /// The folder of the runs file, where trajectories are.
+    pub folder: PathBuf,
+    /// The law of all rows, when the command line gives it.
+    pub law: Option<EvolutionLaw>,
+    /// The relative error of the values of rows that state none.
+    pub tolerance: f64,
+    /// Whether trajectories are wanted back, for figures.
+    pub keeps_recordings: bool,
+}
+
+/// A row that was read.
+#[derive(Debug)]
+pub struct ReadRow {
+    run: StatedRun,
+    start: Start,
+    number: u64,
+}
+
+/// A row that was compared.
+#[derive(Debug)]
+pub struct ComparedRow {
+    /// The number of the row, the header being row 0.
+    pub number: u64,
+    /// What it states; without its trajectory unless figures are wanted.
+    pub run: StatedRun,
+    /// The start of our simulation.
+    pub start: Start,
+    /// The comparison.
+    pub comparison: Comparison,
+    /// Groups outside the ranges over which simulations were tested.
+    pub doubts: Vec<String>,
+}
+
+impl RowWork for CompareRows {
+    type Input = ReadRow;
+    type Kept = ComparedRow;
+
+    const APPENDED: &'static [&'static str] = APPENDED;
+    /// A row takes milliseconds, and some a hundred times longer than others.
+    const BLOCK_ROWS: usize = 1;
+    const BLOCKS_PER_THREAD: usize = 16;
+
+    fn header_faults(&self, names: &[String]) -> Vec<(String, Problem)> {
+        let has = |key: &str| names.iter().any(|name| name == key);
+        // A column that is known by its own name is no misspelling of another.
+        let is_unknown = |name: &&str| !Quantity::ALL.iter().any(|quantity| quantity.key() == *name);
+        let unknown: Vec<&str> = names.iter().map(String::as_str).filter(is_unknown).collect();
+        let mut faults = Vec::new();
+        if has(LAW_COLUMN) && self.law.is_some() {
+            let problem = Problem::Needs("no --law beside it: the column chooses the law".into());
+            faults.push((LAW_COLUMN.to_string(), problem));
+        }
+        for of in Observable::STATED.into_iter().filter(|of| !has(of.key())) {
+            if let Some(name) = other_unit(of.stem(), names) {
+                faults.push((name.to_string(), CsvProblem::UnknownUnit { wanted: of.key() }.into()));
+            } else if let Some(near) = nearest(of.key(), unknown.iter().copied()) {
+                let problem = CsvProblem::MissingColumn { nearest: Some(near.to_string()) };
+                faults.push((of.key().to_string(), problem.into()));
+            }
+        }
+        let known: Vec<&str> = observable_columns().collect();
+        if faults.is_empty() && !known.iter().any(|key| has(key)) {
+            let allowed = format!("at least one of the columns {}", known.join(", "));
+            faults.push((known[0].to_string(), Problem::Missing { allowed }));
+        }
+        faults
+    }
+
+    fn read(&self, cells: Cells<'_>) -> Result<ReadRow, Faults> {
+        let mut reader = RowCells { cells, faults: Faults::new() };
+        let parameters = cells.parameters().map_err(|faults| reader.faults.extend(faults)).ok();
+        let law = reader.optional(LAW_COLUMN, law_of_word).or(self.law).unwrap_or(EvolutionLaw::Slip);
+        let start = reader.optional(START_COLUMN, start_of_word);
+        let tolerance = reader.optional(TOLERANCE_COLUMN, |text| AllowedRange::RUN_TOLERANCE.parse(text));
+        let mode = reader.optional(Observable::Mode.key(), mode_of_word);
+        let values = Observable::STATED.map(|of| {
+            reader
+                .optional(of.key(), |text| AllowedRange::PHYSICAL.parse(text))
+                .map(|value| nearest_number(&value))
+        });
+        let recording = self.recording(&mut reader, parameters.as_ref());
+        let (Some(parameters), true) = (parameters, reader.faults.is_empty()) else {
+            return Err(reader.faults);
+        };
+        let run = StatedRun {
+            parameters,
+            law,
+            has_known_start: start.is_some(),
+            tolerance: tolerance.map_or(self.tolerance, |tolerance| nearest_number(&tolerance)),
+            mode,
+            values,
+            recording: recording.map(Arc::new),
+        };
+        Ok(ReadRow { run, start: start.unwrap_or_default(), number: cells.row.number })
+    }
+
+    fn append(&self, row: &ReadRow, out: &mut Vec<u8>) -> Remark<ComparedRow> {
+        let simulate = |parameters: &Parameters<Rational>, law, tolerance| {
+            simulate_point(parameters, law, Settings { tolerance, start: row.start })
+        };
+        let comparison = compare_run(&row.run, &simulate);
+        let doubts = range::outside_tested(&row.run.parameters);
+        push_comparison(&comparison, &doubts, out);
+        let mut run = row.run.clone();
+        if !self.keeps_recordings {
+            run.recording = None;
+        }
+        Remark {
+            is_unanswered: comparison.verdict == Agreement::NotCompared,
+            warning: (!doubts.is_empty()).then(|| doubts.join("; ")),
+            kept: ComparedRow { number: row.number, run, start: row.start, comparison, doubts },
+        }
+    }
+}
+
+impl CompareRows {
+    /// The trajectory that a row names; none when it names none, or when it is at fault.
+    fn recording(
+        &self,
+        reader: &mut RowCells<'_>,
+        parameters: Option<&Parameters<Rational>>,
+    ) -> Option<Recording> {
+        let place = reader.optional(TRAJECTORY_COLUMN, |name| recording::locate(&self.folder, name))?;
+        // Without its velocity the row is refused anyhow, and gaps cannot be told.
+        let log_level = libm::log(parameters?.loading_velocity_m_per_s.to_f64());
+        recording::read(&place, log_level).map_err(|faults| reader.faults.extend(faults)).ok()
+    }
+}
+
+/// The nearest 64-bit number.
+pub fn nearest_number(value: &Rational) -> f64 {
+    Float::with_val(53, value).to_f64()
+}
+
+/// Columns of which one at least has to be there.
+fn observable_columns() -> impl Iterator<Item = &'static str> {
+    let stated = Observable::STATED.into_iter().map(Observable::key);
+    stated.chain([Observable::Mode.key(), TRAJECTORY_COLUMN])
+}
+
+fn mode_of_word(text: &str) -> Result<StatedMode, Problem> {
+    let known = StatedMode::all();
+    let words: Vec<&str> = known.iter().map(|mode| mode.as_str()).collect();
+    of_word(text, &words, |text| known.iter().copied().find(|mode| mode.as_str() == text))
+}
+
+/// The optional cells of a row, with the faults found so far.
+struct RowCells<'r> {
+    cells: Cells<'r>,
+    faults: Faults,
+}
+
+impl RowCells<'_> {
+    /// What a cell says; none when there is no such column, or the cell is empty, or at fault.
+    fn optional<T>(&mut self, column: &str, parse: impl FnOnce(&str) -> Result<T, Problem>) -> Option<T> {
+        let position = self.cells.header.position(column)?;
+        let text = self.cells.text(position);
+        if text.is_empty() {
+            return None;
+        }
+        parse(text).map_err(|problem| self.faults.push(self.cells.fault(Some(position), problem))).ok()
+    }
+}

@@ -1,0 +1,157 @@
+//! What `compare` says: a table for people, one object for programs.
+
+use serde_json::{Value as Json, json};
+use slipmode::number::format::round_digits;
+use slipmode::study::{Agreement, Finding, Value};
+
+use crate::cli::compare::cells::reason;
+use crate::cli::compare::rows::ComparedRow;
+use crate::cli::simulate::view;
+
+/// Up to so many rows, every finding is shown; beyond it those of rows that do not agree.
+const ROWS_IN_FULL: usize = 20;
+/// Significant digits of values, and of differences and errors.
+const VALUE_DIGITS: usize = 8;
+const ERROR_DIGITS: usize = 2;
+
+/// The verdicts with the numbers behind them.
+pub fn text(rows: &[ComparedRow]) -> String {
+    let mut text = String::new();
+    for row in rows {
+        let found = &row.comparison;
+        let in_full = rows.len() <= ROWS_IN_FULL || found.verdict != Agreement::Agrees;
+        text += &heading(row);
+        if in_full {
+            found.findings.iter().for_each(|finding| text += &line(finding));
+        }
+        if let Some(diagnosis) = &found.diagnosis {
+            text += &format!("  {diagnosis}\n");
+        }
+    }
+    let count = |verdict: Agreement| rows.iter().filter(|row| row.comparison.verdict == verdict).count();
+    text += &format!(
+        "{} rows: {} agree, {} differ, {} not compared\n",
+        rows.len(),
+        count(Agreement::Agrees),
+        count(Agreement::Differs),
+        count(Agreement::NotCompared),
+    );
+    text
+}
+
+fn heading(row: &ComparedRow) -> String {
+    let theory = &row.comparison.theory;
+    let ratio = theory.stiffness_ratio.map_or_else(
+        || "no transition (a >= b)".into(),
+        |ratio| format!("K/K_c = {}", round_digits(ratio, 4)),
+    );
+    format!(
+        "row {}: {}  ({} law, {ratio}, {}, tolerance {})\n",
+        row.number,
+        row.comparison.verdict.as_str(),
+        row.run.law.as_str(),
+        theory.slip_mode.as_str(),
+        round_digits(row.run.tolerance, 3),
+    )
+}
+
+fn line(finding: &Finding) -> String {
+    let unit = finding.observable.unit();
+    let shown = |value: Value| shown_value(value, unit);
+    let mut text = format!(
+        "  {:<14} {:<12} {:<10} {:<10} {} | {}",
+        finding.observable.words(),
+        finding.verdict.as_str(),
+        finding.origin.as_str(),
+        finding.reference.as_str(),
+        shown(finding.run),
+        shown(finding.ours),
+    );
+    if let (Some(difference), Some(allowed)) = (finding.difference, finding.allowed) {
+        text += &format!(
+            "  off by {}, allowed {}",
+            round_digits(difference, ERROR_DIGITS),
+            round_digits(allowed, ERROR_DIGITS)
+        );
+    }
+    if !finding.why.is_empty() {
+        text += &format!("  ({})", finding.why);
+    }
+    text + "\n"
+}
+
+/// A value with its unit and, when it has one, its error.
+fn shown_value(value: Value, unit: &str) -> String {
+    match value {
+        Value::Word(word) => word.into(),
+        Value::None => "-".into(),
+        Value::Number { value, relative_error } => {
+            let number = round_digits(value, VALUE_DIGITS);
+            match relative_error {
+                error if error > 0.0 && error.is_finite() => {
+                    format!("{number} {unit} (within {} relative)", round_digits(error, ERROR_DIGITS))
+                }
+                _ => format!("{number} {unit}"),
+            }
+        }
+    }
+}
+
+/// One object: the rows in their order, and how many there are of each verdict.
+pub fn json(rows: &[ComparedRow]) -> Json {
+    let count = |verdict: Agreement| rows.iter().filter(|row| row.comparison.verdict == verdict).count();
+    json!({
+        "rows": rows.iter().map(row_object).collect::<Vec<_>>(),
+        "agree": count(Agreement::Agrees),
+        "differ": count(Agreement::Differs),
+        "not_compared": count(Agreement::NotCompared),
+    })
+}
+
+fn row_object(row: &ComparedRow) -> Json {
+    let found = &row.comparison;
+    let theory = &found.theory;
+    json!({
+        "row": row.number,
+        "law": row.run.law.as_str(),
+        "start": row.start.as_str(),
+        "tolerance": row.run.tolerance,
+        "verdict": found.verdict.as_str(),
+        "reason": reason(found),
+        "warnings": row.doubts,
+        "theory": {
+            "spectral_class": theory.class.as_str(),
+            "slip_mode": theory.slip_mode.as_str(),
+            "stiffness_over_critical": theory.stiffness_ratio,
+            "frequency_hz": theory.frequency_hz,
+            "growth_rate_per_s": theory.growth_rate_per_s,
+        },
+        "simulation": view::json(&found.simulation),
+        "findings": found.findings.iter().map(finding_object).collect::<Vec<_>>(),
+    })
+}
+
+fn finding_object(finding: &Finding) -> Json {
+    json!({
+        "observable": finding.observable.key(),
+        "origin": finding.origin.as_str(),
+        "reference": finding.reference.as_str(),
+        "run": value_object(finding.run),
+        "ours": value_object(finding.ours),
+        "difference": finding.difference,
+        "allowed": finding.allowed,
+        "verdict": finding.verdict.as_str(),
+        "reason": finding.why,
+    })
+}
+
+/// A number, a word or null; the error of a number stands beside it.
+fn value_object(value: Value) -> Json {
+    match value {
+        Value::Number { value, relative_error } => {
+            json!({ "value": value, "relative_error": relative_error })
+        }
+        Value::Word(word) => json!(word),
+        Value::None => Json::Null,
+    }
+}

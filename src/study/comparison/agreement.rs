@@ -1,0 +1,294 @@
+//! One quantity of a run against one reference: how far apart, how far apart they may be, and the verdict.
+
+/// What is compared.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Observable {
+    /// Limit cycle or decay, or the slip mode.
+    Mode,
+    /// m/s.
+    PeakVelocity,
+    /// s.
+    Period,
+    /// Pa.
+    StressDrop,
+    /// Hz.
+    Frequency,
+    /// 1/s, of the late deviation of ln V.
+    GrowthRate,
+}
+
+impl Observable {
+    /// Everything, in the order of tables.
+    pub const ALL: [Self; 6] =
+        [Self::Mode, Self::PeakVelocity, Self::Period, Self::StressDrop, Self::Frequency, Self::GrowthRate];
+    /// What a column of a runs file may give as a number.
+    pub const STATED: [Self; 4] = [Self::PeakVelocity, Self::Period, Self::StressDrop, Self::Frequency];
+
+    /// The column, with its unit.
+    #[must_use]
+    pub const fn key(self) -> &'static str {
+        match self {
+            Self::Mode => "mode",
+            Self::PeakVelocity => "peak_velocity_m_per_s",
+            Self::Period => "period_s",
+            Self::StressDrop => "stress_drop_pa",
+            Self::Frequency => "frequency_hz",
+            Self::GrowthRate => "growth_rate_per_s",
+        }
+    }
+
+    /// The column without its unit: what a column in another unit still begins with.
+    #[must_use]
+    pub const fn stem(self) -> &'static str {
+        match self {
+            Self::Mode => "mode",
+            Self::PeakVelocity => "peak_velocity",
+            Self::Period => "period",
+            Self::StressDrop => "stress_drop",
+            Self::Frequency => "frequency",
+            Self::GrowthRate => "growth_rate",
+        }
+    }
+
+    /// The name for people.
+    #[must_use]
+    pub const fn words(self) -> &'static str {
+        match self {
+            Self::Mode => "mode",
+            Self::PeakVelocity => "peak velocity",
+            Self::Period => "period",
+            Self::StressDrop => "stress drop",
+            Self::Frequency => "frequency",
+            Self::GrowthRate => "growth rate",
+        }
+    }
+
+    /// The unit for people; empty for words.
+    #[must_use]
+    pub const fn unit(self) -> &'static str {
+        match self {
+            Self::Mode => "",
+            Self::PeakVelocity => "m/s",
+            Self::Period => "s",
+            Self::StressDrop => "Pa",
+            Self::Frequency => "Hz",
+            Self::GrowthRate => "1/s",
+        }
+    }
+}
+
+/// Where a run's value comes from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Origin {
+    /// A column of the runs file.
+    Column,
+    /// Its trajectory.
+    Trajectory,
+}
+
+impl Origin {
+    /// `column` or `trajectory`.
+    #[must_use]
+    pub const fn as_str(self) -> &'static str {
+        match self {
+            Self::Column => "column",
+            Self::Trajectory => "trajectory",
+        }
+    }
+}
+
+/// What a run is held against.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Reference {
+    /// The linear theory.
+    Theory,
+    /// Our simulation.
+    Simulation,
+}
+
+impl Reference {
+    /// `theory` or `simulation`.
+    #[must_use]
+    pub const fn as_str(self) -> &'static str {
+        match self {
+            Self::Theory => "theory",
+            Self::Simulation => "simulation",
+        }
+    }
+}
+
+/// A verdict on one quantity or on a run.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Agreement {
+    /// Within the tolerance and both errors.
+    Agrees,
+    /// Beyond them.
+    Differs,
+    /// Nothing follows, for a reason that is given.
+    NotCompared,
+}
+
+impl Agreement {
+    /// `agrees`, `differs` or `not-compared`.
+    #[must_use]
+    pub const fn as_str(self) -> &'static str {
+        match self {
+            Self::Agrees => "agrees",
+            Self::Differs => "differs",
+            Self::NotCompared => "not-compared",
+        }
+    }
+}
+
+/// A value of either side.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Value {
+    /// A number with its relative error: zero for a stated value, whose error is the tolerance.
+    Number {
+        /// The number.
+        value: f64,
+        /// Its relative error.
+        relative_error: f64,
+    },
+    /// A word.
+    Word(&'static str),
+    /// There is none.
+    None,
+}
+
+/// One quantity of a run against one reference.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Finding {
+    /// What is compared.
+    pub observable: Observable,
+    /// Where the run's value comes from.
+    pub origin: Origin,
+    /// What it is held against.
+    pub reference: Reference,
+    /// The run's value.
+    pub run: Value,
+    /// The reference's value.
+    pub ours: Value,
+    /// run/ours − 1, for numbers.
+    pub difference: Option<f64>,
+    /// The tolerance plus the errors of both sides, for numbers.
+    pub allowed: Option<f64>,
+    /// The verdict.
+    pub verdict: Agreement,
+    /// Why it could not be compared, or what a difference means; empty when the numbers say it all.
+    pub why: String,
+}
+
+impl Finding {
+    /// A finding about words, decided by their equality.
+    #[must_use]
+    pub fn of_words(origin: Origin, reference: Reference, run: &'static str, ours: &'static str) -> Self {
+        let verdict = if run == ours { Agreement::Agrees } else { Agreement::Differs };
+        Self {
+            observable: Observable::Mode,
+            origin,
+            reference,
+            run: Value::Word(run),
+            ours: Value::Word(ours),
+            difference: None,
+            allowed: None,
+            verdict,
+            why: String::new(),
+        }
+    }
+
+    /// A finding about numbers: they differ beyond tolerance and errors; they agree within them, provided that no error exceeds the
+    /// tolerance, for else the agreement would only say how little is known.
+    #[must_use]
+    pub fn of_numbers(
+        observable: Observable,
+        origin: Origin,
+        reference: Reference,
+        [run, ours]: [(f64, f64); 2],
+        tolerance: f64,
+    ) -> Self {
+        let difference = run.0 / ours.0 - 1.0;
+        let allowed = tolerance + run.1 + ours.1;
+        // Not so for an error that is no number.
+        let resolves = |error: f64| error <= tolerance;
+        let unresolved = |whose: &str, error: f64| {
+            let shown = if error.is_finite() { format!("only to {error:.1e}") } else { "not at all".into() };
+            (
+                Agreement::NotCompared,
+                format!("{whose} resolves it {shown}, coarser than the tolerance {tolerance:.1e}"),
+            )
+        };
+        let (verdict, why) = match () {
+            () if difference.abs() > allowed => (Agreement::Differs, String::new()),
+            () if !resolves(run.1) => unresolved("the trajectory", run.1),
+            () if !resolves(ours.1) => unresolved("our simulation", ours.1),
+            () => (Agreement::Agrees, String::new()),
+        };
+        let number = |(value, relative_error)| Value::Number { value, relative_error };
+        Self {
+            observable,
+            origin,
+            reference,
+            run: number(run),
+            ours: number(ours),
+            difference: Some(difference),
+            allowed: Some(allowed),
+            verdict,
+            why,
+        }
+    }
+
+    /// A finding with a verdict for a reason in words.
+    #[must_use]
+    pub fn because(
+        (observable, origin, reference): (Observable, Origin, Reference),
+        run: Value,
+        verdict: Agreement,
+        why: &str,
+    ) -> Self {
+        Self {
+            observable,
+            origin,
+            reference,
+            run,
+            ours: Value::None,
+            difference: None,
+            allowed: None,
+            verdict,
+            why: why.into(),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn verdict(run: (f64, f64), ours: (f64, f64), tolerance: f64) -> Agreement {
+        Finding::of_numbers(
+            Observable::Period,
+            Origin::Trajectory,
+            Reference::Simulation,
+            [run, ours],
+            tolerance,
+        )
+        .verdict
+    }
+
+    #[test]
+    fn numbers_agree_within_tolerance_and_errors_and_no_further() {
+        assert_eq!(verdict((1.009, 0.0), (1.0, 0.0), 0.01), Agreement::Agrees);
+        assert_eq!(verdict((1.011, 0.0), (1.0, 0.0), 0.01), Agreement::Differs);
+        assert_eq!(verdict((1.011, 0.002), (1.0, 0.0), 0.01), Agreement::Agrees);
+        assert_eq!(verdict((0.98, 0.0), (1.0, 0.0), 0.01), Agreement::Differs);
+    }
+
+    #[test]
+    fn an_error_beyond_the_tolerance_is_no_agreement() {
+        assert_eq!(verdict((1.0, 0.02), (1.0, 0.0), 0.01), Agreement::NotCompared);
+        assert_eq!(verdict((1.0, f64::INFINITY), (1.0, 0.0), 0.01), Agreement::NotCompared);
+        assert_eq!(verdict((1.0, 0.0), (1.0, 0.02), 0.01), Agreement::NotCompared);
+        // Far apart is far apart, however coarse.
+        assert_eq!(verdict((2.0, 0.02), (1.0, 0.0), 0.01), Agreement::Differs);
+    }
+}

@@ -1,0 +1,94 @@
+//! Laps: what lies between two upward passages of the loading velocity.
+
+use super::Recording;
+use super::interpolation::{passage, vertex};
+
+/// An upward passage.
+#[derive(Debug, Clone, Copy)]
+pub struct Passage {
+    /// When, s.
+    pub time_s: f64,
+    /// The sample before it.
+    pub sample: usize,
+}
+
+/// One oscillation, or several that form a cycle.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Lap {
+    /// When it ends, s.
+    pub end_s: f64,
+    /// How long it is, s.
+    pub duration_s: f64,
+    /// Largest ln(V/V_l).
+    pub peak: f64,
+    /// Least ln(V/V_l).
+    pub trough: f64,
+    /// Largest and least stress, Pa; not numbers when none was recorded.
+    pub stresses_pa: [f64; 2],
+}
+
+impl Lap {
+    /// From the least to the largest ln V.
+    pub fn swing(&self) -> f64 {
+        self.peak - self.trough
+    }
+
+    /// Largest minus least stress, Pa.
+    pub fn stress_drop_pa(&self) -> f64 {
+        self.stresses_pa[0] - self.stresses_pa[1]
+    }
+
+    fn joined(self, next: Self) -> Self {
+        Self {
+            end_s: next.end_s,
+            duration_s: self.duration_s + next.duration_s,
+            peak: self.peak.max(next.peak),
+            trough: self.trough.min(next.trough),
+            stresses_pa: [
+                self.stresses_pa[0].max(next.stresses_pa[0]),
+                self.stresses_pa[1].min(next.stresses_pa[1]),
+            ],
+        }
+    }
+}
+
+/// All upward passages of the level.
+pub fn passages(recording: &Recording, log_level: f64) -> Vec<Passage> {
+    let values = &recording.log_velocities;
+    let rises = |index: &usize| values[*index] < log_level && log_level <= values[index + 1];
+    let found = (0..values.len().saturating_sub(1)).filter(rises);
+    found
+        .map(|sample| Passage { time_s: passage(&recording.times_s, values, sample, log_level), sample })
+        .collect()
+}
+
+/// The laps between upward passages, `per_cycle` of them joined, counted back from the last passage.
+pub fn laps(recording: &Recording, log_level: f64, per_cycle: usize) -> Vec<Lap> {
+    let passages = passages(recording, log_level);
+    let single: Vec<Lap> = passages.windows(2).map(|pair| lap(recording, log_level, pair)).collect();
+    let begin = single.len() % per_cycle;
+    let joined = single[begin..].chunks(per_cycle);
+    joined.filter_map(|cycle| cycle.iter().copied().reduce(Lap::joined)).collect()
+}
+
+fn lap(recording: &Recording, log_level: f64, pair: &[Passage]) -> Lap {
+    let samples = pair[0].sample + 1..pair[1].sample + 1;
+    let times = &recording.times_s;
+    let highest = |values: &[f64]| {
+        let best = samples.clone().max_by(|one, other| values[*one].total_cmp(&values[*other]));
+        best.map_or(f64::NAN, |index| vertex(times, values, index, 1.0))
+    };
+    let lowest = |values: &[f64]| {
+        let low = samples.clone().min_by(|one, other| values[*one].total_cmp(&values[*other]));
+        low.map_or(f64::NAN, |index| vertex(times, values, index, -1.0))
+    };
+    let stresses = &recording.stresses_pa;
+    let extremes = if stresses.is_empty() { [f64::NAN; 2] } else { [highest(stresses), lowest(stresses)] };
+    Lap {
+        end_s: pair[1].time_s,
+        duration_s: pair[1].time_s - pair[0].time_s,
+        peak: highest(&recording.log_velocities) - log_level,
+        trough: lowest(&recording.log_velocities) - log_level,
+        stresses_pa: extremes,
+    }
+}
