@@ -12,6 +12,8 @@ mod fault;
 mod file_text;
 mod name;
 mod near_transition;
+mod onset;
+mod operating_points;
 mod quantity;
 mod range;
 mod report_plan;
@@ -19,6 +21,7 @@ mod schema;
 mod section;
 mod sections;
 mod simulations;
+mod trajectories;
 
 pub use axis::{Limits, LogAxis};
 pub use claim_list::{ClaimEntry, ExpectedVerdict, read_claims};
@@ -27,6 +30,8 @@ pub use fault::{Fault, Faults, Problem};
 pub use file_text::{MAX_FILE_BYTES, file_text, is_forbidden};
 pub use name::{NameError, check_name, nearest, same_name};
 pub use near_transition::NearTransition;
+pub use onset::OnsetSection;
+pub use operating_points::{LinearRegimeSection, StartSensitivitySection};
 pub use quantity::{Quantity, SceneParameters, parameters_from};
 pub use range::AllowedRange;
 pub use report_plan::{Chapter, ReportPlan, check_distinct_scene_names};
@@ -35,3 +40,4 @@ pub use sections::{
     BoundarySection, EffectRatioSweep, FrequencySection, HardCases, Rectangle, ToleranceSection,
 };
 pub use simulations::SimulationsSection;
+pub use trajectories::{TrajectoriesSection, TrajectoryPoint};

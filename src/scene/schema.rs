@@ -6,7 +6,8 @@ use crate::scene::section::Section;
 use crate::scene::sections::{NAME_RULE, safe_name};
 use crate::scene::{
     AllowedRange, BoundarySection, EffectRatioSweep, Faults, FrequencySection, HardCases, Limits,
-    NearTransition, Problem, Quantity, Rectangle, SceneParameters, SimulationsSection, ToleranceSection,
+    LinearRegimeSection, NearTransition, OnsetSection, Problem, Quantity, Rectangle, SceneParameters,
+    SimulationsSection, StartSensitivitySection, ToleranceSection, TrajectoriesSection,
 };
 
 /// What a user asks for: valid, exact, and nothing that was not asked.
@@ -38,6 +39,14 @@ pub struct Scene {
     pub simulations: Option<SimulationsSection>,
     /// `[near_transition]`: the nonlinear slider close to K = K_c.
     pub near_transition: Option<NearTransition>,
+    /// `[trajectories]`: the nonlinear slider's course at named points.
+    pub trajectories: Option<TrajectoriesSection>,
+    /// `[linear_regime]`: small disturbances along the eigenvectors.
+    pub linear_regime: Option<LinearRegimeSection>,
+    /// `[start_sensitivity]`: every completion of the start V_l/10.
+    pub start_sensitivity: Option<StartSensitivitySection>,
+    /// `[onset]`: where oscillation begins along lines of constant normal stress.
+    pub onset: Option<OnsetSection>,
 }
 
 impl Scene {
@@ -78,6 +87,13 @@ fn read_scene(top: &mut Section<'_>, limits: &Limits, faults: &mut Faults) -> Op
     let hard_cases = top.optional("hard_cases").map(|entry| HardCases::read(&entry, faults));
     let simulations =
         top.optional("simulations").map(|entry| SimulationsSection::read(&entry, limits, faults));
+    let trajectories =
+        top.optional("trajectories").map(|entry| TrajectoriesSection::read(&entry, limits, faults));
+    let linear_regime =
+        top.optional("linear_regime").map(|entry| LinearRegimeSection::read(&entry, limits, faults));
+    let start_sensitivity =
+        top.optional("start_sensitivity").map(|entry| StartSensitivitySection::read(&entry, limits, faults));
+    let onset = top.optional("onset").map(|entry| OnsetSection::read(&entry, limits, faults));
     let near = top.optional("near_transition").map(|entry| NearTransition::read(&entry, limits, faults));
     check_needs(top, parameters.as_ref(), faults);
     Some(Scene {
@@ -94,6 +110,10 @@ fn read_scene(top: &mut Section<'_>, limits: &Limits, faults: &mut Faults) -> Op
         hard_cases: given(hard_cases)?,
         simulations: given(simulations)?,
         near_transition: given(near)?,
+        trajectories: given(trajectories)?,
+        linear_regime: given(linear_regime)?,
+        start_sensitivity: given(start_sensitivity)?,
+        onset: given(onset)?,
     })
 }
 
@@ -106,8 +126,19 @@ fn given<T>(section: Option<Option<T>>) -> Option<Option<T>> {
 }
 
 /// The sections that only mean something for a slider.
-const NEED_PARAMETERS: &[&str] =
-    &["map", "boundary", "frequency", "tolerance", "zones", "simulations", "near_transition"];
+const NEED_PARAMETERS: &[&str] = &[
+    "map",
+    "boundary",
+    "frequency",
+    "tolerance",
+    "zones",
+    "simulations",
+    "near_transition",
+    "trajectories",
+    "linear_regime",
+    "start_sensitivity",
+    "onset",
+];
 
 /// The sections that only mean something for a slider with a critical normal stress.
 const NEED_CRITICAL_STRESS: &[&str] = &["frequency", "near_transition"];

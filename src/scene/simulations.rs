@@ -40,7 +40,8 @@ impl SimulationsSection {
     }
 }
 
-fn read_laws(entry: &Entry<'_>, faults: &mut Faults) -> Option<Vec<EvolutionLaw>> {
+/// A list of evolution laws, each at most once.
+pub(super) fn read_laws(entry: &Entry<'_>, faults: &mut Faults) -> Option<Vec<EvolutionLaw>> {
     let mut seen = Vec::new();
     entry.list(faults, |member, faults| {
         let word = member.text(faults)?;

@@ -23,6 +23,14 @@ pub enum Need {
     Simulations,
     /// The nonlinear slider close to K = K_c.
     NearTransition,
+    /// The nonlinear slider's course at named points.
+    Trajectories,
+    /// Small disturbances along the eigenvectors, and steady sliding itself.
+    LinearRegime,
+    /// Every completion of the start V_l/10.
+    StartSensitivity,
+    /// Where oscillation begins along lines of constant normal stress.
+    Onset,
 }
 
 impl Need {
@@ -37,6 +45,10 @@ impl Need {
         Self::HardCases,
         Self::Simulations,
         Self::NearTransition,
+        Self::Trajectories,
+        Self::LinearRegime,
+        Self::StartSensitivity,
+        Self::Onset,
     ];
 
     /// The stable name used in the ids of work items.
@@ -52,6 +64,10 @@ impl Need {
             Need::HardCases => "hard-cases",
             Need::Simulations => "simulations",
             Need::NearTransition => "near-transition",
+            Need::Trajectories => "trajectories",
+            Need::LinearRegime => "linear-regime",
+            Need::StartSensitivity => "start-sensitivity",
+            Need::Onset => "onset",
         }
     }
 }

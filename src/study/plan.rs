@@ -48,5 +48,9 @@ fn states(scene: &Scene, need: Need) -> bool {
         Need::HardCases => scene.hard_cases.is_some(),
         Need::Simulations => scene.simulations.is_some(),
         Need::NearTransition => scene.near_transition.is_some(),
+        Need::Trajectories => scene.trajectories.is_some(),
+        Need::LinearRegime => scene.linear_regime.is_some(),
+        Need::StartSensitivity => scene.start_sensitivity.is_some(),
+        Need::Onset => scene.onset.is_some(),
     }
 }

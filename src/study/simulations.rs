@@ -60,7 +60,7 @@ pub fn simulations(
     let grid = |&law: &EvolutionLaw| (law, simulate_grid(parameters, section, law, threshold, &options));
     SimulationsOutcome {
         grids: section.laws.iter().map(grid).collect(),
-        least_peaks: least_peaks(parameters, section, &options),
+        least_peaks: least_peaks(parameters, section, threshold, &options),
     }
 }
 
