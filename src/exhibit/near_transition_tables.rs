@@ -81,7 +81,7 @@ fn runs(context: &Context) -> Option<Table> {
             optional(run.newton_log_peak, 6),
             optional(run.amplitude(), 6),
             optional(run.predicted_amplitude, 6),
-            optional(run.growth(), 6),
+            optional(run.growth(), 3),
             optional(run.linear_growth.filter(|_| ended(false)), 6),
             optional(run.laps_per_fold(), 3),
             failure(run),

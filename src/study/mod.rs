@@ -2,9 +2,9 @@
 
 mod bistability;
 mod boundary;
+mod comparison;
 mod cycle_families;
 mod first_swing;
-mod comparison;
 mod frequency;
 mod grid;
 mod hard_cases;
@@ -34,11 +34,11 @@ mod zones;
 
 pub use bistability::{Edge, Threshold, place_on_transition};
 pub use boundary::{BoundaryOutcome, END_ERROR, boundary_outcome};
-pub use cycle_families::{Agreement, CycleFamilyOutcome, FamilyCycle};
 pub use comparison::{
     Agreement, Comparison, Finding, Observable, Origin, Reference, Simulate, StatedMode, StatedRun, Theory,
     Value, compare_run,
 };
+pub use cycle_families::{Agreement, CycleFamilyOutcome, FamilyCycle};
 pub use frequency::{FrequencyLine, FrequencyOutcome, frequency_lines};
 pub use grid::Grid;
 pub use hard_cases::{FamilyOutcome, HardCase, compare_hard_cases, read_hard_cases};

@@ -182,7 +182,8 @@ mod tests {
         let found = outcome(&["1"], &["1.0001", "1.1"], &["1"]);
         for run in &found.runs {
             let (seen, exact) = (run.growth().unwrap(), run.linear_growth.unwrap());
-            assert!((seen / exact - 1.0).abs() < 1e-5, "{seen} {exact}");
+            // What a lap of about 9 D_c/V_l multiplies the amplitude by is known to the tolerance of 1e-8.
+            assert!((seen - exact).abs() < 1e-8 / 9.0, "{seen} {exact}");
         }
     }
 
