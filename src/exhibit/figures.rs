@@ -1,6 +1,6 @@
 //! Which figures there are, and what each needs.
 
-use crate::exhibit::{deviation, frequency, maps, simulation_map};
+use crate::exhibit::{deviation, frequency, maps, numerical_error, simulation_map};
 use crate::study::{Need, Outcome};
 
 /// A figure that is ready to be placed.
@@ -33,5 +33,7 @@ pub struct FigureMaker {
 
 /// All figures.
 pub fn figure_makers() -> impl Iterator<Item = &'static FigureMaker> {
-    [maps::FIGURES, frequency::FIGURES, deviation::FIGURES, simulation_map::FIGURES].into_iter().flatten()
+    [maps::FIGURES, frequency::FIGURES, deviation::FIGURES, simulation_map::FIGURES, numerical_error::FIGURES]
+        .into_iter()
+        .flatten()
 }

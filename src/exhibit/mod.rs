@@ -11,6 +11,8 @@ mod frequency;
 mod maps;
 mod mode_tables;
 mod numeric_tables;
+mod numerical_error;
+mod numerical_error_tables;
 mod simulation_map;
 mod simulation_tables;
 mod tables;

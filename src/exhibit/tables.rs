@@ -2,7 +2,8 @@
 
 use crate::claims::Context;
 use crate::exhibit::{
-    boundary_tables, deviation_tables, mode_tables, numeric_tables, simulation_tables, theory_tables,
+    boundary_tables, deviation_tables, mode_tables, numeric_tables, numerical_error_tables,
+    simulation_tables, theory_tables,
 };
 use crate::study::Need;
 use crate::table::Table;
@@ -27,6 +28,7 @@ pub fn table_makers() -> impl Iterator<Item = &'static TableMaker> {
         mode_tables::TABLES,
         numeric_tables::TABLES,
         simulation_tables::TABLES,
+        numerical_error_tables::TABLES,
     ]
     .into_iter()
     .flatten()

@@ -5,8 +5,9 @@ use crate::scene::document::read_document;
 use crate::scene::section::Section;
 use crate::scene::sections::{NAME_RULE, safe_name};
 use crate::scene::{
-    AllowedRange, BoundarySection, EffectRatioSweep, Faults, FrequencySection, HardCases, Limits, Problem,
-    Quantity, Rectangle, SceneParameters, SimulationsSection, ToleranceSection,
+    AllowedRange, BoundarySection, EffectRatioSweep, ErrorBoundSection, Faults, FrequencySection, HardCases,
+    Limits, OriginalSchemeSection, Problem, Quantity, Rectangle, SceneParameters, SimulationsSection,
+    ToleranceSection, WorkPrecisionSection,
 };
 
 /// What a user asks for: valid, exact, and nothing that was not asked.
@@ -36,6 +37,12 @@ pub struct Scene {
     pub hard_cases: Option<HardCases>,
     /// `[simulations]`: the nonlinear slider on a (V, σ) grid.
     pub simulations: Option<SimulationsSection>,
+    /// `[original_scheme]`: the fixed-step scheme of the original simulations.
+    pub original_scheme: Option<OriginalSchemeSection>,
+    /// `[work_precision]`: work against error of the integrators.
+    pub work_precision: Option<WorkPrecisionSection>,
+    /// `[error_bound]`: stated errors against true ones.
+    pub error_bound: Option<ErrorBoundSection>,
 }
 
 impl Scene {
@@ -76,6 +83,10 @@ fn read_scene(top: &mut Section<'_>, limits: &Limits, faults: &mut Faults) -> Op
     let hard_cases = top.optional("hard_cases").map(|entry| HardCases::read(&entry, faults));
     let simulations =
         top.optional("simulations").map(|entry| SimulationsSection::read(&entry, limits, faults));
+    let original =
+        top.optional("original_scheme").map(|entry| OriginalSchemeSection::read(&entry, limits, faults));
+    let work = top.optional("work_precision").map(|entry| WorkPrecisionSection::read(&entry, faults));
+    let bound = top.optional("error_bound").map(|entry| ErrorBoundSection::read(&entry, limits, faults));
     check_needs(top, parameters.as_ref(), frequency.is_some(), faults);
     Some(Scene {
         name: name?,
@@ -90,6 +101,9 @@ fn read_scene(top: &mut Section<'_>, limits: &Limits, faults: &mut Faults) -> Op
         zones: given(zones)?,
         hard_cases: given(hard_cases)?,
         simulations: given(simulations)?,
+        original_scheme: given(original)?,
+        work_precision: given(work)?,
+        error_bound: given(bound)?,
     })
 }
 
@@ -102,7 +116,16 @@ fn given<T>(section: Option<Option<T>>) -> Option<Option<T>> {
 }
 
 /// The sections that only mean something for a slider, and [`Scene::frequency`] for one with a critical normal stress.
-const NEED_PARAMETERS: [&str; 6] = ["map", "boundary", "frequency", "tolerance", "zones", "simulations"];
+const NEED_PARAMETERS: [&str; 8] = [
+    "map",
+    "boundary",
+    "frequency",
+    "tolerance",
+    "zones",
+    "simulations",
+    "original_scheme",
+    "work_precision",
+];
 
 fn check_needs(
     top: &mut Section<'_>,

@@ -1,6 +1,7 @@
 //! What a scene needs, planned and computed: pure, and the same bytes on any number of threads.
 
 mod boundary;
+mod error_bound;
 mod frequency;
 mod grid;
 mod hard_cases;
@@ -8,15 +9,21 @@ mod least_peak;
 mod map;
 mod near_transition;
 mod need;
+mod original_scheme;
 mod outcome;
 mod plan;
 mod run;
+mod scheme_least_peak;
+mod scheme_run;
+mod scheme_stability;
 mod simulations;
 mod sweep;
 mod tolerance;
+mod work_precision;
 mod zones;
 
 pub use boundary::{BoundaryOutcome, END_ERROR, boundary_outcome};
+pub use error_bound::{BoundCheck, error_bound};
 pub use frequency::{FrequencyLine, FrequencyOutcome, frequency_lines};
 pub use grid::Grid;
 pub use hard_cases::{FamilyOutcome, HardCase, compare_hard_cases, read_hard_cases};
@@ -24,10 +31,17 @@ pub use least_peak::{LeastPeak, MINIMISER_ERROR_DEX, least_peaks};
 pub use map::{MapPoint, classify_rectangle};
 pub use near_transition::{NearRun, near_runs};
 pub use need::{Need, Needs};
+pub use original_scheme::{OriginalSchemeOutcome, SchemeSeries, SchemeStep, original_scheme};
 pub use outcome::{Outcome, References, SceneOutcome, effect_ratio};
 pub use plan::{Item, all_needs, plan};
 pub use run::{Progress, inertial_threshold, run};
+pub use scheme_least_peak::SchemeLeastPeak;
+pub use scheme_run::{AFFORDABLE_STEPS, LatePeak};
+pub use scheme_stability::{SchemeMapRow, critical_shift};
 pub use simulations::{SimulatedPoint, SimulationsOutcome, simulations};
 pub use sweep::{SweepOutcome, SweepRow, sweep_effect_ratio};
 pub use tolerance::{ToleranceOutcome, ToleranceRow, tolerance_limits};
+pub use work_precision::{
+    Lapped, NamedLap, WorkCase, WorkPoint, lap_of, laps, reference_lap, work_precision,
+};
 pub use zones::{ThresholdShare, ZonesOutcome, compare_zones};

@@ -21,6 +21,12 @@ pub enum Need {
     HardCases,
     /// The nonlinear slider on a (V, σ) grid.
     Simulations,
+    /// The fixed-step scheme of the original simulations against converged runs.
+    OriginalScheme,
+    /// Work against error of the integrators.
+    WorkPrecision,
+    /// Stated errors against true ones.
+    ErrorBound,
 }
 
 impl Need {
@@ -34,6 +40,9 @@ impl Need {
         Self::Zones,
         Self::HardCases,
         Self::Simulations,
+        Self::OriginalScheme,
+        Self::WorkPrecision,
+        Self::ErrorBound,
     ];
 
     /// The stable name used in the ids of work items.
@@ -48,6 +57,9 @@ impl Need {
             Need::Zones => "zones",
             Need::HardCases => "hard-cases",
             Need::Simulations => "simulations",
+            Need::OriginalScheme => "original-scheme",
+            Need::WorkPrecision => "work-precision",
+            Need::ErrorBound => "error-bound",
         }
     }
 }

@@ -5,8 +5,8 @@ use std::collections::BTreeMap;
 use crate::number::Rational;
 use crate::scene::{Scene, SceneParameters};
 use crate::study::{
-    BoundaryOutcome, FamilyOutcome, FrequencyOutcome, Grid, HardCase, MapPoint, SimulationsOutcome,
-    SweepOutcome, ToleranceOutcome, ZonesOutcome,
+    BoundCheck, BoundaryOutcome, FamilyOutcome, FrequencyOutcome, Grid, HardCase, MapPoint,
+    OriginalSchemeOutcome, SimulationsOutcome, SweepOutcome, ToleranceOutcome, WorkCase, ZonesOutcome,
 };
 
 /// Everything computed for one scene; what nobody needed is absent.
@@ -30,6 +30,12 @@ pub struct SceneOutcome {
     pub hard_cases: Option<Vec<FamilyOutcome>>,
     /// Its simulations.
     pub simulations: Option<SimulationsOutcome>,
+    /// The original scheme against converged runs.
+    pub original_scheme: Option<OriginalSchemeOutcome>,
+    /// Work against error of the integrators.
+    pub work_precision: Option<Vec<WorkCase>>,
+    /// Stated errors against true ones.
+    pub error_bound: Option<Vec<BoundCheck>>,
 }
 
 impl SceneOutcome {
@@ -46,6 +52,9 @@ impl SceneOutcome {
             zones: None,
             hard_cases: None,
             simulations: None,
+            original_scheme: None,
+            work_precision: None,
+            error_bound: None,
         }
     }
 

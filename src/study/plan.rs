@@ -47,5 +47,8 @@ fn states(scene: &Scene, need: Need) -> bool {
         Need::Zones => scene.zones.is_some(),
         Need::HardCases => scene.hard_cases.is_some(),
         Need::Simulations => scene.simulations.is_some(),
+        Need::OriginalScheme => scene.original_scheme.is_some(),
+        Need::WorkPrecision => scene.work_precision.is_some(),
+        Need::ErrorBound => scene.error_bound.is_some(),
     }
 }

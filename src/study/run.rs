@@ -4,8 +4,8 @@ use crate::scene::Scene;
 use crate::stability::InertialThreshold;
 use crate::study::{
     Item, Need, Needs, Outcome, References, SceneOutcome, boundary_outcome, classify_rectangle,
-    compare_hard_cases, compare_zones, frequency_lines, plan, simulations, sweep_effect_ratio,
-    tolerance_limits,
+    compare_hard_cases, compare_zones, error_bound, frequency_lines, original_scheme, plan, simulations,
+    sweep_effect_ratio, tolerance_limits, work_precision,
 };
 
 /// Hears of each item that is about to be computed: its id, its number and how many there are.
@@ -77,5 +77,16 @@ fn compute(item: &Item, outcome: &mut SceneOutcome, references: &References) {
                 .zip(scene.simulations.as_ref())
                 .map(|(parameters, section)| simulations(parameters, section, &threshold));
         }
+        Need::OriginalScheme => {
+            outcome.original_scheme = parameters
+                .zip(scene.original_scheme.as_ref())
+                .map(|(parameters, section)| original_scheme(parameters, section));
+        }
+        Need::WorkPrecision => {
+            outcome.work_precision = parameters
+                .zip(scene.work_precision.as_ref())
+                .map(|(parameters, section)| work_precision(parameters, section));
+        }
+        Need::ErrorBound => outcome.error_bound = scene.error_bound.as_ref().map(error_bound),
     }
 }

@@ -38,7 +38,11 @@ fn every_section_is_read() {
          [effect_ratio_sweep]\neffect_ratio = {{ from = 1e-3, to = 1e3, points = 9 }}\nnear_equal = [1e-3]\n\
          [tolerance]\nrelative = [0.1, 0.01]\n[hard_cases]\nfile = \"hard.txt\"\n\
          [simulations]\n{axes}laws = [\"slip\", \"aging\"]\ntolerance = 1e-8\n\
-         [simulations.near_transition]\ninertial_parameter = 0.01\nstiffness_over_critical = [1.002]\n"
+         [simulations.near_transition]\ninertial_parameter = 0.01\nstiffness_over_critical = [1.002]\n\
+         [original_scheme]\n{axes}places = [{{ loading_velocity_m_per_s = 1e-3, normal_stress_pa = 1e5 }}]\n\
+         steps = [0.1, 0.05]\nleast_peak_stresses_pa = [1e5]\n\
+         [work_precision]\nplaces = [{{ loading_velocity_m_per_s = 1e-3, normal_stress_pa = 1e5 }}]\n\
+         [error_bound]\ngroups = 20\ntolerances = [1e-4]\n"
     );
     let scene = parse(&text).unwrap();
     assert_eq!(scene.map.unwrap().normal_stress_pa.points, 7);
@@ -51,6 +55,9 @@ fn every_section_is_read() {
     assert_eq!(simulations.laws, [EvolutionLaw::Slip, EvolutionLaw::Aging]);
     assert_eq!(simulations.tolerance, Rational::from((1, 100_000_000)));
     assert_eq!(simulations.near_transition.unwrap().stiffness_over_critical, [Rational::from((501, 500))]);
+    assert_eq!(scene.original_scheme.unwrap().steps, [(1, 10), (1, 20)].map(Rational::from));
+    assert_eq!(scene.work_precision.unwrap().places[0].normal_stress_pa, 100_000);
+    assert_eq!(scene.error_bound.unwrap().groups, 20);
     assert!(scene.parameters.unwrap().point().is_some());
 }
 
