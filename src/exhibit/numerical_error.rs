@@ -80,7 +80,7 @@ fn bias_line(series: &SchemeSeries) -> Series {
     let stress = libm::log10(series.place.normal_stress_pa.to_f64());
     let velocity = libm::log10(series.place.loading_velocity_m_per_s.to_f64());
     let label = format!(
-        "{}, *σ* = 10^{} Pa, *V*_0 = 10^{} m/s",
+        "{}, *σ* = 10^{{{}}} Pa, *V*_0 = 10^{{{}}} m/s",
         series.law.as_str(),
         round_digits(stress, 3),
         round_digits(velocity, 3).replace('-', "−")
@@ -105,7 +105,7 @@ fn work(outcome: &Outcome, index: usize) -> Option<Figure> {
     let chart = LineChart {
         caption: caption.clone(),
         x: Axis::log10("Evaluations of the right-hand side", "", 0.7 * least as f64, 1.4 * most as f64),
-        y: Axis::log10("Error of ln(*V*_peak/*V*_0)", "", LEAST_ERROR, 1.0),
+        y: Axis::log10("Error of ln(*V*_{peak}/*V*_0)", "", LEAST_ERROR, 1e-2),
         series: methods.iter().map(|method| method_line(case, method)).collect(),
         references: Vec::new(),
         bands: Vec::new(),

@@ -10,6 +10,7 @@ use crate::table::{Cell, Column, Table};
 pub(super) const TABLES: &[TableMaker] = &[
     TableMaker { id: "scheme-bias", needs: &[Need::OriginalScheme], make: bias },
     TableMaker { id: "scheme-order", needs: &[Need::OriginalScheme], make: order },
+    TableMaker { id: "scheme-transition", needs: &[Need::OriginalScheme], make: transition },
     TableMaker { id: "scheme-map", needs: &[Need::OriginalScheme], make: map },
     TableMaker { id: "scheme-least-peaks", needs: &[Need::OriginalScheme], make: least_peaks },
     TableMaker { id: "work-precision", needs: &[Need::WorkPrecision], make: work },
@@ -95,6 +96,26 @@ fn order(context: &Context) -> Option<Table> {
         let mut row = place_cells(series).to_vec();
         row.extend([number(order, 3), number(error, 1)]);
         table.push(row);
+    }
+    unless_empty(table)
+}
+
+fn transition(context: &Context) -> Option<Table> {
+    let columns = vec![
+        Column::number("loading_velocity_m_per_s", "Loading velocity V0", "m/s"),
+        Column::number("step_over_natural_time", "Step over √(M/K)", ""),
+        Column::number("shift_percent", "Critical stiffness of the scheme from the true one", "%"),
+    ];
+    let mut table =
+        Table::new("scheme-transition", "Critical stiffness under the original scheme", columns).with_note(
+            "From the scheme's own linearisation, the same for both laws, bisected to 1e-15 with 256 bits; η is that of K = K_c at this velocity.",
+        );
+    for row in &scheme(context)?.transition {
+        table.push(vec![
+            number(row.loading_velocity_m_per_s, 4),
+            number(row.fraction, 4),
+            number(100.0 * row.shift, 3),
+        ]);
     }
     unless_empty(table)
 }
@@ -232,8 +253,11 @@ fn bound(context: &Context) -> Option<Table> {
     unless_empty(table)
 }
 
+/// True over stated error of one observable.
+type Ratio = fn(&BoundCheck) -> Option<f64>;
+
 /// The observables with the ratio of each.
-fn observables() -> [(&'static str, fn(&BoundCheck) -> Option<f64>); 2] {
+fn observables() -> [(&'static str, Ratio); 2] {
     [("peak velocity", |check| check.peak_ratio), ("period", |check| check.period_ratio)]
 }
 

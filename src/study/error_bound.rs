@@ -128,15 +128,15 @@ fn reference(model: &Model<f64>, late: &Late<f64>) -> Option<Truth> {
         Late::Cycle(cycle) => cycle.lap.end.map(Dd::from),
         Late::Decay(_) => Start::default().state(&fine, &Dd::from_f64(libm::log(0.1))),
     };
-    let mut run = Integrator::new(&fine, Radau::<Dd, 7>::new(), start.clone(), control).ok()?;
+    let mut run = Integrator::new(&fine, Radau::<Dd, 7>::new(), start, control).ok()?;
     Some(match settle(&mut run, TARGET, MOST_LAPS).ok()? {
         Late::Cycle(cycle) => {
             Truth { periodic: true, log_peak: cycle.lap.peak, period: Some(cycle.lap.duration) }
         }
         Late::Decay(decay) => {
-            let highest = [start[0].clone(), decay.transient.end[0].clone()]
+            let highest = [start[0], decay.transient.end[0]]
                 .into_iter()
-                .fold(decay.transient.peak.clone(), |highest, x| if x > highest { x } else { highest });
+                .fold(decay.transient.peak, |highest, x| if x > highest { x } else { highest });
             Truth { periodic: false, log_peak: highest, period: decay.oscillation.map(|(period, _)| period) }
         }
     })

@@ -37,7 +37,7 @@ pub use plan::{Item, all_needs, plan};
 pub use run::{Progress, inertial_threshold, run};
 pub use scheme_least_peak::SchemeLeastPeak;
 pub use scheme_run::{AFFORDABLE_STEPS, LatePeak};
-pub use scheme_stability::{SchemeMapRow, critical_shift};
+pub use scheme_stability::{SchemeMapRow, SchemeTransition, critical_shift};
 pub use simulations::{SimulatedPoint, SimulationsOutcome, simulations};
 pub use sweep::{SweepOutcome, SweepRow, sweep_effect_ratio};
 pub use tolerance::{ToleranceOutcome, ToleranceRow, tolerance_limits};

@@ -10,7 +10,7 @@ use crate::study::scheme_least_peak::{SchemeLeastPeak, least_peaks_of_scheme};
 use crate::study::scheme_run::{
     AFFORDABLE_STEPS, LatePeak, converged_cycle, late_peak, model_at, steps_needed,
 };
-use crate::study::scheme_stability::{SchemeMapRow, map_rows};
+use crate::study::scheme_stability::{SchemeMapRow, SchemeTransition, map_rows, transitions};
 
 /// The scheme at one place with one step.
 #[derive(Debug, Clone, PartialEq)]
@@ -43,6 +43,8 @@ pub struct SchemeSeries {
 pub struct OriginalSchemeOutcome {
     /// Bias of the late peak, place by place and law by law.
     pub series: Vec<SchemeSeries>,
+    /// The scheme's critical stiffness, velocity by velocity of the map and step by step.
+    pub transition: Vec<SchemeTransition>,
     /// The points of fig 3a, step by step and law by law.
     pub map: Vec<SchemeMapRow>,
     /// The velocity of the least peak (fig 5).
@@ -75,6 +77,7 @@ pub fn original_scheme(
             .par_iter()
             .filter_map(|&(place, law)| series(parameters, place, law, &fractions))
             .collect(),
+        transition: transitions(parameters, &section.rectangle.loading_velocity_m_per_s, &fractions),
         map: map_rows(parameters, &section.rectangle, &fractions),
         least_peaks: least_peaks_of_scheme(parameters, &section.least_peak_stresses_pa, &fractions),
     }

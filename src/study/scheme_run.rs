@@ -68,8 +68,8 @@ pub(super) fn steps_needed(model: &Model<f64>, cycle: &Cycle<f64>, fraction: f64
 pub(super) fn late_peak(model: &Model<f64>, cycle: &Cycle<f64>, fraction: f64) -> Result<LatePeak, Failure> {
     let mut scheme = OriginalScheme::new(model, cycle.lap.end, fraction);
     let period = cycle.lap.duration;
-    // not f64: a count of steps, kept below the affordable ones by the callers.
-    let steps = |cycles: f64| (cycles * period / scheme.step()).ceil() as u64;
+    // The callers keep this count below the affordable one.
+    let steps = |cycles: f64| libm::ceil(cycles * period / scheme.step()) as u64;
     let (forgotten, window) = (steps(FORGOTTEN), steps(WINDOW));
     highest(&mut scheme, forgotten)?;
     let mut peaks = [0.0; WINDOWS];

@@ -14,8 +14,9 @@ use rug::Float;
 
 use crate::friction::{EvolutionLaw, Groups};
 use crate::number::Rational;
-use crate::scene::{Rectangle, SceneParameters};
+use crate::scene::{LogAxis, Rectangle, SceneParameters};
 use crate::stability::has_transition;
+use crate::study::effect_ratio;
 use crate::study::map::exactly;
 use crate::study::scheme_run::{converged_cycle, late_peak, model_at, steps_needed};
 
@@ -123,6 +124,41 @@ pub fn critical_shift(inertial_parameter: &Rational, effect_ratio: &Rational, fr
         if stable(&middle) { high = middle } else { low = middle }
     }
     Some((low - Rational::from(1)).to_f64())
+}
+
+/// The scheme's critical stiffness at one velocity and step.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SchemeTransition {
+    /// Loading velocity, m/s.
+    pub loading_velocity_m_per_s: f64,
+    /// Step in units of √(M/K).
+    pub fraction: f64,
+    /// K_c of the scheme over the true one, less 1.
+    pub shift: f64,
+}
+
+/// By velocity, where K = K_c exists, then by step.
+pub(super) fn transitions(
+    parameters: &SceneParameters,
+    axis: &LogAxis,
+    fractions: &[f64],
+) -> Vec<SchemeTransition> {
+    let beta = effect_ratio(parameters);
+    let mut found = Vec::new();
+    for velocity in axis.coordinates() {
+        // η/κ = M V²/(K D_c²) does not contain σ, and κ = (β − 1)(1 + η) on the line.
+        let groups = parameters.at(Rational::from(1), exactly(velocity)).groups();
+        let slope = groups.inertial_parameter / groups.stiffness_group * Rational::from(&beta - 1);
+        if slope <= 0 || slope >= 1 {
+            continue;
+        }
+        let inertial = slope.clone() / (Rational::from(1) - slope);
+        found.extend(fractions.iter().filter_map(|&fraction| {
+            let shift = critical_shift(&inertial, &beta, fraction)?;
+            Some(SchemeTransition { loading_velocity_m_per_s: velocity, fraction, shift })
+        }));
+    }
+    found
 }
 
 /// Every point of the rectangle, by law and step.

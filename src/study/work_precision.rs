@@ -147,7 +147,7 @@ fn work_point(method: &'static str, setting: f64, lap: &Lapped<f64>, exact: &Lap
 /// One lap of the original scheme; its peak lies between steps by a parabola. None when it needs too many steps.
 fn scheme_lap(model: &Model<f64>, section: State<f64>, duration: f64, fraction: f64) -> Option<Lapped<f64>> {
     let mut scheme = OriginalScheme::new(model, section, fraction);
-    let steps = (duration / scheme.step()).ceil();
+    let steps = libm::ceil(duration / scheme.step());
     if steps > MOST_STEPS as f64 {
         return None;
     }
