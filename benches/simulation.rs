@@ -7,12 +7,9 @@
 
 use std::time::Instant;
 
-use slipmode::dynamics::{
-    Control, Integrator, Late, Model, Options, Radau, Rodas5P, Scalar, Start, State, Stepper, Taylor,
-    run_lap, settle, simulate_model,
-};
+use slipmode::dynamics::{Model, Options, simulate_model};
 use slipmode::friction::{EvolutionLaw, Groups};
-use slipmode::number::Dd;
+use slipmode::study::{Lapped, laps, reference_lap};
 
 /// The paper's values at σ = 10^s Pa and V_l = 10^v m/s.
 fn paper(v: f64, s: f64, direct_effect: f64, evolution_effect: f64) -> Groups<f64> {
@@ -23,44 +20,27 @@ fn paper(v: f64, s: f64, direct_effect: f64, evolution_effect: f64) -> Groups<f6
     }
 }
 
-struct Case<'c> {
-    model: &'c Model<f64>,
-    section: State<f64>,
-    exact: [f64; 2],
-}
-
-fn lap<R: Scalar, M: Stepper<R> + Clone>(
-    model: &Model<R>,
-    method: M,
-    section: &State<f64>,
-    local_tolerance: f64,
-) -> Option<([R; 2], u64, u64)> {
-    let control = Control { local_tolerance, most_steps: 100_000 };
-    let start: State<R> = std::array::from_fn(|i| R::from_f64(section[i]));
-    let mut run = Integrator::new(model, method, start, control).ok()?;
-    let (lap, _) = run_lap(&mut run).ok()?;
-    let (accepted, refused) = run.step_counts();
-    Some(([lap.peak, lap.duration], accepted + refused, run.method().evaluations()))
-}
-
-fn measure<M: Stepper<f64> + Clone>(name: &str, case: &Case<'_>, method: &M) {
+/// Prints the laps of one method at several tolerances, with the best time of five.
+fn measure(name: &str, lap: impl Fn(f64) -> Option<Lapped<f64>>, exact: &Lapped<f64>) {
     for exponent in [3, 5, 7, 9, 11] {
         let tolerance = libm::exp10(-f64::from(exponent));
         let mut best = f64::INFINITY;
         let mut result = None;
         for _ in 0..5 {
             let began = Instant::now();
-            result = lap(case.model, method.clone(), &case.section, tolerance);
+            result = lap(tolerance);
             best = best.min(began.elapsed().as_secs_f64());
         }
         match result {
-            Some(([peak, duration], steps, evaluations)) => println!(
-                "  {name:<9} 1e-{exponent:<3} {steps:>7} {evaluations:>8} {:>9.1} {:>9.1e} {:>9.1e}",
+            Some(lap) => println!(
+                "  {name:<12} 1e-{exponent:<3} {:>7} {:>8} {:>9.1} {:>9.1e} {:>9.1e}",
+                lap.steps,
+                lap.evaluations,
                 best * 1e6,
-                (peak - case.exact[0]).abs(),
-                (duration / case.exact[1] - 1.0).abs()
+                (lap.peak - exact.peak).abs(),
+                (lap.duration / exact.duration - 1.0).abs()
             ),
-            None => println!("  {name:<9} 1e-{exponent:<3} not finished"),
+            None => println!("  {name:<12} 1e-{exponent:<3} not finished"),
         }
     }
 }
@@ -69,27 +49,12 @@ fn work_precision() {
     for (v, s) in [(-5.5, 6.5), (-6.0, 7.5), (-5.0, 5.0), (-1.5, 4.0), (-1.0, 2.5)] {
         for law in EvolutionLaw::ALL {
             let model = Model::new(paper(v, s, 0.004, 0.006), law);
-            let control = Control { local_tolerance: 1e-9, most_steps: 10_000_000 };
-            let start = Start::default().at_a_tenth(&model);
-            let Ok(mut run) = Integrator::new(&model, Radau::<f64, 5>::new(), start, control) else {
-                continue;
-            };
-            let Ok(Late::Cycle(_)) = settle(&mut run, 1e-9, 10_000) else { continue };
-            let section = *run.state();
-            let fine = Model::new(model.groups().map(|&g| Dd::from(g)), law);
-            let Some((exact, ..)) = lap(&fine, Radau::<Dd, 7>::new(), &section, 1e-20) else { continue };
-            let case = Case { model: &model, section, exact: exact.map(|value| value.to_f64()) };
-            println!(
-                "sigma 1e{s} Pa, V_l 1e{v} m/s, {} law, ln(V_peak/V_l) = {}",
-                law.as_str(),
-                case.exact[0]
-            );
-            println!("  method    local   steps    evals   time/us   err peak   err dur");
-            measure("rodas5p", &case, &Rodas5P::new());
-            measure("radau 5", &case, &Radau::<f64, 3>::new());
-            measure("radau 9", &case, &Radau::<f64, 5>::new());
-            measure("radau 13", &case, &Radau::<f64, 7>::new());
-            measure("taylor 20", &case, &Taylor::<f64, 20>::new());
+            let Some((section, exact)) = reference_lap(&model) else { continue };
+            println!("sigma 1e{s} Pa, V_l 1e{v} m/s, {} law, ln(V_peak/V_l) = {}", law.as_str(), exact.peak);
+            println!("  method       local   steps    evals   time/us   err peak   err dur");
+            for (name, lap) in laps() {
+                measure(name, |tolerance| lap(&model, &section, tolerance), &exact);
+            }
         }
     }
 }

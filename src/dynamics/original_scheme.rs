@@ -24,6 +24,7 @@ pub struct OriginalScheme<'m> {
     log_mean_velocity: f64,
     log_state: f64,
     stress: f64,
+    iterations: u64,
 }
 
 /// Newton iterations on the velocity of a step.
@@ -47,6 +48,7 @@ impl<'m> OriginalScheme<'m> {
             log_mean_velocity: x,
             log_state: y,
             stress: zeta,
+            iterations: 0,
         }
     }
 
@@ -60,6 +62,12 @@ impl<'m> OriginalScheme<'m> {
     #[must_use]
     pub const fn log_velocity(&self) -> f64 {
         self.log_mean_velocity
+    }
+
+    /// Newton iterations so far: each evaluates friction and state once.
+    #[must_use]
+    pub const fn iterations(&self) -> u64 {
+        self.iterations
     }
 
     /// The spring stress ζ.
@@ -89,12 +97,13 @@ impl<'m> OriginalScheme<'m> {
         }
     }
 
-    /// Mean velocity of the step when friction is held at φ.
-    fn mean_velocity(&self, friction: f64) -> f64 {
+    /// Mean velocity of the step when friction is held at φ, and the size of its largest term.
+    fn mean_velocity(&self, friction: f64) -> (f64, f64) {
         // The spring's stretch relative to its equilibrium under φ oscillates about the loading.
         let excess = (self.stress - friction) / self.model.groups().stiffness_group;
-        let slip = self.step + excess * self.versine + (self.velocity - 1.0) * self.sine_over_frequency;
-        slip / self.step
+        let [spring, inertia] = [excess * self.versine, (self.velocity - 1.0) * self.sine_over_frequency];
+        let largest = spring.abs().max(inertia.abs()).max(self.step);
+        ((self.step + spring + inertia) / self.step, largest / self.step)
     }
 
     /// Takes one step.
@@ -109,12 +118,16 @@ impl<'m> OriginalScheme<'m> {
         for _ in 0..MOST_ITERATIONS {
             let (y, y_slope) = self.state_after(x);
             let velocity = libm::exp(x);
-            let defect = velocity - self.mean_velocity(friction(x, y));
+            let (mean, largest) = self.mean_velocity(friction(x, y));
+            let defect = velocity - mean;
+            self.iterations += 1;
             let slope = velocity - slope_of_mean * (1.0 + groups.effect_ratio * y_slope);
             // In the logarithm the defect is convex one way and flat the other: long steps are cut.
             let update = (-defect / slope).clamp(-2.0, 2.0);
             x += update;
-            if update.abs() < 1e-13 * x.abs().max(1.0) {
+            // Where the mass all but stops its velocity is a difference of larger terms, and no update can beat their rounding.
+            let rounded = defect.abs() < 4.0 * f64::EPSILON * largest;
+            if rounded || update.abs() < 1e-13 * x.abs().max(1.0) {
                 self.finish(x);
                 return Ok(());
             }

@@ -38,6 +38,7 @@ const ROOMS: &[&[FigureMaker]] = &[
     crate::exhibit::linear_regime::FIGURES,
     crate::exhibit::maps::FIGURES,
     crate::exhibit::near_transition::FIGURES,
+    crate::exhibit::numerical_error::FIGURES,
     crate::exhibit::onset::FIGURES,
     crate::exhibit::overshoot_map::FIGURES,
     crate::exhibit::phase_portraits::FIGURES,

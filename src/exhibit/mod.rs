@@ -15,6 +15,8 @@ mod mode_tables;
 mod near_transition;
 mod near_transition_tables;
 mod numeric_tables;
+mod numerical_error;
+mod numerical_error_tables;
 mod onset;
 mod onset_tables;
 mod overshoot_map;

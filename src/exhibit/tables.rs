@@ -23,6 +23,7 @@ const ROOMS: &[&[TableMaker]] = &[
     crate::exhibit::mode_tables::TABLES,
     crate::exhibit::near_transition_tables::TABLES,
     crate::exhibit::numeric_tables::TABLES,
+    crate::exhibit::numerical_error_tables::TABLES,
     crate::exhibit::onset_tables::TABLES,
     crate::exhibit::simulation_tables::TABLES,
     crate::exhibit::start_tables::TABLES,

@@ -5,9 +5,10 @@ use crate::scene::document::read_document;
 use crate::scene::section::Section;
 use crate::scene::sections::{NAME_RULE, safe_name};
 use crate::scene::{
-    AllowedRange, BoundarySection, EffectRatioSweep, Faults, FrequencySection, HardCases, Limits,
-    LinearRegimeSection, NearTransition, OnsetSection, Problem, Quantity, Rectangle, SceneParameters,
-    SimulationsSection, StartSensitivitySection, ToleranceSection, TrajectoriesSection,
+    AllowedRange, BoundarySection, EffectRatioSweep, ErrorBoundSection, Faults, FrequencySection, HardCases,
+    Limits, LinearRegimeSection, NearTransition, OnsetSection, OriginalSchemeSection, Problem, Quantity,
+    Rectangle, SceneParameters, SimulationsSection, StartSensitivitySection, ToleranceSection,
+    TrajectoriesSection, WorkPrecisionSection,
 };
 
 /// What a user asks for: valid, exact, and nothing that was not asked.
@@ -47,6 +48,12 @@ pub struct Scene {
     pub onset: Option<OnsetSection>,
     /// `[near_transition]`: the nonlinear slider close to K = K_c.
     pub near_transition: Option<NearTransition>,
+    /// `[original_scheme]`: the fixed-step scheme of the original simulations.
+    pub original_scheme: Option<OriginalSchemeSection>,
+    /// `[work_precision]`: work against error of the integrators.
+    pub work_precision: Option<WorkPrecisionSection>,
+    /// `[error_bound]`: stated errors against true ones.
+    pub error_bound: Option<ErrorBoundSection>,
 }
 
 impl Scene {
@@ -96,6 +103,10 @@ fn read_scene(top: &mut Section<'_>, limits: &Limits, faults: &mut Faults) -> Op
     let onset = top.optional("onset").map(|entry| OnsetSection::read(&entry, limits, faults));
     let near = top.optional("near_transition").map(|entry| NearTransition::read(&entry, limits, faults));
     check_needs(top, parameters.as_ref(), faults);
+    let original =
+        top.optional("original_scheme").map(|entry| OriginalSchemeSection::read(&entry, limits, faults));
+    let work = top.optional("work_precision").map(|entry| WorkPrecisionSection::read(&entry, faults));
+    let bound = top.optional("error_bound").map(|entry| ErrorBoundSection::read(&entry, limits, faults));
     Some(Scene {
         name: name?,
         title: title?,
@@ -114,6 +125,9 @@ fn read_scene(top: &mut Section<'_>, limits: &Limits, faults: &mut Faults) -> Op
         start_sensitivity: given(start_sensitivity)?,
         onset: given(onset)?,
         near_transition: given(near)?,
+        original_scheme: given(original)?,
+        work_precision: given(work)?,
+        error_bound: given(bound)?,
     })
 }
 
@@ -138,6 +152,8 @@ const NEED_PARAMETERS: &[&str] = &[
     "start_sensitivity",
     "onset",
     "near_transition",
+    "original_scheme",
+    "work_precision",
 ];
 
 /// The sections that only mean something for a slider with a critical normal stress.

@@ -28,7 +28,7 @@ pub struct FamilyCycle {
 
 /// How the cycles approach what the coefficient says of them.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Agreement {
+pub struct AmplitudeDeviation {
     /// Amplitude of ln(V/V_l).
     pub amplitude: f64,
     /// K/K_c − 1 over the predicted one, minus 1.
@@ -90,14 +90,18 @@ impl CycleFamilyOutcome {
 
     /// How far the cycles are from what the coefficient says, and how fast they approach it.
     #[must_use]
-    pub fn agreement(&self) -> Option<Agreement> {
+    pub fn agreement(&self) -> Option<AmplitudeDeviation> {
         let [small, large] = COMPARED.map(|index| self.cycles.get(index));
         let (small, large) = (small?, large?);
         let deviation = |cycle: &FamilyCycle| Some(cycle.excess / cycle.predicted_excess? - 1.0);
         let (first, second) = (deviation(small)?, deviation(large)?);
         let order = libm::log(second / first) / libm::log(large.amplitude / small.amplitude);
         let readable = order.is_finite() && first.abs() > libm::pow(small.amplitude, 4.0);
-        Some(Agreement { amplitude: small.amplitude, deviation: first, order: readable.then_some(order) })
+        Some(AmplitudeDeviation {
+            amplitude: small.amplitude,
+            deviation: first,
+            order: readable.then_some(order),
+        })
     }
 
     /// ln(V_peak/V_l) of the outermost cycle at this κ, by Newton's method on the return map.

@@ -4,6 +4,7 @@ mod bistability;
 mod boundary;
 mod comparison;
 mod cycle_families;
+mod error_bound;
 mod first_swing;
 mod frequency;
 mod grid;
@@ -17,10 +18,14 @@ mod need;
 mod onset;
 mod onset_search;
 mod onset_theory;
+mod original_scheme;
 mod outcome;
 mod plan;
 mod recording;
 mod run;
+mod scheme_least_peak;
+mod scheme_run;
+mod scheme_stability;
 mod search;
 mod simulations;
 mod snapshots;
@@ -30,6 +35,7 @@ mod sweep;
 mod thinning;
 mod tolerance;
 mod trajectories;
+mod work_precision;
 mod zones;
 
 pub use bistability::{Edge, Threshold, place_on_transition};
@@ -38,7 +44,8 @@ pub use comparison::{
     Agreement, Comparison, Finding, Observable, Origin, Reference, Simulate, StatedMode, StatedRun, Theory,
     Value, compare_run,
 };
-pub use cycle_families::{Agreement, CycleFamilyOutcome, FamilyCycle};
+pub use cycle_families::{AmplitudeDeviation, CycleFamilyOutcome, FamilyCycle};
+pub use error_bound::{BoundCheck, error_bound};
 pub use frequency::{FrequencyLine, FrequencyOutcome, frequency_lines};
 pub use grid::Grid;
 pub use hard_cases::{FamilyOutcome, HardCase, compare_hard_cases, read_hard_cases};
@@ -50,14 +57,21 @@ pub use near_transition::{NearRun, NearTransitionOutcome, near_transition};
 pub use need::{Need, Needs};
 pub use onset::{Onset, OnsetOutcome, OtherUnit, ShownRun, onset};
 pub use onset_search::{Located, SeenOnset};
+pub use original_scheme::{OriginalSchemeOutcome, SchemeSeries, SchemeStep, original_scheme};
 pub use outcome::{Outcome, References, SceneOutcome, effect_ratio};
 pub use plan::{Item, all_needs, plan};
 pub use recording::{Gap, LEAST_SAMPLES, LateDecay, LateRun, Measured, Recording, Unsettled};
 pub use run::{Progress, inertial_threshold, run};
+pub use scheme_least_peak::SchemeLeastPeak;
+pub use scheme_run::{AFFORDABLE_STEPS, LatePeak};
+pub use scheme_stability::{SchemeMapRow, SchemeTransition, critical_shift};
 pub use simulations::{SimulatedPoint, SimulationsOutcome, simulations};
 pub use start_sensitivity::{Early, StartGroup, StartRun, start_sensitivity};
 pub use steady_sliding::{SteadyRun, steady_sliding};
 pub use sweep::{SweepOutcome, SweepRow, sweep_effect_ratio};
 pub use tolerance::{ToleranceOutcome, ToleranceRow, tolerance_limits};
 pub use trajectories::{Course, DRAWING_TOLERANCE, Moment, TrajectoryRun, trajectories};
+pub use work_precision::{
+    Lapped, NamedLap, WorkCase, WorkPoint, lap_of, laps, reference_lap, work_precision,
+};
 pub use zones::{ThresholdShare, ZonesOutcome, compare_zones};

@@ -31,6 +31,12 @@ pub enum Need {
     NearTransition,
     /// The nonlinear slider's course at named points.
     Trajectories,
+    /// The fixed-step scheme of the original simulations against converged runs.
+    OriginalScheme,
+    /// Work against error of the integrators.
+    WorkPrecision,
+    /// Stated errors against true ones.
+    ErrorBound,
 }
 
 impl Need {
@@ -49,6 +55,9 @@ impl Need {
         Self::Onset,
         Self::NearTransition,
         Self::Trajectories,
+        Self::OriginalScheme,
+        Self::WorkPrecision,
+        Self::ErrorBound,
     ];
 
     /// The stable name used in the ids of work items.
@@ -68,6 +77,9 @@ impl Need {
             Need::Onset => "onset",
             Need::NearTransition => "near-transition",
             Need::Trajectories => "trajectories",
+            Need::OriginalScheme => "original-scheme",
+            Need::WorkPrecision => "work-precision",
+            Need::ErrorBound => "error-bound",
         }
     }
 }

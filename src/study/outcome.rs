@@ -5,9 +5,9 @@ use std::collections::BTreeMap;
 use crate::number::Rational;
 use crate::scene::{Scene, SceneParameters};
 use crate::study::{
-    BoundaryOutcome, FamilyOutcome, FrequencyOutcome, Grid, HardCase, LinearRegimeOutcome, MapPoint,
-    NearTransitionOutcome, OnsetOutcome, SimulationsOutcome, StartGroup, SweepOutcome, ToleranceOutcome,
-    TrajectoryRun, ZonesOutcome,
+    BoundCheck, BoundaryOutcome, FamilyOutcome, FrequencyOutcome, Grid, HardCase, LinearRegimeOutcome,
+    MapPoint, NearTransitionOutcome, OnsetOutcome, OriginalSchemeOutcome, SimulationsOutcome, StartGroup,
+    SweepOutcome, ToleranceOutcome, TrajectoryRun, WorkCase, ZonesOutcome,
 };
 
 /// Everything computed for one scene; what nobody needed is absent.
@@ -41,6 +41,12 @@ pub struct SceneOutcome {
     pub near_transition: Option<NearTransitionOutcome>,
     /// Its trajectories, point by point and law by law.
     pub trajectories: Option<Vec<TrajectoryRun>>,
+    /// The original scheme against converged runs.
+    pub original_scheme: Option<OriginalSchemeOutcome>,
+    /// Work against error of the integrators.
+    pub work_precision: Option<Vec<WorkCase>>,
+    /// Stated errors against true ones.
+    pub error_bound: Option<Vec<BoundCheck>>,
 }
 
 impl SceneOutcome {
@@ -62,6 +68,9 @@ impl SceneOutcome {
             onset: None,
             near_transition: None,
             trajectories: None,
+            original_scheme: None,
+            work_precision: None,
+            error_bound: None,
         }
     }
 

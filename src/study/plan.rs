@@ -52,5 +52,8 @@ fn states(scene: &Scene, need: Need) -> bool {
         Need::Onset => scene.onset.is_some(),
         Need::NearTransition => scene.near_transition.is_some(),
         Need::Trajectories => scene.trajectories.is_some(),
+        Need::OriginalScheme => scene.original_scheme.is_some(),
+        Need::WorkPrecision => scene.work_precision.is_some(),
+        Need::ErrorBound => scene.error_bound.is_some(),
     }
 }

@@ -4,8 +4,9 @@ use crate::scene::Scene;
 use crate::stability::InertialThreshold;
 use crate::study::{
     Item, Need, Needs, Outcome, References, SceneOutcome, boundary_outcome, classify_rectangle,
-    compare_hard_cases, compare_zones, frequency_lines, linear_regime, near_transition, onset, plan,
-    simulations, start_sensitivity, sweep_effect_ratio, tolerance_limits, trajectories,
+    compare_hard_cases, compare_zones, error_bound, frequency_lines, linear_regime, near_transition, onset,
+    original_scheme, plan, simulations, start_sensitivity, sweep_effect_ratio, tolerance_limits,
+    trajectories, work_precision,
 };
 
 /// Hears of each item that is about to be computed: its id, its number and how many there are.
@@ -102,5 +103,16 @@ fn compute(item: &Item, outcome: &mut SceneOutcome, references: &References) {
                 .zip(scene.near_transition.as_ref())
                 .map(|(parameters, section)| near_transition(parameters, section));
         }
+        Need::OriginalScheme => {
+            outcome.original_scheme = parameters
+                .zip(scene.original_scheme.as_ref())
+                .map(|(parameters, section)| original_scheme(parameters, section));
+        }
+        Need::WorkPrecision => {
+            outcome.work_precision = parameters
+                .zip(scene.work_precision.as_ref())
+                .map(|(parameters, section)| work_precision(parameters, section));
+        }
+        Need::ErrorBound => outcome.error_bound = scene.error_bound.as_ref().map(error_bound),
     }
 }
