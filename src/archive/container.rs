@@ -46,11 +46,11 @@ impl ReleaseTime {
         })
     }
 
-    /// `2026-11-21T06:43:24Z`.
+    /// `2026-11-21T06:43:24+00:00`.
     #[must_use]
     pub fn to_rfc3339(self) -> String {
         let Self { year, month, day, hour, minute, second } = self;
-        format!("{year:04}-{month:02}-{day:02}T{hour:02}:{minute:02}:{second:02}Z")
+        format!("{year:04}-{month:02}-{day:02}T{hour:02}:{minute:02}:{second:02}+00:00")
     }
 
     pub(super) fn of_entry(time: DateTime) -> Self {
@@ -109,11 +109,11 @@ mod tests {
     fn times_are_those_of_the_calendar() {
         let rfc = |seconds| ReleaseTime::from_unix(seconds).map(ReleaseTime::to_rfc3339);
         // By `date -u -d @…`.
-        assert_eq!(rfc(315_532_800).unwrap(), "1980-01-01T00:00:00Z");
-        assert_eq!(rfc(951_782_400).unwrap(), "2000-02-29T00:00:00Z");
-        assert_eq!(rfc(1_795_243_405).unwrap(), "2026-11-21T06:43:24Z");
-        assert_eq!(rfc(4_107_542_400).unwrap(), "2100-03-01T00:00:00Z");
-        assert_eq!(rfc(4_354_819_199).unwrap(), "2107-12-31T23:59:58Z");
+        assert_eq!(rfc(315_532_800).unwrap(), "1980-01-01T00:00:00+00:00");
+        assert_eq!(rfc(951_782_400).unwrap(), "2000-02-29T00:00:00+00:00");
+        assert_eq!(rfc(1_795_243_405).unwrap(), "2026-11-21T06:43:24+00:00");
+        assert_eq!(rfc(4_107_542_400).unwrap(), "2100-03-01T00:00:00+00:00");
+        assert_eq!(rfc(4_354_819_199).unwrap(), "2107-12-31T23:59:58+00:00");
         assert_eq!((rfc(315_532_799), rfc(4_354_819_200), rfc(u64::MAX)), (None, None, None));
         assert_eq!(ReleaseTime::from_unix(315_532_800), Some(ReleaseTime::UNSTATED));
     }

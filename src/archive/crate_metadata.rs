@@ -10,6 +10,7 @@ use super::digests::{DIGESTS_FILE, sha256_hex};
 pub(super) const CRATE_FILE: &str = "ro-crate-metadata.json";
 
 const PROFILE: &str = "https://w3id.org/ro/wfrun/process/0.5";
+const AUTHORS_URL: &str = "https://slipmode.invalid/";
 const LICENCE: &str = "https://spdx.org/licenses/MIT";
 
 /// The metadata of these files, as JSON-LD.
@@ -54,6 +55,7 @@ fn root(parts: &Parts<'_>, files: &Files) -> Value {
         "datePublished": parts.facts.time.to_rfc3339(),
         "license": id(LICENCE),
         "author": id("#authors"),
+        "publisher": id("#authors"),
         "conformsTo": id(PROFILE),
         "hasPart": has_part,
         "mentions": id("#report"),
@@ -72,17 +74,21 @@ fn licence() -> Value {
 }
 
 fn author() -> Value {
-    json!({ "@id": "#authors", "@type": "Organization", "name": "The slipmode authors", "url": "https://crates.io/crates/slipmode" })
+    json!({ "@id": "#authors", "@type": "Organization", "name": "The slipmode authors", "url": AUTHORS_URL })
+}
+
+/// The program as an absolute address, which the profile asks for; `.invalid` says that nothing answers there (RFC 2606).
+fn program_id(parts: &Parts<'_>) -> String {
+    format!("{AUTHORS_URL}{}", parts.facts.version)
 }
 
 fn program(parts: &Parts<'_>) -> Value {
     json!({
-        "@id": "#slipmode",
+        "@id": program_id(parts),
         "@type": "SoftwareApplication",
         "name": "slipmode",
-        "version": parts.facts.version,
         "softwareVersion": parts.facts.version,
-        "url": "https://crates.io/crates/slipmode",
+        "url": program_id(parts),
         "sha256": parts.facts.source_sha256,
     })
 }
@@ -97,7 +103,7 @@ fn action(parts: &Parts<'_>, files: &Files) -> Value {
         "@type": "CreateAction",
         "name": format!("slipmode report {INPUT_FOLDER}"),
         "description": "Proofs, roots, boundaries, simulations and verdicts computed from the inputs",
-        "instrument": id("#slipmode"),
+        "instrument": id(&program_id(parts)),
         "agent": id("#authors"),
         "object": within(INPUT_FOLDER),
         "result": within(REPORT_FOLDER),

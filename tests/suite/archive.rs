@@ -175,8 +175,8 @@ fn the_stated_time_is_that_of_source_date_epoch_or_none() {
     };
     assert!(archive("1795243404").status.success());
     let (files, time) = zip("dated.zip");
-    assert_eq!(time.to_rfc3339(), "2026-11-21T06:43:24Z");
-    assert!(String::from_utf8_lossy(&files["ro-crate-metadata.json"]).contains("2026-11-21T06:43:24Z"));
+    assert_eq!(time.to_rfc3339(), "2026-11-21T06:43:24+00:00");
+    assert!(String::from_utf8_lossy(&files["ro-crate-metadata.json"]).contains("2026-11-21T06:43:24+00:00"));
     let refused = archive("tomorrow");
     assert_eq!(refused.status.code(), Some(2));
     assert!(String::from_utf8_lossy(&refused.stderr).contains("SOURCE_DATE_EPOCH = tomorrow"));
