@@ -6,6 +6,7 @@
 //!
 //! Modules stand on floors and import lower floors only (`cargo xtask tidy` enforces it); ARCHITECTURE.md has the map.
 
+pub mod archive;
 pub mod claims;
 pub mod dynamics;
 pub mod exhibit;

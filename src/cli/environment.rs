@@ -9,6 +9,18 @@ use slipmode::report::FactView;
 /// The file of an output folder that holds the environment; it also marks the folder as one of ours.
 pub const ENVIRONMENT_FILE: &str = "environment.json";
 
+/// The program, the libraries it computes with and its compiler, each with its version.
+pub fn versions() -> [(&'static str, String); 5] {
+    let version = |major, minor, patch| format!("{major}.{minor}.{patch}");
+    [
+        ("slipmode", env!("CARGO_PKG_VERSION").to_string()),
+        ("GMP", version(gmp::VERSION, gmp::VERSION_MINOR, gmp::VERSION_PATCHLEVEL)),
+        ("MPFR", version(mpfr::VERSION_MAJOR, mpfr::VERSION_MINOR, mpfr::VERSION_PATCHLEVEL)),
+        ("MPC", version(mpc::VERSION_MAJOR, mpc::VERSION_MINOR, mpc::VERSION_PATCHLEVEL)),
+        ("compiler", env!("SLIPMODE_RUSTC").to_string()),
+    ]
+}
+
 /// The environment of one run, from its start.
 #[derive(Debug)]
 pub struct Environment {
@@ -23,17 +35,15 @@ impl Environment {
 
     /// Versions and machine, as name and value.
     pub fn facts(&self) -> Vec<FactView> {
-        let version = |major, minor, patch| format!("{major}.{minor}.{patch}");
-        let facts = [
-            ("slipmode", env!("CARGO_PKG_VERSION").to_string()),
-            ("GMP", version(gmp::VERSION, gmp::VERSION_MINOR, gmp::VERSION_PATCHLEVEL)),
-            ("MPFR", version(mpfr::VERSION_MAJOR, mpfr::VERSION_MINOR, mpfr::VERSION_PATCHLEVEL)),
-            ("MPC", version(mpc::VERSION_MAJOR, mpc::VERSION_MINOR, mpc::VERSION_PATCHLEVEL)),
-            ("compiler", env!("SLIPMODE_RUSTC").to_string()),
+        let machine = [
             ("machine", format!("{} {}", std::env::consts::OS, std::env::consts::ARCH)),
             ("threads", rayon::current_num_threads().to_string()),
         ];
-        facts.into_iter().map(|(name, value)| FactView { name: name.into(), value }).collect()
+        versions()
+            .into_iter()
+            .chain(machine)
+            .map(|(name, value)| FactView { name: name.into(), value })
+            .collect()
     }
 
     /// The facts with the times, as `environment.json`.

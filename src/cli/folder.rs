@@ -1,9 +1,10 @@
 //! Scenes and report folders, read whole, with every fault of every file.
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::io;
 use std::path::{Path, PathBuf};
 
-use sha2::{Digest, Sha256};
+use slipmode::archive::{Files, sha256_hex};
 use slipmode::claims::known_ids;
 use slipmode::report::{Folder, InputView};
 use slipmode::scene::{
@@ -12,18 +13,47 @@ use slipmode::scene::{
 use slipmode::study::{References, read_hard_cases};
 use slipmode::theory::PaperEquations;
 
-use crate::cli::input::read_small_file;
+use crate::cli::input::{read_small_file, unreadable};
 
 /// The paper's equations for scenes that stand outside a report.
 const EQUATIONS: &str = include_str!("../../reports/im-avouac/equations.toml");
 
-/// A reader of the files below one folder that keeps their faults and digests.
+/// Where the files of a report are.
+#[derive(Debug)]
+pub enum Source {
+    /// In a folder.
+    Folder(PathBuf),
+    /// In memory, unpacked from an archive whose name messages use.
+    Archive(PathBuf, Files),
+}
+
+impl Source {
+    /// The name of a file, for messages.
+    fn name(&self, path: &str) -> String {
+        match self {
+            Self::Folder(root) | Self::Archive(root, _) => root.join(path).display().to_string(),
+        }
+    }
+
+    fn read(&self, path: &str) -> Result<Vec<u8>, Fault> {
+        match self {
+            Self::Folder(root) => read_small_file(&root.join(path)),
+            Self::Archive(root, files) => {
+                let missing = || unreadable(&root.join(path), &io::Error::from(io::ErrorKind::NotFound));
+                files.get(path).cloned().ok_or_else(missing)
+            }
+        }
+    }
+}
+
+/// A reader of the files of one source that keeps what it read, and all faults.
 #[derive(Debug)]
 struct Reader {
-    root: PathBuf,
+    source: Source,
     limits: Limits,
     faults: Faults,
     inputs: Vec<InputView>,
+    kept: Files,
 }
 
 /// Reads a report folder.
@@ -31,7 +61,15 @@ struct Reader {
 /// # Errors
 /// Every fault of every file.
 pub fn read_report(root: &Path, limits: Limits) -> Result<Folder, Faults> {
-    let mut reader = Reader::new(root, limits);
+    read_report_from(Source::Folder(root.to_path_buf()), limits).map(|(folder, _)| folder)
+}
+
+/// Reads a report, and gives the files it consists of besides.
+///
+/// # Errors
+/// Every fault of every file.
+pub fn read_report_from(source: Source, limits: Limits) -> Result<(Folder, Files), Faults> {
+    let mut reader = Reader::new(source, limits);
     let plan = reader.read("report.toml", |file, bytes, _| ReportPlan::parse(file, bytes));
     let claims = reader.read("claims.toml", |file, bytes, _| read_claims(file, bytes, &known_ids()));
     let equations = reader.read("equations.toml", |file, bytes, _| read_equations(file, bytes));
@@ -55,7 +93,8 @@ pub fn read_report(root: &Path, limits: Limits) -> Result<Folder, Faults> {
     let references = reader.references(&scenes, "vectors");
     match (plan, claims, equations) {
         (Some(plan), Some(claims), Some(equations)) if reader.faults.is_empty() => {
-            Ok(Folder { plan, claims, equations, scenes, prose, references, inputs: reader.inputs })
+            let inputs = reader.inputs;
+            Ok((Folder { plan, claims, equations, scenes, prose, references, inputs }, reader.kept))
         }
         _ => Err(reader.faults),
     }
@@ -82,10 +121,8 @@ pub fn read_scene(path: &Path, limits: Limits) -> Result<LoneScene, Faults> {
     let beside = path.parent().unwrap_or(Path::new(""));
     let report_vectors =
         beside.parent().map(|report| report.join("vectors")).filter(|folder| folder.is_dir());
-    let mut reader = Reader::new(beside, limits);
-    if let Some(folder) = report_vectors {
-        reader.root = folder;
-    }
+    let place = report_vectors.unwrap_or_else(|| beside.to_path_buf());
+    let mut reader = Reader::new(Source::Folder(place), limits);
     let references = reader.references(std::slice::from_ref(&scene), "");
     if !reader.faults.is_empty() {
         return Err(reader.faults);
@@ -95,13 +132,13 @@ pub fn read_scene(path: &Path, limits: Limits) -> Result<LoneScene, Faults> {
 }
 
 impl Reader {
-    fn new(root: &Path, limits: Limits) -> Self {
-        Self { root: root.to_path_buf(), limits, faults: Faults::new(), inputs: Vec::new() }
+    fn new(source: Source, limits: Limits) -> Self {
+        Self { source, limits, faults: Faults::new(), inputs: Vec::new(), kept: Files::new() }
     }
 
-    /// The name of a file below the root, for messages.
+    /// The name of a file, for messages.
     fn name(&self, path: &str) -> String {
-        self.root.join(path).display().to_string()
+        self.source.name(path)
     }
 
     /// Reads a file with `parse`; its faults are kept.
@@ -110,7 +147,7 @@ impl Reader {
         path: &str,
         parse: impl FnOnce(&str, &[u8], &Limits) -> Result<T, Faults>,
     ) -> Option<T> {
-        let bytes = match read_small_file(&self.root.join(path)) {
+        let bytes = match self.source.read(path) {
             Ok(bytes) => bytes,
             Err(fault) => {
                 self.faults.push(fault);
@@ -120,9 +157,11 @@ impl Reader {
         self.inputs.push(InputView {
             path: path.to_string(),
             bytes: bytes.len().to_string(),
-            sha256: Sha256::digest(&bytes).iter().map(|byte| format!("{byte:02x}")).collect(),
+            sha256: sha256_hex(&bytes),
         });
-        parse(&self.name(path), &bytes, &self.limits).map_err(|faults| self.faults.extend(faults)).ok()
+        let parsed = parse(&self.name(path), &bytes, &self.limits);
+        self.kept.insert(path.to_string(), bytes);
+        parsed.map_err(|faults| self.faults.extend(faults)).ok()
     }
 
     /// The files that scenes name, from one folder below the root.

@@ -42,6 +42,21 @@ pub fn read_small_file(path: &Path) -> Result<Vec<u8>, Fault> {
     Ok(bytes)
 }
 
+/// The bytes of a file of at most `most` bytes; one more is read, never more.
+///
+/// # Errors
+/// When the file is missing, a folder, not readable, or larger.
+pub fn read_file_up_to(path: &Path, most: u64) -> Result<Vec<u8>, Fault> {
+    let (file, _) = open_file(path)?;
+    let mut bytes = Vec::new();
+    file.take(most + 1).read_to_end(&mut bytes).map_err(|error| unreadable(path, &error))?;
+    if bytes.len() as u64 > most {
+        let error = io::Error::new(io::ErrorKind::FileTooLarge, format!("more than {most} bytes"));
+        return Err(unreadable(path, &error));
+    }
+    Ok(bytes)
+}
+
 fn open_file(path: &Path) -> Result<(File, Option<u64>), Fault> {
     let file = File::open(path).map_err(|error| unreadable(path, &error))?;
     let metadata = file.metadata().map_err(|error| unreadable(path, &error))?;

@@ -1,8 +1,11 @@
 //! The subcommands: the only floor that opens files, reads the clock and sets exit codes.
 
+mod archive;
 mod boundary;
+mod claim;
 mod classify;
 mod compare;
+mod diff;
 mod environment;
 mod failure;
 mod folder;
@@ -11,6 +14,7 @@ mod options;
 mod output;
 mod points;
 mod progress;
+mod replay;
 mod report;
 mod roots;
 mod simulate;
@@ -57,7 +61,13 @@ enum Command {
     /// A report folder: its page, tables, figures and ledger
     Report(report::ReportOptions),
     /// A report compared with its recorded verdicts and its published copy; exits with 1 when anything moved
-    Verify(report::ReportOptions),
+    Verify(report::VerifyOptions),
+    /// A report with everything it rests on in one zip file that has the same bytes everywhere
+    Archive(archive::Options),
+    /// An archive checked and computed anew; exits with 1 when anything differs
+    Replay(replay::Options),
+    /// Two ledgers or archives compared, verdict by verdict; exits with 1 when they differ
+    Diff(diff::Options),
 }
 
 /// Runs the command line and gives its exit code; errors go to standard error.
@@ -91,6 +101,9 @@ fn run(cli: Cli) -> Result<(), Failure> {
         Command::Run(options) => report::run(&options, &progress),
         Command::Report(options) => report::report(&options, &progress),
         Command::Verify(options) => report::verify(&options, &progress),
+        Command::Archive(options) => archive::run(&options, &progress),
+        Command::Replay(options) => replay::run(&options, &progress),
+        Command::Diff(options) => diff::run(&options),
     }
 }
 

@@ -7,6 +7,7 @@ use slipmode::claims::{Ledger, Verdict};
 use slipmode::report::{Product, ReportError, produce, produce_scene, without_environment};
 use slipmode::scene::Limits;
 
+use crate::cli::claim::verify_claim;
 use crate::cli::environment::{ENVIRONMENT_FILE, Environment};
 use crate::cli::failure::Failure;
 use crate::cli::folder::{read_report, read_scene};
@@ -24,7 +25,7 @@ pub struct LimitOption {
 }
 
 impl LimitOption {
-    fn limits(&self) -> Result<Limits, Failure> {
+    pub fn limits(&self) -> Result<Limits, Failure> {
         let mut arguments = Arguments::default();
         let given = arguments.whole("--max-points", self.max_points.as_deref(), 2..=u64::MAX);
         arguments.finish()?;
@@ -61,6 +62,16 @@ pub struct ReportOptions {
     limit: LimitOption,
 }
 
+/// Options of `verify`.
+#[derive(Debug, Args)]
+pub struct VerifyOptions {
+    #[command(flatten)]
+    report: ReportOptions,
+    /// Decides this claim alone, writes nothing, and says how it was decided
+    #[arg(long, value_name = "ID")]
+    claim: Option<String>,
+}
+
 /// Computes all that a scene states, and writes its tables and figures.
 ///
 /// # Errors
@@ -92,7 +103,12 @@ pub fn report(options: &ReportOptions, progress: &Progress) -> Result<(), Failur
 ///
 /// # Errors
 /// When a verdict is not the recorded one or a published byte moved; and as [`report`].
-pub fn verify(options: &ReportOptions, progress: &Progress) -> Result<(), Failure> {
+pub fn verify(options: &VerifyOptions, progress: &Progress) -> Result<(), Failure> {
+    let VerifyOptions { report: options, claim } = options;
+    if let Some(id) = claim {
+        let folder = read_report(&options.folder, options.limit.limits()?)?;
+        return verify_claim(&folder, id, progress);
+    }
     let (product, place) = make(options, progress)?;
     let moved = differences(&product.files, &options.folder.join("published"))?;
     let drift = drift(&product.ledger);
@@ -129,7 +145,7 @@ fn make(options: &ReportOptions, progress: &Progress) -> Result<(Product, PathBu
     Ok((product, place))
 }
 
-fn unrenderable(folder: &Path, error: &ReportError) -> Failure {
+pub fn unrenderable(folder: &Path, error: &ReportError) -> Failure {
     let lines: Vec<String> =
         error.to_string().lines().map(|line| format!("{}: {line}", folder.display())).collect();
     Failure::Refused(lines.join("\n"))
@@ -144,7 +160,7 @@ fn claim_line(entry: &slipmode::claims::Entry) -> String {
 }
 
 /// The claims whose verdict is not the recorded one: id, old, new.
-fn drift(ledger: &Ledger) -> Vec<String> {
+pub fn drift(ledger: &Ledger) -> Vec<String> {
     ledger
         .drift()
         .map(|entry| {
@@ -153,7 +169,7 @@ fn drift(ledger: &Ledger) -> Vec<String> {
         .collect()
 }
 
-fn summary(ledger: &Ledger) -> String {
+pub fn summary(ledger: &Ledger) -> String {
     let count = |verdict| ledger.count(verdict);
     format!(
         "{} claims: {} hold, {} hold within a limit, {} fail, {} not checked\n",

@@ -134,7 +134,12 @@ fn findings(ledger: &Ledger) -> Vec<FindingView> {
         .filter(|entry| entry.finding.counter_example.is_some())
         .take(SHOWN_FINDINGS)
         .map(|entry| FindingView {
-            headline: format!("{} {}: {}", entry.id, standing(entry.finding.verdict).word(), entry.words),
+            headline: format!(
+                "{} {}: {}",
+                entry.id,
+                standing(entry.finding.verdict).word(),
+                entry.words.trim_end_matches('.')
+            ),
             text_markdown: plain(entry.finding.counter_example.as_deref().unwrap_or_default()),
             claims: vec![entry.id.clone()],
         })

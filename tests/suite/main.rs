@@ -1,5 +1,6 @@
 //! The integration tests: what a user of the library and of the command line sees.
 
+mod archive;
 mod arguments;
 mod bad_points;
 mod bad_scenes;

@@ -30,7 +30,7 @@ pub fn run() -> Result<(), Failure> {
         return Ok(());
     }
     println!("machine: missing {}", missing.join(", "));
-    if is_root() && process::find_program("apt-get", &search_path()).is_some() {
+    if can_install() {
         install(&missing)?;
     }
     match missing_tools(ready) {
@@ -107,12 +107,24 @@ fn debian_packages(tools: &[String]) -> Vec<&str> {
 }
 
 fn install(missing: &[String]) -> Result<(), Failure> {
-    let packages = debian_packages(missing);
+    install_packages(&debian_packages(missing))
+}
+
+/// Whether this machine lets us install Debian's packages.
+pub fn can_install() -> bool {
+    is_root() && process::find_program("apt-get", &search_path()).is_some()
+}
+
+/// Installs Debian's packages; who needs them looks whether they are there.
+///
+/// # Errors
+/// When apt-get cannot be started.
+pub fn install_packages(packages: &[&str]) -> Result<(), Failure> {
     println!("machine: installing {} with apt-get", packages.join(", "));
-    if apt_get_install(&packages)? != 0 {
+    if apt_get_install(packages)? != 0 {
         // A fresh image has no package lists, or stale ones.
         process::status(apt_get().arg("update"))?;
-        apt_get_install(&packages)?;
+        apt_get_install(packages)?;
     }
     Ok(())
 }
@@ -154,7 +166,8 @@ fn surroundings() -> Result<Surroundings, Failure> {
     })
 }
 
-fn search_path() -> String {
+/// The folders in which programs are looked for.
+pub fn search_path() -> String {
     variable("PATH").unwrap_or_default()
 }
 

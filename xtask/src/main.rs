@@ -6,6 +6,7 @@ mod bench;
 mod bless;
 mod failure;
 mod gmp_cache;
+mod judge;
 mod licences;
 mod machine;
 mod process;
@@ -28,6 +29,7 @@ usage: cargo xtask <command> [arguments]
   bench     run the benchmarks (arguments are passed on to `cargo bench`)
   tidy      the rules of the house: floors, headers, lengths, left-overs, links
   licences  every dependency's licence against the allow list
+  judge     let outside programs judge every report's page, Markdown, archive and citation
   machine   look for the tools that the one-time build of GMP, MPFR and MPC needs
 
 exit codes: 0 done, 1 a check failed, 2 bad usage or a machine that lacks something";
@@ -53,6 +55,7 @@ fn run(arguments: &[String]) -> Result<(), Failure> {
         "verify" => verify::run(),
         "test" => test::run(),
         "bless" => bless::run(),
+        "judge" => judge::run(),
         "tidy" => tidy::run(),
         "licences" => licences::run(),
         "machine" => machine::run(),

@@ -81,7 +81,17 @@ impl Prose {
     }
 
     fn formula(&mut self, latex: &str, display: bool, place: &str) -> Event<'static> {
-        let mathml = if display { self.mathematics.block(latex) } else { self.mathematics.inline(latex) };
+        let mathml = if display {
+            // A formula that is wider than a narrow screen scrolls by itself, with the keyboard too.
+            let scrolling = |mathml| {
+                format!(
+                    "<span class=\"formula\" tabindex=\"0\" role=\"group\" aria-label=\"Formula\">{mathml}</span>"
+                )
+            };
+            self.mathematics.block(latex).map(scrolling)
+        } else {
+            self.mathematics.inline(latex)
+        };
         let text = mathml.unwrap_or_else(|fault| {
             self.faults.push(format!("{place}: formula {fault}"));
             String::new()

@@ -1,0 +1,106 @@
+//! `SHA256SUMS`: the digest of every other file, in the format of `sha256sum --check`.
+
+use std::collections::BTreeMap;
+
+use sha2::{Digest, Sha256};
+
+use super::Files;
+
+/// The file that lists the digests.
+pub const DIGESTS_FILE: &str = "SHA256SUMS";
+
+/// SHA-256 in lower-case hexadecimal.
+#[must_use]
+pub fn sha256_hex(bytes: &[u8]) -> String {
+    Sha256::digest(bytes).iter().map(|byte| format!("{byte:02x}")).collect()
+}
+
+/// The text of `SHA256SUMS` for these files.
+pub(super) fn list(files: &Files) -> String {
+    files.iter().map(|(path, bytes)| format!("{}  {path}\n", sha256_hex(bytes))).collect()
+}
+
+/// What disagrees between an archive's files and its `SHA256SUMS`: one line a file, undeclared and missing ones too.
+#[must_use]
+pub fn digest_faults(files: &Files) -> Vec<String> {
+    let Some(listed) = files.get(DIGESTS_FILE) else {
+        return vec![format!("{DIGESTS_FILE}: missing")];
+    };
+    let declared = match parse(listed) {
+        Ok(declared) => declared,
+        Err(fault) => return vec![fault],
+    };
+    let mut faults = Vec::new();
+    for (path, bytes) in files.iter().filter(|(path, _)| *path != DIGESTS_FILE) {
+        match declared.get(path.as_str()) {
+            None => faults.push(format!("{path}: not declared in {DIGESTS_FILE}")),
+            Some(digest) if *digest != sha256_hex(bytes) => {
+                faults.push(format!("{path}: its SHA-256 is not the declared one"));
+            }
+            Some(_) => {}
+        }
+    }
+    let gone = declared.keys().filter(|path| !files.contains_key(**path));
+    faults.extend(gone.map(|path| format!("{path}: declared in {DIGESTS_FILE}, but missing")));
+    faults
+}
+
+fn parse(listed: &[u8]) -> Result<BTreeMap<&str, &str>, String> {
+    let text = std::str::from_utf8(listed).map_err(|_| format!("{DIGESTS_FILE}: is not UTF-8 text"))?;
+    let mut declared = BTreeMap::new();
+    for (index, line) in text.lines().enumerate() {
+        let place = format!("{DIGESTS_FILE}:{}", index + 1);
+        let (digest, path) = line
+            .split_once("  ")
+            .ok_or_else(|| format!("{place}: is not a digest, two spaces and a path"))?;
+        let is_digest =
+            digest.len() == 64 && digest.bytes().all(|b| b.is_ascii_digit() || (b'a'..=b'f').contains(&b));
+        if !is_digest {
+            return Err(format!("{place}: does not begin with 64 hexadecimal digits"));
+        }
+        if declared.insert(path, digest).is_some() {
+            return Err(format!("{place}: declares {path} for the second time"));
+        }
+    }
+    Ok(declared)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn sealed() -> Files {
+        let mut files = Files::from([("a.txt".into(), b"abc".to_vec()), ("b/c".into(), Vec::new())]);
+        let sums = list(&files);
+        files.insert(DIGESTS_FILE.into(), sums.into_bytes());
+        files
+    }
+
+    #[test]
+    fn the_digest_is_that_of_the_standard() {
+        // FIPS 180-2, appendix B.1.
+        assert_eq!(sha256_hex(b"abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+        assert_eq!(digest_faults(&sealed()), [String::new(); 0]);
+    }
+
+    #[test]
+    fn every_change_of_a_file_is_named() {
+        let mut changed = sealed();
+        changed.insert("a.txt".into(), b"abd".to_vec());
+        assert_eq!(digest_faults(&changed), ["a.txt: its SHA-256 is not the declared one"]);
+        let mut moved = sealed();
+        let bytes = moved.remove("b/c").unwrap();
+        moved.insert("b/d".into(), bytes);
+        assert_eq!(
+            digest_faults(&moved),
+            ["b/d: not declared in SHA256SUMS", "b/c: declared in SHA256SUMS, but missing"]
+        );
+        let mut doubled = sealed();
+        let twice = doubled[DIGESTS_FILE].repeat(2);
+        doubled.insert(DIGESTS_FILE.into(), twice);
+        assert_eq!(digest_faults(&doubled), ["SHA256SUMS:3: declares a.txt for the second time"]);
+        let mut bare = sealed();
+        bare.remove(DIGESTS_FILE);
+        assert_eq!(digest_faults(&bare), ["SHA256SUMS: missing"]);
+    }
+}

@@ -1,0 +1,101 @@
+//! `slipmode archive`: a report computed and packed with everything that it rests on.
+
+use std::collections::BTreeMap;
+use std::ffi::OsString;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use slipmode::archive::{Facts, Parts, ReleaseTime, contents, pack, sha256_hex};
+use slipmode::report::{Product, without_environment};
+
+use crate::cli::environment::{Environment, versions};
+use crate::cli::failure::Failure;
+use crate::cli::folder::{Source, read_report_from};
+use crate::cli::output::{Output, machine_write};
+use crate::cli::progress::Progress;
+use crate::cli::replay::recompute;
+use crate::cli::report::{LimitOption, summary};
+use crate::cli::terminal;
+
+/// Options of `archive`.
+#[derive(Debug, Args)]
+pub struct Options {
+    /// The report's folder, with report.toml, claims.toml, equations.toml, scenes/ and prose/
+    #[arg(value_name = "DIR")]
+    folder: PathBuf,
+    /// The archive to write; FILE.timings.json beside it says when and where
+    #[arg(short, long, value_name = "FILE.zip")]
+    output: PathBuf,
+    #[command(flatten)]
+    limit: LimitOption,
+}
+
+/// Computes a report and archives it.
+///
+/// # Errors
+/// When the report's files are at fault, or the archive cannot be written.
+pub fn run(options: &Options, progress: &Progress) -> Result<(), Failure> {
+    let environment = Environment::start();
+    let time = stated_time(std::env::var_os("SOURCE_DATE_EPOCH"))?;
+    let (mut archive, mut timings) =
+        (Output::create(&options.output)?, Output::create(&timings_file(&options.output))?);
+    let (folder, inputs) = read_report_from(Source::Folder(options.folder.clone()), options.limit.limits()?)?;
+    let Product { ledger, files } = recompute(&folder, &options.folder, progress)?;
+    let facts = facts(time);
+    let (name, title) = (&folder.plan.name, &folder.plan.title);
+    let parts = Parts { name, title, inputs: &inputs, product: &files, ledger: &ledger, facts: &facts };
+    let packed = pack(&contents(&parts), time).map_err(Failure::Refused)?;
+    archive.write_all(&packed).map_err(|error| machine_write(&error))?;
+    timings.write_all(environment.to_json().as_bytes()).map_err(|error| machine_write(&error))?;
+    archive.commit()?;
+    timings.commit()?;
+    let place = options.output.display();
+    terminal::print(&format!("{}{}  {place}\n", summary(&ledger), sha256_hex(&packed)))
+}
+
+/// What is known of this program.
+pub fn facts(time: ReleaseTime) -> Facts {
+    let versions = versions().map(|(name, version)| (name.to_string(), version));
+    Facts {
+        version: env!("CARGO_PKG_VERSION").into(),
+        versions: BTreeMap::from(versions),
+        source_sha256: env!("SLIPMODE_SOURCE_SHA256").into(),
+        time,
+    }
+}
+
+/// The texts of a report without what depends on the machine.
+pub fn machine_free(product: &mut Product) {
+    product.files.values_mut().for_each(|text| *text = without_environment(text));
+}
+
+fn stated_time(variable: Option<OsString>) -> Result<ReleaseTime, Failure> {
+    let Some(text) = variable else { return Ok(ReleaseTime::UNSTATED) };
+    let seconds = text.to_str().and_then(|text| text.parse().ok());
+    seconds.and_then(ReleaseTime::from_unix).ok_or_else(|| {
+        let allowed = "must be a whole number of seconds since 1970 in the years 1980 to 2107";
+        Failure::Refused(format!("environment: SOURCE_DATE_EPOCH = {}: {allowed}", text.display()))
+    })
+}
+
+fn timings_file(archive: &Path) -> PathBuf {
+    let mut name = archive.file_name().unwrap_or_default().to_os_string();
+    name.push(".timings.json");
+    archive.with_file_name(name)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_stated_time_is_a_number_of_seconds() {
+        assert_eq!(stated_time(None).unwrap(), ReleaseTime::UNSTATED);
+        assert_eq!(stated_time(Some("315532800".into())).unwrap(), ReleaseTime::UNSTATED);
+        for bad in ["", "yesterday", "-1", "0", "1e9", "99999999999"] {
+            let Err(Failure::Refused(message)) = stated_time(Some(bad.into())) else { panic!("{bad:?}") };
+            assert!(message.contains(&format!("SOURCE_DATE_EPOCH = {bad}")), "{message}");
+        }
+    }
+}

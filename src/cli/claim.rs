@@ -1,0 +1,68 @@
+//! `slipmode verify DIR --claim ID`: one claim decided again, with nothing computed that it does not need.
+
+use slipmode::claims::{self, Context, Entry, Evidence, Ledger};
+use slipmode::report::Folder;
+use slipmode::scene::{ClaimEntry, nearest};
+use slipmode::study;
+
+use crate::cli::failure::Failure;
+use crate::cli::progress::Progress;
+use crate::cli::terminal;
+
+/// Decides one claim of a report, prints how, and holds the verdict against the recorded one.
+///
+/// # Errors
+/// When the report does not list the claim, or its verdict is not the recorded one.
+pub fn verify_claim(folder: &Folder, id: &str, progress: &Progress) -> Result<(), Failure> {
+    let text = listed(folder, id)?;
+    let needs = claims::needs(std::slice::from_ref(text));
+    let outcome = progress.items(|progress| study::run(&folder.scenes, &needs, &folder.references, progress));
+    let context = Context { equations: &folder.equations, outcome: &outcome };
+    let ledger = Ledger::decide(&folder.plan.name, std::slice::from_ref(text), &context);
+    for entry in &ledger.claims {
+        terminal::print(&account(entry))?;
+    }
+    match ledger.drift().next() {
+        None => Ok(()),
+        Some(entry) => Err(Failure::Check(format!(
+            "{id}: recorded {}, now {}",
+            entry.expected,
+            entry.finding.verdict.as_str()
+        ))),
+    }
+}
+
+fn listed<'f>(folder: &'f Folder, id: &str) -> Result<&'f ClaimEntry, Failure> {
+    folder.claims.iter().find(|claim| claim.id == id).ok_or_else(|| {
+        let known = folder.claims.iter().map(|claim| claim.id.as_str());
+        let near = nearest(id, known).map(|near| format!("; did you mean {near}?")).unwrap_or_default();
+        Failure::Refused(format!("--claim = {id}: the report lists no such claim{near}"))
+    })
+}
+
+fn account(entry: &Entry) -> String {
+    let finding = &entry.finding;
+    let mut lines = vec![
+        ("claim", format!("{} ({}): {}", entry.id, entry.place, entry.words)),
+        ("holds if", entry.criterion.to_string()),
+        ("verdict", format!("{}, {}", finding.verdict.as_str(), finding.strength.as_str())),
+    ];
+    lines.extend(finding.limit.iter().map(|limit| ("limit", limit.clone())));
+    lines.extend(finding.counter_example.iter().map(|example| ("counter-example", example.clone())));
+    lines.extend(finding.evidence.iter().map(|evidence| ("evidence", one_line(evidence))));
+    lines.extend(finding.remarks.iter().map(|remark| ("remark", remark.clone())));
+    lines.push(("not established", entry.not_established.to_string()));
+    lines.iter().map(|(name, value)| format!("{name:<16} {value}\n")).collect()
+}
+
+fn one_line(evidence: &Evidence) -> String {
+    match evidence {
+        Evidence::Proof { proof } => format!("proof, checked again: {}", proof.statement),
+        Evidence::Enclosure { quantity, value, .. } | Evidence::Sample { quantity, value, .. } => {
+            format!("{quantity}: {value}")
+        }
+        Evidence::Simulation { quantity, value, error, runs } => {
+            format!("{quantity}: {value} ({runs} runs; error {error})")
+        }
+    }
+}

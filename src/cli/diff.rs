@@ -1,0 +1,54 @@
+//! `slipmode diff`: two ledgers, or the ledgers of two archives, held against each other.
+
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use slipmode::archive::{REPORT_FOLDER, ledger_differences};
+
+use crate::cli::failure::Failure;
+use crate::cli::input::read_file_up_to;
+use crate::cli::replay::open;
+use crate::cli::terminal;
+
+/// The most bytes that are read of a ledger.
+const MOST_LEDGER_BYTES: u64 = 1 << 26;
+
+/// Options of `diff`.
+#[derive(Debug, Args)]
+pub struct Options {
+    /// A ledger.json or an archive
+    #[arg(value_name = "A")]
+    first: PathBuf,
+    /// Another
+    #[arg(value_name = "B")]
+    second: PathBuf,
+}
+
+/// Compares two ledgers.
+///
+/// # Errors
+/// When one cannot be read, or they differ.
+pub fn run(options: &Options) -> Result<(), Failure> {
+    let (first, second) = (ledger(&options.first)?, ledger(&options.second)?);
+    let (one, other) = (options.first.display(), options.second.display());
+    let differences = ledger_differences(&first, &second)
+        .map_err(|fault| Failure::Refused(format!("{one}, {other}: {fault}")))?;
+    if differences.is_empty() {
+        return terminal::print("no differences\n");
+    }
+    let lines: String = differences.iter().map(|line| format!("{line}\n")).collect();
+    terminal::print(&lines)?;
+    Err(Failure::Check(format!("{} differences", differences.len())))
+}
+
+/// The ledger's bytes: of the file itself, or out of the archive that it is.
+fn ledger(path: &Path) -> Result<Vec<u8>, Failure> {
+    let bytes = read_file_up_to(path, MOST_LEDGER_BYTES)?;
+    // Every zip file with an entry begins with these letters, and no JSON text does.
+    if !bytes.starts_with(b"PK") {
+        return Ok(bytes);
+    }
+    let inside = format!("{REPORT_FOLDER}/ledger.json");
+    let mut files = open(path)?.files;
+    files.remove(&inside).ok_or_else(|| Failure::Refused(format!("{}: holds no {inside}", path.display())))
+}

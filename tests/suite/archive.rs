@@ -1,0 +1,211 @@
+//! `archive`, `replay`, `diff` and `verify --claim`: what a reviewer is handed runs again, and nothing altered passes.
+
+use std::fs;
+
+use slipmode::archive::{Caps, DIGESTS_FILE, Files, ReleaseTime, pack, sha256_hex, unpack};
+
+use crate::harness::Workplace;
+
+const PLAN: &str = "name = \"small\"\ntitle = \"Small\"\nscenes = [\"a\"]\n\
+    [[chapter]]\nid = \"c\"\ntitle = \"C\"\nprose = \"c.md\"\n";
+const CLAIMS: &str = "[[claim]]\nid = \"S1\"\nplace = \"eq 9\"\nwords = \"W\"\nexpected = \"holds\"\n\
+    [[claim]]\nid = \"B8\"\nplace = \"fig 6\"\nwords = \"W\"\nexpected = \"fails\"\n";
+const SCENE: &str = "name = \"a\"\ntitle = \"A\"\n[parameters]\ndirect_effect = 0.004\nevolution_effect = 0.006\n\
+    critical_slip_distance_m = 1e-5\nstiffness_pa_per_m = 1e7\nmass_per_area_kg_per_m2 = 1000\n\
+    [boundary]\npoints = 8\ndigits = 30\n";
+const EQUATIONS: &str = include_str!("../../reports/im-avouac/equations.toml");
+
+fn small_report() -> Workplace {
+    let place = Workplace::new();
+    place.write("small/report.toml", PLAN);
+    place.write("small/claims.toml", CLAIMS);
+    place.write("small/equations.toml", EQUATIONS);
+    place.write("small/scenes/a.toml", SCENE);
+    place.write("small/prose/c.md", "Words.\n\n[[table:boundary]]\n");
+    place
+}
+
+fn archived() -> Workplace {
+    let place = small_report();
+    place.run(["archive", "small", "-o", "small.zip"]).expect_success();
+    place
+}
+
+#[test]
+fn an_archive_is_replayed_in_another_place() {
+    let (from, to) = (archived(), Workplace::new());
+    assert!(from.read("small.zip.timings.json").contains("computed in, seconds"));
+    fs::copy(from.path("small.zip"), to.path("got.zip")).unwrap();
+    let said = to.run(["replay", "got.zip"]).expect_success();
+    assert!(said.contains("2 claims: 1 hold, 0 hold within a limit, 1 fail"), "{said}");
+    assert!(said.contains("archived by this very program: all bytes compared"), "{said}");
+    assert_eq!(to.names(), ["got.zip"], "a replay leaves nothing behind");
+}
+
+#[test]
+fn archives_have_the_same_bytes_on_any_number_of_threads() {
+    let place = small_report();
+    for threads in ["1", "2"] {
+        place
+            .run(["archive", "small", "-o", &format!("{threads}.zip"), "--threads", threads])
+            .expect_success();
+    }
+    assert_eq!(fs::read(place.path("1.zip")).unwrap(), fs::read(place.path("2.zip")).unwrap());
+}
+
+#[test]
+fn a_flipped_byte_anywhere_is_noticed() {
+    let place = archived();
+    let whole = fs::read(place.path("small.zip")).unwrap();
+    // The first header, the packed content, the directory, the end.
+    for at in [12, 2_000, whole.len() / 2, whole.len() - 400, whole.len() - 10] {
+        let mut altered = whole.clone();
+        altered[at] ^= 1;
+        place.write("altered.zip", altered);
+        let ended = place.run(["replay", "altered.zip"]);
+        assert_ne!(ended.code, 0, "byte {at}: {}", ended.stdout);
+        assert!(!ended.stderr.is_empty() && !ended.stderr.contains("panicked"), "{}", ended.stderr);
+    }
+    place.write("cut.zip", &whole[..whole.len() - 100]);
+    place.run(["replay", "cut.zip"]).expect_refusal(&["cut.zip: is not a whole zip file"]);
+    place.run(["replay", "missing.zip"]).expect_refusal(&["missing.zip"]);
+}
+
+/// Alters the files of the archive and seals them again, with fresh digests where `seal` says so.
+fn forged(place: &Workplace, seal: bool, alter: impl FnOnce(&mut Files)) {
+    let container = fs::read(place.path("small.zip")).unwrap();
+    let (mut files, time) = unpack(&container, &Caps::default()).unwrap();
+    alter(&mut files);
+    if seal {
+        files.remove(DIGESTS_FILE);
+        let sums: String =
+            files.iter().map(|(path, bytes)| format!("{}  {path}\n", sha256_hex(bytes))).collect();
+        files.insert(DIGESTS_FILE.into(), sums.into_bytes());
+    }
+    place.write("forged.zip", pack(&files, time).unwrap());
+}
+
+/// Replaces a text in a file of an archive.
+fn replace(files: &mut Files, path: &str, from: &str, to: &str) {
+    let text = String::from_utf8(files[path].clone()).unwrap();
+    assert!(text.contains(from), "{path} has no {from:?}");
+    files.insert(path.into(), text.replace(from, to).into_bytes());
+}
+
+/// Replays the forgery, which must fail and say so.
+#[track_caller]
+fn expect_difference(place: &Workplace, lines: &[&str]) {
+    let ended = place.run(["replay", "forged.zip"]);
+    assert_eq!(ended.code, 1, "{}{}", ended.stdout, ended.stderr);
+    for line in lines {
+        assert!(
+            ended.stderr.lines().any(|said| said.starts_with(line)),
+            "{line:?} is not in:\n{}",
+            ended.stderr
+        );
+    }
+}
+
+#[test]
+fn an_altered_added_removed_or_renamed_file_is_named() {
+    let place = archived();
+    forged(&place, false, |files| replace(files, "report/report.md", "Small", "Large"));
+    expect_difference(&place, &["report/report.md: its SHA-256 is not the declared one"]);
+    forged(&place, false, |files| drop(files.insert("extra.txt".into(), Vec::new())));
+    expect_difference(&place, &["extra.txt: not declared"]);
+    forged(&place, false, |files| drop(files.remove("CITATION.cff")));
+    expect_difference(&place, &["CITATION.cff: declared in SHA256SUMS, but missing"]);
+    forged(&place, false, |files| {
+        let bytes = files.remove("NOTICE.md").unwrap();
+        files.insert("NOTES.md".into(), bytes);
+    });
+    expect_difference(&place, &["NOTES.md: not declared", "NOTICE.md: declared"]);
+}
+
+#[test]
+fn a_verdict_is_never_read_from_the_archive() {
+    let place = archived();
+    forged(&place, true, |files| {
+        replace(files, "report/ledger.json", "\"verdict\": \"fails\"", "\"verdict\": \"holds\"");
+    });
+    expect_difference(&place, &["report/ledger.json:"]);
+    forged(&place, true, |files| replace(files, "input/claims.toml", "\"fails\"", "\"holds\""));
+    expect_difference(&place, &["B8: recorded holds, now fails"]);
+    forged(&place, true, |files| drop(files.insert("report/tables/more.csv".into(), b"x\n".to_vec())));
+    expect_difference(&place, &["report/tables/more.csv: archived, but not made by the report"]);
+    forged(&place, true, |files| drop(files.insert("input/prose/d.md".into(), b"x\n".to_vec())));
+    expect_difference(&place, &["input/prose/d.md: nothing in the report refers to it"]);
+}
+
+#[test]
+fn another_build_is_held_to_verdicts_and_digits_only() {
+    let place = archived();
+    let other_build = |files: &mut Files| {
+        replace(files, "versions.json", "\"source_sha256\": \"", "\"source_sha256\": \"0")
+    };
+    forged(&place, true, |files| {
+        other_build(files);
+        replace(files, "report/index.html", "</html>", "</html><!-- of another build -->");
+    });
+    let said = place.run(["replay", "forged.zip"]).expect_success();
+    assert!(said.contains("archived by another build: verdicts compared"), "{said}");
+    forged(&place, true, |files| {
+        other_build(files);
+        replace(files, "report/ledger.json", "\"verdict\": \"fails\"", "\"verdict\": \"holds\"");
+        replace(files, "report/tables/boundary.csv", "upper", "lower");
+    });
+    expect_difference(
+        &place,
+        &["B8: verdict: holds -> fails", "report/tables/boundary.csv:2: lower archived, upper"],
+    );
+}
+
+#[test]
+fn the_stated_time_is_that_of_source_date_epoch_or_none() {
+    let place = archived();
+    let zip = |path: &str| unpack(&fs::read(place.path(path)).unwrap(), &Caps::default()).unwrap();
+    assert_eq!(zip("small.zip").1, ReleaseTime::UNSTATED);
+    let archive = |epoch: &str| {
+        std::process::Command::new(env!("CARGO_BIN_EXE_slipmode"))
+            .args(["archive", "small", "-o", "dated.zip"])
+            .env("SOURCE_DATE_EPOCH", epoch)
+            .current_dir(place.path(""))
+            .output()
+            .unwrap()
+    };
+    assert!(archive("1795243404").status.success());
+    let (files, time) = zip("dated.zip");
+    assert_eq!(time.to_rfc3339(), "2026-11-21T06:43:24+00:00");
+    assert!(String::from_utf8_lossy(&files["ro-crate-metadata.json"]).contains("2026-11-21T06:43:24+00:00"));
+    let refused = archive("tomorrow");
+    assert_eq!(refused.status.code(), Some(2));
+    assert!(String::from_utf8_lossy(&refused.stderr).contains("SOURCE_DATE_EPOCH = tomorrow"));
+}
+
+#[test]
+fn two_ledgers_are_compared_by_verdict() {
+    let place = archived();
+    assert_eq!(place.run(["diff", "small.zip", "small.zip"]).expect_success(), "no differences\n");
+    place.run(["report", "small", "-o", "out"]).expect_success();
+    place.run(["diff", "small.zip", "out/ledger.json"]).expect_success();
+    let altered = place.read("out/ledger.json").replace("\"verdict\": \"fails\"", "\"verdict\": \"holds\"");
+    place.write("altered.json", altered);
+    let ended = place.run(["diff", "out/ledger.json", "altered.json"]);
+    assert_eq!((ended.code, ended.stdout.as_str()), (1, "B8: verdict: fails -> holds\n"));
+    place.write("empty.json", "");
+    place.run(["diff", "empty.json", "out/ledger.json"]).expect_refusal(&["the first is not a ledger"]);
+}
+
+#[test]
+fn one_claim_is_decided_alone() {
+    let place = small_report();
+    let said = place.run(["verify", "small", "--claim", "B8"]).expect_success();
+    assert!(said.contains("verdict          fails, exact") && said.contains("counter-example"), "{said}");
+    assert_eq!(place.names(), ["small"], "nothing is written");
+    place
+        .run(["verify", "small", "--claim", "B9"])
+        .expect_refusal(&["--claim = B9: the report lists no such claim; did you mean B8?"]);
+    place.write("small/claims.toml", CLAIMS.replace("\"fails\"", "\"holds\""));
+    let ended = place.run(["verify", "small", "--claim", "B8"]);
+    assert_eq!((ended.code, ended.stderr.trim()), (1, "B8: recorded holds, now fails"));
+}

@@ -1,0 +1,224 @@
+//! `cargo xtask judge`: outside programs look at what a reviewer is handed.
+//!
+//! Their versions are fixed in `xtask/judge/`; they are installed below `target/judge/`. A program that cannot be had is named and its
+//! judgement skipped, except under continuous integration (`CI` is set), where all are required.
+
+use std::env;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use crate::failure::Failure;
+use crate::{machine, process, repository, verify};
+
+/// What a judge is asked about: one report, made afresh.
+struct Made {
+    folder: PathBuf,
+    page: PathBuf,
+    archive: PathBuf,
+}
+
+/// One judge: its name, the programs it runs on, and how it is asked.
+struct Judge {
+    name: &'static str,
+    programs: &'static [&'static [&'static str]],
+    ask: fn(&Made) -> Result<Vec<Command>, Failure>,
+}
+
+const NODE: &[&str] = &["node"];
+const NPM: &[&str] = &["npm"];
+const JAVA: &[&str] = &["java"];
+const PYTHON: &[&str] = &["python3"];
+const BROWSER: &[&str] = &["chromium", "chromium-browser", "google-chrome"];
+
+const JUDGES: [Judge; 6] = [
+    Judge { name: "Nu HTML checker", programs: &[NPM, JAVA], ask: nu_html_checker },
+    Judge { name: "html-validate", programs: &[NODE, NPM], ask: html_validate },
+    Judge { name: "axe-core in Chromium", programs: &[NODE, NPM, BROWSER], ask: pages_in_browser },
+    Judge { name: "markdownlint", programs: &[NODE, NPM], ask: markdownlint },
+    Judge { name: "RO-Crate validator", programs: &[PYTHON], ask: crate_validator },
+    Judge { name: "cffconvert", programs: &[PYTHON], ask: citation },
+];
+
+/// Makes every report and its archive, and asks every judge about them.
+///
+/// # Errors
+/// With exit code 1 when a judge objects, 2 when one is required and cannot be had.
+pub fn run() -> Result<(), Failure> {
+    machine::run()?;
+    verify::build_release()?;
+    let mut made = Vec::new();
+    for name in repository::reports()? {
+        made.push(make(&name)?);
+    }
+    let (mut objecting, mut skipped) = (Vec::new(), Vec::new());
+    for judge in &JUDGES {
+        let lacking = lacking_after_install(judge.programs)?;
+        if !lacking.is_empty() {
+            println!("judge: {} skipped: no {}", judge.name, lacking.join(", "));
+            skipped.push(judge.name);
+        } else if !is_content(judge, &made)? {
+            objecting.push(judge.name);
+        }
+    }
+    if !objecting.is_empty() {
+        return Err(Failure::check(format!("objections of {}", objecting.join(", "))));
+    }
+    if !skipped.is_empty() && env::var_os("CI").is_some() {
+        return Err(Failure::bad_input(format!("required here, but not to be had: {}", skipped.join(", "))));
+    }
+    println!("judge: {} judges content, {} skipped", JUDGES.len() - skipped.len(), skipped.len());
+    Ok(())
+}
+
+fn is_content(judge: &Judge, made: &[Made]) -> Result<bool, Failure> {
+    println!("judge: {}", judge.name);
+    let mut content = true;
+    for report in made {
+        for mut command in (judge.ask)(report)? {
+            content &= process::status(&mut command)? == 0;
+        }
+    }
+    Ok(content)
+}
+
+fn make(name: &str) -> Result<Made, Failure> {
+    let archive = workshop()?.join(format!("{name}.zip"));
+    let run = ["run", "--release", "--locked", "--quiet", "--bin", "slipmode", "--"];
+    let folder = format!("reports/{name}");
+    process::check(process::cargo(&run).args(["report", &folder]))?;
+    process::check(process::cargo(&run).args(["archive", &folder, "--output"]).arg(&archive))?;
+    let folder = repository::root().join("target/report").join(name);
+    Ok(Made { page: folder.join("index.html"), folder, archive })
+}
+
+/// The programs of which no spelling is found, after an attempt to install them.
+fn lacking_after_install(programs: &[&[&'static str]]) -> Result<Vec<&'static str>, Failure> {
+    if !lacking(programs).is_empty() && machine::can_install() {
+        machine::install_packages(&debian_packages(&lacking(programs)))?;
+    }
+    Ok(lacking(programs))
+}
+
+fn lacking(programs: &[&[&'static str]]) -> Vec<&'static str> {
+    let absent = |spellings: &&&[&'static str]| find(spellings).is_none();
+    programs.iter().filter(absent).filter_map(|spellings| spellings.first().copied()).collect()
+}
+
+fn find(spellings: &[&str]) -> Option<PathBuf> {
+    spellings.iter().find_map(|name| process::find_program(name, &machine::search_path()))
+}
+
+fn debian_packages(programs: &[&str]) -> Vec<&'static str> {
+    let package = |program: &&str| match *program {
+        "node" => "nodejs",
+        "npm" => "npm",
+        "java" => "default-jre-headless",
+        "python3" => "python3-venv",
+        _ => "chromium",
+    };
+    programs.iter().map(package).collect()
+}
+
+/// The folder for tools and archives.
+fn workshop() -> Result<PathBuf, Failure> {
+    let folder = repository::root().join("target/judge");
+    fs::create_dir_all(&folder)
+        .map_err(|error| Failure::bad_input(format!("{}: {error}", folder.display())))?;
+    Ok(folder)
+}
+
+fn definition(name: &str) -> PathBuf {
+    repository::root().join("xtask/judge").join(name)
+}
+
+/// Puts a definition beside the tools; tells whether it is news to them.
+fn renew(name: &str) -> Result<bool, Failure> {
+    let (from, to) = (definition(name), workshop()?.join(name));
+    let cannot = |error: std::io::Error| Failure::bad_input(format!("{}: {error}", from.display()));
+    let text = fs::read(&from).map_err(cannot)?;
+    if fs::read(&to).is_ok_and(|old| old == text) {
+        return Ok(false);
+    }
+    fs::write(&to, text).map_err(cannot)?;
+    Ok(true)
+}
+
+/// The folder of the packages that npm installs.
+fn node_modules() -> Result<PathBuf, Failure> {
+    let (workshop, news) = (workshop()?, renew("package.json")?);
+    renew("pages.mjs")?;
+    let modules = workshop.join("node_modules");
+    if news || !modules.is_dir() {
+        let options = [
+            "install",
+            "--no-package-lock",
+            "--no-audit",
+            "--no-fund",
+            "--ignore-scripts",
+            "--loglevel=error",
+        ];
+        process::check(Command::new("npm").args(options).current_dir(&workshop))?;
+    }
+    Ok(modules)
+}
+
+/// A program of the virtual environment that pip fills.
+fn python_program(name: &str) -> Result<PathBuf, Failure> {
+    let (workshop, news) = (workshop()?, renew("requirements.txt")?);
+    let programs = workshop.join("venv/bin");
+    if news || !programs.join("cffconvert").is_file() {
+        process::check(Command::new("python3").args(["-m", "venv", "venv"]).current_dir(&workshop))?;
+        let options =
+            ["install", "--quiet", "--disable-pip-version-check", "--requirement", "requirements.txt"];
+        process::check(Command::new(programs.join("pip")).args(options).current_dir(&workshop))?;
+    }
+    Ok(programs.join(name))
+}
+
+fn node_tool(name: &str) -> Result<Command, Failure> {
+    Ok(Command::new(node_modules()?.join(".bin").join(name)))
+}
+
+fn nu_html_checker(made: &Made) -> Result<Vec<Command>, Failure> {
+    let mut command = Command::new("java");
+    command
+        .arg("-jar")
+        .arg(node_modules()?.join("vnu-jar/build/dist/vnu.jar"))
+        .arg("--errors-only")
+        .arg(&made.page);
+    Ok(vec![command])
+}
+
+fn html_validate(made: &Made) -> Result<Vec<Command>, Failure> {
+    let mut command = node_tool("html-validate")?;
+    command.arg("--config").arg(definition("html-validate.json")).arg(&made.page);
+    Ok(vec![command])
+}
+
+fn pages_in_browser(made: &Made) -> Result<Vec<Command>, Failure> {
+    node_modules()?;
+    let browser = find(BROWSER).unwrap_or_else(|| Path::new("chromium").to_path_buf());
+    let mut command = Command::new("node");
+    command.arg("pages.mjs").arg(browser).arg(&made.page).current_dir(workshop()?);
+    Ok(vec![command])
+}
+
+fn markdownlint(made: &Made) -> Result<Vec<Command>, Failure> {
+    let mut command = node_tool("markdownlint-cli2")?;
+    // The linter takes patterns below its own folder, not paths.
+    command.arg("--config").arg(definition(".markdownlint.json")).arg("report.md").current_dir(&made.folder);
+    Ok(vec![command])
+}
+
+fn crate_validator(made: &Made) -> Result<Vec<Command>, Failure> {
+    let mut command = Command::new(python_program("python")?);
+    command.arg(definition("validate_crate.py")).arg(&made.archive).arg("process-run-crate-0.5");
+    Ok(vec![command])
+}
+
+fn citation(_made: &Made) -> Result<Vec<Command>, Failure> {
+    let mut command = Command::new(python_program("cffconvert")?);
+    command.args(["--validate", "--infile"]).arg(repository::root().join("CITATION.cff"));
+    Ok(vec![command])
+}
