@@ -1,0 +1,225 @@
+//! A cycle found roughly, brought to its accuracy, with the errors of everything it shows.
+//!
+//! Two things part what is reported from the truth. The *laps* err: the same cycle is integrated from the same passage at two
+//! tolerances a factor ten apart, and the error of the finer one is at most their difference over 10^p − 1. The order p in the tolerance is
+//! (2S − 1)/(S + 1) for Radau IIA of S stages, 1 at the least; p = 1 is assumed. The *passage* is not the fixed
+//! point: with the derivative P' of the map the way left is (1 − P')^{-1}(P(s) − s), and an error ε of the lap's end moves the
+//! fixed point by (1 − P')^{-1}ε. Next to K = K_c, and for η ≫ 1, 1 − P' is small and this is the larger part by orders of magnitude.
+//! Both are carried to the observables by their own derivatives, which the same differences of laps give.
+
+use super::return_map::{difference, size};
+use super::settle::SLOW;
+use super::sight::{DURATION, Derivative, Observed, PEAK, ReturnMap, Sight, shifted};
+use super::stepper::Stepper;
+use super::{Cycle, Failure, Lap, Scalar, State};
+
+/// Error of the finer lap over the difference of the two: 1/(10^p − 1) at p = 1, three times over.
+pub(super) const OF_DIFFERENCE: f64 = 1.0;
+
+/// The part of the largest difference of all observables that each is granted, should it agree by chance.
+pub(super) const OF_LARGEST: f64 = 0.3;
+
+/// Newton's corrections before the derivative is called useless.
+const MOST_CORRECTIONS: usize = 8;
+
+/// Local tolerance of the laps whose differences are the derivative: their quotients must resolve 1 − P'.
+const DERIVATIVE_TOLERANCE: f64 = 1e-6;
+
+/// Relative size of a correction after which the derivative stays good.
+const SMALL: f64 = 1e-3;
+
+/// A cycle with the errors of what it shows.
+#[derive(Debug, Clone)]
+pub(super) struct Refined<R> {
+    pub sight: Sight<R>,
+    pub errors: Observed,
+    /// Newton's correction that is left, relative to the state.
+    pub distance: f64,
+}
+
+impl<R: Scalar> Refined<R> {
+    /// The same in f64.
+    pub fn rounded(self) -> Refined<f64> {
+        let Sight { from, image, lap, steps } = self.sight;
+        let sight = Sight {
+            from: from.map(|c| c.to_f64()),
+            image: image.map(|c| c.to_f64()),
+            lap: lap.rounded(),
+            steps,
+        };
+        Refined { sight, errors: self.errors, distance: self.distance }
+    }
+}
+
+/// The tolerances of the two laps and the error they are for.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Accuracy {
+    pub coarse: f64,
+    pub fine: f64,
+    pub asked: f64,
+}
+
+/// Newton's corrections of a rough cycle with a derivative for each, until they are small; the last derivative and the passage.
+pub(super) fn derivative<M: Stepper<f64> + Clone>(
+    map: &mut ReturnMap<'_, f64, M>,
+    rough: [f64; 2],
+) -> Result<(Derivative, [f64; 2]), Failure> {
+    let mut from = rough;
+    let mut derivative = Derivative::at(map, from, DERIVATIVE_TOLERANCE)?;
+    for _ in 0..MOST_CORRECTIONS {
+        let sight = map.sight(&from, DERIVATIVE_TOLERANCE)?;
+        let correction = derivative.correction(sight.residual());
+        let part = size(correction) / sight.size();
+        // A correction as large as the state leads to steady sliding or nowhere.
+        if !(part < 0.5) {
+            return Err(Failure::Undecided { cycles: 0, change: part });
+        }
+        from = derivative.corrected(&from, correction);
+        if part < SMALL {
+            break;
+        }
+        derivative = Derivative::at(map, from, DERIVATIVE_TOLERANCE)?;
+    }
+    Ok((derivative, from))
+}
+
+/// Newton's iteration on the return map from a rough cycle; none when it does not converge.
+pub(super) fn refine<R: Scalar, M: Stepper<R> + Clone>(
+    map: &mut ReturnMap<'_, R, M>,
+    derivative: &Derivative,
+    rough: [R; 2],
+    accuracy: Accuracy,
+) -> Result<Option<Refined<R>>, Failure> {
+    let Some((coarse, _)) = approach(map, derivative, rough, accuracy.coarse, accuracy.asked)? else {
+        return Ok(None);
+    };
+    let first = map.sight(&coarse.from, accuracy.fine)?;
+    // The laps err alike from passages as close as these, so one pair from the same passage tells for all.
+    let differences = first.differences(&coarse.lap);
+    let image_difference: [f64; 2] =
+        std::array::from_fn(|i| (first.image[i].clone() - &coarse.image[i]).to_f64());
+    let Some((sight, rate)) = approach(map, derivative, first.from.clone(), accuracy.fine, accuracy.asked)?
+    else {
+        return Ok(None);
+    };
+    let correction = derivative.correction(sight.residual());
+    let left = derivative.moved(correction).map(|change| change.abs() / (1.0 - rate));
+    let of_lap = lap_errors(differences, &sight.lap, accuracy.fine);
+    let units = rounding(&sight);
+    let displaced = derivative.worst(image_difference.map(|d| OF_DIFFERENCE * d), units);
+    let errors = std::array::from_fn(|i| left[i] + of_lap[i] + displaced[i] + units);
+    let distance = correction.iter().fold(0.0f64, |size, c| size.max(c.abs())) / sight.size();
+    Ok(Some(Refined { sight, errors, distance }))
+}
+
+/// A bound of the rounding errors of a lap, and of what rounding the groups does: a unit of the largest quantity in every step.
+pub(super) fn rounding<R: Scalar>(sight: &Sight<R>) -> f64 {
+    let largest = [&sight.lap.trough, &sight.lap.peak, &sight.lap.highest_stress, &sight.lap.lowest_stress];
+    let size = largest.iter().fold(sight.size(), |size, value| size.max(value.to_f64().abs()));
+    // A state below 1 is computed relative to its size, observables are compared with 1.
+    sight.steps as f64 * 2.0 * R::UNIT_ROUNDOFF.max(f64::EPSILON * f64::EPSILON) * size
+}
+
+/// The errors of the finer of two laps that differ by this much.
+pub(super) fn lap_errors<R: Scalar>(differences: Observed, lap: &Lap<R>, local_tolerance: f64) -> Observed {
+    let scales = super::sight::observed(lap).map(|value| value.abs().max(1.0));
+    let largest = (0..5).fold(0.0f64, |largest, i| largest.max(differences[i].abs() / scales[i]));
+    std::array::from_fn(|i| OF_DIFFERENCE * differences[i].abs() + (OF_LARGEST * largest + local_tolerance) * scales[i])
+}
+
+/// Corrects the passage until the way left shows in no observable, or shrinks no more; with the rate at which it shrank.
+fn approach<R: Scalar, M: Stepper<R> + Clone>(
+    map: &mut ReturnMap<'_, R, M>,
+    derivative: &Derivative,
+    from: [R; 2],
+    local_tolerance: f64,
+    asked: f64,
+) -> Result<Option<(Sight<R>, f64)>, Failure> {
+    let (mut from, mut last, mut rate) = (from, f64::INFINITY, 0.5f64);
+    for _ in 0..MOST_CORRECTIONS {
+        let sight = map.sight(&from, local_tolerance)?;
+        let correction = derivative.correction(sight.residual());
+        let change = derivative.moved(correction);
+        let size = correction.iter().fold(0.0f64, |size, c| size.max(c.abs()));
+        if !size.is_finite() || size > sight.size() {
+            return Ok(None);
+        }
+        if last.is_finite() {
+            rate = (size / last).min(0.9);
+        }
+        let noise = derivative.correction([rounding(&sight); 2]);
+        let resolved = size <= noise[0].abs().max(noise[1].abs());
+        if change[PEAK].abs().max(change[DURATION].abs()) <= 0.1 * asked || resolved {
+            return Ok(Some((sight, rate)));
+        }
+        // The map has steps of the size of its errors; nearer than that no correction leads.
+        if size > 0.5 * last {
+            return Ok(Some((sight, 0.5)));
+        }
+        last = size;
+        from = derivative.corrected(&sight.from, correction);
+    }
+    Ok(None)
+}
+
+/// Laps from a rough cycle until one closes.
+const MOST_LAPS: usize = 30;
+
+/// Follows the map where it contracts fast; none when it does not.
+///
+/// The reported lap begins where the one before ended. When the error of a lap at a tenth of the tolerance is at most half as large and
+/// the state comes at least twice as near in a lap, then the difference of two such laps is more than the error of the second.
+pub(super) fn follow<M: Stepper<f64> + Clone>(
+    map: &mut ReturnMap<'_, f64, M>,
+    rough: &Cycle<f64>,
+    rough_tolerance: f64,
+    accuracy: Accuracy,
+) -> Result<Option<Refined<f64>>, Failure> {
+    if spread(map, rough, rough_tolerance)? > SLOW {
+        return Ok(None);
+    }
+    let section = |state: &State<f64>| [state[1], state[2]];
+    let (mut lap, mut at) = (rough.lap.clone(), rough_tolerance);
+    let mut passage = section(&lap.end);
+    let mut change = size(difference(passage, section(&rough.from))) / size(passage);
+    let mut carried: Option<Observed> = None;
+    for _ in 0..MOST_LAPS {
+        let ready = at <= accuracy.coarse && SLOW * change <= accuracy.asked;
+        let tolerance = if ready {
+            accuracy.fine
+        } else {
+            libm::cbrt(libm::pow(0.01 * change, 2.0)).min(rough_tolerance).max(accuracy.coarse)
+        };
+        let sight = map.sight(&passage, tolerance)?;
+        let left = size(sight.residual()) / sight.size();
+        if ready {
+            let differences = sight.differences(&lap);
+            let of_lap = lap_errors(differences, &sight.lap, accuracy.fine);
+            let units = rounding(&sight);
+            let errors: Observed =
+                std::array::from_fn(|i| of_lap[i] + carried.map_or(0.0, |carried| carried[i]) + units);
+            let largest = errors[PEAK].max(errors[DURATION]);
+            if largest <= accuracy.asked || carried.is_some() {
+                return Ok(Some(Refined { sight, errors, distance: left }));
+            }
+            carried = Some(of_lap.map(|error| 0.1 * error));
+        }
+        (passage, lap, change, at) = (sight.image, sight.lap, left, tolerance);
+    }
+    Ok(None)
+}
+
+/// By how much a cycle shrinks a deviation from its passage, in a direction that nothing distinguishes.
+///
+/// The approach of a trajectory does not tell: what is left of it may lie along a direction in which a lap changes next to nothing.
+fn spread<M: Stepper<f64> + Clone>(
+    map: &mut ReturnMap<'_, f64, M>,
+    cycle: &Cycle<f64>,
+    local_tolerance: f64,
+) -> Result<f64, Failure> {
+    let [_, y, zeta] = cycle.from;
+    let h = 1e-2 * size([y, zeta]);
+    let moved = shifted(&[y, zeta], [h, 0.0], map.model.groups().effect_ratio);
+    let sight = map.sight(&moved, local_tolerance)?;
+    Ok(size(difference(sight.image, [cycle.lap.end[1], cycle.lap.end[2]])) / h)
+}
