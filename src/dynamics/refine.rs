@@ -25,6 +25,9 @@ const MOST_CORRECTIONS: usize = 8;
 /// Local tolerance of the laps whose differences are the derivative: their quotients must resolve 1 − P'.
 const DERIVATIVE_TOLERANCE: f64 = 1e-6;
 
+/// Relative size of the deviation that shows whether a lap contracts fast.
+const DEVIATION: f64 = 1e-2;
+
 /// Relative size of a correction after which the derivative stays good.
 const SMALL: f64 = 1e-3;
 
@@ -56,6 +59,8 @@ impl<R: Scalar> Refined<R> {
 pub(super) struct Accuracy {
     pub coarse: f64,
     pub fine: f64,
+    /// What the steps of the finer lap may add up to, however well the two agree.
+    pub floor: f64,
     pub asked: f64,
 }
 
@@ -104,7 +109,7 @@ pub(super) fn refine<R: Scalar, M: Stepper<R> + Clone>(
     };
     let correction = derivative.correction(sight.residual());
     let left = derivative.moved(correction).map(|change| change.abs() / (1.0 - rate));
-    let of_lap = lap_errors(differences, &sight.lap, accuracy.fine);
+    let of_lap = lap_errors(differences, &sight.lap, accuracy.floor);
     let units = rounding(&sight);
     let displaced = derivative.worst(image_difference.map(|d| OF_DIFFERENCE * d), units);
     let errors = std::array::from_fn(|i| left[i] + of_lap[i] + displaced[i] + units);
@@ -121,10 +126,10 @@ pub(super) fn rounding<R: Scalar>(sight: &Sight<R>) -> f64 {
 }
 
 /// The errors of the finer of two laps that differ by this much.
-pub(super) fn lap_errors<R: Scalar>(differences: Observed, lap: &Lap<R>, local_tolerance: f64) -> Observed {
+pub(super) fn lap_errors<R: Scalar>(differences: Observed, lap: &Lap<R>, floor: f64) -> Observed {
     let scales = super::sight::observed(lap).map(|value| value.abs().max(1.0));
     let largest = (0..5).fold(0.0f64, |largest, i| largest.max(differences[i].abs() / scales[i]));
-    std::array::from_fn(|i| OF_DIFFERENCE * differences[i].abs() + (OF_LARGEST * largest + local_tolerance) * scales[i])
+    std::array::from_fn(|i| OF_DIFFERENCE * differences[i].abs() + OF_LARGEST * largest * scales[i] + floor)
 }
 
 /// Corrects the passage until the way left shows in no observable, or shrinks no more; with the rate at which it shrank.
@@ -192,9 +197,13 @@ pub(super) fn follow<M: Stepper<f64> + Clone>(
         };
         let sight = map.sight(&passage, tolerance)?;
         let left = size(sight.residual()) / sight.size();
+        // Beyond the errors of the two laps a deviation that stays belongs to a slow direction.
+        if left > 0.5 * change && left > 0.1 * at {
+            return Ok(None);
+        }
         if ready {
             let differences = sight.differences(&lap);
-            let of_lap = lap_errors(differences, &sight.lap, accuracy.fine);
+            let of_lap = lap_errors(differences, &sight.lap, accuracy.floor);
             let units = rounding(&sight);
             let errors: Observed =
                 std::array::from_fn(|i| of_lap[i] + carried.map_or(0.0, |carried| carried[i]) + units);
@@ -217,9 +226,11 @@ fn spread<M: Stepper<f64> + Clone>(
     cycle: &Cycle<f64>,
     local_tolerance: f64,
 ) -> Result<f64, Failure> {
-    let [_, y, zeta] = cycle.from;
-    let h = 1e-2 * size([y, zeta]);
-    let moved = shifted(&[y, zeta], [h, 0.0], map.model.groups().effect_ratio);
+    let from = [cycle.from[1], cycle.from[2]];
+    let effect_ratio = map.model.groups().effect_ratio;
+    let by = [DEVIATION * effect_ratio * from[0], DEVIATION * map.model.imbalance(&cycle.from)];
+    let moved = shifted(&from, by, effect_ratio);
     let sight = map.sight(&moved, local_tolerance)?;
-    Ok(size(difference(sight.image, [cycle.lap.end[1], cycle.lap.end[2]])) / h)
+    let deviation = size(difference(moved, from));
+    Ok(size(difference(sight.image, [cycle.lap.end[1], cycle.lap.end[2]])) / deviation)
 }

@@ -36,18 +36,20 @@ pub(super) struct Levels {
     coarse: f64,
     /// The tightest in use.
     tightest: f64,
+    /// Steps of a lap whose errors are as large as their estimates.
+    bad_steps: f64,
 }
 
 impl Levels {
     /// For the method of order 5.
     pub const fn loose() -> Self {
-        Self { rough: 1e-2, coarse: 1e-2, tightest: 1e-3 }
+        Self { rough: 1e-2, coarse: 1e-2, tightest: 1e-3, bad_steps: 20.0 }
     }
 
     /// For the method of order 9: its global error is about the 3/2nd power of the local tolerance.
     pub fn for_error(asked: f64) -> Self {
         let coarse = (30.0 * asked).clamp(TIGHTEST / FINER, 1e-3);
-        Self { rough: coarse.max(1e-4), coarse, tightest: TIGHTEST / FINER }
+        Self { rough: coarse.max(1e-4), coarse, tightest: TIGHTEST / FINER, bad_steps: 1.0 }
     }
 
     fn tighter(self) -> Option<Self> {
@@ -161,14 +163,15 @@ impl<'m, 'o, M: Stepper<f64> + Clone> Search<'m, 'o, M> {
         }
         let start = libm::log(self.options.velocity_ratio);
         let (coarse, fine) = (Late::Decay(coarse), Late::Decay(fine));
-        let errors = decay_errors(&coarse, &fine, start, finer);
+        let errors = decay_errors(&coarse, &fine, start, self.levels.bad_steps * finer);
         Ok((fine, errors))
     }
 
     /// A cycle brought to its accuracy.
     fn refined(&mut self, found: Cycle<f64>, tolerance: f64) -> Result<Found, Failure> {
-        let Levels { coarse, .. } = self.levels;
-        let accuracy = Accuracy { coarse, fine: FINER * coarse, asked: self.options.tolerance };
+        let Levels { coarse, bad_steps, .. } = self.levels;
+        let fine = FINER * coarse;
+        let accuracy = Accuracy { coarse, fine, floor: bad_steps * fine, asked: self.options.tolerance };
         let laps = found.laps_per_cycle;
         let mut map = ReturnMap::new(self.model, self.method.clone(), laps, self.options.most_steps);
         let mut refined = None;
@@ -224,13 +227,13 @@ fn in_double_double(
     );
     let from = refined.as_ref().map_or([found.lap.end[1], found.lap.end[2]], |refined| refined.sight.from);
     let mut map = ReturnMap::new(&fine, Radau::<Dd, 7>::new(), found.laps_per_cycle, options.most_steps);
-    let accuracy = Accuracy { coarse: 1e-14, fine: 1e-15, ..accuracy };
+    let accuracy = Accuracy { coarse: 1e-14, fine: 1e-16, floor: 1e-16, ..accuracy };
     let refined = refine(&mut map, derivative, from.map(Dd::from), accuracy)?;
     Ok(refined.map(|refined| refined.rounded()))
 }
 
 /// Errors of a decay from two runs, a factor ten apart in tolerance.
-fn decay_errors(coarse: &Late<f64>, fine: &Late<f64>, start: f64, local_tolerance: f64) -> Errors {
+fn decay_errors(coarse: &Late<f64>, fine: &Late<f64>, start: f64, floor: f64) -> Errors {
     let (coarse_peak, coarse_period) = peak_and_period(coarse, start);
     let (peak, period) = peak_and_period(fine, start);
     let (rough, lap): (&Lap<f64>, &Lap<f64>) = (extremes(coarse), extremes(fine));
@@ -251,7 +254,8 @@ fn decay_errors(coarse: &Late<f64>, fine: &Late<f64>, start: f64, local_toleranc
     let largest = differences.iter().fold(0.0f64, |largest, &d| largest.max(d));
     let units = 100.0 * f64::EPSILON;
     let error = |i: usize, scale: f64| {
-        (OF_DIFFERENCE * differences[i] + OF_LARGEST * largest + local_tolerance + units) * f64::abs(scale).max(1.0)
+        (OF_DIFFERENCE * differences[i] + OF_LARGEST * largest + units) * f64::abs(scale).max(1.0)
+            + floor
     };
     Errors {
         peak: error(PEAK, peak),

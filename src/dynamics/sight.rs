@@ -106,11 +106,15 @@ impl<R: Scalar> Sight<R> {
 pub(super) struct Derivative {
     effect_ratio: f64,
     image: [[f64; 2]; 2],
+    /// Moduli.
     observed: [[f64; 2]; 5],
 }
 
 /// Relative size of the differences: their truncation error is its square.
 const DIFFERENCE: f64 = 3e-4;
+
+/// Most that a difference may be of the coordinate it changes.
+const LARGEST_PART: f64 = 0.03;
 
 /// Relative error of a lap's end at the tolerance of the differences; over a difference it is what a derivative can resolve.
 const LAP_ERROR: f64 = 1e-9;
@@ -131,7 +135,8 @@ impl Derivative {
         let size = from[0].abs().max(from[1].abs());
         // Trajectories cross the section upward where ζ > φ.
         let upward = map.model.imbalance(&[0.0, from[0], from[1]]).abs();
-        let steps = [DIFFERENCE * size, (DIFFERENCE * size).min(0.1 * upward)];
+        let along = (effect_ratio * from[0]).abs();
+        let steps = [along, upward].map(|part| (DIFFERENCE * size).min(LARGEST_PART * part).max(1e-6 * DIFFERENCE * size));
         let mut derivative = Self { effect_ratio, image: [[0.0; 2]; 2], observed: [[0.0; 2]; 5] };
         for (column, h) in steps.into_iter().enumerate() {
             let mut moved = |sign: f64| {
@@ -141,16 +146,15 @@ impl Derivative {
             };
             let (low, high) = (moved(-1.0)?, moved(1.0)?);
             let resolution = LAP_ERROR * size / h;
-            let slope = |difference: f64| {
-                let slope = difference / (2.0 * h);
-                if slope.abs() < resolution { 0.0 } else { slope }
-            };
+            let slope = |difference: f64| difference / (2.0 * h);
             let image = derivative.coordinates([high.image[0] - low.image[0], high.image[1] - low.image[1]]);
             for row in 0..2 {
-                derivative.image[row][column] = slope(image[row]);
+                let slope = slope(image[row]);
+                derivative.image[row][column] = if slope.abs() < resolution { 0.0 } else { slope };
             }
             for (row, difference) in high.differences(&low.lap).into_iter().enumerate() {
-                derivative.observed[row][column] = slope(difference);
+                // Errors are bounded by these: what cannot be resolved counts with all it may be.
+                derivative.observed[row][column] = slope(difference).abs().max(resolution);
             }
         }
         Ok(derivative)
@@ -189,16 +193,15 @@ impl Derivative {
         shifted(from, by, self.effect_ratio)
     }
 
-    /// The change of the observables when the passage moves.
+    /// The largest change of the observables when the passage moves by this much.
     pub fn moved(&self, by: [f64; 2]) -> Observed {
-        self.observed.map(|row| row[0] * by[0] + row[1] * by[1])
+        self.observed.map(|row| row[0] * by[0].abs() + row[1] * by[1].abs())
     }
 
     /// The largest change of the observables of the fixed point when the image errs by up to these amounts in y and ζ.
     pub fn worst(&self, error: [f64; 2], units: f64) -> Observed {
         let [u, w] = self.coordinates(error).map(|error| error.abs() + units);
         let resolvent = self.resolvent();
-        let column = |row: [f64; 2], j: usize| (row[0] * resolvent[0][j] + row[1] * resolvent[1][j]).abs();
-        self.observed.map(|row| column(row, 0) * u + column(row, 1) * w)
+        self.moved(resolvent.map(|row| row[0].abs() * u + row[1].abs() * w))
     }
 }
