@@ -208,8 +208,7 @@ fn transform<R: Scalar, const S: usize>(matrix: &[[R; S]; S], values: &[State<R>
 #[inline(always)]
 fn weighted<R: Scalar, const S: usize>(weights: &[R; S], values: &[State<R>; S]) -> State<R> {
     let [x, y, zeta] = &values[0];
-    let mut sum =
-        [weights[0].clone() * x, weights[0].clone() * y, weights[0].clone() * zeta];
+    let mut sum = [weights[0].clone() * x, weights[0].clone() * y, weights[0].clone() * zeta];
     for i in 1..S {
         for c in 0..3 {
             sum[c] = sum[c].clone() + weights[i].clone() * &values[i][c];

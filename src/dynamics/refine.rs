@@ -1,11 +1,12 @@
 //! A cycle found roughly, brought to its accuracy, with the errors of everything it shows.
 //!
-//! Two things part what is reported from the truth. The *laps* err: the same cycle is integrated from the same passage at two
-//! tolerances a factor ten apart, and the error of the finer one is at most their difference over 10^p − 1. The order p in the tolerance is
-//! (2S − 1)/(S + 1) for Radau IIA of S stages, 1 at the least; p = 1 is assumed. The *passage* is not the fixed
-//! point: with the derivative P' of the map the way left is (1 − P')^{-1}(P(s) − s), and an error ε of the lap's end moves the
-//! fixed point by (1 − P')^{-1}ε. Next to K = K_c, and for η ≫ 1, 1 − P' is small and this is the larger part by orders of magnitude.
-//! Both are carried to the observables by their own derivatives, which the same differences of laps give.
+//! Two things part what is reported from the truth. The *laps* err: the same cycle is integrated at two tolerances a factor 100
+//! apart, and the error of the finer one is taken as the whole of their difference, part of the largest difference of all observables (two
+//! laps agree by chance in one of them, not in all), and the finer tolerance itself: a step as bad as its estimate does happen. The
+//! *passage* is not the fixed point: with the derivative P' of the map the way left is (1 − P')^{-1}(P(s) − s), and an error ε of the
+//! lap's end moves the fixed point by (1 − P')^{-1}ε. Next to K = K_c, and for η ≫ 1, 1 − P' is small and this is the larger part by orders
+//! of magnitude. Both are carried to the observables by derivatives that the same differences of laps give. That a lap contracts
+//! fast is not believed from its approach, which may have left a slow direction unexcited: a deviation is followed to see it shrink.
 
 use super::return_map::{difference, size};
 use super::settle::SLOW;
@@ -13,7 +14,8 @@ use super::sight::{DURATION, Derivative, Observed, PEAK, ReturnMap, Sight, shift
 use super::stepper::Stepper;
 use super::{Cycle, Failure, Lap, Scalar, State};
 
-/// Error of the finer lap over the difference of the two: 1/(10^p − 1) at p = 1, three times over.
+/// Error of the finer lap over the difference of the two: 1/99 and less when the error follows the tolerance. Where Newton's iteration rather
+/// than the tolerance limits the steps both laps take the same ones and err alike, so nothing is subtracted.
 pub(super) const OF_DIFFERENCE: f64 = 1.0;
 
 /// The part of the largest difference of all observables that each is granted, should it agree by chance.
@@ -172,8 +174,8 @@ const MOST_LAPS: usize = 30;
 
 /// Follows the map where it contracts fast; none when it does not.
 ///
-/// The reported lap begins where the one before ended. When the error of a lap at a tenth of the tolerance is at most half as large and
-/// the state comes at least twice as near in a lap, then the difference of two such laps is more than the error of the second.
+/// The reported lap begins where the one before ended. When its error at the finer tolerance is at most half as large and the state comes at
+/// least twice as near in a lap, then the difference of the two is more than the error of the second.
 pub(super) fn follow<M: Stepper<f64> + Clone>(
     map: &mut ReturnMap<'_, f64, M>,
     rough: &Cycle<f64>,

@@ -186,7 +186,8 @@ impl<'m, 'o, M: Stepper<f64> + Clone> Search<'m, 'o, M> {
             refined = refine(&mut map, &derivative, rough, accuracy)?;
             let satisfied = refined.as_ref().is_some_and(|refined| satisfies(refined, accuracy.asked));
             if !satisfied && self.levels.tighter().is_none() {
-                let more = in_double_double(self.model, &found, &derivative, &refined, accuracy, self.options)?;
+                let more =
+                    in_double_double(self.model, &found, &derivative, &refined, accuracy, self.options)?;
                 refined = more.or(refined);
             }
         }
@@ -254,8 +255,7 @@ fn decay_errors(coarse: &Late<f64>, fine: &Late<f64>, start: f64, floor: f64) ->
     let largest = differences.iter().fold(0.0f64, |largest, &d| largest.max(d));
     let units = 100.0 * f64::EPSILON;
     let error = |i: usize, scale: f64| {
-        (OF_DIFFERENCE * differences[i] + OF_LARGEST * largest + units) * f64::abs(scale).max(1.0)
-            + floor
+        (OF_DIFFERENCE * differences[i] + OF_LARGEST * largest + units) * f64::abs(scale).max(1.0) + floor
     };
     Errors {
         peak: error(PEAK, peak),

@@ -136,7 +136,8 @@ impl Derivative {
         // Trajectories cross the section upward where ζ > φ.
         let upward = map.model.imbalance(&[0.0, from[0], from[1]]).abs();
         let along = (effect_ratio * from[0]).abs();
-        let steps = [along, upward].map(|part| (DIFFERENCE * size).min(LARGEST_PART * part).max(1e-6 * DIFFERENCE * size));
+        let steps = [along, upward]
+            .map(|part| (DIFFERENCE * size).min(LARGEST_PART * part).max(1e-6 * DIFFERENCE * size));
         let mut derivative = Self { effect_ratio, image: [[0.0; 2]; 2], observed: [[0.0; 2]; 5] };
         for (column, h) in steps.into_iter().enumerate() {
             let mut moved = |sign: f64| {
