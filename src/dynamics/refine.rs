@@ -1,7 +1,7 @@
 //! A cycle found roughly, brought to its accuracy, with the errors of everything it shows.
 //!
 //! Two things part what is reported from the truth. The *laps* err: the same cycle is integrated at two tolerances a factor 100
-//! apart, and the error of the finer one is taken as the whole of their difference, part of the largest difference of all observables (two
+//! apart, and the error of the finer one is taken as thrice their difference, part of the largest difference of all observables (two
 //! laps agree by chance in one of them, not in all), and the finer tolerance itself: a step as bad as its estimate does happen. The
 //! *passage* is not the fixed point: with the derivative P' of the map the way left is (1 − P')^{-1}(P(s) − s), and an error ε of the
 //! lap's end moves the fixed point by (1 − P')^{-1}ε. Next to K = K_c, and for η ≫ 1, 1 − P' is small and this is the larger part by orders
@@ -10,13 +10,13 @@
 
 use super::return_map::{difference, size};
 use super::settle::SLOW;
-use super::sight::{DURATION, Derivative, Observed, PEAK, ReturnMap, Sight, shifted};
+use super::sight::{DURATION, Derivative, Observed, PEAK, ReturnMap, Sight, TROUGH, shifted};
 use super::stepper::Stepper;
 use super::{Cycle, Failure, Lap, Scalar, State};
 
 /// Error of the finer lap over the difference of the two: 1/99 and less when the error follows the tolerance. Where Newton's iteration rather
-/// than the tolerance limits the steps both laps take the same ones and err alike, so nothing is subtracted.
-pub(super) const OF_DIFFERENCE: f64 = 1.0;
+/// than the tolerance limits the steps both laps take nearly the same ones; 3 holds as long as the finer errs by a quarter less.
+pub(super) const OF_DIFFERENCE: f64 = 3.0;
 
 /// The part of the largest difference of all observables that each is granted, should it agree by chance.
 pub(super) const OF_LARGEST: f64 = 0.3;
@@ -112,19 +112,28 @@ pub(super) fn refine<R: Scalar, M: Stepper<R> + Clone>(
     let correction = derivative.correction(sight.residual());
     let left = derivative.moved(correction).map(|change| change.abs() / (1.0 - rate));
     let of_lap = lap_errors(differences, &sight.lap, accuracy.floor);
-    let units = rounding(&sight);
+    let (units, shown) = (rounding(&sight), rounding_shown(&sight));
     let displaced = derivative.worst(image_difference.map(|d| OF_DIFFERENCE * d), units);
-    let errors = std::array::from_fn(|i| left[i] + of_lap[i] + displaced[i] + units);
+    let errors = std::array::from_fn(|i| left[i] + of_lap[i] + displaced[i] + shown[i]);
     let distance = correction.iter().fold(0.0f64, |size, c| size.max(c.abs())) / sight.size();
     Ok(Some(Refined { sight, errors, distance }))
 }
 
-/// A bound of the rounding errors of a lap, and of what rounding the groups does: a unit of the largest quantity in every step.
+/// A bound of the rounding errors of a lap, and of what rounding the groups does: units of the largest quantity in every step, of either
+/// sign, so that they add up to the root of the number of steps.
 pub(super) fn rounding<R: Scalar>(sight: &Sight<R>) -> f64 {
     let largest = [&sight.lap.trough, &sight.lap.peak, &sight.lap.highest_stress, &sight.lap.lowest_stress];
     let size = largest.iter().fold(sight.size(), |size, value| size.max(value.to_f64().abs()));
     // A state below 1 is computed relative to its size, observables are compared with 1.
-    sight.steps as f64 * 2.0 * R::UNIT_ROUNDOFF.max(f64::EPSILON * f64::EPSILON) * size
+    (sight.steps as f64).sqrt() * 4.0 * R::UNIT_ROUNDOFF.max(f64::EPSILON * f64::EPSILON) * size
+}
+
+/// The same for what a lap shows: ζ acts on the velocity through its part of ζ, which is no larger than the range of ln V.
+fn rounding_shown<R: Scalar>(sight: &Sight<R>) -> Observed {
+    let shown = super::sight::observed(&sight.lap).map(f64::abs);
+    let range = shown[PEAK].max(shown[TROUGH]).max(1.0);
+    let unit = rounding(sight) / sight.size().max(range);
+    shown.map(|value| unit * value.max(range))
 }
 
 /// The errors of the finer of two laps that differ by this much.
@@ -206,9 +215,9 @@ pub(super) fn follow<M: Stepper<f64> + Clone>(
         if ready {
             let differences = sight.differences(&lap);
             let of_lap = lap_errors(differences, &sight.lap, accuracy.floor);
-            let units = rounding(&sight);
+            let units = rounding_shown(&sight);
             let errors: Observed =
-                std::array::from_fn(|i| of_lap[i] + carried.map_or(0.0, |carried| carried[i]) + units);
+                std::array::from_fn(|i| of_lap[i] + carried.map_or(0.0, |carried| carried[i]) + units[i]);
             let largest = errors[PEAK].max(errors[DURATION]);
             if largest <= accuracy.asked || carried.is_some() {
                 return Ok(Some(Refined { sight, errors, distance: left }));
