@@ -222,7 +222,8 @@ pub(super) fn follow<M: Stepper<f64> + Clone>(
             if largest <= accuracy.asked || carried.is_some() {
                 return Ok(Some(Refined { sight, errors, distance: left }));
             }
-            carried = Some(of_lap.map(|error| 0.1 * error));
+            // The next lap is compared with one that errs like itself: a third of what this pair showed stays.
+            carried = Some(of_lap.map(|error| error / 3.0));
         }
         (passage, lap, change, at) = (sight.image, sight.lap, left, tolerance);
     }
