@@ -78,7 +78,7 @@ pub(super) fn derivative<M: Stepper<f64> + Clone>(
         let correction = derivative.correction(sight.residual());
         let part = size(correction) / sight.size();
         // A correction as large as the state leads to steady sliding or nowhere.
-        if !(part < 0.5) {
+        if part.is_nan() || part >= 0.5 {
             return Err(Failure::Undecided { cycles: 0, change: part });
         }
         from = derivative.corrected(&from, correction);
@@ -191,7 +191,8 @@ pub(super) fn follow<M: Stepper<f64> + Clone>(
     rough_tolerance: f64,
     accuracy: Accuracy,
 ) -> Result<Option<Refined<f64>>, Failure> {
-    if spread(map, rough, rough_tolerance)? > SLOW {
+    let (spread, gains) = spread(map, rough, rough_tolerance)?;
+    if spread > SLOW {
         return Ok(None);
     }
     let section = |state: &State<f64>| [state[1], state[2]];
@@ -216,8 +217,11 @@ pub(super) fn follow<M: Stepper<f64> + Clone>(
             let differences = sight.differences(&lap);
             let of_lap = lap_errors(differences, &sight.lap, accuracy.floor);
             let units = rounding_shown(&sight);
-            let errors: Observed =
-                std::array::from_fn(|i| of_lap[i] + carried.map_or(0.0, |carried| carried[i]) + units[i]);
+            // The fixed points of the two maps differ as well, and this lap began on the coarser one's.
+            let way = size(sight.residual()) / (1.0 - SLOW);
+            let errors: Observed = std::array::from_fn(|i| {
+                of_lap[i] + carried.map_or(0.0, |carried| carried[i]) + gains[i] * way + units[i]
+            });
             let largest = errors[PEAK].max(errors[DURATION]);
             if largest <= accuracy.asked || carried.is_some() {
                 return Ok(Some(Refined { sight, errors, distance: left }));
@@ -230,19 +234,20 @@ pub(super) fn follow<M: Stepper<f64> + Clone>(
     Ok(None)
 }
 
-/// By how much a cycle shrinks a deviation from its passage, in a direction that nothing distinguishes.
+/// By how much a cycle shrinks a deviation from its passage, in a direction that nothing distinguishes, and how much of it is seen.
 ///
 /// The approach of a trajectory does not tell: what is left of it may lie along a direction in which a lap changes next to nothing.
 fn spread<M: Stepper<f64> + Clone>(
     map: &mut ReturnMap<'_, f64, M>,
     cycle: &Cycle<f64>,
     local_tolerance: f64,
-) -> Result<f64, Failure> {
+) -> Result<(f64, Observed), Failure> {
     let from = [cycle.from[1], cycle.from[2]];
     let effect_ratio = map.model.groups().effect_ratio;
     let by = [DEVIATION * effect_ratio * from[0], DEVIATION * map.model.imbalance(&cycle.from)];
     let moved = shifted(&from, by, effect_ratio);
     let sight = map.sight(&moved, local_tolerance)?;
     let deviation = size(difference(moved, from));
-    Ok(size(difference(sight.image, [cycle.lap.end[1], cycle.lap.end[2]])) / deviation)
+    let shrunk = size(difference(sight.image, [cycle.lap.end[1], cycle.lap.end[2]])) / deviation;
+    Ok((shrunk, sight.differences(&cycle.lap).map(|change| change.abs() / deviation)))
 }

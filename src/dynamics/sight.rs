@@ -149,8 +149,8 @@ impl Derivative {
             let resolution = LAP_ERROR * size / h;
             let slope = |difference: f64| difference / (2.0 * h);
             let image = derivative.coordinates([high.image[0] - low.image[0], high.image[1] - low.image[1]]);
-            for row in 0..2 {
-                let slope = slope(image[row]);
+            for (row, difference) in image.into_iter().enumerate() {
+                let slope = slope(difference);
                 derivative.image[row][column] = if slope.abs() < resolution { 0.0 } else { slope };
             }
             for (row, difference) in high.differences(&low.lap).into_iter().enumerate() {
