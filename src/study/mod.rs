@@ -3,6 +3,7 @@
 mod boundary;
 mod frequency;
 mod grid;
+mod hard_case_methods;
 mod hard_cases;
 mod least_peak;
 mod map;
@@ -19,6 +20,7 @@ mod zones;
 pub use boundary::{BoundaryOutcome, END_ERROR, boundary_outcome};
 pub use frequency::{FrequencyLine, FrequencyOutcome, frequency_lines};
 pub use grid::Grid;
+pub use hard_case_methods::{Method, MethodScore};
 pub use hard_cases::{FamilyOutcome, HardCase, compare_hard_cases, read_hard_cases};
 pub use least_peak::{LeastPeak, MINIMISER_ERROR_DEX, least_peaks};
 pub use map::{MapPoint, classify_rectangle};

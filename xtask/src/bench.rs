@@ -61,8 +61,10 @@ fn beside_scipy() -> Result<(), Failure> {
     Ok(())
 }
 
-/// Words after `--peers` name works, by their beginning; none means all.
+/// Words after `--peers` name works, by their beginning; none means all. `--once` makes one round of it.
 fn peers(words: &[&String]) -> Result<(), Failure> {
+    let rounds = if words.iter().any(|word| *word == "--once") { 1 } else { ROUNDS };
+    let words: Vec<&&String> = words.iter().filter(|word| **word != "--once").collect();
     let wanted = |work: &&str| words.is_empty() || words.iter().any(|word| work.starts_with(word.as_str()));
     let works: Vec<&str> = WORKS.into_iter().filter(wanted).collect();
     if works.is_empty() {
@@ -70,7 +72,7 @@ fn peers(words: &[&String]) -> Result<(), Failure> {
     }
     let players = players::find(|_| true)?;
     schedule::prepare()?;
-    let measured = schedule::run(&players, &works, ROUNDS)?;
+    let measured = schedule::run(&players, &works, rounds)?;
     for line in ratios::lines(&measured) {
         println!("{line}");
     }
