@@ -12,6 +12,8 @@ mod linearisation;
 mod numerical;
 mod simulated;
 mod simulated_laws;
+mod simulated_least_peak;
+mod simulated_onset;
 mod simulated_trends;
 mod transition;
 mod verdict;

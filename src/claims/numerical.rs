@@ -2,7 +2,9 @@
 
 use crate::claims::simulated::{Run, Runs, evidence, for_each_law, grids};
 use crate::claims::simulated_laws::n4;
-use crate::claims::simulated_trends::{n3, n5, n7, n8, n10};
+use crate::claims::simulated_least_peak::{n7, n8};
+use crate::claims::simulated_onset::n6;
+use crate::claims::simulated_trends::{n3, n5, n10};
 use crate::claims::{Check, Context, Evidence, Finding};
 use crate::number::format::round_digits;
 use crate::stability::SlipMode;
@@ -37,9 +39,9 @@ pub(super) const CHECKS: &[Check] = &[
     },
     Check {
         id: "N4",
-        criterion: "Both laws end in the same behaviour at every grid point, and in every run next to K = K_c.",
-        not_established: "Starts other than V_l/10 in steady state.",
-        needs: NEEDS,
+        criterion: "Both laws end in the same behaviour at every grid point and in every run next to K = K_c, and neither has a limit cycle where K > K_c.",
+        not_established: "Starts other than V_l/10 in steady state, and cycles that no continuation from K = K_c reaches.",
+        needs: &[Need::Simulations, Need::NearTransition],
         rests_on: &["F2"],
         decide: |context| n4(context).unwrap_or_else(|undecided| undecided),
     },
@@ -50,6 +52,14 @@ pub(super) const CHECKS: &[Check] = &[
         needs: NEEDS,
         rests_on: &["N1"],
         decide: |context| n5(context).unwrap_or_else(|undecided| undecided),
+    },
+    Check {
+        id: "N6",
+        criterion: "At each σ the velocity where small deviations begin to oscillate in simulations is that of the exact boundary, and eq 20 lies within twice its own leading error bσ/(2KD_c) of it.",
+        not_established: "The velocities of the paper's own runs, which only the colours of fig 3a state; other starts than V_l/10 in steady state, and other definitions of what a reader sees.",
+        needs: &[Need::Onset],
+        rests_on: &["B5"],
+        decide: |context| n6(context).unwrap_or_else(|undecided| undecided),
     },
     Check {
         id: "N7",

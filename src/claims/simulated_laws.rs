@@ -1,10 +1,19 @@
 //! Claim N4: whether the two evolution laws end alike, on the grid and next to K = K_c.
 
-use crate::claims::simulated::{evidence, grids, outcome};
+use crate::claims::simulated::{evidence, grids};
 use crate::claims::{Context, Evidence, Finding};
 use crate::friction::EvolutionLaw;
-use crate::number::format::rational_to_decimal;
-use crate::study::{NearRun, Outcome};
+use crate::number::Rational;
+use crate::number::format::{rational_to_decimal, round_digits};
+use crate::study::{
+    CycleFamilyOutcome, Edge, NearRun, NearTransitionOutcome, Outcome, SceneOutcome, effect_ratio,
+    place_on_transition,
+};
+use crate::theory::hopf::{Criticality, coefficient, degenerate_inertial_parameter, quasi_static_centre};
+use crate::theory::linearisation::Law;
+
+/// The widest edge of bistability: its family and where it is.
+type Widest<'c> = (&'c CycleFamilyOutcome, &'c Edge);
 
 pub(super) fn n4(context: &Context) -> Result<Finding, Finding> {
     let grids = grids(context, Outcome::potentially_unstable)?;
@@ -12,59 +21,166 @@ pub(super) fn n4(context: &Context) -> Result<Finding, Finding> {
     let (Some(slip), Some(aging)) = (by(EvolutionLaw::Slip), by(EvolutionLaw::Aging)) else {
         return Err(Finding::not_checked("The report does not simulate both laws."));
     };
+    let missing = || Finding::not_checked("The report does not look next to K = K_c.");
+    let scene = context.outcome.potentially_unstable().ok_or_else(missing)?;
+    let near = scene.near_transition.as_ref().ok_or_else(missing)?;
+    consistent(near)?;
     let pairs = || slip.runs.iter().zip(&aging.runs);
     let contradicting = pairs().filter(|(slip, aging)| slip.periodic() != aging.periodic()).count();
     let renamed = pairs().filter(|(slip, aging)| !slip.is(aging.simulation.slip_mode)).count();
     let points = slip.runs.len();
-    let finding = Finding::from_proofs([])
+    let finding = Law::ALL
+        .into_iter()
+        .fold(Finding::from_proofs([]), |finding, law| {
+            finding
+                .with_proof(coefficient(context.equations, law).map(|hopf| hopf.proof))
+                .with_proof(quasi_static_centre(context.equations, law))
+        })
         .with_evidence(evidence(
             &grids,
             "Grid points where the laws differ in stability (in slip mode)",
             format!("{contradicting} ({renamed}) of {points}"),
         ))
+        .with_evidence(runs_evidence(near))
+        .with_evidence(families_evidence(near))
         .require(contradicting == 0, || format!("{contradicting} grid points differ in stability"));
-    let near = &outcome(context, Outcome::potentially_unstable)?.near_transition;
-    if let Some(run) = near.iter().find(|run| run.periodic().is_none()) {
-        return Err(Finding::not_checked(format!(
-            "The {} law has no result near K = K_c.",
-            run.law.as_str()
-        )));
+    let finding = below(near, finding);
+    let coexisting = coexisting(near);
+    match widest(near)? {
+        Some(widest) => Ok(within_strip(finding, scene, near, widest, &coexisting)),
+        None if !coexisting.is_empty() => Ok(finding.refuted(ends(&coexisting))),
+        None if renamed == 0 => Ok(finding),
+        None => Ok(finding.within(format!("the same stability everywhere; {renamed} of {points} cycles differ in period enough to be named differently"))),
     }
-    let coexisting: Vec<&NearRun> =
-        near.iter().filter(|run| run.stiffness_over_critical > 1 && run.periodic() == Some(true)).collect();
-    let finding = finding.with_evidence(near_evidence(near));
-    let Some(farthest) =
-        coexisting.iter().max_by(|x, y| x.stiffness_over_critical.cmp(&y.stiffness_over_critical))
-    else {
-        return Ok(if renamed == 0 {
-            finding
-        } else {
-            finding.within(format!("the same stability everywhere; {renamed} of {points} cycles differ in period enough to be named differently"))
-        });
+}
+
+/// Small cycles must stand on the side of K = K_c that the exact sign of the coefficient says: otherwise one of the two is wrong.
+fn consistent(near: &NearTransitionOutcome) -> Result<(), Finding> {
+    let sides = |family: &&CycleFamilyOutcome| match (family.cycles.first(), family.criticality()) {
+        (Some(cycle), Criticality::Subcritical) => cycle.excess > 0.0,
+        (Some(cycle), Criticality::Supercritical) => cycle.excess < 0.0,
+        (_, Criticality::Degenerate) => true,
+        (None, _) => false,
     };
-    let ratio = rational_to_decimal(&farthest.stiffness_over_critical, 6);
-    let inertial = rational_to_decimal(&farthest.inertial_parameter, 6);
-    Ok(finding
-        .within(format!("infinitesimal disturbances: at η = {inertial} the start V_l/10 still reaches a limit cycle at K/K_c = {ratio} with the {} law, where steady sliding is stable", farthest.law.as_str()))
-        .outside(format!("{} runs with K > K_c end on a limit cycle: {}", coexisting.len(), names(&coexisting))))
+    match near.families.iter().find(|family| !sides(family)) {
+        None => Ok(()),
+        Some(family) => Err(Finding::not_checked(format!(
+            "With the {} law at η = {} no small cycle was found on the side of K = K_c that the first Lyapunov coefficient says.",
+            family.law.as_str(),
+            rational_to_decimal(&family.inertial_parameter, 6)
+        ))),
+    }
+}
+
+/// Where K < K_c no run may end in sliding.
+fn below(near: &NearTransitionOutcome, finding: Finding) -> Finding {
+    let decays: Vec<&NearRun> = near
+        .runs
+        .iter()
+        .filter(|run| run.stiffness_over_critical < 1 && run.periodic() == Some(false))
+        .collect();
+    finding.require(decays.is_empty(), || format!("Runs with K < K_c end in sliding: {}", names(&decays)))
+}
+
+fn coexisting(near: &NearTransitionOutcome) -> Vec<&NearRun> {
+    near.runs.iter().filter(|run| run.stiffness_over_critical > 1 && run.periodic() == Some(true)).collect()
+}
+
+fn widest(near: &NearTransitionOutcome) -> Result<Option<Widest<'_>>, Finding> {
+    let mut widest: Option<Widest<'_>> = None;
+    for family in &near.families {
+        let edge = family.edge.as_ref().map_err(|failure| {
+            Finding::not_checked(format!("A family of cycles could not be followed: {failure}"))
+        })?;
+        if let Some(edge) = edge
+            && widest.is_none_or(|(_, widest)| edge.excess > widest.excess)
+        {
+            widest = Some((family, edge));
+        }
+    }
+    Ok(widest)
+}
+
+fn within_strip(
+    finding: Finding,
+    scene: &SceneOutcome,
+    near: &NearTransitionOutcome,
+    (family, edge): Widest<'_>,
+    coexisting: &[&NearRun],
+) -> Finding {
+    let count = near.families.iter().filter(|family| matches!(family.edge, Ok(Some(_)))).count();
+    let limit = format!(
+        "infinitesimal disturbances: with the {} law a stable limit cycle coexists with stable sliding up to K/K_c = 1 + {} (± {}) at η = {}, the widest of {count} values of η looked at",
+        family.law.as_str(),
+        round_digits(edge.excess, 5),
+        round_digits(edge.error, 1),
+        rational_to_decimal(&family.inertial_parameter, 6),
+    );
+    let finding = finding.within(limit).outside(ends(coexisting));
+    match place(scene, near) {
+        Some(place) => finding.remark(place),
+        None => finding,
+    }
+}
+
+/// Where the strip lies in the plane of the paper's maps, and whether the grid could show it.
+fn place(scene: &SceneOutcome, near: &NearTransitionOutcome) -> Option<String> {
+    let parameters = scene.parameters()?;
+    let limit = degenerate_inertial_parameter(effect_ratio(parameters).to_f64());
+    let [velocity, stress] = place_on_transition(parameters, limit);
+    let edges = near.families.iter().filter_map(|family| family.edge.as_ref().ok()?.as_ref());
+    let width = edges.map(|edge| edge.width_dex).fold(0.0, f64::max);
+    let stresses = scene.scene.simulations.as_ref()?.rectangle.normal_stress_pa.coordinates();
+    let step = stresses.windows(2).map(|pair| libm::log10(pair[1] / pair[0])).fold(f64::INFINITY, f64::min);
+    Some(format!(
+        "With the parameters of the simulations the strip lies on the low-velocity side of V_l = {} m/s, σ = {} Pa along K = K_c, where η = η_0 = 1/(3 + 2√(β + 3)) = {}, and is at most {} dex of normal stress wide (the steps of the grid are {} dex): a map of this resolution cannot show it.",
+        round_digits(velocity, 3),
+        round_digits(stress, 3),
+        round_digits(limit, 4),
+        round_digits(width, 2),
+        round_digits(step, 2),
+    ))
+}
+
+fn ends(runs: &[&NearRun]) -> String {
+    format!("{} runs with K > K_c end on a limit cycle: {}", runs.len(), names(runs))
 }
 
 fn names(runs: &[&NearRun]) -> String {
+    let decimal = |value: &Rational| rational_to_decimal(value, 6);
     let name = |run: &&NearRun| {
-        format!("{} at {}", run.law.as_str(), rational_to_decimal(&run.stiffness_over_critical, 6))
+        let (ratio, inertial) = (decimal(&run.stiffness_over_critical), decimal(&run.inertial_parameter));
+        format!("{} at K/K_c = {ratio}, η = {inertial}", run.law.as_str())
     };
-    runs.iter().map(name).collect::<Vec<_>>().join(", ")
+    runs.iter().map(name).collect::<Vec<_>>().join("; ")
 }
 
-fn near_evidence(near: &[NearRun]) -> Evidence {
-    let end = |run: &NearRun| {
-        let end = if run.periodic() == Some(true) { "cycle" } else { "decay" };
-        format!("{} {} {end}", run.law.as_str(), rational_to_decimal(&run.stiffness_over_critical, 6))
+fn runs_evidence(near: &NearTransitionOutcome) -> Evidence {
+    let count = |end: Option<bool>, above: bool| {
+        let side = |run: &&NearRun| (run.stiffness_over_critical > 1) == above;
+        near.runs.iter().filter(side).filter(|run| run.periodic() == end).count()
     };
     Evidence::Simulation {
-        quantity: "Late behaviour next to the transition: law, K/K_c, end".into(),
-        value: near.iter().map(end).collect::<Vec<_>>().join(", "),
+        quantity:
+            "Runs next to K = K_c: on a cycle / in sliding / without a result, for K < K_c and for K > K_c"
+                .into(),
+        value: [false, true]
+            .map(|above| [Some(true), Some(false), None].map(|end| count(end, above).to_string()).join(" / "))
+            .join(" and "),
         error: "each end is the same at two tolerances".into(),
-        runs: near.len(),
+        runs: near.runs.len(),
+    }
+}
+
+fn families_evidence(near: &NearTransitionOutcome) -> Evidence {
+    let above = |law: EvolutionLaw| {
+        let of_law = near.families.iter().filter(|family| family.law == law);
+        let excess = of_law.flat_map(|family| &family.cycles).map(|cycle| cycle.excess);
+        format!("{}: {:+.1e}", law.as_str(), excess.fold(f64::NEG_INFINITY, f64::max))
+    };
+    Evidence::Sample {
+        quantity: "Largest K/K_c − 1 among the cycles found by Newton's method on the return map".into(),
+        value: EvolutionLaw::ALL.map(above).join("; "),
+        points: near.families.iter().map(|family| family.cycles.len()).sum(),
     }
 }

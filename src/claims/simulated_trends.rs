@@ -1,32 +1,32 @@
 //! Claims N on peak velocity, stress drop and period across the grid.
 
-use crate::claims::simulated::{Run, Runs, evidence, for_each_law, grids, outcome};
+use crate::claims::simulated::{Run, Runs, evidence, for_each_law, grids};
 use crate::claims::{Context, Evidence, Finding};
 use crate::number::format::round_digits;
 use crate::stability::SlipMode;
-use crate::study::{LeastPeak, MINIMISER_ERROR_DEX, Outcome};
+use crate::study::Outcome;
 
-fn rises((first, second): &(&Run, &Run)) -> bool {
+pub(super) fn rises((first, second): &(&Run, &Run)) -> bool {
     second.simulation.peak_velocity_m_per_s > first.simulation.peak_velocity_m_per_s
 }
 
 /// How many of the pairs pass, and of how many.
-fn share<'r, 'c: 'r>(
+pub(super) fn share<'r, 'c: 'r>(
     pairs: impl Iterator<Item = (&'r Run<'c>, &'r Run<'c>)>,
     passes: impl Fn(&(&Run, &Run)) -> bool,
 ) -> (usize, usize) {
     pairs.fold((0, 0), |(passed, all), pair| (passed + usize::from(passes(&pair)), all + 1))
 }
 
-fn of((passed, all): (usize, usize)) -> String {
+pub(super) fn of((passed, all): (usize, usize)) -> String {
     format!("{passed} of {all}")
 }
 
-fn total(grids: &[Runs], count: impl Fn(&Runs) -> (usize, usize)) -> (usize, usize) {
+pub(super) fn total(grids: &[Runs], count: impl Fn(&Runs) -> (usize, usize)) -> (usize, usize) {
     grids.iter().map(count).fold((0, 0), |sum, (passed, all)| (sum.0 + passed, sum.1 + all))
 }
 
-fn peaks(pair: (&Run, &Run)) -> String {
+pub(super) fn peaks(pair: (&Run, &Run)) -> String {
     format!(
         "from {} to V_l = {} m/s the peak velocity goes from {} to {} m/s",
         pair.0.place(),
@@ -84,41 +84,6 @@ pub(super) fn n5(context: &Context) -> Result<Finding, Finding> {
         .require(all > 0 && passed == all, || format!("only {passed} of {all} neighbours")))
 }
 
-pub(super) fn n8(context: &Context) -> Result<Finding, Finding> {
-    let grids = grids(context, Outcome::potentially_unstable)?;
-    let both_are = |mode| move |(first, second): &(&Run, &Run)| first.is(mode) && second.is(mode);
-    let stick_slip =
-        |grid: &Runs| share(grid.along_velocity().filter(both_are(SlipMode::StickSlip)), |pair| !rises(pair));
-    let vibration =
-        |grid: &Runs| share(grid.along_velocity().filter(both_are(SlipMode::HarmonicVibration)), rises);
-    let falls = total(&grids, stick_slip);
-    let grows = total(&grids, vibration);
-    let stray = grids
-        .iter()
-        .flat_map(Runs::along_velocity)
-        .find(|pair| both_are(SlipMode::StickSlip)(pair) && rises(pair));
-    let finding = Finding::from_proofs([])
-        .with_evidence(evidence(
-            &grids,
-            "Stick-slip neighbours at one σ whose peak velocity falls with V_l",
-            for_each_law(&grids, |grid| of(stick_slip(grid))),
-        ))
-        .with_evidence(evidence(
-            &grids,
-            "Harmonic neighbours at one σ whose peak velocity rises with V_l",
-            for_each_law(&grids, |grid| of(vibration(grid))),
-        ))
-        .require(grows.0 == grows.1, || format!("in vibration only {} neighbours rise", of(grows)));
-    let Some(pair) = stray else { return Ok(finding) };
-    Ok(finding
-        .within(format!(
-            "{} stick-slip neighbours, and all {} harmonic ones: the peak turns before the cycle's frequency passes the threshold",
-            of(falls),
-            grows.1
-        ))
-        .outside(peaks(pair)))
-}
-
 pub(super) fn n10(context: &Context) -> Result<Finding, Finding> {
     let grids = grids(context, Outcome::potentially_unstable)?;
     let natural_s = context
@@ -161,39 +126,4 @@ pub(super) fn n10(context: &Context) -> Result<Finding, Finding> {
             excess(*longest)
         ))
         .remark("The longest periods belong to the threshold ω/ω_n = √½ that ends the two modes, where the period is √2 times the natural one."))
-}
-
-pub(super) fn n7(context: &Context) -> Result<Finding, Finding> {
-    let least = &outcome(context, Outcome::potentially_unstable)?.least_peaks;
-    let offsets = || least.iter().map(|least| least.offset_dex);
-    let (low, high) = (offsets().fold(f64::INFINITY, f64::min), offsets().fold(f64::NEG_INFINITY, f64::max));
-    if least.is_empty() {
-        return Err(Finding::not_checked("No peak velocity was minimised."));
-    }
-    let excess = least.iter().map(|least| least.peak_at_eq18_over_least).fold(1.0, f64::max);
-    let range = format!("{} to {}", round_digits(low, 3), round_digits(high, 3));
-    let each = |least: &LeastPeak| {
-        format!(
-            "{} {} Pa {}",
-            least.law.as_str(),
-            round_digits(least.normal_stress_pa, 4),
-            round_digits(least.offset_dex, 3)
-        )
-    };
-    let finding = Finding::from_proofs([]).with_evidence(Evidence::Simulation {
-        quantity: "log10 of the minimising velocity over that of eq 18: law, σ, offset".into(),
-        value: least.iter().map(each).collect::<Vec<_>>().join("; "),
-        error: format!("{MINIMISER_ERROR_DEX} dex"),
-        runs: least.len(),
-    });
-    if low.abs().max(high.abs()) <= MINIMISER_ERROR_DEX {
-        return Ok(finding);
-    }
-    Ok(finding
-        .within(format!(
-            "offsets of {range} dex from eq 18; the peak there is at most {} % above the least one",
-            round_digits(100.0 * (excess - 1.0), 3)
-        ))
-        .outside(format!("the minimum lies {range} dex from eq 18, not on it"))
-        .remark("Dividing by the peak at one velocity, as fig 5 does, changes no minimum."))
 }

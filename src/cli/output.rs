@@ -57,7 +57,7 @@ impl Output {
     /// When the last bytes cannot be written or the file cannot be renamed; nothing is left behind then.
     pub fn commit(self) -> Result<(), Failure> {
         let Self { target, writer } = self;
-        let mut file = writer.into_inner().map_err(|error| machine_write(error.error()))?;
+        let mut file = writer.into_inner().map_err(|error| machine_write(&target.naming(error.error())))?;
         match target {
             Target::File { place, beside } => {
                 file.sync_all().map_err(|error| Failure::io(&place, "cannot be written", &error))?;
@@ -77,11 +77,22 @@ impl Output {
 
 impl Write for Output {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        self.writer.write(bytes)
+        self.writer.write(bytes).map_err(|error| self.target.naming(&error))
     }
 
     fn flush(&mut self) -> io::Result<()> {
-        self.writer.flush()
+        self.writer.flush().map_err(|error| self.target.naming(&error))
+    }
+}
+
+impl Target {
+    /// The error with the name of the output in front.
+    fn naming(&self, error: &io::Error) -> io::Error {
+        let name = match self {
+            Self::File { place, .. } => place.display().to_string(),
+            Self::Spool(_) => "standard output".to_string(),
+        };
+        io::Error::new(error.kind(), format!("{name}: {error}"))
     }
 }
 

@@ -3,7 +3,7 @@
 //! [`simulate`] goes from parameters in SI to observables in SI with stated errors; [`simulate_model`] is the same without units. Below
 //! them: [`Model`] (equations and Jacobian in logarithms), one-step methods ([`Stepper`]), the adaptive [`Integrator`] with its
 //! cycle-local clock, events refined to the order of the method, laps between upward passages of V = V_l, and [`settle`], which
-//! decides the late behaviour on the return map. Nothing here knows the linear theory.
+//! decides the late behaviour on the return map; [`CycleFamily`] finds cycles, stable or not, with the stiffness that they need. Nothing here knows the linear theory.
 //!
 //! # Which method, and why
 //! `cargo bench --bench simulation` measures work against error on one lap of the limit cycle, reference in double-double. Time
@@ -29,6 +29,8 @@ mod checks;
 mod checks_elsewhere;
 mod collocation;
 mod collocation_modes;
+mod cycle_family;
+mod cycle_fold;
 mod decay;
 mod dense_matrix;
 mod deviations;
@@ -52,9 +54,12 @@ mod simulation;
 mod start;
 mod stepper;
 mod taylor;
+mod threshold;
 mod trajectory;
 
 pub use arrow::Arrow;
+pub use cycle_family::{CycleFamily, Member};
+pub use cycle_fold::Fold;
 pub use deviations::oscillation_of_small_deviations;
 pub use failure::Failure;
 pub use floquet::floquet_multipliers;
@@ -73,4 +78,5 @@ pub use simulation::{Options, simulate, simulate_model};
 pub use start::Start;
 pub use stepper::{Stepper, Trial, Weight, increment, velocity_slopes};
 pub use taylor::Taylor;
+pub use threshold::start_threshold;
 pub use trajectory::{Sample, Trajectory, trajectory};

@@ -1,6 +1,5 @@
 //! Which figures there are, and what each needs.
 
-use crate::exhibit::{deviation, frequency, maps, simulation_map};
 use crate::study::{Need, Outcome};
 
 /// A figure that is ready to be placed.
@@ -31,7 +30,22 @@ pub struct FigureMaker {
     pub make: fn(&Outcome) -> Option<Figure>,
 }
 
+/// The figures of every room, a line each.
+const ROOMS: &[&[FigureMaker]] = &[
+    crate::exhibit::deviation::FIGURES,
+    crate::exhibit::frequency::FIGURES,
+    crate::exhibit::least_peak::FIGURES,
+    crate::exhibit::linear_regime::FIGURES,
+    crate::exhibit::maps::FIGURES,
+    crate::exhibit::near_transition::FIGURES,
+    crate::exhibit::onset::FIGURES,
+    crate::exhibit::overshoot_map::FIGURES,
+    crate::exhibit::phase_portraits::FIGURES,
+    crate::exhibit::simulation_map::FIGURES,
+    crate::exhibit::trajectory_figures::FIGURES,
+];
+
 /// All figures.
 pub fn figure_makers() -> impl Iterator<Item = &'static FigureMaker> {
-    [maps::FIGURES, frequency::FIGURES, deviation::FIGURES, simulation_map::FIGURES].into_iter().flatten()
+    ROOMS.iter().copied().flatten()
 }

@@ -2,9 +2,10 @@
 
 use crate::exhibit::axes::axes;
 use crate::exhibit::maps::theory_lines;
+use crate::exhibit::trajectory_curves::point_marks;
 use crate::exhibit::{Figure, FigureMaker};
 use crate::friction::EvolutionLaw;
-use crate::plot::{Caption, ColourScale, HeatMap, Line, LineRole};
+use crate::plot::{Caption, ColourScale, HeatMap, Line, LineRole, Side};
 use crate::study::{LeastPeak, Need, SceneOutcome, SimulatedPoint, SimulationsOutcome};
 
 pub(super) const FIGURES: &[FigureMaker] = &[FigureMaker {
@@ -16,7 +17,7 @@ pub(super) const FIGURES: &[FigureMaker] = &[FigureMaker {
 
 const TITLE: &str = "Peak velocity of the simulated limit cycles, slip law, a < b";
 const DESCRIPTION: &str = "Map over loading velocity and normal stress. Simulations that end in steady sliding fill the lower left and are uncoloured, up to the line of the transition. Beyond it the peak velocity grows with normal stress; from left to right it falls to a minimum near equation 18 and rises after it.";
-const CAPTION: &str = "Peak velocity of the limit cycle, simulated on a grid of quarter decades with the slip law (compare fig 3a of the paper). Points that end in steady sliding are uncoloured. The exact boundary, its asymptotes and the transition of the linear theory lie over it; the dotted line joins the least peak velocities at given normal stress (compare fig 5). The edge of the colour lies half-way between grid points.";
+const CAPTION: &str = "Peak velocity of the limit cycle, simulated on a grid of quarter decades with the slip law (compare fig 3a of the paper). Points that end in steady sliding are uncoloured. The exact boundary, its asymptotes and the transition of the linear theory lie over it; the dotted line joins the least peak velocities at given normal stress (compare fig 5). Letters mark the points of figs 3b to 3g. The edge of the colour lies half-way between grid points.";
 
 fn peak_map(scene: &SceneOutcome) -> Option<Figure> {
     let outcome = scene.simulations.as_ref()?;
@@ -27,7 +28,7 @@ fn peak_map(scene: &SceneOutcome) -> Option<Figure> {
     let lowest = positive().fold(f64::INFINITY, f64::min);
     let highest = positive().fold(0.0, f64::max);
     let mut lines = theory_lines(scene, scene.boundary.as_ref()?, &x, &y);
-    lines.push(least_peak_line(outcome));
+    lines.push(least_peak_line(outcome, LAW));
     let map = HeatMap {
         caption: Caption::new("fig-3a", TITLE, DESCRIPTION),
         columns: grid.loading_velocity_m_per_s.len(),
@@ -42,7 +43,7 @@ fn peak_map(scene: &SceneOutcome) -> Option<Figure> {
         zero_areas: Vec::new(),
         zero_label: "ends in steady sliding".into(),
         lines,
-        marks: Vec::new(),
+        marks: point_marks(scene, "3", |id| format!("**{}**", id.trim_start_matches('3')), Side::Right),
         labels: Vec::new(),
         x,
         y,
@@ -62,19 +63,20 @@ const LAW: EvolutionLaw = EvolutionLaw::Slip;
 /// Colour steps of the map.
 const STEPS: usize = 30;
 
-fn least_peak_line(outcome: &SimulationsOutcome) -> Line {
+/// The minima of the peak velocity with one law.
+pub(super) fn least_peak_line(outcome: &SimulationsOutcome, law: EvolutionLaw) -> Line {
     let place = |least: &LeastPeak| {
         (least.eq18_velocity_m_per_s * libm::exp10(least.offset_dex), least.normal_stress_pa)
     };
     Line {
         label: "least peak velocity at given *σ*".into(),
         role: LineRole::Guide,
-        points: outcome.least_peaks.iter().filter(|least| least.law == LAW).map(place).collect(),
+        points: outcome.least_peaks.iter().filter(|least| least.law == law).map(place).collect(),
     }
 }
 
 /// The peak velocity of a limit cycle, m/s; 0, which a map leaves uncoloured, for a decay or a run without a result.
-fn peak_velocity(point: &SimulatedPoint) -> f64 {
+pub(super) fn peak_velocity(point: &SimulatedPoint) -> f64 {
     match (&point.simulation, point.periodic()) {
         (Ok(simulation), Some(true)) => simulation.peak_velocity_m_per_s,
         _ => 0.0,

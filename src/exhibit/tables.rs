@@ -1,9 +1,6 @@
 //! Which tables there are, and what each needs.
 
 use crate::claims::Context;
-use crate::exhibit::{
-    boundary_tables, deviation_tables, mode_tables, numeric_tables, simulation_tables, theory_tables,
-};
 use crate::study::Need;
 use crate::table::Table;
 
@@ -18,18 +15,24 @@ pub struct TableMaker {
     pub make: fn(&Context) -> Option<Table>,
 }
 
+/// The tables of every room, a line each.
+const ROOMS: &[&[TableMaker]] = &[
+    crate::exhibit::boundary_tables::TABLES,
+    crate::exhibit::deviation_tables::TABLES,
+    crate::exhibit::linear_regime::TABLES,
+    crate::exhibit::mode_tables::TABLES,
+    crate::exhibit::near_transition_tables::TABLES,
+    crate::exhibit::numeric_tables::TABLES,
+    crate::exhibit::onset_tables::TABLES,
+    crate::exhibit::simulation_tables::TABLES,
+    crate::exhibit::start_tables::TABLES,
+    crate::exhibit::theory_tables::TABLES,
+    crate::exhibit::trajectory_tables::TABLES,
+];
+
 /// All tables.
 pub fn table_makers() -> impl Iterator<Item = &'static TableMaker> {
-    [
-        theory_tables::TABLES,
-        boundary_tables::TABLES,
-        deviation_tables::TABLES,
-        mode_tables::TABLES,
-        numeric_tables::TABLES,
-        simulation_tables::TABLES,
-    ]
-    .into_iter()
-    .flatten()
+    ROOMS.iter().copied().flatten()
 }
 
 /// A table, unless it has no rows.

@@ -3,7 +3,7 @@
 use super::path::{Bounds, Point, clip_line, clip_polygon};
 use super::svg::{Svg, number};
 use super::ticks::Tick;
-use super::{Axis, palette, rich_text};
+use super::{Axis, Scale, palette, rich_text};
 
 /// Width of every figure's canvas.
 pub(crate) const CANVAS_WIDTH: f64 = 640.0;
@@ -127,15 +127,40 @@ impl<'a> Frame<'a> {
         axis.ticks().into_iter().filter_map(|tick| Some((axis.position(tick.value)?, tick)))
     }
 
+    /// Ticks of an axis of this length, without the minor ones where an even scale would crowd them.
+    fn uncrowded(&self, axis: &Axis, length: f64) -> Vec<(f64, Tick)> {
+        let mut ticks: Vec<(f64, Tick)> = self.places(axis).collect();
+        let close = |pair: &[(f64, Tick)]| (pair[1].0 - pair[0].0) * length < TICK_ROOM;
+        if axis.scale == Scale::Linear && ticks.windows(2).any(close) {
+            ticks.retain(|(_, tick)| tick.is_major());
+        }
+        ticks
+    }
+
+    /// Ticks of the horizontal axis, as many of them labelled as have room.
+    fn ticks_x(&self) -> Vec<(f64, Tick)> {
+        let length = self.size().0;
+        let width = |tick: &Tick| rich_text::width(&tick.label, SMALL);
+        with_room(self.uncrowded(self.x, length), |(u, tick), (next_u, next)| {
+            (next_u - u) * length >= (width(tick) + width(next)) / 2.0 + LABEL_GAP
+        })
+    }
+
+    /// Ticks of the vertical axis, as many of them labelled as have room.
+    fn ticks_y(&self) -> Vec<(f64, Tick)> {
+        let length = self.size().1;
+        with_room(self.uncrowded(self.y, length), |(v, _), (next_v, _)| (next_v - v) * length >= LABEL_ROW)
+    }
+
     fn draw_ticks_x(&self, svg: &mut Svg) {
-        for (u, tick) in self.places(self.x) {
+        for (u, tick) in self.ticks_x() {
             let (x, y) = self.place_unit((u, 0.0));
             svg.line((x, y), (x, y + tick_length(&tick)));
         }
     }
 
     fn draw_ticks_y(&self, svg: &mut Svg) {
-        for (v, tick) in self.places(self.y) {
+        for (v, tick) in self.ticks_y() {
             let (x, y) = self.place_unit((0.0, v));
             svg.line((x - tick_length(&tick), y), (x, y));
         }
@@ -143,7 +168,7 @@ impl<'a> Frame<'a> {
 
     fn label_x(&self, svg: &mut Svg) {
         svg.open("g", &label_attributes("middle"));
-        for (u, tick) in self.places(self.x).filter(|(_, tick)| tick.is_major()) {
+        for (u, tick) in self.ticks_x().into_iter().filter(|(_, tick)| tick.is_major()) {
             let (x, y) = self.place_unit((u, 0.0));
             let at = [number(x), number(y + 21.0)];
             svg.text(&[("x", &at[0]), ("y", &at[1])], &rich_text::to_svg(&tick.label, SMALL));
@@ -153,7 +178,7 @@ impl<'a> Frame<'a> {
 
     fn label_y(&self, svg: &mut Svg) {
         svg.open("g", &label_attributes("end"));
-        for (v, tick) in self.places(self.y).filter(|(_, tick)| tick.is_major()) {
+        for (v, tick) in self.ticks_y().into_iter().filter(|(_, tick)| tick.is_major()) {
             let (x, y) = self.place_unit((0.0, v));
             let at = [number(x - 10.0), number(y + 4.5)];
             svg.text(&[("x", &at[0]), ("y", &at[1])], &rich_text::to_svg(&tick.label, SMALL));
@@ -177,6 +202,40 @@ impl<'a> Frame<'a> {
     }
 }
 
+/// Least distance between two ticks of an even scale.
+const TICK_ROOM: f64 = 5.0;
+
+/// Least space between two tick labels side by side.
+const LABEL_GAP: f64 = 6.0;
+
+/// Least distance between two tick labels above each other.
+const LABEL_ROW: f64 = 17.0;
+
+/// The ticks with every n-th label only, counted from 0 or 1, n as small as `fits` allows; then without minor ticks between them.
+fn with_room(ticks: Vec<(f64, Tick)>, fits: impl Fn(&(f64, Tick), &(f64, Tick)) -> bool) -> Vec<(f64, Tick)> {
+    let majors: Vec<(f64, Tick)> = ticks.iter().filter(|(_, tick)| tick.is_major()).cloned().collect();
+    let place_of = |value: f64| majors.iter().position(|(_, tick)| tick.value == value);
+    let first = place_of(0.0).or_else(|| place_of(1.0)).unwrap_or(0);
+    let kept = |stride: usize| move |index: &usize| index.abs_diff(first).is_multiple_of(stride);
+    let roomy = |stride: &usize| {
+        let shown: Vec<usize> = (0..majors.len()).filter(kept(*stride)).collect();
+        shown.windows(2).all(|pair| fits(&majors[pair[0]], &majors[pair[1]]))
+    };
+    match (1..=majors.len()).find(roomy) {
+        None | Some(1) => ticks,
+        Some(stride) => {
+            let shown = kept(stride);
+            let thinned = majors.iter().cloned().enumerate().map(|(index, (at, mut tick))| {
+                if !shown(&index) {
+                    tick.label.clear();
+                }
+                (at, tick)
+            });
+            thinned.collect()
+        }
+    }
+}
+
 /// Attributes of axis titles.
 const TITLE: [(&str, &str); 3] = [("class", "ink"), ("fill", palette::INK), ("text-anchor", "middle")];
 
@@ -186,4 +245,25 @@ fn label_attributes(anchor: &str) -> [(&str, &str); 4] {
 
 fn tick_length(tick: &Tick) -> f64 {
     if tick.is_major() { 6.0 } else { 3.5 }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn labels(axis: &Axis, height: f64) -> Vec<String> {
+        let x = Axis::linear("x", "", 0.0, 1.0);
+        let frame = Frame::new(&x, axis, (0.0, 0.0), (100.0, height));
+        frame.ticks_y().into_iter().map(|(_, tick)| tick.label).filter(|label| !label.is_empty()).collect()
+    }
+
+    #[test]
+    fn labels_without_room_are_thinned_evenly_and_zero_stays() {
+        let axis = Axis::linear("y", "", -35.0, 8.0);
+        assert_eq!(labels(&axis, 360.0), ["−35", "−30", "−25", "−20", "−15", "−10", "−5", "0", "5"]);
+        assert_eq!(labels(&axis, 120.0), ["−30", "−20", "−10", "0"]);
+        assert_eq!(labels(&axis, 60.0), ["−30", "−15", "0"]);
+        let axis = Axis::log10("y", "", 1e-4, 1e3);
+        assert_eq!(labels(&axis, 100.0), ["10^{−4}", "10^{−2}", "1", "10^{2}"]);
+    }
 }

@@ -92,33 +92,51 @@ impl LineChart {
             draw_band(&mut svg, &frame, index, band);
         }
         frame.draw_grid(&mut svg);
-        let references: Vec<ReferencePlace<'_>> =
-            self.references.iter().filter_map(|reference| place_reference(&frame, reference)).collect();
-        references.iter().for_each(|place| draw_reference_line(&mut svg, place));
-        for (look, series) in self.looks() {
-            draw_series(&mut svg, &frame, look, series);
-        }
-        references.iter().for_each(|place| draw_reference_words(&mut svg, place));
+        let style = LineStyle { tolerance: LINE_TOLERANCE, markers: true };
+        draw_lines(&mut svg, &frame, &self.references, &self.series, style);
         draw_labels(&mut svg, &frame, &self.labels);
         frame.draw_axes(&mut svg);
         legend.draw(&mut svg, (CORNER.0, below));
         svg.finish()
     }
 
-    /// Each series with its look; theory lines do not use up the looks of the others.
-    fn looks(&self) -> impl Iterator<Item = (Look, &Series)> {
-        let mut measured = 0;
-        self.series.iter().map(move |series| {
-            if series.theory {
-                return (Look::theory(), series);
-            }
-            measured += 1;
-            (Look::of(measured - 1), series)
-        })
-    }
-
     fn legend_entries(&self) -> Vec<Entry<'_>> {
-        let lines = self.looks().map(|(look, series)| Entry {
+        let bands = self.bands.iter().enumerate().map(|(index, band)| Entry {
+            label: band.label.clone(),
+            key: Box::new(move |svg: &mut Svg, (x, y): Point| {
+                let (class, fill) = band_look(index);
+                svg.rect((x + 3.0, y - 7.0), (KEY_WIDTH - 13.0, 14.0), &[("class", &class), ("fill", fill)]);
+            }),
+        });
+        series_entries(&self.series).into_iter().chain(bands).collect()
+    }
+}
+
+/// How the lines of a chart are drawn.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct LineStyle {
+    /// How far a drawn line may lie from the given one, in canvas units.
+    pub tolerance: f64,
+    /// Whether a line without markers of its own gets a few.
+    pub markers: bool,
+}
+
+/// Each series with its look; theory lines do not use up the looks of the others.
+fn looks(all: &[Series]) -> impl Iterator<Item = (Look, &Series)> {
+    let mut measured = 0;
+    all.iter().map(move |series| {
+        if series.theory {
+            return (Look::theory(), series);
+        }
+        measured += 1;
+        (Look::of(measured - 1), series)
+    })
+}
+
+/// Legend entries of the series.
+pub(super) fn series_entries(all: &[Series]) -> Vec<Entry<'_>> {
+    looks(all)
+        .map(|(look, series)| Entry {
             label: series.label.clone(),
             key: Box::new(move |svg: &mut Svg, (x, y): Point| {
                 let end = x + KEY_WIDTH - 7.0;
@@ -127,27 +145,36 @@ impl LineChart {
                 draw_marker(svg, look, ((x + end) / 2.0, y));
                 svg.close();
             }),
-        });
-        let bands = self.bands.iter().enumerate().map(|(index, band)| Entry {
-            label: band.label.clone(),
-            key: Box::new(move |svg: &mut Svg, (x, y): Point| {
-                let (class, fill) = band_look(index);
-                svg.rect((x + 3.0, y - 7.0), (KEY_WIDTH - 13.0, 14.0), &[("class", &class), ("fill", fill)]);
-            }),
-        });
-        lines.chain(bands).collect()
-    }
+        })
+        .collect()
 }
 
-fn draw_series(svg: &mut Svg, frame: &Frame, look: Look, series: &Series) {
+/// Draws reference lines, the series over them, and the references' words over both.
+pub(super) fn draw_lines(
+    svg: &mut Svg,
+    frame: &Frame,
+    references: &[Reference],
+    series: &[Series],
+    style: LineStyle,
+) {
+    let places: Vec<ReferencePlace<'_>> =
+        references.iter().filter_map(|reference| place_reference(frame, reference)).collect();
+    places.iter().for_each(|place| draw_reference_line(svg, place));
+    for (look, series) in looks(series) {
+        draw_series(svg, frame, look, series, style);
+    }
+    places.iter().for_each(|place| draw_reference_words(svg, place));
+}
+
+fn draw_series(svg: &mut Svg, frame: &Frame, look: Look, series: &Series, style: LineStyle) {
     look.open(svg);
     let parts = frame.visible_line(&series.points);
-    let data: String = parts.iter().map(|part| line_data(&simplify(part, LINE_TOLERANCE))).collect();
+    let data: String = parts.iter().map(|part| line_data(&simplify(part, style.tolerance))).collect();
     look.stroke(svg, &data);
     if series.marked {
         let placed = series.points.iter().filter_map(|&point| frame.place(point));
         placed.filter(|&point| frame.contains(point)).for_each(|point| draw_marker(svg, look, point));
-    } else {
+    } else if style.markers {
         spread(&parts, look).into_iter().for_each(|point| draw_marker(svg, look, point));
     }
     svg.close();

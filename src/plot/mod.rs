@@ -1,4 +1,4 @@
-//! Figures as data, drawn as SVG: heat maps, line charts, zone maps and range charts.
+//! Figures as data, drawn as SVG: heat maps, line charts, panels of them, zone maps and range charts.
 //!
 //! A figure is a plain value; `svg()` turns it into text that is the same on every machine: coordinates are rounded
 //! to a tenth of a unit, logarithms come from the `libm` crate, and nothing depends on the order of threads.
@@ -17,6 +17,7 @@ mod legend;
 mod line_chart;
 mod overlay;
 mod palette;
+mod panels;
 mod path;
 mod range_chart;
 mod rich_text;
@@ -34,6 +35,7 @@ pub use axis::{Axis, Scale};
 pub use heat_map::{ColourScale, HeatMap};
 pub use line_chart::{Band, LineChart, Reference, Series};
 pub use overlay::{Line, LineRole, PointMark, RegionLabel, Side};
+pub use panels::{Panel, Panels};
 pub use range_chart::{RangeChart, RangeRow, Span};
 pub use zone_map::{Zone, ZoneMap};
 pub use zones::zones_of_grid;

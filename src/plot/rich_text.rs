@@ -29,6 +29,11 @@ pub(crate) fn to_svg(markup: &str, size: f64) -> String {
     let mut svg = String::new();
     let (mut shift, mut space_before) = (0.0, false);
     for run in runs(markup) {
+        // A shift on a run of spaces alone would be lost with it.
+        if run.text.trim_matches(' ').is_empty() {
+            space_before = true;
+            continue;
+        }
         let wanted = match run.level {
             Level::Base => 0.0,
             Level::Sub => 0.22 * size,
@@ -143,6 +148,12 @@ mod tests {
     fn spaces_between_runs_become_shifts() {
         assert_eq!(to_svg("*a* = *b*", 10.0).matches("dx=\"2.8\"").count(), 2);
         assert_eq!(to_svg("10 m", 10.0), "10 m");
+    }
+
+    #[test]
+    fn a_space_after_an_index_does_not_keep_the_line_low() {
+        let svg = to_svg("*V*_l *t*", 10.0);
+        assert!(svg.ends_with("<tspan dy=\"-2.2\" font-style=\"italic\" dx=\"2.8\">t</tspan>"), "{svg}");
     }
 
     #[test]

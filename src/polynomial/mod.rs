@@ -22,6 +22,7 @@ mod series;
 mod sturm;
 mod symbol;
 mod univariate;
+mod value;
 
 pub use certificate::{Certificate, Toward};
 pub use conversion::ConversionError;

@@ -11,6 +11,9 @@ mod document;
 mod fault;
 mod file_text;
 mod name;
+mod near_transition;
+mod onset;
+mod operating_points;
 mod quantity;
 mod range;
 mod report_plan;
@@ -18,6 +21,7 @@ mod schema;
 mod section;
 mod sections;
 mod simulations;
+mod trajectories;
 
 pub use axis::{Limits, LogAxis};
 pub use claim_list::{ClaimEntry, ExpectedVerdict, read_claims};
@@ -25,6 +29,9 @@ pub use csv_problem::CsvProblem;
 pub use fault::{Fault, Faults, Problem};
 pub use file_text::{MAX_FILE_BYTES, file_text, is_forbidden};
 pub use name::{NameError, check_name, nearest, same_name};
+pub use near_transition::NearTransition;
+pub use onset::OnsetSection;
+pub use operating_points::{LinearRegimeSection, StartSensitivitySection};
 pub use quantity::{Quantity, SceneParameters, parameters_from};
 pub use range::AllowedRange;
 pub use report_plan::{Chapter, ReportPlan, check_distinct_scene_names};
@@ -32,4 +39,5 @@ pub use schema::Scene;
 pub use sections::{
     BoundarySection, EffectRatioSweep, FrequencySection, HardCases, Rectangle, ToleranceSection,
 };
-pub use simulations::{NearTransition, SimulationsSection};
+pub use simulations::SimulationsSection;
+pub use trajectories::{TrajectoriesSection, TrajectoryPoint};

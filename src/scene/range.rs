@@ -23,6 +23,9 @@ impl AllowedRange {
     /// Permitted relative errors of a simulation: its loosest steps still give two digits, and 64-bit numbers have no more than 15.
     pub const SIMULATION_TOLERANCE: Self = Self { lower: "1e-15", upper: "1e-2", ends_included: true };
 
+    /// Sizes of small disturbances: above them nothing is linear, below them double-double arithmetic has no digits left.
+    pub const AMPLITUDE: Self = Self { lower: "1e-15", upper: "0.1", ends_included: true };
+
     /// The range as messages state it.
     #[must_use]
     pub fn text(&self) -> String {

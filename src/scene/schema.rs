@@ -5,8 +5,9 @@ use crate::scene::document::read_document;
 use crate::scene::section::Section;
 use crate::scene::sections::{NAME_RULE, safe_name};
 use crate::scene::{
-    AllowedRange, BoundarySection, EffectRatioSweep, Faults, FrequencySection, HardCases, Limits, Problem,
-    Quantity, Rectangle, SceneParameters, SimulationsSection, ToleranceSection,
+    AllowedRange, BoundarySection, EffectRatioSweep, Faults, FrequencySection, HardCases, Limits,
+    LinearRegimeSection, NearTransition, OnsetSection, Problem, Quantity, Rectangle, SceneParameters,
+    SimulationsSection, StartSensitivitySection, ToleranceSection, TrajectoriesSection,
 };
 
 /// What a user asks for: valid, exact, and nothing that was not asked.
@@ -36,6 +37,16 @@ pub struct Scene {
     pub hard_cases: Option<HardCases>,
     /// `[simulations]`: the nonlinear slider on a (V, σ) grid.
     pub simulations: Option<SimulationsSection>,
+    /// `[trajectories]`: the nonlinear slider's course at named points.
+    pub trajectories: Option<TrajectoriesSection>,
+    /// `[linear_regime]`: small disturbances along the eigenvectors.
+    pub linear_regime: Option<LinearRegimeSection>,
+    /// `[start_sensitivity]`: every completion of the start V_l/10.
+    pub start_sensitivity: Option<StartSensitivitySection>,
+    /// `[onset]`: where oscillation begins along lines of constant normal stress.
+    pub onset: Option<OnsetSection>,
+    /// `[near_transition]`: the nonlinear slider close to K = K_c.
+    pub near_transition: Option<NearTransition>,
 }
 
 impl Scene {
@@ -76,7 +87,15 @@ fn read_scene(top: &mut Section<'_>, limits: &Limits, faults: &mut Faults) -> Op
     let hard_cases = top.optional("hard_cases").map(|entry| HardCases::read(&entry, faults));
     let simulations =
         top.optional("simulations").map(|entry| SimulationsSection::read(&entry, limits, faults));
-    check_needs(top, parameters.as_ref(), frequency.is_some(), faults);
+    let trajectories =
+        top.optional("trajectories").map(|entry| TrajectoriesSection::read(&entry, limits, faults));
+    let linear_regime =
+        top.optional("linear_regime").map(|entry| LinearRegimeSection::read(&entry, limits, faults));
+    let start_sensitivity =
+        top.optional("start_sensitivity").map(|entry| StartSensitivitySection::read(&entry, limits, faults));
+    let onset = top.optional("onset").map(|entry| OnsetSection::read(&entry, limits, faults));
+    let near = top.optional("near_transition").map(|entry| NearTransition::read(&entry, limits, faults));
+    check_needs(top, parameters.as_ref(), faults);
     Some(Scene {
         name: name?,
         title: title?,
@@ -90,6 +109,11 @@ fn read_scene(top: &mut Section<'_>, limits: &Limits, faults: &mut Faults) -> Op
         zones: given(zones)?,
         hard_cases: given(hard_cases)?,
         simulations: given(simulations)?,
+        trajectories: given(trajectories)?,
+        linear_regime: given(linear_regime)?,
+        start_sensitivity: given(start_sensitivity)?,
+        onset: given(onset)?,
+        near_transition: given(near)?,
     })
 }
 
@@ -101,15 +125,25 @@ fn given<T>(section: Option<Option<T>>) -> Option<Option<T>> {
     }
 }
 
-/// The sections that only mean something for a slider, and [`Scene::frequency`] for one with a critical normal stress.
-const NEED_PARAMETERS: [&str; 6] = ["map", "boundary", "frequency", "tolerance", "zones", "simulations"];
+/// The sections that only mean something for a slider.
+const NEED_PARAMETERS: &[&str] = &[
+    "map",
+    "boundary",
+    "frequency",
+    "tolerance",
+    "zones",
+    "simulations",
+    "trajectories",
+    "linear_regime",
+    "start_sensitivity",
+    "onset",
+    "near_transition",
+];
 
-fn check_needs(
-    top: &mut Section<'_>,
-    parameters: Option<&Option<SceneParameters>>,
-    has_frequency: bool,
-    faults: &mut Faults,
-) {
+/// The sections that only mean something for a slider with a critical normal stress.
+const NEED_CRITICAL_STRESS: &[&str] = &["frequency", "near_transition"];
+
+fn check_needs(top: &mut Section<'_>, parameters: Option<&Option<SceneParameters>>, faults: &mut Faults) {
     if parameters.is_none() {
         for key in NEED_PARAMETERS {
             if let Some(entry) = top.optional(key) {
@@ -120,10 +154,13 @@ fn check_needs(
     let has_critical_stress =
         |parameters: &SceneParameters| parameters.evolution_effect > parameters.direct_effect;
     if let Some(Some(parameters)) = parameters
-        && has_frequency
         && !has_critical_stress(parameters)
     {
-        faults.push(top.fault("frequency", Problem::NoCriticalNormalStress));
+        for key in NEED_CRITICAL_STRESS {
+            if top.optional(key).is_some() {
+                faults.push(top.fault(key, Problem::NoCriticalNormalStress));
+            }
+        }
     }
 }
 

@@ -1,8 +1,8 @@
-//! `[simulations]`: the nonlinear slider on a (V, σ) grid, and next to the transition.
+//! `[simulations]`: the nonlinear slider on a (V, σ) grid.
 
 use crate::friction::EvolutionLaw;
 use crate::number::Rational;
-use crate::scene::section::{Entry, Section};
+use crate::scene::section::Entry;
 use crate::scene::sections::{axis, check_points};
 use crate::scene::{AllowedRange, Faults, Limits, Problem, Rectangle, nearest};
 
@@ -15,17 +15,6 @@ pub struct SimulationsSection {
     pub laws: Vec<EvolutionLaw>,
     /// Permitted relative error of peak velocity and period.
     pub tolerance: Rational,
-    /// Runs at a given η and K/K_c besides those of the grid.
-    pub near_transition: Option<NearTransition>,
-}
-
-/// `[simulations.near_transition]`: finite starts close to K = K_c.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct NearTransition {
-    /// η.
-    pub inertial_parameter: Rational,
-    /// K/K_c of each run.
-    pub stiffness_over_critical: Vec<Rational>,
 }
 
 impl SimulationsSection {
@@ -40,7 +29,6 @@ impl SimulationsSection {
         let tolerance = section
             .required("tolerance", &range.text(), faults)
             .and_then(|entry| entry.decimal(range, faults));
-        let near_transition = section.optional("near_transition").map(|entry| read_near(&entry, faults));
         section.finish(faults);
         let rectangle = Rectangle { loading_velocity_m_per_s: velocity?, normal_stress_pa: stress? };
         let laws = laws?;
@@ -48,15 +36,12 @@ impl SimulationsSection {
             .saturating_mul(u64::from(rectangle.normal_stress_pa.points))
             .saturating_mul(laws.len() as u64);
         check_points(entry, runs, limits, faults)?;
-        let near_transition = match near_transition {
-            None => None,
-            Some(read) => Some(read?),
-        };
-        Some(Self { rectangle, laws, tolerance: tolerance?, near_transition })
+        Some(Self { rectangle, laws, tolerance: tolerance? })
     }
 }
 
-fn read_laws(entry: &Entry<'_>, faults: &mut Faults) -> Option<Vec<EvolutionLaw>> {
+/// A list of evolution laws, each at most once.
+pub(super) fn read_laws(entry: &Entry<'_>, faults: &mut Faults) -> Option<Vec<EvolutionLaw>> {
     let mut seen = Vec::new();
     entry.list(faults, |member, faults| {
         let word = member.text(faults)?;
@@ -74,17 +59,4 @@ fn read_laws(entry: &Entry<'_>, faults: &mut Faults) -> Option<Vec<EvolutionLaw>
         seen.push(law);
         Some(law)
     })
-}
-
-fn read_near(entry: &Entry<'_>, faults: &mut Faults) -> Option<NearTransition> {
-    let mut section: Section<'_> = entry.section(faults)?;
-    let range = AllowedRange::PHYSICAL;
-    let inertial = section
-        .required("inertial_parameter", &range.text(), faults)
-        .and_then(|entry| entry.decimal(range, faults));
-    let ratios = section
-        .required("stiffness_over_critical", "a list of ratios > 0", faults)
-        .and_then(|entry| entry.list(faults, |member, faults| member.decimal(range, faults)));
-    section.finish(faults);
-    Some(NearTransition { inertial_parameter: inertial?, stiffness_over_critical: ratios? })
 }

@@ -1,12 +1,15 @@
-//! The loading velocity at which the peak velocity is least, by minimisation, against eq 18 (fig 5).
+//! The loading velocity at which the peak velocity is least, by minimisation, against eq 18 (fig 5), and how flat the minimum is.
 
 use rayon::prelude::*;
 
-use crate::dynamics::{Behaviour, Options, simulate};
+use crate::dynamics::{Behaviour, Options, Simulation, simulate};
 use crate::friction::EvolutionLaw;
 use crate::scene::{SceneParameters, SimulationsSection};
-use crate::stability::{Asymptote, critical_normal_stress_pa, has_transition};
+use crate::stability::{
+    Asymptote, InertialThreshold, SlipMode, classify, critical_normal_stress_pa, has_transition,
+};
 use crate::study::map::exactly;
+use crate::study::search::{border_between, minimum_between, zero_between};
 
 /// The minimum of the peak velocity over the loading velocity at one normal stress.
 #[derive(Debug, Clone, PartialEq)]
@@ -17,14 +20,29 @@ pub struct LeastPeak {
     pub normal_stress_pa: f64,
     /// Velocity of eq 18, m/s.
     pub eq18_velocity_m_per_s: f64,
-    /// log10 of the minimising velocity over that of eq 18, to [`MINIMISER_ERROR_DEX`].
+    /// log10 of the minimising velocity over that of eq 18.
     pub offset_dex: f64,
+    /// Estimated error of the offset.
+    pub offset_error_dex: f64,
+    /// The least peak velocity, m/s.
+    pub least_m_per_s: f64,
     /// Peak velocity at eq 18 over the least one.
     pub peak_at_eq18_over_least: f64,
+    /// Second derivative of ln(peak velocity) by log10(V_l) at the minimum.
+    pub curvature_per_dex2: f64,
+    /// For each of [`FLATNESS_LEVELS`]: the offsets from eq 18 between which the peak is less than that much above the
+    /// least one, to [`SIDE_WIDTH`]; none at a side that lies beyond the searched decade.
+    pub flat: [[Option<f64>; 2]; 2],
+    /// log10 of the velocity at which the limit cycle turns from stick-slip to harmonic vibration over that of eq 18.
+    pub cycle_mode_change_dex: Option<f64>,
+    /// The same for the oscillation of small deviations, decided by the exact theory.
+    pub theory_mode_change_dex: Option<f64>,
+    /// (offset from eq 18, dex; peak velocity, m/s) of the samples that bracket the minimum.
+    pub samples: Vec<(f64, f64)>,
 }
 
-/// Where the search stops, dex: above the noise of a minimum whose values are known to the tolerance 1e-8 or better.
-pub const MINIMISER_ERROR_DEX: f64 = 2e-3;
+/// Relative excess over the least peak between whose sides the minimum counts as flat.
+pub const FLATNESS_LEVELS: [f64; 2] = [0.01, 0.05];
 
 /// Half of the width that is searched around eq 18, dex.
 const REACH_DEX: f64 = 1.0;
@@ -32,8 +50,14 @@ const REACH_DEX: f64 = 1.0;
 /// Samples that bracket the minimum before it is refined.
 const SAMPLES: i32 = 9;
 
-/// The golden section.
-const GOLDEN: f64 = 0.618_033_988_749_894_8;
+/// Distance of the samples, dex.
+const SAMPLE_STEP_DEX: f64 = 0.25;
+
+/// Distance of the points from which the minimum is refined, dex.
+const STENCIL_DEX: f64 = 0.03;
+
+/// Width to which the sides of the flat part and the changes of mode are located, dex.
+pub const SIDE_WIDTH: f64 = 1e-3;
 
 /// Minimises at every normal stress of the section's grid above σ_c, where no velocity is stable; a stress is left out
 /// when a run fails or decays, or when the least sample lies at an end of the searched range.
@@ -41,6 +65,7 @@ const GOLDEN: f64 = 0.618_033_988_749_894_8;
 pub fn least_peaks(
     parameters: &SceneParameters,
     section: &SimulationsSection,
+    threshold: &InertialThreshold,
     options: &Options,
 ) -> Vec<LeastPeak> {
     let stresses = section.rectangle.normal_stress_pa.coordinates();
@@ -53,75 +78,113 @@ pub fn least_peaks(
             has_transition(&point) && exactly(stress) > critical_normal_stress_pa(&point)
         })
         .collect();
-    cases.par_iter().filter_map(|&(law, stress)| least_peak(parameters, law, stress, options)).collect()
+    let least = |&(law, stress): &(EvolutionLaw, f64)| {
+        let at_unit_velocity = parameters.at(exactly(stress), exactly(1.0)).map(|value| value.to_f64());
+        let eq18_velocity_m_per_s = Asymptote::InertialUpper.value(&at_unit_velocity);
+        Line { parameters, law, stress, eq18_velocity_m_per_s, options }.least_peak(threshold)
+    };
+    cases.par_iter().filter_map(least).collect()
 }
 
-fn least_peak(
-    parameters: &SceneParameters,
+/// A line of constant normal stress; places on it are offsets from eq 18 in dex.
+struct Line<'p> {
+    parameters: &'p SceneParameters,
     law: EvolutionLaw,
     stress: f64,
-    options: &Options,
-) -> Option<LeastPeak> {
-    let at_unit_velocity = parameters.at(exactly(stress), exactly(1.0)).map(|value| value.to_f64());
-    let eq18 = Asymptote::InertialUpper.value(&at_unit_velocity);
-    let peak = |offset: f64| {
-        let velocity = eq18 * libm::exp10(offset);
-        let simulation = simulate(&parameters.at(exactly(stress), exactly(velocity)), law, options).ok()?;
-        (simulation.behaviour == Behaviour::Periodic).then_some(simulation.peak_velocity_m_per_s)
-    };
-    let step = 2.0 * REACH_DEX / f64::from(SAMPLES - 1);
-    let samples: Option<Vec<f64>> =
-        (0..SAMPLES).map(|index| peak(f64::from(index).mul_add(step, -REACH_DEX))).collect();
-    let samples = samples?;
-    let least = (0..samples.len()).min_by(|&i, &j| samples[i].total_cmp(&samples[j]))?;
-    if least == 0 || least + 1 == samples.len() {
-        return None;
-    }
-    #[expect(clippy::cast_precision_loss, reason = "an index below ten")]
-    let centre = (least as f64).mul_add(step, -REACH_DEX);
-    let offset_dex = golden_section(centre - step, centre + step, MINIMISER_ERROR_DEX, peak)?;
-    let peak_at_eq18_over_least = peak(0.0)? / peak(offset_dex)?;
-    Some(LeastPeak {
-        law,
-        normal_stress_pa: stress,
-        eq18_velocity_m_per_s: eq18,
-        offset_dex,
-        peak_at_eq18_over_least,
-    })
+    eq18_velocity_m_per_s: f64,
+    options: &'p Options,
 }
 
-/// The minimiser of a function with one minimum between two ends, to `width`; none where the function has no value.
-fn golden_section(
-    mut low: f64,
-    mut high: f64,
-    width: f64,
-    value: impl Fn(f64) -> Option<f64>,
-) -> Option<f64> {
-    let mut left = high - GOLDEN * (high - low);
-    let mut right = low + GOLDEN * (high - low);
-    let (mut at_left, mut at_right) = (value(left)?, value(right)?);
-    while high - low > width {
-        if at_left < at_right {
-            (high, right, at_right) = (right, left, at_left);
-            left = high - GOLDEN * (high - low);
-            at_left = value(left)?;
-        } else {
-            (low, left, at_left) = (left, right, at_right);
-            right = low + GOLDEN * (high - low);
-            at_right = value(right)?;
+impl Line<'_> {
+    fn velocity(&self, offset: f64) -> f64 {
+        self.eq18_velocity_m_per_s * libm::exp10(offset)
+    }
+
+    fn cycle(&self, offset: f64) -> Option<Simulation> {
+        let point = self.parameters.at(exactly(self.stress), exactly(self.velocity(offset)));
+        let simulation = simulate(&point, self.law, self.options).ok()?;
+        (simulation.behaviour == Behaviour::Periodic).then_some(simulation)
+    }
+
+    /// ln of the peak velocity in m/s.
+    fn log_peak(&self, offset: f64) -> Option<f64> {
+        Some(libm::log(self.cycle(offset)?.peak_velocity_m_per_s))
+    }
+
+    fn least_peak(&self, threshold: &InertialThreshold) -> Option<LeastPeak> {
+        let sample = |index| {
+            let offset = f64::from(index).mul_add(SAMPLE_STEP_DEX, -REACH_DEX);
+            Some((offset, self.cycle(offset)?))
+        };
+        let samples: Option<Vec<(f64, Simulation)>> = (0..SAMPLES).map(sample).collect();
+        let samples = samples?;
+        let peak = |index: usize| samples[index].1.peak_velocity_m_per_s;
+        let least = (0..samples.len()).min_by(|&i, &j| peak(i).total_cmp(&peak(j)))?;
+        if least == 0 || least + 1 == samples.len() {
+            return None;
         }
+        let ends = (samples[least - 1].0, samples[least + 1].0);
+        let noise = self.options.tolerance;
+        let minimum = minimum_between(|offset| self.log_peak(offset), ends, STENCIL_DEX, noise)?;
+        let log_least = self.log_peak(minimum.at)?;
+        let peaks: Vec<(f64, f64)> =
+            samples.iter().map(|(offset, found)| (*offset, found.peak_velocity_m_per_s)).collect();
+        Some(LeastPeak {
+            law: self.law,
+            normal_stress_pa: self.stress,
+            eq18_velocity_m_per_s: self.eq18_velocity_m_per_s,
+            offset_dex: minimum.at,
+            offset_error_dex: minimum.error,
+            least_m_per_s: libm::exp(log_least),
+            peak_at_eq18_over_least: libm::exp(self.log_peak(0.0)? - log_least),
+            curvature_per_dex2: minimum.curvature,
+            flat: FLATNESS_LEVELS.map(|level| self.flat_part(&peaks, (minimum.at, log_least), level)),
+            cycle_mode_change_dex: self.cycle_mode_change(&samples),
+            theory_mode_change_dex: self.theory_mode_change(threshold),
+            samples: peaks,
+        })
     }
-    Some(0.5 * (low + high))
-}
 
-#[cfg(test)]
-mod tests {
-    use super::*;
+    /// The places below and above the minimum where the peak exceeds the least one by `level`.
+    fn flat_part(&self, samples: &[(f64, f64)], (at, log_least): (f64, f64), level: f64) -> [Option<f64>; 2] {
+        let raised = log_least + libm::log1p(level);
+        let above = |offset: f64| Some(self.log_peak(offset)? - raised);
+        let side = |outside: Option<&(f64, f64)>| {
+            let (offset, peak) = *outside?;
+            let ends = [(at, log_least - raised), (offset, libm::log(peak) - raised)];
+            zero_between(above, ends, SIDE_WIDTH)
+        };
+        let high = |sample: &&(f64, f64)| libm::log(sample.1) > raised;
+        let (lower, upper): (Vec<_>, Vec<_>) = samples.iter().partition(|sample| sample.0 < at);
+        [side(lower.into_iter().rev().find(high)), side(upper.into_iter().find(high))]
+    }
 
-    #[test]
-    fn the_golden_section_finds_a_minimum_inside_and_a_hole_ends_it() {
-        let found = golden_section(-1.0, 2.0, 1e-6, |x| Some((x - 0.3) * (x - 0.3))).unwrap();
-        assert!((found - 0.3).abs() < 1e-6, "{found}");
-        assert_eq!(golden_section(-1.0, 2.0, 1e-6, |x| (x < 0.5).then_some(x)), None);
+    /// The first change from stick-slip to harmonic vibration among the samples and as far again beyond them, refined.
+    fn cycle_mode_change(&self, samples: &[(f64, Simulation)]) -> Option<f64> {
+        let harmonic = |found: &Simulation| found.slip_mode == SlipMode::HarmonicVibration;
+        let holds = |offset: f64| self.cycle(offset).as_ref().map(harmonic);
+        let known = samples.iter().map(|(offset, found)| (*offset, Some(harmonic(found))));
+        let last = samples.last()?.0;
+        let beyond = (1..SAMPLES).map(|index| f64::from(index).mul_add(SAMPLE_STEP_DEX, last));
+        let mut places = known.chain(beyond.map(|offset| (offset, holds(offset))));
+        let mut without = places.next().filter(|first| first.1 == Some(false))?.0;
+        for (offset, answer) in places {
+            if answer? {
+                return border_between(holds, (without, offset), SIDE_WIDTH).map(|(_, with)| with);
+            }
+            without = offset;
+        }
+        None
+    }
+
+    fn theory_mode_change(&self, threshold: &InertialThreshold) -> Option<f64> {
+        let harmonic = |offset: f64| {
+            let point = self.parameters.at(exactly(self.stress), exactly(self.velocity(offset)));
+            Some(classify(&point, threshold).slip_mode == SlipMode::HarmonicVibration)
+        };
+        if harmonic(-REACH_DEX) != Some(false) || harmonic(REACH_DEX) != Some(true) {
+            return None;
+        }
+        border_between(harmonic, (-REACH_DEX, REACH_DEX), SIDE_WIDTH).map(|(_, with)| with)
     }
 }

@@ -1,12 +1,15 @@
-//! Finite starts close to K = K_c: what the linear theory, which is the same for both laws, cannot tell.
+//! Finite starts close to K = K_c, and the cycles that are there: what the linear theory, the same for both laws, cannot tell.
 
 use rayon::prelude::*;
 
-use crate::dynamics::{Failure, Late, Model, Options, Outcome, simulate_model};
+use crate::dynamics::{Decay, Failure, Late, Model, Options, Outcome, simulate_model};
 use crate::friction::{EvolutionLaw, Groups};
 use crate::number::Rational;
+use crate::roots::{Pair, binary64};
 use crate::scene::{NearTransition, SceneParameters};
+use crate::study::cycle_families::{CycleFamilyOutcome, cycle_families};
 use crate::study::effect_ratio;
+use crate::study::simulations::options;
 
 /// One run from the start of the scene's simulations, V_l/10.
 #[derive(Debug, Clone)]
@@ -19,6 +22,21 @@ pub struct NearRun {
     pub stiffness_over_critical: Rational,
     /// What the simulation showed, or why it has no result.
     pub outcome: Result<Outcome, Failure>,
+    /// Re(s) of the oscillating pair of eq 8 in V_l/D_c; none when all roots are real.
+    pub linear_growth: Option<f64>,
+    /// Amplitude of ln(V/V_l) by the first Lyapunov coefficient; none where it has no cycle, or the cycle is unstable.
+    pub predicted_amplitude: Option<f64>,
+    /// ln(V_peak/V_l) of the cycle at this K by Newton's method on the return map; none where there is no cycle.
+    pub newton_log_peak: Option<f64>,
+}
+
+/// What a scene's slider does close to K = K_c.
+#[derive(Debug, Clone)]
+pub struct NearTransitionOutcome {
+    /// The runs, law by law.
+    pub runs: Vec<NearRun>,
+    /// The families of cycles, law by law and by ascending η.
+    pub families: Vec<CycleFamilyOutcome>,
 }
 
 impl NearRun {
@@ -27,39 +45,91 @@ impl NearRun {
     pub fn periodic(&self) -> Option<bool> {
         self.outcome.as_ref().ok().map(|outcome| matches!(outcome.late(), Late::Cycle(_)))
     }
+
+    /// Half of the range of ln(V/V_l) along the limit cycle: its amplitude but for terms of third order.
+    #[must_use]
+    pub fn amplitude(&self) -> Option<f64> {
+        match self.outcome.as_ref().ok()?.late() {
+            Late::Cycle(cycle) => Some(0.5 * (cycle.lap.peak - cycle.lap.trough)),
+            Late::Decay(_) => None,
+        }
+    }
+
+    /// Growth rate of the oscillation of a decay, in V_l/D_c.
+    #[must_use]
+    pub fn growth(&self) -> Option<f64> {
+        self.late_oscillation().map(|(_, growth)| growth)
+    }
+
+    /// Laps in which the distance from the late behaviour shrinks by e.
+    #[must_use]
+    pub fn laps_per_fold(&self) -> Option<f64> {
+        let contraction = self.outcome.as_ref().ok()?.contraction();
+        let on_cycle = contraction.filter(|factor| (0.0..1.0).contains(factor)).map(|f| -1.0 / libm::log(f));
+        on_cycle.or_else(|| self.late_oscillation().map(|(period, growth)| -1.0 / (growth * period)))
+    }
+
+    fn late_oscillation(&self) -> Option<(f64, f64)> {
+        match self.outcome.as_ref().ok()?.late() {
+            Late::Decay(Decay { oscillation, .. }) => *oscillation,
+            Late::Cycle(_) => None,
+        }
+    }
 }
 
-/// Simulates with each law at κ = (K/K_c)(β − 1)(1 + η), which is eq 9 in the groups.
+/// Simulates with each law at κ = (K/K_c)(β − 1)(1 + η), which is eq 9 in the groups, and follows the families of cycles.
 #[must_use]
-pub fn near_runs(
-    parameters: &SceneParameters,
-    near: &NearTransition,
-    laws: &[EvolutionLaw],
-    options: &Options,
-) -> Vec<NearRun> {
-    let cases: Vec<(EvolutionLaw, &Rational)> = laws
-        .iter()
-        .flat_map(|&law| near.stiffness_over_critical.iter().map(move |ratio| (law, ratio)))
-        .collect();
-    cases
-        .par_iter()
-        .map(|&(law, ratio)| {
-            let effect_ratio = effect_ratio(parameters);
-            let inertial = &near.inertial_parameter;
-            let critical = Rational::from(&effect_ratio - 1) * Rational::from(inertial + 1);
-            let groups = Groups {
-                inertial_parameter: inertial.clone(),
-                stiffness_group: critical * ratio,
-                effect_ratio,
-            };
-            NearRun {
-                law,
-                inertial_parameter: inertial.clone(),
-                stiffness_over_critical: ratio.clone(),
-                outcome: simulate_model(&Model::new(groups.map(Rational::to_f64), law), options),
-            }
+pub fn near_transition(parameters: &SceneParameters, section: &NearTransition) -> NearTransitionOutcome {
+    let families = cycle_families(parameters, section);
+    let cases: Vec<(EvolutionLaw, &Rational, &Rational)> = EvolutionLaw::ALL
+        .into_iter()
+        .flat_map(|law| section.inertial_parameter.iter().map(move |inertial| (law, inertial)))
+        .flat_map(|(law, inertial)| {
+            section.stiffness_over_critical.iter().map(move |ratio| (law, inertial, ratio))
         })
-        .collect()
+        .collect();
+    let options = options(&section.tolerance);
+    let effect_ratio = effect_ratio(parameters);
+    let runs = cases
+        .par_iter()
+        .map(|&(law, inertial, ratio)| {
+            let family =
+                families.iter().find(|family| family.law == law && family.inertial_parameter == *inertial);
+            near_run(law, inertial, ratio, &effect_ratio, family, &options)
+        })
+        .collect();
+    NearTransitionOutcome { runs, families }
+}
+
+fn near_run(
+    law: EvolutionLaw,
+    inertial: &Rational,
+    ratio: &Rational,
+    effect_ratio: &Rational,
+    family: Option<&CycleFamilyOutcome>,
+    options: &Options,
+) -> NearRun {
+    let critical = Rational::from(effect_ratio - 1) * Rational::from(inertial + 1);
+    let groups = Groups {
+        inertial_parameter: inertial.clone(),
+        stiffness_group: critical * ratio,
+        effect_ratio: effect_ratio.clone(),
+    };
+    let groups = groups.map(Rational::to_f64);
+    let pair = binary64::roots(groups.characteristic_cubic()).pair;
+    let linear_growth = if let Pair::Complex { re, .. } = pair { Some(re.value) } else { None };
+    let excess = Rational::from(ratio - 1).to_f64();
+    NearRun {
+        law,
+        inertial_parameter: inertial.clone(),
+        stiffness_over_critical: ratio.clone(),
+        newton_log_peak: family.and_then(|family| family.log_peak_at(groups.stiffness_group)),
+        predicted_amplitude: family
+            .and_then(|family| family.predicted_amplitude(excess))
+            .filter(|_| excess < 0.0),
+        outcome: simulate_model(&Model::new(groups, law), options),
+        linear_growth,
+    }
 }
 
 #[cfg(test)]
@@ -67,10 +137,9 @@ mod tests {
     use super::*;
     use crate::number::parse_decimal;
 
-    #[test]
-    fn only_the_aging_law_keeps_a_cycle_just_above_the_critical_stiffness() {
+    fn paper() -> SceneParameters {
         let decimal = |text| parse_decimal(text).unwrap();
-        let parameters = SceneParameters {
+        SceneParameters {
             direct_effect: decimal("0.004"),
             evolution_effect: decimal("0.006"),
             critical_slip_distance_m: decimal("10e-6"),
@@ -78,16 +147,70 @@ mod tests {
             mass_per_area_kg_per_m2: decimal("1000"),
             normal_stress_pa: None,
             loading_velocity_m_per_s: None,
+        }
+    }
+
+    fn outcome(inertial: &[&str], stiffness: &[&str], edge: &[&str]) -> NearTransitionOutcome {
+        let decimals = |texts: &[&str]| texts.iter().map(|text| parse_decimal(text).unwrap()).collect();
+        let section = NearTransition {
+            inertial_parameter: decimals(inertial),
+            stiffness_over_critical: decimals(stiffness),
+            edge_inertial_parameter: decimals(edge),
+            tolerance: parse_decimal("1e-8").unwrap(),
         };
-        let near = NearTransition {
-            inertial_parameter: decimal("0.01"),
-            stiffness_over_critical: vec![decimal("0.999"), decimal("1.002"), decimal("1.01")],
-        };
-        let runs = near_runs(&parameters, &near, &EvolutionLaw::ALL, &Options::default());
-        let ends: Vec<_> = runs.iter().map(|run| (run.law, run.periodic().unwrap())).collect();
+        near_transition(&paper(), &section)
+    }
+
+    #[test]
+    fn only_the_aging_law_keeps_a_cycle_just_above_the_critical_stiffness() {
+        let found = outcome(&["0.01"], &["0.999", "1.002", "1.01"], &["0.01"]);
         let (aging, slip) = (EvolutionLaw::Aging, EvolutionLaw::Slip);
-        let expected =
-            [(aging, true), (aging, true), (aging, false), (slip, true), (slip, false), (slip, false)];
-        assert_eq!(ends, expected);
+        for (law, ends) in [(aging, [true, true, false]), (slip, [true, false, false])] {
+            let of_law: Vec<bool> =
+                found.runs.iter().filter(|run| run.law == law).filter_map(NearRun::periodic).collect();
+            assert_eq!(of_law, ends, "{law:?}");
+        }
+        // The runs and Newton's method on the return map find the same cycles.
+        for run in found.runs.iter().filter(|run| run.periodic() == Some(true)) {
+            let simulated = run.outcome.as_ref().unwrap().log_peak();
+            assert!((simulated - run.newton_log_peak.unwrap()).abs() < 2e-8, "{run:?}");
+        }
+    }
+
+    #[test]
+    fn decays_have_the_growth_rate_of_the_linear_theory() {
+        let found = outcome(&["1"], &["1.0001", "1.1"], &["1"]);
+        for run in &found.runs {
+            let (seen, exact) = (run.growth().unwrap(), run.linear_growth.unwrap());
+            assert!((seen / exact - 1.0).abs() < 1e-5, "{seen} {exact}");
+        }
+    }
+
+    #[test]
+    fn cycles_approach_the_coefficient_with_the_square_of_their_amplitude() {
+        let found = outcome(&["1"], &["0.999"], &["0.05", "1"]);
+        for family in &found.families {
+            let agreement = family.agreement().unwrap();
+            assert!((agreement.order.unwrap() - 2.0).abs() < 0.05, "{:?} {agreement:?}", family.law);
+            assert!(agreement.deviation.abs() < agreement.amplitude * agreement.amplitude, "{agreement:?}");
+        }
+    }
+
+    #[test]
+    fn the_edge_of_bistability_is_bracketed_by_runs_and_its_threshold_by_starts() {
+        let found = outcome(&["0.03"], &["1.001"], &["0.03", "0.1", "0.2"]);
+        let of = |law| found.families.iter().filter(move |family| family.law == law);
+        let edges: Vec<_> = of(EvolutionLaw::Aging).map(|family| family.edge.clone().unwrap()).collect();
+        let [Some(near), Some(far), None] = edges.as_slice() else { panic!("{edges:?}") };
+        // Runs from the cycle of the fold, 1 % to either side of the edge, end on a cycle and in sliding.
+        assert_eq!((near.bracket, far.bracket), (Some(0.01), Some(0.01)));
+        assert!((near.excess - 5.8796e-3).abs() < 1e-6 && near.error < 1e-6, "{near:?}");
+        let threshold = near.threshold.as_ref().unwrap();
+        assert_eq!(threshold.confirmed, Some(true), "{threshold:?}");
+        assert!(threshold.start_velocity_ratio > 0.1 && threshold.start_velocity_ratio < 1.0);
+        for family in of(EvolutionLaw::Slip) {
+            assert_eq!(family.edge, Ok(None));
+            assert!(family.cycles.iter().all(|cycle| cycle.excess < 0.0));
+        }
     }
 }

@@ -21,6 +21,16 @@ pub enum Need {
     HardCases,
     /// The nonlinear slider on a (V, σ) grid.
     Simulations,
+    /// The nonlinear slider's course at named points.
+    Trajectories,
+    /// Small disturbances along the eigenvectors, and steady sliding itself.
+    LinearRegime,
+    /// Every completion of the start V_l/10.
+    StartSensitivity,
+    /// Where oscillation begins along lines of constant normal stress.
+    Onset,
+    /// The nonlinear slider close to K = K_c.
+    NearTransition,
 }
 
 impl Need {
@@ -34,6 +44,11 @@ impl Need {
         Self::Zones,
         Self::HardCases,
         Self::Simulations,
+        Self::Trajectories,
+        Self::LinearRegime,
+        Self::StartSensitivity,
+        Self::Onset,
+        Self::NearTransition,
     ];
 
     /// The stable name used in the ids of work items.
@@ -48,6 +63,11 @@ impl Need {
             Need::Zones => "zones",
             Need::HardCases => "hard-cases",
             Need::Simulations => "simulations",
+            Need::Trajectories => "trajectories",
+            Need::LinearRegime => "linear-regime",
+            Need::StartSensitivity => "start-sensitivity",
+            Need::Onset => "onset",
+            Need::NearTransition => "near-transition",
         }
     }
 }

@@ -5,8 +5,9 @@ use std::collections::BTreeMap;
 use crate::number::Rational;
 use crate::scene::{Scene, SceneParameters};
 use crate::study::{
-    BoundaryOutcome, FamilyOutcome, FrequencyOutcome, Grid, HardCase, MapPoint, SimulationsOutcome,
-    SweepOutcome, ToleranceOutcome, ZonesOutcome,
+    BoundaryOutcome, FamilyOutcome, FrequencyOutcome, Grid, HardCase, LinearRegimeOutcome, MapPoint,
+    NearTransitionOutcome, OnsetOutcome, SimulationsOutcome, StartGroup, SweepOutcome, ToleranceOutcome,
+    TrajectoryRun, ZonesOutcome,
 };
 
 /// Everything computed for one scene; what nobody needed is absent.
@@ -30,6 +31,16 @@ pub struct SceneOutcome {
     pub hard_cases: Option<Vec<FamilyOutcome>>,
     /// Its simulations.
     pub simulations: Option<SimulationsOutcome>,
+    /// Its trajectories, point by point and law by law.
+    pub trajectories: Option<Vec<TrajectoryRun>>,
+    /// Its small disturbances, and steady sliding itself.
+    pub linear_regime: Option<LinearRegimeOutcome>,
+    /// Its completions of the start, a group for each point and law.
+    pub start_sensitivity: Option<Vec<StartGroup>>,
+    /// Where its oscillation begins.
+    pub onset: Option<OnsetOutcome>,
+    /// Its slider close to K = K_c.
+    pub near_transition: Option<NearTransitionOutcome>,
 }
 
 impl SceneOutcome {
@@ -46,6 +57,11 @@ impl SceneOutcome {
             zones: None,
             hard_cases: None,
             simulations: None,
+            trajectories: None,
+            linear_regime: None,
+            start_sensitivity: None,
+            onset: None,
+            near_transition: None,
         }
     }
 

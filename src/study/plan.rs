@@ -47,5 +47,10 @@ fn states(scene: &Scene, need: Need) -> bool {
         Need::Zones => scene.zones.is_some(),
         Need::HardCases => scene.hard_cases.is_some(),
         Need::Simulations => scene.simulations.is_some(),
+        Need::Trajectories => scene.trajectories.is_some(),
+        Need::LinearRegime => scene.linear_regime.is_some(),
+        Need::StartSensitivity => scene.start_sensitivity.is_some(),
+        Need::Onset => scene.onset.is_some(),
+        Need::NearTransition => scene.near_transition.is_some(),
     }
 }

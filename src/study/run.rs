@@ -4,8 +4,8 @@ use crate::scene::Scene;
 use crate::stability::InertialThreshold;
 use crate::study::{
     Item, Need, Needs, Outcome, References, SceneOutcome, boundary_outcome, classify_rectangle,
-    compare_hard_cases, compare_zones, frequency_lines, plan, simulations, sweep_effect_ratio,
-    tolerance_limits,
+    compare_hard_cases, compare_zones, frequency_lines, linear_regime, near_transition, onset, plan,
+    simulations, start_sensitivity, sweep_effect_ratio, tolerance_limits, trajectories,
 };
 
 /// Hears of each item that is about to be computed: its id, its number and how many there are.
@@ -76,6 +76,31 @@ fn compute(item: &Item, outcome: &mut SceneOutcome, references: &References) {
             outcome.simulations = parameters
                 .zip(scene.simulations.as_ref())
                 .map(|(parameters, section)| simulations(parameters, section, &threshold));
+        }
+        Need::Trajectories => {
+            outcome.trajectories = parameters
+                .zip(scene.trajectories.as_ref())
+                .map(|(parameters, section)| trajectories(parameters, section, &threshold));
+        }
+        Need::LinearRegime => {
+            outcome.linear_regime = parameters
+                .zip(scene.linear_regime.as_ref())
+                .map(|(parameters, section)| linear_regime(parameters, section, &threshold));
+        }
+        Need::StartSensitivity => {
+            outcome.start_sensitivity = parameters
+                .zip(scene.start_sensitivity.as_ref())
+                .map(|(parameters, section)| start_sensitivity(parameters, section, &threshold));
+        }
+        Need::Onset => {
+            outcome.onset = parameters
+                .zip(scene.onset.as_ref())
+                .map(|(parameters, section)| onset(parameters, section, &threshold));
+        }
+        Need::NearTransition => {
+            outcome.near_transition = parameters
+                .zip(scene.near_transition.as_ref())
+                .map(|(parameters, section)| near_transition(parameters, section));
         }
     }
 }

@@ -8,7 +8,7 @@ use crate::number::Rational;
 use crate::scene::{SceneParameters, SimulationsSection};
 use crate::stability::{Classification, InertialThreshold, classify, critical_stiffness, has_transition};
 use crate::study::map::exactly;
-use crate::study::{Grid, LeastPeak, NearRun, least_peaks, near_runs};
+use crate::study::{Grid, LeastPeak, least_peaks};
 
 /// One simulation and what the linear theory says of the same point.
 #[derive(Debug, Clone)]
@@ -26,8 +26,6 @@ pub struct SimulatedPoint {
 pub struct SimulationsOutcome {
     /// One grid for each law, in the order of the scene.
     pub grids: Vec<(EvolutionLaw, Grid<SimulatedPoint>)>,
-    /// Runs close to K = K_c.
-    pub near_transition: Vec<NearRun>,
     /// The velocity of the least peak at each normal stress of the grid that is unstable at every velocity.
     pub least_peaks: Vec<LeastPeak>,
 }
@@ -60,12 +58,9 @@ pub fn simulations(
 ) -> SimulationsOutcome {
     let options = options(&section.tolerance);
     let grid = |&law: &EvolutionLaw| (law, simulate_grid(parameters, section, law, threshold, &options));
-    let near = section.near_transition.as_ref();
     SimulationsOutcome {
         grids: section.laws.iter().map(grid).collect(),
-        near_transition: near
-            .map_or_else(Vec::new, |near| near_runs(parameters, near, &section.laws, &options)),
-        least_peaks: least_peaks(parameters, section, &options),
+        least_peaks: least_peaks(parameters, section, threshold, &options),
     }
 }
 
@@ -126,7 +121,6 @@ mod tests {
             rectangle: Rectangle { loading_velocity_m_per_s: axis(velocity), normal_stress_pa: axis(stress) },
             laws: EvolutionLaw::ALL.to_vec(),
             tolerance: parse_decimal("1e-8").unwrap(),
-            near_transition: None,
         }
     }
 

@@ -9,6 +9,7 @@ pub mod asymptote_series;
 pub mod boundary;
 pub mod characteristic;
 pub mod criteria;
+pub mod emergence;
 mod equations;
 pub mod exchange;
 pub mod frequency;

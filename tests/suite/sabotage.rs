@@ -18,7 +18,7 @@ title = "Introduction"
 prose = "introduction.md"
 "#;
 
-/// The paper's parameters and nothing to compute: what the proofs need.
+/// The paper's parameters, which is what the proofs need, and one search for the onset of oscillation, which is computed for claims N only.
 const SCENE: &str = r#"
 name = "paper"
 title = "The paper's parameters"
@@ -29,6 +29,13 @@ evolution_effect = 0.006
 critical_slip_distance_m = 10e-6
 stiffness_pa_per_m = 10e6
 mass_per_area_kg_per_m2 = 1000
+
+[onset]
+normal_stress_pa = [562.34]
+velocity_over_asymptote = [1]
+laws = ["slip"]
+tolerance = 1e-8
+visible = 0.01
 "#;
 
 /// A report folder in a scratch place, removed at the end.
@@ -77,9 +84,12 @@ impl Drop for Report {
     }
 }
 
-/// Z1 needs maps, which this small report does not compute.
+/// Z1 needs maps, and all claims N but N6 a grid of simulations, which this small report does not compute.
 fn claims_of(letter: char) -> String {
-    let wanted = |block: &&str| block.contains(&format!("id = \"{letter}")) && !block.contains("\"Z1\"");
+    let wanted = |block: &&str| {
+        let computed = if letter == 'N' { block.contains("\"N6\"") } else { !block.contains("\"Z1\"") };
+        block.contains(&format!("id = \"{letter}")) && computed
+    };
     CLAIMS.split("[[claim]]").filter(wanted).map(|block| format!("[[claim]]{block}")).collect()
 }
 
@@ -140,4 +150,9 @@ fn a_crossing_frequency_with_a_and_b_exchanged_is_caught() {
 #[test]
 fn a_criterion_that_contains_the_slip_distance_is_caught() {
     sabotage('Z', "2*V_0*sqrt(M*K)/(a*sigma) = 1", "2*V_0*sqrt(M*K)*D_c/(a*sigma) = 1", &["Z3", "Z5"]);
+}
+
+#[test]
+fn an_emergence_velocity_with_b_in_place_of_a_is_caught_by_the_simulated_onset() {
+    sabotage('N', "2*V_0*sqrt(M*K)/(a*sigma) = 1", "2*V_0*sqrt(M*K)/(b*sigma) = 1", &["N6"]);
 }

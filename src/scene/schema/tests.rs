@@ -30,6 +30,7 @@ fn decimals_are_taken_from_their_text() {
 fn every_section_is_read() {
     let axes = "loading_velocity_m_per_s = { from = 1e-6, to = 1e-1, points = 5 }\n\
         normal_stress_pa = { from = 1e2, to = 1e8, points = 7 }\n";
+    let points = "points = [{ loading_velocity_m_per_s = 1e-5, normal_stress_pa = 1e3 }]\n";
     let text = format!(
         "{SLIDER}normal_stress_pa = 1e5\nloading_velocity_m_per_s = 1e-4\n[map]\n{axes}[zones]\n{axes}\
          [inertial_threshold]\nfrequency_ratio = 0.7\n[boundary]\npoints = 400\ndigits = 50\n\
@@ -38,7 +39,13 @@ fn every_section_is_read() {
          [effect_ratio_sweep]\neffect_ratio = {{ from = 1e-3, to = 1e3, points = 9 }}\nnear_equal = [1e-3]\n\
          [tolerance]\nrelative = [0.1, 0.01]\n[hard_cases]\nfile = \"hard.txt\"\n\
          [simulations]\n{axes}laws = [\"slip\", \"aging\"]\ntolerance = 1e-8\n\
-         [simulations.near_transition]\ninertial_parameter = 0.01\nstiffness_over_critical = [1.002]\n"
+         [linear_regime]\n{points}laws = [\"aging\"]\namplitudes = [1e-3, 1e-9]\n\
+         [start_sensitivity]\n{points}laws = [\"slip\"]\ntolerance = 1e-8\n\
+         [onset]\nnormal_stress_pa = [1778.28, 562.34]\nvelocity_over_asymptote = [0.5, 5]\n\
+         laws = [\"slip\"]\ntolerance = 1e-8\nvisible = 0.01\nother_unit_pa = 1e6\n\
+         [near_transition]\ninertial_parameter = [0.01]\nstiffness_over_critical = [1.002]\n\
+         edge_inertial_parameter = [0.02]\ntolerance = 1e-6\n\
+         [trajectories]\ntolerance = 1e-8\n{POINT}"
     );
     let scene = parse(&text).unwrap();
     assert_eq!(scene.map.unwrap().normal_stress_pa.points, 7);
@@ -50,8 +57,55 @@ fn every_section_is_read() {
     let simulations = scene.simulations.unwrap();
     assert_eq!(simulations.laws, [EvolutionLaw::Slip, EvolutionLaw::Aging]);
     assert_eq!(simulations.tolerance, Rational::from((1, 100_000_000)));
-    assert_eq!(simulations.near_transition.unwrap().stiffness_over_critical, [Rational::from((501, 500))]);
+    let point = scene.trajectories.unwrap().points.remove(0);
+    assert_eq!((point.id.as_str(), point.laws.as_slice()), ("3g", [EvolutionLaw::Aging].as_slice()));
+    assert_eq!(point.loading_velocity_m_per_s, Rational::from((3, 10_000)));
+    assert_eq!(point.duration_s, Rational::from((2, 5)));
+    let linear = scene.linear_regime.unwrap();
+    assert_eq!(linear.points, [[Rational::from((1, 100_000)), Rational::from(1000)]]);
+    assert_eq!(linear.amplitudes.len(), 2);
+    assert_eq!(scene.start_sensitivity.unwrap().laws, [EvolutionLaw::Slip]);
+    let onset = scene.onset.unwrap();
+    assert_eq!((onset.normal_stress_pa.len(), onset.velocity_over_asymptote.len()), (2, 2));
+    assert_eq!(onset.other_unit_pa, Some(Rational::from(1_000_000)));
+    assert_eq!(scene.near_transition.unwrap().stiffness_over_critical, [Rational::from((501, 500))]);
     assert!(scene.parameters.unwrap().point().is_some());
+}
+
+const POINT: &str = "[[trajectories.point]]\nid = \"3g\"\nnormal_stress_pa = 1e3\n\
+    loading_velocity_m_per_s = 3e-4\nlaws = [\"aging\"]\nduration_s = 0.4\n";
+
+#[test]
+fn points_of_trajectories_have_names_of_their_own_and_positive_durations() {
+    let twice = messages(&format!("[trajectories]\ntolerance = 1e-8\n{POINT}{POINT}"));
+    assert!(
+        twice[0].contains("trajectories.point[2]") && twice[0].contains("an earlier id `3g`"),
+        "{twice:?}"
+    );
+    let endless = POINT.replace("0.4", "0").replace("3g", "../3g");
+    let said = messages(&format!("[trajectories]\ntolerance = 1e-8\n{endless}"));
+    assert_eq!(said.len(), 2, "{said:?}");
+    assert!(said[1].contains("point[1].duration_s = 0: must be > 0"), "{said:?}");
+    let none = messages("[trajectories]\ntolerance = 1e-8\n");
+    assert!(none[0].contains("trajectories.point: missing"), "{none:?}");
+}
+
+#[test]
+fn faults_of_points_and_amplitudes_are_all_named_and_their_product_is_limited() {
+    let points = |stress: &str| {
+        format!("points = [{{ loading_velocity_m_per_s = 1e-5, normal_stress_pa = {stress} }}]\n")
+    };
+    let faulty =
+        format!("[linear_regime]\n{}laws = [\"slip\"]\namplitudes = [1e-3, 1e-3, 1e-20]\n", points("-1"));
+    let said = messages(&faulty);
+    assert_eq!(said.len(), 3, "{said:?}");
+    assert!(said[0].contains("linear_regime.points[1].normal_stress_pa = -1: must be > 0"), "{said:?}");
+    assert!(said[1].contains("the same as an earlier member"), "{said:?}");
+    assert!(said[2].contains("1e-15 to 0.1"), "{said:?}");
+    let sound = format!("{SLIDER}[linear_regime]\n{}laws = [\"slip\"]\namplitudes = [1e-3]\n", points("1e3"));
+    let limits = Limits { max_points: 2 };
+    let faults = Scene::parse("s.toml", sound.as_bytes(), &limits).unwrap_err();
+    assert!(faults[0].to_string().contains("3 points are over the limit of 2"), "{faults:?}");
 }
 
 #[test]

@@ -6,6 +6,7 @@
 //! the expansion of Lindstedt and Poincaré, and both are certified to agree.
 
 mod closed_form;
+mod evaluate;
 mod expansion;
 mod first_integral;
 mod lindstedt;
@@ -13,6 +14,7 @@ mod projection;
 mod slider;
 
 pub use closed_form::Criticality;
+pub use evaluate::{degenerate_inertial_parameter, square_amplitude};
 pub use first_integral::prove as quasi_static_centre;
 
 use super::PaperEquations;

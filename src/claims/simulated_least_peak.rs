@@ -1,0 +1,133 @@
+//! Claims N7 and N8: where the peak velocity turns from falling to rising, against eq 18 and against the change of mode.
+
+use crate::claims::simulated::{Run, Runs, evidence, for_each_law, grids, outcome};
+use crate::claims::simulated_trends::{of, peaks, rises, share, total};
+use crate::claims::{Context, Evidence, Finding};
+use crate::friction::EvolutionLaw;
+use crate::number::format::round_digits;
+use crate::stability::SlipMode;
+use crate::study::{FLATNESS_LEVELS, LeastPeak, Outcome, SIDE_WIDTH};
+
+/// Normal stresses that the claim must be asked at, for each law.
+const FEWEST_STRESSES: usize = 10;
+
+/// Least and greatest of some numbers.
+fn extent(values: impl Iterator<Item = f64>) -> (f64, f64) {
+    values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(value), high.max(value)))
+}
+
+fn range((low, high): (f64, f64), digits: usize) -> String {
+    format!("{} to {}", round_digits(low, digits), round_digits(high, digits))
+}
+
+/// Width of the flat part at a level, where both its sides were found.
+fn width(least: &LeastPeak, level: usize) -> Option<f64> {
+    let [lower, upper] = least.flat[level];
+    Some(upper? - lower?)
+}
+
+pub(super) fn n7(context: &Context) -> Result<Finding, Finding> {
+    let least = &outcome(context, Outcome::potentially_unstable)?.least_peaks;
+    let by = |law: EvolutionLaw| least.iter().filter(move |found| found.law == law);
+    if EvolutionLaw::ALL.iter().any(|&law| by(law).count() < FEWEST_STRESSES) {
+        return Err(Finding::not_checked(
+            "The peak velocity was minimised at fewer than ten normal stresses.",
+        ));
+    }
+    let offsets = extent(least.iter().map(|found| found.offset_dex));
+    let error = least.iter().map(|found| found.offset_error_dex).fold(0.0, f64::max);
+    let excess = least.iter().map(|found| found.peak_at_eq18_over_least).fold(1.0, f64::max);
+    let each = |found: &LeastPeak| {
+        format!(
+            "{} {} Pa {}",
+            found.law.as_str(),
+            round_digits(found.normal_stress_pa, 4),
+            round_digits(found.offset_dex, 4)
+        )
+    };
+    let finding = Finding::from_proofs([]).with_evidence(Evidence::Simulation {
+        quantity: "log10 of the minimising velocity over that of eq 18: law, σ, offset".into(),
+        value: least.iter().map(each).collect::<Vec<_>>().join("; "),
+        error: format!("{} dex at most", round_digits(error, 2)),
+        runs: least.len(),
+    });
+    if least.iter().all(|found| found.offset_dex.abs() <= found.offset_error_dex) {
+        return Ok(finding);
+    }
+    let widths = |level: usize| extent(least.iter().filter_map(|found| width(found, level)));
+    let percent = |value: f64| round_digits(100.0 * value, 3);
+    // The flat part explains the claim where eq 18 lies in it.
+    let inside = |level: usize| {
+        least.iter().filter(|found| found.peak_at_eq18_over_least <= 1.0 + FLATNESS_LEVELS[level]).count()
+    };
+    Ok(finding
+        .with_evidence(Evidence::Simulation {
+            quantity: format!(
+                "Width of the stretch of V_l whose peak is within {} % and {} % of the least, dex",
+                percent(FLATNESS_LEVELS[0]),
+                percent(FLATNESS_LEVELS[1])
+            ),
+            value: format!("{}; {}", range(widths(0), 3), range(widths(1), 3)),
+            error: format!("{SIDE_WIDTH} dex at each side"),
+            runs: least.len(),
+        })
+        .within(format!(
+            "offsets of {} dex from eq 18; the peak there is at most {} % above the least one, and within {} % of it in {} of {} cases",
+            range(offsets, 3),
+            percent(excess - 1.0),
+            percent(FLATNESS_LEVELS[1]),
+            inside(1),
+            least.len()
+        ))
+        .outside(format!("the minimum lies {} dex from eq 18, not on it", range(offsets, 3)))
+        .remark("Dividing by the peak at one velocity, as fig 5 does, changes no minimum.")
+        .remark("The minimum is flat, so that a grid of quarter decades cannot place it better than the grid is wide."))
+}
+
+pub(super) fn n8(context: &Context) -> Result<Finding, Finding> {
+    let grids = grids(context, Outcome::potentially_unstable)?;
+    let both_are = |mode| move |(first, second): &(&Run, &Run)| first.is(mode) && second.is(mode);
+    let stick_slip =
+        |grid: &Runs| share(grid.along_velocity().filter(both_are(SlipMode::StickSlip)), |pair| !rises(pair));
+    let vibration =
+        |grid: &Runs| share(grid.along_velocity().filter(both_are(SlipMode::HarmonicVibration)), rises);
+    let falls = total(&grids, stick_slip);
+    let grows = total(&grids, vibration);
+    let stray = grids
+        .iter()
+        .flat_map(Runs::along_velocity)
+        .find(|pair| both_are(SlipMode::StickSlip)(pair) && rises(pair));
+    let finding = Finding::from_proofs([])
+        .with_evidence(evidence(
+            &grids,
+            "Stick-slip neighbours at one σ whose peak velocity falls with V_l",
+            for_each_law(&grids, |grid| of(stick_slip(grid))),
+        ))
+        .with_evidence(evidence(
+            &grids,
+            "Harmonic neighbours at one σ whose peak velocity rises with V_l",
+            for_each_law(&grids, |grid| of(vibration(grid))),
+        ))
+        .require(grows.0 == grows.1, || format!("in vibration only {} neighbours rise", of(grows)));
+    let least = &outcome(context, Outcome::potentially_unstable)?.least_peaks;
+    let after = |change: fn(&LeastPeak) -> Option<f64>| {
+        extent(least.iter().filter_map(|found| Some(change(found)? - found.offset_dex)))
+    };
+    let (cycle, theory) =
+        (after(|found| found.cycle_mode_change_dex), after(|found| found.theory_mode_change_dex));
+    let finding = finding.with_evidence(Evidence::Simulation {
+        quantity: "log10 of the velocity where the mode changes over that where the peak turns: mode of the cycle; of small deviations by the exact theory".into(),
+        value: format!("{} dex; {} dex", range(cycle, 3), range(theory, 3)),
+        error: format!("{SIDE_WIDTH} dex"),
+        runs: least.len(),
+    });
+    let Some(pair) = stray else { return Ok(finding) };
+    Ok(finding
+        .within(format!(
+            "{} stick-slip neighbours, and all {} harmonic ones: the cycle's frequency passes the threshold {} dex above the velocity where the peak turns",
+            of(falls),
+            grows.1,
+            range(cycle, 3)
+        ))
+        .outside(peaks(pair)))
+}

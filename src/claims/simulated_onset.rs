@@ -1,0 +1,190 @@
+//! Claim N6: at which velocity inertial vibration first appears in the runs of fig 4, and in which unit its caption speaks.
+
+use crate::claims::{Context, Evidence, Finding};
+use crate::dynamics::Behaviour;
+use crate::friction::Parameters;
+use crate::number::format::{certain_digits, rational_to_decimal, round_digits};
+use crate::number::{Ball, Rational};
+use crate::scene::SceneParameters;
+use crate::stability::Asymptote;
+use crate::study::{Located, Onset, OnsetOutcome, OtherUnit, SeenOnset};
+use crate::theory::emergence;
+
+/// Precision of eq 20's velocity, in bits.
+const BITS: u32 = 128;
+
+/// How many times its own leading error bσ/(2KD_c) eq 20 may be off: the next order of the series is of the relative
+/// size of the leading one, which is below a tenth where the claim is asked.
+const LEADING_ERRORS: u32 = 2;
+
+/// Eq 20 as the report states it against the velocities found on one line.
+struct Compared<'c> {
+    line: &'c Onset,
+    eq20_m_per_s: Ball,
+    /// V_exact/V_20 − 1.
+    excess: Ball,
+    /// bσ/(2KD_c).
+    leading: Rational,
+}
+
+pub(super) fn n6(context: &Context) -> Result<Finding, Finding> {
+    let scene = context
+        .outcome
+        .potentially_unstable()
+        .ok_or_else(|| Finding::not_checked("The report has no scene with a < b."))?;
+    let (Some(parameters), Some(outcome)) = (scene.parameters(), scene.onset.as_ref()) else {
+        return Err(Finding::not_checked("The report does not look for the onset of oscillation."));
+    };
+    let lower = outcome.lines.iter().filter(|line| line.asymptote == Asymptote::InertialLower);
+    let compared: Option<Vec<Compared>> = lower.map(|line| compare(context, parameters, line)).collect();
+    let compared =
+        compared.ok_or_else(|| Finding::from_proofs([]).refuted("Eq 20 as stated gives no velocity."))?;
+    if compared.is_empty() {
+        return Err(Finding::not_checked("No line of constant normal stress crosses the lower boundary."));
+    }
+    let finding = compared.iter().fold(Finding::from_proofs([]), judge);
+    Ok(unit(finding, &outcome.other_unit)
+        .within(limit(outcome, &compared))
+        .remark(first_peak(&compared))
+        .remark("The text states no velocity of fig 4. The report's runs take five of fig 3a's quarter decades, two below eq 20 and three above it, as the words on the colours ask."))
+}
+
+fn compare<'c>(context: &Context, parameters: &SceneParameters, line: &'c Onset) -> Option<Compared<'c>> {
+    let point: Parameters<Rational> = parameters.at(line.normal_stress_pa.clone(), Rational::from(1));
+    let eq20_m_per_s = emergence::velocity_of_eq_20(context.equations, &point, BITS)?;
+    let excess = line.boundary_velocity_m_per_s.clone() / &eq20_m_per_s - Ball::from(1);
+    let twice = point.stiffness_pa_per_m.clone() * &point.critical_slip_distance_m * 2u32;
+    let leading = point.evolution_effect.clone() * &point.normal_stress_pa / twice;
+    Some(Compared { line, eq20_m_per_s, excess, leading })
+}
+
+impl Compared<'_> {
+    fn stress(&self) -> String {
+        rational_to_decimal(&self.line.normal_stress_pa, 4)
+    }
+
+    /// Whether eq 20 is off by no more than twice what its own series says.
+    fn is_near(&self) -> bool {
+        let most = Ball::from_rational(&(self.leading.clone() * LEADING_ERRORS), BITS);
+        self.excess.upper() <= most.lower() && self.excess.lower() >= (-most).upper()
+    }
+
+    /// log10 of a velocity over that of eq 20.
+    fn dex(&self, located: &Located) -> f64 {
+        libm::log10(located.velocity_m_per_s / self.eq20_m_per_s.to_f64())
+    }
+
+    /// log10 of a velocity over that of the exact boundary.
+    fn dex_over_boundary(&self, located: &Located) -> f64 {
+        libm::log10(located.velocity_m_per_s / self.line.boundary_velocity_m_per_s.to_f64())
+    }
+
+    /// Least and greatest log10 over eq 20 of what the laws show, for people.
+    fn laws(&self, of: fn(&SeenOnset) -> Option<Located>) -> String {
+        let places = self.line.seen.iter().filter_map(of).map(|found| self.dex(&found));
+        let (low, high) =
+            places.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), dex| (low.min(dex), high.max(dex)));
+        if low > high {
+            return "no velocity".into();
+        }
+        format!("{} to {} dex", round_digits(low, 3), round_digits(high, 3))
+    }
+}
+
+fn judge(finding: Finding, compared: &Compared) -> Finding {
+    let line = compared.line;
+    let stress = compared.stress();
+    let excess = certain_digits(&compared.excess, 5);
+    let finding = finding
+        .with_evidence(Evidence::Enclosure {
+            quantity: format!("σ = {stress} Pa: velocity of eq 20; of the exact boundary; exact/eq 20 − 1"),
+            value: format!(
+                "{} m/s; {} m/s; {excess}",
+                certain_digits(&compared.eq20_m_per_s, 6),
+                certain_digits(&line.boundary_velocity_m_per_s, 6)
+            ),
+        })
+        .require(compared.is_near(), || {
+            format!(
+                "at σ = {stress} Pa oscillation begins at {} times the velocity of eq 20, though its series allows {} % at most",
+                round_digits(1.0 + compared.excess.to_f64(), 4),
+                round_digits(100.0 * compared.leading.to_f64() * f64::from(LEADING_ERRORS), 3)
+            )
+        });
+    line.seen.iter().fold(finding, |finding, seen| {
+        let law = seen.law.as_str();
+        let Some(exists) = &seen.exists else {
+            return finding.refuted(format!("{law} law, σ = {stress} Pa: no oscillation was found"));
+        };
+        let distance = compared.dex_over_boundary(exists);
+        let dex = |found: Option<Located>| {
+            found.map_or("none".into(), |found| format!("{} dex", round_digits(compared.dex(&found), 4)))
+        };
+        let errors = [seen.exists, seen.second_rise, seen.undershoot].map(|found| found.map_or(0.0, |found| found.error_dex));
+        finding
+            .with_evidence(Evidence::Simulation {
+                quantity: format!("σ = {stress} Pa, {law} law: log10 over eq 20 of the velocity where small deviations begin to oscillate; where a second rise is seen; where an undershoot is seen"),
+                value: format!("{}; {}; {}", dex(seen.exists), dex(seen.second_rise), dex(seen.undershoot)),
+                error: format!("{} dex", round_digits(errors.into_iter().fold(0.0, f64::max), 2)),
+                runs: 3,
+            })
+            .require(distance.abs() <= exists.error_dex, || {
+                format!("{law} law, σ = {stress} Pa: simulated oscillation begins {} dex from the exact boundary", round_digits(distance, 2))
+            })
+    })
+}
+
+/// The caption's unit: Pa, if in it the lines cross the boundary and in the other none does.
+fn unit(finding: Finding, others: &[OtherUnit]) -> Finding {
+    if others.is_empty() {
+        return finding;
+    }
+    let stresses: Vec<String> =
+        others.iter().map(|other| rational_to_decimal(&other.normal_stress_pa, 4)).collect();
+    let stresses = stresses.join(" and ");
+    let settles = |other: &OtherUnit| other.behaviour != Some(Behaviour::Periodic);
+    if others.iter().any(|other| other.has_boundary || !other.always_unstable || settles(other)) {
+        return finding.remark(format!("At {stresses} Pa, the normal stresses in the caption's unit, there is an onset too: the unit is not decided."));
+    }
+    finding
+        .with_evidence(Evidence::Simulation {
+            quantity: format!("Late behaviour at {stresses} Pa, the caption's MPa, and the velocity of eq 20 there"),
+            value: "limit cycle".into(),
+            error: "the same at two tolerances".into(),
+            runs: others.len(),
+        })
+        .remark(format!("The caption of fig 4 says MPa and must mean Pa. At {stresses} Pa σ exceeds σ_c, so that steady sliding is unstable at every velocity, no boundary is left in the stable zone, and the runs end on limit cycles instead of settling; in Pa all that the section says of the figure is found."))
+}
+
+fn limit(outcome: &OnsetOutcome, compared: &[Compared]) -> String {
+    let percent = |value: f64| round_digits(100.0 * value, 3);
+    let visible = percent(outcome.visible.to_f64());
+    let each = |one: &Compared| {
+        let inertial = one
+            .line
+            .inertial
+            .as_ref()
+            .map_or("no velocity".into(), |found| format!("{} dex", round_digits(one.dex(found), 3)));
+        format!(
+            "at σ = {} Pa oscillation begins {} % above eq 20; it is inertial by the threshold from {inertial} above eq 20, rises again by {visible} % of V_l from {}, and undershoots V_l by {visible} % from {}, depending on the law",
+            one.stress(),
+            percent(one.excess.to_f64()),
+            one.laws(|seen| seen.second_rise),
+            one.laws(|seen| seen.undershoot)
+        )
+    };
+    compared.iter().map(each).collect::<Vec<_>>().join("; ")
+}
+
+/// What the single peak of the blue runs shows.
+fn first_peak(compared: &[Compared]) -> String {
+    let peaks =
+        compared.iter().flat_map(|one| &one.line.seen).filter_map(|seen| seen.peak_excess_at_boundary);
+    let (low, high) =
+        peaks.fold((f64::INFINITY, 0.0f64), |(low, high), peak| (low.min(peak), high.max(peak)));
+    format!(
+        "The short peak of the runs next to the onset is no sign of vibration: steady friction is lower at V_l than at V_l/10, so that the spring must shorten by (b−a)σ ln 10/K, which takes V > V_l for a while at every velocity. At the exact boundary, where nothing oscillates, it is {} to {} % of V_l already.",
+        round_digits(100.0 * low, 3),
+        round_digits(100.0 * high, 3)
+    )
+}

@@ -1,0 +1,55 @@
+//! How far a start has to be from steady sliding to end on a cycle, where both attract.
+
+use super::integrator::{Control, Integrator};
+use super::lap::{LapEnd, run_lap};
+use super::{Failure, Member, Model, Radau, Start};
+
+/// Laps after which a trajectory moves along the slow direction alone: then the stress at the passage decides on which side of the unstable
+/// cycle it is.
+const LAPS: u32 = 8;
+
+/// The farthest start that is tried: V = V_l e^{-6}.
+const FARTHEST: f64 = 6.0;
+
+/// Bisections: ln(V_l/V) to 1e-6.
+const BISECTIONS: u32 = 23;
+
+/// Local tolerance of the laps.
+const LOCAL_TOLERANCE: f64 = 1e-8;
+
+/// Most steps of one trial.
+const MOST_STEPS: u64 = 100_000;
+
+/// ln(V_l/V) of the start, steady sliding at V, beyond which a run ends on the cycle outside `unstable`, to 1e-6.
+///
+/// Nothing when even the farthest start decays or the nearest does not.
+///
+/// # Errors
+/// Those of the integrator.
+pub fn start_threshold(model: &Model<f64>, unstable: &Member) -> Result<Option<f64>, Failure> {
+    let (mut decays, mut grows) = (0.0, FARTHEST);
+    if !grows_from(model, unstable, grows)? {
+        return Ok(None);
+    }
+    for _ in 0..BISECTIONS {
+        let middle = 0.5 * (decays + grows);
+        if grows_from(model, unstable, middle)? {
+            grows = middle;
+        } else {
+            decays = middle;
+        }
+    }
+    Ok((decays > 0.0).then_some(0.5 * (decays + grows)))
+}
+
+fn grows_from(model: &Model<f64>, unstable: &Member, below: f64) -> Result<bool, Failure> {
+    let start = Start::SteadyAtVelocity.state(model, &-below);
+    let control = Control { local_tolerance: LOCAL_TOLERANCE, most_steps: MOST_STEPS };
+    let mut run = Integrator::new(model, Radau::<f64, 5>::new(), start, control)?;
+    for _ in 0..LAPS {
+        if run_lap(&mut run)?.1 == LapEnd::Quiet {
+            return Ok(false);
+        }
+    }
+    Ok(run.state()[2] > unstable.lap.end[2])
+}

@@ -1,0 +1,65 @@
+//! The value of an expression at given numbers, enclosed.
+
+use std::collections::BTreeMap;
+
+use super::{Expression, Function, Symbol};
+use crate::number::{Ball, Field, Real};
+
+impl Expression {
+    /// The value with these numbers for the variables; none when a variable has no number, or for a logarithm, an
+    /// exponential or an inverse hyperbolic sine.
+    #[must_use]
+    pub fn enclosed(&self, values: &BTreeMap<Symbol, Ball>, precision_bits: u32) -> Option<Ball> {
+        let go = |inner: &Self| inner.enclosed(values, precision_bits);
+        let one = || Ball::from(1).with_precision(precision_bits);
+        Some(match self {
+            Self::Number(value) => Ball::from_rational(value, precision_bits),
+            Self::Variable(name) => values.get(name)?.clone(),
+            Self::Sum(parts) => {
+                parts.iter().map(go).try_fold(one() - one(), |sum, part| Some(sum + part?))?
+            }
+            Self::Product(parts) => {
+                parts.iter().map(go).try_fold(one(), |product, part| Some(product * part?))?
+            }
+            Self::Quotient(left, right) => go(left)? / go(right)?,
+            Self::Negation(inner) => -go(inner)?,
+            Self::Power(inner, exponent) => {
+                let base = go(inner)?;
+                let power = (0..exponent.unsigned_abs()).fold(one(), |product, _| product * &base);
+                if *exponent < 0 { one() / power } else { power }
+            }
+            Self::Call(Function::Sqrt, inner) => go(inner)?.sqrt(),
+            Self::Call(Function::Abs, inner) => go(inner)?.square().sqrt(),
+            Self::Call(Function::Ln | Function::Exp | Function::Asinh, _) => return None,
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::number::Rational;
+
+    fn value(text: &str) -> Option<Ball> {
+        let numbers = [("x", 3), ("y", -4)];
+        let values = numbers
+            .map(|(name, value)| (Symbol::new(name), Ball::from_rational(&Rational::from(value), 128)));
+        text.parse::<Expression>().unwrap().enclosed(&values.into(), 128)
+    }
+
+    #[test]
+    fn values_are_those_of_arithmetic() {
+        for (text, expected) in
+            [("2*x - y/2", (8, 1)), ("sqrt(x^2 + y^2)", (5, 1)), ("1/abs(y)^2 + 1/16", (1, 8))]
+        {
+            let found = value(text).unwrap();
+            assert!(found.contains(&Rational::from(expected)), "{text}");
+            assert!(found.relative_radius_log2() < -100.0, "{text}");
+        }
+    }
+
+    #[test]
+    fn what_has_no_number_has_no_value() {
+        assert!(value("x + z").is_none() && value("ln(x)").is_none());
+    }
+}

@@ -1,0 +1,73 @@
+//! The velocity of eq 20 in numbers, from the equation as the report states it.
+
+use super::PaperEquations;
+use crate::friction::Parameters;
+use crate::number::{Ball, Rational};
+use crate::polynomial::Symbol;
+
+/// The velocity at which eq 20 is met at the parameters' σ, m/s, enclosed; their own V0 plays no part.
+///
+/// None when the equation contains other quantities or its left side over its right is not in proportion to V_0.
+#[must_use]
+pub fn velocity_of_eq_20(
+    equations: &PaperEquations,
+    parameters: &Parameters<Rational>,
+    precision_bits: u32,
+) -> Option<Ball> {
+    let ball = |value: &Rational| Ball::from_rational(value, precision_bits);
+    let ratio_at = |velocity: Ball| {
+        let p = parameters;
+        let values = [
+            ("a", ball(&p.direct_effect)),
+            ("b", ball(&p.evolution_effect)),
+            ("D_c", ball(&p.critical_slip_distance_m)),
+            ("K", ball(&p.stiffness_pa_per_m)),
+            ("M", ball(&p.mass_per_area_kg_per_m2)),
+            ("sigma", ball(&p.normal_stress_pa)),
+            ("V_0", velocity),
+        ];
+        let values = values.map(|(name, value)| (Symbol::new(name), value)).into();
+        let equation = equations.equation("20");
+        let left = equation.left.enclosed(&values, precision_bits)?;
+        Some(left / equation.right.enclosed(&values, precision_bits)?)
+    };
+    let one = || ball(&Rational::from(1));
+    let velocity = one() / ratio_at(one())?;
+    let met = ratio_at(velocity.clone())?;
+    (met.overlaps(&one()) && velocity.lower() > 0).then_some(velocity)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const EQUATIONS: &str = include_str!("../../reports/im-avouac/equations.toml");
+
+    fn velocity(text: Option<&str>) -> Option<Ball> {
+        let equations = PaperEquations::parse(EQUATIONS).unwrap();
+        let equations = text.map_or(equations.clone(), |text| equations.altered("20", text).unwrap());
+        let parameters = Parameters {
+            direct_effect: Rational::from((4, 1000)),
+            evolution_effect: Rational::from((6, 1000)),
+            critical_slip_distance_m: Rational::from((1, 100_000)),
+            stiffness_pa_per_m: Rational::from(10_000_000),
+            mass_per_area_kg_per_m2: Rational::from(1000),
+            normal_stress_pa: Rational::from(1000),
+            loading_velocity_m_per_s: Rational::from(7),
+        };
+        velocity_of_eq_20(&equations, &parameters, 128)
+    }
+
+    #[test]
+    fn the_velocity_is_the_one_that_meets_the_equation_as_stated() {
+        // aσ/(2√(MK)) = 4/(2·10^5).
+        assert!(velocity(None).unwrap().contains(&Rational::from((1, 50_000))));
+        let with_b = velocity(Some("2*V_0*sqrt(M*K)/(b*sigma) = 1")).unwrap();
+        assert!(with_b.contains(&Rational::from((3, 100_000))));
+    }
+
+    #[test]
+    fn an_equation_that_is_not_in_proportion_to_the_velocity_gives_none() {
+        assert!(velocity(Some("2*V_0^2*sqrt(M*K)/(a*sigma) = 1")).is_none());
+    }
+}
