@@ -123,7 +123,8 @@ static void cycles(const char *folder)
     }
 }
 
-// Follows laps until two peaks agree to a tenth of a per cent (a cycle), or the slider comes to rest; 2000 laps at most.
+// Follows laps until two peaks agree to 1e-4 (a cycle) or are below 1e-3 (rest); 2000 laps at most. A slow decay changes its
+// peaks by a constant share, so that agreement is relative to the peak.
 static bool settle(const slider &model, double tolerance, bool &cycle, double &peak)
 {
     Vector state(3);
@@ -137,7 +138,12 @@ static bool settle(const slider &model, double tolerance, bool &cycle, double &p
             peak = first;
             return std::abs(found.end[0]) < 1e-6;
         }
-        if (count > 1 && std::abs(found.peak - last) < 1e-3) {
+        if (count > 1 && found.peak < 1e-3) {
+            cycle = false;
+            peak = first;
+            return true;
+        }
+        if (count > 1 && std::abs(found.peak - last) < 1e-4 * std::min(1.0, found.peak)) {
             cycle = true;
             peak = found.peak;
             return true;

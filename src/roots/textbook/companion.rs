@@ -36,7 +36,7 @@ fn balance(matrix: &mut Matrix) {
     let mut changed = true;
     while changed {
         changed = false;
-        for i in 0..3 {
+        for i in [0, 1, 2] {
             let others = (0..3).filter(|&j| j != i);
             let column: f64 = others.clone().map(|j| matrix[j][i].abs()).sum();
             let row: f64 = others.map(|j| matrix[i][j].abs()).sum();
@@ -52,7 +52,7 @@ fn balance(matrix: &mut Matrix) {
             }
             if (column * scale + row / scale) < 0.95 * (column + row) {
                 changed = true;
-                for j in 0..3 {
+                for j in [0, 1, 2] {
                     matrix[i][j] /= scale;
                     matrix[j][i] *= scale;
                 }
@@ -61,11 +61,17 @@ fn balance(matrix: &mut Matrix) {
     }
 }
 
-/// Whether the entry below the diagonal in this row is rounding noise beside its neighbours on the diagonal.
+/// Whether the entry below the diagonal in this row may be dropped without harm to small eigenvalues (Ahues & Tisseur 1997).
 fn is_negligible(matrix: &Matrix, row: usize) -> bool {
-    let size = matrix[row - 1][row - 1].abs() + matrix[row][row].abs();
-    let size = if size == 0.0 { matrix.iter().flatten().map(|entry| entry.abs()).sum() } else { size };
-    matrix[row][row - 1].abs() <= f64::EPSILON * size
+    let (above, below) = (matrix[row - 1][row].abs(), matrix[row][row - 1].abs());
+    let corner = matrix[row][row].abs();
+    let gap = (matrix[row - 1][row - 1] - matrix[row][row]).abs();
+    if below > f64::EPSILON * (matrix[row - 1][row - 1].abs() + corner) {
+        return false;
+    }
+    let sum = corner.max(gap) + above.max(below);
+    let product = above.min(below) * (above.max(below) / sum);
+    below == 0.0 || product <= f64::EPSILON * (corner.min(gap) * (corner.max(gap) / sum))
 }
 
 /// The eigenvalues of the 2 × 2 block that begins at `first` on the diagonal.
@@ -115,7 +121,7 @@ fn reflect(matrix: &mut Matrix, vector: [f64; 3]) {
     let norm = v.iter().map(|entry| entry * entry).sum::<f64>().sqrt();
     v[lead] += if v[lead] < 0.0 { -norm } else { norm };
     let scale = 2.0 / v.iter().map(|entry| entry * entry).sum::<f64>();
-    for j in 0..3 {
+    for j in [0, 1, 2] {
         let dot = scale * (0..3).map(|i| v[i] * matrix[i][j]).sum::<f64>();
         (0..3).for_each(|i| matrix[i][j] -= dot * v[i]);
     }
