@@ -7,7 +7,7 @@ use super::random::Random;
 /// Zero and ±1e-6 … ±1e-16: how far a point lies from the place that its family is about, relative.
 fn distance(number: usize) -> f64 {
     let exponent = number % 12;
-    let sign = if number / 12 % 2 == 0 { 1.0 } else { -1.0 };
+    let sign = if (number / 12).is_multiple_of(2) { 1.0 } else { -1.0 };
     if exponent == 0 { 0.0 } else { sign * libm::exp10(-5.0 - exponent as f64) }
 }
 
