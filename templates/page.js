@@ -118,6 +118,7 @@
       if (!step || event.altKey || event.ctrlKey || event.metaKey) return;
       event.preventDefault();
       say(place[0] + step[0], place[1] + step[1]);
+      mark.scrollIntoView({ block: "nearest", inline: "nearest" });
     });
   }
 

@@ -47,9 +47,7 @@ pub(super) fn claims_picture(ledger: &Ledger, standing: &dyn Fn(usize) -> Standi
     Some(FigureView {
         id: "claims-picture".into(),
         label: TITLE.into(),
-        caption_markdown: "Every box is a claim and leads to it. If a claim fails, all to the right that are joined to it lose a ground; \
-            a claim that rests on one which holds within a limit inherits that limit unless its own evidence goes further."
-            .into(),
+        caption_markdown: "Every box is a claim and leads to it. If a claim fails, all that are joined to it on the right lose a ground.".into(),
         description,
         svg: graph.svg(),
         data: Vec::new(),
