@@ -1,6 +1,7 @@
 //! Maps of the (V, σ) plane: max Im(s) (figs 1 and 6a) and slip modes (fig 7).
 
 use crate::exhibit::axes::{asymptote_lines, axes, boundary_lines, cusp_mark, transition_line};
+use crate::exhibit::map_readout::readout;
 use crate::exhibit::{Figure, FigureMaker};
 use crate::plot::{Axis, Caption, ColourScale, HeatMap, Line, Zone, ZoneMap, zones_of_grid};
 use crate::stability::{Arc, SlipMode};
@@ -126,7 +127,7 @@ fn frequency_map(scene: &SceneOutcome, words: &Words) -> Option<Figure> {
         x,
         y,
     };
-    Some(figure(words, heat_map.svg()))
+    Some(figure(words, heat_map.svg_with(Some(&readout(map, boundary)))))
 }
 
 fn frequencies(map: &Grid<MapPoint>) -> Vec<f64> {
@@ -183,5 +184,6 @@ fn zone_map(scene: &SceneOutcome, words: &Words) -> Option<Figure> {
         x,
         y,
     };
-    Some(figure(words, map.svg()))
+    let said = scene.map.as_ref().map(|map| readout(map, boundary));
+    Some(figure(words, map.svg_with(said.as_ref())))
 }

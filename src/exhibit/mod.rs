@@ -10,6 +10,7 @@ mod figures;
 mod frequency;
 mod least_peak;
 mod linear_regime;
+mod map_readout;
 mod maps;
 mod mode_tables;
 mod near_transition;

@@ -6,7 +6,7 @@ use super::legend::{Entry, KEY_WIDTH, Legend};
 use super::overlay::{draw_labels, draw_lines, draw_marks, legend_entries};
 use super::path::{Point, outline_data, outline_data_in_tenths, simplify};
 use super::svg::{Svg, number};
-use super::{Axis, Caption, Line, PointMark, RegionLabel, palette, rich_text};
+use super::{Axis, Caption, Line, PointMark, Readout, RegionLabel, palette, rich_text};
 
 /// The colour bar of a heat map: logarithmic, in even steps.
 #[derive(Debug, Clone, PartialEq)]
@@ -62,6 +62,12 @@ impl HeatMap {
     /// The map as SVG text.
     #[must_use]
     pub fn svg(&self) -> String {
+        self.svg_with(None)
+    }
+
+    /// The map as SVG text that carries words to be read out at its points.
+    #[must_use]
+    pub fn svg_with(&self, readout: Option<&Readout>) -> String {
         let frame = Frame::new(&self.x, &self.y, CORNER, SIZE);
         let legend = Legend::new(self.legend_entries(), CANVAS_WIDTH - CORNER.0);
         let below = frame.bounds.bottom + 60.0;
@@ -73,6 +79,9 @@ impl HeatMap {
         draw_labels(&mut svg, &frame, &self.labels);
         draw_marks(&mut svg, &frame, &self.marks);
         frame.draw_axes(&mut svg);
+        if let Some(readout) = readout {
+            readout.draw(&mut svg, &frame);
+        }
         self.draw_colour_bar(&mut svg, &frame);
         legend.draw(&mut svg, (CORNER.0, below));
         svg.finish()

@@ -1,4 +1,4 @@
-//! Figures as data, drawn as SVG: heat maps, line charts, panels of them, zone maps and range charts.
+//! Figures as data, drawn as SVG: heat maps, line charts, panels of them, zone maps, range charts and layered graphs.
 //!
 //! A figure is a plain value; `svg()` turns it into text that is the same on every machine: coordinates are rounded
 //! to a tenth of a unit, logarithms come from the `libm` crate, and nothing depends on the order of threads.
@@ -13,6 +13,7 @@ mod axis;
 mod contour;
 mod frame;
 mod heat_map;
+mod layers;
 mod legend;
 mod line_chart;
 mod overlay;
@@ -20,6 +21,7 @@ mod palette;
 mod panels;
 mod path;
 mod range_chart;
+mod readout;
 mod rich_text;
 #[cfg(test)]
 pub(crate) mod sample;
@@ -33,10 +35,12 @@ mod zones;
 
 pub use axis::{Axis, Scale};
 pub use heat_map::{ColourScale, HeatMap};
+pub use layers::{BoxLook, BoxNode, LayeredGraph};
 pub use line_chart::{Band, LineChart, Reference, Series};
 pub use overlay::{Line, LineRole, PointMark, RegionLabel, Side};
 pub use panels::{Panel, Panels};
 pub use range_chart::{RangeChart, RangeRow, Span};
+pub use readout::Readout;
 pub use zone_map::{Zone, ZoneMap};
 pub use zones::zones_of_grid;
 

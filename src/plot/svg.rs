@@ -26,6 +26,11 @@ pub(crate) struct Svg {
 impl Svg {
     /// Starts a figure of the given size with its accessible name and description.
     pub fn new(caption: &Caption, width: f64, height: f64) -> Self {
+        Self::with_role(caption, width, height, "img")
+    }
+
+    /// Starts a figure with another role than that of one picture.
+    pub fn with_role(caption: &Caption, width: f64, height: f64, role: &str) -> Self {
         let prefix = id_text(&caption.id);
         let mut svg = Self { text: String::new(), prefix: prefix.clone(), open: Vec::new() };
         let view_box = format!("0 0 {} {}", number(width), number(height));
@@ -35,7 +40,7 @@ impl Svg {
             &[
                 ("xmlns", "http://www.w3.org/2000/svg"),
                 ("class", "fig"),
-                ("role", "img"),
+                ("role", role),
                 ("aria-labelledby", &names),
                 ("viewBox", &view_box),
                 ("font-family", FONTS),
@@ -77,6 +82,11 @@ impl Svg {
     pub fn text(&mut self, attributes: &[(&str, &str)], markup: &str) {
         self.start("text", attributes);
         self.text += &format!(">{markup}</text>\n");
+    }
+
+    /// The accessible name of the element opened last.
+    pub fn title(&mut self, words: &str) {
+        self.text += &format!("<title>{}</title>\n", escape(words));
     }
 
     /// A straight line.

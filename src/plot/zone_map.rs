@@ -5,7 +5,7 @@ use super::legend::{Entry, KEY_WIDTH, Legend};
 use super::overlay::{draw_labels, draw_lines, draw_marks, legend_entries};
 use super::path::{Point, outline_data, simplify};
 use super::svg::Svg;
-use super::{Axis, Caption, Line, PointMark, RegionLabel, palette};
+use super::{Axis, Caption, Line, PointMark, Readout, RegionLabel, palette};
 
 /// A region of the plane.
 #[derive(Debug, Clone, PartialEq)]
@@ -48,6 +48,12 @@ impl ZoneMap {
     /// The map as SVG text.
     #[must_use]
     pub fn svg(&self) -> String {
+        self.svg_with(None)
+    }
+
+    /// The map as SVG text that carries words to be read out at its points.
+    #[must_use]
+    pub fn svg_with(&self, readout: Option<&Readout>) -> String {
         let frame = Frame::new(&self.x, &self.y, CORNER, SIZE);
         let legend = Legend::new(self.legend_entries(), CANVAS_WIDTH - CORNER.0);
         let below = frame.bounds.bottom + 60.0;
@@ -61,6 +67,9 @@ impl ZoneMap {
         draw_labels(&mut svg, &frame, &self.labels);
         draw_marks(&mut svg, &frame, &self.marks);
         frame.draw_axes(&mut svg);
+        if let Some(readout) = readout {
+            readout.draw(&mut svg, &frame);
+        }
         legend.draw(&mut svg, (CORNER.0, below));
         svg.finish()
     }

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use crate::claims::{Entry, Evidence, Ledger, Verdict};
 use crate::exhibit::Figure;
+use crate::report::claims_picture::claims_picture;
 use crate::report::{
     CardView, ChapterView, ClaimGroupView, ClaimView, EquationView, EvidenceView, FactView, FigureView,
     FindingView, InputView, ProvenanceView, ReportView, Standing,
@@ -62,7 +63,8 @@ pub fn assemble(material: Material) -> ReportView {
         cards: cards(ledger),
         findings: findings(ledger),
         chapters: chapters.map(|chapter| chapter_view(chapter, prose)).collect(),
-        ledger: groups(ledger, &command),
+        ledger: groups(ledger, &plan.name),
+        claims_picture: claims_picture(ledger, &|index| standing(ledger.claims[index].finding.verdict)),
         equations: equations
             .iter()
             .map(|equation| EquationView {
@@ -93,6 +95,7 @@ fn chapter_view(chapter: &Chapter, prose: &BTreeMap<String, String>) -> ChapterV
     ChapterView {
         id: chapter.id.clone(),
         title: chapter.title.clone(),
+        part: chapter.part,
         text_markdown: chapter_text(chapter, prose),
     }
 }
@@ -146,7 +149,7 @@ fn findings(ledger: &Ledger) -> Vec<FindingView> {
         .collect()
 }
 
-fn groups(ledger: &Ledger, command: &str) -> Vec<ClaimGroupView> {
+fn groups(ledger: &Ledger, report: &str) -> Vec<ClaimGroupView> {
     GROUPS
         .iter()
         .map(|(letter, title)| ClaimGroupView {
@@ -156,14 +159,14 @@ fn groups(ledger: &Ledger, command: &str) -> Vec<ClaimGroupView> {
                 .claims
                 .iter()
                 .filter(|entry| entry.id.starts_with(*letter))
-                .map(|entry| claim_view(entry, ledger, command))
+                .map(|entry| claim_view(entry, ledger, report))
                 .collect(),
         })
         .filter(|group| !group.claims.is_empty())
         .collect()
 }
 
-fn claim_view(entry: &Entry, ledger: &Ledger, command: &str) -> ClaimView {
+fn claim_view(entry: &Entry, ledger: &Ledger, report: &str) -> ClaimView {
     let finding = &entry.finding;
     let listed = |id: &&str| ledger.claims.iter().any(|other| other.id == *id);
     ClaimView {
@@ -184,7 +187,7 @@ fn claim_view(entry: &Entry, ledger: &Ledger, command: &str) -> ClaimView {
         not_established_markdown: plain(entry.not_established),
         remark_markdown: finding.remarks.iter().map(|remark| plain(remark)).collect::<Vec<_>>().join("\n\n"),
         rests_on: entry.rests_on.iter().filter(|id| listed(id)).map(|&id| id.to_owned()).collect(),
-        command: command.to_owned(),
+        command: format!("slipmode verify reports/{report} --claim {}", entry.id),
     }
 }
 

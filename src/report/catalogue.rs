@@ -3,6 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::blocks::{BlockKind, Piece, pieces};
+use super::parts::runs;
 use super::view::{ClaimView, EquationView, FigureView, ReportView};
 use crate::table::Table;
 
@@ -51,7 +52,8 @@ pub(crate) fn anchors(view: &ReportView) -> Vec<String> {
     let mut all: Vec<String> = SECTIONS.iter().map(|&section| section.into()).collect();
     all.extend(view.chapters.iter().map(|chapter| chapter.id.clone()));
     all.extend(claims.map(|claim| format!("claim-{}", claim.id)));
-    all.extend(view.figures.iter().map(|figure| figure.id.clone()));
+    all.extend(view.figures.iter().chain(&view.claims_picture).map(|figure| figure.id.clone()));
+    all.extend(runs(&view.chapters).into_iter().filter_map(|run| Some(run[0].part?.as_str().to_owned())));
     all.extend(view.tables.iter().map(|table| format!("table-{}", table.id)));
     all.extend(view.equations.iter().map(|equation| format!("eq-{}", equation.id)));
     all.extend((1..=view.ledger.len()).map(group_anchor));

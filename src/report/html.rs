@@ -7,13 +7,15 @@ use super::catalogue::{Catalogue, anchors, faults, group_anchor};
 use super::claim_html::{Chip, ClaimPage};
 use super::html_context::{
     CardContext, ChapterContext, EnvironmentContext, EquationContext, FigureContext, FindingContext,
-    GroupContext, PageContext, ProvenanceContext, TableContext,
+    GroupContext, PageContext, PartContext, ProvenanceContext, TableContext,
 };
 use super::markdown::Prose;
-use super::page_style::{content_policy, style_sheet};
+use super::page_style::{SCRIPT, content_policy, style_sheet};
+use super::parts::{lead, runs, title};
 use super::templates::Templates;
-use super::view::{CardView, EquationView, FigureView, ReportView};
+use super::view::{CardView, ChapterView, EquationView, FigureView, ReportView};
 use super::{MAX_SHOWN_ROWS, ReportError, cut_note};
+use crate::scene::Part;
 use crate::table::Table;
 
 /// Renders the page: HTML with style sheet, font, figures and mathematics inside, readable without scripts.
@@ -57,7 +59,8 @@ impl<'a> Page<'a> {
         });
         let findings = findings.collect();
         let groups = self.groups()?;
-        let chapters = self.chapters()?;
+        let picture_html = self.picture()?;
+        let parts = self.parts()?;
         let appendix_html = self.appendix()?;
         let provenance = ProvenanceContext {
             text_html: self.prose.blocks(&view.provenance.text_markdown, 2, "provenance"),
@@ -69,13 +72,15 @@ impl<'a> Page<'a> {
         Ok(PageContext {
             title: &view.title,
             subtitle: &view.subtitle,
-            policy: content_policy(&style_css),
+            policy: content_policy(&style_css, SCRIPT),
             style_css,
             summary_html,
             cards: cards(view),
             findings,
             groups,
-            chapters,
+            picture_html,
+            parts,
+            script_js: SCRIPT,
             appendix_html,
             provenance,
             environment_html: self.environment()?,
@@ -101,20 +106,41 @@ impl<'a> Page<'a> {
         Ok(groups)
     }
 
-    fn chapters(&mut self) -> Result<Vec<ChapterContext<'a>>, ReportError> {
-        let mut chapters = Vec::new();
-        for chapter in &self.view.chapters {
-            let mut body_html = String::new();
-            for piece in pieces(&chapter.text_markdown) {
-                body_html += &match piece {
-                    Piece::Prose(text) => self.prose.blocks(&text, 2, &chapter.id),
-                    Piece::Block(kind, id) => self.block(kind, &id)?,
-                    Piece::Unknown(_) => String::new(),
-                };
+    fn picture(&mut self) -> Result<String, ReportError> {
+        self.view.claims_picture.as_ref().map_or_else(|| Ok(String::new()), |picture| self.figure(picture))
+    }
+
+    fn parts(&mut self) -> Result<Vec<PartContext<'a>>, ReportError> {
+        let mut parts = Vec::new();
+        for run in runs(&self.view.chapters) {
+            let part = run[0].part;
+            // Below the heading of a part, those of its chapters stand one level lower.
+            let level = if part.is_some() { 3 } else { 2 };
+            let mut chapters = Vec::new();
+            for chapter in run {
+                let body_html = self.chapter(chapter, level)?;
+                chapters.push(ChapterContext { id: &chapter.id, title: &chapter.title, body_html });
             }
-            chapters.push(ChapterContext { id: &chapter.id, title: &chapter.title, body_html });
+            parts.push(PartContext {
+                anchor: part.map_or("", Part::as_str),
+                title: part.map_or("", title),
+                lead: part.map_or("", lead),
+                chapters,
+            });
         }
-        Ok(chapters)
+        Ok(parts)
+    }
+
+    fn chapter(&mut self, chapter: &'a ChapterView, level: usize) -> Result<String, ReportError> {
+        let mut body_html = String::new();
+        for piece in pieces(&chapter.text_markdown) {
+            body_html += &match piece {
+                Piece::Prose(text) => self.prose.blocks(&text, level, &chapter.id),
+                Piece::Block(kind, id) => self.block(kind, &id)?,
+                Piece::Unknown(_) => String::new(),
+            };
+        }
+        Ok(body_html)
     }
 
     /// A placed block; one that does not exist has been reported before.

@@ -17,7 +17,9 @@ pub(crate) struct PageContext<'a> {
     pub cards: Vec<CardContext<'a>>,
     pub findings: Vec<FindingContext<'a>>,
     pub groups: Vec<GroupContext<'a>>,
-    pub chapters: Vec<ChapterContext<'a>>,
+    pub picture_html: String,
+    pub parts: Vec<PartContext<'a>>,
+    pub script_js: &'static str,
     pub appendix_html: String,
     pub provenance: ProvenanceContext<'a>,
     pub environment_html: String,
@@ -49,6 +51,15 @@ pub(crate) struct GroupContext<'a> {
     pub intro_html: String,
     pub chips: Vec<Chip<'a>>,
     pub claims_html: Vec<String>,
+}
+
+/// Consecutive chapters of one part, or of none: then without title.
+#[derive(Serialize)]
+pub(crate) struct PartContext<'a> {
+    pub anchor: &'static str,
+    pub title: &'static str,
+    pub lead: &'static str,
+    pub chapters: Vec<ChapterContext<'a>>,
 }
 
 /// A chapter.

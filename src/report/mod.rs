@@ -1,7 +1,8 @@
 //! Reports: a view of text in, one self-contained HTML page and one Markdown document out.
 //!
 //! Nothing here does arithmetic or reads files: numbers arrive formatted, figures arrive drawn, templates and fonts
-//! are part of the program. The page asks for nothing over the network and needs no scripts.
+//! are part of the program. The page asks for nothing over the network; its one script
+//! adds sorting, finding and reading out, and everything is readable without it.
 
 mod assemble;
 mod base64;
@@ -9,6 +10,7 @@ mod blocks;
 mod catalogue;
 mod claim_html;
 mod claim_text;
+mod claims_picture;
 mod error;
 #[cfg(test)]
 mod hostile_tests;
@@ -17,6 +19,7 @@ mod html_context;
 mod markdown;
 mod math;
 mod page_style;
+mod parts;
 mod produce;
 #[cfg(test)]
 mod sample;

@@ -6,6 +6,9 @@ use super::base64::base64;
 
 const STYLE: &str = include_str!("../../templates/style.css");
 
+/// The page's script: sorting, finding and reading out, over what the page shows without it.
+pub(crate) const SCRIPT: &str = include_str!("../../templates/page.js");
+
 /// A subset of Latin Modern Math, renamed as its licence asks; see `templates/fonts/README.md`.
 const MATH_FONT: &[u8] = include_bytes!("../../templates/fonts/slipmode-math.woff2");
 
@@ -19,12 +22,13 @@ pub(crate) fn style_sheet(formula_rules: &str) -> String {
     )
 }
 
-/// A content policy under which the page may use this style sheet and embedded fonts: no scripts, no requests.
+/// A content policy under which the page may use this style sheet, this script and embedded fonts: no requests.
 #[must_use]
-pub(crate) fn content_policy(style_sheet: &str) -> String {
-    let digest = base64(&Sha256::digest(style_sheet.as_bytes()));
+pub(crate) fn content_policy(style_sheet: &str, script: &str) -> String {
+    let digest = |text: &str| base64(&Sha256::digest(text.as_bytes()));
+    let (style, script) = (digest(style_sheet), digest(script));
     format!(
-        "default-src 'none'; style-src 'sha256-{digest}'; font-src data:; base-uri 'none'; form-action 'none'"
+        "default-src 'none'; style-src 'sha256-{style}'; script-src 'sha256-{script}'; font-src data:; base-uri 'none'; form-action 'none'"
     )
 }
 
@@ -41,10 +45,28 @@ mod tests {
     }
 
     #[test]
-    fn the_policy_admits_this_style_sheet_and_nothing_else() {
-        let policy = content_policy("a{}");
-        assert!(policy.contains("style-src 'sha256-"), "{policy}");
-        assert!(!policy.contains("unsafe") && !policy.contains("script") && !policy.contains('*'));
-        assert_ne!(policy, content_policy("b{}"));
+    fn the_policy_admits_this_style_sheet_and_script_and_nothing_else() {
+        let policy = content_policy("a{}", "f()");
+        assert!(policy.contains("style-src 'sha256-") && policy.contains("script-src 'sha256-"), "{policy}");
+        assert!(!policy.contains("unsafe") && !policy.contains("self") && !policy.contains('*'));
+        assert_ne!(policy, content_policy("b{}", "f()"));
+        assert_ne!(policy, content_policy("a{}", "g()"));
+    }
+
+    #[test]
+    fn the_script_asks_for_nothing_and_makes_no_markup_of_text() {
+        for word in [
+            "fetch",
+            "XMLHttp",
+            "import",
+            "eval",
+            "innerHTML",
+            "document.write",
+            "http",
+            "</script",
+            "Function(",
+        ] {
+            assert!(!SCRIPT.contains(word), "{word}");
+        }
     }
 }

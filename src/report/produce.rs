@@ -70,6 +70,9 @@ pub fn produce(
         inputs: folder.inputs.clone(),
         environment,
     });
+    if let Some(picture) = &view.claims_picture {
+        files.insert(format!("figures/{}.svg", picture.id), picture.svg.clone());
+    }
     files.insert("index.html".into(), render_html(&view)?);
     files.insert("report.md".into(), render_markdown(&view)?);
     Ok(Product { ledger, files })

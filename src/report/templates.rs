@@ -96,10 +96,11 @@ mod tests {
         for (name, source) in HTML.iter().chain(&MARKDOWN) {
             for before in source.rsplit("| safe").skip(1) {
                 let value = before.trim_end().rsplit([' ', '.']).next().unwrap();
-                let made = ["_html", "_svg", "_css", "_md"].iter().any(|end| value.ends_with(end));
+                let made = ["_html", "_svg", "_css", "_md", "_js"].iter().any(|end| value.ends_with(end));
                 assert!(made, "{name}: {value} | safe");
             }
-            assert!(!source.contains("<script") && !source.contains("style=\""), "{name}");
+            let bare = source.replace("<script>{{ script_js | safe }}</script>", "");
+            assert!(!bare.contains("<script") && !bare.contains("style=\""), "{name}");
         }
     }
 

@@ -6,9 +6,10 @@ use super::blocks::{BlockKind, Piece, pieces};
 use super::catalogue::{Catalogue, faults};
 use super::claim_text::{ClaimText, code_span, line};
 use super::markdown::{harmless, slug};
+use super::parts::{lead, runs, title};
 use super::templates::Templates;
-use super::text_context::{Card, Chapter, Fact, Finding, Group, Input, Provenance, ReportContext};
-use super::view::{EquationView, FactView, FigureView, FindingView, InputView, ReportView};
+use super::text_context::{Card, Chapter, Fact, Finding, Group, Input, Part, Provenance, ReportContext};
+use super::view::{ChapterView, EquationView, FactView, FigureView, FindingView, InputView, ReportView};
 use super::{MAX_SHOWN_ROWS, ReportError, cut_note};
 use crate::table::{Table, escape_cell, escape_markdown, first_rows_to_markdown};
 
@@ -44,11 +45,8 @@ impl<'a> Report<'a> {
             cards: cards(view),
             findings: self.findings(),
             groups: self.groups()?,
-            chapters: view
-                .chapters
-                .iter()
-                .map(|chapter| Chapter { title: &chapter.title, body_md: self.body(&chapter.text_markdown) })
-                .collect(),
+            picture_md: view.claims_picture.as_ref().map_or_else(String::new, |picture| self.figure(picture)),
+            parts: runs(&view.chapters).into_iter().map(|run| self.part(run)).collect(),
             appendix_md: self.appendix(),
             provenance: self.provenance(),
             environment: facts(&view.environment),
@@ -106,9 +104,23 @@ impl<'a> Report<'a> {
         Ok(groups)
     }
 
-    fn body(&self, markdown: &str) -> String {
+    fn part(&self, run: &'a [ChapterView]) -> Part<'a> {
+        let part = run[0].part;
+        let level = if part.is_some() { 3 } else { 2 };
+        let chapter = |chapter: &'a ChapterView| Chapter {
+            title: &chapter.title,
+            body_md: self.body(&chapter.text_markdown, level),
+        };
+        Part {
+            title: part.map_or("", title),
+            lead: part.map_or("", lead),
+            chapters: run.iter().map(chapter).collect(),
+        }
+    }
+
+    fn body(&self, markdown: &str, level: usize) -> String {
         let piece = |piece| match piece {
-            Piece::Prose(text) => self.prose(text.trim(), 2),
+            Piece::Prose(text) => self.prose(text.trim(), level),
             Piece::Block(kind, id) => self.block(kind, &id),
             Piece::Unknown(_) => String::new(),
         };

@@ -13,7 +13,8 @@ pub(crate) struct ReportContext<'a> {
     pub cards: Vec<Card<'a>>,
     pub findings: Vec<Finding<'a>>,
     pub groups: Vec<Group<'a>>,
-    pub chapters: Vec<Chapter<'a>>,
+    pub picture_md: String,
+    pub parts: Vec<Part<'a>>,
     pub appendix_md: String,
     pub provenance: Provenance,
     pub environment: Vec<Fact>,
@@ -43,6 +44,14 @@ pub(crate) struct Group<'a> {
     pub intro_md: String,
     pub claims: Vec<ClaimText<'a>>,
     pub claims_md: Vec<String>,
+}
+
+/// Consecutive chapters of one part, or of none: then without title.
+#[derive(Serialize)]
+pub(crate) struct Part<'a> {
+    pub title: &'static str,
+    pub lead: &'static str,
+    pub chapters: Vec<Chapter<'a>>,
 }
 
 /// A chapter.

@@ -5,6 +5,7 @@
 
 use serde::Serialize;
 
+use crate::scene::Part;
 use crate::table::Table;
 
 /// A whole report.
@@ -24,6 +25,8 @@ pub struct ReportView {
     pub chapters: Vec<ChapterView>,
     /// Groups of claims in the order of the ledger.
     pub ledger: Vec<ClaimGroupView>,
+    /// The picture of which claims rest on which, shown with the ledger.
+    pub claims_picture: Option<FigureView>,
     /// Equations that chapters and claims may place.
     pub equations: Vec<EquationView>,
     /// Figures; those that no chapter places are shown in an appendix.
@@ -113,6 +116,8 @@ pub struct ChapterView {
     pub id: String,
     /// Heading.
     pub title: String,
+    /// The part that it belongs to; consecutive chapters of one part stand under its heading.
+    pub part: Option<Part>,
     /// Prose. A line `[[figure:ID]]`, `[[table:ID]]`, `[[equation:ID]]` or `[[claim:ID]]` places that block; headings
     /// start at level 1 below the chapter's own.
     pub text_markdown: String,

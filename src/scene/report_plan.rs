@@ -1,6 +1,7 @@
 //! `report.toml`: the scenes and chapters of a report.
 
 use crate::scene::document::read_document;
+use crate::scene::part::Part;
 use crate::scene::section::Entry;
 use crate::scene::sections::{NAME_RULE, safe_name};
 use crate::scene::{Fault, Faults, Problem, Scene, same_name};
@@ -27,6 +28,8 @@ pub struct Chapter {
     pub title: String,
     /// The name of the Markdown file in `prose/`.
     pub prose: String,
+    /// The part of the report that it belongs to, if any; the chapters of a part follow one another.
+    pub part: Option<Part>,
 }
 
 impl ReportPlan {
@@ -56,6 +59,7 @@ fn read_scene_names(entry: &Entry<'_>, faults: &mut Faults) -> Option<Vec<String
 
 fn read_chapters(entry: &Entry<'_>, faults: &mut Faults) -> Option<Vec<Chapter>> {
     let mut ids = Vec::new();
+    let mut parts = Vec::new();
     entry.list(faults, |member, faults| {
         let mut section = member.section(faults)?;
         let id = section
@@ -64,8 +68,12 @@ fn read_chapters(entry: &Entry<'_>, faults: &mut Faults) -> Option<Vec<Chapter>>
         let title = section.required("title", "a text", faults).and_then(|entry| entry.text(faults));
         let prose =
             section.required("prose", "a file of prose/", faults).and_then(|entry| safe_name(&entry, faults));
+        let stated = section.optional("part");
+        let part = stated.as_ref().and_then(|entry| Part::read(entry, &parts, faults));
+        parts.push(part);
         section.finish(faults);
-        Some(Chapter { id: id?, title: title?, prose: prose? })
+        (stated.is_none() || part.is_some()).then_some(())?;
+        Some(Chapter { id: id?, title: title?, prose: prose?, part })
     })
 }
 
@@ -122,6 +130,29 @@ mod tests {
         let plan = plan("[\"one\", \"two\"]").unwrap();
         assert_eq!(plan.scenes, ["one", "two"]);
         assert_eq!(plan.chapters[0].prose, "c.md");
+    }
+
+    #[test]
+    fn chapters_are_kept_apart_in_parts_and_all_faults_are_told() {
+        let chapter = |id: &str, part: &str| CHAPTER.replace("\"c\"", &format!("{id:?}")) + part;
+        let plan = |parts: [&str; 4]| {
+            let chapters: String =
+                ["c", "d", "e", "f"].into_iter().zip(parts).map(|(id, part)| chapter(id, part)).collect();
+            let text = format!("name = \"r\"\ntitle = \"R\"\nscenes = [\"a\"]\n{chapters}");
+            ReportPlan::parse("report.toml", text.as_bytes())
+        };
+        let (code, valid) = ("part = \"code-verification\"\n", "part = \"validation\"\n");
+        let read: Vec<Option<Part>> =
+            plan(["", code, code, valid]).unwrap().chapters.iter().map(|c| c.part).collect();
+        let (code_part, valid_part) = (Some(Part::CodeVerification), Some(Part::Validation));
+        assert_eq!(read, [None, code_part, code_part, valid_part]);
+        let faults = plan([code, valid, code, "part = \"validatoin\"\n"]).unwrap_err();
+        let told: Vec<String> = faults.iter().map(ToString::to_string).collect();
+        assert_eq!(told.len(), 2, "{told:?}");
+        assert!(
+            told[0].contains("follow one another") && told[1].contains("did you mean `validation`"),
+            "{told:?}"
+        );
     }
 
     #[test]

@@ -55,6 +55,24 @@ fn a_report_that_is_as_published_and_as_recorded_is_verified() {
 }
 
 #[test]
+fn a_page_shows_its_parts_what_rests_on_what_and_how_each_claim_is_decided_again() {
+    let place = small_report();
+    place.write("small/claims.toml", format!("{CLAIMS}{}", CLAIMS.replace("S1", "L3")));
+    let second = PLAN.split_once("[[chapter]]").unwrap().1.replace("\"c\"", "\"d\"");
+    place.write("small/report.toml", format!("{PLAN}[[chapter]]{second}part = \"code-verification\"\n"));
+    place.run(["report", "small", "-o", "out"]).expect_success();
+    let (page, text) = (place.read("out/index.html"), place.read("out/report.md"));
+    assert!(page.contains("id=\"claims-picture\"") && page.contains("S1 on L3."), "{page}");
+    assert!(place.read("out/figures/claims-picture.svg").contains("href=\"#claim-S1\""));
+    assert!(text.contains("figures/claims-picture.svg"));
+    for report in [&page, &text] {
+        assert!(report.contains("slipmode verify reports/small --claim S1"));
+        assert!(report.contains("Code verification: exact"));
+    }
+    assert!(page.contains("<h3 id=\"d-title\">C</h3>") && text.contains("\n### C\n"));
+}
+
+#[test]
 fn drift_of_a_verdict_is_named_with_old_and_new() {
     let place = published();
     place.write("small/claims.toml", CLAIMS.replace("\"holds\"", "\"fails\""));

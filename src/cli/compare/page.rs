@@ -32,6 +32,7 @@ pub fn files(runs: &Path, rows: &[ComparedRow], environment: &Environment) -> Re
     let chapter = |id: &str, title: &str, text_markdown: String| ChapterView {
         id: id.into(),
         title: title.into(),
+        part: None,
         text_markdown,
     };
     let view = ReportView {

@@ -1,0 +1,49 @@
+//! The parts into which a report's chapters are kept apart, as verification and validation are.
+
+use crate::scene::section::Entry;
+use crate::scene::{Faults, Problem, nearest};
+
+/// What the chapters of a part are about.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Part {
+    /// Whether the formulas and the program are right: decided exactly.
+    CodeVerification,
+    /// How large the numerical error of the report's own runs is.
+    SolutionVerification,
+    /// What the paper says, held against computation.
+    Validation,
+}
+
+impl Part {
+    /// All parts.
+    pub const ALL: [Self; 3] = [Self::CodeVerification, Self::SolutionVerification, Self::Validation];
+
+    /// The word for it in `report.toml`, and its deep link.
+    #[must_use]
+    pub fn as_str(self) -> &'static str {
+        match self {
+            Self::CodeVerification => "code-verification",
+            Self::SolutionVerification => "solution-verification",
+            Self::Validation => "validation",
+        }
+    }
+
+    /// Reads the part of a chapter after those of the `earlier` chapters: the chapters of a part follow one another.
+    pub(super) fn read(entry: &Entry<'_>, earlier: &[Option<Self>], faults: &mut Faults) -> Option<Self> {
+        let word = entry.text(faults)?;
+        let Some(part) = Self::ALL.into_iter().find(|part| part.as_str() == word) else {
+            let words = Self::ALL.map(Self::as_str);
+            let near = nearest(&word, words).map(str::to_string);
+            faults.push(entry.fault(Problem::UnknownWord { nearest: near, allowed: words.join(", ") }));
+            return None;
+        };
+        let left = earlier.iter().rev().skip_while(|before| **before == Some(part));
+        if left.into_iter().any(|before| *before == Some(part)) {
+            let of =
+                "a part that other chapters have ended (the chapters of a part follow one another)".into();
+            faults.push(entry.fault(Problem::Duplicate { of, folded: false }));
+            return None;
+        }
+        Some(part)
+    }
+}

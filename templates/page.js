@@ -1,0 +1,134 @@
+"use strict";
+// Sorting, finding and reading out, over what the page shows without it. No mathematics, no requests.
+(() => {
+  const make = (tag, attributes, ...children) => {
+    const element = document.createElement(tag);
+    for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value);
+    element.append(...children);
+    return element;
+  };
+
+  // Numbers are read as they are written; words and gaps come after them, in their own order.
+  const value = (cell) => {
+    const text = cell ? cell.textContent.trim() : "";
+    const number = Number(text.replace(/\u2212/g, "-").replace(/[\s\u00a0\u202f\u2009]/g, "") || NaN);
+    return Number.isNaN(number) ? text : number;
+  };
+  const compare = (one, two) => {
+    if (typeof one !== typeof two) return typeof one === "number" ? -1 : 1;
+    if (typeof one === "number") return one - two;
+    return one < two ? -1 : Number(one > two);
+  };
+
+  const sort = (table, heading, column) => {
+    const down = heading.getAttribute("aria-sort") === "ascending";
+    for (const other of table.tHead.rows[0].cells) other.removeAttribute("aria-sort");
+    heading.setAttribute("aria-sort", down ? "descending" : "ascending");
+    const body = table.tBodies[0];
+    const rows = [...body.rows].map((row) => [value(row.cells[column]), row]);
+    rows.sort(([one], [two]) => (down ? compare(two, one) : compare(one, two)));
+    body.append(...rows.map(([, row]) => row));
+  };
+
+  // A table of which only the first rows are shown would be sorted wrongly, and is left alone.
+  for (const table of document.querySelectorAll("figure.whole table")) {
+    if (table.tBodies[0].rows.length < 3) continue;
+    [...table.tHead.rows[0].cells].forEach((heading, column) => {
+      const button = make("button", { type: "button", class: "sort" }, ...heading.childNodes);
+      heading.append(button);
+      button.addEventListener("click", () => sort(table, heading, column));
+    });
+  }
+
+  const ledger = document.getElementById("ledger");
+  const claims = [...document.querySelectorAll("details.claim")];
+  if (ledger && claims.length > 5) {
+    const words = new Map(claims.map((claim) => [claim, claim.textContent.toLowerCase()]));
+    const field = make("input", { type: "search", id: "find-claims", autocomplete: "off" });
+    const kinds = make("select", { id: "find-verdicts" }, make("option", { value: "" }, "all"));
+    for (const [kind, name] of [["holds", "holds"], ["holds-within", "holds within"], ["fails", "fails"], ["not-checked", "not checked"]]) {
+      if (claims.some((claim) => claim.classList.contains(kind))) kinds.append(make("option", { value: kind }, name));
+    }
+    const count = make("p", { role: "status" });
+    const find = () => {
+      const wanted = field.value.toLowerCase().split(/\s+/).filter(Boolean);
+      let found = 0;
+      for (const claim of claims) {
+        const fits = wanted.every((word) => words.get(claim).includes(word));
+        claim.hidden = !fits || (kinds.value !== "" && !claim.classList.contains(kinds.value));
+        found += claim.hidden ? 0 : 1;
+      }
+      for (const group of ledger.querySelectorAll(".group")) {
+        group.hidden = !group.querySelector("details.claim:not([hidden])");
+      }
+      count.textContent = found < claims.length ? `${found} of ${claims.length} claims` : "";
+    };
+    field.addEventListener("input", find);
+    kinds.addEventListener("change", find);
+    const finder = make("div", { class: "finder", role: "search", "aria-label": "Claims" },
+      make("label", { for: "find-claims" }, "Find"), field, make("label", { for: "find-verdicts" }, "Verdict"), kinds, count);
+    ledger.querySelector(".group").before(finder);
+
+    // A link to a claim shows it, whatever is folded or filtered.
+    const arrive = () => {
+      const target = document.getElementById(decodeURIComponent(location.hash.slice(1)));
+      const claim = target && target.closest("details.claim");
+      if (!claim) return;
+      if (claim.hidden) {
+        field.value = kinds.value = "";
+        find();
+      }
+      claim.open = true;
+      target.scrollIntoView();
+    };
+    addEventListener("hashchange", arrive);
+    arrive();
+  }
+
+  // Maps say what they hold at a point, to the pointer and to the arrow keys: words that came with the drawing.
+  for (const plane of document.querySelectorAll(".plot rect.readout")) {
+    const [columns, rows, shared, cells] = ["columns", "rows", "shared", "cells"].map((name) => plane.dataset[name].split("|"));
+    const plot = plane.closest(".plot");
+    const line = make("p", { class: "said", role: "status" }, "Point at the map, or focus it and press the arrow keys, to read it out.");
+    plot.after(line);
+    const box = ["x", "y", "width", "height"].map((name) => Number(plane.getAttribute(name)));
+    const mark = document.createElementNS(plane.namespaceURI, "circle");
+    mark.setAttribute("class", "here");
+    mark.setAttribute("r", "6");
+    let place = [Math.floor(columns.length / 2), Math.floor(rows.length / 2)];
+    const hold = (index, length) => Math.max(0, Math.min(length - 1, index));
+    const say = (column, row) => {
+      place = [hold(column, columns.length), hold(row, rows.length)];
+      [column, row] = place;
+      mark.setAttribute("cx", String(box[0] + (box[2] * column) / (columns.length - 1)));
+      mark.setAttribute("cy", String(box[1] + box[3] - (box[3] * row) / (rows.length - 1)));
+      plane.after(mark);
+      const [mode, frequency, asymptote, error] = cells[row * columns.length + column].split("~");
+      line.textContent = `V = ${columns[column]} m/s, \u03c3 = ${rows[row]} Pa: ${shared[Number(mode)]}; max Im(s) = ${frequency} 1/s. `
+        + `Nearest asymptote: ${asymptote}, off by ${error} % at the nearest point of the boundary.`;
+    };
+    plane.addEventListener("pointermove", (event) => {
+      const seen = plane.getBoundingClientRect();
+      say(Math.round(((event.clientX - seen.left) / seen.width) * (columns.length - 1)),
+        Math.round(((seen.bottom - event.clientY) / seen.height) * (rows.length - 1)));
+    });
+    const steps = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
+    plot.addEventListener("keydown", (event) => {
+      const step = steps[event.key];
+      if (!step || event.altKey || event.ctrlKey || event.metaKey) return;
+      event.preventDefault();
+      say(place[0] + step[0], place[1] + step[1]);
+      mark.scrollIntoView({ block: "nearest", inline: "nearest" });
+    });
+  }
+
+  // Paper has no folds: all claims are printed open and are as they were afterwards.
+  let folded = [];
+  addEventListener("beforeprint", () => {
+    folded = [...document.querySelectorAll("details:not([open])")];
+    for (const part of folded) part.open = true;
+  });
+  addEventListener("afterprint", () => {
+    for (const part of folded) part.open = false;
+  });
+})();
