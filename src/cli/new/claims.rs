@@ -1,0 +1,93 @@
+//! The claims of a new report: those of the paper that speak of sliders like this one, each with its computed verdict.
+
+use slipmode::claims::{self, Context, Ledger, Verdict, known_ids};
+use slipmode::report::Folder;
+use slipmode::scene::{ClaimEntry, Faults, read_claims};
+use slipmode::study;
+
+use crate::cli::new::Effects;
+use crate::cli::progress::Progress;
+
+/// The claims of the paper's own report, for their words.
+const PAPER: &str = include_str!("../../../reports/im-avouac/claims.toml");
+
+/// Claims about every slider.
+const GENERAL: &[&str] =
+    &["F1", "F2", "F3", "L1", "L2", "L3", "B4", "B5", "B6", "B9", "Q1", "Q2", "Q4", "Z2", "Z3", "Z4", "Z5"];
+
+/// Claims about sliders with a < b: the transition, and what simulations show around it.
+const WEAKENING: &[&str] = &[
+    "F4", "S1", "S2", "S3", "S4", "S6", "B1", "B2", "B3", "Q3", "Q6", "N1", "N2", "N3", "N5", "N7", "N8",
+    "N10",
+];
+
+/// Claims about sliders with a > b.
+const STRENGTHENING: &[&str] = &["S5", "B2", "N9"];
+
+/// A claim with what was found.
+#[derive(Debug)]
+pub struct Decided {
+    entry: ClaimEntry,
+    verdict: Verdict,
+    /// Why nothing was found, if so.
+    reason: String,
+}
+
+/// The claims to decide, in the order of the paper's report.
+///
+/// # Errors
+/// When the list of the paper's claims is at fault.
+pub fn candidates(effects: Effects) -> Result<Vec<ClaimEntry>, Faults> {
+    let special = match effects {
+        Effects::Weakening => WEAKENING,
+        Effects::Neutral => &[],
+        Effects::Strengthening => STRENGTHENING,
+    };
+    let mut entries = read_claims("claims.toml", PAPER.as_bytes(), &known_ids())?;
+    entries.retain(|entry| GENERAL.contains(&entry.id.as_str()) || special.contains(&entry.id.as_str()));
+    Ok(entries)
+}
+
+/// A list whose verdicts stand for nothing yet.
+pub fn undecided(entries: &[ClaimEntry]) -> String {
+    entries.iter().map(|entry| section(entry, Verdict::NotChecked)).collect()
+}
+
+/// Computes what the claims of a folder need, and decides them.
+pub fn decide(folder: &Folder, progress: &Progress) -> Vec<Decided> {
+    let needs = claims::needs(&folder.claims);
+    let outcome = progress.items(|progress| study::run(&folder.scenes, &needs, &folder.references, progress));
+    let context = Context { equations: &folder.equations, outcome: &outcome };
+    let ledger = Ledger::decide(&folder.plan.name, &folder.claims, &context);
+    let pairs = folder.claims.iter().cloned().zip(ledger.claims);
+    pairs
+        .map(|(entry, found)| Decided {
+            entry,
+            verdict: found.finding.verdict,
+            reason: found.finding.remarks.join(" "),
+        })
+        .collect()
+}
+
+/// The text of `claims.toml`.
+pub fn text(name: &str, decided: &[Decided]) -> String {
+    let open = || decided.iter().filter(|claim| claim.verdict == Verdict::NotChecked);
+    let left_out: String =
+        open().map(|claim| format!("# Left out: {}. {}\n", claim.entry.id, claim.reason)).collect();
+    let sections: String = decided
+        .iter()
+        .filter(|claim| claim.verdict != Verdict::NotChecked)
+        .map(|claim| section(&claim.entry, claim.verdict))
+        .collect();
+    format!(
+        "# The paper's claims that speak of sliders like this one, each with the verdict that was computed when this file was\n\
+         # written. `slipmode verify {name}` computes them again and exits with 1 when one differs; `--claim ID` decides one.\n\
+         {left_out}{sections}"
+    )
+}
+
+fn section(entry: &ClaimEntry, verdict: Verdict) -> String {
+    let ClaimEntry { id, place, words, .. } = entry;
+    let expected = verdict.as_str();
+    format!("\n[[claim]]\nid = {id:?}\nplace = {place:?}\nwords = {words:?}\nexpected = \"{expected}\"\n")
+}
