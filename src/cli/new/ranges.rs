@@ -22,7 +22,7 @@ pub struct Ranges {
     pub stress: Decades,
     /// Loading velocities of the simulations, m/s: a decade less at the slow end.
     pub simulated_velocity: Decades,
-    /// Normal stresses of the simulations, Pa: a decade less at the low end.
+    /// Normal stresses of the simulations, Pa: a decade less at either end.
     pub simulated_stress: Decades,
 }
 
@@ -57,15 +57,15 @@ impl Ranges {
             velocity: Decades { from: low_velocity - 2, to: high_velocity + 1 },
             stress: Decades { from: low_stress - 1, to: high_stress + 1 },
             simulated_velocity: Decades { from: low_velocity - 1, to: high_velocity + 1 },
-            simulated_stress: Decades { from: low_stress, to: high_stress + 1 },
+            simulated_stress: Decades { from: low_stress, to: high_stress },
         })
     }
 }
 
 impl Decades {
-    /// Two points a decade where that is no more than a modest grid, fewer on a longer axis.
+    /// Three points a decade where that is no more than a modest grid, fewer on a longer axis.
     pub fn simulated_points(self) -> i32 {
-        (2 * (self.to - self.from) + 1).min(MOST_SIMULATED)
+        (3 * (self.to - self.from) + 1).min(MOST_SIMULATED)
     }
 }
 
@@ -112,7 +112,7 @@ mod tests {
         let ranges = Ranges::around(&slider("0.004", "0.006", "1e7")).unwrap();
         assert_eq!(ranges.velocity, Decades { from: -6, to: -1 });
         assert_eq!(ranges.stress, Decades { from: 2, to: 7 });
-        assert_eq!(ranges.simulated_stress.simulated_points(), 9);
+        assert_eq!(ranges.simulated_stress.simulated_points(), 10);
     }
 
     #[test]
