@@ -17,7 +17,6 @@ use crate::cli::progress::Progress;
 use crate::cli::terminal;
 use crate::cli::tree::{Files, OutputFolder};
 
-use claims::Decided;
 use files::folder_files;
 use ranges::Ranges;
 use scene::Typed;
@@ -60,9 +59,13 @@ pub fn run(options: &Options, progress: &Progress) -> Result<(), Failure> {
         return Err(Failure::Refused(format!("{}: exists already; name another folder", place.display())));
     }
     let effects = Effects::of(&parameters);
-    let ranges = Ranges::around(&parameters).map_err(Failure::Refused)?;
+    let mut ranges = Ranges::around(&parameters).map_err(Failure::Refused)?;
     let output = OutputFolder::create(&place)?;
-    let files = complete(&folder_files(&typed, effects, &ranges), &place, effects, progress)?;
+    let mut draft = complete(&typed, effects, &ranges, &place, *progress)?;
+    while draft.has_gaps && ranges.coarsen() {
+        draft = complete(&typed, effects, &ranges, &place, *progress)?;
+    }
+    let files = draft.files;
     output.commit(&files)?;
     let listing: String = files.keys().map(|name| format!("{}\n", place.join(name).display())).collect();
     terminal::print(&format!("{listing}next: slipmode report {}\n", place.display()))
@@ -102,15 +105,30 @@ fn read(options: &Options) -> Result<(Typed, SceneParameters), Failure> {
     Ok((typed, parameters.ok_or_else(missing)?))
 }
 
+/// A folder's files, complete.
+struct Draft {
+    files: Files,
+    /// Whether a simulation has no result, so that claims on all of them are left out.
+    has_gaps: bool,
+}
+
 /// The files with the verdicts that they have: the folder is read back as `report` will read it, and decided.
-fn complete(files: &Files, place: &Path, effects: Effects, progress: &Progress) -> Result<Files, Failure> {
-    let candidates = claims::candidates(effects)?;
-    let mut files = files.clone();
-    files.insert("claims.toml".into(), claims::undecided(&candidates));
+fn complete(
+    typed: &Typed,
+    effects: Effects,
+    ranges: &Ranges,
+    place: &Path,
+    progress: Progress,
+) -> Result<Draft, Failure> {
+    let mut files = folder_files(typed, effects, ranges);
+    files.insert("claims.toml".into(), claims::undecided(&claims::candidates(effects)?));
     let bytes = files.iter().map(|(name, text)| (name.clone(), text.clone().into_bytes())).collect();
     let source = Source::Archive(place.to_path_buf(), bytes);
     let (folder, _) = read_report_from(source, Limits::default())?;
-    let decided: Vec<Decided> = claims::decide(&folder, progress);
-    files.insert("claims.toml".into(), claims::text(&folder.plan.name, &decided));
-    Ok(files)
+    let decided = claims::decide(&folder, progress);
+    for text in files.values_mut() {
+        *text = decided.without_those_left_out(text);
+    }
+    files.insert("claims.toml".into(), decided.text(&typed.name));
+    Ok(Draft { files, has_gaps: decided.has_gaps })
 }

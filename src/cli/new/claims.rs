@@ -21,9 +21,17 @@ const WEAKENING: &[&str] =
 /// Claims about sliders with a > b.
 const STRENGTHENING: &[&str] = &["S5", "B2", "N9"];
 
-/// A claim with what was found.
+/// What was found.
 #[derive(Debug)]
 pub struct Decided {
+    claims: Vec<DecidedClaim>,
+    /// Whether a simulation has no result.
+    pub has_gaps: bool,
+}
+
+/// A claim with what was found.
+#[derive(Debug)]
+struct DecidedClaim {
     entry: ClaimEntry,
     verdict: Verdict,
     /// Why nothing was found, if so.
@@ -51,36 +59,51 @@ pub fn undecided(entries: &[ClaimEntry]) -> String {
 }
 
 /// Computes what the claims of a folder need, and decides them.
-pub fn decide(folder: &Folder, progress: &Progress) -> Vec<Decided> {
+pub fn decide(folder: &Folder, progress: Progress) -> Decided {
     let needs = claims::needs(&folder.claims);
     let outcome = progress.items(|progress| study::run(&folder.scenes, &needs, &folder.references, progress));
     let context = Context { equations: &folder.equations, outcome: &outcome };
     let ledger = Ledger::decide(&folder.plan.name, &folder.claims, &context);
     let pairs = folder.claims.iter().cloned().zip(ledger.claims);
-    pairs
-        .map(|(entry, found)| Decided {
+    let claims = pairs
+        .map(|(entry, found)| DecidedClaim {
             entry,
             verdict: found.finding.verdict,
             reason: found.finding.remarks.join(" "),
         })
-        .collect()
+        .collect();
+    let grids =
+        outcome.scenes.iter().filter_map(|scene| scene.simulations.as_ref()).flat_map(|runs| &runs.grids);
+    let mut points = grids.flat_map(|(_, grid)| &grid.values);
+    Decided { claims, has_gaps: points.any(|point| point.simulation.is_err()) }
 }
 
-/// The text of `claims.toml`.
-pub fn text(name: &str, decided: &[Decided]) -> String {
-    let open = || decided.iter().filter(|claim| claim.verdict == Verdict::NotChecked);
-    let left_out: String =
-        open().map(|claim| format!("# Left out: {}. {}\n", claim.entry.id, claim.reason)).collect();
-    let sections: String = decided
-        .iter()
-        .filter(|claim| claim.verdict != Verdict::NotChecked)
-        .map(|claim| section(&claim.entry, claim.verdict))
-        .collect();
-    format!(
-        "# The paper's claims that speak of sliders like this one, each with the verdict that was computed when this file was\n\
-         # written. `slipmode verify {name}` computes them again and exits with 1 when one differs; `--claim ID` decides one.\n\
-         {left_out}{sections}"
-    )
+impl Decided {
+    /// The text of `claims.toml`.
+    pub fn text(&self, name: &str) -> String {
+        let left_out: String = self
+            .left_out()
+            .map(|claim| format!("# Left out: {}. {}\n", claim.entry.id, claim.reason))
+            .collect();
+        let listed = self.claims.iter().filter(|claim| claim.verdict != Verdict::NotChecked);
+        let sections: String = listed.map(|claim| section(&claim.entry, claim.verdict)).collect();
+        format!(
+            "# The paper's claims that speak of sliders like this one, each with the verdict that was computed when this file was\n\
+             # written. `slipmode verify {name}` computes them again and exits with 1 when one differs; `--claim ID` decides one.\n\
+             {left_out}{sections}"
+        )
+    }
+
+    /// A chapter's prose without the lines that place a claim which the report does not list.
+    pub fn without_those_left_out(&self, prose: &str) -> String {
+        self.left_out().fold(prose.to_string(), |text, claim| {
+            text.replace(&format!("\n[[claim:{}]]\n", claim.entry.id), "")
+        })
+    }
+
+    fn left_out(&self) -> impl Iterator<Item = &DecidedClaim> {
+        self.claims.iter().filter(|claim| claim.verdict == Verdict::NotChecked)
+    }
 }
 
 fn section(entry: &ClaimEntry, verdict: Verdict) -> String {

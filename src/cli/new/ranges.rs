@@ -24,6 +24,8 @@ pub struct Ranges {
     pub simulated_velocity: Decades,
     /// Normal stresses of the simulations, Pa: a decade less at either end.
     pub simulated_stress: Decades,
+    /// Points by which each axis of the simulations was made shorter.
+    pub points_less: i32,
 }
 
 /// Decades beyond which coordinates are refused: the limits of a scene with room for the widest map.
@@ -34,6 +36,9 @@ const WITHOUT_UPPER_CORNER: i32 = 2;
 
 /// Points of a simulated axis at most.
 const MOST_SIMULATED: i32 = 13;
+
+/// Points that an axis of the simulations may lose at most; the shortest has seven.
+const MOST_POINTS_LESS: i32 = 3;
 
 /// Working precision of the corners, in bits.
 const WORKING_BITS: u32 = 96;
@@ -58,14 +63,21 @@ impl Ranges {
             stress: Decades { from: low_stress - 1, to: high_stress + 1 },
             simulated_velocity: Decades { from: low_velocity - 1, to: high_velocity + 1 },
             simulated_stress: Decades { from: low_stress, to: high_stress },
+            points_less: 0,
         })
     }
-}
 
-impl Decades {
-    /// Three points a decade where that is no more than a modest grid, fewer on a longer axis.
-    pub fn simulated_points(self) -> i32 {
-        (3 * (self.to - self.from) + 1).min(MOST_SIMULATED)
+    /// Takes a point from each simulated axis; false when enough were taken.
+    pub fn coarsen(&mut self) -> bool {
+        let more = self.points_less < MOST_POINTS_LESS;
+        self.points_less += i32::from(more);
+        more
+    }
+
+    /// Points of the simulated axes, along V and along σ: three a decade where that is no more than a modest grid.
+    pub fn simulated_points(&self) -> (i32, i32) {
+        let points = |axis: Decades| (3 * (axis.to - axis.from) + 1).min(MOST_SIMULATED) - self.points_less;
+        (points(self.simulated_velocity), points(self.simulated_stress))
     }
 }
 
@@ -112,7 +124,7 @@ mod tests {
         let ranges = Ranges::around(&slider("0.004", "0.006", "1e7")).unwrap();
         assert_eq!(ranges.velocity, Decades { from: -6, to: -1 });
         assert_eq!(ranges.stress, Decades { from: 2, to: 7 });
-        assert_eq!(ranges.simulated_stress.simulated_points(), 10);
+        assert_eq!(ranges.simulated_points(), (13, 10));
     }
 
     #[test]
@@ -120,7 +132,7 @@ mod tests {
         let equal = Ranges::around(&slider("0.005", "0.005", "1e7")).unwrap();
         assert_eq!(equal.stress, Decades { from: 2, to: 7 });
         let near = Ranges::around(&slider("0.005", "0.0050000001", "1e7")).unwrap();
-        assert!(near.stress.to > 15 && near.simulated_stress.simulated_points() == MOST_SIMULATED);
+        assert!(near.stress.to > 15 && near.simulated_points().1 == MOST_SIMULATED);
     }
 
     #[test]

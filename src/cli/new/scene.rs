@@ -32,7 +32,13 @@ pub fn scene_text(typed: &Typed, effects: Effects, ranges: &Ranges) -> String {
     let name = &typed.name;
     let map = rectangle(ranges.velocity, ranges.stress, MAP_POINTS);
     let (velocity, stress) = (ranges.simulated_velocity, ranges.simulated_stress);
-    let runs = rectangle(velocity, stress, (velocity.simulated_points(), stress.simulated_points()));
+    let runs = rectangle(velocity, stress, ranges.simulated_points());
+    let coarser = match ranges.points_less {
+        0 => "",
+        _ => {
+            "# Finer grids had a run without a result, next to the boundary, and claims on every run cannot be decided with holes.\n"
+        }
+    };
     let sections = [
         format!(
             "# What is computed for this slider. Whatever section you delete is not computed; every key is checked.\n\
@@ -56,7 +62,7 @@ pub fn scene_text(typed: &Typed, effects: Effects, ranges: &Ranges) -> String {
         ),
         format!(
             "# The nonlinear slider at every point of a coarser grid. A finer grid costs time in proportion.\n\
-             [simulations]\n{runs}laws = [\"slip\", \"aging\"]\ntolerance = 1e-8  # relative, of peak velocity and period\n"
+             {coarser}[simulations]\n{runs}laws = [\"slip\", \"aging\"]\ntolerance = 1e-8  # relative, of peak velocity and period\n"
         ),
     ];
     sections.join("\n")
