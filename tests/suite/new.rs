@@ -108,7 +108,7 @@ fn the_tolerance_table_has_a_line_for_each_formula_that_exists_and_each_error() 
     let lines = |a: &str, b: &str, errors: &[&str]| {
         let mut arguments = new("", a, b);
         arguments.splice(..2, ["tolerance"]);
-        arguments.extend(errors.iter().flat_map(|error| ["-e", error]));
+        arguments.extend(errors.iter().flat_map(|error| ["-e", *error]));
         let text = place.run(arguments).expect_success();
         text.lines().skip(1).map(str::to_string).collect::<Vec<_>>()
     };
