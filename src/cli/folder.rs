@@ -16,7 +16,7 @@ use slipmode::theory::PaperEquations;
 use crate::cli::input::{read_small_file, unreadable};
 
 /// The paper's equations for scenes that stand outside a report.
-const EQUATIONS: &str = include_str!("../../reports/im-avouac/equations.toml");
+pub const EQUATIONS: &str = include_str!("../../reports/im-avouac/equations.toml");
 
 /// Where the files of a report are.
 #[derive(Debug)]

@@ -10,6 +10,7 @@ mod environment;
 mod failure;
 mod folder;
 mod input;
+mod new;
 mod options;
 mod output;
 mod points;
@@ -19,6 +20,7 @@ mod report;
 mod roots;
 mod simulate;
 mod terminal;
+mod tolerance;
 mod tree;
 mod words;
 
@@ -56,6 +58,10 @@ enum Command {
     Simulate(simulate::Options),
     /// Runs of other programs, held against the theory and against our simulation; exits with 1 unless all agree
     Compare(compare::Options),
+    /// Which formula may be used where, for given relative errors
+    Tolerance(tolerance::Options),
+    /// A folder for a report on one's own slider, ready to be made
+    New(new::Options),
     /// One scene: its tables and figures
     Run(report::RunOptions),
     /// A report folder: its page, tables, figures and ledger
@@ -98,6 +104,8 @@ fn run(cli: Cli) -> Result<(), Failure> {
         Command::Boundary(options) => boundary::run(&options),
         Command::Simulate(options) => simulate::run(&options, &progress),
         Command::Compare(options) => compare::run(&options, progress),
+        Command::Tolerance(options) => tolerance::run(&options),
+        Command::New(options) => new::run(&options, &progress),
         Command::Run(options) => report::run(&options, &progress),
         Command::Report(options) => report::report(&options, &progress),
         Command::Verify(options) => report::verify(&options, &progress),

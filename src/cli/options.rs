@@ -6,15 +6,15 @@ use clap::Args;
 
 use slipmode::friction::Parameters;
 use slipmode::number::{Rational, parse_decimal};
-use slipmode::scene::{AllowedRange, Fault, Faults, Problem, Quantity, parameters_from};
+use slipmode::scene::{AllowedRange, Fault, Faults, Problem, Quantity, SceneParameters, parameters_from};
 use slipmode::stability::InertialThreshold;
 
 use crate::cli::failure::Failure;
 
-/// The seven physical arguments, in SI; decimals are taken exactly as written.
+/// The five arguments that are the material and the machine, in SI; decimals are taken exactly as written.
 #[derive(Debug, Clone, Args)]
 #[command(next_help_heading = "Slider (SI; decimals are exact: 0.004 is 1/250)")]
-pub struct SliderOptions {
+pub struct MaterialOptions {
     /// a of eq 1
     #[arg(short = 'a', long, value_name = "A", allow_hyphen_values = true)]
     pub direct_effect: Option<String>,
@@ -30,6 +30,55 @@ pub struct SliderOptions {
     /// M
     #[arg(short = 'm', long, value_name = "M", allow_hyphen_values = true)]
     pub mass_per_area_kg_per_m2: Option<String>,
+}
+
+impl MaterialOptions {
+    /// The quantities of the material and the machine, in the order of the command line.
+    pub const QUANTITIES: [Quantity; 5] = [
+        Quantity::DirectEffect,
+        Quantity::EvolutionEffect,
+        Quantity::CriticalSlipDistance,
+        Quantity::Stiffness,
+        Quantity::MassPerArea,
+    ];
+
+    /// The text given for a quantity; none for those of a point of operation.
+    pub fn text(&self, quantity: Quantity) -> Option<&str> {
+        match quantity {
+            Quantity::DirectEffect => self.direct_effect.as_deref(),
+            Quantity::EvolutionEffect => self.evolution_effect.as_deref(),
+            Quantity::CriticalSlipDistance => self.critical_slip_distance_m.as_deref(),
+            Quantity::Stiffness => self.stiffness_pa_per_m.as_deref(),
+            Quantity::MassPerArea => self.mass_per_area_kg_per_m2.as_deref(),
+            Quantity::NormalStress | Quantity::LoadingVelocity => None,
+        }
+    }
+
+    /// All five values; what is missing or faulty is collected in `arguments`.
+    pub fn parameters(&self, arguments: &mut Arguments) -> Option<SceneParameters> {
+        let [Some(a), Some(b), Some(d), Some(k), Some(m)] =
+            Self::QUANTITIES.map(|quantity| required(quantity, self.text(quantity), arguments))
+        else {
+            return None;
+        };
+        Some(SceneParameters {
+            direct_effect: a,
+            evolution_effect: b,
+            critical_slip_distance_m: d,
+            stiffness_pa_per_m: k,
+            mass_per_area_kg_per_m2: m,
+            normal_stress_pa: None,
+            loading_velocity_m_per_s: None,
+        })
+    }
+}
+
+/// The seven physical arguments, in SI; decimals are taken exactly as written.
+#[derive(Debug, Clone, Args)]
+#[command(next_help_heading = "Slider (SI; decimals are exact: 0.004 is 1/250)")]
+pub struct SliderOptions {
+    #[command(flatten)]
+    material: MaterialOptions,
     /// σ
     #[arg(short = 's', long, value_name = "S", allow_hyphen_values = true)]
     pub normal_stress_pa: Option<String>,
@@ -42,13 +91,9 @@ impl SliderOptions {
     /// The text given for a quantity.
     pub fn text(&self, quantity: Quantity) -> Option<&str> {
         match quantity {
-            Quantity::DirectEffect => self.direct_effect.as_deref(),
-            Quantity::EvolutionEffect => self.evolution_effect.as_deref(),
-            Quantity::CriticalSlipDistance => self.critical_slip_distance_m.as_deref(),
-            Quantity::Stiffness => self.stiffness_pa_per_m.as_deref(),
-            Quantity::MassPerArea => self.mass_per_area_kg_per_m2.as_deref(),
             Quantity::NormalStress => self.normal_stress_pa.as_deref(),
             Quantity::LoadingVelocity => self.loading_velocity_m_per_s.as_deref(),
+            of_the_material => self.material.text(of_the_material),
         }
     }
 
@@ -69,11 +114,15 @@ impl SliderOptions {
 
     /// The value of one quantity that must be given.
     pub fn required(&self, quantity: Quantity, arguments: &mut Arguments) -> Option<Rational> {
-        let (option, range) = (option_of(quantity), AllowedRange::PHYSICAL);
-        match self.text(quantity) {
-            Some(text) => arguments.number(&option, text, |text| range.parse(text)),
-            None => arguments.fault(&option, None, Problem::Missing { allowed: range.text() }),
-        }
+        required(quantity, self.text(quantity), arguments)
+    }
+}
+
+fn required(quantity: Quantity, text: Option<&str>, arguments: &mut Arguments) -> Option<Rational> {
+    let (option, range) = (option_of(quantity), AllowedRange::PHYSICAL);
+    match text {
+        Some(text) => arguments.number(&option, text, |text| range.parse(text)),
+        None => arguments.fault(&option, None, Problem::Missing { allowed: range.text() }),
     }
 }
 

@@ -112,12 +112,16 @@ pub fn verify(options: &VerifyOptions, progress: &Progress) -> Result<(), Failur
         return verify_claim(&folder, id, progress);
     }
     let (product, place) = make(options, progress)?;
-    let mut moved = differences(&product.files, &options.folder.join("published"))?;
+    let published = options.folder.join("published");
+    let mut moved = if published.exists() { differences(&product.files, &published)? } else { Vec::new() };
     moved.extend(product.files.get("index.html").and_then(|page| over_budget(page.len())));
     let drift = drift(&product.ledger);
     let mut text: String = product.ledger.claims.iter().map(claim_line).collect();
     text += &summary(&product.ledger);
     text += &format!("{}\n", place.join("index.html").display());
+    if !published.exists() {
+        text += "there is no published copy to compare with: only the verdicts were\n";
+    }
     terminal::print(&text)?;
     if drift.is_empty() && moved.is_empty() {
         return Ok(());
@@ -141,7 +145,7 @@ fn make(options: &ReportOptions, progress: &Progress) -> Result<(Product, PathBu
     let name = &folder.plan.name;
     let place = options.output.clone().unwrap_or_else(|| Path::new("target/report").join(name));
     let output = OutputFolder::create(&place)?;
-    let command = format!("slipmode report reports/{name}");
+    let command = format!("slipmode report {}", stated_place(&options.folder));
     let product = progress
         .items(|progress| produce(&folder, &command, environment.facts(), progress))
         .map_err(|error| unrenderable(&options.folder, &error))?;
@@ -152,6 +156,16 @@ fn make(options: &ReportOptions, progress: &Progress) -> Result<(Product, PathBu
     files.insert(ENVIRONMENT_FILE.into(), environment.to_json());
     output.commit(&files)?;
     Ok((product, place))
+}
+
+/// The folder as a page states it, the same wherever it is called from: its name, below `reports` if it lies there.
+fn stated_place(folder: &Path) -> String {
+    let full = folder.canonicalize().unwrap_or_else(|_| folder.to_path_buf());
+    let name = |path: &Path| path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+    match full.parent() {
+        Some(parent) if name(parent) == "reports" => format!("reports/{}", name(&full)),
+        _ => name(&full),
+    }
 }
 
 pub fn unrenderable(folder: &Path, error: &ReportError) -> Failure {

@@ -62,7 +62,7 @@ fn along_arcs(scene: &SceneOutcome) -> Option<Figure> {
     Some(figure(
         caption,
         "Figure A1",
-        "Signed relative error of each asymptote along its arc, for the paper's values: of σ at the same velocity for eqs 15 and 16, of V0 at the same normal stress for eqs 18 and 20. The lower arc turns back at the cusp.",
+        "Signed relative error of each asymptote along its arc, for a < b: of σ at the same velocity for eqs 15 and 16, of V0 at the same normal stress for eqs 18 and 20. The lower arc turns back at the cusp.",
         chart.svg(),
     ))
 }
@@ -148,7 +148,7 @@ fn good_enough(scene: &SceneOutcome) -> Option<Figure> {
     Some(figure(
         caption,
         "Figure A3",
-        "Where each asymptote may be used instead of the exact boundary, for the paper's values, by the velocity on the boundary.",
+        "Where each asymptote may be used instead of the exact boundary, for a < b, by the velocity on the boundary.",
         chart.svg(),
     ))
 }

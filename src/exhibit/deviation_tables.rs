@@ -5,6 +5,8 @@ use crate::exhibit::TableMaker;
 use crate::exhibit::tables::unless_empty;
 use crate::number::Ball;
 use crate::number::format::{certain_digits, rational_to_decimal};
+use crate::stability::Asymptote;
+use crate::stability::tolerance::Limit;
 use crate::study::Need;
 use crate::table::{Cell, Column, Table};
 
@@ -49,11 +51,7 @@ fn tolerance(context: &Context) -> Option<Table> {
                 Cell::text(&scene.scene.name),
                 Cell::text(limit.asymptote.as_str()),
                 Cell::number(rational_to_decimal(&row.tolerance, 6)),
-                Cell::text(place(
-                    quasi_static,
-                    limit.whole_branch,
-                    limit.asymptote == crate::stability::Asymptote::InertialUpper,
-                )),
+                Cell::text(place_of_limit(limit)),
                 number(&row.in_si),
                 number(group),
                 Cell::number(rational_to_decimal(&limit.leading, ERROR_DIGITS)),
@@ -64,8 +62,11 @@ fn tolerance(context: &Context) -> Option<Table> {
     unless_empty(table)
 }
 
-fn place(quasi_static: bool, whole_branch: bool, above: bool) -> &'static str {
-    match (quasi_static, whole_branch, above) {
+/// On which side of its limit an asymptote is good: of V0 for eqs 15 and 16, of σ for eqs 18 and 20.
+#[must_use]
+pub fn place_of_limit(limit: &Limit) -> &'static str {
+    let above = limit.asymptote == Asymptote::InertialUpper;
+    match (limit.asymptote.is_quasi_static(), limit.whole_branch, above) {
         (true, true, _) => "V0 up to the cusp",
         (true, false, _) => "V0 below",
         (false, true, _) => "σ up to the cusp",

@@ -13,7 +13,7 @@ pub(super) const FIGURES: &[FigureMaker] = &[FigureMaker {
     make: |outcome| frequency_lines(outcome.potentially_unstable()?),
 }];
 
-const DESCRIPTION: &str = "Largest imaginary part against loading velocity at three normal stresses, on logarithmic axes. At the critical normal stress it follows eq 23 at low velocity and bends to the natural frequency; at a third of it and at three times it there are stretches with frequency zero.";
+const DESCRIPTION: &str = "Largest imaginary part against loading velocity at constant normal stresses, on logarithmic axes. At the critical normal stress it follows eq 23 at low velocity and bends to the natural frequency; where a line has a gap the frequency is zero.";
 
 fn frequency_lines(scene: &SceneOutcome) -> Option<Figure> {
     let (parameters, outcome) = (scene.parameters()?, scene.frequency.as_ref()?);

@@ -18,7 +18,7 @@ pub(super) const FIGURES: &[FigureMaker] = &[
         id: "fig-6a",
         needs: &[Need::Map, Need::Boundary],
         data: &["boundary"],
-        make: |outcome| frequency_map(outcome.intrinsically_stable()?, &FIG_6A),
+        make: |outcome| frequency_map(outcome.never_unstable()?, &FIG_6A),
     },
     FigureMaker {
         id: "fig-7a",
@@ -30,7 +30,7 @@ pub(super) const FIGURES: &[FigureMaker] = &[
         id: "fig-7b",
         needs: &[Need::Map, Need::Zones, Need::Boundary],
         data: &["zones"],
-        make: |outcome| zone_map(outcome.intrinsically_stable()?, &FIG_7B),
+        make: |outcome| zone_map(outcome.never_unstable()?, &FIG_7B),
     },
 ];
 
@@ -47,16 +47,16 @@ const FIG_1: Words = Words {
     id: "fig-1",
     label: "Figure 1",
     title: "Largest imaginary part of the roots of eq 8, a < b",
-    caption: "Largest imaginary part of the three roots for the paper's values (compare fig 1 of the paper). Every point was classified exactly; the solid line is the exact boundary, the dashed lines are its four asymptotes, and the white line is the transition.",
+    caption: "Largest imaginary part of the three roots for a < b (compare fig 1 of the paper). Every point was classified exactly; the solid line is the exact boundary, the dashed lines are its four asymptotes, and the white line is the transition.",
     description: "Map over loading velocity and normal stress. Two uncoloured areas without oscillation, one at high normal stress and one at low normal stress, are bounded by exact lines that join pairs of dashed asymptotes; the lower area ends in a cusp to the right of the asymptotes' corner. The frequency rises from left to right and saturates at the natural frequency.",
 };
 
 const FIG_6A: Words = Words {
     id: "fig-6a",
     label: "Figure 6a",
-    title: "Largest imaginary part of the roots of eq 8, a > b",
-    caption: "The same for a and b exchanged (compare fig 6a of the paper). There is no transition; the line of eq 20 stands at another velocity than in figure 1, and so do the contours.",
-    description: "Map over loading velocity and normal stress for a greater than b: two uncoloured areas as before, no transition line.",
+    title: "Largest imaginary part of the roots of eq 8, a ≥ b",
+    caption: "Largest imaginary part of the three roots for a ≥ b (compare fig 6a of the paper). Every point was classified exactly. There is no transition; with a and b exchanged the line of eq 20 would stand at another velocity, and so would the contours.",
+    description: "Map over loading velocity and normal stress for a not below b: uncoloured areas without oscillation at low and, unless a equals b, at high normal stress, bounded by exact lines that join pairs of dashed asymptotes; no transition line.",
 };
 
 const FIG_7A: Words = Words {
@@ -64,15 +64,15 @@ const FIG_7A: Words = Words {
     label: "Figure 7a",
     title: "Slip modes, a < b",
     caption: "Slip modes decided exactly at every point (compare fig 7a of the paper), with the exact boundary, the asymptotes and the transition over them.",
-    description: "Map of five slip modes over loading velocity and normal stress: overdamped stable sliding at low stress and low velocity, non-inertial and inertial underdamped oscillation around it, stick-slip at high stress, harmonic vibration at high velocity.",
+    description: "Map of the slip modes over loading velocity and normal stress: overdamped stable sliding at low stress and low velocity, non-inertial and inertial underdamped oscillation around it, stick-slip at high stress, harmonic vibration at high velocity.",
 };
 
 const FIG_7B: Words = Words {
     id: "fig-7b",
     label: "Figure 7b",
-    title: "Slip modes, a > b",
-    caption: "The same for a > b (compare fig 7b of the paper): everything is stable, and the upper area is an overdamped oscillation.",
-    description: "Map of four slip modes over loading velocity and normal stress: overdamped stable sliding, non-inertial and inertial underdamped oscillation, and overdamped oscillation at high stress.",
+    title: "Slip modes, a ≥ b",
+    caption: "Slip modes decided exactly at every point for a ≥ b (compare fig 7b of the paper): everything is stable, and the upper area is an overdamped oscillation.",
+    description: "Map of the slip modes over loading velocity and normal stress: overdamped stable sliding, non-inertial and inertial underdamped oscillation, and overdamped oscillation at high stress.",
 };
 
 fn figure(words: &Words, svg: String) -> Figure {

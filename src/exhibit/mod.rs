@@ -32,5 +32,6 @@ mod trajectory_figures;
 mod trajectory_tables;
 
 pub use boundary_tables::{boundary_columns, boundary_row, vanishes};
+pub use deviation_tables::place_of_limit;
 pub use figures::{Figure, FigureMaker, figure_makers};
 pub use tables::{TableMaker, table_makers};

@@ -12,12 +12,12 @@ pub(super) const FIGURES: &[FigureMaker] = &[FigureMaker {
     id: "fig-6a-simulated",
     needs: &[Need::Simulations, Need::Boundary],
     data: &["simulations"],
-    make: |outcome| overshoot_map(outcome.intrinsically_stable()?),
+    make: |outcome| overshoot_map(outcome.never_unstable()?),
 }];
 
-const TITLE: &str = "Overshoot of the simulated approach to steady sliding, slip law, a > b";
-const DESCRIPTION: &str = "Map over loading velocity and normal stress for a greater than b. Nothing overshoots in an uncoloured area at high normal stress whose edge runs along the exact upper boundary, a little above it. Everywhere else the velocity passes the loading velocity, by more at higher loading velocity; in the lower area, which the linear theory calls overdamped, it still does so, by 2.6 to 37 per cent, and the colour goes on across the lower boundary without a step.";
-const CAPTION: &str = "By how much the velocity passes the loading velocity after a start at a tenth of it, as a share of the loading velocity, simulated on a grid of quarter decades with the slip law (compare fig 6a of the paper; every run ends in steady sliding). The exact boundary and its asymptotes lie over it, with the points of figs 6b to 6d. On the exact upper boundary the overshoot is 1.6 % at most, and a third of a decade above it there is none, as at a critical damping. In the lower area runs pass the loading velocity by 2.6 to 37 % and return, although no root of eq 8 is complex there. Values are converged; the edges of colour are sampled, half-way between grid points.";
+const TITLE: &str = "Overshoot of the simulated approach to steady sliding, slip law, a ≥ b";
+const DESCRIPTION: &str = "Map over loading velocity and normal stress for a not below b. Nothing overshoots in an uncoloured area at high normal stress, where there is one; its edge runs along the exact upper boundary. Everywhere else the velocity passes the loading velocity, by more at higher loading velocity; in the lower area, which the linear theory calls overdamped, it still does so, and the colour goes on across the lower boundary without a step.";
+const CAPTION: &str = "By how much the velocity passes the loading velocity after a start at a tenth of it, as a share of the loading velocity, simulated on a grid with the slip law (compare fig 6a of the paper; every run ends in steady sliding). The exact boundary and its asymptotes lie over it. Along the exact upper boundary the overshoot ends, as at a critical damping; in the lower area runs pass the loading velocity and return, although no root of eq 8 is complex there. Values are converged; the edges of colour are sampled, half-way between grid points.";
 
 /// The law of the paper's figure.
 const LAW: EvolutionLaw = EvolutionLaw::Slip;

@@ -17,7 +17,8 @@ pub(super) const FIGURES: &[FigureMaker] = &[FigureMaker {
 
 const TITLE: &str = "Peak velocity of the simulated limit cycles, slip law, a < b";
 const DESCRIPTION: &str = "Map over loading velocity and normal stress. Simulations that end in steady sliding fill the lower left and are uncoloured, up to the line of the transition. Beyond it the peak velocity grows with normal stress; from left to right it falls to a minimum near equation 18 and rises after it.";
-const CAPTION: &str = "Peak velocity of the limit cycle, simulated on a grid of quarter decades with the slip law (compare fig 3a of the paper). Points that end in steady sliding are uncoloured. The exact boundary, its asymptotes and the transition of the linear theory lie over it; the dotted line joins the least peak velocities at given normal stress (compare fig 5). Letters mark the points of figs 3b to 3g. The edge of the colour lies half-way between grid points.";
+const LETTERS: &str = " Letters mark the points of figs 3b to 3g.";
+const CAPTION: &str = "Peak velocity of the limit cycle, simulated on a grid with the slip law (compare fig 3a of the paper). Points that end in steady sliding are uncoloured. The exact boundary, its asymptotes and the transition of the linear theory lie over it; the dotted line joins the least peak velocities at given normal stress (compare fig 5). The edge of the colour lies half-way between grid points.";
 
 fn peak_map(scene: &SceneOutcome) -> Option<Figure> {
     let outcome = scene.simulations.as_ref()?;
@@ -51,7 +52,11 @@ fn peak_map(scene: &SceneOutcome) -> Option<Figure> {
     highest.is_normal().then(|| Figure {
         id: "fig-3a".into(),
         label: "Figure 3a".into(),
-        caption_markdown: CAPTION.into(),
+        caption_markdown: if scene.trajectories.is_some() {
+            format!("{CAPTION}{LETTERS}")
+        } else {
+            CAPTION.into()
+        },
         description: DESCRIPTION.into(),
         svg: map.svg(),
     })

@@ -53,7 +53,7 @@ fn simulations(context: &Context) -> Option<Table> {
         Column::number("period_relative_error", "Error of the period", ""),
         Column::text("failure", "Failure"),
     ];
-    let mut table = Table::new("simulations", "Simulations on the grid of fig 3a", columns)
+    let mut table = Table::new("simulations", "Simulations, grid by grid", columns)
         .with_note("Start: steady sliding at V_l/10. Peak and stress drop are those of the limit cycle, or of the transient of a decay; the period is that of the cycle or of the small oscillation at the end. Errors are relative estimates from a second run at a tenth of the tolerance.");
     for_each_point(context, |scene, law, velocity, stress, point| {
         let found = point.simulation.as_ref().ok();

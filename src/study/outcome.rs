@@ -101,6 +101,12 @@ impl Outcome {
         self.first_with(|p| p.evolution_effect < p.direct_effect)
     }
 
+    /// The first scene whose a is not below its b: the slider that no velocity makes unstable.
+    #[must_use]
+    pub fn never_unstable(&self) -> Option<&SceneOutcome> {
+        self.first_with(|p| p.evolution_effect <= p.direct_effect)
+    }
+
     fn first_with(&self, wanted: impl Fn(&SceneParameters) -> bool) -> Option<&SceneOutcome> {
         self.scenes.iter().find(|scene| scene.parameters().is_some_and(&wanted))
     }

@@ -15,6 +15,7 @@ mod hard_cases;
 mod hard_points;
 mod harness;
 mod near_transition;
+mod new;
 mod outputs;
 mod points;
 mod readme;

@@ -13,7 +13,11 @@ pub fn run() -> Result<(), Failure> {
     let mut worst = 0;
     let mut unverified = Vec::new();
     for name in repository::reports()? {
-        let code = slipmode(&["verify"], &name)?;
+        let mut code = slipmode(&["verify"], &name)?;
+        if !repository::root().join("reports").join(&name).join("published").is_dir() {
+            eprintln!("verify: reports/{name} has no published copy; `cargo xtask bless` makes it");
+            code = code.max(1);
+        }
         if code != 0 {
             unverified.push(name);
         }

@@ -1,0 +1,134 @@
+//! `slipmode new`: a report folder for one's own slider, commented, checked by reading it back, with verdicts computed.
+
+mod claims;
+mod files;
+mod ranges;
+mod scene;
+
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use slipmode::scene::{Fault, Limits, Problem, SceneParameters, check_name};
+
+use crate::cli::failure::Failure;
+use crate::cli::folder::{Source, read_report_from};
+use crate::cli::options::{Arguments, MaterialOptions};
+use crate::cli::progress::Progress;
+use crate::cli::terminal;
+use crate::cli::tree::{Files, OutputFolder};
+
+use files::folder_files;
+use ranges::Ranges;
+use scene::Typed;
+
+/// Options of `new`.
+#[derive(Debug, Args)]
+pub struct Options {
+    /// The report's name: A-Z a-z 0-9 . _ -
+    #[arg(value_name = "NAME", allow_hyphen_values = true)]
+    name: String,
+    #[command(flatten)]
+    material: MaterialOptions,
+    /// The folder to write; it must not exist [default: NAME]
+    #[arg(short, long, value_name = "DIR")]
+    output: Option<PathBuf>,
+}
+
+/// The paper's slider, in the order of the command line: what a folder starts from when no values are given.
+const PAPER: [&str; 5] = ["0.004", "0.006", "10e-6", "10e6", "1000"];
+
+/// Which of the two effects is larger: what exists depends on it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Effects {
+    /// a < b: velocity weakening, with a stability transition.
+    Weakening,
+    /// a = b: no transition and no upper boundary.
+    Neutral,
+    /// a > b: velocity strengthening, no transition.
+    Strengthening,
+}
+
+/// Writes the folder.
+///
+/// # Errors
+/// When the arguments are at fault, the place is taken, or the slider's corners lie beyond what a scene can hold.
+pub fn run(options: &Options, progress: &Progress) -> Result<(), Failure> {
+    let (typed, parameters) = read(options)?;
+    let place = options.output.clone().unwrap_or_else(|| PathBuf::from(&options.name));
+    if place.symlink_metadata().is_ok() {
+        return Err(Failure::Refused(format!("{}: exists already; name another folder", place.display())));
+    }
+    let effects = Effects::of(&parameters);
+    let mut ranges = Ranges::around(&parameters).map_err(Failure::Refused)?;
+    let output = OutputFolder::create(&place)?;
+    let mut draft = complete(&typed, effects, &ranges, &place, *progress)?;
+    while draft.has_gaps && ranges.coarsen() {
+        draft = complete(&typed, effects, &ranges, &place, *progress)?;
+    }
+    let files = draft.files;
+    output.commit(&files)?;
+    let listing: String = files.keys().map(|name| format!("{}\n", place.join(name).display())).collect();
+    terminal::print(&format!("{listing}next: slipmode report {}\n", place.display()))
+}
+
+impl Effects {
+    fn of(parameters: &SceneParameters) -> Self {
+        match parameters.direct_effect.cmp(&parameters.evolution_effect) {
+            std::cmp::Ordering::Less => Self::Weakening,
+            std::cmp::Ordering::Equal => Self::Neutral,
+            std::cmp::Ordering::Greater => Self::Strengthening,
+        }
+    }
+}
+
+/// The name and the numbers as typed, and the numbers as exact values.
+fn read(options: &Options) -> Result<(Typed, SceneParameters), Failure> {
+    let mut arguments = Arguments::default();
+    if let Err(error) = check_name(&options.name) {
+        arguments.fault::<()>("NAME", Some(&format!("{:?}", options.name)), Problem::BadName(error));
+    }
+    let given = MaterialOptions::QUANTITIES.map(|quantity| options.material.text(quantity));
+    let is_example = given.iter().all(Option::is_none);
+    let [a, b, d, k, m] = if is_example { PAPER.map(Some) } else { given };
+    let own = |text: Option<&str>| text.map(str::to_string);
+    let material = MaterialOptions {
+        direct_effect: own(a),
+        evolution_effect: own(b),
+        critical_slip_distance_m: own(d),
+        stiffness_pa_per_m: own(k),
+        mass_per_area_kg_per_m2: own(m),
+    };
+    let parameters = material.parameters(&mut arguments);
+    arguments.finish()?;
+    let missing = || Failure::Input(Vec::<Fault>::new());
+    let typed = Typed { name: options.name.clone(), material, is_example };
+    Ok((typed, parameters.ok_or_else(missing)?))
+}
+
+/// A folder's files, complete.
+struct Draft {
+    files: Files,
+    /// Whether a simulation has no result, so that claims on all of them are left out.
+    has_gaps: bool,
+}
+
+/// The files with the verdicts that they have: the folder is read back as `report` will read it, and decided.
+fn complete(
+    typed: &Typed,
+    effects: Effects,
+    ranges: &Ranges,
+    place: &Path,
+    progress: Progress,
+) -> Result<Draft, Failure> {
+    let mut files = folder_files(typed, effects, ranges);
+    files.insert("claims.toml".into(), claims::undecided(&claims::candidates(effects)?));
+    let bytes = files.iter().map(|(name, text)| (name.clone(), text.clone().into_bytes())).collect();
+    let source = Source::Archive(place.to_path_buf(), bytes);
+    let (folder, _) = read_report_from(source, Limits::default())?;
+    let decided = claims::decide(&folder, progress);
+    for text in files.values_mut() {
+        *text = decided.without_those_left_out(text);
+    }
+    files.insert("claims.toml".into(), decided.text(&typed.name));
+    Ok(Draft { files, has_gaps: decided.has_gaps })
+}

@@ -1,0 +1,113 @@
+//! The claims of a new report: those of the paper that speak of sliders like this one, each with its computed verdict.
+
+use slipmode::claims::{self, Context, Ledger, Verdict, known_ids};
+use slipmode::report::Folder;
+use slipmode::scene::{ClaimEntry, Faults, read_claims};
+use slipmode::study;
+
+use crate::cli::new::Effects;
+use crate::cli::progress::Progress;
+
+/// The claims of the paper's own report, for their words.
+const PAPER: &str = include_str!("../../../reports/im-avouac/claims.toml");
+
+/// Claims on which the formulas rest for every slider; those that compare a < b with a > b are left to the paper's report.
+const GENERAL: &[&str] = &["F2", "L1", "L2", "L3", "B4", "B5", "Q1", "Q2", "Z3", "Z4", "Z5"];
+
+/// Claims about sliders with a < b: the transition, and what simulations show around it.
+const WEAKENING: &[&str] =
+    &["F4", "S1", "S2", "S4", "S6", "B1", "B2", "B3", "Q3", "Q6", "N1", "N2", "N3", "N5", "N7", "N8", "N10"];
+
+/// Claims about sliders with a > b.
+const STRENGTHENING: &[&str] = &["S5", "B2", "N9"];
+
+/// What was found.
+#[derive(Debug)]
+pub struct Decided {
+    claims: Vec<DecidedClaim>,
+    /// Whether a simulation has no result.
+    pub has_gaps: bool,
+}
+
+/// A claim with what was found.
+#[derive(Debug)]
+struct DecidedClaim {
+    entry: ClaimEntry,
+    verdict: Verdict,
+    /// Why nothing was found, if so.
+    reason: String,
+}
+
+/// The claims to decide, in the order of the paper's report.
+///
+/// # Errors
+/// When the list of the paper's claims is at fault.
+pub fn candidates(effects: Effects) -> Result<Vec<ClaimEntry>, Faults> {
+    let special = match effects {
+        Effects::Weakening => WEAKENING,
+        Effects::Neutral => &[],
+        Effects::Strengthening => STRENGTHENING,
+    };
+    let mut entries = read_claims("claims.toml", PAPER.as_bytes(), &known_ids())?;
+    entries.retain(|entry| GENERAL.contains(&entry.id.as_str()) || special.contains(&entry.id.as_str()));
+    Ok(entries)
+}
+
+/// A list whose verdicts stand for nothing yet.
+pub fn undecided(entries: &[ClaimEntry]) -> String {
+    entries.iter().map(|entry| section(entry, Verdict::NotChecked)).collect()
+}
+
+/// Computes what the claims of a folder need, and decides them.
+pub fn decide(folder: &Folder, progress: Progress) -> Decided {
+    let needs = claims::needs(&folder.claims);
+    let outcome = progress.items(|progress| study::run(&folder.scenes, &needs, &folder.references, progress));
+    let context = Context { equations: &folder.equations, outcome: &outcome };
+    let ledger = Ledger::decide(&folder.plan.name, &folder.claims, &context);
+    let pairs = folder.claims.iter().cloned().zip(ledger.claims);
+    let claims = pairs
+        .map(|(entry, found)| DecidedClaim {
+            entry,
+            verdict: found.finding.verdict,
+            reason: found.finding.remarks.join(" "),
+        })
+        .collect();
+    let grids =
+        outcome.scenes.iter().filter_map(|scene| scene.simulations.as_ref()).flat_map(|runs| &runs.grids);
+    let mut points = grids.flat_map(|(_, grid)| &grid.values);
+    Decided { claims, has_gaps: points.any(|point| point.simulation.is_err()) }
+}
+
+impl Decided {
+    /// The text of `claims.toml`.
+    pub fn text(&self, name: &str) -> String {
+        let left_out: String = self
+            .left_out()
+            .map(|claim| format!("# Left out: {}. {}\n", claim.entry.id, claim.reason))
+            .collect();
+        let listed = self.claims.iter().filter(|claim| claim.verdict != Verdict::NotChecked);
+        let sections: String = listed.map(|claim| section(&claim.entry, claim.verdict)).collect();
+        format!(
+            "# The paper's claims that speak of sliders like this one, each with the verdict that was computed when this file was\n\
+             # written. `slipmode verify {name}` computes them again and exits with 1 when one differs; `--claim ID` decides one.\n\
+             {left_out}{sections}"
+        )
+    }
+
+    /// A chapter's prose without the lines that place a claim which the report does not list.
+    pub fn without_those_left_out(&self, prose: &str) -> String {
+        self.left_out().fold(prose.to_string(), |text, claim| {
+            text.replace(&format!("\n[[claim:{}]]\n", claim.entry.id), "")
+        })
+    }
+
+    fn left_out(&self) -> impl Iterator<Item = &DecidedClaim> {
+        self.claims.iter().filter(|claim| claim.verdict == Verdict::NotChecked)
+    }
+}
+
+fn section(entry: &ClaimEntry, verdict: Verdict) -> String {
+    let ClaimEntry { id, place, words, .. } = entry;
+    let expected = verdict.as_str();
+    format!("\n[[claim]]\nid = {id:?}\nplace = {place:?}\nwords = {words:?}\nexpected = \"{expected}\"\n")
+}

@@ -1,0 +1,124 @@
+//! The files of a new report, but for its claims.
+
+use slipmode::scene::Quantity;
+
+use crate::cli::folder::EQUATIONS;
+use crate::cli::new::Effects;
+use crate::cli::new::ranges::Ranges;
+use crate::cli::new::scene::{Typed, scene_text};
+use crate::cli::tree::Files;
+
+/// A chapter: its id, which is its file's name too, its title and its text.
+struct Chapter {
+    id: &'static str,
+    title: &'static str,
+    prose: &'static str,
+}
+
+const INTRODUCTION: Chapter = Chapter {
+    id: "introduction",
+    title: "What this slider does, and which formula may be used for it",
+    prose: include_str!("../../../templates/new/introduction.md"),
+};
+
+/// For a < b.
+const WEAKENING: &[Chapter] = &[
+    INTRODUCTION,
+    Chapter {
+        id: "map",
+        title: "Where it is stable, and where it oscillates",
+        prose: include_str!("../../../templates/new/map-weakening.md"),
+    },
+    Chapter {
+        id: "frequency",
+        title: "How fast it oscillates",
+        prose: include_str!("../../../templates/new/frequency.md"),
+    },
+    Chapter {
+        id: "formulas",
+        title: "Which formula, where, for which error",
+        prose: include_str!("../../../templates/new/formulas-weakening.md"),
+    },
+    Chapter {
+        id: "slip-modes",
+        title: "Slip modes",
+        prose: include_str!("../../../templates/new/slip-modes-weakening.md"),
+    },
+    Chapter {
+        id: "simulations",
+        title: "What simulations show",
+        prose: include_str!("../../../templates/new/simulations-weakening.md"),
+    },
+];
+
+/// For a ≥ b: nothing that needs a critical normal stress.
+const NEVER_UNSTABLE: &[Chapter] = &[
+    INTRODUCTION,
+    Chapter {
+        id: "map",
+        title: "Where it oscillates on its way to steady sliding",
+        prose: include_str!("../../../templates/new/map-stable.md"),
+    },
+    Chapter {
+        id: "formulas",
+        title: "Which formula, where, for which error",
+        prose: include_str!("../../../templates/new/formulas-stable.md"),
+    },
+    Chapter {
+        id: "slip-modes",
+        title: "Slip modes",
+        prose: include_str!("../../../templates/new/slip-modes-stable.md"),
+    },
+    Chapter {
+        id: "simulations",
+        title: "What simulations show",
+        prose: include_str!("../../../templates/new/simulations-stable.md"),
+    },
+];
+
+/// Every file but `claims.toml`.
+pub fn folder_files(typed: &Typed, effects: Effects, ranges: &Ranges) -> Files {
+    let chapters = if effects == Effects::Weakening { WEAKENING } else { NEVER_UNSTABLE };
+    let prose = chapters
+        .iter()
+        .map(|chapter| (format!("prose/{}.md", chapter.id), filled(chapter.prose, typed, effects)));
+    let scene = (format!("scenes/{}.toml", typed.name), scene_text(typed, effects, ranges));
+    let rest = [
+        ("report.toml".into(), report_text(&typed.name, chapters)),
+        ("equations.toml".into(), EQUATIONS.to_string()),
+        scene,
+    ];
+    prose.chain(rest).collect()
+}
+
+fn report_text(name: &str, chapters: &[Chapter]) -> String {
+    let head = format!(
+        "# What the report is called, which scenes it computes, and its chapters; the first chapter is the summary.\n\
+         # Add a scene: write scenes/OTHER.toml and list it. Add a chapter: write prose/OTHER.md and list it.\n\
+         name = \"{name}\"\ntitle = \"{name}\"\nscenes = [\"{name}\"]\n"
+    );
+    let section = |chapter: &Chapter| {
+        let Chapter { id, title, .. } = chapter;
+        format!("\n[[chapter]]\nid = \"{id}\"\ntitle = \"{title}\"\nprose = \"{id}.md\"\n")
+    };
+    std::iter::once(head).chain(chapters.iter().map(section)).collect()
+}
+
+/// The prose with the slider's name and numbers in place.
+fn filled(prose: &str, typed: &Typed, effects: Effects) -> String {
+    let comparison = match effects {
+        Effects::Weakening => "a < b",
+        Effects::Neutral => "a = b",
+        Effects::Strengthening => "a > b",
+    };
+    let values = [
+        ("{name}", typed.name.as_str()),
+        ("{comparison}", comparison),
+        ("{a}", typed.text(Quantity::DirectEffect)),
+        ("{b}", typed.text(Quantity::EvolutionEffect)),
+        ("{d}", typed.text(Quantity::CriticalSlipDistance)),
+        ("{k}", typed.text(Quantity::Stiffness)),
+        ("{m}", typed.text(Quantity::MassPerArea)),
+    ];
+    values.into_iter().fold(prose.to_string(), |text, (key, value)| text.replace(key, value))
+}

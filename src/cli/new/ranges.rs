@@ -1,0 +1,142 @@
+//! The part of the (V, σ) plane that a slider's report shows: all corners of its boundary, in whole decades.
+
+use slipmode::number::{Ball, Rational};
+use slipmode::scene::SceneParameters;
+use slipmode::stability::{Arc, asymptote};
+
+/// Two powers of ten.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Decades {
+    /// The exponent of the lower end.
+    pub from: i32,
+    /// The exponent of the upper end, greater than `from`.
+    pub to: i32,
+}
+
+/// The axes of the maps and of the grid of simulations.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Ranges {
+    /// Loading velocities of the maps, m/s.
+    pub velocity: Decades,
+    /// Normal stresses of the maps, Pa.
+    pub stress: Decades,
+    /// Loading velocities of the simulations, m/s: a decade less at the slow end.
+    pub simulated_velocity: Decades,
+    /// Normal stresses of the simulations, Pa: a decade less at either end.
+    pub simulated_stress: Decades,
+    /// Points by which each axis of the simulations was made shorter.
+    pub points_less: i32,
+}
+
+/// Decades beyond which coordinates are refused: the limits of a scene with room for the widest map.
+const FARTHEST: f64 = 250.0;
+
+/// Decades above the lower corner that are shown when there is no upper one.
+const WITHOUT_UPPER_CORNER: i32 = 2;
+
+/// Points of a simulated axis at most.
+const MOST_SIMULATED: i32 = 13;
+
+/// Points that an axis of the simulations may lose at most; the shortest has seven.
+const MOST_POINTS_LESS: i32 = 3;
+
+/// Working precision of the corners, in bits.
+const WORKING_BITS: u32 = 96;
+
+impl Ranges {
+    /// From two decades (V) or one (σ) below the lower corner of the asymptotes to one above the upper corner.
+    ///
+    /// σ_c and V_c lie between the two corners: σ_c is the geometric mean of their normal stresses.
+    pub fn around(parameters: &SceneParameters) -> Result<Self, String> {
+        let (low_stress, low_velocity) = corner(parameters, Arc::Lower)?;
+        let has_upper = parameters.direct_effect != parameters.evolution_effect;
+        let (high_stress, high_velocity) = if has_upper {
+            corner(parameters, Arc::Upper)?
+        } else {
+            let up = f64::from(WITHOUT_UPPER_CORNER);
+            (low_stress + up, low_velocity + up)
+        };
+        let (low_velocity, high_velocity) = (whole(low_velocity.floor()), whole(high_velocity.ceil()));
+        let (low_stress, high_stress) = (whole(low_stress.floor()), whole(high_stress.ceil()));
+        Ok(Self {
+            velocity: Decades { from: low_velocity - 2, to: high_velocity + 1 },
+            stress: Decades { from: low_stress - 1, to: high_stress + 1 },
+            simulated_velocity: Decades { from: low_velocity - 1, to: high_velocity + 1 },
+            simulated_stress: Decades { from: low_stress, to: high_stress },
+            points_less: 0,
+        })
+    }
+
+    /// Takes a point from each simulated axis; false when enough were taken.
+    pub fn coarsen(&mut self) -> bool {
+        let more = self.points_less < MOST_POINTS_LESS;
+        self.points_less += i32::from(more);
+        more
+    }
+
+    /// Points of the simulated axes, along V and along σ: three a decade where that is no more than a modest grid.
+    pub fn simulated_points(&self) -> (i32, i32) {
+        let points = |axis: Decades| (3 * (axis.to - axis.from) + 1).min(MOST_SIMULATED) - self.points_less;
+        (points(self.simulated_velocity), points(self.simulated_stress))
+    }
+}
+
+/// log10 of σ and V0 where the two asymptotes of an arc cross.
+fn corner(parameters: &SceneParameters, arc: Arc) -> Result<(f64, f64), String> {
+    let slider = parameters
+        .at(Rational::from(1), Rational::from(1))
+        .map(|value| Ball::from_rational(value, WORKING_BITS));
+    let (stress, velocity) = asymptote::corner(arc, &slider);
+    let decades = [stress, velocity].map(|value| libm::log10(value.to_f64()));
+    let [stress, velocity] = decades;
+    if decades.iter().all(|decade| decade.abs() <= FARTHEST) {
+        return Ok((stress, velocity));
+    }
+    Err("the boundary of this slider lies beyond 1e-250 to 1e250 m/s or Pa: no map can show it".into())
+}
+
+/// An exponent whose size was checked.
+#[expect(clippy::cast_possible_truncation, reason = "within the decades that were checked")]
+fn whole(exponent: f64) -> i32 {
+    exponent as i32
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use slipmode::number::parse_decimal;
+
+    fn slider(a: &str, b: &str, stiffness: &str) -> SceneParameters {
+        let [a, b, d, k, m] = [a, b, "1e-5", stiffness, "1000"].map(|text| parse_decimal(text).unwrap());
+        SceneParameters {
+            direct_effect: a,
+            evolution_effect: b,
+            critical_slip_distance_m: d,
+            stiffness_pa_per_m: k,
+            mass_per_area_kg_per_m2: m,
+            normal_stress_pa: None,
+            loading_velocity_m_per_s: None,
+        }
+    }
+
+    #[test]
+    fn the_papers_slider_is_shown_where_the_paper_shows_it() {
+        let ranges = Ranges::around(&slider("0.004", "0.006", "1e7")).unwrap();
+        assert_eq!(ranges.velocity, Decades { from: -6, to: -1 });
+        assert_eq!(ranges.stress, Decades { from: 2, to: 7 });
+        assert_eq!(ranges.simulated_points(), (13, 10));
+    }
+
+    #[test]
+    fn equal_effects_have_no_upper_corner_and_near_ones_a_far_one() {
+        let equal = Ranges::around(&slider("0.005", "0.005", "1e7")).unwrap();
+        assert_eq!(equal.stress, Decades { from: 2, to: 7 });
+        let near = Ranges::around(&slider("0.005", "0.0050000001", "1e7")).unwrap();
+        assert!(near.stress.to > 15 && near.simulated_points().1 == MOST_SIMULATED);
+    }
+
+    #[test]
+    fn a_plane_that_no_map_can_show_is_refused() {
+        assert!(Ranges::around(&slider("0.004", "0.006", "1e300")).is_err());
+    }
+}

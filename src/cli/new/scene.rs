@@ -1,0 +1,144 @@
+//! The scene of a new report: the slider as it was typed, and what is computed for it.
+
+use slipmode::scene::Quantity;
+
+use crate::cli::new::Effects;
+use crate::cli::new::ranges::{Decades, Ranges};
+use crate::cli::options::MaterialOptions;
+
+/// What was typed, valid.
+#[derive(Debug)]
+pub struct Typed {
+    /// The report's name.
+    pub name: String,
+    /// The numbers.
+    pub material: MaterialOptions,
+    /// Whether the numbers are the paper's because none were given.
+    pub is_example: bool,
+}
+
+impl Typed {
+    /// The text of a quantity.
+    pub fn text(&self, quantity: Quantity) -> &str {
+        self.material.text(quantity).unwrap_or_default()
+    }
+}
+
+/// Points of a map along V and along σ.
+const MAP_POINTS: (i32, i32) = (141, 121);
+
+/// The text of `scenes/NAME.toml`.
+pub fn scene_text(typed: &Typed, effects: Effects, ranges: &Ranges) -> String {
+    let name = &typed.name;
+    let map = rectangle(ranges.velocity, ranges.stress, MAP_POINTS);
+    let (velocity, stress) = (ranges.simulated_velocity, ranges.simulated_stress);
+    let runs = rectangle(velocity, stress, ranges.simulated_points());
+    let coarser = match ranges.points_less {
+        0 => "",
+        _ => {
+            "# Finer grids had a run without a result, next to the boundary, and claims on every run cannot be decided with holes.\n"
+        }
+    };
+    let sections = [
+        format!(
+            "# What is computed for this slider. Whatever section you delete is not computed; every key is checked.\n\
+             # Decimals are exact: 0.004 is 1/250. All units are SI.\n\
+             name = \"{name}\"\ntitle = \"{name}\"\n"
+        ),
+        parameters(typed),
+        format!(
+            "# max Im(s) and the stability at every point of a grid of loading velocity and normal stress.\n\
+             # The ranges hold the corners of all asymptotes; choose your own to look elsewhere.\n[map]\n{map}"
+        ),
+        "# The exact boundary max Im(s) = 0 between oscillation and no oscillation.\n\
+         [boundary]\npoints = 160  # on each arc\ndigits = 30  # certain digits of each coordinate\n"
+            .into(),
+        frequency(effects, ranges.velocity),
+        "# Where each formula (eqs 15, 16, 18, 20) is good to these relative errors.\n\
+         [tolerance]\nrelative = [0.1, 0.01, 0.001]\n"
+            .into(),
+        format!(
+            "# Slip modes on a grid, against the map that the formulas alone would draw.\n[zones]\n{map}"
+        ),
+        format!(
+            "# The nonlinear slider at every point of a coarser grid. A finer grid costs time in proportion.\n\
+             {coarser}[simulations]\n{runs}laws = [\"slip\", \"aging\"]\ntolerance = 1e-8  # relative, of peak velocity and period\n"
+        ),
+    ];
+    sections.join("\n")
+}
+
+fn parameters(typed: &Typed) -> String {
+    let source = match typed.is_example {
+        true => "# No values were given: these are the paper's. Replace them by yours.\n",
+        false => "# As typed.\n",
+    };
+    let meaning = [
+        "a of eq 1",
+        "b of eq 1",
+        "D_c",
+        "K: stiffness of machine and specimen, shear stress per slip",
+        "M: moving mass per area of contact",
+    ];
+    let line = |(quantity, meaning): (Quantity, &str)| {
+        format!("{} = {}  # {meaning}\n", quantity.key(), toml_number(typed.text(quantity)))
+    };
+    let lines: String = MaterialOptions::QUANTITIES.into_iter().zip(meaning).map(line).collect();
+    format!("{source}[parameters]\n{lines}")
+}
+
+fn frequency(effects: Effects, velocity: Decades) -> String {
+    match effects {
+        Effects::Weakening => format!(
+            "# max Im(s) along lines of constant normal stress, in units of the critical one (eq 12).\n\
+             [frequency]\nnormal_stress_over_critical = [\"1/3\", 1, 3]\n\
+             loading_velocity_m_per_s = {{ from = 1e{}, to = 1e{}, points = 121 }}\n",
+            velocity.from, velocity.to
+        ),
+        Effects::Neutral | Effects::Strengthening => {
+            "# [frequency] is left out: it needs the critical normal stress of eq 12, which exists for a < b only.\n".into()
+        }
+    }
+}
+
+fn rectangle(velocity: Decades, stress: Decades, (columns, rows): (i32, i32)) -> String {
+    format!(
+        "loading_velocity_m_per_s = {{ from = 1e{}, to = 1e{}, points = {columns} }}\n\
+         normal_stress_pa = {{ from = 1e{}, to = 1e{}, points = {rows} }}\n",
+        velocity.from, velocity.to, stress.from, stress.to
+    )
+}
+
+/// A number as typed: bare where TOML has it as a number, otherwise between quotes, which scenes read alike.
+fn toml_number(text: &str) -> String {
+    if is_toml_number(text) { text.to_string() } else { format!("\"{text}\"") }
+}
+
+/// `[+-]digits[.digits][e[+-]digits]` without a leading zero before another digit, and short enough for any reader.
+fn is_toml_number(text: &str) -> bool {
+    let unsigned = text.strip_prefix(['+', '-']).unwrap_or(text);
+    let (mantissa, exponent) = match unsigned.split_once(['e', 'E']) {
+        Some((mantissa, exponent)) => (mantissa, exponent.strip_prefix(['+', '-']).unwrap_or(exponent)),
+        None => (unsigned, "0"),
+    };
+    let (whole, fraction) = mantissa.split_once('.').unwrap_or((mantissa, "0"));
+    let digits = |part: &str| !part.is_empty() && part.bytes().all(|byte| byte.is_ascii_digit());
+    let leading_zero = whole.len() > 1 && whole.starts_with('0');
+    // Whole numbers of more digits may be refused by other readers of the file.
+    digits(whole) && digits(fraction) && digits(exponent) && !leading_zero && text.len() < 18
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_number_stands_as_typed_and_quoted_only_where_toml_needs_it() {
+        for bare in ["0.004", "10e-6", "1E+7", "1000", "+5", "0"] {
+            assert_eq!(toml_number(bare), bare);
+        }
+        for quoted in [".004", "1.", "007", "1000000000000000000000", "1.e5"] {
+            assert_eq!(toml_number(quoted), format!("\"{quoted}\""));
+        }
+    }
+}

@@ -1,0 +1,124 @@
+//! `slipmode new` and `slipmode tolerance`: a folder that is a whole report, for every sign of a − b.
+
+use std::fs;
+
+use crate::harness::Workplace;
+
+const REST: [&str; 6] = ["-d", "5e-6", "-k", "1e9", "-m", "300"];
+
+fn new<'a>(name: &'a str, a: &'a str, b: &'a str) -> Vec<&'a str> {
+    let mut arguments = vec!["new", name, "-a", a, "-b", b];
+    arguments.extend(REST);
+    arguments
+}
+
+#[test]
+fn every_sign_of_a_minus_b_gives_a_report_with_the_verdicts_that_were_recorded() {
+    let place = Workplace::new();
+    for (name, a, b, has_transition) in [
+        ("weak", "0.008", "0.012", true),
+        ("equal", "0.01", "0.010", false),
+        ("strong", "0.012", "0.008", false),
+    ] {
+        let said = place.run(new(name, a, b)).expect_success();
+        assert!(said.ends_with(&format!("next: slipmode report {name}\n")), "{said}");
+        let verified = place.run(["verify", name]).expect_success();
+        assert!(verified.contains("0 not checked") && verified.contains("no published copy"), "{verified}");
+        assert!(place.read(&format!("target/report/{name}/index.html")).contains("<html"));
+        let scene = place.read(&format!("{name}/scenes/{name}.toml"));
+        assert_eq!(scene.contains("\n[frequency]\n"), has_transition, "{scene}");
+        assert_eq!(scene.contains("# [frequency] is left out: it needs the critical"), !has_transition);
+        let claims = place.read(&format!("{name}/claims.toml"));
+        for (id, listed) in
+            [("N1", has_transition), ("S1", has_transition), ("N9", name == "strong"), ("B5", true)]
+        {
+            assert_eq!(claims.contains(&format!("id = \"{id}\"\n")), listed, "{name} {id}");
+        }
+    }
+    assert!(place.names().iter().all(|name| !name.starts_with('.')), "{:?}", place.names());
+}
+
+#[test]
+fn numbers_stand_in_the_scene_as_they_were_typed() {
+    let place = Workplace::new();
+    let typed = [
+        "new", "typed", "-a", "0.0040", "-b", ".006", "-d", "10E-6", "-k", "010e6", "-m", "1000", "-o",
+        "deep/er",
+    ];
+    place.run(typed).expect_success();
+    let scene = place.read("deep/er/scenes/typed.toml");
+    for line in [
+        "direct_effect = 0.0040  #",
+        "evolution_effect = \".006\"  #",
+        "critical_slip_distance_m = 10E-6  #",
+        "stiffness_pa_per_m = \"010e6\"  #",
+        "mass_per_area_kg_per_m2 = 1000  #",
+    ] {
+        assert!(scene.contains(line), "{line}: {scene}");
+    }
+    assert!(place.run(["report", "deep/er"]).expect_success().contains("target/report/typed/index.html"));
+}
+
+#[test]
+fn a_verdict_that_was_edited_is_drift() {
+    let place = Workplace::new();
+    place.run(["new", "example"]).expect_success();
+    assert!(place.read("example/scenes/example.toml").contains("these are the paper's"));
+    let claims = place.read("example/claims.toml");
+    let edited = claims.replacen("expected = \"holds\"", "expected = \"fails\"", 1);
+    fs::write(place.path("example/claims.toml"), edited).unwrap();
+    let ended = place.run(["verify", "example"]);
+    assert_eq!(ended.code, 1);
+    assert!(ended.stderr.contains("recorded fails, now holds"), "{}", ended.stderr);
+}
+
+#[test]
+fn a_place_that_is_taken_and_a_name_that_is_unsafe_are_refused() {
+    let place = Workplace::new();
+    place.write("taken/keep.txt", "mine");
+    place.run(new("taken", "0.01", "0.02")).expect_refusal(&["taken: exists already"]);
+    fs::create_dir(place.path("empty")).unwrap();
+    place.run(new("empty", "0.01", "0.02")).expect_refusal(&["empty: exists already"]);
+    for name in ["../up", "a b", "", "CON", "-x", "é", ".hidden"] {
+        place.run(new(name, "0.01", "0.02")).expect_refusal(&["NAME = "]);
+    }
+    assert_eq!(place.names(), ["empty", "taken"]);
+    assert_eq!(place.read("taken/keep.txt"), "mine");
+}
+
+#[test]
+fn every_number_that_is_missing_or_faulty_is_told_at_once() {
+    let place = Workplace::new();
+    place.run(["new", "half", "-a", "0", "-b", "x"]).expect_refusal(&[
+        "--direct-effect = 0",
+        "--evolution-effect = x: not a decimal number",
+        "--critical-slip-distance-m: missing",
+        "--stiffness-pa-per-m: missing",
+        "--mass-per-area-kg-per-m2: missing",
+    ]);
+    place
+        .run(["new", "far", "-a", "0.01", "-b", "0.02", "-d", "1", "-k", "1e300", "-m", "1"])
+        .expect_refusal(&["beyond 1e-250 to 1e250"]);
+    assert!(place.names().is_empty());
+}
+
+#[test]
+fn the_tolerance_table_has_a_line_for_each_formula_that_exists_and_each_error() {
+    let place = Workplace::new();
+    let lines = |a: &str, b: &str, errors: &[&str]| {
+        let mut arguments = new("", a, b);
+        arguments.splice(..2, ["tolerance"]);
+        arguments.extend(errors.iter().flat_map(|error| ["-e", *error]));
+        let text = place.run(arguments).expect_success();
+        text.lines().skip(1).map(str::to_string).collect::<Vec<_>>()
+    };
+    assert_eq!(lines("0.008", "0.012", &[]).len(), 12);
+    let equal = lines("0.01", "0.01", &["0.05", "0.5"]);
+    assert_eq!(equal.len(), 4);
+    assert!(equal.iter().all(|line| line.starts_with("eq16") || line.starts_with("eq20")), "{equal:?}");
+    place.run(["tolerance", "-e", "1", "-e", "nan"]).expect_refusal(&[
+        "--direct-effect: missing",
+        "--relative-error = 1",
+        "--relative-error = nan",
+    ]);
+}
