@@ -23,3 +23,4 @@ mod roots;
 mod sabotage;
 mod simulate;
 mod simulate_points;
+mod sweep;
