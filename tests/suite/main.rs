@@ -24,3 +24,4 @@ mod sabotage;
 mod simulate;
 mod simulate_points;
 mod sweep;
+mod sweep_refusals;
