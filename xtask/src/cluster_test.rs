@@ -33,9 +33,9 @@ const PATIENCE: Duration = Duration::from_secs(120);
 
 const SCENE: &str = "name = \"rehearsal\"\ntitle = \"Both laws on a grid\"\n[parameters]\ndirect_effect = 0.004\n\
     evolution_effect = 0.006\ncritical_slip_distance_m = 1e-5\nstiffness_pa_per_m = 1e7\nmass_per_area_kg_per_m2 = 1000\n\
-    [sweep]\nwork = \"simulate\"\nlaws = [\"slip\", \"aging\"]\ntolerance = 1e-6\nblock_points = 20\n[sweep.grid]\n\
-    normal_stress_pa = { from = 6e4, to = 3e5, points = 24 }\n\
-    loading_velocity_m_per_s = { from = 1e-4, to = 1e-2, points = 20 }\n";
+    [sweep]\nwork = \"simulate\"\nlaws = [\"slip\", \"aging\"]\ntolerance = 1e-6\nblock_points = 50\n[sweep.grid]\n\
+    normal_stress_pa = { from = 6e4, to = 3e5, points = 40 }\n\
+    loading_velocity_m_per_s = { from = 1e-4, to = 1e-2, points = 30 }\n";
 
 /// Runs the test.
 ///
@@ -94,10 +94,10 @@ fn rehearse(cluster: &mut Cluster, place: &Path) -> Result<(), Failure> {
     slipmode(&["sweep", &scene, "--slurm", "--shards", &shards, "--out", &out])?;
     let submit = format!("{out}/submit.sh");
     cluster.submit(&submit, None)?;
-    let lost = wait_for("a task under way on the node to be killed", || {
-        let task = cluster.tasks()?.into_iter().find(|task| task.node == VICTIM && task.is_running());
-        Ok(task.filter(|task| blocks_of(&out, task.index) > 0))
+    let lost = wait_for("a task on the node to be killed", || {
+        Ok(cluster.tasks()?.into_iter().find(|task| task.node == VICTIM && task.is_running()))
     })?;
+    wait_for("its first block", || Ok((blocks_of(&out, lost.index) > 0).then_some(())))?;
     let (there, killed) = (blocks_of(&out, lost.index), cluster.kill_node(VICTIM)?);
     println!(
         "cluster-test: {VICTIM} killed with {killed} processes, {there} blocks into shard {}",
@@ -166,6 +166,6 @@ fn wait_for<T>(what: &str, mut ask: impl FnMut() -> Result<Option<T>, Failure>) 
         if began.elapsed() > PATIENCE {
             return Err(Failure::check(format!("waited {} s in vain for {what}", PATIENCE.as_secs())));
         }
-        thread::sleep(Duration::from_millis(100));
+        thread::sleep(Duration::from_millis(50));
     }
 }

@@ -138,7 +138,6 @@ impl Cluster {
 
     /// Kills a node at once: its daemon and every session that it started. Returns how many processes that were.
     pub fn kill_node(&mut self, node: &str) -> Result<usize, Failure> {
-        let spool = self.spool(node);
         let mut killed = 0;
         for (name, daemon) in &mut self.daemons {
             if *name == node {
@@ -149,11 +148,12 @@ impl Cluster {
                 killed += 1;
             }
         }
-        Ok(killed + sessions::kill(&spool)?)
+        Ok(killed + sessions::kill(&self.marks(node))?)
     }
 
-    fn spool(&self, node: &str) -> String {
-        format!("{}/spool-{node}/", self.place.display())
+    /// What stands in the environment of everything that a node of this cluster runs.
+    fn marks(&self, node: &str) -> [String; 2] {
+        [format!("SLURMD_NODENAME={node}"), format!("SLURM_CONF={}/slurm.conf", self.place.display())]
     }
 
     /// Prints the ends of the daemons' logs.
@@ -174,7 +174,7 @@ impl Drop for Cluster {
             let _ = daemon.kill().and_then(|()| daemon.wait());
         }
         for node in NODES {
-            let _ = sessions::kill(&self.spool(node));
+            let _ = sessions::kill(&self.marks(node));
         }
     }
 }

@@ -1,4 +1,4 @@
-//! The processes that a node started: found by the node's folder in their command lines, ended with their whole sessions.
+//! The processes that a node started: found by their environment, ended with their whole sessions.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -11,22 +11,22 @@ use crate::process;
 struct Entry {
     id: u32,
     session: u32,
-    command_line: String,
+    environment: Vec<String>,
 }
 
-/// Kills, with SIGKILL, every session that has a process with this text in its command line. Returns how many processes that were.
+/// Kills, with SIGKILL, every session that has a process with all these variables. Returns how many processes that were.
 ///
 /// A batch step has a session of its own: its supervisor, the script of the task, and what the script runs.
 ///
 /// # Errors
 /// When `kill` cannot be started.
-pub fn kill(text: &str) -> Result<usize, Failure> {
+pub fn kill(variables: &[String]) -> Result<usize, Failure> {
     let entries = entries();
     let sessions: BTreeSet<u32> = entries
         .iter()
-        // Our own command line has no such text; a session of ours must not be hit in any case.
-        .filter(|entry| entry.command_line.contains(text) && entry.session > 1)
+        .filter(|entry| variables.iter().all(|variable| entry.environment.contains(variable)))
         .map(|entry| entry.session)
+        // A node's work never has our session; killing that would be a mistake of ours.
         .filter(|session| Some(*session) != own_session())
         .collect();
     let condemned: Vec<String> = entries
@@ -57,9 +57,11 @@ fn read(name: &str) -> Option<Entry> {
         return None;
     }
     let stat = fs::read_to_string(format!("/proc/{name}/stat")).ok()?;
-    let command_line = fs::read(format!("/proc/{name}/cmdline")).ok()?;
+    // Other users' processes keep theirs to themselves: they are none of ours.
+    let environment = fs::read(format!("/proc/{name}/environ")).ok()?;
     let (id, session) = parse(&stat)?;
-    Some(Entry { id, session, command_line: String::from_utf8_lossy(&command_line).replace('\0', " ") })
+    let text = |part: &[u8]| String::from_utf8_lossy(part).into_owned();
+    Some(Entry { id, session, environment: environment.split(|byte| *byte == 0).map(text).collect() })
 }
 
 /// Process and session of `id (name) state parent group session …`; the name may hold anything.
@@ -80,8 +82,8 @@ mod tests {
     }
 
     #[test]
-    fn our_own_session_is_known_and_nothing_is_killed_for_a_text_that_nobody_has() {
+    fn our_own_session_is_known_and_nothing_is_killed_for_a_variable_that_nobody_has() {
         assert!(own_session().is_some());
-        assert_eq!(kill("/no/such/folder/of/any/node/").unwrap(), 0);
+        assert_eq!(kill(&["SLURMD_NODENAME=no-such-node-anywhere".to_string()]).unwrap(), 0);
     }
 }
