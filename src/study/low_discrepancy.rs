@@ -57,7 +57,8 @@ mod tests {
         assert_eq!([0, 1, 2, 3, 4].map(|number| radical_inverse(number, 2)), halves);
         // 5 = 12 in base 3, mirrored 0.21 = 7/9.
         assert_eq!(radical_inverse(5, 3), ((7u128 << 64) / 9) as u64);
-        assert_eq!(radical_inverse(u64::MAX >> 6, 17).leading_zeros() < 64, true);
+        // 17^14 is a one behind fourteen zeros, and close to the largest number for which 64 bits suffice.
+        assert_eq!(u128::from(radical_inverse(17u64.pow(14), 17)), (1u128 << 64) / 17u128.pow(15));
     }
 
     #[test]

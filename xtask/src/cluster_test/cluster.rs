@@ -1,4 +1,7 @@
 //! A Slurm cluster of one machine under three names: its daemons, all of which end with this program.
+//!
+//! When a signal ends this program, the kernel ends the daemons; the supervisor of a task that runs just then goes on asking
+//! for its controller until somebody ends it.
 
 use std::fs::{self, File};
 use std::net::TcpListener;
