@@ -115,7 +115,7 @@ impl Loaded {
 
     fn with<W: PointWork>(&self, work: W, laws: Vec<EvolutionLaw>, task: impl Task) -> Result<(), Failure> {
         let points = match (&self.list, PointSource::new(&self.section.points, self.digest.as_bytes())) {
-            (None, Some(source)) => Points::Made(Made { source, laws, work }),
+            (None, Some(source)) => Points::Made(Box::new(Made { source, laws, work })),
             (list, _) => Points::Listed(Listed::new(list.as_deref().unwrap_or(Path::new("")), work)?),
         };
         task.perform(self, &points)

@@ -15,7 +15,7 @@ const MOST_BLOCKS: u64 = 10_000_000;
 /// Where points come from, with the work at each.
 pub enum Points<W> {
     /// From the scene.
-    Made(Made<W>),
+    Made(Box<Made<W>>),
     /// From a CSV file.
     Listed(Listed<W>),
 }
