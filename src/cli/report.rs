@@ -4,7 +4,9 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use slipmode::claims::{Ledger, Verdict};
-use slipmode::report::{Product, ReportError, produce, produce_scene, without_environment};
+use slipmode::report::{
+    PAGE_BUDGET_BYTES, Product, ReportError, produce, produce_scene, without_environment,
+};
 use slipmode::scene::Limits;
 
 use crate::cli::claim::verify_claim;
@@ -110,7 +112,8 @@ pub fn verify(options: &VerifyOptions, progress: &Progress) -> Result<(), Failur
         return verify_claim(&folder, id, progress);
     }
     let (product, place) = make(options, progress)?;
-    let moved = differences(&product.files, &options.folder.join("published"))?;
+    let mut moved = differences(&product.files, &options.folder.join("published"))?;
+    moved.extend(product.files.get("index.html").and_then(|page| over_budget(page.len())));
     let drift = drift(&product.ledger);
     let mut text: String = product.ledger.claims.iter().map(claim_line).collect();
     text += &summary(&product.ledger);
@@ -123,6 +126,12 @@ pub fn verify(options: &VerifyOptions, progress: &Progress) -> Result<(), Failur
     let hint = "look at them, then `cargo xtask bless` publishes them deliberately".to_string();
     let lines: Vec<String> = drift.into_iter().chain(moved).chain([counts, hint]).collect();
     Err(Failure::Check(lines.join("\n")))
+}
+
+/// What is wrong with a page of this size, if anything.
+fn over_budget(bytes: usize) -> Option<String> {
+    (bytes > PAGE_BUDGET_BYTES)
+        .then(|| format!("index.html: {bytes} bytes, more than the {PAGE_BUDGET_BYTES} of a page"))
 }
 
 /// Reads, computes and writes; gives the product and its place.
@@ -179,4 +188,15 @@ pub fn summary(ledger: &Ledger) -> String {
         count(Verdict::Fails),
         count(Verdict::NotChecked),
     )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_page_over_the_budget_fails_and_one_at_it_does_not() {
+        assert_eq!(over_budget(PAGE_BUDGET_BYTES), None);
+        assert!(over_budget(PAGE_BUDGET_BYTES + 1).is_some_and(|fault| fault.contains("1048577 bytes")));
+    }
 }

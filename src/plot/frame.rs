@@ -1,7 +1,7 @@
 //! The frame of a chart: where values lie on the canvas, axes with ticks, titles.
 
 use super::path::{Bounds, Point, clip_line, clip_polygon};
-use super::svg::{Svg, number};
+use super::svg::{Rule, Svg, number};
 use super::ticks::Tick;
 use super::{Axis, Scale, palette, rich_text};
 
@@ -78,11 +78,9 @@ impl<'a> Frame<'a> {
         let b = self.bounds;
         self.draw_upright_grid(svg);
         svg.open("g", &[("class", "grid"), ("stroke", palette::GRID)]);
-        for y in
-            self.places(self.y).filter(|(_, tick)| tick.is_major()).map(|(v, _)| self.place_unit((0.0, v)).1)
-        {
-            svg.line((b.left, y), (b.right, y));
-        }
+        let places = self.places(self.y).filter(|(_, tick)| tick.is_major());
+        let rule = |(v, _)| (b.left, self.place_unit((0.0, v)).1, Rule::Across(b.right));
+        svg.rules(&places.map(rule).collect::<Vec<_>>());
         svg.close();
     }
 
@@ -90,11 +88,9 @@ impl<'a> Frame<'a> {
     pub fn draw_upright_grid(&self, svg: &mut Svg) {
         let b = self.bounds;
         svg.open("g", &[("class", "grid"), ("stroke", palette::GRID)]);
-        for x in
-            self.places(self.x).filter(|(_, tick)| tick.is_major()).map(|(u, _)| self.place_unit((u, 0.0)).0)
-        {
-            svg.line((x, b.top), (x, b.bottom));
-        }
+        let places = self.places(self.x).filter(|(_, tick)| tick.is_major());
+        let rule = |(u, _)| (self.place_unit((u, 0.0)).0, b.top, Rule::Upright(b.bottom));
+        svg.rules(&places.map(rule).collect::<Vec<_>>());
         svg.close();
     }
 
@@ -153,17 +149,19 @@ impl<'a> Frame<'a> {
     }
 
     fn draw_ticks_x(&self, svg: &mut Svg) {
-        for (u, tick) in self.ticks_x() {
+        let rule = |(u, tick): (f64, Tick)| {
             let (x, y) = self.place_unit((u, 0.0));
-            svg.line((x, y), (x, y + tick_length(&tick)));
-        }
+            (x, y, Rule::Upright(y + tick_length(&tick)))
+        };
+        svg.rules(&self.ticks_x().into_iter().map(rule).collect::<Vec<_>>());
     }
 
     fn draw_ticks_y(&self, svg: &mut Svg) {
-        for (v, tick) in self.ticks_y() {
+        let rule = |(v, tick): (f64, Tick)| {
             let (x, y) = self.place_unit((0.0, v));
-            svg.line((x - tick_length(&tick), y), (x, y));
-        }
+            (x, y, Rule::Across(x - tick_length(&tick)))
+        };
+        svg.rules(&self.ticks_y().into_iter().map(rule).collect::<Vec<_>>());
     }
 
     fn label_x(&self, svg: &mut Svg) {

@@ -4,7 +4,7 @@ use super::frame::{CANVAS_WIDTH, Frame, SMALL};
 use super::legend::{Entry, KEY_WIDTH, Legend};
 use super::overlay::draw_labels;
 use super::path::{Point, line_data, simplify};
-use super::series_style::{Look, draw_marker, spread};
+use super::series_style::{Look, draw_markers, spread};
 use super::svg::{Svg, number};
 use super::{Axis, Caption, RegionLabel, palette, rich_text};
 
@@ -142,7 +142,7 @@ pub(super) fn series_entries(all: &[Series]) -> Vec<Entry<'_>> {
                 let end = x + KEY_WIDTH - 7.0;
                 look.open(svg);
                 look.stroke(svg, &line_data(&[(x, y), (end, y)]));
-                draw_marker(svg, look, ((x + end) / 2.0, y));
+                draw_markers(svg, look, &[((x + end) / 2.0, y)]);
                 svg.close();
             }),
         })
@@ -173,9 +173,9 @@ fn draw_series(svg: &mut Svg, frame: &Frame, look: Look, series: &Series, style:
     look.stroke(svg, &data);
     if series.marked {
         let placed = series.points.iter().filter_map(|&point| frame.place(point));
-        placed.filter(|&point| frame.contains(point)).for_each(|point| draw_marker(svg, look, point));
+        draw_markers(svg, look, &placed.filter(|&point| frame.contains(point)).collect::<Vec<_>>());
     } else if style.markers {
-        spread(&parts, look).into_iter().for_each(|point| draw_marker(svg, look, point));
+        draw_markers(svg, look, &spread(&parts, look));
     }
     svg.close();
 }

@@ -55,44 +55,37 @@ impl Look {
     }
 }
 
-/// Draws the marker of a look around a point, inside the look's group; formulas have none.
-pub(crate) fn draw_marker(svg: &mut Svg, look: Look, (x, y): Point) {
-    let Some(index) = look.index else { return };
-    let at = |dx: f64, dy: f64| format!("{} {}", number(x + dx), number(y + dy));
-    let data = match index {
-        0 => return draw_circle(svg, (x, y)),
-        1 => format!("M{}h7v7h-7z", at(-3.5, -3.5)),
-        2 => format!("M{}L{}L{}z", at(0.0, -4.8), at(4.6, 3.4), at(-4.6, 3.4)),
-        3 => format!("M{}L{}L{}L{}z", at(0.0, -5.0), at(5.0, 0.0), at(0.0, 5.0), at(-5.0, 0.0)),
-        4 => format!("M{}L{}L{}z", at(0.0, 4.8), at(4.6, -3.4), at(-4.6, -3.4)),
-        _ => format!("M{}L{}M{}L{}", at(-4.0, -4.0), at(4.0, 4.0), at(-4.0, 4.0), at(4.0, -4.0)),
-    };
-    svg.leaf(
-        "path",
-        &[
-            ("class", "marker"),
-            ("d", &data),
-            ("fill", palette::PLATE),
-            ("stroke", "currentColor"),
-            ("stroke-width", "1.8"),
-        ],
+/// Draws the markers of a look around points, inside the look's group; formulas have none.
+pub(crate) fn draw_markers(svg: &mut Svg, look: Look, points: &[Point]) {
+    let Some(index) = look.index.filter(|_| !points.is_empty()) else { return };
+    svg.open(
+        "g",
+        &[("class", "marker"), ("fill", palette::PLATE), ("stroke", "currentColor"), ("stroke-width", "1.8")],
     );
+    if index == 0 {
+        points.iter().for_each(|&point| draw_circle(svg, point));
+    } else {
+        let data: String = points.iter().map(|&point| outline(index, point)).collect();
+        svg.leaf("path", &[("d", &data)]);
+    }
+    svg.close();
+}
+
+/// The outline of a marker that is no circle.
+fn outline(index: usize, (x, y): Point) -> String {
+    let (dx, dy, rest) = match index {
+        1 => (-3.5, -3.5, "h7v7h-7z"),
+        2 => (0.0, -4.8, "l4.6 8.2h-9.2z"),
+        3 => (0.0, -5.0, "l5 5-5 5-5-5z"),
+        4 => (0.0, 4.8, "l4.6-8.2h-9.2z"),
+        _ => (-4.0, -4.0, "l8 8m-8 0l8-8"),
+    };
+    format!("M{} {}{rest}", number(x + dx), number(y + dy))
 }
 
 fn draw_circle(svg: &mut Svg, (x, y): Point) {
     let at = [number(x), number(y)];
-    svg.leaf(
-        "circle",
-        &[
-            ("class", "marker"),
-            ("cx", &at[0]),
-            ("cy", &at[1]),
-            ("r", "3.9"),
-            ("fill", palette::PLATE),
-            ("stroke", "currentColor"),
-            ("stroke-width", "1.8"),
-        ],
-    );
+    svg.leaf("circle", &[("cx", &at[0]), ("cy", &at[1]), ("r", "3.9")]);
 }
 
 /// Places for a few markers along the visible line, even in length and shifted from series to series.

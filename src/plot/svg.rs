@@ -6,6 +6,15 @@ use crate::table::printable;
 /// Fonts of all figures; the first that the viewer has is taken.
 const FONTS: &str = "system-ui, -apple-system, 'Segoe UI', Roboto, 'Helvetica Neue', Arial, sans-serif";
 
+/// The far end of a straight line along an axis.
+#[derive(Debug, Clone, Copy)]
+pub(crate) enum Rule {
+    /// A lying line up to this horizontal coordinate.
+    Across(f64),
+    /// An upright line up to this vertical coordinate.
+    Upright(f64),
+}
+
 /// SVG text under construction.
 #[derive(Debug)]
 pub(crate) struct Svg {
@@ -74,6 +83,20 @@ impl Svg {
     pub fn line(&mut self, from: (f64, f64), to: (f64, f64)) {
         let ends = [number(from.0), number(from.1), number(to.0), number(to.1)];
         self.leaf("line", &[("x1", &ends[0]), ("y1", &ends[1]), ("x2", &ends[2]), ("y2", &ends[3])]);
+    }
+
+    /// Upright and lying lines, all in one path.
+    pub fn rules(&mut self, rules: &[(f64, f64, Rule)]) {
+        let data: String = rules
+            .iter()
+            .map(|&(x, y, rule)| match rule {
+                Rule::Across(to) => format!("M{} {}H{}", number(x), number(y), number(to)),
+                Rule::Upright(to) => format!("M{} {}V{}", number(x), number(y), number(to)),
+            })
+            .collect();
+        if !data.is_empty() {
+            self.leaf("path", &[("d", &data)]);
+        }
     }
 
     /// A rectangle with further attributes.

@@ -58,6 +58,21 @@ struct EvidencePage<'a> {
     text_html: String,
     numbers: &'a [FactView],
     certificate: &'a str,
+    certificate_cut: String,
+}
+
+/// Length of a certificate that the page shows whole; of a longer one it shows the beginning.
+const SHOWN_CERTIFICATE_BYTES: usize = 1800;
+
+/// The beginning of a certificate, whole lines where it has lines, and what is said below it when something is missing.
+fn excerpt(certificate: &str) -> (&str, String) {
+    if certificate.len() <= SHOWN_CERTIFICATE_BYTES {
+        return (certificate, String::new());
+    }
+    let room = &certificate[..certificate.floor_char_boundary(SHOWN_CERTIFICATE_BYTES)];
+    let shown = room.rfind('\n').filter(|&end| end > 0).map_or(room, |end| &room[..end]);
+    let (of, all) = (shown.chars().count(), certificate.chars().count());
+    (shown, format!("The first {of} of {all} characters; the whole certificate is in"))
 }
 
 impl<'a> ClaimPage<'a> {
@@ -91,12 +106,29 @@ impl<'a> ClaimPage<'a> {
 
 impl<'a> EvidencePage<'a> {
     fn of(item: &'a EvidenceView, html: &mut dyn FnMut(&str, &str) -> String) -> Self {
+        let (certificate, certificate_cut) = excerpt(&item.certificate);
         Self {
             kind: &item.kind,
             strength: &item.strength,
             text_html: html(&item.text_markdown, "evidence"),
             numbers: &item.numbers,
-            certificate: &item.certificate,
+            certificate,
+            certificate_cut,
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_long_certificate_is_cut_at_a_line_and_says_so() {
+        assert_eq!(excerpt("short"), ("short", String::new()));
+        let long = "é = 1\n".repeat(1000);
+        let (shown, cut) = excerpt(&long);
+        assert!(shown.len() <= SHOWN_CERTIFICATE_BYTES && shown.ends_with("é = 1"));
+        assert!(cut.starts_with("The first 1541 of 6000 characters"), "{cut}");
+        assert!(excerpt(&"é".repeat(2000)).0.chars().all(|c| c == 'é'));
     }
 }

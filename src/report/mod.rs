@@ -39,7 +39,7 @@ pub use view::{
 use crate::table::Table;
 
 /// Rows of a table shown on the page and in the Markdown report; the CSV file has all.
-pub const MAX_SHOWN_ROWS: usize = 60;
+pub const MAX_SHOWN_ROWS: usize = 24;
 
 /// Size to which the paper's page is held, in bytes.
 pub const PAGE_BUDGET_BYTES: usize = 1 << 20;

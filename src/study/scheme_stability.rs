@@ -245,9 +245,13 @@ mod tests {
     #[test]
     fn the_critical_stiffness_of_the_scheme_comes_to_the_true_one_at_first_order() {
         let (inertial, ratio) = (Rational::from((1, 100)), Rational::from((3, 2)));
-        let shifts = [0.1, 0.05, 0.025].map(|f| critical_shift(&inertial, &ratio, f).unwrap());
-        for pair in shifts.windows(2) {
-            assert!((pair[0] / pair[1] - 2.0).abs() < 0.2, "{shifts:?}");
+        let shifts =
+            [0.1, 0.05, 0.025, 0.0125, 0.00625].map(|f| critical_shift(&inertial, &ratio, f).unwrap());
+        // At first order the ratio of two shifts is 2 up to a remainder that halves with the step, too.
+        let from_two: Vec<f64> = shifts.windows(2).map(|pair| 2.0 - pair[0] / pair[1]).collect();
+        for pair in from_two.windows(2) {
+            assert!((pair[0] / pair[1] - 2.0).abs() < 0.5, "{from_two:?}");
         }
+        assert!(from_two.last().is_some_and(|last| last.abs() < 0.1), "{from_two:?}");
     }
 }

@@ -1,12 +1,14 @@
 //! The hard cases again, through `classify --points`: what is printed keeps what the library promises.
 
 use std::io::Write;
-use std::process::{Command, Stdio};
+use std::process::{Command, Output, Stdio};
+
+use slipmode::scene::AllowedRange;
 
 use crate::hard_cases::{PARAMETERS, PROMISE, assert_within, decimal, rows};
 
-/// Runs `classify --points` on standard streams and returns the rows it prints.
-fn classify_points(csv: &str) -> String {
+/// Runs `classify --points` on standard streams.
+fn classify_points(csv: &str) -> Output {
     let mut child = Command::new(env!("CARGO_BIN_EXE_slipmode"))
         .args(["classify", "--points", "-"])
         .stdin(Stdio::piped())
@@ -18,15 +20,28 @@ fn classify_points(csv: &str) -> String {
     let writer = std::thread::spawn(move || input.write_all(csv.as_bytes()));
     let output = child.wait_with_output().unwrap();
     writer.join().unwrap().unwrap();
-    assert!(output.status.success());
-    String::from_utf8(output.stdout).unwrap()
+    output
+}
+
+/// Whether the command line takes all seven inputs of a row.
+fn is_in_range(line: &str) -> bool {
+    line.split(',').take(7).all(|cell| AllowedRange::PHYSICAL.parse(cell).is_ok())
+}
+
+/// The header, the points that the command line takes, and those whose inputs lie beyond its range.
+fn table() -> (String, Vec<&'static str>, Vec<&'static str>) {
+    let mut lines = PARAMETERS.lines().filter(|line| !line.starts_with('#'));
+    let header = format!("{}\n", lines.next().unwrap());
+    let (taken, refused) = lines.partition(|line| is_in_range(line));
+    (header, taken, refused)
 }
 
 #[test]
 fn the_command_line_is_right_on_every_hard_point_of_the_inputs() {
-    let csv: String =
-        PARAMETERS.lines().filter(|line| !line.starts_with('#')).map(|line| format!("{line}\n")).collect();
-    let answer = classify_points(&csv);
+    let (head, taken, refused) = table();
+    let output = classify_points(&(head + &taken.join("\n")));
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    let answer = String::from_utf8(output.stdout).unwrap();
     let mut answers = rows(&answer);
     let header = answers.next().unwrap();
     let cell =
@@ -44,5 +59,18 @@ fn the_command_line_is_right_on_every_hard_point_of_the_inputs() {
         assert_within(&decimal(&cell(&row, "max_imaginary_per_s")), &imaginary, &imaginary, PROMISE, &point);
         count += 1;
     }
-    assert_eq!(count, 194, "every case is tried");
+    assert_eq!((count, count + refused.len()), (taken.len(), 321), "every case is tried");
+}
+
+#[test]
+fn points_beyond_the_range_of_inputs_are_refused_by_row() {
+    let (head, _, refused) = table();
+    assert!(!refused.is_empty());
+    let output = classify_points(&(head + &refused.join("\n")));
+    assert_eq!((output.status.code(), output.stdout.len()), (Some(2), 0));
+    let said = String::from_utf8(output.stderr).unwrap();
+    for row in 1..=refused.len() {
+        assert!(said.contains(&format!("row {row}, column ")), "row {row} is not in:\n{said}");
+    }
+    assert!(said.contains("out of range (allowed: 1e-300 to 1e300)"), "{said}");
 }

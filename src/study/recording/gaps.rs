@@ -76,9 +76,9 @@ mod tests {
 
     #[test]
     fn an_uneven_run_has_a_gap_only_where_laps_are_missing() {
-        // Ten short steps and a long one, over and over.
+        // Five short steps and a long one, over and over.
         let mut times: Vec<f64> =
-            (0..1100).map(|i| f64::from(i / 11) * 2.0 + 0.1 * f64::from(i % 11)).collect();
+            (0..1100).map(|i| f64::from(i / 6) * 1.5 + 0.1 * f64::from(i % 6)).collect();
         assert_eq!(wave(times.clone()).gap(0.0), None);
         times.retain(|time| !(60.0..80.0).contains(time));
         let gap = wave(times).gap(0.0).unwrap();
