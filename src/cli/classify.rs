@@ -1,6 +1,6 @@
 //! `slipmode classify`: one point for people or programs, or every row of a CSV file.
 
-mod rows;
+pub mod rows;
 mod view;
 
 use std::path::PathBuf;

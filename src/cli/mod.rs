@@ -10,6 +10,7 @@ mod environment;
 mod failure;
 mod folder;
 mod input;
+mod merge;
 mod new;
 mod options;
 mod output;
@@ -19,6 +20,7 @@ mod replay;
 mod report;
 mod roots;
 mod simulate;
+mod sweep;
 mod terminal;
 mod tolerance;
 mod tree;
@@ -56,6 +58,10 @@ enum Command {
     Boundary(boundary::Options),
     /// The nonlinear slider, simulated: mode, peak velocity, period, stress drop, each with its error
     Simulate(simulate::Options),
+    /// One shard of a scene's sweep, block by block into a folder; also its plan, and scripts for Slurm
+    Sweep(sweep::Options),
+    /// The blocks of a sweep put together; refuses, and names the shards to run, unless every block is there once
+    Merge(merge::Options),
     /// Runs of other programs, held against the theory and against our simulation; exits with 1 unless all agree
     Compare(compare::Options),
     /// Which formula may be used where, for given relative errors
@@ -103,6 +109,8 @@ fn run(cli: Cli) -> Result<(), Failure> {
         Command::Roots(options) => roots::run(&options),
         Command::Boundary(options) => boundary::run(&options),
         Command::Simulate(options) => simulate::run(&options, &progress),
+        Command::Sweep(options) => sweep::run(&options, &progress),
+        Command::Merge(options) => merge::run(&options),
         Command::Compare(options) => compare::run(&options, progress),
         Command::Tolerance(options) => tolerance::run(&options),
         Command::New(options) => new::run(&options, &progress),

@@ -2,7 +2,7 @@
 
 mod history;
 pub mod range;
-mod rows;
+pub mod rows;
 pub mod run;
 pub mod view;
 

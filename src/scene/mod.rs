@@ -23,6 +23,7 @@ mod schema;
 mod section;
 mod sections;
 mod simulations;
+mod sweep;
 mod trajectories;
 
 pub use axis::{Limits, LogAxis};
@@ -44,4 +45,5 @@ pub use sections::{
     BoundarySection, EffectRatioSweep, FrequencySection, HardCases, Rectangle, ToleranceSection,
 };
 pub use simulations::SimulationsSection;
+pub use sweep::{Coordinate, MOST_SWEEP_POINTS, Spacing, Span, SweepPoints, SweepSection, SweepWork};
 pub use trajectories::{TrajectoriesSection, TrajectoryPoint};

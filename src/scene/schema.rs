@@ -7,7 +7,7 @@ use crate::scene::sections::{NAME_RULE, safe_name};
 use crate::scene::{
     AllowedRange, BoundarySection, EffectRatioSweep, ErrorBoundSection, Faults, FrequencySection, HardCases,
     Limits, LinearRegimeSection, NearTransition, OnsetSection, OriginalSchemeSection, Problem, Quantity,
-    Rectangle, SceneParameters, SimulationsSection, StartSensitivitySection, ToleranceSection,
+    Rectangle, SceneParameters, SimulationsSection, StartSensitivitySection, SweepSection, ToleranceSection,
     TrajectoriesSection, WorkPrecisionSection,
 };
 
@@ -54,6 +54,8 @@ pub struct Scene {
     pub work_precision: Option<WorkPrecisionSection>,
     /// `[error_bound]`: stated errors against true ones.
     pub error_bound: Option<ErrorBoundSection>,
+    /// `[sweep]`: points for many machines, and what is computed at each.
+    pub sweep: Option<SweepSection>,
 }
 
 impl Scene {
@@ -107,6 +109,8 @@ fn read_scene(top: &mut Section<'_>, limits: &Limits, faults: &mut Faults) -> Op
         top.optional("original_scheme").map(|entry| OriginalSchemeSection::read(&entry, limits, faults));
     let work = top.optional("work_precision").map(|entry| WorkPrecisionSection::read(&entry, faults));
     let bound = top.optional("error_bound").map(|entry| ErrorBoundSection::read(&entry, limits, faults));
+    let read = parameters.as_ref().map(Option::as_ref);
+    let shared = top.optional("sweep").map(|entry| SweepSection::read(&entry, read, faults));
     Some(Scene {
         name: name?,
         title: title?,
@@ -128,6 +132,7 @@ fn read_scene(top: &mut Section<'_>, limits: &Limits, faults: &mut Faults) -> Op
         original_scheme: given(original)?,
         work_precision: given(work)?,
         error_bound: given(bound)?,
+        sweep: given(shared)?,
     })
 }
 

@@ -145,6 +145,11 @@ impl<'t> Entry<'t> {
         Some(text.to_string())
     }
 
+    /// Whether the value is a table.
+    pub fn is_table(&self) -> bool {
+        matches!(self.value.get_ref(), DeValue::Table(_))
+    }
+
     /// A table.
     pub fn section(&self, faults: &mut Faults) -> Option<Section<'t>> {
         let DeValue::Table(table) = self.value.get_ref() else {

@@ -1,6 +1,7 @@
 //! What a scene needs, planned and computed: pure, and the same bytes on any number of threads.
 
 mod bistability;
+mod blocks;
 mod boundary;
 mod comparison;
 mod cycle_families;
@@ -13,6 +14,7 @@ mod hard_cases;
 mod least_peak;
 mod linear_modes;
 mod linear_regime;
+mod low_discrepancy;
 mod map;
 mod near_transition;
 mod need;
@@ -33,6 +35,7 @@ mod snapshots;
 mod start_sensitivity;
 mod steady_sliding;
 mod sweep;
+mod sweep_points;
 mod thinning;
 mod tolerance;
 mod trajectories;
@@ -40,6 +43,7 @@ mod work_precision;
 mod zones;
 
 pub use bistability::{Edge, Threshold, place_on_transition};
+pub use blocks::{Blocks, Shard, array_string};
 pub use boundary::{BoundaryOutcome, END_ERROR, boundary_outcome};
 pub use comparison::{
     Agreement, Comparison, Finding, Observable, Origin, Reference, Simulate, StatedMode, StatedRun, Theory,
@@ -54,6 +58,7 @@ pub use hard_cases::{FamilyOutcome, HardCase, compare_hard_cases, read_hard_case
 pub use least_peak::{FLATNESS_LEVELS, LeastPeak, SIDE_WIDTH, least_peaks};
 pub use linear_modes::Direction;
 pub use linear_regime::{LinearRegimeOutcome, Mismatch, ModeRuns, linear_regime};
+pub use low_discrepancy::LowDiscrepancy;
 pub use map::{MapPoint, classify_rectangle};
 pub use near_transition::{NearRun, NearTransitionOutcome, near_transition};
 pub use need::{Need, Needs};
@@ -71,6 +76,7 @@ pub use simulations::{SimulatedPoint, SimulationsOutcome, simulations};
 pub use start_sensitivity::{Early, StartGroup, StartRun, start_sensitivity};
 pub use steady_sliding::{SteadyRun, steady_sliding};
 pub use sweep::{SweepOutcome, SweepRow, sweep_effect_ratio};
+pub use sweep_points::{PointSource, Varying};
 pub use tolerance::{ToleranceOutcome, ToleranceRow, tolerance_limits};
 pub use trajectories::{Course, DRAWING_TOLERANCE, Moment, TrajectoryRun, trajectories};
 pub use work_precision::{

@@ -24,3 +24,5 @@ mod roots;
 mod sabotage;
 mod simulate;
 mod simulate_points;
+mod sweep;
+mod sweep_refusals;

@@ -4,6 +4,8 @@
 
 mod bench;
 mod bless;
+#[cfg(target_os = "linux")]
+mod cluster_test;
 mod failure;
 mod gmp_cache;
 mod judge;
@@ -23,15 +25,16 @@ use failure::Failure;
 const USAGE: &str = "\
 usage: cargo xtask <command> [arguments]
 
-  verify    build, run every report under reports/, compare with its published copy
-  test      format, clippy, rustdoc, tidy, licences, all tests; ends with a count
-  bless     rewrite the published copy of every report, deliberately
-  bench     run the benchmarks, SciPy beside the simulations (arguments are passed on to `cargo bench`);
-            --peers [works]: every other program that is found, into bench-results/
-  tidy      the rules of the house: floors, headers, lengths, left-overs, links
-  licences  every dependency's licence against the allow list
-  judge     let outside programs judge every report's page, Markdown, archive and citation
-  machine   look for the tools that the one-time build of GMP, MPFR and MPC needs
+  verify        build, run every report under reports/, compare with its published copy
+  test          format, clippy, rustdoc, tidy, licences, all tests; ends with a count
+  bless         rewrite the published copy of every report, deliberately
+  bench         run the benchmarks, SciPy beside the simulations (arguments are passed on to `cargo bench`);
+                --peers [works]: every other program that is found, into bench-results/
+  tidy          the rules of the house: floors, headers, lengths, left-overs, links
+  licences      every dependency's licence against the allow list
+  judge         let outside programs judge every report's page, Markdown, archive and citation
+  cluster-test  a sweep on a real Slurm, one of whose nodes is killed midway (Linux)
+  machine       look for the tools that the one-time build of GMP, MPFR and MPC needs
 
 exit codes: 0 done, 1 a check failed, 2 bad usage or a machine that lacks something";
 
@@ -57,6 +60,8 @@ fn run(arguments: &[String]) -> Result<(), Failure> {
         "test" => test::run(),
         "bless" => bless::run(),
         "judge" => judge::run(),
+        #[cfg(target_os = "linux")]
+        "cluster-test" => cluster_test::run(),
         "tidy" => tidy::run(),
         "licences" => licences::run(),
         "machine" => machine::run(),

@@ -21,13 +21,13 @@ use crate::cli::input::Input;
 use crate::cli::output::{Output, machine_write};
 use crate::cli::progress::Progress;
 pub use cells::push_cell;
-use header::Header;
+pub use header::Header;
 pub use header::{absent, column_faults, names, other_unit};
 pub use row_work::{Cells, Remark, RowWork};
-use rows::Block;
+pub use rows::Block;
 pub use rows::{Row, RowReader};
 pub use work::cell_problem;
-use work::{Work, Worked};
+pub use work::{Work, Worked};
 
 /// The most faults that are reported before the run stops looking for more.
 const MOST_FAULTS: usize = 20;

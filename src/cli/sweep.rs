@@ -1,0 +1,166 @@
+//! `slipmode sweep`: the points of a scene in fixed blocks, as many as belong to one shard; its plan; its Slurm scripts.
+
+pub mod block_file;
+mod boundary_rows;
+mod load;
+mod plan;
+mod points;
+mod slurm;
+mod work;
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicU64, Ordering};
+
+use clap::Args;
+use indicatif::ProgressBar;
+use rayon::prelude::*;
+use slipmode::scene::Problem;
+use slipmode::study::{Blocks, Shard};
+
+use crate::cli::failure::Failure;
+use crate::cli::options::Arguments;
+use crate::cli::progress::Progress;
+use block_file::{OpenBlock, Origin, Unsound, write_block};
+use load::{Loaded, Task};
+use points::{Job, Points};
+use work::PointWork;
+
+/// Options of `sweep`.
+#[derive(Debug, Args)]
+pub struct Options {
+    /// The scene: a TOML file with a section [sweep]
+    scene: PathBuf,
+    /// Which blocks: block k belongs to shard k mod N, shards are counted from 0
+    #[arg(long, value_name = "I/N", default_value = "0/1", allow_hyphen_values = true)]
+    shard: String,
+    /// The folder of the blocks; those in it that hold are not computed again
+    #[arg(long, value_name = "DIR", required_unless_present = "plan")]
+    out: Option<PathBuf>,
+    /// Measure some points, print points, blocks, shards, core-hours and bytes, and compute nothing
+    #[arg(long, conflicts_with = "slurm")]
+    plan: bool,
+    /// Write a job array for Slurm and the merge after it into DIR, and compute nothing
+    #[arg(long)]
+    slurm: bool,
+    /// How long a shard should take on one core, minutes
+    #[arg(long, value_name = "M", default_value = "30", allow_hyphen_values = true)]
+    minutes: String,
+    /// Shards of the job array [default: as many as --minutes makes]
+    #[arg(long, value_name = "N", requires = "slurm", allow_hyphen_values = true)]
+    shards: Option<String>,
+}
+
+/// The longest shard, in minutes: a week.
+const MOST_MINUTES: u64 = 7 * 24 * 60;
+/// The most shards of a job array.
+pub const MOST_SHARDS: u64 = 1_000_000;
+
+/// Runs the command.
+///
+/// # Errors
+/// When the arguments or the scene are at fault, a file cannot be read or written, or the folder has another sweep's blocks.
+pub fn run(options: &Options, progress: &Progress) -> Result<(), Failure> {
+    let mut arguments = Arguments::default();
+    let shard = arguments.number("--shard", &options.shard, |text| {
+        let allowed = "I/N with whole numbers 0 <= I < N".to_string();
+        Shard::parse(text).ok_or(Problem::OutOfRange { allowed })
+    });
+    let minutes = arguments.whole("--minutes", Some(&options.minutes), 1..=MOST_MINUTES);
+    let shards = arguments.whole("--shards", options.shards.as_deref(), 1..=MOST_SHARDS);
+    arguments.finish()?;
+    let (Some(shard), Some(minutes)) = (shard, minutes) else { return Ok(()) };
+    let loaded = load::load(&options.scene)?;
+    match &options.out {
+        Some(out) if options.slurm => {
+            loaded.perform(slurm::WriteScripts { scene: &options.scene, out, minutes, shards })
+        }
+        Some(out) if !options.plan => loaded.perform(ComputeShard { shard, out, progress: *progress }),
+        _ => loaded.perform(plan::PrintPlan { minutes }),
+    }
+}
+
+/// Computes the blocks of a shard that are not there.
+struct ComputeShard<'o> {
+    shard: Shard,
+    out: &'o Path,
+    progress: Progress,
+}
+
+impl Task for ComputeShard<'_> {
+    fn perform<W: PointWork>(self, loaded: &Loaded, points: &Points<W>) -> Result<(), Failure> {
+        let blocks = points.blocks(loaded.section.block_points)?;
+        create_folder(self.out)?;
+        let origin =
+            Origin { scene: loaded.digest.clone(), version: load::version(), blocks: blocks.count() };
+        let shard_blocks = blocks.of_shard(self.shard).count() as u64;
+        let writer = BlockWriter {
+            points,
+            blocks,
+            columns: points.columns(),
+            origin,
+            out: self.out,
+            bar: self.progress.count(shard_blocks),
+            unanswered: AtomicU64::new(0),
+        };
+        // Blocks start in their order, each on one thread: what a kill can lose is one block a thread.
+        let done = points.jobs(blocks, self.shard)?.par_bridge().try_for_each(|job| writer.write(&job?));
+        writer.bar.finish_and_clear();
+        done?;
+        match writer.unanswered.into_inner() {
+            0 => {}
+            count => eprintln!("{count} points have no answer; see their columns `status` or `error`"),
+        }
+        Ok(())
+    }
+}
+
+/// Makes the folder of the blocks, if it is not there.
+pub fn create_folder(folder: &Path) -> Result<(), Failure> {
+    fs::create_dir_all(folder).map_err(|error| Failure::io(folder, "cannot be created", &error))
+}
+
+/// Writes blocks from any thread.
+struct BlockWriter<'p, W> {
+    points: &'p Points<W>,
+    blocks: Blocks,
+    columns: Vec<u8>,
+    origin: Origin,
+    out: &'p Path,
+    bar: ProgressBar,
+    unanswered: AtomicU64,
+}
+
+impl<W: PointWork> BlockWriter<'_, W> {
+    fn write(&self, job: &Job) -> Result<(), Failure> {
+        if !self.holds(job.block)? {
+            let lines = self.points.lines(self.blocks, job);
+            let range = self.blocks.range(job.block);
+            let number = (job.block, range.end - range.start);
+            write_block(self.out, &self.origin, number, &self.columns, &lines.text)?;
+            self.unanswered.fetch_add(lines.unanswered, Ordering::Relaxed);
+        }
+        self.bar.inc(1);
+        Ok(())
+    }
+
+    /// Whether a block is there and sound. A damaged one is computed again; one of another sweep is never overwritten.
+    fn holds(&self, block: u64) -> Result<bool, Failure> {
+        let open = match OpenBlock::open(self.out, block) {
+            Ok(open) => open,
+            Err(Unsound::Missing | Unsound::Damaged(_)) => return Ok(false),
+            Err(Unsound::Unreadable(error)) => {
+                let place = self.out.join(block_file::block_name(block));
+                return Err(Failure::io(&place, "cannot be read", &error));
+            }
+        };
+        if let Some(difference) = open.heading.origin.difference(&self.origin) {
+            let place = self.out.join(block_file::block_name(block));
+            return Err(Failure::Refused(format!(
+                "{}: {difference}; choose another folder, or remove its blocks",
+                place.display()
+            )));
+        }
+        Ok(open.copy(true, &mut std::io::sink())?.is_ok())
+    }
+}

@@ -1,0 +1,264 @@
+//! A block's file: a heading of eight lines and an empty one, then CSV; written whole or not at all, checked by its digest.
+
+use std::fs::{self, File, OpenOptions};
+use std::io::{self, BufRead, BufReader, Read, Write};
+use std::path::{Path, PathBuf};
+use std::time::{SystemTime, UNIX_EPOCH};
+
+use sha2::{Digest, Sha256};
+
+use crate::cli::failure::Failure;
+
+/// The first line of every block.
+const FORMAT: &str = "slipmode block 1";
+/// The longest heading that is read, in bytes.
+const LONGEST_HEADING: u64 = 1024;
+/// The lines of a heading, the empty one included.
+const HEADING_LINES: usize = 9;
+
+/// What all blocks of a sweep have in common.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Origin {
+    /// SHA-256 of the scene and of the list that it names.
+    pub scene: String,
+    /// The program's version with the digest of its sources.
+    pub version: String,
+    /// The number of blocks of the sweep.
+    pub blocks: u64,
+}
+
+impl Origin {
+    /// How a block of this origin does not belong to another's sweep, if it does not.
+    pub fn difference(&self, other: &Self) -> Option<String> {
+        if self.scene != other.scene {
+            return Some(format!(
+                "belongs to another scene ({}, not {})",
+                short(&self.scene),
+                short(&other.scene)
+            ));
+        }
+        if self.version != other.version {
+            return Some(format!("is of another program version ({}, not {})", self.version, other.version));
+        }
+        (self.blocks != other.blocks)
+            .then(|| format!("is one of {} blocks, not of {}", self.blocks, other.blocks))
+    }
+}
+
+/// The beginning of a digest, enough to tell two apart by eye.
+fn short(digest: &str) -> String {
+    digest.chars().take(12).collect()
+}
+
+/// The heading of a block.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Heading {
+    /// Whose block it is.
+    pub origin: Origin,
+    /// Its number, counted from 0.
+    pub block: u64,
+    /// Its points.
+    pub points: u64,
+    /// The bytes of the line of column names, the first of its CSV.
+    pub columns: u64,
+    /// All bytes of its CSV.
+    pub bytes: u64,
+    /// SHA-256 of the heading before this line, and of the CSV.
+    sha256: String,
+}
+
+/// Why a block's file does not hold.
+#[derive(Debug)]
+pub enum Unsound {
+    /// There is none.
+    Missing,
+    /// It is not what its heading says, or has none.
+    Damaged(String),
+    /// It cannot be read.
+    Unreadable(io::Error),
+}
+
+/// The file of a block.
+pub fn block_name(block: u64) -> String {
+    format!("block-{block:09}.csv")
+}
+
+/// The number of the block whose file has this name, exactly.
+pub fn block_of_name(name: &str) -> Option<u64> {
+    let block = name.strip_prefix("block-")?.strip_suffix(".csv")?.parse().ok()?;
+    (block_name(block) == name).then_some(block)
+}
+
+impl Heading {
+    fn stated(&self) -> String {
+        let Self { origin: Origin { scene, version, blocks }, block, points, columns, bytes, .. } = self;
+        format!(
+            "{FORMAT}\nscene {scene}\nversion {version}\nblock {block} of {blocks}\npoints {points}\n\
+             columns {columns}\nbytes {bytes}\n"
+        )
+    }
+
+    fn text(&self) -> String {
+        format!("{}sha256 {}\n\n", self.stated(), self.sha256)
+    }
+
+    /// Parses a heading; only the very text that the writer would write is one.
+    fn parse(text: &str) -> Option<Self> {
+        let mut lines = text.lines().skip(1);
+        let mut value = |key: &str| lines.next()?.strip_prefix(key)?.strip_prefix(' ');
+        let (scene, version) = (value("scene")?.to_string(), value("version")?.to_string());
+        let (block, blocks) = value("block")?.split_once(" of ")?;
+        let number = |text: &str| text.parse::<u64>().ok();
+        let heading = Self {
+            origin: Origin { scene, version, blocks: number(blocks)? },
+            block: number(block)?,
+            points: number(value("points")?)?,
+            columns: number(value("columns")?)?,
+            bytes: number(value("bytes")?)?,
+            sha256: value("sha256")?.to_string(),
+        };
+        (heading.text() == text && heading.columns <= heading.bytes && heading.block < heading.origin.blocks)
+            .then_some(heading)
+    }
+}
+
+/// A block's file, its heading read.
+pub struct OpenBlock {
+    /// The heading, not yet held against the content.
+    pub heading: Heading,
+    reader: BufReader<File>,
+    name: PathBuf,
+}
+
+impl OpenBlock {
+    /// Opens a block of a folder and reads its heading; a length other than the stated one is found here.
+    ///
+    /// # Errors
+    /// When there is no such file, or it does not hold.
+    pub fn open(folder: &Path, block: u64) -> Result<Self, Unsound> {
+        let name = folder.join(block_name(block));
+        let file = match File::open(&name) {
+            Ok(file) => file,
+            Err(error) if error.kind() == io::ErrorKind::NotFound => return Err(Unsound::Missing),
+            Err(error) => return Err(Unsound::Unreadable(error)),
+        };
+        let size = file.metadata().map_err(Unsound::Unreadable)?.len();
+        let mut reader = BufReader::with_capacity(1 << 16, file);
+        let mut text = Vec::new();
+        let mut limited = (&mut reader).take(LONGEST_HEADING);
+        for _ in 0..HEADING_LINES {
+            limited.read_until(b'\n', &mut text).map_err(Unsound::Unreadable)?;
+        }
+        let heading = std::str::from_utf8(&text).ok().and_then(Heading::parse);
+        let heading = heading.ok_or_else(|| Unsound::Damaged("has no sound heading".into()))?;
+        let stated = text.len() as u64 + heading.bytes;
+        match size {
+            size if size < stated => Err(Unsound::Damaged(format!("truncated: {size} of {stated} bytes"))),
+            size if size > stated => Err(Unsound::Damaged(format!("too long: {size} bytes, not {stated}"))),
+            _ if heading.block != block => {
+                Err(Unsound::Damaged(format!("holds block {}: doubled or renamed", heading.block)))
+            }
+            _ => Ok(Self { heading, reader, name }),
+        }
+    }
+
+    /// Writes the CSV, without its column names unless `with_columns`, and then tells whether its digest holds.
+    ///
+    /// # Errors
+    /// When it cannot be read or written, or is not what it was.
+    pub fn copy(mut self, with_columns: bool, out: &mut impl Write) -> Result<Result<(), Unsound>, Failure> {
+        let mut digest = Sha256::new().chain_update(self.heading.stated());
+        let mut skipped = if with_columns { 0 } else { self.heading.columns };
+        let mut buffer = vec![0; 1 << 16];
+        loop {
+            let count = match self.reader.read(&mut buffer) {
+                Ok(0) => break,
+                Ok(count) => count,
+                Err(error) => return Err(Failure::io(&self.name, "cannot be read", &error)),
+            };
+            digest.update(&buffer[..count]);
+            let from = usize::try_from(skipped).unwrap_or(usize::MAX).min(count);
+            skipped -= from as u64;
+            out.write_all(&buffer[from..count]).map_err(|error| crate::cli::output::machine_write(&error))?;
+        }
+        if hexadecimal(digest) == self.heading.sha256 {
+            return Ok(Ok(()));
+        }
+        Ok(Err(Unsound::Damaged("damaged or tampered with: its SHA-256 is not the stated one".into())))
+    }
+}
+
+fn hexadecimal(digest: Sha256) -> String {
+    digest.finalize().iter().map(|byte| format!("{byte:02x}")).collect()
+}
+
+/// Writes a block: beside its place, synced, renamed.
+///
+/// # Errors
+/// When it cannot be written; nothing is left behind then.
+pub fn write_block(
+    folder: &Path,
+    origin: &Origin,
+    (block, points): (u64, u64),
+    columns: &[u8],
+    lines: &[u8],
+) -> Result<(), Failure> {
+    let (columns_bytes, bytes) = (columns.len() as u64, (columns.len() + lines.len()) as u64);
+    let mut heading = Heading {
+        origin: origin.clone(),
+        block,
+        points,
+        columns: columns_bytes,
+        bytes,
+        sha256: String::new(),
+    };
+    let digest = Sha256::new().chain_update(heading.stated()).chain_update(columns).chain_update(lines);
+    heading.sha256 = hexadecimal(digest);
+    let place = folder.join(block_name(block));
+    let beside = Beside::create(folder, block)?;
+    let written = || -> io::Result<()> {
+        let mut file = &beside.file;
+        for part in [heading.text().as_bytes(), columns, lines] {
+            file.write_all(part)?;
+        }
+        file.sync_all()?;
+        fs::rename(&beside.path, &place)
+    };
+    written().map_err(|error| Failure::io(&place, "cannot be written", &error))
+}
+
+/// A file under writing, removed unless it was renamed.
+struct Beside {
+    path: PathBuf,
+    file: File,
+}
+
+/// Names tried for a file under writing.
+const MOST_NAMES: u32 = 100;
+
+impl Beside {
+    /// Copies of a shard on other machines may have our process id: the clock tells their names from ours.
+    fn create(folder: &Path, block: u64) -> Result<Self, Failure> {
+        let mut attempt = 0;
+        loop {
+            let since_epoch = SystemTime::now().duration_since(UNIX_EPOCH).unwrap_or_default().as_nanos();
+            let process = std::process::id();
+            let name = format!(".{}.{process}-{since_epoch}-{attempt}.partial", block_name(block));
+            let path = folder.join(name);
+            match OpenOptions::new().write(true).create_new(true).open(&path) {
+                Ok(file) => return Ok(Self { path, file }),
+                Err(error) if error.kind() == io::ErrorKind::AlreadyExists && attempt < MOST_NAMES => {
+                    attempt += 1;
+                }
+                Err(error) => return Err(Failure::io(&path, "cannot be created", &error)),
+            }
+        }
+    }
+}
+
+impl Drop for Beside {
+    fn drop(&mut self) {
+        // Gone already after a rename; otherwise there is nobody left to tell.
+        let _ = fs::remove_file(&self.path);
+    }
+}

@@ -1,0 +1,148 @@
+//! `sweep --slurm`: a job array and the merge after it, as shell scripts that say what they do.
+
+use std::fs;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+
+use crate::cli::failure::Failure;
+use crate::cli::output::{Output, machine_write};
+use crate::cli::sweep::create_folder;
+use crate::cli::sweep::load::{Loaded, Task};
+use crate::cli::sweep::plan::Plan;
+use crate::cli::sweep::points::Points;
+use crate::cli::sweep::work::PointWork;
+use crate::cli::terminal;
+
+/// Writes the scripts.
+pub struct WriteScripts<'o> {
+    /// The scene's file.
+    pub scene: &'o Path,
+    /// The folder of blocks and scripts.
+    pub out: &'o Path,
+    /// How long a shard should take, minutes.
+    pub minutes: u64,
+    /// Shards, when given.
+    pub shards: Option<u64>,
+}
+
+impl Task for WriteScripts<'_> {
+    fn perform<W: PointWork>(self, loaded: &Loaded, points: &Points<W>) -> Result<(), Failure> {
+        let blocks = points.blocks(loaded.section.block_points)?.count();
+        let shards = match self.shards {
+            Some(shards) => shards.min(blocks),
+            None => Plan::measure(loaded, points)?.shards(self.minutes),
+        };
+        create_folder(self.out)?;
+        let scripts = Scripts {
+            name: &loaded.name,
+            program: absolute(
+                &std::env::current_exe().map_err(|error| Failure::machine("the program's place", &error))?,
+            )?,
+            scene: absolute(self.scene)?,
+            out: absolute(self.out)?,
+            shards,
+            minutes: self.minutes,
+        };
+        let files =
+            [("array.sh", scripts.array()), ("merge.sh", scripts.merge()), ("submit.sh", scripts.submit())];
+        for (name, text) in files {
+            let mut output = Output::create(&self.out.join(name))?;
+            output.write_all(text.as_bytes()).map_err(|error| machine_write(&error))?;
+            output.commit()?;
+        }
+        terminal::print(&format!("{shards} shards; submit with: sh {}/submit.sh\n", scripts.out))
+    }
+}
+
+/// A path as one word of a shell.
+fn absolute(path: &Path) -> Result<String, Failure> {
+    let path: PathBuf =
+        fs::canonicalize(path).map_err(|error| Failure::io(path, "cannot be found", &error))?;
+    match path.to_str() {
+        Some(text) => Ok(quoted(text)),
+        None => Err(Failure::Refused(format!(
+            "{}: a path that is not UTF-8 cannot stand in a script",
+            path.display()
+        ))),
+    }
+}
+
+/// A text that the shell takes as it is.
+fn quoted(text: &str) -> String {
+    let is_plain = |byte: u8| byte.is_ascii_alphanumeric() || b"/._-".contains(&byte);
+    if text.bytes().all(is_plain) { text.to_string() } else { format!("'{}'", text.replace('\'', "'\\''")) }
+}
+
+/// What the scripts are made of; paths are quoted.
+struct Scripts<'n> {
+    name: &'n str,
+    program: String,
+    scene: String,
+    out: String,
+    shards: u64,
+    minutes: u64,
+}
+
+impl Scripts<'_> {
+    fn array(&self) -> String {
+        let Self { name, program, scene, out, shards, .. } = self;
+        // Twice the plan: a slower node must not lose its last block to the limit.
+        let limit = self.minutes * 2;
+        format!(
+            "#!/bin/sh\n\
+             # One task of the array computes one shard, on one core. submit.sh says which tasks there are.\n\
+             #SBATCH --job-name={name}\n\
+             #SBATCH --ntasks=1\n\
+             #SBATCH --cpus-per-task=1\n\
+             # Minutes: twice what was planned for a shard.\n\
+             #SBATCH --time={limit}\n\
+             # A task whose node fails, or that is preempted, goes back to the queue; it goes on after its last whole block.\n\
+             #SBATCH --requeue\n\
+             #SBATCH --open-mode=append\n\
+             exec {program} --threads 1 --quiet sweep {scene} --shard \"$SLURM_ARRAY_TASK_ID/{shards}\" --out {out}\n"
+        )
+    }
+
+    fn merge(&self) -> String {
+        let Self { name, program, out, shards, .. } = self;
+        format!(
+            "#!/bin/sh\n\
+             # Puts the blocks together when no task of the array is left, whatever became of them.\n\
+             # Ends with 1, and with the shards to submit again in its log, when blocks are missing.\n\
+             #SBATCH --job-name={name}-merge\n\
+             #SBATCH --ntasks=1\n\
+             #SBATCH --cpus-per-task=1\n\
+             #SBATCH --requeue\n\
+             exec {program} merge {out} --shards {shards} -o {out}/merged.csv\n"
+        )
+    }
+
+    fn submit(&self) -> String {
+        let Self { program, out, shards, .. } = self;
+        let last = shards - 1;
+        format!(
+            "#!/bin/sh\n\
+             # Submits the array, and the merge to follow it.\n\
+             #   sh submit.sh           all {shards} shards, 0 to {last}\n\
+             #   sh submit.sh 3,17-19   only these: what `merge {out} --shards {shards} --missing` prints\n\
+             # A cluster takes arrays up to its MaxArraySize (`scontrol show config`); `sweep --slurm --shards N` makes fewer.\n\
+             set -eu\n\
+             tasks=${{1:-0-{last}}}\n\
+             array=$(sbatch --parsable --array=\"$tasks\" --output={out}/shard-%a.log {out}/array.sh)\n\
+             merge=$(sbatch --parsable --dependency=\"afterany:${{array%%;*}}\" --output={out}/merge-%j.log {out}/merge.sh)\n\
+             echo \"array $array, merge $merge, program {program}\"\n"
+        )
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_path_is_one_word_whatever_it_holds() {
+        assert_eq!(quoted("/a/b-c_d.toml"), "/a/b-c_d.toml");
+        assert_eq!(quoted("/a b/$HOME"), "'/a b/$HOME'");
+        assert_eq!(quoted("it's"), "'it'\\''s'");
+    }
+}

@@ -1,0 +1,108 @@
+//! What a sweep does at a point: the same work that `--points` does with a row, on points that are made instead of read.
+
+use slipmode::friction::EvolutionLaw;
+use slipmode::number::format::shortest;
+use slipmode::scene::Quantity;
+use slipmode::stability::{classify, classify_quickly};
+use slipmode::study::{PointSource, Varying};
+
+use crate::cli::classify::rows::ClassifyRows;
+use crate::cli::points::{Block, RowWork, Work};
+use crate::cli::simulate::rows::SimulateRows;
+use crate::cli::sweep::boundary_rows::BoundaryRows;
+use crate::cli::words::LAW_COLUMN;
+
+/// Work that takes points which were made.
+pub trait PointWork: RowWork {
+    /// What the work takes, of a point and a law.
+    fn input(&self, source: &PointSource, point: &Varying, law: EvolutionLaw) -> Self::Input;
+}
+
+impl PointWork for ClassifyRows {
+    fn input(&self, source: &PointSource, point: &Varying, _law: EvolutionLaw) -> Self::Input {
+        classify_quickly(&source.double_double(point), &self.threshold)
+            .unwrap_or_else(|| classify(&source.exact(point), &self.threshold))
+    }
+}
+
+impl PointWork for BoundaryRows {
+    fn input(&self, source: &PointSource, point: &Varying, _law: EvolutionLaw) -> Self::Input {
+        source.exact(point)
+    }
+}
+
+impl PointWork for SimulateRows {
+    fn input(&self, source: &PointSource, point: &Varying, law: EvolutionLaw) -> Self::Input {
+        (source.exact(point), law)
+    }
+}
+
+/// The lines of a block, and how many of its points have no answer.
+#[derive(Debug, Default)]
+pub struct Lines {
+    /// The text.
+    pub text: Vec<u8>,
+    /// Points whose row says why it has no answer, or what is wrong with it.
+    pub unanswered: u64,
+}
+
+/// Points that are made, and the work at each.
+#[derive(Debug)]
+pub struct Made<W> {
+    /// The points.
+    pub source: PointSource,
+    /// The laws, each taken at every point; empty when the work knows none.
+    pub laws: Vec<EvolutionLaw>,
+    /// The work.
+    pub work: W,
+}
+
+impl<W: PointWork> Made<W> {
+    /// How many rows there are.
+    pub fn count(&self) -> u64 {
+        self.source.count().saturating_mul(self.laws.len().max(1) as u64)
+    }
+
+    /// The line of column names.
+    pub fn columns(&self) -> Vec<u8> {
+        let varying = self.source.varying().into_iter().map(|index| Quantity::ALL[index].key());
+        let law = (!self.laws.is_empty()).then_some(LAW_COLUMN);
+        let names: Vec<&str> = varying.chain(law).chain(W::APPENDED.iter().copied()).collect();
+        format!("{}\n", names.join(",")).into_bytes()
+    }
+
+    /// The rows of these numbers.
+    pub fn lines(&self, numbers: impl Iterator<Item = u64>) -> Lines {
+        let varying = self.source.varying();
+        let mut lines = Lines::default();
+        for number in numbers {
+            self.line(number, &varying, &mut lines);
+        }
+        lines
+    }
+
+    fn line(&self, number: u64, varying: &[usize], lines: &mut Lines) {
+        let laws = self.laws.len().max(1) as u64;
+        let point = self.source.at(number / laws);
+        for (place, index) in varying.iter().enumerate() {
+            if place > 0 {
+                lines.text.push(b',');
+            }
+            lines.text.extend_from_slice(shortest(point[*index]).as_bytes());
+        }
+        let law = self.laws.get((number % laws) as usize);
+        if let Some(law) = law {
+            lines.text.push(b',');
+            lines.text.extend_from_slice(law.as_str().as_bytes());
+        }
+        let input = self.work.input(&self.source, &point, law.copied().unwrap_or(EvolutionLaw::Slip));
+        lines.unanswered += u64::from(self.work.append(&input, &mut lines.text).is_unanswered);
+        lines.text.push(b'\n');
+    }
+}
+
+/// The rows of a list.
+pub fn listed_lines<W: RowWork>(work: &Work<W>, rows: &Block) -> Lines {
+    let worked = work.block(rows, false);
+    Lines { text: worked.text, unanswered: worked.unanswered + worked.faulty }
+}

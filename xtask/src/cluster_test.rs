@@ -1,0 +1,171 @@
+//! `cargo xtask cluster-test`: a sweep on a real Slurm of three nodes, one of which is killed midway.
+//!
+//! Slurm's daemons run here, under this program, on ports and in a folder of their own. A machine without Slurm is named and
+//! the test skipped, except under continuous integration (`CI` is set), where it is required.
+
+mod cluster;
+mod sessions;
+
+use std::env;
+use std::fs;
+use std::path::Path;
+use std::process::Command;
+use std::thread;
+use std::time::{Duration, Instant};
+
+use crate::failure::Failure;
+use crate::{machine, process, verify};
+use cluster::{Cluster, Task};
+
+/// The programs that the test runs on, and where Debian has them.
+const PROGRAMS: [&str; 8] =
+    ["munged", "slurmctld", "slurmd", "sbatch", "squeue", "scancel", "sinfo", "setpriv"];
+const PACKAGES: [&str; 2] = ["slurm-wlm", "munge"];
+
+/// Shards of the array: twice as many as nodes, so that some wait while others run.
+const SHARDS: usize = 6;
+/// Blocks of the sweep: each shard has eight, and a kill finds it between two.
+const BLOCKS: usize = 48;
+/// The node that is killed.
+const VICTIM: &str = "n2";
+/// How long any wait may last.
+const PATIENCE: Duration = Duration::from_secs(120);
+
+const SCENE: &str = "name = \"rehearsal\"\ntitle = \"Both laws on a grid\"\n[parameters]\ndirect_effect = 0.004\n\
+    evolution_effect = 0.006\ncritical_slip_distance_m = 1e-5\nstiffness_pa_per_m = 1e7\nmass_per_area_kg_per_m2 = 1000\n\
+    [sweep]\nwork = \"simulate\"\nlaws = [\"slip\", \"aging\"]\ntolerance = 1e-6\nblock_points = 50\n[sweep.grid]\n\
+    normal_stress_pa = { from = 6e4, to = 3e5, points = 40 }\n\
+    loading_velocity_m_per_s = { from = 1e-4, to = 1e-2, points = 30 }\n";
+
+/// Runs the test.
+///
+/// # Errors
+/// With exit code 1 when the merged bytes differ or something was not as told, 2 when Slurm is required and cannot be had.
+pub fn run() -> Result<(), Failure> {
+    machine::run()?;
+    let lacking = lacking()?;
+    if !lacking.is_empty() {
+        let message = format!("no {}; install {}", lacking.join(", "), PACKAGES.join(" "));
+        return if in_continuous_integration() {
+            Err(Failure::bad_input(message))
+        } else {
+            println!("cluster-test: skipped: {message}");
+            Ok(())
+        };
+    }
+    verify::build_release()?;
+    let place = env::temp_dir().join(format!("slipmode-cluster-{}", std::process::id()));
+    let result = Cluster::start(&place).and_then(|mut cluster| {
+        let result = rehearse(&mut cluster, &place);
+        if result.is_err() {
+            cluster.tell_logs();
+        }
+        result
+    });
+    // Everything of value is on standard output; what the folder holds is of no use to the next run.
+    let _ = fs::remove_dir_all(&place);
+    result
+}
+
+fn in_continuous_integration() -> bool {
+    env::var_os("CI").is_some()
+}
+
+fn lacking() -> Result<Vec<&'static str>, Failure> {
+    if !machine::is_root() {
+        return Ok(vec!["root's rights"]);
+    }
+    let missing = || -> Vec<&'static str> {
+        let folders = cluster::search_path();
+        PROGRAMS.into_iter().filter(|name| process::find_program(name, &folders).is_none()).collect()
+    };
+    if !missing().is_empty() && in_continuous_integration() && machine::can_install() {
+        machine::install_packages(&PACKAGES)?;
+    }
+    Ok(missing())
+}
+
+fn rehearse(cluster: &mut Cluster, place: &Path) -> Result<(), Failure> {
+    let began = Instant::now();
+    let scene = place.join("scene.toml");
+    fs::write(&scene, SCENE).map_err(|error| Failure::bad_input(format!("{}: {error}", scene.display())))?;
+    let (scene, out, alone) = (text(&scene), text(&place.join("blocks")), text(&place.join("alone")));
+    let shards = SHARDS.to_string();
+    slipmode(&["sweep", &scene, "--slurm", "--shards", &shards, "--out", &out])?;
+    let submit = format!("{out}/submit.sh");
+    cluster.submit(&submit, None)?;
+    let lost = wait_for("a task on the node to be killed", || {
+        Ok(cluster.tasks()?.into_iter().find(|task| task.node == VICTIM && task.is_running()))
+    })?;
+    wait_for("its first block", || Ok((blocks_of(&out, lost.index) > 0).then_some(())))?;
+    let (there, killed) = (blocks_of(&out, lost.index), cluster.kill_node(VICTIM)?);
+    println!(
+        "cluster-test: {VICTIM} killed with {killed} processes, {there} blocks into shard {}",
+        lost.index
+    );
+    wait_for("the other tasks to end", || {
+        let others = |task: &Task| task.index != lost.index && !task.is_merge();
+        Ok((!cluster.tasks()?.iter().any(others)).then_some(()))
+    })?;
+    let missing = slipmode(&["merge", &out, "--shards", &shards, "--missing"])?;
+    if missing.trim_end() != lost.index.to_string() {
+        return Err(Failure::check(format!(
+            "missing shards `{}`, but shard {} was killed",
+            missing.trim_end(),
+            lost.index
+        )));
+    }
+    println!("cluster-test: missing, and submitted again: {}", missing.trim_end());
+    cluster.cancel_all()?;
+    cluster.submit(&submit, Some(missing.trim_end()))?;
+    let merged = format!("{out}/merged.csv");
+    wait_for("the merge", || Ok(Path::new(&merged).is_file().then_some(())))?;
+    slipmode(&["sweep", &scene, "--out", &alone])?;
+    let expected = format!("{alone}/merged.csv");
+    slipmode(&["merge", &alone, "-o", &expected])?;
+    let digests = [digest(&merged)?, digest(&expected)?];
+    println!(
+        "cluster-test: SHA-256 {} on the cluster\ncluster-test: SHA-256 {} in one process",
+        digests[0], digests[1]
+    );
+    if digests[0] != digests[1] {
+        return Err(Failure::check("the cluster's bytes are not those of one process"));
+    }
+    println!("cluster-test: passed in {} s", began.elapsed().as_secs());
+    Ok(())
+}
+
+/// The blocks of a shard that are there.
+fn blocks_of(out: &str, shard: usize) -> usize {
+    let name = |block: usize| Path::new(out).join(format!("block-{block:09}.csv"));
+    (shard..BLOCKS).step_by(SHARDS).filter(|block| name(*block).is_file()).count()
+}
+
+/// Runs the release binary and returns what it printed.
+fn slipmode(arguments: &[&str]) -> Result<String, Failure> {
+    let run = ["run", "--release", "--locked", "--quiet", "--bin", "slipmode", "--", "--quiet"];
+    process::output(process::cargo(&run).args(arguments))
+}
+
+fn digest(file: &str) -> Result<String, Failure> {
+    let line = process::output(Command::new("sha256sum").arg(file))?;
+    Ok(line.split_whitespace().next().unwrap_or_default().to_string())
+}
+
+fn text(path: &Path) -> String {
+    path.to_string_lossy().into_owned()
+}
+
+/// Asks again and again until there is an answer.
+fn wait_for<T>(what: &str, mut ask: impl FnMut() -> Result<Option<T>, Failure>) -> Result<T, Failure> {
+    let began = Instant::now();
+    loop {
+        if let Some(answer) = ask()? {
+            return Ok(answer);
+        }
+        if began.elapsed() > PATIENCE {
+            return Err(Failure::check(format!("waited {} s in vain for {what}", PATIENCE.as_secs())));
+        }
+        thread::sleep(Duration::from_millis(50));
+    }
+}
