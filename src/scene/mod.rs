@@ -24,7 +24,7 @@ mod sections;
 mod simulations;
 mod trajectories;
 
-pub use axis::{Limits, LogAxis};
+pub use axis::{Limits, LogAxis, LogCoordinates};
 pub use claim_list::{ClaimEntry, ExpectedVerdict, read_claims};
 pub use csv_problem::CsvProblem;
 pub use fault::{Fault, Faults, Problem};

@@ -4,6 +4,7 @@
 
 mod bench;
 mod bless;
+mod cost;
 mod failure;
 mod gmp_cache;
 mod judge;
@@ -27,6 +28,7 @@ usage: cargo xtask <command> [arguments]
   test      format, clippy, rustdoc, tidy, licences, all tests; ends with a count
   bless     rewrite the published copy of every report, deliberately
   bench     run the benchmarks (arguments are passed on to `cargo bench`)
+  cost      how time and memory grow with points, digits, tolerance and threads, with fitted laws
   tidy      the rules of the house: floors, headers, lengths, left-overs, links
   licences  every dependency's licence against the allow list
   judge     let outside programs judge every report's page, Markdown, archive and citation
@@ -56,6 +58,7 @@ fn run(arguments: &[String]) -> Result<(), Failure> {
         "test" => test::run(),
         "bless" => bless::run(),
         "judge" => judge::run(),
+        "cost" => cost::run(),
         "tidy" => tidy::run(),
         "licences" => licences::run(),
         "machine" => machine::run(),
