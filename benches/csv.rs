@@ -107,9 +107,8 @@ fn main() {
     let (splitting, (cells, rows)) = timed(|| split(&bytes));
     let (parsing, points) = timed(|| parse(&cells, &rows));
     let threshold = InertialThreshold::default();
-    let (computing, found) = timed(|| {
-        points.iter().map(|point| classify_quickly(point, &threshold).unwrap()).collect::<Vec<_>>()
-    });
+    let (computing, found) =
+        timed(|| points.iter().map(|point| classify_quickly(point, &threshold).unwrap()).collect::<Vec<_>>());
     let (formatting, text) = timed(|| {
         let mut text = String::with_capacity(2 * bytes.len());
         found.iter().for_each(|found| format_row(found, &mut text));
@@ -129,7 +128,11 @@ fn main() {
     ];
     let total: f64 = stages.iter().map(|(_, seconds)| seconds).sum();
     for (stage, seconds) in stages {
-        println!("{stage:>11} {:6.1} ns a row, {:4.1} %", seconds / ROWS as f64 * 1e9, 100.0 * seconds / total);
+        println!(
+            "{stage:>11} {:6.1} ns a row, {:4.1} %",
+            seconds / ROWS as f64 * 1e9,
+            100.0 * seconds / total
+        );
     }
     let (command, ()) = timed(|| {
         let mut command = Command::new(env!("CARGO_BIN_EXE_slipmode"));

@@ -10,6 +10,7 @@ mod friction_law;
 mod ledger;
 mod linearisation;
 mod numerical;
+mod overshoot;
 mod simulated;
 mod simulated_laws;
 mod simulated_least_peak;

@@ -1,5 +1,6 @@
 //! Claims N on which slip mode a simulation ends in: transition, six modes, both laws, critical damping.
 
+use crate::claims::overshoot::Overshoots;
 use crate::claims::simulated::{Run, Runs, evidence, for_each_law, grids};
 use crate::claims::simulated_laws::n4;
 use crate::claims::simulated_least_peak::{n7, n8};
@@ -171,7 +172,8 @@ fn n9(context: &Context) -> Result<Finding, Finding> {
     let deviation = all.iter().map(|run| period_deviation(run)).fold(0.0, f64::max);
     let oscillating = |grid: &Runs| grid.runs.iter().filter(|run| run.simulation.period_s.is_some()).count();
     let wrong = all.iter().find(|run| run.simulation.period_s.is_some() != (run.theory.boundary_sign < 0));
-    Ok(Finding::from_proofs([])
+    let overshoots = Overshoots::of(&all);
+    let finding = Finding::from_proofs([])
         .with_evidence(evidence(
             &grids,
             "Runs that oscillate late",
@@ -196,5 +198,11 @@ fn n9(context: &Context) -> Result<Finding, Finding> {
             &grids,
             "Largest relative deviation of a period from 2π/max Im(s)",
             round_digits(deviation, 2),
-        )))
+        ))
+        .with_evidence(evidence(
+            &grids,
+            "Largest V/V_l − 1 of the runs without oscillation: upper area, lower area",
+            overshoots.text(),
+        ));
+    Ok(if overshoots.lower > 0.0 { finding.within(overshoots.limit()) } else { finding })
 }

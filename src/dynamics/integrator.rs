@@ -237,17 +237,15 @@ impl<'m, R: Scalar, M: Stepper<R>> Integrator<'m, R, M> {
 
     /// The factor that would bring the error to its permitted size.
     fn factor(&self, error: f64) -> f64 {
-        let exponent = 1.0 / f64::from(M::ERROR_EXPONENT);
-        (0.9 * libm::pow(error.max(1e-30), -exponent)).clamp(0.1, 5.0)
+        (0.9 / root(error.max(1e-30), M::ERROR_EXPONENT)).clamp(0.1, 5.0)
     }
 
     /// Gustafsson's predictive factor, held back where the iteration was slow.
     fn growth(&self, error: f64, h: &R) -> f64 {
-        let exponent = 1.0 / f64::from(M::ERROR_EXPONENT);
         let plain = self.factor(error);
         let last = self.step.to_f64();
         let ratio = if last > 0.0 { h.to_f64() / last } else { 1.0 };
-        let predicted = plain * ratio * libm::pow(self.last_error / error.max(1e-10), exponent);
+        let predicted = plain * ratio * root(self.last_error / error.max(1e-10), M::ERROR_EXPONENT);
         // Slow convergence shortens the next step before it has to be refused.
         let patience = 1.6 - self.method.effort();
         let ceiling = if patience >= 1.0 { 5.0 } else { patience.max(0.6) };
@@ -277,4 +275,14 @@ fn first_step<R: Scalar>(model: &Model<R>, start: &State<R>, control: Control) -
     let cautious = libm::pow(control.local_tolerance, 0.2);
     let step = if fastest > 0.0 { cautious * size / fastest } else { cautious };
     R::from_f64(step.clamp(1e-250, 1.0))
+}
+
+/// The n-th root; those of the methods in use without logarithms.
+fn root(value: f64, n: u32) -> f64 {
+    match n {
+        4 => value.sqrt().sqrt(),
+        6 => libm::cbrt(value).sqrt(),
+        8 => value.sqrt().sqrt().sqrt(),
+        _ => libm::pow(value, 1.0 / f64::from(n)),
+    }
 }

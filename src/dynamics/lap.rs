@@ -101,6 +101,19 @@ impl<R: Scalar> Lap<R> {
         self
     }
 
+    /// The same in f64.
+    #[must_use]
+    pub fn rounded(&self) -> Lap<f64> {
+        Lap {
+            duration: self.duration.to_f64(),
+            peak: self.peak.to_f64(),
+            trough: self.trough.to_f64(),
+            highest_stress: self.highest_stress.to_f64(),
+            lowest_stress: self.lowest_stress.to_f64(),
+            end: std::array::from_fn(|i| self.end[i].to_f64()),
+        }
+    }
+
     /// Two laps as one: durations add, extremes are compared.
     #[must_use]
     pub fn joined(mut self, next: Self) -> Self {

@@ -24,6 +24,18 @@ pub enum Balance<R> {
     QuasiStatic,
 }
 
+impl<R> Balance<R> {
+    /// The same balance in another number type.
+    #[must_use]
+    pub fn map<S>(&self, convert: impl FnOnce(&R) -> S) -> Balance<S> {
+        match self {
+            Self::Inertial => Balance::Inertial,
+            Self::Regularised(reference) => Balance::Regularised(convert(reference)),
+            Self::QuasiStatic => Balance::QuasiStatic,
+        }
+    }
+}
+
 /// The slider's equations of motion.
 #[derive(Debug, Clone)]
 pub struct Model<R> {

@@ -5,10 +5,18 @@ use super::lap::Lap;
 use super::settle::{Cycle, Decay, Late};
 use crate::friction::{Groups, Parameters, SlipMode};
 
-/// Errors of peak and period over local_tolerance^(3/2): the estimate that the tolerance bounds is proportional to h^6, the error of the
-/// method to h^9. The largest seen on a grid of 1 764 cases and three tolerances is below 2; two runs that agree by
-/// chance cannot state less.
-const EXPECTED_ERROR: f64 = 4.0;
+/// Errors of what a late behaviour shows, in units of V_l, D_c/V_l and aσ.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Errors {
+    /// Of ln(V_peak/V_l).
+    pub peak: f64,
+    /// Of ln(period); none when there is none.
+    pub period: Option<f64>,
+    /// Of ln(V_min/V_l).
+    pub trough: f64,
+    /// Of the stress drop.
+    pub drop: f64,
+}
 
 /// The late behaviour in one word.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -86,7 +94,7 @@ pub struct Outcome {
 }
 
 /// Peak and period of a late behaviour; the start counts for a transient's peak.
-fn peak_and_period(late: &Late<f64>, start: f64) -> (f64, Option<f64>) {
+pub(super) fn peak_and_period(late: &Late<f64>, start: f64) -> (f64, Option<f64>) {
     match late {
         Late::Cycle(cycle) => (cycle.lap.peak, Some(cycle.lap.duration)),
         Late::Decay(decay) => {
@@ -97,7 +105,7 @@ fn peak_and_period(late: &Late<f64>, start: f64) -> (f64, Option<f64>) {
 }
 
 /// The extremes of a cycle or of a transient.
-const fn extremes(late: &Late<f64>) -> &Lap<f64> {
+pub(super) const fn extremes(late: &Late<f64>) -> &Lap<f64> {
     match late {
         Late::Cycle(cycle) => &cycle.lap,
         Late::Decay(decay) => &decay.transient,
@@ -105,7 +113,7 @@ const fn extremes(late: &Late<f64>) -> &Lap<f64> {
 }
 
 /// Least x; the start counts for a transient's.
-fn trough(late: &Late<f64>, start: f64) -> f64 {
+pub(super) fn trough(late: &Late<f64>, start: f64) -> f64 {
     let lowest = extremes(late).trough;
     if matches!(late, Late::Cycle(_)) { lowest } else { lowest.min(start) }
 }
@@ -116,50 +124,25 @@ fn stress_drop(late: &Late<f64>) -> f64 {
 }
 
 impl Outcome {
-    /// Compares the late behaviours of two runs, the finer of which is reported.
+    /// A late behaviour with the errors of what it shows; a relative error is e^{error of the logarithm} − 1.
     pub(super) fn new(
         model: &Model<f64>,
         start: f64,
-        coarse: &Late<f64>,
-        fine: Late<f64>,
+        late: Late<f64>,
+        errors: Errors,
         [steps, evaluations]: [u64; 2],
         local_tolerance: f64,
     ) -> Self {
-        let (coarse_peak, coarse_period) = peak_and_period(coarse, start);
-        let (peak, period) = peak_and_period(&fine, start);
-        let distance = match &fine {
-            Late::Cycle(cycle) => cycle.distance,
-            Late::Decay(_) => 0.0,
-        };
-        // A hundred steps of rounding in x, what the local tolerance alone lets expect, and the way left to the cycle,
-        // whose estimate rests on a multiplier known to a few parts only.
-        let expected = EXPECTED_ERROR * local_tolerance * local_tolerance.sqrt();
-        let floor = |size: f64| (100.0 * f64::EPSILON + expected + 50.0 * distance) * size.max(1.0);
-        let seen = |late: &Late<f64>| if let Late::Cycle(cycle) = late { cycle.contraction } else { None };
-        // The finer run began on the cycle and has no approach to show.
-        let contraction = seen(coarse).or(seen(&fine));
-        let same_kind = matches!(coarse, Late::Cycle(_)) == matches!(fine, Late::Cycle(_));
-        let same_kind = same_kind && coarse_period.is_some() == period.is_some();
-        let doubt = if same_kind { 0.0 } else { f64::INFINITY };
-        let peak_relative_error = 2.0 * libm::expm1(coarse_peak - peak).abs() + floor(peak.abs()) + doubt;
-        let period_relative_error = coarse_period
-            .zip(period)
-            .map(|(coarse, fine)| 2.0 * (coarse / fine - 1.0).abs() + floor(1.0) + doubt);
-        let (coarse_trough, fine_trough) = (trough(coarse, start), trough(&fine, start));
-        let trough_error = 2.0 * (coarse_trough - fine_trough).abs() + floor(fine_trough.abs()) + doubt;
-        // A difference of two stresses, each with an error of its own.
-        let stresses = [extremes(&fine).highest_stress, extremes(&fine).lowest_stress];
-        let expected_of_drop: f64 = stresses.iter().map(|stress| floor(stress.abs())).sum();
-        let drop_error = 2.0 * (stress_drop(coarse) - stress_drop(&fine)).abs() + expected_of_drop + doubt;
+        let contraction = if let Late::Cycle(cycle) = &late { cycle.contraction } else { None };
         Self {
-            late: fine,
+            late,
             groups: model.groups().clone(),
             start,
             contraction,
-            peak_relative_error,
-            period_relative_error,
-            trough_error,
-            drop_error,
+            peak_relative_error: libm::expm1(errors.peak),
+            period_relative_error: errors.period.map(libm::expm1),
+            trough_error: errors.trough,
+            drop_error: errors.drop,
             steps,
             evaluations,
             local_tolerance,

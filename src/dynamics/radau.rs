@@ -12,8 +12,10 @@ use super::{Model, Scalar, State};
 /// Newton iterations before a step is given up.
 const MOST_ITERATIONS: u32 = 12;
 
-/// Newton's update must fall below this part of the step's permitted error: the method is far more accurate than its estimate.
-const UPDATE_FRACTION: f64 = 1e-4;
+/// Newton's update must fall below a part of the step's permitted error τ: at most this, and this many times √τ, because the
+/// error of the method is that much smaller than its estimate.
+const LARGEST_UPDATE_FRACTION: f64 = 1e-2;
+const UPDATE_FRACTION_OF_ROOT: f64 = 0.1;
 
 /// The method and the workspace of its last step.
 #[derive(Debug, Clone)]
@@ -68,7 +70,7 @@ impl<R: Scalar, const S: usize> Radau<R, S> {
         }
     }
 
-    /// Solves for Newton's update of the stage increments.
+    /// Solves for Newton's update of the modes.
     #[inline]
     fn update(
         &mut self,
@@ -76,6 +78,7 @@ impl<R: Scalar, const S: usize> Radau<R, S> {
         from: &State<R>,
         h: &R,
         factors: &StepFactors<R, S>,
+        modes: &[State<R>; S],
     ) -> [State<R>; S] {
         let derivatives: [State<R>; S] = std::array::from_fn(|i| {
             let state: State<R> = std::array::from_fn(|c| from[c].clone() + &self.stages[i][c]);
@@ -83,7 +86,6 @@ impl<R: Scalar, const S: usize> Radau<R, S> {
         });
         self.evaluations += S as u64;
         let mut right = transform(&self.constants.to_modes, &derivatives);
-        let modes = transform(&self.constants.to_modes, &self.stages);
         let eigenvalues = &self.constants.eigenvalues;
         let real: State<R> =
             std::array::from_fn(|c| right[0][c].clone() - eigenvalues[0].clone() * &modes[0][c]);
@@ -104,7 +106,7 @@ impl<R: Scalar, const S: usize> Radau<R, S> {
                 right[m + 1][c] = -d.im;
             }
         }
-        transform(&self.constants.from_modes, &right)
+        right
     }
 
     /// Newton's iteration on the stages; false when it does not converge.
@@ -118,16 +120,20 @@ impl<R: Scalar, const S: usize> Radau<R, S> {
     ) -> bool {
         // Sums over the stages magnify the rounding errors of the state.
         let noise = weight.noise * (2 * S) as f64;
-        let target = (UPDATE_FRACTION * weight.absolute).max(noise);
+        let fraction = LARGEST_UPDATE_FRACTION.min(UPDATE_FRACTION_OF_ROOT * weight.absolute.sqrt());
+        let target = (fraction * weight.absolute).max(noise);
+        let mut modes = transform(&self.constants.to_modes, &self.stages);
         let mut last_size = f64::INFINITY;
         for iteration in 1..=MOST_ITERATIONS {
             self.iterations = iteration;
-            let update = self.update(model, from, h, factors);
+            let update = self.update(model, from, h, factors, &modes);
             let mut size = 0.0f64;
-            for (stage, d) in self.stages.iter_mut().zip(update) {
-                for (value, d) in stage.iter_mut().zip(d) {
+            for i in 0..S {
+                let sum = weighted(&self.constants.from_modes[i], &update);
+                for (c, d) in sum.into_iter().enumerate() {
                     size = size.max(d.to_f64().abs());
-                    *value = value.clone() + d;
+                    self.stages[i][c] = self.stages[i][c].clone() + d;
+                    modes[i][c] = modes[i][c].clone() + &update[i][c];
                 }
             }
             let ratio = size / last_size;
@@ -155,10 +161,7 @@ impl<R: Scalar, const S: usize> Radau<R, S> {
     ) -> State<R> {
         let real = self.constants.eigenvalues[0].clone();
         let weights = &self.constants.error_weights;
-        let from_stages: State<R> = std::array::from_fn(|c| {
-            let terms = weights.iter().zip(&self.stages);
-            terms.fold(R::from(0), |sum, (e, z)| sum + e.clone() * &z[c]) * &real
-        });
+        let from_stages = weighted(weights, &self.stages).map(|sum| sum * &real);
         let rate = model.rate(from);
         self.evaluations += 1;
         let raw = std::array::from_fn(|c| rate[c].clone() * h + &from_stages[c]);
@@ -192,14 +195,26 @@ impl<R: Scalar, const S: usize> StepFactors<R, S> {
     }
 }
 
-#[inline]
+#[inline(always)]
 fn transform<R: Scalar, const S: usize>(matrix: &[[R; S]; S], values: &[State<R>; S]) -> [State<R>; S] {
-    std::array::from_fn(|i| {
-        std::array::from_fn(|c| {
-            let terms = matrix[i].iter().zip(values);
-            terms.fold(R::from(0), |sum, (m, v)| sum + m.clone() * &v[c])
-        })
-    })
+    let mut out = values.clone();
+    for (row, sum) in matrix.iter().zip(&mut out) {
+        *sum = weighted(row, values);
+    }
+    out
+}
+
+/// Σ m_i v_i; loops rather than closures, which the compiler leaves as calls.
+#[inline(always)]
+fn weighted<R: Scalar, const S: usize>(weights: &[R; S], values: &[State<R>; S]) -> State<R> {
+    let [x, y, zeta] = &values[0];
+    let mut sum = [weights[0].clone() * x, weights[0].clone() * y, weights[0].clone() * zeta];
+    for i in 1..S {
+        for c in 0..3 {
+            sum[c] = sum[c].clone() + weights[i].clone() * &values[i][c];
+        }
+    }
+    sum
 }
 
 impl<R: Scalar, const S: usize> Stepper<R> for Radau<R, S> {

@@ -6,7 +6,7 @@
 
 use super::decay::{final_rate, measure_decay};
 use super::lap::{Lap, LapEnd, run_lap};
-use super::return_map::{History, difference, jump, laps_per_cycle, size};
+use super::return_map::{History, jump, laps_per_cycle, size};
 use super::stepper::Stepper;
 use super::{Failure, Integrator, Scalar, State};
 
@@ -28,6 +28,9 @@ const FARTHEST: f64 = 1e-3;
 /// Contraction of a lap assumed where none could be measured, because the laps closed at once.
 const UNMEASURED: f64 = 0.5;
 
+/// A lap that leaves more than this part of a deviation contracts slowly.
+pub(super) const SLOW: f64 = 0.3;
+
 /// A limit cycle.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Cycle<R> {
@@ -39,6 +42,8 @@ pub struct Cycle<R> {
     pub contraction: Option<f64>,
     /// Estimated relative distance between the cycle and the state with which the reported lap began.
     pub distance: f64,
+    /// The state with which the reported cycle began.
+    pub from: State<R>,
 }
 
 /// A return to steady sliding.
@@ -68,6 +73,15 @@ pub enum Late<R> {
 pub fn settle<R: Scalar, M: Stepper<R> + Clone>(
     run: &mut Integrator<'_, R, M>,
     target: f64,
+    most_laps: u64,
+) -> Result<Late<R>, Failure> {
+    settle_within(run, [target; 2], most_laps)
+}
+
+/// The same with a permitted distance of its own where a lap contracts slowly: Newton's iteration goes on from there.
+pub(super) fn settle_within<R: Scalar, M: Stepper<R> + Clone>(
+    run: &mut Integrator<'_, R, M>,
+    [target, slow_target]: [f64; 2],
     most_laps: u64,
 ) -> Result<Late<R>, Failure> {
     let mut transient: Option<Lap<R>> = None;
@@ -115,7 +129,8 @@ pub fn settle<R: Scalar, M: Stepper<R> + Clone>(
         let known = contraction.filter(|&known| known < 1.0).unwrap_or(UNMEASURED);
         // The lap's peak and duration belong to the state that it began with.
         let distance = change / (1.0 - known);
-        let measured = contraction.is_some_and(|known| known < 1.0) && distance <= target;
+        let permitted = if known < SLOW { target } else { slow_target };
+        let measured = contraction.is_some_and(|known| known < 1.0) && distance <= permitted;
         if measured || history.within(noise) && distance <= FARTHEST {
             return Ok(Late::Cycle(cycle(&history, 1, contraction, distance)));
         }
@@ -134,28 +149,6 @@ pub fn settle<R: Scalar, M: Stepper<R> + Clone>(
     Err(Failure::Undecided { cycles: most_laps, change: history.change(1).unwrap_or(f64::INFINITY) })
 }
 
-/// Settles a run that begins on a known cycle, usually at a finer tolerance: one lap that closes is enough.
-///
-/// # Errors
-/// Those of [`settle`], which takes over when the lap does not close.
-pub fn settle_again<R: Scalar, M: Stepper<R> + Clone>(
-    run: &mut Integrator<'_, R, M>,
-    found: &Cycle<R>,
-    target: f64,
-    most_laps: u64,
-) -> Result<Late<R>, Failure> {
-    let section = |state: &State<R>| [state[1].to_f64(), state[2].to_f64()];
-    let before = section(run.state());
-    let (lap, end) = run_lap(run)?;
-    let after = section(&lap.end);
-    let known = found.contraction.filter(|&known| known < 1.0).unwrap_or(UNMEASURED);
-    let distance = size(difference(after, before)) / size(after) / (1.0 - known);
-    if end == LapEnd::Rise && found.laps_per_cycle == 1 && distance <= target {
-        return Ok(Late::Cycle(Cycle { lap, laps_per_cycle: 1, contraction: found.contraction, distance }));
-    }
-    settle(run, target, most_laps)
-}
-
 fn cycle<R: Scalar>(
     history: &History<R>,
     laps_per_cycle: usize,
@@ -164,5 +157,6 @@ fn cycle<R: Scalar>(
 ) -> Cycle<R> {
     let laps = &history.laps[history.laps.len() - laps_per_cycle..];
     let joined = laps[1..].iter().fold(laps[0].clone(), |sum, lap| sum.joined(lap.clone()));
-    Cycle { lap: joined, laps_per_cycle, contraction, distance }
+    let [y, zeta] = history.back(laps_per_cycle).unwrap_or([0.0; 2]).map(R::from_f64);
+    Cycle { lap: joined, laps_per_cycle, contraction, distance, from: [R::from(0), y, zeta] }
 }

@@ -13,6 +13,7 @@ mod forward;
 mod kahan;
 mod multiple;
 mod rung;
+pub mod textbook;
 
 pub use certified::{CertifiedRoot, CertifiedRoots, certified_roots};
 pub(crate) use depressed::Depressed;

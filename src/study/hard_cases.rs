@@ -7,6 +7,7 @@ use crate::number::{Rational, Wide, parse_decimal};
 use crate::roots::Rung;
 use crate::scene::{Fault, Faults, Problem, Quantity, parameters_from};
 use crate::stability::{InertialThreshold, classify};
+use crate::study::hard_case_methods::{MethodScore, score_methods};
 
 /// A point with the answers of independent programs.
 #[derive(Debug, Clone, PartialEq)]
@@ -15,18 +16,19 @@ pub struct HardCase {
     pub family: String,
     /// The seven inputs, exact.
     pub parameters: Parameters<Rational>,
-    expected: Expected,
+    /// What independent programs found.
+    pub(super) expected: Expected,
 }
 
 #[derive(Debug, Clone, PartialEq)]
-struct Expected {
-    transition_sign: String,
-    boundary_sign: String,
+pub(super) struct Expected {
+    pub(super) transition_sign: String,
+    pub(super) boundary_sign: String,
     spectral_class: String,
     slip_mode: String,
-    max_real_per_s: Rational,
-    its_modulus_per_s: Rational,
-    max_imaginary_per_s: Rational,
+    pub(super) max_real_per_s: Rational,
+    pub(super) its_modulus_per_s: Rational,
+    pub(super) max_imaginary_per_s: Rational,
 }
 
 /// How one family of hard cases fared.
@@ -44,6 +46,8 @@ pub struct FamilyOutcome {
     pub worst_imaginary_error: f64,
     /// The highest rung that a point needed.
     pub highest_rung: Rung,
+    /// How single methods fared, without the ladder that joins ours.
+    pub methods: Vec<MethodScore>,
 }
 
 const ANSWERS: [&str; 7] = [
@@ -155,6 +159,7 @@ impl FamilyOutcome {
         self.worst_real_error = self.worst_real_error.max(other.worst_real_error);
         self.worst_imaginary_error = self.worst_imaginary_error.max(other.worst_imaginary_error);
         self.highest_rung = self.highest_rung.max(other.highest_rung);
+        self.methods.iter_mut().zip(&other.methods).for_each(|(one, other)| one.absorb(other));
     }
 }
 
@@ -176,6 +181,7 @@ fn compare(case: &HardCase) -> FamilyOutcome {
             &expected.max_imaginary_per_s,
         ),
         highest_rung: found.rung,
+        methods: score_methods(case),
     }
 }
 

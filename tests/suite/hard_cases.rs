@@ -91,7 +91,7 @@ fn the_library_is_right_on_every_hard_point_of_the_inputs() {
         assert_classified(&parameters(&row), &row[7..], &row[..7].join(","));
         count += 1;
     }
-    assert_eq!(count, 194, "every case is tried");
+    assert_eq!(count, 321, "every case is tried");
 }
 
 #[test]

@@ -44,5 +44,5 @@ fn the_command_line_is_right_on_every_hard_point_of_the_inputs() {
         assert_within(&decimal(&cell(&row, "max_imaginary_per_s")), &imaginary, &imaginary, PROMISE, &point);
         count += 1;
     }
-    assert_eq!(count, 194, "every case is tried");
+    assert_eq!(count, 321, "every case is tried");
 }

@@ -28,6 +28,7 @@ ABOUT_GROUPS = ["Hard cases in the dimensionless groups, exact rationals; expone
 ABOUT_PARAMETERS = ["Hard cases in the seven inputs, SI, exact decimals: a CSV once the # lines are taken out.", *ABOUT]
 
 NEAR = [fmpq(1, 10**3), fmpq(1, 10**18), fmpq(1, 10**30)]
+LADDER = [fmpq(1, 10**exponent) for exponent in (3, 6, 9, 12, 15, 18, 24, 30)]
 
 
 def q(text):
@@ -69,10 +70,10 @@ def on_threshold(t, x):
     return eta, kappa, beta
 
 
-def beside(point, index):
-    """The point itself and its neighbours at the distances of NEAR, on both sides, in one coordinate."""
+def beside(point, index, distances=NEAR):
+    """The point itself and its neighbours at some distances, on both sides, in one coordinate."""
     neighbours = [point]
-    for distance in NEAR:
+    for distance in distances:
         for sign in (1, -1):
             moved = list(point)
             moved[index] *= 1 + sign * distance
@@ -201,8 +202,37 @@ def overflowing():
     return [realise(point, scale) for scale in scales for point in points]
 
 
+def ladders():
+    """Double roots on both arcs and triple roots, each at eight distances on both sides."""
+    ordinary = ("0.004", "1e-5", "1e4", "1e-4")
+    doubles = [on_boundary(q("-3"), q("3/2")), on_boundary(q("1/5"), q("3/2"))]
+    triples = [on_cusp(q("-3")), on_cusp(q("-10"))]
+    return [
+        [realise(near, ordinary) for point in doubles for near in beside(point, 1, LADDER)],
+        [realise(near, ordinary) for point in triples for near in beside(point, 2, LADDER)],
+    ]
+
+
+def subnormal():
+    """Ordinary groups from inputs below the normal range of binary64: M; then a and b; then D_c and V0."""
+    scales = [("0.004", "1e-5", "1e-300", "1"), ("1e-310", "1e-5", "1e4", "1e-4"), ("0.004", "1e-312", "1e-300", "1e-312")]
+    points = [on_boundary(q("-3"), q("3/2")), on_cusp(q("-3/2")), on_transition(q("1/8"), q("3/2")), (q("0.3"), q("0.2"), q("4/3"))]
+    return [realise(point, scale) for scale in scales for point in points]
+
+
+def vanishing_inertia():
+    """eta -> 0 on K = K_c exactly, and where the pair is slow and the third root fast without limit."""
+    scale = ("0.004", "1e-5", "1e6", "1e-6")
+    etas = [power(-exponent) for exponent in (6, 12, 16, 20, 30, 60, 150, 300)]
+    places = [on_transition(eta, q("3/2")) for eta in etas] + [(eta, q("1/10"), q("3/2")) for eta in etas]
+    return [realise(place, scale) for place in places]
+
+
 def parameter_families():
     """Families of the seven inputs."""
+    doubles, triples = ladders()
+    far = [realise(on_boundary(q(r), q(beta)), ("0.004", "1e-5", "1e4", "1e-4")) for r, beta in FAR_ON_BOUNDARY]
+    extreme = [realise(point, ("0.004", "1e-5", "1e4", "1e-4")) for point in extreme_groups()[::3]]
     ordinary, vibrating = ("0.004", "1e-5", "1e4", "1e-4"), ("0.01", "1e-6", "1e6", "0.1")
     upper = [on_boundary(q(r), q(beta)) for r, beta in BOUNDARY_UPPER[::2]]
     lower = [on_boundary(q(r), q(beta)) for r, beta in BOUNDARY_LOWER[::2]]
@@ -220,6 +250,12 @@ def parameter_families():
         ("products that leave the range of binary64", overflowing()),
         ("random inputs with 3 digits", [random_parameters(3) for _ in range(20)]),
         ("random inputs with 40 digits", [random_parameters(40) for _ in range(10)]),
+        ("double roots: exactly, then K moved by 1e-3 to 1e-30", doubles),
+        ("triple roots: exactly, then b moved by 1e-3 to 1e-30", triples),
+        ("exactly on the arcs far out, roots up to 40 orders of magnitude apart", far),
+        ("groups from 1e-30 to 1e30", extreme),
+        ("inputs below the normal range of binary64", subnormal()),
+        ("eta -> 0, on K = K_c and beside it", vanishing_inertia()),
     ]  # fmt: skip
 
 

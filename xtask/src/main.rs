@@ -27,7 +27,8 @@ usage: cargo xtask <command> [arguments]
   verify    build, run every report under reports/, compare with its published copy
   test      format, clippy, rustdoc, tidy, licences, all tests; ends with a count
   bless     rewrite the published copy of every report, deliberately
-  bench     run the benchmarks (arguments are passed on to `cargo bench`)
+  bench     run the benchmarks, SciPy beside the simulations (arguments are passed on to `cargo bench`);
+            --peers [works]: every other program that is found, into bench-results/
   cost      how time and memory grow with points, digits, tolerance and threads, with fitted laws
   tidy      the rules of the house: floors, headers, lengths, left-overs, links
   licences  every dependency's licence against the allow list

@@ -151,24 +151,27 @@ impl GridRequest {
     }
 
     fn text(&self, tally: &Tally) -> String {
-        let share =
-            |(name, count): (&'static str, u64)| (name, count.to_string(), percent(count, tally.points()));
-        let counted: Vec<_> = modes(tally).into_iter().chain(classes(tally)).map(share).collect();
+        let counted = modes(tally).into_iter().chain(classes(tally));
         let axes = format!(
             "({} velocities x {} stresses)",
             self.loading_velocities.points, self.normal_stresses.points
         );
         let rungs = tally.rungs();
-        let mut lines = vec![("points", tally.points().to_string(), axes.as_str())];
-        lines.extend(counted.iter().map(|(name, count, share)| (*name, count.clone(), share.as_str())));
+        let mut lines = vec![line("points", tally.points(), &axes)];
+        lines.extend(counted.map(|(name, count)| line(name, count, &percent(count, tally.points()))));
         lines.extend([
-            ("exactly on K = K_c", tally.on_transition().to_string(), ""),
-            ("exactly on max Im(s) = 0", tally.on_boundary().to_string(), ""),
-            ("decided by f64", rungs.f64.to_string(), ""),
-            ("decided by rationals", rungs.exact.to_string(), ""),
+            line("exactly on K = K_c", tally.on_transition(), ""),
+            line("exactly on max Im(s) = 0", tally.on_boundary(), ""),
+            line("decided by f64", rungs.f64, ""),
+            line("decided by rationals", rungs.exact, ""),
         ]);
-        terminal::named_values(&lines)
+        lines.concat()
     }
+}
+
+/// A line wide enough for the longest name of a mode and the largest number of points.
+fn line(name: &str, count: u64, note: &str) -> String {
+    format!("{}\n", format!("{name:<37}{count:>13}  {note}").trim_end())
 }
 
 fn modes(tally: &Tally) -> Vec<(&'static str, u64)> {

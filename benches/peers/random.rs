@@ -1,0 +1,45 @@
+//! The random set: parameters as wide as laboratories, faults and theory go, uniform in the logarithm, from a fixed seed.
+
+use slipmode::friction::Parameters;
+
+/// A small generator of 64-bit numbers (Steele, Lea and Flood's SplitMix).
+pub struct Random(pub u64);
+
+impl Random {
+    fn next(&mut self) -> u64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut z = self.0;
+        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        z ^ (z >> 31)
+    }
+
+    /// Uniform in [0, 1).
+    pub fn unit(&mut self) -> f64 {
+        (self.next() >> 11) as f64 / (1u64 << 53) as f64
+    }
+
+    /// Uniform in the logarithm between two powers of ten.
+    pub fn decades(&mut self, low: f64, high: f64) -> f64 {
+        libm::exp10(low + (high - low) * self.unit())
+    }
+
+    /// A multiple of 1/64 in [low, high).
+    pub fn sixty_fourths(&mut self, low: f64, high: f64) -> f64 {
+        (64.0 * (low + (high - low) * self.unit())).floor() / 64.0
+    }
+
+    /// One slider: V0 1e-9…10, σ 1e2…1e9, a 1e-4…3e-2, b/a 0.05…20, D_c 1e-7…1e-2, K 1e4…1e12, M 1e-2…1e7.
+    pub fn parameters(&mut self) -> Parameters<f64> {
+        let direct_effect = self.decades(-4.0, libm::log10(3e-2));
+        Parameters {
+            direct_effect,
+            evolution_effect: direct_effect * self.decades(libm::log10(0.05), libm::log10(20.0)),
+            critical_slip_distance_m: self.decades(-7.0, -2.0),
+            stiffness_pa_per_m: self.decades(4.0, 12.0),
+            mass_per_area_kg_per_m2: self.decades(-2.0, 7.0),
+            normal_stress_pa: self.decades(2.0, 9.0),
+            loading_velocity_m_per_s: self.decades(-9.0, 1.0),
+        }
+    }
+}

@@ -1,0 +1,253 @@
+//! A cycle found roughly, brought to its accuracy, with the errors of everything it shows.
+//!
+//! Two things part what is reported from the truth. The *laps* err: the same cycle is integrated at two tolerances a factor 100
+//! apart, and the error of the finer one is taken as thrice their difference, part of the largest difference of all observables (two
+//! laps agree by chance in one of them, not in all), and the finer tolerance itself: a step as bad as its estimate does happen. The
+//! *passage* is not the fixed point: with the derivative P' of the map the way left is (1 − P')^{-1}(P(s) − s), and an error ε of the
+//! lap's end moves the fixed point by (1 − P')^{-1}ε. Next to K = K_c, and for η ≫ 1, 1 − P' is small and this is the larger part by orders
+//! of magnitude. Both are carried to the observables by derivatives that the same differences of laps give. That a lap contracts
+//! fast is not believed from its approach, which may have left a slow direction unexcited: a deviation is followed to see it shrink.
+
+use super::return_map::{difference, size};
+use super::settle::SLOW;
+use super::sight::{DURATION, Derivative, Observed, PEAK, ReturnMap, Sight, TROUGH, shifted};
+use super::stepper::Stepper;
+use super::{Cycle, Failure, Lap, Scalar, State};
+
+/// Error of the finer lap over the difference of the two: 1/99 and less when the error follows the tolerance. Where Newton's iteration rather
+/// than the tolerance limits the steps both laps take nearly the same ones; 3 holds as long as the finer errs by a quarter less.
+pub(super) const OF_DIFFERENCE: f64 = 3.0;
+
+/// The part of the largest difference of all observables that each is granted, should it agree by chance.
+pub(super) const OF_LARGEST: f64 = 0.3;
+
+/// Newton's corrections before the derivative is called useless.
+const MOST_CORRECTIONS: usize = 8;
+
+/// Local tolerance of the laps whose differences are the derivative: their quotients must resolve 1 − P'.
+const DERIVATIVE_TOLERANCE: f64 = 1e-6;
+
+/// Relative size of the deviation that shows whether a lap contracts fast.
+const DEVIATION: f64 = 1e-2;
+
+/// Relative size of a correction after which the derivative stays good.
+const SMALL: f64 = 1e-3;
+
+/// A cycle with the errors of what it shows.
+#[derive(Debug, Clone)]
+pub(super) struct Refined<R> {
+    pub sight: Sight<R>,
+    pub errors: Observed,
+    /// Newton's correction that is left, relative to the state.
+    pub distance: f64,
+}
+
+impl<R: Scalar> Refined<R> {
+    /// The same in f64.
+    pub fn rounded(self) -> Refined<f64> {
+        let Sight { from, image, lap, steps } = self.sight;
+        let sight = Sight {
+            from: from.map(|c| c.to_f64()),
+            image: image.map(|c| c.to_f64()),
+            lap: lap.rounded(),
+            steps,
+        };
+        Refined { sight, errors: self.errors, distance: self.distance }
+    }
+}
+
+/// The tolerances of the two laps and the error they are for.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Accuracy {
+    pub coarse: f64,
+    pub fine: f64,
+    /// What the steps of the finer lap may add up to, however well the two agree.
+    pub floor: f64,
+    pub asked: f64,
+}
+
+/// Newton's corrections of a rough cycle with a derivative for each, until they are small; the last derivative and the passage.
+pub(super) fn derivative<M: Stepper<f64> + Clone>(
+    map: &mut ReturnMap<'_, f64, M>,
+    rough: [f64; 2],
+) -> Result<(Derivative, [f64; 2]), Failure> {
+    let mut from = rough;
+    let mut derivative = Derivative::at(map, from, DERIVATIVE_TOLERANCE)?;
+    for _ in 0..MOST_CORRECTIONS {
+        let sight = map.sight(&from, DERIVATIVE_TOLERANCE)?;
+        let correction = derivative.correction(sight.residual());
+        let part = size(correction) / sight.size();
+        // A correction as large as the state leads to steady sliding or nowhere.
+        if part.is_nan() || part >= 0.5 {
+            return Err(Failure::Undecided { cycles: 0, change: part });
+        }
+        from = derivative.corrected(&from, correction);
+        if part < SMALL {
+            break;
+        }
+        derivative = Derivative::at(map, from, DERIVATIVE_TOLERANCE)?;
+    }
+    Ok((derivative, from))
+}
+
+/// Newton's iteration on the return map from a rough cycle; none when it does not converge.
+pub(super) fn refine<R: Scalar, M: Stepper<R> + Clone>(
+    map: &mut ReturnMap<'_, R, M>,
+    derivative: &Derivative,
+    rough: [R; 2],
+    accuracy: Accuracy,
+) -> Result<Option<Refined<R>>, Failure> {
+    let Some((coarse, _)) = approach(map, derivative, rough, accuracy.coarse, accuracy.asked)? else {
+        return Ok(None);
+    };
+    let first = map.sight(&coarse.from, accuracy.fine)?;
+    // The laps err alike from passages as close as these, so one pair from the same passage tells for all.
+    let differences = first.differences(&coarse.lap);
+    let image_difference: [f64; 2] =
+        std::array::from_fn(|i| (first.image[i].clone() - &coarse.image[i]).to_f64());
+    let Some((sight, rate)) = approach(map, derivative, first.from.clone(), accuracy.fine, accuracy.asked)?
+    else {
+        return Ok(None);
+    };
+    let correction = derivative.correction(sight.residual());
+    let left = derivative.moved(correction).map(|change| change.abs() / (1.0 - rate));
+    let of_lap = lap_errors(differences, &sight.lap, accuracy.floor);
+    let (units, shown) = (rounding(&sight), rounding_shown(&sight));
+    let displaced = derivative.worst(image_difference.map(|d| OF_DIFFERENCE * d), units);
+    let errors = std::array::from_fn(|i| left[i] + of_lap[i] + displaced[i] + shown[i]);
+    let distance = correction.iter().fold(0.0f64, |size, c| size.max(c.abs())) / sight.size();
+    Ok(Some(Refined { sight, errors, distance }))
+}
+
+/// A bound of the rounding errors of a lap, and of what rounding the groups does: units of the largest quantity in every step, of either
+/// sign, so that they add up to the root of the number of steps.
+pub(super) fn rounding<R: Scalar>(sight: &Sight<R>) -> f64 {
+    let largest = [&sight.lap.trough, &sight.lap.peak, &sight.lap.highest_stress, &sight.lap.lowest_stress];
+    let size = largest.iter().fold(sight.size(), |size, value| size.max(value.to_f64().abs()));
+    // A state below 1 is computed relative to its size, observables are compared with 1.
+    (sight.steps as f64).sqrt() * 4.0 * R::UNIT_ROUNDOFF.max(f64::EPSILON * f64::EPSILON) * size
+}
+
+/// The same for what a lap shows: ζ acts on the velocity through its part of ζ, which is no larger than the range of ln V.
+fn rounding_shown<R: Scalar>(sight: &Sight<R>) -> Observed {
+    let shown = super::sight::observed(&sight.lap).map(f64::abs);
+    let range = shown[PEAK].max(shown[TROUGH]).max(1.0);
+    let unit = rounding(sight) / sight.size().max(range);
+    shown.map(|value| unit * value.max(range))
+}
+
+/// The errors of the finer of two laps that differ by this much.
+pub(super) fn lap_errors<R: Scalar>(differences: Observed, lap: &Lap<R>, floor: f64) -> Observed {
+    let scales = super::sight::observed(lap).map(|value| value.abs().max(1.0));
+    let largest = (0..5).fold(0.0f64, |largest, i| largest.max(differences[i].abs() / scales[i]));
+    std::array::from_fn(|i| OF_DIFFERENCE * differences[i].abs() + OF_LARGEST * largest * scales[i] + floor)
+}
+
+/// Corrects the passage until the way left shows in no observable, or shrinks no more; with the rate at which it shrank.
+fn approach<R: Scalar, M: Stepper<R> + Clone>(
+    map: &mut ReturnMap<'_, R, M>,
+    derivative: &Derivative,
+    from: [R; 2],
+    local_tolerance: f64,
+    asked: f64,
+) -> Result<Option<(Sight<R>, f64)>, Failure> {
+    let (mut from, mut last, mut rate) = (from, f64::INFINITY, 0.5f64);
+    for _ in 0..MOST_CORRECTIONS {
+        let sight = map.sight(&from, local_tolerance)?;
+        let correction = derivative.correction(sight.residual());
+        let change = derivative.moved(correction);
+        let size = correction.iter().fold(0.0f64, |size, c| size.max(c.abs()));
+        if !size.is_finite() || size > sight.size() {
+            return Ok(None);
+        }
+        if last.is_finite() {
+            rate = (size / last).min(0.9);
+        }
+        let noise = derivative.correction([rounding(&sight); 2]);
+        let resolved = size <= noise[0].abs().max(noise[1].abs());
+        if change[PEAK].abs().max(change[DURATION].abs()) <= 0.1 * asked || resolved {
+            return Ok(Some((sight, rate)));
+        }
+        // The map has steps of the size of its errors; nearer than that no correction leads.
+        if size > 0.5 * last {
+            return Ok(Some((sight, 0.5)));
+        }
+        last = size;
+        from = derivative.corrected(&sight.from, correction);
+    }
+    Ok(None)
+}
+
+/// Laps from a rough cycle until one closes.
+const MOST_LAPS: usize = 30;
+
+/// Follows the map where it contracts fast; none when it does not.
+///
+/// The reported lap begins where the one before ended. When its error at the finer tolerance is at most half as large and the state comes at
+/// least twice as near in a lap, then the difference of the two is more than the error of the second.
+pub(super) fn follow<M: Stepper<f64> + Clone>(
+    map: &mut ReturnMap<'_, f64, M>,
+    rough: &Cycle<f64>,
+    rough_tolerance: f64,
+    accuracy: Accuracy,
+) -> Result<Option<Refined<f64>>, Failure> {
+    let (spread, gains) = spread(map, rough, rough_tolerance)?;
+    if spread > SLOW {
+        return Ok(None);
+    }
+    let section = |state: &State<f64>| [state[1], state[2]];
+    let (mut lap, mut at) = (rough.lap.clone(), rough_tolerance);
+    let mut passage = section(&lap.end);
+    let mut change = size(difference(passage, section(&rough.from))) / size(passage);
+    let mut carried: Option<Observed> = None;
+    for _ in 0..MOST_LAPS {
+        let ready = at <= accuracy.coarse && SLOW * change <= accuracy.asked;
+        let tolerance = if ready {
+            accuracy.fine
+        } else {
+            libm::cbrt(libm::pow(0.01 * change, 2.0)).min(rough_tolerance).max(accuracy.coarse)
+        };
+        let sight = map.sight(&passage, tolerance)?;
+        let left = size(sight.residual()) / sight.size();
+        // Beyond the errors of the two laps a deviation that stays belongs to a slow direction.
+        if left > 0.5 * change && left > 0.1 * at {
+            return Ok(None);
+        }
+        if ready {
+            let differences = sight.differences(&lap);
+            let of_lap = lap_errors(differences, &sight.lap, accuracy.floor);
+            let units = rounding_shown(&sight);
+            // The fixed points of the two maps differ as well, and this lap began on the coarser one's.
+            let way = size(sight.residual()) / (1.0 - SLOW);
+            let errors: Observed = std::array::from_fn(|i| {
+                of_lap[i] + carried.map_or(0.0, |carried| carried[i]) + gains[i] * way + units[i]
+            });
+            let largest = errors[PEAK].max(errors[DURATION]);
+            if largest <= accuracy.asked || carried.is_some() {
+                return Ok(Some(Refined { sight, errors, distance: left }));
+            }
+            // The next lap is compared with one that errs like itself: a third of what this pair showed stays.
+            carried = Some(of_lap.map(|error| error / 3.0));
+        }
+        (passage, lap, change, at) = (sight.image, sight.lap, left, tolerance);
+    }
+    Ok(None)
+}
+
+/// By how much a cycle shrinks a deviation from its passage, in a direction that nothing distinguishes, and how much of it is seen.
+///
+/// The approach of a trajectory does not tell: what is left of it may lie along a direction in which a lap changes next to nothing.
+fn spread<M: Stepper<f64> + Clone>(
+    map: &mut ReturnMap<'_, f64, M>,
+    cycle: &Cycle<f64>,
+    local_tolerance: f64,
+) -> Result<(f64, Observed), Failure> {
+    let from = [cycle.from[1], cycle.from[2]];
+    let effect_ratio = map.model.groups().effect_ratio;
+    let by = [DEVIATION * effect_ratio * from[0], DEVIATION * map.model.imbalance(&cycle.from)];
+    let moved = shifted(&from, by, effect_ratio);
+    let sight = map.sight(&moved, local_tolerance)?;
+    let deviation = size(difference(moved, from));
+    let shrunk = size(difference(sight.image, [cycle.lap.end[1], cycle.lap.end[2]])) / deviation;
+    Ok((shrunk, sight.differences(&cycle.lap).map(|change| change.abs() / deviation)))
+}

@@ -1,0 +1,266 @@
+//! The search for a late behaviour whose stated errors meet what was asked.
+//!
+//! A rough run follows the trajectory to its limit cycle; [`refine`](super::refine) then brings one cycle to its accuracy with few laps. A decay is run
+//! twice from the start, at two tolerances. A result that misses the asked accuracy is computed anew, tighter, from the cycle already
+//! known; where f64 allows no tighter run, Newton's iteration goes on in double-double. When that does not do either, the
+//! answer is a failure that says what was reached.
+
+use super::deviations::oscillation_of_small_deviations;
+use super::integrator::{Control, Integrator};
+use super::outcome::{Errors, Outcome, extremes, peak_and_period, trough};
+use super::refine::{Accuracy, OF_DIFFERENCE, OF_LARGEST, Refined, derivative, follow, refine};
+use super::settle::{Cycle, Decay, Late, SLOW, settle, settle_within};
+use super::sight::{DURATION, HIGHEST, LOWEST, PEAK, ReturnMap, TROUGH};
+use super::stepper::Stepper;
+use super::{Failure, Lap, Model, Options, Radau};
+use crate::number::Dd;
+
+/// The least asked error that the method of order 5 is used for.
+pub(super) const LOOSE: f64 = 1e-3;
+
+/// The tightest local tolerance in f64.
+const TIGHTEST: f64 = 2e-13;
+
+/// The tolerance of the finer of two runs over that of the coarser.
+const FINER: f64 = 0.01;
+
+/// How near to a slowly contracting cycle the rough run has to come before Newton's iteration takes over.
+const NEWTON_FROM: f64 = 1e-2;
+
+/// Local tolerances of one attempt.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Levels {
+    /// Of the run that finds the late behaviour.
+    rough: f64,
+    /// Of the two laps that are compared.
+    coarse: f64,
+    /// The tightest in use.
+    tightest: f64,
+    /// Steps of a lap whose errors are as large as their estimates.
+    bad_steps: f64,
+}
+
+impl Levels {
+    /// For the method of order 5.
+    pub const fn loose() -> Self {
+        Self { rough: 1e-2, coarse: 1e-2, tightest: 1e-3, bad_steps: 20.0 }
+    }
+
+    /// For the method of order 9: its global error is about the 3/2nd power of the local tolerance.
+    pub fn for_error(asked: f64) -> Self {
+        let coarse = (30.0 * asked).clamp(TIGHTEST / FINER, 1e-3);
+        Self { rough: coarse.max(1e-4), coarse, tightest: TIGHTEST / FINER, bad_steps: 1.0 }
+    }
+
+    fn tighter(self) -> Option<Self> {
+        let finer = Self { rough: 0.1 * self.rough, coarse: 0.1 * self.coarse, ..self };
+        (finer.coarse >= 0.99 * self.tightest).then_some(finer)
+    }
+}
+
+/// A search with one method.
+pub(super) struct Search<'m, 'o, M> {
+    model: &'m Model<f64>,
+    method: M,
+    options: &'o Options,
+    levels: Levels,
+    /// The last cycle found, and the local tolerance that it was found with.
+    known: Option<(Cycle<f64>, f64)>,
+    work: [u64; 2],
+}
+
+/// A late behaviour with its errors.
+type Found = (Late<f64>, Errors);
+
+impl<'m, 'o, M: Stepper<f64> + Clone> Search<'m, 'o, M> {
+    pub const fn new(model: &'m Model<f64>, method: M, options: &'o Options, levels: Levels) -> Self {
+        Self { model, method, options, levels, known: None, work: [0; 2] }
+    }
+
+    /// Tightens until the stated errors of peak and period are no larger than asked.
+    pub fn answer(mut self) -> Result<Outcome, Failure> {
+        let asked = self.options.tolerance;
+        let mut reached = f64::INFINITY;
+        let mut last_failure = None;
+        loop {
+            match self.attempt() {
+                Ok((late, errors)) => {
+                    let outcome = self.outcome(late, errors, FINER * self.levels.coarse);
+                    reached = outcome.largest_error().min(reached);
+                    if outcome.largest_error() <= asked {
+                        return Ok(outcome);
+                    }
+                }
+                Err(failure @ (Failure::Undecided { .. } | Failure::StepVanished { .. })) => {
+                    last_failure = Some(failure);
+                    self.known = None;
+                }
+                Err(failure) => return Err(failure),
+            }
+            match self.levels.tighter() {
+                Some(levels) => self.levels = levels,
+                None => break,
+            }
+        }
+        match last_failure {
+            Some(failure) if reached.is_infinite() => Err(failure),
+            _ => Err(Failure::UnreachableTolerance { asked, reached }),
+        }
+    }
+
+    fn outcome(&self, late: Late<f64>, errors: Errors, local_tolerance: f64) -> Outcome {
+        let start = libm::log(self.options.velocity_ratio);
+        Outcome::new(self.model, start, late, errors, self.work, local_tolerance)
+    }
+
+    fn attempt(&mut self) -> Result<Found, Failure> {
+        if let Some((cycle, tolerance)) = self.known.clone() {
+            return self.refined(cycle, tolerance);
+        }
+        let rough = self.levels.rough;
+        let targets = [0.1 * self.options.tolerance.max(1e-2), NEWTON_FROM];
+        match self.run(rough, |run, laps| settle_within(run, targets, laps))? {
+            Late::Cycle(cycle) => self.refined(cycle, rough),
+            Late::Decay(decay) if rough <= self.levels.coarse => self.decay(decay),
+            Late::Decay(_) => match self.settled(self.levels.coarse)? {
+                Late::Decay(decay) => self.decay(decay),
+                Late::Cycle(cycle) => self.refined(cycle, self.levels.coarse),
+            },
+        }
+    }
+
+    fn settled(&mut self, local_tolerance: f64) -> Result<Late<f64>, Failure> {
+        let target = 0.01 * self.options.tolerance;
+        self.run(local_tolerance, |run, laps| settle(run, target, laps))
+    }
+
+    /// A run from the start.
+    fn run(
+        &mut self,
+        local_tolerance: f64,
+        settle: impl Fn(&mut Integrator<'m, f64, M>, u64) -> Result<Late<f64>, Failure>,
+    ) -> Result<Late<f64>, Failure> {
+        let start = self.options.start.state(self.model, &libm::log(self.options.velocity_ratio));
+        let control = Control { local_tolerance, most_steps: self.options.most_steps };
+        let mut run = Integrator::new(self.model, self.method.clone(), start, control)?;
+        let late = settle(&mut run, self.options.most_laps);
+        let (accepted, refused) = run.step_counts();
+        self.work = [self.work[0] + accepted + refused, self.work[1] + run.method().evaluations()];
+        late
+    }
+
+    /// A decay, run again at a tenth of the tolerance.
+    fn decay(&mut self, mut coarse: Decay<f64>) -> Result<Found, Failure> {
+        let finer = FINER * self.levels.coarse;
+        let mut fine = match self.settled(finer)? {
+            Late::Decay(decay) => decay,
+            Late::Cycle(_) => return Err(Failure::Undecided { cycles: 0, change: 1.0 }),
+        };
+        // A pair that dies faster than the real mode leaves no clear trace in late behaviour, but it is there.
+        if coarse.oscillation.is_none() || fine.oscillation.is_none() {
+            coarse.oscillation = oscillation_of_small_deviations(self.model, (finer / FINER).min(1e-6))?;
+            fine.oscillation = oscillation_of_small_deviations(self.model, finer.min(FINER * 1e-6))?;
+        }
+        let start = libm::log(self.options.velocity_ratio);
+        let (coarse, fine) = (Late::Decay(coarse), Late::Decay(fine));
+        let errors = decay_errors(&coarse, &fine, start, self.levels.bad_steps * finer);
+        Ok((fine, errors))
+    }
+
+    /// A cycle brought to its accuracy.
+    fn refined(&mut self, found: Cycle<f64>, tolerance: f64) -> Result<Found, Failure> {
+        let Levels { coarse, bad_steps, .. } = self.levels;
+        let fine = FINER * coarse;
+        let accuracy = Accuracy { coarse, fine, floor: bad_steps * fine, asked: self.options.tolerance };
+        let laps = found.laps_per_cycle;
+        let mut map = ReturnMap::new(self.model, self.method.clone(), laps, self.options.most_steps);
+        let mut refined = None;
+        let mut contraction = found.contraction.filter(|&known| known < 1.0);
+        if contraction.is_none_or(|known| known < SLOW) {
+            refined = follow(&mut map, &found, tolerance, accuracy)?;
+        }
+        if refined.is_none() {
+            let rough = [found.lap.end[1], found.lap.end[2]];
+            let (derivative, rough) = derivative(&mut map, rough)?;
+            contraction = Some(derivative.multiplier());
+            refined = refine(&mut map, &derivative, rough, accuracy)?;
+            let satisfied = refined.as_ref().is_some_and(|refined| satisfies(refined, accuracy.asked));
+            if !satisfied && self.levels.tighter().is_none() {
+                let more =
+                    in_double_double(self.model, &found, &derivative, &refined, accuracy, self.options)?;
+                refined = more.or(refined);
+            }
+        }
+        self.work = [self.work[0] + map.work[0], self.work[1] + map.work[1]];
+        let Some(Refined { sight, errors, distance }) = refined else {
+            return Err(Failure::Undecided { cycles: 0, change: found.distance });
+        };
+        let errors = Errors {
+            peak: errors[PEAK],
+            period: Some(errors[DURATION]),
+            trough: errors[TROUGH],
+            drop: errors[HIGHEST] + errors[LOWEST],
+        };
+        let from = [0.0, sight.from[0], sight.from[1]];
+        let cycle = Cycle { lap: sight.lap, laps_per_cycle: laps, contraction, distance, from };
+        self.known = Some((cycle.clone(), FINER * coarse));
+        Ok((Late::Cycle(cycle), errors))
+    }
+}
+
+fn satisfies<R>(refined: &Refined<R>, asked: f64) -> bool {
+    refined.errors[PEAK].max(refined.errors[DURATION]) <= 0.9 * asked
+}
+
+/// Newton's iteration in double-double, for cycles whose fixed point magnifies the rounding errors of f64.
+fn in_double_double(
+    model: &Model<f64>,
+    found: &Cycle<f64>,
+    derivative: &super::sight::Derivative,
+    refined: &Option<Refined<f64>>,
+    accuracy: Accuracy,
+    options: &Options,
+) -> Result<Option<Refined<f64>>, Failure> {
+    let fine = Model::with_balance(
+        model.groups().map(|&group| Dd::from(group)),
+        model.law(),
+        model.balance().map(|&group| Dd::from(group)),
+    );
+    let from = refined.as_ref().map_or([found.lap.end[1], found.lap.end[2]], |refined| refined.sight.from);
+    let mut map = ReturnMap::new(&fine, Radau::<Dd, 7>::new(), found.laps_per_cycle, options.most_steps);
+    let accuracy = Accuracy { coarse: 1e-14, fine: 1e-16, floor: 1e-16, ..accuracy };
+    let refined = refine(&mut map, derivative, from.map(Dd::from), accuracy)?;
+    Ok(refined.map(|refined| refined.rounded()))
+}
+
+/// Errors of a decay from two runs, a factor ten apart in tolerance.
+fn decay_errors(coarse: &Late<f64>, fine: &Late<f64>, start: f64, floor: f64) -> Errors {
+    let (coarse_peak, coarse_period) = peak_and_period(coarse, start);
+    let (peak, period) = peak_and_period(fine, start);
+    let (rough, lap): (&Lap<f64>, &Lap<f64>) = (extremes(coarse), extremes(fine));
+    let lowest = trough(fine, start);
+    let difference = |a: f64, b: f64| (a - b).abs() / b.abs().max(1.0);
+    let of_period = match (coarse_period, period) {
+        (Some(a), Some(b)) => libm::log(a / b).abs(),
+        (None, None) => 0.0,
+        _ => f64::INFINITY,
+    };
+    let differences = [
+        difference(coarse_peak, peak),
+        of_period,
+        difference(trough(coarse, start), lowest),
+        difference(rough.highest_stress, lap.highest_stress),
+        difference(rough.lowest_stress, lap.lowest_stress),
+    ];
+    let largest = differences.iter().fold(0.0f64, |largest, &d| largest.max(d));
+    let units = 100.0 * f64::EPSILON;
+    let error = |i: usize, scale: f64| {
+        (OF_DIFFERENCE * differences[i] + OF_LARGEST * largest + units) * f64::abs(scale).max(1.0) + floor
+    };
+    Errors {
+        peak: error(PEAK, peak),
+        period: period.map(|_| error(DURATION, 1.0)),
+        trough: error(TROUGH, lowest),
+        drop: error(HIGHEST, lap.highest_stress) + error(LOWEST, lap.lowest_stress),
+    }
+}

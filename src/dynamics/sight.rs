@@ -1,0 +1,208 @@
+//! The return map of V = V_l (upward): one cycle seen from a passage, the map's derivative, and Newton's correction.
+
+use super::integrator::{Control, Integrator};
+use super::lap::{Lap, LapEnd, run_lap};
+use super::stepper::Stepper;
+use super::{Failure, Model, Scalar};
+
+/// What a cycle shows: ln(V_peak/V_l), ln(duration), ln(V_min/V_l), largest and least ζ.
+pub(super) type Observed = [f64; 5];
+
+/// Places in [`Observed`].
+pub(super) const PEAK: usize = 0;
+pub(super) const DURATION: usize = 1;
+pub(super) const TROUGH: usize = 2;
+pub(super) const HIGHEST: usize = 3;
+pub(super) const LOWEST: usize = 4;
+
+/// The return map over a number of laps, with the method that integrates it.
+#[derive(Debug, Clone)]
+pub(super) struct ReturnMap<'m, R, M> {
+    pub model: &'m Model<R>,
+    pub method: M,
+    /// Upward passages of V = V_l in one cycle.
+    pub laps: usize,
+    pub most_steps: u64,
+    /// Steps (refused ones included) and evaluations so far.
+    pub work: [u64; 2],
+}
+
+/// One cycle from a passage.
+#[derive(Debug, Clone)]
+pub(super) struct Sight<R> {
+    /// y and ζ at its start and at its end.
+    pub from: [R; 2],
+    pub image: [R; 2],
+    pub lap: Lap<R>,
+    /// Steps it took: each leaves a rounding error.
+    pub steps: u64,
+}
+
+/// What a lap shows.
+pub(super) fn observed<R: Scalar>(lap: &Lap<R>) -> Observed {
+    [&lap.peak, &lap.duration.logarithm(), &lap.trough, &lap.highest_stress, &lap.lowest_stress]
+        .map(Scalar::to_f64)
+}
+
+impl<'m, R: Scalar, M: Stepper<R> + Clone> ReturnMap<'m, R, M> {
+    pub const fn new(model: &'m Model<R>, method: M, laps: usize, most_steps: u64) -> Self {
+        Self { model, method, laps, most_steps, work: [0; 2] }
+    }
+
+    /// One cycle from (0, y, ζ).
+    pub fn sight(&mut self, from: &[R; 2], local_tolerance: f64) -> Result<Sight<R>, Failure> {
+        let control = Control { local_tolerance, most_steps: self.most_steps };
+        let state = [R::from(0), from[0].clone(), from[1].clone()];
+        let mut run = Integrator::new(self.model, self.method.clone(), state, control)?;
+        let mut whole: Option<Lap<R>> = None;
+        for done in 1..=self.laps {
+            let (lap, end) = run_lap(&mut run)?;
+            if end != LapEnd::Rise {
+                return Err(Failure::Undecided { cycles: done as u64, change: 1.0 });
+            }
+            whole = Some(match whole {
+                Some(so_far) => so_far.joined(lap),
+                None => lap,
+            });
+        }
+        let (accepted, refused) = run.step_counts();
+        self.work = [self.work[0] + accepted + refused, self.work[1] + run.method().evaluations()];
+        let [_, y, zeta] = run.state().clone();
+        let undecided = Failure::Undecided { cycles: 0, change: 1.0 };
+        Ok(Sight { from: from.clone(), image: [y, zeta], lap: whole.ok_or(undecided)?, steps: accepted })
+    }
+}
+
+impl<R: Scalar> Sight<R> {
+    /// Image minus start.
+    pub fn residual(&self) -> [f64; 2] {
+        std::array::from_fn(|i| (self.image[i].clone() - &self.from[i]).to_f64())
+    }
+
+    /// The size of the state on the section.
+    pub fn size(&self) -> f64 {
+        self.image.iter().fold(0.0f64, |size, c| size.max(c.to_f64().abs()))
+    }
+
+    /// What this cycle shows less what another one shows, formed in the cycle's own digits.
+    pub fn differences(&self, other: &Lap<R>) -> Observed {
+        let part = |a: &R, b: &R| (a.clone() - b).to_f64();
+        let ratio = part(&self.lap.duration, &other.duration) / other.duration.to_f64();
+        [
+            part(&self.lap.peak, &other.peak),
+            libm::log1p(ratio),
+            part(&self.lap.trough, &other.trough),
+            part(&self.lap.highest_stress, &other.highest_stress),
+            part(&self.lap.lowest_stress, &other.lowest_stress),
+        ]
+    }
+}
+
+/// Derivatives of image and observables by the passage.
+///
+/// On V = V_l quasi-static trajectories keep ζ − βy very near zero, so the passage is described by u = βy and w = ζ − βy: a
+/// difference in u stays on their surface, and w is differenced within what is there.
+#[derive(Debug, Clone)]
+pub(super) struct Derivative {
+    effect_ratio: f64,
+    image: [[f64; 2]; 2],
+    /// Moduli.
+    observed: [[f64; 2]; 5],
+}
+
+/// Relative size of the differences: their truncation error is its square.
+const DIFFERENCE: f64 = 3e-4;
+
+/// Most that a difference may be of the coordinate it changes.
+const LARGEST_PART: f64 = 0.03;
+
+/// Relative error of a lap's end at the tolerance of the differences; over a difference it is what a derivative can resolve.
+const LAP_ERROR: f64 = 1e-9;
+
+/// y and ζ moved by u and w.
+pub(super) fn shifted<R: Scalar>(from: &[R; 2], [u, w]: [f64; 2], effect_ratio: f64) -> [R; 2] {
+    [from[0].clone() + R::from_f64(u / effect_ratio), from[1].clone() + R::from_f64(u + w)]
+}
+
+impl Derivative {
+    /// Central differences around a passage.
+    pub fn at<M: Stepper<f64> + Clone>(
+        map: &mut ReturnMap<'_, f64, M>,
+        from: [f64; 2],
+        local_tolerance: f64,
+    ) -> Result<Self, Failure> {
+        let effect_ratio = map.model.groups().effect_ratio;
+        let size = from[0].abs().max(from[1].abs());
+        // Trajectories cross the section upward where ζ > φ.
+        let upward = map.model.imbalance(&[0.0, from[0], from[1]]).abs();
+        let along = (effect_ratio * from[0]).abs();
+        let steps = [along, upward]
+            .map(|part| (DIFFERENCE * size).min(LARGEST_PART * part).max(1e-6 * DIFFERENCE * size));
+        let mut derivative = Self { effect_ratio, image: [[0.0; 2]; 2], observed: [[0.0; 2]; 5] };
+        for (column, h) in steps.into_iter().enumerate() {
+            let mut moved = |sign: f64| {
+                let mut by = [0.0; 2];
+                by[column] = sign * h;
+                map.sight(&shifted(&from, by, effect_ratio), local_tolerance)
+            };
+            let (low, high) = (moved(-1.0)?, moved(1.0)?);
+            let resolution = LAP_ERROR * size / h;
+            let slope = |difference: f64| difference / (2.0 * h);
+            let image = derivative.coordinates([high.image[0] - low.image[0], high.image[1] - low.image[1]]);
+            for (row, difference) in image.into_iter().enumerate() {
+                let slope = slope(difference);
+                derivative.image[row][column] = if slope.abs() < resolution { 0.0 } else { slope };
+            }
+            for (row, difference) in high.differences(&low.lap).into_iter().enumerate() {
+                // Errors are bounded by these: what cannot be resolved counts with all it may be.
+                derivative.observed[row][column] = slope(difference).abs().max(resolution);
+            }
+        }
+        Ok(derivative)
+    }
+
+    fn coordinates(&self, [y, zeta]: [f64; 2]) -> [f64; 2] {
+        [self.effect_ratio * y, zeta - self.effect_ratio * y]
+    }
+
+    /// The modulus of the leading multiplier.
+    pub fn multiplier(&self) -> f64 {
+        let [[a, b], [c, d]] = self.image;
+        let half_trace = 0.5 * (a + d);
+        let discriminant = 0.25 * (a - d) * (a - d) + b * c;
+        if discriminant < 0.0 {
+            return (a * d - b * c).abs().sqrt();
+        }
+        half_trace.abs() + discriminant.sqrt()
+    }
+
+    /// (1 − P')^{-1}.
+    fn resolvent(&self) -> [[f64; 2]; 2] {
+        let [[a, b], [c, d]] = self.image;
+        let determinant = (1.0 - a) * (1.0 - d) - b * c;
+        [[(1.0 - d) / determinant, b / determinant], [c / determinant, (1.0 - a) / determinant]]
+    }
+
+    /// How far (in u and w) the fixed point is from a passage with this residual in y and ζ: Newton's correction.
+    pub fn correction(&self, residual: [f64; 2]) -> [f64; 2] {
+        let [u, w] = self.coordinates(residual);
+        self.resolvent().map(|row| row[0] * u + row[1] * w)
+    }
+
+    /// The passage moved by a correction.
+    pub fn corrected<R: Scalar>(&self, from: &[R; 2], by: [f64; 2]) -> [R; 2] {
+        shifted(from, by, self.effect_ratio)
+    }
+
+    /// The largest change of the observables when the passage moves by this much.
+    pub fn moved(&self, by: [f64; 2]) -> Observed {
+        self.observed.map(|row| row[0] * by[0].abs() + row[1] * by[1].abs())
+    }
+
+    /// The largest change of the observables of the fixed point when the image errs by up to these amounts in y and ζ.
+    pub fn worst(&self, error: [f64; 2], units: f64) -> Observed {
+        let [u, w] = self.coordinates(error).map(|error| error.abs() + units);
+        let resolvent = self.resolvent();
+        self.moved(resolvent.map(|row| row[0].abs() * u + row[1].abs() * w))
+    }
+}
