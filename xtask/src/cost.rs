@@ -1,7 +1,8 @@
 //! `cargo xtask cost`: how time and memory grow with points, rows, digits, tolerance, runs and threads.
 //!
-//! Every number is measured on the release build of the command line, one process at a time. A power law is fitted to each
-//! ladder but its top rung; what the law says of the top is printed beside what was measured there. The result is a CSV and a
+//! Every number is measured on the release build of the command line, one process at a time. A power law is fitted to the CPU
+//! times of each ladder but its top rung (wall times tell of the machine's other work too); what it says of the top is printed
+//! beside what was measured there. The result is a CSV and a
 //! Markdown file under `target/cost/`; nothing of it enters what `verify` compares.
 
 mod fit;
@@ -61,7 +62,7 @@ fn csv(climbed: &[Climbed]) -> String {
         for (rung, found) in ladder.rungs.iter().zip(measured) {
             let _ = writeln!(
                 text,
-                "{},{},{},{:.4},{:.2},{},\"slipmode {}\"",
+                "{},{},{},{:.4},{:.4},{},\"slipmode {}\"",
                 ladder.name,
                 ladder.variable,
                 rung.size,
@@ -92,11 +93,11 @@ fn section(Climbed { ladder, measured }: &Climbed) -> String {
     let _ = writeln!(text, "| {} | wall s | CPU s | peak memory MiB |\n|---|---|---|---|", ladder.variable);
     for (rung, found) in ladder.rungs.iter().zip(measured) {
         let mib = found.peak_kib as f64 / 1024.0;
-        let _ = writeln!(text, "| {} | {:.3} | {:.2} | {mib:.1} |", rung.size, found.wall_s, found.cpu_s);
+        let _ = writeln!(text, "| {} | {:.3} | {:.3} | {mib:.1} |", rung.size, found.wall_s, found.cpu_s);
     }
     text.push('\n');
     let seconds: Vec<(f64, f64)> =
-        ladder.rungs.iter().zip(measured).map(|(rung, found)| (rung.size, found.wall_s)).collect();
+        ladder.rungs.iter().zip(measured).map(|(rung, found)| (rung.size, found.cpu_s)).collect();
     if ladder.is_fitted {
         text += &fitted(ladder, &seconds);
     }
@@ -108,7 +109,7 @@ fn fitted(ladder: &Ladder, seconds: &[(f64, f64)]) -> String {
     let Some(((top, found), below)) = seconds.split_last() else { return String::new() };
     let Some(law) = PowerLaw::fit(below) else { return String::new() };
     let mut text = format!(
-        "wall ~ {:.3e} s · size^{:.3}; largest residual of the fitted rungs: factor {:.2}. \
+        "CPU time ~ {:.3e} s · size^{:.3}; largest residual of the fitted rungs: factor {:.2}. \
          At {top} the law says {:.3} s, measured {found:.3} s (factor {:.2}).\n",
         law.factor,
         law.exponent,

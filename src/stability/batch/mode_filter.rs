@@ -112,9 +112,9 @@ mod tests {
     proptest! {
         #[test]
         fn the_quartic_is_negative_exactly_above_the_threshold(
-            values in prop::array::uniform5(1i64..1000), tenths in 1i64..10,
+            values in prop::array::uniform4(1i64..1000), s in 1i64..10, tenths in 1i64..10,
         ) {
-            let [a, b, k, m, s] = values.map(Rational::from);
+            let ([a, b, k, m], s) = (values.map(Rational::from), Rational::from(s));
             let squared_ratio = Rational::from((tenths, 10));
             let threshold = InertialThreshold::from_squared_ratio(squared_ratio.clone()).unwrap();
             let quartic = threshold_quartic(&a, &(a.clone() - &b), &k, &m, &squared_ratio);
@@ -126,8 +126,8 @@ mod tests {
                 effect_ratio: b / a,
             };
             let cubic = Depressed::of(&groups.characteristic_cubic()).unwrap();
-            prop_assume!(cubic.discriminant_sign() < 0);
-            prop_assert_eq!(value < 0, threshold.exceeded_by(&cubic));
+            // At zero the filter is never certain.
+            prop_assert!(value.is_zero() || (value < 0) == threshold.exceeded_by(&cubic));
         }
     }
 }

@@ -66,9 +66,9 @@ pub fn all(folder: &Path) -> io::Result<Vec<Ladder>> {
             )
         },
         ladder(
-            "tolerance of a simulation of stick-slip",
+            "tolerance of 64 simulations",
             "1/tolerance",
-            format!("simulate --law slip {SLIDER} -s 1e6 -v 1e-4 --tolerance 1/N"),
+            "simulate --law slip --points runs-64.csv --threads 1 --tolerance 1/N".into(),
             &[100, 10_000, 1_000_000, 100_000_000, 10_000_000_000],
             true,
         ),
@@ -76,7 +76,7 @@ pub fn all(folder: &Path) -> io::Result<Vec<Ladder>> {
             "certified digits of the roots",
             "digits",
             format!("roots {SLIDER} -s 1e5 -v 1e-3 --digits N"),
-            &[3000, 10_000, 30_000, 100_000],
+            &[30_000, 100_000, 300_000, 1_000_000],
             true,
         ),
     ])

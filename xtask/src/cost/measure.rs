@@ -1,7 +1,7 @@
 //! Wall time, CPU time and peak memory of one run of a program.
 //!
-//! Memory and CPU time are read from `/proc` every half millisecond while the program runs and once more when it has ended but
-//! has not been waited for; where there is no `/proc` they are 0.
+//! Memory and CPU time are read from `/proc` every half millisecond while the program runs, the latter once more, to a hundredth of
+//! a second, when it has ended but has not been waited for. Where there is no `/proc` both are 0.
 
 use std::fs;
 use std::path::Path;
@@ -58,11 +58,11 @@ fn once(program: &Path, arguments: &[String], folder: &Path) -> Result<Measured,
         .stdout(Stdio::null())
         .spawn()
         .map_err(|error| failed(error.to_string()))?;
-    let (mut peak_kib, mut cpu_s) = (0, 0.0);
+    let (mut peak_kib, mut cpu_s) = (0, 0.0_f64);
     loop {
         peak_kib = peak_kib.max(peak_memory_kib(child.id()).unwrap_or(0));
-        let (seconds, has_ended) = cpu_time(child.id()).unwrap_or((cpu_s, true));
-        cpu_s = seconds;
+        let (ticks_s, has_ended) = cpu_time(child.id()).unwrap_or((0.0, true));
+        cpu_s = f64::max(cpu_s, threads_cpu_time(child.id()).unwrap_or(0.0).max(ticks_s));
         if has_ended {
             break;
         }
@@ -79,7 +79,17 @@ fn peak_memory_kib(process: u32) -> Option<u64> {
     line.trim().trim_end_matches("kB").trim().parse().ok()
 }
 
-/// CPU time in seconds, and whether the process has ended.
+/// CPU time of all threads in seconds, to a nanosecond.
+fn threads_cpu_time(process: u32) -> Option<f64> {
+    let nanoseconds = |thread: fs::DirEntry| {
+        let text = fs::read_to_string(thread.path().join("schedstat")).ok()?;
+        text.split_whitespace().next()?.parse::<u64>().ok()
+    };
+    let threads = fs::read_dir(format!("/proc/{process}/task")).ok()?;
+    Some(threads.flatten().filter_map(nanoseconds).sum::<u64>() as f64 / 1e9)
+}
+
+/// CPU time in seconds, to a hundredth, and whether the process has ended.
 fn cpu_time(process: u32) -> Option<(f64, bool)> {
     let stat = fs::read_to_string(format!("/proc/{process}/stat")).ok()?;
     parse_stat(&stat)
