@@ -1,6 +1,6 @@
 //! `cargo xtask cost`: how time and memory grow with points, rows, digits, tolerance, runs and threads.
 //!
-//! Every number is measured on the release build of the command line, one process at a time. A power law is fitted to the CPU
+//! Every number is measured on the release build of the command line, one process at a time. A law is fitted to the CPU
 //! times of each ladder but its top rung (wall times tell of the machine's other work too); what it says of the top is printed
 //! beside what was measured there. The result is a CSV and a
 //! Markdown file under `target/cost/`; nothing of it enters what `verify` compares.
@@ -14,7 +14,7 @@ use std::fs;
 
 use crate::failure::Failure;
 use crate::{machine, process, repository, verify};
-use fit::PowerLaw;
+use fit::{Form, Law};
 use ladders::Ladder;
 use measure::Measured;
 
@@ -98,33 +98,29 @@ fn section(Climbed { ladder, measured }: &Climbed) -> String {
     text.push('\n');
     let seconds: Vec<(f64, f64)> =
         ladder.rungs.iter().zip(measured).map(|(rung, found)| (rung.size, found.cpu_s)).collect();
-    if ladder.is_fitted {
-        text += &fitted(ladder, &seconds);
+    if let Some(form) = ladder.form {
+        text += &fitted(ladder, form, &seconds);
     }
     text
 }
 
-/// The law of all rungs but the last, and what it says of the last and of the size that is asked about.
-fn fitted(ladder: &Ladder, seconds: &[(f64, f64)]) -> String {
+/// The law of all rungs but the last, and what it says of the last; the law of all, and what it says of the size asked about.
+fn fitted(ladder: &Ladder, form: Form, seconds: &[(f64, f64)]) -> String {
     let Some(((top, found), below)) = seconds.split_last() else { return String::new() };
-    let Some(law) = PowerLaw::fit(below) else { return String::new() };
+    let (Some(law), Some(all)) = (Law::fit(form, below), Law::fit(form, seconds)) else {
+        return String::new();
+    };
     let mut text = format!(
-        "CPU time ~ {:.3e} s · size^{:.3}; largest residual of the fitted rungs: factor {:.2}. \
-         At {top} the law says {:.3} s, measured {found:.3} s (factor {:.2}).\n",
-        law.factor,
-        law.exponent,
+        "Without the last row, CPU time ~ {} (largest residual: factor {:.2}); it says {:.3} s for the last row, where \
+         {found:.3} s were measured.\n\nWith all rows, CPU time ~ {} (largest residual: factor {:.2}).\n",
+        law.text(),
         law.worst_residual(below),
         law.at(*top),
-        found / law.at(*top)
+        all.text(),
+        all.worst_residual(seconds),
     );
-    if let (Some(asked), Some(all)) = (ladder.asked, PowerLaw::fit(seconds)) {
-        let _ = writeln!(
-            text,
-            "With all rungs (exponent {:.3}, largest residual: factor {:.2}), {asked:e} take {:.3e} s.",
-            all.exponent,
-            all.worst_residual(seconds),
-            all.at(asked)
-        );
+    if let Some(asked) = ladder.asked {
+        let _ = writeln!(text, "{asked:e} {} would take {:.3e} s.", ladder.variable, all.at(asked));
     }
     text.push('\n');
     text

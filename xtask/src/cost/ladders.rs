@@ -5,6 +5,8 @@ use std::fs;
 use std::io;
 use std::path::Path;
 
+use super::fit::Form;
+
 /// Commands that differ in one number, from small to large.
 pub struct Ladder {
     pub name: &'static str,
@@ -13,8 +15,8 @@ pub struct Ladder {
     /// The command with `N` in place of the number.
     pub template: String,
     pub rungs: Vec<Rung>,
-    /// Whether a power law is expected.
-    pub is_fitted: bool,
+    /// The form of the law that is expected, if any.
+    pub form: Option<Form>,
     /// A size that is asked about and not measured.
     pub asked: Option<f64>,
 }
@@ -50,10 +52,10 @@ pub fn all(folder: &Path) -> io::Result<Vec<Ladder>> {
             asked: Some(1e12),
             ..squares("points of a grid, 1 thread", grid("1", "N"), &[1000, 3163, 10_000, 31_623])
         },
-        ladder("points of a grid of 10^8, threads", "threads", grid("N", "10000"), &[1, 2], false),
+        ladder("points of a grid of 10^8, threads", "threads", grid("N", "10000"), &[1, 2], None),
         Ladder {
             asked: Some(1e9),
-            ..ladder("rows of a file classified", "rows", files("classify", "rows"), &ROWS, true)
+            ..ladder("rows of a file classified", "rows", files("classify", "rows"), &ROWS, START)
         },
         Ladder {
             asked: Some(1e7),
@@ -62,25 +64,30 @@ pub fn all(folder: &Path) -> io::Result<Vec<Ladder>> {
                 "runs",
                 files("simulate --law slip", "runs") + " --tolerance 1e-2",
                 &RUNS,
-                true,
+                START,
             )
         },
         ladder(
-            "tolerance of 64 simulations",
+            "tolerance of 1024 simulations",
             "1/tolerance",
-            "simulate --law slip --points runs-64.csv --threads 1 --tolerance 1/N".into(),
+            "simulate --law slip --points runs-1024.csv --threads 1 --tolerance 1/N".into(),
             &[100, 10_000, 1_000_000, 100_000_000, 10_000_000_000],
-            true,
+            Some(Form::Power),
         ),
         ladder(
             "certified digits of the roots",
             "digits",
             format!("roots {SLIDER} -s 1e5 -v 1e-3 --digits N"),
             &[30_000, 100_000, 300_000, 1_000_000],
-            true,
+            Some(Form::Power),
         ),
     ])
 }
+
+/// Beside what each row takes, the program has to be started.
+const START: Option<Form> = Some(Form::Beside(0.0));
+/// Beside what each point takes, each row of a square has to be prepared.
+const ROWS_OF_A_GRID: Option<Form> = Some(Form::Beside(0.5));
 
 /// Rows of the files that are classified.
 const ROWS: [u64; 4] = [10_000, 100_000, 300_000, 1_000_000];
@@ -96,15 +103,15 @@ fn ladder(
     variable: &'static str,
     template: String,
     sizes: &[u64],
-    is_fitted: bool,
+    form: Option<Form>,
 ) -> Ladder {
     let rung = |size: &u64| Rung { size: *size as f64, arguments: words(&template, *size) };
-    Ladder { name, variable, rungs: sizes.iter().map(rung).collect(), template, is_fitted, asked: None }
+    Ladder { name, variable, rungs: sizes.iter().map(rung).collect(), template, form, asked: None }
 }
 
 /// A ladder whose number is the side of a square of points.
 fn squares(name: &'static str, template: String, sides: &[u64]) -> Ladder {
-    let mut ladder = ladder(name, "points", template, sides, true);
+    let mut ladder = ladder(name, "points", template, sides, ROWS_OF_A_GRID);
     ladder.rungs.iter_mut().for_each(|rung| rung.size *= rung.size);
     ladder
 }
