@@ -1,5 +1,6 @@
-//! `slipmode classify`: one point for people or programs, or every row of a CSV file.
+//! `slipmode classify`: one point for people or programs, every row of a CSV file, or the counts of a grid.
 
+mod grid;
 pub mod rows;
 mod view;
 
@@ -12,6 +13,7 @@ use crate::cli::options::{Arguments, SliderOptions, ThresholdOption};
 use crate::cli::points;
 use crate::cli::progress::Progress;
 use crate::cli::terminal;
+use grid::GridOptions;
 use rows::ClassifyRows;
 use view::PointView;
 
@@ -22,6 +24,8 @@ pub struct Options {
     slider: SliderOptions,
     #[command(flatten)]
     threshold: ThresholdOption,
+    #[command(flatten)]
+    grid: GridOptions,
     /// One JSON object instead of text
     #[arg(long, conflicts_with = "points")]
     json: bool,
@@ -48,6 +52,12 @@ pub struct Options {
 pub fn run(options: &Options, progress: &Progress) -> Result<(), Failure> {
     let mut arguments = Arguments::default();
     let threshold = options.threshold.threshold(&mut arguments);
+    if options.grid.is_given() {
+        let request = options.grid.read(&options.slider, &mut arguments);
+        arguments.finish()?;
+        let (Some(request), Some(threshold)) = (request, threshold) else { return Ok(()) };
+        return request.run(&threshold, options.json, *progress);
+    }
     let Some(points) = &options.points else {
         let parameters = options.slider.parameters(&mut arguments);
         arguments.finish()?;

@@ -29,6 +29,11 @@ impl Progress {
         self.bar(ProgressBar::new(total), "{bar:40} {pos}/{len} blocks {eta}")
     }
 
+    /// A bar over a known number of points.
+    pub fn points(self, total: u64) -> ProgressBar {
+        self.bar(ProgressBar::new(total), "{bar:40} {human_pos}/{human_len} points {eta}")
+    }
+
     /// A bar over the items of a plan, fed by the work itself.
     pub fn items<T>(self, work: impl FnOnce(slipmode::study::Progress) -> T) -> T {
         let bar = self.bar(ProgressBar::no_length(), "{bar:40} {pos}/{len} {msg}");

@@ -1,5 +1,7 @@
 //! Numbers as text, all in one form: plain for 1e-4 ≤ |x| < 1e6, `d.ddde±x` otherwise, ASCII signs.
 
+use std::fmt;
+
 use rug::float::Round;
 use rug::ops::Pow;
 use rug::{Float, Integer, Rational};
@@ -69,17 +71,26 @@ pub fn round_digits(value: f64, significant: usize) -> String {
 /// The shortest decimal that reads back as the same f64.
 #[must_use]
 pub fn shortest(value: f64) -> String {
+    let mut text = String::new();
+    // A string takes every write.
+    let _ = write_shortest(&mut text, value);
+    text
+}
+
+/// Writes [`shortest`] without a text of its own, for files of millions of rows.
+///
+/// The standard library's two layouts are those of this module; only the choice between them is ours.
+///
+/// # Errors
+/// Those of the writer.
+pub fn write_shortest(out: &mut impl fmt::Write, value: f64) -> fmt::Result {
     if value == 0.0 {
-        return "0".to_owned();
+        out.write_char('0')
+    } else if !value.is_finite() || (1e-4..1e6).contains(&value.abs()) {
+        write!(out, "{value}")
+    } else {
+        write!(out, "{value:e}")
     }
-    if !value.is_finite() {
-        return value.to_string();
-    }
-    let text = format!("{:e}", value.abs());
-    let (mantissa, exponent) = text.split_once('e').unwrap_or((&text, "0"));
-    let digits: String = mantissa.chars().filter(char::is_ascii_digit).collect();
-    let exponent = exponent.parse::<i64>().unwrap_or(0) + 1;
-    Decimal { negative: value < 0.0, digits, exponent }.layout(false)
 }
 
 /// Only the digits that are certain, at most `max_digits`: every point of the ball rounds to the printed decimal.

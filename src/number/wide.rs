@@ -69,11 +69,10 @@ impl Wide {
 impl fmt::Display for Wide {
     /// The shortest decimal that reads back as the same 53 bits; 17 digits beyond f64's range.
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let text = match self.to_f64() {
-            Some(value) => format::shortest(value),
-            None => format::round_float(&self.to_float(), 17),
-        };
-        formatter.write_str(&text)
+        match self.to_f64() {
+            Some(value) => format::write_shortest(formatter, value),
+            None => formatter.write_str(&format::round_float(&self.to_float(), 17)),
+        }
     }
 }
 

@@ -44,25 +44,46 @@ impl LogAxis {
     /// The ends are the f64 nearest to `from` and `to`.
     #[must_use]
     pub fn coordinates(&self) -> Vec<f64> {
-        let first = Float::with_val(WORKING_BITS, &self.from).log10();
-        let last = Float::with_val(WORKING_BITS, &self.to).log10();
-        let intervals = self.points.saturating_sub(1).max(1);
-        (0..self.points)
-            .map(|index| match index {
-                0 => nearest_f64(Float::with_val(WORKING_BITS, &self.from)),
-                index if index == intervals => nearest_f64(Float::with_val(WORKING_BITS, &self.to)),
-                index => interior(&first, &last, index, intervals),
-            })
-            .collect()
+        let coordinates = LogCoordinates::of(self);
+        (0..self.points).map(|index| coordinates.at(index)).collect()
     }
 }
 
-fn interior(first: &Float, last: &Float, index: u32, intervals: u32) -> f64 {
-    // One weighted mean, so that a whole power of ten comes out as a whole exponent.
-    let weighted = Float::with_val(WORKING_BITS, first * (intervals - index))
-        + Float::with_val(WORKING_BITS, last * index);
-    let exponent: Float = weighted / intervals;
-    nearest_f64(exponent.exp10())
+/// The coordinates of a [`LogAxis`] one by one, for axes that are not to be held in memory.
+#[derive(Debug, Clone)]
+pub struct LogCoordinates {
+    ends: [f64; 2],
+    log10_ends: [Float; 2],
+    intervals: u32,
+}
+
+impl LogCoordinates {
+    /// Prepares the coordinates of an axis.
+    #[must_use]
+    pub fn of(axis: &LogAxis) -> Self {
+        let ends = [&axis.from, &axis.to].map(|end| Float::with_val(WORKING_BITS, end));
+        Self {
+            ends: ends.clone().map(nearest_f64),
+            log10_ends: ends.map(Float::log10),
+            intervals: axis.points.saturating_sub(1).max(1),
+        }
+    }
+
+    /// The coordinate of this index, the same bits as in [`LogAxis::coordinates`].
+    #[must_use]
+    pub fn at(&self, index: u32) -> f64 {
+        let ([from, to], [first, last]) = (self.ends, &self.log10_ends);
+        match index {
+            0 => from,
+            index if index >= self.intervals => to,
+            // One weighted mean, so that a whole power of ten comes out as a whole exponent.
+            index => {
+                let weighted = Float::with_val(WORKING_BITS, first * (self.intervals - index))
+                    + Float::with_val(WORKING_BITS, last * index);
+                nearest_f64(Float::exp10(weighted / self.intervals))
+            }
+        }
+    }
 }
 
 fn nearest_f64(value: Float) -> f64 {

@@ -26,7 +26,7 @@ mod simulations;
 mod sweep;
 mod trajectories;
 
-pub use axis::{Limits, LogAxis};
+pub use axis::{Limits, LogAxis, LogCoordinates};
 pub use claim_list::{ClaimEntry, ExpectedVerdict, read_claims};
 pub use csv_problem::CsvProblem;
 pub use fault::{Fault, Faults, Problem};

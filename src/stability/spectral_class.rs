@@ -19,6 +19,10 @@ pub enum SpectralClass {
 }
 
 impl SpectralClass {
+    /// Every class, in the order of the enumeration.
+    pub const ALL: [Self; 5] =
+        [Self::StableReal, Self::StableComplex, Self::UnstableReal, Self::UnstableComplex, Self::Neutral];
+
     /// The class that the signs of K − K_c and of the discriminant give; a double root counts as real.
     #[must_use]
     pub const fn from_signs(transition_sign: i8, boundary_sign: i8) -> Self {

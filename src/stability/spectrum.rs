@@ -91,10 +91,19 @@ pub(super) fn clearly_inertial(
 }
 
 impl LargestParts<Dd> {
-    /// From roots with error bounds, when these are small enough.
+    /// From roots with error bounds, when these are small enough for the values of a [`Classification`].
     pub(super) fn of_bounded(spectrum: &Spectrum<Dd>, transition_sign: i8) -> Option<Self> {
+        Self::of_bounded_within(spectrum, transition_sign, TOLERANCE)
+    }
+
+    /// From roots with error bounds, when these are at most `tolerance` relative to the part (Re: to the root's modulus).
+    pub(super) fn of_bounded_within(
+        spectrum: &Spectrum<Dd>,
+        transition_sign: i8,
+        tolerance: f64,
+    ) -> Option<Self> {
         let zero = Dd::from(0.0);
-        let within = |bounded: &Bounded<Dd>, size: f64| bounded.error <= TOLERANCE * size;
+        let within = |bounded: &Bounded<Dd>, size: f64| bounded.error <= tolerance * size;
         let own_size = |bounded: &Bounded<Dd>| within(bounded, bounded.value.hi().abs());
         let (pair, imaginary) = match &spectrum.pair {
             Pair::NotSeparated => return None,
@@ -126,7 +135,8 @@ impl LargestParts<Dd> {
 }
 
 impl LargestParts<Float> {
-    fn exactly(groups: &Groups<Rational>) -> Self {
+    /// From certified roots: each part to 19 digits before it is rounded.
+    pub(super) fn exactly(groups: &Groups<Rational>) -> Self {
         let CertifiedRoots { roots, .. } = certified_roots(&groups.characteristic_cubic(), EXACT_DIGITS);
         let parts = |part: fn(&crate::roots::CertifiedRoot) -> &Float| {
             let largest = roots.iter().map(part).max_by(|x, y| x.total_cmp(y));
@@ -135,7 +145,8 @@ impl LargestParts<Float> {
         Self { real: parts(|root| &root.re), imaginary: parts(|root| &root.im) }
     }
 
-    fn times_rate(&self, rate_per_s: &Rational) -> LargestParts<Wide> {
+    /// The parts in 1/s.
+    pub(super) fn times_rate(&self, rate_per_s: &Rational) -> LargestParts<Wide> {
         let in_si = |part: &Float| Wide::from_float(&Float::with_val(80, part * rate_per_s));
         LargestParts { real: in_si(&self.real), imaginary: in_si(&self.imaginary) }
     }

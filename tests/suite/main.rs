@@ -11,6 +11,7 @@ mod compare;
 mod compare_bad;
 mod digit_for_digit;
 mod full_disk;
+mod grid;
 mod hard_cases;
 mod hard_points;
 mod harness;

@@ -6,6 +6,7 @@ mod bench;
 mod bless;
 #[cfg(target_os = "linux")]
 mod cluster_test;
+mod cost;
 mod failure;
 mod gmp_cache;
 mod judge;
@@ -30,6 +31,7 @@ usage: cargo xtask <command> [arguments]
   bless         rewrite the published copy of every report, deliberately
   bench         run the benchmarks, SciPy beside the simulations (arguments are passed on to `cargo bench`);
                 --peers [works]: every other program that is found, into bench-results/
+  cost          how time and memory grow with points, digits, tolerance and threads, with fitted laws
   tidy          the rules of the house: floors, headers, lengths, left-overs, links
   licences      every dependency's licence against the allow list
   judge         let outside programs judge every report's page, Markdown, archive and citation
@@ -62,6 +64,7 @@ fn run(arguments: &[String]) -> Result<(), Failure> {
         "judge" => judge::run(),
         #[cfg(target_os = "linux")]
         "cluster-test" => cluster_test::run(),
+        "cost" => cost::run(),
         "tidy" => tidy::run(),
         "licences" => licences::run(),
         "machine" => machine::run(),

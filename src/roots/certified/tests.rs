@@ -137,3 +137,14 @@ proptest! {
         }
     }
 }
+
+#[test]
+fn a_hundred_thousand_digits_are_certified_and_rebuild_the_cubic() {
+    let ordinary = decimals(["0.7", "-0.2", "1.3", "0.3"]);
+    // The double root 1 at β = 9 (η = 5/8, κ = 23/8), with κ moved by 1e-30.
+    let kappa = parse_decimal("2.875000000000000000000000000001").unwrap();
+    let hard = [kappa.clone(), kappa + 1u32 - 9u32, Rational::from((13, 8)), Rational::from((5, 8))];
+    for cubic in [ordinary, hard] {
+        assert_eq!(check(&cubic, 100_000).discriminant_sign.abs(), 1);
+    }
+}

@@ -8,12 +8,12 @@ use rug::Rational;
 use super::dispatch::run_on_widest_unit;
 use super::row_filter::{RowFilter, RowLoop};
 use super::{RungCounts, SignPair};
-use crate::friction::Parameters;
+use crate::friction::{Groups, Parameters};
 use crate::number::{Ball, Field};
-use crate::stability::ladder;
+use crate::stability::{boundary_sign, ladder, transition_sign};
 
 /// Precision of a row's coefficients before they are rounded to f64: room for a cancellation of 100 bits and more.
-const ROW_BITS: u32 = 192;
+pub(super) const ROW_BITS: u32 = 192;
 
 /// The signs of every point of a grid, row after row.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -89,45 +89,66 @@ impl GridKernel {
     /// Classifies the row of this V0 (m/s) exactly; `None` unless it is positive and finite and `cells` has one entry per σ.
     #[must_use]
     pub fn classify_row(&self, loading_velocity_m_per_s: f64, cells: &mut [SignPair]) -> Option<RungCounts> {
-        if !is_positive(&loading_velocity_m_per_s) || cells.len() != self.scaled_stresses.len() {
+        if !self.accepts(loading_velocity_m_per_s, cells.len()) {
             return None;
         }
-        let filter = self.row_filter(loading_velocity_m_per_s);
+        let filter = self.row_filter(&self.inertia(loading_velocity_m_per_s));
         run_on_widest_unit(RowLoop { filter: &filter, stresses: &self.scaled_stresses, cells });
         Some(self.decide_the_rest(loading_velocity_m_per_s, cells))
     }
 
-    fn row_filter(&self, loading_velocity_m_per_s: f64) -> RowFilter {
+    /// Whether a row can be classified: V0 positive and finite, one cell per σ.
+    pub(super) fn accepts(&self, loading_velocity_m_per_s: f64, cells: usize) -> bool {
+        is_positive(&loading_velocity_m_per_s) && cells == self.scaled_stresses.len()
+    }
+
+    /// M·V0²/D_c of a row.
+    pub(super) fn inertia(&self, loading_velocity_m_per_s: f64) -> Ball {
         let velocity = Ball::from(loading_velocity_m_per_s).with_precision(ROW_BITS);
-        let inertia = velocity.square() * &self.mass_over_length;
-        RowFilter::new(
-            &self.direct_effect,
-            &self.effect_difference,
-            &self.spring,
-            &inertia,
-            self.stress_exponent,
-        )
+        velocity.square() * &self.mass_over_length
+    }
+
+    /// a, a − b, K·D_c and M·V0²/D_c of a row, given the last.
+    pub(super) fn balls<'a>(&'a self, inertia: &'a Ball) -> [&'a Ball; 4] {
+        [&self.direct_effect, &self.effect_difference, &self.spring, inertia]
+    }
+
+    /// The filter of the row with this M·V0²/D_c.
+    pub(super) fn row_filter(&self, inertia: &Ball) -> RowFilter {
+        let [a, difference, k, m] = self.balls(inertia);
+        RowFilter::new(a, difference, k, m, self.stress_exponent)
+    }
+
+    /// The σ times a power of two, in (0, 1].
+    pub(super) fn scaled_stresses(&self) -> &[f64] {
+        &self.scaled_stresses
+    }
+
+    /// The exponent of that power, negated.
+    pub(super) const fn stress_exponent(&self) -> i32 {
+        self.stress_exponent
     }
 
     /// Hands the points that the filter left open to the upper rungs.
     fn decide_the_rest(&self, loading_velocity_m_per_s: f64, cells: &mut [SignPair]) -> RungCounts {
         let mut counts = RungCounts::default();
-        for (cell, &stress) in cells.iter_mut().zip(&self.normal_stresses_pa) {
+        for (index, cell) in cells.iter_mut().enumerate() {
             if *cell != SignPair::UNDECIDED {
                 counts.f64 += 1;
                 continue;
             }
-            let (signs, rung) = decide_above_filter(&self.point(loading_velocity_m_per_s, stress));
+            let (signs, rung) = decide_above_filter(&self.point(loading_velocity_m_per_s, index));
             *cell = signs;
             counts.count(rung);
         }
         counts
     }
 
-    fn point(&self, loading_velocity_m_per_s: f64, normal_stress_pa: f64) -> Parameters<Rational> {
+    /// The point at this V0 and the σ of this index.
+    pub(super) fn point(&self, loading_velocity_m_per_s: f64, index: usize) -> Parameters<Rational> {
         Parameters {
             loading_velocity_m_per_s: exact(loading_velocity_m_per_s),
-            normal_stress_pa: exact(normal_stress_pa),
+            normal_stress_pa: exact(self.normal_stresses_pa[index]),
             ..self.fixed.clone()
         }
     }
@@ -136,6 +157,11 @@ impl GridKernel {
 /// A finite f64 as the rational that it is (zero otherwise, which the callers' checks exclude).
 pub(super) fn exact(value: f64) -> Rational {
     Rational::from_f64(value).unwrap_or_default()
+}
+
+/// The signs of a point, by rationals.
+pub(super) fn exact_signs(groups: &Groups<Rational>) -> SignPair {
+    SignPair::new(transition_sign(groups), boundary_sign(groups))
 }
 
 /// The signs of a point that the 64-bit filter left open.
@@ -150,7 +176,6 @@ mod tests {
     use super::super::dispatch::Kernel;
     use super::*;
     use crate::stability::fixtures::with_effects;
-    use crate::stability::{boundary_sign, transition_sign};
     use proptest::prelude::*;
 
     fn potentially_unstable() -> Parameters<Rational> {
@@ -172,7 +197,7 @@ mod tests {
             let grid = classify_grid(&fixed, &velocities, &stresses).unwrap();
             let kernel = GridKernel::new(&fixed, &stresses).unwrap();
             for (index, cell) in grid.cells.iter().enumerate() {
-                let groups = kernel.point(velocities[index / 4], stresses[index % 4]).groups();
+                let groups = kernel.point(velocities[index / 4], index % 4).groups();
                 prop_assert_eq!(cell.transition_sign(), transition_sign(&groups));
                 prop_assert_eq!(cell.boundary_sign(), boundary_sign(&groups));
             }
@@ -214,7 +239,7 @@ mod tests {
         let stresses: Vec<f64> = (0..1003).map(|i| libm::exp10(2.0 + 7.0 * f64::from(i) / 1002.0)).collect();
         let kernel = GridKernel::new(&potentially_unstable(), &stresses).unwrap();
         for exponent in -7..2 {
-            let filter = kernel.row_filter(libm::exp10(f64::from(exponent)));
+            let filter = kernel.row_filter(&kernel.inertia(libm::exp10(f64::from(exponent))));
             let mut cells = [vec![SignPair::UNDECIDED; 1003], vec![SignPair::UNDECIDED; 1003]];
             let [plain, vector] = &mut cells;
             RowLoop { filter: &filter, stresses: &kernel.scaled_stresses, cells: plain }.run();

@@ -5,12 +5,21 @@
 
 mod dispatch;
 mod grid;
+mod grid_cell;
+mod mode_filter;
+mod mode_kernel;
 mod points;
 mod row_filter;
 mod sign_pair;
+mod stream;
+mod tally;
 mod values;
 
 pub use grid::{Grid, GridKernel, classify_grid};
+pub use grid_cell::GridCell;
+pub use mode_kernel::ModeKernel;
 pub use points::classify_points;
 pub use sign_pair::{RungCounts, SignPair};
+pub use stream::{GridAxis, RowBlock, StreamedGrid};
+pub use tally::Tally;
 pub use values::{LargestPartsPerS, grid_values};

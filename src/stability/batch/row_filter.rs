@@ -23,7 +23,7 @@ const RELATIVE_BOUND: f64 = 1.0 / (1u64 << 48) as f64;
 const ABSOLUTE_BOUND: f64 = f64::from_bits((1023 - 1000) << 52);
 
 /// The discriminant of (k, k + δσ, aσ + m, m), by ascending power of σ.
-fn boundary_quartic<R: Field>(a: &R, difference: &R, k: &R, m: &R) -> [R; 5] {
+pub(super) fn boundary_quartic<R: Field>(a: &R, difference: &R, k: &R, m: &R) -> [R; 5] {
     let integer = R::from;
     let (aa, dd, ad) = (a.square(), difference.square(), a.clone() * difference);
     let (kk, mm, km) = (k.square(), m.square(), k.clone() * m);
@@ -46,14 +46,14 @@ fn transition_line<R: Field>(a: &R, difference: &R, k: &R, m: &R) -> [R; 2] {
 
 /// A polynomial in 64-bit with the polynomial that bounds its error.
 #[derive(Debug, Clone, Copy)]
-struct BoundedPolynomial<const N: usize> {
+pub(super) struct BoundedPolynomial<const N: usize> {
     value: [f64; N],
     bound: [f64; N],
 }
 
 impl<const N: usize> BoundedPolynomial<N> {
     /// The coefficients for x = σ/2^e, scaled by one power of two to a maximum in [1/2, 1], with those of the bound.
-    fn scaled(coefficients: &[Ball; N], stress_exponent: i32) -> Self {
+    pub(super) fn scaled(coefficients: &[Ball; N], stress_exponent: i32) -> Self {
         let at_unit_stress =
             |power: usize, exponent: i32| i64::from(exponent) + power as i64 * i64::from(stress_exponent);
         let exponents = coefficients.iter().enumerate();
@@ -76,7 +76,7 @@ impl<const N: usize> BoundedPolynomial<N> {
 
     /// Value and bound at x ≥ 0 by Horner's scheme.
     #[inline(always)]
-    fn at(&self, x: f64) -> (f64, f64) {
+    pub(super) fn at(&self, x: f64) -> (f64, f64) {
         let (mut value, mut bound) = (self.value[N - 1], self.bound[N - 1]);
         for power in (0..N - 1).rev() {
             value = value * x + self.value[power];
@@ -89,8 +89,8 @@ impl<const N: usize> BoundedPolynomial<N> {
 /// The two polynomials of a row.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct RowFilter {
-    boundary: BoundedPolynomial<5>,
-    transition: BoundedPolynomial<2>,
+    pub(super) boundary: BoundedPolynomial<5>,
+    pub(super) transition: BoundedPolynomial<2>,
 }
 
 impl RowFilter {

@@ -26,6 +26,17 @@ impl SignPair {
         Self(2 * stable as u8 + 6 * real as u8)
     }
 
+    /// The byte, below 9.
+    #[inline(always)]
+    pub(super) const fn code(self) -> u8 {
+        self.0
+    }
+
+    /// The pair of such a byte.
+    pub(super) const fn from_code(code: u8) -> Self {
+        Self(code)
+    }
+
     /// The sign of K − K_c: +1 linearly stable.
     #[must_use]
     pub const fn transition_sign(self) -> i8 {

@@ -1,0 +1,188 @@
+//! `classify` of a whole (V0, σ) grid: how many points have which class and slip mode, in constant memory.
+
+use clap::Args;
+use serde_json::{Map, Value, json};
+use slipmode::friction::Parameters;
+use slipmode::number::Rational;
+use slipmode::scene::{AllowedRange, LogAxis, LogCoordinates, Problem, Quantity, parameters_from};
+use slipmode::stability::batch::{GridAxis, StreamedGrid, Tally};
+use slipmode::stability::{InertialThreshold, SlipMode, SpectralClass};
+
+use crate::cli::failure::Failure;
+use crate::cli::options::{Arguments, SliderOptions, option_of};
+use crate::cli::progress::Progress;
+use crate::cli::terminal;
+
+/// The most coordinates of an axis: 10^12 points take hours, not memory.
+const MOST_COORDINATES: u64 = 1_000_000;
+
+/// Options of a grid.
+#[derive(Debug, Clone, Args)]
+#[command(next_help_heading = "Grid (counts of classes and slip modes, instead of one point)")]
+pub struct GridOptions {
+    /// N loading velocities from FROM to TO m/s, spread evenly in the logarithm
+    #[arg(long, value_name = "FROM:TO:N", allow_hyphen_values = true, conflicts_with = "points")]
+    grid_loading_velocity: Option<String>,
+    /// N normal stresses from FROM to TO Pa, spread evenly in the logarithm
+    ///
+    /// Each axis may have 2 to 1 000 000 coordinates; memory does not grow with the points. Each coordinate is rounded to 64
+    /// bits, and every point is then classified exactly.
+    #[arg(long, value_name = "FROM:TO:N", allow_hyphen_values = true, conflicts_with = "points")]
+    grid_normal_stress: Option<String>,
+}
+
+/// A grid as asked for, valid.
+#[derive(Debug)]
+pub struct GridRequest {
+    fixed: Parameters<Rational>,
+    loading_velocities: LogAxis,
+    normal_stresses: LogAxis,
+}
+
+impl GridOptions {
+    /// Whether a grid is asked for.
+    pub fn is_given(&self) -> bool {
+        self.grid_loading_velocity.is_some() || self.grid_normal_stress.is_some()
+    }
+
+    /// The grid; what is missing or faulty is collected in `arguments`.
+    pub fn read(&self, slider: &SliderOptions, arguments: &mut Arguments) -> Option<GridRequest> {
+        let fixed = Quantity::ALL.map(|quantity| match quantity {
+            Quantity::NormalStress | Quantity::LoadingVelocity => on_axis(slider, quantity, arguments),
+            _ => slider.required(quantity, arguments),
+        });
+        let velocities = axis("--grid-loading-velocity", self.grid_loading_velocity.as_deref(), arguments);
+        let stresses = axis("--grid-normal-stress", self.grid_normal_stress.as_deref(), arguments);
+        let [Some(a), Some(b), Some(d), Some(k), Some(m), Some(s), Some(v)] = fixed else { return None };
+        Some(GridRequest {
+            fixed: parameters_from([a, b, d, k, m, s, v]),
+            loading_velocities: velocities?,
+            normal_stresses: stresses?,
+        })
+    }
+}
+
+/// Refuses a single value of a quantity that the grid varies; the value that stands in its place is not used.
+fn on_axis(slider: &SliderOptions, quantity: Quantity, arguments: &mut Arguments) -> Option<Rational> {
+    match slider.text(quantity) {
+        None => Some(Rational::from(1)),
+        given => {
+            let in_grid = Problem::Needs("no grid: the grid's axes give it".into());
+            arguments.fault(&option_of(quantity), given, in_grid)
+        }
+    }
+}
+
+/// Reads `FROM:TO:N`.
+fn axis(option: &str, text: Option<&str>, arguments: &mut Arguments) -> Option<LogAxis> {
+    let wanted = "FROM:TO:N, such as 1e2:1e9:1000";
+    let Some(text) = text else {
+        return arguments.fault(option, None, Problem::Missing { allowed: wanted.into() });
+    };
+    let parts: Vec<&str> = text.split(':').collect();
+    let [from, to, count] = parts[..] else {
+        let problem = Problem::WrongType { wanted: wanted.into(), found: "another text" };
+        return arguments.fault(option, Some(text), problem);
+    };
+    let mut end = |name: &str, text: &str| {
+        arguments.number(&format!("{option}, {name}"), text, |text| AllowedRange::PHYSICAL.parse(text))
+    };
+    let (from, to) = (end("FROM", from), end("TO", to));
+    let points = arguments.whole(&format!("{option}, N"), Some(count), 2..=MOST_COORDINATES);
+    let (from, to, points) = (from?, to?, u32::try_from(points?).ok()?);
+    if from >= to {
+        let problem = if from == to { Problem::EmptyRange } else { Problem::ReversedRange };
+        return arguments.fault(option, Some(text), problem);
+    }
+    Some(LogAxis { from, to, points })
+}
+
+impl GridRequest {
+    /// Classifies the grid and prints the counts.
+    ///
+    /// # Errors
+    /// When standard output cannot be written.
+    pub fn run(&self, threshold: &InertialThreshold, json: bool, progress: Progress) -> Result<(), Failure> {
+        let tally = self.tally(threshold, progress);
+        if json { terminal::print_json(&self.json(&tally)) } else { terminal::print(&self.text(&tally)) }
+    }
+
+    fn tally(&self, threshold: &InertialThreshold, progress: Progress) -> Tally {
+        let [velocities, stresses] =
+            [&self.loading_velocities, &self.normal_stresses].map(LogCoordinates::of);
+        let grid = StreamedGrid {
+            fixed: &self.fixed,
+            threshold,
+            loading_velocities: GridAxis {
+                count: self.loading_velocities.points,
+                coordinate: |index| velocities.at(index),
+            },
+            normal_stresses: GridAxis {
+                count: self.normal_stresses.points,
+                coordinate: |index| stresses.at(index),
+            },
+        };
+        let bar = progress.points(self.points());
+        let tally = Tally::of_grid(&grid, |points| bar.inc(points));
+        bar.finish_and_clear();
+        // Every coordinate of a logarithmic axis in the allowed range is positive and finite.
+        tally.unwrap_or_default()
+    }
+
+    fn points(&self) -> u64 {
+        u64::from(self.loading_velocities.points) * u64::from(self.normal_stresses.points)
+    }
+
+    fn json(&self, tally: &Tally) -> Value {
+        let counts = |counted: Vec<(&str, u64)>| {
+            counted.into_iter().map(|(name, count)| (name.to_string(), count.into())).collect::<Map<_, _>>()
+        };
+        let rungs = tally.rungs();
+        json!({
+            "loading_velocities": self.loading_velocities.points,
+            "normal_stresses": self.normal_stresses.points,
+            "points": tally.points(),
+            "slip_mode": counts(modes(tally)),
+            "spectral_class": counts(classes(tally)),
+            "on_transition": tally.on_transition(),
+            "on_boundary": tally.on_boundary(),
+            "rung": {"f64": rungs.f64, "exact": rungs.exact},
+        })
+    }
+
+    fn text(&self, tally: &Tally) -> String {
+        let counted = modes(tally).into_iter().chain(classes(tally));
+        let axes = format!(
+            "({} velocities x {} stresses)",
+            self.loading_velocities.points, self.normal_stresses.points
+        );
+        let rungs = tally.rungs();
+        let mut lines = vec![line("points", tally.points(), &axes)];
+        lines.extend(counted.map(|(name, count)| line(name, count, &percent(count, tally.points()))));
+        lines.extend([
+            line("exactly on K = K_c", tally.on_transition(), ""),
+            line("exactly on max Im(s) = 0", tally.on_boundary(), ""),
+            line("decided by f64", rungs.f64, ""),
+            line("decided by rationals", rungs.exact, ""),
+        ]);
+        lines.concat()
+    }
+}
+
+/// A line wide enough for the longest name of a mode and the largest number of points.
+fn line(name: &str, count: u64, note: &str) -> String {
+    format!("{}\n", format!("{name:<37}{count:>13}  {note}").trim_end())
+}
+
+fn modes(tally: &Tally) -> Vec<(&'static str, u64)> {
+    SlipMode::ALL.into_iter().map(|mode| (mode.as_str(), tally.of_mode(mode))).collect()
+}
+
+fn classes(tally: &Tally) -> Vec<(&'static str, u64)> {
+    SpectralClass::ALL.into_iter().map(|class| (class.as_str(), tally.of_class(class))).collect()
+}
+
+/// A share in per cent to four decimals.
+fn percent(count: u64, all: u64) -> String {
+    format!("({:.4} %)", 100.0 * count as f64 / all as f64)
+}
