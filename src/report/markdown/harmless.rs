@@ -5,6 +5,10 @@ use std::ops::Range;
 use pulldown_cmark::{Event, Parser, Tag};
 
 use super::{is_allowed, options, visible};
+use crate::table::escape_markdown;
+
+/// Markup nested deeper than this is hostile: each round costs the whole text, and takes one level off.
+const MOST_ROUNDS: usize = 20;
 
 /// The same prose as Markdown without raw HTML, images and unknown schemes; headings `shift` levels further down.
 ///
@@ -12,14 +16,19 @@ use super::{is_allowed, options, visible};
 pub(crate) fn harmless(markdown: &str, shift: usize, link: &dyn Fn(&str) -> Option<String>) -> String {
     let mut text = visible(markdown);
     // What is dropped may bring forth new markup from its neighbours; every round makes the text shorter.
-    loop {
+    for _ in 0..MOST_ROUNDS {
         let edits = hazards(&text);
         if edits.is_empty() {
-            break;
+            return finished(&text, shift, link);
         }
         text = edited(&text, edits);
     }
-    edited(&text, finishing_edits(&text, shift, link))
+    // Markup inside markup without end is no prose: it is shown as it stands.
+    text.lines().map(|line| escape_markdown(line) + "\n").collect()
+}
+
+fn finished(text: &str, shift: usize, link: &dyn Fn(&str) -> Option<String>) -> String {
+    edited(text, finishing_edits(text, shift, link))
 }
 
 type Edit = (Range<usize>, String);
