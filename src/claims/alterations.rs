@@ -32,7 +32,10 @@ pub(super) fn alterations(equation: &Equation) -> Vec<Alteration> {
     for (kind, left, right) in all {
         let text = format!("{left} = {right}");
         if texts.insert(text.clone()) {
-            let says_the_same = same_zeros(&equation.residual(), &(left - right));
+            let (before, after) = (equation.residual(), left - right);
+            // ± stands for both signs, so that turning it changes nothing.
+            let turned = after.with("pm", &-Expression::variable("pm"));
+            let says_the_same = same_zeros(&before, &after) || same_zeros(&before, &turned);
             found.push(Alteration { kind, text, says_the_same });
         }
     }

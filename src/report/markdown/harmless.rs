@@ -42,7 +42,13 @@ fn hazards(text: &str) -> Vec<Edit> {
         .map(|(_, definition)| (definition.span.clone(), String::new()))
         .collect();
     let events: Vec<Spanned<'_>> = Parser::new_ext(text, options()).into_offset_iter().collect();
+    let mut covered = 0;
     for (at, (event, range)) in events.iter().enumerate() {
+        // What lies inside an element that goes is looked at in the next round: a thousand nested ones cost no thousand searches.
+        if range.start < covered {
+            continue;
+        }
+        let before = edits.len();
         match event {
             Event::Html(_) | Event::InlineHtml(_) | Event::Start(Tag::HtmlBlock) => {
                 edits.push((range.clone(), String::new()));
@@ -52,6 +58,9 @@ fn hazards(text: &str) -> Vec<Edit> {
                 edits.push((range.clone(), inner(text, &events[at..])));
             }
             _ => {}
+        }
+        if edits.len() > before {
+            covered = range.end;
         }
     }
     edits
