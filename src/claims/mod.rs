@@ -3,6 +3,7 @@
 //! One file per letter of the claims' ids; each has a list of checks, and a check says what must be found, what it
 //! needs computed, and what its verdict does not establish.
 
+mod alterations;
 mod boundary;
 mod finding;
 mod frequency;
@@ -11,6 +12,7 @@ mod ledger;
 mod linearisation;
 mod numerical;
 mod overshoot;
+mod planted_faults;
 mod simulated;
 mod simulated_laws;
 mod simulated_least_peak;
@@ -22,6 +24,7 @@ mod zones;
 
 pub use finding::Finding;
 pub use ledger::{Entry, Ledger, find, known_ids, needs};
+pub use planted_faults::{PlantedFaults, Survivor, plant_faults};
 pub use verdict::{Evidence, Strength, Verdict};
 
 use crate::study::{Need, Outcome};

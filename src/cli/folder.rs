@@ -18,6 +18,9 @@ use crate::cli::input::{read_small_file, unreadable};
 /// The paper's equations for scenes that stand outside a report.
 pub const EQUATIONS: &str = include_str!("../../reports/im-avouac/equations.toml");
 
+/// The longest prose of a chapter, in bytes: a book's chapter has less, and markup without end costs more than its length.
+const MOST_PROSE_BYTES: usize = 1 << 16;
+
 /// Where the files of a report are.
 #[derive(Debug)]
 pub enum Source {
@@ -87,7 +90,7 @@ pub fn read_report_from(source: Source, limits: Limits) -> Result<(Folder, Files
     let scenes: Vec<Scene> = scenes.into_iter().map(|(_, scene)| scene).collect();
     let mut prose = BTreeMap::new();
     for file in chapters.iter().map(|chapter| &chapter.prose).collect::<BTreeSet<_>>() {
-        let text = reader.read(&format!("prose/{file}"), |file, bytes, _| read_text(file, bytes));
+        let text = reader.read(&format!("prose/{file}"), |file, bytes, _| read_prose(file, bytes));
         prose.extend(text.map(|text| (file.clone(), text)));
     }
     let references = reader.references(&scenes, "vectors");
@@ -179,7 +182,17 @@ impl Reader {
     }
 }
 
-fn read_text(file: &str, bytes: &[u8]) -> Result<String, Faults> {
+fn read_prose(file: &str, bytes: &[u8]) -> Result<String, Faults> {
+    if bytes.len() > MOST_PROSE_BYTES {
+        let problem = Problem::TooLarge { bytes: bytes.len() as u64, limit: MOST_PROSE_BYTES as u64 };
+        return Err(vec![Fault {
+            file: file.to_string(),
+            line: None,
+            key: String::new(),
+            value: None,
+            problem,
+        }]);
+    }
     file_text(file, bytes).map(str::to_string).map_err(|fault| vec![fault])
 }
 

@@ -22,6 +22,7 @@ mod onset;
 mod onset_tables;
 mod overshoot_map;
 mod phase_portraits;
+mod planted_fault_tables;
 mod simulation_map;
 mod simulation_tables;
 mod start_tables;

@@ -25,6 +25,7 @@ const ROOMS: &[&[TableMaker]] = &[
     crate::exhibit::numeric_tables::TABLES,
     crate::exhibit::numerical_error_tables::TABLES,
     crate::exhibit::onset_tables::TABLES,
+    crate::exhibit::planted_fault_tables::TABLES,
     crate::exhibit::simulation_tables::TABLES,
     crate::exhibit::start_tables::TABLES,
     crate::exhibit::theory_tables::TABLES,

@@ -6,6 +6,11 @@ use math_core::{LatexToMathML, MathDisplay};
 
 use crate::table::printable;
 
+/// The longest formula, in bytes.
+const LONGEST_FORMULA: usize = 2_000;
+/// The deepest braces in braces.
+const DEEPEST_BRACES: usize = 100;
+
 /// A converter that gathers the inline styles of its formulas as rules for the page's style sheet: a strict content
 /// policy refuses `style` attributes.
 #[derive(Debug, Default)]
@@ -39,6 +44,7 @@ impl Mathematics {
 
     fn convert(&mut self, latex: &str, display: MathDisplay) -> Result<String, String> {
         let untagged: String = without_tags(latex).chars().map(printable).collect();
+        check_size(latex)?;
         let converted = self.converter.convert_with_local_state(untagged.trim(), display);
         let result = converted.map_err(|error| format!("`{}`: {error}", latex.trim()))?;
         Ok(self.with_classes(&result.mathml))
@@ -59,6 +65,27 @@ impl Mathematics {
         }
         text
     }
+}
+
+/// Whether a formula is small enough for a reader that calls itself for every level.
+fn check_size(latex: &str) -> Result<(), String> {
+    let (mut depth, mut deepest) = (0_usize, 0);
+    for sign in latex.chars() {
+        match sign {
+            '{' => depth += 1,
+            '}' => depth = depth.saturating_sub(1),
+            _ => {}
+        }
+        deepest = deepest.max(depth);
+    }
+    let start = || latex.trim().chars().take(40).collect::<String>();
+    if latex.len() > LONGEST_FORMULA {
+        return Err(format!("`{}…`: {} bytes (allowed: at most {LONGEST_FORMULA})", start(), latex.len()));
+    }
+    if deepest > DEEPEST_BRACES {
+        return Err(format!("`{}…`: braces {deepest} deep (allowed: at most {DEEPEST_BRACES})", start()));
+    }
+    Ok(())
 }
 
 /// Whether a declaration list holds lengths, colours and keywords only.

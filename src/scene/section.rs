@@ -3,11 +3,17 @@
 use std::ops::RangeInclusive;
 
 use toml::Spanned;
-use toml::de::{DeTable, DeValue};
+use toml::de::{DeString, DeTable, DeValue};
 
 use crate::number::Rational;
 use crate::scene::document::Source;
 use crate::scene::{AllowedRange, Fault, Faults, Problem, nearest};
+
+/// The most unknown keys that are reported of one table: each is compared with every known one.
+const MOST_UNKNOWN_KEYS: usize = 20;
+
+/// The most faults of a list after which its further members are not looked at.
+const MOST_LIST_FAULTS: usize = 100;
 
 /// A table of the file.
 #[derive(Debug)]
@@ -58,12 +64,11 @@ impl<'t> Section<'t> {
 
     /// Every key that nobody asked for is a fault.
     pub fn finish(self, faults: &mut Faults) {
-        for (key, _) in self.table {
-            if !self.asked.contains(&key.get_ref().as_ref()) {
-                let near = nearest(key.get_ref(), self.asked.iter().copied()).map(str::to_string);
-                let problem = Problem::UnknownKey { nearest: near, known: self.asked.join(", ") };
-                faults.push(self.source.fault(key.span().start, self.full_key(key.get_ref()), None, problem));
-            }
+        let is_unknown = |key: &&Spanned<DeString<'_>>| !self.asked.contains(&key.get_ref().as_ref());
+        for key in self.table.keys().filter(is_unknown).take(MOST_UNKNOWN_KEYS) {
+            let near = nearest(key.get_ref(), self.asked.iter().copied()).map(str::to_string);
+            let problem = Problem::UnknownKey { nearest: near, known: self.asked.join(", ") };
+            faults.push(self.source.fault(key.span().start, self.full_key(key.get_ref()), None, problem));
         }
     }
 
@@ -184,8 +189,14 @@ impl<'t> Entry<'t> {
         faults: &mut Faults,
         mut read: impl FnMut(&Entry<'t>, &mut Faults) -> Option<T>,
     ) -> Option<Vec<T>> {
-        let values: Vec<Option<T>> =
-            self.members(faults)?.iter().map(|member| read(member, faults)).collect();
+        let most = faults.len() + MOST_LIST_FAULTS;
+        let mut values = Vec::new();
+        for member in self.members(faults)? {
+            if faults.len() >= most {
+                return None;
+            }
+            values.push(read(&member, faults));
+        }
         values.into_iter().collect()
     }
 }

@@ -2,6 +2,8 @@
 
 mod archive;
 mod arguments;
+mod bad_archives;
+mod bad_inputs;
 mod bad_points;
 mod bad_scenes;
 mod boundary;
@@ -15,10 +17,12 @@ mod grid;
 mod hard_cases;
 mod hard_points;
 mod harness;
+mod mutations;
 mod near_transition;
 mod new;
 mod outputs;
 mod points;
+mod promises;
 mod readme;
 mod reports;
 mod roots;

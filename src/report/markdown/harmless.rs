@@ -5,6 +5,10 @@ use std::ops::Range;
 use pulldown_cmark::{Event, Parser, Tag};
 
 use super::{is_allowed, options, visible};
+use crate::table::escape_markdown;
+
+/// Markup nested deeper than this is hostile: each round costs the whole text, and takes one level off.
+const MOST_ROUNDS: usize = 20;
 
 /// The same prose as Markdown without raw HTML, images and unknown schemes; headings `shift` levels further down.
 ///
@@ -12,14 +16,19 @@ use super::{is_allowed, options, visible};
 pub(crate) fn harmless(markdown: &str, shift: usize, link: &dyn Fn(&str) -> Option<String>) -> String {
     let mut text = visible(markdown);
     // What is dropped may bring forth new markup from its neighbours; every round makes the text shorter.
-    loop {
+    for _ in 0..MOST_ROUNDS {
         let edits = hazards(&text);
         if edits.is_empty() {
-            break;
+            return finished(&text, shift, link);
         }
         text = edited(&text, edits);
     }
-    edited(&text, finishing_edits(&text, shift, link))
+    // Markup inside markup without end is no prose: it is shown as it stands.
+    text.lines().map(|line| escape_markdown(line) + "\n").collect()
+}
+
+fn finished(text: &str, shift: usize, link: &dyn Fn(&str) -> Option<String>) -> String {
+    edited(text, finishing_edits(text, shift, link))
 }
 
 type Edit = (Range<usize>, String);
@@ -33,7 +42,13 @@ fn hazards(text: &str) -> Vec<Edit> {
         .map(|(_, definition)| (definition.span.clone(), String::new()))
         .collect();
     let events: Vec<Spanned<'_>> = Parser::new_ext(text, options()).into_offset_iter().collect();
+    let mut covered = 0;
     for (at, (event, range)) in events.iter().enumerate() {
+        // What lies inside an element that goes is looked at in the next round: a thousand nested ones cost no thousand searches.
+        if range.start < covered {
+            continue;
+        }
+        let before = edits.len();
         match event {
             Event::Html(_) | Event::InlineHtml(_) | Event::Start(Tag::HtmlBlock) => {
                 edits.push((range.clone(), String::new()));
@@ -43,6 +58,9 @@ fn hazards(text: &str) -> Vec<Edit> {
                 edits.push((range.clone(), inner(text, &events[at..])));
             }
             _ => {}
+        }
+        if edits.len() > before {
+            covered = range.end;
         }
     }
     edits

@@ -109,7 +109,9 @@ impl Prose {
     /// Moves headings down and gives them ids made of the place and their words.
     fn set_headings(&mut self, events: &mut [Event<'_>], shift: usize, place: &str) {
         for at in 0..events.len() {
-            let words = words_of_heading(&events[at..]);
+            // Before the event is borrowed to be changed, and for headings only: the words reach to the end of the heading.
+            let is_heading = matches!(events[at], Event::Start(Tag::Heading { .. }));
+            let words = if is_heading { words_of_heading(&events[at..]) } else { String::new() };
             match &mut events[at] {
                 Event::Start(Tag::Heading { level, id, .. }) => {
                     *level = lowered(*level, shift);

@@ -1,0 +1,193 @@
+//! Wrong equations, made by rule: what a slip of the pen or of the mind does to one of the paper's.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use crate::number::{Ball, Rational};
+use crate::polynomial::{Expression, Function, Symbol};
+use crate::theory::Equation;
+
+/// One altered equation.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) struct Alteration {
+    /// What was done.
+    pub kind: &'static str,
+    /// Both sides afterwards.
+    pub text: String,
+    /// Whether it still says the same, which no check can object to.
+    pub says_the_same: bool,
+}
+
+/// Every alteration of an equation, each text once: the sign of each term, a factor 2 on each term of a side, each exponent and
+/// root, and a and b exchanged.
+pub(super) fn alterations(equation: &Equation) -> Vec<Alteration> {
+    let mut texts = BTreeSet::from([equation.to_string()]);
+    let is_name = matches!(equation.left, Expression::Variable(_));
+    let left = if is_name { Vec::new() } else { of_side(&equation.left) };
+    let with_left = left.into_iter().map(|(kind, left)| (kind, left, equation.right.clone()));
+    let right = of_side(&equation.right).into_iter();
+    let with_right = right.map(|(kind, right)| (kind, equation.left.clone(), right));
+    let exchanged = ("exchange", exchanged(&equation.left), exchanged(&equation.right));
+    let all = with_left.chain(with_right).chain([exchanged]);
+    let mut found = Vec::new();
+    for (kind, left, right) in all {
+        let text = format!("{left} = {right}");
+        if texts.insert(text.clone()) {
+            let (before, after) = (equation.residual(), left - right);
+            // ± stands for both signs, so that turning it changes nothing.
+            let turned = after.with("pm", &-Expression::variable("pm"));
+            let says_the_same = same_zeros(&before, &after) || same_zeros(&before, &turned);
+            found.push(Alteration { kind, text, says_the_same });
+        }
+    }
+    found
+}
+
+type Variant = (&'static str, Expression);
+
+fn of_side(side: &Expression) -> Vec<Variant> {
+    if side.is_zero() {
+        return Vec::new();
+    }
+    let mut found = within(side);
+    let twice = |part: &Expression| Expression::integer(2) * part.clone();
+    match side {
+        Expression::Sum(parts) => found.extend(one_replaced(parts, "factor", twice, Expression::Sum)),
+        other => found.extend([("factor", twice(other)), ("sign", -other.clone())]),
+    }
+    found
+}
+
+/// Alterations of one place inside an expression.
+fn within(expression: &Expression) -> Vec<Variant> {
+    let mut found = Vec::new();
+    match expression {
+        Expression::Number(_) | Expression::Variable(_) => {}
+        Expression::Sum(parts) => {
+            found.extend(one_replaced(parts, "sign", |part| -part.clone(), Expression::Sum));
+            found.extend(one_within(parts, Expression::Sum));
+        }
+        Expression::Product(parts) => found.extend(one_within(parts, Expression::Product)),
+        Expression::Quotient(above, below) => {
+            let quotient = |above: &Expression, below: &Expression| above.clone() / below.clone();
+            if matches!(**below, Expression::Variable(_)) {
+                found.push(("exponent", quotient(above, &below.clone().power(2))));
+            }
+            found.extend(within(above).into_iter().map(|(kind, part)| (kind, quotient(&part, below))));
+            found.extend(within(below).into_iter().map(|(kind, part)| (kind, quotient(above, &part))));
+        }
+        Expression::Negation(inner) => {
+            found.extend(within(inner).into_iter().map(|(kind, part)| (kind, -part)));
+        }
+        Expression::Power(inner, exponent) => {
+            found.push(("exponent", (**inner).clone().power(exponent + 1)));
+            found.extend(within(inner).into_iter().map(|(kind, part)| (kind, part.power(*exponent))));
+        }
+        Expression::Call(function, inner) => {
+            if *function == Function::Sqrt {
+                found.push(("exponent", (**inner).clone()));
+            }
+            found.extend(within(inner).into_iter().map(|(kind, part)| (kind, part.call(*function))));
+        }
+    }
+    found
+}
+
+/// Each part replaced in turn.
+fn one_replaced(
+    parts: &[Expression],
+    kind: &'static str,
+    replace: impl Fn(&Expression) -> Expression,
+    join: fn(Vec<Expression>) -> Expression,
+) -> Vec<Variant> {
+    let with = |at: usize| {
+        let mut parts = parts.to_vec();
+        parts[at] = replace(&parts[at]);
+        (kind, join(parts))
+    };
+    (0..parts.len()).map(with).collect()
+}
+
+/// Each part altered inside in turn.
+fn one_within(parts: &[Expression], join: fn(Vec<Expression>) -> Expression) -> Vec<Variant> {
+    let mut found = Vec::new();
+    for (at, part) in parts.iter().enumerate() {
+        for (kind, altered) in within(part) {
+            let mut parts = parts.to_vec();
+            parts[at] = altered;
+            found.push((kind, join(parts)));
+        }
+    }
+    found
+}
+
+fn exchanged(side: &Expression) -> Expression {
+    let [a, b] = ["a", "b"].map(Symbol::new);
+    let values = BTreeMap::from([(a.clone(), Expression::Variable(b.clone())), (b, Expression::Variable(a))]);
+    side.substitute(&values)
+}
+
+/// Bits for the comparison of two equations: a chance agreement of different ones to so many is out of the question.
+const COMPARED_BITS: u32 = 256;
+
+/// Whether two residuals are the same up to a constant factor, compared at two points; false where they cannot be evaluated.
+fn same_zeros(one: &Expression, other: &Expression) -> bool {
+    let names: BTreeSet<Symbol> = one.variables().union(&other.variables()).cloned().collect();
+    // Ascending numbers, so that a < b, without a common factor that a power could hide.
+    let point = |shift: u32| -> BTreeMap<Symbol, Ball> {
+        let value =
+            |index: usize| Rational::from((7 + shift + 3 * u32::try_from(index).unwrap_or(0), 11 + shift));
+        names
+            .iter()
+            .enumerate()
+            .map(|(index, name)| (name.clone(), Ball::from_rational(&value(index), COMPARED_BITS)))
+            .collect()
+    };
+    let at = |expression: &Expression, shift| expression.enclosed(&point(shift), COMPARED_BITS);
+    let values = [at(one, 0), at(other, 0), at(one, 5), at(other, 5)];
+    let [Some(one_here), Some(other_here), Some(one_there), Some(other_there)] = values else { return false };
+    let difference = one_here * &other_there - one_there * &other_here;
+    difference.contains(&Rational::new())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn altered(text: &str) -> Vec<(&'static str, String, bool)> {
+        let (left, right) = text.split_once('=').unwrap();
+        let side = |text: &str| text.trim().parse::<Expression>().unwrap();
+        let equation = Equation {
+            number: "1".into(),
+            left: side(left),
+            right: side(right),
+            printed: None,
+            note: String::new(),
+        };
+        let parts = |found: Alteration| (found.kind, found.text, found.says_the_same);
+        alterations(&equation).into_iter().map(parts).collect()
+    }
+
+    #[test]
+    fn signs_factors_exponents_and_names_are_altered_one_at_a_time() {
+        let found = altered("sigma = (b - a)*K^2/D_c");
+        for wanted in [
+            ("sign", "sigma = (b + a)*K^2/D_c"),
+            ("factor", "sigma = 2*(b - a)*K^2/D_c"),
+            ("exponent", "sigma = (b - a)*K^3/D_c"),
+            ("exponent", "sigma = (b - a)*K^2/D_c^2"),
+            ("exchange", "sigma = (a - b)*K^2/D_c"),
+        ] {
+            let is_there = found.iter().any(|(kind, text, _)| (*kind, text.as_str()) == wanted);
+            assert!(is_there, "{wanted:?} is not in {found:#?}");
+        }
+        assert!(found.iter().all(|(_, _, same)| !same), "{found:#?}");
+    }
+
+    #[test]
+    fn what_says_the_same_is_told_from_what_does_not() {
+        let found = altered("sigma = K*D_c/(sqrt(b) + sqrt(a))^2");
+        let same: Vec<&str> = found.iter().filter(|(_, _, same)| *same).map(|(kind, _, _)| *kind).collect();
+        assert_eq!(same, ["exchange"], "{found:#?}");
+        assert!(altered("2*V_0 - 1 = 0").iter().all(|(_, _, same)| !same));
+    }
+}

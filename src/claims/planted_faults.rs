@@ -1,0 +1,110 @@
+//! Wrong equations planted on purpose, and the claims that notice: how much a verdict of this ledger is worth.
+
+use rayon::prelude::*;
+
+use super::alterations::{Alteration, alterations};
+use crate::claims::{Check, Context, Verdict, checks};
+use crate::theory::Equation;
+
+/// What became of the wrong versions of one equation.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct PlantedFaults {
+    /// The equation's number.
+    pub equation: String,
+    /// How many wrong versions were planted.
+    pub planted: usize,
+    /// How many of them changed the verdict of a claim.
+    pub noticed: usize,
+    /// How many versions say the same in other words, and are no faults.
+    pub harmless: usize,
+    /// The claims that noticed first, in the order of the ledger.
+    pub noticed_by: Vec<&'static str>,
+    /// The wrong versions that no claim noticed.
+    pub survivors: Vec<Survivor>,
+}
+
+/// A wrong equation that no claim noticed.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Survivor {
+    /// What was done to the equation.
+    pub kind: &'static str,
+    /// The wrong equation.
+    pub text: String,
+}
+
+/// Plants faults in every numbered equation, one at a time, and decides the claims of linear theory again each time.
+///
+/// Claims about simulations stay out: what they rest on was computed without the paper's equations.
+#[must_use]
+pub fn plant_faults(context: &Context) -> Vec<PlantedFaults> {
+    let theory: Vec<&'static Check> = checks().filter(|check| !check.id.starts_with('N')).collect();
+    let sound: Vec<(&'static Check, Verdict)> =
+        theory.into_par_iter().map(|check| (check, (check.decide)(context).verdict)).collect();
+    let numbered: Vec<&Equation> =
+        context.equations.iter().filter(|equation| equation.number.parse::<u32>().is_ok()).collect();
+    numbered.into_par_iter().map(|equation| plant(equation, context, sound.clone())).collect()
+}
+
+fn plant(equation: &Equation, context: &Context, mut sound: Vec<(&'static Check, Verdict)>) -> PlantedFaults {
+    let mut found = PlantedFaults {
+        equation: equation.number.clone(),
+        planted: 0,
+        noticed: 0,
+        harmless: 0,
+        noticed_by: Vec::new(),
+        survivors: Vec::new(),
+    };
+    for Alteration { kind, text, says_the_same } in alterations(equation) {
+        if says_the_same {
+            found.harmless += 1;
+            continue;
+        }
+        found.planted += 1;
+        match noticing(equation, &text, context, &sound) {
+            Some(at) => {
+                found.noticed += 1;
+                // A claim that noticed one fault of an equation is asked about the next one first.
+                sound[..=at].rotate_right(1);
+                found.noticed_by.push(sound[0].0.id);
+            }
+            None => found.survivors.push(Survivor { kind, text }),
+        }
+    }
+    found.noticed_by = checks().map(|check| check.id).filter(|id| found.noticed_by.contains(id)).collect();
+    found
+}
+
+/// The first claim whose verdict is another one with the equation replaced.
+fn noticing(
+    equation: &Equation,
+    text: &str,
+    context: &Context,
+    sound: &[(&'static Check, Verdict)],
+) -> Option<usize> {
+    let equations = context.equations.altered(&equation.number, text).ok()?;
+    let altered = Context { equations: &equations, outcome: context.outcome };
+    sound.iter().position(|(check, verdict)| (check.decide)(&altered).verdict != *verdict)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::study::Outcome;
+    use crate::theory::PaperEquations;
+
+    #[test]
+    fn wrong_equations_are_noticed_by_the_claims_that_rest_on_them() {
+        let text = include_str!("../../reports/im-avouac/equations.toml");
+        let equations = PaperEquations::parse(text).unwrap();
+        let context = Context { equations: &equations, outcome: &Outcome::default() };
+        let found = plant_faults(&context);
+        assert_eq!(found.len(), 23);
+        for one in &found {
+            assert!(one.noticed > 0, "{one:#?}");
+            assert_eq!(one.planted, one.noticed + one.survivors.len());
+        }
+        let of = |number: &str| found.iter().find(|one| one.equation == number).unwrap();
+        assert!(of("9").noticed_by.contains(&"S1") && of("16").noticed_by.contains(&"B2"), "{found:#?}");
+        assert_eq!(of("16").harmless, 1, "eq 16 is symmetric in a and b");
+    }
+}
