@@ -1,10 +1,10 @@
-//! Our integrator against methods of another crate, which share no line with it.
+//! Our integrator against methods of another crate, which share no line with it, and our model against the regularised law.
 
 use differential_equations::prelude::*;
 
 use super::checks::paper;
 use super::integrator::{Control, Integrator};
-use super::{Model, Radau, Start, State};
+use super::{Balance, Model, Options, Radau, Start, State, simulate_model};
 use crate::friction::{EvolutionLaw, Groups};
 
 /// The equations written out for another crate's Radau method, sharing no code with ours.
@@ -68,6 +68,20 @@ fn an_unrelated_stiff_method_agrees_through_a_stick_slip_event() {
         // Order 5 at this tolerance: an error of 1e-7 in the time of the event moves the stick phase by as much.
         for (a, b) in ours.iter().zip(theirs) {
             assert!((a - b).abs() < 1e-6, "{law:?}: {ours:?} {theirs:?}");
+        }
+    }
+}
+
+#[test]
+fn the_regularised_law_changes_nothing_at_the_friction_of_rocks() {
+    // μ0/a = 150: e^{-300} is far below rounding as long as friction does not approach zero.
+    for (v, s) in [(-5.0, 5.0), (-1.5, 4.0), (-4.0, 3.0)] {
+        for law in EvolutionLaw::ALL {
+            let groups = paper(v, s);
+            let usual = simulate_model(&Model::new(groups.clone(), law), &Options::default()).unwrap();
+            let regularised = Model::with_balance(groups, law, Balance::Regularised(150.0));
+            let regularised = simulate_model(&regularised, &Options::default()).unwrap();
+            assert!((usual.log_peak() - regularised.log_peak()).abs() < 1e-9, "{v} {s} {law:?}");
         }
     }
 }

@@ -59,6 +59,7 @@ fn margin(groups: &Groups<Rational>, fraction: &Float) -> Float {
         [&groups.inertial_parameter, &groups.stiffness_group, &groups.effect_ratio].map(number);
     let frequency = Float::with_val(BITS, &kappa / &eta).sqrt();
     let h = Float::with_val(BITS, fraction / &frequency);
+    // not f64: MPFR's.
     let (sine, cosine) = fraction.clone().sin_cos(Float::new(BITS));
     let d = Float::with_val(BITS, -&h).exp();
     let c = (Float::with_val(BITS, 1) - &cosine) / (Float::with_val(BITS, &kappa * &h));
