@@ -13,6 +13,7 @@ mod axis;
 mod contour;
 mod frame;
 mod heat_map;
+mod layer_places;
 mod layers;
 mod legend;
 mod line_chart;
