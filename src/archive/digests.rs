@@ -80,7 +80,7 @@ mod tests {
     fn the_digest_is_that_of_the_standard() {
         // FIPS 180-2, appendix B.1.
         assert_eq!(sha256_hex(b"abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
-        assert_eq!(digest_faults(&sealed()), [String::new(); 0]);
+        assert!(digest_faults(&sealed()).is_empty());
     }
 
     #[test]

@@ -68,7 +68,7 @@ mod tests {
 
     #[test]
     fn each_difference_is_named_with_old_and_new() {
-        assert_eq!(ledger_differences(OLD.as_bytes(), OLD.as_bytes()).unwrap(), [String::new(); 0]);
+        assert!(ledger_differences(OLD.as_bytes(), OLD.as_bytes()).unwrap().is_empty());
         let new = OLD.replace("\"fails\"", "\"holds\"").replace("\"x = 1\"", "null").replace("S1", "S2");
         assert_eq!(
             ledger_differences(OLD.as_bytes(), new.as_bytes()).unwrap(),

@@ -52,7 +52,7 @@ mod tests {
         ] {
             assert!(check_path(bad).is_err(), "{bad:?}");
         }
-        assert!(check_path(&vec!["a"; 9].join("/")).is_err());
+        assert!(check_path(&["a"; 9].join("/")).is_err());
     }
 
     #[test]

@@ -113,7 +113,7 @@ impl Reader<'_> {
         if self.total > self.caps.total_bytes {
             return refuse(&format!("with it the files exceed {} bytes", self.caps.total_bytes));
         }
-        self.note_time(entry.last_modified()).or_else(|why| refuse(why))?;
+        self.note_time(entry.last_modified()).or_else(refuse)?;
         let mut bytes = Vec::new();
         // One byte more than declared shows a file that lies about its size, and never more is unpacked.
         entry.by_ref().take(size + 1).read_to_end(&mut bytes).map_err(|error| format!("{path}: {error}"))?;

@@ -13,6 +13,7 @@ fn classify_points(csv: &str) -> Output {
         .args(["classify", "--points", "-"])
         .stdin(Stdio::piped())
         .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
         .spawn()
         .unwrap();
     let mut input = child.stdin.take().unwrap();
