@@ -9,8 +9,8 @@ pub mod view;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use rug::Float;
 use slipmode::friction::EvolutionLaw;
+use slipmode::number::nearest_f64;
 use slipmode::scene::{AllowedRange, Problem};
 
 use crate::cli::failure::Failure;
@@ -88,7 +88,7 @@ impl Options {
         let range = AllowedRange::SIMULATION_TOLERANCE;
         let tolerance = arguments.number("--tolerance", &self.tolerance, |text| range.parse(text));
         let start = arguments.number("--start", &self.start, start_of_word);
-        Some(Settings { tolerance: Float::with_val(53, tolerance?).to_f64(), start: start? })
+        Some(Settings { tolerance: nearest_f64(&tolerance?), start: start? })
     }
 
     fn single(

@@ -3,13 +3,11 @@
 //! Radau IIA of order 5 is the cheapest method that meets a hundredth, order 9 serves from there down to rounding. What is
 //! then asked of a search, and how its errors are known, is in the module of the search.
 
-use rug::Float;
-
 use super::outcome::{Outcome, Simulation};
 use super::search::{LOOSE, Levels, Search};
 use super::{Balance, Failure, Model, Radau, Start};
 use crate::friction::{EvolutionLaw, Parameters};
-use crate::number::Rational;
+use crate::number::{Rational, nearest_f64};
 
 /// What to simulate, beyond the parameters.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -50,19 +48,14 @@ pub fn simulate(
     law: EvolutionLaw,
     options: &Options,
 ) -> Result<Simulation, Failure> {
-    let groups = parameters.groups().map(nearest);
-    let parameters = parameters.map(nearest);
+    let groups = parameters.groups().map(nearest_f64);
+    let parameters = parameters.map(nearest_f64);
     let balance = match options.regularised_reference_friction {
         Some(reference) => Balance::Regularised(reference / parameters.direct_effect),
         None => Balance::Inertial,
     };
     let outcome = simulate_model(&Model::with_balance(groups, law, balance), options)?;
     Ok(outcome.in_si(&parameters))
-}
-
-/// The f64 nearest to a rational number; its own conversion rounds towards zero.
-fn nearest(value: &Rational) -> f64 {
-    Float::with_val(f64::MANTISSA_DIGITS, value).to_f64()
 }
 
 /// Simulates a slider without units.

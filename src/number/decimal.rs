@@ -3,7 +3,7 @@
 //! A decimal *is* a rational: `0.004` is 1/250, not the nearest binary number.
 
 use rug::ops::Pow;
-use rug::{Integer, Rational};
+use rug::{Float, Integer, Rational};
 use thiserror::Error;
 
 /// The most digits a number may have (integer and fraction part together).
@@ -78,6 +78,12 @@ fn parse_exponent(text: &str) -> Result<i64, DecimalError> {
 fn scale_by_power_of_ten(integer: Integer, exponent: i64) -> Rational {
     let power = Integer::from(10).pow(u32::try_from(exponent.unsigned_abs()).unwrap_or(u32::MAX));
     if exponent < 0 { Rational::from((integer, power)) } else { Rational::from(integer * power) }
+}
+
+/// The f64 nearest to a rational number; its own conversion rounds towards zero.
+#[must_use]
+pub fn nearest_f64(value: &Rational) -> f64 {
+    Float::with_val(f64::MANTISSA_DIGITS, value).to_f64()
 }
 
 #[cfg(test)]

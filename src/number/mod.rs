@@ -11,7 +11,7 @@ mod short_decimal;
 mod wide;
 
 pub use ball::{Ball, bits_for_digits};
-pub use decimal::{DecimalError, MAX_DIGITS, MAX_EXPONENT, parse_decimal};
+pub use decimal::{DecimalError, MAX_DIGITS, MAX_EXPONENT, nearest_f64, parse_decimal};
 pub use double_double::Dd;
 pub use field::{Field, Real};
 pub use rug::Rational;

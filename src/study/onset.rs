@@ -4,7 +4,7 @@ use rayon::prelude::*;
 
 use crate::dynamics::{Behaviour, simulate};
 use crate::friction::Parameters;
-use crate::number::{Ball, Rational, bits_for_digits};
+use crate::number::{Ball, Rational, bits_for_digits, nearest_f64};
 use crate::scene::{OnsetSection, SceneParameters};
 use crate::stability::{Asymptote, InertialThreshold, classify, critical_normal_stress_pa, has_transition};
 use crate::study::map::exactly;
@@ -106,7 +106,7 @@ fn onset_at(
     let at_stress = parameters.at(stress.clone(), Rational::from(1));
     let asymptote_velocity = asymptote.value(&at_stress.map(|value| Ball::from_rational(value, bits)));
     let line =
-        |law| Line { parameters, normal_stress_pa: stress, law, tolerance: section.tolerance.to_f64() };
+        |law| Line { parameters, normal_stress_pa: stress, law, tolerance: nearest_f64(&section.tolerance) };
     let (from, at) = (asymptote_velocity.to_f64(), boundary.to_f64());
     let visible = section.visible.to_f64();
     let first = section.laws.first().map(|&law| line(law));

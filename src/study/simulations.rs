@@ -4,7 +4,7 @@ use rayon::prelude::*;
 
 use crate::dynamics::{Behaviour, Failure, Options, Simulation, simulate};
 use crate::friction::EvolutionLaw;
-use crate::number::Rational;
+use crate::number::{Rational, nearest_f64};
 use crate::scene::{SceneParameters, SimulationsSection};
 use crate::stability::{Classification, InertialThreshold, classify, critical_stiffness, has_transition};
 use crate::study::map::exactly;
@@ -46,7 +46,7 @@ impl SimulatedPoint {
 
 /// The options of a run at a relative tolerance.
 pub(super) fn options(tolerance: &Rational) -> Options {
-    Options { tolerance: tolerance.to_f64(), ..Options::default() }
+    Options { tolerance: nearest_f64(tolerance), ..Options::default() }
 }
 
 /// Simulates every point of the section's grid with each law, and what else the section asks for.

@@ -7,7 +7,7 @@ use crate::dynamics::{
     run_lap, simulate,
 };
 use crate::friction::EvolutionLaw;
-use crate::number::Rational;
+use crate::number::{Rational, nearest_f64};
 use crate::scene::{SceneParameters, StartSensitivitySection};
 use crate::stability::{InertialThreshold, SlipMode, classify, critical_stiffness, has_transition};
 
@@ -83,7 +83,7 @@ fn group(
     let point = parameters.at(stress.clone(), velocity.clone());
     let groups = point.groups().map(Rational::to_f64);
     let model = Model::new(groups.clone(), law);
-    let tolerance = section.tolerance.to_f64();
+    let tolerance = nearest_f64(&section.tolerance);
     let run = |start: Start| StartRun {
         start,
         early: early(&model, start),

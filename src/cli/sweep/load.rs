@@ -4,11 +4,11 @@ use std::fs::File;
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 
-use rug::Float;
 use sha2::{Digest, Sha256};
 use slipmode::archive::sha256_hex;
 use slipmode::dynamics::Start;
 use slipmode::friction::EvolutionLaw;
+use slipmode::number::nearest_f64;
 use slipmode::scene::{Fault, Limits, Problem, Scene, SweepPoints, SweepSection, SweepWork};
 use slipmode::stability::InertialThreshold;
 use slipmode::study::{PointSource, inertial_threshold};
@@ -104,7 +104,7 @@ impl Loaded {
             }
             SweepWork::Boundary => self.with(BoundaryRows, Vec::new(), task),
             SweepWork::Simulate { laws, tolerance } => {
-                let tolerance = Float::with_val(53, tolerance).to_f64();
+                let tolerance = nearest_f64(tolerance);
                 let settings = Settings { tolerance, start: Start::default() };
                 // A list has one law for all its rows, or a column for them.
                 let law = laws.first().copied();
