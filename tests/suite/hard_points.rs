@@ -67,11 +67,14 @@ fn the_command_line_is_right_on_every_hard_point_of_the_inputs() {
 fn points_beyond_the_range_of_inputs_are_refused_by_row() {
     let (head, _, refused) = table();
     assert!(!refused.is_empty());
-    let output = classify_points(&(head + &refused.join("\n")));
-    assert_eq!((output.status.code(), output.stdout.len()), (Some(2), 0));
-    let said = String::from_utf8(output.stderr).unwrap();
-    for row in 1..=refused.len() {
-        assert!(said.contains(&format!("row {row}, column ")), "row {row} is not in:\n{said}");
+    // One at a time, because a long list of faults is cut.
+    for row in refused {
+        let output = classify_points(&format!("{head}{row}"));
+        assert_eq!((output.status.code(), output.stdout.len()), (Some(2), 0), "{row}");
+        let said = String::from_utf8(output.stderr).unwrap();
+        assert!(
+            said.contains("row 1, column ") && said.contains("out of range (allowed: 1e-300 to 1e300)"),
+            "{said}"
+        );
     }
-    assert!(said.contains("out of range (allowed: 1e-300 to 1e300)"), "{said}");
 }
