@@ -50,7 +50,7 @@ struct Cli {
 
 #[derive(Debug, Subcommand)]
 enum Command {
-    /// Stability, boundary, slip mode, growth rate and frequency of one point, or of every row of a CSV file
+    /// Stability, boundary, slip mode, growth rate and frequency of one point or of every row of a CSV file; the counts of a grid
     Classify(classify::Options),
     /// The three roots of eq 8 with certified digits
     Roots(roots::Options),

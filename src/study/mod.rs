@@ -7,6 +7,8 @@ mod comparison;
 mod cycle_families;
 mod error_bound;
 mod first_swing;
+#[cfg(test)]
+mod fixtures;
 mod frequency;
 mod grid;
 mod hard_case_methods;

@@ -136,19 +136,7 @@ fn near_run(
 mod tests {
     use super::*;
     use crate::number::parse_decimal;
-
-    fn paper() -> SceneParameters {
-        let decimal = |text| parse_decimal(text).unwrap();
-        SceneParameters {
-            direct_effect: decimal("0.004"),
-            evolution_effect: decimal("0.006"),
-            critical_slip_distance_m: decimal("10e-6"),
-            stiffness_pa_per_m: decimal("10e6"),
-            mass_per_area_kg_per_m2: decimal("1000"),
-            normal_stress_pa: None,
-            loading_velocity_m_per_s: None,
-        }
-    }
+    use crate::study::fixtures::paper;
 
     fn outcome(inertial: &[&str], stiffness: &[&str], edge: &[&str]) -> NearTransitionOutcome {
         let decimals = |texts: &[&str]| texts.iter().map(|text| parse_decimal(text).unwrap()).collect();

@@ -160,19 +160,7 @@ mod tests {
     use super::*;
     use crate::friction::EvolutionLaw;
     use crate::number::parse_decimal;
-
-    fn slider(direct: &str, evolution: &str) -> SceneParameters {
-        let decimal = |text| parse_decimal(text).unwrap();
-        SceneParameters {
-            direct_effect: decimal(direct),
-            evolution_effect: decimal(evolution),
-            critical_slip_distance_m: decimal("10e-6"),
-            stiffness_pa_per_m: decimal("10e6"),
-            mass_per_area_kg_per_m2: decimal("1000"),
-            normal_stress_pa: None,
-            loading_velocity_m_per_s: None,
-        }
-    }
+    use crate::study::fixtures::with_effects;
 
     fn section(stresses: &[&str]) -> OnsetSection {
         OnsetSection {
@@ -187,7 +175,8 @@ mod tests {
 
     #[test]
     fn oscillation_begins_in_simulations_on_the_exact_boundary_and_not_on_its_asymptote() {
-        let found = onset(&slider("0.004", "0.006"), &section(&["1778.28"]), &InertialThreshold::default());
+        let found =
+            onset(&with_effects("0.004", "0.006"), &section(&["1778.28"]), &InertialThreshold::default());
         let [line] = &found.lines[..] else { panic!("one line") };
         let exact = line.boundary_velocity_m_per_s.to_f64();
         let off = libm::log10(exact / line.asymptote_velocity_m_per_s.to_f64());
@@ -206,7 +195,8 @@ mod tests {
 
     #[test]
     fn in_megapascal_there_is_no_boundary_and_every_velocity_is_unstable() {
-        let found = onset(&slider("0.004", "0.006"), &section(&["562.34"]), &InertialThreshold::default());
+        let found =
+            onset(&with_effects("0.004", "0.006"), &section(&["562.34"]), &InertialThreshold::default());
         let [other] = &found.other_unit[..] else { panic!("one stress") };
         assert!(!other.has_boundary && other.always_unstable);
         assert_eq!(other.behaviour, Some(Behaviour::Periodic));
@@ -215,8 +205,10 @@ mod tests {
     #[test]
     fn the_upper_arc_is_an_onset_for_the_intrinsically_stable_slider_only() {
         let stresses = section(&["1e7"]);
-        assert!(onset(&slider("0.004", "0.006"), &stresses, &InertialThreshold::default()).lines.is_empty());
-        let found = onset(&slider("0.006", "0.004"), &stresses, &InertialThreshold::default());
+        assert!(
+            onset(&with_effects("0.004", "0.006"), &stresses, &InertialThreshold::default()).lines.is_empty()
+        );
+        let found = onset(&with_effects("0.006", "0.004"), &stresses, &InertialThreshold::default());
         assert_eq!(found.lines[0].asymptote, Asymptote::InertialUpper);
     }
 }

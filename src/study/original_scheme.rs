@@ -130,26 +130,14 @@ fn order(steps: &[SchemeStep]) -> Option<(f64, f64)> {
 mod tests {
     use super::*;
     use crate::number::parse_decimal;
-
-    fn slider() -> SceneParameters {
-        let decimal = |text| parse_decimal(text).unwrap();
-        SceneParameters {
-            direct_effect: decimal("0.004"),
-            evolution_effect: decimal("0.006"),
-            critical_slip_distance_m: decimal("10e-6"),
-            stiffness_pa_per_m: decimal("10e6"),
-            mass_per_area_kg_per_m2: decimal("1000"),
-            normal_stress_pa: None,
-            loading_velocity_m_per_s: None,
-        }
-    }
+    use crate::study::fixtures::paper;
 
     #[test]
     fn the_scheme_is_of_first_order_and_its_bias_does_not_vanish_at_the_advised_step() {
         let decimal = |text| parse_decimal(text).unwrap();
         let place = Place { loading_velocity_m_per_s: decimal("1e-3"), normal_stress_pa: decimal("1e5") };
         for law in EvolutionLaw::ALL {
-            let found = series(&slider(), &place, law, &[0.1, 0.05, 0.025, 0.0125]).unwrap();
+            let found = series(&paper(), &place, law, &[0.1, 0.05, 0.025, 0.0125]).unwrap();
             let (order, error) = found.order.unwrap();
             assert!((order - 1.0).abs() < 2.0 * error && error < 0.1, "{law:?}: {order} {error}");
             let (bias, spread) = found.steps[0].bias(found.log_peak).unwrap();
@@ -161,7 +149,7 @@ mod tests {
     fn a_run_of_deep_stick_slip_is_counted_and_not_made() {
         let decimal = |text| parse_decimal(text).unwrap();
         let place = Place { loading_velocity_m_per_s: decimal("1e-6"), normal_stress_pa: decimal("1e7") };
-        let found = series(&slider(), &place, EvolutionLaw::Slip, &[0.1]).unwrap();
+        let found = series(&paper(), &place, EvolutionLaw::Slip, &[0.1]).unwrap();
         assert!(found.steps[0].peak.is_none() && found.steps[0].steps_needed > 1e8);
     }
 }

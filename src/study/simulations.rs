@@ -97,19 +97,7 @@ mod tests {
     use super::*;
     use crate::number::parse_decimal;
     use crate::scene::{LogAxis, Rectangle};
-
-    fn slider() -> SceneParameters {
-        let decimal = |text| parse_decimal(text).unwrap();
-        SceneParameters {
-            direct_effect: decimal("0.004"),
-            evolution_effect: decimal("0.006"),
-            critical_slip_distance_m: decimal("10e-6"),
-            stiffness_pa_per_m: decimal("10e6"),
-            mass_per_area_kg_per_m2: decimal("1000"),
-            normal_stress_pa: None,
-            loading_velocity_m_per_s: None,
-        }
-    }
+    use crate::study::fixtures::paper;
 
     fn section(velocity: [&str; 2], stress: [&str; 2]) -> SimulationsSection {
         let axis = |[from, to]: [&str; 2]| LogAxis {
@@ -127,7 +115,7 @@ mod tests {
     #[test]
     fn cycles_stand_where_the_stiffness_is_below_critical() {
         let outcome =
-            simulations(&slider(), &section(["1e-5", "1e-1"], ["1e3", "1e7"]), &InertialThreshold::default());
+            simulations(&paper(), &section(["1e-5", "1e-1"], ["1e3", "1e7"]), &InertialThreshold::default());
         for (law, grid) in &outcome.grids {
             for point in &grid.values {
                 let below = point.stiffness_over_critical.unwrap() < 1.0;
@@ -141,7 +129,7 @@ mod tests {
     fn a_decay_has_the_period_of_the_exact_pair_even_where_the_real_mode_dies_as_slowly() {
         // At 1e-4 m/s and 10^2.75 Pa the real mode is as slow as the pair, and successive laps differ by percents.
         let section = section(["1e-4", "1e-3"], ["5.623413251903491e2", "1e4"]);
-        let outcome = simulations(&slider(), &section, &InertialThreshold::default());
+        let outcome = simulations(&paper(), &section, &InertialThreshold::default());
         for point in outcome.grids.iter().flat_map(|(_, grid)| &grid.values) {
             let found = point.simulation.as_ref().unwrap();
             let exact = point.theory.max_imaginary_per_s.to_f64().unwrap();

@@ -150,18 +150,11 @@ mod tests {
     use super::*;
     use crate::dynamics::Behaviour;
     use crate::number::parse_decimal;
+    use crate::study::fixtures::paper;
 
     fn groups_at(velocity: &str, stress: &str) -> Vec<StartGroup> {
         let decimal = |text| parse_decimal(text).unwrap();
-        let parameters = SceneParameters {
-            direct_effect: decimal("0.004"),
-            evolution_effect: decimal("0.006"),
-            critical_slip_distance_m: decimal("10e-6"),
-            stiffness_pa_per_m: decimal("10e6"),
-            mass_per_area_kg_per_m2: decimal("1000"),
-            normal_stress_pa: None,
-            loading_velocity_m_per_s: None,
-        };
+        let parameters = paper();
         let section = StartSensitivitySection {
             points: vec![[decimal(velocity), decimal(stress)]],
             laws: EvolutionLaw::ALL.to_vec(),

@@ -108,19 +108,12 @@ mod tests {
     use super::*;
     use crate::friction::Groups;
     use crate::number::parse_decimal;
+    use crate::study::fixtures::paper;
 
     #[test]
     fn steady_sliding_is_exact_and_the_residual_far_below_its_bound() {
         let decimal = |text| parse_decimal(text).unwrap();
-        let parameters = SceneParameters {
-            direct_effect: decimal("0.004"),
-            evolution_effect: decimal("0.006"),
-            critical_slip_distance_m: decimal("10e-6"),
-            stiffness_pa_per_m: decimal("10e6"),
-            mass_per_area_kg_per_m2: decimal("1000"),
-            normal_stress_pa: None,
-            loading_velocity_m_per_s: None,
-        };
+        let parameters = paper();
         let section = LinearRegimeSection {
             points: vec![[decimal("1e-5"), decimal("2e4")], [decimal("1e-5"), decimal("1e6")]],
             laws: EvolutionLaw::ALL.to_vec(),

@@ -137,18 +137,11 @@ mod tests {
     use super::*;
     use crate::dynamics::Behaviour;
     use crate::number::parse_decimal;
+    use crate::study::fixtures::paper;
 
     fn run(stress: &str, velocity: &str, duration: &str) -> TrajectoryRun {
         let decimal = |text| parse_decimal(text).unwrap();
-        let parameters = SceneParameters {
-            direct_effect: decimal("0.004"),
-            evolution_effect: decimal("0.006"),
-            critical_slip_distance_m: decimal("10e-6"),
-            stiffness_pa_per_m: decimal("10e6"),
-            mass_per_area_kg_per_m2: decimal("1000"),
-            normal_stress_pa: None,
-            loading_velocity_m_per_s: None,
-        };
+        let parameters = paper();
         let point = TrajectoryPoint {
             id: "point".into(),
             normal_stress_pa: decimal(stress),

@@ -2,21 +2,10 @@
 
 use super::*;
 use crate::number::parse_decimal;
+use crate::study::fixtures::with_effects;
 
 fn decimal(text: &str) -> Rational {
     parse_decimal(text).unwrap()
-}
-
-fn slider(direct: &str, evolution: &str) -> SceneParameters {
-    SceneParameters {
-        direct_effect: decimal(direct),
-        evolution_effect: decimal(evolution),
-        critical_slip_distance_m: decimal("10e-6"),
-        stiffness_pa_per_m: decimal("10e6"),
-        mass_per_area_kg_per_m2: decimal("1000"),
-        normal_stress_pa: None,
-        loading_velocity_m_per_s: None,
-    }
 }
 
 fn section(points: &[[&str; 2]], amplitudes: &[&str]) -> LinearRegimeSection {
@@ -35,7 +24,7 @@ fn runs(parameters: &SceneParameters, section: &LinearRegimeSection) -> Vec<Mode
 #[test]
 fn every_root_is_met_and_the_mismatch_falls_with_the_amplitude_as_predicted() {
     let points = [["1e-5", "1e3"], ["1e-3", "1e3"], ["1e-5", "1e6"], ["1e-2", "1e4"]];
-    for parameters in [slider("0.004", "0.006"), slider("0.006", "0.004")] {
+    for parameters in [with_effects("0.004", "0.006"), with_effects("0.006", "0.004")] {
         let all = runs(&parameters, &section(&points, &["1e-9", "1e-6"]));
         // Three starts for each point and law: one for a real root, two for a pair.
         assert_eq!(all.len(), 3 * 2 * points.len());
@@ -49,7 +38,7 @@ fn every_root_is_met_and_the_mismatch_falls_with_the_amplitude_as_predicted() {
 
 #[test]
 fn a_rate_with_one_wrong_sign_is_not_met_at_any_amplitude() {
-    let groups = slider("0.004", "0.006").at(decimal("2e4"), decimal("1e-3")).groups();
+    let groups = with_effects("0.004", "0.006").at(decimal("2e4"), decimal("1e-3")).groups();
     let [constant, _, square, cube] = groups.characteristic_cubic();
     // κ + 1 + β instead of κ + 1 − β.
     let linear = groups.stiffness_group.clone() + 1u32 + &groups.effect_ratio;
@@ -71,7 +60,7 @@ fn a_rate_with_one_wrong_sign_is_not_met_at_any_amplitude() {
 
 #[test]
 fn a_root_off_by_a_part_in_a_million_shows_as_a_floor() {
-    let groups = slider("0.004", "0.006").at(decimal("2e4"), decimal("1e-3")).groups();
+    let groups = with_effects("0.004", "0.006").at(decimal("2e4"), decimal("1e-3")).groups();
     let root = certified_roots(&groups.characteristic_cubic(), ROOT_DIGITS).roots.swap_remove(0);
     let mode = Mode::with_rate(Complex::with_val(BITS, (&root.re * 1.000_001f64, &root.im)), &groups);
     let model = Model::new(groups.map(Dd::from_rational), EvolutionLaw::Aging);
