@@ -119,22 +119,12 @@ impl<R: Scalar> Stepper<R> for Rodas5P<R> {
         finite.then(|| Trial { to, error: largest / weight.absolute })
     }
 
-    fn accept(&mut self) {}
-
-    fn restart(&mut self) {}
-
-    fn rewind(&mut self) {}
-
     fn polynomial(&self) -> &[State<R>] {
         &self.polynomial
     }
 
     fn evaluations(&self) -> u64 {
         self.evaluations
-    }
-
-    fn effort(&self) -> f64 {
-        0.0
     }
 }
 

@@ -28,14 +28,14 @@ pub trait Stepper<R: Scalar> {
     /// Tries one step; nothing when the nonlinear equations did not converge or a value left the number range.
     fn attempt(&mut self, model: &Model<R>, from: &State<R>, h: &R, weight: Weight) -> Option<Trial<R>>;
 
-    /// Tells the method that the last trial was taken, so that the next may start from its polynomial.
-    fn accept(&mut self);
+    /// Tells the method that the last trial was taken, so that the next may start from its polynomial. Methods without memory need not know.
+    fn accept(&mut self) {}
 
-    /// Forgets earlier steps: the next one starts elsewhere.
-    fn restart(&mut self);
+    /// Forgets earlier steps, where there is a memory of them: the next one starts elsewhere.
+    fn restart(&mut self) {}
 
     /// Prepares a repetition of the last trial with another length: its polynomial then starts the iteration.
-    fn rewind(&mut self);
+    fn rewind(&mut self) {}
 
     /// The step polynomial of the last trial as an increment over its start: coefficients of θ, θ², …
     fn polynomial(&self) -> &[State<R>];
@@ -43,8 +43,10 @@ pub trait Stepper<R: Scalar> {
     /// Right-hand sides evaluated so far.
     fn evaluations(&self) -> u64;
 
-    /// Iterations that the last trial needed, over the number it is allowed: slow convergence calls for shorter steps.
-    fn effort(&self) -> f64;
+    /// Iterations that the last trial needed, over the number it is allowed: slow convergence calls for shorter steps. None without iteration.
+    fn effort(&self) -> f64 {
+        0.0
+    }
 }
 
 /// Evaluates Σ c_k θ^{k+1}, the increment at θ (0 = start of the step, 1 = end).

@@ -115,22 +115,12 @@ impl<R: Scalar, const N: usize> Stepper<R> for Taylor<R, N> {
         finite.then(|| Trial { to, error: largest / weight.absolute })
     }
 
-    fn accept(&mut self) {}
-
-    fn restart(&mut self) {}
-
-    fn rewind(&mut self) {}
-
     fn polynomial(&self) -> &[State<R>] {
         &self.polynomial
     }
 
     fn evaluations(&self) -> u64 {
         self.evaluations
-    }
-
-    fn effort(&self) -> f64 {
-        0.0
     }
 }
 
