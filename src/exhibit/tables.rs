@@ -27,8 +27,10 @@ const ROOMS: &[&[TableMaker]] = &[
     crate::exhibit::onset_tables::TABLES,
     crate::exhibit::planted_fault_tables::TABLES,
     crate::exhibit::simulation_tables::TABLES,
+    crate::exhibit::speed_tables::TABLES,
     crate::exhibit::start_tables::TABLES,
     crate::exhibit::theory_tables::TABLES,
+    crate::exhibit::timing_tables::TABLES,
     crate::exhibit::trajectory_tables::TABLES,
 ];
 

@@ -34,11 +34,13 @@ mod scheme_stability;
 mod search;
 mod simulations;
 mod snapshots;
+mod speed;
 mod start_sensitivity;
 mod steady_sliding;
 mod sweep;
 mod sweep_points;
 mod thinning;
+mod timings;
 mod tolerance;
 mod trajectories;
 mod work_precision;
@@ -75,10 +77,17 @@ pub use scheme_least_peak::SchemeLeastPeak;
 pub use scheme_run::{AFFORDABLE_STEPS, LatePeak};
 pub use scheme_stability::{SchemeMapRow, SchemeTransition, critical_shift};
 pub use simulations::{SimulatedPoint, SimulationsOutcome, simulations};
+pub use speed::{
+    BoundaryCount, ClassCounts, MethodCount, RootCount, SpeedCounts, SweepCount, speed_counts,
+};
 pub use start_sensitivity::{Early, StartGroup, StartRun, start_sensitivity};
 pub use steady_sliding::{SteadyRun, steady_sliding};
 pub use sweep::{SweepOutcome, SweepRow, sweep_effect_ratio};
 pub use sweep_points::{PointSource, Varying};
+pub use timings::{
+    Aim, Bound, CostRow, Form, Ladder, Law, MachineRow, PeerGroup, PeerRow, Reached, Timings, aims, cycle_groups,
+    ladders, micro, read_cost, read_machine, read_peers, work_groups,
+};
 pub use tolerance::{ToleranceOutcome, ToleranceRow, tolerance_limits};
 pub use trajectories::{Course, DRAWING_TOLERANCE, Moment, TrajectoryRun, trajectories};
 pub use work_precision::{

@@ -37,6 +37,10 @@ pub enum Need {
     WorkPrecision,
     /// Stated errors against true ones.
     ErrorBound,
+    /// Work against error of roots, classes, boundary points and sweeps.
+    SpeedCounts,
+    /// Times that other commands measured.
+    Timings,
 }
 
 impl Need {
@@ -58,6 +62,8 @@ impl Need {
         Self::OriginalScheme,
         Self::WorkPrecision,
         Self::ErrorBound,
+        Self::SpeedCounts,
+        Self::Timings,
     ];
 
     /// The stable name used in the ids of work items.
@@ -80,6 +86,8 @@ impl Need {
             Need::OriginalScheme => "original-scheme",
             Need::WorkPrecision => "work-precision",
             Need::ErrorBound => "error-bound",
+            Need::SpeedCounts => "speed-counts",
+            Need::Timings => "timings",
         }
     }
 }

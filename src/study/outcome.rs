@@ -3,11 +3,11 @@
 use std::collections::BTreeMap;
 
 use crate::number::Rational;
-use crate::scene::{Scene, SceneParameters};
+use crate::scene::{Scene, SceneParameters, TimingsSection};
 use crate::study::{
     BoundCheck, BoundaryOutcome, FamilyOutcome, FrequencyOutcome, Grid, HardCase, LinearRegimeOutcome,
-    MapPoint, NearTransitionOutcome, OnsetOutcome, OriginalSchemeOutcome, SimulationsOutcome, StartGroup,
-    SweepOutcome, ToleranceOutcome, TrajectoryRun, WorkCase, ZonesOutcome,
+    MapPoint, NearTransitionOutcome, OnsetOutcome, OriginalSchemeOutcome, SimulationsOutcome, SpeedCounts, StartGroup,
+    SweepOutcome, Timings, ToleranceOutcome, TrajectoryRun, WorkCase, ZonesOutcome,
 };
 
 /// Everything computed for one scene; what nobody needed is absent.
@@ -47,6 +47,10 @@ pub struct SceneOutcome {
     pub work_precision: Option<Vec<WorkCase>>,
     /// Stated errors against true ones.
     pub error_bound: Option<Vec<BoundCheck>>,
+    /// Work against error, by counts.
+    pub speed_counts: Option<SpeedCounts>,
+    /// Times that other commands measured.
+    pub timings: Option<Timings>,
 }
 
 impl SceneOutcome {
@@ -71,6 +75,8 @@ impl SceneOutcome {
             original_scheme: None,
             work_precision: None,
             error_bound: None,
+            speed_counts: None,
+            timings: None,
         }
     }
 
@@ -117,6 +123,8 @@ impl Outcome {
 pub struct References {
     /// Hard cases by file name.
     pub hard_cases: BTreeMap<String, Vec<HardCase>>,
+    /// Times by the section that names their files.
+    pub timings: BTreeMap<TimingsSection, Timings>,
 }
 
 /// b/a of a slider.

@@ -55,5 +55,7 @@ fn states(scene: &Scene, need: Need) -> bool {
         Need::OriginalScheme => scene.original_scheme.is_some(),
         Need::WorkPrecision => scene.work_precision.is_some(),
         Need::ErrorBound => scene.error_bound.is_some(),
+        Need::SpeedCounts => scene.speed_counts.is_some(),
+        Need::Timings => scene.timings.is_some(),
     }
 }

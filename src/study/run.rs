@@ -5,7 +5,7 @@ use crate::stability::InertialThreshold;
 use crate::study::{
     Item, Need, Needs, Outcome, References, SceneOutcome, boundary_outcome, classify_rectangle,
     compare_hard_cases, compare_zones, error_bound, frequency_lines, linear_regime, near_transition, onset,
-    original_scheme, plan, simulations, start_sensitivity, sweep_effect_ratio, tolerance_limits,
+    original_scheme, plan, simulations, speed_counts, start_sensitivity, sweep_effect_ratio, tolerance_limits,
     trajectories, work_precision,
 };
 
@@ -114,5 +114,14 @@ fn compute(item: &Item, outcome: &mut SceneOutcome, references: &References) {
                 .map(|(parameters, section)| work_precision(parameters, section));
         }
         Need::ErrorBound => outcome.error_bound = scene.error_bound.as_ref().map(error_bound),
+        Need::SpeedCounts => {
+            outcome.speed_counts = parameters
+                .zip(scene.speed_counts.as_ref())
+                .map(|(parameters, section)| speed_counts(parameters, section));
+        }
+        Need::Timings => {
+            outcome.timings =
+                scene.timings.as_ref().and_then(|section| references.timings.get(section)).cloned();
+        }
     }
 }
