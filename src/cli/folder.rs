@@ -8,10 +8,11 @@ use slipmode::archive::{Files, sha256_hex};
 use slipmode::claims::known_ids;
 use slipmode::report::{Folder, InputView};
 use slipmode::scene::{
-    Fault, Faults, Limits, Problem, ReportPlan, Scene, TimingsSection, check_distinct_scene_names, file_text, read_claims,
+    Fault, Faults, Limits, Problem, ReportPlan, Scene, TimingsSection, check_distinct_scene_names, file_text,
+    read_claims,
 };
 use slipmode::study::{
-    References, Timings, read_cost, read_hard_cases, read_machine, read_peers,
+    References, Timings, read_cost, read_hard_cases, read_hard_laps, read_machine, read_peers,
 };
 use slipmode::theory::PaperEquations;
 
@@ -177,6 +178,11 @@ impl Reader {
             let cases = self.read_text(&format!("{vectors}{file}"), read_hard_cases);
             references.hard_cases.extend(cases.map(|cases| (file, cases)));
         }
+        let named = scenes.iter().filter_map(|scene| scene.hard_cases.as_ref()?.laps.clone());
+        for file in named.collect::<BTreeSet<_>>() {
+            let laps = self.read_text(&format!("{vectors}{file}"), read_hard_laps);
+            references.hard_laps.extend(laps.map(|laps| (file, laps)));
+        }
         for section in scenes.iter().filter_map(|scene| scene.timings.as_ref()) {
             let found = self.timings(section, timings);
             references.timings.extend(found.map(|found| (section.clone(), found)));
@@ -195,9 +201,7 @@ impl Reader {
 
     /// Reads a file as text.
     fn read_text<T>(&mut self, path: &str, parse: fn(&str, &str) -> Result<T, Faults>) -> Option<T> {
-        self.read(path, |name, bytes, _| {
-            parse(name, file_text(name, bytes).map_err(|fault| vec![fault])?)
-        })
+        self.read(path, |name, bytes, _| parse(name, file_text(name, bytes).map_err(|fault| vec![fault])?))
     }
 }
 

@@ -8,6 +8,7 @@ mod deviation;
 mod deviation_tables;
 mod figures;
 mod frequency;
+mod hard_lap_tables;
 mod least_peak;
 mod linear_regime;
 mod map_readout;

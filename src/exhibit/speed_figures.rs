@@ -8,10 +8,20 @@ use crate::study::{Need, Outcome, PeerRow, RootCount, SpeedCounts, Timings, micr
 
 pub(super) const FIGURES: &[FigureMaker] = &[
     FigureMaker { id: "speed-roots", needs: &[Need::SpeedCounts], data: &["speed-roots"], make: roots },
-    FigureMaker { id: "speed-boundary", needs: &[Need::SpeedCounts], data: &["speed-boundary"], make: boundary },
+    FigureMaker {
+        id: "speed-boundary",
+        needs: &[Need::SpeedCounts],
+        data: &["speed-boundary"],
+        make: boundary,
+    },
     FigureMaker { id: "speed-sweep", needs: &[Need::SpeedCounts], data: &["speed-sweep"], make: sweep },
     FigureMaker { id: "times-roots", needs: &[Need::Timings], data: &["peers-roots"], make: times_of_roots },
-    FigureMaker { id: "times-cycle", needs: &[Need::Timings], data: &["peers-cycles"], make: times_of_a_cycle },
+    FigureMaker {
+        id: "times-cycle",
+        needs: &[Need::Timings],
+        data: &["peers-cycles"],
+        make: times_of_a_cycle,
+    },
 ];
 
 fn counts(outcome: &Outcome) -> Option<&SpeedCounts> {
@@ -76,7 +86,9 @@ fn roots(outcome: &Outcome) -> Option<Figure> {
         let certified = rows.iter().filter(|row| row.set == set && row.method == "certified");
         marked(&format!("certified, {set}"), certified.filter_map(place).collect())
     };
-    let alone = |method: &str| marked(method, rows.iter().filter(|row| row.method == method).filter_map(place).collect());
+    let alone = |method: &str| {
+        marked(method, rows.iter().filter(|row| row.method == method).filter_map(place).collect())
+    };
     let series = vec![
         line("random"),
         line("hard"),
@@ -188,7 +200,10 @@ const SHOWN_ERRORS: std::ops::RangeInclusive<f64> = 1e-14..=1.0;
 
 fn times_of_a_cycle(outcome: &Outcome) -> Option<Figure> {
     let rows = &timings(outcome)?.peers;
-    let case = rows.iter().map(|row| row.work.as_str()).find(|work| work.starts_with("cycles-") && work.ends_with("slip"))?;
+    let case = rows
+        .iter()
+        .map(|row| row.work.as_str())
+        .find(|work| work.starts_with("cycles-") && work.ends_with("slip"))?;
     let place = |row: &&PeerRow| {
         let error = row.error_value().filter(|error| row.wrong == 0 && SHOWN_ERRORS.contains(error))?;
         Some((error, micro(row)))
@@ -209,7 +224,9 @@ fn times_of_a_cycle(outcome: &Outcome) -> Option<Figure> {
         Words {
             label: "Figure P5",
             title: format!("Time of one cycle against its error, {case}"),
-            caption: format!("CPU time of one cycle of `{case}` (V_l = 10^v m/s, σ = 10^s Pa) by its measured error, the larger of those of ln V_peak and of the duration; the reference is Radau IIA of order 13 in double-double. One mark a tolerance; the six fastest methods at an error of 1e-6. A tolerance at which a program does not finish has none."),
+            caption: format!(
+                "CPU time of one cycle of `{case}` (V_l = 10^v m/s, σ = 10^s Pa) by its measured error, the larger of those of ln V_peak and of the duration; the reference is Radau IIA of order 13 in double-double. One mark a tolerance; the six fastest methods at an error of 1e-6. A tolerance at which a program does not finish has none."
+            ),
             description: "CPU time of one cycle against its measured error, on logarithmic axes, one line for each method.",
         },
         [("Error", ""), ("CPU time", "µs")],

@@ -67,7 +67,13 @@ fn classes(context: &Context) -> Option<Table> {
         ("ours: double-double", rungs.double_double),
         ("ours: rationals", rungs.exact),
     ] {
-        table.push(vec![Cell::text(rung), count(points), count(decided), Cell::number("0"), Cell::number("0")]);
+        table.push(vec![
+            Cell::text(rung),
+            count(points),
+            count(decided),
+            Cell::number("0"),
+            Cell::number("0"),
+        ]);
     }
     for method in methods {
         table.push(vec![

@@ -14,8 +14,16 @@ use crate::table::{Cell, Column, Table};
 
 pub(super) const TABLES: &[TableMaker] = &[
     TableMaker { id: "aims", needs: &[Need::Timings], make: wanted },
-    TableMaker { id: "peers-classes", needs: &[Need::Timings], make: |context| peers(context, CLASSES, |work| !work.starts_with("roots-")) },
-    TableMaker { id: "peers-roots", needs: &[Need::Timings], make: |context| peers(context, ROOTS, |work| work.starts_with("roots-")) },
+    TableMaker {
+        id: "peers-classes",
+        needs: &[Need::Timings],
+        make: |context| peers(context, CLASSES, |work| !work.starts_with("roots-")),
+    },
+    TableMaker {
+        id: "peers-roots",
+        needs: &[Need::Timings],
+        make: |context| peers(context, ROOTS, |work| work.starts_with("roots-")),
+    },
     TableMaker { id: "peers-cycles", needs: &[Need::Timings], make: cycles },
     TableMaker { id: "cost-laws", needs: &[Need::Timings], make: laws },
     TableMaker { id: "timings-machine", needs: &[Need::Timings], make: machine },
@@ -52,7 +60,10 @@ fn wanted(context: &Context) -> Option<Table> {
         Column::text("command", "Command"),
     ];
     let timings = timings(context)?;
-    let note = format!("Rows are lines of `timings/{}`. The bounds were set before anything was measured; a word in the column of outcomes is computed from the rows.", timings.peers_file);
+    let note = format!(
+        "Rows are lines of `timings/{}`. The bounds were set before anything was measured; a word in the column of outcomes is computed from the rows.",
+        timings.peers_file
+    );
     let mut table = Table::new("aims", "What was wanted, and what was measured", columns).with_note(&note);
     for aim in aims(&timings.peers) {
         let (value, found) = match &aim.measured {
@@ -66,7 +77,11 @@ fn wanted(context: &Context) -> Option<Table> {
             bound(aim.aim),
             value,
             Cell::text(outcome(&aim)),
-            if found.is_empty() && aim.measured.is_ok() { Cell::text(format!("all of {}", aim.bench)) } else { lines(found) },
+            if found.is_empty() && aim.measured.is_ok() {
+                Cell::text(format!("all of {}", aim.bench))
+            } else {
+                lines(found)
+            },
             Cell::text(format!("`cargo xtask bench --peers {}`", aim.bench)),
         ]);
     }
@@ -111,7 +126,10 @@ fn peers(context: &Context, [id, title]: [&str; 2], wanted: fn(&str) -> bool) ->
         Column::number("row", "Row", ""),
     ];
     let timings = timings(context)?;
-    let note = format!("Printed by `cargo xtask bench --peers`; the command of each row stands in its line of `timings/{}`. Errors leave wrong answers out.", timings.peers_file);
+    let note = format!(
+        "Printed by `cargo xtask bench --peers`; the command of each row stands in its line of `timings/{}`. Errors leave wrong answers out.",
+        timings.peers_file
+    );
     let mut table = Table::new(id, title, columns).with_note(&note);
     for PeerGroup { row, over_ours } in work_groups(&timings.peers) {
         if !wanted(&row.work) {
@@ -150,8 +168,13 @@ fn cycles(context: &Context) -> Option<Table> {
         Column::text("rows", "Rows"),
     ];
     let timings = timings(context)?;
-    let note = format!("Printed by `cargo xtask bench --peers cycles` and `… smooth`. For each case and method the fastest tolerance whose measured error is at most the error met; ratios are to our fastest method on the same case at the same error, their mean geometric. Rows are lines of `timings/{}`.", timings.peers_file);
-    let mut table = Table::new("peers-cycles", "Cycles and smooth regimes at equal error: ours and others", columns).with_note(&note);
+    let note = format!(
+        "Printed by `cargo xtask bench --peers cycles` and `… smooth`. For each case and method the fastest tolerance whose measured error is at most the error met; ratios are to our fastest method on the same case at the same error, their mean geometric. Rows are lines of `timings/{}`.",
+        timings.peers_file
+    );
+    let mut table =
+        Table::new("peers-cycles", "Cycles and smooth regimes at equal error: ours and others", columns)
+            .with_note(&note);
     for reached in cycle_groups(&timings.peers) {
         table.push(cycle_row(&reached));
     }
@@ -187,7 +210,10 @@ fn laws(context: &Context) -> Option<Table> {
         Column::text("command", "Command of the largest"),
     ];
     let timings = timings(context)?;
-    let note = format!("Printed by `cargo xtask cost`; rows are lines of `timings/{}`, which holds every command. Times are of one thread unless threads are what grows; laws are least squares over the rows, computed with this page.", timings.cost_file);
+    let note = format!(
+        "Printed by `cargo xtask cost`; rows are lines of `timings/{}`, which holds every command. Times are of one thread unless threads are what grows; laws are least squares over the rows, computed with this page.",
+        timings.cost_file
+    );
     let mut table = Table::new("cost-laws", "How CPU time and memory grow", columns).with_note(&note);
     for ladder in ladders(&timings.cost) {
         table.push(law_row(&ladder)?);
@@ -227,11 +253,8 @@ fn law_text(law: &Law) -> String {
 }
 
 fn machine(context: &Context) -> Option<Table> {
-    let columns = vec![
-        Column::text("file", "File"),
-        Column::text("key", "What"),
-        Column::text("value", "Value"),
-    ];
+    let columns =
+        vec![Column::text("file", "File"), Column::text("key", "What"), Column::text("value", "Value")];
     let mut table = Table::new("timings-machine", "Where and when the times were measured", columns);
     for row in &timings(context)?.machine {
         table.push(vec![Cell::text(&row.file), Cell::text(&row.key), Cell::text(&row.value)]);

@@ -7,8 +7,8 @@ use crate::scene::sections::{NAME_RULE, safe_name};
 use crate::scene::{
     AllowedRange, BoundarySection, EffectRatioSweep, ErrorBoundSection, Faults, FrequencySection, HardCases,
     Limits, LinearRegimeSection, NearTransition, OnsetSection, OriginalSchemeSection, Problem, Quantity,
-    Rectangle, SceneParameters, SimulationsSection, SpeedCountsSection, StartSensitivitySection, SweepSection, TimingsSection, ToleranceSection,
-    TrajectoriesSection, WorkPrecisionSection,
+    Rectangle, SceneParameters, SimulationsSection, SpeedCountsSection, StartSensitivitySection,
+    SweepSection, TimingsSection, ToleranceSection, TrajectoriesSection, WorkPrecisionSection,
 };
 
 /// What a user asks for: valid, exact, and nothing that was not asked.

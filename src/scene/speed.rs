@@ -51,9 +51,8 @@ impl SpeedCountsSection {
         let digits = section
             .required("digits", &format!("a list of whole numbers from 1 to {MOST_DIGITS}"), faults)
             .and_then(|entry| {
-                entry.list(faults, |member, faults| {
-                    u32::try_from(member.whole(1..=MOST_DIGITS, faults)?).ok()
-                })
+                entry
+                    .list(faults, |member, faults| u32::try_from(member.whole(1..=MOST_DIGITS, faults)?).ok())
             });
         let range = AllowedRange::SIMULATION_TOLERANCE;
         let tolerances = section

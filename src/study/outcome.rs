@@ -5,9 +5,10 @@ use std::collections::BTreeMap;
 use crate::number::Rational;
 use crate::scene::{Scene, SceneParameters, TimingsSection};
 use crate::study::{
-    BoundCheck, BoundaryOutcome, FamilyOutcome, FrequencyOutcome, Grid, HardCase, LinearRegimeOutcome,
-    MapPoint, NearTransitionOutcome, OnsetOutcome, OriginalSchemeOutcome, SimulationsOutcome, SpeedCounts, StartGroup,
-    SweepOutcome, Timings, ToleranceOutcome, TrajectoryRun, WorkCase, ZonesOutcome,
+    BoundCheck, BoundaryOutcome, FamilyOutcome, FrequencyOutcome, Grid, HardCase, HardLap, LapOutcome,
+    LinearRegimeOutcome, MapPoint, NearTransitionOutcome, OnsetOutcome, OriginalSchemeOutcome,
+    SimulationsOutcome, SpeedCounts, StartGroup, SweepOutcome, Timings, ToleranceOutcome, TrajectoryRun,
+    WorkCase, ZonesOutcome,
 };
 
 /// Everything computed for one scene; what nobody needed is absent.
@@ -29,6 +30,8 @@ pub struct SceneOutcome {
     pub zones: Option<ZonesOutcome>,
     /// How its hard cases fared.
     pub hard_cases: Option<Vec<FamilyOutcome>>,
+    /// How its hard laps fared.
+    pub hard_laps: Option<Vec<LapOutcome>>,
     /// Its simulations.
     pub simulations: Option<SimulationsOutcome>,
     /// Its small disturbances, and steady sliding itself.
@@ -66,6 +69,7 @@ impl SceneOutcome {
             tolerance: None,
             zones: None,
             hard_cases: None,
+            hard_laps: None,
             simulations: None,
             linear_regime: None,
             start_sensitivity: None,
@@ -123,6 +127,8 @@ impl Outcome {
 pub struct References {
     /// Hard cases by file name.
     pub hard_cases: BTreeMap<String, Vec<HardCase>>,
+    /// Hard laps by file name.
+    pub hard_laps: BTreeMap<String, Vec<HardLap>>,
     /// Times by the section that names their files.
     pub timings: BTreeMap<TimingsSection, Timings>,
 }

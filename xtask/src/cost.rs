@@ -84,7 +84,8 @@ fn csv(climbed: &[Climbed]) -> String {
 
 fn markdown(climbed: &[Climbed]) -> String {
     let mut text = String::from("# Cost\n\n");
-    let facts: Vec<String> = measured_on::facts().into_iter().map(|(key, value)| format!("{key} {value}")).collect();
+    let facts: Vec<String> =
+        measured_on::facts().into_iter().map(|(key, value)| format!("{key} {value}")).collect();
     let _ = writeln!(text, "Command: `cargo xtask cost`. Release build; {}.\n", facts.join(", "));
     for one in climbed {
         text += &section(one);

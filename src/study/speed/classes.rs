@@ -46,7 +46,8 @@ const TEXTBOOK: [Textbook; 5] = [
 /// Classifies this many points, and the first of them by every textbook method.
 pub(super) fn count(points: u32, textbook_points: u32) -> ClassCounts {
     let sliders = Sliders::new();
-    let rows: Vec<Parameters<f64>> = (0..points).into_par_iter().map(|number| sliders.parameters(number)).collect();
+    let rows: Vec<Parameters<f64>> =
+        (0..points).into_par_iter().map(|number| sliders.parameters(number)).collect();
     let column = |of: fn(&Parameters<f64>) -> f64| rows.iter().map(of).collect::<Vec<f64>>();
     let columns = [
         column(|p| p.direct_effect),

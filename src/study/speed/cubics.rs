@@ -36,7 +36,13 @@ const MORE_DIGITS: u32 = 20;
 
 /// Cubics of a set that are solved to so many digits: their number falls where each takes long.
 fn share(count: usize, digits: u32) -> usize {
-    let most = if digits > 5_000 { 6 } else if digits > 500 { 40 } else { count };
+    let most = if digits > 5_000 {
+        6
+    } else if digits > 500 {
+        40
+    } else {
+        count
+    };
     count.min(most)
 }
 
@@ -74,7 +80,9 @@ fn of_set(set: &Set, digits: &[u32]) -> Vec<RootCount> {
     };
     let mut rows: Vec<RootCount> = TEXTBOOK
         .into_iter()
-        .map(|(name, solve)| row(name, None, 53, &by(&|cubic| of_three(solve(cubic.each_ref().map(Rational::to_f64))))))
+        .map(|(name, solve)| {
+            row(name, None, 53, &by(&|cubic| of_three(solve(cubic.each_ref().map(Rational::to_f64)))))
+        })
         .collect();
     rows.push(row("64-bit with bounds", None, 53, &by(&|cubic| bounded(cubic, Rational::to_f64))));
     rows.push(row("double-double with bounds", None, 106, &by(&|cubic| bounded(cubic, Dd::from_rational))));
@@ -166,9 +174,13 @@ mod tests {
         }
         let of = |set, method| rows.iter().find(|row| row.set == set && row.method == method).unwrap();
         assert!(
-            of("random", "companion eigenvalues").digits_right > of("hard", "companion eigenvalues").digits_right
+            of("random", "companion eigenvalues").digits_right
+                > of("hard", "companion eigenvalues").digits_right
         );
         assert!(of("hard", "64-bit with bounds").open > 0);
-        assert!(of("hard", "double-double with bounds").digits_right < of("random", "double-double with bounds").digits_right);
+        assert!(
+            of("hard", "double-double with bounds").digits_right
+                < of("random", "double-double with bounds").digits_right
+        );
     }
 }

@@ -66,8 +66,10 @@ fn beside_double_root(number: u32) -> [Rational; 4] {
     let square = double.clone() * &double;
     let sum = Rational::from(&double * 2_u32) + &third;
     let linear = Rational::from(&double * &third) * 2_u32 + &square;
-    let distance = Rational::from((1, 100)) / Rational::from(rug::Integer::from(100).pow_u(number % DISTANCES + 1));
-    let factor = if number.is_multiple_of(2) { Rational::from(1) + distance } else { Rational::from(1) - distance };
+    let distance =
+        Rational::from((1, 100)) / Rational::from(rug::Integer::from(100).pow_u(number % DISTANCES + 1));
+    let factor =
+        if number.is_multiple_of(2) { Rational::from(1) + distance } else { Rational::from(1) - distance };
     [-(square * third) * factor, linear, -sum, Rational::from(1)]
 }
 

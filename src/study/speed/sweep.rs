@@ -85,7 +85,8 @@ fn summed(tolerance: f64, runs: &[Run], reference: &[Run]) -> SweepCount {
             continue;
         }
         let peak = (run.peak_velocity_m_per_s / reference.peak_velocity_m_per_s - 1.0).abs();
-        let period = run.period_s.zip(reference.period_s).map_or(0.0, |(one, other)| (one / other - 1.0).abs());
+        let period =
+            run.period_s.zip(reference.period_s).map_or(0.0, |(one, other)| (one / other - 1.0).abs());
         sum.beyond += usize::from(peak.max(period) > tolerance);
         sum.worst_error = sum.worst_error.max(peak).max(period);
     }

@@ -87,8 +87,20 @@ fn classes(rows: &Rows<'_>) -> Vec<Aim> {
     vec![
         aim(random, "wrong signs", rows.of(random, ours, wrong), all_right, all_right),
         aim(random, "points per second", rows.of(random, ours, rate), None, Some(AtLeast(5e7))),
-        aim(random, "NumPy's time over ours", over("numpy-eigvals"), Some(AtLeast(20.0)), Some(AtLeast(60.0))),
-        aim(random, "GSL's time over ours", over("gsl-complex_solve_cubic"), Some(AtLeast(1.0)), Some(AtLeast(4.0))),
+        aim(
+            random,
+            "NumPy's time over ours",
+            over("numpy-eigvals"),
+            Some(AtLeast(20.0)),
+            Some(AtLeast(60.0)),
+        ),
+        aim(
+            random,
+            "GSL's time over ours",
+            over("gsl-complex_solve_cubic"),
+            Some(AtLeast(1.0)),
+            Some(AtLeast(4.0)),
+        ),
         aim(grid, "wrong signs", rows.of(grid, ours, wrong), all_right, all_right),
         aim(grid, "points per second", rows.of(grid, ours, rate), Some(AtLeast(6e7)), Some(AtLeast(1.5e8))),
         aim("hard points", "wrong signs", hard(ours, wrong, f64::max), all_right, all_right),
@@ -179,10 +191,12 @@ fn cycles(rows: &Rows<'_>) -> Vec<Aim> {
 fn sweep(rows: &Rows<'_>) -> Vec<Aim> {
     let (work, ours) = ("sweep", "slipmode-simulate");
     let peer = fastest(&rows.works(work), 1e-2, |row| row.method == "boost-rosenbrock4");
-    let over = peer.ok_or_else(|| "no row `sweep, boost-rosenbrock4` without a wrong run".to_string()).and_then(|peer| {
-        let mine = rows.find(work, ours)?;
-        Ok((peer.seconds_per_item() / mine.seconds_per_item(), vec![peer.line, mine.line]))
-    });
+    let over = peer
+        .ok_or_else(|| "no row `sweep, boost-rosenbrock4` without a wrong run".to_string())
+        .and_then(|peer| {
+            let mine = rows.find(work, ours)?;
+            Ok((peer.seconds_per_item() / mine.seconds_per_item(), vec![peer.line, mine.line]))
+        });
     vec![
         aim(work, "wrong or failed runs", rows.of(work, ours, wrong), Some(AtMost(0.0)), Some(AtMost(0.0))),
         aim(work, "worst relative error", rows.of(work, ours, error), Some(AtMost(1e-2)), Some(AtMost(1e-2))),
@@ -237,7 +251,12 @@ impl<'r> Rows<'r> {
         Ok((over.seconds_per_item() / under.seconds_per_item(), vec![over.line, under.line]))
     }
 
-    fn least_ratio<'n>(&self, works: impl IntoIterator<Item = &'n (impl AsRef<str> + ?Sized + 'n)>, peer: &str, ours: &str) -> Measured {
+    fn least_ratio<'n>(
+        &self,
+        works: impl IntoIterator<Item = &'n (impl AsRef<str> + ?Sized + 'n)>,
+        peer: &str,
+        ours: &str,
+    ) -> Measured {
         let mut least: Measured = Err("nothing asked for".into());
         for work in works {
             let (ratio, lines) = self.ratio((work.as_ref(), peer), (work.as_ref(), ours))?;
@@ -267,7 +286,8 @@ impl<'r> Rows<'r> {
     /// Cases and tolerances from 1e-4 to 1e-10 at which no method of ours ended with an error of at most ten tolerances.
     fn unmet(&self, kind: &str) -> Measured {
         let (mut unmet, mut lines) = (0, Vec::new());
-        for (rows, tolerance) in cases(self.0, kind).values().flat_map(|rows| ERRORS.map(|most| (rows, most))) {
+        for (rows, tolerance) in cases(self.0, kind).values().flat_map(|rows| ERRORS.map(|most| (rows, most)))
+        {
             let asked = |row: &&&PeerRow| {
                 row.is_ours() && row.tolerance.is_some_and(|asked| (asked / tolerance - 1.0).abs() < 1e-3)
             };
@@ -277,7 +297,11 @@ impl<'r> Rows<'r> {
                 lines.extend(ours.iter().map(|row| row.line));
             }
         }
-        if cases(self.0, kind).is_empty() { Err(format!("no row of `{kind}`")) } else { Ok((f64::from(unmet), lines)) }
+        if cases(self.0, kind).is_empty() {
+            Err(format!("no row of `{kind}`"))
+        } else {
+            Ok((f64::from(unmet), lines))
+        }
     }
 }
 
@@ -313,7 +337,10 @@ cycles-a,peer,1e-6,1,5,1e-7,0,c
 
     #[test]
     fn what_was_not_measured_is_named() {
-        assert_eq!(found("GSL's time over ours").measured, Err("no row `classes-random, gsl-complex_solve_cubic`".into()));
+        assert_eq!(
+            found("GSL's time over ours").measured,
+            Err("no row `classes-random, gsl-complex_solve_cubic`".into())
+        );
         assert_eq!(found("runs per second").measured, Err("no row `sweep, slipmode-simulate`".into()));
     }
 

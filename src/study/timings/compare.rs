@@ -51,7 +51,9 @@ pub(super) const ERRORS: [f64; 4] = [1e-4, 1e-6, 1e-8, 1e-10];
 
 /// What a work is a case of, when its methods have tolerances.
 fn kind(work: &str) -> Option<&'static str> {
-    ["cycles", "smooth"].into_iter().find(|kind| work.strip_prefix(kind).is_some_and(|rest| rest.starts_with('-')))
+    ["cycles", "smooth"]
+        .into_iter()
+        .find(|kind| work.strip_prefix(kind).is_some_and(|rest| rest.starts_with('-')))
 }
 
 /// Microseconds of one item.
@@ -82,9 +84,13 @@ pub(super) fn fastest<'r>(
     error: f64,
     wanted: impl Fn(&PeerRow) -> bool,
 ) -> Option<&'r PeerRow> {
-    let meets =
-        |row: &&&PeerRow| wanted(row) && row.wrong == 0 && row.error_value().is_some_and(|found| found <= error);
-    rows.iter().filter(meets).copied().min_by(|one, other| one.seconds_per_item().total_cmp(&other.seconds_per_item()))
+    let meets = |row: &&&PeerRow| {
+        wanted(row) && row.wrong == 0 && row.error_value().is_some_and(|found| found <= error)
+    };
+    rows.iter()
+        .filter(meets)
+        .copied()
+        .min_by(|one, other| one.seconds_per_item().total_cmp(&other.seconds_per_item()))
 }
 
 /// The cases of a kind, in the order of their names, each with its rows.

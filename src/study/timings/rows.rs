@@ -100,8 +100,7 @@ impl PeerRow {
 /// # Errors
 /// Every fault of the header, or the first of a row.
 pub fn read_peers(file: &str, text: &str) -> Result<Vec<PeerRow>, Faults> {
-    const COLUMNS: [&str; 8] =
-        ["work", "method", "tolerance", "items", "cpu_s", "error", "wrong", "command"];
+    const COLUMNS: [&str; 8] = ["work", "method", "tolerance", "items", "cpu_s", "error", "wrong", "command"];
     rows(file, text, &COLUMNS)?.iter().map(PeerRow::read).collect()
 }
 
@@ -121,7 +120,8 @@ pub fn read_cost(file: &str, text: &str) -> Result<Vec<CostRow>, Faults> {
             cpu_s: row.at_least_zero(3)?,
             peak_memory_kib: row.at_least_zero(4)?,
             form: row.optional(5, |row, column| {
-                Form::read(&row.text(column)).ok_or_else(|| row.fault(column, "`power`, or `beside` and a power"))
+                Form::read(&row.text(column))
+                    .ok_or_else(|| row.fault(column, "`power`, or `beside` and a power"))
             })?,
             asked: row.optional(6, SheetRow::positive)?,
             command: row.text(7),
@@ -147,7 +147,8 @@ mod tests {
 
     #[test]
     fn a_row_keeps_its_line_and_an_error_below_the_range_of_64_bits_is_zero() {
-        let rows = read_peers("peers.csv", &format!("{HEADER}w,slipmode-x,,4,2e0,1e-400,0,,,cargo bench\n")).unwrap();
+        let rows = read_peers("peers.csv", &format!("{HEADER}w,slipmode-x,,4,2e0,1e-400,0,,,cargo bench\n"))
+            .unwrap();
         assert_eq!((rows[0].line, rows[0].seconds_per_item(), rows[0].error_value()), (2, 0.5, Some(0.0)));
         assert!(rows[0].is_ours() && rows[0].tolerance.is_none());
     }

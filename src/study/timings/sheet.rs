@@ -57,7 +57,9 @@ impl SheetRow<'_> {
     /// A positive number.
     pub(super) fn positive(&self, column: usize) -> Result<f64, Faults> {
         let value = self.cells[column].parse::<f64>().ok();
-        value.filter(|value| value.is_finite() && *value > 0.0).ok_or_else(|| self.fault(column, "a number > 0"))
+        value
+            .filter(|value| value.is_finite() && *value > 0.0)
+            .ok_or_else(|| self.fault(column, "a number > 0"))
     }
 
     /// A number that is not negative.
