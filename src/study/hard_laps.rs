@@ -238,16 +238,20 @@ mod tests {
         assert!(outcomes.len() >= 10, "{}", outcomes.len());
         assert!(outcomes.iter().any(|found| found.case.log_trough < -149.0));
         for found in &outcomes {
-            for verdict in found.verdicts.iter().filter(|verdict| verdict.method == "Radau IIA 9") {
-                let answer = verdict.answer.as_ref().unwrap();
-                assert!(answer.error < 1e-9, "{:?} {verdict:?}", found.case);
-            }
-            // An implicit method that says it finished is right; a tolerance below rounding is met to rounding.
-            for verdict in found.verdicts.iter().filter(|verdict| verdict.method.starts_with("Radau")) {
+            let of = |method| found.verdicts.iter().filter(move |verdict| verdict.method == method);
+            for verdict in of("Radau IIA 9").chain(of("Radau IIA 13")) {
                 assert!(
-                    verdict.answer.as_ref().is_ok_and(|answer| answer.error < 1e-6),
+                    verdict.answer.as_ref().is_ok_and(|answer| answer.error < 1e-10),
                     "{:?} {verdict:?}",
                     found.case
+                );
+            }
+            // Low orders run out of steps where more is asked than 64 bits hold; what they answer is right.
+            for verdict in of("Radau IIA 5").chain(of("Rodas5P")) {
+                let answer = verdict.answer.as_ref();
+                assert!(
+                    answer.map_or(verdict.tolerance < 1e-15, |answer| answer.error < 1e-8),
+                    "{verdict:?}"
                 );
             }
         }
