@@ -82,7 +82,7 @@ fn wanted(context: &Context) -> Option<Table> {
             } else {
                 lines(found)
             },
-            Cell::text(format!("`cargo xtask bench --peers {}`", aim.bench)),
+            Cell::text(format!("cargo xtask bench --peers {}", aim.bench)),
         ]);
     }
     unless_empty(table)
@@ -236,7 +236,7 @@ fn law_row(ladder: &Ladder<'_>) -> Option<Vec<Cell>> {
         optional(top.asked),
         optional(top.asked.and_then(|size| at(&ladder.law, size))),
         lines(ladder.rows.iter().map(|row| row.line)),
-        Cell::text(format!("`{}`", top.command)),
+        Cell::text(&top.command),
     ])
 }
 

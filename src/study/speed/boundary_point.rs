@@ -104,6 +104,7 @@ fn digits_right(found: &Ball, reference: &Ball) -> f64 {
         return most;
     }
     let size = rug::Float::with_val(64, reference.centre().clone().abs().log10_ref());
+    // not f64: MPFR's.
     (size - difference.abs().log10()).to_f64().min(most)
 }
 

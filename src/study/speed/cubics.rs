@@ -145,8 +145,11 @@ fn digits_of(part: &Part, reference: &CertifiedRoots) -> f64 {
     let error = |root: &crate::roots::CertifiedRoot| {
         let precision = root.re.prec().max(64);
         let apart = |one: &Float, other: &Float| (one - other).complete(precision);
+        // not f64: MPFR's.
         let distance = apart(re, &root.re).hypot(&apart(im, &root.im));
+        // not f64: MPFR's.
         let modulus = root.re.clone().hypot(&root.im);
+        // not f64: MPFR's.
         if distance.is_zero() { f64::INFINITY } else { (modulus.log10() - distance.log10()).to_f64() }
     };
     let most = reference.roots.iter().map(error).fold(f64::NEG_INFINITY, f64::max);

@@ -3,7 +3,8 @@
 //! The bounds stand here as they were set before anything was measured; whether one is met is computed from the rows.
 
 use super::PeerRow;
-use super::compare::{ERRORS, cases, fastest};
+use super::compare::fastest;
+use super::lookup::{Measured, Rows, error};
 
 /// A bound that a measured number has to keep.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -41,11 +42,6 @@ pub struct Aim {
     /// What it was hoped to be.
     pub aim: Option<Bound>,
 }
-
-type Measured = Result<(f64, Vec<usize>), String>;
-
-/// Looks up rows.
-struct Rows<'r>(&'r [PeerRow]);
 
 use Bound::{AtLeast, AtMost};
 
@@ -129,9 +125,17 @@ fn roots(rows: &Rows<'_>) -> Vec<Aim> {
         let over = rows.least_ratio([&random, &hard], "flint-complex_roots", ours);
         let work = format!("roots, {digits} digits");
         aims.push(aim(&work, "FLINT's time over ours", over, Some(AtLeast(5.0)), Some(AtLeast(10.0))));
-        let slower = rows.ratio((&hard, ours), (&random, ours));
-        aims.push(aim(&work, "hard over random cubics", slower, Some(AtMost(2.0)), Some(AtMost(1.5))));
     }
+    let slower = rows.most_ratio(
+        [50, 100, 1000].map(|digits| ["hard", "random"].map(|set| (format!("roots-{digits}-{set}"), ours))),
+    );
+    aims.push(aim(
+        "roots, 50 to 1000 digits",
+        "hard over random cubics, worst",
+        slower,
+        Some(AtMost(2.0)),
+        Some(AtMost(1.5)),
+    ));
     let most = ["roots-10000-random", "roots-10000-hard"];
     let over = rows.least_ratio(most, "pari-polroots", ours);
     aims.push(aim(
@@ -211,98 +215,6 @@ fn rate(row: &PeerRow) -> f64 {
 
 fn wrong(row: &PeerRow) -> f64 {
     row.wrong as f64
-}
-
-/// The error; a row without one counts as without limit, so that nothing is met by it.
-fn error(row: &PeerRow) -> f64 {
-    row.error_value().unwrap_or(f64::INFINITY)
-}
-
-impl<'r> Rows<'r> {
-    fn find(&self, work: &str, method: &str) -> Result<&'r PeerRow, String> {
-        let found = self.0.iter().find(|row| row.work == work && row.method == method);
-        found.ok_or_else(|| format!("no row `{work}, {method}`"))
-    }
-
-    fn works(&self, work: &str) -> Vec<&'r PeerRow> {
-        self.0.iter().filter(|row| row.work == work).collect()
-    }
-
-    fn of(&self, work: &str, method: &str, quantity: fn(&PeerRow) -> f64) -> Measured {
-        self.find(work, method).map(|row| (quantity(row), vec![row.line]))
-    }
-
-    /// The worst of a quantity over several rows, all of which must be there.
-    fn reduce<'n>(
-        &self,
-        wanted: impl IntoIterator<Item = (&'n str, &'n str)>,
-        quantity: fn(&PeerRow) -> f64,
-        pick: fn(f64, f64) -> f64,
-    ) -> Measured {
-        let rows = wanted.into_iter().map(|(work, method)| self.find(work, method));
-        let rows = rows.collect::<Result<Vec<_>, _>>()?;
-        let value = rows.iter().map(|row| quantity(row)).reduce(pick).ok_or("nothing asked for")?;
-        Ok((value, rows.iter().map(|row| row.line).collect()))
-    }
-
-    /// The time of one item of the first over that of the second.
-    fn ratio(&self, over: (&str, &str), under: (&str, &str)) -> Measured {
-        let (over, under) = (self.find(over.0, over.1)?, self.find(under.0, under.1)?);
-        Ok((over.seconds_per_item() / under.seconds_per_item(), vec![over.line, under.line]))
-    }
-
-    fn least_ratio<'n>(
-        &self,
-        works: impl IntoIterator<Item = &'n (impl AsRef<str> + ?Sized + 'n)>,
-        peer: &str,
-        ours: &str,
-    ) -> Measured {
-        let mut least: Measured = Err("nothing asked for".into());
-        for work in works {
-            let (ratio, lines) = self.ratio((work.as_ref(), peer), (work.as_ref(), ours))?;
-            if !least.as_ref().is_ok_and(|(known, _)| *known <= ratio) {
-                least = Ok((ratio, lines));
-            }
-        }
-        least
-    }
-
-    /// Over all cases of a kind and all errors, the least of the best peer's time over ours; a peer that does not reach an error is
-    /// no peer there, and an error that none of ours reaches counts as infinitely slow.
-    fn least_over_peers(&self, kind: &str) -> Measured {
-        let mut least: Measured = Err(format!("no case of `{kind}` that a peer reaches"));
-        for (rows, most) in cases(self.0, kind).values().flat_map(|rows| ERRORS.map(|most| (rows, most))) {
-            let Some(peer) = fastest(rows, most, |row| !row.is_ours()) else { continue };
-            let ours = fastest(rows, most, PeerRow::is_ours);
-            let ratio = ours.map_or(0.0, |ours| peer.seconds_per_item() / ours.seconds_per_item());
-            if !least.as_ref().is_ok_and(|(known, _)| *known <= ratio) {
-                let lines = [Some(peer), ours].into_iter().flatten().map(|row| row.line).collect();
-                least = Ok((ratio, lines));
-            }
-        }
-        least
-    }
-
-    /// Cases and tolerances from 1e-4 to 1e-10 at which no method of ours ended with an error of at most ten tolerances.
-    fn unmet(&self, kind: &str) -> Measured {
-        let (mut unmet, mut lines) = (0, Vec::new());
-        for (rows, tolerance) in cases(self.0, kind).values().flat_map(|rows| ERRORS.map(|most| (rows, most)))
-        {
-            let asked = |row: &&&PeerRow| {
-                row.is_ours() && row.tolerance.is_some_and(|asked| (asked / tolerance - 1.0).abs() < 1e-3)
-            };
-            let ours: Vec<&&PeerRow> = rows.iter().filter(asked).collect();
-            if !ours.iter().any(|row| row.wrong == 0 && error(row) <= 10.0 * tolerance) {
-                unmet += 1;
-                lines.extend(ours.iter().map(|row| row.line));
-            }
-        }
-        if cases(self.0, kind).is_empty() {
-            Err(format!("no row of `{kind}`"))
-        } else {
-            Ok((f64::from(unmet), lines))
-        }
-    }
 }
 
 #[cfg(test)]

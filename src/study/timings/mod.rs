@@ -5,6 +5,7 @@
 mod aims;
 mod compare;
 mod law;
+mod lookup;
 mod rows;
 mod sheet;
 
