@@ -6,6 +6,9 @@ mod axes;
 mod boundary_tables;
 mod deviation;
 mod deviation_tables;
+mod explorer;
+mod explorer_formulas;
+mod explorer_tables;
 mod figures;
 mod frequency;
 mod least_peak;
@@ -34,5 +37,6 @@ mod trajectory_tables;
 
 pub use boundary_tables::{boundary_columns, boundary_row, vanishes};
 pub use deviation_tables::place_of_limit;
+pub use explorer::{Control, Explorer, FormulaRow, PointRow, Varying, Window, explorer};
 pub use figures::{Figure, FigureMaker, figure_makers};
 pub use tables::{TableMaker, table_makers};

@@ -6,6 +6,7 @@ mod boundary;
 mod comparison;
 mod cycle_families;
 mod error_bound;
+mod families;
 mod first_swing;
 #[cfg(test)]
 mod fixtures;
@@ -53,6 +54,7 @@ pub use comparison::{
 };
 pub use cycle_families::{AmplitudeDeviation, CycleFamilyOutcome, FamilyCycle};
 pub use error_bound::{BoundCheck, error_bound};
+pub use families::{Factors, Families, NamedPoint, PointState};
 pub use frequency::{FrequencyLine, FrequencyOutcome, frequency_lines};
 pub use grid::Grid;
 pub use hard_case_methods::{Method, MethodScore};

@@ -12,6 +12,7 @@ mod classify;
 mod compare;
 mod compare_bad;
 mod digit_for_digit;
+mod explore;
 mod full_disk;
 mod grid;
 mod hard_cases;

@@ -14,7 +14,8 @@ use crate::{machine, process, repository, verify};
 /// What a judge is asked about: one report, made afresh.
 struct Made {
     folder: PathBuf,
-    page: PathBuf,
+    /// The report's page, and the explorers of its scenes.
+    pages: Vec<PathBuf>,
     archive: PathBuf,
 }
 
@@ -88,8 +89,29 @@ fn make(name: &str) -> Result<Made, Failure> {
     let folder = format!("reports/{name}");
     process::check(process::cargo(&run).args(["report", &folder]))?;
     process::check(process::cargo(&run).args(["archive", &folder, "--output"]).arg(&archive))?;
+    let mut pages = explorers(name)?;
     let folder = repository::root().join("target/report").join(name);
-    Ok(Made { page: folder.join("index.html"), folder, archive })
+    pages.insert(0, folder.join("index.html"));
+    Ok(Made { pages, folder, archive })
+}
+
+/// An explorer for each scene of a report that has a slider and a map.
+fn explorers(name: &str) -> Result<Vec<PathBuf>, Failure> {
+    let scenes = repository::root().join("reports").join(name).join("scenes");
+    let cannot = |error: std::io::Error| Failure::bad_input(format!("{}: {error}", scenes.display()));
+    let entries = fs::read_dir(&scenes).map_err(cannot)?.collect::<Result<Vec<_>, _>>().map_err(cannot)?;
+    let mut paths: Vec<PathBuf> = entries.into_iter().map(|entry| entry.path()).collect();
+    paths.sort();
+    let mut pages = Vec::new();
+    for scene in paths {
+        if fs::read_to_string(&scene).map_err(cannot)?.contains("\n[map]") {
+            let page = workshop()?.join(scene.with_extension("html").file_name().unwrap_or_default());
+            let run = ["run", "--release", "--locked", "--quiet", "--bin", "slipmode", "--", "explore"];
+            process::check(process::cargo(&run).arg(&scene).arg("--output").arg(&page))?;
+            pages.push(page);
+        }
+    }
+    Ok(pages)
 }
 
 /// The programs of which no spelling is found, after an attempt to install them.
@@ -186,13 +208,13 @@ fn nu_html_checker(made: &Made) -> Result<Vec<Command>, Failure> {
         .arg("-jar")
         .arg(node_modules()?.join("vnu-jar/build/dist/vnu.jar"))
         .arg("--errors-only")
-        .arg(&made.page);
+        .args(&made.pages);
     Ok(vec![command])
 }
 
 fn html_validate(made: &Made) -> Result<Vec<Command>, Failure> {
     let mut command = node_tool("html-validate")?;
-    command.arg("--config").arg(definition("html-validate.json")).arg(&made.page);
+    command.arg("--config").arg(definition("html-validate.json")).args(&made.pages);
     Ok(vec![command])
 }
 
@@ -200,7 +222,7 @@ fn pages_in_browser(made: &Made) -> Result<Vec<Command>, Failure> {
     node_modules()?;
     let browser = find(BROWSER).unwrap_or_else(|| Path::new("chromium").to_path_buf());
     let mut command = Command::new("node");
-    command.arg("pages.mjs").arg(browser).arg(&made.page).current_dir(workshop()?);
+    command.arg("pages.mjs").arg(browser).args(&made.pages).current_dir(workshop()?);
     Ok(vec![command])
 }
 
