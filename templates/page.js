@@ -140,10 +140,10 @@
     });
   }
 
-  // Paper has no folds: all claims are printed open and are as they were afterwards.
+  // Paper has no folds: all claims are printed open and are as they were afterwards. Certificates stay in report.md.
   let folded = [];
   addEventListener("beforeprint", () => {
-    folded = [...document.querySelectorAll("details:not([open])")];
+    folded = [...document.querySelectorAll("details:not([open]):not(.certificate)")];
     for (const part of folded) part.open = true;
   });
   addEventListener("afterprint", () => {
