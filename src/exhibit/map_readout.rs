@@ -26,12 +26,12 @@ pub(super) fn simulated_readout<P: Borrow<SimulatedPoint>>(
     grid: &Grid<P>,
     boundary: &BoundaryOutcome,
 ) -> Readout {
-    let sentence = format!("{THEORY} Simulated: {{4}}.");
+    let sentence = format!("{THEORY} Simulated: {{4}}, peak {{5}} V_l.");
     words(grid, &boundary.points, &sentence, |velocity, point| {
         let point = point.borrow();
         let theory_says =
             theory((point.theory.slip_mode, point.theory.max_imaginary_per_s.to_f64().unwrap_or(0.0)));
-        theory_says.into_iter().chain([simulated(velocity, point)]).collect()
+        theory_says.into_iter().chain(simulated(velocity, point)).collect()
     })
 }
 
@@ -66,14 +66,14 @@ fn theory((mode, frequency): (SlipMode, f64)) -> [String; 2] {
     [mode.words().into(), three_digits(frequency)]
 }
 
-/// What a run did, with its largest velocity over the loading velocity.
-fn simulated(velocity: f64, point: &SimulatedPoint) -> String {
-    let Ok(run) = &point.simulation else { return "no result".into() };
+/// What a run did, and its largest velocity over the loading velocity.
+fn simulated(velocity: f64, point: &SimulatedPoint) -> [String; 2] {
+    let Ok(run) = &point.simulation else { return ["no result".into(), "–".into()] };
     let late = match run.behaviour {
         Behaviour::Periodic => "a limit cycle",
         Behaviour::Decaying => "ends in steady sliding",
     };
-    format!("{late}, peak {} V_l", three_digits(run.peak_velocity_m_per_s / velocity))
+    [late.into(), three_digits(run.peak_velocity_m_per_s / velocity)]
 }
 
 /// Evenly spaced places among `count`, the first and the last among them.
