@@ -14,6 +14,7 @@ mod hard;
 mod random;
 mod row;
 mod smooth;
+mod suite;
 mod sweep;
 
 use std::path::Path;
@@ -30,6 +31,7 @@ fn play(work: &str, folder: &Path) -> bool {
         ("cycles", _) => cycles::play(folder),
         ("smooth", _) => smooth::play(folder),
         ("sweep", _) => sweep::play(folder),
+        ("hard", _) => suite::play(folder),
         _ => return false,
     }
     true

@@ -8,9 +8,12 @@ use slipmode::archive::{Files, sha256_hex};
 use slipmode::claims::known_ids;
 use slipmode::report::{Folder, InputView};
 use slipmode::scene::{
-    Fault, Faults, Limits, Problem, ReportPlan, Scene, check_distinct_scene_names, file_text, read_claims,
+    Fault, Faults, Limits, Problem, ReportPlan, Scene, TimingsSection, check_distinct_scene_names, file_text,
+    read_claims,
 };
-use slipmode::study::{References, read_hard_cases};
+use slipmode::study::{
+    References, Timings, read_cost, read_hard_cases, read_hard_laps, read_machine, read_peers,
+};
 use slipmode::theory::PaperEquations;
 
 use crate::cli::input::{read_small_file, unreadable};
@@ -93,7 +96,7 @@ pub fn read_report_from(source: Source, limits: Limits) -> Result<(Folder, Files
         let text = reader.read(&format!("prose/{file}"), |file, bytes, _| read_prose(file, bytes));
         prose.extend(text.map(|text| (file.clone(), text)));
     }
-    let references = reader.references(&scenes, "vectors");
+    let references = reader.references(&scenes, ["vectors/", "timings/"]);
     match (plan, claims, equations) {
         (Some(plan), Some(claims), Some(equations)) if reader.faults.is_empty() => {
             let inputs = reader.inputs;
@@ -122,11 +125,11 @@ pub fn read_scene(path: &Path, limits: Limits) -> Result<LoneScene, Faults> {
     let bytes = read_small_file(path).map_err(|fault| vec![fault])?;
     let scene = Scene::parse(&path.display().to_string(), &bytes, &limits)?;
     let beside = path.parent().unwrap_or(Path::new(""));
-    let report_vectors =
-        beside.parent().map(|report| report.join("vectors")).filter(|folder| folder.is_dir());
-    let place = report_vectors.unwrap_or_else(|| beside.to_path_buf());
-    let mut reader = Reader::new(Source::Folder(place), limits);
-    let references = reader.references(std::slice::from_ref(&scene), "");
+    let folders = ["vectors/", "timings/"];
+    let report = beside.parent().filter(|report| folders.iter().any(|folder| report.join(folder).is_dir()));
+    let (place, folders) = report.map_or((beside, ["", ""]), |report| (report, folders));
+    let mut reader = Reader::new(Source::Folder(place.to_path_buf()), limits);
+    let references = reader.references(std::slice::from_ref(&scene), folders);
     if !reader.faults.is_empty() {
         return Err(reader.faults);
     }
@@ -167,18 +170,38 @@ impl Reader {
         parsed.map_err(|faults| self.faults.extend(faults)).ok()
     }
 
-    /// The files that scenes name, from one folder below the root.
-    fn references(&mut self, scenes: &[Scene], folder: &str) -> References {
+    /// The files that scenes name, from the folders of vectors and of times.
+    fn references(&mut self, scenes: &[Scene], [vectors, timings]: [&str; 2]) -> References {
         let named = scenes.iter().filter_map(|scene| scene.hard_cases.as_ref());
         let mut references = References::default();
         for file in named.map(|section| section.file.clone()).collect::<BTreeSet<_>>() {
-            let path = if folder.is_empty() { file.clone() } else { format!("{folder}/{file}") };
-            let cases = self.read(&path, |name, bytes, _| {
-                read_hard_cases(name, file_text(name, bytes).map_err(|fault| vec![fault])?)
-            });
+            let cases = self.read_text(&format!("{vectors}{file}"), read_hard_cases);
             references.hard_cases.extend(cases.map(|cases| (file, cases)));
         }
+        let named = scenes.iter().filter_map(|scene| scene.hard_cases.as_ref()?.laps.clone());
+        for file in named.collect::<BTreeSet<_>>() {
+            let laps = self.read_text(&format!("{vectors}{file}"), read_hard_laps);
+            references.hard_laps.extend(laps.map(|laps| (file, laps)));
+        }
+        for section in scenes.iter().filter_map(|scene| scene.timings.as_ref()) {
+            let found = self.timings(section, timings);
+            references.timings.extend(found.map(|found| (section.clone(), found)));
+        }
         references
+    }
+
+    /// The three files of times.
+    fn timings(&mut self, section: &TimingsSection, folder: &str) -> Option<Timings> {
+        let peers = self.read_text(&format!("{folder}{}", section.peers), read_peers);
+        let cost = self.read_text(&format!("{folder}{}", section.cost), read_cost);
+        let machine = self.read_text(&format!("{folder}{}", section.machine), read_machine);
+        let (peers_file, cost_file) = (section.peers.clone(), section.cost.clone());
+        Some(Timings { peers_file, peers: peers?, cost_file, cost: cost?, machine: machine? })
+    }
+
+    /// Reads a file as text.
+    fn read_text<T>(&mut self, path: &str, parse: fn(&str, &str) -> Result<T, Faults>) -> Option<T> {
+        self.read(path, |name, bytes, _| parse(name, file_text(name, bytes).map_err(|fault| vec![fault])?))
     }
 }
 

@@ -19,6 +19,7 @@ pub struct TableMaker {
 const ROOMS: &[&[TableMaker]] = &[
     crate::exhibit::boundary_tables::TABLES,
     crate::exhibit::deviation_tables::TABLES,
+    crate::exhibit::hard_lap_tables::TABLES,
     crate::exhibit::linear_regime::TABLES,
     crate::exhibit::mode_tables::TABLES,
     crate::exhibit::near_transition_tables::TABLES,
@@ -27,8 +28,10 @@ const ROOMS: &[&[TableMaker]] = &[
     crate::exhibit::onset_tables::TABLES,
     crate::exhibit::planted_fault_tables::TABLES,
     crate::exhibit::simulation_tables::TABLES,
+    crate::exhibit::speed_tables::TABLES,
     crate::exhibit::start_tables::TABLES,
     crate::exhibit::theory_tables::TABLES,
+    crate::exhibit::timing_tables::TABLES,
     crate::exhibit::trajectory_tables::TABLES,
 ];
 

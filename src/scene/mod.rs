@@ -23,6 +23,7 @@ mod schema;
 mod section;
 mod sections;
 mod simulations;
+mod speed;
 mod sweep;
 mod trajectories;
 
@@ -45,5 +46,6 @@ pub use sections::{
     BoundarySection, EffectRatioSweep, FrequencySection, HardCases, Rectangle, ToleranceSection,
 };
 pub use simulations::SimulationsSection;
+pub use speed::{SpeedCountsSection, TimingsSection};
 pub use sweep::{Coordinate, MOST_SWEEP_POINTS, Spacing, Span, SweepPoints, SweepSection, SweepWork};
 pub use trajectories::{TrajectoriesSection, TrajectoryPoint};

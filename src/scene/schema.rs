@@ -7,8 +7,8 @@ use crate::scene::sections::{NAME_RULE, safe_name};
 use crate::scene::{
     AllowedRange, BoundarySection, EffectRatioSweep, ErrorBoundSection, Faults, FrequencySection, HardCases,
     Limits, LinearRegimeSection, NearTransition, OnsetSection, OriginalSchemeSection, Problem, Quantity,
-    Rectangle, SceneParameters, SimulationsSection, StartSensitivitySection, SweepSection, ToleranceSection,
-    TrajectoriesSection, WorkPrecisionSection,
+    Rectangle, SceneParameters, SimulationsSection, SpeedCountsSection, StartSensitivitySection,
+    SweepSection, TimingsSection, ToleranceSection, TrajectoriesSection, WorkPrecisionSection,
 };
 
 /// What a user asks for: valid, exact, and nothing that was not asked.
@@ -54,6 +54,10 @@ pub struct Scene {
     pub work_precision: Option<WorkPrecisionSection>,
     /// `[error_bound]`: stated errors against true ones.
     pub error_bound: Option<ErrorBoundSection>,
+    /// `[speed_counts]`: work against error, by counts.
+    pub speed_counts: Option<SpeedCountsSection>,
+    /// `[timings]`: files with times that other commands measured.
+    pub timings: Option<TimingsSection>,
     /// `[sweep]`: points for many machines, and what is computed at each.
     pub sweep: Option<SweepSection>,
 }
@@ -109,6 +113,8 @@ fn read_scene(top: &mut Section<'_>, limits: &Limits, faults: &mut Faults) -> Op
         top.optional("original_scheme").map(|entry| OriginalSchemeSection::read(&entry, limits, faults));
     let work = top.optional("work_precision").map(|entry| WorkPrecisionSection::read(&entry, faults));
     let bound = top.optional("error_bound").map(|entry| ErrorBoundSection::read(&entry, limits, faults));
+    let counts = top.optional("speed_counts").map(|entry| SpeedCountsSection::read(&entry, limits, faults));
+    let timings = top.optional("timings").map(|entry| TimingsSection::read(&entry, faults));
     let read = parameters.as_ref().map(Option::as_ref);
     let shared = top.optional("sweep").map(|entry| SweepSection::read(&entry, read, faults));
     Some(Scene {
@@ -132,6 +138,8 @@ fn read_scene(top: &mut Section<'_>, limits: &Limits, faults: &mut Faults) -> Op
         original_scheme: given(original)?,
         work_precision: given(work)?,
         error_bound: given(bound)?,
+        speed_counts: given(counts)?,
+        timings: given(timings)?,
         sweep: given(shared)?,
     })
 }
@@ -159,6 +167,7 @@ const NEED_PARAMETERS: &[&str] = &[
     "near_transition",
     "original_scheme",
     "work_precision",
+    "speed_counts",
 ];
 
 /// The sections that only mean something for a slider with a critical normal stress.

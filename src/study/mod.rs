@@ -14,6 +14,7 @@ mod frequency;
 mod grid;
 mod hard_case_methods;
 mod hard_cases;
+mod hard_laps;
 mod least_peak;
 mod linear_modes;
 mod linear_regime;
@@ -35,11 +36,13 @@ mod scheme_stability;
 mod search;
 mod simulations;
 mod snapshots;
+mod speed;
 mod start_sensitivity;
 mod steady_sliding;
 mod sweep;
 mod sweep_points;
 mod thinning;
+mod timings;
 mod tolerance;
 mod trajectories;
 mod work_precision;
@@ -59,6 +62,7 @@ pub use frequency::{FrequencyLine, FrequencyOutcome, frequency_lines};
 pub use grid::Grid;
 pub use hard_case_methods::{Method, MethodScore};
 pub use hard_cases::{FamilyOutcome, HardCase, compare_hard_cases, read_hard_cases};
+pub use hard_laps::{HardLap, LapAnswer, LapOutcome, LapVerdict, read_hard_laps, run_hard_laps};
 pub use least_peak::{FLATNESS_LEVELS, LeastPeak, SIDE_WIDTH, least_peaks};
 pub use linear_modes::Direction;
 pub use linear_regime::{LinearRegimeOutcome, Mismatch, ModeRuns, linear_regime};
@@ -77,10 +81,15 @@ pub use scheme_least_peak::SchemeLeastPeak;
 pub use scheme_run::{AFFORDABLE_STEPS, LatePeak};
 pub use scheme_stability::{SchemeMapRow, SchemeTransition, critical_shift};
 pub use simulations::{SimulatedPoint, SimulationsOutcome, simulations};
+pub use speed::{BoundaryCount, ClassCounts, MethodCount, RootCount, SpeedCounts, SweepCount, speed_counts};
 pub use start_sensitivity::{Early, StartGroup, StartRun, start_sensitivity};
 pub use steady_sliding::{SteadyRun, steady_sliding};
 pub use sweep::{SweepOutcome, SweepRow, sweep_effect_ratio};
 pub use sweep_points::{PointSource, Varying};
+pub use timings::{
+    Aim, Bound, CostRow, Form, Ladder, Law, MachineRow, PeerGroup, PeerRow, Reached, Timings, aims,
+    cycle_groups, ladders, micro, read_cost, read_machine, read_peers, work_groups,
+};
 pub use tolerance::{ToleranceOutcome, ToleranceRow, tolerance_limits};
 pub use trajectories::{Course, DRAWING_TOLERANCE, Moment, TrajectoryRun, trajectories};
 pub use work_precision::{

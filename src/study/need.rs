@@ -19,6 +19,8 @@ pub enum Need {
     Zones,
     /// Points with references from independent programs.
     HardCases,
+    /// Laps with references from an independent program.
+    HardLaps,
     /// The nonlinear slider on a (V, σ) grid.
     Simulations,
     /// Small disturbances along the eigenvectors, and steady sliding itself.
@@ -37,6 +39,10 @@ pub enum Need {
     WorkPrecision,
     /// Stated errors against true ones.
     ErrorBound,
+    /// Work against error of roots, classes, boundary points and sweeps.
+    SpeedCounts,
+    /// Times that other commands measured.
+    Timings,
 }
 
 impl Need {
@@ -49,6 +55,7 @@ impl Need {
         Self::Tolerance,
         Self::Zones,
         Self::HardCases,
+        Self::HardLaps,
         Self::Simulations,
         Self::LinearRegime,
         Self::StartSensitivity,
@@ -58,6 +65,8 @@ impl Need {
         Self::OriginalScheme,
         Self::WorkPrecision,
         Self::ErrorBound,
+        Self::SpeedCounts,
+        Self::Timings,
     ];
 
     /// The stable name used in the ids of work items.
@@ -71,6 +80,7 @@ impl Need {
             Need::Tolerance => "tolerance",
             Need::Zones => "zones",
             Need::HardCases => "hard-cases",
+            Need::HardLaps => "hard-laps",
             Need::Simulations => "simulations",
             Need::LinearRegime => "linear-regime",
             Need::StartSensitivity => "start-sensitivity",
@@ -80,6 +90,8 @@ impl Need {
             Need::OriginalScheme => "original-scheme",
             Need::WorkPrecision => "work-precision",
             Need::ErrorBound => "error-bound",
+            Need::SpeedCounts => "speed-counts",
+            Need::Timings => "timings",
         }
     }
 }

@@ -3,11 +3,12 @@
 use std::collections::BTreeMap;
 
 use crate::number::Rational;
-use crate::scene::{Scene, SceneParameters};
+use crate::scene::{Scene, SceneParameters, TimingsSection};
 use crate::study::{
-    BoundCheck, BoundaryOutcome, FamilyOutcome, FrequencyOutcome, Grid, HardCase, LinearRegimeOutcome,
-    MapPoint, NearTransitionOutcome, OnsetOutcome, OriginalSchemeOutcome, SimulationsOutcome, StartGroup,
-    SweepOutcome, ToleranceOutcome, TrajectoryRun, WorkCase, ZonesOutcome,
+    BoundCheck, BoundaryOutcome, FamilyOutcome, FrequencyOutcome, Grid, HardCase, HardLap, LapOutcome,
+    LinearRegimeOutcome, MapPoint, NearTransitionOutcome, OnsetOutcome, OriginalSchemeOutcome,
+    SimulationsOutcome, SpeedCounts, StartGroup, SweepOutcome, Timings, ToleranceOutcome, TrajectoryRun,
+    WorkCase, ZonesOutcome,
 };
 
 /// Everything computed for one scene; what nobody needed is absent.
@@ -29,6 +30,8 @@ pub struct SceneOutcome {
     pub zones: Option<ZonesOutcome>,
     /// How its hard cases fared.
     pub hard_cases: Option<Vec<FamilyOutcome>>,
+    /// How its hard laps fared.
+    pub hard_laps: Option<Vec<LapOutcome>>,
     /// Its simulations.
     pub simulations: Option<SimulationsOutcome>,
     /// Its small disturbances, and steady sliding itself.
@@ -47,6 +50,10 @@ pub struct SceneOutcome {
     pub work_precision: Option<Vec<WorkCase>>,
     /// Stated errors against true ones.
     pub error_bound: Option<Vec<BoundCheck>>,
+    /// Work against error, by counts.
+    pub speed_counts: Option<SpeedCounts>,
+    /// Times that other commands measured.
+    pub timings: Option<Timings>,
 }
 
 impl SceneOutcome {
@@ -62,6 +69,7 @@ impl SceneOutcome {
             tolerance: None,
             zones: None,
             hard_cases: None,
+            hard_laps: None,
             simulations: None,
             linear_regime: None,
             start_sensitivity: None,
@@ -71,6 +79,8 @@ impl SceneOutcome {
             original_scheme: None,
             work_precision: None,
             error_bound: None,
+            speed_counts: None,
+            timings: None,
         }
     }
 
@@ -117,6 +127,10 @@ impl Outcome {
 pub struct References {
     /// Hard cases by file name.
     pub hard_cases: BTreeMap<String, Vec<HardCase>>,
+    /// Hard laps by file name.
+    pub hard_laps: BTreeMap<String, Vec<HardLap>>,
+    /// Times by the section that names their files.
+    pub timings: BTreeMap<TimingsSection, Timings>,
 }
 
 /// b/a of a slider.

@@ -46,6 +46,7 @@ fn states(scene: &Scene, need: Need) -> bool {
         Need::Tolerance => scene.tolerance.is_some(),
         Need::Zones => scene.zones.is_some(),
         Need::HardCases => scene.hard_cases.is_some(),
+        Need::HardLaps => scene.hard_cases.as_ref().is_some_and(|section| section.laps.is_some()),
         Need::Simulations => scene.simulations.is_some(),
         Need::LinearRegime => scene.linear_regime.is_some(),
         Need::StartSensitivity => scene.start_sensitivity.is_some(),
@@ -55,5 +56,7 @@ fn states(scene: &Scene, need: Need) -> bool {
         Need::OriginalScheme => scene.original_scheme.is_some(),
         Need::WorkPrecision => scene.work_precision.is_some(),
         Need::ErrorBound => scene.error_bound.is_some(),
+        Need::SpeedCounts => scene.speed_counts.is_some(),
+        Need::Timings => scene.timings.is_some(),
     }
 }

@@ -5,8 +5,8 @@ use crate::stability::InertialThreshold;
 use crate::study::{
     Item, Need, Needs, Outcome, References, SceneOutcome, boundary_outcome, classify_rectangle,
     compare_hard_cases, compare_zones, error_bound, frequency_lines, linear_regime, near_transition, onset,
-    original_scheme, plan, simulations, start_sensitivity, sweep_effect_ratio, tolerance_limits,
-    trajectories, work_precision,
+    original_scheme, plan, run_hard_laps, simulations, speed_counts, start_sensitivity, sweep_effect_ratio,
+    tolerance_limits, trajectories, work_precision,
 };
 
 /// Hears of each item that is about to be computed: its id, its number and how many there are.
@@ -73,6 +73,11 @@ fn compute(item: &Item, outcome: &mut SceneOutcome, references: &References) {
                 scene.hard_cases.as_ref().and_then(|section| references.hard_cases.get(&section.file));
             outcome.hard_cases = cases.map(|cases| compare_hard_cases(cases));
         }
+        Need::HardLaps => {
+            let file = scene.hard_cases.as_ref().and_then(|section| section.laps.as_ref());
+            let laps = file.and_then(|file| references.hard_laps.get(file));
+            outcome.hard_laps = laps.map(|laps| run_hard_laps(laps));
+        }
         Need::Simulations => {
             outcome.simulations = parameters
                 .zip(scene.simulations.as_ref())
@@ -114,5 +119,14 @@ fn compute(item: &Item, outcome: &mut SceneOutcome, references: &References) {
                 .map(|(parameters, section)| work_precision(parameters, section));
         }
         Need::ErrorBound => outcome.error_bound = scene.error_bound.as_ref().map(error_bound),
+        Need::SpeedCounts => {
+            outcome.speed_counts = parameters
+                .zip(scene.speed_counts.as_ref())
+                .map(|(parameters, section)| speed_counts(parameters, section));
+        }
+        Need::Timings => {
+            outcome.timings =
+                scene.timings.as_ref().and_then(|section| references.timings.get(section)).cloned();
+        }
     }
 }

@@ -6,8 +6,8 @@
 use rayon::prelude::*;
 
 use crate::dynamics::{
-    Control, Integrator, Late, Model, OriginalScheme, Radau, Rodas5P, Scalar, Start, State, Stepper, Taylor,
-    run_lap, settle,
+    Control, Failure, Integrator, Late, Model, OriginalScheme, Radau, Rodas5P, Scalar, Start, State, Stepper,
+    Taylor, run_lap, settle,
 };
 use crate::friction::EvolutionLaw;
 use crate::number::Dd;
@@ -69,13 +69,27 @@ pub fn lap_of<R: Scalar, M: Stepper<R> + Clone>(
     section: &State<f64>,
     local_tolerance: f64,
 ) -> Option<Lapped<R>> {
-    let control = Control { local_tolerance, most_steps: MOST_STEPS };
+    lap_within(model, method, section, local_tolerance, MOST_STEPS).ok()
+}
+
+/// One lap of a method in at most so many steps.
+///
+/// # Errors
+/// Why it does not finish.
+pub(super) fn lap_within<R: Scalar, M: Stepper<R> + Clone>(
+    model: &Model<R>,
+    method: M,
+    section: &State<f64>,
+    local_tolerance: f64,
+    most_steps: u64,
+) -> Result<Lapped<R>, Failure> {
+    let control = Control { local_tolerance, most_steps };
     let start: State<R> = std::array::from_fn(|i| R::from_f64(section[i]));
-    let mut run = Integrator::new(model, method, start, control).ok()?;
-    let (lap, _) = run_lap(&mut run).ok()?;
+    let mut run = Integrator::new(model, method, start, control)?;
+    let (lap, _) = run_lap(&mut run)?;
     let (accepted, refused) = run.step_counts();
     let evaluations = run.method().evaluations();
-    Some(Lapped { peak: lap.peak, duration: lap.duration, steps: accepted + refused, evaluations })
+    Ok(Lapped { peak: lap.peak, duration: lap.duration, steps: accepted + refused, evaluations })
 }
 
 /// A method: its name, and its lap from a state at a local tolerance.

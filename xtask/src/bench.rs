@@ -11,12 +11,13 @@ use crate::{machine, process};
 use players::Player;
 
 /// Everything that `--peers` does, in the order of the table.
-const WORKS: [&str; 17] = [
+const WORKS: [&str; 18] = [
     "classes-random",
     "classes-grid",
     "classes-disc",
     "classes-hopf",
     "classes-cusp",
+    "hard-cases",
     "roots-50-random",
     "roots-50-hard",
     "roots-100-random",

@@ -3,7 +3,7 @@
 //! Every number is measured on the release build of the command line, one process at a time. A law is fitted to the CPU
 //! times of each ladder but its top rung (wall times tell of the machine's other work too); what it says of the top is printed
 //! beside what was measured there. The result is a CSV and a
-//! Markdown file under `target/cost/`; nothing of it enters what `verify` compares.
+//! Markdown file under `bench-results/`, which enter a report only by `cargo xtask timings`.
 
 mod fit;
 mod ladders;
@@ -13,7 +13,7 @@ use std::fmt::Write as _;
 use std::fs;
 
 use crate::failure::Failure;
-use crate::{machine, process, repository, verify};
+use crate::{machine, measured_on, repository, verify};
 use fit::{Form, Law};
 use ladders::Ladder;
 use measure::Measured;
@@ -45,25 +45,31 @@ pub fn run() -> Result<(), Failure> {
         climbed.push(Climbed { ladder, measured });
     }
     let report = markdown(&climbed);
+    let results = measured_on::folder();
+    fs::create_dir_all(&results).map_err(|error| cannot_write(&error))?;
     for (name, text) in [("cost.csv", csv(&climbed)), ("cost.md", report.clone())] {
-        fs::write(folder.join(name), text).map_err(|error| cannot_write(&error))?;
+        fs::write(results.join(name), text).map_err(|error| cannot_write(&error))?;
     }
+    measured_on::write("cost.csv", &measured_on::facts())?;
     print!("{report}");
     Ok(())
 }
 
 fn cannot_write(error: &std::io::Error) -> Failure {
-    Failure::bad_input(format!("target/cost: {error}"))
+    Failure::bad_input(format!("target/cost or bench-results: {error}"))
 }
 
 fn csv(climbed: &[Climbed]) -> String {
-    let mut text = String::from("ladder,variable,size,wall_s,cpu_s,peak_memory_kib,command\n");
+    let mut text = String::from("ladder,variable,size,wall_s,cpu_s,peak_memory_kib,form,asked,command\n");
     for Climbed { ladder, measured } in climbed {
+        let form = ladder.form.map_or_else(String::new, Form::words);
+        let asked = ladder.asked.map_or_else(String::new, |size| format!("{size:e}"));
         for (rung, found) in ladder.rungs.iter().zip(measured) {
             let _ = writeln!(
                 text,
-                "{},{},{},{:.4},{:.4},{},\"slipmode {}\"",
-                ladder.name,
+                "{},{},{},{:.4},{:.4},{},{form},{asked},slipmode {}",
+                // No cell has a comma or a quote.
+                ladder.name.replace(',', ";"),
                 ladder.variable,
                 rung.size,
                 found.wall_s,
@@ -78,10 +84,9 @@ fn csv(climbed: &[Climbed]) -> String {
 
 fn markdown(climbed: &[Climbed]) -> String {
     let mut text = String::from("# Cost\n\n");
-    let cores = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
-    let compiler = process::output(&mut process::rustc_version()).unwrap_or_default();
-    let _ =
-        writeln!(text, "Command: `cargo xtask cost`. {cores} cores, {}, release build.\n", compiler.trim());
+    let facts: Vec<String> =
+        measured_on::facts().into_iter().map(|(key, value)| format!("{key} {value}")).collect();
+    let _ = writeln!(text, "Command: `cargo xtask cost`. Release build; {}.\n", facts.join(", "));
     for one in climbed {
         text += &section(one);
     }

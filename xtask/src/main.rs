@@ -12,11 +12,13 @@ mod gmp_cache;
 mod judge;
 mod licences;
 mod machine;
+mod measured_on;
 mod process;
 mod repository;
 mod spdx;
 mod test;
 mod tidy;
+mod timings;
 mod verify;
 
 use std::process::ExitCode;
@@ -31,6 +33,7 @@ usage: cargo xtask <command> [arguments]
   bless         rewrite the published copy of every report, deliberately
   bench         run the benchmarks, SciPy beside the simulations (arguments are passed on to `cargo bench`);
                 --peers [works]: every other program that is found, into bench-results/
+  timings       copy bench-results/{peers,cost,machine}.csv into the report on the paper
   cost          how time and memory grow with points, digits, tolerance and threads, with fitted laws
   tidy          the rules of the house: floors, headers, lengths, left-overs, links
   licences      every dependency's licence against the allow list
@@ -66,6 +69,7 @@ fn run(arguments: &[String]) -> Result<(), Failure> {
         "cluster-test" => cluster_test::run(),
         "cost" => cost::run(),
         "tidy" => tidy::run(),
+        "timings" => timings::run(),
         "licences" => licences::run(),
         "machine" => machine::run(),
         "help" | "--help" | "-h" => {

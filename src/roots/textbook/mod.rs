@@ -2,11 +2,13 @@
 //!
 //! None of them is used for an answer. Each is written as the books have it, without a repair for its known weaknesses.
 
+mod aberth;
 mod cardano;
 mod companion;
 mod newton;
 mod viete;
 
+pub use aberth::aberth;
 pub use cardano::cardano;
 pub use companion::companion;
 pub use newton::newton;
@@ -47,7 +49,7 @@ pub(super) fn quadratic(b: f64, c: f64) -> [Complex<f64>; 2] {
 mod tests {
     use super::*;
 
-    const METHODS: [fn([f64; 4]) -> Three; 4] = [cardano, viete, companion, newton];
+    const METHODS: [fn([f64; 4]) -> Three; 5] = [cardano, viete, companion, newton, aberth];
 
     /// Checks that each expected root is met by a found one.
     fn assert_roots(cubic: [f64; 4], expected: [Complex<f64>; 3], tolerance: f64) {

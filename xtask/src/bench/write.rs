@@ -4,27 +4,28 @@
 
 use std::fmt::Write as _;
 use std::fs;
-use std::process::Command;
-use std::time::{SystemTime, UNIX_EPOCH};
 
 use super::players::Player;
 use super::ratios::{over, ratios};
 use super::row::Row;
 use crate::failure::Failure;
-use crate::{process, repository};
+use crate::measured_on::{self, Facts};
 
-/// Writes `bench-results/peers.csv` and `bench-results/peers.md`.
+/// Writes `bench-results/peers.csv`, `bench-results/peers.md` and the rows of `bench-results/machine.csv` about them.
 ///
 /// # Errors
 /// When they cannot be written.
 pub fn results(players: &[Player], rows: &[Row]) -> Result<(), Failure> {
-    let folder = repository::root().join("bench-results");
-    let head = head(players);
+    let folder = measured_on::folder();
+    let mut facts = measured_on::facts();
+    facts.extend(players.iter().map(|player| (player.name.to_string(), player.version.clone())));
+    let head = head(&facts);
     let written = fs::create_dir_all(&folder)
         .and_then(|()| fs::write(folder.join("peers.csv"), csv(rows)))
         .and_then(|()| fs::write(folder.join("peers.md"), markdown(&head, rows)));
     written.map_err(|error| Failure::bad_input(format!("bench-results: {error}")))?;
-    println!("written: bench-results/peers.csv, bench-results/peers.md");
+    measured_on::write("peers.csv", &facts)?;
+    println!("written: bench-results/peers.csv, bench-results/peers.md, bench-results/machine.csv");
     Ok(())
 }
 
@@ -44,11 +45,10 @@ fn csv(rows: &[Row]) -> String {
     text
 }
 
-fn head(players: &[Player]) -> String {
-    let mut text = format!("Measured on {}, {}.\n\n", today(), machine());
-    text.push_str("| player | version |\n|---|---|\n");
-    for player in players {
-        let _ = writeln!(text, "| {} | {} |", player.name, player.version);
+fn head(facts: &Facts) -> String {
+    let mut text = String::from("| measured with | |\n|---|---|\n");
+    for (key, value) in facts {
+        let _ = writeln!(text, "| {key} | {value} |");
     }
     text
 }
@@ -93,54 +93,9 @@ fn micro(seconds: f64) -> String {
     if value >= 100.0 { format!("{value:.0}") } else { format!("{value:.4}") }
 }
 
-/// The processor and how many of its cores are ours; no host's name.
-fn machine() -> String {
-    let info = fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
-    let model = info.lines().find_map(|line| line.strip_prefix("model name")?.split_once(": ").map(|p| p.1));
-    let cores = std::thread::available_parallelism().map_or(1, usize::from);
-    let compiler = process::output(Command::new("rustc").arg("--version")).unwrap_or_default();
-    format!("{}, {cores} cores, {}", model.unwrap_or(std::env::consts::ARCH), compiler.trim())
-}
-
-/// Today's date in UTC.
-fn today() -> String {
-    let seconds = SystemTime::now().duration_since(UNIX_EPOCH).map_or(0, |elapsed| elapsed.as_secs());
-    let (year, month, day) = civil(seconds / 86_400);
-    format!("{year}-{month:02}-{day:02}")
-}
-
-/// The Gregorian date of a number of days after 1970-01-01.
-fn civil(mut days: u64) -> (u64, u64, u64) {
-    let is_leap =
-        |year: u64| year.is_multiple_of(4) && (!year.is_multiple_of(100) || year.is_multiple_of(400));
-    let mut year = 1970;
-    while days >= 365 + u64::from(is_leap(year)) {
-        days -= 365 + u64::from(is_leap(year));
-        year += 1;
-    }
-    let lengths = [31, 28 + u64::from(is_leap(year)), 31, 30, 31, 30, 31, 31, 30, 31, 30, 31];
-    let mut month = 1;
-    for length in lengths {
-        if days < length {
-            break;
-        }
-        days -= length;
-        month += 1;
-    }
-    (year, month, days + 1)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn days_become_dates() {
-        assert_eq!(civil(0), (1970, 1, 1));
-        assert_eq!(civil(11_016), (2000, 2, 29));
-        assert_eq!(civil(19_722), (2023, 12, 31));
-        assert_eq!(civil(19_723), (2024, 1, 1));
-    }
 
     #[test]
     fn every_row_of_the_csv_has_as_many_cells_as_its_header() {

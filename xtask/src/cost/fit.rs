@@ -9,6 +9,16 @@ pub enum Form {
     Beside(f64),
 }
 
+impl Form {
+    /// The form as a cell of the CSV: `power`, or `beside` and the power q.
+    pub fn words(self) -> String {
+        match self {
+            Self::Power => "power".into(),
+            Self::Beside(exponent) => format!("beside {exponent}"),
+        }
+    }
+}
+
 /// A fitted law: the sum of factor · x^exponent over its terms.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Law {

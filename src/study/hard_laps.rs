@@ -1,0 +1,287 @@
+//! Laps where integrators go wrong: V down to 1e-79 V_l, K beside K_c, no inertia, tolerances below rounding; every method of ours
+//! against references from an unrelated program, and what a whole simulation says.
+
+use rayon::prelude::*;
+
+use crate::dynamics::{
+    Behaviour, Failure, Model, Options, Outcome, Radau, Rodas5P, State, Taylor, simulate_model,
+};
+use crate::friction::{EvolutionLaw, Groups, Parameters};
+use crate::number::{Rational, parse_decimal};
+use crate::scene::{CsvProblem, Fault, Faults, Problem};
+use crate::study::work_precision::{Lapped, lap_within};
+
+/// A lap with the answers of an independent program.
+#[derive(Debug, Clone, PartialEq)]
+pub struct HardLap {
+    /// What makes it hard.
+    pub family: String,
+    /// The evolution law.
+    pub law: EvolutionLaw,
+    /// η, κ, β.
+    pub groups: Groups<f64>,
+    /// The state on V = V_l.
+    start: State<f64>,
+    /// ln(V_peak/V_l).
+    log_peak: f64,
+    /// ln(V_min/V_l).
+    pub log_trough: f64,
+    /// Duration, D_c/V_l.
+    duration: f64,
+}
+
+/// What one method did with a lap, or a simulation with the slider.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LapVerdict {
+    /// The method.
+    pub method: &'static str,
+    /// The tolerance asked for: local for a lap, of the answer for a simulation.
+    pub tolerance: f64,
+    /// Steps, evaluations, and the larger of the errors of ln V_peak and of the duration, relative; or why there is no answer.
+    pub answer: Result<LapAnswer, Failure>,
+}
+
+/// The answer of one method.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LapAnswer {
+    /// Steps, refused ones included.
+    pub steps: u64,
+    /// Evaluations of the right-hand side.
+    pub evaluations: u64,
+    /// Of a lap the error, of a simulation the error that it states.
+    pub error: f64,
+    /// What a simulation ends in.
+    pub behaviour: Option<Behaviour>,
+}
+
+/// One lap by every method.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LapOutcome {
+    /// The lap.
+    pub case: HardLap,
+    /// Method by method, tolerance by tolerance.
+    pub verdicts: Vec<LapVerdict>,
+}
+
+const COLUMNS: [&str; 10] = [
+    "family",
+    "law",
+    "inertial_parameter",
+    "stiffness_group",
+    "effect_ratio",
+    "start_y",
+    "start_z",
+    "expected_log_peak",
+    "expected_log_trough",
+    "expected_duration",
+];
+
+/// Reads a file of laps: CSV with these columns in this order, and `#` lines of words.
+///
+/// # Errors
+/// A header or a row of other columns, and what is not a number, each with its line.
+pub fn read_hard_laps(file: &str, text: &str) -> Result<Vec<HardLap>, Faults> {
+    let mut lines = (1..).zip(text.lines()).filter(|(_, line)| !line.starts_with('#'));
+    let fault = |line, key: &str, value: Option<&str>, problem| {
+        vec![Fault {
+            file: file.into(),
+            line: Some(line),
+            key: key.into(),
+            value: value.map(str::to_owned),
+            problem,
+        }]
+    };
+    let wanted = COLUMNS.join(",");
+    match lines.next() {
+        Some((_, header)) if header == wanted => {}
+        found => {
+            let line = found.map_or(1, |(line, _)| line);
+            return Err(fault(line, "", None, CsvProblem::NoHeader { wanted }.into()));
+        }
+    }
+    let read = |(line, row): (usize, &str)| {
+        let cells: Vec<&str> = row.split(',').collect();
+        if cells.len() != COLUMNS.len() {
+            let problem = CsvProblem::CellCount { found: cells.len(), wanted: COLUMNS.len() };
+            return Err(fault(line, "", None, problem.into()));
+        }
+        let number = |column: usize| {
+            let allowed = "any decimal".to_string();
+            parse_decimal(cells[column]).map(|value: Rational| value.to_f64()).map_err(|reason| {
+                fault(line, COLUMNS[column], Some(cells[column]), Problem::NotANumber { reason, allowed })
+            })
+        };
+        let law = EvolutionLaw::ALL.into_iter().find(|law| law.as_str() == cells[1]);
+        let unknown = || {
+            let problem = Problem::UnknownWord { nearest: None, allowed: "aging, slip".into() };
+            fault(line, COLUMNS[1], Some(cells[1]), problem)
+        };
+        Ok(HardLap {
+            family: cells[0].to_owned(),
+            law: law.ok_or_else(unknown)?,
+            groups: Groups {
+                inertial_parameter: number(2)?,
+                stiffness_group: number(3)?,
+                effect_ratio: number(4)?,
+            },
+            start: [0.0, number(5)?, number(6)?],
+            log_peak: number(7)?,
+            log_trough: number(8)?,
+            duration: number(9)?,
+        })
+    };
+    lines.map(read).collect()
+}
+
+/// Local tolerances of the laps: an ordinary one, and two below what 64 bits can tell.
+const TOLERANCES: [f64; 3] = [1e-9, 1e-16, 1e-20];
+
+/// Tolerances of the simulations: an ordinary one, and one below rounding.
+const ASKED: [f64; 2] = [1e-8, 1e-16];
+
+/// The most steps of a lap: ten times what the hardest one takes.
+const MOST_STEPS: u64 = 20_000;
+
+/// Every case by every method.
+#[must_use]
+pub fn run_hard_laps(cases: &[HardLap]) -> Vec<LapOutcome> {
+    cases.par_iter().map(|case| LapOutcome { case: case.clone(), verdicts: verdicts(case) }).collect()
+}
+
+type Run = fn(&Model<f64>, &State<f64>, f64) -> Result<Lapped<f64>, Failure>;
+
+const METHODS: [(&str, Run); 5] = [
+    ("Rodas5P", |model, start, local| lap_within(model, Rodas5P::new(), start, local, MOST_STEPS)),
+    ("Radau IIA 5", |model, start, local| {
+        lap_within(model, Radau::<f64, 3>::new(), start, local, MOST_STEPS)
+    }),
+    ("Radau IIA 9", |model, start, local| {
+        lap_within(model, Radau::<f64, 5>::new(), start, local, MOST_STEPS)
+    }),
+    ("Radau IIA 13", |model, start, local| {
+        lap_within(model, Radau::<f64, 7>::new(), start, local, MOST_STEPS)
+    }),
+    ("Taylor 20", |model, start, local| {
+        lap_within(model, Taylor::<f64, 20>::new(), start, local, MOST_STEPS)
+    }),
+];
+
+fn verdicts(case: &HardLap) -> Vec<LapVerdict> {
+    let model = Model::new(case.groups.clone(), case.law);
+    let laps = METHODS.into_iter().flat_map(|(method, run)| {
+        let model = &model;
+        // A method that does not finish at an ordinary tolerance is not asked for a tighter one.
+        let mut stopped = false;
+        TOLERANCES.into_iter().map_while(move |tolerance| {
+            if stopped {
+                return None;
+            }
+            let answer = run(model, &case.start, tolerance).map(|lap| case.judge(&lap));
+            stopped = answer.is_err();
+            Some(LapVerdict { method, tolerance, answer })
+        })
+    });
+    let whole = ASKED.map(|tolerance| {
+        let options = Options { tolerance, most_laps: MOST_LAPS, ..Options::default() };
+        LapVerdict { method: "simulation", tolerance, answer: simulate_model(&model, &options).map(stated) }
+    });
+    laps.chain(whole).collect()
+}
+
+/// Oscillations of a whole simulation before it is called undecided.
+const MOST_LAPS: u64 = 1_000;
+
+/// Units in which an outcome is what it is.
+const UNITS: Parameters<f64> = Parameters {
+    direct_effect: 1.0,
+    evolution_effect: 1.0,
+    critical_slip_distance_m: 1.0,
+    stiffness_pa_per_m: 1.0,
+    mass_per_area_kg_per_m2: 1.0,
+    normal_stress_pa: 1.0,
+    loading_velocity_m_per_s: 1.0,
+};
+
+fn stated(outcome: Outcome) -> LapAnswer {
+    let found = outcome.in_si(&UNITS);
+    let error = found.peak_relative_error.max(found.period_relative_error.unwrap_or(0.0));
+    let (steps, evaluations) = (found.steps, found.evaluations);
+    LapAnswer { steps, evaluations, error, behaviour: Some(found.behaviour) }
+}
+
+impl HardLap {
+    fn judge(&self, lap: &Lapped<f64>) -> LapAnswer {
+        // The peak of a small oscillation is itself the measure of its error.
+        let peak = (lap.peak - self.log_peak).abs() / self.log_peak.abs().min(1.0);
+        let duration = (lap.duration / self.duration - 1.0).abs();
+        LapAnswer {
+            steps: lap.steps,
+            evaluations: lap.evaluations,
+            error: peak.max(duration),
+            behaviour: None,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn outcomes() -> Vec<LapOutcome> {
+        let text = include_str!("../../reports/im-avouac/vectors/simulation-hard.txt");
+        run_hard_laps(&read_hard_laps("simulation-hard.txt", text).unwrap())
+    }
+
+    #[test]
+    fn order_nine_finishes_every_lap_and_no_answer_is_far_from_the_reference() {
+        let outcomes = outcomes();
+        assert!(outcomes.len() >= 10, "{}", outcomes.len());
+        assert!(outcomes.iter().any(|found| found.case.log_trough < -149.0));
+        for found in &outcomes {
+            for verdict in found.verdicts.iter().filter(|verdict| verdict.method == "Radau IIA 9") {
+                let answer = verdict.answer.as_ref().unwrap();
+                assert!(answer.error < 1e-9, "{:?} {verdict:?}", found.case);
+            }
+            // An implicit method that says it finished is right; a tolerance below rounding is met to rounding.
+            for verdict in found.verdicts.iter().filter(|verdict| verdict.method.starts_with("Radau")) {
+                assert!(
+                    verdict.answer.as_ref().is_ok_and(|answer| answer.error < 1e-6),
+                    "{:?} {verdict:?}",
+                    found.case
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn a_simulation_asked_for_less_than_rounding_refuses_or_states_what_it_asked() {
+        for found in outcomes() {
+            let below = found
+                .verdicts
+                .iter()
+                .find(|verdict| verdict.method == "simulation" && verdict.tolerance < 1e-15);
+            let answer = &below.unwrap().answer;
+            assert!(
+                answer
+                    .as_ref()
+                    .map_or_else(|failure| !failure.to_string().is_empty(), |answer| answer.error <= 1e-16),
+                "{:?} {answer:?}",
+                found.case
+            );
+        }
+    }
+
+    #[test]
+    fn a_file_that_is_no_list_of_laps_is_refused_with_its_line() {
+        for (text, named) in [
+            ("", "1: empty"),
+            ("family,law\n", "1: empty"),
+            (&format!("{}\nf,slip,1,1,1,0,1,1,1\n", COLUMNS.join(",")), "2: 9 cells"),
+            (&format!("{}\nf,fast,1,1,1,0,1,1,1,1\n", COLUMNS.join(",")), "2: law = fast"),
+            (&format!("{}\nf,slip,x,1,1,0,1,1,1,1\n", COLUMNS.join(",")), "2: inertial_parameter = x"),
+        ] {
+            let faults = read_hard_laps("laps.txt", text).unwrap_err();
+            assert!(faults[0].to_string().contains(named), "{}", faults[0]);
+        }
+    }
+}

@@ -1,0 +1,29 @@
+//! Times that other commands measured: read from the report's files, compared and fitted here, never measured.
+//!
+//! What is missing in the files is missing in the answers, by name.
+
+mod aims;
+mod compare;
+mod law;
+mod rows;
+mod sheet;
+
+pub use aims::{Aim, Bound, aims};
+pub use compare::{PeerGroup, Reached, cycle_groups, micro, work_groups};
+pub use law::{Form, Ladder, Law, ladders};
+pub use rows::{CostRow, MachineRow, PeerRow, read_cost, read_machine, read_peers};
+
+/// The contents of the three files.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Timings {
+    /// The name of the file of peers, by which rows are traced.
+    pub peers_file: String,
+    /// Times of slipmode and its peers.
+    pub peers: Vec<PeerRow>,
+    /// The name of the file of costs.
+    pub cost_file: String,
+    /// How time and memory grow.
+    pub cost: Vec<CostRow>,
+    /// On which machine, on which day, with which versions.
+    pub machine: Vec<MachineRow>,
+}

@@ -1,0 +1,35 @@
+//! `cargo xtask timings`: what `bench --peers` and `cost` wrote becomes an input of the report on the paper, deliberately.
+//!
+//! The report never measures: it reads these files, and its numbers follow from their rows.
+
+use std::fs;
+
+use crate::failure::Failure;
+use crate::{measured_on, repository};
+
+/// The files, as both folders name them.
+const FILES: [&str; 3] = ["peers.csv", "cost.csv", "machine.csv"];
+
+/// Copies every file that was measured; the others stay as they are, by name.
+///
+/// # Errors
+/// When there is nothing to copy, or the report's folder cannot be written.
+pub fn run() -> Result<(), Failure> {
+    let place = repository::root().join("reports/im-avouac/timings");
+    let mut copied = 0;
+    for name in FILES {
+        let from = measured_on::folder().join(name);
+        if !from.is_file() {
+            println!("bench-results/{name} is not there: the report keeps the one it has");
+            continue;
+        }
+        let failed = |error| Failure::bad_input(format!("{}: {error}", place.join(name).display()));
+        fs::create_dir_all(&place).and_then(|()| fs::copy(&from, place.join(name))).map_err(failed)?;
+        println!("copied: reports/im-avouac/timings/{name}");
+        copied += 1;
+    }
+    if copied == 0 {
+        return Err(Failure::bad_input("measure first: `cargo xtask bench --peers`, `cargo xtask cost`"));
+    }
+    Ok(())
+}
