@@ -47,7 +47,7 @@ pub fn classify_quickly(
 }
 
 /// Whether a point with real roots lies in the upper area of a > b, when that is clear (see `slip_mode::is_upper_area`).
-fn clearly_in_upper_area(groups: &Groups<f64>) -> Option<bool> {
+pub(super) fn clearly_in_upper_area(groups: &Groups<f64>) -> Option<bool> {
     let (eta, kappa, beta) = (groups.inertial_parameter, groups.stiffness_group, groups.effect_ratio);
     let below =
         |left: f64, right: f64| ((left - right).abs() > MARGIN * (left + right)).then_some(left < right);
