@@ -45,5 +45,8 @@ pub use sections::{
     BoundarySection, EffectRatioSweep, FrequencySection, HardCases, Rectangle, ToleranceSection,
 };
 pub use simulations::SimulationsSection;
-pub use sweep::{Coordinate, MOST_SWEEP_POINTS, Spacing, Span, SweepPoints, SweepSection, SweepWork};
+pub use sweep::{
+    ColumnBins, ColumnStatistics, Coordinate, MOST_SUMMARY_CELLS, MOST_SWEEP_POINTS, Spacing, Span, Statistic,
+    SummarySection, SweepPoints, SweepSection, SweepWork,
+};
 pub use trajectories::{TrajectoriesSection, TrajectoryPoint};
