@@ -10,7 +10,7 @@ use slipmode::report::{Folder, InputView};
 use slipmode::scene::{
     Fault, Faults, Limits, Problem, ReportPlan, Scene, check_distinct_scene_names, file_text, read_claims,
 };
-use slipmode::study::{References, read_hard_cases};
+use slipmode::study::{References, read_hard_cases, read_swept};
 use slipmode::theory::PaperEquations;
 
 use crate::cli::input::{read_small_file, unreadable};
@@ -177,6 +177,26 @@ impl Reader {
                 read_hard_cases(name, file_text(name, bytes).map_err(|fault| vec![fault])?)
             });
             references.hard_cases.extend(cases.map(|cases| (file, cases)));
+        }
+        let swept = scenes.iter().filter_map(|scene| scene.swept.as_ref());
+        for entry in swept.flat_map(|section| &section.sweeps) {
+            let place = |end: &str| {
+                let file = format!("{}.{end}", entry.name);
+                if folder.is_empty() { file } else { format!("{folder}/{file}") }
+            };
+            let scene = self.read(&place("toml"), |name, bytes, limits| {
+                Ok((name.to_string(), sha256_hex(bytes), Scene::parse(name, bytes, limits)?))
+            });
+            let found = scene.zip(self.read(&place("csv"), |name, bytes, _| {
+                let text = file_text(name, bytes).map_err(|fault| vec![fault])?;
+                Ok((name.to_string(), text.to_string()))
+            }));
+            if let Some((scene, (csv, text))) = found {
+                match read_swept(entry, scene, (&csv, &text)) {
+                    Ok(swept) => drop(references.swept.insert(entry.name.clone(), swept)),
+                    Err(fault) => self.faults.push(fault),
+                }
+            }
         }
         references
     }

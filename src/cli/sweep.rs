@@ -94,7 +94,8 @@ impl Task for ComputeShard<'_> {
     fn perform<W: PointWork>(self, loaded: &Loaded, points: &Points<W>) -> Result<(), Failure> {
         let blocks = points.blocks(loaded.section.block_points)?;
         let columns = points.columns();
-        let summed = loaded.section.summary.as_ref().map(|section| Summed::new(section, &columns)).transpose()?;
+        let summed =
+            loaded.section.summary.as_ref().map(|section| Summed::new(section, &columns)).transpose()?;
         create_folder(self.out)?;
         let origin = Origin {
             scene: loaded.digest.clone(),

@@ -43,6 +43,7 @@ const ROOMS: &[&[FigureMaker]] = &[
     crate::exhibit::overshoot_map::FIGURES,
     crate::exhibit::phase_portraits::FIGURES,
     crate::exhibit::simulation_map::FIGURES,
+    crate::exhibit::swept::FIGURES,
     crate::exhibit::trajectory_figures::FIGURES,
 ];
 

@@ -26,6 +26,8 @@ mod planted_fault_tables;
 mod simulation_map;
 mod simulation_tables;
 mod start_tables;
+mod swept;
+mod swept_tables;
 mod tables;
 mod theory_tables;
 mod trajectory_curves;

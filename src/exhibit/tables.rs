@@ -28,6 +28,7 @@ const ROOMS: &[&[TableMaker]] = &[
     crate::exhibit::planted_fault_tables::TABLES,
     crate::exhibit::simulation_tables::TABLES,
     crate::exhibit::start_tables::TABLES,
+    crate::exhibit::swept_tables::TABLES,
     crate::exhibit::theory_tables::TABLES,
     crate::exhibit::trajectory_tables::TABLES,
 ];

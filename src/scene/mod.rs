@@ -24,6 +24,7 @@ mod section;
 mod sections;
 mod simulations;
 mod sweep;
+mod swept;
 mod trajectories;
 
 pub use axis::{Limits, LogAxis, LogCoordinates};
@@ -46,7 +47,8 @@ pub use sections::{
 };
 pub use simulations::SimulationsSection;
 pub use sweep::{
-    ColumnBins, ColumnStatistics, Coordinate, MOST_SUMMARY_CELLS, MOST_SWEEP_POINTS, Spacing, Span, Statistic,
-    SummarySection, SweepPoints, SweepSection, SweepWork,
+    ColumnBins, ColumnStatistics, Coordinate, MOST_SUMMARY_CELLS, MOST_SWEEP_POINTS, Spacing, Span,
+    Statistic, SummarySection, SweepPoints, SweepSection, SweepWork,
 };
+pub use swept::{SweptEntry, SweptSection};
 pub use trajectories::{TrajectoriesSection, TrajectoryPoint};

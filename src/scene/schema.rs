@@ -7,8 +7,8 @@ use crate::scene::sections::{NAME_RULE, safe_name};
 use crate::scene::{
     AllowedRange, BoundarySection, EffectRatioSweep, ErrorBoundSection, Faults, FrequencySection, HardCases,
     Limits, LinearRegimeSection, NearTransition, OnsetSection, OriginalSchemeSection, Problem, Quantity,
-    Rectangle, SceneParameters, SimulationsSection, StartSensitivitySection, SweepSection, ToleranceSection,
-    TrajectoriesSection, WorkPrecisionSection,
+    Rectangle, SceneParameters, SimulationsSection, StartSensitivitySection, SweepSection, SweptSection,
+    ToleranceSection, TrajectoriesSection, WorkPrecisionSection,
 };
 
 /// What a user asks for: valid, exact, and nothing that was not asked.
@@ -56,6 +56,8 @@ pub struct Scene {
     pub error_bound: Option<ErrorBoundSection>,
     /// `[sweep]`: points for many machines, and what is computed at each.
     pub sweep: Option<SweepSection>,
+    /// `[swept]`: sweeps that ran elsewhere.
+    pub swept: Option<SweptSection>,
 }
 
 impl Scene {
@@ -111,6 +113,7 @@ fn read_scene(top: &mut Section<'_>, limits: &Limits, faults: &mut Faults) -> Op
     let bound = top.optional("error_bound").map(|entry| ErrorBoundSection::read(&entry, limits, faults));
     let read = parameters.as_ref().map(Option::as_ref);
     let shared = top.optional("sweep").map(|entry| SweepSection::read(&entry, read, faults));
+    let swept = top.optional("swept").map(|entry| SweptSection::read(&entry, faults));
     Some(Scene {
         name: name?,
         title: title?,
@@ -133,6 +136,7 @@ fn read_scene(top: &mut Section<'_>, limits: &Limits, faults: &mut Faults) -> Op
         work_precision: given(work)?,
         error_bound: given(bound)?,
         sweep: given(shared)?,
+        swept: given(swept)?,
     })
 }
 

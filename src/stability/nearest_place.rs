@@ -292,7 +292,8 @@ mod tests {
             mass_per_area_kg_per_m2: parse_decimal(eta).unwrap(),
             ..slider([0.0; 3])
         };
-        let quickly = |parameters: &Parameters<Rational>| NearestPlace::quickly(&parameters.map(Dd::from_rational));
+        let quickly =
+            |parameters: &Parameters<Rational>| NearestPlace::quickly(&parameters.map(Dd::from_rational));
         let below = equal("3.375", "0.1");
         assert_eq!(quickly(&below).unwrap().map(|place| place.arc), Some(Arc::Lower));
         assert_eq!(quickly(&equal("3.375", "0.2")), Ok(None));

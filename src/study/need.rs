@@ -37,6 +37,8 @@ pub enum Need {
     WorkPrecision,
     /// Stated errors against true ones.
     ErrorBound,
+    /// Sweeps that ran elsewhere.
+    Swept,
 }
 
 impl Need {
@@ -58,6 +60,7 @@ impl Need {
         Self::OriginalScheme,
         Self::WorkPrecision,
         Self::ErrorBound,
+        Self::Swept,
     ];
 
     /// The stable name used in the ids of work items.
@@ -80,6 +83,7 @@ impl Need {
             Need::OriginalScheme => "original-scheme",
             Need::WorkPrecision => "work-precision",
             Need::ErrorBound => "error-bound",
+            Need::Swept => "swept",
         }
     }
 }

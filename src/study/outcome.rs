@@ -7,7 +7,7 @@ use crate::scene::{Scene, SceneParameters};
 use crate::study::{
     BoundCheck, BoundaryOutcome, FamilyOutcome, FrequencyOutcome, Grid, HardCase, LinearRegimeOutcome,
     MapPoint, NearTransitionOutcome, OnsetOutcome, OriginalSchemeOutcome, SimulationsOutcome, StartGroup,
-    SweepOutcome, ToleranceOutcome, TrajectoryRun, WorkCase, ZonesOutcome,
+    SweepOutcome, Swept, ToleranceOutcome, TrajectoryRun, WorkCase, ZonesOutcome,
 };
 
 /// Everything computed for one scene; what nobody needed is absent.
@@ -47,6 +47,8 @@ pub struct SceneOutcome {
     pub work_precision: Option<Vec<WorkCase>>,
     /// Stated errors against true ones.
     pub error_bound: Option<Vec<BoundCheck>>,
+    /// Its sweeps that ran elsewhere.
+    pub swept: Option<Vec<Swept>>,
 }
 
 impl SceneOutcome {
@@ -71,6 +73,7 @@ impl SceneOutcome {
             original_scheme: None,
             work_precision: None,
             error_bound: None,
+            swept: None,
         }
     }
 
@@ -117,6 +120,8 @@ impl Outcome {
 pub struct References {
     /// Hard cases by file name.
     pub hard_cases: BTreeMap<String, Vec<HardCase>>,
+    /// Sweeps by name.
+    pub swept: BTreeMap<String, Swept>,
 }
 
 /// b/a of a slider.

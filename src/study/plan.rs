@@ -55,5 +55,6 @@ fn states(scene: &Scene, need: Need) -> bool {
         Need::OriginalScheme => scene.original_scheme.is_some(),
         Need::WorkPrecision => scene.work_precision.is_some(),
         Need::ErrorBound => scene.error_bound.is_some(),
+        Need::Swept => scene.swept.is_some(),
     }
 }

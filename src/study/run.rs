@@ -1,6 +1,6 @@
 //! Running a plan: pure, and the same values on any number of threads.
 
-use crate::scene::Scene;
+use crate::scene::{Scene, SweptEntry};
 use crate::stability::InertialThreshold;
 use crate::study::{
     Item, Need, Needs, Outcome, References, SceneOutcome, boundary_outcome, classify_rectangle,
@@ -114,5 +114,10 @@ fn compute(item: &Item, outcome: &mut SceneOutcome, references: &References) {
                 .map(|(parameters, section)| work_precision(parameters, section));
         }
         Need::ErrorBound => outcome.error_bound = scene.error_bound.as_ref().map(error_bound),
+        Need::Swept => {
+            let of = |entry: &SweptEntry| references.swept.get(&entry.name).cloned();
+            outcome.swept =
+                scene.swept.as_ref().map(|section| section.sweeps.iter().filter_map(of).collect());
+        }
     }
 }

@@ -37,6 +37,23 @@ struct Tally {
     values: Vec<Option<f64>>,
 }
 
+/// One line of a summary.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SummaryRow<'s> {
+    key: &'s [u8],
+    /// How many rows it sums up.
+    pub rows: u64,
+    /// A value for each statistic; none where no row had a number.
+    pub values: &'s [Option<f64>],
+}
+
+impl<'s> SummaryRow<'s> {
+    /// The cells of its key as they stand.
+    pub fn key(&self) -> impl Iterator<Item = &'s str> {
+        cells(self.key).map(|cell| std::str::from_utf8(cell).unwrap_or_default())
+    }
+}
+
 /// Where a row's cells go.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RowPlaces {
@@ -53,7 +70,9 @@ pub enum SummaryError {
     #[error("sweep.summary names the column `{0}`, which rows do not have (they have: {1})")]
     NoColumn(String, String),
     /// Words of endless variety.
-    #[error("the summary has more than {MOST_SUMMARY_CELLS} cells; count by words of fewer kinds, or in fewer bins")]
+    #[error(
+        "the summary has more than {MOST_SUMMARY_CELLS} cells; count by words of fewer kinds, or in fewer bins"
+    )]
     TooManyCells,
     /// Lines that are not those of a summary.
     #[error("holds no summary of the stated form")]
@@ -177,19 +196,29 @@ impl Summary {
         self.tallies.values().map(|tally| tally.rows).sum()
     }
 
+    /// The rows with their keys, by ascending keys.
+    #[must_use]
+    pub fn sorted(&self) -> Vec<SummaryRow<'_>> {
+        let mut sorted: Vec<SummaryRow<'_>> = self
+            .tallies
+            .iter()
+            .map(|(key, tally)| SummaryRow { key, rows: tally.rows, values: &tally.values })
+            .collect();
+        sorted.sort_by(|one, other| key_order(one.key, other.key));
+        sorted
+    }
+
     /// The lines, by ascending keys: bins by their number, words by their letters.
     #[must_use]
     pub fn lines(&self) -> Vec<u8> {
-        let mut sorted: Vec<(&Vec<u8>, &Tally)> = self.tallies.iter().collect();
-        sorted.sort_by(|(one, _), (other, _)| key_order(one, other));
         let mut out = Vec::new();
-        for (key, tally) in sorted {
-            out.extend_from_slice(key);
+        for row in self.sorted() {
+            out.extend_from_slice(row.key);
             if !self.keys.is_empty() {
                 out.push(b',');
             }
-            out.extend_from_slice(tally.rows.to_string().as_bytes());
-            for (value, field) in tally.values.iter().zip(&self.fields) {
+            out.extend_from_slice(row.rows.to_string().as_bytes());
+            for (value, field) in row.values.iter().zip(&self.fields) {
                 out.push(b',');
                 out.extend_from_slice(field.statistic.written(*value).as_bytes());
             }
@@ -223,7 +252,11 @@ impl RowPlaces {
 
 /// The bin of a number, counted from 1; 0 below the first edge, one more than there are bins beyond the last, which belongs to its bin.
 fn bin(edges: &[f64], number: f64) -> usize {
-    if edges.last() == Some(&number) { edges.len() - 1 } else { edges.partition_point(|edge| *edge <= number) }
+    if edges.last() == Some(&number) {
+        edges.len() - 1
+    } else {
+        edges.partition_point(|edge| *edge <= number)
+    }
 }
 
 impl Statistic {
@@ -309,7 +342,8 @@ mod tests {
 
     #[test]
     fn rows_are_counted_by_bin_and_word_with_extremes_and_sums() {
-        let summary = summed("-20,slip,3\n5,slip,1\n1,slip,\n100,\"a,b\",-2\n0.5,slip,inf\n1e3,slip,7\n,slip,8\n");
+        let summary =
+            summed("-20,slip,3\n5,slip,1\n1,slip,\n100,\"a,b\",-2\n0.5,slip,inf\n1e3,slip,7\n,slip,8\n");
         assert_eq!(summary.columns(), b"x_bin,law,rows,y_count,y_least,y_greatest,y_sum\n");
         assert_eq!(
             String::from_utf8(summary.lines()).unwrap(),
@@ -321,7 +355,10 @@ mod tests {
     #[test]
     fn a_column_that_is_not_there_is_named() {
         let error = Summary::of_rows(&section(), b"x,y\n").unwrap_err();
-        assert_eq!(error.to_string(), "sweep.summary names the column `law`, which rows do not have (they have: x, y)");
+        assert_eq!(
+            error.to_string(),
+            "sweep.summary names the column `law`, which rows do not have (they have: x, y)"
+        );
     }
 
     #[test]

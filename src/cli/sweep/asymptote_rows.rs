@@ -31,7 +31,10 @@ impl RowWork for AsymptoteRows {
             // As many digits as are certain of a number of the order of 1.
             Some(NearestPlace { log10_normal_stress_distance, arc, asymptote, relative_error }) => {
                 let arc = if *arc == Arc::Upper { "upper" } else { "lower" };
-                format!(",{log10_normal_stress_distance:.8e},{arc},{},{relative_error:.8e}", asymptote.as_str())
+                format!(
+                    ",{log10_normal_stress_distance:.8e},{arc},{},{relative_error:.8e}",
+                    asymptote.as_str()
+                )
             }
             None => ",".repeat(Self::APPENDED.len()),
         };

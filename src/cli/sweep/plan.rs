@@ -44,7 +44,9 @@ impl Plan {
             if seconds >= LEAST_SECONDS || count >= most {
                 let bytes = match &loaded.section.summary {
                     // Every block has about as many keys as the points measured, which are spread over the sweep.
-                    Some(section) => Summed::new(section, &points.columns())?.bytes(&lines)? * blocks.count() as f64,
+                    Some(section) => {
+                        Summed::new(section, &points.columns())?.bytes(&lines)? * blocks.count() as f64
+                    }
                     None => lines.text.len() as f64 / count_measured as f64 * blocks.points as f64,
                 };
                 return Ok(Self {

@@ -74,9 +74,13 @@ impl SummarySection {
         let numbers = optional_list(&mut section, "numbers", faults, ColumnStatistics::read);
         section.finish(faults);
         let found = Self { bins: bins?, by: by?, numbers: numbers? };
-        let cells = found.bins.iter().fold(1u64, |cells, bins| cells.saturating_mul(u64::from(bins.edges.points) + 1));
+        let cells = found
+            .bins
+            .iter()
+            .fold(1u64, |cells, bins| cells.saturating_mul(u64::from(bins.edges.points) + 1));
         if cells > MOST_SUMMARY_CELLS {
-            let allowed = format!("at most {MOST_SUMMARY_CELLS} cells in all, those beyond the ends included");
+            let allowed =
+                format!("at most {MOST_SUMMARY_CELLS} cells in all, those beyond the ends included");
             faults.push(entry.fault(Problem::OutOfRange { allowed }));
             return None;
         }
@@ -102,9 +106,8 @@ impl ColumnBins {
         let mut section = entry.section(faults)?;
         let column = section.required("column", COLUMN, faults).and_then(|entry| entry.text(faults));
         let range = AllowedRange::PHYSICAL;
-        let mut end = |key| {
-            section.required(key, &range.text(), faults).and_then(|entry| entry.decimal(range, faults))
-        };
+        let mut end =
+            |key| section.required(key, &range.text(), faults).and_then(|entry| entry.decimal(range, faults));
         let (from, to) = (end("from"), end("to"));
         let most = MOST_SUMMARY_CELLS - 1;
         let count = section
