@@ -15,6 +15,7 @@ mod machine;
 mod process;
 mod repository;
 mod spdx;
+mod sweep_cost;
 mod test;
 mod tidy;
 mod verify;
@@ -32,6 +33,7 @@ usage: cargo xtask <command> [arguments]
   bench         run the benchmarks, SciPy beside the simulations (arguments are passed on to `cargo bench`);
                 --peers [works]: every other program that is found, into bench-results/
   cost          how time and memory grow with points, digits, tolerance and threads, with fitted laws
+  sweep-cost    memory, scaling and overhead of sweeps; wants a machine without other work
   tidy          the rules of the house: floors, headers, lengths, left-overs, links
   licences      every dependency's licence against the allow list
   judge         let outside programs judge every report's page, Markdown, archive and citation
@@ -65,6 +67,7 @@ fn run(arguments: &[String]) -> Result<(), Failure> {
         #[cfg(target_os = "linux")]
         "cluster-test" => cluster_test::run(),
         "cost" => cost::run(),
+        "sweep-cost" => sweep_cost::run(),
         "tidy" => tidy::run(),
         "licences" => licences::run(),
         "machine" => machine::run(),
