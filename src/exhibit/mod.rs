@@ -32,6 +32,8 @@ mod simulation_tables;
 mod speed_figures;
 mod speed_tables;
 mod start_tables;
+mod swept;
+mod swept_tables;
 mod tables;
 mod theory_tables;
 mod timing_tables;

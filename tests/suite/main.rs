@@ -31,4 +31,6 @@ mod sabotage;
 mod simulate;
 mod simulate_points;
 mod sweep;
+mod sweep_disks;
 mod sweep_refusals;
+mod sweep_summary;
