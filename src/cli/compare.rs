@@ -3,7 +3,7 @@
 mod cells;
 mod figures;
 mod page;
-mod recording;
+pub mod recording;
 mod rows;
 mod tables;
 mod view;
