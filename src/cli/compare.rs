@@ -4,7 +4,7 @@ mod cells;
 mod figures;
 mod inputs;
 mod page;
-mod recording;
+pub mod recording;
 mod rows;
 mod tables;
 mod view;

@@ -5,6 +5,8 @@ mod boundary;
 mod claim;
 mod classify;
 mod compare;
+#[cfg(test)]
+mod csv_promises;
 mod diff;
 mod environment;
 mod explore;

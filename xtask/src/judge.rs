@@ -3,7 +3,6 @@
 //! Their versions are fixed in `xtask/judge/`; they are installed below `target/judge/`. A program that cannot be had is named and its
 //! judgement skipped, except under continuous integration (`CI` is set), where all are required.
 
-use std::env;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -29,7 +28,9 @@ struct Judge {
 const NODE: &[&str] = &["node"];
 const NPM: &[&str] = &["npm"];
 const JAVA: &[&str] = &["java"];
+/// Debian's Python makes virtual environments only with this package; a mere `python3` is no sign of it.
 const PYTHON: &[&str] = &["python3"];
+const VENV: &str = "python3-venv";
 const BROWSER: &[&str] = &["chromium", "chromium-browser", "google-chrome"];
 
 const JUDGES: [Judge; 6] = [
@@ -65,7 +66,7 @@ pub fn run() -> Result<(), Failure> {
     if !objecting.is_empty() {
         return Err(Failure::check(format!("objections of {}", objecting.join(", "))));
     }
-    if !skipped.is_empty() && env::var_os("CI").is_some() {
+    if !skipped.is_empty() && machine::is_continuous_integration() {
         return Err(Failure::bad_input(format!("required here, but not to be had: {}", skipped.join(", "))));
     }
     println!("judge: {} judges content, {} skipped", JUDGES.len() - skipped.len(), skipped.len());
@@ -114,17 +115,29 @@ fn explorers(name: &str) -> Result<Vec<PathBuf>, Failure> {
     Ok(pages)
 }
 
-/// The programs of which no spelling is found, after an attempt to install them.
+/// What a judge runs on and is not there, after an attempt to install it where nothing may be skipped.
 fn lacking_after_install(programs: &[&[&'static str]]) -> Result<Vec<&'static str>, Failure> {
-    if !lacking(programs).is_empty() && machine::can_install() {
-        machine::install_packages(&debian_packages(&lacking(programs)))?;
+    let missing = lacking(programs);
+    if !missing.is_empty() && machine::is_continuous_integration() && machine::can_install() {
+        machine::install_packages(&debian_packages(&missing))?;
     }
     Ok(lacking(programs))
 }
 
+/// The programs of which no spelling is found, and the package that Python lacks.
 fn lacking(programs: &[&[&'static str]]) -> Vec<&'static str> {
     let absent = |spellings: &&&[&'static str]| find(spellings).is_none();
-    programs.iter().filter(absent).filter_map(|spellings| spellings.first().copied()).collect()
+    let mut missing: Vec<&str> =
+        programs.iter().filter(absent).filter_map(|spellings| spellings.first().copied()).collect();
+    if programs.contains(&PYTHON) && missing.is_empty() && !python_makes_environments() {
+        missing.push(VENV);
+    }
+    missing
+}
+
+fn python_makes_environments() -> bool {
+    let asked = Command::new("python3").args(["-c", "import ensurepip, venv"]).output();
+    asked.is_ok_and(|output| output.status.success())
 }
 
 fn find(spellings: &[&str]) -> Option<PathBuf> {
@@ -136,7 +149,9 @@ fn debian_packages(programs: &[&str]) -> Vec<&'static str> {
         "node" => "nodejs",
         "npm" => "npm",
         "java" => "default-jre-headless",
-        "python3" => "python3-venv",
+        // It brings Python along.
+        "python3" => VENV,
+        name if name == VENV => VENV,
         _ => "chromium",
     };
     programs.iter().map(package).collect()
