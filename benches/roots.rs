@@ -1,11 +1,12 @@
-//! Certified roots at 50, 1 000 and 10 000 digits, against Newton's iteration at full precision with deflation, not certified.
+//! Certified roots at 50, 1 000 and 10 000 digits, against Newton's iteration at full precision with deflation, not certified;
+//! and at 50 to 100 000 digits in units of one multiplication, at random points and next to double and triple roots.
 //!
 //! Times depend on the machine and on its load: read the ratios. Alternatives are run in turn, medians are printed.
 
 use std::hint::black_box;
 use std::time::Instant;
 
-use rug::Float;
+use rug::{Assign, Float};
 use slipmode::number::{Rational, bits_for_digits, parse_decimal};
 use slipmode::roots::{Pair, binary64, certified_roots};
 
@@ -66,6 +67,61 @@ fn microseconds_per_cubic(
     start.elapsed().as_secs_f64() * 1e6 / (rounds * cubics.len()) as f64
 }
 
+/// Cubics next to a double root and to a triple one: the boundary at b = a, r = −3 − i/8, with κ times 1 ± 1e-6 … 1e-16.
+fn hard_cubics() -> Vec<[Rational; 4]> {
+    let beside = |i: i32| {
+        let r = Rational::from((-24 - i / 4, 8));
+        let square = Rational::from(&r + 1u32).square();
+        let eta = (Rational::from(1) - &square) / (Rational::from(&r * 2u32) * &square);
+        let kappa = (Rational::from(&r * 2u32) + 1u32 - &square) * &r / (square * 2u32);
+        let distance =
+            parse_decimal(&format!("{}1e-{}", if i % 2 == 0 { "" } else { "-" }, 6 + i % 11)).unwrap();
+        let kappa = kappa * (distance + 1u32);
+        [kappa.clone(), kappa, eta.clone() + 1u32, eta]
+    };
+    (0..60).map(beside).collect()
+}
+
+/// Microseconds for one multiplication of two numbers of this precision, all bits of both set at random.
+fn microseconds_per_product(digits: u32) -> f64 {
+    let precision = bits_for_digits(digits);
+    let factor = |root: u32| Float::with_val(precision, root).sqrt();
+    let (one, other) = (factor(2), factor(3));
+    let mut product = Float::new(precision);
+    let rounds = 2_000_000 / digits + 20;
+    let start = Instant::now();
+    for _ in 0..rounds {
+        product.assign(black_box(&one) * black_box(&other));
+    }
+    black_box(&product);
+    start.elapsed().as_secs_f64() * 1e6 / f64::from(rounds)
+}
+
+/// The cost of certified roots in units of one multiplication, random and hard in turn.
+fn costs_in_products(random: &[[Rational; 4]], hard: &[[Rational; 4]]) {
+    for digits in [50, 100, 1_000, 10_000, 100_000] {
+        let some = if digits < 10_000 { random.len() } else { 4 };
+        let rounds = (10_000 / digits as usize).max(1);
+        let mut times = [const { Vec::new() }; 3];
+        for _ in 0..REPETITIONS {
+            let solve = |cubics: &[[Rational; 4]]| {
+                microseconds_per_cubic(&cubics[..some], rounds, |cubic| {
+                    black_box(certified_roots(cubic, digits));
+                })
+            };
+            let round = [microseconds_per_product(digits), solve(random), solve(hard)];
+            times.iter_mut().zip(round).for_each(|(times, time)| times.push(time));
+        }
+        let [product, random, hard] = times.map(median);
+        println!(
+            "{digits} digits: one multiplication {product:.4} us; certified roots {:.1} of them, next to multiple roots {:.1} ({:.2} x)",
+            random / product,
+            hard / product,
+            hard / random
+        );
+    }
+}
+
 fn median(mut values: Vec<f64>) -> f64 {
     values.sort_by(f64::total_cmp);
     values[values.len() / 2]
@@ -89,6 +145,7 @@ fn main() {
             plain / certified
         );
     }
+    costs_in_products(&cubics, &hard_cubics());
     let rounded: Vec<[f64; 4]> = cubics.iter().map(|cubic| cubic.each_ref().map(Rational::to_f64)).collect();
     let start = Instant::now();
     let mut open = 0;

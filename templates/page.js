@@ -30,7 +30,10 @@
     body.append(...rows.map(([, row]) => row));
   };
 
-  // A table of which only the first rows are shown would be sorted wrongly, and is left alone.
+  // A table of which only the first rows are shown would be sorted wrongly: it is left alone, and says so.
+  for (const note of document.querySelectorAll("figure.table:not(.whole) > .cut")) {
+    note.append(" Only tables that are shown whole can be sorted on this page.");
+  }
   for (const table of document.querySelectorAll("figure.whole table")) {
     if (table.tBodies[0].rows.length < 3) continue;
     [...table.tHead.rows[0].cells].forEach((heading, column) => {
@@ -86,8 +89,23 @@
   }
 
   // Maps say what they hold at a point, to the pointer and to the arrow keys: words that came with the drawing.
+  // A field is its different words and a code a point: "." the word before, "!" the next new one, two digits a former one.
+  const unpack = (words, cells) => {
+    const found = [];
+    for (let at = 0, next = 0, word = 0; at < cells.length; at += 1) {
+      if (cells[at] === "!") word = next++;
+      else if (cells[at] !== ".") word = parseInt(cells.slice(at, ++at + 1), 36);
+      found.push(words[word]);
+    }
+    return found;
+  };
   for (const plane of document.querySelectorAll(".plot rect.readout")) {
-    const [columns, rows, shared, cells] = ["columns", "rows", "shared", "cells"].map((name) => plane.dataset[name].split("|"));
+    const like = plane.dataset.as && document.getElementById(plane.dataset.as);
+    const source = plane.dataset.as ? like && like.querySelector("rect.readout") : plane;
+    if (!source) continue;
+    const [columns, rows] = [source.dataset.columns, source.dataset.rows].map((list) => list.split("|"));
+    const words = source.dataset.words.split("~");
+    const fields = source.dataset.cells.split("~").map((cells, field) => unpack(words[field].split("|"), cells));
     const plot = plane.closest(".plot");
     const line = make("p", { class: "said", role: "status" }, "Point at the map, or focus it and press the arrow keys, to read it out.");
     plot.after(line);
@@ -103,9 +121,9 @@
       mark.setAttribute("cx", String(box[0] + (box[2] * column) / (columns.length - 1)));
       mark.setAttribute("cy", String(box[1] + box[3] - (box[3] * row) / (rows.length - 1)));
       plane.after(mark);
-      const [mode, frequency, asymptote, error] = cells[row * columns.length + column].split("~");
-      line.textContent = `V = ${columns[column]} m/s, \u03c3 = ${rows[row]} Pa: ${shared[Number(mode)]}; max Im(s) = ${frequency} 1/s. `
-        + `Nearest asymptote: ${asymptote}, off by ${error} % at the nearest point of the boundary.`;
+      const parts = { x: columns[column], y: rows[row] };
+      fields.forEach((field, index) => { parts[index] = field[row * columns.length + column]; });
+      line.textContent = source.dataset.sentence.replace(/\{(\w+)\}/g, (_, name) => parts[name]);
     };
     plane.addEventListener("pointermove", (event) => {
       const seen = plane.getBoundingClientRect();
@@ -122,10 +140,10 @@
     });
   }
 
-  // Paper has no folds: all claims are printed open and are as they were afterwards.
+  // Paper has no folds: all claims are printed open and are as they were afterwards. Certificates stay in report.md.
   let folded = [];
   addEventListener("beforeprint", () => {
-    folded = [...document.querySelectorAll("details:not([open])")];
+    folded = [...document.querySelectorAll("details:not([open]):not(.certificate)")];
     for (const part of folded) part.open = true;
   });
   addEventListener("afterprint", () => {

@@ -3,9 +3,11 @@
 use std::path::Path;
 
 use slipmode::friction::Parameters;
-use slipmode::number::{Dd, Rational};
-use slipmode::stability::batch::{GridKernel, RungCounts, SignPair, classify_points};
-use slipmode::stability::{InertialThreshold, classify, classify_quickly};
+use slipmode::number::Rational;
+use slipmode::stability::batch::{
+    GridKernel, LargestPartsPerS, RungCounts, SignPair, classify_points, point_values,
+};
+use slipmode::stability::{InertialThreshold, classify_binary64};
 
 use super::clock::best_of;
 use super::columns::Columns;
@@ -94,15 +96,24 @@ pub fn play(family: &str, folder: &Path) {
             error = error.max((imaginary / answers[4] - 1.0).abs());
         }
     }
-    Row { method: "slipmode-values", items: some, seconds, wrong, error: Some(scientific(error)), ..row }
-        .print();
+    let one = Row { method: "slipmode-values", items: some, seconds, wrong, ..row.clone() };
+    Row { error: Some(scientific(error)), ..one }.print();
+    let (seconds, found) = best_of(REPETITIONS, || point_values(&inputs).unwrap());
+    let error = found.iter().enumerate().map(|(i, parts)| value_error(parts, columns.answers(i)));
+    let batch = Row { method: "slipmode-values-batch", seconds, ..row };
+    Row { error: Some(scientific(error.fold(0.0, f64::max))), ..batch }.print();
 }
 
-/// Both signs, max Re and max Im: in double-double where that suffices, else by the whole ladder.
+/// The larger error of the two parts: max Re relative to its root's modulus, max Im to itself.
+fn value_error(parts: &LargestPartsPerS, [_, _, growth, modulus, frequency]: [f64; 5]) -> f64 {
+    let [real, imaginary] = [parts.real, parts.imaginary].map(|part| part.to_f64().unwrap_or(f64::NAN));
+    let of_real = (real - growth).abs() / modulus;
+    if frequency > 0.0 { of_real.max((imaginary / frequency - 1.0).abs()) } else { of_real.max(imaginary) }
+}
+
+/// Both signs, max Re and max Im.
 fn values(point: &Parameters<f64>) -> [f64; 4] {
-    let threshold = InertialThreshold::default();
-    let found = classify_quickly(&point.map(|value| Dd::from(*value)), &threshold)
-        .unwrap_or_else(|| classify(&point.map(|value| Rational::from_f64(*value).unwrap()), &threshold));
+    let found = classify_binary64(point, &InertialThreshold::default()).unwrap();
     let part = |value: slipmode::number::Wide| value.to_f64().unwrap_or(f64::NAN);
     [
         f64::from(found.transition_sign),

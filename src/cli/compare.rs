@@ -2,8 +2,9 @@
 
 mod cells;
 mod figures;
+mod inputs;
 mod page;
-mod recording;
+pub mod recording;
 mod rows;
 mod tables;
 mod view;
@@ -47,6 +48,11 @@ pub struct Options {
     /// than this decides nothing. Our simulation is a hundred times more accurate, and 1e-8 at least.
     #[arg(long, value_name = "T", default_value = "1e-2", allow_hyphen_values = true)]
     tolerance: String,
+    /// Compares the rows that can be read although others are at fault; their faults are told, and the command ends with 1
+    ///
+    /// The rows written with --output get a column `error`.
+    #[arg(long)]
+    keep_going: bool,
     /// One JSON object instead of text
     #[arg(long)]
     json: bool,
@@ -66,26 +72,27 @@ pub fn run(options: &Options, progress: Progress) -> Result<(), Failure> {
     let environment = Environment::start();
     let command = options.command()?;
     let folder = options.report.as_deref().map(OutputFolder::create).transpose()?;
-    let started = Started::new(&options.runs, command, false, progress)?;
+    let started = Started::new(&options.runs, command, options.keep_going, progress)?;
     let output = options.output.as_deref().map(Output::create).transpose()?;
     let (done, output) = match output {
         Some(mut output) => (started.work(&mut output)?, Some(output)),
         None => (started.work(&mut io::sink())?, None),
     };
     if let Some(folder) = folder {
-        folder.commit(&page::files(&options.runs, &done.kept, &environment)?)?;
+        folder.commit(&page::files(&options.runs, &done, &environment)?)?;
     }
     let takes_stdout = output.is_some() && options.writes_rows_to_stdout();
     if let Some(output) = output {
         output.commit()?;
     }
     if options.json {
-        terminal::print_json(&view::json(&done.kept))?;
+        terminal::print_json(&view::json(&done.kept, done.faulty()))?;
     } else if !takes_stdout {
         terminal::print(&view::text(&done.kept))?;
     }
+    done.faults.iter().for_each(|fault| eprintln!("{fault}"));
     done.tell_doubts();
-    verdict(&done.kept)
+    verdict(&done.kept, done.faulty())
 }
 
 impl Options {
@@ -114,10 +121,14 @@ impl Options {
     }
 }
 
-/// Success when every row agrees.
-fn verdict(rows: &[ComparedRow]) -> Result<(), Failure> {
+/// Success when every row agrees and none was passed over.
+fn verdict(rows: &[ComparedRow], faulty: u64) -> Result<(), Failure> {
     let count = |verdict: Agreement| rows.iter().filter(|row| row.comparison.verdict == verdict).count();
     match (count(Agreement::Differs), count(Agreement::NotCompared)) {
+        (differs, open) if faulty > 0 => Err(Failure::Check(format!(
+            "{faulty} rows are at fault; of the other {}, {differs} differ and {open} could not be compared",
+            rows.len()
+        ))),
         _ if rows.is_empty() => Err(Failure::Check("no rows, so nothing was compared".into())),
         (0, 0) => Ok(()),
         (differs, open) => {

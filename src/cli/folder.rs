@@ -1,5 +1,7 @@
 //! Scenes and report folders, read whole, with every fault of every file.
 
+mod references;
+
 use std::collections::{BTreeMap, BTreeSet};
 use std::io;
 use std::path::{Path, PathBuf};
@@ -8,15 +10,13 @@ use slipmode::archive::{Files, sha256_hex};
 use slipmode::claims::known_ids;
 use slipmode::report::{Folder, InputView};
 use slipmode::scene::{
-    Fault, Faults, Limits, Problem, ReportPlan, Scene, TimingsSection, check_distinct_scene_names, file_text,
-    read_claims,
+    Fault, Faults, Limits, Problem, ReportPlan, Scene, check_distinct_scene_names, file_text, read_claims,
 };
-use slipmode::study::{
-    References, Timings, read_cost, read_hard_cases, read_hard_laps, read_machine, read_peers,
-};
+use slipmode::study::References;
 use slipmode::theory::PaperEquations;
 
 use crate::cli::input::{read_small_file, unreadable};
+use references::Places;
 
 /// The paper's equations for scenes that stand outside a report.
 pub const EQUATIONS: &str = include_str!("../../reports/im-avouac/equations.toml");
@@ -96,7 +96,7 @@ pub fn read_report_from(source: Source, limits: Limits) -> Result<(Folder, Files
         let text = reader.read(&format!("prose/{file}"), |file, bytes, _| read_prose(file, bytes));
         prose.extend(text.map(|text| (file.clone(), text)));
     }
-    let references = reader.references(&scenes, ["vectors/", "timings/"]);
+    let references = reader.references(&scenes, Places::IN_REPORT);
     match (plan, claims, equations) {
         (Some(plan), Some(claims), Some(equations)) if reader.faults.is_empty() => {
             let inputs = reader.inputs;
@@ -113,7 +113,7 @@ pub struct LoneScene {
     pub scene: Scene,
     /// The paper's equations.
     pub equations: PaperEquations,
-    /// Files that the scene names: beside it, or in the `vectors` folder of its report.
+    /// Files that the scene names: beside it, or in the folders of its report.
     pub references: References,
 }
 
@@ -125,11 +125,10 @@ pub fn read_scene(path: &Path, limits: Limits) -> Result<LoneScene, Faults> {
     let bytes = read_small_file(path).map_err(|fault| vec![fault])?;
     let scene = Scene::parse(&path.display().to_string(), &bytes, &limits)?;
     let beside = path.parent().unwrap_or(Path::new(""));
-    let folders = ["vectors/", "timings/"];
-    let report = beside.parent().filter(|report| folders.iter().any(|folder| report.join(folder).is_dir()));
-    let (place, folders) = report.map_or((beside, ["", ""]), |report| (report, folders));
+    let report = beside.parent().filter(|report| Places::IN_REPORT.is_in(report));
+    let (place, places) = report.map_or((beside, Places::BESIDE), |report| (report, Places::IN_REPORT));
     let mut reader = Reader::new(Source::Folder(place.to_path_buf()), limits);
-    let references = reader.references(std::slice::from_ref(&scene), folders);
+    let references = reader.references(std::slice::from_ref(&scene), places);
     if !reader.faults.is_empty() {
         return Err(reader.faults);
     }
@@ -168,35 +167,6 @@ impl Reader {
         let parsed = parse(&self.name(path), &bytes, &self.limits);
         self.kept.insert(path.to_string(), bytes);
         parsed.map_err(|faults| self.faults.extend(faults)).ok()
-    }
-
-    /// The files that scenes name, from the folders of vectors and of times.
-    fn references(&mut self, scenes: &[Scene], [vectors, timings]: [&str; 2]) -> References {
-        let named = scenes.iter().filter_map(|scene| scene.hard_cases.as_ref());
-        let mut references = References::default();
-        for file in named.map(|section| section.file.clone()).collect::<BTreeSet<_>>() {
-            let cases = self.read_text(&format!("{vectors}{file}"), read_hard_cases);
-            references.hard_cases.extend(cases.map(|cases| (file, cases)));
-        }
-        let named = scenes.iter().filter_map(|scene| scene.hard_cases.as_ref()?.laps.clone());
-        for file in named.collect::<BTreeSet<_>>() {
-            let laps = self.read_text(&format!("{vectors}{file}"), read_hard_laps);
-            references.hard_laps.extend(laps.map(|laps| (file, laps)));
-        }
-        for section in scenes.iter().filter_map(|scene| scene.timings.as_ref()) {
-            let found = self.timings(section, timings);
-            references.timings.extend(found.map(|found| (section.clone(), found)));
-        }
-        references
-    }
-
-    /// The three files of times.
-    fn timings(&mut self, section: &TimingsSection, folder: &str) -> Option<Timings> {
-        let peers = self.read_text(&format!("{folder}{}", section.peers), read_peers);
-        let cost = self.read_text(&format!("{folder}{}", section.cost), read_cost);
-        let machine = self.read_text(&format!("{folder}{}", section.machine), read_machine);
-        let (peers_file, cost_file) = (section.peers.clone(), section.cost.clone());
-        Some(Timings { peers_file, peers: peers?, cost_file, cost: cost?, machine: machine? })
     }
 
     /// Reads a file as text.

@@ -2,16 +2,18 @@
 
 use std::collections::BTreeSet;
 use std::fs;
+use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use slipmode::study::{Shard, array_string};
+use slipmode::study::{Shard, Summary, SummaryError, array_string};
 
 use crate::cli::failure::Failure;
 use crate::cli::options::Arguments;
-use crate::cli::output::Output;
+use crate::cli::output::{Output, machine_write};
 use crate::cli::sweep::MOST_SHARDS;
-use crate::cli::sweep::block_file::{OpenBlock, Origin, Unsound, block_name, block_of_name};
+use crate::cli::sweep::block_file::{Content, OpenBlock, Origin, Unsound, block_name, block_of_name};
+use crate::cli::sweep::summed::refused;
 use crate::cli::terminal;
 
 /// Options of `merge`.
@@ -175,19 +177,55 @@ impl<'f> Folder<'f> {
         Ok(State::Sound)
     }
 
-    /// Writes all blocks one after the other; each is held against its digest on the way.
+    /// Writes all blocks one after the other, or their summaries put together; each is held against its digest on the way.
     fn write(&self, output: &Path) -> Result<(), Failure> {
         let mut output = Output::create(output)?;
-        for block in 0..self.origin.blocks {
-            let gone = |reason: &str| Failure::Refused(self.naming(&block_name(block), reason));
-            let Ok(open) = OpenBlock::open(self.place, block) else {
-                return Err(gone("changed while the blocks were merged"));
-            };
-            if let Err(Unsound::Damaged(reason)) = open.copy(block == 0, &mut output)? {
-                return Err(gone(&reason));
+        match self.origin.content {
+            Content::Rows => {
+                for block in 0..self.origin.blocks {
+                    self.copy(block, block == 0, &mut output)?;
+                }
+            }
+            Content::Summary(keys) => {
+                let summary = self.summary(keys)?;
+                let written = output.write_all(&summary.columns()).and(output.write_all(&summary.lines()));
+                written.map_err(|error| machine_write(&error))?;
             }
         }
         output.commit()
+    }
+
+    /// The summaries of all blocks, added in their order.
+    fn summary(&self, keys: usize) -> Result<Summary, Failure> {
+        let mut whole: Option<Summary> = None;
+        for block in 0..self.origin.blocks {
+            let mut text = Vec::new();
+            let columns = self.copy(block, true, &mut text)?;
+            let (columns, lines) = text.split_at(columns.min(text.len()));
+            if whole.is_none() {
+                whole = Some(Summary::of_columns(columns, keys).map_err(refused)?);
+            }
+            if let Some(whole) = &mut whole {
+                let named = |error: SummaryError| {
+                    Failure::Refused(self.naming(&block_name(block), &error.to_string()))
+                };
+                whole.add_summary(lines).map_err(named)?;
+            }
+        }
+        whole.ok_or_else(|| Failure::Refused("there are no blocks".into()))
+    }
+
+    /// Copies a block's CSV and returns the length of its line of column names.
+    fn copy(&self, block: u64, with_columns: bool, out: &mut impl Write) -> Result<usize, Failure> {
+        let gone = |reason: &str| Failure::Refused(self.naming(&block_name(block), reason));
+        let Ok(open) = OpenBlock::open(self.place, block) else {
+            return Err(gone("changed while the blocks were merged"));
+        };
+        let columns = usize::try_from(open.heading.columns).unwrap_or(usize::MAX);
+        match open.copy(with_columns, out)? {
+            Err(Unsound::Damaged(reason)) => Err(gone(&reason)),
+            _ => Ok(columns),
+        }
     }
 }
 

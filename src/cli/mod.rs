@@ -5,8 +5,11 @@ mod boundary;
 mod claim;
 mod classify;
 mod compare;
+#[cfg(test)]
+mod csv_promises;
 mod diff;
 mod environment;
+mod explore;
 mod failure;
 mod folder;
 mod input;
@@ -66,6 +69,8 @@ enum Command {
     Compare(compare::Options),
     /// Which formula may be used where, for given relative errors
     Tolerance(tolerance::Options),
+    /// One page on which b, K and M of a scene's slider can be changed: stored curves, no server
+    Explore(explore::Options),
     /// A folder for a report on one's own slider, ready to be made
     New(new::Options),
     /// One scene: its tables and figures
@@ -113,6 +118,7 @@ fn run(cli: Cli) -> Result<(), Failure> {
         Command::Merge(options) => merge::run(&options),
         Command::Compare(options) => compare::run(&options, progress),
         Command::Tolerance(options) => tolerance::run(&options),
+        Command::Explore(options) => explore::run(&options),
         Command::New(options) => new::run(&options, &progress),
         Command::Run(options) => report::run(&options, &progress),
         Command::Report(options) => report::report(&options, &progress),

@@ -18,7 +18,7 @@ use crate::cli::terminal;
 use crate::cli::tree::{Files, OutputFolder};
 
 use files::folder_files;
-use ranges::Ranges;
+pub use ranges::Ranges;
 use scene::Typed;
 
 /// Options of `new`.

@@ -1,11 +1,13 @@
 //! `slipmode sweep`: the points of a scene in fixed blocks, as many as belong to one shard; its plan; its Slurm scripts.
 
+mod asymptote_rows;
 pub mod block_file;
 mod boundary_rows;
 mod load;
 mod plan;
 mod points;
 mod slurm;
+pub mod summed;
 mod work;
 
 use std::fs;
@@ -21,10 +23,11 @@ use slipmode::study::{Blocks, Shard};
 use crate::cli::failure::Failure;
 use crate::cli::options::Arguments;
 use crate::cli::progress::Progress;
-use block_file::{OpenBlock, Origin, Unsound, write_block};
+use block_file::{Content, OpenBlock, Origin, Unsound, write_block};
 use load::{Loaded, Task};
 use points::{Job, Points};
-use work::PointWork;
+use summed::Summed;
+use work::{Lines, PointWork};
 
 /// Options of `sweep`.
 #[derive(Debug, Args)]
@@ -90,14 +93,22 @@ struct ComputeShard<'o> {
 impl Task for ComputeShard<'_> {
     fn perform<W: PointWork>(self, loaded: &Loaded, points: &Points<W>) -> Result<(), Failure> {
         let blocks = points.blocks(loaded.section.block_points)?;
+        let columns = points.columns();
+        let summed =
+            loaded.section.summary.as_ref().map(|section| Summed::new(section, &columns)).transpose()?;
         create_folder(self.out)?;
-        let origin =
-            Origin { scene: loaded.digest.clone(), version: load::version(), blocks: blocks.count() };
+        let origin = Origin {
+            scene: loaded.digest.clone(),
+            version: load::version(),
+            blocks: blocks.count(),
+            content: summed.as_ref().map_or(Content::Rows, Summed::content),
+        };
         let shard_blocks = blocks.of_shard(self.shard).count() as u64;
         let writer = BlockWriter {
             points,
             blocks,
-            columns: points.columns(),
+            columns: summed.as_ref().map_or(columns, Summed::columns),
+            summed,
             origin,
             out: self.out,
             bar: self.progress.count(shard_blocks),
@@ -125,6 +136,7 @@ struct BlockWriter<'p, W> {
     points: &'p Points<W>,
     blocks: Blocks,
     columns: Vec<u8>,
+    summed: Option<Summed>,
     origin: Origin,
     out: &'p Path,
     bar: ProgressBar,
@@ -134,7 +146,7 @@ struct BlockWriter<'p, W> {
 impl<W: PointWork> BlockWriter<'_, W> {
     fn write(&self, job: &Job) -> Result<(), Failure> {
         if !self.holds(job.block)? {
-            let lines = self.points.lines(self.blocks, job);
+            let lines = self.lines(job)?;
             let range = self.blocks.range(job.block);
             let number = (job.block, range.end - range.start);
             write_block(self.out, &self.origin, number, &self.columns, &lines.text)?;
@@ -142,6 +154,13 @@ impl<W: PointWork> BlockWriter<'_, W> {
         }
         self.bar.inc(1);
         Ok(())
+    }
+
+    fn lines(&self, job: &Job) -> Result<Lines, Failure> {
+        match &self.summed {
+            Some(summed) => summed.lines(self.points, self.blocks, job),
+            None => Ok(self.points.lines(self.blocks, job)),
+        }
     }
 
     /// Whether a block is there and sound. A damaged one is computed again; one of another sweep is never overwritten.

@@ -4,7 +4,7 @@
 //! the system. The eliminated diagonals λ − hJ_yy and λ have no smaller modulus than Re λ > 0, because J_yy ≤ 0 for
 //! both laws: nothing cancels there. Only the last pivot can be small, and it is exactly when the step is.
 
-use std::ops::{Add, Div, Mul, Neg, Sub};
+use std::ops::{Add, Mul, Neg, Sub};
 
 use super::Scalar;
 
@@ -61,10 +61,12 @@ pub struct Complex<R> {
 
 /// What the elimination asks of its numbers: a field, with the real scalars acting on it.
 pub trait OverReals<R>:
-    Clone + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self> + Neg<Output = Self>
+    Clone + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Neg<Output = Self>
 {
     /// A real number as one of these.
     fn from_real(value: &R) -> Self;
+    /// One over the number.
+    fn inverse(&self) -> Self;
     /// The product with a real number.
     fn times_real(&self, factor: &R) -> Self;
 }
@@ -73,6 +75,10 @@ impl<R: Scalar> OverReals<R> for R {
     #[inline(always)]
     fn from_real(value: &R) -> Self {
         value.clone()
+    }
+    #[inline(always)]
+    fn inverse(&self) -> Self {
+        R::from(1) / self
     }
     #[inline(always)]
     fn times_real(&self, factor: &R) -> Self {
@@ -84,6 +90,15 @@ impl<R: Scalar> OverReals<R> for Complex<R> {
     #[inline(always)]
     fn from_real(value: &R) -> Self {
         Self { re: value.clone(), im: R::from(0) }
+    }
+    /// Scaled by the larger part: no overflow while operand and result are in range, and no branch to mispredict.
+    #[inline(always)]
+    fn inverse(&self) -> Self {
+        let (re_size, im_size) = (self.re.abs(), self.im.abs());
+        let scale = R::from(1) / if re_size < im_size { im_size } else { re_size };
+        let (re, im) = (self.re.clone() * &scale, self.im.clone() * &scale);
+        let factor = scale / (re.square() + im.square());
+        Self { re: re * &factor, im: -(im * &factor) }
     }
     #[inline(always)]
     fn times_real(&self, factor: &R) -> Self {
@@ -126,35 +141,22 @@ impl<R: Scalar> Mul for Complex<R> {
     }
 }
 
-impl<R: Scalar> Div for Complex<R> {
-    type Output = Self;
-    /// Smith's quotient: no overflow while operands and result are in range.
-    #[inline(always)]
-    fn div(self, other: Self) -> Self {
-        if other.re.abs() < other.im.abs() {
-            let ratio = other.re.clone() / &other.im;
-            let scale = other.re * &ratio + other.im;
-            Self {
-                re: (self.re.clone() * &ratio + &self.im) / &scale,
-                im: (self.im * &ratio - self.re) / &scale,
-            }
-        } else {
-            let ratio = other.im.clone() / &other.re;
-            let scale = other.im * &ratio + other.re;
-            Self {
-                re: (self.re.clone() + self.im.clone() * &ratio) / &scale,
-                im: (self.im - self.re * &ratio) / &scale,
-            }
-        }
-    }
-}
-
 /// The factorised matrix λ − hJ for one λ, real or complex.
 #[derive(Debug, Clone)]
 pub struct Factors<C> {
     inverse_y: C,
     inverse_zeta: C,
     inverse_pivot: C,
+}
+
+impl<R: Scalar> Factors<Complex<R>> {
+    /// The place of factors that are not needed.
+    #[must_use]
+    #[inline(always)]
+    pub fn blank() -> Self {
+        let zero = Complex::from_real(&R::from(0));
+        Self { inverse_y: zero.clone(), inverse_zeta: zero.clone(), inverse_pivot: zero }
+    }
 }
 
 impl<C> Factors<C> {
@@ -165,13 +167,12 @@ impl<C> Factors<C> {
     where
         C: OverReals<R>,
     {
-        let one = C::from_real(&R::from(1));
-        let inverse_y = one.clone() / (lambda.clone() - C::from_real(&jacobian.yy));
-        let inverse_zeta = one.clone() / lambda.clone();
+        let inverse_y = (lambda.clone() - C::from_real(&jacobian.yy)).inverse();
+        let inverse_zeta = lambda.inverse();
         let through_y = inverse_y.times_real(&(jacobian.xy.clone() * &jacobian.yx));
         let through_zeta = inverse_zeta.times_real(&(jacobian.xz.clone() * &jacobian.zx));
         let pivot = lambda.clone() - C::from_real(&jacobian.xx) - through_y - through_zeta;
-        Self { inverse_y, inverse_zeta, inverse_pivot: one / pivot }
+        Self { inverse_y, inverse_zeta, inverse_pivot: pivot.inverse() }
     }
 
     /// Solves (λ − J) d = r.

@@ -28,6 +28,8 @@ pub struct Collocation<R, const S: usize> {
     pub from_modes: [[R; S]; S],
     /// T^{-1}.
     pub to_modes: [[R; S]; S],
+    /// A^{-1}.
+    pub inverse: [[R; S]; S],
     /// Eigenvalues λ of A^{-1}: the real one, then (Re, Im > 0) of each pair.
     pub eigenvalues: [R; S],
     /// Weights e of the stages in the error estimate γ0 h f(y_n) + Σ e_i Z_i of order S, γ0 the inverse real eigenvalue.
@@ -52,6 +54,7 @@ impl<R: Scalar, const S: usize> Collocation<R, S> {
             nodes: row(&table.nodes),
             from_modes: matrix(&table.from_modes),
             to_modes: matrix(&table.to_modes),
+            inverse: matrix(&table.inverse),
             eigenvalues: row(&table.eigenvalues),
             error_weights: row(&table.error_weights),
             dense: matrix(&table.dense),
@@ -69,6 +72,7 @@ struct Table {
     nodes: Vec<Float>,
     from_modes: Matrix,
     to_modes: Matrix,
+    inverse: Matrix,
     eigenvalues: Vec<Float>,
     error_weights: Vec<Float>,
     dense: Matrix,
@@ -88,11 +92,20 @@ impl Table {
             .map(|node| basis.iter().map(|l| evaluate(&antiderivative(l), node)).collect())
             .collect();
         let (eigenvalues, from_modes) = modes(&polynomial, &nodes);
-        let error_weights = error_weights(&nodes, &inverse(&runge_kutta), &eigenvalues[0]);
+        let inverse_matrix = inverse(&runge_kutta);
+        let error_weights = error_weights(&nodes, &inverse_matrix, &eigenvalues[0]);
         let dense = (0..stages)
             .map(|k| (0..stages).map(|j| Float::with_val(PRECISION_BITS, &basis[j][k] / &nodes[j])).collect())
             .collect();
-        Self { to_modes: inverse(&from_modes), nodes, from_modes, eigenvalues, error_weights, dense }
+        Self {
+            to_modes: inverse(&from_modes),
+            inverse: inverse_matrix,
+            nodes,
+            from_modes,
+            eigenvalues,
+            error_weights,
+            dense,
+        }
     }
 }
 

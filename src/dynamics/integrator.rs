@@ -3,11 +3,15 @@
 //! The equations do not contain the time, so a step of 1e-60 after a stick phase of length 1 is as good as any other:
 //! only the clock, which is a compensated sum local to the cycle, ever adds the two.
 
+use super::plunge::{Plunge, plunge};
 use super::stepper::{Stepper, Trial, Weight};
 use super::{Failure, Model, Scalar, State};
 
 /// The tightest local tolerance, in units of the arithmetic's rounding error.
 const TIGHTEST_IN_UNITS: f64 = 64.0;
+
+/// The most by which a step may exceed the one before: where nothing happens any more it grows to the next time scale quickly.
+const LARGEST_GROWTH: f64 = 8.0;
 
 /// What an integration may do.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -170,6 +174,21 @@ impl<'m, R: Scalar, M: Stepper<R>> Integrator<'m, R, M> {
         self.method.restart();
     }
 
+    /// Takes a stop from where it becomes predictable to the slow motion after it, in one step without a polynomial; false when there is none.
+    pub(super) fn plunge(&mut self) -> bool {
+        let permitted = self.weight(&self.state).absolute;
+        let Some(Plunge { to, time, slow_rate }) = plunge(self.model, &self.state, permitted) else {
+            return false;
+        };
+        self.steps += 1;
+        self.clock.advance(&time);
+        self.proposal = R::from_f64(libm::pow(permitted, 0.2) / slow_rate);
+        self.step = time;
+        self.from = std::mem::replace(&mut self.state, to);
+        self.method.restart();
+        true
+    }
+
     fn weight(&self, state: &State<R>) -> Weight {
         let size = state.iter().fold(0.0f64, |size, c| size.max(c.to_f64().abs()));
         // Where the state is small the equations keep relative accuracy, and so must the steps.
@@ -237,7 +256,7 @@ impl<'m, R: Scalar, M: Stepper<R>> Integrator<'m, R, M> {
 
     /// The factor that would bring the error to its permitted size.
     fn factor(&self, error: f64) -> f64 {
-        (0.9 / root(error.max(1e-30), M::ERROR_EXPONENT)).clamp(0.1, 5.0)
+        (0.9 / root(error.max(1e-30), M::ERROR_EXPONENT)).clamp(0.1, LARGEST_GROWTH)
     }
 
     /// Gustafsson's predictive factor, held back where the iteration was slow.
@@ -248,7 +267,7 @@ impl<'m, R: Scalar, M: Stepper<R>> Integrator<'m, R, M> {
         let predicted = plain * ratio * root(self.last_error / error.max(1e-10), M::ERROR_EXPONENT);
         // Slow convergence shortens the next step before it has to be refused.
         let patience = 1.6 - self.method.effort();
-        let ceiling = if patience >= 1.0 { 5.0 } else { patience.max(0.6) };
+        let ceiling = if patience >= 1.0 { LARGEST_GROWTH } else { patience.max(0.6) };
         plain.min(predicted.max(0.2)).min(ceiling)
     }
 

@@ -9,6 +9,13 @@ use super::{Failure, Integrator, Scalar, State};
 /// The equations keep relative accuracy down to here, so a late oscillation is seen unless it loses 150 decades in a few turns.
 pub const QUIET: f64 = 1e-150;
 
+/// Below this size the equations are linear beyond all digits, and the extremes of the trajectory lie far behind: what is left to be
+/// seen is how the end goes, and a pair of modes that dies as fast as to have hidden until here is sought among small deviations.
+const FAINT: f64 = 1e-30;
+
+/// The local tolerance that is enough there.
+const FAINT_TOLERANCE: f64 = 1e-2;
+
 /// What one lap showed.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Lap<R> {
@@ -52,6 +59,10 @@ pub fn run_lap<R: Scalar, M: Stepper<R> + Clone>(
         end: start,
     };
     loop {
+        if run.plunge() {
+            // The velocity is least where the slow motion begins, or later.
+            lap.note(Mark::Trough, &run.state().clone());
+        }
         run.advance(None)?;
         for candidate in candidates(run).into_iter().flatten() {
             if candidate.mark != Mark::Rise {
@@ -64,11 +75,28 @@ pub fn run_lap<R: Scalar, M: Stepper<R> + Clone>(
             run.take_back();
             break;
         }
-        let size = run.state().iter().fold(0.0f64, |size, c| size.max(c.to_f64().abs()));
-        if size < QUIET {
+        let size = size_of(run.state());
+        if size < FAINT {
+            fade(run)?;
             return Ok((lap.finish(run, LapEnd::Quiet), LapEnd::Quiet));
         }
     }
+}
+
+fn size_of<R: Scalar>(state: &State<R>) -> f64 {
+    state.iter().fold(0.0f64, |size, c| size.max(c.to_f64().abs()))
+}
+
+/// Follows the end of a decay until it is quiet; a few zeros more or less change nothing then.
+fn fade<R: Scalar, M: Stepper<R>>(run: &mut Integrator<'_, R, M>) -> Result<(), Failure> {
+    let local_tolerance = run.local_tolerance();
+    run.set_local_tolerance(local_tolerance.max(FAINT_TOLERANCE));
+    let mut end = Ok(());
+    while end.is_ok() && size_of(run.state()) >= QUIET {
+        end = run.advance(None);
+    }
+    run.set_local_tolerance(local_tolerance);
+    end
 }
 
 impl<R: Scalar> Lap<R> {

@@ -142,17 +142,29 @@ impl<R: Scalar> Model<R> {
     #[must_use]
     #[inline]
     pub fn rate(&self, state: &State<R>) -> State<R> {
+        self.rate_and_stiffness(state).0
+    }
+
+    /// The same with the stiffness ∂x'/∂ζ = e^{−x}/η of the balance of forces; zero quasi-statically, where there is none.
+    #[must_use]
+    #[inline]
+    pub(super) fn rate_and_stiffness(&self, state: &State<R>) -> (State<R>, R) {
         let e = self.exponentials(state);
         let state_rate = match self.law {
             EvolutionLaw::Slip => -(e.velocity.clone() * (state[0].clone() + &state[1])),
             EvolutionLaw::Aging => e.healing_excess.clone() - &e.velocity_excess,
         };
         let stress_rate = -(self.groups.stiffness_group.clone() * &e.velocity_excess);
-        let velocity_rate = match self.balance {
-            Balance::QuasiStatic => stress_rate.clone() - self.groups.effect_ratio.clone() * &state_rate,
-            _ => self.imbalance(state) * self.inverse_momentum(&e.velocity),
+        let (velocity_rate, stiffness) = match self.balance {
+            Balance::QuasiStatic => {
+                (stress_rate.clone() - self.groups.effect_ratio.clone() * &state_rate, R::from(0))
+            }
+            _ => {
+                let stiffness = self.inverse_momentum(&e.velocity);
+                (self.imbalance(state) * &stiffness, stiffness)
+            }
         };
-        [velocity_rate, state_rate, stress_rate]
+        ([velocity_rate, state_rate, stress_rate], stiffness)
     }
 
     /// The derivative of the rate by the state.

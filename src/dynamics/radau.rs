@@ -80,20 +80,34 @@ impl<R: Scalar, const S: usize> Radau<R, S> {
         factors: &StepFactors<R, S>,
         modes: &[State<R>; S],
     ) -> [State<R>; S] {
-        let derivatives: [State<R>; S] = std::array::from_fn(|i| {
+        let eigenvalues = &self.constants.eigenvalues;
+        let pivot = eigenvalues[0].clone() + &factors.jacobian.xz;
+        let mut derivatives = self.stages.clone();
+        for i in 0..S {
             let state: State<R> = std::array::from_fn(|c| from[c].clone() + &self.stages[i][c]);
-            model.rate(&state).map(|rate| rate * h)
-        });
+            let (rate, stiffness) = model.rate_and_stiffness(&state);
+            // The row of x as a residual, scaled from the stiffness of its stage to that of the Jacobian.
+            let mut residual = rate[0].clone() * h;
+            for j in 0..S {
+                residual = residual - self.constants.inverse[i][j].clone() * &self.stages[j][0];
+            }
+            let scale = pivot.clone() / (eigenvalues[0].clone() + stiffness * h);
+            derivatives[i] = [residual * scale, rate[1].clone() * h, rate[2].clone() * h];
+        }
         self.evaluations += S as u64;
         let mut right = transform(&self.constants.to_modes, &derivatives);
-        let eigenvalues = &self.constants.eigenvalues;
-        let real: State<R> =
-            std::array::from_fn(|c| right[0][c].clone() - eigenvalues[0].clone() * &modes[0][c]);
+        let real: State<R> = std::array::from_fn(|c| match c {
+            0 => right[0][0].clone(),
+            _ => right[0][c].clone() - eigenvalues[0].clone() * &modes[0][c],
+        });
         right[0] = factors.real.solve(&factors.jacobian, real);
         for m in (1..S).step_by(2) {
             let (re, im) = (&eigenvalues[m], &eigenvalues[m + 1]);
             // The pair (a, b) of modes acts as a − ib, on which A^{-1} is multiplication by λ.
             let residual: [Complex<R>; 3] = std::array::from_fn(|c| {
+                if c == 0 {
+                    return Complex { re: right[m][0].clone(), im: -right[m + 1][0].clone() };
+                }
                 let (a, b) = (&modes[m][c], &modes[m + 1][c]);
                 Complex {
                     re: right[m][c].clone() - re.clone() * a - im.clone() * b,
@@ -131,7 +145,7 @@ impl<R: Scalar, const S: usize> Radau<R, S> {
             for i in 0..S {
                 let sum = weighted(&self.constants.from_modes[i], &update);
                 for (c, d) in sum.into_iter().enumerate() {
-                    size = size.max(d.to_f64().abs());
+                    size = larger(size, d.to_f64().abs());
                     self.stages[i][c] = self.stages[i][c].clone() + d;
                     modes[i][c] = modes[i][c].clone() + &update[i][c];
                 }
@@ -179,7 +193,7 @@ impl<R: Scalar, const S: usize> Default for Radau<R, S> {
 struct StepFactors<R, const S: usize> {
     jacobian: Arrow<R>,
     real: Factors<R>,
-    /// One per pair; the rest of the array repeats the last and is never read.
+    /// One per pair; the rest of the array is never read.
     pairs: [Factors<Complex<R>>; S],
 }
 
@@ -187,12 +201,21 @@ impl<R: Scalar, const S: usize> StepFactors<R, S> {
     fn new(eigenvalues: &[R; S], jacobian: Arrow<R>) -> Self {
         let real = Factors::new(&eigenvalues[0], &jacobian);
         let pairs = std::array::from_fn(|k| {
-            let m = (2 * k + 1).min(S - 2);
+            let m = 2 * k + 1;
+            if m >= S {
+                return Factors::blank();
+            }
             let lambda = Complex { re: eigenvalues[m].clone(), im: eigenvalues[m + 1].clone() };
             Factors::new(&lambda, &jacobian)
         });
         Self { jacobian, real, pairs }
     }
+}
+
+/// The larger of two sizes, or the second when one is not a number: such a one spreads to the last of the updates.
+#[inline(always)]
+fn larger(a: f64, b: f64) -> f64 {
+    if a > b { a } else { b }
 }
 
 #[inline(always)]

@@ -178,6 +178,9 @@ fn approach<R: Scalar, M: Stepper<R> + Clone>(
     Ok(None)
 }
 
+/// How far two laps from one passage may end apart, over the looser one's tolerance.
+const LAP_ERROR_IN_TOLERANCES: f64 = 0.5;
+
 /// Laps from a rough cycle until one closes.
 const MOST_LAPS: usize = 30;
 
@@ -210,7 +213,7 @@ pub(super) fn follow<M: Stepper<f64> + Clone>(
         let sight = map.sight(&passage, tolerance)?;
         let left = size(sight.residual()) / sight.size();
         // Beyond the errors of the two laps a deviation that stays belongs to a slow direction.
-        if left > 0.5 * change && left > 0.1 * at {
+        if left > 0.5 * change && left > LAP_ERROR_IN_TOLERANCES * at {
             return Ok(None);
         }
         if ready {

@@ -5,6 +5,7 @@
 use rug::Float;
 
 use super::double_double_exp::double_double_exponentials;
+use super::quick_exp::exponentials;
 use crate::number::{Dd, Real};
 
 /// A number that a trajectory can be computed in: `f64`, double-double or [`Multi`](super::Multi).
@@ -64,14 +65,7 @@ impl Scalar for f64 {
 
     #[inline]
     fn exponentials(&self) -> (Self, Self) {
-        // Beyond ±1/2 the subtraction loses at most two bits.
-        if f64::abs(*self) > 0.5 {
-            let exponential = libm::exp(*self);
-            (exponential, exponential - 1.0)
-        } else {
-            let excess = libm::expm1(*self);
-            (1.0 + excess, excess)
-        }
+        exponentials(*self)
     }
 
     fn logarithm(&self) -> Self {

@@ -27,6 +27,9 @@ const FINER: f64 = 0.01;
 /// How near to a slowly contracting cycle the rough run has to come before Newton's iteration takes over.
 const NEWTON_FROM: f64 = 1e-2;
 
+/// The same for one that contracts fast, over the asked error: true laps follow, and their errors are measured.
+const FOLLOW_FROM: f64 = 0.3;
+
 /// Local tolerances of one attempt.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Levels {
@@ -118,7 +121,7 @@ impl<'m, 'o, M: Stepper<f64> + Clone> Search<'m, 'o, M> {
             return self.refined(cycle, tolerance);
         }
         let rough = self.levels.rough;
-        let targets = [0.1 * self.options.tolerance.max(1e-2), NEWTON_FROM];
+        let targets = [FOLLOW_FROM * self.options.tolerance.max(1e-2), NEWTON_FROM];
         match self.run(rough, |run, laps| settle_within(run, targets, laps))? {
             Late::Cycle(cycle) => self.refined(cycle, rough),
             Late::Decay(decay) if rough <= self.levels.coarse => self.decay(decay),

@@ -28,8 +28,36 @@ const FARTHEST: f64 = 1e-3;
 /// Contraction of a lap assumed where none could be measured, because the laps closed at once.
 const UNMEASURED: f64 = 0.5;
 
+/// Changes of a lap below this multiple of the local tolerance are the integrator's errors when they do not shrink.
+const ERRATIC_IN_TOLERANCES: f64 = 0.3;
+
+/// Laps in which such changes must shrink.
+const MOST_ERRATIC_LAPS: u32 = 40;
+
 /// A lap that leaves more than this part of a deviation contracts slowly.
 pub(super) const SLOW: f64 = 0.3;
+
+/// Laps since the change of a lap last fell by a tenth.
+struct Standstill {
+    least: f64,
+    laps: u32,
+}
+
+impl Standstill {
+    const fn new() -> Self {
+        Self { least: f64::INFINITY, laps: 0 }
+    }
+
+    /// Notes one change; true when the last many did not fall.
+    fn lasts(&mut self, change: f64) -> bool {
+        if change < 0.9 * self.least {
+            (self.least, self.laps) = (change, 0);
+        } else {
+            self.laps += 1;
+        }
+        self.laps >= MOST_ERRATIC_LAPS
+    }
+}
 
 /// A limit cycle.
 #[derive(Debug, Clone, PartialEq)]
@@ -91,7 +119,8 @@ pub(super) fn settle_within<R: Scalar, M: Stepper<R> + Clone>(
     let mut jumped = false;
     let mut reach = LARGEST_JUMP;
     let mut retreat: Option<State<R>> = None;
-    for _ in 0..most_laps {
+    let mut standstill = Standstill::new();
+    for done in 1..=most_laps {
         let (lap, end) = match (run_lap(run), &retreat) {
             (Ok(lap), _) => lap,
             // The jump led where no trajectory goes: back to where it came from, and less far the next time.
@@ -122,6 +151,9 @@ pub(super) fn settle_within<R: Scalar, M: Stepper<R> + Clone>(
             return measure_decay(run, history, transient);
         }
         let Some(change) = history.change(1) else { continue };
+        if change < ERRATIC_IN_TOLERANCES * run.local_tolerance() && standstill.lasts(change) {
+            return Err(Failure::Undecided { cycles: done, change });
+        }
         if change > noise {
             contraction = history.multiplier().or(contraction);
         }

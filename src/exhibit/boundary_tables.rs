@@ -66,7 +66,7 @@ pub fn boundary_row(point: &BoundaryPoint, digits: usize) -> Vec<Cell> {
 pub fn vanishes(ball: &Ball, digits: usize) -> bool {
     let decimals = -(digits as f64) * std::f64::consts::LOG2_10;
     let is_tiny = |radius: &Float| radius.get_exp().is_some_and(|exponent| f64::from(exponent) < decimals);
-    ball.contains_zero() && (ball.radius().is_zero() || is_tiny(ball.radius()))
+    ball.contains_zero() && (ball.is_exact() || is_tiny(&ball.radius()))
 }
 
 fn point_table(

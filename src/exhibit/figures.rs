@@ -44,6 +44,7 @@ const ROOMS: &[&[FigureMaker]] = &[
     crate::exhibit::phase_portraits::FIGURES,
     crate::exhibit::simulation_map::FIGURES,
     crate::exhibit::speed_figures::FIGURES,
+    crate::exhibit::swept::FIGURES,
     crate::exhibit::trajectory_figures::FIGURES,
 ];
 

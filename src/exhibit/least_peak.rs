@@ -1,6 +1,7 @@
 //! Normalised peak velocities and their minimum (fig 5).
 
 use crate::exhibit::axes::axes;
+use crate::exhibit::map_readout::simulated_readout;
 use crate::exhibit::simulation_map::{least_peak_line, peak_velocity};
 use crate::exhibit::{Figure, FigureMaker};
 use crate::friction::EvolutionLaw;
@@ -67,6 +68,12 @@ fn map(scene: &SceneOutcome) -> Option<Figure> {
     let first = all.iter().position(|value| *value > 0.0)? / columns;
     let values = all[first * columns..].to_vec();
     y.min = grid.normal_stress_pa[first];
+    let shown = Grid {
+        loading_velocity_m_per_s: grid.loading_velocity_m_per_s.clone(),
+        normal_stress_pa: grid.normal_stress_pa[first..].to_vec(),
+        values: grid.values[first * columns..].iter().collect::<Vec<_>>(),
+    };
+    let said = scene.boundary.as_ref().map(|boundary| simulated_readout(&shown, boundary));
     let low = values.iter().copied().filter(|value| *value > 0.0).fold(f64::INFINITY, f64::min);
     let law_word = law.as_str();
     let eq18 = |stress: f64| {
@@ -106,7 +113,7 @@ fn map(scene: &SceneOutcome) -> Option<Figure> {
             "Peak velocity of the limit cycle with the {law_word} law, divided by that at 10⁻⁵·⁵ m/s and the same normal stress (compare fig 5a of the paper). The dashed line is eq 18, the dotted one joins the minima found by minimisation."
         ),
         description: MAP.into(),
-        svg: map.svg(),
+        svg: map.svg_with(said.as_ref()),
     })
 }
 

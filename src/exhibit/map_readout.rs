@@ -1,30 +1,79 @@
-//! What the maps of the (V, σ) plane read out at a point: slip mode, frequency, and how far the nearest asymptote is off.
+//! What the maps of the (V, σ) plane read out at a point: slip mode, frequency, how far the nearest asymptote is off, and
+//! what was simulated there.
 
-use crate::plot::Readout;
+use std::borrow::Borrow;
+
+use crate::dynamics::Behaviour;
+use crate::plot::{Readout, Words};
 use crate::stability::SlipMode;
 use crate::stability::boundary::BoundaryPoint;
-use crate::study::{BoundaryOutcome, Grid, MapPoint};
+use crate::study::{BoundaryOutcome, Grid, MapPoint, SimulatedPoint};
 
 /// Points read out along each axis: a page holds them all.
 const POINTS: usize = 25;
 
+/// What is said of theory at a point; certainty: modes and zeros are exact, numbers rounded to three digits.
+const THEORY: &str = "V = {x} m/s, σ = {y} Pa: {0}; max Im(s) = {1} 1/s. Nearest asymptote: {2}, off by {3} % at the nearest point of the boundary.";
+
 /// The words at a coarse part of the map's grid.
 pub(super) fn readout(map: &Grid<MapPoint>, boundary: &BoundaryOutcome) -> Readout {
-    let (velocities, stresses) = (&map.loading_velocity_m_per_s, &map.normal_stress_pa);
-    let places: Vec<Place<'_>> = boundary.points.iter().map(Place::of).collect();
-    let mut cells = Vec::new();
+    let of_point = |point: &MapPoint| (point.slip_mode, point.max_imaginary_per_s.to_f64().unwrap_or(0.0));
+    words(map, &boundary.points, THEORY, |_, point| theory(of_point(point)).to_vec())
+}
+
+/// The words of a map of simulations: those of theory, and what the run did.
+pub(super) fn simulated_readout<P: Borrow<SimulatedPoint>>(
+    grid: &Grid<P>,
+    boundary: &BoundaryOutcome,
+) -> Readout {
+    let sentence = format!("{THEORY} Simulated: {{4}}, peak {{5}} V_l.");
+    words(grid, &boundary.points, &sentence, |velocity, point| {
+        let point = point.borrow();
+        let theory_says =
+            theory((point.theory.slip_mode, point.theory.max_imaginary_per_s.to_f64().unwrap_or(0.0)));
+        theory_says.into_iter().chain(simulated(velocity, point)).collect()
+    })
+}
+
+fn words<T>(
+    grid: &Grid<T>,
+    boundary: &[BoundaryPoint],
+    sentence: &str,
+    fields_at: impl Fn(f64, &T) -> Vec<String>,
+) -> Readout {
+    let (velocities, stresses) = (&grid.loading_velocity_m_per_s, &grid.normal_stress_pa);
+    let places: Vec<Place<'_>> = boundary.iter().map(Place::of).collect();
+    let mut fields: Vec<Vec<String>> = Vec::new();
     for row in chosen(stresses.len()) {
         for column in chosen(velocities.len()) {
-            let Some(point) = map.values.get(row * velocities.len() + column) else { continue };
-            let mode = SlipMode::ALL.iter().position(|mode| *mode == point.slip_mode).unwrap_or(0);
-            let frequency = point.max_imaginary_per_s.to_f64().unwrap_or(0.0);
-            let nearest = nearest(&places, velocities[column], stresses[row]);
-            cells.push((mode, format!("{}~{nearest}", three_digits(frequency))));
+            let Some(point) = grid.values.get(row * velocities.len() + column) else { continue };
+            let mut texts = fields_at(velocities[column], point);
+            texts.splice(2..2, nearest(&places, velocities[column], stresses[row]));
+            fields.resize(texts.len(), Vec::new());
+            fields.iter_mut().zip(texts).for_each(|(field, text)| field.push(text));
         }
     }
     let text = |values: &[f64]| chosen(values.len()).map(|index| three_digits(values[index])).collect();
-    let modes = SlipMode::ALL.iter().map(|mode| mode.as_str().replace('-', " "));
-    Readout { columns: text(velocities), rows: text(stresses), cells, shared: modes.collect() }
+    Readout::Words(Words {
+        columns: text(velocities),
+        rows: text(stresses),
+        sentence: sentence.into(),
+        fields,
+    })
+}
+
+fn theory((mode, frequency): (SlipMode, f64)) -> [String; 2] {
+    [mode.words().into(), three_digits(frequency)]
+}
+
+/// What a run did, and its largest velocity over the loading velocity.
+fn simulated(velocity: f64, point: &SimulatedPoint) -> [String; 2] {
+    let Ok(run) = &point.simulation else { return ["no result".into(), "–".into()] };
+    let late = match run.behaviour {
+        Behaviour::Periodic => "a limit cycle",
+        Behaviour::Decaying => "ends in steady sliding",
+    };
+    [late.into(), three_digits(run.peak_velocity_m_per_s / velocity)]
 }
 
 /// Evenly spaced places among `count`, the first and the last among them.
@@ -46,22 +95,22 @@ impl<'b> Place<'b> {
     }
 }
 
-/// The asymptote that is nearest at the boundary's nearest point, and its error there in percent.
-fn nearest(places: &[Place<'_>], velocity: f64, stress: f64) -> String {
+/// The asymptote that is nearest at the boundary's nearest point, and its error there in percent; nothing without a boundary.
+fn nearest(places: &[Place<'_>], velocity: f64, stress: f64) -> [String; 2] {
     let here = (libm::log10(velocity), libm::log10(stress));
     let distance = |place: &Place<'_>| {
         let (dx, dy) = (place.logarithms.0 - here.0, place.logarithms.1 - here.1);
         dx * dx + dy * dy
     };
     let found = places.iter().min_by(|one, two| distance(one).total_cmp(&distance(two)));
-    found.map_or_else(String::new, |place| {
+    found.map_or_else(Default::default, |place| {
         let percent = 100.0 * place.point.relative_error.to_f64();
-        format!("{}~{}", place.point.asymptote.as_str().replace("eq", "eq "), three_digits(percent))
+        [place.point.asymptote.as_str().replace("eq", "eq "), three_digits(percent)]
     })
 }
 
 /// A number to three digits; zero is exact.
-fn three_digits(value: f64) -> String {
+pub(super) fn three_digits(value: f64) -> String {
     if value == 0.0 {
         return "0".into();
     }

@@ -3,7 +3,7 @@
 use crate::exhibit::axes::{asymptote_lines, axes, boundary_lines, cusp_mark, transition_line};
 use crate::exhibit::map_readout::readout;
 use crate::exhibit::{Figure, FigureMaker};
-use crate::plot::{Axis, Caption, ColourScale, HeatMap, Line, Zone, ZoneMap, zones_of_grid};
+use crate::plot::{Axis, Caption, ColourScale, HeatMap, Line, Readout, Zone, ZoneMap, zones_of_grid};
 use crate::stability::{Arc, SlipMode};
 use crate::study::{BoundaryOutcome, Grid, MapPoint, Need, SceneOutcome};
 
@@ -24,13 +24,13 @@ pub(super) const FIGURES: &[FigureMaker] = &[
         id: "fig-7a",
         needs: &[Need::Map, Need::Zones, Need::Boundary],
         data: &["zones"],
-        make: |outcome| zone_map(outcome.potentially_unstable()?, &FIG_7A),
+        make: |outcome| zone_map(outcome.potentially_unstable()?, &FIG_7A, &FIG_1),
     },
     FigureMaker {
         id: "fig-7b",
         needs: &[Need::Map, Need::Zones, Need::Boundary],
         data: &["zones"],
-        make: |outcome| zone_map(outcome.never_unstable()?, &FIG_7B),
+        make: |outcome| zone_map(outcome.never_unstable()?, &FIG_7B, &FIG_6A),
     },
 ];
 
@@ -156,7 +156,8 @@ fn zero_areas(boundary: &BoundaryOutcome, x: &Axis, y: &Axis) -> Vec<Vec<(f64, f
         .collect()
 }
 
-fn zone_map(scene: &SceneOutcome, words: &Words) -> Option<Figure> {
+/// The zones, with the words of the map of frequencies over the same axes.
+fn zone_map(scene: &SceneOutcome, words: &Words, frequencies: &Words) -> Option<Figure> {
     let (zones, boundary) = (scene.zones.as_ref()?, scene.boundary.as_ref()?);
     let (x, y) = axes(&zones.exact)?;
     let classes: Vec<usize> = zones
@@ -172,9 +173,13 @@ fn zone_map(scene: &SceneOutcome, words: &Words) -> Option<Figure> {
         .zip(outlines)
         .enumerate()
         .filter(|(_, (_, outlines))| !outlines.is_empty())
-        .map(|(style, (mode, outlines))| Zone { label: mode.as_str().replace('-', " "), outlines, style })
+        .map(|(style, (mode, outlines))| Zone { label: mode.words().into(), outlines, style })
         .collect();
     let lines = theory_lines(scene, boundary, &x, &y);
+    let same_axes =
+        |map: &Grid<MapPoint>| axes(map).is_some_and(|(other_x, other_y)| (&other_x, &other_y) == (&x, &y));
+    let said =
+        scene.map.as_ref().filter(|map| same_axes(map)).map(|_| Readout::SameAs(frequencies.id.into()));
     let map = ZoneMap {
         caption: caption(words),
         zones: present,
@@ -184,6 +189,5 @@ fn zone_map(scene: &SceneOutcome, words: &Words) -> Option<Figure> {
         x,
         y,
     };
-    let said = scene.map.as_ref().map(|map| readout(map, boundary));
     Some(figure(words, map.svg_with(said.as_ref())))
 }

@@ -1,6 +1,7 @@
 //! The map of simulated overshoots for a > b with the theory's lines over it (fig 6a).
 
 use crate::exhibit::axes::axes;
+use crate::exhibit::map_readout::simulated_readout;
 use crate::exhibit::maps::theory_lines;
 use crate::exhibit::trajectory_curves::point_marks;
 use crate::exhibit::{Figure, FigureMaker};
@@ -26,6 +27,7 @@ fn overshoot_map(scene: &SceneOutcome) -> Option<Figure> {
     let outcome = scene.simulations.as_ref()?;
     let (_, grid) = outcome.grids.iter().find(|(law, _)| *law == LAW)?;
     let (x, y) = axes(grid)?;
+    let boundary = scene.boundary.as_ref()?;
     let map = HeatMap {
         caption: Caption::new("fig-6a-simulated", TITLE, DESCRIPTION),
         columns: grid.loading_velocity_m_per_s.len(),
@@ -39,7 +41,7 @@ fn overshoot_map(scene: &SceneOutcome) -> Option<Figure> {
         },
         zero_areas: Vec::new(),
         zero_label: "never faster than *V*_l".into(),
-        lines: theory_lines(scene, scene.boundary.as_ref()?, &x, &y),
+        lines: theory_lines(scene, boundary, &x, &y),
         marks: point_marks(scene, "6", first_of_a_panel, Side::Left),
         labels: Vec::new(),
         x,
@@ -50,7 +52,7 @@ fn overshoot_map(scene: &SceneOutcome) -> Option<Figure> {
         label: "Figure 6a, simulated".into(),
         caption_markdown: CAPTION.into(),
         description: DESCRIPTION.into(),
-        svg: map.svg(),
+        svg: map.svg_with(Some(&simulated_readout(grid, boundary))),
     })
 }
 

@@ -1,6 +1,7 @@
 //! The map of simulated peak velocities with the theory's lines over it (fig 3a).
 
 use crate::exhibit::axes::axes;
+use crate::exhibit::map_readout::simulated_readout;
 use crate::exhibit::maps::theory_lines;
 use crate::exhibit::trajectory_curves::point_marks;
 use crate::exhibit::{Figure, FigureMaker};
@@ -28,7 +29,8 @@ fn peak_map(scene: &SceneOutcome) -> Option<Figure> {
     let positive = || values.iter().copied().filter(|value| *value > 0.0);
     let lowest = positive().fold(f64::INFINITY, f64::min);
     let highest = positive().fold(0.0, f64::max);
-    let mut lines = theory_lines(scene, scene.boundary.as_ref()?, &x, &y);
+    let boundary = scene.boundary.as_ref()?;
+    let mut lines = theory_lines(scene, boundary, &x, &y);
     lines.push(least_peak_line(outcome, LAW));
     let map = HeatMap {
         caption: Caption::new("fig-3a", TITLE, DESCRIPTION),
@@ -58,7 +60,7 @@ fn peak_map(scene: &SceneOutcome) -> Option<Figure> {
             CAPTION.into()
         },
         description: DESCRIPTION.into(),
-        svg: map.svg(),
+        svg: map.svg_with(Some(&simulated_readout(grid, boundary))),
     })
 }
 

@@ -30,6 +30,7 @@ const ROOMS: &[&[TableMaker]] = &[
     crate::exhibit::simulation_tables::TABLES,
     crate::exhibit::speed_tables::TABLES,
     crate::exhibit::start_tables::TABLES,
+    crate::exhibit::swept_tables::TABLES,
     crate::exhibit::theory_tables::TABLES,
     crate::exhibit::timing_tables::TABLES,
     crate::exhibit::trajectory_tables::TABLES,

@@ -60,16 +60,13 @@ pub(super) fn power_markup(value: f64) -> String {
 
 /// The slip modes of theory and simulation as a heading says them.
 pub(super) fn mode_words(run: &TrajectoryRun) -> [String; 2] {
-    let words = |word: &str| {
-        word.replace('-', " ").replace("non inertial", "non-inertial").replace("stick slip", "stick-slip")
-    };
     let theory = run.theory.slip_mode;
     let second = match &run.simulation {
         Ok(found) if found.slip_mode == theory => "by theory and by simulation".into(),
-        Ok(found) => format!("by theory; simulated: {}", words(found.slip_mode.as_str())),
+        Ok(found) => format!("by theory; simulated: {}", found.slip_mode.words()),
         Err(_) => "by theory; not simulated".into(),
     };
-    [words(theory.as_str()), second]
+    [theory.words().into(), second]
 }
 
 /// The points of a scene whose id starts so, as marks over a map; `label` names them, or some of them.

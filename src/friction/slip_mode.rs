@@ -43,4 +43,17 @@ impl SlipMode {
             Self::OverdampedOscillation => "overdamped-oscillation",
         }
     }
+
+    /// The name in figures and sentences.
+    #[must_use]
+    pub const fn words(self) -> &'static str {
+        match self {
+            Self::OverdampedStableSliding => "overdamped stable sliding",
+            Self::NonInertialUnderdampedOscillation => "non-inertial underdamped oscillation",
+            Self::InertialUnderdampedOscillation => "inertial underdamped oscillation",
+            Self::StickSlip => "stick-slip",
+            Self::HarmonicVibration => "harmonic vibration",
+            Self::OverdampedOscillation => "overdamped oscillation",
+        }
+    }
 }

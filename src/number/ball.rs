@@ -2,11 +2,10 @@
 
 use std::cmp::Ordering;
 
-use rug::float::{Round, Special};
+use rug::float::Round;
 use rug::{Float, Integer, Rational};
 
-/// Bits of a radius; its rounding is always upward, so few are enough.
-pub(super) const RADIUS_BITS: u32 = 32;
+use super::magnitude::{MAGNITUDE_BITS, Magnitude};
 
 /// The set of reals within `radius` of `centre`.
 ///
@@ -15,7 +14,7 @@ pub(super) const RADIUS_BITS: u32 = 32;
 #[derive(Debug, Clone)]
 pub struct Ball {
     pub(super) centre: Float,
-    pub(super) radius: Float,
+    pub(super) radius: Magnitude,
 }
 
 /// Bits of significand that hold `digits` decimal digits: ⌈digits·log2 10⌉ and one more.
@@ -30,46 +29,45 @@ impl Ball {
     /// A centre that is not finite, or a radius that is negative or not a number, gives the ball of infinite radius.
     #[must_use]
     pub fn new(centre: Float, radius: Float) -> Self {
-        let (radius, _) = Float::with_val_round(RADIUS_BITS, radius, Round::Up);
-        Self { centre, radius }.made_valid()
+        Self { centre, radius: Magnitude::of_radius(&radius) }.made_valid()
     }
 
     /// The ball of radius zero around a float.
     #[must_use]
     pub fn exact(centre: Float) -> Self {
-        Self { centre, radius: Float::new(RADIUS_BITS) }.made_valid()
+        Self { centre, radius: Magnitude::ZERO }.made_valid()
     }
 
     /// The rational rounded to this precision, with its rounding error as radius.
     #[must_use]
     pub fn from_rational(value: &Rational, precision_bits: u32) -> Self {
         let (centre, rounding) = Float::with_val_round(precision_bits, value, Round::Nearest);
-        Self::rounded(centre, rounding, Float::new(RADIUS_BITS))
+        Self::rounded(centre, rounding, Magnitude::ZERO)
     }
 
     /// The integer rounded to this precision, with its rounding error as radius.
     #[must_use]
     pub fn from_integer(value: &Integer, precision_bits: u32) -> Self {
         let (centre, rounding) = Float::with_val_round(precision_bits, value, Round::Nearest);
-        Self::rounded(centre, rounding, Float::new(RADIUS_BITS))
+        Self::rounded(centre, rounding, Magnitude::ZERO)
     }
 
     /// A centre just rounded to nearest, with the radius known so far: adds half a unit in the last place if inexact.
-    pub(super) fn rounded(centre: Float, rounding: Ordering, mut radius: Float) -> Self {
-        if rounding != Ordering::Equal {
-            radius = Float::with_val_round(RADIUS_BITS, &radius + &half_unit(&centre), Round::Up).0;
-        }
+    #[inline]
+    pub(super) fn rounded(centre: Float, rounding: Ordering, radius: Magnitude) -> Self {
+        let radius = if rounding == Ordering::Equal { radius } else { radius.plus(half_unit(&centre)) };
         Self { centre, radius }.made_valid()
     }
 
     /// The ball of infinite radius: nothing is known.
     #[must_use]
     pub fn unbounded(precision_bits: u32) -> Self {
-        Self { centre: Float::new(precision_bits), radius: infinity() }
+        Self { centre: Float::new(precision_bits), radius: Magnitude::INFINITE }
     }
 
+    #[inline]
     fn made_valid(self) -> Self {
-        let usable = self.centre.is_finite() && self.radius.is_finite() && !self.radius.is_sign_negative();
+        let usable = self.centre.is_finite() && !self.radius.is_infinite();
         if usable { self } else { Self::unbounded(self.centre.prec()) }
     }
 
@@ -81,8 +79,20 @@ impl Ball {
 
     /// The radius, an upper bound of the distance of the true value from the centre.
     #[must_use]
-    pub const fn radius(&self) -> &Float {
-        &self.radius
+    pub fn radius(&self) -> Float {
+        self.radius.to_float()
+    }
+
+    /// Whether anything is known: false for the ball of infinite radius.
+    #[must_use]
+    pub const fn is_bounded(&self) -> bool {
+        !self.radius.is_infinite()
+    }
+
+    /// Whether the ball is a single point.
+    #[must_use]
+    pub const fn is_exact(&self) -> bool {
+        self.radius.is_zero()
     }
 
     /// The precision of the centre in bits.
@@ -94,13 +104,13 @@ impl Ball {
     /// A lower bound of the true value.
     #[must_use]
     pub fn lower(&self) -> Float {
-        Float::with_val_round(self.centre.prec(), &self.centre - &self.radius, Round::Down).0
+        Float::with_val_round(self.centre.prec(), &self.centre - &self.radius(), Round::Down).0
     }
 
     /// An upper bound of the true value.
     #[must_use]
     pub fn upper(&self) -> Float {
-        Float::with_val_round(self.centre.prec(), &self.centre + &self.radius, Round::Up).0
+        Float::with_val_round(self.centre.prec(), &self.centre + &self.radius(), Round::Up).0
     }
 
     /// The sign of every point of the ball against zero; `None` when they differ.
@@ -118,13 +128,13 @@ impl Ball {
     /// Whether zero lies in the ball.
     #[must_use]
     pub fn contains_zero(&self) -> bool {
-        self.centre.cmp_abs(&self.radius) != Some(Ordering::Greater)
+        Magnitude::above(&self.centre).compare(self.radius) != Ordering::Greater
     }
 
     /// Whether the rational lies in the ball, decided exactly.
     #[must_use]
     pub fn contains(&self, value: &Rational) -> bool {
-        match (self.centre.to_rational(), self.radius.to_rational()) {
+        match (self.centre.to_rational(), self.radius().to_rational()) {
             (Some(centre), Some(radius)) => (centre - value).abs() <= radius,
             _ => true,
         }
@@ -148,14 +158,14 @@ impl Ball {
         if self.centre.is_zero() || self.radius.is_infinite() {
             return f64::INFINITY;
         }
-        log2(&self.radius) - log2(&self.centre)
+        self.radius.log2() - log2(&self.centre)
     }
 
     /// The same set with the centre rounded to another precision; the rounding error goes into the radius.
     #[must_use]
     pub fn with_precision(&self, precision_bits: u32) -> Self {
         let (centre, rounding) = Float::with_val_round(precision_bits, &self.centre, Round::Nearest);
-        Self::rounded(centre, rounding, self.radius.clone())
+        Self::rounded(centre, rounding, self.radius)
     }
 
     /// The f64 nearest to the centre (infinite or zero when it lies beyond f64's range).
@@ -166,21 +176,11 @@ impl Ball {
 }
 
 /// Half a unit in the last place of a float rounded to nearest: 2^(exponent − precision − 1).
-pub(super) fn half_unit(value: &Float) -> Float {
-    match value.get_exp() {
-        Some(exponent) => {
-            let mut half_unit = Float::with_val(RADIUS_BITS, 1);
-            half_unit <<= exponent - 1;
-            half_unit >>= value.prec();
-            half_unit
-        }
-        // Zero by underflow of MPFR's exponent, or not finite: nothing is known.
-        None => infinity(),
-    }
-}
-
-fn infinity() -> Float {
-    Float::with_val(RADIUS_BITS, Special::Infinity)
+pub(super) fn half_unit(value: &Float) -> Magnitude {
+    // Zero by underflow of MPFR's exponent, or not finite: nothing is known.
+    value.get_exp().map_or(Magnitude::INFINITE, |exponent| {
+        Magnitude::power_of_two(i64::from(exponent) - i64::from(value.prec()) - 1)
+    })
 }
 
 /// log2 of the magnitude of a finite non-zero float, whatever its exponent.
@@ -191,7 +191,7 @@ fn log2(value: &Float) -> f64 {
 
 impl From<i32> for Ball {
     fn from(value: i32) -> Self {
-        Self::exact(Float::with_val(RADIUS_BITS, value))
+        Self::exact(Float::with_val(MAGNITUDE_BITS, value))
     }
 }
 

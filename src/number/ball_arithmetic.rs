@@ -2,84 +2,77 @@
 //!
 //! The precision of a result is the larger of its operands'.
 
-use std::ops::Neg;
+use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use rug::Float;
 use rug::float::Round;
 use rug::ops::{AddAssignRound, DivAssignRound, MulAssignRound, SubAssignRound};
 
-use super::ball::RADIUS_BITS;
-use super::operators::implement_operators;
+use super::magnitude::{MAGNITUDE_BITS, Magnitude};
 use super::{Ball, Field, Real};
-
-/// |value| in 32 bits, rounded up.
-fn magnitude_up(value: &Float) -> Float {
-    Float::with_val_round(RADIUS_BITS, value.abs_ref(), Round::Up).0
-}
 
 impl Ball {
     fn joint_precision(&self, other: &Self) -> u32 {
         self.centre.prec().max(other.centre.prec())
     }
 
-    fn sum_of_radii(&self, other: &Self) -> Float {
-        Float::with_val_round(RADIUS_BITS, &self.radius + &other.radius, Round::Up).0
+    /// The centre rounded to nearest after an operation in place, at the joint precision; the memory is used again.
+    fn lifted_centre(self, precision: u32) -> Float {
+        let mut centre = self.centre;
+        if centre.prec() < precision {
+            centre.set_prec(precision);
+        }
+        centre
     }
 
-    fn plus(&self, other: &Self) -> Self {
-        let (centre, rounding) =
-            Float::with_val_round(self.joint_precision(other), &self.centre + &other.centre, Round::Nearest);
-        Self::rounded(centre, rounding, self.sum_of_radii(other))
+    fn plus(self, other: &Self) -> Self {
+        let (precision, radius) = (self.joint_precision(other), self.radius.plus(other.radius));
+        let mut centre = self.lifted_centre(precision);
+        let rounding = centre.add_assign_round(&other.centre, Round::Nearest);
+        Self::rounded(centre, rounding, radius)
     }
 
-    fn minus(&self, other: &Self) -> Self {
-        let (centre, rounding) =
-            Float::with_val_round(self.joint_precision(other), &self.centre - &other.centre, Round::Nearest);
-        Self::rounded(centre, rounding, self.sum_of_radii(other))
+    fn minus(self, other: &Self) -> Self {
+        let (precision, radius) = (self.joint_precision(other), self.radius.plus(other.radius));
+        let mut centre = self.lifted_centre(precision);
+        let rounding = centre.sub_assign_round(&other.centre, Round::Nearest);
+        Self::rounded(centre, rounding, radius)
     }
 
     /// |xy − x'y'| ≤ |x|·r_y + (|y| + r_y)·r_x.
-    fn times(&self, other: &Self) -> Self {
-        let (centre, rounding) =
-            Float::with_val_round(self.joint_precision(other), &self.centre * &other.centre, Round::Nearest);
-        let mut radius = Float::new(RADIUS_BITS);
+    fn times(self, other: &Self) -> Self {
+        let mut radius = Magnitude::ZERO;
         if !other.radius.is_zero() {
-            radius = magnitude_up(&self.centre);
-            radius.mul_assign_round(&other.radius, Round::Up);
+            radius = Magnitude::above(&self.centre).times(other.radius);
         }
         if !self.radius.is_zero() {
-            let mut second = magnitude_up(&other.centre);
-            second.add_assign_round(&other.radius, Round::Up);
-            second.mul_assign_round(&self.radius, Round::Up);
-            radius.add_assign_round(&second, Round::Up);
+            let second = Magnitude::above(&other.centre).plus(other.radius);
+            radius = radius.plus(second.times(self.radius));
         }
+        let precision = self.joint_precision(other);
+        let mut centre = self.lifted_centre(precision);
+        let rounding = centre.mul_assign_round(&other.centre, Round::Nearest);
         Self::rounded(centre, rounding, radius)
     }
 
     /// |x/y − x'/y'| ≤ (r_x + |x/y|·r_y)/(|y| − r_y).
-    fn over(&self, other: &Self) -> Self {
-        let precision = self.joint_precision(other);
+    fn over(self, other: &Self) -> Self {
+        let (precision, own_radius) = (self.joint_precision(other), self.radius);
         if other.contains_zero() {
             return Self::unbounded(precision);
         }
-        let (centre, rounding) =
-            Float::with_val_round(precision, &self.centre / &other.centre, Round::Nearest);
-        if self.radius.is_zero() && other.radius.is_zero() {
-            return Self::rounded(centre, rounding, Float::new(RADIUS_BITS));
+        let mut centre = self.lifted_centre(precision);
+        let rounding = centre.div_assign_round(&other.centre, Round::Nearest);
+        if own_radius.is_zero() && other.radius.is_zero() {
+            return Self::rounded(centre, rounding, Magnitude::ZERO);
         }
-        // One more unit in the last of 32 bits covers the quotient's own rounding; a quotient of zero is exact.
-        let mut radius = magnitude_up(&centre);
-        if !radius.is_zero() {
-            radius.next_up();
-        }
-        radius.mul_assign_round(&other.radius, Round::Up);
-        radius.add_assign_round(&self.radius, Round::Up);
-        let mut smallest = Float::with_val_round(RADIUS_BITS, other.centre.abs_ref(), Round::Down).0;
-        smallest.sub_assign_round(&other.radius, Round::Down);
-        if smallest.cmp0() != Some(std::cmp::Ordering::Greater) {
+        let smallest = Magnitude::below(&other.centre).minus_down(other.radius);
+        if smallest.is_zero() {
             return Self::unbounded(precision);
         }
-        radius.div_assign_round(&smallest, Round::Up);
+        // One more unit in the last of 32 bits covers the quotient's own rounding; a quotient of zero is exact.
+        let quotient = Magnitude::above(&centre).next_up();
+        let radius = quotient.times(other.radius).plus(own_radius).over(smallest);
         Self::rounded(centre, rounding, radius)
     }
 
@@ -87,25 +80,38 @@ impl Ball {
     fn sqrt_of_positive(&self) -> Self {
         let (centre, rounding) =
             Float::with_val_round(self.centre.prec(), self.centre.sqrt_ref(), Round::Nearest);
-        let mut denominator = Float::with_val_round(RADIUS_BITS, self.centre.sqrt_ref(), Round::Down).0;
-        let smallest = Float::with_val_round(RADIUS_BITS, &self.centre - &self.radius, Round::Down).0;
-        denominator.add_assign_round(
-            &Float::with_val_round(RADIUS_BITS, smallest.sqrt_ref(), Round::Down).0,
-            Round::Down,
-        );
-        let mut radius = self.radius.clone();
-        radius.div_assign_round(&denominator, Round::Up);
-        Self::rounded(centre, rounding, radius)
+        let smallest = Magnitude::below(&self.centre).minus_down(self.radius);
+        let denominator = Magnitude::root_below(&self.centre).plus_down(smallest.root_down());
+        Self::rounded(centre, rounding, self.radius.over(denominator))
     }
 
     /// √ of the part above zero of a ball that reaches below it: the ball over [0, √upper].
     fn sqrt_of_straddling(&self) -> Self {
-        let half = Float::with_val_round(RADIUS_BITS, self.upper().sqrt_ref(), Round::Up).0 / 2;
-        Self { centre: Float::with_val(self.centre.prec().max(RADIUS_BITS), &half), radius: half }
+        let half = Float::with_val_round(MAGNITUDE_BITS, self.upper().sqrt_ref(), Round::Up).0 / 2;
+        let centre = Float::with_val(self.centre.prec().max(MAGNITUDE_BITS), &half);
+        Self { centre, radius: Magnitude::above(&half) }
     }
 }
 
-implement_operators!(Ball, Add::add => plus, Sub::sub => minus, Mul::mul => times, Div::div => over);
+/// Implements an operator with the right side by value and by reference; the left side's memory is used again.
+macro_rules! implement_in_place {
+    ($($trait:ident :: $operator:ident => $method:ident),+ $(,)?) => {$(
+        impl $trait for Ball {
+            type Output = Ball;
+            fn $operator(self, other: Ball) -> Ball {
+                self.$method(&other)
+            }
+        }
+        impl<'r> $trait<&'r Ball> for Ball {
+            type Output = Ball;
+            fn $operator(self, other: &'r Ball) -> Ball {
+                self.$method(other)
+            }
+        }
+    )+};
+}
+
+implement_in_place!(Add::add => plus, Sub::sub => minus, Mul::mul => times, Div::div => over);
 
 impl Neg for Ball {
     type Output = Self;
@@ -119,9 +125,7 @@ impl Field for Ball {
     fn square(&self) -> Self {
         let (centre, rounding) =
             Float::with_val_round(self.centre.prec(), self.centre.square_ref(), Round::Nearest);
-        let mut radius: Float = magnitude_up(&self.centre) * 2u32;
-        radius.add_assign_round(&self.radius, Round::Up);
-        radius.mul_assign_round(&self.radius, Round::Up);
+        let radius = Magnitude::above(&self.centre).scaled(1).plus(self.radius).times(self.radius);
         Self::rounded(centre, rounding, radius)
     }
 }
@@ -129,7 +133,7 @@ impl Field for Ball {
 impl Real for Ball {
     /// √ of the part of the ball that is not negative; unbounded when there is none.
     fn sqrt(&self) -> Self {
-        if self.radius.is_infinite() || self.centre.is_zero() && self.radius.is_zero() {
+        if !self.is_bounded() || self.centre.is_zero() && self.is_exact() {
             return self.clone();
         }
         if !self.contains_zero() && self.centre.is_sign_positive() {

@@ -163,18 +163,21 @@ impl From<i32> for Dd {
     }
 }
 
-impl Field for Dd {}
+impl Field for Dd {
+    #[inline(always)]
+    fn square(&self) -> Self {
+        self.multiply(self)
+    }
+}
 
 impl Real for Dd {
     /// The square root; zero for zero, not a number below zero.
+    #[inline(always)]
     fn sqrt(&self) -> Self {
-        if self.hi == 0.0 {
-            return *self;
-        }
         let root = self.hi.sqrt();
         let remainder = (-root).mul_add(root, self.hi) + self.lo;
         let (hi, lo) = fast_two_sum(root, remainder / (2.0 * root));
-        Self { hi, lo }
+        if self.hi == 0.0 { *self } else { Self { hi, lo } }
     }
 }
 

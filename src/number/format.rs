@@ -99,7 +99,7 @@ pub fn write_shortest(out: &mut impl fmt::Write, value: f64) -> fmt::Result {
 /// centre and radius, `0±3e-20`; the radius is rounded up.
 #[must_use]
 pub fn certain_digits(ball: &Ball, max_digits: usize) -> String {
-    if ball.centre().is_zero() && ball.radius().is_zero() {
+    if ball.centre().is_zero() && ball.is_exact() {
         return "0".to_owned();
     }
     if !ball.contains_zero() {
@@ -116,7 +116,7 @@ pub fn certain_digits(ball: &Ball, max_digits: usize) -> String {
     }
     let (_, digits, exponent) = ball.radius().to_sign_string_exp_round(10, Some(1), Round::Up);
     let radius = Decimal { negative: false, digits, exponent: i64::from(exponent.unwrap_or(0)) };
-    let radius = if ball.radius().is_infinite() { "inf".to_owned() } else { radius.layout(false) };
+    let radius = if !ball.is_bounded() { "inf".to_owned() } else { radius.layout(false) };
     format!("{}±{radius}", round_float(ball.centre(), 2))
 }
 

@@ -6,8 +6,10 @@ mod decimal;
 mod double_double;
 mod field;
 pub mod format;
+mod magnitude;
 mod operators;
 mod short_decimal;
+mod short_integer;
 mod wide;
 
 pub use ball::{Ball, bits_for_digits};
@@ -16,4 +18,5 @@ pub use double_double::Dd;
 pub use field::{Field, Real};
 pub use rug::Rational;
 pub use short_decimal::parse_short_decimal;
+pub(crate) use short_integer::{ShortInteger, odd_part};
 pub use wide::Wide;

@@ -5,12 +5,14 @@ macro_rules! implement_operators {
     ($number:ty, $($trait:ident :: $operator:ident => $method:ident),+ $(,)?) => {$(
         impl std::ops::$trait for $number {
             type Output = $number;
+            #[inline(always)]
             fn $operator(self, other: $number) -> $number {
                 <$number>::$method(&self, &other)
             }
         }
         impl<'r> std::ops::$trait<&'r $number> for $number {
             type Output = $number;
+            #[inline(always)]
             fn $operator(self, other: &'r $number) -> $number {
                 <$number>::$method(&self, other)
             }

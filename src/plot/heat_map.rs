@@ -56,7 +56,7 @@ const CORNER: Point = (80.0, 14.0);
 /// Width and height of the map.
 const SIZE: Point = (452.0, 420.0);
 /// How far a drawn contour may lie from the interpolated one, in canvas units.
-const CONTOUR_TOLERANCE: f64 = 0.15;
+const CONTOUR_TOLERANCE: f64 = 0.25;
 
 impl HeatMap {
     /// The map as SVG text.

@@ -235,7 +235,6 @@ fn draw_reference_words(svg: &mut Svg, place: &ReferencePlace<'_>) {
         ("fill", palette::FAINT_INK),
         ("stroke", palette::PLATE),
         ("stroke-width", "3.5"),
-        ("stroke-linejoin", "round"),
         ("paint-order", "stroke"),
     ];
     svg.text(&attributes, &rich_text::to_svg(place.label, SMALL));

@@ -11,6 +11,7 @@
 
 mod axis;
 mod contour;
+mod family_map;
 mod frame;
 mod heat_map;
 mod layer_places;
@@ -35,13 +36,15 @@ mod zone_map;
 mod zones;
 
 pub use axis::{Axis, Scale};
+pub use family_map::FamilyMap;
 pub use heat_map::{ColourScale, HeatMap};
 pub use layers::{BoxLook, BoxNode, LayeredGraph};
 pub use line_chart::{Band, LineChart, Reference, Series};
 pub use overlay::{Line, LineRole, PointMark, RegionLabel, Side};
 pub use panels::{Panel, Panels};
 pub use range_chart::{RangeChart, RangeRow, Span};
-pub use readout::Readout;
+pub use readout::{Readout, Words, packed};
+pub use svg::within_html;
 pub use zone_map::{Zone, ZoneMap};
 pub use zones::zones_of_grid;
 

@@ -118,12 +118,17 @@ impl LineRole {
 
 /// Draws the lines, boundaries below transitions below asymptotes, whatever their order in the list.
 pub(crate) fn draw_lines(svg: &mut Svg, frame: &Frame, lines: &[Line]) {
+    draw_named_lines(svg, frame, lines, "");
+}
+
+/// The same for one of several sets of lines in a figure: the names of their paths begin with `set`.
+pub(crate) fn draw_named_lines(svg: &mut Svg, frame: &Frame, lines: &[Line], set: &str) {
     for role in [LineRole::Guide, LineRole::Boundary, LineRole::Transition, LineRole::Asymptote] {
         let parts =
             lines.iter().filter(|line| line.role == role).flat_map(|line| frame.visible_line(&line.points));
         let data: String = parts.map(|part| line_data(&simplify(&part, LINE_TOLERANCE))).collect();
         if !data.is_empty() {
-            draw_stroke(svg, role, &data);
+            draw_line(svg, role, &data, set);
         }
     }
 }
@@ -131,22 +136,31 @@ pub(crate) fn draw_lines(svg: &mut Svg, frame: &Frame, lines: &[Line]) {
 /// How far a drawn line may lie from the given one, in canvas units.
 const LINE_TOLERANCE: f64 = 0.06;
 
-fn draw_stroke(svg: &mut Svg, role: LineRole, data: &str) {
+/// A line of the map: its path is written once and drawn twice, as casing and as line.
+fn draw_line(svg: &mut Svg, role: LineRole, data: &str, set: &str) {
+    let id = svg.id(&format!("{set}{}", role.style().class));
+    svg.open("defs", &[]);
+    svg.leaf("path", &[("id", &id), ("d", data)]);
+    svg.close();
+    draw_stroke(svg, role, ("use", "href", &format!("#{id}")));
+}
+
+/// Draws an element with one attribute of its own in a role's two strokes.
+fn draw_stroke(svg: &mut Svg, role: LineRole, (tag, name, value): (&str, &str, &str)) {
     let style = role.style();
     let casing_class = format!("{}-casing", style.class);
     let passes =
         [(casing_class.as_str(), style.casing, style.casing_width), (style.class, style.colour, style.width)];
     for (class, colour, width) in passes {
         svg.leaf(
-            "path",
+            tag,
             &[
                 ("class", class),
-                ("d", data),
+                (name, value),
                 ("fill", "none"),
                 ("stroke", colour),
                 ("stroke-width", width),
                 ("stroke-dasharray", style.dash),
-                ("stroke-linejoin", "round"),
             ],
         );
     }
@@ -163,7 +177,7 @@ pub(crate) fn legend_entries(lines: &[Line]) -> Vec<Entry<'_>> {
                 let plate = [("class", "key-plate"), ("fill", palette::PLATE)];
                 svg.rect((x - 1.0, y - 7.0), (KEY_WIDTH - 5.0, 14.0), &plate);
                 let data = line_data(&[(x, y), (x + KEY_WIDTH - 7.0, y)]);
-                draw_stroke(svg, line.role, &data);
+                draw_stroke(svg, line.role, ("path", "d", &data));
             }),
         })
         .collect()
@@ -229,7 +243,6 @@ fn draw_label(svg: &mut Svg, (x, y): (f64, f64), anchor: &str, markup: &str) {
             ("fill", palette::INK),
             ("stroke", palette::PLATE),
             ("stroke-width", "3.5"),
-            ("stroke-linejoin", "round"),
             ("paint-order", "stroke"),
         ],
         &rich_text::to_svg(markup, SMALL),

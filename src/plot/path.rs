@@ -111,17 +111,27 @@ fn distance(point: Point, from: Point, to: Point) -> f64 {
 
 /// Path data of a line: absolute start, relative steps, coordinates in tenths.
 pub(crate) fn line_data(points: &[Point]) -> String {
-    data(points, tenths_text, "")
+    data(points, short_tenths, "")
 }
 
 /// Path data of a closed outline.
 pub(crate) fn outline_data(points: &[Point]) -> String {
-    data(points, tenths_text, "z")
+    data(points, short_tenths, "z")
 }
 
 /// Path data of a closed outline in whole tenths, for use inside `scale(.1)`.
 pub(crate) fn outline_data_in_tenths(points: &[Point]) -> String {
     data(points, |n| n.to_string(), "z")
+}
+
+/// Tenths without the zero before the point, which paths do not need.
+fn short_tenths(tenths: i64) -> String {
+    let text = tenths_text(tenths);
+    match text.strip_prefix("0.").map(|rest| ("", rest)).or(text.strip_prefix("-0.").map(|rest| ("-", rest)))
+    {
+        Some((sign, rest)) => format!("{sign}.{rest}"),
+        None => text,
+    }
 }
 
 fn data(points: &[Point], text: impl Fn(i64) -> String, end: &str) -> String {
@@ -191,10 +201,7 @@ mod tests {
 
     #[test]
     fn path_data_is_relative_and_short() {
-        assert_eq!(
-            line_data(&[(1.0, 2.0), (1.26, 1.0), (1.3, 1.0), (3.0, 4.5)]),
-            "M1 2l.3-1 1.7 3.5".replace("l.", "l0.")
-        );
+        assert_eq!(line_data(&[(1.0, 2.0), (1.26, 1.0), (1.3, 1.0), (3.0, 4.5)]), "M1 2l.3-1 1.7 3.5");
         assert_eq!(outline_data_in_tenths(&[(0.0, 0.0), (1.0, 0.0), (1.0, 1.0)]), "M0 0l10 0 0 10z");
         assert_eq!(line_data(&[(1.0, 1.0)]), "");
     }

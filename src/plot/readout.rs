@@ -1,42 +1,119 @@
 //! What a map says at its points, carried in the drawing for a page that reads it out.
 
+use std::collections::BTreeMap;
+
 use super::frame::Frame;
 use super::svg::{Svg, number};
 
 /// Words at the points of a coarse grid over a map; the same words stand in the map's tables and legend.
-#[derive(Debug, Clone, PartialEq, Eq, Default)]
-pub struct Readout {
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Readout {
+    /// The words themselves.
+    Words(Words),
+    /// Those of the figure with this id, which is a map over the same axes.
+    SameAs(String),
+}
+
+/// The words of a readout.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Words {
     /// Horizontal coordinates with their unit, from left to right, even on the axis.
     pub columns: Vec<String>,
     /// Vertical coordinates with their unit, from the lowest, even on the axis.
     pub rows: Vec<String>,
-    /// What is said at the points, row by row; parts that many points share are given by their place in `shared`.
-    pub cells: Vec<(usize, String)>,
-    /// Words that many points share.
-    pub shared: Vec<String>,
+    /// The sentence: `{x}` and `{y}` stand for the coordinates, `{0}`, `{1}`, … for the fields of a point.
+    pub sentence: String,
+    /// The fields: of each, one text a point, row by row. None may hold a `|` or `~`.
+    pub fields: Vec<Vec<String>>,
 }
 
 impl Readout {
-    /// Lays an invisible plane over the map that carries the words. None of them may hold a `|`.
+    /// Lays an invisible plane over the map that carries the words.
     pub(crate) fn draw(&self, svg: &mut Svg, frame: &Frame) {
-        let cells: Vec<String> = self.cells.iter().map(|(shared, own)| format!("{shared}~{own}")).collect();
         let corner = [number(frame.bounds.left), number(frame.bounds.top)];
         let size = [number(frame.size().0), number(frame.size().1)];
-        svg.leaf(
-            "rect",
-            &[
-                ("class", "readout"),
-                ("x", &corner[0]),
-                ("y", &corner[1]),
-                ("width", &size[0]),
-                ("height", &size[1]),
-                ("fill", "#ffffff"),
-                ("fill-opacity", "0"),
-                ("data-columns", &self.columns.join("|")),
-                ("data-rows", &self.rows.join("|")),
-                ("data-shared", &self.shared.join("|")),
-                ("data-cells", &cells.join("|")),
-            ],
-        );
+        let mut attributes = vec![
+            ("class", "readout"),
+            ("x", corner[0].as_str()),
+            ("y", &corner[1]),
+            ("width", &size[0]),
+            ("height", &size[1]),
+            ("fill", "#ffffff"),
+            ("fill-opacity", "0"),
+        ];
+        match self {
+            Self::SameAs(figure) => {
+                attributes.push(("data-as", figure));
+                svg.leaf("rect", &attributes);
+            }
+            Self::Words(words) => {
+                let packed: Vec<(String, String)> = words.fields.iter().map(|field| packed(field)).collect();
+                let join = |part: fn(&(String, String)) -> &str| {
+                    packed.iter().map(part).collect::<Vec<_>>().join("~")
+                };
+                let texts = [
+                    words.columns.join("|"),
+                    words.rows.join("|"),
+                    words.sentence.clone(),
+                    join(|(words, _)| words),
+                    join(|(_, cells)| cells),
+                ];
+                let names = ["data-columns", "data-rows", "data-sentence", "data-words", "data-cells"];
+                attributes.extend(names.into_iter().zip(texts.iter().map(String::as_str)));
+                svg.leaf("rect", &attributes);
+            }
+        }
+    }
+}
+
+/// How many words can be named by two digits of base 36.
+const NAMED_WORDS: usize = 36 * 36;
+
+/// A field as its different words, in the order in which they first occur, and a code for each point: `.` is the word
+/// of the point before, `!` the next new word, two digits of base 36 the number of a former one.
+#[must_use]
+pub fn packed(field: &[String]) -> (String, String) {
+    let (mut words, mut cells) = (Vec::new(), String::new());
+    let mut known: BTreeMap<&str, usize> = BTreeMap::new();
+    let mut before = None;
+    for text in field.iter().map(String::as_str) {
+        match known.get(text) {
+            _ if before == Some(text) => cells.push('.'),
+            Some(&at) => cells.extend([at / 36, at % 36].map(base_36)),
+            None => {
+                cells.push('!');
+                if words.len() < NAMED_WORDS {
+                    known.insert(text, words.len());
+                }
+                words.push(text);
+            }
+        }
+        before = Some(text);
+    }
+    (words.join("|"), cells)
+}
+
+fn base_36(digit: usize) -> char {
+    u32::try_from(digit).ok().and_then(|digit| char::from_digit(digit, 36)).unwrap_or('0')
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_field_is_packed_into_its_different_words_and_a_code_a_point() {
+        let field: Vec<String> = ["a", "a", "b", "a", "c", "c", "b"].map(String::from).to_vec();
+        assert_eq!(packed(&field), ("a|b|c".into(), "!.!00!.01".into()));
+        assert_eq!(packed(&[]), (String::new(), String::new()));
+    }
+
+    #[test]
+    fn words_beyond_those_that_two_digits_name_are_written_again() {
+        let mut field: Vec<String> = (0..1300).map(|n: u32| n.to_string()).collect();
+        field.extend(["1295", "1299"].map(String::from));
+        let (words, cells) = packed(&field);
+        assert!(cells.ends_with("!zz!"), "{}", &cells[cells.len() - 8..]);
+        assert_eq!(words.split('|').count(), cells.matches('!').count());
     }
 }

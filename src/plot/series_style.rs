@@ -48,7 +48,6 @@ impl Look {
                     ("stroke", "currentColor"),
                     ("stroke-width", width),
                     ("stroke-dasharray", dash),
-                    ("stroke-linejoin", "round"),
                 ],
             );
         }

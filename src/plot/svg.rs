@@ -45,6 +45,7 @@ impl Svg {
                 ("viewBox", &view_box),
                 ("font-family", FONTS),
                 ("font-size", "14"),
+                ("stroke-linejoin", "round"),
             ],
         );
         for (tag, content) in [("title", &caption.title), ("desc", &caption.description)] {
@@ -161,6 +162,13 @@ pub(crate) fn tenths_text(tenths: i64) -> String {
     let sign = if tenths < 0 { "-" } else { "" };
     let (whole, rest) = (tenths.abs() / 10, tenths.abs() % 10);
     if rest == 0 { format!("{sign}{whole}") } else { format!("{sign}{whole}.{rest}") }
+}
+
+/// A drawing without what an HTML page gives it anyway: the namespace, and fonts, which its style sheet names.
+#[must_use]
+pub fn within_html(svg: &str) -> String {
+    let fonts = format!(" font-family=\"{}\"", escape(FONTS));
+    svg.replacen(" xmlns=\"http://www.w3.org/2000/svg\"", "", 1).replacen(&fonts, "", 1)
 }
 
 /// Text for use between tags and in quoted attributes.

@@ -136,10 +136,7 @@ impl Bracket {
         loop {
             let enclosure = self.ball(precision);
             let image = newton(coefficients, &enclosure);
-            if image.radius().is_finite()
-                && image.lower() > enclosure.lower()
-                && image.upper() < enclosure.upper()
-            {
+            if image.is_bounded() && image.lower() > enclosure.lower() && image.upper() < enclosure.upper() {
                 return Contraction::Reached(image);
             }
             let exhausted = enclosure.relative_radius_log2() < 8.0 - f64::from(precision);

@@ -15,8 +15,9 @@ use super::parts::{lead, runs, title};
 use super::templates::Templates;
 use super::view::{CardView, ChapterView, EquationView, FigureView, ReportView};
 use super::{MAX_SHOWN_ROWS, ReportError, cut_note};
+use crate::plot::within_html;
 use crate::scene::Part;
-use crate::table::Table;
+use crate::table::{Cell, Kind, Table};
 
 /// Renders the page: HTML with style sheet, font, figures and mathematics inside, readable without scripts.
 ///
@@ -164,7 +165,7 @@ impl<'a> Page<'a> {
         let context = FigureContext {
             id: &figure.id,
             label: &figure.label,
-            drawing_svg: &figure.svg,
+            drawing_svg: within_html(&figure.svg),
             caption_html: self.prose.inline(&figure.caption_markdown, &format!("caption of {}", figure.id)),
             data: &figure.data,
         };
@@ -172,15 +173,9 @@ impl<'a> Page<'a> {
     }
 
     fn table(&mut self, table: &Table) -> Result<String, ReportError> {
-        let context = TableContext {
-            id: &table.id,
-            title: &table.title,
-            columns: &table.columns,
-            rows: &table.rows[..table.rows.len().min(MAX_SHOWN_ROWS)],
-            cut: cut_note(table),
-            note_html: self.prose.blocks(&table.note, 3, &format!("note of table {}", table.id)),
-        };
-        self.templates.render("table.html", &context)
+        let note_html = self.prose.blocks(&table.note, 3, &format!("note of table {}", table.id));
+        let file = format!("tables/{}.csv", table.id);
+        table_html(&self.templates, table, note_html, &file)
     }
 
     fn equation(&mut self, equation: &EquationView) -> Result<String, ReportError> {
@@ -227,6 +222,41 @@ impl<'a> Page<'a> {
         self.prose.faults.extend(faults);
     }
 }
+
+/// The first rows of a table as a figure; `file` is the CSV file with all of them, empty where there is none.
+pub(super) fn table_html(
+    templates: &Templates,
+    table: &Table,
+    note_html: String,
+    file: &str,
+) -> Result<String, ReportError> {
+    let context = TableContext {
+        id: &table.id,
+        title: &table.title,
+        file,
+        texts: text_columns(table),
+        columns: &table.columns,
+        rows: &table.rows[..table.rows.len().min(MAX_SHOWN_ROWS)],
+        cut: cut_note(table),
+        note_html,
+    };
+    templates.render("table.html", &context)
+}
+
+/// A class for each column of words, by its place from 1: `t1 w4`, where the words of column 4 take several lines.
+fn text_columns(table: &Table) -> String {
+    let texts = table.columns.iter().enumerate().filter(|(_, column)| column.kind == Kind::Text);
+    let class = |index: usize| {
+        let length = |row: &Vec<Cell>| row.get(index).map_or(0, |cell| cell.text.chars().count());
+        let longest = table.rows.iter().take(MAX_SHOWN_ROWS).map(length).max();
+        let letter = if longest.unwrap_or(0) > LINE_OF_WORDS { 'w' } else { 't' };
+        format!("{letter}{}", index + 1)
+    };
+    texts.map(|(index, _)| class(index)).collect::<Vec<_>>().join(" ")
+}
+
+/// Characters of a cell of words that are kept on one line.
+const LINE_OF_WORDS: usize = 24;
 
 fn cards(view: &ReportView) -> Vec<CardContext<'_>> {
     let mut contexts = Vec::new();

@@ -84,7 +84,7 @@ pub(crate) struct ProvenanceContext<'a> {
 pub(crate) struct FigureContext<'a> {
     pub id: &'a str,
     pub label: &'a str,
-    pub drawing_svg: &'a str,
+    pub drawing_svg: String,
     pub caption_html: String,
     pub data: &'a [String],
 }
@@ -94,6 +94,8 @@ pub(crate) struct FigureContext<'a> {
 pub(crate) struct TableContext<'a> {
     pub id: &'a str,
     pub title: &'a str,
+    pub file: &'a str,
+    pub texts: String,
     pub columns: &'a [Column],
     pub rows: &'a [Vec<Cell>],
     pub cut: String,

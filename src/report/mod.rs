@@ -12,6 +12,7 @@ mod claim_html;
 mod claim_text;
 mod claims_picture;
 mod error;
+mod explorer;
 #[cfg(test)]
 mod hostile_tests;
 mod html;
@@ -31,6 +32,7 @@ mod text_context;
 mod view;
 
 pub use error::ReportError;
+pub use explorer::{ExplorerPage, render_explorer};
 pub use html::render_html;
 pub use produce::{Folder, Product, produce, produce_scene};
 pub use text::render_markdown;
@@ -64,5 +66,8 @@ fn cut_note(table: &Table) -> String {
     if rows <= MAX_SHOWN_ROWS {
         return String::new();
     }
-    format!("The first {MAX_SHOWN_ROWS} of {rows} rows; all of them are in tables/{}.csv.", table.id)
+    format!(
+        "The first {MAX_SHOWN_ROWS} of {rows} rows, in the order of tables/{}.csv, which has all of them.",
+        table.id
+    )
 }

@@ -22,6 +22,15 @@ pub(crate) fn style_sheet(formula_rules: &str) -> String {
     )
 }
 
+/// The explorer's script: it chooses among stored curves, steps and words.
+pub(crate) const EXPLORER_SCRIPT: &str = include_str!("../../templates/explore.js");
+
+/// The explorer's style sheet: that of the reports without the font, since no formula is set, and its own rules.
+#[must_use]
+pub(crate) fn explorer_style_sheet() -> String {
+    format!("{STYLE}{}", include_str!("../../templates/explore.css"))
+}
+
 /// A content policy under which the page may use this style sheet, this script and embedded fonts: no requests.
 #[must_use]
 pub(crate) fn content_policy(style_sheet: &str, script: &str) -> String {
@@ -66,7 +75,7 @@ mod tests {
             "</script",
             "Function(",
         ] {
-            assert!(!SCRIPT.contains(word), "{word}");
+            assert!(!SCRIPT.contains(word) && !EXPLORER_SCRIPT.contains(word), "{word}");
         }
     }
 }

@@ -9,7 +9,7 @@ use super::ReportError;
 use crate::table::{escape_markdown, printable};
 
 /// Templates of the page. Every one is escaped for HTML, whatever its name.
-const HTML: [(&str, &str); 7] = [
+const HTML: [(&str, &str); 8] = [
     ("report.html", include_str!("../../templates/report.html")),
     ("claim.html", include_str!("../../templates/claim.html")),
     ("figure.html", include_str!("../../templates/figure.html")),
@@ -17,6 +17,7 @@ const HTML: [(&str, &str); 7] = [
     ("equation.html", include_str!("../../templates/equation.html")),
     ("verdict.html", include_str!("../../templates/verdict.html")),
     ("environment.html", include_str!("../../templates/environment.html")),
+    ("explore.html", include_str!("../../templates/explore.html")),
 ];
 
 /// Templates of the Markdown report. Every one is escaped for Markdown.

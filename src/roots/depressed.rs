@@ -1,7 +1,7 @@
 //! The depressed form y³ + Py + Q of a rational cubic, in exact integers.
 //!
 //! With y = 3c3·x + c2 the coefficients are P = 3(3c3c1 − c2²) and Q = 2c2³ − 9c3c2c1 + 27c3²c0. Its outermost real root
-//! is always well-conditioned in P and Q, also where roots of the cubic coincide (f'(y) ≥ 9y²/4 when P < 0; when P > 0
+//! is always well-conditioned in P and Q, also where roots of the cubic coincide (f'(y) ≥ 2y² when P < 0; when P > 0
 //! all terms of f' are positive), and P, Q and the discriminant are computed exactly. So nothing is lost
 //! next to a double or triple root; what is lost is the shift by c2, and that is known in advance.
 

@@ -95,11 +95,16 @@ impl<R: Working> BoundedCubic<R> {
 
     /// All roots with forward error bounds.
     pub(crate) fn spectrum(&self) -> Spectrum<R> {
-        let root = self.real_root();
-        let slope = self.slope(root);
-        let real = Bounded { value: root, error: self.real_root_error(root, slope) };
+        let real = self.outermost_root();
+        let slope = self.slope(real.value);
         let pair = self.pair(&real, slope).unwrap_or(Pair::NotSeparated);
         Spectrum { real, pair }
+    }
+
+    /// The real root farthest from the inflection point.
+    pub(crate) fn outermost_root(&self) -> Bounded<R> {
+        let value = self.real_root();
+        Bounded { value, error: self.real_root_error(value, self.slope(value)) }
     }
 
     fn value(&self, x: R) -> R {

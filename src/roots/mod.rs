@@ -13,6 +13,7 @@ mod forward;
 mod kahan;
 mod multiple;
 mod rung;
+mod short;
 pub mod textbook;
 
 pub use certified::{CertifiedRoot, CertifiedRoots, certified_roots};
@@ -21,3 +22,4 @@ pub use discriminant::discriminant;
 pub use forward::{Bounded, Pair, Spectrum};
 pub(crate) use forward::{BoundedCubic, Working};
 pub use rung::Rung;
+pub(crate) use short::ShortCubic;

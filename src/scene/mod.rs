@@ -25,6 +25,7 @@ mod sections;
 mod simulations;
 mod speed;
 mod sweep;
+mod swept;
 mod trajectories;
 
 pub use axis::{Limits, LogAxis, LogCoordinates};
@@ -47,5 +48,9 @@ pub use sections::{
 };
 pub use simulations::SimulationsSection;
 pub use speed::{SpeedCountsSection, TimingsSection};
-pub use sweep::{Coordinate, MOST_SWEEP_POINTS, Spacing, Span, SweepPoints, SweepSection, SweepWork};
+pub use sweep::{
+    ColumnBins, ColumnStatistics, Coordinate, MOST_SUMMARY_CELLS, MOST_SWEEP_POINTS, Spacing, Span,
+    Statistic, SummarySection, SweepPoints, SweepSection, SweepWork,
+};
+pub use swept::{SweptEntry, SweptSection};
 pub use trajectories::{TrajectoriesSection, TrajectoryPoint};

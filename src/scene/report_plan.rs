@@ -28,7 +28,8 @@ pub struct Chapter {
     pub title: String,
     /// The name of the Markdown file in `prose/`.
     pub prose: String,
-    /// The part of the report that it belongs to, if any; the chapters of a part follow one another.
+    /// The part of the report that it belongs to, if any; the chapters of a part follow one another, and the first
+    /// chapter, the introduction, has none.
     pub part: Option<Part>,
 }
 
@@ -57,6 +58,10 @@ fn read_scene_names(entry: &Entry<'_>, faults: &mut Faults) -> Option<Vec<String
     entry.list(faults, |member, faults| distinct_name(member, &mut names, faults))
 }
 
+/// Why the first chapter has no part.
+const INTRODUCTION_STANDS_APART: &str =
+    "no part on the first chapter: it is the introduction, which stands before all parts";
+
 fn read_chapters(entry: &Entry<'_>, faults: &mut Faults) -> Option<Vec<Chapter>> {
     let mut ids = Vec::new();
     let mut parts = Vec::new();
@@ -69,7 +74,13 @@ fn read_chapters(entry: &Entry<'_>, faults: &mut Faults) -> Option<Vec<Chapter>>
         let prose =
             section.required("prose", "a file of prose/", faults).and_then(|entry| safe_name(&entry, faults));
         let stated = section.optional("part");
-        let part = stated.as_ref().and_then(|entry| Part::read(entry, &parts, faults));
+        let part = stated.as_ref().and_then(|entry| {
+            if parts.is_empty() {
+                faults.push(entry.fault(Problem::Needs(INTRODUCTION_STANDS_APART.into())));
+                return None;
+            }
+            Part::read(entry, &parts, faults)
+        });
         parts.push(part);
         section.finish(faults);
         (stated.is_none() || part.is_some()).then_some(())?;
@@ -146,12 +157,15 @@ mod tests {
             plan(["", code, code, valid]).unwrap().chapters.iter().map(|c| c.part).collect();
         let (code_part, valid_part) = (Some(Part::CodeVerification), Some(Part::Validation));
         assert_eq!(read, [None, code_part, code_part, valid_part]);
-        let faults = plan([code, valid, code, "part = \"validatoin\"\n"]).unwrap_err();
-        let told: Vec<String> = faults.iter().map(ToString::to_string).collect();
-        assert_eq!(told.len(), 2, "{told:?}");
+        let told =
+            |parts| -> Vec<String> { plan(parts).unwrap_err().iter().map(ToString::to_string).collect() };
+        let two = told(["", code, valid, code]);
+        assert!(two.len() == 1 && two[0].contains("follow one another"), "{two:?}");
+        let two = told([code, code, valid, "part = \"validatoin\"\n"]);
+        assert_eq!(two.len(), 2, "{two:?}");
         assert!(
-            told[0].contains("follow one another") && told[1].contains("did you mean `validation`"),
-            "{told:?}"
+            two[0].contains("stands before all parts") && two[1].contains("did you mean `validation`"),
+            "{two:?}"
         );
     }
 

@@ -8,7 +8,7 @@ use crate::scene::{
     AllowedRange, BoundarySection, EffectRatioSweep, ErrorBoundSection, Faults, FrequencySection, HardCases,
     Limits, LinearRegimeSection, NearTransition, OnsetSection, OriginalSchemeSection, Problem, Quantity,
     Rectangle, SceneParameters, SimulationsSection, SpeedCountsSection, StartSensitivitySection,
-    SweepSection, TimingsSection, ToleranceSection, TrajectoriesSection, WorkPrecisionSection,
+    SweepSection, SweptSection, TimingsSection, ToleranceSection, TrajectoriesSection, WorkPrecisionSection,
 };
 
 /// What a user asks for: valid, exact, and nothing that was not asked.
@@ -60,6 +60,8 @@ pub struct Scene {
     pub timings: Option<TimingsSection>,
     /// `[sweep]`: points for many machines, and what is computed at each.
     pub sweep: Option<SweepSection>,
+    /// `[swept]`: sweeps that ran elsewhere.
+    pub swept: Option<SweptSection>,
 }
 
 impl Scene {
@@ -117,6 +119,7 @@ fn read_scene(top: &mut Section<'_>, limits: &Limits, faults: &mut Faults) -> Op
     let timings = top.optional("timings").map(|entry| TimingsSection::read(&entry, faults));
     let read = parameters.as_ref().map(Option::as_ref);
     let shared = top.optional("sweep").map(|entry| SweepSection::read(&entry, read, faults));
+    let swept = top.optional("swept").map(|entry| SweptSection::read(&entry, faults));
     Some(Scene {
         name: name?,
         title: title?,
@@ -141,6 +144,7 @@ fn read_scene(top: &mut Section<'_>, limits: &Limits, faults: &mut Faults) -> Op
         speed_counts: given(counts)?,
         timings: given(timings)?,
         sweep: given(shared)?,
+        swept: given(swept)?,
     })
 }
 

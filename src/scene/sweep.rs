@@ -1,6 +1,7 @@
 //! `[sweep]`: points for many machines, and what is computed at each.
 
 mod coordinates;
+mod summary;
 
 use crate::friction::EvolutionLaw;
 use crate::number::Rational;
@@ -10,6 +11,7 @@ use crate::scene::simulations::read_laws;
 use crate::scene::{AllowedRange, Faults, Problem, SceneParameters, nearest};
 pub use coordinates::{Coordinate, Spacing, Span};
 use coordinates::{grid_coordinates, sample_coordinates};
+pub use summary::{ColumnBins, ColumnStatistics, MOST_SUMMARY_CELLS, Statistic, SummarySection};
 
 /// The most points of one sweep, whatever machines there are.
 pub const MOST_SWEEP_POINTS: u64 = 1_000_000_000_000;
@@ -26,6 +28,8 @@ pub struct SweepSection {
     pub points: SweepPoints,
     /// Points of a block; the last one may have fewer.
     pub block_points: u64,
+    /// What blocks hold in place of rows.
+    pub summary: Option<SummarySection>,
 }
 
 /// What a sweep computes at each point.
@@ -35,6 +39,8 @@ pub enum SweepWork {
     Classify,
     /// The distance to the boundary max Im(s) = 0, and the asymptotes' error at its nearest point.
     Boundary,
+    /// The asymptotes' error at the nearest point of the boundary at the same V0, and nothing else.
+    AsymptoteError,
     /// The nonlinear slider.
     Simulate {
         /// The evolution laws, each once; none when a column of the list chooses it.
@@ -66,7 +72,7 @@ pub enum SweepPoints {
 /// The parameters of a scene as they were read: absent, faulty, or sound.
 pub(super) type ReadParameters<'p> = Option<Option<&'p SceneParameters>>;
 
-const WORKS: [&str; 3] = ["classify", "boundary", "simulate"];
+const WORKS: [&str; 4] = ["classify", "boundary", "asymptote-error", "simulate"];
 
 impl SweepSection {
     pub(super) fn read(
@@ -82,8 +88,13 @@ impl SweepSection {
             Some(entry) => entry.whole(1..=MOST_BLOCK_POINTS, faults),
             None => work.as_ref().map(SweepWork::usual_block_points),
         };
+        let summary = section.optional("summary").map(|entry| SummarySection::read(&entry, faults));
         section.finish(faults);
-        Some(Self { work: work?, points: points?, block_points: block_points? })
+        let summary = match summary {
+            None => None,
+            Some(read) => Some(read?),
+        };
+        Some(Self { work: work?, points: points?, block_points: block_points?, summary })
     }
 }
 
@@ -91,7 +102,7 @@ impl SweepWork {
     /// Points of a block that take some seconds.
     fn usual_block_points(&self) -> u64 {
         match self {
-            Self::Classify => 1 << 18,
+            Self::Classify | Self::AsymptoteError => 1 << 18,
             Self::Boundary => 1 << 13,
             Self::Simulate { .. } => 1 << 8,
         }
@@ -103,6 +114,7 @@ fn read_work(section: &mut Section<'_>, is_list: bool, faults: &mut Faults) -> O
     match entry.text(faults)?.as_str() {
         "classify" => Some(SweepWork::Classify),
         "boundary" => Some(SweepWork::Boundary),
+        "asymptote-error" => Some(SweepWork::AsymptoteError),
         "simulate" => read_simulate(section, is_list, faults),
         word => {
             let near = nearest(word, WORKS).map(str::to_string);

@@ -73,6 +73,15 @@ impl<R: Field> ArcFrame<R> {
         (terms.scaled_slope() / &cubic, terms.linear / cubic)
     }
 
+    /// (r, η/κ) of the same point: all that a place of known κ needs besides.
+    #[must_use]
+    pub fn place_at_stiffness(&self, arc: Arc, parameter: &R) -> (R, R) {
+        let terms = self.terms(arc, parameter);
+        let double_root = self.double_root(arc, &terms);
+        let velocity_squared = terms.linear / (double_root.square() * terms.cubic);
+        (double_root, velocity_squared)
+    }
+
     fn double_root(&self, arc: Arc, terms: &Terms<R>) -> R {
         match arc {
             Arc::Upper => terms.slope.clone() * &self.difference,
@@ -110,7 +119,7 @@ impl<R: Field> ArcFrame<R> {
         let x = self.scaled(parameter);
         let (q, sum) = (&self.root_ratio, &self.sum);
         let x_squared = x.square();
-        let y_fourth = terms.y_squared.square();
+        let y_fourth = terms.y.square().square();
         match arc {
             Arc::Upper => {
                 let low = q.clone() * sum * (R::from(2) + R::from(6) * &x);
@@ -168,7 +177,7 @@ impl<R: Field> ArcFrame<R> {
             Arc::Upper => (parameter.clone() / &next, x + R::from(1)),
             Arc::Lower => (next / parameter, x + &self.sum),
         };
-        Terms { slope, y_squared: y.square(), linear, cubic }
+        Terms { slope, y, linear, cubic }
     }
 }
 
@@ -185,8 +194,8 @@ impl ArcFrame<Ball> {
 struct Terms<R> {
     /// ρ.
     slope: R,
-    /// y².
-    y_squared: R,
+    /// y.
+    y: R,
     /// 1 + q + 2λq.
     linear: R,
     /// 1 + q + 2λq + 2λ(1+λ)q².
@@ -196,7 +205,7 @@ struct Terms<R> {
 impl<R: Field> Terms<R> {
     /// 2ρy².
     fn scaled_slope(&self) -> R {
-        let half = self.slope.clone() * &self.y_squared;
+        let half = self.slope.clone() * self.y.square();
         half.clone() + half
     }
 }
@@ -258,7 +267,8 @@ mod tests {
             let ratio = Rational::from(&point.inertial_parameter / &point.stiffness_group);
             prop_assert_eq!(&point.velocity_squared, &ratio);
             let inverse = Rational::from(point.stiffness_group.recip_ref());
-            prop_assert_eq!(frame.place(arc, &parameter), (inverse, ratio));
+            prop_assert_eq!(frame.place(arc, &parameter), (inverse, ratio.clone()));
+            prop_assert_eq!(frame.place_at_stiffness(arc, &parameter), (r.clone(), ratio));
             prop_assert!(point.inertial_parameter > 0 && point.stiffness_group > 0);
 
             let (end, factor) = match arc {

@@ -54,6 +54,19 @@ mod tests {
         }
     }
 
+    #[test]
+    fn without_inertia_the_limits_are_those_of_eqs_15_and_16() {
+        // κ = (√β ± 1)², at β = 4: 1 and 9.
+        for (kappa, sign) in [("0.5", 1), ("1", 0), ("4", -1), ("9", 0), ("10", 1)] {
+            let groups = Groups {
+                inertial_parameter: Rational::new(),
+                stiffness_group: parse_decimal(kappa).unwrap(),
+                effect_ratio: Rational::from(4),
+            };
+            assert_eq!(boundary_sign(&groups), sign, "κ = {kappa}");
+        }
+    }
+
     proptest! {
         #[test]
         fn the_integer_route_agrees_with_the_discriminant_over_the_rationals(groups in any_groups()) {

@@ -14,7 +14,7 @@ pub fn log10_one_plus(x: &Ball) -> Ball {
     if smallest.lower().cmp0() != Some(std::cmp::Ordering::Greater) {
         return Ball::unbounded(precision);
     }
-    let spread = Ball::exact(x.radius().clone()) / smallest;
+    let spread = Ball::exact(x.radius()) / smallest;
     let (logarithm, _) = Float::with_val_round(precision, x.centre().ln_1p_ref(), Round::Nearest);
     let rounding = unit_in_the_last_place(&logarithm);
     let ten = Float::with_val(precision, 10).ln();

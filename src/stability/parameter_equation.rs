@@ -85,7 +85,8 @@ impl ParameterEquation {
             return Some(Vec::new());
         }
         let coefficients = self.given.coefficients(self.arc, frame, frame.root_ratio.precision_bits());
-        let (low, high) = positive_range(&coefficients)?;
+        let rounded: Vec<f64> = coefficients.iter().map(Ball::to_f64).collect();
+        let (low, high) = positive_range(&rounded)?;
         if self.arc == Arc::Upper {
             return quick_root(&coefficients, (low, high), bits).map(|root| vec![root]);
         }

@@ -19,28 +19,31 @@ const MOST_STEPS: u32 = 100;
 /// None when 64-bit cannot follow (range, or signs that it does not see) or the precision is not reached; the caller then
 /// takes the general way.
 pub(super) fn quick_root(coefficients: &[Ball], (lower, upper): (f64, f64), bits: u32) -> Option<Ball> {
-    let start = root_in_f64(&coefficients.iter().map(Ball::to_f64).collect::<Vec<_>>(), lower, upper)?;
+    let rounded: Vec<f64> = coefficients.iter().map(Ball::to_f64).collect();
+    certified_root(coefficients, root_in_f64(&rounded, lower, upper)?, bits)
+}
+
+/// The root next to a 64-bit one, to a relative radius of 2^−bits; none when that is not reached.
+pub(super) fn certified_root(coefficients: &[Ball], start: f64, bits: u32) -> Option<Ball> {
     let provisional = step_in_double_double(coefficients, start)?;
     let centre = Float::with_val(PROVISIONAL_BITS + 16, provisional.hi()) + provisional.lo();
     let radius = Float::with_val(32, provisional.hi()) >> PROVISIONAL_BITS;
     let enclosure = Ball::new(centre, radius);
     let image = newton(coefficients, &enclosure);
-    let inside =
-        image.radius().is_finite() && image.lower() > enclosure.lower() && image.upper() < enclosure.upper();
+    let inside = image.is_bounded() && image.lower() > enclosure.lower() && image.upper() < enclosure.upper();
     (inside && image.relative_radius_log2() <= -f64::from(bits)).then_some(image)
 }
 
 /// Bounds of all positive roots in 64-bit (Cauchy's, for the polynomial and its reverse).
-pub(super) fn positive_range(coefficients: &[Ball]) -> Option<(f64, f64)> {
-    let magnitudes = coefficients.iter().map(|value| value.to_f64().abs());
-    let largest = magnitudes.fold(0.0, f64::max);
-    let (first, last) = (coefficients.first()?.to_f64().abs(), coefficients.last()?.to_f64().abs());
+pub(super) fn positive_range(coefficients: &[f64]) -> Option<(f64, f64)> {
+    let largest = coefficients.iter().map(|value| value.abs()).fold(0.0, f64::max);
+    let (first, last) = (coefficients.first()?.abs(), coefficients.last()?.abs());
     let range = (first / (first + largest), 1.0 + largest / last);
     (range.0 > 1e-100 && range.1 < 1e100).then_some(range)
 }
 
 /// Newton's method on ln λ, kept inside a bracket that halves when a step leaves it.
-fn root_in_f64(coefficients: &[f64], mut lower: f64, mut upper: f64) -> Option<f64> {
+pub(super) fn root_in_f64(coefficients: &[f64], mut lower: f64, mut upper: f64) -> Option<f64> {
     let at_lower = value_and_slope(coefficients, lower).0;
     let at_upper = value_and_slope(coefficients, upper).0;
     let opposite = at_lower < 0.0 && at_upper > 0.0 || at_lower > 0.0 && at_upper < 0.0;
@@ -92,7 +95,7 @@ mod tests {
     #[test]
     fn the_square_root_of_two_is_certified_to_190_bits() {
         let polynomial = coefficients(&[-2, 0, 1]);
-        let range = positive_range(&polynomial).unwrap();
+        let range = positive_range(&[-2.0, 0.0, 1.0]).unwrap();
         let root = quick_root(&polynomial, range, 185).unwrap();
         assert!((root.square() - Ball::from(2)).contains_zero());
         assert!(root.relative_radius_log2() <= -185.0);

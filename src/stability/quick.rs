@@ -47,7 +47,7 @@ pub fn classify_quickly(
 }
 
 /// Whether a point with real roots lies in the upper area of a > b, when that is clear (see `slip_mode::is_upper_area`).
-fn clearly_in_upper_area(groups: &Groups<f64>) -> Option<bool> {
+pub(super) fn clearly_in_upper_area(groups: &Groups<f64>) -> Option<bool> {
     let (eta, kappa, beta) = (groups.inertial_parameter, groups.stiffness_group, groups.effect_ratio);
     let below =
         |left: f64, right: f64| ((left - right).abs() > MARGIN * (left + right)).then_some(left < right);
@@ -115,5 +115,19 @@ mod tests {
         };
         assert!(classify_quickly(&cusp, &threshold).is_none());
         assert!(classify_quickly(&equal_effects, &threshold).is_some(), "a = b is no limit of the signs");
+    }
+
+    #[test]
+    fn which_real_area_it_is_stays_open_on_its_limits_alone() {
+        let area = |inertial_parameter, stiffness_group, effect_ratio| {
+            clearly_in_upper_area(&Groups { inertial_parameter, stiffness_group, effect_ratio })
+        };
+        assert_eq!(area(0.4, 1.0, 0.5), Some(true));
+        assert_eq!(area(0.4, 2.0, 0.5), Some(false));
+        assert_eq!(area(0.6, 2.0, 0.5), Some(true));
+        assert_eq!(area(0.4, 1.0, 2.0), Some(false));
+        for (eta, kappa, beta) in [(0.5, 1.0, 0.5), (0.25, 1.25, 0.5), (0.4, 1.0, 1.0)] {
+            assert_eq!(area(eta, kappa, beta), None, "{eta} {kappa} {beta}");
+        }
     }
 }

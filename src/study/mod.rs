@@ -4,8 +4,10 @@ mod bistability;
 mod blocks;
 mod boundary;
 mod comparison;
+mod csv_records;
 mod cycle_families;
 mod error_bound;
+mod families;
 mod first_swing;
 #[cfg(test)]
 mod fixtures;
@@ -38,8 +40,10 @@ mod snapshots;
 mod speed;
 mod start_sensitivity;
 mod steady_sliding;
+mod summary;
 mod sweep;
 mod sweep_points;
+mod swept;
 mod thinning;
 mod timings;
 mod tolerance;
@@ -56,6 +60,7 @@ pub use comparison::{
 };
 pub use cycle_families::{AmplitudeDeviation, CycleFamilyOutcome, FamilyCycle};
 pub use error_bound::{BoundCheck, error_bound};
+pub use families::{Factors, Families, NamedPoint, PointState};
 pub use frequency::{FrequencyLine, FrequencyOutcome, frequency_lines};
 pub use grid::Grid;
 pub use hard_case_methods::{Method, MethodScore};
@@ -82,8 +87,10 @@ pub use simulations::{SimulatedPoint, SimulationsOutcome, simulations};
 pub use speed::{BoundaryCount, ClassCounts, MethodCount, RootCount, SpeedCounts, SweepCount, speed_counts};
 pub use start_sensitivity::{Early, StartGroup, StartRun, start_sensitivity};
 pub use steady_sliding::{SteadyRun, steady_sliding};
+pub use summary::{RowPlaces, Summary, SummaryError, SummaryRow};
 pub use sweep::{SweepOutcome, SweepRow, sweep_effect_ratio};
 pub use sweep_points::{PointSource, Varying};
+pub use swept::{Swept, read_swept};
 pub use timings::{
     Aim, Bound, CostRow, Form, Ladder, Law, MachineRow, PeerGroup, PeerRow, Reached, Timings, aims,
     cycle_groups, ladders, micro, read_cost, read_machine, read_peers, work_groups,

@@ -43,6 +43,8 @@ pub enum Need {
     SpeedCounts,
     /// Times that other commands measured.
     Timings,
+    /// Sweeps that ran elsewhere.
+    Swept,
 }
 
 impl Need {
@@ -67,6 +69,7 @@ impl Need {
         Self::ErrorBound,
         Self::SpeedCounts,
         Self::Timings,
+        Self::Swept,
     ];
 
     /// The stable name used in the ids of work items.
@@ -92,6 +95,7 @@ impl Need {
             Need::ErrorBound => "error-bound",
             Need::SpeedCounts => "speed-counts",
             Need::Timings => "timings",
+            Need::Swept => "swept",
         }
     }
 }

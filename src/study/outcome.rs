@@ -7,8 +7,8 @@ use crate::scene::{Scene, SceneParameters, TimingsSection};
 use crate::study::{
     BoundCheck, BoundaryOutcome, FamilyOutcome, FrequencyOutcome, Grid, HardCase, HardLap, LapOutcome,
     LinearRegimeOutcome, MapPoint, NearTransitionOutcome, OnsetOutcome, OriginalSchemeOutcome,
-    SimulationsOutcome, SpeedCounts, StartGroup, SweepOutcome, Timings, ToleranceOutcome, TrajectoryRun,
-    WorkCase, ZonesOutcome,
+    SimulationsOutcome, SpeedCounts, StartGroup, SweepOutcome, Swept, Timings, ToleranceOutcome,
+    TrajectoryRun, WorkCase, ZonesOutcome,
 };
 
 /// Everything computed for one scene; what nobody needed is absent.
@@ -54,6 +54,8 @@ pub struct SceneOutcome {
     pub speed_counts: Option<SpeedCounts>,
     /// Times that other commands measured.
     pub timings: Option<Timings>,
+    /// Its sweeps that ran elsewhere.
+    pub swept: Option<Vec<Swept>>,
 }
 
 impl SceneOutcome {
@@ -81,6 +83,7 @@ impl SceneOutcome {
             error_bound: None,
             speed_counts: None,
             timings: None,
+            swept: None,
         }
     }
 
@@ -131,6 +134,8 @@ pub struct References {
     pub hard_laps: BTreeMap<String, Vec<HardLap>>,
     /// Times by the section that names their files.
     pub timings: BTreeMap<TimingsSection, Timings>,
+    /// Sweeps by name.
+    pub swept: BTreeMap<String, Swept>,
 }
 
 /// b/a of a slider.

@@ -58,5 +58,6 @@ fn states(scene: &Scene, need: Need) -> bool {
         Need::ErrorBound => scene.error_bound.is_some(),
         Need::SpeedCounts => scene.speed_counts.is_some(),
         Need::Timings => scene.timings.is_some(),
+        Need::Swept => scene.swept.is_some(),
     }
 }

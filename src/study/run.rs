@@ -1,6 +1,6 @@
 //! Running a plan: pure, and the same values on any number of threads.
 
-use crate::scene::Scene;
+use crate::scene::{Scene, SweptEntry};
 use crate::stability::InertialThreshold;
 use crate::study::{
     Item, Need, Needs, Outcome, References, SceneOutcome, boundary_outcome, classify_rectangle,
@@ -127,6 +127,11 @@ fn compute(item: &Item, outcome: &mut SceneOutcome, references: &References) {
         Need::Timings => {
             outcome.timings =
                 scene.timings.as_ref().and_then(|section| references.timings.get(section)).cloned();
+        }
+        Need::Swept => {
+            let of = |entry: &SweptEntry| references.swept.get(&entry.name).cloned();
+            outcome.swept =
+                scene.swept.as_ref().map(|section| section.sweeps.iter().filter_map(of).collect());
         }
     }
 }

@@ -60,12 +60,14 @@ fn critical_damping(
         coefficients(&proof, &[quadratic], &equations.residual(quadratic), "s")?;
     let discriminant = (c1.power(2) - formula("4") * c2 * c0) * formula("V_0^2");
     let ratio = velocity_ratio(equations.equation(boundary));
-    let product = formula(factor) * (formula("1") - ratio.power(2));
+    let product = formula(factor) * (formula("1") - ratio.clone().power(2));
     let says = format!(
         "discriminant times V0² for {case}, with L the ratio of V0 to the velocity of eq \
              {boundary}"
     );
-    proof.identity(&says, &[quadratic, boundary], &discriminant, &product, domain)
+    let proof = proof.identity(&says, &[quadratic, boundary], &discriminant, &product, domain)?;
+    // The identity has L as a square: an equation that asks for a negative velocity satisfies it too.
+    proof.positive(&format!("L for {case}, so that L = 1 at a velocity"), &[boundary], &ratio, domain)
 }
 
 /// left/right of an equation "ratio = 1": for eqs 18 and 20 the ratio of V0 to the velocity at which they hold.

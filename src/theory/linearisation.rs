@@ -69,6 +69,13 @@ pub(super) fn evolution(equations: &PaperEquations, law: Law) -> Expression {
     equations.residual(law.equation()).with("V", &formula("delta'"))
 }
 
+/// How fast the residual of eq 4 grows along δ = V_0 t + δ_0 at constant friction; its linear part is silent on where the load
+/// point goes.
+fn pull_along_steady_sliding(equations: &PaperEquations) -> Expression {
+    let sliding = equations.residual("4").with("delta", &formula("V_0*t + delta_0"));
+    sliding.with("delta''", &formula("0")).derivative(&Symbol::new("t"))
+}
+
 /// Both evolution laws have the same linearisation about steady state (claim F2).
 ///
 /// # Errors
@@ -99,6 +106,13 @@ pub fn prove(equations: &PaperEquations) -> Result<Proof, Refutation> {
         "Eq 5 is the linear part of eq 4 with friction by eq 1; eq 6 is the linear part of eq \
              2 and of eq 3.",
     )
+    .identity(
+        "along steady sliding at V_0 the spring's force stays the same: the slope of eq 4 in t",
+        &["4"],
+        &pull_along_steady_sliding(equations),
+        &formula("0"),
+        &any(),
+    )?
     .identity(
         "eq 4 with eq 1 in Δδ and Δθ",
         &["1", "4", "5", "steady-state"],

@@ -72,6 +72,19 @@ fn every_altered_equation_is_refuted_by_name() {
     }
 }
 
+#[test]
+fn a_negative_velocity_and_a_load_point_that_runs_away_are_refuted() {
+    for (number, text) in [
+        ("18", "-2*V_0*sqrt(M*K)/(abs(a - b)*sigma) = 1"),
+        ("18", "2*V_0*sqrt(M*K)/(abs(a - b)*sigma) = -1"),
+        ("20", "2*V_0*sqrt(M*K)/(a*sigma) = -1"),
+        ("4", "M*delta''/sigma = K*(-V_0*t - delta)/sigma - mu"),
+    ] {
+        let altered = paper().altered(number, text).expect("in the grammar");
+        assert!(refuted_by_name(&altered, number), "equation {number} altered to {text} is not refuted");
+    }
+}
+
 /// Wrong signs and wrong factors, two for each equation.
 const ALTERATIONS: [(&str, [&str; 2]); 28] = [
     (

@@ -233,3 +233,26 @@ fn the_worked_example_agrees_and_makes_a_report() {
     assert_eq!(place.read("out/tables/runs.csv").lines().count(), 4);
     assert_eq!(names_in(&place.path("out/figures")), ["differences.svg", "late-cycle-row-1.svg"]);
 }
+
+#[test]
+fn rows_at_fault_are_told_and_passed_over_only_when_asked_and_the_page_names_its_files() {
+    let place = Workplace::new();
+    let faulty = ROW.replace("1e5", "-1e5");
+    place.write("runs.csv", format!("{HEADER},period_s\n{faulty},{PERIOD}\n{ROW},{PERIOD}\n"));
+    let stopped = place.run(["compare", "--runs", "runs.csv"]);
+    assert_eq!(stopped.code, 2, "{stopped:?}");
+    let ended = place.run(["compare", "--runs", "runs.csv", "--keep-going", "--json", "--report", "page"]);
+    assert_eq!(ended.code, 1);
+    assert!(
+        ended.stderr.contains("row 1") && ended.stderr.contains("1 rows are at fault"),
+        "{}",
+        ended.stderr
+    );
+    let found: Value = serde_json::from_str(&ended.stdout).unwrap();
+    assert_eq!((&found["agree"], &found["at_fault"]), (&1.into(), &1.into()));
+    let page = place.read("page/index.html");
+    assert!(page.contains("1 further rows of the file are at fault"));
+    let inputs = page.split("id=\"inputs\"").nth(1).unwrap().split("</table>").next().unwrap();
+    assert!(inputs.contains("<td>runs.csv</td>"), "{inputs}");
+    assert!(inputs.split("<code>").nth(1).is_some_and(|rest| rest.find('<') == Some(64)), "{inputs}");
+}

@@ -1,81 +1,9 @@
 //! Valid inputs with a few bytes changed, the same ones every time, held against what every reader promises.
 
-use std::time::{Duration, Instant};
-
 use slipmode::archive::{Files, ReleaseTime, pack};
 
+use crate::mutation::hold;
 use crate::promises;
-
-/// The longest that one reader may spend on one input.
-const PATIENCE: Duration = Duration::from_secs(2);
-
-/// A generator of 64-bit numbers: splitmix64, from a fixed seed.
-struct Random(u64);
-
-impl Random {
-    fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mixed = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        let mixed = (mixed ^ (mixed >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        mixed ^ (mixed >> 31)
-    }
-
-    fn below(&mut self, limit: usize) -> usize {
-        usize::try_from(self.next() % u64::try_from(limit.max(1)).unwrap()).unwrap()
-    }
-}
-
-/// Pieces that readers are known to stumble over.
-const PIECES: [&[u8]; 16] = [
-    b"-",
-    b"e",
-    b".",
-    b"0",
-    b"99999999999",
-    b"e-9999",
-    b"nan",
-    b"\"",
-    b"[",
-    b"]",
-    b"{ }",
-    b"\r\n",
-    b"\xff",
-    b"\0",
-    b"\xe2\x80\xae",
-    b"= 0\n",
-];
-
-/// One to four changes: a byte flipped, a piece put in, a part taken out or doubled, or the end cut.
-fn mutated(valid: &[u8], random: &mut Random) -> Vec<u8> {
-    let mut bytes = valid.to_vec();
-    for _ in 0..=random.below(4) {
-        let (at, other) = (random.below(bytes.len() + 1), random.below(bytes.len() + 1));
-        let (first, last) = (at.min(other), at.max(other).min(at.min(other) + 40));
-        match random.below(5) {
-            0 if at < bytes.len() => bytes[at] ^= 1 << random.below(8),
-            1 => drop(bytes.splice(at..at, PIECES[random.below(PIECES.len())].iter().copied())),
-            2 => drop(bytes.drain(first..last)),
-            3 => {
-                let part = bytes[first..last].to_vec();
-                drop(bytes.splice(at..at, part));
-            }
-            _ => bytes.truncate(bytes.len() - random.below(bytes.len().min(40) + 1)),
-        }
-    }
-    bytes
-}
-
-/// Holds a promise on valid inputs and on `count` changed ones.
-fn hold(promise: fn(&[u8]), valid: &[&[u8]], count: usize) {
-    let mut random = Random(2026);
-    valid.iter().for_each(|bytes| promise(bytes));
-    for turn in 0..count {
-        let bytes = mutated(valid[turn % valid.len()], &mut random);
-        let start = Instant::now();
-        promise(&bytes);
-        assert!(start.elapsed() < PATIENCE, "{:?}", String::from_utf8_lossy(&bytes));
-    }
-}
 
 #[test]
 fn changed_numbers_are_refused_or_read_as_written() {
@@ -101,6 +29,26 @@ fn changed_expressions_are_refused_or_print_as_they_read() {
         b"\xc2\xb1i*sqrt((b - a)/a)*V_0/D_c",
     ];
     hold(promises::expression, &expressions, 4_000);
+    hold(promises::equations, &[include_bytes!("../../reports/im-avouac/equations.toml")], 60);
+}
+
+#[test]
+fn changed_claims_and_plans_are_refused_or_read_as_written() {
+    let files: [&[u8]; 2] = [
+        include_bytes!("../../reports/rock-friction/claims.toml"),
+        include_bytes!("../../reports/rock-friction/report.toml"),
+    ];
+    hold(promises::ledger, &files, 400);
+}
+
+#[test]
+fn changed_prose_stays_prose() {
+    let prose = [
+        "# A *heading* {onclick=x}\n\n[a](https://example.org) <b>raw</b> ![i](x.png) `code`\n\n- one\n- two\n",
+        "Inline $\\sqrt{K/M}$ and\n\n$$\\frac{a}{b}$$\n\n| a | b |\n| - | -: |\n| 1 | 2 |\n",
+        "[j](javascript:x) <script>x</script> <https://example.org> [d](data:x)\n> quoted\n\n```\nfenced\n```\n",
+    ];
+    hold(promises::prose, &prose.map(str::as_bytes), 150);
 }
 
 #[test]

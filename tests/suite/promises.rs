@@ -2,11 +2,19 @@
 //!
 //! Nothing here knows where the bytes come from, so that any source of them can be held against the promises.
 
+use std::collections::BTreeMap;
+use std::fmt::Debug;
+use std::sync::LazyLock;
+
 use rug::ops::Pow;
 use slipmode::archive::{Caps, pack, unpack};
+use slipmode::claims::known_ids;
 use slipmode::number::{MAX_EXPONENT, Rational, parse_decimal};
 use slipmode::polynomial::Expression;
-use slipmode::scene::{Limits, Scene, check_name};
+use slipmode::report::{Folder, produce};
+use slipmode::scene::{Faults, Limits, ReportPlan, Scene, check_name, read_claims};
+use slipmode::study::References;
+use slipmode::theory::PaperEquations;
 
 /// A number that is accepted is the same when it is printed in full and read again.
 pub fn number(bytes: &[u8]) {
@@ -38,19 +46,39 @@ fn in_full(value: &Rational) -> String {
 
 /// A scene that is accepted is the same with another system's line ends, and its name is one that can be written.
 pub fn scene(bytes: &[u8]) {
-    match Scene::parse("s.toml", bytes, &Limits::default()) {
-        Ok(scene) => {
-            assert_eq!(check_name(&scene.name), Ok(()));
-            let text = std::str::from_utf8(bytes).expect("an accepted scene is text");
+    if let Some(scene) = document(bytes, |bytes| Scene::parse(FILE, bytes, &Limits::default())) {
+        assert_eq!(check_name(&scene.name), Ok(()));
+    }
+}
+
+/// A list of claims and the plan of a report that are accepted are the same with another system's line ends.
+pub fn ledger(bytes: &[u8]) {
+    let _ = document(bytes, |bytes| read_claims(FILE, bytes, &known_ids()));
+    if let Some(plan) = document(bytes, |bytes| ReportPlan::parse(FILE, bytes)) {
+        let names = plan.scenes.iter().chain(plan.chapters.iter().map(|chapter| &chapter.id));
+        assert!(names.chain([&plan.name]).all(|name| check_name(name).is_ok()));
+    }
+}
+
+/// The name that readers of documents are given.
+const FILE: &str = "s.toml";
+
+/// What a reader accepts, read again with another system's line ends; its faults name the file.
+fn document<T: Debug + PartialEq>(bytes: &[u8], read: impl Fn(&[u8]) -> Result<T, Faults>) -> Option<T> {
+    match read(bytes) {
+        Ok(found) => {
+            let text = std::str::from_utf8(bytes).expect("an accepted document is text");
             let other = text.replace("\r\n", "\n").replace('\n', "\r\n");
             // A text over several lines may hold line ends of its own.
             if !text.contains("\"\"\"") && !text.contains("'''") {
-                assert_eq!(Scene::parse("s.toml", other.as_bytes(), &Limits::default()), Ok(scene));
+                assert_eq!(read(other.as_bytes()).as_ref(), Ok(&found));
             }
+            Some(found)
         }
         Err(faults) => {
             assert!(!faults.is_empty());
-            assert!(faults.iter().all(|fault| fault.to_string().starts_with("s.toml")), "{faults:?}");
+            assert!(faults.iter().all(|fault| fault.to_string().starts_with(FILE)), "{faults:?}");
+            None
         }
     }
 }
@@ -62,6 +90,62 @@ pub fn expression(bytes: &[u8]) {
         let printed = read.to_string();
         assert_eq!(printed.parse::<Expression>().map(|again| again.to_string()), Ok(printed), "{text:?}");
     }
+}
+
+/// A file of equations that is accepted prints equations that are read as the same ones.
+pub fn equations(bytes: &[u8]) {
+    expression(bytes);
+    let Ok(text) = std::str::from_utf8(bytes) else { return };
+    match PaperEquations::parse(text) {
+        Ok(found) => {
+            for equation in found.iter() {
+                assert_eq!(found.altered(&equation.number, &equation.to_string()).as_ref(), Ok(&found));
+            }
+        }
+        Err(error) => assert!(!error.to_string().is_empty()),
+    }
+}
+
+/// Prose that is rendered brings no element of its own that runs or loads anything, and no link but to the known schemes.
+pub fn prose(bytes: &[u8]) {
+    let Ok(text) = std::str::from_utf8(bytes) else { return };
+    let Some(page) = page(text) else { return };
+    for dangerous in
+        ["<script", "<style", "<img", "<iframe", "<object", "<embed", "<form", "<base", "<link", "<meta"]
+    {
+        assert_eq!(
+            page.matches(dangerous).count(),
+            PLAIN_PAGE.matches(dangerous).count(),
+            "{dangerous}: {text:?}"
+        );
+    }
+    for scheme in ["javascript:", "data:", "vbscript:", "file:"] {
+        let link = format!("href=\"{scheme}");
+        assert_eq!(page.matches(&link).count(), PLAIN_PAGE.matches(&link).count(), "{scheme} {text:?}");
+    }
+}
+
+static PLAIN_PAGE: LazyLock<String> = LazyLock::new(|| page("Plain.").expect("plain prose is rendered"));
+
+static EQUATIONS: LazyLock<PaperEquations> = LazyLock::new(|| {
+    PaperEquations::parse(include_str!("../../reports/im-avouac/equations.toml"))
+        .expect("the paper's equations")
+});
+
+/// The page of a report that is nothing but this prose, in lower case.
+fn page(prose: &str) -> Option<String> {
+    let plan = "name = \"p\"\ntitle = \"P\"\nscenes = []\n[[chapter]]\nid = \"c\"\ntitle = \"C\"\nprose = \"c.md\"\n";
+    let folder = Folder {
+        plan: ReportPlan::parse(FILE, plan.as_bytes()).expect("a plan"),
+        claims: Vec::new(),
+        equations: EQUATIONS.clone(),
+        scenes: Vec::new(),
+        prose: BTreeMap::from([("c.md".to_string(), prose.to_string())]),
+        references: References::default(),
+        inputs: Vec::new(),
+    };
+    let mut product = produce(&folder, "slipmode", Vec::new(), &|_, _, _| ()).ok()?;
+    product.files.remove("index.html").map(|page| page.to_ascii_lowercase())
 }
 
 /// An archive that is accepted holds the same files when they are packed and unpacked again.

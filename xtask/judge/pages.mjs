@@ -2,7 +2,7 @@
 //
 // Usage: node pages.mjs CHROMIUM PAGE…   Prints one line per finding and ends with their number; exit code 1 when there is any.
 // Looked for: requests for anything but the page itself, faults that axe-core finds, text that only scripts show,
-// content wider than the window, and messages in the console.
+// content wider than the window, messages in the console, and readouts and sliders that the keyboard does not move.
 
 import { readFileSync } from "node:fs";
 import { createRequire } from "node:module";
@@ -53,15 +53,56 @@ async function look(path, scene, { javaScriptEnabled, colorScheme, width }) {
   if (javaScriptEnabled) {
     const overflow = await page.evaluate(() => document.documentElement.scrollWidth - window.innerWidth);
     if (overflow > 0) findings.push(`${scene}: ${overflow} px wider than the window`);
+    // Shades at the edges of what scrolls would leave contrast undecided: it is judged on the ground alone.
+    await page.addStyleTag({ content: ".plot, .scroll { background: var(--ground) !important; }" });
     await page.evaluate(axe);
     const result = await page.evaluate(() => axe.run(document, { resultTypes: ["violations"] }));
     for (const violation of result.violations) {
       const where = violation.nodes.slice(0, 3).map((node) => node.target.join(" ")).join("; ");
       findings.push(`${scene}: axe: ${violation.id} at ${violation.nodes.length} places: ${where}`);
     }
+    await tryReadouts(page, scene);
+    await trySliders(page, scene);
+  } else if (await page.locator("#controls").isVisible()) {
+    findings.push(`${scene}: sliders that nothing listens to`);
   }
   await context.close();
   return text;
+}
+
+// Every map that reads out says something else after an arrow key, and no field of its sentence is left open.
+async function tryReadouts(page, scene) {
+  for (const plot of await page.locator(".plot:has(rect.readout)").all()) {
+    const said = plot.locator("xpath=following-sibling::p[1]");
+    await plot.focus();
+    const heard = [];
+    for (const key of ["ArrowRight", "ArrowUp", "ArrowUp"]) {
+      await page.keyboard.press(key);
+      heard.push(await said.innerText());
+    }
+    const broken = heard.some((text) => /undefined|[{}]/.test(text) || !text.startsWith("V = "));
+    if (broken || new Set(heard).size < heard.length) findings.push(`${scene}: a map reads out: ${heard.join(" / ")}`);
+  }
+}
+
+// Every slider moves with the keyboard, says its value, and changes what is shown.
+async function trySliders(page, scene) {
+  const sliders = page.locator("#controls input[type=range]");
+  const shown = () => page.evaluate(() => [
+    document.querySelector("#map svg").outerHTML,
+    ...[...document.querySelectorAll("[data-cells]")].map((element) => element.textContent),
+  ].join("|"));
+  for (const slider of await sliders.all()) {
+    const [before, spoken] = [await shown(), await slider.getAttribute("aria-valuetext")];
+    await slider.focus();
+    await page.keyboard.press("ArrowRight");
+    const moved = (await shown()) !== before && (await slider.getAttribute("aria-valuetext")) !== spoken;
+    if (!moved || /undefined/.test(await shown())) findings.push(`${scene}: a slider changes nothing, or into nothing`);
+    for (const end of ["Home", "End"]) {
+      await page.keyboard.press(end);
+      if (/undefined/.test(await shown())) findings.push(`${scene}: nothing is stored at ${end}`);
+    }
+  }
 }
 
 // What is written on the page may not depend on scripts; colours and widths may hide or show nothing either.

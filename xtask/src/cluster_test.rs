@@ -46,7 +46,7 @@ pub fn run() -> Result<(), Failure> {
     let lacking = lacking()?;
     if !lacking.is_empty() {
         let message = format!("no {}; install {}", lacking.join(", "), PACKAGES.join(" "));
-        return if in_continuous_integration() {
+        return if machine::is_continuous_integration() {
             Err(Failure::bad_input(message))
         } else {
             println!("cluster-test: skipped: {message}");
@@ -67,10 +67,6 @@ pub fn run() -> Result<(), Failure> {
     result
 }
 
-fn in_continuous_integration() -> bool {
-    env::var_os("CI").is_some()
-}
-
 fn lacking() -> Result<Vec<&'static str>, Failure> {
     if !machine::is_root() {
         return Ok(vec!["root's rights"]);
@@ -79,7 +75,7 @@ fn lacking() -> Result<Vec<&'static str>, Failure> {
         let folders = cluster::search_path();
         PROGRAMS.into_iter().filter(|name| process::find_program(name, &folders).is_none()).collect()
     };
-    if !missing().is_empty() && in_continuous_integration() && machine::can_install() {
+    if !missing().is_empty() && machine::is_continuous_integration() && machine::can_install() {
         machine::install_packages(&PACKAGES)?;
     }
     Ok(missing())

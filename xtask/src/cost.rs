@@ -7,7 +7,7 @@
 
 mod fit;
 mod ladders;
-mod measure;
+pub mod measure;
 
 use std::fmt::Write as _;
 use std::fs;

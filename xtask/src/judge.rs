@@ -3,7 +3,6 @@
 //! Their versions are fixed in `xtask/judge/`; they are installed below `target/judge/`. A program that cannot be had is named and its
 //! judgement skipped, except under continuous integration (`CI` is set), where all are required.
 
-use std::env;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -14,7 +13,8 @@ use crate::{machine, process, repository, verify};
 /// What a judge is asked about: one report, made afresh.
 struct Made {
     folder: PathBuf,
-    page: PathBuf,
+    /// The report's page, and the explorers of its scenes.
+    pages: Vec<PathBuf>,
     archive: PathBuf,
 }
 
@@ -28,7 +28,9 @@ struct Judge {
 const NODE: &[&str] = &["node"];
 const NPM: &[&str] = &["npm"];
 const JAVA: &[&str] = &["java"];
+/// Debian's Python makes virtual environments only with this package; a mere `python3` is no sign of it.
 const PYTHON: &[&str] = &["python3"];
+const VENV: &str = "python3-venv";
 const BROWSER: &[&str] = &["chromium", "chromium-browser", "google-chrome"];
 
 const JUDGES: [Judge; 6] = [
@@ -64,7 +66,7 @@ pub fn run() -> Result<(), Failure> {
     if !objecting.is_empty() {
         return Err(Failure::check(format!("objections of {}", objecting.join(", "))));
     }
-    if !skipped.is_empty() && env::var_os("CI").is_some() {
+    if !skipped.is_empty() && machine::is_continuous_integration() {
         return Err(Failure::bad_input(format!("required here, but not to be had: {}", skipped.join(", "))));
     }
     println!("judge: {} judges content, {} skipped", JUDGES.len() - skipped.len(), skipped.len());
@@ -88,21 +90,54 @@ fn make(name: &str) -> Result<Made, Failure> {
     let folder = format!("reports/{name}");
     process::check(process::cargo(&run).args(["report", &folder]))?;
     process::check(process::cargo(&run).args(["archive", &folder, "--output"]).arg(&archive))?;
+    let mut pages = explorers(name)?;
     let folder = repository::root().join("target/report").join(name);
-    Ok(Made { page: folder.join("index.html"), folder, archive })
+    pages.insert(0, folder.join("index.html"));
+    Ok(Made { pages, folder, archive })
 }
 
-/// The programs of which no spelling is found, after an attempt to install them.
+/// An explorer for each scene of a report that has a slider and a map.
+fn explorers(name: &str) -> Result<Vec<PathBuf>, Failure> {
+    let scenes = repository::root().join("reports").join(name).join("scenes");
+    let cannot = |error: std::io::Error| Failure::bad_input(format!("{}: {error}", scenes.display()));
+    let entries = fs::read_dir(&scenes).map_err(cannot)?.collect::<Result<Vec<_>, _>>().map_err(cannot)?;
+    let mut paths: Vec<PathBuf> = entries.into_iter().map(|entry| entry.path()).collect();
+    paths.sort();
+    let mut pages = Vec::new();
+    for scene in paths {
+        if fs::read_to_string(&scene).map_err(cannot)?.contains("\n[map]") {
+            let page = workshop()?.join(scene.with_extension("html").file_name().unwrap_or_default());
+            let run = ["run", "--release", "--locked", "--quiet", "--bin", "slipmode", "--", "explore"];
+            process::check(process::cargo(&run).arg(&scene).arg("--output").arg(&page))?;
+            pages.push(page);
+        }
+    }
+    Ok(pages)
+}
+
+/// What a judge runs on and is not there, after an attempt to install it where nothing may be skipped.
 fn lacking_after_install(programs: &[&[&'static str]]) -> Result<Vec<&'static str>, Failure> {
-    if !lacking(programs).is_empty() && machine::can_install() {
-        machine::install_packages(&debian_packages(&lacking(programs)))?;
+    let missing = lacking(programs);
+    if !missing.is_empty() && machine::is_continuous_integration() && machine::can_install() {
+        machine::install_packages(&debian_packages(&missing))?;
     }
     Ok(lacking(programs))
 }
 
+/// The programs of which no spelling is found, and the package that Python lacks.
 fn lacking(programs: &[&[&'static str]]) -> Vec<&'static str> {
     let absent = |spellings: &&&[&'static str]| find(spellings).is_none();
-    programs.iter().filter(absent).filter_map(|spellings| spellings.first().copied()).collect()
+    let mut missing: Vec<&str> =
+        programs.iter().filter(absent).filter_map(|spellings| spellings.first().copied()).collect();
+    if programs.contains(&PYTHON) && missing.is_empty() && !python_makes_environments() {
+        missing.push(VENV);
+    }
+    missing
+}
+
+fn python_makes_environments() -> bool {
+    let asked = Command::new("python3").args(["-c", "import ensurepip, venv"]).output();
+    asked.is_ok_and(|output| output.status.success())
 }
 
 fn find(spellings: &[&str]) -> Option<PathBuf> {
@@ -114,7 +149,9 @@ fn debian_packages(programs: &[&str]) -> Vec<&'static str> {
         "node" => "nodejs",
         "npm" => "npm",
         "java" => "default-jre-headless",
-        "python3" => "python3-venv",
+        // It brings Python along.
+        "python3" => VENV,
+        name if name == VENV => VENV,
         _ => "chromium",
     };
     programs.iter().map(package).collect()
@@ -186,13 +223,13 @@ fn nu_html_checker(made: &Made) -> Result<Vec<Command>, Failure> {
         .arg("-jar")
         .arg(node_modules()?.join("vnu-jar/build/dist/vnu.jar"))
         .arg("--errors-only")
-        .arg(&made.page);
+        .args(&made.pages);
     Ok(vec![command])
 }
 
 fn html_validate(made: &Made) -> Result<Vec<Command>, Failure> {
     let mut command = node_tool("html-validate")?;
-    command.arg("--config").arg(definition("html-validate.json")).arg(&made.page);
+    command.arg("--config").arg(definition("html-validate.json")).args(&made.pages);
     Ok(vec![command])
 }
 
@@ -200,7 +237,7 @@ fn pages_in_browser(made: &Made) -> Result<Vec<Command>, Failure> {
     node_modules()?;
     let browser = find(BROWSER).unwrap_or_else(|| Path::new("chromium").to_path_buf());
     let mut command = Command::new("node");
-    command.arg("pages.mjs").arg(browser).arg(&made.page).current_dir(workshop()?);
+    command.arg("pages.mjs").arg(browser).args(&made.pages).current_dir(workshop()?);
     Ok(vec![command])
 }
 

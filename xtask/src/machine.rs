@@ -115,17 +115,25 @@ pub fn can_install() -> bool {
     is_root() && process::find_program("apt-get", &search_path()).is_some()
 }
 
+/// Whether this is continuous integration, where nothing may be skipped.
+pub fn is_continuous_integration() -> bool {
+    env::var_os("CI").is_some()
+}
+
 /// Installs Debian's packages; who needs them looks whether they are there.
 ///
 /// # Errors
 /// When apt-get cannot be started.
 pub fn install_packages(packages: &[&str]) -> Result<(), Failure> {
     println!("machine: installing {} with apt-get", packages.join(", "));
-    if apt_get_install(packages)? != 0 {
-        // A fresh image has no package lists, or stale ones.
+    // A fresh image has no package lists, or stale ones; and a mirror may fail once.
+    for _ in 0..2 {
+        if apt_get_install(packages)? == 0 {
+            return Ok(());
+        }
         process::status(apt_get().arg("update"))?;
-        apt_get_install(packages)?;
     }
+    apt_get_install(packages)?;
     Ok(())
 }
 

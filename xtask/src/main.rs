@@ -16,6 +16,7 @@ mod measured_on;
 mod process;
 mod repository;
 mod spdx;
+mod sweep_cost;
 mod test;
 mod tidy;
 mod timings;
@@ -35,6 +36,7 @@ usage: cargo xtask <command> [arguments]
                 --peers [works]: every other program that is found, into bench-results/
   timings       copy bench-results/{peers,cost,machine}.csv into the report on the paper
   cost          how time and memory grow with points, digits, tolerance and threads, with fitted laws
+  sweep-cost    memory, scaling and overhead of sweeps; wants a machine without other work
   tidy          the rules of the house: floors, headers, lengths, left-overs, links
   licences      every dependency's licence against the allow list
   judge         let outside programs judge every report's page, Markdown, archive and citation
@@ -68,6 +70,7 @@ fn run(arguments: &[String]) -> Result<(), Failure> {
         #[cfg(target_os = "linux")]
         "cluster-test" => cluster_test::run(),
         "cost" => cost::run(),
+        "sweep-cost" => sweep_cost::run(),
         "tidy" => tidy::run(),
         "timings" => timings::run(),
         "licences" => licences::run(),

@@ -6,10 +6,12 @@ use slipmode::report::{ChapterView, ProvenanceView, ReportView, render_html, ren
 use slipmode::study::Agreement;
 
 use crate::cli::compare::figures::figures;
+use crate::cli::compare::inputs::inputs;
 use crate::cli::compare::rows::ComparedRow;
 use crate::cli::compare::tables::tables;
 use crate::cli::environment::{ENVIRONMENT_FILE, Environment};
 use crate::cli::failure::Failure;
+use crate::cli::points::Done;
 use crate::cli::tree::Files;
 
 const SUBTITLE: &str = "Runs of other programs held against the linear theory and against our simulation";
@@ -18,8 +20,9 @@ const HOW: &str = "Each number is compared with our simulation of the same slide
 /// All files of the folder.
 ///
 /// # Errors
-/// When the page cannot be rendered: an error of this program.
-pub fn files(runs: &Path, rows: &[ComparedRow], environment: &Environment) -> Result<Files, Failure> {
+/// When an input cannot be read again for its digest, or the page cannot be rendered: an error of this program.
+pub fn files(runs: &Path, done: &Done<ComparedRow>, environment: &Environment) -> Result<Files, Failure> {
+    let rows = &done.kept;
     let (figures, tables) = (figures(rows), tables(rows));
     let mut files = Files::new();
     for figure in &figures {
@@ -38,7 +41,7 @@ pub fn files(runs: &Path, rows: &[ComparedRow], environment: &Environment) -> Re
     let view = ReportView {
         title: "Comparison of runs".into(),
         subtitle: SUBTITLE.into(),
-        summary_markdown: summary(rows),
+        summary_markdown: summary(rows, done.faulty()),
         chapters: vec![
             chapter("verdicts", "Verdicts", format!("[[table:runs]]\n\n{placed}")),
             chapter("numbers", "Numbers", "[[table:findings]]\n".into()),
@@ -46,7 +49,11 @@ pub fn files(runs: &Path, rows: &[ComparedRow], environment: &Environment) -> Re
         ],
         figures,
         tables,
-        provenance: ProvenanceView { command: command(runs), ..ProvenanceView::default() },
+        provenance: ProvenanceView {
+            command: command(runs),
+            inputs: inputs(runs, rows)?,
+            ..ProvenanceView::default()
+        },
         environment: environment.facts(),
         ..ReportView::default()
     };
@@ -63,13 +70,18 @@ fn command(runs: &Path) -> String {
     format!("slipmode compare --runs {name} --report DIR")
 }
 
-fn summary(rows: &[ComparedRow]) -> String {
+fn summary(rows: &[ComparedRow], faulty: u64) -> String {
     let count = |verdict: Agreement| rows.iter().filter(|row| row.comparison.verdict == verdict).count();
     format!(
-        "Of {} runs, **{} agree**, **{} differ** and **{} could not be compared**.\n",
+        "Of {} runs, **{} agree**, **{} differ** and **{} could not be compared**.{}\n",
         rows.len(),
         count(Agreement::Agrees),
         count(Agreement::Differs),
         count(Agreement::NotCompared),
+        if faulty > 0 {
+            format!(" {faulty} further rows of the file are at fault and were passed over.")
+        } else {
+            String::new()
+        },
     )
 }

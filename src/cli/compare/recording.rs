@@ -48,7 +48,14 @@ pub fn locate(folder: &Path, name: &str) -> Result<PathBuf, Problem> {
 /// # Errors
 /// Every fault of the file, up to twenty.
 pub fn read(path: &Path, log_level: f64) -> Result<Recording, Faults> {
-    let mut reader = RowReader::new(Input::open(path).map_err(|fault| vec![fault])?);
+    read_rows(RowReader::new(Input::open(path).map_err(|fault| vec![fault])?), log_level)
+}
+
+/// Reads a trajectory from its rows, as [`read`] does from its file.
+///
+/// # Errors
+/// As [`read`].
+pub fn read_rows(mut reader: RowReader, log_level: f64) -> Result<Recording, Faults> {
     let file = reader.name().to_string();
     let first = reader.block(1).map_err(|fault| vec![fault])?;
     let positions = header(&file, first.rows().next())?;

@@ -41,6 +41,7 @@ pub struct ReadRow {
     run: StatedRun,
     start: Start,
     number: u64,
+    trajectory: Option<String>,
 }
 
 /// A row that was compared.
@@ -54,6 +55,8 @@ pub struct ComparedRow {
     pub start: Start,
     /// The comparison.
     pub comparison: Comparison,
+    /// The file of its trajectory, as the row names it.
+    pub trajectory: Option<String>,
     /// Groups outside the ranges over which simulations were tested.
     pub doubts: Vec<String>,
 }
@@ -118,7 +121,8 @@ impl RowWork for CompareRows {
             values,
             recording: recording.map(Arc::new),
         };
-        Ok(ReadRow { run, start: start.unwrap_or_default(), number: cells.row.number })
+        let trajectory = reader.optional(TRAJECTORY_COLUMN, |name| Ok(name.to_owned()));
+        Ok(ReadRow { run, start: start.unwrap_or_default(), number: cells.row.number, trajectory })
     }
 
     fn append(&self, row: &ReadRow, out: &mut Vec<u8>) -> Remark<ComparedRow> {
@@ -135,7 +139,14 @@ impl RowWork for CompareRows {
         Remark {
             is_unanswered: comparison.verdict == Agreement::NotCompared,
             warning: (!doubts.is_empty()).then(|| doubts.join("; ")),
-            kept: ComparedRow { number: row.number, run, start: row.start, comparison, doubts },
+            kept: ComparedRow {
+                number: row.number,
+                run,
+                start: row.start,
+                comparison,
+                trajectory: row.trajectory.clone(),
+                doubts,
+            },
         }
     }
 }

@@ -97,14 +97,15 @@ fn shown_value(value: Value, unit: &str) -> String {
     }
 }
 
-/// One object: the rows in their order, and how many there are of each verdict.
-pub fn json(rows: &[ComparedRow]) -> Json {
+/// One object: the rows in their order, how many there are of each verdict, and how many were passed over.
+pub fn json(rows: &[ComparedRow], faulty: u64) -> Json {
     let count = |verdict: Agreement| rows.iter().filter(|row| row.comparison.verdict == verdict).count();
     json!({
         "rows": rows.iter().map(row_object).collect::<Vec<_>>(),
         "agree": count(Agreement::Agrees),
         "differ": count(Agreement::Differs),
         "not_compared": count(Agreement::NotCompared),
+        "at_fault": faulty,
     })
 }
 

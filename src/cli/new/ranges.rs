@@ -13,6 +13,13 @@ pub struct Decades {
     pub to: i32,
 }
 
+impl Decades {
+    /// The two powers.
+    pub fn ends(self) -> (f64, f64) {
+        (libm::exp10(f64::from(self.from)), libm::exp10(f64::from(self.to)))
+    }
+}
+
 /// The axes of the maps and of the grid of simulations.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Ranges {

@@ -37,6 +37,8 @@ const MOST_FAULTS: usize = 20;
 pub struct Done<K> {
     /// What the command kept of each row, in their order.
     pub kept: Vec<K>,
+    /// The first faults of rows that were passed over.
+    pub faults: Faults,
     counts: Counts,
 }
 
@@ -90,7 +92,7 @@ impl<W: RowWork> Started<W> {
     pub fn work(self, output: &mut impl Write) -> Result<Done<W::Kept>, Failure> {
         let Self { work, mut reader, bar } = self;
         output.write_all(&work.header_line()).map_err(|error| machine_write(&error))?;
-        let mut done = Done { kept: Vec::new(), counts: Counts::default() };
+        let mut done = Done { kept: Vec::new(), faults: Faults::new(), counts: Counts::default() };
         let mut faults = Faults::new();
         let mut batch = read_batch::<W>(&mut reader)?;
         while !batch.is_empty() && (work.keep_going || faults.len() < MOST_FAULTS) {
@@ -110,7 +112,11 @@ impl<W: RowWork> Started<W> {
             bar.set_position(reader.consumed());
         }
         bar.finish_and_clear();
-        if work.keep_going || faults.is_empty() { Ok(done) } else { Err(Failure::Input(faults)) }
+        if !work.keep_going && !faults.is_empty() {
+            return Err(Failure::Input(faults));
+        }
+        done.faults = faults;
+        Ok(done)
     }
 }
 
@@ -118,6 +124,11 @@ impl<K> Done<K> {
     /// Says on standard error that rows were passed over or are doubtful.
     pub fn tell(&self) {
         self.counts.tell();
+    }
+
+    /// How many rows were passed over because they are at fault.
+    pub fn faulty(&self) -> u64 {
+        self.counts.faulty
     }
 
     /// Says on standard error which rows are doubtful, and nothing else.

@@ -1,4 +1,4 @@
-//! A block's file: a heading of eight lines and an empty one, then CSV; written whole or not at all, checked by its digest.
+//! A block's file: a heading of nine lines and an empty one, then CSV; written whole or not at all, checked by its digest.
 
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, BufRead, BufReader, Read, Write};
@@ -14,7 +14,7 @@ const FORMAT: &str = "slipmode block 1";
 /// The longest heading that is read, in bytes.
 const LONGEST_HEADING: u64 = 1024;
 /// The lines of a heading, the empty one included.
-const HEADING_LINES: usize = 9;
+const HEADING_LINES: usize = 10;
 
 /// What all blocks of a sweep have in common.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -25,6 +25,33 @@ pub struct Origin {
     pub version: String,
     /// The number of blocks of the sweep.
     pub blocks: u64,
+    /// What its lines are.
+    pub content: Content,
+}
+
+/// What the lines of a block are.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Content {
+    /// A row for each point.
+    Rows,
+    /// Rows summed up; so many columns are keys.
+    Summary(usize),
+}
+
+impl Content {
+    fn text(self) -> String {
+        match self {
+            Self::Rows => "rows".into(),
+            Self::Summary(keys) => format!("summary {keys}"),
+        }
+    }
+
+    fn parse(text: &str) -> Option<Self> {
+        match text.split_once(' ') {
+            None => (text == "rows").then_some(Self::Rows),
+            Some((word, keys)) => (word == "summary").then_some(Self::Summary(keys.parse().ok()?)),
+        }
+    }
 }
 
 impl Origin {
@@ -40,8 +67,12 @@ impl Origin {
         if self.version != other.version {
             return Some(format!("is of another program version ({}, not {})", self.version, other.version));
         }
-        (self.blocks != other.blocks)
-            .then(|| format!("is one of {} blocks, not of {}", self.blocks, other.blocks))
+        if self.blocks != other.blocks {
+            return Some(format!("is one of {} blocks, not of {}", self.blocks, other.blocks));
+        }
+        // Of one scene and one program all blocks hold the same, unless somebody edits their headings.
+        (self.content != other.content)
+            .then(|| format!("holds {}, not {}", self.content.text(), other.content.text()))
     }
 }
 
@@ -91,10 +122,12 @@ pub fn block_of_name(name: &str) -> Option<u64> {
 
 impl Heading {
     fn stated(&self) -> String {
-        let Self { origin: Origin { scene, version, blocks }, block, points, columns, bytes, .. } = self;
+        let Self { origin, block, points, columns, bytes, .. } = self;
+        let Origin { scene, version, blocks, content } = origin;
+        let content = content.text();
         format!(
             "{FORMAT}\nscene {scene}\nversion {version}\nblock {block} of {blocks}\npoints {points}\n\
-             columns {columns}\nbytes {bytes}\n"
+             holds {content}\ncolumns {columns}\nbytes {bytes}\n"
         )
     }
 
@@ -109,10 +142,13 @@ impl Heading {
         let (scene, version) = (value("scene")?.to_string(), value("version")?.to_string());
         let (block, blocks) = value("block")?.split_once(" of ")?;
         let number = |text: &str| text.parse::<u64>().ok();
+        let (block, blocks) = (number(block)?, number(blocks)?);
+        let points = number(value("points")?)?;
+        let content = Content::parse(value("holds")?)?;
         let heading = Self {
-            origin: Origin { scene, version, blocks: number(blocks)? },
-            block: number(block)?,
-            points: number(value("points")?)?,
+            origin: Origin { scene, version, blocks, content },
+            block,
+            points,
             columns: number(value("columns")?)?,
             bytes: number(value("bytes")?)?,
             sha256: value("sha256")?.to_string(),

@@ -1,10 +1,9 @@
 //! The work `boundary`: how far a point is from max Im(s) = 0, and how wrong the asymptotes are at the nearest place.
 
-use rug::Float;
 use slipmode::friction::Parameters;
 use slipmode::number::{Ball, Rational, Wide};
 use slipmode::scene::{Faults, Problem};
-use slipmode::stability::{Arc, BoundaryCurve, BoundaryPoint, LogDistance, boundary_sign};
+use slipmode::stability::{Arc, BoundaryPoint, LogDistance, boundary_sign, nearest_boundary_point};
 
 use crate::cli::points::{Cells, Remark, RowWork};
 
@@ -41,7 +40,7 @@ impl RowWork for BoundaryRows {
 
     fn append(&self, parameters: &Self::Input, out: &mut Vec<u8>) -> Remark {
         let distance = LogDistance::to_boundary(parameters);
-        let place = nearest_place(parameters);
+        let place = nearest_boundary_point(parameters, DIGITS);
         let number = |value: Option<Wide>| value.map(|value| value.to_string()).unwrap_or_default();
         let of_place = |part: fn(&BoundaryPoint) -> String| place.as_ref().map(part).unwrap_or_default();
         let cells = [
@@ -59,20 +58,6 @@ impl RowWork for BoundaryRows {
         }
         Remark::default()
     }
-}
-
-/// The place of the boundary at the same V0 whose σ is nearest in its logarithm.
-fn nearest_place(parameters: &Parameters<Rational>) -> Option<BoundaryPoint> {
-    let curve = BoundaryCurve::new(parameters, DIGITS);
-    let stress = Float::with_val(64, &parameters.normal_stress_pa);
-    let stretch = |place: &BoundaryPoint| {
-        let ratio = Float::with_val(64, place.normal_stress_pa.centre() / &stress);
-        if ratio < 1 { ratio.recip() } else { ratio }
-    };
-    curve
-        .at_velocity(&parameters.loading_velocity_m_per_s)
-        .into_iter()
-        .min_by(|one, other| stretch(one).total_cmp(&stretch(other)))
 }
 
 fn nearest_number(value: &Ball) -> String {

@@ -18,6 +18,7 @@ use crate::cli::failure::Failure;
 use crate::cli::input::{read_small_file, unreadable};
 use crate::cli::simulate::rows::SimulateRows;
 use crate::cli::simulate::run::Settings;
+use crate::cli::sweep::asymptote_rows::AsymptoteRows;
 use crate::cli::sweep::boundary_rows::BoundaryRows;
 use crate::cli::sweep::points::{Listed, Points};
 use crate::cli::sweep::work::{Made, PointWork};
@@ -103,6 +104,7 @@ impl Loaded {
                 self.with(ClassifyRows { threshold: self.threshold.clone() }, Vec::new(), task)
             }
             SweepWork::Boundary => self.with(BoundaryRows, Vec::new(), task),
+            SweepWork::AsymptoteError => self.with(AsymptoteRows, Vec::new(), task),
             SweepWork::Simulate { laws, tolerance } => {
                 let tolerance = nearest_f64(tolerance);
                 let settings = Settings { tolerance, start: Start::default() };

@@ -8,6 +8,7 @@ use slipmode::study::Blocks;
 use crate::cli::failure::Failure;
 use crate::cli::sweep::load::{Loaded, Task};
 use crate::cli::sweep::points::Points;
+use crate::cli::sweep::summed::Summed;
 use crate::cli::sweep::work::PointWork;
 use crate::cli::terminal;
 
@@ -24,7 +25,7 @@ pub struct Plan {
     blocks: Blocks,
     measured_points: u64,
     seconds_per_point: f64,
-    bytes_per_point: f64,
+    bytes: f64,
 }
 
 impl Plan {
@@ -41,11 +42,18 @@ impl Plan {
             let (lines, count_measured) = points.sample(blocks, count)?;
             let seconds = started.elapsed().as_secs_f64();
             if seconds >= LEAST_SECONDS || count >= most {
+                let bytes = match &loaded.section.summary {
+                    // Every block has about as many keys as the points measured, which are spread over the sweep.
+                    Some(section) => {
+                        Summed::new(section, &points.columns())?.bytes(&lines)? * blocks.count() as f64
+                    }
+                    None => lines.text.len() as f64 / count_measured as f64 * blocks.points as f64,
+                };
                 return Ok(Self {
                     blocks,
                     measured_points: count_measured,
                     seconds_per_point: seconds / count_measured as f64,
-                    bytes_per_point: lines.text.len() as f64 / count_measured as f64,
+                    bytes: bytes + HEADING_BYTES * blocks.count() as f64,
                 });
             }
             count = (count * 4).min(most);
@@ -69,7 +77,6 @@ impl Plan {
     }
 
     fn text(&self, minutes: u64) -> String {
-        let bytes = self.bytes_per_point * self.blocks.points as f64 + HEADING_BYTES * self.blocks() as f64;
         let block_seconds = self.seconds_per_point * self.blocks.points.min(self.blocks.block_points) as f64;
         let shards = self.shards(minutes);
         let shard_minutes = self.core_seconds() / 60.0 / shards as f64;
@@ -79,7 +86,7 @@ impl Plan {
             ("blocks", self.blocks().to_string(), &format!("(of {} points)", self.blocks.block_points)),
             ("shards", shards.to_string(), &format!("(about {} minutes each)", digits(shard_minutes))),
             ("core-hours", digits(self.core_seconds() / 3600.0), ""),
-            ("bytes", digits(bytes), "(blocks; the merged file has as many again)"),
+            ("bytes", digits(self.bytes), "(blocks; the merged file has at most as many again)"),
             (
                 "a point",
                 format!("{} s", digits(self.seconds_per_point)),

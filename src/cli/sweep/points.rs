@@ -34,6 +34,8 @@ pub struct Job {
     rows: Option<Block>,
 }
 
+/// Points of a part of a block whose rows are not kept.
+const PART_POINTS: u64 = 1 << 12;
 /// Rows read at a time where they are only counted.
 const COUNTED_ROWS: usize = 4096;
 
@@ -135,6 +137,18 @@ impl<W: PointWork> Points<W> {
             (Self::Made(made), _) => made.lines(blocks.range(job.block)),
             (Self::Listed(_), None) => Lines::default(),
         }
+    }
+
+    /// The lines of a block in parts that take little memory; those of a list, whose rows were read already, in one.
+    pub fn parts(&self, blocks: Blocks, job: &Job) -> impl Iterator<Item = Lines> {
+        let range = blocks.range(job.block);
+        let step = if job.rows.is_some() { u64::MAX } else { PART_POINTS };
+        let starts = std::iter::successors(Some(range.start), move |start| start.checked_add(step))
+            .take_while(move |start| *start < range.end);
+        starts.map(move |start| match self {
+            Self::Made(made) => made.lines(start..range.end.min(start.saturating_add(step))),
+            Self::Listed(_) => self.lines(blocks, job),
+        })
     }
 
     /// The lines of `count` points spread evenly over the sweep, or of a list's first rows; and how many they are.

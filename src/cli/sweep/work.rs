@@ -3,12 +3,13 @@
 use slipmode::friction::EvolutionLaw;
 use slipmode::number::format::shortest;
 use slipmode::scene::Quantity;
-use slipmode::stability::{classify, classify_quickly};
+use slipmode::stability::{NearestPlace, classify, classify_quickly};
 use slipmode::study::{PointSource, Varying};
 
 use crate::cli::classify::rows::ClassifyRows;
 use crate::cli::points::{Block, RowWork, Work};
 use crate::cli::simulate::rows::SimulateRows;
+use crate::cli::sweep::asymptote_rows::AsymptoteRows;
 use crate::cli::sweep::boundary_rows::BoundaryRows;
 use crate::cli::words::LAW_COLUMN;
 
@@ -28,6 +29,13 @@ impl PointWork for ClassifyRows {
 impl PointWork for BoundaryRows {
     fn input(&self, source: &PointSource, point: &Varying, _law: EvolutionLaw) -> Self::Input {
         source.exact(point)
+    }
+}
+
+impl PointWork for AsymptoteRows {
+    fn input(&self, source: &PointSource, point: &Varying, _law: EvolutionLaw) -> Self::Input {
+        NearestPlace::quickly(&source.double_double(point))
+            .unwrap_or_else(|_| NearestPlace::of(&source.exact(point)))
     }
 }
 

@@ -57,13 +57,12 @@ impl CertifiedRoot {
 
     fn real(enclosure: &Ball, multiplicity: u32) -> Self {
         let im = Float::new(enclosure.precision_bits());
-        Self { re: enclosure.centre().clone(), im, radius: enclosure.radius().clone(), multiplicity }
+        Self { re: enclosure.centre().clone(), im, radius: enclosure.radius(), multiplicity }
     }
 
     fn complex(re: &Ball, im: &Ball) -> Self {
-        let radius =
-            Ball::new(Float::new(2), re.radius().clone()) + Ball::new(Float::new(2), im.radius().clone());
-        let radius = radius.radius().clone();
+        let radius = Ball::new(Float::new(2), re.radius()) + Ball::new(Float::new(2), im.radius());
+        let radius = radius.radius();
         Self { re: re.centre().clone(), im: im.centre().clone(), radius, multiplicity: 1 }
     }
 }

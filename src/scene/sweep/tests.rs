@@ -77,3 +77,28 @@ fn points_have_one_source_and_an_end() {
     .unwrap_err();
     assert!(laws[0].contains("one law for a list"), "{laws:?}");
 }
+
+#[test]
+fn a_summary_says_what_is_kept_of_rows() {
+    let text = format!(
+        "{SLIDER}[sweep]\nwork = \"asymptote-error\"\n[sweep.grid]\n{AXES}[sweep.summary]\nby = [\"arc\"]\n\
+         [[sweep.summary.bins]]\ncolumn = \"normal_stress_pa\"\nfrom = 1e3\nto = 1e6\ncount = 3\n\
+         [[sweep.summary.numbers]]\ncolumn = \"asymptote_relative_error\"\nstatistics = [\"least\", \"sum\"]\n"
+    );
+    let sweep = parse(&text).unwrap();
+    assert_eq!((sweep.work, sweep.block_points), (SweepWork::AsymptoteError, 1 << 18));
+    let summary = sweep.summary.unwrap();
+    assert_eq!((summary.by, summary.bins[0].edges.points), (vec!["arc".to_string()], 4));
+    assert_eq!(summary.numbers[0].statistics, [Statistic::Least, Statistic::Sum]);
+    for (right, wrong, part) in [
+        ("count = 3", "count = 0", "count = 0: out of range"),
+        ("count = 3", "count = 9999999", "count = 9999999: out of range"),
+        ("\"least\", \"sum\"", "\"least\", \"leest\"", "did you mean `least`?"),
+        ("\"least\", \"sum\"", "\"sum\", \"sum\"", "an earlier `sum`"),
+        ("to = 1e6\ncount", "to = 1e2\ncount", "reversed range"),
+        ("by = ", "buy = ", "sweep.summary.buy: unknown key"),
+    ] {
+        let messages = parse(&text.replace(right, wrong)).unwrap_err();
+        assert!(messages.iter().any(|message| message.contains(part)), "{part}: {messages:#?}");
+    }
+}

@@ -16,11 +16,12 @@ pub(super) fn run_on_widest_unit<K: Kernel>(kernel: K) {
             && is_x86_feature_detected!("avx512vl")
             && is_x86_feature_detected!("avx512bw")
             && is_x86_feature_detected!("avx512dq")
+            && is_x86_feature_detected!("fma")
         {
             // SAFETY: the features that the function is compiled for have just been detected.
             return unsafe { run_with_avx512(kernel) };
         }
-        if is_x86_feature_detected!("avx2") {
+        if is_x86_feature_detected!("avx2") && is_x86_feature_detected!("fma") {
             // SAFETY: as above.
             return unsafe { run_with_avx2(kernel) };
         }
@@ -29,13 +30,13 @@ pub(super) fn run_on_widest_unit<K: Kernel>(kernel: K) {
 }
 
 #[cfg(target_arch = "x86_64")]
-#[target_feature(enable = "avx512f,avx512vl,avx512bw,avx512dq")]
+#[target_feature(enable = "avx512f,avx512vl,avx512bw,avx512dq,fma")]
 fn run_with_avx512<K: Kernel>(kernel: K) {
     kernel.run();
 }
 
 #[cfg(target_arch = "x86_64")]
-#[target_feature(enable = "avx2")]
+#[target_feature(enable = "avx2,fma")]
 fn run_with_avx2<K: Kernel>(kernel: K) {
     kernel.run();
 }

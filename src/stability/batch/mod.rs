@@ -13,6 +13,7 @@ mod row_filter;
 mod sign_pair;
 mod stream;
 mod tally;
+mod value_kernel;
 mod values;
 
 pub use grid::{Grid, GridKernel, classify_grid};
@@ -22,4 +23,4 @@ pub use points::classify_points;
 pub use sign_pair::{RungCounts, SignPair};
 pub use stream::{GridAxis, RowBlock, StreamedGrid};
 pub use tally::Tally;
-pub use values::{LargestPartsPerS, grid_values};
+pub use values::{LargestPartsPerS, grid_values, point_values};

@@ -6,27 +6,27 @@ use super::dispatch::{Kernel, run_on_widest_unit};
 use super::grid::{decide_above_filter, exact};
 use super::{RungCounts, SignPair};
 use crate::friction::Parameters;
-use crate::stability::ladder;
+use crate::number::Dd;
+use crate::roots::Rung;
+use crate::stability::binary64::short_cubic;
+use crate::stability::ladder::{self, BoundedGroups};
 
 /// Points handled at a time: their columns stay in the first-level cache.
-const BLOCK: usize = 1024;
+pub(super) const BLOCK: usize = 1024;
 
 /// Classifies the points whose seven inputs (SI) stand in seven columns of equal length.
 ///
 /// `None` when the columns differ in length or hold a value that is not positive and finite.
 #[must_use]
 pub fn classify_points(columns: &Parameters<&[f64]>) -> Option<(Vec<SignPair>, RungCounts)> {
-    let count = columns.direct_effect.len();
-    if as_array(columns).into_iter().any(|column| column.len() != count) {
-        return None;
-    }
+    let count = joint_length(columns)?;
     let mut cells = vec![SignPair::UNDECIDED; count];
     let counts = cells
         .par_chunks_mut(BLOCK)
         .enumerate()
         .map(|(block, cells)| {
             let first = block * BLOCK;
-            let columns = map(columns, |column| &column[first..first + cells.len()]);
+            let columns = map_columns(columns, |column| &column[first..first + cells.len()]);
             run_on_widest_unit(PointLoop { columns: &columns, cells });
             decide_the_rest(&columns, cells)
         })
@@ -34,6 +34,17 @@ pub fn classify_points(columns: &Parameters<&[f64]>) -> Option<(Vec<SignPair>, R
     let mut total = RungCounts::default();
     counts.into_iter().for_each(|block| total += block);
     Some((cells, total))
+}
+
+/// The length of the columns, if all have the same.
+pub(super) fn joint_length(columns: &Parameters<&[f64]>) -> Option<usize> {
+    let count = columns.direct_effect.len();
+    as_array(columns).into_iter().all(|column| column.len() == count).then_some(count)
+}
+
+/// Whether the seven inputs of a point are positive and finite.
+pub(super) fn is_valid(columns: &Parameters<&[f64]>, index: usize) -> bool {
+    as_array(columns).into_iter().all(|column| column[index] > 0.0 && column[index].is_finite())
 }
 
 fn as_array<'a>(columns: &Parameters<&'a [f64]>) -> [&'a [f64]; 7] {
@@ -50,7 +61,10 @@ fn as_array<'a>(columns: &Parameters<&'a [f64]>) -> [&'a [f64]; 7] {
 }
 
 #[inline(always)]
-fn map<'a, T>(columns: &Parameters<&'a [f64]>, convert: impl Fn(&'a [f64]) -> T) -> Parameters<T> {
+pub(super) fn map_columns<'a, T>(
+    columns: &Parameters<&'a [f64]>,
+    convert: impl Fn(&'a [f64]) -> T,
+) -> Parameters<T> {
     Parameters {
         direct_effect: convert(columns.direct_effect),
         evolution_effect: convert(columns.evolution_effect),
@@ -72,15 +86,26 @@ fn decide_the_rest(columns: &Parameters<&[f64]>, cells: &mut [SignPair]) -> Opti
             counts.f64 += 1;
             continue;
         }
-        let valid = |column: &[f64]| column[index] > 0.0 && column[index].is_finite();
-        if !as_array(columns).into_iter().all(valid) {
+        if !is_valid(columns, index) {
             return None;
         }
-        let (signs, rung) = decide_above_filter(&map(columns, |column| exact(column[index])));
+        let (signs, rung) = decide_above_64_bit(&map_columns(columns, |column| column[index]));
         *cell = signs;
         counts.count(rung);
     }
     Some(counts)
+}
+
+/// Both signs by double-double, else by integers of fixed length, else by rationals.
+fn decide_above_64_bit(point: &Parameters<f64>) -> (SignPair, Rung) {
+    let in_double_double = BoundedGroups::of_parameters(&point.map(|value| Dd::from(*value)));
+    if let Some(signs) = in_double_double.and_then(|groups| groups.signs_below_exact()) {
+        return (SignPair::new(signs.transition, signs.boundary), Rung::DoubleDouble);
+    }
+    match short_cubic(point) {
+        Some(cubic) => (SignPair::new(cubic.hurwitz_sign(), cubic.discriminant_sign()), Rung::Exact),
+        None => decide_above_filter(&point.map(|value| exact(*value))),
+    }
 }
 
 /// The inner loop over a block of points.
@@ -94,9 +119,9 @@ impl Kernel for PointLoop<'_> {
     fn run(self) {
         let count = self.cells.len();
         // One slice each of the same length: the compiler then sees that no index can be out of bounds.
-        let columns = map(self.columns, |column| &column[..count]);
+        let columns = map_columns(self.columns, |column| &column[..count]);
         for index in 0..count {
-            let point = map(&columns, |column| column[index]);
+            let point = map_columns(&columns, |column| column[index]);
             self.cells[index] = match ladder::filter(&point) {
                 (true, stable, real) => SignPair::from_decided(stable, real),
                 (false, ..) => SignPair::UNDECIDED,
@@ -128,7 +153,7 @@ mod tests {
             let (cells, counts) = classify_points(&points).unwrap();
             prop_assert_eq!(counts.f64 + counts.double_double + counts.exact, cells.len() as u64);
             for (index, cell) in cells.iter().enumerate() {
-                let groups = map(&points, |column| exact(column[index])).groups();
+                let groups = map_columns(&points, |column| exact(column[index])).groups();
                 prop_assert_eq!(cell.transition_sign(), transition_sign(&groups));
                 prop_assert_eq!(cell.boundary_sign(), boundary_sign(&groups));
             }

@@ -68,7 +68,7 @@ impl<const N: usize> BoundedPolynomial<N> {
         let value: [f64; N] = std::array::from_fn(|power| scale(power, coefficients[power].centre()));
         // A radius of 32 bits is exact in f64 unless it underflows, which the absolute part covers.
         let mut bound: [f64; N] = std::array::from_fn(|power| {
-            RELATIVE_BOUND * value[power].abs() + scale(power, coefficients[power].radius())
+            RELATIVE_BOUND * value[power].abs() + scale(power, &coefficients[power].radius())
         });
         bound[0] += ABSOLUTE_BOUND;
         Self { value, bound }

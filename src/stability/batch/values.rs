@@ -1,19 +1,19 @@
-//! Growth rate and frequency over a (V0, σ) grid, to two units in the last place.
+//! Growth rate and frequency over a (V0, σ) grid and of unrelated points, to two units in the last place.
 //!
-//! Double-double gives nearly all of them, its error bounds being the certificate. Vector units have no part in this: the bounds
-//! follow the branches of the root finder, and a 64-bit kernel could not certify its last digits.
+//! A kernel without branches ([`value_kernel`](super::value_kernel)) proves nearly all of them, eight at a time where the machine
+//! has such vectors; what it leaves open goes to the root finder in double-double, whose error bounds follow its branches, and
+//! then to enclosures. 64-bit arithmetic alone could certify none: rounding the coefficients costs more than two units.
 
 use rayon::prelude::*;
 
+use super::dispatch::run_on_widest_unit;
 use super::grid::exact;
+use super::points::{BLOCK, is_valid, joint_length, map_columns};
+use super::value_kernel::{PartColumns, PointValueLoop, TOLERANCE, ValueLoop, ValueTerms};
 use crate::friction::Parameters;
 use crate::number::{Dd, Rational, Wide};
 use crate::stability::ladder::BoundedGroups;
 use crate::stability::spectrum::LargestParts;
-
-/// The relative error up to which double-double values are taken: at most one unit in the last place of the part. Rounding
-/// it to 64 bits adds half a unit, the product with V0/D_c before that far less than the other half.
-const TOLERANCE: f64 = f64::EPSILON / 2.0;
 
 /// The largest real and imaginary part of the exponents of one point.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -37,19 +37,61 @@ pub fn grid_values(
     if !inputs.all(|&x| x > 0.0 && x.is_finite()) {
         return None;
     }
-    let approximate = fixed.map(Dd::from_rational);
+    let (approximate, terms) = (fixed.map(Dd::from_rational), ValueTerms::new(fixed));
     let row = |&velocity: &f64| {
         let mut point = approximate.clone();
         point.loading_velocity_m_per_s = Dd::from(velocity);
-        normal_stresses_pa.iter().map(move |&stress| {
+        let [mut real, mut imaginary] = [(); 2].map(|()| vec![0.0; normal_stresses_pa.len()]);
+        let (row, stresses) = (terms.row(velocity), normal_stresses_pa);
+        let parts = PartColumns { real: &mut real, imaginary: &mut imaginary };
+        run_on_widest_unit(ValueLoop { row: &row, stresses, parts });
+        let parts = stresses.iter().zip(real.into_iter().zip(imaginary));
+        parts.map(move |(&stress, (real, imaginary))| {
             point.normal_stress_pa = Dd::from(stress);
-            by_double_double(&point).unwrap_or_else(|| exactly(fixed, velocity, stress))
+            certified(real, imaginary)
+                .or_else(|| by_double_double(&point))
+                .unwrap_or_else(|| exactly(fixed, velocity, stress))
         })
     };
     Some(loading_velocities_m_per_s.par_iter().flat_map_iter(row).collect())
 }
 
-/// The values when double-double's error bounds allow.
+/// The values of the points whose seven inputs (SI) stand in seven columns of equal length, in their order.
+///
+/// `None` when the columns differ in length or hold a value that is not positive and finite.
+#[must_use]
+pub fn point_values(columns: &Parameters<&[f64]>) -> Option<Vec<LargestPartsPerS>> {
+    let count = joint_length(columns)?;
+    let block = |first: usize| {
+        let columns = map_columns(columns, |column| &column[first..count.min(first + BLOCK)]);
+        let [mut real, mut imaginary] = [[0.0; BLOCK]; 2];
+        let parts = PartColumns { real: &mut real, imaginary: &mut imaginary };
+        run_on_widest_unit(PointValueLoop { columns: &columns, parts });
+        let value = |index: usize| {
+            certified(real[index], imaginary[index]).or_else(|| {
+                let point = map_columns(&columns, |column| column[index]);
+                let above = || by_double_double(&point.map(|value| Dd::from(*value)));
+                is_valid(&columns, index)
+                    .then(|| above().unwrap_or_else(|| exactly_at(&point.map(|value| exact(*value)))))
+            })
+        };
+        (0..columns.direct_effect.len()).map(value).collect::<Option<Vec<_>>>()
+    };
+    let starts: Vec<usize> = (0..count).step_by(BLOCK).collect();
+    let blocks = starts.into_par_iter().map(block).collect::<Option<Vec<_>>>()?;
+    Some(blocks.concat())
+}
+
+/// The values that the kernel proved, if it did.
+fn certified(real: f64, imaginary: f64) -> Option<LargestPartsPerS> {
+    // Far inside f64's range nothing was lost to underflow.
+    let usable = real.abs() > 1e-250 && (imaginary > 1e-250 || imaginary == 0.0);
+    let (real, imaginary) = usable.then_some((real, imaginary))?;
+    Some(LargestPartsPerS { real: Wide::from_f64(real)?, imaginary: Wide::from_f64(imaginary)? })
+}
+
+/// The values when double-double's error bounds allow: at most half a unit in the last place before the rounding to 64 bits,
+/// which adds as much, and the product with V0/D_c before that far less.
 fn by_double_double(point: &Parameters<Dd>) -> Option<LargestPartsPerS> {
     let groups = BoundedGroups::of_parameters(point)?;
     let transition_sign = groups.certain_transition_sign()?;
@@ -60,61 +102,18 @@ fn by_double_double(point: &Parameters<Dd>) -> Option<LargestPartsPerS> {
 
 /// The values by way of rationals.
 fn exactly(fixed: &Parameters<Rational>, velocity: f64, stress: f64) -> LargestPartsPerS {
-    let point = Parameters {
+    exactly_at(&Parameters {
         loading_velocity_m_per_s: exact(velocity),
         normal_stress_pa: exact(stress),
         ..fixed.clone()
-    };
+    })
+}
+
+fn exactly_at(point: &Parameters<Rational>) -> LargestPartsPerS {
     let LargestParts { real, imaginary } =
         LargestParts::exactly(&point.groups()).times_rate(&point.rate_per_s());
     LargestPartsPerS { real, imaginary }
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::roots::certified_roots;
-    use rug::Float;
-
-    /// Holds a value against 60-digit roots; the largest error of the two parts, in units of the last place.
-    fn error_in_units(point: &Parameters<Rational>, found: &LargestPartsPerS) -> f64 {
-        let roots = certified_roots(&point.groups().characteristic_cubic(), 60).roots;
-        let rate = point.rate_per_s();
-        let in_si = |part: &Float| Float::with_val(200, part * &rate);
-        let rightmost = roots.iter().max_by(|x, y| x.re.total_cmp(&y.re)).unwrap();
-        let highest = roots.iter().max_by(|x, y| x.im.total_cmp(&y.im)).unwrap();
-        let (re, im) = (in_si(&rightmost.re), in_si(&highest.im));
-        let modulus = re.clone().hypot(&in_si(&rightmost.im));
-        let units = |found: Wide, exact: Float, size: &Float| {
-            let unit = libm::ldexp(1.0, size.get_exp().unwrap_or(0) - 53);
-            (Float::with_val(200, found.to_float()) - exact).abs().to_f64() / unit
-        };
-        let of_imaginary = if im.is_zero() {
-            if found.imaginary == Wide::ZERO { 0.0 } else { f64::INFINITY }
-        } else {
-            units(found.imaginary, im.clone(), &im)
-        };
-        of_imaginary.max(units(found.real, re, &modulus))
-    }
-
-    #[test]
-    fn values_of_a_grid_are_within_two_units_in_the_last_place() {
-        let fixed = crate::stability::fixtures::paper();
-        let axis = |from: f64, to: f64| {
-            (0..40).map(|i| libm::exp10(from + (to - from) * f64::from(i) / 39.0)).collect()
-        };
-        let (velocities, stresses): (Vec<f64>, Vec<f64>) = (axis(-9.0, 2.0), axis(1.0, 9.0));
-        let values = grid_values(&fixed, &velocities, &stresses).unwrap();
-        for (index, found) in values.iter().enumerate() {
-            let (velocity, stress) = (velocities[index / 40], stresses[index % 40]);
-            let point = Parameters {
-                loading_velocity_m_per_s: exact(velocity),
-                normal_stress_pa: exact(stress),
-                ..fixed.clone()
-            };
-            assert!(error_in_units(&point, found) <= 2.0, "{velocity:e} {stress:e} {found:?}");
-            let by_rationals = exactly(&fixed, velocity, stress);
-            assert!(error_in_units(&point, &by_rationals) <= 2.0, "{velocity:e} {stress:e} {by_rationals:?}");
-        }
-    }
-}
+mod tests;

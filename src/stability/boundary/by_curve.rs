@@ -7,6 +7,7 @@ use crate::number::{Ball, Real, bits_for_digits};
 use crate::stability::boundary::crossing::{stress_scale_pa, velocity_scale_squared};
 use crate::stability::boundary::{BoundaryPoint, Crossing, Mark, Section};
 use crate::stability::parameter_equation::{ParameterEquation, cusp_parameter};
+use crate::stability::parameter_section::StiffnessSection;
 use crate::stability::{Arc, ArcFrame};
 
 /// Bits beyond the digits asked for: the forms of `arc_point` lose four or five, square roots and logarithms two more.
@@ -27,6 +28,7 @@ pub struct BoundaryCurve {
     pub(super) cusp_parameter: Ball,
     stress_scale_pa: Ball,
     velocity_scale_m_per_s: Ball,
+    at_stiffness: [StiffnessSection; 2],
 }
 
 impl BoundaryCurve {
@@ -35,11 +37,15 @@ impl BoundaryCurve {
     pub fn new(parameters: &Parameters<Rational>, digits: u32) -> Self {
         let bits = bits_for_digits(digits) + GUARD_BITS;
         let effect_ratio = Rational::from(&parameters.evolution_effect / &parameters.direct_effect);
+        let frame = ArcFrame::of_rational(&effect_ratio, bits);
+        let cusp_parameter = cusp_parameter(&effect_ratio, bits);
         Self {
-            frame: ArcFrame::of_rational(&effect_ratio, bits),
+            at_stiffness: [Arc::Upper, Arc::Lower]
+                .map(|arc| StiffnessSection::new(arc, &frame, &cusp_parameter)),
             stress_scale_pa: Ball::from_rational(&stress_scale_pa(parameters), bits),
             velocity_scale_m_per_s: Ball::from_rational(&velocity_scale_squared(parameters), bits).sqrt(),
-            cusp_parameter: cusp_parameter(&effect_ratio, bits),
+            frame,
+            cusp_parameter,
             parameters: parameters.clone(),
             effect_ratio,
             bits,
@@ -94,29 +100,60 @@ impl BoundaryCurve {
     /// The places of [`Self::on_section`] without errors and condition number, each with its parameter λ.
     #[must_use]
     pub fn crossings(&self, section: &Section) -> Vec<(Crossing, Ball)> {
-        let mut crossings = Vec::new();
+        match section {
+            Section::AtVelocity(velocity) => self.crossings_at_velocity(velocity),
+            Section::AtNormalStress(stress) => self.crossings_at_normal_stress(stress),
+        }
+    }
+
+    fn crossings_at_velocity(&self, velocity_m_per_s: &Rational) -> Vec<(Crossing, Ball)> {
+        let velocity_squared = Section::velocity_squared(&self.parameters, velocity_m_per_s);
+        let crossing = |arc: Arc, parameter: Ball| {
+            let place = self.frame.point(arc, &parameter);
+            let crossing = Crossing {
+                arc,
+                double_root: place.double_root,
+                normal_stress_pa: self.stress_scale_pa.clone() / &place.stiffness_group,
+                loading_velocity_m_per_s: Ball::from_rational(velocity_m_per_s, self.bits),
+            };
+            (crossing, parameter)
+        };
+        let on_arc = |&arc: &Arc| {
+            let equation = ParameterEquation::at_velocity(&self.effect_ratio, arc, velocity_squared.clone());
+            let quickly = equation.roots_quickly(&self.frame, &self.cusp_parameter, self.root_bits());
+            let parameters = quickly.unwrap_or_else(|| equation.roots(self.bits));
+            parameters.into_iter().map(move |parameter| crossing(arc, parameter))
+        };
+        self.arcs().iter().flat_map(on_arc).collect()
+    }
+
+    fn crossings_at_normal_stress(&self, stress_pa: &Rational) -> Vec<(Crossing, Ball)> {
+        let normal_stress_pa = Ball::from_rational(stress_pa, self.bits);
+        let stiffness_group = self.stress_scale_pa.clone() / &normal_stress_pa;
+        let mut crossings = Vec::with_capacity(2);
         for &arc in self.arcs() {
-            for parameter in self.parameters_on(section, arc) {
-                crossings.push((self.crossing(section, arc, &parameter), parameter));
+            let quickly = self.at_stiffness[arc as usize].parameters(&stiffness_group, self.root_bits());
+            let generally = || {
+                let stiffness_group = Section::stiffness_group(&self.parameters, stress_pa);
+                ParameterEquation::at_stiffness(&self.effect_ratio, arc, stiffness_group).roots(self.bits)
+            };
+            for parameter in quickly.unwrap_or_else(generally) {
+                let (double_root, velocity_squared) = self.frame.place_at_stiffness(arc, &parameter);
+                let crossing = Crossing {
+                    arc,
+                    double_root,
+                    normal_stress_pa: normal_stress_pa.clone(),
+                    loading_velocity_m_per_s: self.velocity_scale_m_per_s.clone() * velocity_squared.sqrt(),
+                };
+                crossings.push((crossing, parameter));
             }
         }
         crossings
     }
 
-    /// The crossing at λ, with the coordinate that the section gives put in as it is given.
-    fn crossing(&self, section: &Section, arc: Arc, parameter: &Ball) -> Crossing {
-        let place = self.frame.point(arc, parameter);
-        let (normal_stress_pa, loading_velocity_m_per_s) = match section {
-            Section::AtVelocity(velocity) => (
-                self.stress_scale_pa.clone() / &place.stiffness_group,
-                Ball::from_rational(velocity, self.bits),
-            ),
-            Section::AtNormalStress(stress) => (
-                Ball::from_rational(stress, self.bits),
-                self.velocity_scale_m_per_s.clone() * place.velocity_squared.sqrt(),
-            ),
-        };
-        Crossing { arc, double_root: place.double_root, normal_stress_pa, loading_velocity_m_per_s }
+    /// Bits to which the λ of a section must be known.
+    fn root_bits(&self) -> u32 {
+        self.bits - ROOT_BITS_TO_SPARE
     }
 
     /// The points of the boundary at a given V0 in m/s.
@@ -129,25 +166,6 @@ impl BoundaryCurve {
     #[must_use]
     pub fn at_normal_stress(&self, normal_stress_pa: &Rational) -> Vec<BoundaryPoint> {
         self.on_section(&Section::AtNormalStress(normal_stress_pa.clone()))
-    }
-
-    /// λ of the points of one arc on a section, descending (from the quasi-static end on).
-    fn parameters_on(&self, section: &Section, arc: Arc) -> Vec<Ball> {
-        let equation = match section {
-            Section::AtVelocity(velocity) => ParameterEquation::at_velocity(
-                &self.effect_ratio,
-                arc,
-                Section::velocity_squared(&self.parameters, velocity),
-            ),
-            Section::AtNormalStress(stress) => ParameterEquation::at_stiffness(
-                &self.effect_ratio,
-                arc,
-                Section::stiffness_group(&self.parameters, stress),
-            ),
-        };
-        equation
-            .roots_quickly(&self.frame, &self.cusp_parameter, self.bits - ROOT_BITS_TO_SPARE)
-            .unwrap_or_else(|| equation.roots(self.bits))
     }
 }
 

@@ -48,7 +48,11 @@ pub fn run(program: &Path, arguments: &[String], folder: &Path) -> Result<Measur
     Ok(best)
 }
 
-fn once(program: &Path, arguments: &[String], folder: &Path) -> Result<Measured, Failure> {
+/// One run, for commands that leave something behind which would spare a second one its work.
+///
+/// # Errors
+/// When it cannot be started or does not exit with 0.
+pub fn once(program: &Path, arguments: &[String], folder: &Path) -> Result<Measured, Failure> {
     let failed = |why: String| Failure::check(format!("`slipmode {}`: {why}", arguments.join(" ")));
     let start = Instant::now();
     let mut child = Command::new(program)

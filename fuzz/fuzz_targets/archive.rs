@@ -1,0 +1,4 @@
+//! Zip archives.
+#![no_main]
+
+libfuzzer_sys::fuzz_target!(|bytes: &[u8]| slipmode_fuzz::promises::archive(bytes));

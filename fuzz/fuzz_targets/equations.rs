@@ -1,0 +1,4 @@
+//! Expressions, and files of equations.
+#![no_main]
+
+libfuzzer_sys::fuzz_target!(|bytes: &[u8]| slipmode_fuzz::promises::equations(bytes));

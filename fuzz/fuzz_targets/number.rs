@@ -1,0 +1,4 @@
+//! The grammar of numbers.
+#![no_main]
+
+libfuzzer_sys::fuzz_target!(|bytes: &[u8]| slipmode_fuzz::promises::number(bytes));

@@ -1,0 +1,4 @@
+//! Trajectories.
+
+#[path = "../../../src/cli/compare/recording.rs"]
+pub mod recording;

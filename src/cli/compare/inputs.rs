@@ -1,0 +1,49 @@
+//! The files that a comparison read, with their digests, for its page.
+
+use std::collections::BTreeSet;
+use std::fs::File;
+use std::io::{self, BufReader, Read};
+use std::path::Path;
+
+use sha2::{Digest, Sha256};
+use slipmode::report::InputView;
+
+use crate::cli::compare::rows::ComparedRow;
+use crate::cli::failure::Failure;
+
+/// The runs file and the trajectories; standard input cannot be read a second time and has no digest.
+///
+/// # Errors
+/// When a file cannot be read any more.
+pub fn inputs(runs: &Path, rows: &[ComparedRow]) -> Result<Vec<InputView>, Failure> {
+    let folder = runs.parent().unwrap_or(Path::new(""));
+    let mut views = Vec::new();
+    if runs.as_os_str() != "-" {
+        views.push(view(runs, &runs.file_name().unwrap_or_default().to_string_lossy())?);
+    }
+    let trajectories: BTreeSet<&String> = rows.iter().filter_map(|row| row.trajectory.as_ref()).collect();
+    for name in trajectories {
+        views.push(view(&folder.join(name), name)?);
+    }
+    Ok(views)
+}
+
+fn view(path: &Path, name: &str) -> Result<InputView, Failure> {
+    let (bytes, sha256) = digest(path).map_err(|error| Failure::io(path, "cannot be read again", &error))?;
+    Ok(InputView { path: name.into(), bytes: bytes.to_string(), sha256 })
+}
+
+/// Length and SHA-256 of a file, in constant memory.
+fn digest(path: &Path) -> io::Result<(u64, String)> {
+    let mut reader = BufReader::new(File::open(path)?);
+    let (mut digest, mut bytes, mut buffer) = (Sha256::new(), 0, vec![0; 1 << 16]);
+    loop {
+        let read = reader.read(&mut buffer)?;
+        if read == 0 {
+            break;
+        }
+        digest.update(&buffer[..read]);
+        bytes += read as u64;
+    }
+    Ok((bytes, digest.finalize().iter().map(|byte| format!("{byte:02x}")).collect()))
+}

@@ -1,0 +1,125 @@
+//! What the readers of CSV promise of any bytes: they end, without a panic, and what they accept is the same when it is written and read again.
+
+use std::io::Cursor;
+
+use slipmode::friction::Parameters;
+use slipmode::number::Rational;
+use slipmode::scene::{Faults, Problem};
+use slipmode::study::{LEAST_SAMPLES, Recording};
+
+use crate::cli::compare::recording::read_rows;
+use crate::cli::input::Input;
+use crate::cli::points::{Cells, Header, Remark, RowReader, RowWork, Work};
+
+#[cfg(test)]
+#[path = "../../tests/suite/mutation.rs"]
+mod mutation;
+
+/// Reads the seven numbers of a row and adds nothing.
+struct OnlyRead;
+
+impl RowWork for OnlyRead {
+    type Input = Parameters<Rational>;
+    type Kept = ();
+
+    const APPENDED: &'static [&'static str] = &[];
+    const BLOCK_ROWS: usize = 16;
+    const BLOCKS_PER_THREAD: usize = 1;
+
+    fn header_faults(&self, _names: &[String]) -> Vec<(String, Problem)> {
+        Vec::new()
+    }
+
+    fn read(&self, cells: Cells<'_>) -> Result<Self::Input, Faults> {
+        cells.parameters()
+    }
+
+    fn append(&self, _input: &Self::Input, _out: &mut Vec<u8>) -> Remark {
+        Remark::default()
+    }
+}
+
+/// Points that are accepted are written as rows that are accepted and written the same way.
+pub fn points(bytes: &[u8]) {
+    match written(bytes) {
+        Ok(text) => assert_eq!(written(&text).map(|again| again == text), Ok(true)),
+        Err(faults) => assert!(is_told(&faults), "{faults:?}"),
+    }
+}
+
+/// What the points' rows look like in the output.
+fn written(bytes: &[u8]) -> Result<Vec<u8>, Faults> {
+    let mut reader = reader(bytes);
+    let first = reader.block(1).map_err(|fault| vec![fault])?;
+    let header = Header::read("f", first.rows().next(), false, &OnlyRead)?;
+    let work = Work { file: "f".into(), header, command: OnlyRead, keep_going: false };
+    let mut text = work.header_line();
+    loop {
+        let block = reader.block(OnlyRead::BLOCK_ROWS).map_err(|fault| vec![fault])?;
+        if block.is_empty() {
+            return Ok(text);
+        }
+        let mut worked = work.block(&block, false);
+        if !worked.faults.is_empty() {
+            return Err(worked.faults);
+        }
+        text.append(&mut worked.text);
+    }
+}
+
+/// A trajectory that is accepted has increasing times and finite values, and is the same with another system's line ends.
+pub fn recording(bytes: &[u8]) {
+    let read = |bytes: &[u8]| read_rows(reader(bytes), 0.0);
+    match read(bytes) {
+        Ok(found) => {
+            assert_orderly(&found);
+            if !bytes.contains(&b'"') && !bytes.contains(&b'\r') {
+                let other = String::from_utf8_lossy(bytes).replace('\n', "\r\n");
+                assert_eq!(read(other.as_bytes()), Ok(found));
+            }
+        }
+        Err(faults) => assert!(is_told(&faults), "{faults:?}"),
+    }
+}
+
+fn assert_orderly(found: &Recording) {
+    let samples = found.times_s.len();
+    assert!(samples >= LEAST_SAMPLES && found.log_velocities.len() == samples);
+    assert!(found.stresses_pa.is_empty() || found.stresses_pa.len() == samples);
+    assert!(found.times_s.windows(2).all(|pair| pair[0] < pair[1]));
+    let all = [&found.times_s, &found.log_velocities, &found.stresses_pa];
+    assert!(all.into_iter().flatten().all(|value| value.is_finite()));
+}
+
+fn reader(bytes: &[u8]) -> RowReader {
+    let reader = Box::new(Cursor::new(bytes.to_vec()));
+    RowReader::new(Input { name: "f".into(), reader, size: None })
+}
+
+fn is_told(faults: &Faults) -> bool {
+    !faults.is_empty() && faults.iter().all(|fault| fault.to_string().starts_with("f:"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn changed_points_are_refused_or_written_as_read() {
+        let header = "direct_effect,evolution_effect,critical_slip_distance_m,stiffness_pa_per_m,\
+            mass_per_area_kg_per_m2,normal_stress_pa,loading_velocity_m_per_s";
+        let plain = format!("{header}\n0.004,0.006,1e-5,1e7,1000,1e5,1e-3\n");
+        let named = format!("id,{header}\r\n\"=a,\"\"b\",4e-3,6e-3,1e-5,1e7,1000,1e5,1.5e-3\r\n");
+        mutation::hold(points, &[plain.as_bytes(), named.as_bytes()], 2_000);
+    }
+
+    #[test]
+    fn changed_trajectories_are_refused_or_orderly() {
+        let rows = |with: &str| -> String {
+            (0..12).map(|row| format!("{row}.5,{}e-3{with}\n", 1 + row % 3)).collect()
+        };
+        let plain = format!("time_s,velocity_m_per_s\n{}", rows(""));
+        let stressed = format!("time_s,velocity_m_per_s,shear_stress_pa\n{}", rows(",-1e4"));
+        mutation::hold(recording, &[plain.as_bytes(), stressed.as_bytes()], 2_000);
+    }
+}

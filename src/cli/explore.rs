@@ -1,0 +1,136 @@
+//! `slipmode explore`: one page on which b, K and M of a scene's slider can be changed.
+
+use std::io::Write;
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use slipmode::archive::sha256_hex;
+use slipmode::exhibit::{Window, explorer};
+use slipmode::number::{Rational, nearest_f64};
+use slipmode::report::{ExplorerPage, PAGE_BUDGET_BYTES, render_explorer};
+use slipmode::scene::{Limits, Scene, SceneParameters};
+use slipmode::study::{Families, NamedPoint, inertial_threshold};
+
+use crate::cli::failure::Failure;
+use crate::cli::input::read_small_file;
+use crate::cli::new::Ranges;
+use crate::cli::output::{Output, machine_write};
+use crate::cli::terminal;
+
+/// Options of `explore`.
+#[derive(Debug, Args)]
+pub struct Options {
+    /// The scene: its slider, its map for the axes, its point of operation or those of its trajectories
+    #[arg(value_name = "SCENE.toml")]
+    scene: PathBuf,
+    /// The page, or a folder for it; `-` is standard output [default: NAME.html, with the scene's name]
+    #[arg(short, long, value_name = "FILE.html", visible_alias = "out")]
+    output: Option<PathBuf>,
+}
+
+/// Points on a page at most: each takes about 40 kB.
+const MOST_POINTS: usize = 8;
+
+/// Writes the page.
+///
+/// # Errors
+/// When the scene is at fault or has no slider, or the page cannot be written.
+pub fn run(options: &Options) -> Result<(), Failure> {
+    let bytes = read_small_file(&options.scene).map_err(|fault| Failure::Input(vec![fault]))?;
+    let scene = Scene::parse(&options.scene.display().to_string(), &bytes, &Limits::default())?;
+    let refused = |why: &str| Failure::Refused(format!("{}: {why}", options.scene.display()));
+    let parameters = scene.parameters.as_ref().ok_or_else(|| refused("has no [parameters] to explore"))?;
+    let window = window(&scene, parameters).map_err(|why| refused(&why))?;
+    let place = place(options.output.as_deref(), &scene.name);
+    let mut output = Output::create(&place)?;
+    let (points, marks) = points(&scene, parameters, window);
+    let families = Families::of(parameters, points, &inertial_threshold(&scene));
+    let file = options.scene.file_name().unwrap_or_default().to_string_lossy().into_owned();
+    let page = ExplorerPage {
+        title: &scene.title,
+        parameters,
+        marks: &marks,
+        command: &format!("slipmode explore {file} --output {}.html", scene.name),
+        scene: &file,
+        digest: &sha256_hex(&bytes),
+    };
+    let html = render_explorer(&explorer(&families, window), &page)
+        .map_err(|error| Failure::machine("the page cannot be made", &error))?;
+    if html.len() > PAGE_BUDGET_BYTES {
+        return Err(refused(&format!(
+            "its page would take {} bytes, more than {PAGE_BUDGET_BYTES}",
+            html.len()
+        )));
+    }
+    output.write_all(html.as_bytes()).map_err(|error| machine_write(&error))?;
+    output.commit()?;
+    if place.as_os_str() == "-" { Ok(()) } else { terminal::print(&format!("{}\n", place.display())) }
+}
+
+/// The file to write: inside a folder that is named, it has the scene's name.
+fn place(output: Option<&Path>, name: &str) -> PathBuf {
+    let file = format!("{name}.html");
+    match output {
+        None => file.into(),
+        Some(folder) if folder.is_dir() => folder.join(file),
+        Some(file) => file.to_path_buf(),
+    }
+}
+
+/// The scene's map, or what `new` would choose for the slider.
+fn window(scene: &Scene, parameters: &SceneParameters) -> Result<Window, String> {
+    let ends = |from: &Rational, to: &Rational| (nearest_f64(from), nearest_f64(to));
+    if let Some(map) = scene.map.as_ref().or(scene.zones.as_ref()) {
+        let (velocity, stress) = (&map.loading_velocity_m_per_s, &map.normal_stress_pa);
+        return Ok(Window {
+            velocity: ends(&velocity.from, &velocity.to),
+            stress: ends(&stress.from, &stress.to),
+        });
+    }
+    let ranges = Ranges::around(parameters)?;
+    Ok(Window { velocity: ranges.velocity.ends(), stress: ranges.stress.ends() })
+}
+
+/// The points that are followed, and a sentence on where they come from.
+fn points(scene: &Scene, parameters: &SceneParameters, window: Window) -> (Vec<NamedPoint>, String) {
+    let mut points = Vec::new();
+    if let Some(point) = parameters.point() {
+        points.push(NamedPoint {
+            name: "scene".into(),
+            normal_stress_pa: point.normal_stress_pa,
+            loading_velocity_m_per_s: point.loading_velocity_m_per_s,
+        });
+    }
+    let named = scene.trajectories.iter().flat_map(|section| &section.points);
+    points.extend(named.map(|point| NamedPoint {
+        name: point.id.clone(),
+        normal_stress_pa: point.normal_stress_pa.clone(),
+        loading_velocity_m_per_s: point.loading_velocity_m_per_s.clone(),
+    }));
+    let stated = points.len();
+    points.truncate(MOST_POINTS);
+    let words = match stated {
+        0 => {
+            points.push(middle(window));
+            "The scene states no point: the one marked is the middle of the map.".into()
+        }
+        _ if stated > MOST_POINTS => {
+            format!("The points are the first {MOST_POINTS} of the {stated} that the scene states.")
+        }
+        _ => "The points are those that the scene states.".into(),
+    };
+    (points, words)
+}
+
+/// The middle of the axes, as the binary numbers that it is nearest to.
+fn middle(window: Window) -> NamedPoint {
+    let middle = |(low, high): (f64, f64)| {
+        let decade = (libm::log10(low) + libm::log10(high)) / 2.0;
+        Rational::from_f64(libm::exp10(decade)).unwrap_or_default()
+    };
+    NamedPoint {
+        name: "middle".into(),
+        normal_stress_pa: middle(window.stress),
+        loading_velocity_m_per_s: middle(window.velocity),
+    }
+}

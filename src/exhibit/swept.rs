@@ -1,0 +1,234 @@
+//! Figures of sweeps that ran elsewhere: what both laws do on a fine grid, and the asymptotes' worst errors in many points.
+
+use crate::exhibit::maps::theory_lines;
+use crate::exhibit::{Figure, FigureMaker};
+use crate::friction::EvolutionLaw;
+use crate::number::Rational;
+use crate::plot::{Axis, Caption, ColourScale, HeatMap, LineChart, Reference, Series};
+use crate::scene::{SummarySection, SweepWork};
+use crate::stability::SlipMode;
+use crate::stability::deviation::{CornerErrors, corner_errors};
+use crate::study::{Need, Outcome, SceneOutcome, Swept};
+
+pub(super) const FIGURES: &[FigureMaker] = &[
+    FigureMaker {
+        id: "swept-laws",
+        needs: &[Need::Swept, Need::Boundary],
+        data: &["swept-modes"],
+        make: |outcome| laws_map(outcome.potentially_unstable()?, simulated(outcome)?),
+    },
+    FigureMaker {
+        id: "swept-errors",
+        needs: &[Need::Swept],
+        data: &["swept-worst"],
+        make: |outcome| worst_errors(&worst_by_effect_ratio(measured(outcome)?)?),
+    },
+];
+
+/// Every sweep.
+pub(super) fn all(outcome: &Outcome) -> impl Iterator<Item = &Swept> {
+    outcome.scenes.iter().filter_map(|scene| scene.swept.as_ref()).flatten()
+}
+
+/// The first sweep of simulations.
+pub(super) fn simulated(outcome: &Outcome) -> Option<&Swept> {
+    all(outcome).find(|swept| matches!(swept.section.work, SweepWork::Simulate { .. }))
+}
+
+/// The first sweep of the asymptotes' errors.
+pub(super) fn measured(outcome: &Outcome) -> Option<&Swept> {
+    all(outcome).find(|swept| swept.section.work == SweepWork::AsymptoteError)
+}
+
+/// The place of a key among the cells of a row's key: bins come first, in the order of the scene.
+pub(super) fn bin_place(kept: &SummarySection, column: &str) -> Option<usize> {
+    kept.bins.iter().position(|bins| bins.column == column)
+}
+
+/// The place of a column of words.
+pub(super) fn word_place(kept: &SummarySection, column: &str) -> Option<usize> {
+    kept.by.iter().position(|name| name == column).map(|place| kept.bins.len() + place)
+}
+
+/// The place of a statistic, by the name of its column, among the values of a row.
+pub(super) fn value_place(kept: &SummarySection, name: &str) -> Option<usize> {
+    let names = kept.numbers.iter().flat_map(|numbers| {
+        numbers.statistics.iter().map(|statistic| format!("{}_{}", numbers.column, statistic.as_str()))
+    });
+    names.into_iter().position(|found| found == name)
+}
+
+const LAWS_TITLE: &str = "Peak velocity of limit cycles, aging law over slip law";
+const LAWS: &str = "Map over loading velocity and normal stress of the mean peak velocity of limit cycles with the aging law over that with the slip law, in small cells. Cells without limit cycles fill the lower left and are uncoloured.";
+const LAWS_CAPTION: &str = "Mean peak velocity of the limit cycles of a cell with the aging law over that with the slip law, on the grid of fig 3a refined 20-fold in both directions. Both laws have the same linear theory, whose lines lie over the map. Cells without limit cycles are uncoloured. Sampled: the command and its cost stand in the table of sweeps.";
+/// Colour steps of the map.
+const STEPS: usize = 20;
+
+fn laws_map(scene: &SceneOutcome, swept: &Swept) -> Option<Figure> {
+    let kept = swept.kept()?;
+    let places = [bin_place(kept, "loading_velocity_m_per_s")?, bin_place(kept, "normal_stress_pa")?];
+    let edges = places.map(|place| kept.bins[place].edges.coordinates());
+    let [columns, rows] = [edges[0].len() - 1, edges[1].len() - 1];
+    let means = law_means(swept, kept, places, columns, rows)?;
+    let values: Vec<f64> =
+        means.iter().map(|[slip, aging]| if *slip > 0.0 { aging / slip } else { 0.0 }).collect();
+    let positive = || values.iter().copied().filter(|value| *value > 0.0);
+    let (lowest, highest) = (positive().fold(f64::INFINITY, f64::min), positive().fold(0.0, f64::max));
+    if !highest.is_normal() {
+        return None;
+    }
+    let centre = |edges: &[f64], cell: usize| (edges[cell] * edges[cell + 1]).sqrt();
+    let axis = |title, unit, edges: &[f64], cells: usize| {
+        Axis::log10(title, unit, centre(edges, 0), centre(edges, cells - 1))
+    };
+    let x = axis("Loading velocity *V*_0", "m/s", &edges[0], columns);
+    let y = axis("Normal stress *σ*", "Pa", &edges[1], rows);
+    let caption = Caption::new("swept-laws", LAWS_TITLE, LAWS);
+    let map = HeatMap {
+        caption: caption.clone(),
+        columns,
+        values,
+        colours: ColourScale {
+            title: "Peak velocity, aging law/slip law".into(),
+            unit: String::new(),
+            min: libm::exp10((libm::log10(lowest) * 2.0).floor() / 2.0),
+            max: libm::exp10((libm::log10(highest) * 2.0).ceil() / 2.0),
+            steps: STEPS,
+        },
+        zero_areas: Vec::new(),
+        zero_label: "no limit cycles".into(),
+        lines: theory_lines(scene, scene.boundary.as_ref()?, &x, &y),
+        marks: Vec::new(),
+        labels: Vec::new(),
+        x,
+        y,
+    };
+    Some(figure(caption, "Figure L1", LAWS_CAPTION, map.svg()))
+}
+
+/// The mean peak velocity of limit cycles of either law, cell by cell, σ by σ; 0 where there are none.
+fn law_means(
+    swept: &Swept,
+    kept: &SummarySection,
+    [x, y]: [usize; 2],
+    columns: usize,
+    rows: usize,
+) -> Option<Vec<[f64; 2]>> {
+    let (law, mode) = (word_place(kept, "law")?, word_place(kept, "slip_mode")?);
+    let sum = value_place(kept, "peak_velocity_m_per_s_sum")?;
+    let cycles = [SlipMode::StickSlip, SlipMode::HarmonicVibration].map(SlipMode::as_str);
+    let mut totals = vec![[(0.0, 0u64); 2]; columns * rows];
+    for row in swept.summary.sorted() {
+        let key: Vec<&str> = row.key().collect();
+        let bin = |place: usize| key.get(place)?.parse::<usize>().ok()?.checked_sub(1);
+        let (Some(column), Some(line)) = (bin(x), bin(y)) else { continue };
+        let of_law = usize::from(key.get(law) == Some(&EvolutionLaw::Aging.as_str()));
+        let is_cycle = key.get(mode).is_some_and(|mode| cycles.contains(mode));
+        if let (true, Some(cell)) = (is_cycle && column < columns, totals.get_mut(line * columns + column)) {
+            cell[of_law].0 += row.values.get(sum).copied().flatten().unwrap_or(0.0);
+            cell[of_law].1 += row.rows;
+        }
+    }
+    let mean = |(sum, count): (f64, u64)| if count > 0 { sum / count as f64 } else { 0.0 };
+    Some(totals.into_iter().map(|cell| cell.map(mean)).collect())
+}
+
+/// The worst distances, log10, of a bin of β: of the upper and of the lower arc.
+#[derive(Debug, Clone)]
+pub(super) struct WorstOfBin {
+    /// The bin's ends.
+    pub effect_ratio: [f64; 2],
+    /// The largest in the sweep.
+    pub sampled: [f64; 2],
+    /// What is derived at either end; none on the upper arc for a = b.
+    pub derived: [[Option<f64>; 2]; 2],
+}
+
+/// The worst errors of a sweep by bins of β, beside the derived ones.
+pub(super) fn worst_by_effect_ratio(swept: &Swept) -> Option<Vec<WorstOfBin>> {
+    let kept = swept.kept()?;
+    let beta = bin_place(kept, "evolution_effect")?;
+    let asymptote = word_place(kept, "asymptote")?;
+    let extremes =
+        ["least", "greatest"].map(|end| value_place(kept, &format!("asymptote_relative_error_{end}")));
+    let edges = kept.bins[beta].edges.coordinates();
+    let derived: Vec<[Option<f64>; 2]> = edges.iter().map(|edge| derived_worst(*edge)).collect();
+    let mut worst: Vec<WorstOfBin> = (0..edges.len() - 1)
+        .map(|bin| WorstOfBin {
+            effect_ratio: [edges[bin], edges[bin + 1]],
+            sampled: [0.0; 2],
+            derived: [derived[bin], derived[bin + 1]],
+        })
+        .collect();
+    for row in swept.summary.sorted() {
+        let key: Vec<&str> = row.key().collect();
+        let bin = key.get(beta).and_then(|bin| bin.parse::<usize>().ok()?.checked_sub(1));
+        let arc = match key.get(asymptote).copied() {
+            Some("eq15" | "eq18") => 0,
+            Some("eq16" | "eq20") => 1,
+            _ => continue,
+        };
+        let Some(bin) = bin.and_then(|bin| worst.get_mut(bin)) else { continue };
+        for place in extremes {
+            let error = row.values.get(place?).copied().flatten().unwrap_or(0.0);
+            bin.sampled[arc] = bin.sampled[arc].max((libm::log1p(error) / core::f64::consts::LN_10).abs());
+        }
+    }
+    Some(worst)
+}
+
+/// Digits of what is derived: more than the table shows.
+const DIGITS: u32 = 12;
+
+fn derived_worst(effect_ratio: f64) -> [Option<f64>; 2] {
+    let CornerErrors { upper_worst_log10, lower_worst_log10, .. } =
+        corner_errors(&Rational::from_f64(effect_ratio).unwrap_or_default(), DIGITS);
+    [upper_worst_log10.map(|worst| worst.to_f64()), Some(lower_worst_log10.to_f64())]
+}
+
+const WORST: &str = "Worst error of the asymptotes against the ratio of evolution to direct effect: for each arc the line that is derived from the corners, and for each quarter decade the largest distance found in the sweep, which lies on the line or just below it.";
+const WORST_CAPTION: &str = "Largest log10 distance between the exact boundary and the nearer asymptote: derived at the corners (lines), and the largest in each quarter decade of β among the points of a sweep over (β, κ, η) that knows nothing of corners (markers, at the middle of the quarter decade).";
+
+fn worst_errors(worst: &[WorstOfBin]) -> Option<Figure> {
+    let (first, last) = (worst.first()?, worst.last()?);
+    let caption = Caption::new("swept-errors", "Worst error of the asymptotes in a sweep", WORST);
+    let ends = worst.iter().map(|bin| (bin.effect_ratio[0], bin.derived[0]));
+    let ends: Vec<_> = ends.chain([(last.effect_ratio[1], last.derived[1])]).collect();
+    let line = |arc: usize, label: &str| Series {
+        label: format!("{label}, derived"),
+        points: ends.iter().map(|(beta, derived)| (*beta, derived[arc].unwrap_or(f64::NAN))).collect(),
+        marked: false,
+        theory: true,
+    };
+    let marks = |arc: usize, label: &str| Series {
+        label: format!("{label}, largest in the sweep"),
+        points: worst.iter().map(|bin| (middle(bin), bin.sampled[arc])).collect(),
+        marked: true,
+        theory: false,
+    };
+    let names = [(0, "upper arc (eqs 15 and 18)"), (1, "lower arc (eqs 16 and 20)")];
+    let chart = LineChart {
+        caption: caption.clone(),
+        x: Axis::log10("*β* = *b*/*a*", "", first.effect_ratio[0], last.effect_ratio[1]),
+        y: Axis::linear("Largest log10 distance from the nearer asymptote", "", 0.0, 0.5),
+        series: names.into_iter().flat_map(|(arc, label)| [line(arc, label), marks(arc, label)]).collect(),
+        references: vec![Reference::Vertical { at: 1.0, label: "*a* = *b*".into() }],
+        bands: Vec::new(),
+        labels: Vec::new(),
+    };
+    Some(figure(caption, "Figure L2", WORST_CAPTION, chart.svg()))
+}
+
+fn middle(bin: &WorstOfBin) -> f64 {
+    (bin.effect_ratio[0] * bin.effect_ratio[1]).sqrt()
+}
+
+fn figure(caption: Caption, label: &str, words: &str, svg: String) -> Figure {
+    Figure {
+        id: caption.id,
+        label: label.into(),
+        caption_markdown: words.into(),
+        description: caption.description,
+        svg,
+    }
+}

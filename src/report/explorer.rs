@@ -1,0 +1,122 @@
+//! The explorer's page: one self-contained HTML file whose script only chooses among what is stored in it.
+
+use serde::Serialize;
+
+use super::ReportError;
+use super::html::table_html;
+use super::page_style::{EXPLORER_SCRIPT, content_policy, explorer_style_sheet};
+use super::templates::Templates;
+use crate::exhibit::{Explorer, FormulaRow, PointRow, Varying};
+use crate::number::format::rational_to_decimal;
+use crate::plot::within_html;
+use crate::scene::SceneParameters;
+
+/// What the explorer's page says besides the numbers.
+#[derive(Debug, Clone)]
+pub struct ExplorerPage<'a> {
+    /// The scene's title.
+    pub title: &'a str,
+    /// The slider.
+    pub parameters: &'a SceneParameters,
+    /// Where the points come from, in a sentence.
+    pub marks: &'a str,
+    /// The command that makes the page again.
+    pub command: &'a str,
+    /// The scene's file, by name.
+    pub scene: &'a str,
+    /// Its SHA-256.
+    pub digest: &'a str,
+}
+
+/// Digits of the slider's parameters: all that a person typed.
+const DIGITS: usize = 17;
+
+/// Renders the explorer's page.
+///
+/// # Errors
+/// When a template and its view do not fit: an error of this program.
+pub fn render_explorer(explorer: &Explorer, page: &ExplorerPage<'_>) -> Result<String, ReportError> {
+    let templates = Templates::html()?;
+    let mut tables_html = String::new();
+    for table in &explorer.tables {
+        tables_html += &table_html(&templates, table, String::new(), "")?;
+    }
+    let style_css = explorer_style_sheet();
+    let controls = explorer.controls.iter().map(|control| ControlContext {
+        id: control.id,
+        name: control.name,
+        last: control.steps.len().saturating_sub(1),
+        base: control.base,
+        text: control.steps.get(control.base).map_or("", String::as_str),
+        steps: control.steps.join("|"),
+    });
+    let grid = format!(
+        "Stored are {} combinations of b, K and M, each the scene’s value times one of the factors that the tables list, and nothing between them.",
+        explorer.combinations
+    );
+    let context = PageContext {
+        title: page.title,
+        effect: rational_to_decimal(&page.parameters.direct_effect, DIGITS),
+        slip: rational_to_decimal(&page.parameters.critical_slip_distance_m, DIGITS),
+        policy: content_policy(&style_css, EXPLORER_SCRIPT),
+        style_css,
+        controls: controls.collect(),
+        drawing_svg: within_html(&explorer.svg),
+        marks: page.marks,
+        points: explorer.points.iter().map(PointContext::of).collect(),
+        formulas: &explorer.formulas,
+        tables_html,
+        grid,
+        command: page.command,
+        scene: page.scene,
+        digest: page.digest,
+        script_js: EXPLORER_SCRIPT,
+    };
+    templates.render("explore.html", &context)
+}
+
+/// What `explore.html` asks for.
+#[derive(Serialize)]
+struct PageContext<'a> {
+    title: &'a str,
+    effect: String,
+    slip: String,
+    policy: String,
+    style_css: String,
+    controls: Vec<ControlContext<'a>>,
+    drawing_svg: String,
+    marks: &'a str,
+    points: Vec<PointContext<'a>>,
+    formulas: &'a [FormulaRow],
+    tables_html: String,
+    grid: String,
+    command: &'a str,
+    scene: &'a str,
+    digest: &'a str,
+    script_js: &'static str,
+}
+
+#[derive(Serialize)]
+struct ControlContext<'a> {
+    id: &'a str,
+    name: &'a str,
+    last: usize,
+    base: usize,
+    text: &'a str,
+    steps: String,
+}
+
+#[derive(Serialize)]
+struct PointContext<'a> {
+    name: &'a str,
+    stress: &'a str,
+    velocity: &'a str,
+    fields: [&'a Varying; 3],
+}
+
+impl<'a> PointContext<'a> {
+    fn of(point: &'a PointRow) -> Self {
+        let fields = [&point.mode, &point.imaginary, &point.frequency];
+        Self { name: &point.name, stress: &point.stress, velocity: &point.velocity, fields }
+    }
+}

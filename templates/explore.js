@@ -1,0 +1,46 @@
+"use strict";
+// Shows the stored curve, steps and words of the chosen combination. No mathematics, no requests.
+(() => {
+  const form = document.getElementById("controls");
+  const inputs = [...form.querySelectorAll("input")];
+  const steps = inputs.map((input) => input.dataset.steps.split("|"));
+  const said = document.getElementById("said");
+
+  // A text is its different words and a code a combination: "." the word before, "!" the next new one, two digits a former one.
+  const unpack = (words, cells) => {
+    const found = [];
+    for (let at = 0, next = 0, word = 0; at < cells.length; at += 1) {
+      if (cells[at] === "!") word = next++;
+      else if (cells[at] !== ".") word = parseInt(cells.slice(at, ++at + 1), 36);
+      found.push(words[word]);
+    }
+    return found;
+  };
+  const texts = [...document.querySelectorAll("[data-cells]")].map((element) =>
+    [element, unpack(element.dataset.words.split("|"), element.dataset.cells)]);
+  const members = [...document.querySelectorAll("#map .member")];
+  const moved = [...document.querySelectorAll("#map .moved")].map((group) => [group, group.dataset.steps.split("|")]);
+
+  const show = () => {
+    const [effect, ...others] = inputs.map((input) => Number(input.value));
+    const place = others.reduce((index, step, which) => index * steps[which + 1].length + step, effect);
+    inputs.forEach((input, which) => {
+      const text = steps[which][Number(input.value)];
+      input.setAttribute("aria-valuetext", text);
+      input.parentElement.querySelector("output").textContent = text;
+    });
+    members.forEach((member, index) => {
+      if (index === effect) member.removeAttribute("display");
+      else member.setAttribute("display", "none");
+    });
+    moved.forEach(([group, places], which) => group.setAttribute("transform", places[others[which]]));
+    for (const [element, all] of texts) element.textContent = all[place];
+    said.textContent = [...document.querySelectorAll("#points + section tbody tr")]
+      .map((row) => `${row.cells[0].textContent}: ${row.cells[3].textContent}`).join("; ");
+  };
+  form.addEventListener("input", show);
+  form.addEventListener("submit", (event) => event.preventDefault());
+  form.addEventListener("reset", () => setTimeout(show));
+  form.hidden = false;
+  show();
+})();
