@@ -1,8 +1,8 @@
 "use strict";
 // Shows the stored curve, steps and words of the chosen combination. No mathematics, no requests.
 (() => {
-  const form = document.getElementById("controls");
-  const inputs = [...form.querySelectorAll("input")];
+  const controls = document.getElementById("controls");
+  const inputs = [...controls.querySelectorAll("input")];
   const steps = inputs.map((input) => input.dataset.steps.split("|"));
   const said = document.getElementById("said");
 
@@ -38,9 +38,11 @@
     said.textContent = [...document.querySelectorAll("#points + section tbody tr")]
       .map((row) => `${row.cells[0].textContent}: ${row.cells[3].textContent}`).join("; ");
   };
-  form.addEventListener("input", show);
-  form.addEventListener("submit", (event) => event.preventDefault());
-  form.addEventListener("reset", () => setTimeout(show));
-  form.hidden = false;
+  controls.addEventListener("input", show);
+  controls.querySelector("button").addEventListener("click", () => {
+    for (const input of inputs) input.value = input.defaultValue;
+    show();
+  });
+  controls.hidden = false;
   show();
 })();
