@@ -190,8 +190,8 @@ fn derived_worst(effect_ratio: f64) -> [Option<f64>; 2] {
     [upper_worst_log10.map(|worst| worst.to_f64()), Some(lower_worst_log10.to_f64())]
 }
 
-const WORST: &str = "Worst error of the asymptotes against the ratio of evolution to direct effect: for each arc the line that is derived from the corners, and for each quarter decade the largest distance found in the sweep, which lies on the line or just below it.";
-const WORST_CAPTION: &str = "Largest log10 distance between the exact boundary and the nearer asymptote: derived at the corners (lines), and the largest in each quarter decade of β among the points of a sweep over (β, κ, η) that knows nothing of corners (markers, at the middle of the quarter decade).";
+const WORST: &str = "Worst error of the asymptotes against the ratio of evolution to direct effect: for each arc the line that is derived from the corners, and for each quarter decade the largest distance found in the sweep, which lies next to the line.";
+const WORST_CAPTION: &str = "Largest log10 distance between the exact boundary and the nearer asymptote: derived at the corners (lines), and the largest in each quarter decade of β among the points of a sweep over (β, κ, η) that knows nothing of corners (markers, at that end of the quarter decade where the derived value is larger).";
 
 fn worst_errors(worst: &[WorstOfBin]) -> Option<Figure> {
     let (first, last) = (worst.first()?, worst.last()?);
@@ -206,7 +206,7 @@ fn worst_errors(worst: &[WorstOfBin]) -> Option<Figure> {
     };
     let marks = |arc: usize, label: &str| Series {
         label: format!("{label}, largest in the sweep"),
-        points: worst.iter().map(|bin| (middle(bin), bin.sampled[arc])).collect(),
+        points: worst.iter().map(|bin| (worse_end(bin, arc), bin.sampled[arc])).collect(),
         marked: true,
         theory: false,
     };
@@ -223,8 +223,10 @@ fn worst_errors(worst: &[WorstOfBin]) -> Option<Figure> {
     Some(figure(caption, "Figure L2", WORST_CAPTION, chart.svg()))
 }
 
-fn middle(bin: &WorstOfBin) -> f64 {
-    (bin.effect_ratio[0] * bin.effect_ratio[1]).sqrt()
+/// The end of the bin where the derived value is larger: on a monotone stretch the largest of the bin is there.
+fn worse_end(bin: &WorstOfBin, arc: usize) -> f64 {
+    let [from, to] = bin.derived.map(|derived| derived[arc].unwrap_or(0.0));
+    bin.effect_ratio[usize::from(to > from)]
 }
 
 fn figure(caption: Caption, label: &str, words: &str, svg: String) -> Figure {

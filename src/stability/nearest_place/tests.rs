@@ -34,7 +34,7 @@ proptest! {
         let quick = quick.expect("a random point is nowhere near a limit").expect("a ≠ b has a place");
         let exact = exact(&parameters).expect("a place");
         prop_assert_eq!((quick.arc, quick.asymptote), (exact.arc, exact.asymptote));
-        let close = |x: f64, y: f64| (x - y).abs() <= NearestPlace::CERTAIN * y.abs().min(1.0).max(1e-3);
+        let close = |x: f64, y: f64| (x - y).abs() <= NearestPlace::CERTAIN * y.abs().clamp(1e-3, 1.0);
         prop_assert!(close(quick.relative_error, exact.relative_error), "{quick:?} {exact:?}");
         prop_assert!(close(quick.log10_normal_stress_distance, exact.log10_normal_stress_distance));
     }
