@@ -43,9 +43,9 @@ fn sweeps(context: &Context) -> Option<Table> {
     ];
     let mut table = Table::new("sweeps", "Sweeps that ran elsewhere, and what they took", columns)
         .with_note("Measured with a clock on the machine named; what more rows would take is in proportion to the rows. The scenes and the merged summaries are inputs of this report; that every row is counted once was checked when they were read.");
-    for swept in all(&context.outcome) {
+    for swept in all(context.outcome) {
         let entry = &swept.entry;
-        let per_row = Rational::from(&entry.core_seconds / Rational::from(swept.rows));
+        let per_row = entry.core_seconds.clone() / Rational::from(swept.rows);
         let hours = |rows: u64| {
             rational_to_decimal(&(per_row.clone() * Rational::from(rows) / 3600u32), CLOCK_DIGITS)
         };
@@ -68,7 +68,7 @@ fn sweeps(context: &Context) -> Option<Table> {
 }
 
 fn modes(context: &Context) -> Option<Table> {
-    let swept = simulated(&context.outcome)?;
+    let swept = simulated(context.outcome)?;
     let kept = swept.kept()?;
     let (law, mode) = (word_place(kept, "law")?, word_place(kept, "slip_mode")?);
     let mut counts: BTreeMap<(String, String), u64> = BTreeMap::new();
@@ -111,7 +111,7 @@ struct OfAsymptote {
 }
 
 fn errors(context: &Context) -> Option<Table> {
-    let swept = measured(&context.outcome)?;
+    let swept = measured(context.outcome)?;
     let columns = vec![
         Column::text("asymptote", "Nearer asymptote"),
         Column::number("points", "Points", ""),
@@ -183,7 +183,7 @@ fn worst(context: &Context) -> Option<Table> {
     ];
     let mut table = Table::new("swept-worst", "Worst errors by quarter decades of β", columns)
         .with_note("The largest log10 distance from the nearer asymptote: in the sweep (sampled) and at the corners for the two ends of the quarter decade (enclosed).");
-    for bin in worst_by_effect_ratio(measured(&context.outcome)?)? {
+    for bin in worst_by_effect_ratio(measured(context.outcome)?)? {
         let number = |value: f64| Cell::number(round_digits(value, DIGITS));
         let derived = |end: usize, arc: usize| bin.derived[end][arc].map_or_else(Cell::empty, number);
         table.push(vec![

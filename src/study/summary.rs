@@ -3,12 +3,13 @@
 //! Counts and extremes do not depend on the order of rows. Sums are those of blocks, added in the order of blocks, so that
 //! they too are the same for any number of shards.
 
-use std::cmp::Ordering;
+mod values;
+
 use std::collections::HashMap;
 
-use crate::number::format::shortest;
 use crate::scene::{ColumnBins, MOST_SUMMARY_CELLS, Statistic, SummarySection};
 use crate::study::csv_records::{cells, records};
+use values::{bin, key_order, number};
 
 /// The column of the number of rows, between the keys and the statistics.
 const ROWS: &str = "rows";
@@ -250,37 +251,6 @@ impl RowPlaces {
     }
 }
 
-/// The bin of a number, counted from 1; 0 below the first edge, one more than there are bins beyond the last, which belongs to its bin.
-fn bin(edges: &[f64], number: f64) -> usize {
-    if edges.last() == Some(&number) {
-        edges.len() - 1
-    } else {
-        edges.partition_point(|edge| *edge <= number)
-    }
-}
-
-impl Statistic {
-    /// Takes a number in: of a row, or what another summary has.
-    fn combine(self, value: &mut Option<f64>, number: f64) {
-        *value = Some(match (self, *value) {
-            (_, None) => number,
-            (Self::Least, Some(old)) => old.min(number),
-            (Self::Greatest, Some(old)) => old.max(number),
-            // A sum beyond 64-bit stays at the end of the range: the sum of two infinities might be no number.
-            (Self::Count | Self::Sum, Some(old)) => (old + number).clamp(-f64::MAX, f64::MAX),
-        });
-    }
-
-    fn written(self, value: Option<f64>) -> String {
-        match (self, value) {
-            // Counts stay far below 2⁵³, where 64-bit numbers are whole.
-            (Self::Count, value) => (value.unwrap_or(0.0) as u64).to_string(),
-            (_, Some(value)) => shortest(value),
-            (_, None) => String::new(),
-        }
-    }
-}
-
 fn tally<'t>(
     tallies: &'t mut HashMap<Vec<u8>, Tally>,
     key: &[u8],
@@ -295,98 +265,9 @@ fn tally<'t>(
     tallies.get_mut(key).ok_or(SummaryError::Malformed)
 }
 
-/// A cell as a finite number.
-fn number(cell: &[u8]) -> Option<f64> {
-    std::str::from_utf8(cell).ok()?.parse().ok().filter(|number: &f64| number.is_finite())
-}
-
 fn text(cell: &[u8]) -> String {
     String::from_utf8_lossy(cell).into_owned()
 }
 
-/// Cell by cell; numbers of bins before words.
-fn key_order(one: &[u8], other: &[u8]) -> Ordering {
-    let order = |(one, other): (&[u8], &[u8])| {
-        let bin = |cell: &[u8]| std::str::from_utf8(cell).ok()?.parse::<u64>().ok();
-        match (bin(one), bin(other)) {
-            (Some(one), Some(other)) => one.cmp(&other),
-            _ => one.cmp(other),
-        }
-    };
-    cells(one).zip(cells(other)).map(order).find(|order| order.is_ne()).unwrap_or(Ordering::Equal)
-}
-
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::number::Rational;
-    use crate::scene::{ColumnStatistics, LogAxis};
-    use proptest::prelude::*;
-
-    fn section() -> SummarySection {
-        let edges = LogAxis { from: Rational::from(1), to: Rational::from(100), points: 3 };
-        SummarySection {
-            bins: vec![ColumnBins { column: "x".into(), edges }],
-            by: vec!["law".into()],
-            numbers: vec![ColumnStatistics { column: "y".into(), statistics: Statistic::ALL.to_vec() }],
-        }
-    }
-
-    const COLUMNS: &[u8] = b"x,law,y\n";
-
-    fn summed(lines: &str) -> Summary {
-        let (mut summary, places) = Summary::of_rows(&section(), COLUMNS).unwrap();
-        summary.add_rows(&places, lines.as_bytes()).unwrap();
-        summary
-    }
-
-    #[test]
-    fn rows_are_counted_by_bin_and_word_with_extremes_and_sums() {
-        let summary =
-            summed("-20,slip,3\n5,slip,1\n1,slip,\n100,\"a,b\",-2\n0.5,slip,inf\n1e3,slip,7\n,slip,8\n");
-        assert_eq!(summary.columns(), b"x_bin,law,rows,y_count,y_least,y_greatest,y_sum\n");
-        assert_eq!(
-            String::from_utf8(summary.lines()).unwrap(),
-            ",slip,1,1,8,8,8\n0,slip,1,0,,,\n1,slip,2,1,1,1,1\n2,\"a,b\",1,1,-2,-2,-2\n2,slip,1,1,3,3,3\n3,slip,1,1,7,7,7\n"
-        );
-        assert_eq!(summary.rows(), 7);
-    }
-
-    #[test]
-    fn a_column_that_is_not_there_is_named() {
-        let error = Summary::of_rows(&section(), b"x,y\n").unwrap_err();
-        assert_eq!(
-            error.to_string(),
-            "sweep.summary names the column `law`, which rows do not have (they have: x, y)"
-        );
-    }
-
-    #[test]
-    fn lines_of_another_form_are_refused() {
-        assert_eq!(Summary::of_columns(b"x_bin,rows,y_mean\n", 1), Err(SummaryError::Malformed));
-        assert_eq!(Summary::of_columns(b"x_bin,law\n", 2), Err(SummaryError::Malformed));
-        let mut summary = Summary::of_columns(b"law,rows,y_sum\n", 1).unwrap();
-        for bad in ["slip,1\n", "slip,-1,2\n", "slip,1,x\n"] {
-            assert_eq!(summary.add_summary(bad.as_bytes()), Err(SummaryError::Malformed), "{bad}");
-        }
-    }
-
-    proptest! {
-        #[test]
-        fn blocks_put_together_have_the_counts_and_extremes_of_the_whole(
-            rows in prop::collection::vec((0.1f64..1000.0, 0usize..3, -9i32..9), 1..60), cut in 0usize..60,
-        ) {
-            // Whole numbers: their sums are exact in any order.
-            let line = |(x, law, y): &(f64, usize, i32)| format!("{x},law-{law},{y}\n");
-            let (first, second) = rows.split_at(cut.min(rows.len()));
-            let text = |rows: &[(f64, usize, i32)]| rows.iter().map(line).collect::<String>();
-            let whole = summed(&text(&rows));
-            let mut parts = Summary::of_columns(&whole.columns(), whole.key_count()).unwrap();
-            for part in [first, second] {
-                parts.add_summary(&summed(&text(part)).lines()).unwrap();
-            }
-            prop_assert_eq!(parts.lines(), whole.lines());
-            prop_assert_eq!(parts.rows(), rows.len() as u64);
-        }
-    }
-}
+mod tests;

@@ -1,0 +1,73 @@
+//! The quick place against the certified one.
+
+use proptest::prelude::*;
+
+use super::*;
+use crate::number::parse_decimal;
+
+/// A slider whose η, κ and β are given as powers of ten.
+fn slider([eta, kappa, beta]: [f64; 3]) -> Parameters<Rational> {
+    let one = Rational::from(1);
+    let power = |exponent: f64| Rational::from_f64(libm::exp10(exponent)).unwrap();
+    Parameters {
+        direct_effect: one.clone(),
+        evolution_effect: power(beta),
+        critical_slip_distance_m: one.clone(),
+        stiffness_pa_per_m: power(kappa),
+        mass_per_area_kg_per_m2: power(eta),
+        normal_stress_pa: one.clone(),
+        loading_velocity_m_per_s: one,
+    }
+}
+
+fn exact(parameters: &Parameters<Rational>) -> Option<NearestPlace> {
+    nearest_boundary_point(parameters, 30)
+        .map(|point| NearestPlace::of_point(&point, &parameters.normal_stress_pa))
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(400))]
+    #[test]
+    fn a_quick_place_is_the_certified_one(exponents in [-8f64..6.0, -6f64..6.0, -3f64..3.0]) {
+        let parameters = slider(exponents);
+        let quick = NearestPlace::quickly(&parameters.map(Dd::from_rational));
+        let quick = quick.expect("a random point is nowhere near a limit").expect("a ≠ b has a place");
+        let exact = exact(&parameters).expect("a place");
+        prop_assert_eq!((quick.arc, quick.asymptote), (exact.arc, exact.asymptote));
+        let close = |x: f64, y: f64| (x - y).abs() <= NearestPlace::CERTAIN * y.abs().clamp(1e-3, 1.0);
+        prop_assert!(close(quick.relative_error, exact.relative_error), "{quick:?} {exact:?}");
+        prop_assert!(close(quick.log10_normal_stress_distance, exact.log10_normal_stress_distance));
+    }
+}
+
+#[test]
+fn equal_effects_leave_the_lower_arc_and_nothing_beyond_the_cusp() {
+    let equal = |kappa: &str, eta: &str| Parameters {
+        evolution_effect: Rational::from(1),
+        stiffness_pa_per_m: parse_decimal(kappa).unwrap(),
+        mass_per_area_kg_per_m2: parse_decimal(eta).unwrap(),
+        ..slider([0.0; 3])
+    };
+    let quickly =
+        |parameters: &Parameters<Rational>| NearestPlace::quickly(&parameters.map(Dd::from_rational));
+    let below = equal("3.375", "0.1");
+    assert_eq!(quickly(&below).unwrap().map(|place| place.arc), Some(Arc::Lower));
+    assert_eq!(quickly(&equal("3.375", "0.2")), Ok(None));
+    assert_eq!(NearestPlace::of(&equal("3.375", "0.2")), None);
+    // The cusp itself, κ = 27/8 and η = 1/8: left to the enclosures.
+    let cusp = equal("3.375", "0.125");
+    assert_eq!(quickly(&cusp), Err(Uncertain));
+    let place = NearestPlace::of(&cusp).unwrap();
+    assert!(place.log10_normal_stress_distance.abs() < 1e-15, "{place:?}");
+}
+
+#[test]
+fn next_to_the_cusp_and_far_out_the_answer_is_still_the_certified_one() {
+    for exponents in [[-30.0, -20.0, 0.5], [30.0, 20.0, -0.5], [-200.0, -100.0, 0.1], [0.0, 0.0, 1e-12]] {
+        let parameters = slider(exponents);
+        let (found, exact) = (NearestPlace::of(&parameters).unwrap(), exact(&parameters).unwrap());
+        assert_eq!((found.arc, found.asymptote), (exact.arc, exact.asymptote), "{exponents:?}");
+        let off = (found.relative_error / exact.relative_error - 1.0).abs();
+        assert!(off < NearestPlace::CERTAIN, "{exponents:?}: {found:?} {exact:?}");
+    }
+}
