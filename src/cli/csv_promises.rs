@@ -9,7 +9,7 @@ use slipmode::study::{LEAST_SAMPLES, Recording};
 
 use crate::cli::compare::recording::read_rows;
 use crate::cli::input::Input;
-use crate::cli::points::{Cells, Header, Remark, RowReader, RowWork, Work};
+use crate::cli::points::{Cells, Header, Remark, RowReader, RowWork, Work, push_cell};
 
 #[cfg(test)]
 #[path = "../../tests/suite/mutation.rs"]
@@ -53,7 +53,12 @@ fn written(bytes: &[u8]) -> Result<Vec<u8>, Faults> {
     let first = reader.block(1).map_err(|fault| vec![fault])?;
     let header = Header::read("f", first.rows().next(), false, &OnlyRead)?;
     let work = Work { file: "f".into(), header, command: OnlyRead, keep_going: false };
-    let mut text = work.header_line();
+    let mut text = Vec::new();
+    for (index, name) in work.header.names.iter().enumerate() {
+        text.extend_from_slice(if index > 0 { b"," } else { b"" });
+        push_cell(&mut text, name.as_bytes());
+    }
+    text.push(b'\n');
     loop {
         let block = reader.block(OnlyRead::BLOCK_ROWS).map_err(|fault| vec![fault])?;
         if block.is_empty() {
