@@ -16,8 +16,8 @@
 //! | σ 10^2.5 Pa, V_l 10^-1 m/s | 96 (3e-7), 274 (9e-11) | **48 (2e-8)**, 111 (3e-10) | **69 (5e-11)**, 82 (6e-12) | 118 (4e-12) | never |
 //!
 //! Radau IIA of order 9 wins from 1e-7 down to rounding and is what [`simulate`] uses; order 13 overtakes it only at its last two
-//! digits. Rodas5P wins above about 1e-5. The Taylor series is the fastest where a cycle never sticks (a third faster
-//! at σ = 10^4 Pa) and useless one stick phase later, also for η ≫ 1, because the limit cycle of vibration itself sticks: V falls
+//! digits. Order 5 wins above, Rodas5P nowhere. The Taylor series keeps up where a cycle never sticks
+//! and is useless one stick phase later, also for η ≫ 1, because the limit cycle of vibration itself sticks: V falls
 //! to 1e-65 V_l and below, where e^{−x}/η is not small. It serves as the unrelated method for references.
 //! [`simulate`] takes Radau IIA of order 5 for errors of a thousandth and more: at a local tolerance of 1e-2 a stick-slip lap is twice as
 //! fast as with order 9 at 1e-3, where its 1e-8 is of no use. Neither Rodas5P (at 1e-1 a lap of the aging law lost its peak) nor
