@@ -104,8 +104,8 @@ pub fn prepare(folder: &Path) {
 }
 
 fn measure<M: Stepper<f64> + Clone>(name: &'static str, line: &Line, method: &M) {
-    for exponent in [2, 3, 4, 5, 6, 7, 8, 9, 10, 11] {
-        let tolerance = libm::exp10(-f64::from(exponent));
+    for halves in 3..=22 {
+        let tolerance = libm::exp10(-0.5 * f64::from(halves));
         let (seconds, found) =
             best_of(REPETITIONS, || lap(&line.model, method.clone(), &line.rest, tolerance));
         let error = found.as_ref().map(|found| {

@@ -10,6 +10,7 @@ mod clock;
 mod columns;
 mod cubics;
 mod cycles;
+mod elsewhere;
 mod hard;
 mod random;
 mod row;
@@ -28,7 +29,10 @@ fn play(work: &str, folder: &Path) -> bool {
         ("classes", family) => classes::play(family, folder),
         ("roots", which) => cubics::play(which, folder),
         ("boundary", _) => boundary::play(folder),
-        ("cycles", _) => cycles::play(folder),
+        ("cycles", _) => {
+            cycles::play(folder);
+            elsewhere::play(folder);
+        }
         ("smooth", _) => smooth::play(folder),
         ("sweep", _) => sweep::play(folder),
         ("hard", _) => suite::play(folder),

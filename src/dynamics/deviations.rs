@@ -5,10 +5,11 @@
 //! dies. No linear theory enters: the equations are the nonlinear ones, with errors of the order of the deviation.
 
 use super::integrator::{Control, Integrator};
-use super::{Failure, Model, Radau};
+use super::{Failure, Model, Radau, Scalar, Stepper};
+use crate::number::Dd;
 
-/// Size of the deviations: the equations are linear to this relative accuracy.
-const SIZE: f64 = 1e-11;
+/// Size of the deviations over the root of the rounding error: the equations are linear to this relative accuracy.
+const SIZE_IN_ROOTS: f64 = 1e-3;
 
 /// Factor between the times at which the propagator is examined.
 const RATIO: f64 = 1.5;
@@ -16,8 +17,8 @@ const RATIO: f64 = 1.5;
 /// The phases of the pair between which its eigenvalue is read off: neither lost beside 1 nor near the negative axis.
 const PHASES: std::ops::Range<f64> = 0.5..2.0;
 
-/// Part of the propagator below which its eigenvalues are rounding and truncation errors.
-const RESOLUTION: f64 = 1e-8;
+/// Part of the propagator below which its eigenvalues are rounding and truncation errors, over the root of the rounding error.
+const RESOLUTION_IN_ROOTS: f64 = 1.0;
 
 /// Period and growth rate (in D_c/V_l) of the oscillation of small deviations; none when all modes are real.
 ///
@@ -29,23 +30,49 @@ pub fn oscillation_of_small_deviations(
     model: &Model<f64>,
     local_tolerance: f64,
 ) -> Result<Option<(f64, f64)>, Failure> {
+    oscillation(model, Radau::<f64, 5>::new(), local_tolerance)
+}
+
+/// The same in double-double, where a pair next to a double root keeps its digits.
+pub(super) fn oscillation_in_double_double(
+    model: &Model<f64>,
+    local_tolerance: f64,
+) -> Result<Option<(f64, f64)>, Failure> {
+    let fine = Model::with_balance(
+        model.groups().map(|&group| Dd::from(group)),
+        model.law(),
+        model.balance().map(|&group| Dd::from(group)),
+    );
+    oscillation(&fine, Radau::<Dd, 7>::new(), local_tolerance)
+}
+
+fn oscillation<R: Scalar, M: Stepper<R> + Clone>(
+    model: &Model<R>,
+    method: M,
+    local_tolerance: f64,
+) -> Result<Option<(f64, f64)>, Failure> {
     let control = Control { local_tolerance, most_steps: 1_000_000 };
-    let start = |axis: usize| std::array::from_fn(|i| if i == axis { SIZE } else { 0.0 });
-    let run = |axis| Integrator::new(model, Radau::<f64, 5>::new(), start(axis), control);
+    let size = R::from_f64(SIZE_IN_ROOTS * R::UNIT_ROUNDOFF.sqrt());
+    let start = |axis: usize| std::array::from_fn(|i| if i == axis { size.clone() } else { R::from(0) });
+    let run = |axis| Integrator::new(model, method.clone(), start(axis), control);
     let mut runs = [run(0)?, run(1)?, run(2)?];
-    let jacobian = model.jacobian(&[0.0; 3]);
+    let zero: [R; 3] = std::array::from_fn(|_| R::from(0));
+    let jacobian = model.jacobian(&zero);
     let entries = [jacobian.xx, jacobian.xy, jacobian.xz, jacobian.yx, jacobian.yy, jacobian.zx];
-    let fastest = entries.iter().fold(0.0f64, |largest, entry| largest.max(entry.abs()));
+    let fastest = entries.iter().fold(0.0f64, |largest, entry| largest.max(entry.to_f64().abs()));
     let mut time = 0.1 / fastest;
     loop {
         for run in &mut runs {
-            while time - run.time() > time * 1e-14 {
-                let rest = time - run.time();
+            loop {
+                let rest = R::from_f64(time) - run.time();
+                if rest.to_f64() <= time * 128.0 * R::UNIT_ROUNDOFF {
+                    break;
+                }
                 run.advance(Some(&rest))?;
             }
         }
         // Row i, column j: component i of run j.
-        let propagator = std::array::from_fn(|i| std::array::from_fn(|j| runs[j].state()[i] / SIZE));
+        let propagator = std::array::from_fn(|i| std::array::from_fn(|j| runs[j].state()[i].clone() / &size));
         match pair_of(&propagator) {
             Sight::Pair { ln_modulus, phase } if PHASES.contains(&phase) => {
                 return Ok(Some((std::f64::consts::TAU * time / phase, ln_modulus / time)));
@@ -66,34 +93,39 @@ enum Sight {
     Lost,
 }
 
-fn pair_of(m: &[[f64; 3]; 3]) -> Sight {
-    let minor = |i: usize, j: usize| m[i][i] * m[j][j] - m[i][j] * m[j][i];
-    let trace = m[0][0] + m[1][1] + m[2][2];
-    let second = minor(0, 1) + minor(0, 2) + minor(1, 2);
-    let determinant = m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1])
-        - m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0])
-        + m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
-    let norm = m.iter().flatten().fold(0.0f64, |largest, entry| largest.max(entry.abs()));
-    if second.abs() < RESOLUTION * norm * norm.max(RESOLUTION) || norm > 1e6 {
+fn pair_of<R: Scalar>(m: &[[R; 3]; 3]) -> Sight {
+    let product = |i: usize, j: usize, k: usize, l: usize| m[i][j].clone() * &m[k][l];
+    let minor = |i: usize, j: usize, k: usize, l: usize| product(i, k, j, l) - product(i, l, j, k);
+    let trace = m[0][0].clone() + &m[1][1] + &m[2][2];
+    let second = minor(0, 1, 0, 1) + minor(0, 2, 0, 2) + minor(1, 2, 1, 2);
+    let determinant = m[0][0].clone() * minor(1, 2, 1, 2) - m[0][1].clone() * minor(1, 2, 0, 2)
+        + m[0][2].clone() * minor(1, 2, 0, 1);
+    let norm = m.iter().flatten().fold(0.0f64, |largest, entry| largest.max(entry.to_f64().abs()));
+    let resolution = RESOLUTION_IN_ROOTS * R::UNIT_ROUNDOFF.sqrt();
+    if second.to_f64().abs() < resolution * norm * norm.max(resolution) || norm > 1e6 {
         return Sight::Lost;
     }
     // z³ − trace z² + second z − determinant: the real zero by bisection and Newton, the pair from the quotient.
-    let real = real_zero(trace, second, determinant);
-    let sum = trace - real;
-    let product = second - real * sum;
-    let discriminant = 0.25 * sum * sum - product;
-    if discriminant < -1e-7 * product.abs() && product > 0.0 {
+    let real = real_zero(&trace, &second, &determinant);
+    let sum = trace - &real;
+    let product = second - real * &sum;
+    let discriminant = sum.square() / R::from(4) - &product;
+    let product_size = product.to_f64();
+    // Below this the sign is that of the errors.
+    if product_size > 0.0 && discriminant.to_f64() < -10.0 * resolution * product_size {
         return Sight::Pair {
-            ln_modulus: 0.5 * libm::log(product),
-            phase: libm::atan2((-discriminant).sqrt(), 0.5 * sum),
+            ln_modulus: 0.5 * libm::log(product_size),
+            phase: libm::atan2((-discriminant).sqrt().to_f64(), 0.5 * sum.to_f64()),
         };
     }
     Sight::Real
 }
 
-fn real_zero(trace: f64, second: f64, determinant: f64) -> f64 {
-    let value = |z: f64| ((z - trace) * z + second) * z - determinant;
-    let bound = 1.0 + trace.abs().max(second.abs()).max(determinant.abs());
+/// The zero by bisection in f64, then by Newton's steps as long as they help.
+fn real_zero<R: Scalar>(trace: &R, second: &R, determinant: &R) -> R {
+    let [t, s, d] = [trace, second, determinant].map(Scalar::to_f64);
+    let value = |z: f64| ((z - t) * z + s) * z - d;
+    let bound = 1.0 + t.abs().max(s.abs()).max(d.abs());
     let (mut low, mut high) = (-bound, bound);
     for _ in 0..200 {
         let middle = 0.5 * (low + high);
@@ -103,7 +135,19 @@ fn real_zero(trace: f64, second: f64, determinant: f64) -> f64 {
             high = middle;
         }
     }
-    0.5 * (low + high)
+    let mut zero = R::from_f64(0.5 * (low + high));
+    if R::UNIT_ROUNDOFF < f64::EPSILON / 2.0 {
+        for _ in 0..3 {
+            let value = ((zero.clone() - trace) * &zero + second) * &zero - determinant;
+            let slope = (R::from(3) * &zero - R::from(2) * trace) * &zero + second;
+            let step = value / slope;
+            if !step.is_finite() {
+                break;
+            }
+            zero = zero - step;
+        }
+    }
+    zero
 }
 
 #[cfg(test)]

@@ -3,6 +3,7 @@
 //! The equations do not contain the time, so a step of 1e-60 after a stick phase of length 1 is as good as any other:
 //! only the clock, which is a compensated sum local to the cycle, ever adds the two.
 
+use super::clock::Clock;
 use super::plunge::{Plunge, plunge};
 use super::stepper::{Stepper, Trial, Weight};
 use super::{Failure, Model, Scalar, State};
@@ -20,33 +21,6 @@ pub struct Control {
     pub local_tolerance: f64,
     /// Most accepted and refused steps of one run.
     pub most_steps: u64,
-}
-
-/// A sum that carries its rounding error along.
-#[derive(Debug, Clone)]
-pub struct Clock<R> {
-    sum: R,
-    carry: R,
-}
-
-impl<R: Scalar> Clock<R> {
-    fn zero() -> Self {
-        Self { sum: R::from(0), carry: R::from(0) }
-    }
-
-    fn advance(&mut self, step: &R) {
-        // Fast two-sum of the larger and the smaller term.
-        let (large, small) = if self.sum < *step { (step, &self.sum) } else { (&self.sum, step) };
-        let sum = large.clone() + small;
-        self.carry = self.carry.clone() + (small.clone() - (sum.clone() - large));
-        self.sum = sum;
-    }
-
-    /// The time since the clock was set to zero.
-    #[must_use]
-    pub fn elapsed(&self) -> R {
-        self.sum.clone() + &self.carry
-    }
 }
 
 /// A run in progress.

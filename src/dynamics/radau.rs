@@ -83,7 +83,7 @@ impl<R: Scalar, const S: usize> Radau<R, S> {
         let eigenvalues = &self.constants.eigenvalues;
         let pivot = eigenvalues[0].clone() + &factors.jacobian.xz;
         let mut derivatives = self.stages.clone();
-        for i in 0..S {
+        for (i, derivative) in derivatives.iter_mut().enumerate() {
             let state: State<R> = std::array::from_fn(|c| from[c].clone() + &self.stages[i][c]);
             let (rate, stiffness) = model.rate_and_stiffness(&state);
             // The row of x as a residual, scaled from the stiffness of its stage to that of the Jacobian.
@@ -92,7 +92,7 @@ impl<R: Scalar, const S: usize> Radau<R, S> {
                 residual = residual - self.constants.inverse[i][j].clone() * &self.stages[j][0];
             }
             let scale = pivot.clone() / (eigenvalues[0].clone() + stiffness * h);
-            derivatives[i] = [residual * scale, rate[1].clone() * h, rate[2].clone() * h];
+            *derivative = [residual * scale, rate[1].clone() * h, rate[2].clone() * h];
         }
         self.evaluations += S as u64;
         let mut right = transform(&self.constants.to_modes, &derivatives);

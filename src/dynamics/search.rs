@@ -5,7 +5,7 @@
 //! known; where f64 allows no tighter run, Newton's iteration goes on in double-double. When that does not do either, the
 //! answer is a failure that says what was reached.
 
-use super::deviations::oscillation_of_small_deviations;
+use super::deviations::{oscillation_in_double_double, oscillation_of_small_deviations};
 use super::integrator::{Control, Integrator};
 use super::outcome::{Errors, Outcome, extremes, peak_and_period, trough};
 use super::refine::{Accuracy, OF_DIFFERENCE, OF_LARGEST, Refined, derivative, follow, refine};
@@ -123,12 +123,21 @@ impl<'m, 'o, M: Stepper<f64> + Clone> Search<'m, 'o, M> {
         let rough = self.levels.rough;
         let targets = [FOLLOW_FROM * self.options.tolerance.max(1e-2), NEWTON_FROM];
         match self.run(rough, |run, laps| settle_within(run, targets, laps))? {
-            Late::Cycle(cycle) => self.refined(cycle, rough),
-            Late::Decay(decay) if rough <= self.levels.coarse => self.decay(decay),
-            Late::Decay(_) => match self.settled(self.levels.coarse)? {
-                Late::Decay(decay) => self.decay(decay),
-                Late::Cycle(cycle) => self.refined(cycle, self.levels.coarse),
+            Late::Cycle(cycle) => match self.refined(cycle, rough) {
+                // A slow decay looks like the approach to a cycle that is not there: it is followed to its end.
+                Err(Failure::Undecided { .. }) => self.followed(),
+                found => found,
             },
+            Late::Decay(decay) if rough <= self.levels.coarse => self.decay(decay),
+            Late::Decay(_) => self.followed(),
+        }
+    }
+
+    /// A run that is not cut short by Newton's iteration.
+    fn followed(&mut self) -> Result<Found, Failure> {
+        match self.settled(self.levels.coarse)? {
+            Late::Decay(decay) => self.decay(decay),
+            Late::Cycle(cycle) => self.refined(cycle, self.levels.coarse),
         }
     }
 
@@ -161,8 +170,19 @@ impl<'m, 'o, M: Stepper<f64> + Clone> Search<'m, 'o, M> {
         };
         // A pair that dies faster than the real mode leaves no clear trace in late behaviour, but it is there.
         if coarse.oscillation.is_none() || fine.oscillation.is_none() {
-            coarse.oscillation = oscillation_of_small_deviations(self.model, (finer / FINER).min(1e-6))?;
-            fine.oscillation = oscillation_of_small_deviations(self.model, finer.min(FINER * 1e-6))?;
+            let [wide, narrow] = [(finer / FINER).min(1e-6), finer.min(FINER * 1e-6)];
+            coarse.oscillation = oscillation_of_small_deviations(self.model, wide)?;
+            fine.oscillation = oscillation_of_small_deviations(self.model, narrow)?;
+            let unequal =
+                coarse.oscillation.zip(fine.oscillation).map_or(
+                    coarse.oscillation.is_some() != fine.oscillation.is_some(),
+                    |((a, _), (b, _))| OF_DIFFERENCE * libm::log(a / b).abs() > 0.5 * self.options.tolerance,
+                );
+            // Next to a double root the propagator's rounding errors are magnified.
+            if unequal {
+                coarse.oscillation = oscillation_in_double_double(self.model, FINER * FINER * wide)?;
+                fine.oscillation = oscillation_in_double_double(self.model, FINER * FINER * narrow)?;
+            }
         }
         let start = libm::log(self.options.velocity_ratio);
         let (coarse, fine) = (Late::Decay(coarse), Late::Decay(fine));

@@ -34,15 +34,23 @@ impl<R: Scalar, const N: usize> Default for Taylor<R, N> {
     }
 }
 
-/// Σ_{i=0..=k} a_i b_{k−i}.
+/// Σ_{i=0..=k} a_i b_{k−i}, in four sums that do not wait for each other.
+#[inline(always)]
 fn product<R: Scalar>(a: &[R], b: &[R], k: usize) -> R {
-    (0..=k).fold(R::from(0), |sum, i| sum + a[i].clone() * &b[k - i])
-}
-
-/// Coefficient k + 1 of e^s from those of s and of e^s up to k (and k + 1 of s).
-fn exponential<R: Scalar>(s: &[R], e: &[R], k: usize) -> R {
-    let sum = (0..=k).fold(R::from(0), |sum, j| sum + s[j + 1].clone() * R::from(j as i32 + 1) * &e[k - j]);
-    sum / R::from(k as i32 + 1)
+    let (a, b) = (&a[..=k], &b[..=k]);
+    let mut sums = [R::from(0), R::from(0), R::from(0), R::from(0)];
+    let (whole, rest) = a.as_chunks::<4>();
+    let (_, reversed) = b.as_rchunks::<4>();
+    for (four, back) in whole.iter().zip(reversed.iter().rev()) {
+        for i in 0..4 {
+            sums[i] = sums[i].clone() + four[i].clone() * &back[3 - i];
+        }
+    }
+    for (sum, (a, b)) in sums.iter_mut().zip(rest.iter().zip(b[..rest.len()].iter().rev())) {
+        *sum = sum.clone() + a.clone() * b;
+    }
+    let [first, second, third, fourth] = sums;
+    (first + second) + (third + fourth)
 }
 
 /// Coefficients 1 … N of the solution through a state; `None` for models with another friction or without inertia.
@@ -55,8 +63,8 @@ fn series<R: Scalar, const N: usize>(model: &Model<R>, from: &State<R>) -> Optio
     let blank = || -> [R; N] { std::array::from_fn(|_| R::from(0)) };
     let (mut x, mut y, mut u, mut w, mut v, mut q, mut s) =
         (blank(), blank(), blank(), blank(), blank(), blank(), blank());
-    let mut minus_x = blank();
-    let mut minus_y = blank();
+    // Coefficients of the derivatives x' and y'.
+    let (mut x_slope, mut y_slope) = (blank(), blank());
     let rate = model.rate(from);
     (x[0], y[0]) = (from[0].clone(), from[1].clone());
     (u[0], w[0]) = (from[0].exponentials().0, (-from[0].clone()).exponentials().0);
@@ -65,7 +73,7 @@ fn series<R: Scalar, const N: usize>(model: &Model<R>, from: &State<R>) -> Optio
     s[0] = x[0].clone() + &y[0];
     let mut out: [State<R>; N] = std::array::from_fn(|_| std::array::from_fn(|_| R::from(0)));
     for k in 0..N - 1 {
-        let next = R::from(k as i32 + 1);
+        let part = R::from(1) / R::from(k as i32 + 1);
         // Order zero comes from the model, which forms differences from 1 without cancellation.
         let [dx, dy, dz] = if k == 0 {
             rate.clone()
@@ -73,15 +81,14 @@ fn series<R: Scalar, const N: usize>(model: &Model<R>, from: &State<R>) -> Optio
             let dy = if aging { v[k].clone() - &u[k] } else { -product(&u, &s, k) };
             [product(&q, &w, k) * model.inverse_inertia(), dy, -(groups.stiffness_group.clone() * &u[k])]
         };
-        x[k + 1] = dx / &next;
-        y[k + 1] = dy / &next;
-        let zeta = dz / &next;
-        minus_x[k + 1] = -x[k + 1].clone();
-        minus_y[k + 1] = -y[k + 1].clone();
-        u[k + 1] = exponential(&x, &u, k);
-        w[k + 1] = exponential(&minus_x, &w, k);
+        x[k + 1] = dx.clone() * &part;
+        y[k + 1] = dy.clone() * &part;
+        let zeta = dz * &part;
+        (x_slope[k], y_slope[k]) = (dx, dy);
+        u[k + 1] = product(&x_slope, &u, k) * &part;
+        w[k + 1] = -(product(&x_slope, &w, k) * &part);
         if aging {
-            v[k + 1] = exponential(&minus_y, &v, k);
+            v[k + 1] = -(product(&y_slope, &v, k) * &part);
         }
         s[k + 1] = x[k + 1].clone() + &y[k + 1];
         q[k + 1] = zeta.clone() - &x[k + 1] - groups.effect_ratio.clone() * &y[k + 1];

@@ -1,0 +1,39 @@
+//! Runs next to a transition between slip modes end, with the right verdict, at every tolerance.
+
+use super::checks::paper;
+use super::settle::Late;
+use super::{Model, Options, simulate_model};
+use crate::friction::{EvolutionLaw, Groups};
+
+/// Next to K = K_c a slow decay looks like the approach to a cycle; next to a double root the period magnifies errors.
+#[test]
+fn runs_next_to_a_transition_end_at_every_tolerance() {
+    let near_transition = |eta: f64, distance: f64| Groups {
+        inertial_parameter: eta,
+        stiffness_group: (1.0 + distance) * 0.5 * (1.0 + eta),
+        effect_ratio: 1.5,
+    };
+    let at = |v: f64, s: f64| paper(libm::log10(v), libm::log10(s));
+    let cases = [
+        (at(2.069_138_081_11e-5, 1000.0), EvolutionLaw::Aging),
+        (at(4.641_588_83e-5, 2_154.434_69), EvolutionLaw::Aging),
+        (at(4.641_588_83e-5, 2_154.434_69), EvolutionLaw::Slip),
+        (at(1.283_439e-6, 4.997_587e4), EvolutionLaw::Slip),
+        (near_transition(1e-6, 1e-4), EvolutionLaw::Slip),
+        (near_transition(1e-6, -1e-4), EvolutionLaw::Slip),
+        (near_transition(100.0, 1e-4), EvolutionLaw::Aging),
+        (near_transition(100.0, -3e-3), EvolutionLaw::Slip),
+    ];
+    for (groups, law) in cases {
+        let unstable = groups.transition_margin() < 0.0;
+        let model = Model::new(groups.clone(), law);
+        for tolerance in [1e-2, 1e-8, 1e-10] {
+            let outcome = simulate_model(&model, &Options { tolerance, ..Options::default() }).unwrap();
+            assert_eq!(
+                matches!(outcome.late(), Late::Cycle(_)),
+                unstable,
+                "{groups:?} {law:?} {tolerance:e}"
+            );
+        }
+    }
+}
