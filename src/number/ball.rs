@@ -166,7 +166,7 @@ impl Ball {
         if self.centre.is_zero() || self.radius.is_infinite() {
             return f64::INFINITY;
         }
-        self.radius.log2() - log2(&self.centre)
+        self.radius.binary_logarithm() - log2(&self.centre)
     }
 
     /// The same set with the centre rounded to another precision; the rounding error goes into the radius.

@@ -178,7 +178,7 @@ impl Magnitude {
     }
 
     /// log2; −∞ for zero.
-    pub(super) fn log2(self) -> f64 {
+    pub(super) fn binary_logarithm(self) -> f64 {
         libm::log2(f64::from(self.mantissa) / (1u64 << MAGNITUDE_BITS) as f64) + self.exponent as f64
     }
 

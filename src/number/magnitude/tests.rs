@@ -1,3 +1,5 @@
+//! Radii round as MPFR does at 32 bits.
+
 use super::*;
 use proptest::prelude::*;
 use rug::float::Round::{Down, Up};

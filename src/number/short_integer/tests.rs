@@ -1,3 +1,5 @@
+//! Integers of fixed length against GMP's.
+
 use super::*;
 use proptest::prelude::*;
 use rug::{Integer, Rational, integer::Order};
