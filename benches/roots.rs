@@ -3,10 +3,14 @@
 //!
 //! Times depend on the machine and on its load: read the ratios. Alternatives are run in turn, medians are printed.
 
+#[path = "peers/clock.rs"]
+mod clock;
+
 use std::hint::black_box;
 use std::time::Instant;
 
-use rug::{Assign, Float};
+use clock::best_of;
+use rug::{Assign, Float, Integer};
 use slipmode::number::{Rational, bits_for_digits, parse_decimal};
 use slipmode::roots::{Pair, binary64, certified_roots};
 
@@ -82,37 +86,36 @@ fn hard_cubics() -> Vec<[Rational; 4]> {
     (0..60).map(beside).collect()
 }
 
-/// Microseconds for one multiplication of two numbers of this precision, all bits of both set at random.
+/// Microseconds of CPU time for one multiplication of two integers of this many digits.
 fn microseconds_per_product(digits: u32) -> f64 {
-    let precision = bits_for_digits(digits);
-    let factor = |root: u32| Float::with_val(precision, root).sqrt();
-    let (one, other) = (factor(2), factor(3));
-    let mut product = Float::new(precision);
+    let factor = |power: u32| Integer::from(Integer::u_pow_u(power, 4 * digits)) >> (3 * digits);
+    let bits = bits_for_digits(digits);
+    let [one, other] = [3, 7].map(|base| factor(base).keep_bits(bits));
+    let mut product = Integer::new();
     let rounds = 2_000_000 / digits + 20;
-    let start = Instant::now();
-    for _ in 0..rounds {
-        product.assign(black_box(&one) * black_box(&other));
-    }
-    black_box(&product);
-    start.elapsed().as_secs_f64() * 1e6 / f64::from(rounds)
+    let multiply = || (0..rounds).for_each(|_| product.assign(black_box(&one) * black_box(&other)));
+    best_of(REPETITIONS, multiply).0 * 1e6 / f64::from(rounds)
 }
 
-/// The cost of certified roots in units of one multiplication, random and hard in turn.
+/// The cost of certified roots in units of one multiplication, random and hard in turn, by CPU time.
 fn costs_in_products(random: &[[Rational; 4]], hard: &[[Rational; 4]]) {
     for digits in [50, 100, 1_000, 10_000, 100_000] {
-        let some = if digits < 10_000 { random.len() } else { 4 };
+        let some = if digits < 100_000 { random.len() } else { 6 };
         let rounds = (10_000 / digits as usize).max(1);
-        let mut times = [const { Vec::new() }; 3];
+        let mut times = [f64::INFINITY; 3];
         for _ in 0..REPETITIONS {
             let solve = |cubics: &[[Rational; 4]]| {
-                microseconds_per_cubic(&cubics[..some], rounds, |cubic| {
-                    black_box(certified_roots(cubic, digits));
-                })
+                let all = || {
+                    (0..rounds)
+                        .flat_map(|_| &cubics[..some])
+                        .for_each(|cubic| drop(certified_roots(cubic, digits)));
+                };
+                best_of(1, all).0 * 1e6 / (rounds * some) as f64
             };
             let round = [microseconds_per_product(digits), solve(random), solve(hard)];
-            times.iter_mut().zip(round).for_each(|(times, time)| times.push(time));
+            times.iter_mut().zip(round).for_each(|(best, time)| *best = best.min(time));
         }
-        let [product, random, hard] = times.map(median);
+        let [product, random, hard] = times;
         println!(
             "{digits} digits: one multiplication {product:.4} us; certified roots {:.1} of them, next to multiple roots {:.1} ({:.2} x)",
             random / product,

@@ -52,6 +52,14 @@ impl Ball {
         Self::rounded(centre, rounding, Magnitude::ZERO)
     }
 
+    /// The integer at its own length, at most this many bits: a short factor costs less than one filled up with zeros.
+    ///
+    /// For operations with balls of full precision, to which the result then has it too.
+    #[must_use]
+    pub fn from_short_integer(value: &Integer, most_bits: u32) -> Self {
+        Self::from_integer(value, value.significant_bits().clamp(2, most_bits.max(2)))
+    }
+
     /// A centre just rounded to nearest, with the radius known so far: adds half a unit in the last place if inexact.
     #[inline]
     pub(super) fn rounded(centre: Float, rounding: Ordering, radius: Magnitude) -> Self {
@@ -158,7 +166,7 @@ impl Ball {
         if self.centre.is_zero() || self.radius.is_infinite() {
             return f64::INFINITY;
         }
-        self.radius.log2() - log2(&self.centre)
+        self.radius.binary_logarithm() - log2(&self.centre)
     }
 
     /// The same set with the centre rounded to another precision; the rounding error goes into the radius.

@@ -178,7 +178,7 @@ impl Magnitude {
     }
 
     /// log2; −∞ for zero.
-    pub(super) fn log2(self) -> f64 {
+    pub(super) fn binary_logarithm(self) -> f64 {
         libm::log2(f64::from(self.mantissa) / (1u64 << MAGNITUDE_BITS) as f64) + self.exponent as f64
     }
 
@@ -221,8 +221,8 @@ fn root_down(head: u64, exponent: i64) -> Magnitude {
 fn significant(value: &Float) -> Option<(u64, bool, i64)> {
     let significand = value.get_significand()?;
     let (top, rest) = significand.as_limbs().split_last()?;
-    let free = 64 - gmp::LIMB_BITS as u32;
-    let head = (*top as u64) << free;
+    // A limb of fewer than 64 bits, as on small machines, fills the upper ones.
+    let head = (u128::from(*top) << (64 - gmp::LIMB_BITS)) as u64;
     Some((head, rest.iter().any(|limb| *limb != 0), i64::from(value.get_exp()?)))
 }
 

@@ -130,7 +130,7 @@ impl ShortInteger {
 
     /// The magnitude as mantissa·2^exponent, 1/2 ≤ mantissa ≤ 1, within a relative 2^-105, with the sign; zero for zero.
     #[must_use]
-    pub fn to_double_double(&self) -> (Dd, i32) {
+    pub fn as_double_double(&self) -> (Dd, i32) {
         if self.length == 0 {
             return (Dd::from(0.0), 0);
         }

@@ -74,7 +74,7 @@ fn interval_newton_step(
 ) -> Option<Ball> {
     let precision = bits + 8;
     let coarse = half + 8;
-    let ball = |value: &Integer, bits: u32| Ball::from_integer(value, bits);
+    let ball = |value: &Integer, bits: u32| Ball::from_short_integer(value, bits);
     let radius = Float::with_val(32, 1) << (scale + 2 - half as i32);
     let square = Ball::exact(Float::with_val(2 * root.prec(), root.square_ref()));
     let value = (square.with_precision(precision) + ball(&depressed.linear, precision))

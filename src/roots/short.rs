@@ -96,7 +96,7 @@ impl ShortCubic {
         if self.discriminant_sign() == 0 {
             return Some(Bounded { value: Dd::from(0.0), error: 0.0 });
         }
-        let (mantissa, exponent) = self.discriminant.to_double_double();
+        let (mantissa, exponent) = self.discriminant.as_double_double();
         let odd = exponent.rem_euclid(2);
         let root = mantissa.abs().scale(f64::from(1 << odd)).sqrt();
         let value = root * Dd::from(4.5) / slope * Dd::from(power_of_two((exponent - odd) / 2 - 2 * scale)?);
@@ -137,7 +137,7 @@ const MOST_SMALL: f64 = 1e-250;
 
 /// value·2^−exponent in double-double, when its range has room for the products that follow.
 fn scaled(value: &ShortInteger, exponent: i32) -> Option<Dd> {
-    let (mantissa, own) = value.to_double_double();
+    let (mantissa, own) = value.as_double_double();
     if value.sign() == 0 {
         return Some(mantissa);
     }

@@ -1,3 +1,5 @@
+//! Radii round as MPFR does at 32 bits.
+
 use super::*;
 use proptest::prelude::*;
 use rug::float::Round::{Down, Up};
@@ -13,7 +15,7 @@ fn any_magnitude() -> impl Strategy<Value = Magnitude> {
 fn any_float() -> impl Strategy<Value = Float> {
     (any::<[u64; 3]>(), 2u32..190, -60i32..60, any::<bool>()).prop_map(|(limbs, bits, exponent, negative)| {
         let digits = rug::Integer::from_digits(&limbs, rug::integer::Order::Lsf) + 1u32;
-        let value = Float::with_val(bits, digits) >> 190 - exponent;
+        let value = Float::with_val(bits, digits) >> (190 - exponent);
         if negative { -value } else { value }
     })
 }

@@ -1,3 +1,5 @@
+//! Integers of fixed length against GMP's.
+
 use super::*;
 use proptest::prelude::*;
 use rug::{Integer, Rational, integer::Order};
@@ -42,7 +44,7 @@ proptest! {
 
     #[test]
     fn a_double_double_holds_the_first_105_bits(x in any_integer()) {
-        let (mantissa, exponent) = x.to_double_double();
+        let (mantissa, exponent) = x.as_double_double();
         let scale = Rational::from(1) << exponent;
         let part = |part: f64| Rational::from_f64(part).unwrap_or_default();
         let (value, exact) = ((part(mantissa.hi()) + part(mantissa.lo())) * scale, exactly(&x));

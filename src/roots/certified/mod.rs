@@ -143,7 +143,7 @@ struct Enclosures {
 impl Enclosures {
     /// x = (y − c2)/(3c3) for the certified y, and for −y/2 ± √|D|/(2f'(y)).
     fn of(depressed: &Depressed, bits: u32) -> Self {
-        let ball = |value: &Integer| Ball::from_integer(value, bits);
+        let ball = |value: &Integer| Ball::from_short_integer(value, bits);
         let y = outermost_real_root(depressed, bits);
         let slope = y.square() * Ball::from(3) + ball(&depressed.linear);
         let divisor = ball(&(depressed.lead.clone() * 6u32));

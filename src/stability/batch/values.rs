@@ -12,6 +12,7 @@ use super::points::{BLOCK, is_valid, joint_length, map_columns};
 use super::value_kernel::{PartColumns, PointValueLoop, TOLERANCE, ValueLoop, ValueTerms};
 use crate::friction::Parameters;
 use crate::number::{Dd, Rational, Wide};
+use crate::stability::binary64::short_cubic;
 use crate::stability::ladder::BoundedGroups;
 use crate::stability::spectrum::LargestParts;
 
@@ -70,9 +71,12 @@ pub fn point_values(columns: &Parameters<&[f64]>) -> Option<Vec<LargestPartsPerS
         let value = |index: usize| {
             certified(real[index], imaginary[index]).or_else(|| {
                 let point = map_columns(&columns, |column| column[index]);
-                let above = || by_double_double(&point.map(|value| Dd::from(*value)));
-                is_valid(&columns, index)
-                    .then(|| above().unwrap_or_else(|| exactly_at(&point.map(|value| exact(*value)))))
+                let above = || {
+                    by_double_double(&point.map(|value| Dd::from(*value)))
+                        .or_else(|| by_short_integers(&point))
+                        .unwrap_or_else(|| exactly_at(&point.map(|value| exact(*value))))
+                };
+                is_valid(&columns, index).then(above)
             })
         };
         (0..columns.direct_effect.len()).map(value).collect::<Option<Vec<_>>>()
@@ -97,6 +101,15 @@ fn by_double_double(point: &Parameters<Dd>) -> Option<LargestPartsPerS> {
     let transition_sign = groups.certain_transition_sign()?;
     let parts = LargestParts::of_bounded_within(&groups.cubic().spectrum(), transition_sign, TOLERANCE)?;
     let LargestParts { real, imaginary } = parts.times_rate(point.rate_per_s())?;
+    Some(LargestPartsPerS { real, imaginary })
+}
+
+/// The values by integers of fixed length, which keep what cancels next to the boundary and the transition.
+fn by_short_integers(point: &Parameters<f64>) -> Option<LargestPartsPerS> {
+    let cubic = short_cubic(point)?;
+    let parts = LargestParts::of_bounded_within(&cubic.spectrum()?, cubic.hurwitz_sign(), TOLERANCE)?;
+    let LargestParts { real, imaginary } =
+        parts.times_rate(point.map(|value| Dd::from(*value)).rate_per_s())?;
     Some(LargestPartsPerS { real, imaginary })
 }
 

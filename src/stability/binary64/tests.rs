@@ -1,3 +1,5 @@
+//! Hard 64-bit points against rationals and 60-digit roots.
+
 use super::*;
 use proptest::prelude::*;
 use rug::Float;

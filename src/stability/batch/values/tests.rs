@@ -1,3 +1,5 @@
+//! Values of grids and of points against 60-digit roots.
+
 use super::*;
 use crate::roots::certified_roots;
 use crate::stability::batch::dispatch::Kernel;
