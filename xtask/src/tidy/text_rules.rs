@@ -15,7 +15,7 @@ const LOCK_SOURCE: &str = "source = \"registry+https://github.com/rust-lang/crat
 
 /// Checks all rules of this file; written-by-program files and this rule's own words are exempt where it says so.
 pub fn check(file: &TextFile, found: &mut Vec<Complaint>) {
-    if file.path == "Cargo.lock" {
+    if file.path == "Cargo.lock" || file.path.ends_with("/Cargo.lock") {
         check_lock(file, found);
         return;
     }
@@ -115,5 +115,6 @@ mod tests {
     fn a_foreign_source_in_the_lock_file_is_refused() {
         assert_eq!(complaints("Cargo.lock", &format!("{LOCK_SOURCE}\n")), [0; 0]);
         assert_eq!(complaints("Cargo.lock", "source = \"registry+https://elsewhere/index\"\n"), [1]);
+        assert_eq!(complaints("fuzz/Cargo.lock", "source = \"registry+https://elsewhere/index\"\n"), [1]);
     }
 }
