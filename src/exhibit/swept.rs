@@ -190,24 +190,29 @@ fn derived_worst(effect_ratio: f64) -> [Option<f64>; 2] {
     [upper_worst_log10.map(|worst| worst.to_f64()), Some(lower_worst_log10.to_f64())]
 }
 
-const WORST: &str = "Worst error of the asymptotes against the ratio of evolution to direct effect: for each arc the line that is derived from the corners, and for each quarter decade the largest distance found in the sweep, which lies next to the line.";
-const WORST_CAPTION: &str = "Largest log10 distance between the exact boundary and the nearer asymptote: derived at the corners (lines), and the largest in each quarter decade of β among the points of a sweep over (β, κ, η) that knows nothing of corners (markers, at that end of the quarter decade where the derived value is larger).";
+const WORST: &str = "Worst error of the asymptotes against the ratio of evolution to direct effect: for each arc the line that is derived from the corners, and above it a staircase, the largest distance found in the sweep in each quarter decade, which meets the line at one end of nearly every step.";
+const WORST_CAPTION: &str = "Largest log10 distance between the exact boundary and the nearer asymptote: derived at the corners (dashed), and the largest in each quarter decade of β among the points of a sweep over (β, κ, η) that knows nothing of corners (staircases). On the upper arc nothing is derived at a = b.";
+/// Points of a derived line in a bin.
+const DERIVED_A_BIN: i32 = 6;
 
 fn worst_errors(worst: &[WorstOfBin]) -> Option<Figure> {
     let (first, last) = (worst.first()?, worst.last()?);
     let caption = Caption::new("swept-errors", "Worst error of the asymptotes in a sweep", WORST);
-    let ends = worst.iter().map(|bin| (bin.effect_ratio[0], bin.derived[0]));
-    let ends: Vec<_> = ends.chain([(last.effect_ratio[1], last.derived[1])]).collect();
+    let derived: Vec<(f64, [Option<f64>; 2])> = worst
+        .iter()
+        .flat_map(|bin| within(bin.effect_ratio))
+        .map(|beta| (beta, derived_worst(beta)))
+        .collect();
     let line = |arc: usize, label: &str| Series {
         label: format!("{label}, derived"),
-        points: ends.iter().map(|(beta, derived)| (*beta, derived[arc].unwrap_or(f64::NAN))).collect(),
+        points: derived.iter().map(|(beta, worst)| (*beta, worst[arc].unwrap_or(f64::NAN))).collect(),
         marked: false,
         theory: true,
     };
-    let marks = |arc: usize, label: &str| Series {
+    let stairs = |arc: usize, label: &str| Series {
         label: format!("{label}, largest in the sweep"),
-        points: worst.iter().map(|bin| (worse_end(bin, arc), bin.sampled[arc])).collect(),
-        marked: true,
+        points: worst.iter().flat_map(|bin| bin.effect_ratio.map(|end| (end, bin.sampled[arc]))).collect(),
+        marked: false,
         theory: false,
     };
     let names = [(0, "upper arc (eqs 15 and 18)"), (1, "lower arc (eqs 16 and 20)")];
@@ -215,7 +220,7 @@ fn worst_errors(worst: &[WorstOfBin]) -> Option<Figure> {
         caption: caption.clone(),
         x: Axis::log10("*β* = *b*/*a*", "", first.effect_ratio[0], last.effect_ratio[1]),
         y: Axis::linear("Largest log10 distance from the nearer asymptote", "", 0.0, 0.5),
-        series: names.into_iter().flat_map(|(arc, label)| [line(arc, label), marks(arc, label)]).collect(),
+        series: names.into_iter().flat_map(|(arc, label)| [line(arc, label), stairs(arc, label)]).collect(),
         references: vec![Reference::Vertical { at: 1.0, label: "*a* = *b*".into() }],
         bands: Vec::new(),
         labels: Vec::new(),
@@ -223,10 +228,13 @@ fn worst_errors(worst: &[WorstOfBin]) -> Option<Figure> {
     Some(figure(caption, "Figure L2", WORST_CAPTION, chart.svg()))
 }
 
-/// The end of the bin where the derived value is larger: on a monotone stretch the largest of the bin is there.
-fn worse_end(bin: &WorstOfBin, arc: usize) -> f64 {
-    let [from, to] = bin.derived.map(|derived| derived[arc].unwrap_or(0.0));
-    bin.effect_ratio[usize::from(to > from)]
+/// Places from one end of a bin to the other, evenly in the logarithm.
+fn within([from, to]: [f64; 2]) -> impl Iterator<Item = f64> {
+    (0..=DERIVED_A_BIN).map(move |step| {
+        let share = f64::from(step) / f64::from(DERIVED_A_BIN);
+        // The ends themselves, so that neighbouring bins meet.
+        if step == DERIVED_A_BIN { to } else { from * libm::pow(to / from, share) }
+    })
 }
 
 fn figure(caption: Caption, label: &str, words: &str, svg: String) -> Figure {
