@@ -141,7 +141,7 @@ fn sweep(outcome: &Outcome) -> Option<Figure> {
             label: "Figure P3",
             title: "Worst error of a sweep against its work".into(),
             caption: "The worst relative error of peak velocity and period over a sweep of both laws, by steps and by right-hand sides a run, one mark a tolerance.".into(),
-            description: "Worst relative error of a sweep against steps and evaluations a run, on logarithmic axes; both lines fall steeply.",
+            description: "Worst relative error of a sweep against steps and evaluations a run, on logarithmic axes; the line of evaluations falls steeply, that of steps turns back where the method changes.",
         },
         [("Count a run", ""), ("Worst relative error", "")],
         vec![line("right-hand sides", |row| row.evaluations), line("steps", |row| row.steps)],
