@@ -51,6 +51,18 @@ fn changed_prose_stays_prose() {
     hold(promises::prose, &prose.map(str::as_bytes), 150);
 }
 
+/// Found by fuzzing: a short text that had a table of proofs made, for longer than a reader may take.
+#[test]
+fn prose_that_places_proofs_is_not_held_against_a_readers_patience() {
+    let prose: [&[u8]; 4] = [
+        b"[[table:planted-faults]]\n",
+        b"with the aging law\n\n [[ table : hopf-coefficient]]\n\nWith the slip law $l_1 < 0$\n",
+        b"[[figure:criticality]]\n",
+        b"Series of [planted-faults] in prose are words.\n",
+    ];
+    hold(promises::prose, &prose, 80);
+}
+
 #[test]
 fn changed_archives_are_refused_or_pack_to_the_same_files() {
     let text: String = (0..200).map(|line| format!("{line},{}\n", line * line)).collect();

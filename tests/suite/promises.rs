@@ -9,6 +9,7 @@ use std::sync::LazyLock;
 use rug::ops::Pow;
 use slipmode::archive::{Caps, pack, unpack};
 use slipmode::claims::known_ids;
+use slipmode::exhibit::{figure_makers, table_makers};
 use slipmode::number::{MAX_EXPONENT, Rational, parse_decimal};
 use slipmode::polynomial::Expression;
 use slipmode::report::{Folder, produce};
@@ -109,8 +110,14 @@ pub fn equations(bytes: &[u8]) {
 }
 
 /// Prose that is rendered brings no element of its own that runs or loads anything, and no link but to the known schemes.
+///
+/// Prose that places an exhibit made from nothing but the paper's equations promises nothing here: that takes proofs and
+/// decisions of the whole ledger, up to a minute however short the prose is, and nothing in them comes from it.
 pub fn prose(bytes: &[u8]) {
     let Ok(text) = std::str::from_utf8(bytes) else { return };
+    if places_proofs(text) {
+        return;
+    }
     let Some(page) = page(text) else { return };
     for dangerous in
         ["<script", "<style", "<img", "<iframe", "<object", "<embed", "<form", "<base", "<link", "<meta"]
@@ -125,6 +132,15 @@ pub fn prose(bytes: &[u8]) {
         let link = format!("href=\"{scheme}");
         assert_eq!(page.matches(&link).count(), PLAIN_PAGE.matches(&link).count(), "{scheme} {text:?}");
     }
+}
+
+/// Whether a placing line names a table or figure that needs no scene.
+fn places_proofs(text: &str) -> bool {
+    let tables = table_makers().filter(|maker| maker.needs.is_empty()).map(|maker| maker.id);
+    let figures = figure_makers().filter(|maker| maker.needs.is_empty()).map(|maker| maker.id);
+    let proofs: Vec<&str> = tables.chain(figures).collect();
+    let mut placing = text.lines().map(str::trim).filter(|line| line.starts_with("[["));
+    placing.any(|line| proofs.iter().any(|id| line.contains(id)))
 }
 
 static PLAIN_PAGE: LazyLock<String> = LazyLock::new(|| page("Plain.").expect("plain prose is rendered"));
