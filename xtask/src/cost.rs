@@ -47,7 +47,7 @@ pub fn run() -> Result<(), Failure> {
     let report = markdown(&climbed);
     let results = measured_on::folder();
     fs::create_dir_all(&results).map_err(|error| cannot_write(&error))?;
-    for (name, text) in [("cost.csv", csv(&climbed)), ("cost.md", report.clone())] {
+    for (name, text) in [("cost.csv", csv(&climbed)), ("cost.md", format!("{}\n", report.trim_end()))] {
         fs::write(results.join(name), text).map_err(|error| cannot_write(&error))?;
     }
     measured_on::write("cost.csv", &measured_on::facts())?;
