@@ -103,23 +103,24 @@ macro_rules! written_out {
     };
 }
 
-/// Coefficients 1 … N − 1 of the solution through a state; `None` for models with another friction or without inertia.
+/// Coefficients 1 … N − 1 of the solution through a state, and e^{−x}/η, the fastest rate when it is large; `None` for models with another friction or without inertia.
 pub(super) fn series<R: Scalar, const N: usize>(
     model: &Model<R>,
     from: &State<R>,
     out: &mut [State<R>; N],
-) -> Option<()> {
+) -> Option<f64> {
     if *model.balance() != Balance::Inertial {
         return None;
     }
     let mut recurrence = Recurrence::<R, N>::new(model, from);
+    let stiffness = recurrence.stiffness.to_f64();
     if N <= WRITTEN_OUT {
         // A machine guesses the ends of loops of one, two, three … terms wrongly, which costs as much as the terms.
         written_out!(out, recurrence: 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20 21 22 23);
     } else {
         (1..N).for_each(|k| out[k - 1] = recurrence.order(k));
     }
-    Some(())
+    Some(stiffness)
 }
 
 #[cfg(test)]
