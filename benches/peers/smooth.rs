@@ -100,7 +100,7 @@ fn measure<M: Stepper<f64> + Clone>(name: &'static str, line: &Line, method: &M)
 /// Taylor series of two degrees, and the implicit method for comparison.
 pub fn play(folder: &Path) {
     for line in read_lines(&folder.join("smooth.txt")) {
-        measure("slipmode-taylor12", &line, &Taylor::<f64, 12>::new());
+        measure("slipmode-taylor16", &line, &Taylor::<f64, 16>::new());
         measure("slipmode-taylor20", &line, &Taylor::<f64, 20>::new());
         measure("slipmode-radau9", &line, &Radau::<f64, 5>::new());
     }

@@ -35,6 +35,8 @@ pub struct Integrator<'m, R, M> {
     step: R,
     proposal: R,
     last_error: f64,
+    /// How far the next step may exceed the proposal, where the method foresees its length.
+    reach: f64,
     clock: Clock<R>,
     steps: u64,
     refused: u64,
@@ -65,6 +67,7 @@ impl<'m, R: Scalar, M: Stepper<R>> Integrator<'m, R, M> {
             step: R::from(0),
             proposal,
             last_error: 1.0,
+            reach: LARGEST_GROWTH,
             clock: Clock::zero(),
             steps: 0,
             refused: 0,
@@ -144,6 +147,7 @@ impl<'m, R: Scalar, M: Stepper<R>> Integrator<'m, R, M> {
     pub fn take_back(&mut self) {
         self.clock.advance(&-self.step.clone());
         self.proposal = self.step.clone() / R::from(2);
+        self.reach = 1.0;
         self.state = self.from.clone();
         self.method.restart();
     }
@@ -163,7 +167,7 @@ impl<'m, R: Scalar, M: Stepper<R>> Integrator<'m, R, M> {
         true
     }
 
-    fn weight(&self, state: &State<R>) -> Weight {
+    pub(super) fn weight(&self, state: &State<R>) -> Weight {
         let size = state.iter().fold(0.0f64, |size, c| size.max(c.to_f64().abs()));
         // Where the state is small the equations keep relative accuracy, and so must the steps.
         let scale = if size == 0.0 { 1.0 } else { size.min(1.0) };
@@ -178,6 +182,10 @@ impl<'m, R: Scalar, M: Stepper<R>> Integrator<'m, R, M> {
     /// When the step size vanishes or the run's steps are used up.
     pub fn advance(&mut self, limit: Option<&R>) -> Result<(), Failure> {
         let weight = self.weight(&self.state);
+        let foreseen = self.method.foresee(self.model, &self.state, weight);
+        if let Some(length) = foreseen {
+            self.proposal = R::from_f64(length.min(self.reach * self.proposal.to_f64()));
+        }
         let smallest = R::UNIT_ROUNDOFF * R::UNIT_ROUNDOFF;
         let first_proposal = self.proposal.to_f64();
         loop {
@@ -188,7 +196,10 @@ impl<'m, R: Scalar, M: Stepper<R>> Integrator<'m, R, M> {
             let h = limited.unwrap_or(&self.proposal).clone();
             match self.method.attempt(self.model, &self.state, &h, weight) {
                 Some(trial) if trial.error <= 1.0 => {
-                    self.take(trial, h, limited.is_some());
+                    if foreseen.is_none() {
+                        self.propose(trial.error, &h, limited.is_some());
+                    }
+                    self.take(trial, h);
                     return Ok(());
                 }
                 Some(trial) => self.shrink(&h, self.factor(trial.error).min(0.9)),
@@ -206,10 +217,18 @@ impl<'m, R: Scalar, M: Stepper<R>> Integrator<'m, R, M> {
         }
     }
 
-    fn take(&mut self, trial: Trial<R>, h: R, limited: bool) {
+    fn take(&mut self, trial: Trial<R>, h: R) {
         self.steps += 1;
+        self.reach = LARGEST_GROWTH;
         self.method.accept();
-        let growth = self.growth(trial.error, &h);
+        self.clock.advance(&h);
+        self.step = h;
+        self.from = std::mem::replace(&mut self.state, trial.to);
+    }
+
+    /// Proposes the next step from the error of the one of length `h`.
+    fn propose(&mut self, error: f64, h: &R, limited: bool) {
+        let growth = self.growth(error, h);
         // A step cut short by its limit says nothing against the proposal it was cut from.
         if !limited || growth > 1.0 {
             let next = h.clone() * R::from_f64(growth);
@@ -217,10 +236,7 @@ impl<'m, R: Scalar, M: Stepper<R>> Integrator<'m, R, M> {
                 self.proposal = next;
             }
         }
-        self.last_error = trial.error.max(1e-2);
-        self.clock.advance(&h);
-        self.step = h;
-        self.from = std::mem::replace(&mut self.state, trial.to);
+        self.last_error = error.max(1e-2);
     }
 
     fn shrink(&mut self, h: &R, factor: f64) {

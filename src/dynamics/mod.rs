@@ -69,6 +69,7 @@ mod simulation;
 mod start;
 mod stepper;
 mod taylor;
+mod taylor_series;
 mod threshold;
 mod trajectory;
 

@@ -25,6 +25,11 @@ pub trait Stepper<R: Scalar> {
     /// The estimated local error is proportional to this power of the step.
     const ERROR_EXPONENT: u32;
 
+    /// The longest step whose error is permitted, where the method knows it before it tries; it may be infinite.
+    fn foresee(&mut self, _model: &Model<R>, _from: &State<R>, _weight: Weight) -> Option<f64> {
+        None
+    }
+
     /// Tries one step; nothing when the nonlinear equations did not converge or a value left the number range.
     fn attempt(&mut self, model: &Model<R>, from: &State<R>, h: &R, weight: Weight) -> Option<Trial<R>>;
 
