@@ -56,3 +56,30 @@ pub(super) fn final_rate<R: Scalar, M: Stepper<R>>(run: &Integrator<'_, R, M>) -
     let value = rate[largest].clone() / &state[largest];
     value.is_finite().then_some(value)
 }
+
+#[cfg(test)]
+mod tests {
+    use crate::dynamics::{Late, Model, Options, simulate_model};
+    use crate::friction::{EvolutionLaw, Groups};
+    use crate::number::Rational;
+    use crate::roots::certified_roots;
+
+    #[test]
+    fn the_end_of_a_decay_without_oscillation_has_the_rate_of_the_slowest_mode() {
+        for (eta, kappa, beta) in [(6.6, 2.1e-4, 0.75), (9.9e-4, 3.5e-4, 0.92), (2.2e-3, 9.0e-3, 0.45)] {
+            let groups = Groups { inertial_parameter: eta, stiffness_group: kappa, effect_ratio: beta };
+            let exact = groups.map(|group| Rational::from_f64(*group).unwrap());
+            let roots = certified_roots(&exact.characteristic_cubic(), 20).roots;
+            let slowest = roots.iter().map(|root| root.re.to_f64()).fold(f64::MIN, f64::max);
+            for law in EvolutionLaw::ALL {
+                for (tolerance, permitted) in [(1e-2, 1e-2), (1e-4, 1e-3), (1e-8, 1e-5)] {
+                    let options = Options { tolerance, ..Options::default() };
+                    let run = simulate_model(&Model::new(groups.clone(), law), &options).unwrap();
+                    let Late::Decay(decay) = run.late() else { panic!("{groups:?} {law:?}") };
+                    let off = (decay.rate.unwrap() / slowest - 1.0).abs();
+                    assert!(off < permitted, "{groups:?} {law:?} {tolerance:e}: {off:e}");
+                }
+            }
+        }
+    }
+}

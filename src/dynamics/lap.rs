@@ -16,6 +16,10 @@ const FAINT: f64 = 1e-30;
 /// The local tolerance that is enough there.
 const FAINT_TOLERANCE: f64 = 1e-2;
 
+/// From here on the run's own tolerance holds again: steps as long as the loose ones leave the state in any direction, of which the slowest
+/// mode has to become the only one.
+const LAST_STRETCH: f64 = 1e-100;
+
 /// What one lap showed.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Lap<R> {
@@ -87,16 +91,24 @@ fn size_of<R: Scalar>(state: &State<R>) -> f64 {
     state.iter().fold(0.0f64, |size, c| size.max(c.to_f64().abs()))
 }
 
-/// Follows the end of a decay until it is quiet; a few zeros more or less change nothing then.
+/// Follows the end of a decay until it is quiet; a few zeros more or less change nothing then, but the last stretch is as
+/// good as the rest of the run, because the rate of the decay is read off at its end.
 fn fade<R: Scalar, M: Stepper<R>>(run: &mut Integrator<'_, R, M>) -> Result<(), Failure> {
     let local_tolerance = run.local_tolerance();
     run.set_local_tolerance(local_tolerance.max(FAINT_TOLERANCE));
-    let mut end = Ok(());
-    while end.is_ok() && size_of(run.state()) >= QUIET {
-        end = run.advance(None);
-    }
+    let loosely = follow_down_to(run, LAST_STRETCH);
     run.set_local_tolerance(local_tolerance);
-    end
+    loosely.and_then(|()| follow_down_to(run, QUIET))
+}
+
+fn follow_down_to<R: Scalar, M: Stepper<R>>(
+    run: &mut Integrator<'_, R, M>,
+    size: f64,
+) -> Result<(), Failure> {
+    while size_of(run.state()) >= size {
+        run.advance(None)?;
+    }
+    Ok(())
 }
 
 impl<R: Scalar> Lap<R> {

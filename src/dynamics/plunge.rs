@@ -45,8 +45,10 @@ pub(super) fn plunge<R: Scalar>(model: &Model<R>, from: &State<R>, permitted: f6
     let healing = if model.law() == EvolutionLaw::Aging { libm::exp(-y) } else { 0.0 };
     let slow_rate = kappa + beta * (healing + velocity * (x.abs() + fall + y.abs() + 1.0));
     let time = eta * velocity * libm::log(fall / (PART * permitted));
-    let moving = time * velocity * (kappa + beta * (1.0 + y.abs() + x.abs() + fall));
-    let error = slow_rate * eta * velocity + moving + beta * (healing * time) * (healing * time);
+    // An error of y is one of x = ζ − βy as well, and counts by itself where β < 1.
+    let weight = beta.max(1.0);
+    let moving = time * velocity * (kappa + weight * (1.0 + y.abs() + x.abs() + fall));
+    let error = slow_rate * eta * velocity + moving + weight * (healing * time) * (healing * time);
     // Written so that a value that is not a number refuses.
     let is_good = error <= PART * permitted && velocity > LEAST_VELOCITY;
     if !is_good {
@@ -87,6 +89,15 @@ mod tests {
             }
             assert!(run.step_counts().0 > 100 && plunge.to[0] < -140.0);
         }
+    }
+
+    #[test]
+    fn healing_that_hardly_acts_on_the_velocity_is_bounded_by_itself() {
+        // β = 1/1000: the error of y, 3e-4, is a thousandth of that in ln V, but still more than is permitted.
+        let groups = Groups { inertial_parameter: 1.0, stiffness_group: 1e-3, effect_ratio: 1e-3 };
+        let model = Model::new(groups, EvolutionLaw::Aging);
+        assert!(plunge(&model, &[-11.5, -5.0, -111.5], 1e-4).is_none());
+        assert!(plunge(&model, &[-16.5, -5.0, -116.5], 1e-4).is_some());
     }
 
     #[test]

@@ -2,12 +2,14 @@
 //!
 //! The precision of a result is the larger of its operands'.
 
+use std::cmp::Ordering;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use rug::Float;
 use rug::float::Round;
 use rug::ops::{AddAssignRound, DivAssignRound, MulAssignRound, SubAssignRound};
 
+use super::ball::half_unit;
 use super::magnitude::{MAGNITUDE_BITS, Magnitude};
 use super::{Ball, Field, Real};
 
@@ -70,8 +72,11 @@ impl Ball {
         if smallest.is_zero() {
             return Self::unbounded(precision);
         }
-        // One more unit in the last of 32 bits covers the quotient's own rounding; a quotient of zero is exact.
-        let quotient = Magnitude::above(&centre).next_up();
+        // The quotient's own rounding is more than a unit of 32 bits when the centre has fewer; an exact one has none.
+        let mut quotient = Magnitude::above(&centre);
+        if rounding != Ordering::Equal {
+            quotient = quotient.plus(half_unit(&centre));
+        }
         let radius = quotient.times(other.radius).plus(own_radius).over(smallest);
         Self::rounded(centre, rounding, radius)
     }
@@ -138,7 +143,7 @@ impl Real for Ball {
         }
         if !self.contains_zero() && self.centre.is_sign_positive() {
             self.sqrt_of_positive()
-        } else if self.upper().cmp0() == Some(std::cmp::Ordering::Less) {
+        } else if self.upper().cmp0() == Some(Ordering::Less) {
             Self::unbounded(self.centre.prec())
         } else {
             self.sqrt_of_straddling()
@@ -232,6 +237,22 @@ mod tests {
         assert!(quotient.radius().is_infinite() && quotient.sign().is_none());
         let later = quotient * &Ball::from(0) + Ball::from(3);
         assert!(later.radius().is_infinite(), "unbounded stays unbounded");
+    }
+
+    #[test]
+    fn quotients_of_few_bits_keep_their_own_rounding_in_the_radius() {
+        // Two bits: 1/b is rounded by up to a quarter of itself, and the divisor's radius is multiplied by it.
+        for (n, d) in (1..40).flat_map(|n| (1..40).map(move |d| (n, d))) {
+            for bits in 2..6 {
+                let [n, d] = [n, d].map(|value| Float::with_val(bits, value));
+                let radius = Float::with_val(32, &d) / 4u32;
+                let quotient = Ball::exact(n.clone()) / Ball::new(d.clone(), radius.clone());
+                for end in [Float::with_val(60, &d - &radius), Float::with_val(60, &d + &radius)] {
+                    let exact = n.to_rational().unwrap() / end.to_rational().unwrap();
+                    assert!(quotient.contains(&exact), "{n}/{d} at {bits} bits");
+                }
+            }
+        }
     }
 
     #[test]

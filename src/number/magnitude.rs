@@ -153,17 +153,6 @@ impl Magnitude {
         Self { exponent: self.exponent + exponent, ..self }
     }
 
-    /// The next larger magnitude.
-    pub(super) const fn next_up(self) -> Self {
-        if self.is_zero() || self.is_infinite() {
-            return self;
-        }
-        match self.mantissa.checked_add(1) {
-            Some(mantissa) => Self { mantissa, ..self },
-            None => Self { mantissa: 1 << 31, exponent: self.exponent + 1 },
-        }
-    }
-
     /// The square root, rounded down.
     pub(super) fn root_down(self) -> Self {
         if self.is_zero() || self.is_infinite() {

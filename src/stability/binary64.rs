@@ -40,12 +40,13 @@ pub fn classify_binary64(
 
 /// The classification by short integers; `None` when they are too long, or a value or a name needs more than they give.
 fn classify_shortly(parameters: &Parameters<f64>, threshold: &InertialThreshold) -> Option<Classification> {
+    // The names are taken from 64-bit groups, which must not have over- or underflown on the way.
+    let groups = ladder::groups_in_f64(parameters)?;
     let cubic = short_cubic(parameters)?;
     let (transition_sign, boundary_sign) = (cubic.hurwitz_sign(), cubic.discriminant_sign());
     let spectral_class = SpectralClass::from_signs(transition_sign, boundary_sign);
     let parts = LargestParts::of_bounded(&cubic.spectrum()?, transition_sign)?;
     let in_si = parts.times_rate(parameters.map(|value| Dd::from(*value)).rate_per_s())?;
-    let groups = parameters.groups();
     // The upper area is that of a > b; equal effects are no doubt here, where the inputs are exact.
     let has_no_upper_area = parameters.evolution_effect >= parameters.direct_effect;
     let slip_mode = slip_mode_by(

@@ -34,7 +34,11 @@ impl NearestPlace {
     /// The place and its error to [`Self::CERTAIN`]; none where no σ is on the boundary at this V0 (a = b beyond the cusp).
     #[must_use]
     pub fn of(parameters: &Parameters<Rational>) -> Option<Self> {
-        let quick = Self::quickly(&parameters.map(Dd::from_rational));
+        let rounded = parameters.map(Dd::from_rational);
+        // Effects that differ beyond double-double's digits are not equal ones: these have no upper arc.
+        let seem_equal = rounded.direct_effect == rounded.evolution_effect;
+        let are_equal = parameters.direct_effect == parameters.evolution_effect;
+        let quick = if seem_equal && !are_equal { Err(Uncertain) } else { Self::quickly(&rounded) };
         quick.unwrap_or_else(|Uncertain| {
             nearest_boundary_point(parameters, DIGITS)
                 .map(|point| Self::of_point(&point, &parameters.normal_stress_pa))
@@ -44,10 +48,11 @@ impl NearestPlace {
     /// How well the numbers are known: absolutely, and relatively too where the error does not change sign nearby.
     pub const CERTAIN: f64 = 1e-9;
 
-    /// The same in a microsecond from inputs that are each within a relative [`Dd::UNIT`] of the true ones.
+    /// The same in a microsecond from inputs that are each within a relative [`Dd::UNIT`] of the true ones; a and b that are
+    /// the same double-double are taken to be equal.
     ///
     /// # Errors
-    /// Next to the cusp, half-way between two places, where both asymptotes are equally far, and beyond the range of 64-bit.
+    /// Where a and b differ so little that their difference is not known to 64-bit's digits, next to the cusp, half-way between two places, where both asymptotes are equally far, and beyond the range of 64-bit.
     pub fn quickly(parameters: &Parameters<Dd>) -> Result<Option<Self>, Uncertain> {
         let groups = parameters.groups().map(Dd::hi);
         let all = [groups.inertial_parameter, groups.stiffness_group, groups.effect_ratio];
@@ -55,6 +60,9 @@ impl NearestPlace {
             return Err(Uncertain);
         }
         let excess = (parameters.evolution_effect - parameters.direct_effect) / parameters.direct_effect;
+        if excess.hi() != 0.0 && excess.hi().abs() < LEAST_EXCESS {
+            return Err(Uncertain);
+        }
         let line = Line {
             frame: ArcFrame::new(excess.hi(), groups.effect_ratio.sqrt()),
             velocity_squared: groups.inertial_parameter / groups.stiffness_group,
@@ -86,6 +94,9 @@ impl NearestPlace {
         }
     }
 }
+
+/// |b/a − 1| below this loses 64-bit's digits to the rounding of a and b: 2 · 2^-102 / 2^-48 is 2^-53.
+const LEAST_EXCESS: f64 = 1.0 / (1u64 << 48) as f64;
 
 /// Digits of the certified way: the distance of two nearby σ loses some.
 const DIGITS: u32 = 20;

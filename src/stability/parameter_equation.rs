@@ -92,7 +92,9 @@ impl ParameterEquation {
         }
         match horner(coefficients.clone(), cusp).sign()? {
             Ordering::Less => {}
-            _ => return Some(Vec::new()),
+            // The cusp itself, where both are exact: left to the general way.
+            Ordering::Equal => return None,
+            Ordering::Greater => return Some(Vec::new()),
         }
         let middle = cusp.to_f64();
         let mut roots = Vec::with_capacity(2);
@@ -135,7 +137,8 @@ impl ParameterEquation {
             let cusp = cusp_parameter(&self.effect_ratio, precision);
             match horner(self.coefficients(precision), &cusp).sign() {
                 Some(Ordering::Less) => return self.both_branches(&cusp, bits),
-                Some(_) => return Vec::new(),
+                Some(Ordering::Greater) => return Vec::new(),
+                Some(Ordering::Equal) => break,
                 None => precision *= 2,
             }
         }

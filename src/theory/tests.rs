@@ -78,7 +78,9 @@ fn a_negative_velocity_and_a_load_point_that_runs_away_are_refuted() {
         ("18", "-2*V_0*sqrt(M*K)/(abs(a - b)*sigma) = 1"),
         ("18", "2*V_0*sqrt(M*K)/(abs(a - b)*sigma) = -1"),
         ("20", "2*V_0*sqrt(M*K)/(a*sigma) = -1"),
+        ("20", "-2*V_0*sqrt(M*K)/(a*sigma) = 1"),
         ("4", "M*delta''/sigma = K*(-V_0*t - delta)/sigma - mu"),
+        ("4", "M*delta''/sigma = K*(2*V_0*t - delta)/sigma - mu"),
     ] {
         let altered = paper().altered(number, text).expect("in the grammar");
         assert!(refuted_by_name(&altered, number), "equation {number} altered to {text} is not refuted");

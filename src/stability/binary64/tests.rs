@@ -141,6 +141,27 @@ fn points_on_the_cusp_and_on_the_transition_need_no_rationals() {
     assert!((neutral.max_imaginary_per_s.to_f64().unwrap() - 2f64.sqrt()).abs() < 1e-15);
 }
 
+/// A D_c² or V0² beyond 64-bit's range between inputs and groups of ordinary size.
+#[test]
+fn modes_do_not_depend_on_the_units_of_the_inputs() {
+    for (stiffness, mass) in [(0.6, 0.2), (0.75, 0.5), (2.0, 3.0), (0.01, 1e-3), (7.0, 0.3)] {
+        for (length, velocity) in [(700, 600), (-700, -600), (600, -700), (-500, 510), (0, 600)] {
+            let point = Parameters {
+                critical_slip_distance_m: libm::ldexp(1.0, length),
+                loading_velocity_m_per_s: libm::ldexp(1.0, velocity),
+                // β = 3/2, beside K = K_c for the second pair.
+                ..slider(
+                    1.0,
+                    1.5,
+                    libm::ldexp(stiffness, -length),
+                    libm::scalbn(mass, (length - 2 * velocity).clamp(-1000, 1000)),
+                )
+            };
+            assert_promises(&point);
+        }
+    }
+}
+
 #[test]
 fn inputs_that_are_not_positive_and_finite_are_refused() {
     let threshold = InertialThreshold::default();

@@ -190,6 +190,28 @@ mod tests {
     }
 
     #[test]
+    fn lines_through_a_cusp_of_short_numbers_meet_it_once() {
+        // β = 1 with κ = 27/8 and η = 1/8: balls hold the cusp exactly, and its equation is exactly zero there.
+        let one = Rational::from(1);
+        let parameters = Parameters {
+            direct_effect: one.clone(),
+            evolution_effect: one.clone(),
+            critical_slip_distance_m: one.clone(),
+            stiffness_pa_per_m: Rational::from((27, 8)),
+            mass_per_area_kg_per_m2: Rational::from((1, 8)),
+            normal_stress_pa: one.clone(),
+            loading_velocity_m_per_s: one.clone(),
+        };
+        let curve = BoundaryCurve::new(&parameters, 50);
+        for section in [Section::AtVelocity(one.clone()), Section::AtNormalStress(one.clone())] {
+            let found = curve.on_section(&section);
+            assert_eq!(found.len(), 1, "{section:?}");
+            assert!((found[0].normal_stress_pa.clone() - Ball::from(1)).contains_zero());
+            assert!((found[0].loading_velocity_m_per_s.clone() - Ball::from(1)).contains_zero());
+        }
+    }
+
+    #[test]
     fn every_number_of_every_sample_has_the_digits_asked_for() {
         for (a, b) in [(4, 6), (6, 4), (5, 5), (1, 1000), (1000, 1)] {
             let parameters = with_effects(Rational::from((a, 1000)), Rational::from((b, 1000)));

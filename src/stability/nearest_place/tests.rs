@@ -71,3 +71,23 @@ fn next_to_the_cusp_and_far_out_the_answer_is_still_the_certified_one() {
         assert!(off < NearestPlace::CERTAIN, "{exponents:?}: {found:?} {exact:?}");
     }
 }
+
+#[test]
+fn effects_that_differ_in_the_thirtieth_digit_keep_their_upper_arc() {
+    for digit in [14, 16, 25, 31, 33, 49] {
+        let excess = parse_decimal(&format!("3e-{digit}")).unwrap();
+        for ratio in [excess.clone() + 1u32, Rational::from(1) - excess] {
+            let direct = parse_decimal("0.0123").unwrap();
+            let parameters = Parameters {
+                evolution_effect: ratio * &direct,
+                direct_effect: direct,
+                ..slider([1.0, 0.5, 0.0])
+            };
+            let (found, exact) = (NearestPlace::of(&parameters).unwrap(), exact(&parameters).unwrap());
+            assert_eq!((found.arc, found.asymptote), (exact.arc, exact.asymptote), "{digit}");
+            let off = found.log10_normal_stress_distance - exact.log10_normal_stress_distance;
+            assert!(off.abs() < NearestPlace::CERTAIN, "{digit}: {found:?} {exact:?}");
+            assert!((found.relative_error / exact.relative_error - 1.0).abs() < NearestPlace::CERTAIN);
+        }
+    }
+}
