@@ -27,6 +27,14 @@ const MOST_CORRECTIONS: usize = 8;
 /// Local tolerance of the laps whose differences are the derivative: their quotients must resolve 1 − P'.
 const DERIVATIVE_TOLERANCE: f64 = 1e-6;
 
+/// Where 1 − P' is less than this, the derivative of the laps' own errors may be all of it: it is believed only when a tolerance a
+/// hundred times tighter gives about the same. Else decays that last millions of laps would pass for cycles.
+const RESOLVED: f64 = 1e-3;
+
+/// The tolerance of each derivative over that of the one before, and the tightest.
+const FINER: f64 = 0.01;
+const TIGHTEST_DERIVATIVE: f64 = 1e-13;
+
 /// Relative size of the deviation that shows whether a lap contracts fast.
 const DEVIATION: f64 = 1e-2;
 
@@ -71,10 +79,10 @@ pub(super) fn derivative<M: Stepper<f64> + Clone>(
     map: &mut ReturnMap<'_, f64, M>,
     rough: [f64; 2],
 ) -> Result<(Derivative, [f64; 2]), Failure> {
-    let mut from = rough;
-    let mut derivative = Derivative::at(map, from, DERIVATIVE_TOLERANCE)?;
+    let (mut from, mut tolerance) = (rough, DERIVATIVE_TOLERANCE);
+    let mut derivative = Derivative::at(map, from, tolerance)?;
     for _ in 0..MOST_CORRECTIONS {
-        let sight = map.sight(&from, DERIVATIVE_TOLERANCE)?;
+        let sight = map.sight(&from, tolerance)?;
         let correction = derivative.correction(sight.residual());
         let part = size(correction) / sight.size();
         // A correction as large as the state leads to steady sliding or nowhere.
@@ -82,10 +90,24 @@ pub(super) fn derivative<M: Stepper<f64> + Clone>(
             return Err(Failure::Undecided { cycles: 0, change: part });
         }
         from = derivative.corrected(&from, correction);
-        if part < SMALL {
+        if part >= SMALL {
+            derivative = Derivative::at(map, from, tolerance)?;
+            continue;
+        }
+        let away = derivative.from_neutral();
+        if away > RESOLVED {
             break;
         }
-        derivative = Derivative::at(map, from, DERIVATIVE_TOLERANCE)?;
+        tolerance *= FINER;
+        if tolerance < TIGHTEST_DERIVATIVE {
+            return Err(Failure::Undecided { cycles: 0, change: away });
+        }
+        let finer = Derivative::at(map, from, tolerance)?;
+        let agree = (finer.from_neutral() - away).abs() < 0.5 * away.abs();
+        derivative = finer;
+        if agree {
+            break;
+        }
     }
     Ok((derivative, from))
 }
