@@ -94,7 +94,7 @@ pub(super) fn derivative<M: Stepper<f64> + Clone>(
             derivative = Derivative::at(map, from, tolerance)?;
             continue;
         }
-        let away = derivative.from_neutral();
+        let away = derivative.neutrality();
         if away > RESOLVED {
             break;
         }
@@ -103,7 +103,7 @@ pub(super) fn derivative<M: Stepper<f64> + Clone>(
             return Err(Failure::Undecided { cycles: 0, change: away });
         }
         let finer = Derivative::at(map, from, tolerance)?;
-        let agree = (finer.from_neutral() - away).abs() < 0.5 * away.abs();
+        let agree = (finer.neutrality() - away).abs() < 0.5 * away.abs();
         derivative = finer;
         if agree {
             break;

@@ -177,7 +177,7 @@ impl Derivative {
     }
 
     /// det(1 − P') over its faster factor: how far the slow direction is from neither growing nor shrinking; negative when it grows.
-    pub fn from_neutral(&self) -> f64 {
+    pub fn neutrality(&self) -> f64 {
         let [[a, b], [c, d]] = self.image;
         let determinant = (1.0 - a) * (1.0 - d) - b * c;
         let faster = (2.0 - a - d).abs().max(determinant.abs().sqrt());

@@ -89,8 +89,8 @@ impl<R: Scalar, const N: usize> Stepper<R> for Taylor<R, N> {
             self.polynomial[k] = std::array::from_fn(|c| self.series[k][c].clone() * &power);
         }
         for k in (0..N - 1).rev() {
-            for c in 0..3 {
-                sums[k % 2][c] = sums[k % 2][c].clone() + &self.polynomial[k][c];
+            for (sum, term) in sums[k % 2].iter_mut().zip(&self.polynomial[k]) {
+                *sum = sum.clone() + term;
             }
         }
         // The last two terms bound the rest of a series that converges.
