@@ -17,7 +17,7 @@ fn coverage(context: &Context) -> Option<Table> {
         Column::number("lines", "Lines", ""),
         Column::number("by_tests", "Run by tests", ""),
         Column::number("by_tests_percent", "Share", "%"),
-        Column::number("with_verify", "Run by tests or `verify`", ""),
+        Column::number("with_verify", "Run by tests or verify", ""),
         Column::number("with_verify_percent", "Share", "%"),
         Column::text("most_left_in", "Most lines left in"),
     ];
