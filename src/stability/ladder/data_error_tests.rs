@@ -38,6 +38,22 @@ fn the_distance_from_the_transition_is_within_its_bound_when_every_group_is_off(
 }
 
 #[test]
+fn a_certain_sign_is_the_sign_and_on_the_transition_none_is_certain() {
+    for (kappa, sign) in [("1.2", 1), ("0.8", -1), ("1.0000000000000000000001", 1)] {
+        let kappa = crate::number::parse_decimal(kappa).unwrap();
+        let exact = Groups {
+            inertial_parameter: Rational::from(1),
+            stiffness_group: kappa,
+            effect_ratio: Rational::from((3, 2)),
+        };
+        assert_eq!(transition_sign(&exact), sign);
+        assert_eq!(BoundedGroups::of(&exact).unwrap().certain_transition_sign(), Some(sign));
+        let on_it = Groups { stiffness_group: Rational::from(1), ..exact };
+        assert_eq!(BoundedGroups::of(&on_it).unwrap().certain_transition_sign(), None);
+    }
+}
+
+#[test]
 fn the_coefficients_of_eq_8_are_within_their_bounds_when_every_group_is_off() {
     for point in POINTS {
         let exact = groups(point).characteristic_cubic();
