@@ -144,6 +144,11 @@ fn same_zeros(one: &Expression, other: &Expression) -> bool {
     };
     let at = |expression: &Expression, shift| expression.enclosed(&point(shift), COMPARED_BITS);
     let values = [at(one, 0), at(other, 0), at(one, 5), at(other, 5)];
+    // The root of a negative number has no bounds and would agree with anything.
+    let is_number = |ball: &Ball| ball.centre().is_finite() && ball.radius().is_finite();
+    if !values.iter().flatten().all(is_number) {
+        return false;
+    }
     let [Some(one_here), Some(other_here), Some(one_there), Some(other_there)] = values else { return false };
     let difference = one_here * &other_there - one_there * &other_here;
     difference.contains(&Rational::new())
@@ -189,5 +194,11 @@ mod tests {
         let same: Vec<&str> = found.iter().filter(|(_, _, same)| *same).map(|(kind, _, _)| *kind).collect();
         assert_eq!(same, ["exchange"], "{found:#?}");
         assert!(altered("2*V_0 - 1 = 0").iter().all(|(_, _, same)| !same));
+        // For a < b these are roots of negative numbers: another statement, not the same in other words.
+        let imaginary = altered("V_c = D_c*sqrt(a/(b - a))");
+        for wrong in ["V_c = D_c*sqrt(b/(a - b))", "V_c = D_c*sqrt(a/(-b - a))"] {
+            let found = imaginary.iter().find(|(_, text, _)| text == wrong);
+            assert!(found.is_some_and(|(_, _, same)| !same), "{wrong} in {imaginary:#?}");
+        }
     }
 }
