@@ -103,6 +103,8 @@ mod tests {
             assert!(one.noticed > 0, "{one:#?}");
             assert_eq!(one.planted, one.noticed + one.survivors.len());
         }
+        let sum = |count: fn(&PlantedFaults) -> usize| found.iter().map(count).sum::<usize>();
+        assert_eq!((sum(|one| one.planted), sum(|one| one.noticed)), (209, 209));
         let of = |number: &str| found.iter().find(|one| one.equation == number).unwrap();
         assert!(of("9").noticed_by.contains(&"S1") && of("16").noticed_by.contains(&"B2"), "{found:#?}");
         // Eqs 15, 16 and 18 are symmetric in a and b, and the ± of eq 23 has no first sign; eq 13 has no such freedom.

@@ -87,3 +87,21 @@ fn inputs_whose_products_could_leave_the_range_are_left_to_higher_rungs() {
     assert!(!filter(&outside).0);
     assert!(BoundedGroups::of_parameters(&outside.map(|value| Dd::from(*value))).is_none());
 }
+
+/// K = K_c at κ = η = 1 and β = 3/2, and the cusp at κ = 27/8, η = 1/8 and β = 1: one of the two signs is zero.
+#[test]
+fn the_filter_is_certain_only_where_both_signs_are() {
+    let point = |[eta, kappa, beta]: [f64; 3]| Parameters {
+        direct_effect: 1.0,
+        evolution_effect: beta,
+        critical_slip_distance_m: 1.0,
+        stiffness_pa_per_m: kappa,
+        mass_per_area_kg_per_m2: eta,
+        normal_stress_pa: 1.0,
+        loading_velocity_m_per_s: 1.0,
+    };
+    assert!(!filter(&point([1.0, 1.0, 1.5])).0);
+    assert!(!filter(&point([0.125, 3.375, 1.0])).0);
+    assert_eq!(filter(&point([1.0, 1.25, 1.5])), (true, true, false));
+    assert_eq!(filter(&point([1.0, 0.75, 1.5])), (true, false, false));
+}
