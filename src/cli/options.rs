@@ -61,15 +61,7 @@ impl MaterialOptions {
         else {
             return None;
         };
-        Some(SceneParameters {
-            direct_effect: a,
-            evolution_effect: b,
-            critical_slip_distance_m: d,
-            stiffness_pa_per_m: k,
-            mass_per_area_kg_per_m2: m,
-            normal_stress_pa: None,
-            loading_velocity_m_per_s: None,
-        })
+        Some(SceneParameters::of_slider([a, b, d, k, m]))
     }
 }
 
