@@ -5,8 +5,10 @@ use std::ops::RangeInclusive;
 use clap::Args;
 
 use slipmode::friction::Parameters;
-use slipmode::number::{Rational, parse_decimal};
-use slipmode::scene::{AllowedRange, Fault, Faults, Problem, Quantity, SceneParameters, parameters_from};
+use slipmode::number::Rational;
+use slipmode::scene::{
+    AllowedRange, Fault, Faults, Problem, Quantity, SceneParameters, parameters_from, parse_whole,
+};
 use slipmode::stability::InertialThreshold;
 
 use crate::cli::failure::Failure;
@@ -177,12 +179,7 @@ impl Arguments {
 
     /// A whole number in a range, when given.
     pub fn whole(&mut self, option: &str, text: Option<&str>, range: RangeInclusive<u64>) -> Option<u64> {
-        let allowed = format!("a whole number from {} to {}", range.start(), range.end());
-        self.number(option, text?, |text| match (text.parse::<u64>(), parse_decimal(text)) {
-            (Ok(value), _) if range.contains(&value) => Ok(value),
-            (Ok(_), _) | (Err(_), Ok(_)) => Err(Problem::OutOfRange { allowed }),
-            (Err(_), Err(reason)) => Err(Problem::NotANumber { reason, allowed }),
-        })
+        self.number(option, text?, |text| parse_whole(text, &range))
     }
 
     /// Ends the reading.
