@@ -6,9 +6,7 @@ use clap::Args;
 
 use slipmode::friction::Parameters;
 use slipmode::number::Rational;
-use slipmode::scene::{
-    AllowedRange, Fault, Faults, Problem, Quantity, SceneParameters, parameters_from, parse_whole,
-};
+use slipmode::scene::{AllowedRange, Fault, Faults, Problem, Quantity, SceneParameters, parse_whole};
 use slipmode::stability::InertialThreshold;
 
 use crate::cli::failure::Failure;
@@ -95,7 +93,7 @@ impl SliderOptions {
     pub fn parameters(&self, arguments: &mut Arguments) -> Option<Parameters<Rational>> {
         let values = Quantity::ALL.map(|quantity| self.required(quantity, arguments));
         let [Some(a), Some(b), Some(d), Some(k), Some(m), Some(s), Some(v)] = values else { return None };
-        Some(parameters_from([a, b, d, k, m, s, v]))
+        Some(Parameters::from([a, b, d, k, m, s, v]))
     }
 
     /// Notes every quantity that was given although a file's columns give the slider.
