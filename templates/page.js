@@ -47,7 +47,9 @@
   const ledger = document.getElementById("ledger");
   const claims = [...document.querySelectorAll("details.claim")];
   if (ledger && claims.length > 5) {
-    const words = new Map(claims.map((claim) => [claim, claim.textContent.toLowerCase()]));
+    // Indices stand below the line and have no underscore there: K_c is found all the same.
+    const plain = (text) => text.toLowerCase().replaceAll("_", "");
+    const words = new Map(claims.map((claim) => [claim, plain(claim.textContent)]));
     const field = make("input", { type: "search", id: "find-claims", autocomplete: "off" });
     const kinds = make("select", { id: "find-verdicts" }, make("option", { value: "" }, "all"));
     for (const [kind, name] of [["holds", "holds"], ["holds-within", "holds within"], ["fails", "fails"], ["not-checked", "not checked"]]) {
@@ -55,7 +57,7 @@
     }
     const count = make("p", { role: "status" });
     const find = () => {
-      const wanted = field.value.toLowerCase().split(/\s+/).filter(Boolean);
+      const wanted = plain(field.value).split(/\s+/).filter(Boolean);
       let found = 0;
       for (const claim of claims) {
         const fits = wanted.every((word) => words.get(claim).includes(word));
