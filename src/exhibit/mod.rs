@@ -4,6 +4,7 @@
 
 mod axes;
 mod boundary_tables;
+mod coverage_table;
 mod deviation;
 mod deviation_tables;
 mod explorer;

@@ -18,6 +18,7 @@ pub struct TableMaker {
 /// The tables of every room, a line each.
 const ROOMS: &[&[TableMaker]] = &[
     crate::exhibit::boundary_tables::TABLES,
+    crate::exhibit::coverage_table::TABLES,
     crate::exhibit::deviation_tables::TABLES,
     crate::exhibit::hard_lap_tables::TABLES,
     crate::exhibit::linear_regime::TABLES,

@@ -246,3 +246,6 @@ impl<R: Working> BoundedCubic<R> {
 fn is_small(relative: f64) -> bool {
     relative < 0.01
 }
+
+#[cfg(test)]
+mod data_error_tests;

@@ -22,7 +22,7 @@ pub struct SpeedCountsSection {
     pub tolerances: Vec<Rational>,
 }
 
-/// `[timings]`: files in the folder `timings` that `cargo xtask bench --peers` and `cargo xtask cost` wrote.
+/// `[timings]`: files in the folder `timings` that `cargo xtask bench --peers`, `cost` and `coverage` wrote.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
 pub struct TimingsSection {
     /// Times of slipmode and its peers.
@@ -31,6 +31,8 @@ pub struct TimingsSection {
     pub cost: String,
     /// On which machine, on which day, with which versions.
     pub machine: String,
+    /// Which lines of the program the tests ran, from `cargo xtask coverage`.
+    pub coverage: Option<String>,
 }
 
 /// More digits than this take longer than all the rest of a report.
@@ -81,7 +83,13 @@ impl TimingsSection {
         let peers = name(&mut section, "peers");
         let cost = name(&mut section, "cost");
         let machine = name(&mut section, "machine");
+        let coverage = section.optional("coverage").map(|entry| safe_name(&entry, faults));
         section.finish(faults);
-        Some(Self { peers: peers?, cost: cost?, machine: machine? })
+        Some(Self {
+            peers: peers?,
+            cost: cost?,
+            machine: machine?,
+            coverage: coverage.map_or(Some(None), |name| name.map(Some))?,
+        })
     }
 }

@@ -224,4 +224,17 @@ mod tests {
         let lower = errors.lower_worst_log10.to_f64();
         assert!((0.0744..0.0751).contains(&lower), "{lower}");
     }
+
+    #[test]
+    fn the_lower_arc_has_the_normal_stress_of_eq_16_where_its_quadratic_is_zero() {
+        for text in ["1e-3", "0.9", "1", "1.5", "1000"] {
+            let frame = ArcFrame::of_rational(&number(text), 200);
+            let (q, lambda) = (&frame.root_ratio, corner_normal_stress_parameter(&frame));
+            let quadratic = Ball::from(2) * q * lambda.square() + frame.sum.clone() * &lambda - &frame.sum;
+            assert!(quadratic.contains_zero() && lambda.to_f64() > 0.0, "{text} {quadratic:?}");
+            // Eq 16 is κ = (1 + √β)² with κ = K D_c/(aσ).
+            let kappa = frame.point(Arc::Lower, &lambda).stiffness_group;
+            assert!((kappa - frame.sum.square()).contains_zero(), "{text}");
+        }
+    }
 }

@@ -121,6 +121,8 @@ mod tests {
         assert!((number(distance.normal_stress) + 1.0).abs() < 1e-15);
         assert!(distance.loading_velocity.is_none(), "σ above σ_c is unstable at any velocity");
         assert_eq!(LogDistance::to_transition(&at("49750", "1e-4")), LogDistance::ON_THE_LINE);
+        let slower = LogDistance::to_transition(&at("49750", "1e-5"));
+        assert!((number(slower.loading_velocity) - 1.0).abs() < 1e-15, "a decade of velocity: {slower:?}");
         let stable = with_effects(Rational::from((6, 1000)), Rational::from((4, 1000)));
         assert!(LogDistance::to_transition(&stable).normal_stress.is_none());
     }

@@ -181,6 +181,26 @@ mod tests {
     }
 
     #[test]
+    fn as_many_digits_are_certain_as_were_asked_for() {
+        for digits in [10, 40, 200] {
+            let found = oscillation(&at("3e-4", "3e4"), digits).unwrap();
+            let certain = -found.angular_frequency_per_s.relative_radius_log2() / libm::log2(10.0);
+            assert!(certain >= f64::from(digits), "{certain} of {digits}");
+        }
+    }
+
+    #[test]
+    fn slow_sliding_oscillates_as_eq_14_without_mass() {
+        let slow = at("1e-9", "4e4");
+        let groups = slow.groups();
+        let squared = quasi_static_frequency_squared(&groups.stiffness_group, &groups.effect_ratio);
+        let rate = slow.rate_per_s().to_f64();
+        let found = oscillation(&slow, 20).unwrap().angular_frequency_per_s.to_f64();
+        // What is left out is of the order of η = M V0²/(aσD_c), 10⁻¹² here.
+        assert!((found / (squared.to_f64().sqrt() * rate) - 1.0).abs() < 1e-9, "{found}");
+    }
+
+    #[test]
     fn the_velocity_at_a_ratio_has_that_ratio() {
         for (stress, ratio_squared) in [("5e4", "0.5"), ("1e3", "0.5"), ("1e6", "0.25"), ("1e5", "0.99")] {
             let p = at("1", stress);

@@ -174,3 +174,6 @@ fn all_within<const N: usize>(range: &Range<f64>, values: [f64; N]) -> bool {
     }
     inside
 }
+
+#[cfg(test)]
+mod data_error_tests;

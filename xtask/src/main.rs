@@ -7,6 +7,7 @@ mod bless;
 #[cfg(target_os = "linux")]
 mod cluster_test;
 mod cost;
+mod coverage;
 mod failure;
 mod gmp_cache;
 mod judge;
@@ -34,8 +35,9 @@ usage: cargo xtask <command> [arguments]
   bless         rewrite the published copy of every report, deliberately
   bench         run the benchmarks, SciPy beside the simulations (arguments are passed on to `cargo bench`);
                 --peers [works]: every other program that is found, into bench-results/
-  timings       copy bench-results/{peers,cost,machine}.csv into the report on the paper
+  timings       copy bench-results/{peers,cost,coverage,machine}.csv into the report on the paper
   cost          how time and memory grow with points, digits, tolerance and threads, with fitted laws
+  coverage      how many lines of each module the tests run, into bench-results/ (wants cargo-llvm-cov)
   sweep-cost    memory, scaling and overhead of sweeps; wants a machine without other work
   tidy          the rules of the house: floors, headers, lengths, left-overs, links
   licences      every dependency's licence against the allow list
@@ -70,6 +72,7 @@ fn run(arguments: &[String]) -> Result<(), Failure> {
         #[cfg(target_os = "linux")]
         "cluster-test" => cluster_test::run(),
         "cost" => cost::run(),
+        "coverage" => coverage::run(),
         "sweep-cost" => sweep_cost::run(),
         "tidy" => tidy::run(),
         "timings" => timings::run(),

@@ -1,4 +1,4 @@
-//! `cargo xtask timings`: what `bench --peers` and `cost` wrote becomes an input of the report on the paper, deliberately.
+//! `cargo xtask timings`: what `bench --peers`, `cost` and `coverage` wrote becomes an input of the report on the paper, deliberately.
 //!
 //! The report never measures: it reads these files, and its numbers follow from their rows.
 
@@ -8,7 +8,7 @@ use crate::failure::Failure;
 use crate::{measured_on, repository};
 
 /// The files, as both folders name them.
-const FILES: [&str; 3] = ["peers.csv", "cost.csv", "machine.csv"];
+const FILES: [&str; 4] = ["peers.csv", "cost.csv", "coverage.csv", "machine.csv"];
 
 /// Copies every file that was measured; the others stay as they are, by name.
 ///

@@ -6,8 +6,8 @@ use std::path::Path;
 use slipmode::archive::sha256_hex;
 use slipmode::scene::{Scene, SweptEntry, TimingsSection, file_text};
 use slipmode::study::{
-    References, Swept, Timings, read_cost, read_hard_cases, read_hard_laps, read_machine, read_peers,
-    read_swept,
+    References, Swept, Timings, read_cost, read_coverage, read_hard_cases, read_hard_laps, read_machine,
+    read_peers, read_swept,
 };
 
 use crate::cli::folder::Reader;
@@ -58,13 +58,17 @@ impl Reader {
         references
     }
 
-    /// The three files of times.
+    /// The files of times, and that of coverage where it is named.
     fn timings(&mut self, section: &TimingsSection, folder: &str) -> Option<Timings> {
         let peers = self.read_text(&format!("{folder}{}", section.peers), read_peers);
         let cost = self.read_text(&format!("{folder}{}", section.cost), read_cost);
         let machine = self.read_text(&format!("{folder}{}", section.machine), read_machine);
+        let coverage = match &section.coverage {
+            None => None,
+            Some(file) => Some((file.clone(), self.read_text(&format!("{folder}{file}"), read_coverage)?)),
+        };
         let (peers_file, cost_file) = (section.peers.clone(), section.cost.clone());
-        Some(Timings { peers_file, peers: peers?, cost_file, cost: cost?, machine: machine? })
+        Some(Timings { peers_file, peers: peers?, cost_file, cost: cost?, machine: machine?, coverage })
     }
 
     /// A sweep's scene and its summary.

@@ -122,3 +122,16 @@ fn has_root_in(polynomial: &UnivariatePolynomial, interval: &IsolatingInterval) 
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_double_root_is_found_beside_a_third_one_and_in_a_cube() {
+        let cubic = |coefficients: [i32; 4]| coefficients.map(Rational::from);
+        // 2(x + 3)²(x − 1) and 2(x + 3)³.
+        assert_eq!(double_root(&cubic([-18, 6, 10, 2]), false), -3);
+        assert_eq!(double_root(&cubic([54, 54, 18, 2]), true), -3);
+    }
+}

@@ -91,3 +91,27 @@ fn effects_that_differ_in_the_thirtieth_digit_keep_their_upper_arc() {
         }
     }
 }
+
+/// In other units of stress σ, K and M change together, and nothing else does.
+#[test]
+fn the_unit_of_stress_does_not_choose_the_place() {
+    let mut arcs = std::collections::BTreeSet::new();
+    for exponents in
+        [[-3.0, -1.0, -0.5], [-3.0, 2.0, -0.5], [2.0, 1.0, 0.3], [-1.0, 0.5, 1.0], [1.0, -2.0, 0.3]]
+    {
+        let here = slider(exponents);
+        let unit = Rational::from(1_000_000);
+        let there = Parameters {
+            stiffness_pa_per_m: here.stiffness_pa_per_m.clone() * &unit,
+            mass_per_area_kg_per_m2: here.mass_per_area_kg_per_m2.clone() * &unit,
+            normal_stress_pa: unit,
+            ..here.clone()
+        };
+        let (here, there) = (exact(&here).unwrap(), exact(&there).unwrap());
+        assert_eq!((here.arc, here.asymptote), (there.arc, there.asymptote), "{exponents:?}");
+        let change = here.log10_normal_stress_distance - there.log10_normal_stress_distance;
+        assert!(change.abs() < 1e-12, "{exponents:?} {change}");
+        arcs.insert(format!("{:?}", here.arc));
+    }
+    assert_eq!(arcs.len(), 2, "{arcs:?}");
+}

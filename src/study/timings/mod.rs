@@ -4,6 +4,7 @@
 
 mod aims;
 mod compare;
+mod coverage;
 mod law;
 mod lookup;
 mod rows;
@@ -11,10 +12,11 @@ mod sheet;
 
 pub use aims::{Aim, Bound, aims};
 pub use compare::{PeerGroup, Reached, cycle_groups, micro, work_groups};
+pub use coverage::{CoverageRow, read_coverage};
 pub use law::{Form, Ladder, Law, ladders};
 pub use rows::{CostRow, MachineRow, PeerRow, read_cost, read_machine, read_peers};
 
-/// The contents of the three files.
+/// The contents of the files.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Timings {
     /// The name of the file of peers, by which rows are traced.
@@ -27,4 +29,6 @@ pub struct Timings {
     pub cost: Vec<CostRow>,
     /// On which machine, on which day, with which versions.
     pub machine: Vec<MachineRow>,
+    /// The name of the file of coverage, where there is one, and which lines of the program the tests ran.
+    pub coverage: Option<(String, Vec<CoverageRow>)>,
 }
