@@ -13,7 +13,7 @@ use std::time::Instant;
 use csv_core::{ReadRecordResult, Reader};
 use slipmode::friction::Parameters;
 use slipmode::number::{Dd, parse_short_decimal};
-use slipmode::scene::{Quantity, parameters_from};
+use slipmode::scene::Quantity;
 use slipmode::stability::{Classification, InertialThreshold, classify_quickly};
 
 const ROWS: usize = 1_000_000;
@@ -73,7 +73,7 @@ fn split(bytes: &[u8]) -> (Vec<u8>, Vec<[usize; 7]>) {
 fn parse(cells: &[u8], rows: &[[usize; 7]]) -> Vec<Parameters<Dd>> {
     let mut start = rows.first().map_or(0, |_| Quantity::ALL.map(Quantity::key).concat().len());
     let row = |ends: &[usize; 7]| {
-        parameters_from(ends.map(|end| {
+        Parameters::from(ends.map(|end| {
             let text = std::str::from_utf8(&cells[start..end]).unwrap();
             start = end;
             parse_short_decimal(text).unwrap()

@@ -1,5 +1,6 @@
 "use strict";
 // Sorting, finding and reading out, over what the page shows without it. No mathematics, no requests.
+// What it adds to read is marked `data-extra`: the rest must read the same without scripts, and is checked to.
 (() => {
   const make = (tag, attributes, ...children) => {
     const element = document.createElement(tag);
@@ -32,7 +33,7 @@
 
   // A table of which only the first rows are shown would be sorted wrongly: it is left alone, and says so.
   for (const note of document.querySelectorAll("figure.table:not(.whole) > .cut")) {
-    note.append(" Only tables that are shown whole can be sorted on this page.");
+    note.append(make("span", { "data-extra": "" }, " Only tables that are shown whole can be sorted on this page."));
   }
   for (const table of document.querySelectorAll("figure.whole table")) {
     if (table.tBodies[0].rows.length < 3) continue;
@@ -46,7 +47,9 @@
   const ledger = document.getElementById("ledger");
   const claims = [...document.querySelectorAll("details.claim")];
   if (ledger && claims.length > 5) {
-    const words = new Map(claims.map((claim) => [claim, claim.textContent.toLowerCase()]));
+    // Indices stand below the line and have no underscore there: K_c is found all the same.
+    const plain = (text) => text.toLowerCase().replaceAll("_", "");
+    const words = new Map(claims.map((claim) => [claim, plain(claim.textContent)]));
     const field = make("input", { type: "search", id: "find-claims", autocomplete: "off" });
     const kinds = make("select", { id: "find-verdicts" }, make("option", { value: "" }, "all"));
     for (const [kind, name] of [["holds", "holds"], ["holds-within", "holds within"], ["fails", "fails"], ["not-checked", "not checked"]]) {
@@ -54,7 +57,7 @@
     }
     const count = make("p", { role: "status" });
     const find = () => {
-      const wanted = field.value.toLowerCase().split(/\s+/).filter(Boolean);
+      const wanted = plain(field.value).split(/\s+/).filter(Boolean);
       let found = 0;
       for (const claim of claims) {
         const fits = wanted.every((word) => words.get(claim).includes(word));
@@ -68,7 +71,7 @@
     };
     field.addEventListener("input", find);
     kinds.addEventListener("change", find);
-    const finder = make("div", { class: "finder", role: "search", "aria-label": "Claims" },
+    const finder = make("div", { class: "finder", role: "search", "aria-label": "Claims", "data-extra": "" },
       make("label", { for: "find-claims" }, "Find"), field, make("label", { for: "find-verdicts" }, "Verdict"), kinds, count);
     ledger.querySelector(".group").before(finder);
 
@@ -107,7 +110,7 @@
     const words = source.dataset.words.split("~");
     const fields = source.dataset.cells.split("~").map((cells, field) => unpack(words[field].split("|"), cells));
     const plot = plane.closest(".plot");
-    const line = make("p", { class: "said", role: "status" }, "Point at the map, or focus it and press the arrow keys, to read it out.");
+    const line = make("p", { class: "said", role: "status", "data-extra": "" }, "Point at the map, or focus it and press the arrow keys, to read it out.");
     plot.after(line);
     const box = ["x", "y", "width", "height"].map((name) => Number(plane.getAttribute(name)));
     const mark = document.createElementNS(plane.namespaceURI, "circle");

@@ -7,7 +7,7 @@ use clap::Args;
 use slipmode::exhibit::{boundary_columns, boundary_row, vanishes};
 use slipmode::friction::Parameters;
 use slipmode::number::{Ball, Rational};
-use slipmode::scene::{AllowedRange, Limits, Problem, Quantity, parameters_from};
+use slipmode::scene::{AllowedRange, Limits, Problem, Quantity};
 use slipmode::stability::boundary::{BoundaryCurve, BoundaryPoint};
 use slipmode::study::END_ERROR;
 use slipmode::table::Table;
@@ -155,5 +155,5 @@ fn slider(options: &SliderOptions, arguments: &mut Arguments) -> Option<Paramete
         }
     });
     let [Some(a), Some(b), Some(d), Some(k), Some(m), Some(s), Some(v)] = values else { return None };
-    Some(parameters_from([a, b, d, k, m, s, v]))
+    Some(Parameters::from([a, b, d, k, m, s, v]))
 }

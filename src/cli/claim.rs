@@ -1,6 +1,6 @@
 //! `slipmode verify DIR --claim ID`: one claim decided again, with nothing computed that it does not need.
 
-use slipmode::claims::{self, Context, Entry, Evidence, Ledger};
+use slipmode::claims::{self, Context, Entry, Evidence, Ledger, known_ids};
 use slipmode::report::Folder;
 use slipmode::scene::{ClaimEntry, nearest};
 use slipmode::study;
@@ -34,8 +34,11 @@ pub fn verify_claim(folder: &Folder, id: &str, progress: &Progress) -> Result<()
 
 fn listed<'f>(folder: &'f Folder, id: &str) -> Result<&'f ClaimEntry, Failure> {
     folder.claims.iter().find(|claim| claim.id == id).ok_or_else(|| {
-        let known = folder.claims.iter().map(|claim| claim.id.as_str());
-        let near = nearest(id, known).map(|near| format!("; did you mean {near}?")).unwrap_or_default();
+        let listed = folder.claims.iter().map(|claim| claim.id.as_str());
+        let near = match nearest(id, listed) {
+            _ if known_ids().contains(&id) => "; it is one of the paper's that claims.toml leaves out".into(),
+            near => near.map(|near| format!("; did you mean {near}?")).unwrap_or_default(),
+        };
         Failure::Refused(format!("--claim = {id}: the report lists no such claim{near}"))
     })
 }

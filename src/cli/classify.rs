@@ -10,7 +10,7 @@ use clap::Args;
 
 use crate::cli::failure::Failure;
 use crate::cli::options::{Arguments, SliderOptions, ThresholdOption};
-use crate::cli::points;
+use crate::cli::points::{self, RowsOptions};
 use crate::cli::progress::Progress;
 use crate::cli::terminal;
 use grid::GridOptions;
@@ -37,12 +37,8 @@ pub struct Options {
     /// 1 MiB a row, any number of rows. Without --keep-going nothing is written unless every row is sound.
     #[arg(long, value_name = "FILE.csv")]
     points: Option<PathBuf>,
-    /// Where to write the rows; `-` is standard output
-    #[arg(short, long, value_name = "OUT.csv", default_value = "-", requires = "points")]
-    output: PathBuf,
-    /// Give faulty rows an `error` column instead of stopping
-    #[arg(long, requires = "points")]
-    keep_going: bool,
+    #[command(flatten)]
+    rows: RowsOptions,
 }
 
 /// Runs the command.
@@ -68,5 +64,5 @@ pub fn run(options: &Options, progress: &Progress) -> Result<(), Failure> {
     options.slider.refuse_beside_points(&mut arguments);
     arguments.finish()?;
     let Some(threshold) = threshold else { return Ok(()) };
-    points::run(points, &options.output, ClassifyRows { threshold }, options.keep_going, *progress)
+    points::run(points, &options.rows, ClassifyRows { threshold }, *progress)
 }

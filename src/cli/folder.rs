@@ -75,6 +75,13 @@ pub fn read_report(root: &Path, limits: Limits) -> Result<Folder, Faults> {
 /// # Errors
 /// Every fault of every file.
 pub fn read_report_from(source: Source, limits: Limits) -> Result<(Folder, Files), Faults> {
+    if let Source::Folder(root) = &source
+        && !root.is_dir()
+    {
+        let error =
+            io::Error::other("no such folder (wanted: a report's folder, such as `slipmode new` writes)");
+        return Err(vec![unreadable(root, &error)]);
+    }
     let mut reader = Reader::new(source, limits);
     let plan = reader.read("report.toml", |file, bytes, _| ReportPlan::parse(file, bytes));
     let claims = reader.read("claims.toml", |file, bytes, _| read_claims(file, bytes, &known_ids()));

@@ -61,7 +61,7 @@ fn open_file(path: &Path) -> Result<(File, Option<u64>), Fault> {
     let file = File::open(path).map_err(|error| unreadable(path, &error))?;
     let metadata = file.metadata().map_err(|error| unreadable(path, &error))?;
     if metadata.is_dir() {
-        return Err(unreadable(path, &io::Error::from(io::ErrorKind::IsADirectory)));
+        return Err(unreadable(path, &io::Error::other("is a folder; name a file")));
     }
     Ok((file, metadata.is_file().then_some(metadata.len())))
 }

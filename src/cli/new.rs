@@ -4,6 +4,7 @@ mod claims;
 mod files;
 mod ranges;
 mod scene;
+mod units;
 
 use std::path::{Path, PathBuf};
 
@@ -67,6 +68,7 @@ pub fn run(options: &Options, progress: &Progress) -> Result<(), Failure> {
     }
     let files = draft.files;
     output.commit(&files)?;
+    units::doubts(&parameters).iter().for_each(|doubt| eprintln!("warning: {doubt}"));
     let listing: String = files.keys().map(|name| format!("{}\n", place.join(name).display())).collect();
     terminal::print(&format!("{listing}next: slipmode report {}\n", place.display()))
 }

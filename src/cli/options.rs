@@ -5,8 +5,8 @@ use std::ops::RangeInclusive;
 use clap::Args;
 
 use slipmode::friction::Parameters;
-use slipmode::number::{Rational, parse_decimal};
-use slipmode::scene::{AllowedRange, Fault, Faults, Problem, Quantity, SceneParameters, parameters_from};
+use slipmode::number::Rational;
+use slipmode::scene::{AllowedRange, Fault, Faults, Problem, Quantity, SceneParameters, parse_whole};
 use slipmode::stability::InertialThreshold;
 
 use crate::cli::failure::Failure;
@@ -61,15 +61,7 @@ impl MaterialOptions {
         else {
             return None;
         };
-        Some(SceneParameters {
-            direct_effect: a,
-            evolution_effect: b,
-            critical_slip_distance_m: d,
-            stiffness_pa_per_m: k,
-            mass_per_area_kg_per_m2: m,
-            normal_stress_pa: None,
-            loading_velocity_m_per_s: None,
-        })
+        Some(SceneParameters::of_slider([a, b, d, k, m]))
     }
 }
 
@@ -101,7 +93,7 @@ impl SliderOptions {
     pub fn parameters(&self, arguments: &mut Arguments) -> Option<Parameters<Rational>> {
         let values = Quantity::ALL.map(|quantity| self.required(quantity, arguments));
         let [Some(a), Some(b), Some(d), Some(k), Some(m), Some(s), Some(v)] = values else { return None };
-        Some(parameters_from([a, b, d, k, m, s, v]))
+        Some(Parameters::from([a, b, d, k, m, s, v]))
     }
 
     /// Notes every quantity that was given although a file's columns give the slider.
@@ -185,12 +177,7 @@ impl Arguments {
 
     /// A whole number in a range, when given.
     pub fn whole(&mut self, option: &str, text: Option<&str>, range: RangeInclusive<u64>) -> Option<u64> {
-        let allowed = format!("a whole number from {} to {}", range.start(), range.end());
-        self.number(option, text?, |text| match (text.parse::<u64>(), parse_decimal(text)) {
-            (Ok(value), _) if range.contains(&value) => Ok(value),
-            (Ok(_), _) | (Err(_), Ok(_)) => Err(Problem::OutOfRange { allowed }),
-            (Err(_), Err(reason)) => Err(Problem::NotANumber { reason, allowed }),
-        })
+        self.number(option, text?, |text| parse_whole(text, &range))
     }
 
     /// Ends the reading.

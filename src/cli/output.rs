@@ -46,7 +46,7 @@ impl Output {
             });
         }
         check_place(place)?;
-        let (beside, file) = create_beside(beside_name(place)?)?;
+        let (beside, file) = create_beside(beside_name(place)?, place)?;
         let target = Target::File { place: place.to_path_buf(), beside };
         Ok(Self { target, writer: BufWriter::with_capacity(1 << 16, file) })
     }
@@ -133,15 +133,17 @@ const MOST_SPOOL_NAMES: u32 = 1000;
 fn create_spool(folder: &Path) -> Result<(Beside, File), Failure> {
     let named = |number: u32| folder.join(format!("slipmode-{}-{number}.spool", std::process::id()));
     let free = (0..MOST_SPOOL_NAMES).find(|number| !named(*number).exists());
-    create_beside(named(free.unwrap_or(MOST_SPOOL_NAMES)))
+    let path = named(free.unwrap_or(MOST_SPOOL_NAMES));
+    create_beside(path.clone(), &path)
 }
 
-fn create_beside(path: PathBuf) -> Result<(Beside, File), Failure> {
+/// A new file; messages name what it is to become.
+fn create_beside(path: PathBuf, place: &Path) -> Result<(Beside, File), Failure> {
     let file = OpenOptions::new()
         .read(true)
         .write(true)
         .create_new(true)
         .open(&path)
-        .map_err(|error| Failure::io(&path, "cannot be created", &error))?;
+        .map_err(|error| Failure::io(place, "cannot be created", &error))?;
     Ok((Beside(path), file))
 }

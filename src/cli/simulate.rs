@@ -16,7 +16,7 @@ use slipmode::scene::{AllowedRange, Problem};
 use crate::cli::failure::Failure;
 use crate::cli::options::{Arguments, SliderOptions};
 use crate::cli::output::Output;
-use crate::cli::points;
+use crate::cli::points::{self, RowsOptions};
 use crate::cli::progress::Progress;
 use crate::cli::terminal;
 use crate::cli::words::{LAWS, law_of_word, start_of_word};
@@ -58,12 +58,8 @@ pub struct Options {
     /// its column `status`, and the others go on.
     #[arg(long, value_name = "FILE.csv")]
     points: Option<PathBuf>,
-    /// Where to write the rows; `-` is standard output
-    #[arg(short, long, value_name = "OUT.csv", default_value = "-", requires = "points")]
-    output: PathBuf,
-    /// Give faulty rows an `error` column instead of stopping
-    #[arg(long, requires = "points")]
-    keep_going: bool,
+    #[command(flatten)]
+    rows: RowsOptions,
 }
 
 /// Runs the command.
@@ -80,7 +76,7 @@ pub fn run(options: &Options, progress: &Progress) -> Result<(), Failure> {
     options.slider.refuse_beside_points(&mut arguments);
     arguments.finish()?;
     let Some(settings) = settings else { return Ok(()) };
-    points::run(points, &options.output, SimulateRows { law, settings }, options.keep_going, *progress)
+    points::run(points, &options.rows, SimulateRows { law, settings }, *progress)
 }
 
 impl Options {

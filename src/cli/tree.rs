@@ -34,7 +34,7 @@ impl OutputFolder {
         if let Some(parent) = place.parent() {
             fs::create_dir_all(parent).map_err(|error| Failure::io(parent, "cannot be created", &error))?;
         }
-        fs::create_dir(&beside).map_err(|error| Failure::io(&place, "cannot be written beside", &error))?;
+        fs::create_dir(&beside).map_err(|error| Failure::io(&place, "cannot be written", &error))?;
         Ok(Self { place, beside })
     }
 

@@ -210,16 +210,8 @@ fn hold_extremes(usual: &Simulation, tight: &Simulation) {
 }
 
 /// Parameters of value one: SI and dimensionless values then coincide.
-const fn unit_parameters() -> crate::friction::Parameters<f64> {
-    crate::friction::Parameters {
-        direct_effect: 1.0,
-        evolution_effect: 1.0,
-        critical_slip_distance_m: 1.0,
-        stiffness_pa_per_m: 1.0,
-        mass_per_area_kg_per_m2: 1.0,
-        normal_stress_pa: 1.0,
-        loading_velocity_m_per_s: 1.0,
-    }
+fn unit_parameters() -> crate::friction::Parameters<f64> {
+    crate::friction::Parameters::from([1.0; 7])
 }
 
 #[test]

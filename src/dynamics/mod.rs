@@ -6,17 +6,17 @@
 //! decides the late behaviour on the return map; [`CycleFamily`] finds cycles, stable or not, with the stiffness that they need. Nothing here knows the linear theory.
 //!
 //! # Which method, and why
-//! `cargo bench --bench simulation` measures work against error on one lap of the limit cycle, reference in double-double. Time
-//! of a lap in µs at the error of ln V_peak in brackets, slip law, one core of a shared machine (read them as ratios):
+//! Time of one lap of the limit cycle in µs, slip law, by the cheapest tolerance that meets an error of 1e-4, 1e-8 and 1e-12 of
+//! ln V_peak and of the duration (`cargo xtask bench --peers cycles`, the rows of `bench-results/peers.csv`; read them as ratios):
 //!
-//! | case | Rodas5P | Radau 5 | Radau 9 | Radau 13 | Taylor 20 |
-//! |---|---|---|---|---|---|
-//! | σ 10^6.5 Pa, V_l 10^-5.5 m/s | 86 (4e-4), 231 (4e-7) | **36 (2e-5)**, 71 (5e-7) | **70 (5e-9)**, 109 (2e-12) | 129 (1e-11) | never |
-//! | σ 10^4 Pa, V_l 10^-1.5 m/s | 44 (2e-5), 137 (2e-9) | **19 (1e-6)**, 42 (7e-9) | **33 (2e-8)**, 57 (3e-13) | 78 (2e-13) | 50 (4e-11) |
-//! | σ 10^2.5 Pa, V_l 10^-1 m/s | 96 (3e-7), 274 (9e-11) | **48 (2e-8)**, 111 (3e-10) | **69 (5e-11)**, 82 (6e-12) | 118 (4e-12) | never |
+//! | case | Rodas5P | Radau 5 | Radau 9 | Radau 13 |
+//! |---|---|---|---|---|
+//! | σ 10^6.5 Pa, V_l 10^-5.5 m/s | 77, 364, never | **41**, 152, 1039 | 69, **74**, **132** | 124, 126, 161 |
+//! | σ 10^4 Pa, V_l 10^-1.5 m/s | 33, 94, 594 | **18**, 43, 249 | 32, **33**, **56** | 54, 54, 63 |
+//! | σ 10^2.5 Pa, V_l 10^-1 m/s | 67, 145, 683 | **36**, **55**, 421 | 60, 60, **93** | 90, 93, 120 |
 //!
-//! Radau IIA of order 9 wins from 1e-7 down to rounding and is what [`simulate`] uses; order 13 overtakes it only at its last two
-//! digits. Order 5 wins above, Rodas5P nowhere. The Taylor series keeps up where a cycle never sticks
+//! Radau IIA of order 9 wins from about 1e-8 down to rounding and is what [`simulate`] uses; order 13 overtakes it only at its last
+//! digits. Order 5 wins above, Rodas5P nowhere. The Taylor series keeps up where a cycle never sticks (`cargo bench --bench simulation`)
 //! and is useless one stick phase later, also for η ≫ 1, because the limit cycle of vibration itself sticks: V falls
 //! to 1e-65 V_l and below, where e^{−x}/η is not small. It serves as the unrelated method for references.
 //! [`simulate`] takes Radau IIA of order 5 for errors of a thousandth and more: at a local tolerance of 1e-2 a stick-slip lap is twice as

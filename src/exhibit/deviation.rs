@@ -31,16 +31,6 @@ pub(super) const FIGURES: &[FigureMaker] = &[
     },
 ];
 
-fn figure(caption: Caption, label: &str, words: &str, svg: String) -> Figure {
-    Figure {
-        id: caption.id,
-        label: label.into(),
-        caption_markdown: words.into(),
-        description: caption.description,
-        svg,
-    }
-}
-
 const ALONG: &str = "Signed relative error of each of the four asymptotes along the exact boundary, against the inertial parameter. Errors of eqs 15 and 16 fall in proportion to the inertial parameter towards low velocity; those of eqs 18 and 20 fall towards the other end of their arcs.";
 
 fn along_arcs(scene: &SceneOutcome) -> Option<Figure> {
@@ -59,7 +49,7 @@ fn along_arcs(scene: &SceneOutcome) -> Option<Figure> {
         bands: Vec::new(),
         labels: Vec::new(),
     };
-    Some(figure(
+    Some(Figure::new(
         caption,
         "Figure A1",
         "Signed relative error of each asymptote along its arc, for a < b: of σ at the same velocity for eqs 15 and 16, of V0 at the same normal stress for eqs 18 and 20. The lower arc turns back at the cusp.",
@@ -113,7 +103,7 @@ fn worst_errors(sweep: &SweepOutcome) -> Option<Figure> {
         bands: Vec::new(),
         labels: Vec::new(),
     };
-    Some(figure(
+    Some(Figure::new(
         caption,
         "Figure A2",
         "Worst case of the asymptotes: it depends on b/a alone. Every point is an enclosure.",
@@ -145,7 +135,7 @@ fn good_enough(scene: &SceneOutcome) -> Option<Figure> {
             .map(|asymptote| range_row(outcome, asymptote, &tolerances, scale))
             .collect(),
     };
-    Some(figure(
+    Some(Figure::new(
         caption,
         "Figure A3",
         "Where each asymptote may be used instead of the exact boundary, for a < b, by the velocity on the boundary.",

@@ -72,16 +72,7 @@ mod tests {
     use crate::number::parse_decimal;
 
     fn slider(a: &str, b: &str) -> SceneParameters {
-        let [a, b, d, k, m] = [a, b, "1e-5", "1e7", "1000"].map(|text| parse_decimal(text).unwrap());
-        SceneParameters {
-            direct_effect: a,
-            evolution_effect: b,
-            critical_slip_distance_m: d,
-            stiffness_pa_per_m: k,
-            mass_per_area_kg_per_m2: m,
-            normal_stress_pa: None,
-            loading_velocity_m_per_s: None,
-        }
+        SceneParameters::of_slider([a, b, "1e-5", "1e7", "1000"].map(|text| parse_decimal(text).unwrap()))
     }
 
     #[test]

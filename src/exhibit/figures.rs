@@ -1,5 +1,6 @@
 //! Which figures there are, and what each needs.
 
+use crate::plot::Caption;
 use crate::study::{Need, Outcome};
 
 /// A figure that is ready to be placed.
@@ -15,6 +16,19 @@ pub struct Figure {
     pub description: String,
     /// The drawing.
     pub svg: String,
+}
+
+impl Figure {
+    /// The figure of a drawing with this caption.
+    pub(super) fn new(caption: Caption, label: &str, caption_markdown: &str, svg: String) -> Self {
+        Self {
+            id: caption.id,
+            label: label.into(),
+            caption_markdown: caption_markdown.into(),
+            description: caption.description,
+            svg,
+        }
+    }
 }
 
 /// How a figure is made.

@@ -67,13 +67,7 @@ fn chart(id: &str, words: Words, [x, y]: [(&str, &str); 2], series: Vec<Series>)
         bands: Vec::new(),
         labels: Vec::new(),
     };
-    Some(Figure {
-        id: caption.id,
-        label: words.label.into(),
-        caption_markdown: words.caption,
-        description: caption.description,
-        svg: chart.svg(),
-    })
+    Some(Figure::new(caption, words.label, &words.caption, chart.svg()))
 }
 
 /// Below one digit nothing is right; the axis needs a place for it.

@@ -107,7 +107,7 @@ fn laws_map(scene: &SceneOutcome, swept: &Swept) -> Option<Figure> {
         x,
         y,
     };
-    Some(figure(caption, "Figure L1", LAWS_CAPTION, map.svg()))
+    Some(Figure::new(caption, "Figure L1", LAWS_CAPTION, map.svg()))
 }
 
 /// The mean peak velocity of limit cycles of either law, cell by cell, σ by σ; 0 where there are none.
@@ -225,7 +225,7 @@ fn worst_errors(worst: &[WorstOfBin]) -> Option<Figure> {
         bands: Vec::new(),
         labels: Vec::new(),
     };
-    Some(figure(caption, "Figure L2", WORST_CAPTION, chart.svg()))
+    Some(Figure::new(caption, "Figure L2", WORST_CAPTION, chart.svg()))
 }
 
 /// Places from one end of a bin to the other, evenly in the logarithm.
@@ -235,14 +235,4 @@ fn within([from, to]: [f64; 2]) -> impl Iterator<Item = f64> {
         // The ends themselves, so that neighbouring bins meet.
         if step == DERIVED_A_BIN { to } else { from * libm::pow(to / from, share) }
     })
-}
-
-fn figure(caption: Caption, label: &str, words: &str, svg: String) -> Figure {
-    Figure {
-        id: caption.id,
-        label: label.into(),
-        caption_markdown: words.into(),
-        description: caption.description,
-        svg,
-    }
 }

@@ -52,10 +52,10 @@ fn wanted(context: &Context) -> Option<Table> {
     let columns = vec![
         Column::text("work", "Work"),
         Column::text("quantity", "Quantity"),
+        Column::text("outcome", "Outcome"),
+        Column::number("measured", "Measured", ""),
         Column::text("must", "Must"),
         Column::text("aim", "Aim"),
-        Column::number("measured", "Measured", ""),
-        Column::text("outcome", "Outcome"),
         Column::text("rows", "Rows"),
         Column::text("command", "Command"),
     ];
@@ -73,10 +73,10 @@ fn wanted(context: &Context) -> Option<Table> {
         table.push(vec![
             Cell::text(&aim.work),
             Cell::text(aim.quantity),
+            Cell::text(outcome(&aim)),
+            value,
             bound(aim.must),
             bound(aim.aim),
-            value,
-            Cell::text(outcome(&aim)),
             if found.is_empty() && aim.measured.is_ok() {
                 Cell::text(format!("all of {}", aim.bench))
             } else {

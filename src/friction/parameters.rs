@@ -22,6 +22,21 @@ pub struct Parameters<R> {
     pub loading_velocity_m_per_s: R,
 }
 
+/// The seven values in the order of the fields: a, b, D_c, K, M, σ, V0.
+impl<R> From<[R; 7]> for Parameters<R> {
+    fn from([a, b, d, k, m, s, v]: [R; 7]) -> Self {
+        Self {
+            direct_effect: a,
+            evolution_effect: b,
+            critical_slip_distance_m: d,
+            stiffness_pa_per_m: k,
+            mass_per_area_kg_per_m2: m,
+            normal_stress_pa: s,
+            loading_velocity_m_per_s: v,
+        }
+    }
+}
+
 impl<R: Field> Parameters<R> {
     /// The dimensionless groups η, κ, β of these parameters.
     #[must_use]

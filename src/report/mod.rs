@@ -24,6 +24,7 @@ mod parts;
 mod produce;
 #[cfg(test)]
 mod sample;
+mod symbols;
 mod templates;
 #[cfg(test)]
 mod tests;

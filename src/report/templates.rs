@@ -3,9 +3,10 @@
 use std::io::Write;
 
 use serde::Serialize;
-use tera::{Context, Tera};
+use tera::{Context, Kwargs, State, Tera, Value};
 
 use super::ReportError;
+use super::symbols::set_symbols;
 use crate::table::{escape_markdown, printable};
 
 /// Templates of the page. Every one is escaped for HTML, whatever its name.
@@ -54,6 +55,9 @@ impl Templates {
         engine.set_escape_fn(escape);
         // Every name ends with the empty suffix: nothing is left unescaped because of how it is called.
         engine.autoescape_on([""]);
+        engine.register_filter("symbols", |words: &str, _: Kwargs, _: &State<'_>| {
+            Value::safe_string(&set_symbols(words))
+        });
         engine.add_raw_templates(sources.iter().copied()).map_err(|error| fault("templates", &error))?;
         Ok(Self { engine })
     }
@@ -73,7 +77,7 @@ fn fault(template: &str, error: &tera::Error) -> ReportError {
 }
 
 /// Text for HTML content and quoted attributes; invisible and direction-changing characters become U+FFFD.
-fn escape_html(text: &str, output: &mut dyn Write) -> std::io::Result<()> {
+pub(super) fn escape_html(text: &str, output: &mut dyn Write) -> std::io::Result<()> {
     let mut buffer = [0; 4];
     for c in text.chars() {
         match c {

@@ -23,6 +23,12 @@ pub enum CsvProblem {
         /// The column's name in SI.
         wanted: &'static str,
     },
+    /// A header of one cell that holds other separators than commas.
+    #[error("columns are separated by {found} (wanted: commas between columns, and points in decimals)")]
+    OtherSeparator {
+        /// The separators' name.
+        found: &'static str,
+    },
     /// A column for the second time.
     #[error("doubled column (column {first} has the same name)")]
     DoubledColumn {

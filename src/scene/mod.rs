@@ -39,8 +39,8 @@ pub use numerical_error::{ErrorBoundSection, OriginalSchemeSection, Place, WorkP
 pub use onset::OnsetSection;
 pub use operating_points::{LinearRegimeSection, StartSensitivitySection};
 pub use part::Part;
-pub use quantity::{Quantity, SceneParameters, parameters_from};
-pub use range::AllowedRange;
+pub use quantity::{Quantity, SceneParameters};
+pub use range::{AllowedRange, parse_whole};
 pub use report_plan::{Chapter, ReportPlan, check_distinct_scene_names};
 pub use schema::Scene;
 pub use sections::{

@@ -62,21 +62,6 @@ impl Quantity {
     }
 }
 
-/// The seven values, given in the order of [`Quantity::ALL`], as parameters.
-#[must_use]
-pub fn parameters_from<R>(values: [R; 7]) -> Parameters<R> {
-    let [a, b, d, k, m, s, v] = values;
-    Parameters {
-        direct_effect: a,
-        evolution_effect: b,
-        critical_slip_distance_m: d,
-        stiffness_pa_per_m: k,
-        mass_per_area_kg_per_m2: m,
-        normal_stress_pa: s,
-        loading_velocity_m_per_s: v,
-    }
-}
-
 /// The parameters of a scene: the material and the machine, and perhaps one point (V0, σ) of operation.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct SceneParameters {
@@ -97,6 +82,20 @@ pub struct SceneParameters {
 }
 
 impl SceneParameters {
+    /// A material and a machine without a point of operation: a, b, D_c (m), K (Pa/m) and M (kg/m²).
+    #[must_use]
+    pub fn of_slider([a, b, d, k, m]: [Rational; 5]) -> Self {
+        Self {
+            direct_effect: a,
+            evolution_effect: b,
+            critical_slip_distance_m: d,
+            stiffness_pa_per_m: k,
+            mass_per_area_kg_per_m2: m,
+            normal_stress_pa: None,
+            loading_velocity_m_per_s: None,
+        }
+    }
+
     /// The full set at one normal stress (Pa) and one loading velocity (m/s).
     #[must_use]
     pub fn at(&self, normal_stress_pa: Rational, loading_velocity_m_per_s: Rational) -> Parameters<Rational> {

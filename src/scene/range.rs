@@ -1,5 +1,7 @@
 //! Which numbers an input accepts: a range between two decimals, and the message when it is left.
 
+use std::ops::RangeInclusive;
+
 use crate::number::{Rational, parse_decimal};
 use crate::scene::Problem;
 
@@ -66,9 +68,36 @@ impl AllowedRange {
     }
 }
 
+/// A whole number of decimal digits in a range whose end may be `u64::MAX`, which messages leave out.
+///
+/// # Errors
+/// When the text is not a number of the grammar, or one that is not whole or lies outside.
+pub fn parse_whole(text: &str, range: &RangeInclusive<u64>) -> Result<u64, Problem> {
+    let allowed = match (range.start(), range.end()) {
+        (start, &u64::MAX) => format!("a whole number, {start} or more"),
+        (start, end) => format!("a whole number from {start} to {end}"),
+    };
+    if let Ok(value) = text.parse::<u64>() {
+        return if range.contains(&value) { Ok(value) } else { Err(Problem::OutOfRange { allowed }) };
+    }
+    match parse_decimal(text) {
+        Ok(_) => Err(Problem::OutOfRange { allowed }),
+        Err(reason) => Err(Problem::NotANumber { reason, allowed }),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn an_end_that_nobody_can_reach_is_not_told() {
+        let told = |text: &str, range| parse_whole(text, &range).unwrap_err().to_string();
+        assert_eq!(parse_whole("7", &(2..=u64::MAX)), Ok(7));
+        assert!(told("1", 2..=u64::MAX).ends_with("(allowed: a whole number, 2 or more)"));
+        assert!(told("2.5", 2..=9).ends_with("(allowed: a whole number from 2 to 9)"));
+        assert!(told("x", 2..=9).ends_with("(allowed: a whole number from 2 to 9)"));
+    }
 
     #[test]
     fn a_physical_quantity_is_positive_and_finite_in_every_sense() {

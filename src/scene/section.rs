@@ -7,7 +7,7 @@ use toml::de::{DeString, DeTable, DeValue};
 
 use crate::number::Rational;
 use crate::scene::document::Source;
-use crate::scene::{AllowedRange, Fault, Faults, Problem, nearest};
+use crate::scene::{AllowedRange, Fault, Faults, Problem, nearest, parse_whole};
 
 /// The most unknown keys that are reported of one table: each is compared with every known one.
 const MOST_UNKNOWN_KEYS: usize = 20;
@@ -198,17 +198,5 @@ impl<'t> Entry<'t> {
             values.push(read(&member, faults));
         }
         values.into_iter().collect()
-    }
-}
-
-/// A whole number of decimal digits in a range; a number of the grammar that is not whole or lies outside is named so.
-fn parse_whole(text: &str, range: &RangeInclusive<u64>) -> Result<u64, Problem> {
-    let allowed = format!("a whole number from {} to {}", range.start(), range.end());
-    if let Ok(value) = text.parse::<u64>() {
-        return if range.contains(&value) { Ok(value) } else { Err(Problem::OutOfRange { allowed }) };
-    }
-    match crate::number::parse_decimal(text) {
-        Ok(_) => Err(Problem::OutOfRange { allowed }),
-        Err(reason) => Err(Problem::NotANumber { reason, allowed }),
     }
 }

@@ -63,17 +63,8 @@ mod tests {
     use crate::stability::classify;
 
     fn slider(exponents: [f64; 7]) -> Parameters<Rational> {
-        let [a, b, d, k, m, s, v] =
-            exponents.map(|exponent| parse_decimal(&format!("{:.5e}", libm::exp10(exponent))).unwrap());
-        Parameters {
-            direct_effect: a,
-            evolution_effect: b,
-            critical_slip_distance_m: d,
-            stiffness_pa_per_m: k,
-            mass_per_area_kg_per_m2: m,
-            normal_stress_pa: s,
-            loading_velocity_m_per_s: v,
-        }
+        let decimal = |exponent| parse_decimal(&format!("{:.5e}", libm::exp10(exponent))).unwrap();
+        Parameters::from(exponents.map(decimal))
     }
 
     proptest! {

@@ -10,14 +10,6 @@ pub(super) fn paper() -> SceneParameters {
 
 /// The paper's machine with other friction parameters a and b.
 pub(super) fn with_effects(direct_effect: &str, evolution_effect: &str) -> SceneParameters {
-    let decimal = |text| parse_decimal(text).unwrap();
-    SceneParameters {
-        direct_effect: decimal(direct_effect),
-        evolution_effect: decimal(evolution_effect),
-        critical_slip_distance_m: decimal("10e-6"),
-        stiffness_pa_per_m: decimal("10e6"),
-        mass_per_area_kg_per_m2: decimal("1000"),
-        normal_stress_pa: None,
-        loading_velocity_m_per_s: None,
-    }
+    let values = [direct_effect, evolution_effect, "10e-6", "10e6", "1000"];
+    SceneParameters::of_slider(values.map(|text| parse_decimal(text).unwrap()))
 }

@@ -12,6 +12,7 @@ use crate::number::{Dd, Rational, Real};
 use crate::roots::textbook::{Three, aberth, cardano, companion, newton, viete};
 use crate::roots::{Bounded, BoundedCubic, Pair, Working, certified_roots};
 use crate::study::HardCase;
+use crate::study::textbook::signs_of;
 
 /// Digits asked of the certified roots: the references have thirty.
 const CERTIFIED_DIGITS: u32 = 35;
@@ -175,16 +176,12 @@ fn said(method: Method, case: &HardCase) -> Said {
 /// The class and the largest parts, read off three roots in units of the rate as they come.
 fn of_three(roots: &Three, rate_per_s: f64) -> Said {
     let in_si = roots.map(|root: Complex<f64>| Complex::new(root.re * rate_per_s, root.im * rate_per_s));
-    if in_si.iter().any(|root| !root.re.is_finite() || !root.im.is_finite()) {
-        return Said::Failed;
-    }
+    let Some((transition, boundary)) = signs_of(&in_si) else { return Said::Failed };
     let real = in_si.iter().map(|root| root.re).fold(f64::NEG_INFINITY, f64::max);
     let imaginary = in_si.iter().map(|root| root.im).fold(0.0, f64::max);
-    let [first, second, third] = in_si;
-    let coincide = first == second || second == third || third == first;
     Said::Answer(Answer {
-        transition: i8::from(real < 0.0) - i8::from(real > 0.0),
-        boundary: if imaginary > 0.0 { -1 } else { i8::from(!coincide) },
+        transition,
+        boundary,
         real: Float::with_val(53, real),
         imaginary: Float::with_val(53, imaginary),
     })
@@ -230,7 +227,7 @@ fn transition_of<R: Working>(parts: &[Bounded<R>]) -> Option<i8> {
 }
 
 /// A 64-bit or double-double number without loss.
-fn wide<R: Working>(value: R) -> Float {
+pub(super) fn wide<R: Working>(value: R) -> Float {
     let leading = value.leading();
     let rest = (value - R::from(leading)).leading();
     Float::with_val(180, leading) + rest

@@ -5,7 +5,7 @@ use rayon::prelude::*;
 use crate::friction::Parameters;
 use crate::number::{Rational, Wide, parse_decimal};
 use crate::roots::Rung;
-use crate::scene::{Fault, Faults, Problem, Quantity, parameters_from};
+use crate::scene::{Fault, Faults, Problem, Quantity};
 use crate::stability::{InertialThreshold, classify};
 use crate::study::hard_case_methods::{MethodScore, score_methods};
 
@@ -135,7 +135,7 @@ fn read_case(file: &str, line: usize, row: &str, columns: &[usize], family: &str
         its_modulus_per_s: number(12)?,
         max_imaginary_per_s: number(13)?,
     };
-    Ok(HardCase { family: family.to_owned(), parameters: parameters_from(inputs), expected })
+    Ok(HardCase { family: family.to_owned(), parameters: Parameters::from(inputs), expected })
 }
 
 /// Classifies every case and compares it with its reference, family by family.

@@ -191,19 +191,9 @@ fn verdicts(case: &HardLap) -> Vec<LapVerdict> {
 /// Oscillations of a whole simulation before it is called undecided.
 const MOST_LAPS: u64 = 1_000;
 
-/// Units in which an outcome is what it is.
-const UNITS: Parameters<f64> = Parameters {
-    direct_effect: 1.0,
-    evolution_effect: 1.0,
-    critical_slip_distance_m: 1.0,
-    stiffness_pa_per_m: 1.0,
-    mass_per_area_kg_per_m2: 1.0,
-    normal_stress_pa: 1.0,
-    loading_velocity_m_per_s: 1.0,
-};
-
 fn stated(outcome: Outcome) -> LapAnswer {
-    let found = outcome.in_si(&UNITS);
+    // Units in which an outcome is what it is.
+    let found = outcome.in_si(&Parameters::from([1.0; 7]));
     let error = found.peak_relative_error.max(found.period_relative_error.unwrap_or(0.0));
     let (steps, evaluations) = (found.steps, found.evaluations);
     LapAnswer { steps, evaluations, error, behaviour: Some(found.behaviour) }

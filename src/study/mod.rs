@@ -44,6 +44,7 @@ mod summary;
 mod sweep;
 mod sweep_points;
 mod swept;
+mod textbook;
 mod thinning;
 mod timings;
 mod tolerance;

@@ -4,7 +4,7 @@ use rug::Float;
 
 use crate::friction::Parameters;
 use crate::number::{Dd, Rational};
-use crate::scene::{Coordinate, LogAxis, Quantity, Spacing, Span, SweepPoints, parameters_from};
+use crate::scene::{Coordinate, LogAxis, Quantity, Spacing, Span, SweepPoints};
 use crate::study::low_discrepancy::LowDiscrepancy;
 
 /// A point: the values of those quantities that vary; the others are not looked at.
@@ -101,7 +101,7 @@ impl PointSource {
     /// The point's parameters, each within a relative [`Dd::UNIT`] of the true one.
     #[must_use]
     pub fn double_double(&self, point: &Varying) -> Parameters<Dd> {
-        parameters_from([0, 1, 2, 3, 4, 5, 6].map(|index| match &self.coordinates[index] {
+        Parameters::from([0, 1, 2, 3, 4, 5, 6].map(|index| match &self.coordinates[index] {
             Place::Fixed(_, value) => *value,
             _ => Dd::from(point[index]),
         }))
@@ -110,7 +110,7 @@ impl PointSource {
     /// The point's parameters, exactly.
     #[must_use]
     pub fn exact(&self, point: &Varying) -> Parameters<Rational> {
-        parameters_from([0, 1, 2, 3, 4, 5, 6].map(|index| match &self.coordinates[index] {
+        Parameters::from([0, 1, 2, 3, 4, 5, 6].map(|index| match &self.coordinates[index] {
             Place::Fixed(value, _) => value.as_ref().clone(),
             _ => Rational::from_f64(point[index]).unwrap_or_default(),
         }))

@@ -203,8 +203,15 @@ fn one_claim_is_decided_alone() {
     assert!(said.contains("verdict          fails, exact") && said.contains("counter-example"), "{said}");
     assert_eq!(place.names(), ["small"], "nothing is written");
     place
-        .run(["verify", "small", "--claim", "B9"])
-        .expect_refusal(&["--claim = B9: the report lists no such claim; did you mean B8?"]);
+        .run(["verify", "small", "--claim", "b8"])
+        .expect_refusal(&["--claim = b8: the report lists no such claim; did you mean B8?"]);
+    place
+        .run(["verify", "small", "--claim", "N1"])
+        .expect_refusal(&["--claim = N1: the report lists no such claim; it is one of the paper's"]);
+    place.run(["verify", "smal"]).expect_refusal(&["smal: cannot be read: no such folder"]);
+    place
+        .run(["diff", "small", "small"])
+        .expect_refusal(&["small: cannot be read: is a folder; name a file"]);
     place.write("small/claims.toml", CLAIMS.replace("\"fails\"", "\"holds\""));
     let ended = place.run(["verify", "small", "--claim", "B8"]);
     assert_eq!((ended.code, ended.stderr.trim()), (1, "B8: recorded holds, now fails"));

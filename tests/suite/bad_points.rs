@@ -27,6 +27,10 @@ fn a_header_is_a_contract() {
         header("normal_stress_pa,", "").replace("stiffness_pa_per_m", "k"),
         &["column normal_stress_pa: missing", "column stiffness_pa_per_m: missing"],
     );
+    for (separator, name) in [(";", "semicolons"), ("\t", "tabs")] {
+        let rows = format!("{HEADER}\n{ROW}\n").replace(',', separator);
+        refuse(rows, &[&format!("in.csv:1: header: columns are separated by {name} (wanted: commas")]);
+    }
     refuse(b"\xff\xfed\0i\0r\0", &["in.csv:1: header: not UTF-8"]);
 }
 

@@ -56,7 +56,7 @@ fn every_way_to_get_a_scene_wrong_is_named() {
         ("from = 1e-6", "from = 1", "map.loading_velocity_m_per_s: reversed range"),
         ("from = 1e-6", "from = 0.1", "map.loading_velocity_m_per_s: empty range"),
         ("points = 5", "points = 0", "map.loading_velocity_m_per_s.points = 0: out of range"),
-        ("points = 5", "points = 1", "out of range (allowed: a whole number from 2"),
+        ("points = 5", "points = 1", "out of range (allowed: a whole number, 2 or more"),
         ("points = 5", "points = 4000", "limit of 4194304 (--max-points N lifts it)"),
         ("points = 5", "points = 9223372036854775807", "limit of 4194304 (--max-points N lifts it)"),
         (

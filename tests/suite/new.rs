@@ -103,6 +103,14 @@ fn every_number_that_is_missing_or_faulty_is_told_at_once() {
 }
 
 #[test]
+fn a_lab_books_units_are_doubted_and_the_folder_is_written() {
+    let place = Workplace::new();
+    let ended = place.run(["new", "um", "-a", "0.009", "-b", "0.0126", "-d", "8", "-k", "2e9", "-m", "2400"]);
+    assert_eq!(ended.stderr, "warning: critical_slip_distance_m = 8: looks like um (wanted: m)\n");
+    assert_eq!((ended.code, place.names()), (0, vec!["um".to_string()]));
+}
+
+#[test]
 fn the_tolerance_table_has_a_line_for_each_formula_that_exists_and_each_error() {
     let place = Workplace::new();
     let lines = |a: &str, b: &str, errors: &[&str]| {

@@ -22,7 +22,7 @@ fn a_file_is_written_only_where_a_file_may_be() {
     fs::create_dir(place.path("folder")).unwrap();
     let points = |out: &'static str| ["classify", "--points", "in.csv", "-o", out];
     place.run(points("folder")).expect_refusal(&["folder: is a folder; name a file"]);
-    place.run(points("missing/out.csv")).expect_refusal(&["cannot be created"]);
+    place.run(points("missing/out.csv")).expect_refusal(&["missing/out.csv: cannot be created"]);
     place.run(points("..")).expect_refusal(&["is a folder; name a file"]);
     place.run(points("in.csv")).expect_success();
     assert_eq!(place.read("in.csv").lines().count(), 2, "an input may be replaced by its output");

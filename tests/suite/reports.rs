@@ -146,7 +146,7 @@ fn doubled_scenes_are_refused_by_file_and_by_name() {
 #[test]
 fn a_folder_that_is_no_report_is_refused() {
     let place = Workplace::new();
-    place.run(["verify", "none"]).expect_refusal(&["none/report.toml: cannot be read"]);
+    place.run(["verify", "none"]).expect_refusal(&["none: cannot be read: no such folder"]);
     let small = small_report();
     small.write("small/equations.toml", "x = 1");
     small.run(["report", "small"]).expect_refusal(&["small/equations.toml: "]);

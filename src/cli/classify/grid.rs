@@ -4,7 +4,7 @@ use clap::Args;
 use serde_json::{Map, Value, json};
 use slipmode::friction::Parameters;
 use slipmode::number::Rational;
-use slipmode::scene::{AllowedRange, LogAxis, LogCoordinates, Problem, Quantity, parameters_from};
+use slipmode::scene::{AllowedRange, LogAxis, LogCoordinates, Problem, Quantity};
 use slipmode::stability::batch::{GridAxis, StreamedGrid, Tally};
 use slipmode::stability::{InertialThreshold, SlipMode, SpectralClass};
 
@@ -55,7 +55,7 @@ impl GridOptions {
         let stresses = axis("--grid-normal-stress", self.grid_normal_stress.as_deref(), arguments);
         let [Some(a), Some(b), Some(d), Some(k), Some(m), Some(s), Some(v)] = fixed else { return None };
         Some(GridRequest {
-            fixed: parameters_from([a, b, d, k, m, s, v]),
+            fixed: Parameters::from([a, b, d, k, m, s, v]),
             loading_velocities: velocities?,
             normal_stresses: stresses?,
         })

@@ -34,21 +34,9 @@ const WEAKENING: &[Chapter] = &[
         title: "How fast it oscillates",
         prose: include_str!("../../../templates/new/frequency.md"),
     },
-    Chapter {
-        id: "formulas",
-        title: "Which formula, where, for which error",
-        prose: include_str!("../../../templates/new/formulas-weakening.md"),
-    },
-    Chapter {
-        id: "slip-modes",
-        title: "Slip modes",
-        prose: include_str!("../../../templates/new/slip-modes-weakening.md"),
-    },
-    Chapter {
-        id: "simulations",
-        title: "What simulations show",
-        prose: include_str!("../../../templates/new/simulations-weakening.md"),
-    },
+    formulas(include_str!("../../../templates/new/formulas-weakening.md")),
+    slip_modes(include_str!("../../../templates/new/slip-modes-weakening.md")),
+    simulations(include_str!("../../../templates/new/simulations-weakening.md")),
 ];
 
 /// For a ≥ b: nothing that needs a critical normal stress.
@@ -59,22 +47,22 @@ const NEVER_UNSTABLE: &[Chapter] = &[
         title: "Where it oscillates on its way to steady sliding",
         prose: include_str!("../../../templates/new/map-stable.md"),
     },
-    Chapter {
-        id: "formulas",
-        title: "Which formula, where, for which error",
-        prose: include_str!("../../../templates/new/formulas-stable.md"),
-    },
-    Chapter {
-        id: "slip-modes",
-        title: "Slip modes",
-        prose: include_str!("../../../templates/new/slip-modes-stable.md"),
-    },
-    Chapter {
-        id: "simulations",
-        title: "What simulations show",
-        prose: include_str!("../../../templates/new/simulations-stable.md"),
-    },
+    formulas(include_str!("../../../templates/new/formulas-stable.md")),
+    slip_modes(include_str!("../../../templates/new/slip-modes-stable.md")),
+    simulations(include_str!("../../../templates/new/simulations-stable.md")),
 ];
+
+const fn formulas(prose: &'static str) -> Chapter {
+    Chapter { id: "formulas", title: "Which formula, where, for which error", prose }
+}
+
+const fn slip_modes(prose: &'static str) -> Chapter {
+    Chapter { id: "slip-modes", title: "Slip modes", prose }
+}
+
+const fn simulations(prose: &'static str) -> Chapter {
+    Chapter { id: "simulations", title: "What simulations show", prose }
+}
 
 /// Every file but `claims.toml`.
 pub fn folder_files(typed: &Typed, effects: Effects, ranges: &Ranges) -> Files {

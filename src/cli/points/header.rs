@@ -69,8 +69,11 @@ impl Header {
 /// The names of a header row.
 ///
 /// # Errors
-/// A name that is not text.
+/// A name that is not text; columns that are not separated by commas.
 pub fn names(row: Row<'_>) -> Result<Vec<String>, Problem> {
+    if let Some(found) = other_separator(row) {
+        return Err(CsvProblem::OtherSeparator { found }.into());
+    }
     let text = |index| {
         let text = std::str::from_utf8(row.cell(index))
             .map_err(|error| Problem::NotUtf8(error.valid_up_to() + 1))?;
@@ -80,6 +83,12 @@ pub fn names(row: Row<'_>) -> Result<Vec<String>, Problem> {
         }
     };
     (0..row.len()).map(text).collect()
+}
+
+/// What a spreadsheet has put in place of the commas: no name of ours has one of these.
+fn other_separator(row: Row<'_>) -> Option<&'static str> {
+    let has = |separator: u8| row.len() == 1 && row.cell(0).contains(&separator);
+    [(b';', "semicolons"), (b'\t', "tabs")].into_iter().find_map(|(byte, name)| has(byte).then_some(name))
 }
 
 /// Doubled columns, and columns that the output will have as well.

@@ -10,8 +10,9 @@ mod rows;
 mod work;
 
 use std::io::Write;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
+use clap::Args;
 use indicatif::ProgressBar;
 use rayon::prelude::*;
 use slipmode::scene::{Fault, Faults};
@@ -32,6 +33,17 @@ pub use work::{Work, Worked};
 /// The most faults that are reported before the run stops looking for more.
 const MOST_FAULTS: usize = 20;
 
+/// What becomes of the rows of `--points`.
+#[derive(Debug, Args)]
+pub struct RowsOptions {
+    /// Where to write the rows; `-` is standard output
+    #[arg(short, long, value_name = "OUT.csv", default_value = "-", requires = "points")]
+    output: PathBuf,
+    /// Give faulty rows an `error` column instead of stopping
+    #[arg(long, requires = "points")]
+    keep_going: bool,
+}
+
 /// What is left of the rows when all are done.
 #[derive(Debug)]
 pub struct Done<K> {
@@ -42,21 +54,20 @@ pub struct Done<K> {
     counts: Counts,
 }
 
-/// Works on every row of `input` and writes to `output` (`-` for the standard streams).
+/// Works on every row of `input` (`-` is standard input) and writes where the options say.
 ///
 /// # Errors
-/// When a file cannot be opened, read or written. When a row is at fault, unless `keep_going`: nothing is written then,
+/// When a file cannot be opened, read or written. When a row is at fault, unless `--keep-going`: nothing is written then,
 /// and up to twenty faults are reported. A fault of the header or of the file's form always stops the run.
 pub fn run<W: RowWork>(
     input: &Path,
-    output: &Path,
+    options: &RowsOptions,
     command: W,
-    keep_going: bool,
     progress: Progress,
 ) -> Result<(), Failure> {
     // An output that cannot be written is told before the work, not after it; a faulty header before the output.
-    let started = Started::new(input, command, keep_going, progress)?;
-    let mut output = Output::create(output)?;
+    let started = Started::new(input, command, options.keep_going, progress)?;
+    let mut output = Output::create(&options.output)?;
     let done = started.work(&mut output)?;
     output.commit()?;
     done.tell();

@@ -2,7 +2,7 @@
 
 use slipmode::friction::Parameters;
 use slipmode::number::{Dd, Rational, parse_short_decimal};
-use slipmode::scene::{AllowedRange, Fault, Faults, Problem, parameters_from};
+use slipmode::scene::{AllowedRange, Fault, Faults, Problem};
 
 use crate::cli::points::header::Header;
 use crate::cli::points::rows::Row;
@@ -63,7 +63,7 @@ impl<'r> Cells<'r> {
         for (value, position) in values.iter_mut().zip(self.header.positions) {
             *value = parse_short_decimal(self.text(position))?;
         }
-        Some(parameters_from(values))
+        Some(Parameters::from(values))
     }
 
     /// The seven numbers, exactly.
@@ -81,7 +81,7 @@ impl<'r> Cells<'r> {
         });
         match values {
             [Some(a), Some(b), Some(d), Some(k), Some(m), Some(s), Some(v)] => {
-                Ok(parameters_from([a, b, d, k, m, s, v]))
+                Ok(Parameters::from([a, b, d, k, m, s, v]))
             }
             _ => Err(faults),
         }

@@ -50,7 +50,8 @@ impl Task for WriteScripts<'_> {
             output.write_all(text.as_bytes()).map_err(|error| machine_write(&error))?;
             output.commit()?;
         }
-        terminal::print(&format!("{shards} shards; submit with: sh {}/submit.sh\n", scripts.out))
+        let plural = if shards == 1 { "" } else { "s" };
+        terminal::print(&format!("{shards} shard{plural}; submit with: sh {}/submit.sh\n", scripts.out))
     }
 }
 

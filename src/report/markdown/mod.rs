@@ -7,9 +7,10 @@ mod harmless;
 
 pub(crate) use harmless::harmless;
 
-use pulldown_cmark::{CowStr, Event, HeadingLevel, Options, Parser, Tag, TagEnd, html};
+use pulldown_cmark::{CowStr, Event, HeadingLevel, Options, Parser, Tag, TagEnd, TextMergeStream, html};
 
 use super::math::Mathematics;
+use super::symbols::set_symbols;
 use crate::table::printable;
 
 /// Schemes that a link may have.
@@ -39,7 +40,7 @@ impl Prose {
         let mut events = Vec::new();
         let (mut dropped_links, mut image_depth) = (Vec::new(), 0_usize);
         let source = visible(markdown);
-        for event in Parser::new_ext(&source, options()) {
+        for event in TextMergeStream::new(Parser::new_ext(&source, options())) {
             match event {
                 Event::Html(_)
                 | Event::InlineHtml(_)
@@ -69,7 +70,7 @@ impl Prose {
         }
         self.set_headings(&mut events, shift, place);
         let mut text = String::new();
-        html::push_html(&mut text, events.into_iter());
+        html::push_html(&mut text, with_symbols(events));
         text
     }
 
@@ -124,6 +125,22 @@ impl Prose {
             }
         }
     }
+}
+
+/// Text outside code with the indices of its symbols below the line.
+fn with_symbols<'a>(events: Vec<Event<'a>>) -> impl Iterator<Item = Event<'a>> {
+    let mut is_code = false;
+    events.into_iter().map(move |event| match event {
+        Event::Text(text) if !is_code && text.contains('_') => Event::InlineHtml(set_symbols(&text).into()),
+        other => {
+            match other {
+                Event::Start(Tag::CodeBlock(_)) => is_code = true,
+                Event::End(TagEnd::CodeBlock) => is_code = false,
+                _ => {}
+            }
+            other
+        }
+    })
 }
 
 fn raw(text: &'static str) -> Event<'static> {

@@ -153,8 +153,8 @@ fn ranges_must_ascend_from_a_positive_end() {
     assert!(sweep("{ from = 2, to = 1, points = 3 }").contains("reversed range"));
     assert!(sweep("{ from = 2, to = 2.0, points = 3 }").contains("empty range"));
     assert!(sweep("{ from = 0, to = 2, points = 3 }").contains("effect_ratio.from = 0: must be > 0"));
-    assert!(sweep("{ from = 1, to = 2, points = 1 }").contains("allowed: a whole number from 2"));
-    assert!(sweep("{ from = 1, to = 2, points = 2.5 }").contains("allowed: a whole number from 2"));
+    assert!(sweep("{ from = 1, to = 2, points = 1 }").contains("allowed: a whole number, 2 or more"));
+    assert!(sweep("{ from = 1, to = 2, points = 2.5 }").contains("allowed: a whole number, 2 or more"));
     assert!(sweep("{ from = 1, to = 2 }").contains("effect_ratio.points: missing"));
     assert!(sweep("[1, 2]").contains("must be a table, not a list"));
 }

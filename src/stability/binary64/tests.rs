@@ -98,30 +98,12 @@ proptest! {
     fn random_points_keep_signs_and_digits(exponents in [
         -4f64..-1.0, -4f64..-1.0, -7f64..-2.0, 4f64..12.0, -2f64..7.0, 2f64..9.0, -9f64..1.0,
     ]) {
-        let [a, b, d, k, m, s, v] = exponents.map(libm::exp10);
-        assert_promises(&Parameters {
-            direct_effect: a,
-            evolution_effect: b,
-            critical_slip_distance_m: d,
-            stiffness_pa_per_m: k,
-            mass_per_area_kg_per_m2: m,
-            normal_stress_pa: s,
-            loading_velocity_m_per_s: v,
-        });
+        assert_promises(&Parameters::from(exponents.map(libm::exp10)));
     }
 
     #[test]
     fn the_short_cubic_has_the_signs_of_the_rationals(values in prop::array::uniform7(-30f64..30.0)) {
-        let [a, b, d, k, m, s, v] = values.map(libm::exp2);
-        let point = Parameters {
-            direct_effect: a,
-            evolution_effect: b,
-            critical_slip_distance_m: d,
-            stiffness_pa_per_m: k,
-            mass_per_area_kg_per_m2: m,
-            normal_stress_pa: s,
-            loading_velocity_m_per_s: v,
-        };
+        let point = Parameters::from(values.map(libm::exp2));
         if let Some(cubic) = short_cubic(&point) {
             let groups = point.map(|value| Rational::from_f64(*value).unwrap()).groups();
             prop_assert_eq!(cubic.hurwitz_sign(), crate::stability::transition_sign(&groups));

@@ -59,8 +59,8 @@ fn the_coefficients_of_eq_8_are_within_their_bounds_when_every_group_is_off() {
         let exact = groups(point).characteristic_cubic();
         for signs in 0..8 {
             let found = disturbed(point, signs).cubic();
-            for (power, exact) in exact.iter().enumerate() {
-                let off = (found.coefficients[power] - exact).abs();
+            for (power, coefficient) in exact.iter().enumerate() {
+                let off = (found.coefficients[power] - coefficient).abs();
                 let bound = found.relative_error * found.magnitudes[power];
                 assert!(off <= bound, "{point:?} {signs:03b} x^{power}: {off} > {bound}");
             }

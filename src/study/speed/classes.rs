@@ -6,8 +6,8 @@ use rayon::prelude::*;
 
 use super::sets::Sliders;
 use crate::friction::Parameters;
-use crate::roots::textbook::{Three, aberth, cardano, companion, newton, viete};
 use crate::stability::batch::{RungCounts, SignPair, classify_points};
+use crate::study::textbook::{TEXTBOOK, Textbook, signs_of};
 
 /// Classes of random points.
 #[derive(Debug, Clone, PartialEq)]
@@ -32,16 +32,6 @@ pub struct MethodCount {
     /// Roots that are not finite.
     pub failed: usize,
 }
-
-type Textbook = (&'static str, fn([f64; 4]) -> Three);
-
-const TEXTBOOK: [Textbook; 5] = [
-    ("Cardano", cardano),
-    ("trigonometric", viete),
-    ("companion eigenvalues", companion),
-    ("Newton and deflation", newton),
-    ("Aberth", aberth),
-];
 
 /// Classifies this many points, and the first of them by every textbook method.
 pub(super) fn count(points: u32, textbook_points: u32) -> ClassCounts {
@@ -75,28 +65,15 @@ pub(super) fn count(points: u32, textbook_points: u32) -> ClassCounts {
 }
 
 fn by_textbook((name, solve): Textbook, rows: &[Parameters<f64>], signs: &[SignPair]) -> MethodCount {
-    let outcome = |(row, exact): (&Parameters<f64>, &SignPair)| {
-        let roots = solve(row.groups().characteristic_cubic());
-        match class_of(&roots) {
-            None => [0, 1],
-            Some(found) => [usize::from(found != (exact.transition_sign(), exact.boundary_sign())), 0],
-        }
+    let outcome = |(row, exact): (&Parameters<f64>, &SignPair)| match signs_of(&solve(
+        row.groups().characteristic_cubic(),
+    )) {
+        None => [0, 1],
+        Some(found) => [usize::from(found != (exact.transition_sign(), exact.boundary_sign())), 0],
     };
     let sums = rows.par_iter().zip(signs).map(outcome);
     let [wrong, failed] = sums.reduce(|| [0, 0], |one, other| [one[0] + other[0], one[1] + other[1]]);
     MethodCount { method: name, points: rows.len(), wrong, failed }
-}
-
-/// Both signs, read off the roots as they come; none when one of them is not finite.
-fn class_of(roots: &Three) -> Option<(i8, i8)> {
-    if roots.iter().any(|root| !root.re.is_finite() || !root.im.is_finite()) {
-        return None;
-    }
-    let real = roots.iter().map(|root| root.re).fold(f64::NEG_INFINITY, f64::max);
-    let is_complex = roots.iter().any(|root| root.im > 0.0);
-    let coincide = roots[0] == roots[1] || roots[1] == roots[2] || roots[2] == roots[0];
-    let boundary = if is_complex { -1 } else { i8::from(!coincide) };
-    Some((i8::from(real < 0.0) - i8::from(real > 0.0), boundary))
 }
 
 #[cfg(test)]

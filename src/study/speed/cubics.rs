@@ -8,9 +8,11 @@ use rug::ops::CompleteRound;
 
 use super::sets::{Set, sets};
 use crate::number::{Dd, Rational, Real};
-use crate::roots::textbook::{Three, aberth, cardano, companion, newton, viete};
+use crate::roots::textbook::Three;
 use crate::roots::{BoundedCubic, CertifiedRoots, Pair, Working, certified_roots};
 use crate::scene::SpeedCountsSection;
+use crate::study::hard_case_methods::wide;
+use crate::study::textbook::TEXTBOOK;
 
 /// One method on one set of cubics.
 #[derive(Debug, Clone, PartialEq)]
@@ -45,17 +47,6 @@ fn share(count: usize, digits: u32) -> usize {
     };
     count.min(most)
 }
-
-/// A 64-bit method of the textbooks.
-type Textbook = (&'static str, fn([f64; 4]) -> Three);
-
-const TEXTBOOK: [Textbook; 5] = [
-    ("Cardano", cardano),
-    ("trigonometric", viete),
-    ("companion eigenvalues", companion),
-    ("Newton and deflation", newton),
-    ("Aberth", aberth),
-];
 
 /// Both sets by every method.
 pub(super) fn count(section: &SpeedCountsSection) -> Vec<RootCount> {
@@ -118,12 +109,6 @@ fn bounded<R: Working + Real>(cubic: &[Rational; 4], round: impl Fn(&Rational) -
             Some([real(found.real.value), [re.clone(), -im.clone()], [re, im]])
         }
     }
-}
-
-fn wide<R: Working>(value: R) -> Float {
-    let leading = value.leading();
-    let rest = (value - R::from(leading)).leading();
-    Float::with_val(180, leading) + rest
 }
 
 /// The precision worked with, and the digits right against a reference to more of them.

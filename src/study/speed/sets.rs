@@ -1,5 +1,7 @@
 //! The inputs: random sliders as wide as laboratories, faults and theory go, and cubics beside double roots.
 
+use rug::ops::Pow;
+
 use crate::friction::Parameters;
 use crate::number::Rational;
 use crate::study::LowDiscrepancy;
@@ -59,7 +61,7 @@ pub(super) fn sets(count: u32) -> [Set; 2] {
 /// Distances from the double root: 1e-4, 1e-6 … 1e-30 in turn.
 const DISTANCES: u32 = 14;
 
-/// (x − r)²·(x − t) with κ, the coefficient without x, moved by a relative ±10^-k.
+/// (x − r)²·(x − t) whose constant coefficient (κ in eq 8) is moved by a relative ±10^-k.
 fn beside_double_root(number: u32) -> [Rational; 4] {
     let double = Rational::from((-3 - i64::from(number % 17), 7));
     let third = Rational::from((-9 - i64::from(number % 23), 4));
@@ -67,21 +69,10 @@ fn beside_double_root(number: u32) -> [Rational; 4] {
     let sum = Rational::from(&double * 2_u32) + &third;
     let linear = Rational::from(&double * &third) * 2_u32 + &square;
     let distance =
-        Rational::from((1, 100)) / Rational::from(rug::Integer::from(100).pow_u(number % DISTANCES + 1));
+        Rational::from((1, 100)) / Rational::from(rug::Integer::from(100).pow(number % DISTANCES + 1));
     let factor =
         if number.is_multiple_of(2) { Rational::from(1) + distance } else { Rational::from(1) - distance };
     [-(square * third) * factor, linear, -sum, Rational::from(1)]
-}
-
-/// Powers of integers as a method, so that they chain.
-trait Power {
-    fn pow_u(self, exponent: u32) -> Self;
-}
-
-impl Power for rug::Integer {
-    fn pow_u(self, exponent: u32) -> Self {
-        rug::ops::Pow::pow(self, exponent)
-    }
 }
 
 #[cfg(test)]
