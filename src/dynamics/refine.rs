@@ -27,8 +27,9 @@ const MOST_CORRECTIONS: usize = 8;
 /// Local tolerance of the laps whose differences are the derivative: their quotients must resolve 1 − P'.
 const DERIVATIVE_TOLERANCE: f64 = 1e-6;
 
-/// Where 1 − P' is less than this, the derivative of the laps' own errors may be all of it: it is believed only when a tolerance a
-/// hundred times tighter gives about the same. Else decays that last millions of laps would pass for cycles.
+/// Where 1 − P' is less than this, the derivative of the laps' own errors may be all of it, and an entry too small to be seen may decide: it
+/// is believed only when a tolerance a hundred times tighter gives about the same. Else decays that last millions of laps would pass for
+/// cycles.
 const RESOLVED: f64 = 1e-3;
 
 /// The tolerance of each derivative over that of the one before, and the tightest.
@@ -94,22 +95,22 @@ pub(super) fn derivative<M: Stepper<f64> + Clone>(
             derivative = Derivative::at(map, from, tolerance)?;
             continue;
         }
-        let away = derivative.neutrality();
-        if away > RESOLVED {
-            break;
+        if derivative.least_neutrality() > RESOLVED {
+            return Ok((derivative, from));
         }
+        let away = derivative.neutrality();
         tolerance *= FINER;
         if tolerance < TIGHTEST_DERIVATIVE {
             return Err(Failure::Undecided { cycles: 0, change: away });
         }
-        let finer = Derivative::at(map, from, tolerance)?;
+        let finer = Derivative::at(map, from, tolerance)?.confirmed_by(&derivative);
         let agree = (finer.neutrality() - away).abs() < 0.5 * away.abs();
         derivative = finer;
         if agree {
-            break;
+            return Ok((derivative, from));
         }
     }
-    Ok((derivative, from))
+    Err(Failure::Undecided { cycles: 0, change: derivative.neutrality() })
 }
 
 /// Newton's iteration on the return map from a rough cycle; none when it does not converge.
