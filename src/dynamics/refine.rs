@@ -39,6 +39,15 @@ const TIGHTEST_DERIVATIVE: f64 = 1e-13;
 /// Relative size of the deviation that shows whether a lap contracts fast.
 const DEVIATION: f64 = 1e-2;
 
+/// Units that a stress held through a stick phase may err by in a step, over those of other quantities.
+const HELD: f64 = 5.0;
+
+/// The same over the tolerance: no larger than the errors of laps require, because a slider that barely stops is linear nearby only.
+const DEVIATION_IN_TOLERANCES: f64 = 30.0;
+
+/// The least relative size, for rounding errors.
+const LEAST_DEVIATION: f64 = 1e-7;
+
 /// Relative size of a correction after which the derivative stays good.
 const SMALL: f64 = 1e-3;
 
@@ -61,7 +70,9 @@ impl<R: Scalar> Refined<R> {
             lap: lap.rounded(),
             steps,
         };
-        Refined { sight, errors: self.errors, distance: self.distance }
+        let shown = super::sight::observed(&sight.lap);
+        let errors = std::array::from_fn(|i| self.errors[i] + f64::EPSILON * shown[i].abs().max(1.0));
+        Refined { sight, errors, distance: self.distance }
     }
 }
 
@@ -134,8 +145,9 @@ pub(super) fn refine<R: Scalar, M: Stepper<R> + Clone>(
     };
     let correction = derivative.correction(sight.residual());
     let left = derivative.moved(correction).map(|change| change.abs() / (1.0 - rate));
-    let of_lap = lap_errors(differences, &sight.lap, accuracy.floor);
-    let (units, shown) = (rounding(&sight), rounding_shown(&sight));
+    let gains = derivative.moved([1.0; 2]);
+    let of_lap = lap_errors(differences, &sight.lap, gains, accuracy.floor);
+    let (units, shown) = (rounding(&sight), rounding_shown(&sight, gains));
     let displaced = derivative.worst(image_difference.map(|d| OF_DIFFERENCE * d), units);
     let errors = std::array::from_fn(|i| left[i] + of_lap[i] + displaced[i] + shown[i]);
     let distance = correction.iter().fold(0.0f64, |size, c| size.max(c.abs())) / sight.size();
@@ -151,19 +163,32 @@ pub(super) fn rounding<R: Scalar>(sight: &Sight<R>) -> f64 {
     (sight.steps as f64).sqrt() * 4.0 * R::UNIT_ROUNDOFF.max(f64::EPSILON * f64::EPSILON) * size
 }
 
-/// The same for what a lap shows: ζ acts on the velocity through its part of ζ, which is no larger than the range of ln V.
-fn rounding_shown<R: Scalar>(sight: &Sight<R>) -> Observed {
+/// What is shown of rounding errors: ζ acts on the velocity through its part of ζ, which is no larger than the range of ln V.
+///
+/// A stress that is held through a stick phase keeps all that Newton's iteration leaves in a step: it ends where updates are below two
+/// units for each of the ten sums that they are made of. What follows a stick phase sees of it what it sees of another passage.
+fn rounding_shown<R: Scalar>(sight: &Sight<R>, gains: Observed) -> Observed {
     let shown = super::sight::observed(&sight.lap).map(f64::abs);
     let range = shown[PEAK].max(shown[TROUGH]).max(1.0);
-    let unit = rounding(sight) / sight.size().max(range);
-    shown.map(|value| unit * value.max(range))
+    let whole = rounding(sight);
+    let unit = whole / sight.size().max(range);
+    let held = [0.0, 0.0, 1.0, 1.0, 1.0];
+    std::array::from_fn(|i| unit * shown[i].max(range) + HELD * whole * gains[i].max(held[i]))
 }
 
-/// The errors of the finer of two laps that differ by this much.
-pub(super) fn lap_errors<R: Scalar>(differences: Observed, lap: &Lap<R>, floor: f64) -> Observed {
+/// The errors of the finer of two laps that differ by this much, and of what is seen of a bad step, which acts like a deviation of the passage: a
+/// slider that barely stops does so at a stress that changes by hundreds of times as much.
+pub(super) fn lap_errors<R: Scalar>(
+    differences: Observed,
+    lap: &Lap<R>,
+    gains: Observed,
+    floor: f64,
+) -> Observed {
     let scales = super::sight::observed(lap).map(|value| value.abs().max(1.0));
     let largest = (0..5).fold(0.0f64, |largest, i| largest.max(differences[i].abs() / scales[i]));
-    std::array::from_fn(|i| OF_DIFFERENCE * differences[i].abs() + OF_LARGEST * largest * scales[i] + floor)
+    std::array::from_fn(|i| {
+        OF_DIFFERENCE * differences[i].abs() + OF_LARGEST * largest * scales[i] + gains[i].max(1.0) * floor
+    })
 }
 
 /// Corrects the passage until the way left shows in no observable, or shrinks no more; with the rate at which it shrank.
@@ -241,8 +266,8 @@ pub(super) fn follow<M: Stepper<f64> + Clone>(
         }
         if ready {
             let differences = sight.differences(&lap);
-            let of_lap = lap_errors(differences, &sight.lap, accuracy.floor);
-            let units = rounding_shown(&sight);
+            let of_lap = lap_errors(differences, &sight.lap, gains, accuracy.floor);
+            let units = rounding_shown(&sight, gains);
             // The fixed points of the two maps differ as well, and this lap began on the coarser one's.
             let way = size(sight.residual()) / (1.0 - SLOW);
             let errors: Observed = std::array::from_fn(|i| {
@@ -270,7 +295,8 @@ fn spread<M: Stepper<f64> + Clone>(
 ) -> Result<(f64, Observed), Failure> {
     let from = [cycle.from[1], cycle.from[2]];
     let effect_ratio = map.model.groups().effect_ratio;
-    let by = [DEVIATION * effect_ratio * from[0], DEVIATION * map.model.imbalance(&cycle.from)];
+    let part = (DEVIATION_IN_TOLERANCES * local_tolerance / size(from)).clamp(LEAST_DEVIATION, DEVIATION);
+    let by = [part * effect_ratio * from[0], part * map.model.imbalance(&cycle.from)];
     let moved = shifted(&from, by, effect_ratio);
     let sight = map.sight(&moved, local_tolerance)?;
     let deviation = size(difference(moved, from));
