@@ -131,16 +131,17 @@ pub(super) fn refine<R: Scalar, M: Stepper<R> + Clone>(
     rough: [R; 2],
     accuracy: Accuracy,
 ) -> Result<Option<Refined<R>>, Failure> {
-    let Some((coarse, _)) = approach(map, derivative, rough, accuracy.coarse, accuracy.asked)? else {
+    let Accuracy { coarse, fine, asked, .. } = accuracy;
+    let Some((coarse, rate)) = approach(map, derivative, rough, [coarse, asked], 0.5)? else {
         return Ok(None);
     };
-    let first = map.sight(&coarse.from, accuracy.fine)?;
+    let first = map.sight(&coarse.from, fine)?;
     // The laps err alike from passages as close as these, so one pair from the same passage tells for all.
     let differences = first.differences(&coarse.lap);
     let image_difference: [f64; 2] =
         std::array::from_fn(|i| (first.image[i].clone() - &coarse.image[i]).to_f64());
-    let Some((sight, rate)) = approach(map, derivative, first.from.clone(), accuracy.fine, accuracy.asked)?
-    else {
+    // The derivative is the same, and so is what a correction leaves.
+    let Some((sight, rate)) = approach(map, derivative, first.from.clone(), [fine, asked], rate)? else {
         return Ok(None);
     };
     let correction = derivative.correction(sight.residual());
@@ -186,20 +187,25 @@ pub(super) fn lap_errors<R: Scalar>(
 ) -> Observed {
     let scales = super::sight::observed(lap).map(|value| value.abs().max(1.0));
     let largest = (0..5).fold(0.0f64, |largest, i| largest.max(differences[i].abs() / scales[i]));
+    // Stress is loaded at a steady rate: what a stick phase errs in its duration, stress errs in its range.
+    let range = (lap.highest_stress.to_f64() - lap.lowest_stress.to_f64()).abs();
+    let loaded = [0.0, 0.0, range, range, range].map(|range| range * differences[DURATION].abs());
     std::array::from_fn(|i| {
-        OF_DIFFERENCE * differences[i].abs() + OF_LARGEST * largest * scales[i] + gains[i].max(1.0) * floor
+        OF_DIFFERENCE * (differences[i].abs() + loaded[i])
+            + OF_LARGEST * largest * scales[i]
+            + gains[i].max(1.0) * floor
     })
 }
 
-/// Corrects the passage until the way left shows in no observable, or shrinks no more; with the rate at which it shrank.
+/// Corrects the passage until the way left shows in no observable, or shrinks no more; with the rate at which it shrank, no less than `rate`.
 fn approach<R: Scalar, M: Stepper<R> + Clone>(
     map: &mut ReturnMap<'_, R, M>,
     derivative: &Derivative,
     from: [R; 2],
-    local_tolerance: f64,
-    asked: f64,
+    [local_tolerance, asked]: [f64; 2],
+    rate: f64,
 ) -> Result<Option<(Sight<R>, f64)>, Failure> {
-    let (mut from, mut last, mut rate) = (from, f64::INFINITY, 0.5f64);
+    let (mut from, mut last, mut rate, mut before) = (from, f64::INFINITY, rate, f64::INFINITY);
     for _ in 0..MOST_CORRECTIONS {
         let sight = map.sight(&from, local_tolerance)?;
         let correction = derivative.correction(sight.residual());
@@ -209,7 +215,10 @@ fn approach<R: Scalar, M: Stepper<R> + Clone>(
             return Ok(None);
         }
         if last.is_finite() {
-            rate = (size / last).min(0.9);
+            // Away from where the derivative was taken the rate still grows.
+            let ratio = size / last;
+            rate = (ratio + (ratio - before).max(0.0)).clamp(rate, 0.9);
+            before = ratio;
         }
         let noise = derivative.correction([rounding(&sight); 2]);
         let resolved = size <= noise[0].abs().max(noise[1].abs());
@@ -218,7 +227,7 @@ fn approach<R: Scalar, M: Stepper<R> + Clone>(
         }
         // The map has steps of the size of its errors; nearer than that no correction leads.
         if size > 0.5 * last {
-            return Ok(Some((sight, 0.5)));
+            return Ok(Some((sight, rate)));
         }
         last = size;
         from = derivative.corrected(&sight.from, correction);
