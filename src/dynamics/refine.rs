@@ -27,8 +27,9 @@ const MOST_CORRECTIONS: usize = 8;
 /// Local tolerance of the laps whose differences are the derivative: their quotients must resolve 1 − P'.
 const DERIVATIVE_TOLERANCE: f64 = 1e-6;
 
-/// Where 1 − P' is less than this, the derivative of the laps' own errors may be all of it: it is believed only when a tolerance a
-/// hundred times tighter gives about the same. Else decays that last millions of laps would pass for cycles.
+/// Where 1 − P' is less than this, the derivative of the laps' own errors may be all of it, and an entry too small to be seen may decide: it
+/// is believed only when a tolerance a hundred times tighter gives about the same. Else decays that last millions of laps would pass for
+/// cycles.
 const RESOLVED: f64 = 1e-3;
 
 /// The tolerance of each derivative over that of the one before, and the tightest.
@@ -37,6 +38,15 @@ const TIGHTEST_DERIVATIVE: f64 = 1e-13;
 
 /// Relative size of the deviation that shows whether a lap contracts fast.
 const DEVIATION: f64 = 1e-2;
+
+/// Units that a stress held through a stick phase may err by in a step, over those of other quantities.
+const HELD: f64 = 5.0;
+
+/// The same over the tolerance: no larger than the errors of laps require, because a slider that barely stops is linear nearby only.
+const DEVIATION_IN_TOLERANCES: f64 = 30.0;
+
+/// The least relative size, for rounding errors.
+const LEAST_DEVIATION: f64 = 1e-7;
 
 /// Relative size of a correction after which the derivative stays good.
 const SMALL: f64 = 1e-3;
@@ -60,7 +70,9 @@ impl<R: Scalar> Refined<R> {
             lap: lap.rounded(),
             steps,
         };
-        Refined { sight, errors: self.errors, distance: self.distance }
+        let shown = super::sight::observed(&sight.lap);
+        let errors = std::array::from_fn(|i| self.errors[i] + f64::EPSILON * shown[i].abs().max(1.0));
+        Refined { sight, errors, distance: self.distance }
     }
 }
 
@@ -94,22 +106,22 @@ pub(super) fn derivative<M: Stepper<f64> + Clone>(
             derivative = Derivative::at(map, from, tolerance)?;
             continue;
         }
-        let away = derivative.neutrality();
-        if away > RESOLVED {
-            break;
+        if derivative.least_neutrality() > RESOLVED {
+            return Ok((derivative, from));
         }
+        let away = derivative.neutrality();
         tolerance *= FINER;
         if tolerance < TIGHTEST_DERIVATIVE {
             return Err(Failure::Undecided { cycles: 0, change: away });
         }
-        let finer = Derivative::at(map, from, tolerance)?;
+        let finer = Derivative::at(map, from, tolerance)?.confirmed_by(&derivative);
         let agree = (finer.neutrality() - away).abs() < 0.5 * away.abs();
         derivative = finer;
         if agree {
-            break;
+            return Ok((derivative, from));
         }
     }
-    Ok((derivative, from))
+    Err(Failure::Undecided { cycles: 0, change: derivative.neutrality() })
 }
 
 /// Newton's iteration on the return map from a rough cycle; none when it does not converge.
@@ -119,22 +131,24 @@ pub(super) fn refine<R: Scalar, M: Stepper<R> + Clone>(
     rough: [R; 2],
     accuracy: Accuracy,
 ) -> Result<Option<Refined<R>>, Failure> {
-    let Some((coarse, _)) = approach(map, derivative, rough, accuracy.coarse, accuracy.asked)? else {
+    let Accuracy { coarse, fine, asked, .. } = accuracy;
+    let Some((coarse, rate)) = approach(map, derivative, rough, [coarse, asked], 0.5)? else {
         return Ok(None);
     };
-    let first = map.sight(&coarse.from, accuracy.fine)?;
+    let first = map.sight(&coarse.from, fine)?;
     // The laps err alike from passages as close as these, so one pair from the same passage tells for all.
     let differences = first.differences(&coarse.lap);
     let image_difference: [f64; 2] =
         std::array::from_fn(|i| (first.image[i].clone() - &coarse.image[i]).to_f64());
-    let Some((sight, rate)) = approach(map, derivative, first.from.clone(), accuracy.fine, accuracy.asked)?
-    else {
+    // The derivative is the same, and so is what a correction leaves.
+    let Some((sight, rate)) = approach(map, derivative, first.from.clone(), [fine, asked], rate)? else {
         return Ok(None);
     };
     let correction = derivative.correction(sight.residual());
     let left = derivative.moved(correction).map(|change| change.abs() / (1.0 - rate));
-    let of_lap = lap_errors(differences, &sight.lap, accuracy.floor);
-    let (units, shown) = (rounding(&sight), rounding_shown(&sight));
+    let gains = derivative.moved([1.0; 2]);
+    let of_lap = lap_errors(differences, &sight.lap, gains, accuracy.floor);
+    let (units, shown) = (rounding(&sight), rounding_shown(&sight, gains));
     let displaced = derivative.worst(image_difference.map(|d| OF_DIFFERENCE * d), units);
     let errors = std::array::from_fn(|i| left[i] + of_lap[i] + displaced[i] + shown[i]);
     let distance = correction.iter().fold(0.0f64, |size, c| size.max(c.abs())) / sight.size();
@@ -150,30 +164,48 @@ pub(super) fn rounding<R: Scalar>(sight: &Sight<R>) -> f64 {
     (sight.steps as f64).sqrt() * 4.0 * R::UNIT_ROUNDOFF.max(f64::EPSILON * f64::EPSILON) * size
 }
 
-/// The same for what a lap shows: ζ acts on the velocity through its part of ζ, which is no larger than the range of ln V.
-fn rounding_shown<R: Scalar>(sight: &Sight<R>) -> Observed {
+/// What is shown of rounding errors: ζ acts on the velocity through its part of ζ, which is no larger than the range of ln V.
+///
+/// A stress that is held through a stick phase keeps all that Newton's iteration leaves in a step: it ends where updates are below two
+/// units for each of the ten sums that they are made of. What follows a stick phase sees of it what it sees of another passage.
+fn rounding_shown<R: Scalar>(sight: &Sight<R>, gains: Observed) -> Observed {
     let shown = super::sight::observed(&sight.lap).map(f64::abs);
     let range = shown[PEAK].max(shown[TROUGH]).max(1.0);
-    let unit = rounding(sight) / sight.size().max(range);
-    shown.map(|value| unit * value.max(range))
+    let whole = rounding(sight);
+    let unit = whole / sight.size().max(range);
+    let held = [0.0, 0.0, 1.0, 1.0, 1.0];
+    std::array::from_fn(|i| unit * shown[i].max(range) + HELD * whole * gains[i].max(held[i]))
 }
 
-/// The errors of the finer of two laps that differ by this much.
-pub(super) fn lap_errors<R: Scalar>(differences: Observed, lap: &Lap<R>, floor: f64) -> Observed {
+/// The errors of the finer of two laps that differ by this much, and of what is seen of a bad step, which acts like a deviation of the passage: a
+/// slider that barely stops does so at a stress that changes by hundreds of times as much.
+pub(super) fn lap_errors<R: Scalar>(
+    differences: Observed,
+    lap: &Lap<R>,
+    gains: Observed,
+    floor: f64,
+) -> Observed {
     let scales = super::sight::observed(lap).map(|value| value.abs().max(1.0));
     let largest = (0..5).fold(0.0f64, |largest, i| largest.max(differences[i].abs() / scales[i]));
-    std::array::from_fn(|i| OF_DIFFERENCE * differences[i].abs() + OF_LARGEST * largest * scales[i] + floor)
+    // Stress is loaded at a steady rate: what a stick phase errs in its duration, stress errs in its range.
+    let range = (lap.highest_stress.to_f64() - lap.lowest_stress.to_f64()).abs();
+    let loaded = [0.0, 0.0, range, range, range].map(|range| range * differences[DURATION].abs());
+    std::array::from_fn(|i| {
+        OF_DIFFERENCE * (differences[i].abs() + loaded[i])
+            + OF_LARGEST * largest * scales[i]
+            + gains[i].max(1.0) * floor
+    })
 }
 
-/// Corrects the passage until the way left shows in no observable, or shrinks no more; with the rate at which it shrank.
+/// Corrects the passage until the way left shows in no observable, or shrinks no more; with the rate at which it shrank, no less than `rate`.
 fn approach<R: Scalar, M: Stepper<R> + Clone>(
     map: &mut ReturnMap<'_, R, M>,
     derivative: &Derivative,
     from: [R; 2],
-    local_tolerance: f64,
-    asked: f64,
+    [local_tolerance, asked]: [f64; 2],
+    rate: f64,
 ) -> Result<Option<(Sight<R>, f64)>, Failure> {
-    let (mut from, mut last, mut rate) = (from, f64::INFINITY, 0.5f64);
+    let (mut from, mut last, mut rate, mut before) = (from, f64::INFINITY, rate, f64::INFINITY);
     for _ in 0..MOST_CORRECTIONS {
         let sight = map.sight(&from, local_tolerance)?;
         let correction = derivative.correction(sight.residual());
@@ -183,7 +215,10 @@ fn approach<R: Scalar, M: Stepper<R> + Clone>(
             return Ok(None);
         }
         if last.is_finite() {
-            rate = (size / last).min(0.9);
+            // Away from where the derivative was taken the rate still grows.
+            let ratio = size / last;
+            rate = (ratio + (ratio - before).max(0.0)).clamp(rate, 0.9);
+            before = ratio;
         }
         let noise = derivative.correction([rounding(&sight); 2]);
         let resolved = size <= noise[0].abs().max(noise[1].abs());
@@ -192,7 +227,7 @@ fn approach<R: Scalar, M: Stepper<R> + Clone>(
         }
         // The map has steps of the size of its errors; nearer than that no correction leads.
         if size > 0.5 * last {
-            return Ok(Some((sight, 0.5)));
+            return Ok(Some((sight, rate)));
         }
         last = size;
         from = derivative.corrected(&sight.from, correction);
@@ -240,8 +275,8 @@ pub(super) fn follow<M: Stepper<f64> + Clone>(
         }
         if ready {
             let differences = sight.differences(&lap);
-            let of_lap = lap_errors(differences, &sight.lap, accuracy.floor);
-            let units = rounding_shown(&sight);
+            let of_lap = lap_errors(differences, &sight.lap, gains, accuracy.floor);
+            let units = rounding_shown(&sight, gains);
             // The fixed points of the two maps differ as well, and this lap began on the coarser one's.
             let way = size(sight.residual()) / (1.0 - SLOW);
             let errors: Observed = std::array::from_fn(|i| {
@@ -269,7 +304,8 @@ fn spread<M: Stepper<f64> + Clone>(
 ) -> Result<(f64, Observed), Failure> {
     let from = [cycle.from[1], cycle.from[2]];
     let effect_ratio = map.model.groups().effect_ratio;
-    let by = [DEVIATION * effect_ratio * from[0], DEVIATION * map.model.imbalance(&cycle.from)];
+    let part = (DEVIATION_IN_TOLERANCES * local_tolerance / size(from)).clamp(LEAST_DEVIATION, DEVIATION);
+    let by = [part * effect_ratio * from[0], part * map.model.imbalance(&cycle.from)];
     let moved = shifted(&from, by, effect_ratio);
     let sight = map.sight(&moved, local_tolerance)?;
     let deviation = size(difference(moved, from));

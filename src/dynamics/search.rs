@@ -9,7 +9,7 @@ use super::deviations::{oscillation_in_double_double, oscillation_of_small_devia
 use super::integrator::{Control, Integrator};
 use super::outcome::{Errors, Outcome, extremes, peak_and_period, trough};
 use super::refine::{Accuracy, OF_DIFFERENCE, OF_LARGEST, Refined, derivative, follow, refine};
-use super::settle::{Cycle, Decay, Late, SLOW, settle, settle_within};
+use super::settle::{Cycle, Decay, Late, SLOW, settle_within};
 use super::sight::{DURATION, HIGHEST, LOWEST, PEAK, ReturnMap, TROUGH};
 use super::stepper::Stepper;
 use super::{Failure, Lap, Model, Options, Radau};
@@ -23,6 +23,9 @@ const TIGHTEST: f64 = 2e-13;
 
 /// The tolerance of the finer of two runs over that of the coarser.
 const FINER: f64 = 0.01;
+
+/// The tolerances of an attempt over those of one that came out larger than asked; [`FINER`] where it decided nothing.
+const TIGHTER: f64 = 0.1;
 
 /// How near to a slowly contracting cycle the rough run has to come before Newton's iteration takes over.
 const NEWTON_FROM: f64 = 1e-2;
@@ -41,23 +44,32 @@ pub(super) struct Levels {
     tightest: f64,
     /// Steps of a lap whose errors are as large as their estimates.
     bad_steps: f64,
+    /// Laps after which the method is called unsuited: many of them are cheaper with one of higher order.
+    most_laps: u64,
 }
 
 impl Levels {
     /// For the method of order 5.
     pub const fn loose() -> Self {
-        Self { rough: 1e-2, coarse: 1e-2, tightest: 1e-3, bad_steps: 20.0 }
+        Self { rough: 1e-2, coarse: 1e-2, tightest: 1e-3, bad_steps: 20.0, most_laps: 40 }
     }
 
     /// For the method of order 9: its global error is about the 3/2nd power of the local tolerance.
     pub fn for_error(asked: f64) -> Self {
         let coarse = (30.0 * asked).clamp(TIGHTEST / FINER, 1e-3);
-        Self { rough: coarse.max(1e-4), coarse, tightest: TIGHTEST / FINER, bad_steps: 1.0 }
+        Self {
+            rough: coarse.max(1e-4),
+            coarse,
+            tightest: TIGHTEST / FINER,
+            bad_steps: 1.0,
+            most_laps: u64::MAX,
+        }
     }
 
-    fn tighter(self) -> Option<Self> {
-        let finer = Self { rough: 0.1 * self.rough, coarse: 0.1 * self.coarse, ..self };
-        (finer.coarse >= 0.99 * self.tightest).then_some(finer)
+    fn tighter(self, by: f64) -> Option<Self> {
+        let by = by.max(self.tightest / self.coarse);
+        let finer = Self { rough: by * self.rough, coarse: by * self.coarse, ..self };
+        (by <= 1.01 * TIGHTER).then_some(finer)
     }
 }
 
@@ -86,6 +98,7 @@ impl<'m, 'o, M: Stepper<f64> + Clone> Search<'m, 'o, M> {
         let mut reached = f64::INFINITY;
         let mut last_failure = None;
         loop {
+            let mut by = TIGHTER;
             match self.attempt() {
                 Ok((late, errors)) => {
                     let outcome = self.outcome(late, errors, FINER * self.levels.coarse);
@@ -97,10 +110,11 @@ impl<'m, 'o, M: Stepper<f64> + Clone> Search<'m, 'o, M> {
                 Err(failure @ (Failure::Undecided { .. } | Failure::StepVanished { .. })) => {
                     last_failure = Some(failure);
                     self.known = None;
+                    by = FINER;
                 }
                 Err(failure) => return Err(failure),
             }
-            match self.levels.tighter() {
+            match self.levels.tighter(by) {
                 Some(levels) => self.levels = levels,
                 None => break,
             }
@@ -143,7 +157,7 @@ impl<'m, 'o, M: Stepper<f64> + Clone> Search<'m, 'o, M> {
 
     fn settled(&mut self, local_tolerance: f64) -> Result<Late<f64>, Failure> {
         let target = 0.01 * self.options.tolerance;
-        self.run(local_tolerance, |run, laps| settle(run, target, laps))
+        self.run(local_tolerance, |run, laps| settle_within(run, [target, 0.0], laps))
     }
 
     /// A run from the start.
@@ -155,7 +169,7 @@ impl<'m, 'o, M: Stepper<f64> + Clone> Search<'m, 'o, M> {
         let start = self.options.start.state(self.model, &libm::log(self.options.velocity_ratio));
         let control = Control { local_tolerance, most_steps: self.options.most_steps };
         let mut run = Integrator::new(self.model, self.method.clone(), start, control)?;
-        let late = settle(&mut run, self.options.most_laps);
+        let late = settle(&mut run, self.options.most_laps.min(self.levels.most_laps));
         let (accepted, refused) = run.step_counts();
         self.work = [self.work[0] + accepted + refused, self.work[1] + run.method().evaluations()];
         late
@@ -208,7 +222,7 @@ impl<'m, 'o, M: Stepper<f64> + Clone> Search<'m, 'o, M> {
             contraction = Some(derivative.multiplier());
             refined = refine(&mut map, &derivative, rough, accuracy)?;
             let satisfied = refined.as_ref().is_some_and(|refined| satisfies(refined, accuracy.asked));
-            if !satisfied && self.levels.tighter().is_none() {
+            if !satisfied && self.levels.tighter(TIGHTER).is_none() {
                 let more =
                     in_double_double(self.model, &found, &derivative, &refined, accuracy, self.options)?;
                 refined = more.or(refined);

@@ -22,6 +22,9 @@ const LARGEST_JUMP: f64 = 0.3;
 /// Relative changes of a lap below this multiple of the local tolerance may be the integrator's errors rather than the map's.
 const NOISE_IN_TOLERANCES: f64 = 0.01;
 
+/// Relative changes of a lap below this may be rounding errors of its steps.
+const ROUNDING_OF_LAPS: f64 = 1e-14;
+
 /// The farthest from its cycle that a trajectory may be called periodic, when the integrator's errors hide the rest of the way.
 const FARTHEST: f64 = 1e-3;
 
@@ -37,23 +40,26 @@ const MOST_ERRATIC_LAPS: u32 = 40;
 /// A lap that leaves more than this part of a deviation contracts slowly.
 pub(super) const SLOW: f64 = 0.3;
 
-/// Laps since the change of a lap last fell by a tenth.
+/// Laps since the change of a lap last fell by a tenth, or the state by a half: one on its way to zero changes by the same part in every lap.
 struct Standstill {
     least: f64,
+    least_amplitude: f64,
     laps: u32,
 }
 
 impl Standstill {
     const fn new() -> Self {
-        Self { least: f64::INFINITY, laps: 0 }
+        Self { least: f64::INFINITY, least_amplitude: f64::INFINITY, laps: 0 }
     }
 
     /// Notes one change; true when the last many did not fall.
-    fn lasts(&mut self, change: f64) -> bool {
+    fn lasts(&mut self, change: f64, amplitude: f64) -> bool {
+        self.laps += 1;
         if change < 0.9 * self.least {
             (self.least, self.laps) = (change, 0);
-        } else {
-            self.laps += 1;
+        }
+        if amplitude < 0.5 * self.least_amplitude {
+            (self.least_amplitude, self.laps) = (amplitude, 0);
         }
         self.laps >= MOST_ERRATIC_LAPS
     }
@@ -115,7 +121,6 @@ pub(super) fn settle_within<R: Scalar, M: Stepper<R> + Clone>(
     let mut transient: Option<Lap<R>> = None;
     let mut history = History::new();
     let mut contraction = None;
-    let noise = NOISE_IN_TOLERANCES * run.local_tolerance();
     let mut jumped = false;
     let mut reach = LARGEST_JUMP;
     let mut retreat: Option<State<R>> = None;
@@ -151,7 +156,10 @@ pub(super) fn settle_within<R: Scalar, M: Stepper<R> + Clone>(
             return measure_decay(run, history, transient);
         }
         let Some(change) = history.change(1) else { continue };
-        if change < ERRATIC_IN_TOLERANCES * run.local_tolerance() && standstill.lasts(change) {
+        // Where the state is above 1 the tolerance is not relative to it.
+        let relative_tolerance = run.local_tolerance() / amplitude.max(1.0);
+        let noise = (NOISE_IN_TOLERANCES * relative_tolerance).max(ROUNDING_OF_LAPS);
+        if change < ERRATIC_IN_TOLERANCES * relative_tolerance && standstill.lasts(change, amplitude) {
             return Err(Failure::Undecided { cycles: done, change });
         }
         if change > noise {

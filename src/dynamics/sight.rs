@@ -106,6 +106,8 @@ impl<R: Scalar> Sight<R> {
 pub(super) struct Derivative {
     effect_ratio: f64,
     image: [[f64; 2]; 2],
+    /// The same with the entries that may be errors of the laps alone; elsewhere these count as zero.
+    raw: [[f64; 2]; 2],
     /// Moduli.
     observed: [[f64; 2]; 5],
 }
@@ -116,8 +118,15 @@ const DIFFERENCE: f64 = 3e-4;
 /// Most that a difference may be of the coordinate it changes.
 const LARGEST_PART: f64 = 0.03;
 
-/// Relative error of a lap's end at the tolerance of the differences; over a difference it is what a derivative can resolve.
-const LAP_ERROR: f64 = 1e-9;
+/// Error of a lap's end over the 3/2nd power of its tolerance, relative to a state below 1 as the tolerance is; over a difference it
+/// is what a derivative can resolve.
+const LAP_ERROR: f64 = 1.0;
+
+/// The same for the rounding errors of a lap's steps, relative to any state.
+const ROUNDING: f64 = 1e-14;
+
+/// How nearly two derivatives must agree on an entry for it to be more than errors.
+const AGREEMENT: f64 = 0.1;
 
 /// y and ζ moved by u and w.
 pub(super) fn shifted<R: Scalar>(from: &[R; 2], [u, w]: [f64; 2], effect_ratio: f64) -> [R; 2] {
@@ -138,7 +147,9 @@ impl Derivative {
         let along = (effect_ratio * from[0]).abs();
         let steps = [along, upward]
             .map(|part| (DIFFERENCE * size).min(LARGEST_PART * part).max(1e-6 * DIFFERENCE * size));
-        let mut derivative = Self { effect_ratio, image: [[0.0; 2]; 2], observed: [[0.0; 2]; 5] };
+        let lap_error = LAP_ERROR * local_tolerance * local_tolerance.sqrt();
+        let zero = [[0.0; 2]; 2];
+        let mut derivative = Self { effect_ratio, image: zero, raw: zero, observed: [[0.0; 2]; 5] };
         for (column, h) in steps.into_iter().enumerate() {
             let mut moved = |sign: f64| {
                 let mut by = [0.0; 2];
@@ -146,11 +157,12 @@ impl Derivative {
                 map.sight(&shifted(&from, by, effect_ratio), local_tolerance)
             };
             let (low, high) = (moved(-1.0)?, moved(1.0)?);
-            let resolution = LAP_ERROR * size / h;
+            let resolution = (lap_error * size.min(1.0) + ROUNDING * size) / h;
             let slope = |difference: f64| difference / (2.0 * h);
             let image = derivative.coordinates([high.image[0] - low.image[0], high.image[1] - low.image[1]]);
             for (row, difference) in image.into_iter().enumerate() {
                 let slope = slope(difference);
+                derivative.raw[row][column] = slope;
                 derivative.image[row][column] = if slope.abs() < resolution { 0.0 } else { slope };
             }
             for (row, difference) in high.differences(&low.lap).into_iter().enumerate() {
@@ -176,12 +188,31 @@ impl Derivative {
         half_trace.abs() + discriminant.sqrt()
     }
 
+    /// Takes for more than errors, however small they are, the entries on which laps at another tolerance agree.
+    ///
+    /// Where ln θ moves by a part in 10^8 of what the stress does, such an entry decides about a multiplier next to 1.
+    pub fn confirmed_by(mut self, other: &Self) -> Self {
+        for (entry, (raw, others)) in self
+            .image
+            .as_flattened_mut()
+            .iter_mut()
+            .zip(self.raw.as_flattened().iter().zip(other.raw.as_flattened()))
+        {
+            if (raw - others).abs() <= AGREEMENT * raw.abs() {
+                *entry = *raw;
+            }
+        }
+        self
+    }
+
+    /// How far the slow direction is from neither growing nor shrinking, whether or not doubtful entries count.
+    pub fn least_neutrality(&self) -> f64 {
+        neutrality(self.image).abs().min(neutrality(self.raw).abs())
+    }
+
     /// det(1 − P') over its faster factor: how far the slow direction is from neither growing nor shrinking; negative when it grows.
     pub fn neutrality(&self) -> f64 {
-        let [[a, b], [c, d]] = self.image;
-        let determinant = (1.0 - a) * (1.0 - d) - b * c;
-        let faster = (2.0 - a - d).abs().max(determinant.abs().sqrt());
-        determinant / faster
+        neutrality(self.image)
     }
 
     /// (1 − P')^{-1}.
@@ -213,4 +244,11 @@ impl Derivative {
         let resolvent = self.resolvent();
         self.moved(resolvent.map(|row| row[0].abs() * u + row[1].abs() * w))
     }
+}
+
+/// det(1 − P') over its faster factor.
+fn neutrality([[a, b], [c, d]]: [[f64; 2]; 2]) -> f64 {
+    let determinant = (1.0 - a) * (1.0 - d) - b * c;
+    let faster = (2.0 - a - d).abs().max(determinant.abs().sqrt());
+    determinant / faster
 }

@@ -156,8 +156,9 @@ impl ParameterEquation {
     /// The root reached first from `start`, where the sign is known, towards larger (1) or smaller (−1) λ.
     fn root_beyond(&self, start: &Rational, at_start: Ordering, direction: i32, bits: u32) -> Option<Ball> {
         let place = |exponent: i32| scaled(start, direction * exponent);
+        let precision = bits.saturating_add(self.lost_bits());
         let is_beyond =
-            |exponent: i32| self.sign(&place(exponent), bits).is_some_and(|sign| sign != at_start);
+            |exponent: i32| self.sign(&place(exponent), precision).is_some_and(|sign| sign != at_start);
         let (mut inside, mut beyond) = (0, 1);
         while !is_beyond(beyond) {
             (inside, beyond) = (beyond, beyond.checked_mul(2).filter(|next| *next < 1 << 24)?);
@@ -170,6 +171,21 @@ impl ParameterEquation {
         let (near, far) = (place((inside - 1).max(0)), place(beyond));
         let (lower, upper) = if direction > 0 { (near, far) } else { (far, near) };
         Some(enclose_root(&|precision: u32| self.coefficients(precision), &lower, &upper, bits))
+    }
+
+    /// Bits that cancel in the leading coefficient, next to an asymptote's own κ: without them no sign far out is certain.
+    ///
+    /// With d² and A² for eqs 15 and 16, (d² − κ)(A² − κ) = (1 + β − κ)² − 4β exactly, and neither factor exceeds A² ≤ 2 + 2β or κ.
+    fn lost_bits(&self) -> u32 {
+        let Given::StiffnessGroup(kappa) = &self.given else { return 0 };
+        let rest = Rational::from(&self.effect_ratio + 1_u32) - kappa;
+        let gap = rest.square() - Rational::from(&self.effect_ratio * 4_u32);
+        if gap == 0 {
+            return 0;
+        }
+        let largest = Rational::from(&self.effect_ratio + 1_u32).max(kappa.clone()) * 2_u32;
+        let lost = largest * kappa / gap;
+        lost.numer().significant_bits().saturating_sub(lost.denom().significant_bits()) + 1
     }
 
     /// The sign of left minus right side at λ, when it is certain.

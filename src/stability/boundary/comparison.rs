@@ -184,6 +184,42 @@ mod tests {
         assert!(compared >= 10, "{compared}");
     }
 
+    /// The leading coefficient of the curve's equation cancels there to as many digits as σ agrees with its asymptote's.
+    #[test]
+    fn lines_next_to_the_stress_of_a_quasi_static_asymptote_lose_no_crossing() {
+        for distance in ["4e-20", "-4e-40", "4e-57", "4e-200"] {
+            let excess = parse_decimal(distance).unwrap();
+            let parameters =
+                with_effects(Rational::from((4, 1000)), (excess.clone() + 1_u32) * 4_u32 / 1000_u32);
+            let square = Rational::from(excess.square_ref());
+            // Eq 16 lies at κ = 4 + 2(β − 1) nearly, eq 15 at a quarter of (β − 1)².
+            let all =
+                [excess.clone() + 4_u32, excess * 3_u32 + 4_u32, square.clone() / 5_u32, square / 3_u32];
+            for (kappa, digits) in all.iter().flat_map(|kappa| [15, 50].map(|digits| (kappa, digits))) {
+                let stress = crossing_stress(&parameters, kappa);
+                let section = Section::AtNormalStress(stress);
+                let crossings = BoundaryCurve::new(&parameters, digits).crossings(&section);
+                let curve = in_order_of_crossings(
+                    crossings.into_iter().map(|(crossing, _)| crossing).collect(),
+                    &section,
+                );
+                let isolated =
+                    in_order_of_crossings(by_discriminant(&parameters, &section, digits), &section);
+                assert_eq!(curve.len(), isolated.len(), "{distance} {digits} {kappa}");
+                for (one, other) in curve.iter().zip(&isolated) {
+                    assert!(one.0.overlaps(&other.0) && one.1 == other.1, "{distance} {digits} {kappa}");
+                    assert!(one.0.relative_radius_log2() < -3.3 * f64::from(digits), "{distance} {digits}");
+                }
+            }
+        }
+    }
+
+    /// σ at which κ has this value.
+    fn crossing_stress(parameters: &Parameters<Rational>, kappa: &Rational) -> Rational {
+        let numerator = Rational::from(&parameters.stiffness_pa_per_m * &parameters.critical_slip_distance_m);
+        numerator / &parameters.direct_effect / kappa
+    }
+
     #[test]
     fn the_papers_values_are_compared_too() {
         assert!(compare_routes(&paper(), 20, 50).compared > 40);
