@@ -84,35 +84,7 @@ pub enum Certificate {
     },
 }
 
-impl Certificate {
-    /// The certificate's fact in LaTeX.
-    #[must_use]
-    pub fn latex(&self) -> String {
-        match self {
-            Self::Identity { left, right, .. } => format!("{} = {}", left.latex(), right.latex()),
-            Self::Sign { expression, sign, .. } => {
-                format!("{} {} 0", expression.latex(), if *sign > 0 { ">" } else { "<" })
-            }
-            Self::Limit { expression, variable, toward, value, .. } => {
-                let variable = Expression::variable(variable).latex();
-                let end = if *toward == Toward::Zero { "0" } else { "\\infty" };
-                format!("\\lim_{{{variable} \\to {end}}} {} = {}", expression.latex(), value.latex())
-            }
-            Self::Difference { left, right, .. } => format!("{} \\neq {}", left.latex(), right.latex()),
-            Self::Value { expression, value, .. } => format!("{} = {}", expression.latex(), value.latex()),
-            Self::Series { variable, unknown, coefficients, .. } => {
-                let variable = Expression::variable(variable);
-                let order = coefficients.len();
-                let series = Series::expression(coefficients, &variable).latex();
-                format!(
-                    "{} = {series} + O({}^{{{order}}})",
-                    Expression::variable(unknown).latex(),
-                    variable.latex()
-                )
-            }
-        }
-    }
-}
+impl Certificate {}
 
 impl fmt::Display for Certificate {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {

@@ -25,12 +25,6 @@ impl Monomial {
         if exponent == 0 { Self::one() } else { Self(vec![(variable.clone(), exponent)]) }
     }
 
-    /// Is it the empty product?
-    #[must_use]
-    pub fn is_one(&self) -> bool {
-        self.0.is_empty()
-    }
-
     /// The factors, variables ascending, exponents positive.
     pub fn factors(&self) -> impl Iterator<Item = &(Symbol, u32)> {
         self.0.iter()

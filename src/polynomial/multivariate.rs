@@ -146,18 +146,6 @@ impl Polynomial {
         Some(sum)
     }
 
-    /// variable² replaced by `square` until the variable's degree is below two.
-    #[must_use]
-    pub fn reduce_square(&self, variable: &Symbol, square: &Self) -> Self {
-        let (mut even, mut odd) = (Self::zero(), Self::zero());
-        for (power, coefficient) in self.coefficients(variable).into_iter().enumerate() {
-            let reduced = &coefficient * &square.pow(power as u32 / 2);
-            let side = if power % 2 == 0 { &mut even } else { &mut odd };
-            *side = &*side + &reduced;
-        }
-        &even + &(&odd * &Self::variable(variable.as_str()))
-    }
-
     /// The polynomial to a natural power.
     #[must_use]
     pub fn pow(&self, exponent: u32) -> Self {

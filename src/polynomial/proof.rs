@@ -156,18 +156,6 @@ impl Proof {
             }
         })
     }
-
-    /// The equations of the paper that the proof uses, each once, in order of appearance.
-    #[must_use]
-    pub fn equations(&self) -> Vec<&str> {
-        let mut equations: Vec<&str> = Vec::new();
-        for number in self.steps.iter().flat_map(|step| &step.equations) {
-            if !equations.contains(&number.as_str()) {
-                equations.push(number);
-            }
-        }
-        equations
-    }
 }
 
 impl fmt::Display for Proof {
