@@ -50,6 +50,7 @@ mod failure;
 mod floquet;
 mod integrator;
 mod lap;
+mod lap_errors;
 mod model;
 mod multi;
 mod original_scheme;

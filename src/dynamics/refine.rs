@@ -8,18 +8,12 @@
 //! of magnitude. Both are carried to the observables by derivatives that the same differences of laps give. That a lap contracts
 //! fast is not believed from its approach, which may have left a slow direction unexcited: a deviation is followed to see it shrink.
 
+use super::lap_errors::{OF_DIFFERENCE, lap_errors, rounding, rounding_shown};
 use super::return_map::{difference, size};
 use super::settle::SLOW;
-use super::sight::{DURATION, Derivative, Observed, PEAK, ReturnMap, Sight, TROUGH, shifted};
+use super::sight::{DURATION, Derivative, Observed, PEAK, ReturnMap, Sight, shifted};
 use super::stepper::Stepper;
-use super::{Cycle, Failure, Lap, Scalar, State};
-
-/// Error of the finer lap over the difference of the two: 1/99 and less when the error follows the tolerance. Where Newton's iteration rather
-/// than the tolerance limits the steps both laps take nearly the same ones; 3 holds as long as the finer errs by a quarter less.
-pub(super) const OF_DIFFERENCE: f64 = 3.0;
-
-/// The part of the largest difference of all observables that each is granted, should it agree by chance.
-pub(super) const OF_LARGEST: f64 = 0.3;
+use super::{Cycle, Failure, Scalar, State};
 
 /// Newton's corrections before the derivative is called useless.
 const MOST_CORRECTIONS: usize = 8;
@@ -38,9 +32,6 @@ const TIGHTEST_DERIVATIVE: f64 = 1e-13;
 
 /// Relative size of the deviation that shows whether a lap contracts fast.
 const DEVIATION: f64 = 1e-2;
-
-/// Units that a stress held through a stick phase may err by in a step, over those of other quantities.
-const HELD: f64 = 5.0;
 
 /// The same over the tolerance: no larger than the errors of laps require, because a slider that barely stops is linear nearby only.
 const DEVIATION_IN_TOLERANCES: f64 = 30.0;
@@ -153,48 +144,6 @@ pub(super) fn refine<R: Scalar, M: Stepper<R> + Clone>(
     let errors = std::array::from_fn(|i| left[i] + of_lap[i] + displaced[i] + shown[i]);
     let distance = correction.iter().fold(0.0f64, |size, c| size.max(c.abs())) / sight.size();
     Ok(Some(Refined { sight, errors, distance }))
-}
-
-/// A bound of the rounding errors of a lap, and of what rounding the groups does: units of the largest quantity in every step, of either
-/// sign, so that they add up to the root of the number of steps.
-pub(super) fn rounding<R: Scalar>(sight: &Sight<R>) -> f64 {
-    let largest = [&sight.lap.trough, &sight.lap.peak, &sight.lap.highest_stress, &sight.lap.lowest_stress];
-    let size = largest.iter().fold(sight.size(), |size, value| size.max(value.to_f64().abs()));
-    // A state below 1 is computed relative to its size, observables are compared with 1.
-    (sight.steps as f64).sqrt() * 4.0 * R::UNIT_ROUNDOFF.max(f64::EPSILON * f64::EPSILON) * size
-}
-
-/// What is shown of rounding errors: ζ acts on the velocity through its part of ζ, which is no larger than the range of ln V.
-///
-/// A stress that is held through a stick phase keeps all that Newton's iteration leaves in a step: it ends where updates are below two
-/// units for each of the ten sums that they are made of. What follows a stick phase sees of it what it sees of another passage.
-fn rounding_shown<R: Scalar>(sight: &Sight<R>, gains: Observed) -> Observed {
-    let shown = super::sight::observed(&sight.lap).map(f64::abs);
-    let range = shown[PEAK].max(shown[TROUGH]).max(1.0);
-    let whole = rounding(sight);
-    let unit = whole / sight.size().max(range);
-    let held = [0.0, 0.0, 1.0, 1.0, 1.0];
-    std::array::from_fn(|i| unit * shown[i].max(range) + HELD * whole * gains[i].max(held[i]))
-}
-
-/// The errors of the finer of two laps that differ by this much, and of what is seen of a bad step, which acts like a deviation of the passage: a
-/// slider that barely stops does so at a stress that changes by hundreds of times as much.
-pub(super) fn lap_errors<R: Scalar>(
-    differences: Observed,
-    lap: &Lap<R>,
-    gains: Observed,
-    floor: f64,
-) -> Observed {
-    let scales = super::sight::observed(lap).map(|value| value.abs().max(1.0));
-    let largest = (0..5).fold(0.0f64, |largest, i| largest.max(differences[i].abs() / scales[i]));
-    // Stress is loaded at a steady rate: what a stick phase errs in its duration, stress errs in its range.
-    let range = (lap.highest_stress.to_f64() - lap.lowest_stress.to_f64()).abs();
-    let loaded = [0.0, 0.0, range, range, range].map(|range| range * differences[DURATION].abs());
-    std::array::from_fn(|i| {
-        OF_DIFFERENCE * (differences[i].abs() + loaded[i])
-            + OF_LARGEST * largest * scales[i]
-            + gains[i].max(1.0) * floor
-    })
 }
 
 /// Corrects the passage until the way left shows in no observable, or shrinks no more; with the rate at which it shrank, no less than `rate`.

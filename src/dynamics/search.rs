@@ -7,8 +7,9 @@
 
 use super::deviations::{oscillation_in_double_double, oscillation_of_small_deviations};
 use super::integrator::{Control, Integrator};
+use super::lap_errors::{OF_DIFFERENCE, OF_LARGEST};
 use super::outcome::{Errors, Outcome, extremes, peak_and_period, trough};
-use super::refine::{Accuracy, OF_DIFFERENCE, OF_LARGEST, Refined, derivative, follow, refine};
+use super::refine::{Accuracy, Refined, derivative, follow, refine};
 use super::settle::{Cycle, Decay, Late, SLOW, settle_within};
 use super::sight::{DURATION, HIGHEST, LOWEST, PEAK, ReturnMap, TROUGH};
 use super::stepper::Stepper;
@@ -57,13 +58,8 @@ impl Levels {
     /// For the method of order 9: its global error is about the 3/2nd power of the local tolerance.
     pub fn for_error(asked: f64) -> Self {
         let coarse = (30.0 * asked).clamp(TIGHTEST / FINER, 1e-3);
-        Self {
-            rough: coarse.max(1e-4),
-            coarse,
-            tightest: TIGHTEST / FINER,
-            bad_steps: 1.0,
-            most_laps: u64::MAX,
-        }
+        let (rough, tightest) = (coarse.max(1e-4), TIGHTEST / FINER);
+        Self { rough, coarse, tightest, bad_steps: 1.0, most_laps: u64::MAX }
     }
 
     fn tighter(self, by: f64) -> Option<Self> {
