@@ -209,6 +209,24 @@ fn hold_extremes(usual: &Simulation, tight: &Simulation) {
     assert!(drop <= usual.stress_drop_relative_error, "{usual:?} {drop:e}");
 }
 
+/// A vibration turns at V = 0 nearly; whether it stops there, 10^-59 V_l or 10^-6 V_l, is decided by a ten-millionth of V_l.
+#[test]
+fn a_slider_that_barely_stops_states_that_it_might() {
+    for (eta, kappa) in [(2.060_979e5, 3.098_527_7e5), (2.060_979e5, 3.098e5), (2.061e5, 3.098_527_7e5)] {
+        let groups = Groups { inertial_parameter: eta, stiffness_group: kappa, effect_ratio: 8.084_136_5 };
+        let model = Model::new(groups, EvolutionLaw::Slip);
+        let run = |tolerance: f64| {
+            let found = simulate_model(&model, &Options { tolerance, ..Options::default() });
+            found.unwrap().in_si(&unit_parameters())
+        };
+        let tight = run(1e-9);
+        assert!(tight.minimum_velocity_log10_error < 0.5, "{tight:?}");
+        for tolerance in [1e-2, 1e-4, 1.46e-5, 1e-6, 3e-7] {
+            hold_extremes(&run(tolerance), &tight);
+        }
+    }
+}
+
 /// Parameters of value one: SI and dimensionless values then coincide.
 fn unit_parameters() -> crate::friction::Parameters<f64> {
     crate::friction::Parameters::from([1.0; 7])

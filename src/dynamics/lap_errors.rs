@@ -2,6 +2,7 @@
 
 use super::sight::{DURATION, Observed, PEAK, Sight, TROUGH, observed};
 use super::{Lap, Scalar};
+use crate::friction::Groups;
 
 /// Error of the finer lap over the difference of the two: 1/99 and less when the error follows the tolerance. Where Newton's iteration rather
 /// than the tolerance limits the steps both laps take nearly the same ones; 3 holds as long as the finer errs by a quarter less.
@@ -53,4 +54,20 @@ pub(super) fn lap_errors<R: Scalar>(
             + OF_LARGEST * largest * scales[i]
             + gains[i].max(1.0) * floor
     })
+}
+
+/// The errors with what inertia makes of that of the velocity, ε in units of V_l.
+///
+/// Next to its turn the slider moves with V = κt²/2η − Δ. Where Δ > 0 it stops, and friction has fallen by D = √(2κηΔ) when it does: V near
+/// zero is decided by parts of ε, and D² errs by 2κηε. Stress swings with the velocity by √(κη) times as much.
+pub(super) fn with_inertia<R: Scalar>(errors: Observed, lap: &Lap<R>, groups: &Groups<R>) -> Observed {
+    let shown = observed(lap);
+    let swing = (groups.stiffness_group.to_f64() * groups.inertial_parameter.to_f64()).sqrt();
+    let velocity_error = (libm::exp(shown[PEAK]) * errors[PEAK]).min(f64::MAX);
+    let square = (2.0 * swing * swing * velocity_error).min(f64::MAX);
+    let depth = shown[TROUGH].abs();
+    let stop = square.sqrt().min(square / (depth + (depth * depth - square).max(0.0).sqrt()));
+    let stress = (swing * velocity_error).min(f64::MAX);
+    let added = [0.0, 0.0, stop, stress, stress];
+    std::array::from_fn(|i| errors[i] + added[i])
 }

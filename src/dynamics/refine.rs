@@ -8,7 +8,7 @@
 //! of magnitude. Both are carried to the observables by derivatives that the same differences of laps give. That a lap contracts
 //! fast is not believed from its approach, which may have left a slow direction unexcited: a deviation is followed to see it shrink.
 
-use super::lap_errors::{OF_DIFFERENCE, lap_errors, rounding, rounding_shown};
+use super::lap_errors::{OF_DIFFERENCE, lap_errors, rounding, rounding_shown, with_inertia};
 use super::return_map::{difference, size};
 use super::settle::SLOW;
 use super::sight::{DURATION, Derivative, Observed, PEAK, ReturnMap, Sight, shifted};
@@ -142,6 +142,7 @@ pub(super) fn refine<R: Scalar, M: Stepper<R> + Clone>(
     let (units, shown) = (rounding(&sight), rounding_shown(&sight, gains));
     let displaced = derivative.worst(image_difference.map(|d| OF_DIFFERENCE * d), units);
     let errors = std::array::from_fn(|i| left[i] + of_lap[i] + displaced[i] + shown[i]);
+    let errors = with_inertia(errors, &sight.lap, map.model.groups());
     let distance = correction.iter().fold(0.0f64, |size, c| size.max(c.abs())) / sight.size();
     Ok(Some(Refined { sight, errors, distance }))
 }
@@ -231,6 +232,7 @@ pub(super) fn follow<M: Stepper<f64> + Clone>(
             let errors: Observed = std::array::from_fn(|i| {
                 of_lap[i] + carried.map_or(0.0, |carried| carried[i]) + gains[i] * way + units[i]
             });
+            let errors = with_inertia(errors, &sight.lap, map.model.groups());
             let largest = errors[PEAK].max(errors[DURATION]);
             if largest <= accuracy.asked || carried.is_some() {
                 return Ok(Some(Refined { sight, errors, distance: left }));
