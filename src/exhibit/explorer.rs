@@ -228,12 +228,13 @@ fn map(families: &Families, window: Window) -> FamilyMap {
 
 fn mark(point: &NamedPoint, x: &Axis) -> PointMark {
     let velocity = point.loading_velocity_m_per_s.to_f64();
-    let on_the_right = x.position(velocity).is_some_and(|at| at > 0.8);
+    // Above, where a neighbour at the same normal stress is not in its way; at the edge there is no room for half of it.
+    let at_the_edge = x.position(velocity).is_some_and(|at| at > 0.95);
     PointMark {
         label: format!("**{}**", point.name),
         x: velocity,
         y: point.normal_stress_pa.to_f64(),
-        side: if on_the_right { Side::Left } else { Side::Right },
+        side: if at_the_edge { Side::Left } else { Side::Above },
     }
 }
 
