@@ -27,6 +27,7 @@ mod sweep;
 mod terminal;
 mod tolerance;
 mod tree;
+mod unit_doubts;
 mod words;
 
 use std::process::ExitCode;

@@ -4,7 +4,6 @@ mod claims;
 mod files;
 mod ranges;
 mod scene;
-mod units;
 
 use std::path::{Path, PathBuf};
 
@@ -17,6 +16,7 @@ use crate::cli::options::{Arguments, MaterialOptions};
 use crate::cli::progress::Progress;
 use crate::cli::terminal;
 use crate::cli::tree::{Files, OutputFolder};
+use crate::cli::unit_doubts::unit_doubts;
 
 use files::folder_files;
 pub use ranges::Ranges;
@@ -68,7 +68,15 @@ pub fn run(options: &Options, progress: &Progress) -> Result<(), Failure> {
     }
     let files = draft.files;
     output.commit(&files)?;
-    units::doubts(&parameters).iter().for_each(|doubt| eprintln!("warning: {doubt}"));
+    let p = &parameters;
+    let slider = [
+        &p.direct_effect,
+        &p.evolution_effect,
+        &p.critical_slip_distance_m,
+        &p.stiffness_pa_per_m,
+        &p.mass_per_area_kg_per_m2,
+    ];
+    unit_doubts(&slider).iter().for_each(|doubt| eprintln!("warning: {doubt}"));
     let listing: String = files.keys().map(|name| format!("{}\n", place.join(name).display())).collect();
     terminal::print(&format!("{listing}next: slipmode report {}\n", place.display()))
 }

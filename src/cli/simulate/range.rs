@@ -1,12 +1,11 @@
-//! Doubts about a slider's values: units off by a million, and groups for which no simulation was tested.
+//! Doubts about a slider's values: units that are not SI, and groups for which no simulation was tested.
 
 use rug::Float;
 use slipmode::friction::Parameters;
 use slipmode::number::Rational;
 use slipmode::number::format::{round_digits, round_float};
 
-/// Normal stresses below this are rather MPa written as Pa, Pa.
-const LEAST_USUAL_NORMAL_STRESS_PA: u32 = 200;
+use crate::cli::unit_doubts::unit_doubts;
 
 /// Groups between which simulations were tested: the paper's values over its figures' V0 = 10^-6 to 10^-1 m/s and
 /// σ = 10^2.5 to 10^7.5 Pa, with a and b of its section 3 and exchanged.
@@ -18,12 +17,16 @@ const TESTED: [(&str, [f64; 2]); 3] = [
 
 /// What a user should know of the values before trusting a simulation, if anything.
 pub fn doubt(parameters: &Parameters<Rational>) -> Option<String> {
-    let stress = &parameters.normal_stress_pa;
-    let mut doubts = Vec::new();
-    if *stress < LEAST_USUAL_NORMAL_STRESS_PA {
-        let shown = round_float(&Float::with_val(64, stress), 6);
-        doubts.push(format!("normal_stress_pa = {shown}: normal stress looks like MPa (wanted: Pa)"));
-    }
+    let p = parameters;
+    let mut doubts = unit_doubts(&[
+        &p.direct_effect,
+        &p.evolution_effect,
+        &p.critical_slip_distance_m,
+        &p.stiffness_pa_per_m,
+        &p.mass_per_area_kg_per_m2,
+        &p.normal_stress_pa,
+        &p.loading_velocity_m_per_s,
+    ]);
     doubts.extend(outside_tested(parameters));
     (!doubts.is_empty()).then(|| doubts.join("; "))
 }

@@ -1,11 +1,12 @@
 //! Rules for every text file: clean line ends, no notes to oneself, nothing that belongs to one machine.
 
 use super::{Complaint, TextFile};
+use crate::repository;
 
 const NOTES: [&str; 4] = ["TODO", "FIXME", "XXX", "HACK"];
 
-/// First folders of absolute paths that exist on one machine only.
-const MACHINE_FOLDERS: [&str; 5] = ["work", "farm", "root", "home", "Users"];
+/// First folders of absolute paths that exist on one machine only; the checkout's own path is another.
+const MACHINE_FOLDERS: [&str; 3] = ["root", "home", "Users"];
 
 /// Hosts of package registries: a mirror's name tells of a machine, the default needs no mention.
 const REGISTRY_HOSTS: [&str; 5] = ["crates.io", "pypi.org", "npmjs", "proxy.golang", "artifactory"];
@@ -64,8 +65,14 @@ fn machine_path(line: &str) -> Option<String> {
     if let Some(host) = REGISTRY_HOSTS.iter().find(|host| line.contains(**host)) {
         return Some(format!("a registry's host, `{host}`"));
     }
-    let folder = MACHINE_FOLDERS.iter().find(|folder| is_absolute_below(line, folder))?;
+    let folder = machine_folders().into_iter().find(|folder| is_absolute_below(line, folder))?;
     Some(format!("an absolute path of one machine, below `{folder}`"))
+}
+
+fn machine_folders() -> Vec<String> {
+    let checkout = repository::root().to_string_lossy().trim_matches('/').to_string();
+    let own = (!checkout.is_empty()).then_some(checkout);
+    MACHINE_FOLDERS.map(String::from).into_iter().chain(own).collect()
 }
 
 /// Whether the line has a path that begins at the root with this folder and goes on.
@@ -91,8 +98,11 @@ mod tests {
 
     #[test]
     fn clean_text_passes() {
-        let good = "mathworks/work/x TODOS to-do ~/work/x $HOME/.cache \"https://a.org/root/x\"\n\nend\n";
-        assert_eq!(complaints("README.md", good), [0; 0]);
+        let [note, folder] = [NOTES[0], MACHINE_FOLDERS[0]];
+        let good = format!(
+            "a/{folder}/x {note}S to-do ~/{folder}/x $HOME/.cache \"https://a.org/{folder}/x\"\n\nend\n"
+        );
+        assert_eq!(complaints("README.md", &good), [0; 0]);
     }
 
     #[test]
@@ -104,11 +114,18 @@ mod tests {
 
     #[test]
     fn notes_machine_paths_and_hosts_are_refused() {
-        assert_eq!(
-            complaints("a.rs", "// TODO: x\n// see /home/me/x\n// crates.io\n(/root/.cargo)\n"),
-            [1, 2, 3, 4]
-        );
-        assert_eq!(complaints("reports/a/published/b.json", "\"/work/x\"\n"), [1]);
+        let [note, host] = [NOTES[0], REGISTRY_HOSTS[0]];
+        for bad in [format!("// {note}: x\n"), format!("// see {host}\n")] {
+            assert_eq!(complaints("a.rs", &bad), [1], "{bad}");
+        }
+        for folder in machine_folders() {
+            assert_eq!(complaints("a.rs", &format!("end\n(/{folder}/.cargo)\n")), [2], "{folder}");
+            assert_eq!(
+                complaints("reports/a/published/b.json", &format!("\"/{folder}/x\"\n")),
+                [1],
+                "{folder}"
+            );
+        }
     }
 
     #[test]
