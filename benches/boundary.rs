@@ -5,10 +5,10 @@
 use std::hint::black_box;
 use std::time::Instant;
 
-use slipmode::friction::Parameters;
-use slipmode::number::{Ball, Rational, parse_decimal};
-use slipmode::stability::Arc;
-use slipmode::stability::boundary::{BoundaryCurve, Section, by_bisection, by_discriminant};
+use slipmode_core::friction::Parameters;
+use slipmode_core::number::{Ball, Rational, parse_decimal};
+use slipmode_core::stability::Arc;
+use slipmode_core::stability::boundary::{BoundaryCurve, Section, by_bisection, by_discriminant};
 
 const REPETITIONS: usize = 7;
 const DIGITS: u32 = 50;

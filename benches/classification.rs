@@ -5,10 +5,10 @@
 use std::hint::black_box;
 use std::time::Instant;
 
-use slipmode::friction::Parameters;
-use slipmode::number::{Rational, parse_decimal};
-use slipmode::stability::batch::{GridKernel, RungCounts, SignPair, classify_points, grid_values};
-use slipmode::stability::{InertialThreshold, classify};
+use slipmode_core::friction::Parameters;
+use slipmode_core::number::{Rational, parse_decimal};
+use slipmode_core::stability::batch::{GridKernel, RungCounts, SignPair, classify_points, grid_values};
+use slipmode_core::stability::{InertialThreshold, classify};
 
 const SIDE: usize = 4096;
 const REPETITIONS: usize = 5;

@@ -11,10 +11,10 @@ use std::process::Command;
 use std::time::Instant;
 
 use csv_core::{ReadRecordResult, Reader};
-use slipmode::friction::Parameters;
-use slipmode::number::{Dd, parse_short_decimal};
 use slipmode::scene::Quantity;
-use slipmode::stability::{Classification, InertialThreshold, classify_quickly};
+use slipmode_core::friction::Parameters;
+use slipmode_core::number::{Dd, parse_short_decimal};
+use slipmode_core::stability::{Classification, InertialThreshold, classify_quickly};
 
 const ROWS: usize = 1_000_000;
 const REPETITIONS: usize = 3;

@@ -11,8 +11,8 @@ use std::time::Instant;
 
 use clock::best_of;
 use rug::{Assign, Float, Integer};
-use slipmode::number::{Rational, bits_for_digits, parse_decimal};
-use slipmode::roots::{Pair, binary64, certified_roots};
+use slipmode_core::number::{Rational, bits_for_digits, parse_decimal};
+use slipmode_core::roots::{Pair, binary64, certified_roots};
 
 const REPETITIONS: usize = 5;
 

@@ -7,9 +7,9 @@
 
 use std::time::Instant;
 
-use slipmode::dynamics::{Model, Options, simulate_model};
-use slipmode::friction::{EvolutionLaw, Groups};
 use slipmode::study::{Lapped, laps, reference_lap};
+use slipmode_core::dynamics::{Model, Options, simulate_model};
+use slipmode_core::friction::{EvolutionLaw, Groups};
 
 /// The paper's values at σ = 10^s Pa and V_l = 10^v m/s.
 fn paper(v: f64, s: f64, direct_effect: f64, evolution_effect: f64) -> Groups<f64> {

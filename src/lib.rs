@@ -8,16 +8,10 @@
 
 pub mod archive;
 pub mod claims;
-pub mod dynamics;
 pub mod exhibit;
-pub mod friction;
-pub mod number;
-pub mod plot;
-pub mod polynomial;
 pub mod report;
-pub mod roots;
 pub mod scene;
-pub mod stability;
 pub mod study;
-pub mod table;
-pub mod theory;
+
+pub use slipmode_core as core;
+pub use slipmode_plot as plot;

@@ -4,9 +4,9 @@ use std::fmt::Write as _;
 use std::fs;
 use std::path::Path;
 
-use slipmode::friction::Parameters;
-use slipmode::number::{Ball, Rational, parse_decimal};
-use slipmode::stability::boundary::{BoundaryCurve, Section};
+use slipmode_core::friction::Parameters;
+use slipmode_core::number::{Ball, Rational, parse_decimal};
+use slipmode_core::stability::boundary::{BoundaryCurve, Section};
 
 use super::clock::best_of;
 use super::row::{Row, scientific};

@@ -2,12 +2,12 @@
 
 use std::path::Path;
 
-use slipmode::friction::Parameters;
-use slipmode::number::Rational;
-use slipmode::stability::batch::{
+use slipmode_core::friction::Parameters;
+use slipmode_core::number::Rational;
+use slipmode_core::stability::batch::{
     GridKernel, LargestPartsPerS, RungCounts, SignPair, classify_points, point_values,
 };
-use slipmode::stability::{InertialThreshold, classify_binary64};
+use slipmode_core::stability::{InertialThreshold, classify_binary64};
 
 use super::clock::best_of;
 use super::columns::Columns;
@@ -114,7 +114,7 @@ fn value_error(parts: &LargestPartsPerS, [_, _, growth, modulus, frequency]: [f6
 /// Both signs, max Re and max Im.
 fn values(point: &Parameters<f64>) -> [f64; 4] {
     let found = classify_binary64(point, &InertialThreshold::default()).unwrap();
-    let part = |value: slipmode::number::Wide| value.to_f64().unwrap_or(f64::NAN);
+    let part = |value: slipmode_core::number::Wide| value.to_f64().unwrap_or(f64::NAN);
     [
         f64::from(found.transition_sign),
         f64::from(found.boundary_sign),

@@ -4,9 +4,9 @@ use std::fs;
 use std::path::Path;
 
 use rayon::prelude::*;
-use slipmode::friction::Parameters;
-use slipmode::number::Rational;
-use slipmode::roots::{CertifiedRoot, certified_roots};
+use slipmode_core::friction::Parameters;
+use slipmode_core::number::Rational;
+use slipmode_core::roots::{CertifiedRoot, certified_roots};
 
 /// Inputs and references, column by column.
 pub struct Columns(Vec<Vec<f64>>);

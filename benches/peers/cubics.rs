@@ -5,8 +5,8 @@ use std::fs;
 use std::path::Path;
 
 use rug::{Float, Integer, Rational};
-use slipmode::number::parse_decimal;
-use slipmode::roots::{CertifiedRoot, CertifiedRoots, certified_roots};
+use slipmode_core::number::parse_decimal;
+use slipmode_core::roots::{CertifiedRoot, CertifiedRoots, certified_roots};
 
 use super::clock::best_of;
 use super::hard;

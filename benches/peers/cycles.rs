@@ -4,11 +4,11 @@ use std::fmt::Write as _;
 use std::fs;
 use std::path::Path;
 
-use slipmode::dynamics::{
+use slipmode_core::dynamics::{
     Control, Integrator, Late, Model, Radau, Rodas5P, Scalar, Start, State, Stepper, run_lap, settle,
 };
-use slipmode::friction::{EvolutionLaw, Groups};
-use slipmode::number::Dd;
+use slipmode_core::friction::{EvolutionLaw, Groups};
+use slipmode_core::number::Dd;
 
 use super::clock::best_of;
 use super::row::{Row, scientific};

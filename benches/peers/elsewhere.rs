@@ -3,8 +3,8 @@
 use std::cell::Cell;
 
 use differential_equations::prelude::*;
-use slipmode::dynamics::Model;
-use slipmode::friction::EvolutionLaw;
+use slipmode_core::dynamics::Model;
+use slipmode_core::friction::EvolutionLaw;
 
 use super::clock::best_of;
 use super::cycles::read_lines;

@@ -1,6 +1,6 @@
 //! The hard families: double roots, K = K_c and triple roots, exactly in 64-bit inputs and at distances down to one rounding.
 
-use slipmode::friction::Parameters;
+use slipmode_core::friction::Parameters;
 
 use super::random::Random;
 

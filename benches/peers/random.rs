@@ -1,6 +1,6 @@
 //! The random set: parameters as wide as laboratories, faults and theory go, uniform in the logarithm, from a fixed seed.
 
-use slipmode::friction::Parameters;
+use slipmode_core::friction::Parameters;
 
 /// A small generator of 64-bit numbers (Steele, Lea and Flood's SplitMix).
 pub struct Random(pub u64);

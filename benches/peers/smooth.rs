@@ -4,11 +4,11 @@ use std::fmt::Write as _;
 use std::fs;
 use std::path::Path;
 
-use slipmode::dynamics::{
+use slipmode_core::dynamics::{
     Control, Integrator, Model, Radau, Scalar, Start, State, Stepper, Taylor, increment,
 };
-use slipmode::friction::EvolutionLaw;
-use slipmode::number::Dd;
+use slipmode_core::friction::EvolutionLaw;
+use slipmode_core::number::Dd;
 
 use super::clock::best_of;
 use super::cycles::{Line, line_start, paper, read_lines};

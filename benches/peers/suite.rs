@@ -6,11 +6,11 @@
 use std::hint::black_box;
 use std::path::Path;
 
-use slipmode::number::{Dd, Rational};
-use slipmode::roots::textbook::{Three, aberth, cardano, companion, newton, viete};
-use slipmode::roots::{binary64, certified_roots, double_double};
-use slipmode::stability::{InertialThreshold, classify};
 use slipmode::study::{HardCase, Method, compare_hard_cases, read_hard_cases};
+use slipmode_core::number::{Dd, Rational};
+use slipmode_core::roots::textbook::{Three, aberth, cardano, companion, newton, viete};
+use slipmode_core::roots::{binary64, certified_roots, double_double};
+use slipmode_core::stability::{InertialThreshold, classify};
 
 use super::clock::best_of;
 use super::row::{Row, scientific};

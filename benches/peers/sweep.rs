@@ -4,8 +4,8 @@ use std::fmt::Write as _;
 use std::fs;
 use std::path::Path;
 
-use slipmode::dynamics::{Late, Model, Options, simulate_model};
-use slipmode::friction::EvolutionLaw;
+use slipmode_core::dynamics::{Late, Model, Options, simulate_model};
+use slipmode_core::friction::EvolutionLaw;
 
 use super::clock::best_of;
 use super::cycles::{line_start, paper, read_lines};

@@ -2,7 +2,7 @@
 
 use csv::{ReaderBuilder, StringRecord};
 
-use crate::number::{Rational, parse_decimal};
+use slipmode_core::number::{Rational, parse_decimal};
 
 /// What an archive promises of a file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

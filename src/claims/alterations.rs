@@ -2,9 +2,9 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::number::{Ball, Rational};
-use crate::polynomial::{Expression, Function, Symbol};
-use crate::theory::Equation;
+use slipmode_core::number::{Ball, Rational};
+use slipmode_core::polynomial::{Expression, Function, Symbol};
+use slipmode_core::theory::Equation;
 
 /// One altered equation.
 #[derive(Debug, Clone, PartialEq, Eq)]

@@ -2,8 +2,8 @@
 
 use crate::claims::{Check, Context, Evidence, Finding};
 use crate::study::{Need, SceneOutcome};
-use crate::theory::areas::{self, Effects};
-use crate::theory::{boundary, exchange, inertial, quasi_static};
+use slipmode_core::theory::areas::{self, Effects};
+use slipmode_core::theory::{boundary, exchange, inertial, quasi_static};
 
 pub(super) const CHECKS: &[Check] = &[
     Check {

@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use crate::claims::{Evidence, Strength, Verdict};
-use crate::polynomial::{Proof, Refutation};
+use slipmode_core::polynomial::{Proof, Refutation};
 
 /// What a check concluded, why, and where it stops.
 #[derive(Debug, Clone, Serialize)]

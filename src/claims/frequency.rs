@@ -1,11 +1,11 @@
 //! Claims Q: the frequency of oscillation and its limits.
 
 use crate::claims::{Check, Context, Evidence, Finding};
-use crate::number::format::{certain_digits, rational_to_decimal, round_digits};
-use crate::number::{Ball, Rational, Real};
-use crate::stability::Asymptote;
 use crate::study::{FrequencyLine, FrequencyOutcome, Need};
-use crate::theory::{frequency, non_inertial, period};
+use slipmode_core::number::format::{certain_digits, rational_to_decimal, round_digits};
+use slipmode_core::number::{Ball, Rational, Real};
+use slipmode_core::stability::Asymptote;
+use slipmode_core::theory::{frequency, non_inertial, period};
 
 pub(super) const CHECKS: &[Check] = &[
     Check {

@@ -1,8 +1,8 @@
 //! Claims F: the friction law and its two evolution laws.
 
 use crate::claims::{Check, Context, Finding};
-use crate::number::Rational;
-use crate::theory::{linearisation, regularised, steady_state};
+use slipmode_core::number::Rational;
+use slipmode_core::theory::{linearisation, regularised, steady_state};
 
 pub(super) const CHECKS: &[Check] = &[
     Check {

@@ -1,9 +1,9 @@
 //! Claims L: the linearisation, the third-order equation and the cubic.
 
 use crate::claims::{Check, Context, Evidence, Finding};
-use crate::number::format::round_digits;
 use crate::study::{ModeRuns, Need, Outcome};
-use crate::theory::{characteristic, linearisation, third_order};
+use slipmode_core::number::format::round_digits;
+use slipmode_core::theory::{characteristic, linearisation, third_order};
 
 pub(super) const CHECKS: &[Check] = &[
     Check {

@@ -28,7 +28,7 @@ pub use planted_faults::{PlantedFaults, Survivor, plant_faults};
 pub use verdict::{Evidence, Strength, Verdict};
 
 use crate::study::{Need, Outcome};
-use crate::theory::PaperEquations;
+use slipmode_core::theory::PaperEquations;
 
 /// What a check may look at.
 #[derive(Debug, Clone, Copy)]

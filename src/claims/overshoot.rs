@@ -1,8 +1,8 @@
 //! How far runs that do not oscillate pass the loading velocity: what "critical damping" leaves open.
 
 use crate::claims::simulated::Run;
-use crate::number::format::round_digits;
-use crate::stability::SlipMode;
+use slipmode_core::number::format::round_digits;
+use slipmode_core::stability::SlipMode;
 
 /// The runs of the two areas without oscillation, and how far they pass V_l.
 pub(super) struct Overshoots {

@@ -4,7 +4,7 @@ use rayon::prelude::*;
 
 use super::alterations::{Alteration, alterations};
 use crate::claims::{Check, Context, Verdict, checks};
-use crate::theory::Equation;
+use slipmode_core::theory::Equation;
 
 /// What became of the wrong versions of one equation.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -89,13 +89,13 @@ fn noticing(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::scene::read_equations;
     use crate::study::Outcome;
-    use crate::theory::PaperEquations;
 
     #[test]
     fn wrong_equations_are_noticed_by_the_claims_that_rest_on_them() {
         let text = include_str!("../../reports/im-avouac/equations.toml");
-        let equations = PaperEquations::parse(text).unwrap();
+        let equations = read_equations("equations.toml", text.as_bytes()).unwrap();
         let context = Context { equations: &equations, outcome: &Outcome::default() };
         let found = plant_faults(&context);
         assert_eq!(found.len(), 23);

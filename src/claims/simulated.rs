@@ -1,11 +1,11 @@
 //! The simulations as the N claims read them: complete grids, neighbours on them, and error estimates.
 
 use crate::claims::{Context, Evidence, Finding};
-use crate::dynamics::{Behaviour, Simulation};
-use crate::friction::EvolutionLaw;
-use crate::number::format::round_digits;
-use crate::stability::{Classification, SlipMode};
 use crate::study::{Outcome, SceneOutcome, SimulationsOutcome};
+use slipmode_core::dynamics::{Behaviour, Simulation};
+use slipmode_core::friction::EvolutionLaw;
+use slipmode_core::number::format::round_digits;
+use slipmode_core::stability::{Classification, SlipMode};
 
 /// One simulated point.
 pub(super) struct Run<'c> {

@@ -2,15 +2,17 @@
 
 use crate::claims::simulated::{evidence, grids};
 use crate::claims::{Context, Evidence, Finding};
-use crate::friction::EvolutionLaw;
-use crate::number::Rational;
-use crate::number::format::{rational_to_decimal, round_digits};
 use crate::study::{
     CycleFamilyOutcome, Edge, NearRun, NearTransitionOutcome, Outcome, SceneOutcome, effect_ratio,
     place_on_transition,
 };
-use crate::theory::hopf::{Criticality, coefficient, degenerate_inertial_parameter, quasi_static_centre};
-use crate::theory::linearisation::Law;
+use slipmode_core::friction::EvolutionLaw;
+use slipmode_core::number::Rational;
+use slipmode_core::number::format::{rational_to_decimal, round_digits};
+use slipmode_core::theory::hopf::{
+    Criticality, coefficient, degenerate_inertial_parameter, quasi_static_centre,
+};
+use slipmode_core::theory::linearisation::Law;
 
 /// The widest edge of bistability: its family and where it is.
 type Widest<'c> = (&'c CycleFamilyOutcome, &'c Edge);

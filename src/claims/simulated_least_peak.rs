@@ -3,10 +3,10 @@
 use crate::claims::simulated::{Run, Runs, evidence, for_each_law, grids, outcome};
 use crate::claims::simulated_trends::{of, peaks, rises, share, total};
 use crate::claims::{Context, Evidence, Finding};
-use crate::friction::EvolutionLaw;
-use crate::number::format::round_digits;
-use crate::stability::SlipMode;
 use crate::study::{FLATNESS_LEVELS, LeastPeak, Outcome, SIDE_WIDTH};
+use slipmode_core::friction::EvolutionLaw;
+use slipmode_core::number::format::round_digits;
+use slipmode_core::stability::SlipMode;
 
 /// Normal stresses that the claim must be asked at, for each law.
 const FEWEST_STRESSES: usize = 10;

@@ -1,14 +1,14 @@
 //! Claim N6: at which velocity inertial vibration first appears in the runs of fig 4, and in which unit its caption speaks.
 
 use crate::claims::{Context, Evidence, Finding};
-use crate::dynamics::Behaviour;
-use crate::friction::Parameters;
-use crate::number::format::{certain_digits, rational_to_decimal, round_digits};
-use crate::number::{Ball, Rational};
 use crate::scene::SceneParameters;
-use crate::stability::Asymptote;
 use crate::study::{Located, Onset, OnsetOutcome, OtherUnit, SeenOnset};
-use crate::theory::emergence;
+use slipmode_core::dynamics::Behaviour;
+use slipmode_core::friction::Parameters;
+use slipmode_core::number::format::{certain_digits, rational_to_decimal, round_digits};
+use slipmode_core::number::{Ball, Rational};
+use slipmode_core::stability::Asymptote;
+use slipmode_core::theory::emergence;
 
 /// Precision of eq 20's velocity, in bits.
 const BITS: u32 = 128;

@@ -2,9 +2,9 @@
 
 use crate::claims::simulated::{Run, Runs, evidence, for_each_law, grids};
 use crate::claims::{Context, Evidence, Finding};
-use crate::number::format::round_digits;
-use crate::stability::SlipMode;
 use crate::study::Outcome;
+use slipmode_core::number::format::round_digits;
+use slipmode_core::stability::SlipMode;
 
 pub(super) fn rises((first, second): &(&Run, &Run)) -> bool {
     second.simulation.peak_velocity_m_per_s > first.simulation.peak_velocity_m_per_s

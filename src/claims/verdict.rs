@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use crate::polynomial::Proof;
+use slipmode_core::polynomial::Proof;
 
 /// What the program concludes about a claim.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize)]

@@ -3,10 +3,10 @@
 use std::collections::BTreeSet;
 
 use crate::claims::{Check, Context, Evidence, Finding};
-use crate::number::format::{certain_digits, round_digits};
-use crate::stability::SlipMode;
 use crate::study::{Need, SceneOutcome, ZonesOutcome};
-use crate::theory::{asymptote_series, criteria, frequency, inertial, quasi_static, transition};
+use slipmode_core::number::format::{certain_digits, round_digits};
+use slipmode_core::stability::SlipMode;
+use slipmode_core::theory::{asymptote_series, criteria, frequency, inertial, quasi_static, transition};
 
 pub(super) const CHECKS: &[Check] = &[
     Check {

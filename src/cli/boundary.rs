@@ -5,12 +5,12 @@ use std::path::PathBuf;
 
 use clap::Args;
 use slipmode::exhibit::{boundary_columns, boundary_row, vanishes};
-use slipmode::friction::Parameters;
-use slipmode::number::{Ball, Rational};
 use slipmode::scene::{AllowedRange, Limits, Problem, Quantity};
-use slipmode::stability::boundary::{BoundaryCurve, BoundaryPoint};
 use slipmode::study::END_ERROR;
-use slipmode::table::Table;
+use slipmode_core::friction::Parameters;
+use slipmode_core::number::{Ball, Rational};
+use slipmode_core::stability::boundary::{BoundaryCurve, BoundaryPoint};
+use slipmode_plot::table::Table;
 
 use crate::cli::failure::Failure;
 use crate::cli::options::{Arguments, SliderOptions};

@@ -2,10 +2,10 @@
 
 use std::io::Cursor;
 
-use slipmode::friction::Parameters;
-use slipmode::number::Rational;
 use slipmode::scene::{Faults, Problem};
 use slipmode::study::{LEAST_SAMPLES, Recording};
+use slipmode_core::friction::Parameters;
+use slipmode_core::number::Rational;
 
 use crate::cli::compare::recording::read_rows;
 use crate::cli::input::Input;

@@ -6,10 +6,10 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use slipmode::archive::sha256_hex;
 use slipmode::exhibit::{Window, explorer};
-use slipmode::number::{Rational, nearest_f64};
 use slipmode::report::{ExplorerPage, PAGE_BUDGET_BYTES, render_explorer};
 use slipmode::scene::{Limits, Scene, SceneParameters};
 use slipmode::study::{Families, NamedPoint, inertial_threshold};
+use slipmode_core::number::{Rational, nearest_f64};
 
 use crate::cli::failure::Failure;
 use crate::cli::input::read_small_file;

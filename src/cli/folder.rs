@@ -11,9 +11,10 @@ use slipmode::claims::known_ids;
 use slipmode::report::{Folder, InputView};
 use slipmode::scene::{
     Fault, Faults, Limits, Problem, ReportPlan, Scene, check_distinct_scene_names, file_text, read_claims,
+    read_equations,
 };
 use slipmode::study::References;
-use slipmode::theory::PaperEquations;
+use slipmode_core::theory::PaperEquations;
 
 use crate::cli::input::{read_small_file, unreadable};
 use references::Places;
@@ -194,18 +195,4 @@ fn read_prose(file: &str, bytes: &[u8]) -> Result<String, Faults> {
         }]);
     }
     file_text(file, bytes).map(str::to_string).map_err(|fault| vec![fault])
-}
-
-fn read_equations(file: &str, bytes: &[u8]) -> Result<PaperEquations, Faults> {
-    let text = file_text(file, bytes).map_err(|fault| vec![fault])?;
-    PaperEquations::parse(text).map_err(|error| {
-        let fault = |found: &slipmode::theory::EquationFault| Fault {
-            file: file.to_string(),
-            line: None,
-            key: found.key.clone(),
-            value: None,
-            problem: Problem::Equation(found.message.trim_end().to_string()),
-        };
-        error.faults.iter().map(fault).collect()
-    })
 }

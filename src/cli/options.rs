@@ -4,10 +4,10 @@ use std::ops::RangeInclusive;
 
 use clap::Args;
 
-use slipmode::friction::Parameters;
-use slipmode::number::Rational;
 use slipmode::scene::{AllowedRange, Fault, Faults, Problem, Quantity, SceneParameters, parse_whole};
-use slipmode::stability::InertialThreshold;
+use slipmode_core::friction::Parameters;
+use slipmode_core::number::Rational;
+use slipmode_core::stability::InertialThreshold;
 
 use crate::cli::failure::Failure;
 

@@ -6,10 +6,10 @@ use clap::Args;
 use rug::Float;
 use rug::float::Round;
 use serde_json::{Value, json};
-use slipmode::friction::Parameters;
-use slipmode::number::format::{certain_digits, round_float};
-use slipmode::number::{Ball, Rational};
-use slipmode::roots::{CertifiedRoot, certified_roots};
+use slipmode_core::friction::Parameters;
+use slipmode_core::number::format::{certain_digits, round_float};
+use slipmode_core::number::{Ball, Rational};
+use slipmode_core::roots::{CertifiedRoot, certified_roots};
 
 use crate::cli::failure::Failure;
 use crate::cli::options::{Arguments, SliderOptions};

@@ -9,9 +9,9 @@ pub mod view;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use slipmode::friction::EvolutionLaw;
-use slipmode::number::nearest_f64;
 use slipmode::scene::{AllowedRange, Problem};
+use slipmode_core::friction::EvolutionLaw;
+use slipmode_core::number::nearest_f64;
 
 use crate::cli::failure::Failure;
 use crate::cli::options::{Arguments, SliderOptions};

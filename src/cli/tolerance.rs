@@ -2,11 +2,11 @@
 
 use clap::Args;
 use slipmode::exhibit::place_of_limit;
-use slipmode::number::format::{certain_digits, rational_to_decimal};
-use slipmode::number::{Ball, Rational};
 use slipmode::scene::{AllowedRange, SceneParameters, ToleranceSection};
-use slipmode::stability::Asymptote;
 use slipmode::study::{ToleranceRow, tolerance_limits};
+use slipmode_core::number::format::{certain_digits, rational_to_decimal};
+use slipmode_core::number::{Ball, Rational};
+use slipmode_core::stability::Asymptote;
 
 use crate::cli::failure::Failure;
 use crate::cli::options::{Arguments, MaterialOptions};

@@ -1,9 +1,9 @@
 //! Doubts about units: values as a lab book has them, far from what they are in SI.
 
 use rug::Float;
-use slipmode::number::Rational;
-use slipmode::number::format::round_float;
 use slipmode::scene::Quantity;
+use slipmode_core::number::Rational;
+use slipmode_core::number::format::round_float;
 
 /// A quantity, the values it has in SI, and what others look like.
 type Usual = (Quantity, [f64; 2], &'static str);
@@ -36,7 +36,7 @@ pub fn unit_doubts(values: &[&Rational]) -> Vec<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use slipmode::number::parse_decimal;
+    use slipmode_core::number::parse_decimal;
 
     fn doubted<const N: usize>(values: [&str; N]) -> Vec<String> {
         let values = values.map(|text| parse_decimal(text).unwrap());

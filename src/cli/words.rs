@@ -1,8 +1,8 @@
 //! Words that stand for something, on the command line and in CSV cells alike.
 
-use slipmode::dynamics::Start;
-use slipmode::friction::EvolutionLaw;
 use slipmode::scene::{Problem, nearest};
+use slipmode_core::dynamics::Start;
+use slipmode_core::friction::EvolutionLaw;
 
 /// The words of the laws, for messages.
 pub const LAWS: &str = "slip, aging";

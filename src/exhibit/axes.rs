@@ -1,12 +1,14 @@
 //! The (V, σ) plane of the maps: axes, and the lines of theory drawn over them.
 
-use crate::number::{Ball, Rational};
-use crate::plot::{Axis, Line, LineRole, PointMark, Side};
 use crate::scene::SceneParameters;
-use crate::stability::boundary::{BoundaryPoint, Mark};
-use crate::stability::transition::{critical_velocity_squared, has_transition, transition_normal_stress_pa};
-use crate::stability::{Arc, Asymptote, asymptote};
 use crate::study::Grid;
+use slipmode_core::number::{Ball, Rational};
+use slipmode_core::stability::boundary::{BoundaryPoint, Mark};
+use slipmode_core::stability::transition::{
+    critical_velocity_squared, has_transition, transition_normal_stress_pa,
+};
+use slipmode_core::stability::{Arc, Asymptote, asymptote};
+use slipmode_plot::figure::{Axis, Line, LineRole, PointMark, Side};
 
 /// The two axes of a grid.
 pub(super) fn axes<T>(grid: &Grid<T>) -> Option<(Axis, Axis)> {
@@ -53,7 +55,7 @@ pub(super) fn cusp_mark(points: &[BoundaryPoint]) -> Vec<PointMark> {
 }
 
 /// The parameters at a place of the plane, in 64 bits: good enough to draw.
-fn at(parameters: &SceneParameters, stress: f64) -> crate::friction::Parameters<f64> {
+fn at(parameters: &SceneParameters, stress: f64) -> slipmode_core::friction::Parameters<f64> {
     let stress = Rational::from_f64(stress).unwrap_or_default();
     parameters.at(stress, Rational::from(1)).map(|value| Ball::from_rational(value, 64).to_f64())
 }

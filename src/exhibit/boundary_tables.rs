@@ -5,11 +5,11 @@ use rug::Float;
 use crate::claims::Context;
 use crate::exhibit::TableMaker;
 use crate::exhibit::tables::unless_empty;
-use crate::number::Ball;
-use crate::number::format::{certain_digits, round_float};
-use crate::stability::boundary::BoundaryPoint;
 use crate::study::{BoundaryOutcome, Need};
-use crate::table::{Cell, Column, Table};
+use slipmode_core::number::Ball;
+use slipmode_core::number::format::{certain_digits, round_float};
+use slipmode_core::stability::boundary::BoundaryPoint;
+use slipmode_plot::table::{Cell, Column, Table};
 
 pub(super) const TABLES: &[TableMaker] = &[
     TableMaker { id: "boundary", needs: &[Need::Boundary], make: all_points },

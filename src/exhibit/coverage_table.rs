@@ -4,7 +4,7 @@ use crate::claims::Context;
 use crate::exhibit::TableMaker;
 use crate::exhibit::tables::unless_empty;
 use crate::study::{CoverageRow, Need, Timings};
-use crate::table::{Cell, Column, Table};
+use slipmode_plot::table::{Cell, Column, Table};
 
 pub(super) const TABLES: &[TableMaker] =
     &[TableMaker { id: "coverage", needs: &[Need::Timings], make: coverage }];

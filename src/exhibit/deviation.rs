@@ -1,12 +1,12 @@
 //! Figures of the asymptotes' errors: along the arcs, at the corners, and where they are small enough.
 
 use crate::exhibit::{Figure, FigureMaker};
-use crate::number::format::rational_to_decimal;
-use crate::number::{Ball, Rational};
-use crate::plot::{Axis, Caption, LineChart, RangeChart, RangeRow, Reference, Series, Span};
-use crate::stability::Asymptote;
-use crate::stability::boundary::ErrorPair;
 use crate::study::{BoundaryOutcome, Need, SceneOutcome, SweepOutcome, ToleranceOutcome, effect_ratio};
+use slipmode_core::number::format::rational_to_decimal;
+use slipmode_core::number::{Ball, Rational};
+use slipmode_core::stability::Asymptote;
+use slipmode_core::stability::boundary::ErrorPair;
+use slipmode_plot::figure::{Axis, Caption, LineChart, RangeChart, RangeRow, Reference, Series, Span};
 
 pub(super) const FIGURES: &[FigureMaker] = &[
     FigureMaker {
@@ -58,7 +58,7 @@ fn along_arcs(scene: &SceneOutcome) -> Option<Figure> {
 }
 
 fn error_series(outcome: &BoundaryOutcome, beta: &Rational, asymptote: Asymptote) -> Series {
-    let frame = crate::stability::ArcFrame::of_rational(beta, 128);
+    let frame = slipmode_core::stability::ArcFrame::of_rational(beta, 128);
     let points = outcome
         .points
         .iter()

@@ -3,12 +3,12 @@
 use crate::claims::Context;
 use crate::exhibit::TableMaker;
 use crate::exhibit::tables::unless_empty;
-use crate::number::Ball;
-use crate::number::format::{certain_digits, rational_to_decimal};
-use crate::stability::Asymptote;
-use crate::stability::tolerance::Limit;
 use crate::study::Need;
-use crate::table::{Cell, Column, Table};
+use slipmode_core::number::Ball;
+use slipmode_core::number::format::{certain_digits, rational_to_decimal};
+use slipmode_core::stability::Asymptote;
+use slipmode_core::stability::tolerance::Limit;
+use slipmode_plot::table::{Cell, Column, Table};
 
 pub(super) const TABLES: &[TableMaker] = &[
     TableMaker { id: "tolerance", needs: &[Need::Tolerance], make: tolerance },

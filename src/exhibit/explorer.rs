@@ -3,15 +3,15 @@
 use serde::Serialize;
 
 use crate::exhibit::axes::{asymptote_lines, boundary_lines, transition_line};
-use crate::number::Rational;
-use crate::number::format::{rational_to_decimal, round_digits};
-use crate::plot::{Axis, Caption, FamilyMap, Line, LineRole, PointMark, Side, packed};
-use crate::stability::boundary::BoundaryPoint;
 use crate::study::{Factors, Families, NamedPoint, PointState};
+use slipmode_core::number::Rational;
+use slipmode_core::number::format::{rational_to_decimal, round_digits};
+use slipmode_core::stability::boundary::BoundaryPoint;
+use slipmode_plot::figure::{Axis, Caption, FamilyMap, Line, LineRole, PointMark, Side, packed};
 
 use super::explorer_formulas::{FORMULAS, formula_values};
 use super::explorer_tables::one_at_a_time;
-use crate::table::Table;
+use slipmode_plot::table::Table;
 
 /// Everything that the explorer's page shows.
 #[derive(Debug, Clone)]

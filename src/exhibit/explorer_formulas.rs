@@ -1,10 +1,10 @@
 //! What eqs 15, 16, 18 and 20 and the ends of the transition say for a slider, in words for the explorer.
 
 use crate::exhibit::explorer::{DIGITS, FormulaRow, Varying};
-use crate::number::format::round_digits;
-use crate::number::{Ball, Rational};
 use crate::scene::SceneParameters;
-use crate::stability::{
+use slipmode_core::number::format::round_digits;
+use slipmode_core::number::{Ball, Rational};
+use slipmode_core::stability::{
     Arc, Asymptote, asymptote, critical_normal_stress_pa, critical_velocity_m_per_s, has_transition,
 };
 
@@ -69,7 +69,7 @@ pub(super) fn rows(value: impl Fn(usize) -> Varying) -> Vec<FormulaRow> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::number::parse_decimal;
+    use slipmode_core::number::parse_decimal;
 
     fn slider(a: &str, b: &str) -> SceneParameters {
         SceneParameters::of_slider([a, b, "1e-5", "1e7", "1000"].map(|text| parse_decimal(text).unwrap()))

@@ -2,9 +2,9 @@
 
 use crate::exhibit::explorer::{DIGITS, imaginary};
 use crate::exhibit::explorer_formulas::FORMULAS;
-use crate::number::format::{rational_to_decimal, round_digits};
 use crate::study::{Factors, Families};
-use crate::table::{Cell, Column, Table};
+use slipmode_core::number::format::{rational_to_decimal, round_digits};
+use slipmode_plot::table::{Cell, Column, Table};
 
 /// One table for each of b, K and M.
 pub(super) fn one_at_a_time(families: &Families, values: &[[String; FORMULAS]]) -> Vec<Table> {
@@ -22,7 +22,7 @@ pub(super) fn one_at_a_time(families: &Families, values: &[[String; FORMULAS]]) 
             let mut combination = base;
             combination[which] = step;
             let place = families.place(combination);
-            let value: crate::number::Rational = times.clone() * value;
+            let value: slipmode_core::number::Rational = times.clone() * value;
             let mut row = vec![Cell::number(*factor), Cell::number(rational_to_decimal(&value, DIGITS))];
             row.extend(values[place][..4].iter().map(|text| Cell::number(text.as_str())));
             row.extend(families.states.iter().map(|states| {

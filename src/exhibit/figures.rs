@@ -1,7 +1,7 @@
 //! Which figures there are, and what each needs.
 
-use crate::plot::Caption;
 use crate::study::{Need, Outcome};
+use slipmode_plot::figure::Caption;
 
 /// A figure that is ready to be placed.
 #[derive(Debug, Clone, PartialEq, Eq)]

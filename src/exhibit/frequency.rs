@@ -1,10 +1,10 @@
 //! Frequencies along lines of constant normal stress (fig 2).
 
 use crate::exhibit::{Figure, FigureMaker};
-use crate::number::format::rational_to_decimal;
-use crate::plot::{Axis, Caption, LineChart, Reference, Series};
 use crate::scene::SceneParameters;
 use crate::study::{FrequencyLine, FrequencyOutcome, Need, SceneOutcome};
+use slipmode_core::number::format::rational_to_decimal;
+use slipmode_plot::figure::{Axis, Caption, LineChart, Reference, Series};
 
 pub(super) const FIGURES: &[FigureMaker] = &[FigureMaker {
     id: "fig-2",

@@ -1,12 +1,12 @@
 //! Tables of laps where integrators go wrong: a column per method, and every run.
 
 use crate::claims::Context;
-use crate::dynamics::Failure;
 use crate::exhibit::TableMaker;
 use crate::exhibit::tables::unless_empty;
-use crate::number::format::round_digits;
 use crate::study::{HardLap, LapAnswer, LapOutcome, LapVerdict, Need};
-use crate::table::{Cell, Column, Table};
+use slipmode_core::dynamics::Failure;
+use slipmode_core::number::format::round_digits;
+use slipmode_plot::table::{Cell, Column, Table};
 
 pub(super) const TABLES: &[TableMaker] = &[
     TableMaker { id: "hard-laps", needs: &[Need::HardLaps], make: |context| by_method(context, &ORDINARY) },

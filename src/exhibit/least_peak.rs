@@ -4,11 +4,13 @@ use crate::exhibit::axes::axes;
 use crate::exhibit::map_readout::simulated_readout;
 use crate::exhibit::simulation_map::{least_peak_line, peak_velocity};
 use crate::exhibit::{Figure, FigureMaker};
-use crate::friction::EvolutionLaw;
-use crate::number::format::round_digits;
-use crate::plot::{Axis, Caption, ColourScale, HeatMap, Line, LineChart, LineRole, Reference, Series};
-use crate::stability::Asymptote;
 use crate::study::{Grid, LeastPeak, Need, SceneOutcome, SimulatedPoint};
+use slipmode_core::friction::EvolutionLaw;
+use slipmode_core::number::format::round_digits;
+use slipmode_core::stability::Asymptote;
+use slipmode_plot::figure::{
+    Axis, Caption, ColourScale, HeatMap, Line, LineChart, LineRole, Reference, Series,
+};
 
 pub(super) const FIGURES: &[FigureMaker] = &[
     FigureMaker {
@@ -77,9 +79,9 @@ fn map(scene: &SceneOutcome) -> Option<Figure> {
     let low = values.iter().copied().filter(|value| *value > 0.0).fold(f64::INFINITY, f64::min);
     let law_word = law.as_str();
     let eq18 = |stress: f64| {
-        let stress = crate::number::Rational::from_f64(stress).unwrap_or_default();
-        let point = scene.parameters()?.at(stress, crate::number::Rational::from(1));
-        Some(Asymptote::InertialUpper.value(&point.map(crate::number::Rational::to_f64)))
+        let stress = slipmode_core::number::Rational::from_f64(stress).unwrap_or_default();
+        let point = scene.parameters()?.at(stress, slipmode_core::number::Rational::from(1));
+        Some(Asymptote::InertialUpper.value(&point.map(slipmode_core::number::Rational::to_f64)))
     };
     let asymptote = Line {
         label: "eq 18".into(),

@@ -3,11 +3,11 @@
 use crate::claims::Context;
 use crate::exhibit::tables::unless_empty;
 use crate::exhibit::{Figure, FigureMaker, TableMaker};
-use crate::friction::EvolutionLaw;
-use crate::number::format::round_digits;
-use crate::plot::{Axis, Caption, LineChart, Reference, Series};
 use crate::study::{Mismatch, ModeRuns, Need, Outcome, SceneOutcome, SteadyRun};
-use crate::table::{Cell, Column, Table};
+use slipmode_core::friction::EvolutionLaw;
+use slipmode_core::number::format::round_digits;
+use slipmode_plot::figure::{Axis, Caption, LineChart, Reference, Series};
+use slipmode_plot::table::{Cell, Column, Table};
 
 pub(super) const TABLES: &[TableMaker] = &[
     TableMaker { id: "linear-regime", needs: &[Need::LinearRegime], make: all_runs },

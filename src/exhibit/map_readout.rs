@@ -3,11 +3,11 @@
 
 use std::borrow::Borrow;
 
-use crate::dynamics::Behaviour;
-use crate::plot::{Readout, Words};
-use crate::stability::SlipMode;
-use crate::stability::boundary::BoundaryPoint;
 use crate::study::{BoundaryOutcome, Grid, MapPoint, SimulatedPoint};
+use slipmode_core::dynamics::Behaviour;
+use slipmode_core::stability::SlipMode;
+use slipmode_core::stability::boundary::BoundaryPoint;
+use slipmode_plot::figure::{Readout, Words};
 
 /// Points read out along each axis: a page holds them all.
 const POINTS: usize = 25;

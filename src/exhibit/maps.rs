@@ -3,9 +3,11 @@
 use crate::exhibit::axes::{asymptote_lines, axes, boundary_lines, cusp_mark, transition_line};
 use crate::exhibit::map_readout::readout;
 use crate::exhibit::{Figure, FigureMaker};
-use crate::plot::{Axis, Caption, ColourScale, HeatMap, Line, Readout, Zone, ZoneMap, zones_of_grid};
-use crate::stability::{Arc, SlipMode};
 use crate::study::{BoundaryOutcome, Grid, MapPoint, Need, SceneOutcome};
+use slipmode_core::stability::{Arc, SlipMode};
+use slipmode_plot::figure::{
+    Axis, Caption, ColourScale, HeatMap, Line, Readout, Zone, ZoneMap, zones_of_grid,
+};
 
 pub(super) const FIGURES: &[FigureMaker] = &[
     FigureMaker {

@@ -3,11 +3,11 @@
 use crate::claims::Context;
 use crate::exhibit::TableMaker;
 use crate::exhibit::tables::unless_empty;
-use crate::number::Wide;
-use crate::number::format::{rational_to_decimal, round_digits};
-use crate::stability::SlipMode;
 use crate::study::{Need, SceneOutcome, ZonesOutcome};
-use crate::table::{Cell, Column, Table};
+use slipmode_core::number::Wide;
+use slipmode_core::number::format::{rational_to_decimal, round_digits};
+use slipmode_core::stability::SlipMode;
+use slipmode_plot::table::{Cell, Column, Table};
 
 pub(super) const TABLES: &[TableMaker] = &[
     TableMaker { id: "frequency", needs: &[Need::Frequency], make: frequency },

@@ -1,16 +1,16 @@
 //! Figures of what happens close to K = K_c: sign of the coefficient, strip of bistability, amplitudes of cycles.
 
 use crate::exhibit::{Figure, FigureMaker};
-use crate::friction::EvolutionLaw;
-use crate::number::Rational;
-use crate::number::format::rational_to_decimal;
-use crate::plot::{
-    Axis, Caption, Line, LineChart, LineRole, PointMark, Reference, RegionLabel, Series, Side, Zone, ZoneMap,
-};
 use crate::study::{
     CycleFamilyOutcome, Edge, FamilyCycle, NearTransitionOutcome, Need, Outcome, SceneOutcome, effect_ratio,
 };
-use crate::theory::hopf::degenerate_inertial_parameter;
+use slipmode_core::friction::EvolutionLaw;
+use slipmode_core::number::Rational;
+use slipmode_core::number::format::rational_to_decimal;
+use slipmode_core::theory::hopf::degenerate_inertial_parameter;
+use slipmode_plot::figure::{
+    Axis, Caption, Line, LineChart, LineRole, PointMark, Reference, RegionLabel, Series, Side, Zone, ZoneMap,
+};
 
 const NEEDS: &[Need] = &[Need::NearTransition];
 

@@ -3,11 +3,11 @@
 use crate::claims::Context;
 use crate::exhibit::TableMaker;
 use crate::exhibit::tables::unless_empty;
-use crate::number::format::{rational_to_decimal, round_digits};
 use crate::study::{CycleFamilyOutcome, Edge, NearRun, NearTransitionOutcome, Need, Threshold, effect_ratio};
-use crate::table::{Cell, Column, Table};
-use crate::theory::hopf::{coefficient, degenerate_inertial_parameter};
-use crate::theory::linearisation::Law;
+use slipmode_core::number::format::{rational_to_decimal, round_digits};
+use slipmode_core::theory::hopf::{coefficient, degenerate_inertial_parameter};
+use slipmode_core::theory::linearisation::Law;
+use slipmode_plot::table::{Cell, Column, Table};
 
 const NEEDS: &[Need] = &[Need::NearTransition];
 

@@ -3,10 +3,10 @@
 use crate::claims::Context;
 use crate::exhibit::TableMaker;
 use crate::exhibit::tables::unless_empty;
-use crate::number::format::round_digits;
-use crate::roots::Rung;
 use crate::study::{FamilyOutcome, Method, MethodScore, Need};
-use crate::table::{Cell, Column, Table};
+use slipmode_core::number::format::round_digits;
+use slipmode_core::roots::Rung;
+use slipmode_plot::table::{Cell, Column, Table};
 
 pub(super) const TABLES: &[TableMaker] = &[
     TableMaker { id: "rungs", needs: &[Need::Map], make: rungs },

@@ -1,9 +1,9 @@
 //! Figures of what the numerical method does to the answer: the original scheme's bias, and work against error.
 
 use crate::exhibit::{Figure, FigureMaker};
-use crate::number::format::round_digits;
-use crate::plot::{Axis, Caption, LineChart, Reference, Series};
 use crate::study::{Need, Outcome, SchemeSeries, WorkCase};
+use slipmode_core::number::format::round_digits;
+use slipmode_plot::figure::{Axis, Caption, LineChart, Reference, Series};
 
 pub(super) const FIGURES: &[FigureMaker] = &[
     FigureMaker {

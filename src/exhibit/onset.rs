@@ -1,10 +1,10 @@
 //! Runs on either side of the onset of oscillation, with the velocities of theory (fig 4).
 
 use crate::exhibit::{Figure, FigureMaker};
-use crate::number::format::round_digits;
-use crate::plot::{Axis, Caption, LineChart, Reference, Series};
-use crate::stability::Asymptote;
 use crate::study::{Need, Outcome, ShownRun};
+use slipmode_core::number::format::round_digits;
+use slipmode_core::stability::Asymptote;
+use slipmode_plot::figure::{Axis, Caption, LineChart, Reference, Series};
 
 pub(super) const FIGURES: &[FigureMaker] = &[
     FigureMaker {

@@ -3,9 +3,9 @@
 use crate::claims::Context;
 use crate::exhibit::TableMaker;
 use crate::exhibit::tables::unless_empty;
-use crate::number::format::{certain_digits, rational_to_decimal, round_digits};
 use crate::study::{Located, Need, Onset, SceneOutcome};
-use crate::table::{Cell, Column, Table};
+use slipmode_core::number::format::{certain_digits, rational_to_decimal, round_digits};
+use slipmode_plot::table::{Cell, Column, Table};
 
 pub(super) const TABLES: &[TableMaker] = &[
     TableMaker { id: "onset", needs: &[Need::Onset], make: onset },

@@ -5,9 +5,9 @@ use crate::exhibit::map_readout::simulated_readout;
 use crate::exhibit::maps::theory_lines;
 use crate::exhibit::trajectory_curves::point_marks;
 use crate::exhibit::{Figure, FigureMaker};
-use crate::friction::EvolutionLaw;
-use crate::plot::{Caption, ColourScale, HeatMap, Side};
 use crate::study::{Need, SceneOutcome, SimulatedPoint};
+use slipmode_core::friction::EvolutionLaw;
+use slipmode_plot::figure::{Caption, ColourScale, HeatMap, Side};
 
 pub(super) const FIGURES: &[FigureMaker] = &[FigureMaker {
     id: "fig-6a-simulated",

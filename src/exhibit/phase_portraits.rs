@@ -1,15 +1,15 @@
 //! Phase portraits: velocity against shear stress, where the line of steady sliding organises every run.
 
-use crate::dynamics::Behaviour;
 use crate::exhibit::trajectory_curves::{
     extent, linear_axis, mode_words, runs_of, stress_unit, velocity_ratio,
 };
 use crate::exhibit::trajectory_figures::place_words;
 use crate::exhibit::{Figure, FigureMaker};
-use crate::friction::EvolutionLaw;
-use crate::plot::{Axis, Caption, Panel, Panels, Series};
 use crate::scene::SceneParameters;
 use crate::study::{Moment, Need, SceneOutcome, TrajectoryRun};
+use slipmode_core::dynamics::Behaviour;
+use slipmode_core::friction::EvolutionLaw;
+use slipmode_plot::figure::{Axis, Caption, Panel, Panels, Series};
 
 pub(super) const FIGURES: &[FigureMaker] = &[FigureMaker {
     id: "phase-portraits",

@@ -3,7 +3,7 @@
 use crate::claims::{Context, PlantedFaults, plant_faults};
 use crate::exhibit::TableMaker;
 use crate::exhibit::tables::unless_empty;
-use crate::table::{Cell, Column, Table};
+use slipmode_plot::table::{Cell, Column, Table};
 
 pub(super) const TABLES: &[TableMaker] =
     &[TableMaker { id: "planted-faults", needs: &[], make: planted_faults }];

@@ -3,10 +3,10 @@
 use crate::claims::Context;
 use crate::exhibit::TableMaker;
 use crate::exhibit::tables::unless_empty;
-use crate::friction::EvolutionLaw;
-use crate::number::format::round_digits;
 use crate::study::{Need, SceneOutcome, SimulatedPoint, SimulationsOutcome};
-use crate::table::{Cell, Column, Table};
+use slipmode_core::friction::EvolutionLaw;
+use slipmode_core::number::format::round_digits;
+use slipmode_plot::table::{Cell, Column, Table};
 
 pub(super) const TABLES: &[TableMaker] = &[
     TableMaker { id: "simulations", needs: &[Need::Simulations], make: simulations },

@@ -3,8 +3,8 @@
 use std::collections::BTreeMap;
 
 use crate::exhibit::{Figure, FigureMaker};
-use crate::plot::{Axis, Caption, LineChart, Series};
 use crate::study::{Need, Outcome, PeerRow, RootCount, SpeedCounts, Timings, micro};
+use slipmode_plot::figure::{Axis, Caption, LineChart, Series};
 
 pub(super) const FIGURES: &[FigureMaker] = &[
     FigureMaker { id: "speed-roots", needs: &[Need::SpeedCounts], data: &["speed-roots"], make: roots },

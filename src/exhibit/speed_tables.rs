@@ -3,9 +3,9 @@
 use crate::claims::Context;
 use crate::exhibit::TableMaker;
 use crate::exhibit::tables::unless_empty;
-use crate::number::format::round_digits;
 use crate::study::{ClassCounts, Need, SpeedCounts};
-use crate::table::{Cell, Column, Table};
+use slipmode_core::number::format::round_digits;
+use slipmode_plot::table::{Cell, Column, Table};
 
 pub(super) const TABLES: &[TableMaker] = &[
     TableMaker { id: "speed-roots", needs: &[Need::SpeedCounts], make: roots },

@@ -1,12 +1,12 @@
 //! Tables of what the unstated part of the start decides.
 
 use crate::claims::Context;
-use crate::dynamics::{Behaviour, Simulation, Start};
 use crate::exhibit::TableMaker;
 use crate::exhibit::tables::unless_empty;
-use crate::number::format::round_digits;
 use crate::study::{Need, StartGroup, StartRun};
-use crate::table::{Cell, Column, Table};
+use slipmode_core::dynamics::{Behaviour, Simulation, Start};
+use slipmode_core::number::format::round_digits;
+use slipmode_plot::table::{Cell, Column, Table};
 
 pub(super) const TABLES: &[TableMaker] = &[
     TableMaker { id: "starts", needs: &[Need::StartSensitivity], make: starts },

@@ -2,13 +2,13 @@
 
 use crate::exhibit::maps::theory_lines;
 use crate::exhibit::{Figure, FigureMaker};
-use crate::friction::EvolutionLaw;
-use crate::number::Rational;
-use crate::plot::{Axis, Caption, ColourScale, HeatMap, LineChart, Reference, Series};
 use crate::scene::{SummarySection, SweepWork};
-use crate::stability::SlipMode;
-use crate::stability::deviation::{CornerErrors, corner_errors};
 use crate::study::{Need, Outcome, SceneOutcome, Swept};
+use slipmode_core::friction::EvolutionLaw;
+use slipmode_core::number::Rational;
+use slipmode_core::stability::SlipMode;
+use slipmode_core::stability::deviation::{CornerErrors, corner_errors};
+use slipmode_plot::figure::{Axis, Caption, ColourScale, HeatMap, LineChart, Reference, Series};
 
 pub(super) const FIGURES: &[FigureMaker] = &[
     FigureMaker {

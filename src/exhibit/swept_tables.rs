@@ -8,11 +8,11 @@ use crate::exhibit::swept::{
     all, bin_place, measured, simulated, value_place, word_place, worst_by_effect_ratio,
 };
 use crate::exhibit::tables::unless_empty;
-use crate::number::Rational;
-use crate::number::format::{rational_to_decimal, round_digits};
 use crate::scene::SummarySection;
 use crate::study::{Need, Swept};
-use crate::table::{Cell, Column, Table};
+use slipmode_core::number::Rational;
+use slipmode_core::number::format::{rational_to_decimal, round_digits};
+use slipmode_plot::table::{Cell, Column, Table};
 
 pub(super) const TABLES: &[TableMaker] = &[
     TableMaker { id: "sweeps", needs: &[Need::Swept], make: sweeps },

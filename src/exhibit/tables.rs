@@ -2,7 +2,7 @@
 
 use crate::claims::Context;
 use crate::study::Need;
-use crate::table::Table;
+use slipmode_plot::table::Table;
 
 /// How a table is made.
 #[derive(Debug)]

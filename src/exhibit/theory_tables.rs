@@ -3,8 +3,8 @@
 use crate::claims::Context;
 use crate::exhibit::TableMaker;
 use crate::exhibit::tables::unless_empty;
-use crate::table::{Cell, Column, Table};
-use crate::theory::asymptote_series;
+use slipmode_core::theory::asymptote_series;
+use slipmode_plot::table::{Cell, Column, Table};
 
 pub(super) const TABLES: &[TableMaker] = &[
     TableMaker { id: "equations", needs: &[], make: equations },

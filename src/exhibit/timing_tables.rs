@@ -5,12 +5,12 @@
 use crate::claims::Context;
 use crate::exhibit::TableMaker;
 use crate::exhibit::tables::unless_empty;
-use crate::number::format::round_digits;
 use crate::study::{
     Aim, Bound, Ladder, Law, Need, PeerGroup, PeerRow, Reached, Timings, aims, cycle_groups, ladders, micro,
     work_groups,
 };
-use crate::table::{Cell, Column, Table};
+use slipmode_core::number::format::round_digits;
+use slipmode_plot::table::{Cell, Column, Table};
 
 pub(super) const TABLES: &[TableMaker] = &[
     TableMaker { id: "aims", needs: &[Need::Timings], make: wanted },

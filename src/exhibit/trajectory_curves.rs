@@ -1,8 +1,8 @@
 //! From runs to curves: series, axes that fit them, and the words for a point of the plane.
 
-use crate::friction::EvolutionLaw;
-use crate::plot::{Axis, PointMark, Series, Side};
 use crate::study::{Moment, SceneOutcome, TrajectoryRun};
+use slipmode_core::friction::EvolutionLaw;
+use slipmode_plot::figure::{Axis, PointMark, Series, Side};
 
 /// The runs of one law whose point's id starts so, in the scene's order.
 pub(super) fn runs_of<'s>(

@@ -4,9 +4,9 @@ use crate::exhibit::trajectory_curves::{
     extent, linear_axis, mode_words, power_markup, runs_of, series, stress_unit, velocity_ratio,
 };
 use crate::exhibit::{Figure, FigureMaker};
-use crate::friction::{EvolutionLaw, SlipMode};
-use crate::plot::{Axis, Caption, Panel, Panels, Reference};
 use crate::study::{Moment, Need, SceneOutcome, TrajectoryRun};
+use slipmode_core::friction::{EvolutionLaw, SlipMode};
+use slipmode_plot::figure::{Axis, Caption, Panel, Panels, Reference};
 
 pub(super) const FIGURES: &[FigureMaker] = &[
     FigureMaker {

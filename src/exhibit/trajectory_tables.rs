@@ -3,9 +3,9 @@
 use crate::claims::Context;
 use crate::exhibit::TableMaker;
 use crate::exhibit::tables::unless_empty;
-use crate::number::format::{rational_to_decimal, round_digits};
 use crate::study::{Need, TrajectoryRun};
-use crate::table::{Cell, Column, Table};
+use slipmode_core::number::format::{rational_to_decimal, round_digits};
+use slipmode_plot::table::{Cell, Column, Table};
 
 pub(super) const TABLES: &[TableMaker] = &[
     TableMaker { id: "trajectory-modes", needs: &[Need::Trajectories], make: modes },

@@ -10,8 +10,8 @@ use crate::report::{
     FindingView, InputView, ProvenanceView, ReportView, Standing,
 };
 use crate::scene::{Chapter, ReportPlan};
-use crate::table::Table;
-use crate::theory::PaperEquations;
+use slipmode_core::theory::PaperEquations;
+use slipmode_plot::table::Table;
 
 /// Everything that a report puts before its reader.
 #[derive(Debug)]
@@ -232,5 +232,5 @@ fn evidence_view(evidence: &Evidence) -> EvidenceView {
 
 /// Plain words as Markdown: characters that Markdown or mathematics would take as markup are escaped.
 fn plain(text: &str) -> String {
-    crate::table::escape_markdown(text)
+    slipmode_plot::table::escape_markdown(text)
 }

@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::blocks::{BlockKind, Piece, pieces};
 use super::parts::runs;
 use super::view::{ClaimView, EquationView, FigureView, ReportView};
-use crate::table::Table;
+use slipmode_plot::table::Table;
 
 /// Figures, tables, equations and claims by id.
 #[derive(Debug)]

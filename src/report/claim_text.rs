@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use super::markdown::slug;
 use super::view::{ClaimView, EvidenceView, Standing};
-use crate::table::{escape_cell, escape_markdown, printable};
+use slipmode_plot::table::{escape_cell, escape_markdown, printable};
 
 /// What `claim.md` and the ledger's table ask for.
 #[derive(Debug, Serialize)]

@@ -1,8 +1,8 @@
 //! The picture of which claims rest on which.
 
 use crate::claims::Ledger;
-use crate::plot::{BoxLook, BoxNode, Caption, LayeredGraph};
 use crate::report::{FigureView, Standing};
+use slipmode_plot::figure::{BoxLook, BoxNode, Caption, LayeredGraph};
 
 /// Standings in the order of the legend, with the colours of the picture outside a page.
 const LOOKS: [(Standing, &str, &str); 4] = [

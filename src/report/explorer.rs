@@ -7,9 +7,9 @@ use super::html::table_html;
 use super::page_style::{EXPLORER_SCRIPT, content_policy, explorer_style_sheet};
 use super::templates::Templates;
 use crate::exhibit::{Explorer, FormulaRow, PointRow, Varying};
-use crate::number::format::rational_to_decimal;
-use crate::plot::within_html;
 use crate::scene::SceneParameters;
+use slipmode_core::number::format::rational_to_decimal;
+use slipmode_plot::figure::within_html;
 
 /// What the explorer's page says besides the numbers.
 #[derive(Debug, Clone)]

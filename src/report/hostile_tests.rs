@@ -1,8 +1,8 @@
 //! Hostile values in every field of a view: they stay text in every template.
 
 use super::*;
-use crate::table::Cell;
 use sample::view;
+use slipmode_plot::table::Cell;
 
 /// Tries to leave text, attributes, links, code, tables and formulas of both outputs.
 const HOSTILE: &str = "\"><script>alert(1)</script><img src=x onerror=alert(1)> [a](javascript:b) ![i](http://e.example/i) \

@@ -15,9 +15,9 @@ use super::parts::{lead, runs, title};
 use super::templates::Templates;
 use super::view::{CardView, ChapterView, EquationView, FigureView, ReportView};
 use super::{MAX_SHOWN_ROWS, ReportError, cut_note};
-use crate::plot::within_html;
 use crate::scene::Part;
-use crate::table::{Cell, Kind, Table};
+use slipmode_plot::figure::within_html;
+use slipmode_plot::table::{Cell, Kind, Table};
 
 /// Renders the page: HTML with style sheet, font, figures and mathematics inside, readable without scripts.
 ///

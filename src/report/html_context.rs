@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use super::claim_html::Chip;
 use super::view::{FactView, InputView};
-use crate::table::{Cell, Column};
+use slipmode_plot::table::{Cell, Column};
 
 /// What `report.html` asks for.
 #[derive(Serialize)]

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use math_core::{LatexToMathML, MathDisplay};
 
-use crate::table::printable;
+use slipmode_plot::table::printable;
 
 /// The longest formula, in bytes.
 const LONGEST_FORMULA: usize = 2_000;

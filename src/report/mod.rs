@@ -42,7 +42,7 @@ pub use view::{
     FindingView, InputView, ProvenanceView, ReportView, Standing,
 };
 
-use crate::table::Table;
+use slipmode_plot::table::Table;
 
 /// Rows of a table shown on the page and in the Markdown report; the CSV file has all.
 pub const MAX_SHOWN_ROWS: usize = 24;

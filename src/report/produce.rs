@@ -9,8 +9,8 @@ use crate::report::blocks::{BlockKind, Piece, pieces};
 use crate::report::{FactView, InputView, ReportError, render_html, render_markdown};
 use crate::scene::{ClaimEntry, ReportPlan, Scene};
 use crate::study::{self, Needs, Outcome, Progress, References};
-use crate::table::Table;
-use crate::theory::PaperEquations;
+use slipmode_core::theory::PaperEquations;
+use slipmode_plot::table::Table;
 
 /// The contents of a report folder, read and valid.
 #[derive(Debug)]

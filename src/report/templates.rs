@@ -7,7 +7,7 @@ use tera::{Context, Kwargs, State, Tera, Value};
 
 use super::ReportError;
 use super::symbols::set_symbols;
-use crate::table::{escape_markdown, printable};
+use slipmode_plot::table::{escape_markdown, printable};
 
 /// Templates of the page. Every one is escaped for HTML, whatever its name.
 const HTML: [(&str, &str); 8] = [

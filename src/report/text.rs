@@ -11,7 +11,7 @@ use super::templates::Templates;
 use super::text_context::{Card, Chapter, Fact, Finding, Group, Input, Part, Provenance, ReportContext};
 use super::view::{ChapterView, EquationView, FactView, FigureView, FindingView, InputView, ReportView};
 use super::{MAX_SHOWN_ROWS, ReportError, cut_note};
-use crate::table::{Table, escape_cell, escape_markdown, first_rows_to_markdown};
+use slipmode_plot::table::{Table, escape_cell, escape_markdown, first_rows_to_markdown};
 
 /// Renders the report as Markdown, one document that links to `figures/*.svg` and `tables/*.csv` beside it.
 ///

@@ -6,7 +6,7 @@
 use serde::Serialize;
 
 use crate::scene::Part;
-use crate::table::Table;
+use slipmode_plot::table::Table;
 
 /// A whole report.
 #[derive(Debug, Clone, PartialEq, Default)]

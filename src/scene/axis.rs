@@ -3,7 +3,7 @@
 use rug::float::Round;
 use rug::{Assign, Float};
 
-use crate::number::Rational;
+use slipmode_core::number::Rational;
 
 /// What a scene may ask for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -95,7 +95,7 @@ fn nearest_f64(value: Float) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::number::parse_decimal;
+    use slipmode_core::number::parse_decimal;
 
     fn axis(from: &str, to: &str, points: u32) -> Vec<f64> {
         LogAxis { from: parse_decimal(from).unwrap(), to: parse_decimal(to).unwrap(), points }.coordinates()

@@ -4,8 +4,8 @@ use std::fmt;
 
 use thiserror::Error;
 
-use crate::number::DecimalError;
 use crate::scene::{CsvProblem, NameError};
+use slipmode_core::number::DecimalError;
 
 /// One fault of an input; printed as `file:line: key = value: problem`.
 #[derive(Debug, Clone, PartialEq, Eq)]

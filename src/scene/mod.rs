@@ -2,12 +2,13 @@
 //!
 //! Every reader takes the bytes of a file and its name, opens nothing, and returns either a valid value or
 //! **all** the faults at once, each with file, line, key, value and allowed range.
-//! Decimals are taken from their text ([`crate::number::parse_decimal`]); no number passes through binary.
+//! Decimals are taken from their text ([`slipmode_core::number::parse_decimal`]); no number passes through binary.
 
 mod axis;
 mod claim_list;
 mod csv_problem;
 mod document;
+mod equations_file;
 mod fault;
 mod file_text;
 mod name;
@@ -31,6 +32,7 @@ mod trajectories;
 pub use axis::{Limits, LogAxis, LogCoordinates};
 pub use claim_list::{ClaimEntry, ExpectedVerdict, read_claims};
 pub use csv_problem::CsvProblem;
+pub use equations_file::read_equations;
 pub use fault::{Fault, Faults, Problem};
 pub use file_text::{MAX_FILE_BYTES, file_text, is_forbidden};
 pub use name::{NameError, check_name, nearest, same_name};

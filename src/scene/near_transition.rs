@@ -1,9 +1,9 @@
 //! `[near_transition]`: the nonlinear slider close to K = K_c, by η and K/K_c instead of V and σ.
 
-use crate::number::Rational;
 use crate::scene::section::{Entry, Section};
 use crate::scene::sections::check_points;
 use crate::scene::{AllowedRange, Faults, Limits};
+use slipmode_core::number::Rational;
 
 /// `[near_transition]`.
 #[derive(Debug, Clone, PartialEq, Eq)]

@@ -1,9 +1,9 @@
 //! `[original_scheme]`, `[work_precision]` and `[error_bound]`: what the numerical method does to the answer.
 
-use crate::number::Rational;
 use crate::scene::section::{Entry, Section};
 use crate::scene::sections::{axis, check_points};
 use crate::scene::{AllowedRange, Faults, Limits, Rectangle};
+use slipmode_core::number::Rational;
 
 /// A place of the (V, σ) plane.
 #[derive(Debug, Clone, PartialEq, Eq)]

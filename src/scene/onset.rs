@@ -1,11 +1,11 @@
 //! `[onset]`: where oscillation begins along lines of constant normal stress, and runs on either side of it (fig 4).
 
-use crate::friction::EvolutionLaw;
-use crate::number::Rational;
 use crate::scene::section::Entry;
 use crate::scene::sections::check_points;
 use crate::scene::simulations::read_laws;
 use crate::scene::{AllowedRange, Faults, Limits};
+use slipmode_core::friction::EvolutionLaw;
+use slipmode_core::number::Rational;
 
 /// `[onset]`.
 #[derive(Debug, Clone, PartialEq, Eq)]

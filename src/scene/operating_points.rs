@@ -1,11 +1,11 @@
 //! `[linear_regime]` and `[start_sensitivity]`: what is looked at closely at a few points (V, σ).
 
-use crate::friction::EvolutionLaw;
-use crate::number::Rational;
 use crate::scene::section::{Entry, Section};
 use crate::scene::sections::check_points;
 use crate::scene::simulations::read_laws;
 use crate::scene::{AllowedRange, Faults, Limits, Problem};
+use slipmode_core::friction::EvolutionLaw;
+use slipmode_core::number::Rational;
 
 /// `[linear_regime]`: small disturbances along the eigenvectors, against the roots.
 #[derive(Debug, Clone, PartialEq, Eq)]

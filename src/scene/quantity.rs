@@ -1,7 +1,7 @@
 //! The seven physical inputs: their names in scenes, CSV files and on the command line.
 
-use crate::friction::Parameters;
-use crate::number::Rational;
+use slipmode_core::friction::Parameters;
+use slipmode_core::number::Rational;
 
 /// One of the seven inputs of the spring-slider, in the order of the command line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]

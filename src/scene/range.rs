@@ -2,8 +2,8 @@
 
 use std::ops::RangeInclusive;
 
-use crate::number::{Rational, parse_decimal};
 use crate::scene::Problem;
+use slipmode_core::number::{Rational, parse_decimal};
 
 /// A range of numbers; its ends are decimals, so that messages and checks cannot differ.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -1,6 +1,5 @@
 //! The scene file: sections, their order of reading, and what they need of each other.
 
-use crate::number::Rational;
 use crate::scene::document::read_document;
 use crate::scene::section::Section;
 use crate::scene::sections::{NAME_RULE, safe_name};
@@ -10,6 +9,7 @@ use crate::scene::{
     Rectangle, SceneParameters, SimulationsSection, SpeedCountsSection, StartSensitivitySection,
     SweepSection, SweptSection, TimingsSection, ToleranceSection, TrajectoriesSection, WorkPrecisionSection,
 };
+use slipmode_core::number::Rational;
 
 /// What a user asks for: valid, exact, and nothing that was not asked.
 #[derive(Debug, Clone, PartialEq, Eq)]

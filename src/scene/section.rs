@@ -5,9 +5,9 @@ use std::ops::RangeInclusive;
 use toml::Spanned;
 use toml::de::{DeString, DeTable, DeValue};
 
-use crate::number::Rational;
 use crate::scene::document::Source;
 use crate::scene::{AllowedRange, Fault, Faults, Problem, nearest, parse_whole};
+use slipmode_core::number::Rational;
 
 /// The most unknown keys that are reported of one table: each is compared with every known one.
 const MOST_UNKNOWN_KEYS: usize = 20;

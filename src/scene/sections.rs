@@ -1,8 +1,8 @@
 //! The sections of a scene: what each asks for, and how it is read.
 
-use crate::number::{Rational, parse_decimal};
 use crate::scene::section::{Entry, Section};
 use crate::scene::{AllowedRange, Faults, Limits, LogAxis, Problem, check_name};
+use slipmode_core::number::{Rational, parse_decimal};
 
 /// A rectangle of the (V, σ) plane with a logarithmic grid.
 #[derive(Debug, Clone, PartialEq, Eq)]

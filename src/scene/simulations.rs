@@ -1,10 +1,10 @@
 //! `[simulations]`: the nonlinear slider on a (V, σ) grid.
 
-use crate::friction::EvolutionLaw;
-use crate::number::Rational;
 use crate::scene::section::Entry;
 use crate::scene::sections::{axis, check_points};
 use crate::scene::{AllowedRange, Faults, Limits, Problem, Rectangle, nearest};
+use slipmode_core::friction::EvolutionLaw;
+use slipmode_core::number::Rational;
 
 /// `[simulations]`.
 #[derive(Debug, Clone, PartialEq, Eq)]

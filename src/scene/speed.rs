@@ -1,9 +1,9 @@
 //! `[speed_counts]` and `[timings]`: work against error by counts, and the files with times that other commands measured.
 
-use crate::number::Rational;
 use crate::scene::section::{Entry, Section};
 use crate::scene::sections::{NAME_RULE, check_points, safe_name};
 use crate::scene::{AllowedRange, Faults, Limits};
+use slipmode_core::number::Rational;
 
 /// `[speed_counts]`: work against error of roots, classes, boundary points and sweeps, by counts.
 #[derive(Debug, Clone, PartialEq, Eq)]

@@ -3,14 +3,14 @@
 mod coordinates;
 mod summary;
 
-use crate::friction::EvolutionLaw;
-use crate::number::Rational;
 use crate::scene::section::{Entry, Section};
 use crate::scene::sections::{NAME_RULE, safe_name};
 use crate::scene::simulations::read_laws;
 use crate::scene::{AllowedRange, Faults, Problem, SceneParameters, nearest};
 pub use coordinates::{Coordinate, Spacing, Span};
 use coordinates::{grid_coordinates, sample_coordinates};
+use slipmode_core::friction::EvolutionLaw;
+use slipmode_core::number::Rational;
 pub use summary::{ColumnBins, ColumnStatistics, MOST_SUMMARY_CELLS, Statistic, SummarySection};
 
 /// The most points of one sweep, whatever machines there are.

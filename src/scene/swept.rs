@@ -1,9 +1,9 @@
 //! `[swept]`: sweeps that ran elsewhere, and what running them took.
 
-use crate::number::Rational;
 use crate::scene::section::Entry;
 use crate::scene::sections::safe_name;
 use crate::scene::{AllowedRange, Faults, Problem};
+use slipmode_core::number::Rational;
 
 /// `[swept]`.
 #[derive(Debug, Clone, PartialEq, Eq)]

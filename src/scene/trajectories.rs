@@ -1,11 +1,11 @@
 //! `[trajectories]`: named points of which the course of the nonlinear slider is drawn.
 
-use crate::friction::EvolutionLaw;
-use crate::number::Rational;
 use crate::scene::section::Entry;
 use crate::scene::sections::{check_points, safe_name};
 use crate::scene::simulations::read_laws;
 use crate::scene::{AllowedRange, Faults, Limits, Problem, Quantity, same_name};
+use slipmode_core::friction::EvolutionLaw;
+use slipmode_core::number::Rational;
 
 /// `[trajectories]`.
 #[derive(Debug, Clone, PartialEq, Eq)]

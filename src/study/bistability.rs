@@ -1,11 +1,11 @@
 //! The edge of bistability: the largest K/K_c at which a limit cycle coexists with stable sliding, and what start reaches it.
 
-use crate::dynamics::{
+use crate::scene::SceneParameters;
+use slipmode_core::dynamics::{
     Control, CycleFamily, Failure, Fold, Integrator, Late, Member, Model, Options, Radau, settle,
     simulate_model, start_threshold,
 };
-use crate::friction::Groups;
-use crate::scene::SceneParameters;
+use slipmode_core::friction::Groups;
 
 /// The edge at one η.
 #[derive(Debug, Clone, PartialEq)]

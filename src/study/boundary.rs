@@ -1,8 +1,8 @@
 //! The exact boundary of a scene, and whether its three routes agree.
 
-use crate::number::Rational;
 use crate::scene::{BoundarySection, SceneParameters};
-use crate::stability::boundary::{BoundaryCurve, BoundaryPoint, RouteComparison, compare_routes};
+use slipmode_core::number::Rational;
+use slipmode_core::stability::boundary::{BoundaryCurve, BoundaryPoint, RouteComparison, compare_routes};
 
 /// The boundary of one slider.
 #[derive(Debug, Clone)]

@@ -2,14 +2,14 @@
 
 use rayon::prelude::*;
 
-use crate::dynamics::{CycleFamily, Failure, Member};
-use crate::friction::EvolutionLaw;
-use crate::number::Rational;
 use crate::scene::{NearTransition, SceneParameters};
 use crate::study::bistability::{Edge, edge};
 use crate::study::effect_ratio;
-use crate::theory::hopf::{Criticality, square_amplitude};
-use crate::theory::linearisation::Law;
+use slipmode_core::dynamics::{CycleFamily, Failure, Member};
+use slipmode_core::friction::EvolutionLaw;
+use slipmode_core::number::Rational;
+use slipmode_core::theory::hopf::{Criticality, square_amplitude};
+use slipmode_core::theory::linearisation::Law;
 
 /// One cycle of a family.
 #[derive(Debug, Clone)]

@@ -5,12 +5,12 @@
 
 use rayon::prelude::*;
 
-use crate::dynamics::{
+use crate::scene::ErrorBoundSection;
+use slipmode_core::dynamics::{
     Control, Integrator, Late, Model, Options, Outcome, Radau, Scalar, Start, State, settle, simulate_model,
 };
-use crate::friction::{EvolutionLaw, Groups, Parameters};
-use crate::number::{Dd, Rational};
-use crate::scene::ErrorBoundSection;
+use slipmode_core::friction::{EvolutionLaw, Groups, Parameters};
+use slipmode_core::number::{Dd, Rational};
 
 /// One run held against its reference.
 #[derive(Debug, Clone, PartialEq)]

@@ -7,11 +7,11 @@
 
 use rayon::prelude::*;
 
-use crate::number::{Rational, Wide};
 use crate::scene::SceneParameters;
-use crate::stability::boundary::{BoundaryCurve, BoundaryPoint};
-use crate::stability::{InertialThreshold, SlipMode, classify};
 use crate::study::END_ERROR;
+use slipmode_core::number::{Rational, Wide};
+use slipmode_core::stability::boundary::{BoundaryCurve, BoundaryPoint};
+use slipmode_core::stability::{InertialThreshold, SlipMode, classify};
 
 /// Factors of b: closer where β passes 1 for common sliders.
 const EVOLUTION_EFFECT_FACTORS: [&str; 19] = [
@@ -42,7 +42,8 @@ pub struct Factors {
 
 impl Factors {
     fn of(texts: &'static [&'static str]) -> Self {
-        let values = texts.iter().filter_map(|text| crate::number::parse_decimal(text).ok()).collect();
+        let values =
+            texts.iter().filter_map(|text| slipmode_core::number::parse_decimal(text).ok()).collect();
         Self { texts, values, base: texts.iter().position(|text| *text == "1").unwrap_or(0) }
     }
 }
@@ -158,8 +159,8 @@ fn state(slider: &SceneParameters, point: &NamedPoint, threshold: &InertialThres
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::number::parse_decimal;
     use crate::study::fixtures::paper;
+    use slipmode_core::number::parse_decimal;
 
     fn families() -> Families {
         let point = NamedPoint {

@@ -1,7 +1,7 @@
 //! What a reader sees of a run from V_l/10 to steady sliding: its peak, its undershoot, and how far V rises again.
 
-use crate::dynamics::events::{Mark, candidates, state_at};
-use crate::dynamics::{Control, Failure, Integrator, Model, Radau, Start};
+use slipmode_core::dynamics::events::{Mark, candidates, state_at};
+use slipmode_core::dynamics::{Control, Failure, Integrator, Model, Radau, Start};
 
 /// What is seen of one run, in units of V_l; 0 for what does not happen.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -66,7 +66,7 @@ impl Swing {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::friction::{EvolutionLaw, Groups};
+    use slipmode_core::friction::{EvolutionLaw, Groups};
 
     fn swing(inertial_parameter: f64) -> Swing {
         // σ = 10^3.25 Pa with the paper's values; eq 20 is at η = 1/(4κ).

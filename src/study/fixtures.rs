@@ -1,7 +1,7 @@
 //! Sliders that the tests of this folder share.
 
-use crate::number::parse_decimal;
 use crate::scene::SceneParameters;
+use slipmode_core::number::parse_decimal;
 
 /// The paper's potentially unstable slider.
 pub(super) fn paper() -> SceneParameters {

@@ -2,11 +2,11 @@
 
 use rayon::prelude::*;
 
-use crate::number::{Rational, Wide};
 use crate::scene::{FrequencySection, SceneParameters};
-use crate::stability::transition::critical_normal_stress_pa;
-use crate::stability::{InertialThreshold, classify};
 use crate::study::map::exactly;
+use slipmode_core::number::{Rational, Wide};
+use slipmode_core::stability::transition::critical_normal_stress_pa;
+use slipmode_core::stability::{InertialThreshold, classify};
 
 /// One line of constant normal stress.
 #[derive(Debug, Clone, PartialEq)]

@@ -7,12 +7,12 @@
 use num_complex::Complex;
 use rug::Float;
 
-use crate::friction::Groups;
-use crate::number::{Dd, Rational, Real};
-use crate::roots::textbook::{Three, aberth, cardano, companion, newton, viete};
-use crate::roots::{Bounded, BoundedCubic, Pair, Working, certified_roots};
 use crate::study::HardCase;
 use crate::study::textbook::signs_of;
+use slipmode_core::friction::Groups;
+use slipmode_core::number::{Dd, Rational, Real};
+use slipmode_core::roots::textbook::{Three, aberth, cardano, companion, newton, viete};
+use slipmode_core::roots::{Bounded, BoundedCubic, Pair, Working, certified_roots};
 
 /// Digits asked of the certified roots: the references have thirty.
 const CERTIFIED_DIGITS: u32 = 35;

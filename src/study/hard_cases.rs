@@ -2,12 +2,12 @@
 
 use rayon::prelude::*;
 
-use crate::friction::Parameters;
-use crate::number::{Rational, Wide, parse_decimal};
-use crate::roots::Rung;
 use crate::scene::{Fault, Faults, Problem, Quantity};
-use crate::stability::{InertialThreshold, classify};
 use crate::study::hard_case_methods::{MethodScore, score_methods};
+use slipmode_core::friction::Parameters;
+use slipmode_core::number::{Rational, Wide, parse_decimal};
+use slipmode_core::roots::Rung;
+use slipmode_core::stability::{InertialThreshold, classify};
 
 /// A point with the answers of independent programs.
 #[derive(Debug, Clone, PartialEq)]

@@ -3,13 +3,13 @@
 
 use rayon::prelude::*;
 
-use crate::dynamics::{
-    Behaviour, Failure, Model, Options, Outcome, Radau, Rodas5P, State, Taylor, simulate_model,
-};
-use crate::friction::{EvolutionLaw, Groups, Parameters};
-use crate::number::{Rational, parse_decimal};
 use crate::scene::{CsvProblem, Fault, Faults, Problem};
 use crate::study::work_precision::{Lapped, lap_within};
+use slipmode_core::dynamics::{
+    Behaviour, Failure, Model, Options, Outcome, Radau, Rodas5P, State, Taylor, simulate_model,
+};
+use slipmode_core::friction::{EvolutionLaw, Groups, Parameters};
+use slipmode_core::number::{Rational, parse_decimal};
 
 /// A lap with the answers of an independent program.
 #[derive(Debug, Clone, PartialEq)]

@@ -2,14 +2,14 @@
 
 use rayon::prelude::*;
 
-use crate::dynamics::{Behaviour, Options, Simulation, simulate};
-use crate::friction::EvolutionLaw;
 use crate::scene::{SceneParameters, SimulationsSection};
-use crate::stability::{
-    Asymptote, InertialThreshold, SlipMode, classify, critical_normal_stress_pa, has_transition,
-};
 use crate::study::map::exactly;
 use crate::study::search::{border_between, minimum_between, zero_between};
+use slipmode_core::dynamics::{Behaviour, Options, Simulation, simulate};
+use slipmode_core::friction::EvolutionLaw;
+use slipmode_core::stability::{
+    Asymptote, InertialThreshold, SlipMode, classify, critical_normal_stress_pa, has_transition,
+};
 
 /// The minimum of the peak velocity over the loading velocity at one normal stress.
 #[derive(Debug, Clone, PartialEq)]

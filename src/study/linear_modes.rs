@@ -6,10 +6,10 @@
 
 use rug::{Complex, Float};
 
-use crate::dynamics::{Scalar, State};
-use crate::friction::{EvolutionLaw, Groups};
-use crate::number::{Dd, Rational};
-use crate::roots::CertifiedRoot;
+use slipmode_core::dynamics::{Scalar, State};
+use slipmode_core::friction::{EvolutionLaw, Groups};
+use slipmode_core::number::{Dd, Rational};
+use slipmode_core::roots::CertifiedRoot;
 
 /// Bits of the linear algebra: far below the rounding of double-double.
 pub(super) const BITS: u32 = 160;
@@ -171,8 +171,8 @@ fn dot(a: &[Complex; 3], b: &[Complex; 3]) -> Complex {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::dynamics::Model;
-    use crate::roots::certified_roots;
+    use slipmode_core::dynamics::Model;
+    use slipmode_core::roots::certified_roots;
 
     fn groups() -> Groups<Rational> {
         Groups {

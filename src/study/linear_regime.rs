@@ -13,15 +13,15 @@
 use rayon::prelude::*;
 use rug::{Complex, Float};
 
-use crate::dynamics::{Failure, Model, Radau};
-use crate::friction::{EvolutionLaw, Groups};
-use crate::number::{Dd, Rational};
-use crate::roots::certified_roots;
 use crate::scene::{LinearRegimeSection, SceneParameters};
-use crate::stability::{InertialThreshold, SlipMode, classify};
 use crate::study::linear_modes::{BITS, Direction, Mode, ROOT_DIGITS};
 use crate::study::snapshots::{projected_rate, rate_of_snapshots, snapshots};
 use crate::study::{SteadyRun, steady_sliding};
+use slipmode_core::dynamics::{Failure, Model, Radau};
+use slipmode_core::friction::{EvolutionLaw, Groups};
+use slipmode_core::number::{Dd, Rational};
+use slipmode_core::roots::certified_roots;
+use slipmode_core::stability::{InertialThreshold, SlipMode, classify};
 
 /// Local tolerance of the runs in double-double, relative to the state.
 const FINE: f64 = 1e-20;

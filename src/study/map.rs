@@ -2,11 +2,11 @@
 
 use rayon::prelude::*;
 
-use crate::number::{Rational, Wide};
-use crate::roots::Rung;
 use crate::scene::{Rectangle, SceneParameters};
-use crate::stability::{InertialThreshold, SlipMode, SpectralClass, classify};
 use crate::study::Grid;
+use slipmode_core::number::{Rational, Wide};
+use slipmode_core::roots::Rung;
+use slipmode_core::stability::{InertialThreshold, SlipMode, SpectralClass, classify};
 
 /// What a map keeps of a point.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -2,14 +2,14 @@
 
 use rayon::prelude::*;
 
-use crate::dynamics::{Decay, Failure, Late, Model, Options, Outcome, simulate_model};
-use crate::friction::{EvolutionLaw, Groups};
-use crate::number::Rational;
-use crate::roots::{Pair, binary64};
 use crate::scene::{NearTransition, SceneParameters};
 use crate::study::cycle_families::{CycleFamilyOutcome, cycle_families};
 use crate::study::effect_ratio;
 use crate::study::simulations::options;
+use slipmode_core::dynamics::{Decay, Failure, Late, Model, Options, Outcome, simulate_model};
+use slipmode_core::friction::{EvolutionLaw, Groups};
+use slipmode_core::number::Rational;
+use slipmode_core::roots::{Pair, binary64};
 
 /// One run from the start of the scene's simulations, V_l/10.
 #[derive(Debug, Clone)]
@@ -135,8 +135,8 @@ fn near_run(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::number::parse_decimal;
     use crate::study::fixtures::paper;
+    use slipmode_core::number::parse_decimal;
 
     fn outcome(inertial: &[&str], stiffness: &[&str], edge: &[&str]) -> NearTransitionOutcome {
         let decimals = |texts: &[&str]| texts.iter().map(|text| parse_decimal(text).unwrap()).collect();

@@ -2,16 +2,18 @@
 
 use rayon::prelude::*;
 
-use crate::dynamics::{Behaviour, simulate};
-use crate::friction::Parameters;
-use crate::number::{Ball, Rational, bits_for_digits, nearest_f64};
 use crate::scene::{OnsetSection, SceneParameters};
-use crate::stability::{Asymptote, InertialThreshold, classify, critical_normal_stress_pa, has_transition};
 use crate::study::map::exactly;
 use crate::study::onset_search::Line;
 use crate::study::onset_theory::{DIGITS, inertial_velocity, stable_boundary};
 use crate::study::simulations::options;
 use crate::study::{Located, SeenOnset};
+use slipmode_core::dynamics::{Behaviour, simulate};
+use slipmode_core::friction::Parameters;
+use slipmode_core::number::{Ball, Rational, bits_for_digits, nearest_f64};
+use slipmode_core::stability::{
+    Asymptote, InertialThreshold, classify, critical_normal_stress_pa, has_transition,
+};
 
 /// One line of constant normal stress that crosses the boundary in the stable zone.
 #[derive(Debug, Clone)]
@@ -158,9 +160,9 @@ fn in_other_unit(parameters: &SceneParameters, section: &OnsetSection, stress: R
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::friction::EvolutionLaw;
-    use crate::number::parse_decimal;
     use crate::study::fixtures::with_effects;
+    use slipmode_core::friction::EvolutionLaw;
+    use slipmode_core::number::parse_decimal;
 
     fn section(stresses: &[&str]) -> OnsetSection {
         OnsetSection {

@@ -4,13 +4,15 @@
 //! from V_l/10, after its first peak above V_l, V rises again by a given part of V_l, or falls below V_l by it. The first rise above V_l itself is no
 //! sign of oscillation: with a < b the spring has to shorten on the way to V_l, and only V > V_l shortens it.
 
-use crate::dynamics::{Control, Failure, Integrator, Model, Radau, Start, oscillation_of_small_deviations};
-use crate::friction::EvolutionLaw;
-use crate::number::Rational;
 use crate::scene::SceneParameters;
 use crate::study::first_swing::Swing;
 use crate::study::map::exactly;
 use crate::study::search::{border_between, extrapolate_to_zero};
+use slipmode_core::dynamics::{
+    Control, Failure, Integrator, Model, Radau, Start, oscillation_of_small_deviations,
+};
+use slipmode_core::friction::EvolutionLaw;
+use slipmode_core::number::Rational;
 
 /// A velocity with its error.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -1,11 +1,13 @@
 //! The theory's velocities of an onset: the exact boundary of the stable zone, and where the mode becomes inertial.
 
-use crate::number::{Ball, Rational};
 use crate::scene::SceneParameters;
-use crate::stability::{Arc, BoundaryCurve, InertialThreshold, Section, SlipMode, classify, has_transition};
 use crate::study::Located;
 use crate::study::map::exactly;
 use crate::study::search::border_between;
+use slipmode_core::number::{Ball, Rational};
+use slipmode_core::stability::{
+    Arc, BoundaryCurve, InertialThreshold, Section, SlipMode, classify, has_transition,
+};
 
 /// Certain digits of the theory's velocities: more than any table shows.
 pub(super) const DIGITS: u32 = 20;

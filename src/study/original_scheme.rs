@@ -2,15 +2,15 @@
 
 use rayon::prelude::*;
 
-use crate::dynamics::Failure;
-use crate::friction::EvolutionLaw;
-use crate::number::Rational;
 use crate::scene::{OriginalSchemeSection, Place, SceneParameters};
 use crate::study::scheme_least_peak::{SchemeLeastPeak, least_peaks_of_scheme};
 use crate::study::scheme_run::{
     AFFORDABLE_STEPS, LatePeak, converged_cycle, late_peak, model_at, steps_needed,
 };
 use crate::study::scheme_stability::{SchemeMapRow, SchemeTransition, map_rows, transitions};
+use slipmode_core::dynamics::Failure;
+use slipmode_core::friction::EvolutionLaw;
+use slipmode_core::number::Rational;
 
 /// The scheme at one place with one step.
 #[derive(Debug, Clone, PartialEq)]
@@ -129,8 +129,8 @@ fn order(steps: &[SchemeStep]) -> Option<(f64, f64)> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::number::parse_decimal;
     use crate::study::fixtures::paper;
+    use slipmode_core::number::parse_decimal;
 
     #[test]
     fn the_scheme_is_of_first_order_and_its_bias_does_not_vanish_at_the_advised_step() {

@@ -2,7 +2,6 @@
 
 use std::collections::BTreeMap;
 
-use crate::number::Rational;
 use crate::scene::{Scene, SceneParameters, TimingsSection};
 use crate::study::{
     BoundCheck, BoundaryOutcome, FamilyOutcome, FrequencyOutcome, Grid, HardCase, HardLap, LapOutcome,
@@ -10,6 +9,7 @@ use crate::study::{
     SimulationsOutcome, SpeedCounts, StartGroup, SweepOutcome, Swept, Timings, ToleranceOutcome,
     TrajectoryRun, WorkCase, ZonesOutcome,
 };
+use slipmode_core::number::Rational;
 
 /// Everything computed for one scene; what nobody needed is absent.
 #[derive(Debug, Clone)]

@@ -1,13 +1,13 @@
 //! Running a plan: pure, and the same values on any number of threads.
 
 use crate::scene::{Scene, SweptEntry};
-use crate::stability::InertialThreshold;
 use crate::study::{
     Item, Need, Needs, Outcome, References, SceneOutcome, boundary_outcome, classify_rectangle,
     compare_hard_cases, compare_zones, error_bound, frequency_lines, linear_regime, near_transition, onset,
     original_scheme, plan, run_hard_laps, simulations, speed_counts, start_sensitivity, sweep_effect_ratio,
     tolerance_limits, trajectories, work_precision,
 };
+use slipmode_core::stability::InertialThreshold;
 
 /// Hears of each item that is about to be computed: its id, its number and how many there are.
 pub type Progress<'p> = &'p dyn Fn(&str, usize, usize);

@@ -2,12 +2,12 @@
 
 use rayon::prelude::*;
 
-use crate::friction::EvolutionLaw;
-use crate::number::Rational;
 use crate::scene::SceneParameters;
-use crate::stability::{Asymptote, has_transition};
 use crate::study::map::exactly;
 use crate::study::scheme_run::{AFFORDABLE_STEPS, converged_cycle, late_peak, model_at, steps_needed};
+use slipmode_core::friction::EvolutionLaw;
+use slipmode_core::number::Rational;
+use slipmode_core::stability::{Asymptote, has_transition};
 
 /// How far a step moves the velocity of the least peak at one normal stress.
 #[derive(Debug, Clone, PartialEq)]

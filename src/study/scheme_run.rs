@@ -1,9 +1,11 @@
 //! One run of the original scheme that starts on our limit cycle: its own late peak, and how sharply it is known.
 
-use crate::dynamics::{Cycle, Failure, Late, Model, Options, OriginalScheme, Outcome, simulate_model};
-use crate::friction::EvolutionLaw;
-use crate::number::Rational;
 use crate::scene::SceneParameters;
+use slipmode_core::dynamics::{
+    Cycle, Failure, Late, Model, Options, OriginalScheme, Outcome, simulate_model,
+};
+use slipmode_core::friction::EvolutionLaw;
+use slipmode_core::number::Rational;
 
 /// The most steps of one run of the scheme; a run that needs more is counted, not made.
 pub const AFFORDABLE_STEPS: f64 = 1e6;

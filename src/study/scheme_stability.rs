@@ -12,13 +12,13 @@
 use rayon::prelude::*;
 use rug::Float;
 
-use crate::friction::{EvolutionLaw, Groups};
-use crate::number::Rational;
 use crate::scene::{LogAxis, Rectangle, SceneParameters};
-use crate::stability::has_transition;
 use crate::study::effect_ratio;
 use crate::study::map::exactly;
 use crate::study::scheme_run::{converged_cycle, late_peak, model_at, steps_needed};
+use slipmode_core::friction::{EvolutionLaw, Groups};
+use slipmode_core::number::Rational;
+use slipmode_core::stability::has_transition;
 
 /// Bits of the eigenvalue conditions: the third power of a step of 1e-12 is still far from rounding.
 const BITS: u32 = 256;

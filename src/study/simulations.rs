@@ -2,13 +2,15 @@
 
 use rayon::prelude::*;
 
-use crate::dynamics::{Behaviour, Failure, Options, Simulation, simulate};
-use crate::friction::EvolutionLaw;
-use crate::number::{Rational, nearest_f64};
 use crate::scene::{SceneParameters, SimulationsSection};
-use crate::stability::{Classification, InertialThreshold, classify, critical_stiffness, has_transition};
 use crate::study::map::exactly;
 use crate::study::{Grid, LeastPeak, least_peaks};
+use slipmode_core::dynamics::{Behaviour, Failure, Options, Simulation, simulate};
+use slipmode_core::friction::EvolutionLaw;
+use slipmode_core::number::{Rational, nearest_f64};
+use slipmode_core::stability::{
+    Classification, InertialThreshold, classify, critical_stiffness, has_transition,
+};
 
 /// One simulation and what the linear theory says of the same point.
 #[derive(Debug, Clone)]
@@ -95,9 +97,9 @@ fn simulate_grid(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::number::parse_decimal;
     use crate::scene::{LogAxis, Rectangle};
     use crate::study::fixtures::paper;
+    use slipmode_core::number::parse_decimal;
 
     fn section(velocity: [&str; 2], stress: [&str; 2]) -> SimulationsSection {
         let axis = |[from, to]: [&str; 2]| LogAxis {

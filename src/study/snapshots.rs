@@ -2,9 +2,9 @@
 
 use rug::{Complex, Float};
 
-use crate::dynamics::{Control, Failure, Integrator, Model, Scalar, State, Stepper};
-use crate::number::Dd;
 use crate::study::linear_modes::{BITS, Mode};
+use slipmode_core::dynamics::{Control, Failure, Integrator, Model, Scalar, State, Stepper};
+use slipmode_core::number::Dd;
 
 /// The part of T by which the clock may miss it, in units of the arithmetic's rounding.
 const CLOCK: f64 = 64.0;

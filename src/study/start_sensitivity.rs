@@ -2,14 +2,14 @@
 
 use rayon::prelude::*;
 
-use crate::dynamics::{
+use crate::scene::{SceneParameters, StartSensitivitySection};
+use slipmode_core::dynamics::{
     Control, Failure, Integrator, LapEnd, Model, Options, Radau, Simulation, Start, Stepper, increment,
     run_lap, simulate,
 };
-use crate::friction::EvolutionLaw;
-use crate::number::{Rational, nearest_f64};
-use crate::scene::{SceneParameters, StartSensitivitySection};
-use crate::stability::{InertialThreshold, SlipMode, classify, critical_stiffness, has_transition};
+use slipmode_core::friction::EvolutionLaw;
+use slipmode_core::number::{Rational, nearest_f64};
+use slipmode_core::stability::{InertialThreshold, SlipMode, classify, critical_stiffness, has_transition};
 
 /// Local tolerances of the first peak: the finer run is reported, the difference is its error.
 const TOLERANCES: [f64; 2] = [1e-9, 1e-10];
@@ -148,9 +148,9 @@ fn back(run: &mut Integrator<'_, f64, Radau<f64, 5>>, start: f64) -> Result<(f64
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::dynamics::Behaviour;
-    use crate::number::parse_decimal;
     use crate::study::fixtures::paper;
+    use slipmode_core::dynamics::Behaviour;
+    use slipmode_core::number::parse_decimal;
 
     fn groups_at(velocity: &str, stress: &str) -> Vec<StartGroup> {
         let decimal = |text| parse_decimal(text).unwrap();

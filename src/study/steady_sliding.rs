@@ -2,10 +2,10 @@
 
 use rayon::prelude::*;
 
-use crate::dynamics::{Control, Failure, Integrator, Model, Radau, Start, State, trajectory};
-use crate::friction::EvolutionLaw;
-use crate::number::Rational;
 use crate::scene::{LinearRegimeSection, SceneParameters};
+use slipmode_core::dynamics::{Control, Failure, Integrator, Model, Radau, Start, State, trajectory};
+use slipmode_core::friction::EvolutionLaw;
+use slipmode_core::number::Rational;
 
 /// How long steady sliding is watched, D_c/V_l.
 const WATCHED: f64 = 1e6;
@@ -106,9 +106,9 @@ fn largest_departure(model: &Model<f64>, start: State<f64>, until: f64) -> Resul
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::friction::Groups;
-    use crate::number::parse_decimal;
     use crate::study::fixtures::paper;
+    use slipmode_core::friction::Groups;
+    use slipmode_core::number::parse_decimal;
 
     #[test]
     fn steady_sliding_is_exact_and_the_residual_far_below_its_bound() {

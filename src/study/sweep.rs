@@ -2,10 +2,10 @@
 
 use rayon::prelude::*;
 
-use crate::number::Rational;
 use crate::scene::EffectRatioSweep;
-use crate::stability::deviation::{CornerErrors, corner_errors};
 use crate::study::map::exactly;
+use slipmode_core::number::Rational;
+use slipmode_core::stability::deviation::{CornerErrors, corner_errors};
 
 /// The worst errors at one ratio of effects.
 #[derive(Debug, Clone)]

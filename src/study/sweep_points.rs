@@ -2,10 +2,10 @@
 
 use rug::Float;
 
-use crate::friction::Parameters;
-use crate::number::{Dd, Rational};
 use crate::scene::{Coordinate, LogAxis, Quantity, Spacing, Span, SweepPoints};
 use crate::study::low_discrepancy::LowDiscrepancy;
+use slipmode_core::friction::Parameters;
+use slipmode_core::number::{Dd, Rational};
 
 /// A point: the values of those quantities that vary; the others are not looked at.
 pub type Varying = [f64; 7];
@@ -154,7 +154,7 @@ impl Stretch {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::number::parse_decimal;
+    use slipmode_core::number::parse_decimal;
 
     fn span(from: &str, to: &str, spacing: Spacing) -> Span {
         Span { from: parse_decimal(from).unwrap(), to: parse_decimal(to).unwrap(), spacing }

@@ -86,8 +86,8 @@ fn row_count(section: &SweepSection) -> Option<u64> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::number::Rational;
     use crate::scene::Limits;
+    use slipmode_core::number::Rational;
 
     const SCENE: &str = "name = \"s\"\ntitle = \"S\"\n[parameters]\ndirect_effect = 0.004\nevolution_effect = 0.006\n\
         critical_slip_distance_m = 1e-5\nstiffness_pa_per_m = 1e7\nmass_per_area_kg_per_m2 = 1000\n\

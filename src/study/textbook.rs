@@ -1,7 +1,7 @@
 //! The textbook root finders by name, and the signs that are read off their roots.
 
-use crate::roots::textbook::{Three, aberth, cardano, companion, newton, viete};
 use crate::study::Method;
+use slipmode_core::roots::textbook::{Three, aberth, cardano, companion, newton, viete};
 
 /// The name in tables, and the solver of a 64-bit cubic.
 pub(super) type Textbook = (&'static str, fn([f64; 4]) -> Three);

@@ -1,11 +1,11 @@
 //! Where each asymptote of a slider is good to a given relative error, and whether its error shrinks as derived.
 
-use crate::number::{Ball, Rational, bits_for_digits};
 use crate::scene::{SceneParameters, ToleranceSection};
-use crate::stability::Asymptote;
-use crate::stability::deviation::{ConvergenceStep, CornerErrors, convergence, corner_errors};
-use crate::stability::tolerance::{Limit, limit};
 use crate::study::effect_ratio;
+use slipmode_core::number::{Ball, Rational, bits_for_digits};
+use slipmode_core::stability::Asymptote;
+use slipmode_core::stability::deviation::{ConvergenceStep, CornerErrors, convergence, corner_errors};
+use slipmode_core::stability::tolerance::{Limit, limit};
 
 /// How far one asymptote can be used at one tolerance.
 #[derive(Debug, Clone)]

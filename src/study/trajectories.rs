@@ -2,15 +2,15 @@
 
 use rayon::prelude::*;
 
-use crate::dynamics::{
-    Control, Failure, Model, Options, Radau, Sample, Simulation, State, simulate, trajectory,
-};
-use crate::friction::{EvolutionLaw, Parameters};
-use crate::number::Rational;
 use crate::scene::{SceneParameters, TrajectoriesSection, TrajectoryPoint};
-use crate::stability::{Classification, InertialThreshold, classify};
 use crate::study::simulations::options;
 use crate::study::thinning::kept;
+use slipmode_core::dynamics::{
+    Control, Failure, Model, Options, Radau, Sample, Simulation, State, simulate, trajectory,
+};
+use slipmode_core::friction::{EvolutionLaw, Parameters};
+use slipmode_core::number::Rational;
+use slipmode_core::stability::{Classification, InertialThreshold, classify};
 
 /// One run at a named point.
 #[derive(Debug, Clone)]
@@ -135,9 +135,9 @@ fn places(samples: &[Sample]) -> Vec<[f64; 4]> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::dynamics::Behaviour;
-    use crate::number::parse_decimal;
     use crate::study::fixtures::paper;
+    use slipmode_core::dynamics::Behaviour;
+    use slipmode_core::number::parse_decimal;
 
     fn run(stress: &str, velocity: &str, duration: &str) -> TrajectoryRun {
         let decimal = |text| parse_decimal(text).unwrap();

@@ -5,14 +5,14 @@
 
 use rayon::prelude::*;
 
-use crate::dynamics::{
+use crate::scene::{Place, SceneParameters, WorkPrecisionSection};
+use crate::study::scheme_run::{highest, model_at};
+use slipmode_core::dynamics::{
     Control, Failure, Integrator, Late, Model, OriginalScheme, Radau, Rodas5P, Scalar, Start, State, Stepper,
     Taylor, run_lap, settle,
 };
-use crate::friction::EvolutionLaw;
-use crate::number::Dd;
-use crate::scene::{Place, SceneParameters, WorkPrecisionSection};
-use crate::study::scheme_run::{highest, model_at};
+use slipmode_core::friction::EvolutionLaw;
+use slipmode_core::number::Dd;
 
 /// A lap: [ln(V_peak/V_l), duration], and its work.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -173,7 +173,7 @@ fn scheme_lap(model: &Model<f64>, section: State<f64>, duration: f64, fraction: 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::friction::Groups;
+    use slipmode_core::friction::Groups;
 
     #[test]
     fn order_nine_reaches_ten_digits_of_a_harmonic_lap_with_fewer_evaluations_than_order_five() {

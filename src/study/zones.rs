@@ -1,12 +1,12 @@
 //! The simplified map of fig 7, drawn from the paper's equations, against exact slip modes (claim Z1).
 
-use crate::friction::Parameters;
-use crate::number::Wide;
 use crate::scene::SceneParameters;
-use crate::stability::transition::{critical_stiffness, critical_velocity_squared};
-use crate::stability::{Asymptote, SlipMode, SpectralClass};
 use crate::study::map::exactly;
 use crate::study::{Grid, MapPoint};
+use slipmode_core::friction::Parameters;
+use slipmode_core::number::Wide;
+use slipmode_core::stability::transition::{critical_stiffness, critical_velocity_squared};
+use slipmode_core::stability::{Asymptote, SlipMode, SpectralClass};
 
 /// ω/ω_n of the thresholds whose effect on the map is reported, besides the default √(1/2).
 const FREQUENCY_RATIOS: [f64; 7] = [0.1, 0.3, 0.5, std::f64::consts::FRAC_1_SQRT_2, 0.9, 0.95, 0.99];

@@ -1,10 +1,10 @@
 //! The boundary, its cusp and its worst corners against vectors computed from eq 8 by an unrelated program.
 
-use slipmode::friction::Parameters;
-use slipmode::number::{Ball, Rational};
-use slipmode::stability::BoundaryCurve;
-use slipmode::stability::boundary::{Section, by_discriminant};
-use slipmode::stability::deviation::corner_errors;
+use slipmode_core::friction::Parameters;
+use slipmode_core::number::{Ball, Rational};
+use slipmode_core::stability::BoundaryCurve;
+use slipmode_core::stability::boundary::{Section, by_discriminant};
+use slipmode_core::stability::deviation::corner_errors;
 
 use crate::hard_cases::{decimal, rows};
 

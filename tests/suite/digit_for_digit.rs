@@ -1,8 +1,8 @@
 //! A thousand printed digits of every root against the texts of PARI/GP and FLINT (tests/vectors), character by character.
 
-use slipmode::friction::Groups;
-use slipmode::number::format::certain_digits;
-use slipmode::roots::certified_roots;
+use slipmode_core::friction::Groups;
+use slipmode_core::number::format::certain_digits;
+use slipmode_core::roots::certified_roots;
 
 use crate::hard_cases::{number, rows};
 

@@ -1,9 +1,9 @@
 //! Hard cases with answers from PARI/GP and FLINT (tests/vectors): every sign right, every number to its promise.
 
-use slipmode::friction::{Groups, Parameters};
-use slipmode::number::{Rational, parse_decimal};
-use slipmode::roots::certified_roots;
-use slipmode::stability::{InertialThreshold, classify};
+use slipmode_core::friction::{Groups, Parameters};
+use slipmode_core::number::{Rational, parse_decimal};
+use slipmode_core::roots::certified_roots;
+use slipmode_core::stability::{InertialThreshold, classify};
 
 const GROUPS: &str = include_str!("../vectors/groups-hard.txt");
 pub const PARAMETERS: &str = include_str!("../../reports/im-avouac/vectors/classification-hard.txt");

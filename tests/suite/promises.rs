@@ -10,12 +10,12 @@ use rug::ops::Pow;
 use slipmode::archive::{Caps, pack, unpack};
 use slipmode::claims::known_ids;
 use slipmode::exhibit::{figure_makers, table_makers};
-use slipmode::number::{MAX_EXPONENT, Rational, parse_decimal};
-use slipmode::polynomial::Expression;
 use slipmode::report::{Folder, produce};
-use slipmode::scene::{Chapter, Faults, Limits, ReportPlan, Scene, check_name, read_claims};
+use slipmode::scene::{Chapter, Faults, Limits, ReportPlan, Scene, check_name, read_claims, read_equations};
 use slipmode::study::References;
-use slipmode::theory::PaperEquations;
+use slipmode_core::number::{MAX_EXPONENT, Rational, parse_decimal};
+use slipmode_core::polynomial::Expression;
+use slipmode_core::theory::PaperEquations;
 
 /// A number that is accepted is the same when it is printed in full and read again.
 pub fn number(bytes: &[u8]) {
@@ -96,8 +96,7 @@ pub fn expression(bytes: &[u8]) {
 /// A file of equations that is accepted prints equations that are read as the same ones.
 pub fn equations(bytes: &[u8]) {
     expression(bytes);
-    let Ok(text) = std::str::from_utf8(bytes) else { return };
-    match PaperEquations::parse(text) {
+    match read_equations("equations.toml", bytes) {
         Ok(found) => {
             for equation in found.iter() {
                 let again =
@@ -105,7 +104,7 @@ pub fn equations(bytes: &[u8]) {
                 assert_eq!(again.equation(&equation.number).to_string(), equation.to_string());
             }
         }
-        Err(error) => assert!(!error.to_string().is_empty()),
+        Err(faults) => assert!(faults.iter().all(|fault| !fault.to_string().is_empty())),
     }
 }
 
@@ -146,7 +145,7 @@ fn places_proofs(text: &str) -> bool {
 static PLAIN_PAGE: LazyLock<String> = LazyLock::new(|| page("Plain.").expect("plain prose is rendered"));
 
 static EQUATIONS: LazyLock<PaperEquations> = LazyLock::new(|| {
-    PaperEquations::parse(include_str!("../../reports/im-avouac/equations.toml"))
+    read_equations("equations.toml", include_bytes!("../../reports/im-avouac/equations.toml"))
         .expect("the paper's equations")
 });
 

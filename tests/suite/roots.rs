@@ -1,7 +1,7 @@
 //! `roots`: certified digits, multiplicities, and a radius that covers the printed decimals.
 
 use serde_json::Value;
-use slipmode::number::parse_decimal;
+use slipmode_core::number::parse_decimal;
 
 use crate::harness::Workplace;
 

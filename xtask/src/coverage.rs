@@ -93,7 +93,8 @@ fn sources() -> Result<BTreeMap<String, String>, Failure> {
         text.map(|text| (path.clone(), text)).map_err(|error| Failure::bad_input(format!("{path}: {error}")))
     };
     let paths = repository::files()?;
-    paths.into_iter().filter(|path| path.starts_with("src/") && path.ends_with(".rs")).map(read).collect()
+    let is_source = |path: &String| repository::inside_package(path).is_some() && path.ends_with(".rs");
+    paths.into_iter().filter(is_source).map(read).collect()
 }
 
 /// How many lines of a file can be run, how many were by tests, and how many with `verify` besides.
@@ -168,7 +169,7 @@ fn test_modules(sources: &BTreeMap<String, String>) -> BTreeSet<String> {
 fn table(files: &BTreeMap<&str, Lines>) -> String {
     let mut modules: BTreeMap<&str, Vec<(&str, Lines)>> = BTreeMap::new();
     for (&path, &lines) in files {
-        let path = path.strip_prefix("src/").unwrap_or(path);
+        let path = repository::inside_package(path).unwrap_or(path);
         let name = path.split('/').next().unwrap_or(path);
         modules.entry(name).or_default().push((path, lines));
     }

@@ -42,6 +42,13 @@ pub fn reports() -> Result<Vec<String>, Failure> {
     Ok(names)
 }
 
+/// The path of a source file of the program inside its package: `number/ball.rs` for `crates/core/src/number/ball.rs`.
+pub fn inside_package(path: &str) -> Option<&str> {
+    let inside =
+        ["crates/core/", "crates/plot/", ""].iter().find_map(|package| path.strip_prefix(package))?;
+    inside.strip_prefix("src/")
+}
+
 /// The paths in a folder, unsorted.
 ///
 /// # Errors

@@ -2,11 +2,11 @@
 
 use clap::Args;
 use serde_json::{Map, Value, json};
-use slipmode::friction::Parameters;
-use slipmode::number::Rational;
 use slipmode::scene::{AllowedRange, LogAxis, LogCoordinates, Problem, Quantity};
-use slipmode::stability::batch::{GridAxis, StreamedGrid, Tally};
-use slipmode::stability::{InertialThreshold, SlipMode, SpectralClass};
+use slipmode_core::friction::Parameters;
+use slipmode_core::number::Rational;
+use slipmode_core::stability::batch::{GridAxis, StreamedGrid, Tally};
+use slipmode_core::stability::{InertialThreshold, SlipMode, SpectralClass};
 
 use crate::cli::failure::Failure;
 use crate::cli::options::{Arguments, SliderOptions, option_of};

@@ -3,7 +3,7 @@
 use std::io::Write;
 
 use slipmode::scene::{Faults, Problem};
-use slipmode::stability::{Classification, InertialThreshold, classify, classify_quickly};
+use slipmode_core::stability::{Classification, InertialThreshold, classify, classify_quickly};
 
 use crate::cli::points::{Cells, Remark, RowWork};
 

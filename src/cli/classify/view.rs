@@ -2,10 +2,10 @@
 
 use rug::Float;
 use serde_json::{Value, json};
-use slipmode::friction::{Groups, Parameters};
-use slipmode::number::format::round_float;
-use slipmode::number::{Rational, Wide};
-use slipmode::stability::{Classification, InertialThreshold, LogDistance, classify, transition};
+use slipmode_core::friction::{Groups, Parameters};
+use slipmode_core::number::format::round_float;
+use slipmode_core::number::{Rational, Wide};
+use slipmode_core::stability::{Classification, InertialThreshold, LogDistance, classify, transition};
 
 use crate::cli::roots::{PrintedRoot, print_roots};
 use crate::cli::terminal;

@@ -1,8 +1,8 @@
 //! The cells that `compare` appends to a row: what theory and simulation say, and the verdicts.
 
-use slipmode::dynamics::Simulation;
-use slipmode::number::format::shortest;
 use slipmode::study::{Agreement, Comparison, Finding, Observable};
+use slipmode_core::dynamics::Simulation;
+use slipmode_core::number::format::shortest;
 
 use crate::cli::points::push_cell;
 

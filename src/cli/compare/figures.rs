@@ -1,10 +1,10 @@
 //! The figures of a comparison: how far values lie apart, and late cycles of both sides drawn over each other.
 
-use slipmode::dynamics::{Behaviour, Control, Model, Radau, trajectory};
-use slipmode::number::format::round_digits;
-use slipmode::plot::{Axis, Band, Caption, LineChart, Series};
 use slipmode::report::FigureView;
 use slipmode::study::{Observable, Recording, Reference};
+use slipmode_core::dynamics::{Behaviour, Control, Model, Radau, trajectory};
+use slipmode_core::number::format::round_digits;
+use slipmode_plot::figure::{Axis, Band, Caption, LineChart, Series};
 
 use crate::cli::compare::rows::ComparedRow;
 use crate::cli::simulate::run::Settings;

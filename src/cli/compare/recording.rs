@@ -3,9 +3,9 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use slipmode::number::{Rational, parse_decimal, parse_short_decimal};
 use slipmode::scene::{AllowedRange, CsvProblem, Fault, Faults, Problem, check_name};
 use slipmode::study::{LEAST_SAMPLES, Recording};
+use slipmode_core::number::{Rational, parse_decimal, parse_short_decimal};
 
 use crate::cli::input::Input;
 use crate::cli::points::{Row, RowReader, absent, cell_problem, column_faults, names};

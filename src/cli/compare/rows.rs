@@ -4,11 +4,11 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use rug::Float;
-use slipmode::dynamics::Start;
-use slipmode::friction::{EvolutionLaw, Parameters};
-use slipmode::number::Rational;
 use slipmode::scene::{AllowedRange, CsvProblem, Faults, Problem, Quantity, nearest};
 use slipmode::study::{Agreement, Comparison, Observable, Recording, StatedMode, StatedRun, compare_run};
+use slipmode_core::dynamics::Start;
+use slipmode_core::friction::{EvolutionLaw, Parameters};
+use slipmode_core::number::Rational;
 
 use crate::cli::compare::cells::{APPENDED, push_comparison};
 use crate::cli::compare::recording;

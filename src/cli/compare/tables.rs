@@ -1,8 +1,8 @@
 //! The tables of a comparison: one row a run, and one row a finding.
 
-use slipmode::number::format::round_digits;
 use slipmode::study::{Finding, Value};
-use slipmode::table::{Cell, Column, Table};
+use slipmode_core::number::format::round_digits;
+use slipmode_plot::table::{Cell, Column, Table};
 
 use crate::cli::compare::cells::reason;
 use crate::cli::compare::rows::ComparedRow;

@@ -1,8 +1,8 @@
 //! What `compare` says: a table for people, one object for programs.
 
 use serde_json::{Value as Json, json};
-use slipmode::number::format::round_digits;
 use slipmode::study::{Agreement, Finding, Value};
+use slipmode_core::number::format::round_digits;
 
 use crate::cli::compare::cells::reason;
 use crate::cli::compare::rows::ComparedRow;

@@ -1,8 +1,8 @@
 //! The part of the (V, σ) plane that a slider's report shows: all corners of its boundary, in whole decades.
 
-use slipmode::number::{Ball, Rational};
 use slipmode::scene::SceneParameters;
-use slipmode::stability::{Arc, asymptote};
+use slipmode_core::number::{Ball, Rational};
+use slipmode_core::stability::{Arc, asymptote};
 
 /// Two powers of ten.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -111,7 +111,7 @@ fn whole(exponent: f64) -> i32 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use slipmode::number::parse_decimal;
+    use slipmode_core::number::parse_decimal;
 
     fn slider(a: &str, b: &str, stiffness: &str) -> SceneParameters {
         SceneParameters::of_slider([a, b, "1e-5", stiffness, "1000"].map(|text| parse_decimal(text).unwrap()))

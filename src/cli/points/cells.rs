@@ -1,6 +1,6 @@
 //! Cells of the output: quoted where CSV needs it, and harmless in a spreadsheet.
 
-use slipmode::number::parse_decimal;
+use slipmode_core::number::parse_decimal;
 
 /// Appends a cell of the input as it stands; text that a spreadsheet would run as a formula gets a `'` in front.
 ///

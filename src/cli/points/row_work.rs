@@ -1,8 +1,8 @@
 //! What a command does with the rows of a points file, apart from reading and writing them.
 
-use slipmode::friction::Parameters;
-use slipmode::number::{Dd, Rational, parse_short_decimal};
 use slipmode::scene::{AllowedRange, Fault, Faults, Problem};
+use slipmode_core::friction::Parameters;
+use slipmode_core::number::{Dd, Rational, parse_short_decimal};
 
 use crate::cli::points::header::Header;
 use crate::cli::points::rows::Row;

@@ -4,10 +4,10 @@ use std::fmt;
 use std::io::Write;
 
 use rug::Float;
-use slipmode::dynamics::{Control, Model, Radau, Sample, Simulation, trajectory};
-use slipmode::friction::{EvolutionLaw, Parameters};
-use slipmode::number::Rational;
-use slipmode::number::format::{round_float, shortest};
+use slipmode_core::dynamics::{Control, Model, Radau, Sample, Simulation, trajectory};
+use slipmode_core::friction::{EvolutionLaw, Parameters};
+use slipmode_core::number::Rational;
+use slipmode_core::number::format::{round_float, shortest};
 
 use crate::cli::failure::Failure;
 use crate::cli::output::{Output, machine_write};

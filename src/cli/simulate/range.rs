@@ -1,9 +1,9 @@
 //! Doubts about a slider's values: units that are not SI, and groups for which no simulation was tested.
 
 use rug::Float;
-use slipmode::friction::Parameters;
-use slipmode::number::Rational;
-use slipmode::number::format::{round_digits, round_float};
+use slipmode_core::friction::Parameters;
+use slipmode_core::number::Rational;
+use slipmode_core::number::format::{round_digits, round_float};
 
 use crate::cli::unit_doubts::unit_doubts;
 

@@ -1,8 +1,8 @@
 //! One simulation, ended by observables that are numbers or by a reason in words.
 
-use slipmode::dynamics::{self, Simulation, Start};
-use slipmode::friction::{EvolutionLaw, Parameters};
-use slipmode::number::Rational;
+use slipmode_core::dynamics::{self, Simulation, Start};
+use slipmode_core::friction::{EvolutionLaw, Parameters};
+use slipmode_core::number::Rational;
 
 /// What is the same for every simulation of a command.
 #[derive(Debug, Clone, Copy)]

@@ -3,10 +3,10 @@
 use rug::Float;
 use rug::float::Round;
 use serde_json::{Value, json};
-use slipmode::dynamics::{Behaviour, Simulation};
-use slipmode::friction::EvolutionLaw;
-use slipmode::number::Ball;
-use slipmode::number::format::{certain_digits, round_digits};
+use slipmode_core::dynamics::{Behaviour, Simulation};
+use slipmode_core::friction::EvolutionLaw;
+use slipmode_core::number::Ball;
+use slipmode_core::number::format::{certain_digits, round_digits};
 
 use crate::cli::simulate::run::{Found, Settings};
 use crate::cli::terminal;

@@ -1,7 +1,7 @@
 //! The work `asymptote-error`: how wrong the asymptotes are at the boundary's place nearest to a point, and nothing else.
 
 use slipmode::scene::{Faults, Problem};
-use slipmode::stability::{Arc, NearestPlace};
+use slipmode_core::stability::{Arc, NearestPlace};
 
 use crate::cli::points::{Cells, Remark, RowWork};
 

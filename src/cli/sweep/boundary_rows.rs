@@ -1,9 +1,9 @@
 //! The work `boundary`: how far a point is from max Im(s) = 0, and how wrong the asymptotes are at the nearest place.
 
-use slipmode::friction::Parameters;
-use slipmode::number::{Ball, Rational, Wide};
 use slipmode::scene::{Faults, Problem};
-use slipmode::stability::{Arc, BoundaryPoint, LogDistance, boundary_sign, nearest_boundary_point};
+use slipmode_core::friction::Parameters;
+use slipmode_core::number::{Ball, Rational, Wide};
+use slipmode_core::stability::{Arc, BoundaryPoint, LogDistance, boundary_sign, nearest_boundary_point};
 
 use crate::cli::points::{Cells, Remark, RowWork};
 

@@ -6,12 +6,12 @@ use std::path::{Path, PathBuf};
 
 use sha2::{Digest, Sha256};
 use slipmode::archive::sha256_hex;
-use slipmode::dynamics::Start;
-use slipmode::friction::EvolutionLaw;
-use slipmode::number::nearest_f64;
 use slipmode::scene::{Fault, Limits, Problem, Scene, SweepPoints, SweepSection, SweepWork};
-use slipmode::stability::InertialThreshold;
 use slipmode::study::{PointSource, inertial_threshold};
+use slipmode_core::dynamics::Start;
+use slipmode_core::friction::EvolutionLaw;
+use slipmode_core::number::nearest_f64;
+use slipmode_core::stability::InertialThreshold;
 
 use crate::cli::classify::rows::ClassifyRows;
 use crate::cli::failure::Failure;

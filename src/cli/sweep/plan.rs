@@ -2,8 +2,8 @@
 
 use std::time::Instant;
 
-use slipmode::number::format::round_digits;
 use slipmode::study::Blocks;
+use slipmode_core::number::format::round_digits;
 
 use crate::cli::failure::Failure;
 use crate::cli::sweep::load::{Loaded, Task};

@@ -1,10 +1,10 @@
 //! What a sweep does at a point: the same work that `--points` does with a row, on points that are made instead of read.
 
-use slipmode::friction::EvolutionLaw;
-use slipmode::number::format::shortest;
 use slipmode::scene::Quantity;
-use slipmode::stability::{NearestPlace, classify, classify_quickly};
 use slipmode::study::{PointSource, Varying};
+use slipmode_core::friction::EvolutionLaw;
+use slipmode_core::number::format::shortest;
+use slipmode_core::stability::{NearestPlace, classify, classify_quickly};
 
 use crate::cli::classify::rows::ClassifyRows;
 use crate::cli::points::{Block, RowWork, Work};

@@ -5,7 +5,7 @@ use std::ops::Range;
 use pulldown_cmark::{Event, Parser, Tag};
 
 use super::{is_allowed, options, visible};
-use crate::table::escape_markdown;
+use slipmode_plot::table::escape_markdown;
 
 /// Markup nested deeper than this is hostile: each round costs the whole text, and takes one level off.
 const MOST_ROUNDS: usize = 20;

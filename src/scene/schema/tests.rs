@@ -1,8 +1,8 @@
 //! Scenes as users write them: the full one, and the ways to get one wrong.
 
 use super::*;
-use crate::friction::EvolutionLaw;
-use crate::number::parse_decimal;
+use slipmode_core::friction::EvolutionLaw;
+use slipmode_core::number::parse_decimal;
 
 const SLIDER: &str = "name = \"s\"\ntitle = \"S\"\n[parameters]\ndirect_effect = 0.004\nevolution_effect = 0.006\n\
     critical_slip_distance_m = 10e-6\nstiffness_pa_per_m = 10e6\nmass_per_area_kg_per_m2 = 1000\n";

@@ -1,9 +1,9 @@
 //! The coordinates of a sweep's points: each of the seven quantities is one decimal, an axis, or a span.
 
-use crate::number::Rational;
 use crate::scene::section::{Entry, Section};
 use crate::scene::sweep::ReadParameters;
 use crate::scene::{AllowedRange, Faults, Problem, Quantity, SceneParameters, nearest};
+use slipmode_core::number::Rational;
 
 /// The most points along one axis: their coordinates are held in memory.
 const MOST_AXIS_POINTS: u64 = 1_000_000;

@@ -4,8 +4,8 @@ use super::units::diagnose;
 use super::{
     Agreement, Finding, Observable, Origin, Reference, Simulate, StatedMode, StatedRun, Theory, Value,
 };
-use crate::dynamics::{Behaviour, Simulation};
 use crate::study::recording::{LateDecay, LateRun, Measured};
+use slipmode_core::dynamics::{Behaviour, Simulation};
 
 /// A run held against theory and simulation.
 #[derive(Debug, Clone, PartialEq)]

@@ -2,11 +2,11 @@
 
 use rug::Float;
 
-use crate::dynamics::{Behaviour, Simulation};
-use crate::friction::{EvolutionLaw, Parameters, SlipMode};
-use crate::number::Rational;
-use crate::roots::certified_roots;
-use crate::stability::{InertialThreshold, SpectralClass, classify, critical_stiffness};
+use slipmode_core::dynamics::{Behaviour, Simulation};
+use slipmode_core::friction::{EvolutionLaw, Parameters, SlipMode};
+use slipmode_core::number::Rational;
+use slipmode_core::roots::certified_roots;
+use slipmode_core::stability::{InertialThreshold, SpectralClass, classify, critical_stiffness};
 
 /// Our simulation of a slider to a relative error, or why there is none in words.
 pub type Simulate<'s> =

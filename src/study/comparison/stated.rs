@@ -3,10 +3,10 @@
 use std::sync::Arc;
 
 use super::Observable;
-use crate::dynamics::Behaviour;
-use crate::friction::{EvolutionLaw, Parameters, SlipMode};
-use crate::number::Rational;
 use crate::study::recording::Recording;
+use slipmode_core::dynamics::Behaviour;
+use slipmode_core::friction::{EvolutionLaw, Parameters, SlipMode};
+use slipmode_core::number::Rational;
 
 /// A word for what a run ends in.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

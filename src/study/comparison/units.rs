@@ -2,8 +2,8 @@
 
 use super::findings::compare_as_stated;
 use super::{Agreement, Observable, Simulate, StatedRun, Value};
-use crate::number::Rational;
 use crate::scene::Quantity;
+use slipmode_core::number::Rational;
 
 /// A guess: one value is in another unit.
 struct Guess {

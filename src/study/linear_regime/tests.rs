@@ -1,8 +1,8 @@
 //! The linear regime holds for the roots of eq 8, and for no other rates.
 
 use super::*;
-use crate::number::parse_decimal;
 use crate::study::fixtures::with_effects;
+use slipmode_core::number::parse_decimal;
 
 fn decimal(text: &str) -> Rational {
     parse_decimal(text).unwrap()

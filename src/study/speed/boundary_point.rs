@@ -3,11 +3,11 @@
 //! The section is σ = 1 kPa of the scene's slider, on the lower arc. Halving asks for one exact sign a bit; the curve is
 //! evaluated once at its parameter. The reference is the section solved to twenty digits more.
 
-use crate::friction::Parameters;
-use crate::number::{Ball, Rational, bits_for_digits};
 use crate::scene::SceneParameters;
-use crate::stability::boundary::{BoundaryCurve, Section, by_discriminant};
-use crate::stability::boundary_sign;
+use slipmode_core::friction::Parameters;
+use slipmode_core::number::{Ball, Rational, bits_for_digits};
+use slipmode_core::stability::boundary::{BoundaryCurve, Section, by_discriminant};
+use slipmode_core::stability::boundary_sign;
 
 /// One route at so many digits.
 #[derive(Debug, Clone, PartialEq)]

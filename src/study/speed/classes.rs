@@ -5,9 +5,9 @@
 use rayon::prelude::*;
 
 use super::sets::Sliders;
-use crate::friction::Parameters;
-use crate::stability::batch::{RungCounts, SignPair, classify_points};
 use crate::study::textbook::{TEXTBOOK, Textbook, signs_of};
+use slipmode_core::friction::Parameters;
+use slipmode_core::stability::batch::{RungCounts, SignPair, classify_points};
 
 /// Classes of random points.
 #[derive(Debug, Clone, PartialEq)]

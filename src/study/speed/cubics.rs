@@ -7,12 +7,12 @@ use rug::Float;
 use rug::ops::CompleteRound;
 
 use super::sets::{Set, sets};
-use crate::number::{Dd, Rational, Real};
-use crate::roots::textbook::Three;
-use crate::roots::{BoundedCubic, CertifiedRoots, Pair, Working, certified_roots};
 use crate::scene::SpeedCountsSection;
 use crate::study::hard_case_methods::wide;
 use crate::study::textbook::TEXTBOOK;
+use slipmode_core::number::{Dd, Rational, Real};
+use slipmode_core::roots::textbook::Three;
+use slipmode_core::roots::{BoundedCubic, CertifiedRoots, Pair, Working, certified_roots};
 
 /// One method on one set of cubics.
 #[derive(Debug, Clone, PartialEq)]
@@ -127,7 +127,7 @@ fn right(found: &[Part; 3], reference: &CertifiedRoots) -> f64 {
 /// −log10 of the distance to the nearest true root over its modulus; that of no digit is 0.
 fn digits_of(part: &Part, reference: &CertifiedRoots) -> f64 {
     let [re, im] = part;
-    let error = |root: &crate::roots::CertifiedRoot| {
+    let error = |root: &slipmode_core::roots::CertifiedRoot| {
         let precision = root.re.prec().max(64);
         let apart = |one: &Float, other: &Float| (one - other).complete(precision);
         // not f64: MPFR's.

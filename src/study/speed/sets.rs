@@ -2,9 +2,9 @@
 
 use rug::ops::Pow;
 
-use crate::friction::Parameters;
-use crate::number::Rational;
 use crate::study::LowDiscrepancy;
+use slipmode_core::friction::Parameters;
+use slipmode_core::number::Rational;
 
 /// log10 of the ends of a, b/a, D_c in m, K in Pa/m, M in kg/m², σ in Pa and V0 in m/s.
 const DECADES: [[f64; 2]; 7] =
@@ -78,7 +78,7 @@ fn beside_double_root(number: u32) -> [Rational; 4] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::roots::certified_roots;
+    use slipmode_core::roots::certified_roots;
 
     #[test]
     fn hard_cubics_have_two_roots_close_together_and_never_a_double_one() {

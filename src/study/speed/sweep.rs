@@ -5,10 +5,10 @@
 
 use rayon::prelude::*;
 
-use crate::dynamics::{Failure, Options, Simulation, simulate};
-use crate::friction::{EvolutionLaw, Parameters};
-use crate::number::Rational;
 use crate::scene::{SceneParameters, SpeedCountsSection};
+use slipmode_core::dynamics::{Failure, Options, Simulation, simulate};
+use slipmode_core::friction::{EvolutionLaw, Parameters};
+use slipmode_core::number::Rational;
 
 /// The sweep at one tolerance.
 #[derive(Debug, Clone, PartialEq)]

@@ -1,9 +1,9 @@
 //! Summaries of rows, and of blocks put together.
 
 use super::*;
-use crate::number::Rational;
 use crate::scene::{ColumnStatistics, LogAxis};
 use proptest::prelude::*;
+use slipmode_core::number::Rational;
 
 fn section() -> SummarySection {
     let edges = LogAxis { from: Rational::from(1), to: Rational::from(100), points: 3 };

@@ -2,9 +2,9 @@
 
 use std::cmp::Ordering;
 
-use crate::number::format::shortest;
 use crate::scene::Statistic;
 use crate::study::csv_records::cells;
+use slipmode_core::number::format::shortest;
 
 /// The bin of a number, counted from 1; 0 below the first edge, one more than there are bins beyond the last, which belongs to its bin.
 pub(super) fn bin(edges: &[f64], number: f64) -> usize {

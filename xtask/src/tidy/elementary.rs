@@ -2,6 +2,7 @@
 
 use super::Complaint;
 use super::rust_source::{RustSource, word_positions};
+use crate::repository;
 
 /// Methods of `f64` (and of complex numbers over it) that call the system's library, or leave accuracy open.
 const METHODS: [&str; 32] = [
@@ -21,7 +22,7 @@ const MULTIPLE_PRECISION: &str = "Float::with_val(";
 
 /// Complains about calls that may reach the system's library of elementary functions.
 pub fn check(source: &RustSource, found: &mut Vec<Complaint>) {
-    if !source.file.path.starts_with("src/") {
+    if repository::inside_package(&source.file.path).is_none() {
         return;
     }
     let mut excused = false;

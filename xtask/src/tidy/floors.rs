@@ -3,31 +3,44 @@
 use super::Complaint;
 use super::rust_source::{RustSource, word_positions};
 
-/// Every top module and its floor; modules on one floor may not import each other.
-const FLOORS: [(&str, u32); 17] = [
-    ("number", 0),
-    ("polynomial", 1),
-    ("roots", 2),
-    ("friction", 3),
-    ("theory", 4),
-    ("stability", 4),
-    ("dynamics", 4),
-    ("scene", 5),
-    ("study", 6),
-    ("claims", 7),
-    ("table", 8),
-    ("plot", 9),
-    ("exhibit", 10),
-    ("report", 11),
-    ("archive", 12),
-    ("cli", 13),
-    ("main", 14),
+/// Every top module of a library and its floor; modules on one floor may not import each other.
+type Floors = &'static [(&'static str, u32)];
+
+/// The source folder of each library with its floors. What one library may take from another is in its `Cargo.toml`.
+const LIBRARIES: [(&str, Floors); 3] = [
+    (
+        "crates/core/src/",
+        &[
+            ("number", 0),
+            ("polynomial", 1),
+            ("roots", 2),
+            ("friction", 3),
+            ("theory", 4),
+            ("stability", 4),
+            ("dynamics", 4),
+        ],
+    ),
+    ("crates/plot/src/", &[("table", 0), ("figure", 1)]),
+    (
+        "src/",
+        &[
+            ("scene", 0),
+            ("study", 1),
+            ("claims", 2),
+            ("exhibit", 3),
+            ("report", 4),
+            ("archive", 5),
+            ("cli", 6),
+            ("main", 7),
+        ],
+    ),
 ];
 
 /// Complains about imports of an equal or higher floor, and about paths that hide their floor.
 pub fn check(source: &RustSource, found: &mut Vec<Complaint>) {
-    let Some(module) = top_module(&source.file.path) else { return };
-    let Some(height) = floor(module) else {
+    let Some((floors, inside)) = library(&source.file.path) else { return };
+    let Some(module) = top_module(inside) else { return };
+    let Some(height) = floor(floors, module) else {
         found.push(
             source.file.complaint(0, format!("module `{module}` has no floor in the table of xtask tidy")),
         );
@@ -35,17 +48,16 @@ pub fn check(source: &RustSource, found: &mut Vec<Complaint>) {
     };
     for root in ["crate::", "slipmode::"] {
         for (position, name) in imports(&source.code, root) {
-            if let Some(message) = objection(module, height, &name) {
+            if let Some(message) = objection(floors, module, height, &name) {
                 found.push(source.file.complaint(source.line_at(position), message));
             }
         }
     }
-    check_super(source, found);
+    check_super(source, depth(inside), found);
 }
 
 /// A chain of `super` that is as long as the module is deep reaches the crate's root, where every floor is.
-fn check_super(source: &RustSource, found: &mut Vec<Complaint>) {
-    let depth = depth(&source.file.path);
+fn check_super(source: &RustSource, depth: usize, found: &mut Vec<Complaint>) {
     for (number, code, _) in source.lines() {
         let in_test_module = source.is_test_line(number) && !source.file.path.ends_with("/tests.rs");
         let chain = "super::".repeat(depth + usize::from(in_test_module));
@@ -56,13 +68,13 @@ fn check_super(source: &RustSource, found: &mut Vec<Complaint>) {
     }
 }
 
-/// How many modules deep a file's module is: 1 for `src/roots/mod.rs`, 2 for `src/roots/ladder.rs`.
-fn depth(path: &str) -> usize {
-    path.matches('/').count() - usize::from(path.ends_with("/mod.rs"))
+/// How many modules deep a file's module is: 1 for `roots/mod.rs`, 2 for `roots/ladder.rs`.
+fn depth(inside: &str) -> usize {
+    inside.matches('/').count() + 1 - usize::from(inside.ends_with("/mod.rs"))
 }
 
-fn objection(module: &str, height: u32, imported: &str) -> Option<String> {
-    match floor(imported) {
+fn objection(floors: Floors, module: &str, height: u32, imported: &str) -> Option<String> {
+    match floor(floors, imported) {
         _ if imported == module => None,
         None => Some(format!("`{imported}` is not a floor: name the module that holds it")),
         Some(other) if other < height => None,
@@ -72,13 +84,18 @@ fn objection(module: &str, height: u32, imported: &str) -> Option<String> {
     }
 }
 
-fn floor(module: &str) -> Option<u32> {
-    FLOORS.iter().find(|(name, _)| *name == module).map(|(_, height)| *height)
+fn floor(floors: Floors, module: &str) -> Option<u32> {
+    floors.iter().find(|(name, _)| *name == module).map(|(_, height)| *height)
 }
 
-/// The first component below `src/`, without `.rs`; the library's root stands on no floor.
-fn top_module(path: &str) -> Option<&str> {
-    let first = path.strip_prefix("src/")?.split('/').next()?;
+/// The floors of the library that a file belongs to, and its path inside the library.
+fn library(path: &str) -> Option<(Floors, &str)> {
+    LIBRARIES.iter().find_map(|(folder, floors)| Some((*floors, path.strip_prefix(folder)?)))
+}
+
+/// The first component, without `.rs`; the library's root stands on no floor.
+fn top_module(inside: &str) -> Option<&str> {
+    let first = inside.split('/').next()?;
     let name = first.strip_suffix(".rs").unwrap_or(first);
     (name != "lib").then_some(name)
 }
@@ -138,7 +155,7 @@ mod tests {
     #[test]
     fn a_module_may_import_lower_floors_and_itself() {
         let good = "use crate::number::Ball;\nuse crate::{friction::Groups, roots};\nuse crate::stability::Arc;\n// crate::cli";
-        assert_eq!(complaints("src/stability/curve.rs", good), [0; 0]);
+        assert_eq!(complaints("crates/core/src/stability/curve.rs", good), [0; 0]);
         assert_eq!(complaints("src/lib.rs", "pub use crate::anything;"), [0; 0]);
         assert_eq!(
             complaints("src/cli/run.rs", "use slipmode::report::Page;\nuse crate::cli::options;"),
@@ -148,11 +165,14 @@ mod tests {
 
     #[test]
     fn equal_and_higher_floors_are_refused() {
-        assert_eq!(complaints("src/stability/curve.rs", "\nuse crate::dynamics::Slider;"), [2]);
-        assert_eq!(complaints("src/theory/mod.rs", "use crate::stability::Arc;"), [1]);
-        assert_eq!(complaints("src/dynamics/x.rs", "fn f() { crate::theory::g() }"), [1]);
+        assert_eq!(complaints("crates/core/src/stability/curve.rs", "\nuse crate::dynamics::Slider;"), [2]);
+        assert_eq!(complaints("crates/core/src/theory/mod.rs", "use crate::stability::Arc;"), [1]);
+        assert_eq!(complaints("crates/core/src/dynamics/x.rs", "fn f() { crate::theory::g() }"), [1]);
         assert_eq!(
-            complaints("src/number/ball.rs", "use crate::{\n    number::Dd,\n    roots::{Rung, x},\n};"),
+            complaints(
+                "crates/core/src/number/ball.rs",
+                "use crate::{\n    number::Dd,\n    roots::{Rung, x},\n};"
+            ),
             [1]
         );
         assert_eq!(complaints("src/report/page.rs", "use slipmode::cli::x;"), [1]);
@@ -161,17 +181,20 @@ mod tests {
     #[test]
     fn what_is_not_in_the_table_is_refused() {
         assert_eq!(complaints("src/helpers/mod.rs", ""), [0]);
-        assert_eq!(complaints("src/number/x.rs", "use crate::Ball;"), [1]);
+        assert_eq!(complaints("crates/core/src/number/x.rs", "use crate::Ball;"), [1]);
     }
 
     #[test]
     fn super_may_not_leave_the_module() {
-        assert_eq!(complaints("src/roots/a.rs", "use super::super::report;"), [1]);
-        assert_eq!(complaints("src/roots/mod.rs", "use super::report;"), [1]);
-        assert_eq!(complaints("src/roots/mod.rs", "#[cfg(test)]\nmod tests {\n    use super::*;\n}"), [0; 0]);
-        assert_eq!(complaints("src/roots/a.rs", "use super::ladder;"), [0; 0]);
+        assert_eq!(complaints("crates/core/src/roots/a.rs", "use super::super::report;"), [1]);
+        assert_eq!(complaints("crates/core/src/roots/mod.rs", "use super::report;"), [1]);
+        assert_eq!(
+            complaints("crates/core/src/roots/mod.rs", "#[cfg(test)]\nmod tests {\n    use super::*;\n}"),
+            [0; 0]
+        );
+        assert_eq!(complaints("crates/core/src/roots/a.rs", "use super::ladder;"), [0; 0]);
         let tests = "#[cfg(test)]\nmod tests {\n    use super::super::Ladder;\n}";
-        assert_eq!(complaints("src/roots/a.rs", tests), [0; 0]);
-        assert_eq!(complaints("src/roots/mod.rs", tests), [3]);
+        assert_eq!(complaints("crates/core/src/roots/a.rs", tests), [0; 0]);
+        assert_eq!(complaints("crates/core/src/roots/mod.rs", tests), [3]);
     }
 }

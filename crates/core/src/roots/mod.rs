@@ -19,7 +19,6 @@ pub mod textbook;
 pub use certified::{CertifiedRoot, CertifiedRoots, certified_roots};
 pub(crate) use depressed::Depressed;
 pub use discriminant::discriminant;
-pub use forward::{Bounded, Pair, Spectrum};
-pub(crate) use forward::{BoundedCubic, Working};
+pub use forward::{Bounded, BoundedCubic, Pair, Spectrum, Working};
 pub use rung::Rung;
 pub(crate) use short::ShortCubic;

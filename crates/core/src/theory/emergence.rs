@@ -41,10 +41,8 @@ pub fn velocity_of_eq_20(
 mod tests {
     use super::*;
 
-    const EQUATIONS: &str = include_str!("../../reports/im-avouac/equations.toml");
-
     fn velocity(text: Option<&str>) -> Option<Ball> {
-        let equations = PaperEquations::parse(EQUATIONS).unwrap();
+        let equations = crate::theory::equations::tests::paper();
         let equations = text.map_or(equations.clone(), |text| equations.altered("20", text).unwrap());
         let parameters = Parameters {
             direct_effect: Rational::from((4, 1000)),

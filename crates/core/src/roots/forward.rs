@@ -14,7 +14,7 @@ use crate::number::{Dd, Real};
 const SLACK: f64 = 1.05;
 
 /// An arithmetic with a known relative error per operation.
-pub(crate) trait Working: Real + Copy + From<f64> {
+pub trait Working: Real + Copy + From<f64> {
     /// Bound on the relative error of one operation.
     const UNIT: f64;
     /// Newton steps that bring a 64-bit root to this precision.
@@ -77,24 +77,24 @@ pub struct Spectrum<R> {
 
 /// A cubic whose coefficients are known to `relative_error` of the given magnitudes (which are ≥ |coefficient|).
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct BoundedCubic<R> {
-    pub(crate) coefficients: [R; 4],
-    pub(crate) magnitudes: [f64; 4],
-    pub(crate) relative_error: f64,
+pub struct BoundedCubic<R> {
+    pub coefficients: [R; 4],
+    pub magnitudes: [f64; 4],
+    pub relative_error: f64,
 }
 
 impl<R: Working> BoundedCubic<R> {
     /// Δ with its error bound.
     ///
     /// Each of its five terms is a product of four coefficients, with at most 12 operations on the way of any of them.
-    pub(crate) fn discriminant(&self) -> Bounded<R> {
+    pub fn discriminant(&self) -> Bounded<R> {
         let terms = discriminant_of_magnitudes(&self.magnitudes);
         let error = terms * (4.0 * self.relative_error + 12.0 * R::UNIT) * SLACK;
         Bounded { value: discriminant(&self.coefficients), error }
     }
 
     /// All roots with forward error bounds.
-    pub(crate) fn spectrum(&self) -> Spectrum<R> {
+    pub fn spectrum(&self) -> Spectrum<R> {
         let real = self.outermost_root();
         let slope = self.slope(real.value);
         let pair = self.pair(&real, slope).unwrap_or(Pair::NotSeparated);
@@ -102,7 +102,7 @@ impl<R: Working> BoundedCubic<R> {
     }
 
     /// The real root farthest from the inflection point.
-    pub(crate) fn outermost_root(&self) -> Bounded<R> {
+    pub fn outermost_root(&self) -> Bounded<R> {
         let value = self.real_root();
         Bounded { value, error: self.real_root_error(value, self.slope(value)) }
     }

@@ -99,7 +99,7 @@ fn decade(axis: &Axis) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::plot::LineRole;
+    use crate::figure::LineRole;
 
     fn map() -> FamilyMap {
         let line = |stress: f64| Line {

@@ -70,38 +70,45 @@ const VARIABLES: [&str; 27] = [
     "eta",
 ];
 
-#[derive(Deserialize)]
+/// The equations of a paper as text, as a file states them.
+#[derive(Debug, Clone, Deserialize)]
 #[serde(deny_unknown_fields)]
-struct File {
-    assumptions: Assumptions,
+pub struct EquationsText {
+    /// What is assumed of the variables.
+    pub assumptions: AssumptionsText,
+    /// The equations in any order.
     #[serde(default)]
-    equation: Vec<Entry>,
+    pub equation: Vec<EquationText>,
 }
 
-#[derive(Deserialize)]
+/// What the equations assume of their variables.
+#[derive(Debug, Clone, Deserialize)]
 #[serde(deny_unknown_fields)]
-struct Assumptions {
-    positive: Vec<String>,
+pub struct AssumptionsText {
+    /// Names of the variables that are positive.
+    pub positive: Vec<String>,
 }
 
-#[derive(Deserialize)]
+/// One equation as text.
+#[derive(Debug, Clone, Deserialize)]
 #[serde(deny_unknown_fields)]
-struct Entry {
-    number: String,
-    equation: String,
-    printed: Option<String>,
+pub struct EquationText {
+    /// Its number in the paper, or its name.
+    pub number: String,
+    /// Both sides as they are meant, with one `=`.
+    pub equation: String,
+    /// Both sides as the page at hand shows them, where that differs.
+    pub printed: Option<String>,
+    /// Why it differs, or what it is.
     #[serde(default)]
-    note: String,
+    pub note: String,
 }
 
 /// Equations by number.
 pub(super) type Equations = BTreeMap<String, Equation>;
 
 /// The equations and the positive variables of a file.
-pub(super) fn read(text: &str) -> Result<(Equations, Vec<String>), EquationsError> {
-    let file: File = toml::from_str(text).map_err(|error| EquationsError {
-        faults: vec![EquationFault { key: String::new(), message: error.to_string() }],
-    })?;
+pub(super) fn read(file: EquationsText) -> Result<(Equations, Vec<String>), EquationsError> {
     let mut faults = assumption_faults(&file.assumptions);
     let mut equations = BTreeMap::new();
     for entry in file.equation {
@@ -125,7 +132,7 @@ pub(super) fn read(text: &str) -> Result<(Equations, Vec<String>), EquationsErro
 }
 
 /// The assumptions that every derivation makes must be among those of the file.
-fn assumption_faults(assumptions: &Assumptions) -> Vec<EquationFault> {
+fn assumption_faults(assumptions: &AssumptionsText) -> Vec<EquationFault> {
     let fault = |message| EquationFault { key: "assumptions.positive".to_owned(), message };
     let known = |name: &&String| !VARIABLES.contains(&name.as_str());
     let unknown = assumptions
@@ -140,7 +147,7 @@ fn assumption_faults(assumptions: &Assumptions) -> Vec<EquationFault> {
 
 /// One equation of this number from its text.
 pub(super) fn read_equation(number: &str, text: &str) -> Result<Equation, String> {
-    read_entry(Entry {
+    read_entry(EquationText {
         number: number.to_owned(),
         equation: text.to_owned(),
         printed: None,
@@ -148,7 +155,7 @@ pub(super) fn read_equation(number: &str, text: &str) -> Result<Equation, String
     })
 }
 
-fn read_entry(entry: Entry) -> Result<Equation, String> {
+fn read_entry(entry: EquationText) -> Result<Equation, String> {
     let Some((_, name)) = REQUIRED.iter().find(|(number, _)| *number == entry.number) else {
         return Err("is not an equation of the paper (1 to 23, or one of its named ones)".to_owned());
     };

@@ -27,6 +27,7 @@ pub mod third_order;
 pub mod transition;
 
 pub use equations::{Equation, EquationFault, EquationsError, PaperEquations};
+pub use reading::{AssumptionsText, EquationText, EquationsText};
 
 #[cfg(test)]
 mod tests;
