@@ -6,7 +6,7 @@
   const steps = inputs.map((input) => input.dataset.steps.split("|"));
   const said = document.getElementById("said");
 
-  // A text is its different words and a code a combination: "." the word before, "!" the next new one, two digits a former one.
+  // A text is its list of different words and a code per combination: "." repeats the previous word, "!" takes the next new one, two digits take an earlier one.
   const unpack = (words, cells) => {
     const found = [];
     for (let at = 0, next = 0, word = 0; at < cells.length; at += 1) {

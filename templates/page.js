@@ -1,6 +1,6 @@
 "use strict";
-// Sorting, finding and reading out, over what the page shows without it. No mathematics, no requests.
-// What it adds to read is marked `data-extra`: the rest must read the same without scripts, and is checked to.
+// Sorting, searching and showing map values. The page is complete without this script. No mathematics, no requests.
+// Text that it adds is marked `data-extra`; a check ensures that the rest is the same without scripts.
 (() => {
   const make = (tag, attributes, ...children) => {
     const element = document.createElement(tag);
@@ -9,7 +9,7 @@
     return element;
   };
 
-  // Numbers are read as they are written; words and gaps come after them, in their own order.
+  // Numbers sort by value; words and empty cells come after them.
   const value = (cell) => {
     const text = cell ? cell.textContent.trim() : "";
     const number = Number(text.replace(/\u2212/g, "-").replace(/[\s\u00a0\u202f\u2009]/g, "") || NaN);
@@ -31,9 +31,9 @@
     body.append(...rows.map(([, row]) => row));
   };
 
-  // A table of which only the first rows are shown would be sorted wrongly: it is left alone, and says so.
+  // A table that shows only its first rows cannot be sorted correctly: it stays as it is, with a note.
   for (const note of document.querySelectorAll("figure.table:not(.whole) > .cut")) {
-    note.append(make("span", { "data-extra": "" }, " Only tables that are shown whole can be sorted on this page."));
+    note.append(make("span", { "data-extra": "" }, " Only complete tables can be sorted on this page."));
   }
   for (const table of document.querySelectorAll("figure.whole table")) {
     if (table.tBodies[0].rows.length < 3) continue;
@@ -47,7 +47,7 @@
   const ledger = document.getElementById("ledger");
   const claims = [...document.querySelectorAll("details.claim")];
   if (ledger && claims.length > 5) {
-    // Indices stand below the line and have no underscore there: K_c is found all the same.
+    // Subscripts have no underscore on the page: a search for K_c still finds them.
     const plain = (text) => text.toLowerCase().replaceAll("_", "");
     const words = new Map(claims.map((claim) => [claim, plain(claim.textContent)]));
     const field = make("input", { type: "search", id: "find-claims", autocomplete: "off" });
@@ -75,7 +75,7 @@
       make("label", { for: "find-claims" }, "Find"), field, make("label", { for: "find-verdicts" }, "Verdict"), kinds, count);
     ledger.querySelector(".group").before(finder);
 
-    // A link to a claim shows it, whatever is folded or filtered.
+    // A link to a claim shows the claim even if it is closed or filtered out.
     const arrive = () => {
       const target = document.getElementById(decodeURIComponent(location.hash.slice(1)));
       const claim = target && target.closest("details.claim");
@@ -91,8 +91,8 @@
     arrive();
   }
 
-  // Maps say what they hold at a point, to the pointer and to the arrow keys: words that came with the drawing.
-  // A field is its different words and a code a point: "." the word before, "!" the next new one, two digits a former one.
+  // Maps show their values at the pointer or at a point chosen with the arrow keys; the values are stored in the drawing.
+  // A field is its list of different words and a code per point: "." repeats the previous word, "!" takes the next new one, two digits take an earlier one.
   const unpack = (words, cells) => {
     const found = [];
     for (let at = 0, next = 0, word = 0; at < cells.length; at += 1) {
@@ -110,7 +110,7 @@
     const words = source.dataset.words.split("~");
     const fields = source.dataset.cells.split("~").map((cells, field) => unpack(words[field].split("|"), cells));
     const plot = plane.closest(".plot");
-    const line = make("p", { class: "said", role: "status", "data-extra": "" }, "Point at the map, or focus it and press the arrow keys, to read it out.");
+    const line = make("p", { class: "said", role: "status", "data-extra": "" }, "To see the values at a point, point at the map, or focus it and press the arrow keys.");
     plot.after(line);
     const box = ["x", "y", "width", "height"].map((name) => Number(plane.getAttribute(name)));
     const mark = document.createElementNS(plane.namespaceURI, "circle");
@@ -143,7 +143,7 @@
     });
   }
 
-  // Paper has no folds: all claims are printed open and are as they were afterwards. Certificates stay in report.md.
+  // For printing, all claims are opened, and restored afterwards. Certificates are in report.md only.
   let folded = [];
   addEventListener("beforeprint", () => {
     folded = [...document.querySelectorAll("details:not([open]):not(.certificate)")];
