@@ -1,13 +1,13 @@
 //! Work against error of the integrators on the hard cases, and the time of sweeps and grids.
 //!
-//! Every method runs one lap of the limit cycle from the same state on V = V_l. The reference is Radau IIA of order 13 in
+//! Every method runs one period of the limit cycle from the same state on V = V_l. The reference is Radau IIA of order 13 in
 //! double-double at a local tolerance of 1e-20. Printed per method and tolerance: steps (refused ones included), evaluations, time of
 //! the best of several repetitions, and the errors of ln(V_peak/V_l) and of the duration. Steps and errors do not depend on the machine.
-//! Omissions: Taylor series where a lap would take more than a hundred thousand steps.
+//! Omissions: Taylor series where a return would take more than a hundred thousand steps.
 
 use std::time::Instant;
 
-use slipmode::study::{Lapped, laps, reference_lap};
+use slipmode::study::{MeasuredReturn, reference_return, return_methods};
 use slipmode_core::dynamics::{Model, Options, simulate_model};
 use slipmode_core::friction::{EvolutionLaw, Groups};
 
@@ -20,25 +20,25 @@ fn paper(v: f64, s: f64, direct_effect: f64, evolution_effect: f64) -> Groups<f6
     }
 }
 
-/// Prints the laps of one method at several tolerances, with the best time of five.
-fn measure(name: &str, lap: impl Fn(f64) -> Option<Lapped<f64>>, exact: &Lapped<f64>) {
+/// Prints the returns of one method at several tolerances, with the best time of five.
+fn measure(name: &str, orbit: impl Fn(f64) -> Option<MeasuredReturn<f64>>, exact: &MeasuredReturn<f64>) {
     for exponent in [3, 5, 7, 9, 11] {
         let tolerance = libm::exp10(-f64::from(exponent));
         let mut best = f64::INFINITY;
         let mut result = None;
         for _ in 0..5 {
             let began = Instant::now();
-            result = lap(tolerance);
+            result = orbit(tolerance);
             best = best.min(began.elapsed().as_secs_f64());
         }
         match result {
-            Some(lap) => println!(
+            Some(orbit) => println!(
                 "  {name:<12} 1e-{exponent:<3} {:>7} {:>8} {:>9.1} {:>9.1e} {:>9.1e}",
-                lap.steps,
-                lap.evaluations,
+                orbit.steps,
+                orbit.evaluations,
                 best * 1e6,
-                (lap.peak - exact.peak).abs(),
-                (lap.duration / exact.duration - 1.0).abs()
+                (orbit.peak - exact.peak).abs(),
+                (orbit.duration / exact.duration - 1.0).abs()
             ),
             None => println!("  {name:<12} 1e-{exponent:<3} not finished"),
         }
@@ -49,11 +49,11 @@ fn work_precision() {
     for (v, s) in [(-5.5, 6.5), (-6.0, 7.5), (-5.0, 5.0), (-1.5, 4.0), (-1.0, 2.5)] {
         for law in EvolutionLaw::ALL {
             let model = Model::new(paper(v, s, 0.004, 0.006), law);
-            let Some((section, exact)) = reference_lap(&model) else { continue };
+            let Some((section, exact)) = reference_return(&model) else { continue };
             println!("sigma 1e{s} Pa, V_l 1e{v} m/s, {} law, ln(V_peak/V_l) = {}", law.as_str(), exact.peak);
             println!("  method       local   steps    evals   time/us   err peak   err dur");
-            for (name, lap) in laps() {
-                measure(name, |tolerance| lap(&model, &section, tolerance), &exact);
+            for (name, orbit) in return_methods() {
+                measure(name, |tolerance| orbit(&model, &section, tolerance), &exact);
             }
         }
     }

@@ -1,11 +1,12 @@
-//! One stick-slip cycle from V = V_l to the next upward passage of it: time against the error of peak and duration.
+//! One stick-slip cycle from V = V_l to the next upward crossing of it: time against the error of peak and duration.
 
 use std::fmt::Write as _;
 use std::fs;
 use std::path::Path;
 
 use slipmode_core::dynamics::{
-    Control, Integrator, Late, Model, Radau, Rodas5P, Scalar, Start, State, Stepper, run_lap, settle,
+    Control, Integrator, LongTerm, Model, Radau, Rodas5P, Scalar, Start, State, Stepper, long_term_behaviour,
+    next_return,
 };
 use slipmode_core::friction::{EvolutionLaw, Groups};
 use slipmode_core::number::Dd;
@@ -57,25 +58,25 @@ pub fn line_start(name: &str, model: &Model<f64>) -> String {
     format!("{name} {law} {:e} {:e} {:e}", g.inertial_parameter, g.stiffness_group, g.effect_ratio)
 }
 
-struct LapResult {
+struct MeasuredCycle {
     peak_and_duration: [f64; 2],
     steps: u64,
     evaluations: u64,
 }
 
-fn lap<R: Scalar, M: Stepper<R> + Clone>(
+fn run_cycle<R: Scalar, M: Stepper<R> + Clone>(
     model: &Model<R>,
     method: M,
     section: &[f64],
     local_tolerance: f64,
-) -> Option<LapResult> {
+) -> Option<MeasuredCycle> {
     let control = Control { local_tolerance, most_steps: 200_000 };
     let start: State<R> = std::array::from_fn(|i| R::from_f64(section[i]));
     let mut run = Integrator::new(model, method, start, control).ok()?;
-    let (lap, _) = run_lap(&mut run).ok()?;
+    let (orbit, _) = next_return(&mut run).ok()?;
     let (accepted, refused) = run.step_counts();
-    Some(LapResult {
-        peak_and_duration: [lap.peak.to_f64(), lap.duration.to_f64()],
+    Some(MeasuredCycle {
+        peak_and_duration: [orbit.peak.to_f64(), orbit.duration.to_f64()],
         steps: accepted + refused,
         evaluations: run.method().evaluations(),
     })
@@ -90,10 +91,10 @@ pub fn prepare(folder: &Path) {
             let control = Control { local_tolerance: 1e-9, most_steps: 10_000_000 };
             let start = Start::default().at_a_tenth(&model);
             let mut run = Integrator::new(&model, Radau::<f64, 5>::new(), start, control).unwrap();
-            let Ok(Late::Cycle(_)) = settle(&mut run, 1e-9, 10_000) else { continue };
+            let Ok(LongTerm::Cycle(_)) = long_term_behaviour(&mut run, 1e-9, 10_000) else { continue };
             let [x, y, z] = *run.state();
             let fine = Model::new(model.groups().map(|&g| Dd::from(g)), law);
-            let Some(exact) = lap(&fine, Radau::<Dd, 7>::new(), &[x, y, z], 1e-20) else { continue };
+            let Some(exact) = run_cycle(&fine, Radau::<Dd, 7>::new(), &[x, y, z], 1e-20) else { continue };
             let [peak, duration] = exact.peak_and_duration;
             let name = format!("v{v}s{s}{}", law.as_str());
             let head = line_start(&name, &model);
@@ -107,7 +108,7 @@ fn measure<M: Stepper<f64> + Clone>(name: &'static str, line: &Line, method: &M)
     for halves in 3..=22 {
         let tolerance = libm::exp10(-0.5 * f64::from(halves));
         let (seconds, found) =
-            best_of(REPETITIONS, || lap(&line.model, method.clone(), &line.rest, tolerance));
+            best_of(REPETITIONS, || run_cycle(&line.model, method.clone(), &line.rest, tolerance));
         let error = found.as_ref().map(|found| {
             let [peak, duration] = found.peak_and_duration;
             scientific((peak - line.rest[3]).abs().max((duration / line.rest[4] - 1.0).abs()))

@@ -41,7 +41,7 @@ impl ODE<f64, [f64; 3]> for Slider<'_> {
     }
 }
 
-/// Watches the steps: notes the largest velocity, and stops at the next upward passage of V = V_l.
+/// Watches the steps: notes the largest velocity, and stops at the next upward crossing of V = V_l.
 struct Watch<'m> {
     slider: Slider<'m>,
     rising: bool,
@@ -103,7 +103,7 @@ impl Solout<f64, [f64; 3]> for Watch<'_> {
     }
 }
 
-/// Peak and duration of the cycle from a passage; none when the method gives up.
+/// Peak and duration of the cycle from a crossing; none when the method gives up.
 fn cycle(model: &Model<f64>, start: [f64; 3], longest: f64, tolerance: f64) -> Option<[f64; 2]> {
     let slider = Slider(model);
     let seen = Cell::new((f64::NEG_INFINITY, None));

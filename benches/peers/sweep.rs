@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 use std::fs;
 use std::path::Path;
 
-use slipmode_core::dynamics::{Late, Model, Options, simulate_model};
+use slipmode_core::dynamics::{LongTerm, Model, Options, simulate_model};
 use slipmode_core::friction::EvolutionLaw;
 
 use super::clock::best_of;
@@ -30,7 +30,7 @@ pub fn prepare(folder: &Path) {
             let (v, s) = (at(-6.0, -1.0, cell / SIDE), at(3.0, 7.0, cell % SIDE));
             let model = Model::new(paper(v, s, 0.004, 0.006), law);
             let outcome = simulate_model(&model, &fine).unwrap();
-            let cycle = i32::from(matches!(outcome.late(), Late::Cycle(_)));
+            let cycle = i32::from(matches!(outcome.long_term(), LongTerm::Cycle(_)));
             let head = line_start(&cell.to_string(), &model);
             writeln!(text, "{head} {cycle} {:e}", outcome.log_peak()).unwrap();
         }
@@ -50,7 +50,7 @@ pub fn play(folder: &Path) {
             wrong += 1;
             continue;
         };
-        let cycle = f64::from(i32::from(matches!(outcome.late(), Late::Cycle(_))));
+        let cycle = f64::from(i32::from(matches!(outcome.long_term(), LongTerm::Cycle(_))));
         let error = libm::expm1(outcome.log_peak() - line.rest[1]).abs();
         wrong += usize::from(cycle != line.rest[0] || error > ERROR);
         worst = worst.max(error);

@@ -142,8 +142,8 @@ fn unit(finding: Finding, others: &[OtherUnit]) -> Finding {
     let stresses: Vec<String> =
         others.iter().map(|other| rational_to_decimal(&other.normal_stress_pa, 4)).collect();
     let stresses = stresses.join(" and ");
-    let settles = |other: &OtherUnit| other.behaviour != Some(Behaviour::Periodic);
-    if others.iter().any(|other| other.has_boundary || !other.always_unstable || settles(other)) {
+    let ends_steady = |other: &OtherUnit| other.behaviour != Some(Behaviour::Periodic);
+    if others.iter().any(|other| other.has_boundary || !other.always_unstable || ends_steady(other)) {
         return finding.remark(format!("At {stresses} Pa, the normal stresses in the caption's unit, there is an onset too: the unit is not decided."));
     }
     finding

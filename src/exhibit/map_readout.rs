@@ -69,11 +69,11 @@ fn theory((mode, frequency): (SlipMode, f64)) -> [String; 2] {
 /// What a run did, and its largest velocity over the loading velocity.
 fn simulated(velocity: f64, point: &SimulatedPoint) -> [String; 2] {
     let Ok(run) = &point.simulation else { return ["no result".into(), "–".into()] };
-    let late = match run.behaviour {
+    let long_term = match run.behaviour {
         Behaviour::Periodic => "a limit cycle",
         Behaviour::Decaying => "ends in steady sliding",
     };
-    [late.into(), three_digits(run.peak_velocity_m_per_s / velocity)]
+    [long_term.into(), three_digits(run.peak_velocity_m_per_s / velocity)]
 }
 
 /// Evenly spaced places among `count`, the first and the last among them.

@@ -12,7 +12,7 @@ mod explorer_formulas;
 mod explorer_tables;
 mod figures;
 mod frequency;
-mod hard_lap_tables;
+mod hard_return_tables;
 mod least_peak;
 mod linear_regime;
 mod map_readout;

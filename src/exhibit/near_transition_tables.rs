@@ -83,7 +83,7 @@ fn runs(context: &Context) -> Option<Table> {
             optional(run.predicted_amplitude, 6),
             optional(run.growth(), 3),
             optional(run.linear_growth.filter(|_| ended(false)), 6),
-            optional(run.laps_per_fold(), 3),
+            optional(run.returns_per_fold(), 3),
             failure(run),
         ]);
     }

@@ -77,14 +77,14 @@ fn portrait(scene: &SceneOutcome, parameters: &SceneParameters, id: &str) -> Opt
     })
 }
 
-/// The last lap of a limit cycle, and the whole of a decay.
+/// The last return of a limit cycle, and the whole of a decay.
 fn shown(run: &TrajectoryRun) -> &[Moment] {
     let Ok(course) = &run.course else { return &[] };
     let found = run.simulation.as_ref().ok().filter(|found| found.behaviour == Behaviour::Periodic);
-    let lap_s = found.and_then(|found| found.period_s).unwrap_or(f64::INFINITY);
+    let return_s = found.and_then(|found| found.period_s).unwrap_or(f64::INFINITY);
     let end_s = course.moments.last().map_or(0.0, |moment| moment.time_s);
-    // From the last moment before the lap, so that the loop closes.
-    let before = course.moments.partition_point(|moment| end_s - moment.time_s >= lap_s);
+    // From the last moment before the return, so that the loop closes.
+    let before = course.moments.partition_point(|moment| end_s - moment.time_s >= return_s);
     &course.moments[before.saturating_sub(1)..]
 }
 

@@ -58,10 +58,10 @@ fn starts(context: &Context) -> Option<Table> {
 
 fn start_row(scene: &str, group: &StartGroup, run: &StartRun) -> Vec<Cell> {
     let early = run.early.as_ref().ok();
-    let late = run.late.as_ref().ok();
-    let cycle = late.filter(|late| late.behaviour == Behaviour::Periodic);
+    let long_term = run.long_term.as_ref().ok();
+    let cycle = long_term.filter(|long_term| long_term.behaviour == Behaviour::Periodic);
     let peak = early.and_then(|(early, error)| Some((early.first_log_peak?, *error)));
-    let failure = run.late.as_ref().err().or(run.early.as_ref().err()).map(ToString::to_string);
+    let failure = run.long_term.as_ref().err().or(run.early.as_ref().err()).map(ToString::to_string);
     vec![
         Cell::text(scene),
         number(group.loading_velocity_m_per_s, 6),
@@ -73,11 +73,11 @@ fn start_row(scene: &str, group: &StartGroup, run: &StartRun) -> Vec<Cell> {
         optional(peak.map(|(_, error)| error), 2),
         optional(early.map(|(early, _)| early.time_back / group.inertial_parameter), 3),
         optional(early.map(|(early, _)| early.left_over), 3),
-        late.map_or_else(Cell::empty, |late| Cell::text(late.behaviour.as_str())),
+        long_term.map_or_else(Cell::empty, |long_term| Cell::text(long_term.behaviour.as_str())),
         optional(cycle.map(|cycle| cycle.peak_velocity_m_per_s), 7),
         optional(cycle.map(|cycle| cycle.peak_relative_error), 2),
-        optional(late.and_then(|late| late.period_s), 7),
-        optional(late.and_then(|late| late.period_relative_error), 2),
+        optional(long_term.and_then(|long_term| long_term.period_s), 7),
+        optional(long_term.and_then(|long_term| long_term.period_relative_error), 2),
         failure.map_or_else(Cell::empty, Cell::text),
     ]
 }
@@ -113,15 +113,16 @@ fn spread(context: &Context) -> Option<Table> {
 }
 
 fn spread_row(scene: &str, group: &StartGroup) -> Vec<Cell> {
-    let late: Vec<&Simulation> = group.runs.iter().filter_map(|run| run.late.as_ref().ok()).collect();
+    let long_term: Vec<&Simulation> =
+        group.runs.iter().filter_map(|run| run.long_term.as_ref().ok()).collect();
     let cycles: Vec<&Simulation> =
-        late.iter().copied().filter(|late| late.behaviour == Behaviour::Periodic).collect();
+        long_term.iter().copied().filter(|long_term| long_term.behaviour == Behaviour::Periodic).collect();
     let peaks: Vec<Option<f64>> = cycles.iter().map(|cycle| Some(cycle.peak_velocity_m_per_s)).collect();
     let mut errors: Vec<f64> = cycles.iter().map(|cycle| cycle.peak_relative_error).collect();
     errors.sort_by(|a, b| b.total_cmp(a));
-    let alike = cycles.is_empty() || cycles.len() == late.len();
+    let alike = cycles.is_empty() || cycles.len() == long_term.len();
     let periods: Vec<Option<f64>> =
-        if alike { &late } else { &cycles }.iter().map(|late| late.period_s).collect();
+        if alike { &long_term } else { &cycles }.iter().map(|long_term| long_term.period_s).collect();
     let first = group.runs.iter().filter_map(|run| run.early.as_ref().ok()?.0.first_log_peak);
     let (least, most) = first.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, m), v| (l.min(v), m.max(v)));
     let seen = |value: f64| value.is_finite().then(|| libm::exp(value));
@@ -143,7 +144,8 @@ fn spread_row(scene: &str, group: &StartGroup) -> Vec<Cell> {
 
 /// `all periodic`, or which starts end otherwise than the first.
 fn behaviours(group: &StartGroup) -> String {
-    let word = |run: &StartRun| run.late.as_ref().map_or("no result", |late| late.behaviour.as_str());
+    let word =
+        |run: &StartRun| run.long_term.as_ref().map_or("no result", |long_term| long_term.behaviour.as_str());
     let Some(first) = group.runs.iter().find(|run| run.start == Start::default()).map(word) else {
         return String::new();
     };

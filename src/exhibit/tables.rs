@@ -20,7 +20,7 @@ const ROOMS: &[&[TableMaker]] = &[
     crate::exhibit::boundary_tables::TABLES,
     crate::exhibit::coverage_table::TABLES,
     crate::exhibit::deviation_tables::TABLES,
-    crate::exhibit::hard_lap_tables::TABLES,
+    crate::exhibit::hard_return_tables::TABLES,
     crate::exhibit::linear_regime::TABLES,
     crate::exhibit::mode_tables::TABLES,
     crate::exhibit::near_transition_tables::TABLES,

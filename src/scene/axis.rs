@@ -33,7 +33,7 @@ pub struct LogAxis {
 /// Working precision of a coordinate: far more than the 53 bits kept, so that only an exact tie can be in doubt.
 const WORKING_BITS: u32 = 192;
 
-/// Where a result within a few units of the working precision's end is settled: a decimal such as 1e23 lies exactly
+/// Where a result within a few units of the working precision's end is rounded_twice: a decimal such as 1e23 lies exactly
 /// between two 64-bit numbers, and must meet the tie from either side.
 const SETTLED_BITS: u32 = 160;
 
@@ -87,9 +87,9 @@ impl LogCoordinates {
 }
 
 fn nearest_f64(value: Float) -> f64 {
-    let mut settled = Float::new(SETTLED_BITS);
-    settled.assign(&value);
-    settled.to_f64_round(Round::Nearest)
+    let mut rounded_twice = Float::new(SETTLED_BITS);
+    rounded_twice.assign(&value);
+    rounded_twice.to_f64_round(Round::Nearest)
 }
 
 #[cfg(test)]

@@ -17,7 +17,7 @@ pub struct Place {
 /// `[original_scheme]`: the fixed-step scheme of the original simulations against converged runs.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct OriginalSchemeSection {
-    /// Where the bias of the late peak is followed through the steps.
+    /// Where the bias of the long-term peak is followed through the steps.
     pub places: Vec<Place>,
     /// Steps in units of √(M/K), as the scene lists them.
     pub steps: Vec<Rational>,
@@ -27,10 +27,10 @@ pub struct OriginalSchemeSection {
     pub least_peak_stresses_pa: Vec<Rational>,
 }
 
-/// `[work_precision]`: work against error of the integrators on one lap of the limit cycle.
+/// `[work_precision]`: work against error of the integrators on one period of the limit cycle.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct WorkPrecisionSection {
-    /// The laps.
+    /// The returns.
     pub places: Vec<Place>,
 }
 

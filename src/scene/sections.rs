@@ -52,8 +52,8 @@ pub struct ToleranceSection {
 pub struct HardCases {
     /// The file's name, safe by [`check_name`]; it has no folder.
     pub file: String,
-    /// The name of a file of laps, if any.
-    pub laps: Option<String>,
+    /// The name of a file of returns, if any.
+    pub returns: Option<String>,
 }
 
 /// The largest number of digits a result may be asked to.
@@ -131,13 +131,13 @@ impl HardCases {
         let file = section
             .required("file", "the name of a file", faults)
             .and_then(|entry| safe_name(&entry, faults));
-        let laps = section.optional("laps").map(|entry| safe_name(&entry, faults));
+        let returns = section.optional("laps").map(|entry| safe_name(&entry, faults));
         section.finish(faults);
-        let laps = match laps {
+        let returns = match returns {
             None => None,
             Some(name) => Some(name?),
         };
-        Some(Self { file: file?, laps })
+        Some(Self { file: file?, returns })
     }
 }
 

@@ -2,8 +2,8 @@
 
 use crate::scene::SceneParameters;
 use slipmode_core::dynamics::{
-    Control, CycleFamily, Failure, Fold, Integrator, Late, Member, Model, Options, Radau, settle,
-    simulate_model, start_threshold,
+    Control, CycleFamily, Failure, Fold, Integrator, LongTerm, Member, Model, Options, Radau,
+    long_term_behaviour, simulate_model, start_threshold,
 };
 use slipmode_core::friction::Groups;
 
@@ -48,9 +48,9 @@ const BRACKETS: [f64; 2] = [0.01, 0.1];
 /// Part of ln(V/V_l) by which starts are moved off the threshold.
 const START_MARGIN: f64 = 0.02;
 
-/// Permitted relative distance from the cycle, and most laps, of a run that only has to end on one side.
+/// Permitted relative distance from the cycle, and most returns, of a run that only has to end on one side.
 const TARGET: f64 = 1e-6;
-const MOST_LAPS: u64 = 4_000;
+const MOST_RETURNS: u64 = 4_000;
 
 /// Tolerances of such a run.
 const CONTROL: Control = Control { local_tolerance: 1e-8, most_steps: 1_000_000 };
@@ -74,7 +74,7 @@ pub(super) fn edge(
     Ok(Some(Edge {
         excess,
         error: over_critical * (fold.relative_error + 2.0 * change),
-        log_peak: fold.member.lap.peak,
+        log_peak: fold.member.orbit.peak,
         bracket: BRACKETS.into_iter().find(|&part| confirms(family, &fold, critical, excess * part)),
         loading_velocity_m_per_s: velocity,
         normal_stress_pa: stress,
@@ -108,8 +108,9 @@ pub fn place_on_transition(parameters: &SceneParameters, inertial_parameter: f64
 fn confirms(family: &CycleFamily, fold: &Fold, critical: f64, step: f64) -> bool {
     let periodic = |shift: f64| {
         let model = model(family, fold.member.stiffness_group + critical * shift);
-        let mut run = Integrator::new(&model, Radau::<f64, 5>::new(), fold.member.lap.end, CONTROL)?;
-        settle(&mut run, TARGET, MOST_LAPS).map(|late| matches!(late, Late::Cycle(_)))
+        let mut run = Integrator::new(&model, Radau::<f64, 5>::new(), fold.member.orbit.end, CONTROL)?;
+        long_term_behaviour(&mut run, TARGET, MOST_RETURNS)
+            .map(|long_term| matches!(long_term, LongTerm::Cycle(_)))
     };
     periodic(-step) == Ok(true) && periodic(step) == Ok(false)
 }
@@ -125,12 +126,12 @@ fn threshold(family: &CycleFamily, members: &[Member], critical: f64, excess: f6
     let periodic = |factor: f64| {
         let velocity_ratio = libm::exp(-factor * below);
         let options = Options { velocity_ratio, tolerance: TARGET, ..Options::default() };
-        simulate_model(&model, &options).ok().map(|outcome| matches!(outcome.late(), Late::Cycle(_)))
+        simulate_model(&model, &options).ok().map(|outcome| matches!(outcome.long_term(), LongTerm::Cycle(_)))
     };
     let ends = periodic(1.0 - START_MARGIN).zip(periodic(1.0 + START_MARGIN));
     Some(Threshold {
         excess,
-        unstable_log_peak: unstable.lap.peak,
+        unstable_log_peak: unstable.orbit.peak,
         start_velocity_ratio: libm::exp(-below),
         confirmed: ends.map(|ends| ends == (false, true)),
     })

@@ -71,7 +71,7 @@ const COMPARED: [usize; 2] = [8, 15];
 /// Part of a small amplitude by which it may differ from that of the coefficient: more than the square of [`SMALLEST`] leads to.
 const AROUND: f64 = 0.05;
 
-/// Local tolerance of the laps: their error is about 1e-12.
+/// Local tolerance of the returns: their error is about 1e-12.
 const LOCAL_TOLERANCE: f64 = 1e-8;
 
 impl CycleFamilyOutcome {
@@ -113,7 +113,7 @@ impl CycleFamilyOutcome {
             Some(pair) => self.family.between([&pair[0], &pair[1]], stiffness_group),
             None => self.smaller(stiffness_group)?,
         };
-        found.ok().map(|member| member.lap.peak)
+        found.ok().map(|member| member.orbit.peak)
     }
 
     /// A cycle smaller than those followed: between two about the size that the coefficient says.
@@ -180,12 +180,12 @@ fn first(family: &CycleFamily, critical: f64, amplitude: f64) -> Result<Member, 
 }
 
 fn family_cycle(family: &CycleFamily, member: &Member, critical: f64, square: Option<f64>) -> FamilyCycle {
-    let amplitude = 0.5 * (member.lap.peak - member.lap.trough);
+    let amplitude = 0.5 * (member.orbit.peak - member.orbit.trough);
     FamilyCycle {
         excess: member.stiffness_group / critical - 1.0,
         predicted_excess: square.map(|square| amplitude * amplitude / square),
         amplitude,
-        log_peak: member.lap.peak,
+        log_peak: member.orbit.peak,
         multiplier: family.leading_multiplier(member).ok(),
     }
 }

@@ -7,7 +7,8 @@ use rayon::prelude::*;
 
 use crate::scene::ErrorBoundSection;
 use slipmode_core::dynamics::{
-    Control, Integrator, Late, Model, Options, Outcome, Radau, Scalar, Start, State, settle, simulate_model,
+    Control, Integrator, LongTerm, Model, Options, Outcome, Radau, Scalar, Start, State, long_term_behaviour,
+    simulate_model,
 };
 use slipmode_core::friction::{EvolutionLaw, Groups, Parameters};
 use slipmode_core::number::{Dd, Rational};
@@ -31,14 +32,14 @@ pub struct BoundCheck {
     pub failure: String,
 }
 
-/// Local tolerance of the reference: its global error is below 1e-16 wherever a lap multiplies errors by less than 100.
+/// Local tolerance of the reference: its global error is below 1e-16 wherever a return multiplies errors by less than 100.
 const LOCAL_TOLERANCE: f64 = 1e-18;
 
 /// Relative distance from the limit cycle at which the reference ends.
 const TARGET: f64 = 1e-16;
 
-/// The most laps of a reference.
-const MOST_LAPS: u64 = 4_000;
+/// The most returns of a reference.
+const MOST_RETURNS: u64 = 4_000;
 
 /// Uniform numbers in [0, 1) by the SplitMix64 sequence.
 struct Sequence(u64);
@@ -94,7 +95,7 @@ fn checks(groups: &Groups<f64>, law: EvolutionLaw, tolerances: &[f64]) -> Vec<Bo
         .iter()
         .rev()
         .find_map(|(_, run)| run.as_ref().ok())
-        .and_then(|run| reference(&model, run.late()));
+        .and_then(|run| reference(&model, run.long_term()));
     runs.iter()
         .map(|(tolerance, run)| {
             let empty = BoundCheck {
@@ -121,19 +122,19 @@ struct Truth {
     period: Option<Dd>,
 }
 
-fn reference(model: &Model<f64>, late: &Late<f64>) -> Option<Truth> {
+fn reference(model: &Model<f64>, long_term: &LongTerm<f64>) -> Option<Truth> {
     let fine = Model::new(model.groups().map(|&group| Dd::from(group)), model.law());
     let control = Control { local_tolerance: LOCAL_TOLERANCE, most_steps: 1_000_000 };
-    let start: State<Dd> = match late {
-        Late::Cycle(cycle) => cycle.lap.end.map(Dd::from),
-        Late::Decay(_) => Start::default().state(&fine, &Dd::from_f64(libm::log(0.1))),
+    let start: State<Dd> = match long_term {
+        LongTerm::Cycle(cycle) => cycle.orbit.end.map(Dd::from),
+        LongTerm::Decay(_) => Start::default().state(&fine, &Dd::from_f64(libm::log(0.1))),
     };
     let mut run = Integrator::new(&fine, Radau::<Dd, 7>::new(), start, control).ok()?;
-    Some(match settle(&mut run, TARGET, MOST_LAPS).ok()? {
-        Late::Cycle(cycle) => {
-            Truth { periodic: true, log_peak: cycle.lap.peak, period: Some(cycle.lap.duration) }
+    Some(match long_term_behaviour(&mut run, TARGET, MOST_RETURNS).ok()? {
+        LongTerm::Cycle(cycle) => {
+            Truth { periodic: true, log_peak: cycle.orbit.peak, period: Some(cycle.orbit.duration) }
         }
-        Late::Decay(decay) => {
+        LongTerm::Decay(decay) => {
             let highest = [start[0], decay.transient.end[0]]
                 .into_iter()
                 .fold(decay.transient.peak, |highest, x| if x > highest { x } else { highest });
@@ -154,7 +155,7 @@ fn held_against(run: &Outcome, truth: Option<&Truth>, empty: BoundCheck) -> Boun
         normal_stress_pa: 1.0,
         loading_velocity_m_per_s: 1.0,
     });
-    let periodic = matches!(run.late(), Late::Cycle(_));
+    let periodic = matches!(run.long_term(), LongTerm::Cycle(_));
     let Some(truth) = truth else { return BoundCheck { periodic: Some(periodic), ..empty } };
     let same = truth.periodic == periodic;
     let peak_error = libm::expm1(run.log_peak() - truth.log_peak.to_f64()).abs();
@@ -192,7 +193,7 @@ mod tests {
             period_ratio: None,
             failure: String::new(),
         };
-        let truth = reference(&model, run.late()).unwrap();
+        let truth = reference(&model, run.long_term()).unwrap();
         let held = held_against(&run, Some(&truth), empty.clone());
         assert!(held.peak_ratio.unwrap() < 1.0 && held.period_ratio.unwrap() < 1.0, "{held:?}");
         let wrong = Truth { log_peak: truth.log_peak + Dd::from(1e-6), ..truth };

@@ -15,7 +15,7 @@ mod frequency;
 mod grid;
 mod hard_case_methods;
 mod hard_cases;
-mod hard_laps;
+mod hard_returns;
 mod least_peak;
 mod linear_modes;
 mod linear_regime;
@@ -66,7 +66,9 @@ pub use frequency::{FrequencyLine, FrequencyOutcome, frequency_lines};
 pub use grid::Grid;
 pub use hard_case_methods::{Method, MethodScore};
 pub use hard_cases::{FamilyOutcome, HardCase, compare_hard_cases, read_hard_cases};
-pub use hard_laps::{HardLap, LapAnswer, LapOutcome, LapVerdict, read_hard_laps, run_hard_laps};
+pub use hard_returns::{
+    HardReturn, ReturnAnswer, ReturnOutcome, ReturnVerdict, read_hard_returns, run_hard_returns,
+};
 pub use least_peak::{FLATNESS_LEVELS, LeastPeak, SIDE_WIDTH, least_peaks};
 pub use linear_modes::Direction;
 pub use linear_regime::{LinearRegimeOutcome, Mismatch, ModeRuns, linear_regime};
@@ -79,10 +81,10 @@ pub use onset_search::{Located, SeenOnset};
 pub use original_scheme::{OriginalSchemeOutcome, SchemeSeries, SchemeStep, original_scheme};
 pub use outcome::{Outcome, References, SceneOutcome, effect_ratio};
 pub use plan::{Item, all_needs, plan};
-pub use recording::{Gap, LEAST_SAMPLES, LateDecay, LateRun, Measured, Recording, Unsettled};
+pub use recording::{Gap, LEAST_SAMPLES, Measured, RecordedBehaviour, RecordedDecay, Recording, Undecided};
 pub use run::{Progress, inertial_threshold, run};
 pub use scheme_least_peak::SchemeLeastPeak;
-pub use scheme_run::{AFFORDABLE_STEPS, LatePeak};
+pub use scheme_run::{AFFORDABLE_STEPS, SchemePeak};
 pub use scheme_stability::{SchemeMapRow, SchemeTransition, critical_shift};
 pub use simulations::{SimulatedPoint, SimulationsOutcome, simulations};
 pub use speed::{BoundaryCount, ClassCounts, MethodCount, RootCount, SpeedCounts, SweepCount, speed_counts};
@@ -99,6 +101,7 @@ pub use timings::{
 pub use tolerance::{ToleranceOutcome, ToleranceRow, tolerance_limits};
 pub use trajectories::{Course, DRAWING_TOLERANCE, Moment, TrajectoryRun, trajectories};
 pub use work_precision::{
-    Lapped, NamedLap, WorkCase, WorkPoint, lap_of, laps, reference_lap, work_precision,
+    MeasuredReturn, NamedMethod, WorkCase, WorkPoint, reference_return, return_methods, return_of,
+    work_precision,
 };
 pub use zones::{ThresholdShare, ZonesOutcome, compare_zones};

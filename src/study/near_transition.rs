@@ -6,7 +6,7 @@ use crate::scene::{NearTransition, SceneParameters};
 use crate::study::cycle_families::{CycleFamilyOutcome, cycle_families};
 use crate::study::effect_ratio;
 use crate::study::simulations::options;
-use slipmode_core::dynamics::{Decay, Failure, Late, Model, Options, Outcome, simulate_model};
+use slipmode_core::dynamics::{Decay, Failure, LongTerm, Model, Options, Outcome, simulate_model};
 use slipmode_core::friction::{EvolutionLaw, Groups};
 use slipmode_core::number::Rational;
 use slipmode_core::roots::{Pair, binary64};
@@ -43,36 +43,36 @@ impl NearRun {
     /// Whether the run ended on a limit cycle; none when it failed.
     #[must_use]
     pub fn periodic(&self) -> Option<bool> {
-        self.outcome.as_ref().ok().map(|outcome| matches!(outcome.late(), Late::Cycle(_)))
+        self.outcome.as_ref().ok().map(|outcome| matches!(outcome.long_term(), LongTerm::Cycle(_)))
     }
 
     /// Half of the range of ln(V/V_l) along the limit cycle: its amplitude but for terms of third order.
     #[must_use]
     pub fn amplitude(&self) -> Option<f64> {
-        match self.outcome.as_ref().ok()?.late() {
-            Late::Cycle(cycle) => Some(0.5 * (cycle.lap.peak - cycle.lap.trough)),
-            Late::Decay(_) => None,
+        match self.outcome.as_ref().ok()?.long_term() {
+            LongTerm::Cycle(cycle) => Some(0.5 * (cycle.orbit.peak - cycle.orbit.trough)),
+            LongTerm::Decay(_) => None,
         }
     }
 
     /// Growth rate of the oscillation of a decay, in V_l/D_c.
     #[must_use]
     pub fn growth(&self) -> Option<f64> {
-        self.late_oscillation().map(|(_, growth)| growth)
+        self.long_term_oscillation().map(|(_, growth)| growth)
     }
 
-    /// Laps in which the distance from the late behaviour shrinks by e.
+    /// Returns in which the distance from the long-term behaviour shrinks by e.
     #[must_use]
-    pub fn laps_per_fold(&self) -> Option<f64> {
+    pub fn returns_per_fold(&self) -> Option<f64> {
         let contraction = self.outcome.as_ref().ok()?.contraction();
         let on_cycle = contraction.filter(|factor| (0.0..1.0).contains(factor)).map(|f| -1.0 / libm::log(f));
-        on_cycle.or_else(|| self.late_oscillation().map(|(period, growth)| -1.0 / (growth * period)))
+        on_cycle.or_else(|| self.long_term_oscillation().map(|(period, growth)| -1.0 / (growth * period)))
     }
 
-    fn late_oscillation(&self) -> Option<(f64, f64)> {
-        match self.outcome.as_ref().ok()?.late() {
-            Late::Decay(Decay { oscillation, .. }) => *oscillation,
-            Late::Cycle(_) => None,
+    fn long_term_oscillation(&self) -> Option<(f64, f64)> {
+        match self.outcome.as_ref().ok()?.long_term() {
+            LongTerm::Decay(Decay { oscillation, .. }) => *oscillation,
+            LongTerm::Cycle(_) => None,
         }
     }
 }
@@ -170,7 +170,7 @@ mod tests {
         let found = outcome(&["1"], &["1.0001", "1.1"], &["1"]);
         for run in &found.runs {
             let (seen, exact) = (run.growth().unwrap(), run.linear_growth.unwrap());
-            // What a lap of about 9 D_c/V_l multiplies the amplitude by is known to the tolerance of 1e-8.
+            // What a return of about 9 D_c/V_l multiplies the amplitude by is known to the tolerance of 1e-8.
             assert!((seen - exact).abs() < 1e-8 / 9.0, "{seen} {exact}");
         }
     }

@@ -19,8 +19,8 @@ pub enum Need {
     Zones,
     /// Points with references from independent programs.
     HardCases,
-    /// Laps with references from an independent program.
-    HardLaps,
+    /// Returns with references from an independent program.
+    HardReturns,
     /// The nonlinear slider on a (V, σ) grid.
     Simulations,
     /// Small disturbances along the eigenvectors, and steady sliding itself.
@@ -57,7 +57,7 @@ impl Need {
         Self::Tolerance,
         Self::Zones,
         Self::HardCases,
-        Self::HardLaps,
+        Self::HardReturns,
         Self::Simulations,
         Self::LinearRegime,
         Self::StartSensitivity,
@@ -83,7 +83,7 @@ impl Need {
             Need::Tolerance => "tolerance",
             Need::Zones => "zones",
             Need::HardCases => "hard-cases",
-            Need::HardLaps => "hard-laps",
+            Need::HardReturns => "hard-laps",
             Need::Simulations => "simulations",
             Need::LinearRegime => "linear-regime",
             Need::StartSensitivity => "start-sensitivity",

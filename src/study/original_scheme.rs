@@ -1,11 +1,11 @@
-//! The fixed-step scheme of the original simulations: bias of the late peak, order, and what becomes of figs 3a and 5.
+//! The fixed-step scheme of the original simulations: bias of the long-term peak, order, and what becomes of figs 3a and 5.
 
 use rayon::prelude::*;
 
 use crate::scene::{OriginalSchemeSection, Place, SceneParameters};
 use crate::study::scheme_least_peak::{SchemeLeastPeak, least_peaks_of_scheme};
 use crate::study::scheme_run::{
-    AFFORDABLE_STEPS, LatePeak, converged_cycle, late_peak, model_at, steps_needed,
+    AFFORDABLE_STEPS, SchemePeak, converged_cycle, model_at, scheme_peak, steps_needed,
 };
 use crate::study::scheme_stability::{SchemeMapRow, SchemeTransition, map_rows, transitions};
 use slipmode_core::dynamics::Failure;
@@ -19,8 +19,8 @@ pub struct SchemeStep {
     pub fraction: f64,
     /// Steps that the run takes.
     pub steps_needed: f64,
-    /// The late peak; none when the run would take more than [`AFFORDABLE_STEPS`].
-    pub peak: Option<Result<LatePeak, Failure>>,
+    /// The long-term peak; none when the run would take more than [`AFFORDABLE_STEPS`].
+    pub peak: Option<Result<SchemePeak, Failure>>,
 }
 
 /// The scheme at one place through its steps.
@@ -41,7 +41,7 @@ pub struct SchemeSeries {
 /// What the scheme does.
 #[derive(Debug, Clone, PartialEq)]
 pub struct OriginalSchemeOutcome {
-    /// Bias of the late peak, place by place and law by law.
+    /// Bias of the long-term peak, place by place and law by law.
     pub series: Vec<SchemeSeries>,
     /// The scheme's critical stiffness, velocity by velocity of the map and step by step.
     pub transition: Vec<SchemeTransition>,
@@ -52,7 +52,7 @@ pub struct OriginalSchemeOutcome {
 }
 
 impl SchemeStep {
-    /// ln of the scheme's late peak over ours, with its spread; none without a run.
+    /// ln of the scheme's long-term peak over ours, with its spread; none without a run.
     #[must_use]
     pub fn bias(&self, log_peak: f64) -> Option<(f64, f64)> {
         let peak = self.peak.as_ref()?.as_ref().ok()?;
@@ -97,19 +97,19 @@ fn series(
         .map(|&fraction| {
             let steps_needed = steps_needed(&model, &cycle, fraction);
             let affordable = steps_needed <= AFFORDABLE_STEPS;
-            let peak = affordable.then(|| late_peak(&model, &cycle, fraction));
+            let peak = affordable.then(|| scheme_peak(&model, &cycle, fraction));
             SchemeStep { fraction, steps_needed, peak }
         })
         .collect();
     let order = order(&steps);
-    Some(SchemeSeries { place: place.clone(), law, log_peak: cycle.lap.peak, steps, order })
+    Some(SchemeSeries { place: place.clone(), law, log_peak: cycle.orbit.peak, steps, order })
 }
 
 /// The order from the differences of three peaks whose steps halve; it does not use our converged value.
 ///
 /// Its error adds what the spreads of the peaks allow and the distance from the order of the next coarser three.
 fn order(steps: &[SchemeStep]) -> Option<(f64, f64)> {
-    let found: Vec<(f64, LatePeak)> =
+    let found: Vec<(f64, SchemePeak)> =
         steps.iter().filter_map(|step| Some((step.fraction, *step.peak.as_ref()?.as_ref().ok()?))).collect();
     let orders: Vec<(f64, f64)> = found
         .windows(3)

@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 
 use crate::scene::{Scene, SceneParameters, TimingsSection};
 use crate::study::{
-    BoundCheck, BoundaryOutcome, FamilyOutcome, FrequencyOutcome, Grid, HardCase, HardLap, LapOutcome,
-    LinearRegimeOutcome, MapPoint, NearTransitionOutcome, OnsetOutcome, OriginalSchemeOutcome,
+    BoundCheck, BoundaryOutcome, FamilyOutcome, FrequencyOutcome, Grid, HardCase, HardReturn,
+    LinearRegimeOutcome, MapPoint, NearTransitionOutcome, OnsetOutcome, OriginalSchemeOutcome, ReturnOutcome,
     SimulationsOutcome, SpeedCounts, StartGroup, SweepOutcome, Swept, Timings, ToleranceOutcome,
     TrajectoryRun, WorkCase, ZonesOutcome,
 };
@@ -30,8 +30,8 @@ pub struct SceneOutcome {
     pub zones: Option<ZonesOutcome>,
     /// How its hard cases fared.
     pub hard_cases: Option<Vec<FamilyOutcome>>,
-    /// How its hard laps fared.
-    pub hard_laps: Option<Vec<LapOutcome>>,
+    /// How its hard returns fared.
+    pub hard_returns: Option<Vec<ReturnOutcome>>,
     /// Its simulations.
     pub simulations: Option<SimulationsOutcome>,
     /// Its small disturbances, and steady sliding itself.
@@ -71,7 +71,7 @@ impl SceneOutcome {
             tolerance: None,
             zones: None,
             hard_cases: None,
-            hard_laps: None,
+            hard_returns: None,
             simulations: None,
             linear_regime: None,
             start_sensitivity: None,
@@ -130,8 +130,8 @@ impl Outcome {
 pub struct References {
     /// Hard cases by file name.
     pub hard_cases: BTreeMap<String, Vec<HardCase>>,
-    /// Hard laps by file name.
-    pub hard_laps: BTreeMap<String, Vec<HardLap>>,
+    /// Hard returns by file name.
+    pub hard_returns: BTreeMap<String, Vec<HardReturn>>,
     /// Times by the section that names their files.
     pub timings: BTreeMap<TimingsSection, Timings>,
     /// Sweeps by name.

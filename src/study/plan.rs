@@ -46,7 +46,7 @@ fn states(scene: &Scene, need: Need) -> bool {
         Need::Tolerance => scene.tolerance.is_some(),
         Need::Zones => scene.zones.is_some(),
         Need::HardCases => scene.hard_cases.is_some(),
-        Need::HardLaps => scene.hard_cases.as_ref().is_some_and(|section| section.laps.is_some()),
+        Need::HardReturns => scene.hard_cases.as_ref().is_some_and(|section| section.returns.is_some()),
         Need::Simulations => scene.simulations.is_some(),
         Need::LinearRegime => scene.linear_regime.is_some(),
         Need::StartSensitivity => scene.start_sensitivity.is_some(),

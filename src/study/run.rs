@@ -4,8 +4,8 @@ use crate::scene::{Scene, SweptEntry};
 use crate::study::{
     Item, Need, Needs, Outcome, References, SceneOutcome, boundary_outcome, classify_rectangle,
     compare_hard_cases, compare_zones, error_bound, frequency_lines, linear_regime, near_transition, onset,
-    original_scheme, plan, run_hard_laps, simulations, speed_counts, start_sensitivity, sweep_effect_ratio,
-    tolerance_limits, trajectories, work_precision,
+    original_scheme, plan, run_hard_returns, simulations, speed_counts, start_sensitivity,
+    sweep_effect_ratio, tolerance_limits, trajectories, work_precision,
 };
 use slipmode_core::stability::InertialThreshold;
 
@@ -73,10 +73,10 @@ fn compute(item: &Item, outcome: &mut SceneOutcome, references: &References) {
                 scene.hard_cases.as_ref().and_then(|section| references.hard_cases.get(&section.file));
             outcome.hard_cases = cases.map(|cases| compare_hard_cases(cases));
         }
-        Need::HardLaps => {
-            let file = scene.hard_cases.as_ref().and_then(|section| section.laps.as_ref());
-            let laps = file.and_then(|file| references.hard_laps.get(file));
-            outcome.hard_laps = laps.map(|laps| run_hard_laps(laps));
+        Need::HardReturns => {
+            let file = scene.hard_cases.as_ref().and_then(|section| section.returns.as_ref());
+            let returns = file.and_then(|file| references.hard_returns.get(file));
+            outcome.hard_returns = returns.map(|returns| run_hard_returns(returns));
         }
         Need::Simulations => {
             outcome.simulations = parameters

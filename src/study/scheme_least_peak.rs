@@ -4,7 +4,7 @@ use rayon::prelude::*;
 
 use crate::scene::SceneParameters;
 use crate::study::map::exactly;
-use crate::study::scheme_run::{AFFORDABLE_STEPS, converged_cycle, late_peak, model_at, steps_needed};
+use crate::study::scheme_run::{AFFORDABLE_STEPS, converged_cycle, model_at, scheme_peak, steps_needed};
 use slipmode_core::friction::EvolutionLaw;
 use slipmode_core::number::Rational;
 use slipmode_core::stability::{Asymptote, has_transition};
@@ -68,13 +68,13 @@ fn at_stress(
         })
         .collect();
     let Some(cycles) = cycles else { return Vec::new() };
-    let ours: Vec<f64> = cycles.iter().map(|(_, cycle, velocity)| cycle.lap.peak + velocity).collect();
+    let ours: Vec<f64> = cycles.iter().map(|(_, cycle, velocity)| cycle.orbit.peak + velocity).collect();
     let of_step = |&fraction: &f64| {
         let peaks: Option<Vec<f64>> = cycles
             .par_iter()
             .map(|(model, cycle, velocity)| {
                 let affordable = steps_needed(model, cycle, fraction) <= AFFORDABLE_STEPS;
-                let peak = affordable.then(|| late_peak(model, cycle, fraction).ok())??;
+                let peak = affordable.then(|| scheme_peak(model, cycle, fraction).ok())??;
                 Some(peak.log_peak + velocity)
             })
             .collect();

@@ -1,8 +1,8 @@
-//! One run of the original scheme that starts on our limit cycle: its own late peak, and how sharply it is known.
+//! One run of the original scheme that starts on our limit cycle: its own long-term peak, and how sharply it is known.
 
 use crate::scene::SceneParameters;
 use slipmode_core::dynamics::{
-    Cycle, Failure, Late, Model, Options, OriginalScheme, Outcome, simulate_model,
+    Cycle, Failure, LongTerm, Model, Options, OriginalScheme, Outcome, simulate_model,
 };
 use slipmode_core::friction::EvolutionLaw;
 use slipmode_core::number::Rational;
@@ -14,7 +14,7 @@ pub const AFFORDABLE_STEPS: f64 = 1e6;
 const TOLERANCE: f64 = 1e-10;
 
 /// Our cycles that pass before the scheme counts as late: a run that begins on a limit cycle forgets within fewer
-/// unless a lap contracts by less than a third.
+/// unless a return contracts by less than a third.
 const FORGOTTEN: f64 = 10.0;
 
 /// Windows of [`WINDOW`] of our cycles whose highest velocities are compared.
@@ -23,9 +23,9 @@ const WINDOWS: usize = 4;
 /// Cycles in a window: more than one, so that each holds a whole cycle of the scheme.
 const WINDOW: f64 = 2.0;
 
-/// The late peak of the scheme.
+/// The long-term peak of the scheme.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct LatePeak {
+pub struct SchemePeak {
     /// Mean over the windows of ln(V_peak/V_l).
     pub log_peak: f64,
     /// Half the difference of the highest and the lowest window: what the place of the steps on the cycle does.
@@ -36,8 +36,8 @@ pub struct LatePeak {
 #[must_use]
 pub(super) fn converged_cycle(model: &Model<f64>) -> Option<Cycle<f64>> {
     let options = Options { tolerance: TOLERANCE, ..Options::default() };
-    match simulate_model(model, &options).as_ref().map(Outcome::late) {
-        Ok(Late::Cycle(cycle)) => Some(cycle.clone()),
+    match simulate_model(model, &options).as_ref().map(Outcome::long_term) {
+        Ok(LongTerm::Cycle(cycle)) => Some(cycle.clone()),
         _ => None,
     }
 }
@@ -57,19 +57,23 @@ pub(super) fn model_at(
 pub(super) fn steps_needed(model: &Model<f64>, cycle: &Cycle<f64>, fraction: f64) -> f64 {
     let groups = model.groups();
     let natural = (groups.inertial_parameter / groups.stiffness_group).sqrt();
-    (FORGOTTEN + WINDOW * WINDOWS as f64) * cycle.lap.duration / (fraction * natural)
+    (FORGOTTEN + WINDOW * WINDOWS as f64) * cycle.orbit.duration / (fraction * natural)
 }
 
-/// Runs the scheme from our limit cycle and takes the mean of its highest velocities in late windows.
+/// Runs the scheme from our limit cycle and takes the mean of its highest velocities in windows at the end of the run.
 ///
 /// The velocities of the steps around a maximum are joined by a parabola in ln V, so that the peak does not depend on
 /// where the steps happen to fall on it.
 ///
 /// # Errors
 /// Those of the scheme.
-pub(super) fn late_peak(model: &Model<f64>, cycle: &Cycle<f64>, fraction: f64) -> Result<LatePeak, Failure> {
-    let mut scheme = OriginalScheme::new(model, cycle.lap.end, fraction);
-    let period = cycle.lap.duration;
+pub(super) fn scheme_peak(
+    model: &Model<f64>,
+    cycle: &Cycle<f64>,
+    fraction: f64,
+) -> Result<SchemePeak, Failure> {
+    let mut scheme = OriginalScheme::new(model, cycle.orbit.end, fraction);
+    let period = cycle.orbit.duration;
     // The callers keep this count below the affordable one.
     let steps = |cycles: f64| libm::ceil(cycles * period / scheme.step()) as u64;
     let (forgotten, window) = (steps(FORGOTTEN), steps(WINDOW));
@@ -80,7 +84,7 @@ pub(super) fn late_peak(model: &Model<f64>, cycle: &Cycle<f64>, fraction: f64) -
     }
     let low = peaks.iter().copied().fold(f64::INFINITY, f64::min);
     let high = peaks.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-    Ok(LatePeak { log_peak: peaks.iter().sum::<f64>() / WINDOWS as f64, spread: 0.5 * (high - low) })
+    Ok(SchemePeak { log_peak: peaks.iter().sum::<f64>() / WINDOWS as f64, spread: 0.5 * (high - low) })
 }
 
 /// The highest ln(V/V_l) of the next steps, between steps by the parabola through three.

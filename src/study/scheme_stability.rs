@@ -15,7 +15,7 @@ use rug::Float;
 use crate::scene::{LogAxis, Rectangle, SceneParameters};
 use crate::study::effect_ratio;
 use crate::study::map::exactly;
-use crate::study::scheme_run::{converged_cycle, late_peak, model_at, steps_needed};
+use crate::study::scheme_run::{converged_cycle, model_at, scheme_peak, steps_needed};
 use slipmode_core::friction::{EvolutionLaw, Groups};
 use slipmode_core::number::Rational;
 use slipmode_core::stability::has_transition;
@@ -46,7 +46,7 @@ pub struct SchemeMapRow {
     pub left_out: usize,
     /// Limit cycles that the scheme lost or could not follow.
     pub lost: usize,
-    /// Least and largest ln of the scheme's late peak over ours.
+    /// Least and largest ln of the scheme's long-term peak over ours.
     pub bias_range: Option<[f64; 2]>,
     /// Median of its size.
     pub median_bias: Option<f64>,
@@ -213,7 +213,7 @@ fn map_row(
             if steps_needed(&model, &cycle, fraction) > MAP_STEPS {
                 return Some(Fate::LeftOut);
             }
-            let bias = late_peak(&model, &cycle, fraction).map(|peak| peak.log_peak - cycle.lap.peak);
+            let bias = scheme_peak(&model, &cycle, fraction).map(|peak| peak.log_peak - cycle.orbit.peak);
             Some(bias.ok().filter(|&bias| bias > LOST).map_or(Fate::Lost, Fate::Bias))
         })
         .collect();

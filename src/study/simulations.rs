@@ -129,7 +129,7 @@ mod tests {
 
     #[test]
     fn a_decay_has_the_period_of_the_exact_pair_even_where_the_real_mode_dies_as_slowly() {
-        // At 1e-4 m/s and 10^2.75 Pa the real mode is as slow as the pair, and successive laps differ by percents.
+        // At 1e-4 m/s and 10^2.75 Pa the real mode is as slow as the pair, and successive returns differ by percents.
         let section = section(["1e-4", "1e-3"], ["5.623413251903491e2", "1e4"]);
         let outcome = simulations(&paper(), &section, &InertialThreshold::default());
         for point in outcome.grids.iter().flat_map(|(_, grid)| &grid.values) {

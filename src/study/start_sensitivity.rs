@@ -4,8 +4,8 @@ use rayon::prelude::*;
 
 use crate::scene::{SceneParameters, StartSensitivitySection};
 use slipmode_core::dynamics::{
-    Control, Failure, Integrator, LapEnd, Model, Options, Radau, Simulation, Start, Stepper, increment,
-    run_lap, simulate,
+    Control, Failure, Integrator, Model, Options, Radau, ReturnEnd, Simulation, Start, Stepper, increment,
+    next_return, simulate,
 };
 use slipmode_core::friction::EvolutionLaw;
 use slipmode_core::number::{Rational, nearest_f64};
@@ -23,7 +23,7 @@ const BACK: f64 = 0.01;
 /// The early part of a run.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Early {
-    /// Largest ln(V/V_l) before the second upward passage of V = V_l; none when the velocity has no maximum until then.
+    /// Largest ln(V/V_l) before the second upward crossing of V = V_l; none when the velocity has no maximum until then.
     pub first_log_peak: Option<f64>,
     /// Time until |ln(V/V_l)| first is below 1 % of its start, D_c/V_l.
     pub time_back: f64,
@@ -38,8 +38,8 @@ pub struct StartRun {
     pub start: Start,
     /// Its early part, and the error of the first log peak.
     pub early: Result<(Early, f64), Failure>,
-    /// Its late behaviour.
-    pub late: Result<Simulation, Failure>,
+    /// Its long-term behaviour.
+    pub long_term: Result<Simulation, Failure>,
 }
 
 /// The runs of one point with one law.
@@ -87,7 +87,7 @@ fn group(
     let run = |start: Start| StartRun {
         start,
         early: early(&model, start),
-        late: simulate(&point, law, &Options { start, tolerance, ..Options::default() }),
+        long_term: simulate(&point, law, &Options { start, tolerance, ..Options::default() }),
     };
     let ratio = || (point.stiffness_pa_per_m.clone() / critical_stiffness(&point)).to_f64();
     StartGroup {
@@ -114,12 +114,12 @@ fn early_at(model: &Model<f64>, start: Start, local_tolerance: f64) -> Result<Ea
     let (time_back, left_over) =
         back(&mut Integrator::new(model, Radau::<f64, 5>::new(), state, control)?, state[0])?;
     let mut run = Integrator::new(model, Radau::<f64, 5>::new(), state, control)?;
-    let (mut lap, end) = run_lap(&mut run)?;
-    if end == LapEnd::Rise {
-        lap = lap.joined(run_lap(&mut run)?.0);
+    let (mut orbit, end) = next_return(&mut run)?;
+    if end == ReturnEnd::Crossing {
+        orbit = orbit.joined(next_return(&mut run)?.0);
     }
     // −1e300 stands for no maximum at all.
-    let first_log_peak = (lap.peak > -1e299).then_some(lap.peak);
+    let first_log_peak = (orbit.peak > -1e299).then_some(orbit.peak);
     Ok(Early { first_log_peak, time_back, left_over })
 }
 
@@ -166,11 +166,12 @@ mod tests {
     #[test]
     fn the_limit_cycle_forgets_its_start_and_the_first_peak_does_not() {
         for group in groups_at("1e-5", "1e6") {
-            let late: Vec<&Simulation> = group.runs.iter().map(|run| run.late.as_ref().unwrap()).collect();
-            for run in &late {
-                let off = (run.peak_velocity_m_per_s / late[0].peak_velocity_m_per_s - 1.0).abs();
+            let long_term: Vec<&Simulation> =
+                group.runs.iter().map(|run| run.long_term.as_ref().unwrap()).collect();
+            for run in &long_term {
+                let off = (run.peak_velocity_m_per_s / long_term[0].peak_velocity_m_per_s - 1.0).abs();
                 assert_eq!(run.behaviour, Behaviour::Periodic);
-                assert!(off <= run.peak_relative_error + late[0].peak_relative_error, "{off:e}");
+                assert!(off <= run.peak_relative_error + long_term[0].peak_relative_error, "{off:e}");
             }
             let first = |i: usize| group.runs[i].early.as_ref().unwrap().0.first_log_peak.unwrap();
             assert!((first(0) - first(2)).abs() > 0.01, "{} {}", first(0), first(2));

@@ -122,10 +122,10 @@ fn what_simulate_writes_agrees_with_itself() {
 }
 
 #[test]
-fn trajectories_are_reduced_to_what_they_do_late() {
+fn trajectories_are_reduced_to_what_they_do_long_term() {
     let paper = ["0.004", "0.006", "1e-5", "1e7", "1000"];
     let cases = [
-        // A decay dies within a few laps, which then resolve it to a percent or two.
+        // A decay dies within a few returns, which then resolve it to a percent or two.
         // Deep stick-slip, a decaying oscillation, a decay without one: what each must be compared by.
         (
             ["3162277.66", "3.16227766e-6"],

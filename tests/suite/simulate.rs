@@ -68,7 +68,7 @@ fn deep_stick_slip_is_periodic_under_both_laws_to_the_stated_errors() {
 }
 
 #[test]
-fn late_oscillations_have_the_period_of_the_linear_theory() {
+fn long_term_oscillations_have_the_period_of_the_linear_theory() {
     // K > K_c at σ = 10^4 Pa: the pair's Im(s) and the late period are computed by parts that share nothing.
     for law in ["slip", "aging"] {
         let found = json("1e4", "1e-5", &["--law", law]);
@@ -173,8 +173,8 @@ fn a_trajectory_begins_at_a_tenth_and_its_time_increases() {
     assert!((end / (10.0 * number(&found, "period_s")) - 1.0).abs() < 1e-12, "ten periods");
     // Samples need not hit the peak; none exceeds it, and one in every cycle comes near. The late half is on the cycle.
     let peak = number(&found, "peak_velocity_m_per_s");
-    let late = rows.iter().filter(|row| row[0] > 0.5 * end).map(|row| row[1]).fold(0.0, f64::max);
-    assert!(late <= peak * (1.0 + 1e-7) && late > 0.95 * peak, "{late} {peak}");
+    let long_term = rows.iter().filter(|row| row[0] > 0.5 * end).map(|row| row[1]).fold(0.0, f64::max);
+    assert!(long_term <= peak * (1.0 + 1e-7) && long_term > 0.95 * peak, "{long_term} {peak}");
 }
 
 #[test]

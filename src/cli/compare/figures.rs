@@ -1,4 +1,4 @@
-//! The figures of a comparison: how far values lie apart, and late cycles of both sides drawn over each other.
+//! The figures of a comparison: how far values lie apart, and cycles of the end of both sides drawn over each other.
 
 use slipmode::report::FigureView;
 use slipmode::study::{Observable, Recording, Reference};
@@ -20,7 +20,7 @@ const MOST_STEPS: u64 = 1_000_000;
 
 /// All figures that the rows have numbers for.
 pub fn figures(rows: &[ComparedRow]) -> Vec<FigureView> {
-    let cycles = rows.iter().filter_map(late_cycles).take(MOST_CYCLES);
+    let cycles = rows.iter().filter_map(long_term_cycles).take(MOST_CYCLES);
     let mut figures: Vec<FigureView> = differences(rows).into_iter().chain(cycles).collect();
     for (index, figure) in figures.iter_mut().enumerate() {
         figure.label = format!("Figure {}", index + 1);
@@ -89,8 +89,8 @@ fn last(rows: &[ComparedRow]) -> f64 {
     rows.last().map_or(1.0, |row| row.number as f64)
 }
 
-/// The last cycle of a trajectory and of our run, both from their upward passage of V_l on.
-fn late_cycles(row: &ComparedRow) -> Option<FigureView> {
+/// The last cycle of a trajectory and of our run, both from their upward crossing of V_l on.
+fn long_term_cycles(row: &ComparedRow) -> Option<FigureView> {
     let recording = row.run.recording.as_ref()?;
     let level = row.run.parameters.loading_velocity_m_per_s.to_f64();
     let theirs = last_cycle(recording, level)?;
@@ -132,10 +132,10 @@ fn line(label: &str, points: Vec<(f64, f64)>) -> Series {
     Series { label: label.into(), points, marked: false, theory: false }
 }
 
-/// Time since the last upward passage but one, s, and velocity, m/s; none without two passages.
+/// Time since the last upward crossing but one, s, and velocity, m/s; none without two crossings.
 fn last_cycle(recording: &Recording, level: f64) -> Option<Vec<(f64, f64)>> {
-    let passages = recording.upward_passages_s(libm::log(level));
-    let [.., begin, end] = passages[..] else { return None };
+    let crossings = recording.upward_crossings_s(libm::log(level));
+    let [.., begin, end] = crossings[..] else { return None };
     let samples = recording.times_s.iter().zip(&recording.log_velocities);
     let inside = samples.filter(|(time, _)| (begin..=end).contains(*time));
     let mut points = vec![(0.0, level)];

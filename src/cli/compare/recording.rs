@@ -172,7 +172,7 @@ impl Read {
         }
         let gap = self.recording.gap(log_level)?;
         let (step, usual) = (format!("{:.4e}", gap.step_s), format!("{:.4e}", gap.usual_s));
-        let what = if gap.is_lap { "oscillation" } else { "step" };
+        let what = if gap.is_return { "oscillation" } else { "step" };
         let line = self.lines.get(gap.sample).copied();
         Some(fault(file, line, "column time_s", CsvProblem::Gap { step, usual, what }.into()))
     }

@@ -6,7 +6,7 @@ use std::path::Path;
 use slipmode::archive::sha256_hex;
 use slipmode::scene::{Scene, SweptEntry, TimingsSection, file_text};
 use slipmode::study::{
-    References, Swept, Timings, read_cost, read_coverage, read_hard_cases, read_hard_laps, read_machine,
+    References, Swept, Timings, read_cost, read_coverage, read_hard_cases, read_hard_returns, read_machine,
     read_peers, read_swept,
 };
 
@@ -40,10 +40,10 @@ impl Reader {
             let cases = self.read_text(&format!("{}{file}", places.vectors), read_hard_cases);
             references.hard_cases.extend(cases.map(|cases| (file, cases)));
         }
-        let named = scenes.iter().filter_map(|scene| scene.hard_cases.as_ref()?.laps.clone());
+        let named = scenes.iter().filter_map(|scene| scene.hard_cases.as_ref()?.returns.clone());
         for file in named.collect::<BTreeSet<_>>() {
-            let laps = self.read_text(&format!("{}{file}", places.vectors), read_hard_laps);
-            references.hard_laps.extend(laps.map(|laps| (file, laps)));
+            let returns = self.read_text(&format!("{}{file}", places.vectors), read_hard_returns);
+            references.hard_returns.extend(returns.map(|returns| (file, returns)));
         }
         for section in scenes.iter().filter_map(|scene| scene.timings.as_ref()) {
             let found = self.timings(section, places.timings);

@@ -13,7 +13,7 @@ pub enum Observable {
     StressDrop,
     /// Hz.
     Frequency,
-    /// 1/s, of the late deviation of ln V.
+    /// 1/s, of the long-term deviation of ln V.
     GrowthRate,
 }
 

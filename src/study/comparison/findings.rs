@@ -4,7 +4,7 @@ use super::units::diagnose;
 use super::{
     Agreement, Finding, Observable, Origin, Reference, Simulate, StatedMode, StatedRun, Theory, Value,
 };
-use crate::study::recording::{LateDecay, LateRun, Measured};
+use crate::study::recording::{Measured, RecordedBehaviour, RecordedDecay};
 use slipmode_core::dynamics::{Behaviour, Simulation};
 
 /// A run held against theory and simulation.
@@ -81,8 +81,8 @@ impl Side<'_> {
         }
         if let Some(recording) = &self.run.recording {
             let level = self.run.parameters.loading_velocity_m_per_s.to_f64();
-            match recording.late(libm::log(level), self.laps_per_cycle()) {
-                Ok(LateRun::Cycle { peak_ratio, period_s, stress_drop_pa }) => {
+            match recording.long_term(libm::log(level), self.returns_per_cycle()) {
+                Ok(RecordedBehaviour::Cycle { peak_ratio, period_s, stress_drop_pa }) => {
                     self.compare_mode(
                         Origin::Trajectory,
                         StatedMode::Behaviour(Behaviour::Periodic),
@@ -91,7 +91,7 @@ impl Side<'_> {
                     let peak = Measured { value: peak_ratio.value * level, ..peak_ratio };
                     self.compare_cycle([Some(peak), Some(period_s), stress_drop_pa], &mut findings);
                 }
-                Ok(LateRun::Decay(decay)) => {
+                Ok(RecordedBehaviour::Decay(decay)) => {
                     self.compare_mode(
                         Origin::Trajectory,
                         StatedMode::Behaviour(Behaviour::Decaying),
@@ -99,9 +99,9 @@ impl Side<'_> {
                     );
                     self.compare_decay(decay, &mut findings);
                 }
-                Err(unsettled) => {
+                Err(undecided) => {
                     let place = (Observable::Mode, Origin::Trajectory, Reference::Simulation);
-                    let why = unsettled.to_string();
+                    let why = undecided.to_string();
                     findings.push(Finding::because(place, Value::None, Agreement::NotCompared, &why));
                 }
             }
@@ -109,8 +109,8 @@ impl Side<'_> {
         findings
     }
 
-    /// Passages of V = V_l in one period of our cycle; one for a decay.
-    fn laps_per_cycle(&self) -> usize {
+    /// Crossings of V = V_l in one period of our cycle; one for a decay.
+    fn returns_per_cycle(&self) -> usize {
         let simulation = self.simulation.as_ref().ok();
         let both = simulation.and_then(|found| found.period_s.zip(found.frequency_hz));
         both.map_or(1, |(period, frequency)| libm::round(period * frequency).clamp(1.0, 64.0) as usize)
@@ -232,7 +232,7 @@ impl Side<'_> {
         }
     }
 
-    fn compare_decay(&self, decay: LateDecay, findings: &mut Vec<Finding>) {
+    fn compare_decay(&self, decay: RecordedDecay, findings: &mut Vec<Finding>) {
         let origin = Origin::Trajectory;
         if let Some(Measured { value, relative_error }) = decay.period_s {
             if let Ok(ours) = self.simulation
@@ -254,7 +254,7 @@ impl Side<'_> {
             }
             self.compare_linear(Observable::Period, origin, (value, relative_error), findings);
         }
-        // The pair's rate is seen in laps; without laps the slowest root is, which is the last one when all are real.
+        // The pair's rate is seen in returns; without returns the slowest root is, which is the last one when all are real.
         if let Some(Measured { value, relative_error }) = decay.rate_per_s
             && decay.period_s.is_some() == self.theory.frequency_hz.is_some()
         {

@@ -7,7 +7,7 @@ const HALVINGS: u32 = 60;
 ///
 /// The cubic through the two and their neighbours, where there are any, is followed by bisection, so that the answer
 /// lies between the two samples whatever their neighbours do.
-pub fn passage(times: &[f64], values: &[f64], index: usize, level: f64) -> f64 {
+pub fn crossing(times: &[f64], values: &[f64], index: usize, level: f64) -> f64 {
     let from = index.saturating_sub(1);
     let to = (index + 3).min(times.len());
     let curve = Newton::through(&times[from..to], &values[from..to]);
@@ -72,9 +72,9 @@ mod tests {
     fn a_cubic_is_met_where_it_passes_the_level() {
         let times = [0.0, 1.0, 2.5, 3.0];
         let values = times.map(|t: f64| t * t * t - 2.0);
-        assert!((passage(&times, &values, 1, 0.0) - libm::cbrt(2.0)).abs() < 1e-14);
+        assert!((crossing(&times, &values, 1, 0.0) - libm::cbrt(2.0)).abs() < 1e-14);
         // With two samples only, the line between them.
-        assert!((passage(&times[1..3], &values[1..3], 0, 0.0) - (1.0 + 1.5 / 14.625)).abs() < 1e-14);
+        assert!((crossing(&times[1..3], &values[1..3], 0, 0.0) - (1.0 + 1.5 / 14.625)).abs() < 1e-14);
     }
 
     #[test]

@@ -1,16 +1,16 @@
-//! A trajectory that another program recorded: samples of time and velocity, reduced to what it does late.
+//! A trajectory that another program recorded: samples of time and velocity, reduced to its long-term behaviour.
 //!
 //! Only the samples are there, so every observable carries an error made from them: the same reduction on every second
-//! sample shows what the sampling leaves open, and how the last cycles differ shows how far the run had settled.
+//! sample shows what the sampling leaves open, and how the last cycles differ shows how far the run still was from its limit.
 
 mod decay;
 mod gaps;
 mod interpolation;
-mod laps;
-mod late;
+mod long_term;
+mod returns;
 
 pub use gaps::Gap;
-pub use late::{LateDecay, LateRun, Measured, Unsettled};
+pub use long_term::{Measured, RecordedBehaviour, RecordedDecay, Undecided};
 
 /// Samples in order of strictly increasing time.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -23,7 +23,7 @@ pub struct Recording {
     pub stresses_pa: Vec<f64>,
 }
 
-/// The least number of samples from which anything late can be told.
+/// The least number of samples that shows a long-term behaviour.
 pub const LEAST_SAMPLES: usize = 8;
 
 impl Recording {
@@ -53,7 +53,7 @@ impl Recording {
 
     /// Times (s) at which the velocity passes the level upwards, by interpolation between samples.
     #[must_use]
-    pub fn upward_passages_s(&self, log_level: f64) -> Vec<f64> {
-        laps::passages(self, log_level).into_iter().map(|passage| passage.time_s).collect()
+    pub fn upward_crossings_s(&self, log_level: f64) -> Vec<f64> {
+        returns::crossings(self, log_level).into_iter().map(|crossing| crossing.time_s).collect()
     }
 }

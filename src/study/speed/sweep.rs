@@ -19,7 +19,7 @@ pub struct SweepCount {
     pub runs: usize,
     /// Runs that ended without an answer.
     pub failed: usize,
-    /// Runs whose late behaviour is not the reference's.
+    /// Runs whose long-term behaviour is not the reference's.
     pub wrong: usize,
     /// Runs whose true error exceeds the tolerance.
     pub beyond: usize,

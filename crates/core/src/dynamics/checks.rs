@@ -1,8 +1,8 @@
 //! Checks of the whole: linear regime, steady sliding, references in more digits, stated errors, the paper's grid.
 
 use super::integrator::{Control, Integrator};
-use super::lap::run_lap;
-use super::settle::{Late, settle};
+use super::long_term::{LongTerm, long_term_behaviour};
+use super::section_return::next_return;
 use super::{
     Model, Multi, Options, Radau, Rodas5P, Scalar, Simulation, Start, State, Stepper, Taylor, simulate_model,
 };
@@ -33,14 +33,14 @@ fn pair_near(groups: &Groups<f64>, guess: (f64, f64)) -> (f64, f64) {
 }
 
 #[test]
-fn late_decay_matches_the_roots_of_eq_8() {
+fn long_term_decay_matches_the_roots_of_eq_8() {
     for law in EvolutionLaw::ALL {
         // Overdamped-looking to barely damped: inertial and quasi-static, near K = K_c and far from it.
         for (eta, kappa) in [(50.0, 40.0), (5.0, 3.3), (0.5, 1.2), (1e-3, 0.6), (1e-6, 0.7), (2.0, 1.501)] {
             let groups = Groups { inertial_parameter: eta, stiffness_group: kappa, effect_ratio: 1.5 };
             let model = Model::new(groups.clone(), law);
             let outcome = simulate_model(&model, &Options::default()).unwrap();
-            let Late::Decay(decay) = outcome.late() else { unreachable!("K > K_c: {eta} {kappa}") };
+            let LongTerm::Decay(decay) = outcome.long_term() else { unreachable!("K > K_c: {eta} {kappa}") };
             let (period, growth) = decay.oscillation.unwrap();
             let angular = std::f64::consts::TAU / period;
             let (re, im) = pair_near(&groups, (growth, angular));
@@ -63,7 +63,7 @@ fn steady_sliding_is_kept_over_a_million_time_units() {
     }
 }
 
-fn lap_from<R: Scalar, M: Stepper<R> + Clone>(
+fn return_from<R: Scalar, M: Stepper<R> + Clone>(
     model: &Model<R>,
     method: M,
     section: &State<f64>,
@@ -72,16 +72,16 @@ fn lap_from<R: Scalar, M: Stepper<R> + Clone>(
     let start: State<R> = std::array::from_fn(|i| R::from_f64(section[i]));
     let control = Control { local_tolerance: tolerance, most_steps: 1_000_000 };
     let mut run = Integrator::new(model, method, start, control).unwrap();
-    let (lap, _) = run_lap(&mut run).unwrap();
-    [lap.peak, lap.duration]
+    let (orbit, _) = next_return(&mut run).unwrap();
+    [orbit.peak, orbit.duration]
 }
 
-/// A state on the limit cycle, in f64: the start of reference laps.
+/// A state on the limit cycle, in f64: the start of reference returns.
 fn section(model: &Model<f64>) -> State<f64> {
     let control = Control { local_tolerance: 1e-9, most_steps: 1_000_000 };
     let start = Start::default().at_a_tenth(model);
     let mut run = Integrator::new(model, Radau::<f64, 5>::new(), start, control).unwrap();
-    settle(&mut run, 1e-9, 1000).unwrap();
+    long_term_behaviour(&mut run, 1e-9, 1000).unwrap();
     *run.state()
 }
 
@@ -93,17 +93,17 @@ fn every_method_reaches_the_double_double_reference() {
             let model = Model::new(paper(v, s), law);
             let fine = Model::new(paper(v, s).map(|&g| Dd::from(g)), law);
             let start = section(&model);
-            let exact = lap_from(&fine, Radau::<Dd, 7>::new(), &start, 1e-20).map(|value| value.to_f64());
+            let exact = return_from(&fine, Radau::<Dd, 7>::new(), &start, 1e-20).map(|value| value.to_f64());
             let check = |[peak, duration]: [f64; 2], bound: f64| {
                 assert!((peak - exact[0]).abs() < bound, "{v} {s} {law:?}: {peak} {exact:?}");
                 assert!((duration / exact[1] - 1.0).abs() < bound, "{v} {s} {law:?}: {duration} {exact:?}");
             };
-            check(lap_from(&model, Radau::<f64, 3>::new(), &start, 1e-10), 1e-11);
-            check(lap_from(&model, Radau::<f64, 5>::new(), &start, 1e-9), 1e-11);
-            check(lap_from(&model, Radau::<f64, 7>::new(), &start, 1e-8), 1e-11);
-            check(lap_from(&model, Rodas5P::<f64>::new(), &start, 1e-10), 1e-9);
+            check(return_from(&model, Radau::<f64, 3>::new(), &start, 1e-10), 1e-11);
+            check(return_from(&model, Radau::<f64, 5>::new(), &start, 1e-9), 1e-11);
+            check(return_from(&model, Radau::<f64, 7>::new(), &start, 1e-8), 1e-11);
+            check(return_from(&model, Rodas5P::<f64>::new(), &start, 1e-10), 1e-9);
             if v == -1.5 {
-                check(lap_from(&model, Taylor::<f64, 20>::new(), &start, 1e-11), 1e-10);
+                check(return_from(&model, Taylor::<f64, 20>::new(), &start, 1e-11), 1e-10);
             }
         }
     }
@@ -115,8 +115,9 @@ fn double_double_and_mpfr_agree_beyond_f64() {
     let start = section(&model);
     let fine = Model::new(model.groups().map(|&g| Dd::from(g)), EvolutionLaw::Aging);
     let finest = Model::new(model.groups().map(|&g| Multi::<160>::from_f64(g)), EvolutionLaw::Aging);
-    let [peak, duration] = lap_from(&fine, Radau::<Dd, 7>::new(), &start, 1e-22);
-    let [reference, reference_duration] = lap_from(&finest, Taylor::<Multi<160>, 40>::new(), &start, 1e-30);
+    let [peak, duration] = return_from(&fine, Radau::<Dd, 7>::new(), &start, 1e-22);
+    let [reference, reference_duration] =
+        return_from(&finest, Taylor::<Multi<160>, 40>::new(), &start, 1e-30);
     let difference = |value: Dd, exact: Multi<160>| {
         (Multi::<160>::from_f64(value.hi()) + Multi::from_f64(value.lo()) - exact).to_f64().abs()
     };
@@ -276,7 +277,7 @@ fn one_tenth_of_a_grid_of_the_paper_runs_without_a_failure() {
                     let unstable = groups.transition_margin() < 0.0;
                     let outcome = simulate_model(&Model::new(groups, law), &Options::default()).unwrap();
                     assert_eq!(
-                        matches!(outcome.late(), Late::Cycle(_)),
+                        matches!(outcome.long_term(), LongTerm::Cycle(_)),
                         unstable,
                         "{law:?} {effect_ratio} {i} {j}"
                     );

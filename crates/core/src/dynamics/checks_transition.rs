@@ -1,7 +1,7 @@
 //! Runs next to a transition between slip modes end, with the right verdict, at every tolerance.
 
 use super::checks::paper;
-use super::settle::Late;
+use super::long_term::LongTerm;
 use super::{Model, Options, simulate_model};
 use crate::friction::{EvolutionLaw, Groups};
 
@@ -30,7 +30,7 @@ fn runs_next_to_a_transition_end_at_every_tolerance() {
         for tolerance in [1e-2, 1e-8, 1e-10] {
             let outcome = simulate_model(&model, &Options { tolerance, ..Options::default() }).unwrap();
             assert_eq!(
-                matches!(outcome.late(), Late::Cycle(_)),
+                matches!(outcome.long_term(), LongTerm::Cycle(_)),
                 unstable,
                 "{groups:?} {law:?} {tolerance:e}"
             );
@@ -38,9 +38,9 @@ fn runs_next_to_a_transition_end_at_every_tolerance() {
     }
 }
 
-/// For η ≫ 1 a lap takes a part in 10^8 of a vibration, which every lap at a loose tolerance errs by: no cycle may be seen there.
+/// For η ≫ 1 a return takes a part in 10^8 of a vibration, which every return at a loose tolerance errs by: no cycle may be seen there.
 #[test]
-fn vibrations_that_die_in_a_hundred_million_laps_are_no_cycles() {
+fn vibrations_that_die_in_a_hundred_million_returns_are_no_cycles() {
     let groups = [
         [1.65e7, 2.00e7, 2.136],
         [1.87e6, 2.27e6, 2.155],
@@ -55,7 +55,10 @@ fn vibrations_that_die_in_a_hundred_million_laps_are_no_cycles() {
             for tolerance in [1e-2, 1e-4, 1e-8] {
                 let options = Options { tolerance, ..Options::default() };
                 let outcome = simulate_model(&Model::new(groups.clone(), law), &options).unwrap();
-                assert!(matches!(outcome.late(), Late::Decay(_)), "{groups:?} {law:?} {tolerance:e}");
+                assert!(
+                    matches!(outcome.long_term(), LongTerm::Decay(_)),
+                    "{groups:?} {law:?} {tolerance:e}"
+                );
             }
         }
     }

@@ -4,8 +4,8 @@
 //! Newton's method on the return map finds stable and unstable members alike, and passes the fold where two members merge.
 
 use super::integrator::{Control, Integrator};
-use super::lap::{Lap, LapEnd, run_lap};
-use super::settle::Cycle;
+use super::long_term::Cycle;
+use super::section_return::{Return, ReturnEnd, next_return};
 use super::{Failure, Model, Radau, floquet_multipliers};
 use crate::friction::{EvolutionLaw, Groups};
 
@@ -18,7 +18,7 @@ pub struct CycleFamily {
     pub inertial_parameter: f64,
     /// β.
     pub effect_ratio: f64,
-    /// Local tolerance of the laps.
+    /// Local tolerance of the returns.
     pub local_tolerance: f64,
 }
 
@@ -27,20 +27,20 @@ pub struct CycleFamily {
 pub struct Member {
     /// κ.
     pub stiffness_group: f64,
-    /// The cycle, from one upward passage of V = V_l to the next.
-    pub lap: Lap<f64>,
+    /// The cycle, from one upward crossing of V = V_l to the next.
+    pub orbit: Return<f64>,
 }
 
-/// What Newton's method solves for: logarithms of the imbalance ζ − φ at the passage and of κ.
+/// What Newton's method solves for: logarithms of the imbalance ζ − φ at the crossing and of κ.
 type Unknowns = [f64; 2];
 
-/// Newton's method ends when both unknowns move by less than this; a lap has an error of about 1e-12.
+/// Newton's method ends when both unknowns move by less than this; a return has an error of about 1e-12.
 pub(super) const CLOSED: f64 = 1e-10;
 
 /// Where η is small the imbalance is a small difference with few digits. Changes below this that no longer shrink are its rounding.
 const ROUNDING: f64 = 1e-6;
 
-/// Differences for the derivative: larger than the root of the lap's error, small beside 1.
+/// Differences for the derivative: larger than the root of the return's error, small beside 1.
 const DIFFERENCE: f64 = 1e-5;
 
 /// Most iterations; a prediction from neighbouring members needs two or three.
@@ -49,13 +49,13 @@ pub(super) const MOST_ITERATIONS: u64 = 20;
 /// The largest change of a logarithm in one iteration.
 const LARGEST_CHANGE: f64 = 1.0;
 
-/// Most steps of a lap.
+/// Most steps of a return.
 const MOST_STEPS: u64 = 100_000;
 
 impl CycleFamily {
-    /// The member whose spring stress at the upward passage of V = V_l is `stress` (ζ > 0).
+    /// The member whose spring stress at the upward crossing of V = V_l is `stress` (ζ > 0).
     ///
-    /// The guess is ζ − φ at the passage and κ.
+    /// The guess is ζ − φ at the crossing and κ.
     ///
     /// # Errors
     /// Those of the integrator, and [`Failure::Undecided`] when Newton's method does not end.
@@ -70,8 +70,8 @@ impl CycleFamily {
             let share = (LARGEST_CHANGE / change).min(1.0);
             unknowns = [unknowns[0] + share * step[0], unknowns[1] + share * step[1]];
             if change < CLOSED || change < ROUNDING && change > 0.5 * last {
-                let lap = self.lap(stress, unknowns)?;
-                return Ok(Member { stiffness_group: libm::exp(unknowns[1]), lap });
+                let orbit = self.orbit(stress, unknowns)?;
+                return Ok(Member { stiffness_group: libm::exp(unknowns[1]), orbit });
             }
         }
         Err(Failure::Undecided { cycles: MOST_ITERATIONS, change })
@@ -91,7 +91,7 @@ impl CycleFamily {
                 }
                 None => [factor * here[0], here[1]],
             };
-            match self.member(factor * last.lap.end[2], guess) {
+            match self.member(factor * last.orbit.end[2], guess) {
                 Ok(next) => members.push(next),
                 Err(_) => break,
             }
@@ -102,7 +102,7 @@ impl CycleFamily {
     /// The member at a logarithmic distance in stress.
     pub(super) fn beside(&self, member: &Member, shift: f64) -> Result<Member, Failure> {
         let factor = libm::exp(shift);
-        self.member(factor * member.lap.end[2], [factor * self.imbalance(member), member.stiffness_group])
+        self.member(factor * member.orbit.end[2], [factor * self.imbalance(member), member.stiffness_group])
     }
 
     /// The leading Floquet multiplier's real part: above 1 the member is unstable.
@@ -111,15 +111,15 @@ impl CycleFamily {
     /// Those of the integrator.
     pub fn leading_multiplier(&self, member: &Member) -> Result<f64, Failure> {
         // A member closes on itself: it begins where it ends.
-        let (lap, from) = (member.lap.clone(), member.lap.end);
-        let cycle = Cycle { lap, laps_per_cycle: 1, contraction: None, distance: 0.0, from };
+        let (orbit, from) = (member.orbit.clone(), member.orbit.end);
+        let cycle = Cycle { orbit, returns_per_cycle: 1, contraction: None, distance: 0.0, from };
         floquet_multipliers(&self.model(member.stiffness_group), &cycle).map(|[leading, _]| leading.0)
     }
 
-    /// ζ − φ at a member's passage.
+    /// ζ − φ at a member's crossing.
     #[must_use]
     pub fn imbalance(&self, member: &Member) -> f64 {
-        member.lap.end[2] - self.effect_ratio * member.lap.end[1]
+        member.orbit.end[2] - self.effect_ratio * member.orbit.end[1]
     }
 
     fn model(&self, stiffness_group: f64) -> Model<f64> {
@@ -131,20 +131,20 @@ impl CycleFamily {
         Model::new(groups, self.law)
     }
 
-    fn lap(&self, stress: f64, [imbalance, stiffness]: Unknowns) -> Result<Lap<f64>, Failure> {
+    fn orbit(&self, stress: f64, [imbalance, stiffness]: Unknowns) -> Result<Return<f64>, Failure> {
         let model = self.model(libm::exp(stiffness));
         let start = [0.0, (stress - libm::exp(imbalance)) / self.effect_ratio, stress];
         let control = Control { local_tolerance: self.local_tolerance, most_steps: MOST_STEPS };
         let mut run = Integrator::new(&model, Radau::<f64, 5>::new(), start, control)?;
-        match run_lap(&mut run)? {
-            (lap, LapEnd::Rise) => Ok(lap),
-            (_, LapEnd::Quiet) => Err(Failure::Undecided { cycles: 1, change: 1.0 }),
+        match next_return(&mut run)? {
+            (orbit, ReturnEnd::Crossing) => Ok(orbit),
+            (_, ReturnEnd::AtRest) => Err(Failure::Undecided { cycles: 1, change: 1.0 }),
         }
     }
 
-    /// How far the logarithms of imbalance and stress move in one lap.
+    /// How far the logarithms of imbalance and stress move in one return.
     fn residual(&self, stress: f64, unknowns: Unknowns) -> Result<[f64; 2], Failure> {
-        let end = self.lap(stress, unknowns)?.end;
+        let end = self.orbit(stress, unknowns)?.end;
         let imbalance = end[2] - self.effect_ratio * end[1];
         Ok([libm::log(imbalance) - unknowns[0], libm::log(end[2] / stress)])
     }

@@ -31,7 +31,7 @@ impl CycleFamily {
         };
         let Some([before, middle, _]) = members.windows(3).find(stiffest) else { return Ok(None) };
         let mut best = middle.clone();
-        let mut width = libm::log(middle.lap.end[2] / before.lap.end[2]);
+        let mut width = libm::log(middle.orbit.end[2] / before.orbit.end[2]);
         for _ in 0..HALVINGS {
             width *= 0.5;
             for side in [self.beside(&best, -width)?, self.beside(&best, width)?] {
@@ -63,7 +63,7 @@ impl CycleFamily {
     /// Those of [`CycleFamily::member`], and [`Failure::Undecided`] when the stiffness is not between theirs.
     pub fn between(&self, ends: [&Member; 2], stiffness_group: f64) -> Result<Member, Failure> {
         let height = |member: &Member| libm::log(member.stiffness_group / stiffness_group);
-        let place = |member: &Member| libm::log(member.lap.end[2]);
+        let place = |member: &Member| libm::log(member.orbit.end[2]);
         let [mut one, mut other] = ends.map(|end| (place(end), height(end)));
         let mut nearest = ends[0].clone();
         if one.1 * other.1 > 0.0 {
@@ -118,7 +118,7 @@ mod tests {
         let members = members(&family);
         let fold = family.fold(&members).unwrap().unwrap();
         for member in &members {
-            let smaller = member.lap.end[2] < fold.member.lap.end[2];
+            let smaller = member.orbit.end[2] < fold.member.orbit.end[2];
             let multiplier = family.leading_multiplier(member).unwrap();
             assert_eq!(multiplier > 1.0, smaller, "{multiplier} {member:?}");
             assert!(member.stiffness_group < fold.member.stiffness_group);
@@ -127,7 +127,7 @@ mod tests {
     }
 
     #[test]
-    fn the_edge_does_not_depend_on_the_tolerance_of_the_laps() {
+    fn the_edge_does_not_depend_on_the_tolerance_of_the_returns() {
         let loose = family(EvolutionLaw::Aging, 0.003);
         let tight = CycleFamily { local_tolerance: 1e-9, ..loose };
         let [one, other] = [loose, tight].map(|family| family.fold(&members(&family)).unwrap().unwrap());
@@ -155,6 +155,6 @@ mod tests {
         let model = Model::new(groups, EvolutionLaw::Slip);
         let simulated =
             crate::dynamics::simulate_model(&model, &crate::dynamics::Options::default()).unwrap();
-        assert!((member.lap.peak - simulated.log_peak()).abs() < 1e-8, "{member:?}");
+        assert!((member.orbit.peak - simulated.log_peak()).abs() < 1e-8, "{member:?}");
     }
 }

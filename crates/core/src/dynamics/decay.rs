@@ -1,47 +1,47 @@
 //! The end of a decay: period and growth rate of its oscillation, or the rate of an end without one.
 
-use super::lap::{Lap, LapEnd, run_lap};
-use super::return_map::History;
-use super::settle::{Decay, Late};
+use super::history::History;
+use super::long_term::{Decay, LongTerm};
+use super::section_return::{Return, ReturnEnd, next_return};
 use super::stepper::Stepper;
 use super::{Failure, Integrator, Scalar, State};
 
-/// Period and growth rate in the linear regime, when laps agree with one another.
+/// Period and growth rate in the linear regime, when returns agree with one another.
 pub(super) fn measure_decay<R: Scalar, M: Stepper<R> + Clone>(
     run: &mut Integrator<'_, R, M>,
     mut history: History<R>,
-    transient: Lap<R>,
-) -> Result<Late<R>, Failure> {
-    /// Laps until the fast direction has died out; it shrinks by e^{−2π} a lap at least when there is an oscillation.
-    const LAPS: usize = 12;
-    for _ in 0..LAPS {
-        let (lap, end) = run_lap(run)?;
-        if end == LapEnd::Quiet {
-            return Ok(Late::Decay(Decay { oscillation: None, transient, rate: final_rate(run) }));
+    transient: Return<R>,
+) -> Result<LongTerm<R>, Failure> {
+    /// Returns until the fast direction has died out; it shrinks by e^{−2π} a return at least when there is an oscillation.
+    const RETURNS: usize = 12;
+    for _ in 0..RETURNS {
+        let (orbit, end) = next_return(run)?;
+        if end == ReturnEnd::AtRest {
+            return Ok(LongTerm::Decay(Decay { oscillation: None, transient, rate: final_rate(run) }));
         }
-        history.push(lap);
+        history.push(orbit);
         if let Some((period, rate)) = last_oscillation(&history)
-            && history.laps.len() >= 4
+            && history.returns.len() >= 4
             && steady(&history)
         {
-            return Ok(Late::Decay(Decay { transient, oscillation: Some((period, rate)), rate: None }));
+            return Ok(LongTerm::Decay(Decay { transient, oscillation: Some((period, rate)), rate: None }));
         }
     }
-    // A real mode that dies about as slowly as the pair keeps the laps unequal: their last one is no measure of the period.
-    Ok(Late::Decay(Decay { transient, oscillation: None, rate: final_rate(run) }))
+    // A real mode that dies about as slowly as the pair keeps the returns unequal: their last one is no measure of the period.
+    Ok(LongTerm::Decay(Decay { transient, oscillation: None, rate: final_rate(run) }))
 }
 
-/// Whether the last three laps took the same time to eleven digits.
+/// Whether the last three returns took the same time to eleven digits.
 fn steady<R: Scalar>(history: &History<R>) -> bool {
-    let n = history.laps.len();
-    let duration = |back: usize| history.laps[n - back].duration.to_f64();
+    let n = history.returns.len();
+    let duration = |back: usize| history.returns[n - back].duration.to_f64();
     let last = duration(1);
     (2..=3).all(|back| (duration(back) / last - 1.0).abs() < 1e-11)
 }
 
 fn last_oscillation<R: Scalar>(history: &History<R>) -> Option<(R, R)> {
-    let n = history.laps.len();
-    let (before, last) = (history.laps.get(n.checked_sub(2)?)?, &history.laps[n - 1]);
+    let n = history.returns.len();
+    let (before, last) = (history.returns.get(n.checked_sub(2)?)?, &history.returns[n - 1]);
     // ζ and y shrink by the same factor; the larger one is the better measured.
     let component = if last.end[1].abs() < last.end[2].abs() { 2 } else { 1 };
     let factor = last.end[component].clone() / &before.end[component];
@@ -59,7 +59,7 @@ pub(super) fn final_rate<R: Scalar, M: Stepper<R>>(run: &Integrator<'_, R, M>) -
 
 #[cfg(test)]
 mod tests {
-    use crate::dynamics::{Late, Model, Options, simulate_model};
+    use crate::dynamics::{LongTerm, Model, Options, simulate_model};
     use crate::friction::{EvolutionLaw, Groups};
     use crate::number::Rational;
     use crate::roots::certified_roots;
@@ -75,7 +75,7 @@ mod tests {
                 for (tolerance, permitted) in [(1e-2, 1e-2), (1e-4, 1e-3), (1e-8, 1e-5)] {
                     let options = Options { tolerance, ..Options::default() };
                     let run = simulate_model(&Model::new(groups.clone(), law), &options).unwrap();
-                    let Late::Decay(decay) = run.late() else { panic!("{groups:?} {law:?}") };
+                    let LongTerm::Decay(decay) = run.long_term() else { panic!("{groups:?} {law:?}") };
                     let off = (decay.rate.unwrap() / slowest - 1.0).abs();
                     assert!(off < permitted, "{groups:?} {law:?} {tolerance:e}: {off:e}");
                 }

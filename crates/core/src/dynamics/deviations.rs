@@ -1,4 +1,4 @@
-//! Small deviations from steady sliding, simulated: the oscillation that a slower real mode hides in late behaviour.
+//! Small deviations from steady sliding, simulated: the oscillation that a slower real mode hides in long-term behaviour.
 //!
 //! Three runs start a hair's breadth away from steady sliding along the three axes. Their states at one time are the columns of
 //! the propagator, whose eigenvalues e^{pΔ} show a pair with its period and growth rate if there is one, however fast it
@@ -74,17 +74,17 @@ fn oscillation<R: Scalar, M: Stepper<R> + Clone>(
         // Row i, column j: component i of run j.
         let propagator = std::array::from_fn(|i| std::array::from_fn(|j| runs[j].state()[i].clone() / &size));
         match pair_of(&propagator) {
-            Sight::Pair { ln_modulus, phase } if PHASES.contains(&phase) => {
+            PairSeen::Pair { ln_modulus, phase } if PHASES.contains(&phase) => {
                 return Ok(Some((std::f64::consts::TAU * time / phase, ln_modulus / time)));
             }
-            Sight::Lost => return Ok(None),
+            PairSeen::Lost => return Ok(None),
             _ => time *= RATIO,
         }
     }
 }
 
 /// What the eigenvalues of a propagator show.
-enum Sight {
+enum PairSeen {
     /// A complex pair.
     Pair { ln_modulus: f64, phase: f64 },
     /// Real eigenvalues, the second of them still measurable.
@@ -93,7 +93,7 @@ enum Sight {
     Lost,
 }
 
-fn pair_of<R: Scalar>(m: &[[R; 3]; 3]) -> Sight {
+fn pair_of<R: Scalar>(m: &[[R; 3]; 3]) -> PairSeen {
     let product = |i: usize, j: usize, k: usize, l: usize| m[i][j].clone() * &m[k][l];
     let minor = |i: usize, j: usize, k: usize, l: usize| product(i, k, j, l) - product(i, l, j, k);
     let trace = m[0][0].clone() + &m[1][1] + &m[2][2];
@@ -103,7 +103,7 @@ fn pair_of<R: Scalar>(m: &[[R; 3]; 3]) -> Sight {
     let norm = m.iter().flatten().fold(0.0f64, |largest, entry| largest.max(entry.to_f64().abs()));
     let resolution = RESOLUTION_IN_ROOTS * R::UNIT_ROUNDOFF.sqrt();
     if second.to_f64().abs() < resolution * norm * norm.max(resolution) || norm > 1e6 {
-        return Sight::Lost;
+        return PairSeen::Lost;
     }
     // z³ − trace z² + second z − determinant: the real zero by bisection and Newton, the pair from the quotient.
     let real = real_zero(&trace, &second, &determinant);
@@ -113,12 +113,12 @@ fn pair_of<R: Scalar>(m: &[[R; 3]; 3]) -> Sight {
     let product_size = product.to_f64();
     // Below this the sign is that of the errors.
     if product_size > 0.0 && discriminant.to_f64() < -10.0 * resolution * product_size {
-        return Sight::Pair {
+        return PairSeen::Pair {
             ln_modulus: 0.5 * libm::log(product_size),
             phase: libm::atan2((-discriminant).sqrt().to_f64(), 0.5 * sum.to_f64()),
         };
     }
-    Sight::Real
+    PairSeen::Real
 }
 
 /// The zero by bisection in f64, then by Newton's steps as long as they help.

@@ -90,9 +90,9 @@ fn zero_between(f: impl Fn(f64) -> f64, left: f64, at_left: f64, right: f64, at_
         } else {
             (a, fa) = (b, fb);
         }
-        let settled = (c - b).abs() < 1e-10;
+        let has_converged = (c - b).abs() < 1e-10;
         (b, fb) = (c, fc);
-        if settled {
+        if has_converged {
             break;
         }
     }

@@ -4,30 +4,30 @@
 //! differences show rounding. Those come out as zero.
 
 use super::integrator::{Control, Integrator};
-use super::lap::run_lap;
-use super::settle::Cycle;
+use super::long_term::Cycle;
+use super::section_return::next_return;
 use super::{Failure, Model, Radau};
 
 /// Relative size of the differences: their truncation error is its square.
 const DIFFERENCE: f64 = 1e-4;
 
-/// Local tolerance of the laps; the map's errors are far below it.
+/// Local tolerance of the returns; the map's errors are far below it.
 const LOCAL_TOLERANCE: f64 = 1e-9;
 
-/// Relative error of a lap's end; over the difference it is the resolution of the derivative.
-const LAP_ERROR: f64 = 1e-11;
+/// Relative error of a return's end; over the difference it is the resolution of the derivative.
+const RETURN_ERROR: f64 = 1e-11;
 
 /// The multipliers as (re, im) pairs, by descending modulus.
 ///
 /// # Errors
 /// Those of the integrator.
 pub fn floquet_multipliers(model: &Model<f64>, cycle: &Cycle<f64>) -> Result<[(f64, f64); 2], Failure> {
-    let [_, y, zeta] = cycle.lap.end;
+    let [_, y, zeta] = cycle.orbit.end;
     let size = y.abs().max(zeta.abs());
     // A larger difference would leave the part of the section that trajectories cross upward, where ζ > φ.
-    let upward = model.imbalance(&cycle.lap.end).abs() / (1.0 + model.groups().effect_ratio);
+    let upward = model.imbalance(&cycle.orbit.end).abs() / (1.0 + model.groups().effect_ratio);
     let difference = (DIFFERENCE * size).min(0.1 * upward);
-    let resolution = LAP_ERROR * size / difference;
+    let resolution = RETURN_ERROR * size / difference;
     let mut derivative = [[0.0; 2]; 2];
     for column in 0..2 {
         let mut ends = [[0.0; 3]; 2];
@@ -36,8 +36,8 @@ pub fn floquet_multipliers(model: &Model<f64>, cycle: &Cycle<f64>) -> Result<[(f
             start[column + 1] += sign * difference;
             let control = Control { local_tolerance: LOCAL_TOLERANCE, most_steps: 10_000_000 };
             let mut run = Integrator::new(model, Radau::<f64, 5>::new(), start, control)?;
-            for _ in 0..cycle.laps_per_cycle {
-                run_lap(&mut run)?;
+            for _ in 0..cycle.returns_per_cycle {
+                next_return(&mut run)?;
             }
             *end = *run.state();
         }
@@ -66,7 +66,7 @@ fn eigenvalues([[a, b], [c, d]]: [[f64; 2]; 2], resolution: f64) -> [(f64, f64);
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::dynamics::{Late, Options, simulate_model};
+    use crate::dynamics::{LongTerm, Options, simulate_model};
     use crate::friction::{EvolutionLaw, Groups};
 
     #[test]
@@ -75,7 +75,7 @@ mod tests {
         let groups = Groups { inertial_parameter: 9.0, stiffness_group: 0.97 * 5.0, effect_ratio: 1.5 };
         let model = Model::new(groups, EvolutionLaw::Aging);
         let outcome = simulate_model(&model, &Options::default()).unwrap();
-        let Late::Cycle(cycle) = outcome.late() else { unreachable!("K < K_c cannot decay") };
+        let LongTerm::Cycle(cycle) = outcome.long_term() else { unreachable!("K < K_c cannot decay") };
         let [leading, other] = floquet_multipliers(&model, cycle).unwrap();
         assert!(leading.1 == 0.0 && leading.0 > 0.5 && leading.0 < 1.0, "{leading:?}");
         let seen = outcome.contraction().unwrap();
@@ -88,7 +88,7 @@ mod tests {
         let groups = Groups { inertial_parameter: 7.9e-7, stiffness_group: 7.9e-3, effect_ratio: 1.5 };
         let model = Model::new(groups, EvolutionLaw::Slip);
         let outcome = simulate_model(&model, &Options::default()).unwrap();
-        let Late::Cycle(cycle) = outcome.late() else { unreachable!("K < K_c cannot decay") };
+        let LongTerm::Cycle(cycle) = outcome.long_term() else { unreachable!("K < K_c cannot decay") };
         let [leading, _] = floquet_multipliers(&model, cycle).unwrap();
         assert!(leading.0.hypot(leading.1) < 1e-2, "{leading:?}");
     }

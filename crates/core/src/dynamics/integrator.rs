@@ -3,8 +3,8 @@
 //! The equations do not contain the time, so a step of 1e-60 after a stick phase of length 1 is as good as any other:
 //! only the clock, which is a compensated sum local to the cycle, ever adds the two.
 
+use super::arrest::{Arrest, arrest};
 use super::clock::Clock;
-use super::plunge::{Plunge, plunge};
 use super::stepper::{Stepper, Trial, Weight};
 use super::{Failure, Model, Scalar, State};
 
@@ -153,9 +153,9 @@ impl<'m, R: Scalar, M: Stepper<R>> Integrator<'m, R, M> {
     }
 
     /// Takes a stop from where it becomes predictable to the slow motion after it, in one step without a polynomial; false when there is none.
-    pub(super) fn plunge(&mut self) -> bool {
+    pub(super) fn arrest(&mut self) -> bool {
         let permitted = self.weight(&self.state).absolute;
-        let Some(Plunge { to, time, slow_rate }) = plunge(self.model, &self.state, permitted) else {
+        let Some(Arrest { to, time, slow_rate }) = arrest(self.model, &self.state, permitted) else {
             return false;
         };
         self.steps += 1;

@@ -1,12 +1,12 @@
-//! The nonlinear slider: equations, integrators, late behaviour, observables.
+//! The nonlinear slider: equations, integrators, long-term behaviour, observables.
 //!
 //! [`simulate`] goes from parameters in SI to observables in SI with stated errors; [`simulate_model`] is the same without units. Below
 //! them: [`Model`] (equations and Jacobian in logarithms), one-step methods ([`Stepper`]), the adaptive [`Integrator`] with its
-//! cycle-local clock, events refined to the order of the method, laps between upward passages of V = V_l, and [`settle`], which
-//! decides the late behaviour on the return map; [`CycleFamily`] finds cycles, stable or not, with the stiffness that they need. Nothing here knows the linear theory.
+//! cycle-local clock, events refined to the order of the method, returns between upward crossings of V = V_l, and [`long_term_behaviour`], which
+//! decides the long-term behaviour on the return map; [`CycleFamily`] finds cycles, stable or not, with the stiffness that they need. Nothing here knows the linear theory.
 //!
 //! # Which method, and why
-//! Time of one lap of the limit cycle in µs, slip law, by the cheapest tolerance that meets an error of 1e-4, 1e-8 and 1e-12 of
+//! Time of one period of the limit cycle in µs, slip law, by the cheapest tolerance that meets an error of 1e-4, 1e-8 and 1e-12 of
 //! ln V_peak and of the duration (`cargo xtask bench --peers cycles`, the rows of `bench-results/peers.csv`; read them as ratios):
 //!
 //! | case | Rodas5P | Radau 5 | Radau 9 | Radau 13 |
@@ -19,16 +19,17 @@
 //! digits. Order 5 wins above, Rodas5P nowhere. The Taylor series keeps up where a cycle never sticks (`cargo bench --bench simulation`)
 //! and is useless one stick phase later, also for η ≫ 1, because the limit cycle of vibration itself sticks: V falls
 //! to 1e-65 V_l and below, where e^{−x}/η is not small. It serves as the unrelated method for references.
-//! [`simulate`] takes Radau IIA of order 5 for errors of a thousandth and more: at a local tolerance of 1e-2 a stick-slip lap is twice as
-//! fast as with order 9 at 1e-3, where its 1e-8 is of no use. Neither Rodas5P (at 1e-1 a lap of the aging law lost its peak) nor
+//! [`simulate`] takes Radau IIA of order 5 for errors of a thousandth and more: at a local tolerance of 1e-2 a stick-slip return is twice as
+//! fast as with order 9 at 1e-3, where its 1e-8 is of no use. Neither Rodas5P (at 1e-1 a return of the aging law lost its peak) nor
 //! order 13 (five times slower at loose tolerances, half of its steps refused) won anywhere in a sweep.
 //! Three things took most of the steps of deep stick-slip and are gone. In a stick phase the stiffness e^{−x}/η changes by many
 //! decades within a step: the row of x of each stage is scaled to the stiffness of the Jacobian, or Newton's iteration diverges beyond a factor
-//! of two. A slider that stops runs into the singularity of ln V, which costs a step per factor of two of V: `plunge` takes it in one step
+//! of two. A slider that stops runs into the singularity of ln V, which costs a step per factor of two of V: `arrest` takes it in one step
 //! with a bound of its error. After it the steps start from the slow time scale.
 //! Two more choices mattered more than the order: the Jacobian of the predicted *middle* of the step halves the iterations, and
 //! Gustafsson's prediction halves the steps, because the way into an event shortens every step by the same factor.
 
+mod arrest;
 mod arrow;
 #[cfg(test)]
 mod checks;
@@ -48,24 +49,23 @@ mod double_double_exp;
 pub mod events;
 mod failure;
 mod floquet;
+mod history;
 mod integrator;
-mod lap;
-mod lap_errors;
+mod long_term;
 mod model;
 mod multi;
 mod original_scheme;
 mod outcome;
-mod plunge;
 mod quasi_static;
 mod quick_exp;
 mod radau;
 mod refine;
+mod return_errors;
 mod return_map;
 mod rodas;
 mod scalar;
 mod search;
-mod settle;
-mod sight;
+mod section_return;
 mod simulation;
 mod start;
 mod stepper;
@@ -81,7 +81,7 @@ pub use deviations::oscillation_of_small_deviations;
 pub use failure::Failure;
 pub use floquet::floquet_multipliers;
 pub use integrator::{Control, Integrator};
-pub use lap::{Lap, LapEnd, run_lap};
+pub use long_term::{Cycle, Decay, LongTerm, long_term_behaviour};
 pub use model::{Balance, Model, State};
 pub use multi::Multi;
 pub use original_scheme::OriginalScheme;
@@ -90,7 +90,7 @@ pub use quasi_static::{QuasiStatic, simulate_quasi_statically};
 pub use radau::Radau;
 pub use rodas::Rodas5P;
 pub use scalar::Scalar;
-pub use settle::{Cycle, Decay, Late, settle};
+pub use section_return::{Return, ReturnEnd, next_return};
 pub use simulation::{Options, simulate, simulate_model};
 pub use start::Start;
 pub use stepper::{Stepper, Trial, Weight, increment, velocity_slopes};

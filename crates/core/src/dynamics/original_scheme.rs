@@ -148,7 +148,7 @@ impl<'m> OriginalScheme<'m> {
         self.log_mean_velocity = x;
     }
 
-    /// The highest ln(V/V_l) between two times from now, in D_c/V_l: the scheme's late peak when both are late.
+    /// The highest ln(V/V_l) between two times from now, in D_c/V_l: the scheme's long-term peak when both are late.
     ///
     /// # Errors
     /// Those of [`Self::advance`], and [`Failure::TooManySteps`] when the time takes more than `most_steps`.
@@ -188,7 +188,7 @@ mod tests {
     }
 
     #[test]
-    fn the_late_peak_converges_at_first_order() {
+    fn the_long_term_peak_converges_at_first_order() {
         for law in EvolutionLaw::ALL {
             let errors = [0.04, 0.02, 0.01].map(|fraction| bias(law, fraction));
             for pair in errors.windows(2) {

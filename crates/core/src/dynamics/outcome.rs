@@ -1,11 +1,11 @@
 //! What a simulation showed: without units, with its errors, and in SI.
 
 use super::Model;
-use super::lap::Lap;
-use super::settle::{Cycle, Decay, Late};
+use super::long_term::{Cycle, Decay, LongTerm};
+use super::section_return::Return;
 use crate::friction::{Groups, Parameters, SlipMode};
 
-/// Errors of what a late behaviour shows, in units of V_l, D_c/V_l and aσ.
+/// Errors of what a long-term behaviour shows, in units of V_l, D_c/V_l and aσ.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Errors {
     /// Of ln(V_peak/V_l).
@@ -18,7 +18,7 @@ pub(super) struct Errors {
     pub drop: f64,
 }
 
-/// The late behaviour in one word.
+/// The long-term behaviour in one word.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Behaviour {
     /// A limit cycle.
@@ -49,15 +49,15 @@ pub struct Simulation {
     pub peak_velocity_m_per_s: f64,
     /// log10 of the least velocity over V_l, of the cycle or the transient.
     pub minimum_velocity_log10_ratio: f64,
-    /// Period of the cycle or of the late oscillation, s; none when nothing oscillates.
+    /// Period of the cycle or of the long-term oscillation, s; none when nothing oscillates.
     pub period_s: Option<f64>,
     /// Largest minus least spring stress of the cycle or the transient, Pa.
     pub stress_drop_pa: f64,
     /// The same in units of aσ.
     pub stress_drop_over_direct_effect: f64,
-    /// Passages of V = V_l per second in late behaviour, Hz; none when nothing oscillates.
+    /// Crossings of V = V_l per second in long-term behaviour, Hz; none when nothing oscillates.
     pub frequency_hz: Option<f64>,
-    /// Growth rate of the late oscillation, or the rate of a late decay without oscillation, 1/s; none on a cycle.
+    /// Growth rate of the long-term oscillation, or the rate of a long-term decay without oscillation, 1/s; none on a cycle.
     pub growth_rate_per_s: Option<f64>,
     /// Leading Floquet multiplier of the cycle as seen in its approach; an upper bound when superattracting.
     pub floquet_multiplier: Option<f64>,
@@ -80,7 +80,7 @@ pub struct Simulation {
 /// A simulation in units of V_l, D_c/V_l and aσ.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Outcome {
-    late: Late<f64>,
+    long_term: LongTerm<f64>,
     groups: Groups<f64>,
     start: f64,
     contraction: Option<f64>,
@@ -93,11 +93,11 @@ pub struct Outcome {
     local_tolerance: f64,
 }
 
-/// Peak and period of a late behaviour; the start counts for a transient's peak.
-pub(super) fn peak_and_period(late: &Late<f64>, start: f64) -> (f64, Option<f64>) {
-    match late {
-        Late::Cycle(cycle) => (cycle.lap.peak, Some(cycle.lap.duration)),
-        Late::Decay(decay) => {
+/// Peak and period of a long-term behaviour; the start counts for a transient's peak.
+pub(super) fn peak_and_period(long_term: &LongTerm<f64>, start: f64) -> (f64, Option<f64>) {
+    match long_term {
+        LongTerm::Cycle(cycle) => (cycle.orbit.peak, Some(cycle.orbit.duration)),
+        LongTerm::Decay(decay) => {
             let approached = decay.transient.end[0].max(start);
             (decay.transient.peak.max(approached), decay.oscillation.map(|(period, _)| period))
         }
@@ -105,37 +105,37 @@ pub(super) fn peak_and_period(late: &Late<f64>, start: f64) -> (f64, Option<f64>
 }
 
 /// The extremes of a cycle or of a transient.
-pub(super) const fn extremes(late: &Late<f64>) -> &Lap<f64> {
-    match late {
-        Late::Cycle(cycle) => &cycle.lap,
-        Late::Decay(decay) => &decay.transient,
+pub(super) const fn extremes(long_term: &LongTerm<f64>) -> &Return<f64> {
+    match long_term {
+        LongTerm::Cycle(cycle) => &cycle.orbit,
+        LongTerm::Decay(decay) => &decay.transient,
     }
 }
 
 /// Least x; the start counts for a transient's.
-pub(super) fn trough(late: &Late<f64>, start: f64) -> f64 {
-    let lowest = extremes(late).trough;
-    if matches!(late, Late::Cycle(_)) { lowest } else { lowest.min(start) }
+pub(super) fn trough(long_term: &LongTerm<f64>, start: f64) -> f64 {
+    let lowest = extremes(long_term).trough;
+    if matches!(long_term, LongTerm::Cycle(_)) { lowest } else { lowest.min(start) }
 }
 
 /// Largest minus least ζ.
-fn stress_drop(late: &Late<f64>) -> f64 {
-    extremes(late).highest_stress - extremes(late).lowest_stress
+fn stress_drop(long_term: &LongTerm<f64>) -> f64 {
+    extremes(long_term).highest_stress - extremes(long_term).lowest_stress
 }
 
 impl Outcome {
-    /// A late behaviour with the errors of what it shows; a relative error is e^{error of the logarithm} − 1.
+    /// A long-term behaviour with the errors of what it shows; a relative error is e^{error of the logarithm} − 1.
     pub(super) fn new(
         model: &Model<f64>,
         start: f64,
-        late: Late<f64>,
+        long_term: LongTerm<f64>,
         errors: Errors,
         [steps, evaluations]: [u64; 2],
         local_tolerance: f64,
     ) -> Self {
-        let contraction = if let Late::Cycle(cycle) = &late { cycle.contraction } else { None };
+        let contraction = if let LongTerm::Cycle(cycle) = &long_term { cycle.contraction } else { None };
         Self {
-            late,
+            long_term,
             groups: model.groups().clone(),
             start,
             contraction,
@@ -149,16 +149,16 @@ impl Outcome {
         }
     }
 
-    /// The late behaviour in units of V_l, D_c/V_l and aσ.
+    /// The long-term behaviour in units of V_l, D_c/V_l and aσ.
     #[must_use]
-    pub const fn late(&self) -> &Late<f64> {
-        &self.late
+    pub const fn long_term(&self) -> &LongTerm<f64> {
+        &self.long_term
     }
 
     /// ln(V_peak/V_l).
     #[must_use]
     pub fn log_peak(&self) -> f64 {
-        peak_and_period(&self.late, self.start).0
+        peak_and_period(&self.long_term, self.start).0
     }
 
     /// Accepted and refused steps of all runs.
@@ -167,7 +167,7 @@ impl Outcome {
         self.steps
     }
 
-    /// Factor by which deviations from the cycle shrank in one lap of the approach; none for a decay.
+    /// Factor by which deviations from the cycle shrank in one return of the approach; none for a decay.
     #[must_use]
     pub const fn contraction(&self) -> Option<f64> {
         self.contraction
@@ -182,10 +182,10 @@ impl Outcome {
     pub fn slip_mode(&self) -> SlipMode {
         let natural_squared = self.groups.stiffness_group / self.groups.inertial_parameter;
         let inertial = |angular: f64| 2.0 * angular * angular > natural_squared;
-        match &self.late {
-            Late::Cycle(cycle) if inertial(angular_frequency(cycle)) => SlipMode::HarmonicVibration,
-            Late::Cycle(_) => SlipMode::StickSlip,
-            Late::Decay(Decay { oscillation: Some((period, _)), .. }) => {
+        match &self.long_term {
+            LongTerm::Cycle(cycle) if inertial(angular_frequency(cycle)) => SlipMode::HarmonicVibration,
+            LongTerm::Cycle(_) => SlipMode::StickSlip,
+            LongTerm::Decay(Decay { oscillation: Some((period, _)), .. }) => {
                 if inertial(std::f64::consts::TAU / period) {
                     SlipMode::InertialUnderdampedOscillation
                 } else {
@@ -193,10 +193,12 @@ impl Outcome {
                 }
             }
             // Below eq 16 every mode decays faster than e^{-V_l t/D_c}; a slower end belongs to the area above eq 15.
-            Late::Decay(Decay { rate: Some(rate), .. }) if *rate > -1.0 && self.groups.effect_ratio < 1.0 => {
+            LongTerm::Decay(Decay { rate: Some(rate), .. })
+                if *rate > -1.0 && self.groups.effect_ratio < 1.0 =>
+            {
                 SlipMode::OverdampedOscillation
             }
-            Late::Decay(_) => SlipMode::OverdampedStableSliding,
+            LongTerm::Decay(_) => SlipMode::OverdampedStableSliding,
         }
     }
 
@@ -205,22 +207,22 @@ impl Outcome {
     pub fn in_si(&self, parameters: &Parameters<f64>) -> Simulation {
         let rate_per_s = parameters.rate_per_s();
         let direct_stress_pa = parameters.direct_effect * parameters.normal_stress_pa;
-        let drop = stress_drop(&self.late);
-        let (log_peak, period) = peak_and_period(&self.late, self.start);
-        let (laps, growth) = match &self.late {
-            Late::Cycle(cycle) => (cycle.laps_per_cycle, None),
-            Late::Decay(decay) => (1, decay.oscillation.map(|(_, growth)| growth).or(decay.rate)),
+        let drop = stress_drop(&self.long_term);
+        let (log_peak, period) = peak_and_period(&self.long_term, self.start);
+        let (returns, growth) = match &self.long_term {
+            LongTerm::Cycle(cycle) => (cycle.returns_per_cycle, None),
+            LongTerm::Decay(decay) => (1, decay.oscillation.map(|(_, growth)| growth).or(decay.rate)),
         };
-        let periodic = matches!(self.late, Late::Cycle(_));
+        let periodic = matches!(self.long_term, LongTerm::Cycle(_));
         Simulation {
             behaviour: if periodic { Behaviour::Periodic } else { Behaviour::Decaying },
             slip_mode: self.slip_mode(),
             peak_velocity_m_per_s: parameters.loading_velocity_m_per_s * libm::exp(log_peak),
-            minimum_velocity_log10_ratio: trough(&self.late, self.start) / std::f64::consts::LN_10,
+            minimum_velocity_log10_ratio: trough(&self.long_term, self.start) / std::f64::consts::LN_10,
             period_s: period.map(|period| period / rate_per_s),
             stress_drop_pa: drop * direct_stress_pa,
             stress_drop_over_direct_effect: drop,
-            frequency_hz: period.map(|period| laps as f64 * rate_per_s / period),
+            frequency_hz: period.map(|period| returns as f64 * rate_per_s / period),
             growth_rate_per_s: growth.map(|growth| growth * rate_per_s),
             floquet_multiplier: self.contraction,
             peak_relative_error: self.peak_relative_error,
@@ -235,5 +237,5 @@ impl Outcome {
 }
 
 fn angular_frequency(cycle: &Cycle<f64>) -> f64 {
-    std::f64::consts::TAU * cycle.laps_per_cycle as f64 / cycle.lap.duration
+    std::f64::consts::TAU * cycle.returns_per_cycle as f64 / cycle.orbit.duration
 }

@@ -6,7 +6,7 @@
 
 use super::events::{Mark, candidates, state_at};
 use super::integrator::{Control, Integrator};
-use super::lap::QUIET;
+use super::section_return::QUIET;
 use super::{Balance, Failure, Model, Options, Radau, Stepper};
 use crate::friction::{EvolutionLaw, Groups};
 
@@ -15,15 +15,15 @@ use crate::friction::{EvolutionLaw, Groups};
 pub struct QuasiStatic {
     /// ln(V_peak/V_l) of the transient.
     pub log_peak: f64,
-    /// Upward passages of V = V_l, counted up to 20.
-    pub passages: u32,
+    /// Upward crossings of V = V_l, counted up to 20.
+    pub crossings: u32,
     /// Total variation of η e^x x': the estimated error of ln V from leaving inertia out.
     pub inertia_neglected: f64,
     /// Evaluations of the right-hand side.
     pub evaluations: u64,
 }
 
-/// Passages after which a run ends: the transient's peak is long past.
+/// Crossings after which a run ends: the transient's peak is long past.
 const MOST_PASSAGES: u32 = 20;
 
 /// Simulates the transient of a slider without inertia; `None` when inertia matters more than the tolerance allows, as in every instability.
@@ -42,11 +42,11 @@ pub fn simulate_quasi_statically(
     let mut run = Integrator::new(&model, Radau::<f64, 5>::new(), start, control)?;
     let mut seen = QuasiStatic {
         log_peak: start[0].max(0.0),
-        passages: 0,
+        crossings: 0,
         inertia_neglected: model.inertia_neglected(&start).abs(),
         evaluations: 0,
     };
-    while seen.passages < MOST_PASSAGES && run.state().iter().any(|c| c.abs() > QUIET) {
+    while seen.crossings < MOST_PASSAGES && run.state().iter().any(|c| c.abs() > QUIET) {
         if seen.inertia_neglected > options.tolerance {
             return Ok(None);
         }
@@ -59,7 +59,7 @@ pub fn simulate_quasi_statically(
         seen.inertia_neglected += swing.abs();
         for candidate in candidates(&run).into_iter().flatten() {
             match candidate.mark {
-                Mark::Rise => seen.passages += 1,
+                Mark::Rise => seen.crossings += 1,
                 Mark::Peak => seen.log_peak = seen.log_peak.max(state_at(&run, candidate)[0]),
                 Mark::Fall | Mark::Trough => {}
             }

@@ -1,28 +1,28 @@
 //! A cycle found roughly, brought to its accuracy, with the errors of everything it shows.
 //!
-//! Two things part what is reported from the truth. The *laps* err: the same cycle is integrated at two tolerances a factor 100
+//! Two things part what is reported from the truth. The *returns* err: the same cycle is integrated at two tolerances a factor 100
 //! apart, and the error of the finer one is taken as thrice their difference, part of the largest difference of all observables (two
-//! laps agree by chance in one of them, not in all), and the finer tolerance itself: a step as bad as its estimate does happen. The
-//! *passage* is not the fixed point: with the derivative P' of the map the way left is (1 − P')^{-1}(P(s) − s), and an error ε of the
-//! lap's end moves the fixed point by (1 − P')^{-1}ε. Next to K = K_c, and for η ≫ 1, 1 − P' is small and this is the larger part by orders
-//! of magnitude. Both are carried to the observables by derivatives that the same differences of laps give. That a lap contracts
+//! returns agree by chance in one of them, not in all), and the finer tolerance itself: a step as bad as its estimate does happen. The
+//! *crossing* is not the fixed point: with the derivative P' of the map the way left is (1 − P')^{-1}(P(s) − s), and an error ε of the
+//! return's end moves the fixed point by (1 − P')^{-1}ε. Next to K = K_c, and for η ≫ 1, 1 − P' is small and this is the larger part by orders
+//! of magnitude. Both are carried to the observables by derivatives that the same differences of returns give. That a return contracts
 //! fast is not believed from its approach, which may have left a slow direction unexcited: a deviation is followed to see it shrink.
 
-use super::lap_errors::{OF_DIFFERENCE, lap_errors, rounding, rounding_shown, with_inertia};
-use super::return_map::{difference, size};
-use super::settle::SLOW;
-use super::sight::{DURATION, Derivative, Observed, PEAK, ReturnMap, Sight, shifted};
+use super::history::{difference, size};
+use super::long_term::SLOW;
+use super::return_errors::{OF_DIFFERENCE, return_errors, rounding, rounding_shown, with_inertia};
+use super::return_map::{DURATION, Derivative, MappedReturn, Observed, PEAK, ReturnMap, shifted};
 use super::stepper::Stepper;
 use super::{Cycle, Failure, Scalar, State};
 
 /// Newton's corrections before the derivative is called useless.
 const MOST_CORRECTIONS: usize = 8;
 
-/// Local tolerance of the laps whose differences are the derivative: their quotients must resolve 1 − P'.
+/// Local tolerance of the returns whose differences are the derivative: their quotients must resolve 1 − P'.
 const DERIVATIVE_TOLERANCE: f64 = 1e-6;
 
-/// Where 1 − P' is less than this, the derivative of the laps' own errors may be all of it, and an entry too small to be seen may decide: it
-/// is believed only when a tolerance a hundred times tighter gives about the same. Else decays that last millions of laps would pass for
+/// Where 1 − P' is less than this, the derivative of the returns' own errors may be all of it, and an entry too small to be seen may decide: it
+/// is believed only when a tolerance a hundred times tighter gives about the same. Else decays that last millions of returns would pass for
 /// cycles.
 const RESOLVED: f64 = 1e-3;
 
@@ -30,10 +30,10 @@ const RESOLVED: f64 = 1e-3;
 const FINER: f64 = 0.01;
 const TIGHTEST_DERIVATIVE: f64 = 1e-13;
 
-/// Relative size of the deviation that shows whether a lap contracts fast.
+/// Relative size of the deviation that shows whether a return contracts fast.
 const DEVIATION: f64 = 1e-2;
 
-/// The same over the tolerance: no larger than the errors of laps require, because a slider that barely stops is linear nearby only.
+/// The same over the tolerance: no larger than the errors of returns require, because a slider that barely stops is linear nearby only.
 const DEVIATION_IN_TOLERANCES: f64 = 30.0;
 
 /// The least relative size, for rounding errors.
@@ -45,7 +45,7 @@ const SMALL: f64 = 1e-3;
 /// A cycle with the errors of what it shows.
 #[derive(Debug, Clone)]
 pub(super) struct Refined<R> {
-    pub sight: Sight<R>,
+    pub mapped: MappedReturn<R>,
     pub errors: Observed,
     /// Newton's correction that is left, relative to the state.
     pub distance: f64,
@@ -54,30 +54,30 @@ pub(super) struct Refined<R> {
 impl<R: Scalar> Refined<R> {
     /// The same in f64.
     pub fn rounded(self) -> Refined<f64> {
-        let Sight { from, image, lap, steps } = self.sight;
-        let sight = Sight {
+        let MappedReturn { from, image, orbit, steps } = self.mapped;
+        let mapped = MappedReturn {
             from: from.map(|c| c.to_f64()),
             image: image.map(|c| c.to_f64()),
-            lap: lap.rounded(),
+            orbit: orbit.rounded(),
             steps,
         };
-        let shown = super::sight::observed(&sight.lap);
+        let shown = super::return_map::observed(&mapped.orbit);
         let errors = std::array::from_fn(|i| self.errors[i] + f64::EPSILON * shown[i].abs().max(1.0));
-        Refined { sight, errors, distance: self.distance }
+        Refined { mapped, errors, distance: self.distance }
     }
 }
 
-/// The tolerances of the two laps and the error they are for.
+/// The tolerances of the two returns and the error they are for.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Accuracy {
     pub coarse: f64,
     pub fine: f64,
-    /// What the steps of the finer lap may add up to, however well the two agree.
+    /// What the steps of the finer return may add up to, however well the two agree.
     pub floor: f64,
     pub asked: f64,
 }
 
-/// Newton's corrections of a rough cycle with a derivative for each, until they are small; the last derivative and the passage.
+/// Newton's corrections of a rough cycle with a derivative for each, until they are small; the last derivative and the crossing.
 pub(super) fn derivative<M: Stepper<f64> + Clone>(
     map: &mut ReturnMap<'_, f64, M>,
     rough: [f64; 2],
@@ -85,9 +85,9 @@ pub(super) fn derivative<M: Stepper<f64> + Clone>(
     let (mut from, mut tolerance) = (rough, DERIVATIVE_TOLERANCE);
     let mut derivative = Derivative::at(map, from, tolerance)?;
     for _ in 0..MOST_CORRECTIONS {
-        let sight = map.sight(&from, tolerance)?;
-        let correction = derivative.correction(sight.residual());
-        let part = size(correction) / sight.size();
+        let mapped = map.apply(&from, tolerance)?;
+        let correction = derivative.correction(mapped.residual());
+        let part = size(correction) / mapped.size();
         // A correction as large as the state leads to steady sliding or nowhere.
         if part.is_nan() || part >= 0.5 {
             return Err(Failure::Undecided { cycles: 0, change: part });
@@ -126,42 +126,42 @@ pub(super) fn refine<R: Scalar, M: Stepper<R> + Clone>(
     let Some((coarse, rate)) = approach(map, derivative, rough, [coarse, asked], 0.5)? else {
         return Ok(None);
     };
-    let first = map.sight(&coarse.from, fine)?;
-    // The laps err alike from passages as close as these, so one pair from the same passage tells for all.
-    let differences = first.differences(&coarse.lap);
+    let first = map.apply(&coarse.from, fine)?;
+    // The returns err alike from crossings as close as these, so one pair from the same crossing tells for all.
+    let differences = first.differences(&coarse.orbit);
     let image_difference: [f64; 2] =
         std::array::from_fn(|i| (first.image[i].clone() - &coarse.image[i]).to_f64());
     // The derivative is the same, and so is what a correction leaves.
-    let Some((sight, rate)) = approach(map, derivative, first.from.clone(), [fine, asked], rate)? else {
+    let Some((mapped, rate)) = approach(map, derivative, first.from.clone(), [fine, asked], rate)? else {
         return Ok(None);
     };
-    let correction = derivative.correction(sight.residual());
+    let correction = derivative.correction(mapped.residual());
     let left = derivative.moved(correction).map(|change| change.abs() / (1.0 - rate));
     let gains = derivative.moved([1.0; 2]);
-    let of_lap = lap_errors(differences, &sight.lap, gains, accuracy.floor);
-    let (units, shown) = (rounding(&sight), rounding_shown(&sight, gains));
+    let of_return = return_errors(differences, &mapped.orbit, gains, accuracy.floor);
+    let (units, shown) = (rounding(&mapped), rounding_shown(&mapped, gains));
     let displaced = derivative.worst(image_difference.map(|d| OF_DIFFERENCE * d), units);
-    let errors = std::array::from_fn(|i| left[i] + of_lap[i] + displaced[i] + shown[i]);
-    let errors = with_inertia(errors, &sight.lap, map.model.groups());
-    let distance = correction.iter().fold(0.0f64, |size, c| size.max(c.abs())) / sight.size();
-    Ok(Some(Refined { sight, errors, distance }))
+    let errors = std::array::from_fn(|i| left[i] + of_return[i] + displaced[i] + shown[i]);
+    let errors = with_inertia(errors, &mapped.orbit, map.model.groups());
+    let distance = correction.iter().fold(0.0f64, |size, c| size.max(c.abs())) / mapped.size();
+    Ok(Some(Refined { mapped, errors, distance }))
 }
 
-/// Corrects the passage until the way left shows in no observable, or shrinks no more; with the rate at which it shrank, no less than `rate`.
+/// Corrects the crossing until the way left shows in no observable, or shrinks no more; with the rate at which it shrank, no less than `rate`.
 fn approach<R: Scalar, M: Stepper<R> + Clone>(
     map: &mut ReturnMap<'_, R, M>,
     derivative: &Derivative,
     from: [R; 2],
     [local_tolerance, asked]: [f64; 2],
     rate: f64,
-) -> Result<Option<(Sight<R>, f64)>, Failure> {
+) -> Result<Option<(MappedReturn<R>, f64)>, Failure> {
     let (mut from, mut last, mut rate, mut before) = (from, f64::INFINITY, rate, f64::INFINITY);
     for _ in 0..MOST_CORRECTIONS {
-        let sight = map.sight(&from, local_tolerance)?;
-        let correction = derivative.correction(sight.residual());
+        let mapped = map.apply(&from, local_tolerance)?;
+        let correction = derivative.correction(mapped.residual());
         let change = derivative.moved(correction);
         let size = correction.iter().fold(0.0f64, |size, c| size.max(c.abs()));
-        if !size.is_finite() || size > sight.size() {
+        if !size.is_finite() || size > mapped.size() {
             return Ok(None);
         }
         if last.is_finite() {
@@ -170,31 +170,31 @@ fn approach<R: Scalar, M: Stepper<R> + Clone>(
             rate = (ratio + (ratio - before).max(0.0)).clamp(rate, 0.9);
             before = ratio;
         }
-        let noise = derivative.correction([rounding(&sight); 2]);
+        let noise = derivative.correction([rounding(&mapped); 2]);
         let resolved = size <= noise[0].abs().max(noise[1].abs());
         if change[PEAK].abs().max(change[DURATION].abs()) <= 0.1 * asked || resolved {
-            return Ok(Some((sight, rate)));
+            return Ok(Some((mapped, rate)));
         }
         // The map has steps of the size of its errors; nearer than that no correction leads.
         if size > 0.5 * last {
-            return Ok(Some((sight, rate)));
+            return Ok(Some((mapped, rate)));
         }
         last = size;
-        from = derivative.corrected(&sight.from, correction);
+        from = derivative.corrected(&mapped.from, correction);
     }
     Ok(None)
 }
 
-/// How far two laps from one passage may end apart, over the looser one's tolerance.
-const LAP_ERROR_IN_TOLERANCES: f64 = 0.5;
+/// How far two returns from one crossing may end apart, over the looser one's tolerance.
+const RETURN_ERROR_IN_TOLERANCES: f64 = 0.5;
 
-/// Laps from a rough cycle until one closes.
-const MOST_LAPS: usize = 30;
+/// Returns from a rough cycle until one closes.
+const MOST_RETURNS: usize = 30;
 
 /// Follows the map where it contracts fast; none when it does not.
 ///
-/// The reported lap begins where the one before ended. When its error at the finer tolerance is at most half as large and the state comes at
-/// least twice as near in a lap, then the difference of the two is more than the error of the second.
+/// The reported return begins where the one before ended. When its error at the finer tolerance is at most half as large and the state comes at
+/// least twice as near in a return, then the difference of the two is more than the error of the second.
 pub(super) fn follow<M: Stepper<f64> + Clone>(
     map: &mut ReturnMap<'_, f64, M>,
     rough: &Cycle<f64>,
@@ -206,48 +206,48 @@ pub(super) fn follow<M: Stepper<f64> + Clone>(
         return Ok(None);
     }
     let section = |state: &State<f64>| [state[1], state[2]];
-    let (mut lap, mut at) = (rough.lap.clone(), rough_tolerance);
-    let mut passage = section(&lap.end);
-    let mut change = size(difference(passage, section(&rough.from))) / size(passage);
+    let (mut orbit, mut at) = (rough.orbit.clone(), rough_tolerance);
+    let mut crossing = section(&orbit.end);
+    let mut change = size(difference(crossing, section(&rough.from))) / size(crossing);
     let mut carried: Option<Observed> = None;
-    for _ in 0..MOST_LAPS {
+    for _ in 0..MOST_RETURNS {
         let ready = at <= accuracy.coarse && SLOW * change <= accuracy.asked;
         let tolerance = if ready {
             accuracy.fine
         } else {
             libm::cbrt(libm::pow(0.01 * change, 2.0)).min(rough_tolerance).max(accuracy.coarse)
         };
-        let sight = map.sight(&passage, tolerance)?;
-        let left = size(sight.residual()) / sight.size();
-        // Beyond the errors of the two laps a deviation that stays belongs to a slow direction.
-        if left > 0.5 * change && left > LAP_ERROR_IN_TOLERANCES * at {
+        let mapped = map.apply(&crossing, tolerance)?;
+        let left = size(mapped.residual()) / mapped.size();
+        // Beyond the errors of the two returns a deviation that stays belongs to a slow direction.
+        if left > 0.5 * change && left > RETURN_ERROR_IN_TOLERANCES * at {
             return Ok(None);
         }
         if ready {
-            let differences = sight.differences(&lap);
-            let of_lap = lap_errors(differences, &sight.lap, gains, accuracy.floor);
-            let units = rounding_shown(&sight, gains);
-            // The fixed points of the two maps differ as well, and this lap began on the coarser one's.
-            let way = size(sight.residual()) / (1.0 - SLOW);
+            let differences = mapped.differences(&orbit);
+            let of_return = return_errors(differences, &mapped.orbit, gains, accuracy.floor);
+            let units = rounding_shown(&mapped, gains);
+            // The fixed points of the two maps differ as well, and this return began on the coarser one's.
+            let way = size(mapped.residual()) / (1.0 - SLOW);
             let errors: Observed = std::array::from_fn(|i| {
-                of_lap[i] + carried.map_or(0.0, |carried| carried[i]) + gains[i] * way + units[i]
+                of_return[i] + carried.map_or(0.0, |carried| carried[i]) + gains[i] * way + units[i]
             });
-            let errors = with_inertia(errors, &sight.lap, map.model.groups());
+            let errors = with_inertia(errors, &mapped.orbit, map.model.groups());
             let largest = errors[PEAK].max(errors[DURATION]);
             if largest <= accuracy.asked || carried.is_some() {
-                return Ok(Some(Refined { sight, errors, distance: left }));
+                return Ok(Some(Refined { mapped, errors, distance: left }));
             }
-            // The next lap is compared with one that errs like itself: a third of what this pair showed stays.
-            carried = Some(of_lap.map(|error| error / 3.0));
+            // The next return is compared with one that errs like itself: a third of what this pair showed stays.
+            carried = Some(of_return.map(|error| error / 3.0));
         }
-        (passage, lap, change, at) = (sight.image, sight.lap, left, tolerance);
+        (crossing, orbit, change, at) = (mapped.image, mapped.orbit, left, tolerance);
     }
     Ok(None)
 }
 
-/// By how much a cycle shrinks a deviation from its passage, in a direction that nothing distinguishes, and how much of it is seen.
+/// By how much a cycle shrinks a deviation from its crossing, in a direction that nothing distinguishes, and how much of it is seen.
 ///
-/// The approach of a trajectory does not tell: what is left of it may lie along a direction in which a lap changes next to nothing.
+/// The approach of a trajectory does not tell: what is left of it may lie along a direction in which a return changes next to nothing.
 fn spread<M: Stepper<f64> + Clone>(
     map: &mut ReturnMap<'_, f64, M>,
     cycle: &Cycle<f64>,
@@ -258,8 +258,8 @@ fn spread<M: Stepper<f64> + Clone>(
     let part = (DEVIATION_IN_TOLERANCES * local_tolerance / size(from)).clamp(LEAST_DEVIATION, DEVIATION);
     let by = [part * effect_ratio * from[0], part * map.model.imbalance(&cycle.from)];
     let moved = shifted(&from, by, effect_ratio);
-    let sight = map.sight(&moved, local_tolerance)?;
+    let mapped = map.apply(&moved, local_tolerance)?;
     let deviation = size(difference(moved, from));
-    let shrunk = size(difference(sight.image, [cycle.lap.end[1], cycle.lap.end[2]])) / deviation;
-    Ok((shrunk, sight.differences(&cycle.lap).map(|change| change.abs() / deviation)))
+    let shrunk = size(difference(mapped.image, [cycle.orbit.end[1], cycle.orbit.end[2]])) / deviation;
+    Ok((shrunk, mapped.differences(&cycle.orbit).map(|change| change.abs() / deviation)))
 }

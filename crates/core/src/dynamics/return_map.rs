@@ -1,148 +1,259 @@
-//! The laps since the last jump, and what they show of the return map: its slow direction, where that leads, repetition.
+//! The return map of V = V_l (upward): one cycle seen from a crossing, the map's derivative, and Newton's correction.
 
-use super::Scalar;
-use super::lap::Lap;
+use super::integrator::{Control, Integrator};
+use super::section_return::{Return, ReturnEnd, next_return};
+use super::stepper::Stepper;
+use super::{Failure, Model, Scalar};
 
-/// Most laps per cycle that are looked for.
-const MOST_LAPS_PER_CYCLE: usize = 4;
+/// What a cycle shows: ln(V_peak/V_l), ln(duration), ln(V_min/V_l), largest and least ζ.
+pub(super) type Observed = [f64; 5];
 
-/// y and ζ at a passage of the section x = 0.
-pub(super) type Passage = [f64; 2];
+/// Places in [`Observed`].
+pub(super) const PEAK: usize = 0;
+pub(super) const DURATION: usize = 1;
+pub(super) const TROUGH: usize = 2;
+pub(super) const HIGHEST: usize = 3;
+pub(super) const LOWEST: usize = 4;
 
-/// The laps since the last jump.
-pub(super) struct History<R> {
-    pub passages: Vec<Passage>,
-    pub laps: Vec<Lap<R>>,
+/// The return map over a number of returns, with the method that integrates it.
+#[derive(Debug, Clone)]
+pub(super) struct ReturnMap<'m, R, M> {
+    pub model: &'m Model<R>,
+    pub method: M,
+    /// Upward crossings of V = V_l in one cycle.
+    pub returns: usize,
+    pub most_steps: u64,
+    /// Steps (refused ones included) and evaluations so far.
+    pub work: [u64; 2],
 }
 
-pub(super) fn size(v: Passage) -> f64 {
-    v[0].abs().max(v[1].abs())
+/// One cycle from a crossing.
+#[derive(Debug, Clone)]
+pub(super) struct MappedReturn<R> {
+    /// y and ζ at its start and at its end.
+    pub from: [R; 2],
+    pub image: [R; 2],
+    pub orbit: Return<R>,
+    /// Steps it took: each leaves a rounding error.
+    pub steps: u64,
 }
 
-pub(super) fn difference(a: Passage, b: Passage) -> Passage {
-    [a[0] - b[0], a[1] - b[1]]
+/// What a return shows.
+pub(super) fn observed<R: Scalar>(orbit: &Return<R>) -> Observed {
+    [&orbit.peak, &orbit.duration.logarithm(), &orbit.trough, &orbit.highest_stress, &orbit.lowest_stress]
+        .map(Scalar::to_f64)
 }
 
-impl<R: Scalar> History<R> {
-    pub const fn new() -> Self {
-        Self { passages: Vec::new(), laps: Vec::new() }
+impl<'m, R: Scalar, M: Stepper<R> + Clone> ReturnMap<'m, R, M> {
+    pub const fn new(model: &'m Model<R>, method: M, returns: usize, most_steps: u64) -> Self {
+        Self { model, method, returns, most_steps, work: [0; 2] }
     }
 
-    pub fn push(&mut self, lap: Lap<R>) {
-        self.passages.push([lap.end[1].to_f64(), lap.end[2].to_f64()]);
-        self.laps.push(lap);
-    }
-
-    pub fn back(&self, n: usize) -> Option<Passage> {
-        self.passages.len().checked_sub(n + 1).map(|index| self.passages[index])
-    }
-
-    /// The change over the last `m` laps, relative to the state.
-    pub fn change(&self, m: usize) -> Option<f64> {
-        let (last, before) = (self.back(0)?, self.back(m)?);
-        Some(size(difference(last, before)) / size(last))
-    }
-
-    /// Whether the last three changes are so small that they may be the integrator's errors, which no lap can improve on.
-    pub fn within(&self, noise: f64) -> bool {
-        (0..3).all(|n| {
-            let (Some(last), Some(before)) = (self.back(n), self.back(n + 1)) else { return false };
-            size(difference(last, before)) < noise * size(last)
+    /// One cycle from (0, y, ζ).
+    pub fn apply(&mut self, from: &[R; 2], local_tolerance: f64) -> Result<MappedReturn<R>, Failure> {
+        let control = Control { local_tolerance, most_steps: self.most_steps };
+        let state = [R::from(0), from[0].clone(), from[1].clone()];
+        let mut run = Integrator::new(self.model, self.method.clone(), state, control)?;
+        let mut whole: Option<Return<R>> = None;
+        for done in 1..=self.returns {
+            let (orbit, end) = next_return(&mut run)?;
+            if end != ReturnEnd::Crossing {
+                return Err(Failure::Undecided { cycles: done as u64, change: 1.0 });
+            }
+            whole = Some(match whole {
+                Some(so_far) => so_far.joined(orbit),
+                None => orbit,
+            });
+        }
+        let (accepted, refused) = run.step_counts();
+        self.work = [self.work[0] + accepted + refused, self.work[1] + run.method().evaluations()];
+        let [_, y, zeta] = run.state().clone();
+        let undecided = Failure::Undecided { cycles: 0, change: 1.0 };
+        Ok(MappedReturn {
+            from: from.clone(),
+            image: [y, zeta],
+            orbit: whole.ok_or(undecided)?,
+            steps: accepted,
         })
     }
+}
 
-    /// The factor by which the last lap shrank the change: along the slow direction, or any when it is small.
-    pub fn multiplier(&self) -> Option<f64> {
-        if let Some((multiplier, _)) = self.slow_direction() {
-            return Some(multiplier.abs());
+impl<R: Scalar> MappedReturn<R> {
+    /// Image minus start.
+    pub fn residual(&self) -> [f64; 2] {
+        std::array::from_fn(|i| (self.image[i].clone() - &self.from[i]).to_f64())
+    }
+
+    /// The size of the state on the section.
+    pub fn size(&self) -> f64 {
+        self.image.iter().fold(0.0f64, |size, c| size.max(c.to_f64().abs()))
+    }
+
+    /// What this cycle shows less what another one shows, formed in the cycle's own digits.
+    pub fn differences(&self, other: &Return<R>) -> Observed {
+        let part = |a: &R, b: &R| (a.clone() - b).to_f64();
+        let ratio = part(&self.orbit.duration, &other.duration) / other.duration.to_f64();
+        [
+            part(&self.orbit.peak, &other.peak),
+            libm::log1p(ratio),
+            part(&self.orbit.trough, &other.trough),
+            part(&self.orbit.highest_stress, &other.highest_stress),
+            part(&self.orbit.lowest_stress, &other.lowest_stress),
+        ]
+    }
+}
+
+/// Derivatives of image and observables by the crossing.
+///
+/// On V = V_l quasi-static trajectories keep ζ − βy very near zero, so the crossing is described by u = βy and w = ζ − βy: a
+/// difference in u stays on their surface, and w is differenced within what is there.
+#[derive(Debug, Clone)]
+pub(super) struct Derivative {
+    effect_ratio: f64,
+    image: [[f64; 2]; 2],
+    /// The same with the entries that may be errors of the returns alone; elsewhere these count as zero.
+    raw: [[f64; 2]; 2],
+    /// Moduli.
+    observed: [[f64; 2]; 5],
+}
+
+/// Relative size of the differences: their truncation error is its square.
+const DIFFERENCE: f64 = 3e-4;
+
+/// Most that a difference may be of the coordinate it changes.
+const LARGEST_PART: f64 = 0.03;
+
+/// Error of a return's end over the 3/2nd power of its tolerance, relative to a state below 1 as the tolerance is; over a difference it
+/// is what a derivative can resolve.
+const RETURN_ERROR: f64 = 1.0;
+
+/// The same for the rounding errors of a return's steps, relative to any state.
+const ROUNDING: f64 = 1e-14;
+
+/// How nearly two derivatives must agree on an entry for it to be more than errors.
+const AGREEMENT: f64 = 0.1;
+
+/// y and ζ moved by u and w.
+pub(super) fn shifted<R: Scalar>(from: &[R; 2], [u, w]: [f64; 2], effect_ratio: f64) -> [R; 2] {
+    [from[0].clone() + R::from_f64(u / effect_ratio), from[1].clone() + R::from_f64(u + w)]
+}
+
+impl Derivative {
+    /// Central differences around a crossing.
+    pub fn at<M: Stepper<f64> + Clone>(
+        map: &mut ReturnMap<'_, f64, M>,
+        from: [f64; 2],
+        local_tolerance: f64,
+    ) -> Result<Self, Failure> {
+        let effect_ratio = map.model.groups().effect_ratio;
+        let size = from[0].abs().max(from[1].abs());
+        // Trajectories cross the section upward where ζ > φ.
+        let upward = map.model.imbalance(&[0.0, from[0], from[1]]).abs();
+        let along = (effect_ratio * from[0]).abs();
+        let steps = [along, upward]
+            .map(|part| (DIFFERENCE * size).min(LARGEST_PART * part).max(1e-6 * DIFFERENCE * size));
+        let return_error = RETURN_ERROR * local_tolerance * local_tolerance.sqrt();
+        let zero = [[0.0; 2]; 2];
+        let mut derivative = Self { effect_ratio, image: zero, raw: zero, observed: [[0.0; 2]; 5] };
+        for (column, h) in steps.into_iter().enumerate() {
+            let mut moved = |sign: f64| {
+                let mut by = [0.0; 2];
+                by[column] = sign * h;
+                map.apply(&shifted(&from, by, effect_ratio), local_tolerance)
+            };
+            let (low, high) = (moved(-1.0)?, moved(1.0)?);
+            let resolution = (return_error * size.min(1.0) + ROUNDING * size) / h;
+            let slope = |difference: f64| difference / (2.0 * h);
+            let image = derivative.coordinates([high.image[0] - low.image[0], high.image[1] - low.image[1]]);
+            for (row, difference) in image.into_iter().enumerate() {
+                let slope = slope(difference);
+                derivative.raw[row][column] = slope;
+                derivative.image[row][column] = if slope.abs() < resolution { 0.0 } else { slope };
+            }
+            for (row, difference) in high.differences(&low.orbit).into_iter().enumerate() {
+                // Errors are bounded by these: what cannot be resolved counts with all it may be.
+                derivative.observed[row][column] = slope(difference).abs().max(resolution);
+            }
         }
-        let (last, before) =
-            (self.change(1)?, size(difference(self.back(1)?, self.back(2)?)) / size(self.back(0)?));
-        (last < 0.1 * before).then(|| last / before)
+        Ok(derivative)
     }
 
-    /// The slow multiplier and the last change, when the last three passages lie on a line.
-    fn slow_direction(&self) -> Option<(f64, Passage)> {
-        let (a, b, c) = (self.back(2)?, self.back(1)?, self.back(0)?);
-        let (first, second) = (difference(b, a), difference(c, b));
-        let norm = first[0] * first[0] + first[1] * first[1];
-        let multiplier = (first[0] * second[0] + first[1] * second[1]) / norm;
-        let rest = difference(second, [multiplier * first[0], multiplier * first[1]]);
-        (size(rest) <= 0.1 * size(second)).then_some((multiplier, second))
+    fn coordinates(&self, [y, zeta]: [f64; 2]) -> [f64; 2] {
+        [self.effect_ratio * y, zeta - self.effect_ratio * y]
+    }
+
+    /// The modulus of the leading multiplier.
+    pub fn multiplier(&self) -> f64 {
+        let [[a, b], [c, d]] = self.image;
+        let half_trace = 0.5 * (a + d);
+        let discriminant = 0.25 * (a - d) * (a - d) + b * c;
+        if discriminant < 0.0 {
+            return (a * d - b * c).abs().sqrt();
+        }
+        half_trace.abs() + discriminant.sqrt()
+    }
+
+    /// Takes for more than errors, however small they are, the entries on which returns at another tolerance agree.
+    ///
+    /// Where ln θ moves by a part in 10^8 of what the stress does, such an entry decides about a multiplier next to 1.
+    pub fn confirmed_by(mut self, other: &Self) -> Self {
+        for (entry, (raw, others)) in self
+            .image
+            .as_flattened_mut()
+            .iter_mut()
+            .zip(self.raw.as_flattened().iter().zip(other.raw.as_flattened()))
+        {
+            if (raw - others).abs() <= AGREEMENT * raw.abs() {
+                *entry = *raw;
+            }
+        }
+        self
+    }
+
+    /// How far the slow direction is from neither growing nor shrinking, whether or not doubtful entries count.
+    pub fn least_neutrality(&self) -> f64 {
+        neutrality(self.image).abs().min(neutrality(self.raw).abs())
+    }
+
+    /// det(1 − P') over its faster factor: how far the slow direction is from neither growing nor shrinking; negative when it grows.
+    pub fn neutrality(&self) -> f64 {
+        neutrality(self.image)
+    }
+
+    /// (1 − P')^{-1}.
+    fn resolvent(&self) -> [[f64; 2]; 2] {
+        let [[a, b], [c, d]] = self.image;
+        let determinant = (1.0 - a) * (1.0 - d) - b * c;
+        [[(1.0 - d) / determinant, b / determinant], [c / determinant, (1.0 - a) / determinant]]
+    }
+
+    /// How far (in u and w) the fixed point is from a crossing with this residual in y and ζ: Newton's correction.
+    pub fn correction(&self, residual: [f64; 2]) -> [f64; 2] {
+        let [u, w] = self.coordinates(residual);
+        self.resolvent().map(|row| row[0] * u + row[1] * w)
+    }
+
+    /// The crossing moved by a correction.
+    pub fn corrected<R: Scalar>(&self, from: &[R; 2], by: [f64; 2]) -> [R; 2] {
+        shifted(from, by, self.effect_ratio)
+    }
+
+    /// The largest change of the observables when the crossing moves by this much.
+    pub fn moved(&self, by: [f64; 2]) -> Observed {
+        self.observed.map(|row| row[0] * by[0].abs() + row[1] * by[1].abs())
+    }
+
+    /// The largest change of the observables of the fixed point when the image errs by up to these amounts in y and ζ.
+    pub fn worst(&self, error: [f64; 2], units: f64) -> Observed {
+        let [u, w] = self.coordinates(error).map(|error| error.abs() + units);
+        let resolvent = self.resolvent();
+        self.moved(resolvent.map(|row| row[0].abs() * u + row[1].abs() * w))
     }
 }
 
-/// The number of laps after which the state repeats, when it is more than one and the repetition is already exact.
-pub(super) fn laps_per_cycle<R: Scalar>(history: &History<R>, target: f64, noise: f64) -> Option<usize> {
-    let single = history.change(1)?;
-    if single < 100.0 * noise {
-        return None;
-    }
-    (2..=MOST_LAPS_PER_CYCLE).find(|&m| {
-        let twice = history.passages.len() > 2 * m;
-        twice && history.change(m).is_some_and(|change| change <= target && change <= 1e-3 * single)
-    })
-}
-
-/// Where the slow direction leads: the secant's fixed point, or a limited part of the way.
-pub(super) fn jump<R: Scalar>(history: &History<R>, reach: f64) -> Option<Passage> {
-    let (multiplier, change) = history.slow_direction()?;
-    let here = history.back(0)?;
-    let amplitude = size(here);
-    // Faster contraction than this converges by itself before a jump pays.
-    if multiplier < 0.3 {
-        return None;
-    }
-    let largest = reach * amplitude / size(change);
-    let factor = if multiplier < 1.0 { (multiplier / (1.0 - multiplier)).min(largest) } else { largest };
-    let to = [here[0] + factor * change[0], here[1] + factor * change[1]];
-    let full = multiplier / (1.0 - multiplier);
-    let end = [here[0] + full * change[0], here[1] + full * change[1]];
-    // A small state on its way to zero: the equations are nearly linear, and a decade is as good as a lap.
-    if multiplier < 1.0 && amplitude < 0.05 && size(end) < 0.2 * amplitude {
-        return Some([0.1 * here[0], 0.1 * here[1]]);
-    }
-    Some(to)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn history(passages: &[Passage]) -> History<f64> {
-        History { passages: passages.to_vec(), laps: Vec::new() }
-    }
-
-    #[test]
-    fn a_geometric_approach_leads_to_its_limit() {
-        // 2 + 0.02·0.9^n along (1, −1).
-        let passages: Vec<Passage> =
-            [1.0, 0.9, 0.81, 0.729].iter().map(|r| [2.0 + 0.02 * r, -1.0 - 0.02 * r]).collect();
-        let history = history(&passages);
-        assert!((history.multiplier().unwrap() - 0.9).abs() < 1e-12);
-        let to = jump(&history, 0.3).unwrap();
-        assert!((to[0] - 2.0).abs() < 1e-12 && (to[1] + 1.0).abs() < 1e-12);
-    }
-
-    #[test]
-    fn growth_and_far_limits_are_approached_by_a_limited_part_of_the_state() {
-        let passages: Vec<Passage> = [1.0, 1.1, 1.21].iter().map(|r| [1.0 + 0.01 * r, 0.0]).collect();
-        let to = jump(&history(&passages), 0.3).unwrap();
-        assert!((to[0] / 1.0121 - 1.3).abs() < 1e-12);
-    }
-
-    #[test]
-    fn a_small_state_on_its_way_to_zero_loses_a_decade() {
-        let passages = [[0.01, 0.0], [0.0099, 0.0], [0.009801, 0.0]];
-        let to = jump(&history(&passages), 0.3).unwrap();
-        assert!((to[0] - 0.0009801).abs() < 1e-12);
-    }
-
-    #[test]
-    fn a_repetition_after_two_laps_is_found() {
-        let passages = [[1.0, 0.0], [2.0, 0.0], [1.0, 0.0], [2.0, 0.0], [1.0, 0.0], [2.0, 0.0]];
-        assert_eq!(laps_per_cycle(&history(&passages), 1e-9, 1e-9), Some(2));
-        let single = [[1.0, 0.0]; 6];
-        assert_eq!(laps_per_cycle(&history(&single), 1e-9, 1e-9), None);
-    }
+/// det(1 − P') over its faster factor.
+fn neutrality([[a, b], [c, d]]: [[f64; 2]; 2]) -> f64 {
+    let determinant = (1.0 - a) * (1.0 - d) - b * c;
+    let faster = (2.0 - a - d).abs().max(determinant.abs().sqrt());
+    determinant / faster
 }

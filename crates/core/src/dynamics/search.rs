@@ -1,19 +1,19 @@
-//! The search for a late behaviour whose stated errors meet what was asked.
+//! The search for a long-term behaviour whose stated errors meet what was asked.
 //!
-//! A rough run follows the trajectory to its limit cycle; [`refine`](super::refine) then brings one cycle to its accuracy with few laps. A decay is run
+//! A rough run follows the trajectory to its limit cycle; [`refine`](super::refine) then brings one cycle to its accuracy with few returns. A decay is run
 //! twice from the start, at two tolerances. A result that misses the asked accuracy is computed anew, tighter, from the cycle already
 //! known; where f64 allows no tighter run, Newton's iteration goes on in double-double. When that does not do either, the
 //! answer is a failure that says what was reached.
 
 use super::deviations::{oscillation_in_double_double, oscillation_of_small_deviations};
 use super::integrator::{Control, Integrator};
-use super::lap_errors::{OF_DIFFERENCE, OF_LARGEST};
+use super::long_term::{Cycle, Decay, LongTerm, SLOW, long_term_within};
 use super::outcome::{Errors, Outcome, extremes, peak_and_period, trough};
 use super::refine::{Accuracy, Refined, derivative, follow, refine};
-use super::settle::{Cycle, Decay, Late, SLOW, settle_within};
-use super::sight::{DURATION, HIGHEST, LOWEST, PEAK, ReturnMap, TROUGH};
+use super::return_errors::{OF_DIFFERENCE, OF_LARGEST};
+use super::return_map::{DURATION, HIGHEST, LOWEST, PEAK, ReturnMap, TROUGH};
 use super::stepper::Stepper;
-use super::{Failure, Lap, Model, Options, Radau};
+use super::{Failure, Model, Options, Radau, Return};
 use crate::number::Dd;
 
 /// The least asked error that the method of order 5 is used for.
@@ -31,35 +31,35 @@ const TIGHTER: f64 = 0.1;
 /// How near to a slowly contracting cycle the rough run has to come before Newton's iteration takes over.
 const NEWTON_FROM: f64 = 1e-2;
 
-/// The same for one that contracts fast, over the asked error: true laps follow, and their errors are measured.
+/// The same for one that contracts fast, over the asked error: true returns follow, and their errors are measured.
 const FOLLOW_FROM: f64 = 0.3;
 
 /// Local tolerances of one attempt.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Levels {
-    /// Of the run that finds the late behaviour.
+    /// Of the run that finds the long-term behaviour.
     rough: f64,
-    /// Of the two laps that are compared.
+    /// Of the two returns that are compared.
     coarse: f64,
     /// The tightest in use.
     tightest: f64,
-    /// Steps of a lap whose errors are as large as their estimates.
+    /// Steps of a return whose errors are as large as their estimates.
     bad_steps: f64,
-    /// Laps after which the method is called unsuited: many of them are cheaper with one of higher order.
-    most_laps: u64,
+    /// Returns after which the method is called unsuited: many of them are cheaper with one of higher order.
+    most_returns: u64,
 }
 
 impl Levels {
     /// For the method of order 5.
     pub const fn loose() -> Self {
-        Self { rough: 1e-2, coarse: 1e-2, tightest: 1e-3, bad_steps: 20.0, most_laps: 40 }
+        Self { rough: 1e-2, coarse: 1e-2, tightest: 1e-3, bad_steps: 20.0, most_returns: 40 }
     }
 
     /// For the method of order 9: its global error is about the 3/2nd power of the local tolerance.
     pub fn for_error(asked: f64) -> Self {
         let coarse = (30.0 * asked).clamp(TIGHTEST / FINER, 1e-3);
         let (rough, tightest) = (coarse.max(1e-4), TIGHTEST / FINER);
-        Self { rough, coarse, tightest, bad_steps: 1.0, most_laps: u64::MAX }
+        Self { rough, coarse, tightest, bad_steps: 1.0, most_returns: u64::MAX }
     }
 
     fn tighter(self, by: f64) -> Option<Self> {
@@ -80,8 +80,8 @@ pub(super) struct Search<'m, 'o, M> {
     work: [u64; 2],
 }
 
-/// A late behaviour with its errors.
-type Found = (Late<f64>, Errors);
+/// A long-term behaviour with its errors.
+type Found = (LongTerm<f64>, Errors);
 
 impl<'m, 'o, M: Stepper<f64> + Clone> Search<'m, 'o, M> {
     pub const fn new(model: &'m Model<f64>, method: M, options: &'o Options, levels: Levels) -> Self {
@@ -96,8 +96,8 @@ impl<'m, 'o, M: Stepper<f64> + Clone> Search<'m, 'o, M> {
         loop {
             let mut by = TIGHTER;
             match self.attempt() {
-                Ok((late, errors)) => {
-                    let outcome = self.outcome(late, errors, FINER * self.levels.coarse);
+                Ok((long_term, errors)) => {
+                    let outcome = self.outcome(long_term, errors, FINER * self.levels.coarse);
                     reached = outcome.largest_error().min(reached);
                     if outcome.largest_error() <= asked {
                         return Ok(outcome);
@@ -121,9 +121,9 @@ impl<'m, 'o, M: Stepper<f64> + Clone> Search<'m, 'o, M> {
         }
     }
 
-    fn outcome(&self, late: Late<f64>, errors: Errors, local_tolerance: f64) -> Outcome {
+    fn outcome(&self, long_term: LongTerm<f64>, errors: Errors, local_tolerance: f64) -> Outcome {
         let start = libm::log(self.options.velocity_ratio);
-        Outcome::new(self.model, start, late, errors, self.work, local_tolerance)
+        Outcome::new(self.model, start, long_term, errors, self.work, local_tolerance)
     }
 
     fn attempt(&mut self) -> Result<Found, Failure> {
@@ -132,53 +132,54 @@ impl<'m, 'o, M: Stepper<f64> + Clone> Search<'m, 'o, M> {
         }
         let rough = self.levels.rough;
         let targets = [FOLLOW_FROM * self.options.tolerance.max(1e-2), NEWTON_FROM];
-        match self.run(rough, |run, laps| settle_within(run, targets, laps))? {
-            Late::Cycle(cycle) => match self.refined(cycle, rough) {
+        match self.run(rough, |run, returns| long_term_within(run, targets, returns))? {
+            LongTerm::Cycle(cycle) => match self.refined(cycle, rough) {
                 // A slow decay looks like the approach to a cycle that is not there: it is followed to its end.
                 Err(Failure::Undecided { .. }) => self.followed(),
                 found => found,
             },
-            Late::Decay(decay) if rough <= self.levels.coarse => self.decay(decay),
-            Late::Decay(_) => self.followed(),
+            LongTerm::Decay(decay) if rough <= self.levels.coarse => self.decay(decay),
+            LongTerm::Decay(_) => self.followed(),
         }
     }
 
     /// A run that is not cut short by Newton's iteration.
     fn followed(&mut self) -> Result<Found, Failure> {
-        match self.settled(self.levels.coarse)? {
-            Late::Decay(decay) => self.decay(decay),
-            Late::Cycle(cycle) => self.refined(cycle, self.levels.coarse),
+        match self.long_term_at(self.levels.coarse)? {
+            LongTerm::Decay(decay) => self.decay(decay),
+            LongTerm::Cycle(cycle) => self.refined(cycle, self.levels.coarse),
         }
     }
 
-    fn settled(&mut self, local_tolerance: f64) -> Result<Late<f64>, Failure> {
+    fn long_term_at(&mut self, local_tolerance: f64) -> Result<LongTerm<f64>, Failure> {
         let target = 0.01 * self.options.tolerance;
-        self.run(local_tolerance, |run, laps| settle_within(run, [target, 0.0], laps))
+        self.run(local_tolerance, |run, returns| long_term_within(run, [target, 0.0], returns))
     }
 
     /// A run from the start.
     fn run(
         &mut self,
         local_tolerance: f64,
-        settle: impl Fn(&mut Integrator<'m, f64, M>, u64) -> Result<Late<f64>, Failure>,
-    ) -> Result<Late<f64>, Failure> {
+        long_term_behaviour: impl Fn(&mut Integrator<'m, f64, M>, u64) -> Result<LongTerm<f64>, Failure>,
+    ) -> Result<LongTerm<f64>, Failure> {
         let start = self.options.start.state(self.model, &libm::log(self.options.velocity_ratio));
         let control = Control { local_tolerance, most_steps: self.options.most_steps };
         let mut run = Integrator::new(self.model, self.method.clone(), start, control)?;
-        let late = settle(&mut run, self.options.most_laps.min(self.levels.most_laps));
+        let long_term =
+            long_term_behaviour(&mut run, self.options.most_returns.min(self.levels.most_returns));
         let (accepted, refused) = run.step_counts();
         self.work = [self.work[0] + accepted + refused, self.work[1] + run.method().evaluations()];
-        late
+        long_term
     }
 
     /// A decay, run again at a tenth of the tolerance.
     fn decay(&mut self, mut coarse: Decay<f64>) -> Result<Found, Failure> {
         let finer = FINER * self.levels.coarse;
-        let mut fine = match self.settled(finer)? {
-            Late::Decay(decay) => decay,
-            Late::Cycle(_) => return Err(Failure::Undecided { cycles: 0, change: 1.0 }),
+        let mut fine = match self.long_term_at(finer)? {
+            LongTerm::Decay(decay) => decay,
+            LongTerm::Cycle(_) => return Err(Failure::Undecided { cycles: 0, change: 1.0 }),
         };
-        // A pair that dies faster than the real mode leaves no clear trace in late behaviour, but it is there.
+        // A pair that dies faster than the real mode leaves no clear trace in long-term behaviour, but it is there.
         if coarse.oscillation.is_none() || fine.oscillation.is_none() {
             let [wide, narrow] = [(finer / FINER).min(1e-6), finer.min(FINER * 1e-6)];
             coarse.oscillation = oscillation_of_small_deviations(self.model, wide)?;
@@ -195,7 +196,7 @@ impl<'m, 'o, M: Stepper<f64> + Clone> Search<'m, 'o, M> {
             }
         }
         let start = libm::log(self.options.velocity_ratio);
-        let (coarse, fine) = (Late::Decay(coarse), Late::Decay(fine));
+        let (coarse, fine) = (LongTerm::Decay(coarse), LongTerm::Decay(fine));
         let errors = decay_errors(&coarse, &fine, start, self.levels.bad_steps * finer);
         Ok((fine, errors))
     }
@@ -205,15 +206,15 @@ impl<'m, 'o, M: Stepper<f64> + Clone> Search<'m, 'o, M> {
         let Levels { coarse, bad_steps, .. } = self.levels;
         let fine = FINER * coarse;
         let accuracy = Accuracy { coarse, fine, floor: bad_steps * fine, asked: self.options.tolerance };
-        let laps = found.laps_per_cycle;
-        let mut map = ReturnMap::new(self.model, self.method.clone(), laps, self.options.most_steps);
+        let returns = found.returns_per_cycle;
+        let mut map = ReturnMap::new(self.model, self.method.clone(), returns, self.options.most_steps);
         let mut refined = None;
         let mut contraction = found.contraction.filter(|&known| known < 1.0);
         if contraction.is_none_or(|known| known < SLOW) {
             refined = follow(&mut map, &found, tolerance, accuracy)?;
         }
         if refined.is_none() {
-            let rough = [found.lap.end[1], found.lap.end[2]];
+            let rough = [found.orbit.end[1], found.orbit.end[2]];
             let (derivative, rough) = derivative(&mut map, rough)?;
             contraction = Some(derivative.multiplier());
             refined = refine(&mut map, &derivative, rough, accuracy)?;
@@ -225,7 +226,7 @@ impl<'m, 'o, M: Stepper<f64> + Clone> Search<'m, 'o, M> {
             }
         }
         self.work = [self.work[0] + map.work[0], self.work[1] + map.work[1]];
-        let Some(Refined { sight, errors, distance }) = refined else {
+        let Some(Refined { mapped, errors, distance }) = refined else {
             return Err(Failure::Undecided { cycles: 0, change: found.distance });
         };
         let errors = Errors {
@@ -234,10 +235,10 @@ impl<'m, 'o, M: Stepper<f64> + Clone> Search<'m, 'o, M> {
             trough: errors[TROUGH],
             drop: errors[HIGHEST] + errors[LOWEST],
         };
-        let from = [0.0, sight.from[0], sight.from[1]];
-        let cycle = Cycle { lap: sight.lap, laps_per_cycle: laps, contraction, distance, from };
+        let from = [0.0, mapped.from[0], mapped.from[1]];
+        let cycle = Cycle { orbit: mapped.orbit, returns_per_cycle: returns, contraction, distance, from };
         self.known = Some((cycle.clone(), FINER * coarse));
-        Ok((Late::Cycle(cycle), errors))
+        Ok((LongTerm::Cycle(cycle), errors))
     }
 }
 
@@ -249,7 +250,7 @@ fn satisfies<R>(refined: &Refined<R>, asked: f64) -> bool {
 fn in_double_double(
     model: &Model<f64>,
     found: &Cycle<f64>,
-    derivative: &super::sight::Derivative,
+    derivative: &super::return_map::Derivative,
     refined: &Option<Refined<f64>>,
     accuracy: Accuracy,
     options: &Options,
@@ -259,18 +260,19 @@ fn in_double_double(
         model.law(),
         model.balance().map(|&group| Dd::from(group)),
     );
-    let from = refined.as_ref().map_or([found.lap.end[1], found.lap.end[2]], |refined| refined.sight.from);
-    let mut map = ReturnMap::new(&fine, Radau::<Dd, 7>::new(), found.laps_per_cycle, options.most_steps);
+    let from =
+        refined.as_ref().map_or([found.orbit.end[1], found.orbit.end[2]], |refined| refined.mapped.from);
+    let mut map = ReturnMap::new(&fine, Radau::<Dd, 7>::new(), found.returns_per_cycle, options.most_steps);
     let accuracy = Accuracy { coarse: 1e-14, fine: 1e-16, floor: 1e-16, ..accuracy };
     let refined = refine(&mut map, derivative, from.map(Dd::from), accuracy)?;
     Ok(refined.map(|refined| refined.rounded()))
 }
 
 /// Errors of a decay from two runs, a factor ten apart in tolerance.
-fn decay_errors(coarse: &Late<f64>, fine: &Late<f64>, start: f64, floor: f64) -> Errors {
+fn decay_errors(coarse: &LongTerm<f64>, fine: &LongTerm<f64>, start: f64, floor: f64) -> Errors {
     let (coarse_peak, coarse_period) = peak_and_period(coarse, start);
     let (peak, period) = peak_and_period(fine, start);
-    let (rough, lap): (&Lap<f64>, &Lap<f64>) = (extremes(coarse), extremes(fine));
+    let (rough, orbit): (&Return<f64>, &Return<f64>) = (extremes(coarse), extremes(fine));
     let lowest = trough(fine, start);
     let difference = |a: f64, b: f64| (a - b).abs() / b.abs().max(1.0);
     let of_period = match (coarse_period, period) {
@@ -282,8 +284,8 @@ fn decay_errors(coarse: &Late<f64>, fine: &Late<f64>, start: f64, floor: f64) ->
         difference(coarse_peak, peak),
         of_period,
         difference(trough(coarse, start), lowest),
-        difference(rough.highest_stress, lap.highest_stress),
-        difference(rough.lowest_stress, lap.lowest_stress),
+        difference(rough.highest_stress, orbit.highest_stress),
+        difference(rough.lowest_stress, orbit.lowest_stress),
     ];
     let largest = differences.iter().fold(0.0f64, |largest, &d| largest.max(d));
     let units = 100.0 * f64::EPSILON;
@@ -294,6 +296,6 @@ fn decay_errors(coarse: &Late<f64>, fine: &Late<f64>, start: f64, floor: f64) ->
         peak: error(PEAK, peak),
         period: period.map(|_| error(DURATION, 1.0)),
         trough: error(TROUGH, lowest),
-        drop: error(HIGHEST, lap.highest_stress) + error(LOWEST, lap.lowest_stress),
+        drop: error(HIGHEST, orbit.highest_stress) + error(LOWEST, orbit.lowest_stress),
     }
 }

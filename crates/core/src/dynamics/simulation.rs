@@ -22,8 +22,8 @@ pub struct Options {
     pub regularised_reference_friction: Option<f64>,
     /// Most steps of one run, refused ones included.
     pub most_steps: u64,
-    /// Most oscillations before the late behaviour is called undecided.
-    pub most_laps: u64,
+    /// Most oscillations before the long-term behaviour is called undecided.
+    pub most_returns: u64,
 }
 
 impl Default for Options {
@@ -34,7 +34,7 @@ impl Default for Options {
             tolerance: 1e-8,
             regularised_reference_friction: None,
             most_steps: 5_000_000,
-            most_laps: 4_000,
+            most_returns: 4_000,
         }
     }
 }
@@ -42,7 +42,7 @@ impl Default for Options {
 /// Simulates a slider.
 ///
 /// # Errors
-/// A [`Failure`] when the start is not admissible, the late behaviour is undecided or the tolerance is out of reach.
+/// A [`Failure`] when the start is not admissible, the long-term behaviour is undecided or the tolerance is out of reach.
 pub fn simulate(
     parameters: &Parameters<Rational>,
     law: EvolutionLaw,

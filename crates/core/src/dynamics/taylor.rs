@@ -75,7 +75,7 @@ impl<R: Scalar, const N: usize> Stepper<R> for Taylor<R, N> {
         // The last terms bound the rest only where terms fall: by half from each to the next.
         let by_fall = (third - last) / 2.0 - 1.0;
         let length = (by_last.min(by_second).min(by_fall) * std::f64::consts::LN_2).exponentials().0;
-        // Σ z^k/k! to degree n decays for real z > −n/3 (n ≥ 3): what a stiff force has settled is not stirred up again.
+        // Σ z^k/k! to degree n decays for real z > −n/3 (n ≥ 3): what a stiff force has damped stays damped.
         Some(length.min((N - 1) as f64 / (3.0 * self.stiffness)))
     }
 

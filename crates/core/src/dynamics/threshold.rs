@@ -1,12 +1,12 @@
 //! How far a start has to be from steady sliding to end on a cycle, where both attract.
 
 use super::integrator::{Control, Integrator};
-use super::lap::{LapEnd, run_lap};
+use super::section_return::{ReturnEnd, next_return};
 use super::{Failure, Member, Model, Radau, Start};
 
-/// Laps after which a trajectory moves along the slow direction alone: then the stress at the passage decides on which side of the unstable
+/// Returns after which a trajectory moves along the slow direction alone: then the stress at the crossing decides on which side of the unstable
 /// cycle it is.
-const LAPS: u32 = 8;
+const RETURNS: u32 = 8;
 
 /// The farthest start that is tried: V = V_l e^{-6}.
 const FARTHEST: f64 = 6.0;
@@ -14,7 +14,7 @@ const FARTHEST: f64 = 6.0;
 /// Bisections: ln(V_l/V) to 1e-6.
 const BISECTIONS: u32 = 23;
 
-/// Local tolerance of the laps.
+/// Local tolerance of the returns.
 const LOCAL_TOLERANCE: f64 = 1e-8;
 
 /// Most steps of one trial.
@@ -46,10 +46,10 @@ fn grows_from(model: &Model<f64>, unstable: &Member, below: f64) -> Result<bool,
     let start = Start::SteadyAtVelocity.state(model, &-below);
     let control = Control { local_tolerance: LOCAL_TOLERANCE, most_steps: MOST_STEPS };
     let mut run = Integrator::new(model, Radau::<f64, 5>::new(), start, control)?;
-    for _ in 0..LAPS {
-        if run_lap(&mut run)?.1 == LapEnd::Quiet {
+    for _ in 0..RETURNS {
+        if next_return(&mut run)?.1 == ReturnEnd::AtRest {
             return Ok(false);
         }
     }
-    Ok(run.state()[2] > unstable.lap.end[2])
+    Ok(run.state()[2] > unstable.orbit.end[2])
 }

@@ -1,19 +1,19 @@
-//! Laps where integrators go wrong: V down to 1e-79 V_l, K beside K_c, no inertia, tolerances below rounding; every method of ours
+//! Returns where integrators go wrong: V down to 1e-79 V_l, K beside K_c, no inertia, tolerances below rounding; every method of ours
 //! against references from an unrelated program, and what a whole simulation says.
 
 use rayon::prelude::*;
 
 use crate::scene::{CsvProblem, Fault, Faults, Problem};
-use crate::study::work_precision::{Lapped, lap_within};
+use crate::study::work_precision::{MeasuredReturn, return_within};
 use slipmode_core::dynamics::{
     Behaviour, Failure, Model, Options, Outcome, Radau, Rodas5P, State, Taylor, simulate_model,
 };
 use slipmode_core::friction::{EvolutionLaw, Groups, Parameters};
 use slipmode_core::number::{Rational, parse_decimal};
 
-/// A lap with the answers of an independent program.
+/// A return with the answers of an independent program.
 #[derive(Debug, Clone, PartialEq)]
-pub struct HardLap {
+pub struct HardReturn {
     /// What makes it hard.
     pub family: String,
     /// The evolution law.
@@ -30,37 +30,37 @@ pub struct HardLap {
     duration: f64,
 }
 
-/// What one method did with a lap, or a simulation with the slider.
+/// What one method did with a return, or a simulation with the slider.
 #[derive(Debug, Clone, PartialEq)]
-pub struct LapVerdict {
+pub struct ReturnVerdict {
     /// The method.
     pub method: &'static str,
-    /// The tolerance asked for: local for a lap, of the answer for a simulation.
+    /// The tolerance asked for: local for a return, of the answer for a simulation.
     pub tolerance: f64,
     /// Steps, evaluations, and the larger of the errors of ln V_peak and of the duration, relative; or why there is no answer.
-    pub answer: Result<LapAnswer, Failure>,
+    pub answer: Result<ReturnAnswer, Failure>,
 }
 
 /// The answer of one method.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct LapAnswer {
+pub struct ReturnAnswer {
     /// Steps, refused ones included.
     pub steps: u64,
     /// Evaluations of the right-hand side.
     pub evaluations: u64,
-    /// Of a lap the error, of a simulation the error that it states.
+    /// Of a return the error, of a simulation the error that it states.
     pub error: f64,
     /// What a simulation ends in.
     pub behaviour: Option<Behaviour>,
 }
 
-/// One lap by every method.
+/// One return by every method.
 #[derive(Debug, Clone, PartialEq)]
-pub struct LapOutcome {
-    /// The lap.
-    pub case: HardLap,
+pub struct ReturnOutcome {
+    /// The return.
+    pub case: HardReturn,
     /// Method by method, tolerance by tolerance.
-    pub verdicts: Vec<LapVerdict>,
+    pub verdicts: Vec<ReturnVerdict>,
 }
 
 const COLUMNS: [&str; 10] = [
@@ -76,11 +76,11 @@ const COLUMNS: [&str; 10] = [
     "expected_duration",
 ];
 
-/// Reads a file of laps: CSV with these columns in this order, and `#` lines of words.
+/// Reads a file of returns: CSV with these columns in this order, and `#` lines of words.
 ///
 /// # Errors
 /// A header or a row of other columns, and what is not a number, each with its line.
-pub fn read_hard_laps(file: &str, text: &str) -> Result<Vec<HardLap>, Faults> {
+pub fn read_hard_returns(file: &str, text: &str) -> Result<Vec<HardReturn>, Faults> {
     let mut lines = (1..).zip(text.lines()).filter(|(_, line)| !line.starts_with('#'));
     let fault = |line, key: &str, value: Option<&str>, problem| {
         vec![Fault {
@@ -116,7 +116,7 @@ pub fn read_hard_laps(file: &str, text: &str) -> Result<Vec<HardLap>, Faults> {
             let problem = Problem::UnknownWord { nearest: None, allowed: "aging, slip".into() };
             fault(line, COLUMNS[1], Some(cells[1]), problem)
         };
-        Ok(HardLap {
+        Ok(HardReturn {
             family: cells[0].to_owned(),
             law: law.ok_or_else(unknown)?,
             groups: Groups {
@@ -133,42 +133,42 @@ pub fn read_hard_laps(file: &str, text: &str) -> Result<Vec<HardLap>, Faults> {
     lines.map(read).collect()
 }
 
-/// Local tolerances of the laps: an ordinary one, and two below what 64 bits can tell.
+/// Local tolerances of the returns: an ordinary one, and two below what 64 bits can tell.
 const TOLERANCES: [f64; 3] = [1e-9, 1e-16, 1e-20];
 
 /// Tolerances of the simulations: an ordinary one, and one below rounding.
 const ASKED: [f64; 2] = [1e-8, 1e-16];
 
-/// The most steps of a lap: ten times what the hardest one takes.
+/// The most steps of a return: ten times what the hardest one takes.
 const MOST_STEPS: u64 = 20_000;
 
 /// Every case by every method.
 #[must_use]
-pub fn run_hard_laps(cases: &[HardLap]) -> Vec<LapOutcome> {
-    cases.par_iter().map(|case| LapOutcome { case: case.clone(), verdicts: verdicts(case) }).collect()
+pub fn run_hard_returns(cases: &[HardReturn]) -> Vec<ReturnOutcome> {
+    cases.par_iter().map(|case| ReturnOutcome { case: case.clone(), verdicts: verdicts(case) }).collect()
 }
 
-type Run = fn(&Model<f64>, &State<f64>, f64) -> Result<Lapped<f64>, Failure>;
+type Run = fn(&Model<f64>, &State<f64>, f64) -> Result<MeasuredReturn<f64>, Failure>;
 
 const METHODS: [(&str, Run); 5] = [
-    ("Rodas5P", |model, start, local| lap_within(model, Rodas5P::new(), start, local, MOST_STEPS)),
+    ("Rodas5P", |model, start, local| return_within(model, Rodas5P::new(), start, local, MOST_STEPS)),
     ("Radau IIA 5", |model, start, local| {
-        lap_within(model, Radau::<f64, 3>::new(), start, local, MOST_STEPS)
+        return_within(model, Radau::<f64, 3>::new(), start, local, MOST_STEPS)
     }),
     ("Radau IIA 9", |model, start, local| {
-        lap_within(model, Radau::<f64, 5>::new(), start, local, MOST_STEPS)
+        return_within(model, Radau::<f64, 5>::new(), start, local, MOST_STEPS)
     }),
     ("Radau IIA 13", |model, start, local| {
-        lap_within(model, Radau::<f64, 7>::new(), start, local, MOST_STEPS)
+        return_within(model, Radau::<f64, 7>::new(), start, local, MOST_STEPS)
     }),
     ("Taylor 20", |model, start, local| {
-        lap_within(model, Taylor::<f64, 20>::new(), start, local, MOST_STEPS)
+        return_within(model, Taylor::<f64, 20>::new(), start, local, MOST_STEPS)
     }),
 ];
 
-fn verdicts(case: &HardLap) -> Vec<LapVerdict> {
+fn verdicts(case: &HardReturn) -> Vec<ReturnVerdict> {
     let model = Model::new(case.groups.clone(), case.law);
-    let laps = METHODS.into_iter().flat_map(|(method, run)| {
+    let returns = METHODS.into_iter().flat_map(|(method, run)| {
         let model = &model;
         // A method that does not finish at an ordinary tolerance is not asked for a tighter one.
         let mut stopped = false;
@@ -176,37 +176,41 @@ fn verdicts(case: &HardLap) -> Vec<LapVerdict> {
             if stopped {
                 return None;
             }
-            let answer = run(model, &case.start, tolerance).map(|lap| case.judge(&lap));
+            let answer = run(model, &case.start, tolerance).map(|orbit| case.judge(&orbit));
             stopped = answer.is_err();
-            Some(LapVerdict { method, tolerance, answer })
+            Some(ReturnVerdict { method, tolerance, answer })
         })
     });
     let whole = ASKED.map(|tolerance| {
-        let options = Options { tolerance, most_laps: MOST_LAPS, ..Options::default() };
-        LapVerdict { method: "simulation", tolerance, answer: simulate_model(&model, &options).map(stated) }
+        let options = Options { tolerance, most_returns: MOST_RETURNS, ..Options::default() };
+        ReturnVerdict {
+            method: "simulation",
+            tolerance,
+            answer: simulate_model(&model, &options).map(stated),
+        }
     });
-    laps.chain(whole).collect()
+    returns.chain(whole).collect()
 }
 
 /// Oscillations of a whole simulation before it is called undecided.
-const MOST_LAPS: u64 = 1_000;
+const MOST_RETURNS: u64 = 1_000;
 
-fn stated(outcome: Outcome) -> LapAnswer {
+fn stated(outcome: Outcome) -> ReturnAnswer {
     // Units in which an outcome is what it is.
     let found = outcome.in_si(&Parameters::from([1.0; 7]));
     let error = found.peak_relative_error.max(found.period_relative_error.unwrap_or(0.0));
     let (steps, evaluations) = (found.steps, found.evaluations);
-    LapAnswer { steps, evaluations, error, behaviour: Some(found.behaviour) }
+    ReturnAnswer { steps, evaluations, error, behaviour: Some(found.behaviour) }
 }
 
-impl HardLap {
-    fn judge(&self, lap: &Lapped<f64>) -> LapAnswer {
+impl HardReturn {
+    fn judge(&self, orbit: &MeasuredReturn<f64>) -> ReturnAnswer {
         // The peak of a small oscillation is itself the measure of its error.
-        let peak = (lap.peak - self.log_peak).abs() / self.log_peak.abs().min(1.0);
-        let duration = (lap.duration / self.duration - 1.0).abs();
-        LapAnswer {
-            steps: lap.steps,
-            evaluations: lap.evaluations,
+        let peak = (orbit.peak - self.log_peak).abs() / self.log_peak.abs().min(1.0);
+        let duration = (orbit.duration / self.duration - 1.0).abs();
+        ReturnAnswer {
+            steps: orbit.steps,
+            evaluations: orbit.evaluations,
             error: peak.max(duration),
             behaviour: None,
         }
@@ -217,13 +221,13 @@ impl HardLap {
 mod tests {
     use super::*;
 
-    fn outcomes() -> Vec<LapOutcome> {
+    fn outcomes() -> Vec<ReturnOutcome> {
         let text = include_str!("../../reports/im-avouac/vectors/simulation-hard.txt");
-        run_hard_laps(&read_hard_laps("simulation-hard.txt", text).unwrap())
+        run_hard_returns(&read_hard_returns("simulation-hard.txt", text).unwrap())
     }
 
     #[test]
-    fn order_nine_finishes_every_lap_and_no_answer_is_far_from_the_reference() {
+    fn order_nine_finishes_every_return_and_no_answer_is_far_from_the_reference() {
         let outcomes = outcomes();
         assert!(outcomes.len() >= 10, "{}", outcomes.len());
         assert!(outcomes.iter().any(|found| found.case.log_trough < -149.0));
@@ -266,7 +270,7 @@ mod tests {
     }
 
     #[test]
-    fn a_file_that_is_no_list_of_laps_is_refused_with_its_line() {
+    fn a_file_that_is_no_list_of_returns_is_refused_with_its_line() {
         for (text, named) in [
             ("", "1: empty"),
             ("family,law\n", "1: empty"),
@@ -274,7 +278,7 @@ mod tests {
             (&format!("{}\nf,fast,1,1,1,0,1,1,1,1\n", COLUMNS.join(",")), "2: law = fast"),
             (&format!("{}\nf,slip,x,1,1,0,1,1,1,1\n", COLUMNS.join(",")), "2: inertial_parameter = x"),
         ] {
-            let faults = read_hard_laps("laps.txt", text).unwrap_err();
+            let faults = read_hard_returns("laps.txt", text).unwrap_err();
             assert!(faults[0].to_string().contains(named), "{}", faults[0]);
         }
     }

@@ -1,11 +1,11 @@
-//! Laps: what lies between two upward passages of the loading velocity.
+//! Returns: what lies between two upward crossings of the loading velocity.
 
 use super::Recording;
-use super::interpolation::{passage, vertex};
+use super::interpolation::{crossing, vertex};
 
-/// An upward passage.
+/// An upward crossing.
 #[derive(Debug, Clone, Copy)]
-pub struct Passage {
+pub struct Crossing {
     /// When, s.
     pub time_s: f64,
     /// The sample before it.
@@ -14,7 +14,7 @@ pub struct Passage {
 
 /// One oscillation, or several that form a cycle.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Lap {
+pub struct Return {
     /// When it ends, s.
     pub end_s: f64,
     /// How long it is, s.
@@ -27,7 +27,7 @@ pub struct Lap {
     pub stresses_pa: [f64; 2],
 }
 
-impl Lap {
+impl Return {
     /// From the least to the largest ln V.
     pub fn swing(&self) -> f64 {
         self.peak - self.trough
@@ -52,26 +52,26 @@ impl Lap {
     }
 }
 
-/// All upward passages of the level.
-pub fn passages(recording: &Recording, log_level: f64) -> Vec<Passage> {
+/// All upward crossings of the level.
+pub fn crossings(recording: &Recording, log_level: f64) -> Vec<Crossing> {
     let values = &recording.log_velocities;
     let rises = |index: &usize| values[*index] < log_level && log_level <= values[index + 1];
     let found = (0..values.len().saturating_sub(1)).filter(rises);
     found
-        .map(|sample| Passage { time_s: passage(&recording.times_s, values, sample, log_level), sample })
+        .map(|sample| Crossing { time_s: crossing(&recording.times_s, values, sample, log_level), sample })
         .collect()
 }
 
-/// The laps between upward passages, `per_cycle` of them joined, counted back from the last passage.
-pub fn laps(recording: &Recording, log_level: f64, per_cycle: usize) -> Vec<Lap> {
-    let passages = passages(recording, log_level);
-    let single: Vec<Lap> = passages.windows(2).map(|pair| lap(recording, log_level, pair)).collect();
+/// The returns between upward crossings, `per_cycle` of them joined, counted back from the last crossing.
+pub fn returns(recording: &Recording, log_level: f64, per_cycle: usize) -> Vec<Return> {
+    let crossings = crossings(recording, log_level);
+    let single: Vec<Return> = crossings.windows(2).map(|pair| orbit(recording, log_level, pair)).collect();
     let begin = single.len() % per_cycle;
     let joined = single[begin..].chunks(per_cycle);
-    joined.filter_map(|cycle| cycle.iter().copied().reduce(Lap::joined)).collect()
+    joined.filter_map(|cycle| cycle.iter().copied().reduce(Return::joined)).collect()
 }
 
-fn lap(recording: &Recording, log_level: f64, pair: &[Passage]) -> Lap {
+fn orbit(recording: &Recording, log_level: f64, pair: &[Crossing]) -> Return {
     let samples = pair[0].sample + 1..pair[1].sample + 1;
     let times = &recording.times_s;
     let highest = |values: &[f64]| {
@@ -84,7 +84,7 @@ fn lap(recording: &Recording, log_level: f64, pair: &[Passage]) -> Lap {
     };
     let stresses = &recording.stresses_pa;
     let extremes = if stresses.is_empty() { [f64::NAN; 2] } else { [highest(stresses), lowest(stresses)] };
-    Lap {
+    Return {
         end_s: pair[1].time_s,
         duration_s: pair[1].time_s - pair[0].time_s,
         peak: highest(&recording.log_velocities) - log_level,

@@ -18,9 +18,9 @@ const LEAST_FALL: f64 = 3.0;
 /// Velocities below this meet the floor of the model's momentum.
 const LEAST_VELOCITY: f64 = 1e-280;
 
-/// Where a plunge ends.
+/// Where an arrest ends.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Plunge<R> {
+pub(super) struct Arrest<R> {
     pub to: State<R>,
     /// How long it takes.
     pub time: R,
@@ -28,8 +28,8 @@ pub(super) struct Plunge<R> {
     pub slow_rate: f64,
 }
 
-/// The plunge from a state, when its error is within the permitted one; none when there is none or it is not.
-pub(super) fn plunge<R: Scalar>(model: &Model<R>, from: &State<R>, permitted: f64) -> Option<Plunge<R>> {
+/// The arrest from a state, when its error is within the permitted one; none when there is none or it is not.
+pub(super) fn arrest<R: Scalar>(model: &Model<R>, from: &State<R>, permitted: f64) -> Option<Arrest<R>> {
     if from[0].to_f64() > 0.0 || *model.balance() != Balance::Inertial {
         return None;
     }
@@ -62,7 +62,7 @@ pub(super) fn plunge<R: Scalar>(model: &Model<R>, from: &State<R>, permitted: f6
     let loaded = model.groups().stiffness_group.clone() * &time;
     let to_slow = imbalance + &loaded - model.groups().effect_ratio.clone() * &healed;
     let to = [from[0].clone() + to_slow, from[1].clone() + healed, from[2].clone() + loaded];
-    Some(Plunge { to, time, slow_rate })
+    Some(Arrest { to, time, slow_rate })
 }
 
 #[cfg(test)]
@@ -72,22 +72,22 @@ mod tests {
     use crate::friction::Groups;
 
     #[test]
-    fn a_plunge_ends_where_hundreds_of_steps_end() {
+    fn an_arrest_ends_where_hundreds_of_steps_end() {
         let groups = Groups { inertial_parameter: 7.9e5, stiffness_group: 79.0, effect_ratio: 1.5 };
         for law in EvolutionLaw::ALL {
             let model = Model::new(groups.clone(), law);
             let from = [-32.0, 2.9, -140.0];
-            let plunge = plunge(&model, &from, 1e-4).unwrap();
+            let arrest = arrest(&model, &from, 1e-4).unwrap();
             let control = Control { local_tolerance: 1e-12, most_steps: 100_000 };
             let mut run = Integrator::new(&model, Radau::<f64, 5>::new(), from, control).unwrap();
-            while run.time() < plunge.time * (1.0 - 1e-12) {
-                run.advance(Some(&(plunge.time - run.time()))).unwrap();
+            while run.time() < arrest.time * (1.0 - 1e-12) {
+                run.advance(Some(&(arrest.time - run.time()))).unwrap();
             }
             for c in 0..3 {
-                let error = (run.state()[c] - plunge.to[c]).abs();
+                let error = (run.state()[c] - arrest.to[c]).abs();
                 assert!(error < 2.0 * PART * 1e-4, "{law:?} {c}: {error:e}");
             }
-            assert!(run.step_counts().0 > 100 && plunge.to[0] < -140.0);
+            assert!(run.step_counts().0 > 100 && arrest.to[0] < -140.0);
         }
     }
 
@@ -96,17 +96,17 @@ mod tests {
         // β = 1/1000: the error of y, 3e-4, is a thousandth of that in ln V, but still more than is permitted.
         let groups = Groups { inertial_parameter: 1.0, stiffness_group: 1e-3, effect_ratio: 1e-3 };
         let model = Model::new(groups, EvolutionLaw::Aging);
-        assert!(plunge(&model, &[-11.5, -5.0, -111.5], 1e-4).is_none());
-        assert!(plunge(&model, &[-16.5, -5.0, -116.5], 1e-4).is_some());
+        assert!(arrest(&model, &[-11.5, -5.0, -111.5], 1e-4).is_none());
+        assert!(arrest(&model, &[-16.5, -5.0, -116.5], 1e-4).is_some());
     }
 
     #[test]
-    fn a_plunge_whose_error_would_show_is_declined() {
+    fn an_arrest_whose_error_would_show_is_declined() {
         let groups = Groups { inertial_parameter: 7.9e5, stiffness_group: 79.0, effect_ratio: 1.5 };
         let model = Model::new(groups, EvolutionLaw::Slip);
-        assert!(plunge(&model, &[-10.0, 2.9, -140.0], 1e-2).is_none());
-        // Above its slow value nothing plunges, nor where no fall is left.
-        assert!(plunge(&model, &[-40.0, 2.9, 10.0], 1e-2).is_none());
-        assert!(plunge(&model, &[-40.0, 0.0, -40.0], 1e-2).is_none());
+        assert!(arrest(&model, &[-10.0, 2.9, -140.0], 1e-2).is_none());
+        // Above its slow value nothing is arrested, nor where no fall is left.
+        assert!(arrest(&model, &[-40.0, 2.9, 10.0], 1e-2).is_none());
+        assert!(arrest(&model, &[-40.0, 0.0, -40.0], 1e-2).is_none());
     }
 }

@@ -1,11 +1,11 @@
-//! What a lap errs by: from its difference to another lap of the same passage, from bad steps, from rounding.
+//! What a return errs by: from its difference to another return of the same crossing, from bad steps, from rounding.
 
-use super::sight::{DURATION, Observed, PEAK, Sight, TROUGH, observed};
-use super::{Lap, Scalar};
+use super::return_map::{DURATION, MappedReturn, Observed, PEAK, TROUGH, observed};
+use super::{Return, Scalar};
 use crate::friction::Groups;
 
-/// Error of the finer lap over the difference of the two: 1/99 and less when the error follows the tolerance. Where Newton's iteration rather
-/// than the tolerance limits the steps both laps take nearly the same ones; 3 holds as long as the finer errs by a quarter less.
+/// Error of the finer return over the difference of the two: 1/99 and less when the error follows the tolerance. Where Newton's iteration rather
+/// than the tolerance limits the steps both returns take nearly the same ones; 3 holds as long as the finer errs by a quarter less.
 pub(super) const OF_DIFFERENCE: f64 = 3.0;
 
 /// The part of the largest difference of all observables that each is granted, should it agree by chance.
@@ -14,40 +14,41 @@ pub(super) const OF_LARGEST: f64 = 0.3;
 /// Units that a stress held through a stick phase may err by in a step, over those of other quantities.
 const HELD: f64 = 5.0;
 
-/// A bound of the rounding errors of a lap, and of what rounding the groups does: units of the largest quantity in every step, of either
+/// A bound of the rounding errors of a return, and of what rounding the groups does: units of the largest quantity in every step, of either
 /// sign, so that they add up to the root of the number of steps.
-pub(super) fn rounding<R: Scalar>(sight: &Sight<R>) -> f64 {
-    let largest = [&sight.lap.trough, &sight.lap.peak, &sight.lap.highest_stress, &sight.lap.lowest_stress];
-    let size = largest.iter().fold(sight.size(), |size, value| size.max(value.to_f64().abs()));
+pub(super) fn rounding<R: Scalar>(mapped: &MappedReturn<R>) -> f64 {
+    let largest =
+        [&mapped.orbit.trough, &mapped.orbit.peak, &mapped.orbit.highest_stress, &mapped.orbit.lowest_stress];
+    let size = largest.iter().fold(mapped.size(), |size, value| size.max(value.to_f64().abs()));
     // A state below 1 is computed relative to its size, observables are compared with 1.
-    (sight.steps as f64).sqrt() * 4.0 * R::UNIT_ROUNDOFF.max(f64::EPSILON * f64::EPSILON) * size
+    (mapped.steps as f64).sqrt() * 4.0 * R::UNIT_ROUNDOFF.max(f64::EPSILON * f64::EPSILON) * size
 }
 
 /// What is shown of rounding errors: ζ acts on the velocity through its part of ζ, which is no larger than the range of ln V.
 ///
 /// A stress that is held through a stick phase keeps all that Newton's iteration leaves in a step: it ends where updates are below two
-/// units for each of the ten sums that they are made of. What follows a stick phase sees of it what it sees of another passage.
-pub(super) fn rounding_shown<R: Scalar>(sight: &Sight<R>, gains: Observed) -> Observed {
-    let shown = observed(&sight.lap).map(f64::abs);
+/// units for each of the ten sums that they are made of. What follows a stick phase sees of it what it sees of another crossing.
+pub(super) fn rounding_shown<R: Scalar>(mapped: &MappedReturn<R>, gains: Observed) -> Observed {
+    let shown = observed(&mapped.orbit).map(f64::abs);
     let range = shown[PEAK].max(shown[TROUGH]).max(1.0);
-    let whole = rounding(sight);
-    let unit = whole / sight.size().max(range);
+    let whole = rounding(mapped);
+    let unit = whole / mapped.size().max(range);
     let held = [0.0, 0.0, 1.0, 1.0, 1.0];
     std::array::from_fn(|i| unit * shown[i].max(range) + HELD * whole * gains[i].max(held[i]))
 }
 
-/// The errors of the finer of two laps that differ by this much, and of what is seen of a bad step, which acts like a deviation of the passage: a
+/// The errors of the finer of two returns that differ by this much, and of what is seen of a bad step, which acts like a deviation of the crossing: a
 /// slider that barely stops does so at a stress that changes by hundreds of times as much.
-pub(super) fn lap_errors<R: Scalar>(
+pub(super) fn return_errors<R: Scalar>(
     differences: Observed,
-    lap: &Lap<R>,
+    orbit: &Return<R>,
     gains: Observed,
     floor: f64,
 ) -> Observed {
-    let scales = observed(lap).map(|value| value.abs().max(1.0));
+    let scales = observed(orbit).map(|value| value.abs().max(1.0));
     let largest = (0..5).fold(0.0f64, |largest, i| largest.max(differences[i].abs() / scales[i]));
     // Stress is loaded at a steady rate: what a stick phase errs in its duration, stress errs in its range.
-    let range = (lap.highest_stress.to_f64() - lap.lowest_stress.to_f64()).abs();
+    let range = (orbit.highest_stress.to_f64() - orbit.lowest_stress.to_f64()).abs();
     let loaded = [0.0, 0.0, range, range, range].map(|range| range * differences[DURATION].abs());
     std::array::from_fn(|i| {
         OF_DIFFERENCE * (differences[i].abs() + loaded[i])
@@ -60,8 +61,8 @@ pub(super) fn lap_errors<R: Scalar>(
 ///
 /// Next to its turn the slider moves with V = κt²/2η − Δ. Where Δ > 0 it stops, and friction has fallen by D = √(2κηΔ) when it does: V near
 /// zero is decided by parts of ε, and D² errs by 2κηε. Stress swings with the velocity by √(κη) times as much.
-pub(super) fn with_inertia<R: Scalar>(errors: Observed, lap: &Lap<R>, groups: &Groups<R>) -> Observed {
-    let shown = observed(lap);
+pub(super) fn with_inertia<R: Scalar>(errors: Observed, orbit: &Return<R>, groups: &Groups<R>) -> Observed {
+    let shown = observed(orbit);
     let swing = (groups.stiffness_group.to_f64() * groups.inertial_parameter.to_f64()).sqrt();
     let velocity_error = (libm::exp(shown[PEAK]) * errors[PEAK]).min(f64::MAX);
     let square = (2.0 * swing * swing * velocity_error).min(f64::MAX);

@@ -1,4 +1,4 @@
-//! One lap: from one upward passage of V = V_l to the next.
+//! One return: from one upward crossing of V = V_l to the next.
 
 use super::events::{Mark, candidates, move_to, state_at};
 use super::stepper::Stepper;
@@ -6,7 +6,7 @@ use super::{Failure, Integrator, Scalar, State};
 
 /// Below this size of (x, y, ζ) a trajectory that no longer crosses V = V_l has come to rest in steady sliding.
 ///
-/// The equations keep relative accuracy down to here, so a late oscillation is seen unless it loses 150 decades in a few turns.
+/// The equations keep relative accuracy down to here, so a long-term oscillation is seen unless it loses 150 decades in a few turns.
 pub const QUIET: f64 = 1e-150;
 
 /// Below this size the equations are linear beyond all digits, and the extremes of the trajectory lie far behind: what is left to be
@@ -20,41 +20,41 @@ const FAINT_TOLERANCE: f64 = 1e-2;
 /// mode has to become the only one.
 const LAST_STRETCH: f64 = 1e-100;
 
-/// What one lap showed.
+/// What one return showed.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Lap<R> {
+pub struct Return<R> {
     /// Duration in D_c/V_l.
     pub duration: R,
     /// Largest x = ln(V/V_l), minus infinity's stand-in −1e300 when no maximum occurred.
     pub peak: R,
     /// Least x, +1e300 when no minimum occurred.
     pub trough: R,
-    /// Largest ζ at a passage of V = V_l, the start included.
+    /// Largest ζ at a crossing of V = V_l, the start included.
     pub highest_stress: R,
-    /// Least ζ at a passage of V = V_l.
+    /// Least ζ at a crossing of V = V_l.
     pub lowest_stress: R,
     /// The state at the end.
     pub end: State<R>,
 }
 
-/// How a lap ended.
+/// How a return ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum LapEnd {
-    /// At the next upward passage.
-    Rise,
-    /// In steady sliding, without another passage.
-    Quiet,
+pub enum ReturnEnd {
+    /// At the next upward crossing.
+    Crossing,
+    /// In steady sliding, without another crossing.
+    AtRest,
 }
 
-/// Runs to the next upward passage of V = V_l, and leaves the run standing on it with its clock at zero.
+/// Runs to the next upward crossing of V = V_l, and leaves the run standing on it with its clock at zero.
 ///
 /// # Errors
 /// Those of the integrator.
-pub fn run_lap<R: Scalar, M: Stepper<R> + Clone>(
+pub fn next_return<R: Scalar, M: Stepper<R> + Clone>(
     run: &mut Integrator<'_, R, M>,
-) -> Result<(Lap<R>, LapEnd), Failure> {
+) -> Result<(Return<R>, ReturnEnd), Failure> {
     let start = run.state().clone();
-    let mut lap = Lap {
+    let mut orbit = Return {
         duration: R::from(0),
         peak: R::from_f64(-1e300),
         trough: R::from_f64(1e300),
@@ -63,18 +63,18 @@ pub fn run_lap<R: Scalar, M: Stepper<R> + Clone>(
         end: start,
     };
     loop {
-        if run.plunge() {
+        if run.arrest() {
             // The velocity is least where the slow motion begins, or later.
-            lap.note(Mark::Trough, &run.state().clone());
+            orbit.note(Mark::Trough, &run.state().clone());
         }
         run.advance(None)?;
         for candidate in candidates(run).into_iter().flatten() {
             if candidate.mark != Mark::Rise {
-                lap.note(candidate.mark, &state_at(run, candidate));
+                orbit.note(candidate.mark, &state_at(run, candidate));
                 continue;
             }
             if move_to(run, candidate) {
-                return Ok((lap.finish(run, LapEnd::Rise), LapEnd::Rise));
+                return Ok((orbit.finish(run, ReturnEnd::Crossing), ReturnEnd::Crossing));
             }
             run.take_back();
             break;
@@ -82,7 +82,7 @@ pub fn run_lap<R: Scalar, M: Stepper<R> + Clone>(
         let size = size_of(run.state());
         if size < FAINT {
             fade(run)?;
-            return Ok((lap.finish(run, LapEnd::Quiet), LapEnd::Quiet));
+            return Ok((orbit.finish(run, ReturnEnd::AtRest), ReturnEnd::AtRest));
         }
     }
 }
@@ -111,7 +111,7 @@ fn follow_down_to<R: Scalar, M: Stepper<R>>(
     Ok(())
 }
 
-impl<R: Scalar> Lap<R> {
+impl<R: Scalar> Return<R> {
     fn note(&mut self, mark: Mark, state: &State<R>) {
         let raise = |record: &mut R, value: &R| {
             if *value > *record {
@@ -131,9 +131,9 @@ impl<R: Scalar> Lap<R> {
         }
     }
 
-    fn finish<M: Stepper<R>>(mut self, run: &mut Integrator<'_, R, M>, end: LapEnd) -> Self {
+    fn finish<M: Stepper<R>>(mut self, run: &mut Integrator<'_, R, M>, end: ReturnEnd) -> Self {
         self.duration = run.time();
-        if end == LapEnd::Rise {
+        if end == ReturnEnd::Crossing {
             self.note(Mark::Rise, run.state());
             run.begin_cycle();
         }
@@ -143,8 +143,8 @@ impl<R: Scalar> Lap<R> {
 
     /// The same in f64.
     #[must_use]
-    pub fn rounded(&self) -> Lap<f64> {
-        Lap {
+    pub fn rounded(&self) -> Return<f64> {
+        Return {
             duration: self.duration.to_f64(),
             peak: self.peak.to_f64(),
             trough: self.trough.to_f64(),
@@ -154,7 +154,7 @@ impl<R: Scalar> Lap<R> {
         }
     }
 
-    /// Two laps as one: durations add, extremes are compared.
+    /// Two returns as one: durations add, extremes are compared.
     #[must_use]
     pub fn joined(mut self, next: Self) -> Self {
         self.duration = self.duration + next.duration;

@@ -1,21 +1,25 @@
-//! Tables of laps where integrators go wrong: a column per method, and every run.
+//! Tables of returns where integrators go wrong: a column per method, and every run.
 
 use crate::claims::Context;
 use crate::exhibit::TableMaker;
 use crate::exhibit::tables::unless_empty;
-use crate::study::{HardLap, LapAnswer, LapOutcome, LapVerdict, Need};
+use crate::study::{HardReturn, Need, ReturnAnswer, ReturnOutcome, ReturnVerdict};
 use slipmode_core::dynamics::Failure;
 use slipmode_core::number::format::round_digits;
 use slipmode_plot::table::{Cell, Column, Table};
 
 pub(super) const TABLES: &[TableMaker] = &[
-    TableMaker { id: "hard-laps", needs: &[Need::HardLaps], make: |context| by_method(context, &ORDINARY) },
+    TableMaker {
+        id: "hard-laps",
+        needs: &[Need::HardReturns],
+        make: |context| by_method(context, &ORDINARY),
+    },
     TableMaker {
         id: "hard-laps-below-rounding",
-        needs: &[Need::HardLaps],
+        needs: &[Need::HardReturns],
         make: |context| by_method(context, &BELOW),
     },
-    TableMaker { id: "hard-laps-runs", needs: &[Need::HardLaps], make: runs },
+    TableMaker { id: "hard-laps-runs", needs: &[Need::HardReturns], make: runs },
 ];
 
 /// One of the two tables with a column per method.
@@ -38,8 +42,8 @@ const BELOW: Kind = Kind {
     tolerances: [1e-18, 1e-12],
 };
 
-fn outcomes<'c>(context: &'c Context<'_>) -> impl Iterator<Item = &'c LapOutcome> {
-    context.outcome.scenes.iter().filter_map(|scene| scene.hard_laps.as_ref()).flatten()
+fn outcomes<'c>(context: &'c Context<'_>) -> impl Iterator<Item = &'c ReturnOutcome> {
+    context.outcome.scenes.iter().filter_map(|scene| scene.hard_returns.as_ref()).flatten()
 }
 
 fn case_columns() -> Vec<Column> {
@@ -50,7 +54,7 @@ fn case_columns() -> Vec<Column> {
     ]
 }
 
-fn case_cells(case: &HardLap) -> Vec<Cell> {
+fn case_cells(case: &HardReturn) -> Vec<Cell> {
     vec![
         Cell::text(&case.family),
         Cell::text(case.law.as_str()),
@@ -98,11 +102,11 @@ const fn kind_of(failure: &Failure) -> &'static str {
 }
 
 /// A verdict in a few words.
-fn short(verdict: &LapVerdict) -> String {
+fn short(verdict: &ReturnVerdict) -> String {
     match &verdict.answer {
         Err(failure) => kind_of(failure).into(),
-        Ok(LapAnswer { error, behaviour: None, .. }) => round_digits(*error, 1),
-        Ok(LapAnswer { error, behaviour: Some(behaviour), .. }) => {
+        Ok(ReturnAnswer { error, behaviour: None, .. }) => round_digits(*error, 1),
+        Ok(ReturnAnswer { error, behaviour: Some(behaviour), .. }) => {
             format!("{}, stated {}", behaviour.as_str(), round_digits(*error, 1))
         }
     }
