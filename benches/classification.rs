@@ -7,7 +7,7 @@ use std::time::Instant;
 
 use slipmode_core::friction::Parameters;
 use slipmode_core::number::{Rational, parse_decimal};
-use slipmode_core::stability::batch::{GridKernel, RungCounts, SignPair, classify_points, grid_values};
+use slipmode_core::stability::batch::{GridKernel, PrecisionCounts, SignPair, classify_points, grid_values};
 use slipmode_core::stability::{InertialThreshold, classify};
 
 const SIDE: usize = 4096;
@@ -64,9 +64,9 @@ fn grid_case(name: &str, fixed: &Parameters<Rational>) {
     let (mut exact_cells, mut cardano_cells) =
         (vec![SignPair::new(0, 0); SIDE * SIDE], vec![SignPair::new(0, 0); SIDE * SIDE]);
     let (mut exact_times, mut cardano_times) = (Vec::new(), Vec::new());
-    let mut counts = RungCounts::default();
+    let mut counts = PrecisionCounts::default();
     for _ in 0..REPETITIONS {
-        counts = RungCounts::default();
+        counts = PrecisionCounts::default();
         let (seconds, ()) = timed(|| {
             for (&velocity, row) in velocities.iter().zip(exact_cells.chunks_mut(SIDE)) {
                 counts += kernel.classify_row(velocity, row).unwrap();
@@ -120,7 +120,7 @@ fn points_case() {
         normal_stress_pa: &columns[5][..],
         loading_velocity_m_per_s: &columns[6][..],
     };
-    let mut counts = RungCounts::default();
+    let mut counts = PrecisionCounts::default();
     let times = (0..REPETITIONS)
         .map(|_| {
             let (seconds, found) = timed(|| classify_points(&points).unwrap());

@@ -92,7 +92,7 @@ fn format_row(found: &Classification, out: &mut String) {
         found.slip_mode.as_str(),
         found.max_real_per_s,
         found.max_imaginary_per_s,
-        found.rung.as_str(),
+        found.precision_level.as_str(),
     )
     .unwrap();
 }

@@ -5,7 +5,7 @@ use std::path::Path;
 use slipmode_core::friction::Parameters;
 use slipmode_core::number::Rational;
 use slipmode_core::stability::batch::{
-    GridKernel, LargestPartsPerS, RungCounts, SignPair, classify_points, point_values,
+    GridKernel, LargestPartsPerS, PrecisionCounts, SignPair, classify_points, point_values,
 };
 use slipmode_core::stability::{InertialThreshold, classify_binary64};
 
@@ -129,7 +129,7 @@ fn play_grid(some: &Columns) {
     let kernel = GridKernel::new(&fixed, &stresses).unwrap();
     let mut cells = vec![SignPair::new(0, 0); SIDE * SIDE];
     let (seconds, _) = best_of(REPETITIONS, || {
-        let mut counts = RungCounts::default();
+        let mut counts = PrecisionCounts::default();
         for (&velocity, row) in velocities.iter().zip(cells.chunks_mut(SIDE)) {
             counts += kernel.classify_row(velocity, row).unwrap();
         }

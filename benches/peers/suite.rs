@@ -1,7 +1,7 @@
 //! The suite of hard cases: what each way to the roots of eq 8 takes on all of its points, textbook methods among them.
 //!
-//! The textbook methods get the rounded cubic, ready made; ours get the exact groups. Open points of a rung count as answered:
-//! the next rung takes them.
+//! The textbook methods get the rounded cubic, ready made; ours get the exact groups. Open points of a precision level count as answered:
+//! the next precision level takes them.
 
 use std::hint::black_box;
 use std::path::Path;

@@ -1,21 +1,21 @@
-//! Tables of how the numbers came about: rungs, and hard cases by family and by method.
+//! Tables of how the numbers came about: precision levels, and hard cases by family and by method.
 
 use crate::claims::Context;
 use crate::exhibit::TableMaker;
 use crate::exhibit::tables::unless_empty;
 use crate::study::{FamilyOutcome, Method, MethodScore, Need};
 use slipmode_core::number::format::round_digits;
-use slipmode_core::roots::Rung;
+use slipmode_core::roots::PrecisionLevel;
 use slipmode_plot::table::{Cell, Column, Table};
 
 pub(super) const TABLES: &[TableMaker] = &[
-    TableMaker { id: "rungs", needs: &[Need::Map], make: rungs },
+    TableMaker { id: "rungs", needs: &[Need::Map], make: precision_levels },
     TableMaker { id: "hard-cases", needs: &[Need::HardCases], make: hard_cases },
     TableMaker { id: "method-verdicts", needs: &[Need::HardCases], make: method_verdicts },
     TableMaker { id: "method-errors", needs: &[Need::HardCases], make: method_errors },
 ];
 
-fn rungs(context: &Context) -> Option<Table> {
+fn precision_levels(context: &Context) -> Option<Table> {
     let columns = vec![
         Column::text("scene", "Scene"),
         Column::text("rung", "Rung"),
@@ -24,11 +24,11 @@ fn rungs(context: &Context) -> Option<Table> {
     let mut table = Table::new("rungs", "Which rung answered on the maps", columns);
     for scene in &context.outcome.scenes {
         let Some(map) = &scene.map else { continue };
-        for rung in [Rung::F64, Rung::DoubleDouble, Rung::Exact] {
-            let points = map.values.iter().filter(|point| point.rung == rung).count();
+        for precision_level in [PrecisionLevel::F64, PrecisionLevel::DoubleDouble, PrecisionLevel::Exact] {
+            let points = map.values.iter().filter(|point| point.precision_level == precision_level).count();
             table.push(vec![
                 Cell::text(&scene.scene.name),
-                Cell::text(rung.as_str()),
+                Cell::text(precision_level.as_str()),
                 Cell::number(points.to_string()),
             ]);
         }
@@ -53,7 +53,7 @@ fn hard_cases(context: &Context) -> Option<Table> {
             Cell::number(family.wrong.to_string()),
             Cell::number(round_digits(family.worst_real_error, 1)),
             Cell::number(round_digits(family.worst_imaginary_error, 1)),
-            Cell::text(family.highest_rung.as_str()),
+            Cell::text(family.highest_precision_level.as_str()),
         ]);
     }
     unless_empty(table)

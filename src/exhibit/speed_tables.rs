@@ -61,14 +61,14 @@ fn classes(context: &Context) -> Option<Table> {
         Column::number("failed", "Without a finite answer", ""),
     ];
     let mut table = Table::new("speed-classes", "Signs of random points, by rung and by method", columns);
-    let ClassCounts { points, rungs, methods } = &counts(context)?.classes;
-    for (rung, decided) in [
-        ("ours: 64-bit filter", rungs.f64),
-        ("ours: double-double", rungs.double_double),
-        ("ours: rationals", rungs.exact),
+    let ClassCounts { points, decided_by, methods } = &counts(context)?.classes;
+    for (precision_level, decided) in [
+        ("ours: 64-bit filter", decided_by.f64),
+        ("ours: double-double", decided_by.double_double),
+        ("ours: rationals", decided_by.exact),
     ] {
         table.push(vec![
-            Cell::text(rung),
+            Cell::text(precision_level),
             count(points),
             count(decided),
             Cell::number("0"),

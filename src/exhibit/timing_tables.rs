@@ -6,8 +6,8 @@ use crate::claims::Context;
 use crate::exhibit::TableMaker;
 use crate::exhibit::tables::unless_empty;
 use crate::study::{
-    Aim, Bound, Ladder, Law, Need, PeerGroup, PeerRow, Reached, Timings, aims, cycle_groups, ladders, micro,
-    work_groups,
+    Aim, Bound, CostSeries, Law, Need, PeerGroup, PeerRow, Reached, Timings, aims, cost_series, cycle_groups,
+    micro, work_groups,
 };
 use slipmode_core::number::format::round_digits;
 use slipmode_plot::table::{Cell, Column, Table};
@@ -215,27 +215,27 @@ fn laws(context: &Context) -> Option<Table> {
         timings.cost_file
     );
     let mut table = Table::new("cost-laws", "How CPU time and memory grow", columns).with_note(&note);
-    for ladder in ladders(&timings.cost) {
-        table.push(law_row(&ladder)?);
+    for series in cost_series(&timings.cost) {
+        table.push(law_row(&series)?);
     }
     unless_empty(table)
 }
 
-fn law_row(ladder: &Ladder<'_>) -> Option<Vec<Cell>> {
-    let top = ladder.rows.last()?;
+fn law_row(series: &CostSeries<'_>) -> Option<Vec<Cell>> {
+    let top = series.rows.last()?;
     let at = |law: &Option<Law>, size: f64| law.as_ref().map(|law| law.at(size));
-    let residual = ladder.law.as_ref().map(|law| law.worst_residual(&ladder.points()));
+    let residual = series.law.as_ref().map(|law| law.worst_residual(&series.points()));
     Some(vec![
-        Cell::text(&top.ladder),
-        Cell::text(ladder.law.as_ref().map(law_text).unwrap_or_default()),
+        Cell::text(&top.series),
+        Cell::text(series.law.as_ref().map(law_text).unwrap_or_default()),
         optional(residual),
         number(top.size),
         number(top.cpu_s),
-        optional(at(&ladder.law_below_top, top.size)),
+        optional(at(&series.law_below_top, top.size)),
         number(top.peak_memory_kib / 1024.0),
         optional(top.asked),
-        optional(top.asked.and_then(|size| at(&ladder.law, size))),
-        lines(ladder.rows.iter().map(|row| row.line)),
+        optional(top.asked.and_then(|size| at(&series.law, size))),
+        lines(series.rows.iter().map(|row| row.line)),
         Cell::text(&top.command),
     ])
 }

@@ -228,7 +228,7 @@ pub struct ProvenanceView {
     pub command: String,
     /// Files that went in.
     pub inputs: Vec<InputView>,
-    /// Further facts that do not depend on the machine: program version, counts by rung.
+    /// Further facts that do not depend on the machine: program version, counts by precision level.
     pub facts: Vec<FactView>,
 }
 

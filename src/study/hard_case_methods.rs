@@ -1,7 +1,7 @@
-//! Every method on every hard case: textbook formulas, and the rungs of our ladder one by one.
+//! Every method on every hard case: textbook formulas, and our precision levels one by one.
 //!
 //! Textbook methods get what a 64-bit program has: the seven inputs rounded, and the cubic of η, κ and β made from them.
-//! Their class is read off their roots as they come. Our rungs get the exact groups rounded once, because the relative
+//! Their class is read off their roots as they come. Our precision levels get the exact groups rounded once, because the relative
 //! error of an input below the normal range has no bound; they may leave a point open, which is no answer but no lie.
 
 use num_complex::Complex;
@@ -187,7 +187,7 @@ fn of_three(roots: &Three, rate_per_s: f64) -> Said {
     })
 }
 
-/// One rung with forward error bounds, from groups that are themselves rounded.
+/// One precision level with forward error bounds, from groups that are themselves rounded.
 fn bounded<R: Working + Real>(groups: &Groups<R>, rate_per_s: &Rational) -> Said {
     let coefficients = groups.characteristic_cubic();
     let [eta, kappa, beta] =

@@ -6,7 +6,7 @@ use crate::scene::{Fault, Faults, Problem, Quantity};
 use crate::study::hard_case_methods::{MethodScore, score_methods};
 use slipmode_core::friction::Parameters;
 use slipmode_core::number::{Rational, Wide, parse_decimal};
-use slipmode_core::roots::Rung;
+use slipmode_core::roots::PrecisionLevel;
 use slipmode_core::stability::{InertialThreshold, classify};
 
 /// A point with the answers of independent programs.
@@ -44,9 +44,9 @@ pub struct FamilyOutcome {
     pub worst_real_error: f64,
     /// The largest error of max Im(s) relative to itself.
     pub worst_imaginary_error: f64,
-    /// The highest rung that a point needed.
-    pub highest_rung: Rung,
-    /// How single methods fared, without the ladder that joins ours.
+    /// The highest precision level that a point needed.
+    pub highest_precision_level: PrecisionLevel,
+    /// How single methods fared, without the precision levels that ours combines.
     pub methods: Vec<MethodScore>,
 }
 
@@ -158,7 +158,7 @@ impl FamilyOutcome {
         self.wrong += other.wrong;
         self.worst_real_error = self.worst_real_error.max(other.worst_real_error);
         self.worst_imaginary_error = self.worst_imaginary_error.max(other.worst_imaginary_error);
-        self.highest_rung = self.highest_rung.max(other.highest_rung);
+        self.highest_precision_level = self.highest_precision_level.max(other.highest_precision_level);
         self.methods.iter_mut().zip(&other.methods).for_each(|(one, other)| one.absorb(other));
     }
 }
@@ -180,7 +180,7 @@ fn compare(case: &HardCase) -> FamilyOutcome {
             &expected.max_imaginary_per_s,
             &expected.max_imaginary_per_s,
         ),
-        highest_rung: found.rung,
+        highest_precision_level: found.precision_level,
         methods: score_methods(case),
     }
 }

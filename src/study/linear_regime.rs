@@ -1,4 +1,4 @@
-//! Small disturbances of the nonlinear slider against the roots of eq 8: every root, both laws, a ladder of amplitudes.
+//! Small disturbances of the nonlinear slider against the roots of eq 8: every root, both laws, a series of amplitudes.
 //!
 //! A run starts along an eigenvector of one root and ends after the time in which that mode, or the fastest growing
 //! one, changes by about a factor of e. The equations know nothing of modes: the growth rate and frequency of what they do come

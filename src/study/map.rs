@@ -5,7 +5,7 @@ use rayon::prelude::*;
 use crate::scene::{Rectangle, SceneParameters};
 use crate::study::Grid;
 use slipmode_core::number::{Rational, Wide};
-use slipmode_core::roots::Rung;
+use slipmode_core::roots::PrecisionLevel;
 use slipmode_core::stability::{InertialThreshold, SlipMode, SpectralClass, classify};
 
 /// What a map keeps of a point.
@@ -17,8 +17,8 @@ pub struct MapPoint {
     pub slip_mode: SlipMode,
     /// Largest Im(s), 1/s: relative error at most 1e-14, exactly 0 where all roots are real.
     pub max_imaginary_per_s: Wide,
-    /// The rung that decided.
-    pub rung: Rung,
+    /// The precision level that decided.
+    pub precision_level: PrecisionLevel,
 }
 
 /// Classifies every point of a rectangle; its coordinates are the f64 of the axes, taken as exact rationals.
@@ -50,7 +50,7 @@ fn map_point(
         spectral_class: point.spectral_class,
         slip_mode: point.slip_mode,
         max_imaginary_per_s: point.max_imaginary_per_s,
-        rung: point.rung,
+        precision_level: point.precision_level,
     }
 }
 

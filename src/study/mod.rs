@@ -95,8 +95,9 @@ pub use sweep::{SweepOutcome, SweepRow, sweep_effect_ratio};
 pub use sweep_points::{PointSource, Varying};
 pub use swept::{Swept, read_swept};
 pub use timings::{
-    Aim, Bound, CostRow, CoverageRow, Form, Ladder, Law, MachineRow, PeerGroup, PeerRow, Reached, Timings,
-    aims, cycle_groups, ladders, micro, read_cost, read_coverage, read_machine, read_peers, work_groups,
+    Aim, Bound, CostRow, CostSeries, CoverageRow, Form, Law, MachineRow, PeerGroup, PeerRow, Reached,
+    Timings, aims, cost_series, cycle_groups, micro, read_cost, read_coverage, read_machine, read_peers,
+    work_groups,
 };
 pub use tolerance::{ToleranceOutcome, ToleranceRow, tolerance_limits};
 pub use trajectories::{Course, DRAWING_TOLERANCE, Moment, TrajectoryRun, trajectories};

@@ -137,7 +137,7 @@ impl GridRequest {
         let counts = |counted: Vec<(&str, u64)>| {
             counted.into_iter().map(|(name, count)| (name.to_string(), count.into())).collect::<Map<_, _>>()
         };
-        let rungs = tally.rungs();
+        let decided_by = tally.decided_by();
         json!({
             "loading_velocities": self.loading_velocities.points,
             "normal_stresses": self.normal_stresses.points,
@@ -146,7 +146,7 @@ impl GridRequest {
             "spectral_class": counts(classes(tally)),
             "on_transition": tally.on_transition(),
             "on_boundary": tally.on_boundary(),
-            "rung": {"f64": rungs.f64, "exact": rungs.exact},
+            "rung": {"f64": decided_by.f64, "exact": decided_by.exact},
         })
     }
 
@@ -156,14 +156,14 @@ impl GridRequest {
             "({} velocities x {} stresses)",
             self.loading_velocities.points, self.normal_stresses.points
         );
-        let rungs = tally.rungs();
+        let decided_by = tally.decided_by();
         let mut lines = vec![line("points", tally.points(), &axes)];
         lines.extend(counted.map(|(name, count)| line(name, count, &percent(count, tally.points()))));
         lines.extend([
             line("exactly on K = K_c", tally.on_transition(), ""),
             line("exactly on max Im(s) = 0", tally.on_boundary(), ""),
-            line("decided by f64", rungs.f64, ""),
-            line("decided by rationals", rungs.exact, ""),
+            line("decided by f64", decided_by.f64, ""),
+            line("decided by rationals", decided_by.exact, ""),
         ]);
         lines.concat()
     }

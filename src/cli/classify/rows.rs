@@ -53,7 +53,7 @@ impl RowWork for ClassifyRows {
             found.slip_mode.as_str(),
             found.max_real_per_s,
             found.max_imaginary_per_s,
-            found.rung.as_str(),
+            found.precision_level.as_str(),
         );
         Remark::default()
     }

@@ -54,7 +54,7 @@ impl PointView {
             "slip_mode": found.slip_mode.as_str(),
             "max_real_per_s": number(found.max_real_per_s),
             "max_imaginary_per_s": number(found.max_imaginary_per_s),
-            "rung": found.rung.as_str(),
+            "rung": found.precision_level.as_str(),
             "critical_stiffness_pa_per_m": nearest_number(&self.critical_stiffness_pa_per_m),
             "stiffness_over_critical": self.stiffness_ratio.as_ref().map(nearest_number),
             "transition_distance": distance_object(&self.to_transition),
@@ -89,7 +89,7 @@ impl PointView {
             ("eta, M V0^2/(sigma a D_c)", shown(&self.groups.inertial_parameter), ""),
             ("kappa, K D_c/(a sigma)", shown(&self.groups.stiffness_group), ""),
             ("beta, b/a", shown(&self.groups.effect_ratio), ""),
-            ("decided by", found.rung.as_str().to_string(), ""),
+            ("decided by", found.precision_level.as_str().to_string(), ""),
         ];
         lines.extend(self.roots.iter().map(|root| ("root s", root.text(), "")));
         terminal::named_values(&lines)

@@ -1,4 +1,4 @@
-//! The class of many random points: how many each rung decides, and how many each textbook method gets wrong.
+//! The class of many random points: how many each precision level decides, and how many each textbook method gets wrong.
 //!
 //! The reference is the exact classification itself; the textbook methods get the same 64-bit inputs.
 
@@ -7,15 +7,15 @@ use rayon::prelude::*;
 use super::sets::Sliders;
 use crate::study::textbook::{TEXTBOOK, Textbook, signs_of};
 use slipmode_core::friction::Parameters;
-use slipmode_core::stability::batch::{RungCounts, SignPair, classify_points};
+use slipmode_core::stability::batch::{PrecisionCounts, SignPair, classify_points};
 
 /// Classes of random points.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ClassCounts {
     /// Points that were classified exactly.
     pub points: u64,
-    /// How many of them each rung decided.
-    pub rungs: RungCounts,
+    /// How many of them each precision level decided.
+    pub decided_by: PrecisionCounts,
     /// Textbook methods on the first of them.
     pub methods: Vec<MethodCount>,
 }
@@ -58,10 +58,10 @@ pub(super) fn count(points: u32, textbook_points: u32) -> ClassCounts {
         loading_velocity_m_per_s: &columns[6],
     });
     // Every value is a power of ten to a finite exponent.
-    let (signs, rungs) = exact.unwrap_or_default();
+    let (signs, decided_by) = exact.unwrap_or_default();
     let asked = rows.len().min(textbook_points as usize);
     let methods = TEXTBOOK.map(|method| by_textbook(method, &rows[..asked], &signs)).to_vec();
-    ClassCounts { points: signs.len() as u64, rungs, methods }
+    ClassCounts { points: signs.len() as u64, decided_by, methods }
 }
 
 fn by_textbook((name, solve): Textbook, rows: &[Parameters<f64>], signs: &[SignPair]) -> MethodCount {
@@ -83,7 +83,7 @@ mod tests {
     #[test]
     fn every_point_is_decided_and_closed_forms_are_wrong_where_eigenvalues_are_right() {
         let found = count(20_000, 4_000);
-        assert_eq!(found.rungs.f64 + found.rungs.double_double + found.rungs.exact, 20_000);
+        assert_eq!(found.decided_by.f64 + found.decided_by.double_double + found.decided_by.exact, 20_000);
         let wrong = |name| found.methods.iter().find(|method| method.method == name).unwrap().wrong;
         assert!(wrong("Cardano") > 40 && wrong("companion eigenvalues") == 0, "{:?}", found.methods);
     }

@@ -95,7 +95,7 @@ fn of_three(roots: Three) -> Option<[Part; 3]> {
     finite.then(|| roots.map(|root| [Float::with_val(53, root.re), Float::with_val(53, root.im)]))
 }
 
-/// A rung with error bounds, whose coefficients are rounded once; none where it leaves the pair open.
+/// A precision level with error bounds, whose coefficients are rounded once; none where it leaves the pair open.
 fn bounded<R: Working + Real>(cubic: &[Rational; 4], round: impl Fn(&Rational) -> R) -> Option<[Part; 3]> {
     let coefficients = cubic.each_ref().map(round);
     let magnitudes = coefficients.each_ref().map(|value| value.leading().abs());

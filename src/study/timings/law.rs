@@ -81,9 +81,9 @@ fn beside(points: &[(f64, f64)], exponent: f64) -> Vec<(f64, f64)> {
     vec![((a * bb - b * ab) / determinant, exponent), ((b * aa - a * ab) / determinant, 1.0)]
 }
 
-/// The rows of one ladder, from small to large, and the laws fitted to them.
+/// The rows of one series, from small to large, and the laws fitted to them.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Ladder<'r> {
+pub struct CostSeries<'r> {
     /// Its rows.
     pub rows: Vec<&'r CostRow>,
     /// The law of all rows; none without a form.
@@ -92,7 +92,7 @@ pub struct Ladder<'r> {
     pub law_below_top: Option<Law>,
 }
 
-impl Ladder<'_> {
+impl CostSeries<'_> {
     /// (size, CPU seconds) of each row.
     #[must_use]
     pub fn points(&self) -> Vec<(f64, f64)> {
@@ -100,17 +100,17 @@ impl Ladder<'_> {
     }
 }
 
-/// The ladders of a file, in its order.
+/// The series of a file, in its order.
 #[must_use]
-pub fn ladders(rows: &[CostRow]) -> Vec<Ladder<'_>> {
-    let parts = rows.chunk_by(|one, next| one.ladder == next.ladder);
+pub fn cost_series(rows: &[CostRow]) -> Vec<CostSeries<'_>> {
+    let parts = rows.chunk_by(|one, next| one.series == next.series);
     parts
         .map(|rows| {
             let points: Vec<(f64, f64)> = rows.iter().map(|row| (row.size, row.cpu_s)).collect();
             let form = rows.first().and_then(|row| row.form);
             let fit = |points: &[(f64, f64)]| form.and_then(|form| Law::fit(form, points));
             let below = points.split_last().and_then(|(_, below)| fit(below));
-            Ladder { rows: rows.iter().collect(), law: fit(&points), law_below_top: below }
+            CostSeries { rows: rows.iter().collect(), law: fit(&points), law_below_top: below }
         })
         .collect()
 }

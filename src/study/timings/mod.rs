@@ -13,7 +13,7 @@ mod sheet;
 pub use aims::{Aim, Bound, aims};
 pub use compare::{PeerGroup, Reached, cycle_groups, micro, work_groups};
 pub use coverage::{CoverageRow, read_coverage};
-pub use law::{Form, Ladder, Law, ladders};
+pub use law::{CostSeries, Form, Law, cost_series};
 pub use rows::{CostRow, MachineRow, PeerRow, read_cost, read_machine, read_peers};
 
 /// The contents of the files.

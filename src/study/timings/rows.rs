@@ -33,7 +33,7 @@ pub struct CostRow {
     /// Its line in the file, counted from 1.
     pub line: usize,
     /// What grows.
-    pub ladder: String,
+    pub series: String,
     /// What its size counts.
     pub variable: String,
     /// The size.
@@ -114,7 +114,7 @@ pub fn read_cost(file: &str, text: &str) -> Result<Vec<CostRow>, Faults> {
     let read = |row: &SheetRow<'_>| {
         Ok(CostRow {
             line: row.line,
-            ladder: row.text(0),
+            series: row.text(0),
             variable: row.text(1),
             size: row.positive(2)?,
             cpu_s: row.at_least_zero(3)?,
@@ -169,7 +169,7 @@ mod tests {
     }
 
     #[test]
-    fn a_ladder_states_its_form_and_what_is_asked() {
+    fn a_series_states_its_form_and_the_requested_size() {
         let header = "ladder,variable,size,wall_s,cpu_s,peak_memory_kib,form,asked,command\n";
         let rows = read_cost("cost.csv", &format!("{header}grid,points,1e6,1,0.5,900,beside 0.5,1e9,slipmode x\nt,threads,2,1,1,9,,,slipmode y\n")).unwrap();
         assert_eq!((rows[0].form, rows[0].asked), (Some(Form::Beside(0.5)), Some(1e9)));

@@ -38,13 +38,13 @@ pub(super) fn outermost_real_root(depressed: &Depressed, bits: u32) -> Ball {
 
 /// The accuracies of the steps before the last, ascending: each about half of the next, the last half of `bits`.
 fn accuracies(bits: u32) -> impl Iterator<Item = u32> {
-    let mut ladder = Vec::new();
+    let mut accuracies = Vec::new();
     let mut accuracy = bits / 2 + DOUBLING_LOSS;
     while accuracy > START_BITS {
-        ladder.push(accuracy);
+        accuracies.push(accuracy);
         accuracy = accuracy / 2 + DOUBLING_LOSS;
     }
-    ladder.into_iter().rev()
+    accuracies.into_iter().rev()
 }
 
 /// One Newton step to this many correct bits; the derivative and the quotient need only half of them.

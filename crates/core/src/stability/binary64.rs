@@ -3,14 +3,14 @@
 //! Eq 8 times aσD_c, with p for s·D_c/V0, has the coefficients K D_c², K D_c² + (a − b)σD_c, aσD_c + M V0² and M V0²: sums of
 //! products of three 64-bit numbers, which are integers of at most 159 bits times powers of two.
 
-use super::ladder;
+use super::certain_signs;
 use super::quick::{classify_quickly, clearly_in_upper_area};
 use super::slip_mode::slip_mode_by;
 use super::spectrum::{LargestParts, clearly_inertial};
 use super::{Classification, InertialThreshold, SpectralClass, classify};
 use crate::friction::Parameters;
 use crate::number::{Dd, Rational, ShortInteger, odd_part};
-use crate::roots::{Rung, ShortCubic};
+use crate::roots::{PrecisionLevel, ShortCubic};
 
 /// Coefficients longer than this are left to rationals.
 const MOST_BITS: u32 = 250;
@@ -31,7 +31,7 @@ pub fn classify_binary64(
     if !usable {
         return None;
     }
-    let (certain, ..) = ladder::filter(parameters);
+    let (certain, ..) = certain_signs::filter(parameters);
     let quickly = || certain.then(|| classify_quickly(&in_double_double, threshold)).flatten();
     let exactly =
         || classify(&parameters.map(|value| Rational::from_f64(*value).unwrap_or_default()), threshold);
@@ -41,7 +41,7 @@ pub fn classify_binary64(
 /// The classification by short integers; `None` when they are too long, or a value or a name needs more than they give.
 fn classify_shortly(parameters: &Parameters<f64>, threshold: &InertialThreshold) -> Option<Classification> {
     // The names are taken from 64-bit groups, which must not have over- or underflown on the way.
-    let groups = ladder::groups_in_f64(parameters)?;
+    let groups = certain_signs::groups_in_f64(parameters)?;
     let cubic = short_cubic(parameters)?;
     let (transition_sign, boundary_sign) = (cubic.hurwitz_sign(), cubic.discriminant_sign());
     let spectral_class = SpectralClass::from_signs(transition_sign, boundary_sign);
@@ -64,8 +64,8 @@ fn classify_shortly(parameters: &Parameters<f64>, threshold: &InertialThreshold)
         slip_mode,
         max_real_per_s: in_si.real,
         max_imaginary_per_s: in_si.imaginary,
-        rung: Rung::Exact,
-        value_rung: Rung::DoubleDouble,
+        precision_level: PrecisionLevel::Exact,
+        value_precision_level: PrecisionLevel::DoubleDouble,
     })
 }
 

@@ -5,6 +5,7 @@ pub mod asymptote;
 pub mod batch;
 mod binary64;
 pub mod boundary;
+mod certain_signs;
 pub mod curve;
 pub mod cusp;
 mod decision;
@@ -13,7 +14,6 @@ mod distance;
 #[cfg(test)]
 mod fixtures;
 pub mod frequency;
-mod ladder;
 mod logarithm;
 mod nearest_place;
 mod parameter_coefficients;

@@ -1,12 +1,12 @@
 //! The classification of a point whose inputs are double-doubles: for large files, where it nearly always suffices.
 
-use super::ladder::BoundedGroups;
+use super::certain_signs::BoundedGroups;
 use super::slip_mode::slip_mode_by;
 use super::spectrum::{LargestParts, clearly_inertial};
 use super::{Classification, InertialThreshold, SpectralClass};
 use crate::friction::{Groups, Parameters};
 use crate::number::Dd;
-use crate::roots::Rung;
+use crate::roots::PrecisionLevel;
 
 /// How close to a limit a comparison of groups is left open; they are known to far better.
 const MARGIN: f64 = 1e-12;
@@ -41,8 +41,8 @@ pub fn classify_quickly(
         slip_mode,
         max_real_per_s: in_si.real,
         max_imaginary_per_s: in_si.imaginary,
-        rung: signs.rung,
-        value_rung: Rung::DoubleDouble,
+        precision_level: signs.precision_level,
+        value_precision_level: PrecisionLevel::DoubleDouble,
     })
 }
 

@@ -2,12 +2,12 @@
 
 use rug::Float;
 
-use super::ladder::{self, BoundedGroups};
+use super::certain_signs::{self, BoundedGroups};
 use super::slip_mode::slip_mode_given;
 use super::{InertialThreshold, SlipMode, SpectralClass};
 use crate::friction::{Groups, Parameters};
 use crate::number::{Dd, Rational, Wide};
-use crate::roots::{Bounded, CertifiedRoots, Depressed, Pair, Rung, Spectrum, certified_roots};
+use crate::roots::{Bounded, CertifiedRoots, Depressed, Pair, PrecisionLevel, Spectrum, certified_roots};
 
 /// Digits of the enclosures behind the values when double-double does not suffice.
 const EXACT_DIGITS: u32 = 19;
@@ -31,10 +31,10 @@ pub struct Classification {
     pub max_real_per_s: Wide,
     /// Largest Im(s), 1/s, with a relative error of at most 1e-14; exactly 0 when no root is complex.
     pub max_imaginary_per_s: Wide,
-    /// The rung that decided the signs.
-    pub rung: Rung,
-    /// The rung that gave the values: 64-bit cannot guarantee 1e-14, so double-double or exact.
-    pub value_rung: Rung,
+    /// The precision level that decided the signs.
+    pub precision_level: PrecisionLevel,
+    /// The precision level that gave the values: 64-bit cannot guarantee 1e-14, so double-double or exact.
+    pub value_precision_level: PrecisionLevel,
 }
 
 /// The largest real and imaginary parts of the dimensionless roots p.
@@ -48,14 +48,15 @@ pub(super) struct LargestParts<R> {
 pub fn classify(parameters: &Parameters<Rational>, threshold: &InertialThreshold) -> Classification {
     let groups = parameters.groups();
     let approximate = BoundedGroups::of(&groups);
-    let signs = ladder::signs(&groups, approximate.as_ref());
+    let signs = certain_signs::signs(&groups, approximate.as_ref());
     let spectral_class = SpectralClass::from_signs(signs.transition, signs.boundary);
     let rate_per_s = parameters.rate_per_s();
 
     let parts = approximate
         .and_then(|approximate| LargestParts::of_bounded(&approximate.cubic().spectrum(), signs.transition));
     let in_si = parts.as_ref().and_then(|parts| parts.times_rate(Dd::from_rational(&rate_per_s)));
-    let value_rung = if in_si.is_some() { Rung::DoubleDouble } else { Rung::Exact };
+    let value_precision_level =
+        if in_si.is_some() { PrecisionLevel::DoubleDouble } else { PrecisionLevel::Exact };
     let LargestParts { real, imaginary } =
         in_si.unwrap_or_else(|| LargestParts::exactly(&groups).times_rate(&rate_per_s));
 
@@ -75,8 +76,8 @@ pub fn classify(parameters: &Parameters<Rational>, threshold: &InertialThreshold
         slip_mode: slip_mode_given(&groups, spectral_class, inertial),
         max_real_per_s: real,
         max_imaginary_per_s: imaginary,
-        rung: signs.rung,
-        value_rung,
+        precision_level: signs.precision_level,
+        value_precision_level,
     }
 }
 
@@ -115,7 +116,7 @@ impl LargestParts<Dd> {
             }
         };
         let largest = if pair.value > spectrum.real.value { pair } else { spectrum.real };
-        // Growth is negative exactly when stable; a value whose sign is not certain is left to the exact rung.
+        // Growth is negative exactly when stable; a value whose sign is not certain is left to the exact precision level.
         let signed = transition_sign == 0 || largest.value.hi().abs() > largest.error;
         let real = if transition_sign == 0 { zero } else { largest.value };
         (own_size(&spectrum.real) && signed).then_some(Self { real, imaginary })

@@ -1,16 +1,16 @@
 //! A (V0, σ) grid at fixed material and machine: both decisions are polynomials in σ along a row of constant V0.
 //!
-//! Row after row the 64-bit [filter](RowFilter) decides nearly every point; the rest climbs the ladder.
+//! Row after row the 64-bit [filter](RowFilter) decides nearly every point; the rest is decided at a higher precision level.
 
 use rayon::prelude::*;
 use rug::Rational;
 
 use super::dispatch::run_on_widest_unit;
 use super::row_filter::{RowFilter, RowLoop};
-use super::{RungCounts, SignPair};
+use super::{PrecisionCounts, SignPair};
 use crate::friction::{Groups, Parameters};
 use crate::number::{Ball, Field};
-use crate::stability::{boundary_sign, ladder, transition_sign};
+use crate::stability::{boundary_sign, certain_signs, transition_sign};
 
 /// Precision of a row's coefficients before they are rounded to f64: room for a cancellation of 100 bits and more.
 pub(super) const ROW_BITS: u32 = 192;
@@ -20,8 +20,8 @@ pub(super) const ROW_BITS: u32 = 192;
 pub struct Grid {
     /// One entry per point; the σ index runs fastest.
     pub cells: Vec<SignPair>,
-    /// How many points each rung decided.
-    pub counts: RungCounts,
+    /// How many points each precision level decided.
+    pub counts: PrecisionCounts,
 }
 
 /// Classifies every point of the grid exactly; V0 in m/s and σ in Pa are taken from the slices, the rest from `fixed`.
@@ -41,7 +41,7 @@ pub fn classify_grid(
         .zip(loading_velocities_m_per_s)
         .map(|(row, &velocity)| kernel.classify_row(velocity, row))
         .collect::<Option<Vec<_>>>()?;
-    let mut total = RungCounts::default();
+    let mut total = PrecisionCounts::default();
     counts.into_iter().for_each(|row| total += row);
     Some(Grid { cells, counts: total })
 }
@@ -88,7 +88,11 @@ impl GridKernel {
 
     /// Classifies the row of this V0 (m/s) exactly; `None` unless it is positive and finite and `cells` has one entry per σ.
     #[must_use]
-    pub fn classify_row(&self, loading_velocity_m_per_s: f64, cells: &mut [SignPair]) -> Option<RungCounts> {
+    pub fn classify_row(
+        &self,
+        loading_velocity_m_per_s: f64,
+        cells: &mut [SignPair],
+    ) -> Option<PrecisionCounts> {
         if !self.accepts(loading_velocity_m_per_s, cells.len()) {
             return None;
         }
@@ -129,17 +133,17 @@ impl GridKernel {
         self.stress_exponent
     }
 
-    /// Hands the points that the filter left open to the upper rungs.
-    fn decide_the_rest(&self, loading_velocity_m_per_s: f64, cells: &mut [SignPair]) -> RungCounts {
-        let mut counts = RungCounts::default();
+    /// Hands the points that the filter left open to the higher precision levels.
+    fn decide_the_rest(&self, loading_velocity_m_per_s: f64, cells: &mut [SignPair]) -> PrecisionCounts {
+        let mut counts = PrecisionCounts::default();
         for (index, cell) in cells.iter_mut().enumerate() {
             if *cell != SignPair::UNDECIDED {
                 counts.f64 += 1;
                 continue;
             }
-            let (signs, rung) = decide_above_filter(&self.point(loading_velocity_m_per_s, index));
+            let (signs, precision_level) = decide_above_filter(&self.point(loading_velocity_m_per_s, index));
             *cell = signs;
-            counts.count(rung);
+            counts.count(precision_level);
         }
         counts
     }
@@ -165,10 +169,10 @@ pub(super) fn exact_signs(groups: &Groups<Rational>) -> SignPair {
 }
 
 /// The signs of a point that the 64-bit filter left open.
-pub(super) fn decide_above_filter(point: &Parameters<Rational>) -> (SignPair, crate::roots::Rung) {
+pub(super) fn decide_above_filter(point: &Parameters<Rational>) -> (SignPair, crate::roots::PrecisionLevel) {
     let groups = point.groups();
-    let signs = ladder::signs_above_f64(&groups, ladder::BoundedGroups::of(&groups).as_ref());
-    (SignPair::new(signs.transition, signs.boundary), signs.rung)
+    let signs = certain_signs::signs_above_f64(&groups, certain_signs::BoundedGroups::of(&groups).as_ref());
+    (SignPair::new(signs.transition, signs.boundary), signs.precision_level)
 }
 
 #[cfg(test)]
@@ -231,7 +235,7 @@ mod tests {
         let grid = classify_grid(&fixed, &[1.0], &[32.0 - beside, 32.0, 32.0 + beside, 40.0]).unwrap();
         let boundary: Vec<i8> = grid.cells.iter().map(|cell| cell.boundary_sign()).collect();
         assert_eq!(boundary, [-1, 0, 1, -1]);
-        assert_eq!(grid.counts, RungCounts { f64: 1, double_double: 2, exact: 1 });
+        assert_eq!(grid.counts, PrecisionCounts { f64: 1, double_double: 2, exact: 1 });
     }
 
     #[test]

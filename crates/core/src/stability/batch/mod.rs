@@ -20,7 +20,7 @@ pub use grid::{Grid, GridKernel, classify_grid};
 pub use grid_cell::GridCell;
 pub use mode_kernel::ModeKernel;
 pub use points::classify_points;
-pub use sign_pair::{RungCounts, SignPair};
+pub use sign_pair::{PrecisionCounts, SignPair};
 pub use stream::{GridAxis, RowBlock, StreamedGrid};
 pub use tally::Tally;
 pub use values::{LargestPartsPerS, grid_values, point_values};

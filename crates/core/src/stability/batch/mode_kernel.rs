@@ -5,10 +5,10 @@ use rug::Rational;
 use super::dispatch::run_on_widest_unit;
 use super::grid::{GridKernel, ROW_BITS, exact_signs};
 use super::mode_filter::{ModeFilter, ModeLoop};
-use super::{GridCell, RungCounts};
+use super::{GridCell, PrecisionCounts};
 use crate::friction::Parameters;
 use crate::number::Ball;
-use crate::roots::Rung;
+use crate::roots::PrecisionLevel;
 use crate::stability::{InertialThreshold, slip_mode};
 
 /// What the rows of a grid share.
@@ -42,7 +42,11 @@ impl ModeKernel {
 
     /// Classifies the row of this V0 (m/s) exactly; `None` unless it is positive and finite and `cells` has one entry per σ.
     #[must_use]
-    pub fn classify_row(&self, loading_velocity_m_per_s: f64, cells: &mut [GridCell]) -> Option<RungCounts> {
+    pub fn classify_row(
+        &self,
+        loading_velocity_m_per_s: f64,
+        cells: &mut [GridCell],
+    ) -> Option<PrecisionCounts> {
         if !self.grid.accepts(loading_velocity_m_per_s, cells.len()) {
             return None;
         }
@@ -58,8 +62,8 @@ impl ModeKernel {
     }
 
     /// Decides the points that the filter left open: so few that their modes all go to rationals.
-    fn decide_the_rest(&self, loading_velocity_m_per_s: f64, cells: &mut [GridCell]) -> RungCounts {
-        let mut counts = RungCounts::default();
+    fn decide_the_rest(&self, loading_velocity_m_per_s: f64, cells: &mut [GridCell]) -> PrecisionCounts {
+        let mut counts = PrecisionCounts::default();
         for (index, cell) in cells.iter_mut().enumerate() {
             if *cell != GridCell::UNDECIDED {
                 counts.f64 += 1;
@@ -68,7 +72,7 @@ impl ModeKernel {
             let groups = self.grid.point(loading_velocity_m_per_s, index).groups();
             let signs = exact_signs(&groups);
             *cell = GridCell::new(signs, slip_mode(&groups, signs.spectral_class(), &self.threshold));
-            counts.count(Rung::Exact);
+            counts.count(PrecisionLevel::Exact);
         }
         counts
     }

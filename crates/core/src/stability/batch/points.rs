@@ -4,12 +4,12 @@ use rayon::prelude::*;
 
 use super::dispatch::{Kernel, run_on_widest_unit};
 use super::grid::{decide_above_filter, exact};
-use super::{RungCounts, SignPair};
+use super::{PrecisionCounts, SignPair};
 use crate::friction::Parameters;
 use crate::number::Dd;
-use crate::roots::Rung;
+use crate::roots::PrecisionLevel;
 use crate::stability::binary64::short_cubic;
-use crate::stability::ladder::{self, BoundedGroups};
+use crate::stability::certain_signs::{self, BoundedGroups};
 
 /// Points handled at a time: their columns stay in the first-level cache.
 pub(super) const BLOCK: usize = 1024;
@@ -18,7 +18,7 @@ pub(super) const BLOCK: usize = 1024;
 ///
 /// `None` when the columns differ in length or hold a value that is not positive and finite.
 #[must_use]
-pub fn classify_points(columns: &Parameters<&[f64]>) -> Option<(Vec<SignPair>, RungCounts)> {
+pub fn classify_points(columns: &Parameters<&[f64]>) -> Option<(Vec<SignPair>, PrecisionCounts)> {
     let count = joint_length(columns)?;
     let mut cells = vec![SignPair::UNDECIDED; count];
     let counts = cells
@@ -30,8 +30,8 @@ pub fn classify_points(columns: &Parameters<&[f64]>) -> Option<(Vec<SignPair>, R
             run_on_widest_unit(PointLoop { columns: &columns, cells });
             decide_the_rest(&columns, cells)
         })
-        .collect::<Option<Vec<RungCounts>>>()?;
-    let mut total = RungCounts::default();
+        .collect::<Option<Vec<PrecisionCounts>>>()?;
+    let mut total = PrecisionCounts::default();
     counts.into_iter().for_each(|block| total += block);
     Some((cells, total))
 }
@@ -76,11 +76,11 @@ pub(super) fn map_columns<'a, T>(
     }
 }
 
-/// Hands the points that the filter left open to the upper rungs.
+/// Hands the points that the filter left open to the higher precision levels.
 ///
 /// A value that is not positive and finite lies outside the filter's range, so that it is found here, at no cost to the rest.
-fn decide_the_rest(columns: &Parameters<&[f64]>, cells: &mut [SignPair]) -> Option<RungCounts> {
-    let mut counts = RungCounts::default();
+fn decide_the_rest(columns: &Parameters<&[f64]>, cells: &mut [SignPair]) -> Option<PrecisionCounts> {
+    let mut counts = PrecisionCounts::default();
     for (index, cell) in cells.iter_mut().enumerate() {
         if *cell != SignPair::UNDECIDED {
             counts.f64 += 1;
@@ -89,21 +89,23 @@ fn decide_the_rest(columns: &Parameters<&[f64]>, cells: &mut [SignPair]) -> Opti
         if !is_valid(columns, index) {
             return None;
         }
-        let (signs, rung) = decide_above_64_bit(&map_columns(columns, |column| column[index]));
+        let (signs, precision_level) = decide_above_64_bit(&map_columns(columns, |column| column[index]));
         *cell = signs;
-        counts.count(rung);
+        counts.count(precision_level);
     }
     Some(counts)
 }
 
 /// Both signs by double-double, else by integers of fixed length, else by rationals.
-fn decide_above_64_bit(point: &Parameters<f64>) -> (SignPair, Rung) {
+fn decide_above_64_bit(point: &Parameters<f64>) -> (SignPair, PrecisionLevel) {
     let in_double_double = BoundedGroups::of_parameters(&point.map(|value| Dd::from(*value)));
     if let Some(signs) = in_double_double.and_then(|groups| groups.signs_below_exact()) {
-        return (SignPair::new(signs.transition, signs.boundary), Rung::DoubleDouble);
+        return (SignPair::new(signs.transition, signs.boundary), PrecisionLevel::DoubleDouble);
     }
     match short_cubic(point) {
-        Some(cubic) => (SignPair::new(cubic.hurwitz_sign(), cubic.discriminant_sign()), Rung::Exact),
+        Some(cubic) => {
+            (SignPair::new(cubic.hurwitz_sign(), cubic.discriminant_sign()), PrecisionLevel::Exact)
+        }
         None => decide_above_filter(&point.map(|value| exact(*value))),
     }
 }
@@ -122,7 +124,7 @@ impl Kernel for PointLoop<'_> {
         let columns = map_columns(self.columns, |column| &column[..count]);
         for index in 0..count {
             let point = map_columns(&columns, |column| column[index]);
-            self.cells[index] = match ladder::filter(&point) {
+            self.cells[index] = match certain_signs::filter(&point) {
                 (true, stable, real) => SignPair::from_decided(stable, real),
                 (false, ..) => SignPair::UNDECIDED,
             };

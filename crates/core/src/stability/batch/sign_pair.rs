@@ -1,8 +1,8 @@
-//! Both signs of a point in one byte, and the count of rungs behind many of them.
+//! Both signs of a point in one byte, and the count of precision levels behind many of them.
 
 use std::ops::AddAssign;
 
-use crate::roots::Rung;
+use crate::roots::PrecisionLevel;
 use crate::stability::SpectralClass;
 
 /// The signs of K − K_c and of the discriminant of one point.
@@ -56,9 +56,9 @@ impl SignPair {
     }
 }
 
-/// How many points each rung decided.
+/// How many points each precision level decided.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub struct RungCounts {
+pub struct PrecisionCounts {
     /// By the 64-bit filter.
     pub f64: u64,
     /// By double-double.
@@ -67,17 +67,17 @@ pub struct RungCounts {
     pub exact: u64,
 }
 
-impl RungCounts {
-    pub(super) fn count(&mut self, rung: Rung) {
-        match rung {
-            Rung::F64 => self.f64 += 1,
-            Rung::DoubleDouble => self.double_double += 1,
-            Rung::Exact => self.exact += 1,
+impl PrecisionCounts {
+    pub(super) fn count(&mut self, precision_level: PrecisionLevel) {
+        match precision_level {
+            PrecisionLevel::F64 => self.f64 += 1,
+            PrecisionLevel::DoubleDouble => self.double_double += 1,
+            PrecisionLevel::Exact => self.exact += 1,
         }
     }
 }
 
-impl AddAssign for RungCounts {
+impl AddAssign for PrecisionCounts {
     fn add_assign(&mut self, other: Self) {
         self.f64 += other.f64;
         self.double_double += other.double_double;

@@ -7,7 +7,7 @@ use rayon::prelude::*;
 use rug::Rational;
 
 use super::mode_kernel::ModeKernel;
-use super::{GridCell, RungCounts};
+use super::{GridCell, PrecisionCounts};
 use crate::friction::Parameters;
 use crate::stability::InertialThreshold;
 
@@ -45,8 +45,8 @@ pub struct RowBlock<'a> {
     pub first_normal_stress: u32,
     /// The cells.
     pub cells: &'a [GridCell],
-    /// How many of them each rung decided.
-    pub rungs: RungCounts,
+    /// How many of them each precision level decided.
+    pub decided_by: PrecisionCounts,
 }
 
 impl<V, S> StreamedGrid<'_, V, S>
@@ -92,8 +92,8 @@ where
             .try_fold(
                 || (empty(), scratch()),
                 |(sum, mut cells), loading_velocity| {
-                    let rungs = kernel.classify_row((axis.coordinate)(loading_velocity), &mut cells)?;
-                    let block = RowBlock { loading_velocity, first_normal_stress, cells: &cells, rungs };
+                    let decided_by = kernel.classify_row((axis.coordinate)(loading_velocity), &mut cells)?;
+                    let block = RowBlock { loading_velocity, first_normal_stress, cells: &cells, decided_by };
                     Some((fold(sum, block), cells))
                 },
             )

@@ -2,14 +2,14 @@
 
 use std::ops::AddAssign;
 
-use super::{GridCell, RowBlock, RungCounts, StreamedGrid};
+use super::{GridCell, PrecisionCounts, RowBlock, StreamedGrid};
 use crate::stability::{SlipMode, SpectralClass};
 
 /// Counts over a grid.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Tally {
     by_code: [u64; GridCell::COUNT],
-    rungs: RungCounts,
+    decided_by: PrecisionCounts,
 }
 
 /// Counters that run side by side, so that a run of equal cells does not wait for one memory cell.
@@ -20,7 +20,7 @@ const BYTES: usize = 256;
 
 impl Default for Tally {
     fn default() -> Self {
-        Self { by_code: [0; GridCell::COUNT], rungs: RungCounts::default() }
+        Self { by_code: [0; GridCell::COUNT], decided_by: PrecisionCounts::default() }
     }
 }
 
@@ -36,7 +36,7 @@ impl Tally {
     {
         let count = |mut sum: Self, block: RowBlock<'_>| {
             sum.count(block.cells);
-            sum.rungs += block.rungs;
+            sum.decided_by += block.decided_by;
             tick(block.cells.len() as u64);
             sum
         };
@@ -95,17 +95,17 @@ impl Tally {
         self.points_where(|cell| cell.signs().boundary_sign() == 0)
     }
 
-    /// How many points each rung decided.
+    /// How many points each precision level decided.
     #[must_use]
-    pub const fn rungs(&self) -> RungCounts {
-        self.rungs
+    pub const fn decided_by(&self) -> PrecisionCounts {
+        self.decided_by
     }
 }
 
 impl AddAssign for Tally {
     fn add_assign(&mut self, other: Self) {
         self.by_code.iter_mut().zip(other.by_code).for_each(|(count, more)| *count += more);
-        self.rungs += other.rungs;
+        self.decided_by += other.decided_by;
     }
 }
 

@@ -10,7 +10,7 @@
 //! With z = |y|, F(z) = z³ + 3P'z − |Q| has one positive root, where F' = 3(z² + P') ≥ 2z². Where F' ≥ (3/2)z² still holds and
 //! the Newton step t is below 1e-6·z, F''/(2F') is at most 2/z around, a root lies within 2|t| (Newton-Kantorovich), and
 //! the step leaves at most 2t²/z times a factor near 1, beside the rounding of t and the errors of the data and residual
-//! over F'. A point at which the bounds do not prove two units in the last place is marked, and goes up a rung.
+//! over F'. A point at which the bounds do not prove two units in the last place is marked, and is left to a higher precision level.
 
 use super::dispatch::Kernel;
 use super::points::map_columns;
@@ -23,7 +23,7 @@ pub(super) const TOLERANCE: f64 = f64::EPSILON / 2.0;
 /// Covers the rounding of the bounds themselves and the second order of their first-order terms (each below 1/100).
 const SLACK: f64 = 1.05;
 
-/// Terms outside 2^±120 go up a rung: inside, no fourth-order product over- or underflows, nor does its rounding error.
+/// Terms outside 2^±120 are left to a higher precision level: inside, no fourth-order product over- or underflows, nor does its rounding error.
 const MOST: f64 = power_of_two(120);
 const LEAST: f64 = power_of_two(-120);
 
@@ -229,7 +229,7 @@ fn cube_root_above(x: f64) -> f64 {
     f64::from_bits(third as i64 as u64) * 1.06
 }
 
-/// Where the parts of a block of points go; parts that are not numbers mark a point that has to go up a rung.
+/// Where the parts of a block of points go; parts that are not numbers mark a point that has to be left to a higher precision level.
 pub(super) struct PartColumns<'a> {
     pub(super) real: &'a mut [f64],
     pub(super) imaginary: &'a mut [f64],

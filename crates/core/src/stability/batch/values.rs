@@ -13,7 +13,7 @@ use super::value_kernel::{PartColumns, PointValueLoop, TOLERANCE, ValueLoop, Val
 use crate::friction::Parameters;
 use crate::number::{Dd, Rational, Wide};
 use crate::stability::binary64::short_cubic;
-use crate::stability::ladder::BoundedGroups;
+use crate::stability::certain_signs::BoundedGroups;
 use crate::stability::spectrum::LargestParts;
 
 /// The largest real and imaginary part of the exponents of one point.

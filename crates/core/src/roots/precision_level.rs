@@ -1,10 +1,10 @@
-//! The rungs of the ladder, from the fastest arithmetic to the one that is always right.
+//! The precision levels, from the fastest arithmetic to the one that is always right.
 
 use serde::Serialize;
 
-/// Which arithmetic gave an answer; a larger rung is slower and surer.
+/// Which arithmetic gave an answer; a higher level is slower and decides more.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize)]
-pub enum Rung {
+pub enum PrecisionLevel {
     /// 64-bit with a forward error bound.
     #[serde(rename = "f64")]
     F64,
@@ -16,7 +16,7 @@ pub enum Rung {
     Exact,
 }
 
-impl Rung {
+impl PrecisionLevel {
     /// The name in tables and JSON.
     #[must_use]
     pub const fn as_str(self) -> &'static str {

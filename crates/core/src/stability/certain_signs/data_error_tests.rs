@@ -1,4 +1,4 @@
-//! The bounds of a rung under the largest errors of the groups that they allow for, and the range outside of which they do not hold.
+//! The bounds of a precision level under the largest errors of the groups that they allow for, and the range outside of which they do not hold.
 
 use super::*;
 
@@ -70,7 +70,7 @@ fn the_coefficients_of_eq_8_are_within_their_bounds_when_every_group_is_off() {
 
 /// κ = 10⁻⁵ and η = 10⁵ are harmless, but K and M that lead to them are not.
 #[test]
-fn inputs_whose_products_could_leave_the_range_are_left_to_higher_rungs() {
+fn inputs_whose_products_could_leave_the_range_are_left_to_higher_precision() {
     let point = |stiffness: f64| Parameters {
         direct_effect: 1.0,
         evolution_effect: 1.5,

@@ -1,11 +1,11 @@
-//! The ladder of the two decisions: 64-bit, double-double, exact. Each rung answers only when its error bound allows.
+//! The two decisions in 64-bit, double-double or exact arithmetic. Each precision level answers only when its error bound allows.
 
 use std::ops::Range;
 
 use super::{boundary_sign, transition_sign};
 use crate::friction::{Groups, Parameters};
 use crate::number::{Dd, Rational};
-use crate::roots::{Bounded, BoundedCubic, Rung, Working};
+use crate::roots::{Bounded, BoundedCubic, PrecisionLevel, Working};
 
 /// Groups outside 2^±110 (about 1e±33) go to exact arithmetic: inside, no fourth-order product over- or underflows,
 /// not even the rounding errors that double-double keeps (2^±440 · 2^-106).
@@ -25,12 +25,12 @@ pub(super) struct BoundedGroups<R> {
     relative_error: f64,
 }
 
-/// The two signs and the rung that gave the less easy one.
+/// The two signs and the precision level that gave the less easy one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Signs {
     pub(super) transition: i8,
     pub(super) boundary: i8,
-    pub(super) rung: Rung,
+    pub(super) precision_level: PrecisionLevel,
 }
 
 impl BoundedGroups<Dd> {
@@ -54,7 +54,7 @@ impl BoundedGroups<Dd> {
 
     /// Both signs when 64-bit, or else double-double, is certain of both.
     pub(super) fn signs_below_exact(&self) -> Option<Signs> {
-        self.leading().signs(Rung::F64).or_else(|| self.signs(Rung::DoubleDouble))
+        self.leading().signs(PrecisionLevel::F64).or_else(|| self.signs(PrecisionLevel::DoubleDouble))
     }
 
     /// The groups themselves.
@@ -92,10 +92,10 @@ impl<R: Working> BoundedGroups<R> {
     }
 
     /// Both signs when both are certain.
-    fn signs(&self, rung: Rung) -> Option<Signs> {
+    fn signs(&self, precision_level: PrecisionLevel) -> Option<Signs> {
         let transition = certain_sign(&self.transition_margin())?;
         let boundary = certain_sign(&self.cubic().discriminant())?;
-        Some(Signs { transition, boundary, rung })
+        Some(Signs { transition, boundary, precision_level })
     }
 }
 
@@ -106,23 +106,23 @@ fn certain_sign<R: Working>(bounded: &Bounded<R>) -> Option<i8> {
     (value.abs() > bounded.error).then_some(if value > 0.0 { 1 } else { -1 })
 }
 
-/// The signs of a point, by the lowest rung that is certain.
+/// The signs of a point, by the lowest precision level that is certain.
 pub(super) fn signs(exact: &Groups<Rational>, approximate: Option<&BoundedGroups<Dd>>) -> Signs {
     approximate
-        .and_then(|groups| groups.leading().signs(Rung::F64))
+        .and_then(|groups| groups.leading().signs(PrecisionLevel::F64))
         .unwrap_or_else(|| signs_above_f64(exact, approximate))
 }
 
 /// The signs of a point, by double-double if it is certain and by rationals otherwise.
 pub(super) fn signs_above_f64(exact: &Groups<Rational>, approximate: Option<&BoundedGroups<Dd>>) -> Signs {
-    approximate.and_then(|groups| groups.signs(Rung::DoubleDouble)).unwrap_or_else(|| Signs {
+    approximate.and_then(|groups| groups.signs(PrecisionLevel::DoubleDouble)).unwrap_or_else(|| Signs {
         transition: transition_sign(exact),
         boundary: boundary_sign(exact),
-        rung: Rung::Exact,
+        precision_level: PrecisionLevel::Exact,
     })
 }
 
-/// The 64-bit rung without branches, for vectorised loops: (both signs certain?, stable, all roots real).
+/// The 64-bit precision level without branches, for vectorised loops: (both signs certain?, stable, all roots real).
 ///
 /// With every input within 2^±200 no intermediate of the groups over- or underflows. η then takes five roundings,
 /// κ three and β one.
