@@ -18,6 +18,9 @@ use crate::cli::progress::Progress;
 use crate::cli::terminal;
 use crate::cli::tree::{Files, OutputFolder, differences};
 
+/// The file name of a report's page.
+const PAGE: &str = "index.html";
+
 /// The limit on grids, shared by the commands that read scenes.
 #[derive(Debug, Args)]
 pub struct LimitOption {
@@ -57,9 +60,9 @@ pub struct ReportOptions {
     /// The folder to write [default: target/report/NAME, with the report's name]
     #[arg(short, long, value_name = "OUT")]
     output: Option<PathBuf>,
-    /// Leaves versions and times out of the page and the Markdown report, as a published copy does
+    /// Writes what a published copy contains: no versions and times, and no page if report.toml has `publish_page = false`
     #[arg(long)]
-    without_environment: bool,
+    for_publication: bool,
     #[command(flatten)]
     limit: LimitOption,
 }
@@ -96,9 +99,9 @@ pub fn run(options: &RunOptions, progress: &Progress) -> Result<(), Failure> {
 /// # Errors
 /// When the report's files are at fault or the folder cannot be written.
 pub fn report(options: &ReportOptions, progress: &Progress) -> Result<(), Failure> {
-    let (product, place) = make(options, progress)?;
-    let page = place.join("index.html");
-    terminal::print(&format!("{}{}\n", summary(&product.ledger), page.display()))
+    let Made { product, place, publish_page } = make(options, progress)?;
+    let main_file = if options.for_publication && !publish_page { "report.md" } else { PAGE };
+    terminal::print(&format!("{}{}\n", summary(&product.ledger), place.join(main_file).display()))
 }
 
 /// Makes a report and compares it with its published copy.
@@ -111,14 +114,18 @@ pub fn verify(options: &VerifyOptions, progress: &Progress) -> Result<(), Failur
         let folder = read_report(&options.folder, options.limit.limits()?)?;
         return verify_claim(&folder, id, progress);
     }
-    let (product, place) = make(options, progress)?;
+    let Made { product, place, publish_page } = make(options, progress)?;
     let published = options.folder.join("published");
-    let mut moved = if published.exists() { differences(&product.files, &published)? } else { Vec::new() };
-    moved.extend(product.files.get("index.html").and_then(|page| over_budget(page.len())));
+    let mut moved = if published.exists() {
+        differences(&published_files(&product.files, publish_page), &published)?
+    } else {
+        Vec::new()
+    };
+    moved.extend(product.files.get(PAGE).and_then(|page| over_budget(page.len())));
     let drift = drift(&product.ledger);
     let mut text: String = product.ledger.claims.iter().map(claim_line).collect();
     text += &summary(&product.ledger);
-    text += &format!("{}\n", place.join("index.html").display());
+    text += &format!("{}\n", place.join(PAGE).display());
     if !published.exists() {
         text += "there is no published copy to compare with: only the verdicts were\n";
     }
@@ -127,7 +134,7 @@ pub fn verify(options: &VerifyOptions, progress: &Progress) -> Result<(), Failur
         return Ok(());
     }
     let counts = format!("drift: {} verdicts, {} files", drift.len(), moved.len());
-    let hint = "look at them, then `cargo xtask bless` publishes them deliberately".to_string();
+    let hint = "check the differences, then `cargo xtask accept` rewrites the published copy".to_string();
     let lines: Vec<String> = drift.into_iter().chain(moved).chain([counts, hint]).collect();
     Err(Failure::Check(lines.join("\n")))
 }
@@ -135,11 +142,18 @@ pub fn verify(options: &VerifyOptions, progress: &Progress) -> Result<(), Failur
 /// What is wrong with a page of this size, if anything.
 fn over_budget(bytes: usize) -> Option<String> {
     (bytes > PAGE_BUDGET_BYTES)
-        .then(|| format!("index.html: {bytes} bytes, more than the {PAGE_BUDGET_BYTES} of a page"))
+        .then(|| format!("{PAGE}: {bytes} bytes, more than the {PAGE_BUDGET_BYTES} of a page"))
 }
 
-/// Reads, computes and writes; gives the product and its place.
-fn make(options: &ReportOptions, progress: &Progress) -> Result<(Product, PathBuf), Failure> {
+/// A report that was computed and written.
+struct Made {
+    product: Product,
+    place: PathBuf,
+    publish_page: bool,
+}
+
+/// Reads, computes and writes a report.
+fn make(options: &ReportOptions, progress: &Progress) -> Result<Made, Failure> {
     let environment = Environment::start();
     let folder = read_report(&options.folder, options.limit.limits()?)?;
     let name = &folder.plan.name;
@@ -149,13 +163,19 @@ fn make(options: &ReportOptions, progress: &Progress) -> Result<(Product, PathBu
     let product = progress
         .items(|progress| produce(&folder, &command, environment.facts(), progress))
         .map_err(|error| unrenderable(&options.folder, &error))?;
-    let mut files: Files = product.files.clone();
-    if options.without_environment {
+    let publish_page = folder.plan.publish_page;
+    let mut files = published_files(&product.files, publish_page || !options.for_publication);
+    if options.for_publication {
         files.values_mut().for_each(|text| *text = without_environment(text));
     }
     files.insert(ENVIRONMENT_FILE.into(), environment.to_json());
     output.commit(&files)?;
-    Ok((product, place))
+    Ok(Made { product, place, publish_page })
+}
+
+/// The files of a report, with the page or without it.
+fn published_files(files: &Files, with_page: bool) -> Files {
+    files.iter().filter(|(name, _)| with_page || *name != PAGE).map(|(k, v)| (k.clone(), v.clone())).collect()
 }
 
 /// The folder as a page states it, the same wherever it is called from: its name, below `reports` if it lies there.

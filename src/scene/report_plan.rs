@@ -6,13 +6,15 @@ use crate::scene::section::Entry;
 use crate::scene::sections::{NAME_RULE, safe_name};
 use crate::scene::{Fault, Faults, Problem, Scene, same_name};
 
-/// A report: which scenes it computes, and in which chapters it tells of them.
+/// A report: the scenes that it computes and the chapters that describe them.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ReportPlan {
     /// The name, safe as a file name; the output folder has it.
     pub name: String,
     /// The title, for people.
     pub title: String,
+    /// Whether the published copy contains the page, besides ledger, Markdown, tables and figures; true by default.
+    pub publish_page: bool,
     /// The names of the scenes, each in `scenes/NAME.toml`.
     pub scenes: Vec<String>,
     /// The chapters, in order.
@@ -42,13 +44,20 @@ impl ReportPlan {
         read_document(file, bytes, |top, faults| {
             let name = top.required("name", NAME_RULE, faults).and_then(|entry| safe_name(&entry, faults));
             let title = top.required("title", "a text", faults).and_then(|entry| entry.text(faults));
+            let publish_page = top.optional("publish_page").map_or(Some(true), |entry| entry.truth(faults));
             let scenes = top
                 .required("scenes", "a list of scene names", faults)
                 .and_then(|entry| read_scene_names(&entry, faults));
             let chapters = top
                 .required("chapter", "[[chapter]] sections", faults)
                 .and_then(|entry| read_chapters(&entry, faults));
-            Some(Self { name: name?, title: title?, scenes: scenes?, chapters: chapters? })
+            Some(Self {
+                name: name?,
+                title: title?,
+                publish_page: publish_page?,
+                scenes: scenes?,
+                chapters: chapters?,
+            })
         })
     }
 }
@@ -141,6 +150,20 @@ mod tests {
         let plan = plan("[\"one\", \"two\"]").unwrap();
         assert_eq!(plan.scenes, ["one", "two"]);
         assert_eq!(plan.chapters[0].prose, "c.md");
+        assert!(plan.publish_page);
+    }
+
+    #[test]
+    fn the_page_is_published_unless_the_report_says_otherwise() {
+        let plan = |value: &str| {
+            let text =
+                format!("name = \"r\"\ntitle = \"R\"\npublish_page = {value}\nscenes = [\"one\"]\n{CHAPTER}");
+            ReportPlan::parse("report.toml", text.as_bytes())
+        };
+        assert!(plan("true").unwrap().publish_page);
+        assert!(!plan("false").unwrap().publish_page);
+        let fault = plan("\"no\"").unwrap_err()[0].to_string();
+        assert!(fault.contains("report.toml:3: publish_page") && fault.contains("true or false"), "{fault}");
     }
 
     #[test]

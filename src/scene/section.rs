@@ -137,6 +137,15 @@ impl<'t> Entry<'t> {
         self.number(faults, |text| parse_whole(text, &range))
     }
 
+    /// True or false.
+    pub fn truth(&self, faults: &mut Faults) -> Option<bool> {
+        let DeValue::Boolean(value) = self.value.get_ref() else {
+            faults.push(self.wrong_type("true or false"));
+            return None;
+        };
+        Some(*value)
+    }
+
     /// A text that is not empty.
     pub fn text(&self, faults: &mut Faults) -> Option<String> {
         let DeValue::String(text) = self.value.get_ref() else {

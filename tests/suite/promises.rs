@@ -152,8 +152,13 @@ static EQUATIONS: LazyLock<PaperEquations> = LazyLock::new(|| {
 /// The page of a report that is nothing but this prose, in lower case.
 fn page(prose: &str) -> Option<String> {
     let chapter = Chapter { id: "c".into(), title: "C".into(), prose: "c.md".into(), part: None };
-    let plan =
-        ReportPlan { name: "p".into(), title: "P".into(), scenes: Vec::new(), chapters: vec![chapter] };
+    let plan = ReportPlan {
+        name: "p".into(),
+        title: "P".into(),
+        publish_page: true,
+        scenes: Vec::new(),
+        chapters: vec![chapter],
+    };
     let folder = Folder {
         plan,
         claims: Vec::new(),

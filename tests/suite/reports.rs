@@ -113,6 +113,22 @@ fn files_that_moved_are_named_one_by_one() {
 }
 
 #[test]
+fn a_report_without_a_published_page_is_compared_in_all_other_files() {
+    let place = small_report();
+    place.write("small/report.toml", PLAN.replace("scenes", "publish_page = false\nscenes"));
+    let printed = place.run(["report", "small", "--for-publication", "-o", "out"]).expect_success();
+    assert!(printed.ends_with("out/report.md\n"), "{printed}");
+    assert!(!place.path("out/index.html").exists());
+    copy(&place.path("out"), &place.path("small/published"));
+    place.run(["verify", "small", "-o", "made"]).expect_success();
+    assert!(place.path("made/index.html").exists());
+    place.write("small/published/index.html", "<html>");
+    let ended = place.run(["verify", "small", "-o", "made"]);
+    assert_eq!(ended.code, 1);
+    assert!(ended.stderr.contains("index.html: published, but not made any more"), "{}", ended.stderr);
+}
+
+#[test]
 fn every_fault_of_every_file_of_a_report_is_told_at_once() {
     let place = small_report();
     place.write("small/report.toml", PLAN.replace("[\"a\"]", "[\"a\", \"b\"]"));

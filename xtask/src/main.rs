@@ -1,16 +1,15 @@
-//! `cargo xtask`: every chore of this repository by name, with nothing but the standard library.
+//! `cargo xtask`: the tasks of this repository. It depends on the standard library only.
 //!
-//! It builds in a second without touching GMP, so that it can say what a machine lacks before anything else fails.
+//! It builds in a second without GMP, so it can name missing programs before anything else fails.
 
+mod accept;
 mod bench;
-mod bless;
 #[cfg(target_os = "linux")]
 mod cluster_test;
 mod cost;
 mod coverage;
 mod failure;
 mod gmp_cache;
-mod judge;
 mod licences;
 mod machine;
 mod measured_on;
@@ -21,6 +20,7 @@ mod sweep_cost;
 mod test;
 mod tidy;
 mod timings;
+mod validate;
 mod verify;
 
 use std::process::ExitCode;
@@ -30,22 +30,22 @@ use failure::Failure;
 const USAGE: &str = "\
 usage: cargo xtask <command> [arguments]
 
-  verify        build, run every report under reports/, compare with its published copy
+  verify        build, run every report under reports/, compare it with its published copy
   test          format, clippy, rustdoc, tidy, licences, all tests; ends with a count
-  bless         rewrite the published copy of every report, deliberately
-  bench         run the benchmarks, SciPy beside the simulations (arguments are passed on to `cargo bench`);
-                --peers [works]: every other program that is found, into bench-results/
+  accept        rewrite the published copy of every report
+  bench         run the benchmarks, with SciPy next to the simulations (arguments are passed on to `cargo bench`);
+                --peers [works]: all installed competitors, results in bench-results/
   timings       copy bench-results/{peers,cost,coverage,machine}.csv into the report on the paper
-  cost          how time and memory grow with points, digits, tolerance and threads, with fitted laws
-  coverage      how many lines of each module the tests run, into bench-results/ (wants cargo-llvm-cov)
-  sweep-cost    memory, scaling and overhead of sweeps; wants a machine without other work
-  tidy          the rules of the house: floors, headers, lengths, left-overs, links
-  licences      every dependency's licence against the allow list
-  judge         let outside programs judge every report's page, Markdown, archive and citation
-  cluster-test  a sweep on a real Slurm, one of whose nodes is killed midway (Linux)
-  machine       look for the tools that the one-time build of GMP, MPFR and MPC needs
+  cost          measure time and memory against points, digits, tolerance and threads, and fit cost laws
+  coverage      count the lines of each module that the tests run, into bench-results/ (needs cargo-llvm-cov)
+  sweep-cost    measure memory, scaling and overhead of sweeps, on a machine without other work
+  tidy          check the source rules: order of modules, headers, lengths, wording, links
+  licences      check every dependency's licence against the list of allowed licences
+  validate      run external validators on every report's page, Markdown, archive and citation
+  cluster-test  run a sweep on a real Slurm and kill one node midway (Linux)
+  machine       check for the programs that the build of GMP, MPFR and MPC needs
 
-exit codes: 0 done, 1 a check failed, 2 bad usage or a machine that lacks something";
+exit codes: 0 done, 1 a check failed, 2 bad usage or a machine that lacks a program";
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
@@ -67,8 +67,8 @@ fn run(arguments: &[String]) -> Result<(), Failure> {
         }
         "verify" => verify::run(),
         "test" => test::run(),
-        "bless" => bless::run(),
-        "judge" => judge::run(),
+        "accept" => accept::run(),
+        "validate" => validate::run(),
         #[cfg(target_os = "linux")]
         "cluster-test" => cluster_test::run(),
         "cost" => cost::run(),

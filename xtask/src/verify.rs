@@ -1,4 +1,4 @@
-//! `cargo xtask verify`: every report run afresh and compared with its published copy.
+//! `cargo xtask verify`: every report run again and compared with its published copy.
 
 use crate::failure::Failure;
 use crate::{machine, process, repository};
@@ -15,7 +15,7 @@ pub fn run() -> Result<(), Failure> {
     for name in repository::reports()? {
         let mut code = slipmode(&["verify"], &name)?;
         if !repository::root().join("reports").join(&name).join("published").is_dir() {
-            eprintln!("verify: reports/{name} has no published copy; `cargo xtask bless` makes it");
+            eprintln!("verify: reports/{name} has no published copy; `cargo xtask accept` makes it");
             code = code.max(1);
         }
         if code != 0 {

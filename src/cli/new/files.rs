@@ -17,7 +17,7 @@ struct Chapter {
 
 const INTRODUCTION: Chapter = Chapter {
     id: "introduction",
-    title: "What this slider does, and which formula may be used for it",
+    title: "Behaviour of this slider, and which formula may be used for it",
     prose: include_str!("../../../templates/new/introduction.md"),
 };
 
@@ -26,12 +26,12 @@ const WEAKENING: &[Chapter] = &[
     INTRODUCTION,
     Chapter {
         id: "map",
-        title: "Where it is stable, and where it oscillates",
+        title: "Where sliding is stable, and where it oscillates",
         prose: include_str!("../../../templates/new/map-weakening.md"),
     },
     Chapter {
         id: "frequency",
-        title: "How fast it oscillates",
+        title: "Frequency",
         prose: include_str!("../../../templates/new/frequency.md"),
     },
     formulas(include_str!("../../../templates/new/formulas-weakening.md")),
@@ -44,7 +44,7 @@ const NEVER_UNSTABLE: &[Chapter] = &[
     INTRODUCTION,
     Chapter {
         id: "map",
-        title: "Where it oscillates on its way to steady sliding",
+        title: "Where the approach to steady sliding oscillates",
         prose: include_str!("../../../templates/new/map-stable.md"),
     },
     formulas(include_str!("../../../templates/new/formulas-stable.md")),
@@ -53,7 +53,7 @@ const NEVER_UNSTABLE: &[Chapter] = &[
 ];
 
 const fn formulas(prose: &'static str) -> Chapter {
-    Chapter { id: "formulas", title: "Which formula, where, for which error", prose }
+    Chapter { id: "formulas", title: "Where each formula may be used, and with which error", prose }
 }
 
 const fn slip_modes(prose: &'static str) -> Chapter {
@@ -61,7 +61,7 @@ const fn slip_modes(prose: &'static str) -> Chapter {
 }
 
 const fn simulations(prose: &'static str) -> Chapter {
-    Chapter { id: "simulations", title: "What simulations show", prose }
+    Chapter { id: "simulations", title: "Simulations", prose }
 }
 
 /// Every file but `claims.toml`.

@@ -1,7 +1,7 @@
-// Opens pages from disk in Chromium, light and dark, wide and narrow, with and without scripts, and counts what is wrong.
+// Opens pages from disk in Chromium, light and dark, wide and narrow, with and without scripts, and counts the faults.
 //
 // Usage: node pages.mjs CHROMIUM PAGE…   Prints one line per finding and ends with their number; exit code 1 when there is any.
-// Looked for: requests for anything but the page itself, faults that axe-core finds, text that only scripts show,
+// It checks for requests for anything but the page itself, faults found by axe-core, text that only scripts show,
 // content wider than the window, messages in the console, and readouts and sliders that the keyboard does not move.
 
 import { readFileSync } from "node:fs";
@@ -33,7 +33,7 @@ console.log(`${pages.length} pages in 8 ways each: ${findings.length} findings`)
 process.exit(findings.length === 0 ? 0 : 1);
 
 async function look(path, scene, { javaScriptEnabled, colorScheme, width }) {
-  // The judge's own script is not the page's: its policy must not stop it.
+  // axe-core's script is not part of the page: the page's policy must not stop it.
   const context = await browser.newContext({
     bypassCSP: javaScriptEnabled,
     javaScriptEnabled,
@@ -43,8 +43,8 @@ async function look(path, scene, { javaScriptEnabled, colorScheme, width }) {
   const page = await context.newPage();
   const address = pathToFileURL(resolve(path)).href;
   page.on("request", (request) => {
-    const asked = request.url();
-    if (asked !== address && !asked.startsWith("data:")) findings.push(`${scene}: asks for ${asked}`);
+    const requested = request.url();
+    if (requested !== address && !requested.startsWith("data:")) findings.push(`${scene}: requests ${requested}`);
   });
   page.on("console", (message) => findings.push(`${scene}: console: ${message.text()}`));
   page.on("pageerror", (error) => findings.push(`${scene}: script error: ${error.message}`));
@@ -55,7 +55,7 @@ async function look(path, scene, { javaScriptEnabled, colorScheme, width }) {
   if (javaScriptEnabled) {
     const overflow = await page.evaluate(() => document.documentElement.scrollWidth - window.innerWidth);
     if (overflow > 0) findings.push(`${scene}: ${overflow} px wider than the window`);
-    // Shades at the edges of what scrolls would leave contrast undecided: it is judged on the ground alone.
+    // Shading at the edges of scrolling areas would leave the contrast undecided: it is checked on the plain background.
     await page.addStyleTag({ content: ".plot, .scroll { background: var(--ground) !important; }" });
     await page.evaluate(axe);
     const result = await page.evaluate(() => axe.run(document, { resultTypes: ["violations"] }));

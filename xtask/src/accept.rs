@@ -1,4 +1,4 @@
-//! `cargo xtask bless`: the published copy of every report rewritten from a fresh run, deliberately.
+//! `cargo xtask accept`: rewrites the published copy of every report from a new run.
 
 use std::fs;
 use std::path::Path;
@@ -6,10 +6,10 @@ use std::path::Path;
 use crate::failure::Failure;
 use crate::{machine, process, repository, verify};
 
-/// What a fresh run writes but `published/` does not keep: it tells of the machine, not of the mathematics.
+/// Files of a run that `published/` does not keep: they describe the machine.
 const NOT_PUBLISHED: [&str; 1] = ["environment.json"];
 
-/// Runs every report afresh and replaces its `published/` folder.
+/// Runs every report again and replaces its `published/` folder.
 ///
 /// # Errors
 /// When the machine lacks a tool, a report cannot be made, or a file cannot be written.
@@ -17,10 +17,10 @@ pub fn run() -> Result<(), Failure> {
     machine::run()?;
     verify::build_release()?;
     for name in repository::reports()? {
-        match verify::slipmode(&["report", "--without-environment"], &name)? {
+        match verify::slipmode(&["report", "--for-publication"], &name)? {
             0 => publish(&name)?,
             code => {
-                let message = format!("report {name} exited with {code}; its published copy is as it was");
+                let message = format!("report {name} exited with {code}; its published copy is unchanged");
                 return Err(Failure { code, message });
             }
         }
@@ -33,23 +33,23 @@ fn publish(name: &str) -> Result<(), Failure> {
     let published = root.join("reports").join(name).join("published");
     let files = replace(&root.join("target/report").join(name), &published)
         .map_err(|error| Failure::bad_input(format!("reports/{name}/published: {error}")))?;
-    println!("bless: reports/{name}/published/ rewritten, {files} files; look at `git diff --stat`");
+    println!("accept: reports/{name}/published/ rewritten, {files} files; check `git diff --text`");
     process::check(
         std::process::Command::new("git").current_dir(&root).args(["diff", "--stat", "--", "reports"]),
     )
 }
 
-/// Writes the copy beside the old one first, so that an error leaves the old one whole.
+/// Writes the new copy next to the old one first, so that an error leaves the old one intact.
 fn replace(fresh: &Path, published: &Path) -> std::io::Result<usize> {
-    let beside = published.with_extension("new");
-    if beside.exists() {
-        fs::remove_dir_all(&beside)?;
+    let new = published.with_extension("new");
+    if new.exists() {
+        fs::remove_dir_all(&new)?;
     }
-    let files = copy(fresh, &beside)?;
+    let files = copy(fresh, &new)?;
     if published.exists() {
         fs::remove_dir_all(published)?;
     }
-    fs::rename(&beside, published)?;
+    fs::rename(&new, published)?;
     Ok(files)
 }
 
@@ -74,8 +74,8 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_published_copy_is_replaced_whole_and_without_the_machine() {
-        let scratch = std::env::temp_dir().join(format!("slipmode-bless-{}", std::process::id()));
+    fn a_published_copy_is_replaced_completely_and_without_the_machine() {
+        let scratch = std::env::temp_dir().join(format!("slipmode-accept-{}", std::process::id()));
         let _ = fs::remove_dir_all(&scratch);
         let (fresh, published) = (scratch.join("fresh"), scratch.join("published"));
         fs::create_dir_all(fresh.join("tables")).unwrap();
@@ -87,7 +87,7 @@ mod tests {
         assert_eq!(fs::read_to_string(published.join("tables/a.csv")).unwrap(), "new");
         assert!(!published.join("stale.csv").exists() && !published.join("environment.json").exists());
         assert!(replace(&scratch.join("absent"), &published).is_err());
-        assert!(published.join("tables/a.csv").exists(), "an error leaves the old copy whole");
+        assert!(published.join("tables/a.csv").exists(), "an error leaves the old copy intact");
         fs::remove_dir_all(scratch).unwrap();
     }
 }

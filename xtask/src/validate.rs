@@ -1,7 +1,7 @@
-//! `cargo xtask judge`: outside programs look at what a reviewer is handed.
+//! `cargo xtask validate`: external programs validate every report's page, Markdown, archive and citation.
 //!
-//! Their versions are fixed in `xtask/judge/`; they are installed below `target/judge/`. A program that cannot be had is named and its
-//! judgement skipped, except under continuous integration (`CI` is set), where all are required.
+//! `xtask/validate/` fixes their versions; they are installed below `target/validate/`. A validator whose programs are missing is named
+//! and skipped, except under continuous integration (`CI` is set), where all are required.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -10,7 +10,7 @@ use std::process::Command;
 use crate::failure::Failure;
 use crate::{machine, process, repository, verify};
 
-/// What a judge is asked about: one report, made afresh.
+/// What a validator checks: one newly made report.
 struct Made {
     folder: PathBuf,
     /// The report's page, and the explorers of its scenes.
@@ -18,34 +18,34 @@ struct Made {
     archive: PathBuf,
 }
 
-/// One judge: its name, the programs it runs on, and how it is asked.
-struct Judge {
+/// One validator: its name, the programs that it needs, and its commands.
+struct Validator {
     name: &'static str,
     programs: &'static [&'static [&'static str]],
-    ask: fn(&Made) -> Result<Vec<Command>, Failure>,
+    commands: fn(&Made) -> Result<Vec<Command>, Failure>,
 }
 
 const NODE: &[&str] = &["node"];
 const NPM: &[&str] = &["npm"];
 const JAVA: &[&str] = &["java"];
-/// Debian's Python makes virtual environments only with this package; a mere `python3` is no sign of it.
+/// Debian's Python needs this package to make virtual environments; `python3` alone is not enough.
 const PYTHON: &[&str] = &["python3"];
 const VENV: &str = "python3-venv";
 const BROWSER: &[&str] = &["chromium", "chromium-browser", "google-chrome"];
 
-const JUDGES: [Judge; 6] = [
-    Judge { name: "Nu HTML checker", programs: &[NPM, JAVA], ask: nu_html_checker },
-    Judge { name: "html-validate", programs: &[NODE, NPM], ask: html_validate },
-    Judge { name: "axe-core in Chromium", programs: &[NODE, NPM, BROWSER], ask: pages_in_browser },
-    Judge { name: "markdownlint", programs: &[NODE, NPM], ask: markdownlint },
-    Judge { name: "RO-Crate validator", programs: &[PYTHON], ask: crate_validator },
-    Judge { name: "cffconvert", programs: &[PYTHON], ask: citation },
+const VALIDATORS: [Validator; 6] = [
+    Validator { name: "Nu HTML checker", programs: &[NPM, JAVA], commands: nu_html_checker },
+    Validator { name: "html-validate", programs: &[NODE, NPM], commands: html_validate },
+    Validator { name: "axe-core in Chromium", programs: &[NODE, NPM, BROWSER], commands: pages_in_browser },
+    Validator { name: "markdownlint", programs: &[NODE, NPM], commands: markdownlint },
+    Validator { name: "RO-Crate validator", programs: &[PYTHON], commands: crate_validator },
+    Validator { name: "cffconvert", programs: &[PYTHON], commands: citation },
 ];
 
-/// Makes every report and its archive, and asks every judge about them.
+/// Makes every report and its archive, and runs every validator on them.
 ///
 /// # Errors
-/// With exit code 1 when a judge objects, 2 when one is required and cannot be had.
+/// With exit code 1 when a validator finds a fault, 2 when a required one cannot be installed.
 pub fn run() -> Result<(), Failure> {
     machine::run()?;
     verify::build_release()?;
@@ -53,35 +53,35 @@ pub fn run() -> Result<(), Failure> {
     for name in repository::reports()? {
         made.push(make(&name)?);
     }
-    let (mut objecting, mut skipped) = (Vec::new(), Vec::new());
-    for judge in &JUDGES {
-        let lacking = lacking_after_install(judge.programs)?;
+    let (mut failed, mut skipped) = (Vec::new(), Vec::new());
+    for validator in &VALIDATORS {
+        let lacking = lacking_after_install(validator.programs)?;
         if !lacking.is_empty() {
-            println!("judge: {} skipped: no {}", judge.name, lacking.join(", "));
-            skipped.push(judge.name);
-        } else if !is_content(judge, &made)? {
-            objecting.push(judge.name);
+            println!("validate: {} skipped: no {}", validator.name, lacking.join(", "));
+            skipped.push(validator.name);
+        } else if !passes(validator, &made)? {
+            failed.push(validator.name);
         }
     }
-    if !objecting.is_empty() {
-        return Err(Failure::check(format!("objections of {}", objecting.join(", "))));
+    if !failed.is_empty() {
+        return Err(Failure::check(format!("faults found by {}", failed.join(", "))));
     }
     if !skipped.is_empty() && machine::is_continuous_integration() {
-        return Err(Failure::bad_input(format!("required here, but not to be had: {}", skipped.join(", "))));
+        return Err(Failure::bad_input(format!("required here, but not installed: {}", skipped.join(", "))));
     }
-    println!("judge: {} judges content, {} skipped", JUDGES.len() - skipped.len(), skipped.len());
+    println!("validate: {} validators passed, {} skipped", VALIDATORS.len() - skipped.len(), skipped.len());
     Ok(())
 }
 
-fn is_content(judge: &Judge, made: &[Made]) -> Result<bool, Failure> {
-    println!("judge: {}", judge.name);
-    let mut content = true;
+fn passes(validator: &Validator, made: &[Made]) -> Result<bool, Failure> {
+    println!("validate: {}", validator.name);
+    let mut passed = true;
     for report in made {
-        for mut command in (judge.ask)(report)? {
-            content &= process::status(&mut command)? == 0;
+        for mut command in (validator.commands)(report)? {
+            passed &= process::status(&mut command)? == 0;
         }
     }
-    Ok(content)
+    Ok(passed)
 }
 
 fn make(name: &str) -> Result<Made, Failure> {
@@ -115,7 +115,7 @@ fn explorers(name: &str) -> Result<Vec<PathBuf>, Failure> {
     Ok(pages)
 }
 
-/// What a judge runs on and is not there, after an attempt to install it where nothing may be skipped.
+/// The programs that are missing, after an attempt to install them where nothing may be skipped.
 fn lacking_after_install(programs: &[&[&'static str]]) -> Result<Vec<&'static str>, Failure> {
     let missing = lacking(programs);
     if !missing.is_empty() && machine::is_continuous_integration() && machine::can_install() {
@@ -136,8 +136,8 @@ fn lacking(programs: &[&[&'static str]]) -> Vec<&'static str> {
 }
 
 fn python_makes_environments() -> bool {
-    let asked = Command::new("python3").args(["-c", "import ensurepip, venv"]).output();
-    asked.is_ok_and(|output| output.status.success())
+    let run = Command::new("python3").args(["-c", "import ensurepip, venv"]).output();
+    run.is_ok_and(|output| output.status.success())
 }
 
 fn find(spellings: &[&str]) -> Option<PathBuf> {
@@ -149,7 +149,7 @@ fn debian_packages(programs: &[&str]) -> Vec<&'static str> {
         "node" => "nodejs",
         "npm" => "npm",
         "java" => "default-jre-headless",
-        // It brings Python along.
+        // This package installs Python too.
         "python3" => VENV,
         name if name == VENV => VENV,
         _ => "chromium",
@@ -159,17 +159,17 @@ fn debian_packages(programs: &[&str]) -> Vec<&'static str> {
 
 /// The folder for tools and archives.
 fn workshop() -> Result<PathBuf, Failure> {
-    let folder = repository::root().join("target/judge");
+    let folder = repository::root().join("target/validate");
     fs::create_dir_all(&folder)
         .map_err(|error| Failure::bad_input(format!("{}: {error}", folder.display())))?;
     Ok(folder)
 }
 
 fn definition(name: &str) -> PathBuf {
-    repository::root().join("xtask/judge").join(name)
+    repository::root().join("xtask/validate").join(name)
 }
 
-/// Puts a definition beside the tools; tells whether it is news to them.
+/// Copies a definition to the tools' folder; true if it has changed.
 fn renew(name: &str) -> Result<bool, Failure> {
     let (from, to) = (definition(name), workshop()?.join(name));
     let cannot = |error: std::io::Error| Failure::bad_input(format!("{}: {error}", from.display()));
