@@ -1,4 +1,4 @@
-//! One recomputed file held against the archived one.
+//! One recomputed file compared with the archived one.
 
 use csv::{ReaderBuilder, StringRecord};
 

@@ -1,4 +1,4 @@
-//! Two ledgers held against each other, claim by claim.
+//! Two ledgers compared with each other, claim by claim.
 
 use std::collections::BTreeMap;
 

@@ -108,7 +108,7 @@ fn b1(context: &Context) -> Finding {
     }
 }
 
-/// How many areas the computed map shows: a look at the picture beside the proof.
+/// How many areas the computed map shows: a look at the picture next to the proof.
 fn areas_on_map(scene: &SceneOutcome) -> Option<Evidence> {
     let map = scene.map.as_ref()?;
     let real = map.map(|point| point.max_imaginary_per_s.is_zero());

@@ -127,7 +127,7 @@ impl Finding {
         self
     }
 
-    /// Where the claim stops holding, outside its limit: shown beside it, without changing the verdict.
+    /// Where the claim stops holding, outside its limit: shown next to it, without changing the verdict.
     #[must_use]
     pub fn outside(mut self, counter_example: impl Into<String>) -> Self {
         self.counter_example.get_or_insert(counter_example.into());

@@ -63,7 +63,7 @@ fn plant(equation: &Equation, context: &Context, mut sound: Vec<(&'static Check,
         match noticing(equation, &text, context, &sound) {
             Some(at) => {
                 found.noticed += 1;
-                // A claim that noticed one fault of an equation is asked about the next one first.
+                // A claim that noticed one fault of an equation is tried on the next one first.
                 sound[..=at].rotate_right(1);
                 found.noticed_by.push(sound[0].0.id);
             }

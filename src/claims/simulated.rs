@@ -33,7 +33,7 @@ pub(super) fn outcome<'c>(context: &'c Context, pick: Pick) -> Result<&'c Simula
         .ok_or_else(|| Finding::not_checked("The report has no simulations of the slider in question."))
 }
 
-/// The grids of a scene, if every run has a result: a claim on every simulation cannot be decided with holes.
+/// The grids of a scene, if every run has a result: a claim on every simulation cannot be decided when runs failed.
 pub(super) fn grids<'c>(context: &'c Context, pick: Pick) -> Result<Vec<Runs<'c>>, Finding> {
     outcome(context, pick)?
         .grids

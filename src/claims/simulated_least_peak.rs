@@ -8,7 +8,7 @@ use slipmode_core::friction::EvolutionLaw;
 use slipmode_core::number::format::round_digits;
 use slipmode_core::stability::SlipMode;
 
-/// Normal stresses that the claim must be asked at, for each law.
+/// Normal stresses that the claim must be evaluated at, for each law.
 const FEWEST_STRESSES: usize = 10;
 
 /// Least and greatest of some numbers.

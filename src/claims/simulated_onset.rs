@@ -14,7 +14,7 @@ use slipmode_core::theory::emergence;
 const BITS: u32 = 128;
 
 /// How many times its own leading error bσ/(2KD_c) eq 20 may be off: the next order of the series is of the relative
-/// size of the leading one, which is below a tenth where the claim is asked.
+/// size of the leading one, which is below a tenth where the claim is evaluated.
 const LEADING_ERRORS: u32 = 2;
 
 /// Eq 20 as the report states it against the velocities found on one line.
@@ -42,7 +42,7 @@ pub(super) fn n6(context: &Context) -> Result<Finding, Finding> {
     if compared.is_empty() {
         return Err(Finding::not_checked("No line of constant normal stress crosses the lower boundary."));
     }
-    let finding = compared.iter().fold(Finding::from_proofs([]), judge);
+    let finding = compared.iter().fold(Finding::from_proofs([]), assess);
     Ok(unit(finding, &outcome.other_unit)
         .within(limit(outcome, &compared))
         .remark(first_peak(&compared))
@@ -91,7 +91,7 @@ impl Compared<'_> {
     }
 }
 
-fn judge(finding: Finding, compared: &Compared) -> Finding {
+fn assess(finding: Finding, compared: &Compared) -> Finding {
     let line = compared.line;
     let stress = compared.stress();
     let excess = certain_digits(&compared.excess, 5);

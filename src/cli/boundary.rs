@@ -45,7 +45,7 @@ pub struct Options {
     output: PathBuf,
 }
 
-/// What was asked for, valid.
+/// What was requested, valid.
 struct Request {
     parameters: Parameters<Rational>,
     points: usize,
@@ -100,14 +100,14 @@ impl Request {
         })
     }
 
-    /// The table of the points that were asked for.
+    /// The table of the points that were requested.
     fn table(&self) -> Table {
         let mut table = Table::new("boundary", "Boundary", boundary_columns());
         self.points().iter().for_each(|point| table.push(boundary_row(point, self.digits as usize)));
         table
     }
 
-    /// The points, computed with more digits than asked for where inputs hundreds of decades apart take them.
+    /// The points, computed with more digits than requested where inputs hundreds of decades apart take them.
     fn points(&self) -> Vec<BoundaryPoint> {
         let mut working_digits = self.digits;
         loop {

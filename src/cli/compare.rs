@@ -1,4 +1,4 @@
-//! `slipmode compare`: runs of other programs held against the theory and against our simulation.
+//! `slipmode compare`: runs of other programs compared with the theory and with our simulation.
 
 mod cells;
 mod figures;
@@ -48,7 +48,7 @@ pub struct Options {
     /// than this decides nothing. Our simulation is a hundred times more accurate, and 1e-8 at least.
     #[arg(long, value_name = "T", default_value = "1e-2", allow_hyphen_values = true)]
     tolerance: String,
-    /// Compares the rows that can be read although others are at fault; their faults are told, and the command ends with 1
+    /// Compares the rows that can be read although others are at fault; their faults are reported, and the command ends with 1
     ///
     /// The rows written with --output get a column `error`.
     #[arg(long)]
@@ -91,7 +91,7 @@ pub fn run(options: &Options, progress: Progress) -> Result<(), Failure> {
         terminal::print(&view::text(&done.kept))?;
     }
     done.faults.iter().for_each(|fault| eprintln!("{fault}"));
-    done.tell_doubts();
+    done.print_warnings();
     verdict(&done.kept, done.faulty())
 }
 

@@ -1,4 +1,4 @@
-//! `slipmode diff`: two ledgers, or the ledgers of two archives, held against each other.
+//! `slipmode diff`: two ledgers, or the ledgers of two archives, compared with each other.
 
 use std::path::{Path, PathBuf};
 

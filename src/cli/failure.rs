@@ -11,7 +11,7 @@ pub const CHECK_FAILED: u8 = 1;
 /// Exit code: bad input, or an output that cannot be written.
 pub const BAD_INPUT: u8 = 2;
 
-/// Why a command did not do what was asked.
+/// Why a command failed.
 #[derive(Debug)]
 pub enum Failure {
     /// The input is at fault: every fault found.

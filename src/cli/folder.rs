@@ -121,7 +121,7 @@ pub struct LoneScene {
     pub scene: Scene,
     /// The paper's equations.
     pub equations: PaperEquations,
-    /// Files that the scene names: beside it, or in the folders of its report.
+    /// Files that the scene names: next to it, or in the folders of its report.
     pub references: References,
 }
 

@@ -32,7 +32,7 @@ pub struct Options {
     shards: Option<String>,
 }
 
-/// The most faults that are told before the rest is left out.
+/// The most faults that are reported before the rest is left out.
 const MOST_FAULTS: usize = 20;
 
 /// Runs the command.
@@ -90,7 +90,7 @@ struct Found {
     foreign: Vec<String>,
 }
 
-/// One refusal of all faults, the first twenty told.
+/// One refusal of all faults, the first twenty reported.
 fn refusal(faults: &[String]) -> Option<Failure> {
     let mut lines: Vec<String> = faults.iter().take(MOST_FAULTS).cloned().collect();
     if faults.len() > MOST_FAULTS {
@@ -177,7 +177,7 @@ impl<'f> Folder<'f> {
         Ok(State::Sound)
     }
 
-    /// Writes all blocks one after the other, or their summaries put together; each is held against its digest on the way.
+    /// Writes all blocks one after the other, or their summaries put together; each is compared with its digest on the way.
     fn write(&self, output: &Path) -> Result<(), Failure> {
         let mut output = Output::create(output)?;
         match self.origin.content {
@@ -237,7 +237,7 @@ enum State {
     Foreign(String),
 }
 
-/// Keeps one fault more than are told, so that memory does not grow with the blocks.
+/// Keeps one fault more than are reported, so that memory does not grow with the blocks.
 fn keep(faults: &mut Vec<String>, fault: String) {
     if faults.len() <= MOST_FAULTS {
         faults.push(fault);

@@ -27,7 +27,7 @@ mod sweep;
 mod terminal;
 mod tolerance;
 mod tree;
-mod unit_doubts;
+mod unit_warnings;
 mod words;
 
 use std::process::ExitCode;
@@ -66,7 +66,7 @@ enum Command {
     Sweep(sweep::Options),
     /// The blocks of a sweep put together; refuses, and names the shards to run, unless every block is there once
     Merge(merge::Options),
-    /// Runs of other programs, held against the theory and against our simulation; exits with 1 unless all agree
+    /// Runs of other programs, compared with the theory and with our simulation; exits with 1 unless all agree
     Compare(compare::Options),
     /// Which formula may be used where, for given relative errors
     Tolerance(tolerance::Options),
@@ -130,7 +130,7 @@ fn run(cli: Cli) -> Result<(), Failure> {
     }
 }
 
-/// The most threads that can be asked for.
+/// The most threads that can be requested.
 const MOST_THREADS: u64 = 1024;
 
 fn start_threads(threads: Option<&str>) -> Result<(), Failure> {

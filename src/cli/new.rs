@@ -16,7 +16,7 @@ use crate::cli::options::{Arguments, MaterialOptions};
 use crate::cli::progress::Progress;
 use crate::cli::terminal;
 use crate::cli::tree::{Files, OutputFolder};
-use crate::cli::unit_doubts::unit_doubts;
+use crate::cli::unit_warnings::unit_warnings;
 
 use files::folder_files;
 pub use ranges::Ranges;
@@ -76,7 +76,7 @@ pub fn run(options: &Options, progress: &Progress) -> Result<(), Failure> {
         &p.stiffness_pa_per_m,
         &p.mass_per_area_kg_per_m2,
     ];
-    unit_doubts(&slider).iter().for_each(|doubt| eprintln!("warning: {doubt}"));
+    unit_warnings(&slider).iter().for_each(|warning| eprintln!("warning: {warning}"));
     let listing: String = files.keys().map(|name| format!("{}\n", place.join(name).display())).collect();
     terminal::print(&format!("{listing}next: slipmode report {}\n", place.display()))
 }

@@ -1,4 +1,4 @@
-//! Output files: written beside their place and renamed into it when complete, or spooled and then copied to standard output.
+//! Output files: written next to their place and renamed into it when complete, or spooled and then copied to standard output.
 
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, BufWriter, Seek, SeekFrom, Write};
@@ -15,7 +15,7 @@ pub struct Output {
 
 #[derive(Debug)]
 enum Target {
-    /// A regular file, and the file beside it that is written.
+    /// A regular file, and the file next to it that is written.
     File { place: PathBuf, beside: Beside },
     /// Standard output, from a spool file that nobody else sees.
     Spool(Beside),

@@ -46,7 +46,7 @@ impl Progress {
         result
     }
 
-    /// A spinner beside work of unknown length.
+    /// A spinner next to work of unknown length.
     pub fn spinner<T>(self, message: &'static str, work: impl FnOnce() -> T) -> T {
         let bar = self.bar(ProgressBar::no_length(), "{spinner} {msg} {elapsed}");
         bar.set_message(message);

@@ -15,7 +15,7 @@ use crate::cli::failure::Failure;
 use crate::cli::options::{Arguments, SliderOptions};
 use crate::cli::terminal;
 
-/// The most digits that can be asked for.
+/// The most digits that can be requested.
 pub const MOST_DIGITS: u64 = 1_000_000;
 /// Digits computed beyond those printed, so that the last one is certain: a closer call than 1e-12 of a digit is
 /// printed with one digit fewer.

@@ -110,10 +110,10 @@ impl Options {
         let (Some(parameters), Some(law), Some(settings)) = (parameters, law, settings) else {
             return Ok(());
         };
-        // An output that cannot be written is told before the work, not after it.
+        // An output that cannot be written is reported before the work, not after it.
         let output = self.trajectory.as_deref().map(Output::create).transpose()?;
-        if let Some(doubt) = range::doubt(&parameters) {
-            eprintln!("warning: {doubt}");
+        if let Some(warning) = range::warning(&parameters) {
+            eprintln!("warning: {warning}");
         }
         let (found, written) = progress.spinner("simulating", || {
             let found = simulate_point(&parameters, law, settings);
@@ -122,12 +122,12 @@ impl Options {
             });
             (found, history.transpose())
         });
-        self.tell(&found, law, settings)?;
+        self.print_remarks(&found, law, settings)?;
         written.map(drop)
     }
 
     /// Prints what was found; a failure is an object for programs, and a message in any case.
-    fn tell(&self, found: &Found, law: EvolutionLaw, settings: Settings) -> Result<(), Failure> {
+    fn print_remarks(&self, found: &Found, law: EvolutionLaw, settings: Settings) -> Result<(), Failure> {
         if self.json {
             terminal::print_json(&view::json(found))?;
         }

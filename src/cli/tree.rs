@@ -1,4 +1,4 @@
-//! Output folders: written beside their place and renamed into it when complete; and the comparison with a published copy.
+//! Output folders: written next to their place and renamed into it when complete; and the comparison with a published copy.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;

@@ -17,7 +17,7 @@ pub(super) const TABLES: &[TableMaker] = &[
     TableMaker { id: "routes", needs: &[Need::Boundary], make: routes },
 ];
 
-/// Digits shown of a coordinate in a report; `slipmode boundary --digits` prints as many as asked.
+/// Digits shown of a coordinate in a report; `slipmode boundary --digits` prints as many as requested.
 const SHOWN_DIGITS: usize = 20;
 
 /// The columns of the boundary's table, the same on the command line and in reports.

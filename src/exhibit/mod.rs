@@ -1,6 +1,6 @@
 //! The figures and tables of a report, made from what was computed.
 //!
-//! An exhibit is asked for by id; the registry says what each needs, so that nothing is computed for figures nobody shows.
+//! An exhibit is requested by id; the registry says what each needs, so that nothing is computed for figures nobody shows.
 
 mod axes;
 mod boundary_tables;

@@ -148,7 +148,7 @@ pub(super) struct WorstOfBin {
     pub derived: [[Option<f64>; 2]; 2],
 }
 
-/// The worst errors of a sweep by bins of β, beside the derived ones.
+/// The worst errors of a sweep by bins of β, next to the derived ones.
 pub(super) fn worst_by_effect_ratio(swept: &Swept) -> Option<Vec<WorstOfBin>> {
     let kept = swept.kept()?;
     let beta = bin_place(kept, "evolution_effect")?;

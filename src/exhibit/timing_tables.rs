@@ -233,8 +233,8 @@ fn law_row(series: &CostSeries<'_>) -> Option<Vec<Cell>> {
         number(top.cpu_s),
         optional(at(&series.law_below_top, top.size)),
         number(top.peak_memory_kib / 1024.0),
-        optional(top.asked),
-        optional(top.asked.and_then(|size| at(&series.law, size))),
+        optional(top.requested),
+        optional(top.requested.and_then(|size| at(&series.law, size))),
         lines(series.rows.iter().map(|row| row.line)),
         Cell::text(&top.command),
     ])

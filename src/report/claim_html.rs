@@ -64,7 +64,7 @@ struct EvidencePage<'a> {
 /// Length of a certificate that the page shows whole; of a longer one it shows the beginning.
 const SHOWN_CERTIFICATE_BYTES: usize = 1800;
 
-/// The beginning of a certificate, whole lines where it has lines, and what is said below it when something is missing.
+/// The beginning of a certificate, whole lines where it has lines, and what is written below it when something is missing.
 fn excerpt(certificate: &str) -> (&str, String) {
     if certificate.len() <= SHOWN_CERTIFICATE_BYTES {
         return (certificate, String::new());

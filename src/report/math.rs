@@ -94,7 +94,7 @@ fn is_harmless(style: &str) -> bool {
     !style.is_empty() && style.chars().all(known)
 }
 
-/// The formula without `\tag{…}`: numbers stand beside equations, set by the page.
+/// The formula without `\tag{…}`: numbers stand next to equations, set by the page.
 fn without_tags(latex: &str) -> String {
     let mut parts = latex.split("\\tag{");
     let mut text = String::from(parts.next().unwrap_or_default());

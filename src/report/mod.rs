@@ -61,7 +61,7 @@ pub fn without_environment(text: &str) -> String {
     format!("{}\n{}", before.trim_end(), after.trim_start())
 }
 
-/// What is said below a table that is not shown whole; empty for one that is.
+/// What is written below a table that is not shown whole; empty for one that is.
 fn cut_note(table: &Table) -> String {
     let rows = table.rows.len();
     if rows <= MAX_SHOWN_ROWS {

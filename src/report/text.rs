@@ -13,7 +13,7 @@ use super::view::{ChapterView, EquationView, FactView, FigureView, FindingView, 
 use super::{MAX_SHOWN_ROWS, ReportError, cut_note};
 use slipmode_plot::table::{Table, escape_cell, escape_markdown, first_rows_to_markdown};
 
-/// Renders the report as Markdown, one document that links to `figures/*.svg` and `tables/*.csv` beside it.
+/// Renders the report as Markdown, one document that links to `figures/*.svg` and `tables/*.csv` next to it.
 ///
 /// # Errors
 /// The faults of the view that [`super::render_html`] reports too, save those of formulas and deep links.

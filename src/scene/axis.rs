@@ -30,7 +30,7 @@ pub struct LogAxis {
     pub points: u32,
 }
 
-/// Working precision of a coordinate: far more than the 53 bits kept, so that only an exact tie can be in doubt.
+/// Working precision of a coordinate: far more than the 53 bits kept, so that only an exact tie is undecided.
 const WORKING_BITS: u32 = 192;
 
 /// Where a result within a few units of the working precision's end is rounded_twice: a decimal such as 1e23 lies exactly

@@ -1,4 +1,4 @@
-//! What is wrong with an input, said once for people: place, key, value, problem, allowed range.
+//! What is wrong with an input, in words for people: place, key, value, problem, allowed range.
 
 use std::fmt;
 
@@ -99,7 +99,7 @@ pub enum Problem {
     /// More points than the limit.
     #[error("{points} points are over the limit of {limit} (--max-points N lifts it)")]
     TooManyPoints {
-        /// The points asked for.
+        /// The points requested.
         points: String,
         /// The limit.
         limit: u64,

@@ -39,7 +39,7 @@ pub struct WorkPrecisionSection {
 pub struct ErrorBoundSection {
     /// Triples of groups; each is run with both laws.
     pub groups: u32,
-    /// Relative errors asked for.
+    /// Relative errors requested.
     pub tolerances: Vec<Rational>,
 }
 

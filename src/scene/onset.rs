@@ -20,11 +20,11 @@ pub struct OnsetSection {
     pub tolerance: Rational,
     /// Depth of an undershoot below V_l, relative to V_l, from which on a reader sees it.
     pub visible: Rational,
-    /// A unit in which the normal stresses might have been meant instead, in Pa; absent when there is no such doubt.
+    /// A unit in which the normal stresses might have been meant instead, in Pa; absent when the unit is clear.
     pub other_unit_pa: Option<Rational>,
 }
 
-/// Runs that one search needs at most: the count that is held against the limit of points.
+/// Runs that one search needs at most: the count that is compared with the limit of points.
 const RUNS_OF_A_SEARCH: u64 = 200;
 
 impl OnsetSection {

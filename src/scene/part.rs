@@ -10,7 +10,7 @@ pub enum Part {
     CodeVerification,
     /// How large the numerical error of the report's own runs is.
     SolutionVerification,
-    /// What the paper says, held against computation.
+    /// What the paper says, compared with computation.
     Validation,
 }
 

@@ -11,7 +11,7 @@ use crate::scene::{
 };
 use slipmode_core::number::Rational;
 
-/// What a user asks for: valid, exact, and nothing that was not asked.
+/// What a user requests: valid and exact.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Scene {
     /// The name, safe as a file name.

@@ -1,4 +1,4 @@
-//! Reading one table: keys are asked for by name, values by type, and whatever was not asked for is a fault.
+//! Reading one table: keys are requested by name, values by type, and any other key is a fault.
 
 use std::ops::RangeInclusive;
 
@@ -22,7 +22,7 @@ pub(super) struct Section<'t> {
     path: String,
     offset: usize,
     table: &'t DeTable<'t>,
-    asked: Vec<&'static str>,
+    requested: Vec<&'static str>,
 }
 
 /// A value of the file, with its full key.
@@ -36,13 +36,13 @@ pub(super) struct Entry<'t> {
 impl<'t> Section<'t> {
     /// The file's top table.
     pub fn top(source: &'t Source<'t>, table: &'t DeTable<'t>) -> Self {
-        Self { source, path: String::new(), offset: 0, table, asked: Vec::new() }
+        Self { source, path: String::new(), offset: 0, table, requested: Vec::new() }
     }
 
     /// The value of a key that may be absent.
     pub fn optional(&mut self, key: &'static str) -> Option<Entry<'t>> {
-        if !self.asked.contains(&key) {
-            self.asked.push(key);
+        if !self.requested.contains(&key) {
+            self.requested.push(key);
         }
         let value = self.table.get(key)?;
         Some(Entry { source: self.source, key: self.full_key(key), value })
@@ -62,12 +62,12 @@ impl<'t> Section<'t> {
         self.source.fault(self.offset, self.full_key(key), None, problem)
     }
 
-    /// Every key that nobody asked for is a fault.
+    /// Every key that no reader requested is a fault.
     pub fn finish(self, faults: &mut Faults) {
-        let is_unknown = |key: &&Spanned<DeString<'_>>| !self.asked.contains(&key.get_ref().as_ref());
+        let is_unknown = |key: &&Spanned<DeString<'_>>| !self.requested.contains(&key.get_ref().as_ref());
         for key in self.table.keys().filter(is_unknown).take(MOST_UNKNOWN_KEYS) {
-            let near = nearest(key.get_ref(), self.asked.iter().copied()).map(str::to_string);
-            let problem = Problem::UnknownKey { nearest: near, known: self.asked.join(", ") };
+            let near = nearest(key.get_ref(), self.requested.iter().copied()).map(str::to_string);
+            let problem = Problem::UnknownKey { nearest: near, known: self.requested.join(", ") };
             faults.push(self.source.fault(key.span().start, self.full_key(key.get_ref()), None, problem));
         }
     }
@@ -171,7 +171,7 @@ impl<'t> Entry<'t> {
             return None;
         };
         let offset = self.value.span().start;
-        Some(Section { source: self.source, path: self.key.clone(), offset, table, asked: Vec::new() })
+        Some(Section { source: self.source, path: self.key.clone(), offset, table, requested: Vec::new() })
     }
 
     /// The members of a list that is not empty, each with the key `list[i]`, counted from 1.

@@ -56,7 +56,7 @@ pub struct HardCases {
     pub returns: Option<String>,
 }
 
-/// The largest number of digits a result may be asked to.
+/// The largest number of digits that may be requested.
 const MOST_DIGITS: u64 = 1_000_000;
 
 impl Rectangle {

@@ -10,7 +10,7 @@ use slipmode_core::number::Rational;
 pub struct SpeedCountsSection {
     /// Cubics of each of the two sets.
     pub cubics: u32,
-    /// Digits asked of certified roots and of boundary points.
+    /// Digits requested of certified roots and of boundary points.
     pub digits: Vec<u32>,
     /// Points that are classified.
     pub points: u32,
@@ -18,7 +18,7 @@ pub struct SpeedCountsSection {
     pub textbook_points: u32,
     /// Velocities and stresses of the sweep, each.
     pub sweep_side: u32,
-    /// Relative errors asked of the sweep.
+    /// Relative errors requested of the sweep.
     pub tolerances: Vec<Rational>,
 }
 

@@ -62,7 +62,7 @@ pub enum SweepPoints {
         /// The box.
         coordinates: Box<[Coordinate; 7]>,
     },
-    /// The rows of a CSV file, which stands beside the scene.
+    /// The rows of a CSV file, which stands next to the scene.
     List {
         /// The file's name, safe by [`crate::scene::check_name`]; it has no folder.
         file: String,
@@ -119,7 +119,7 @@ fn read_work(section: &mut Section<'_>, is_list: bool, faults: &mut Faults) -> O
         word => {
             let near = nearest(word, WORKS).map(str::to_string);
             faults.push(entry.fault(Problem::UnknownWord { nearest: near, allowed: WORKS.join(", ") }));
-            // Their absence or presence is no news beside an unknown work.
+            // Their absence or presence is no news if the work is unknown.
             let _ = (section.optional("laws"), section.optional("tolerance"));
             None
         }

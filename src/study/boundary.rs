@@ -11,7 +11,7 @@ pub struct BoundaryOutcome {
     pub points: Vec<BoundaryPoint>,
     /// The three routes side by side on sections through points of both arcs.
     pub comparison: RouteComparison,
-    /// The digits asked for.
+    /// The digits requested.
     pub digits: u32,
 }
 

@@ -13,14 +13,14 @@ use slipmode_core::dynamics::{
 use slipmode_core::friction::{EvolutionLaw, Groups, Parameters};
 use slipmode_core::number::{Dd, Rational};
 
-/// One run held against its reference.
+/// One run compared with its reference.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BoundCheck {
     /// η, κ and β.
     pub groups: Groups<f64>,
     /// The evolution law.
     pub law: EvolutionLaw,
-    /// Relative error asked for.
+    /// Relative error requested.
     pub tolerance: f64,
     /// Whether the run ended on a limit cycle; none when it failed.
     pub periodic: Option<bool>,

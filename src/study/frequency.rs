@@ -1,4 +1,4 @@
-//! max Im(s) along lines of constant normal stress (fig 2), with eq 23 and ω_n beside it.
+//! max Im(s) along lines of constant normal stress (fig 2), with eq 23 and ω_n next to it.
 
 use rayon::prelude::*;
 

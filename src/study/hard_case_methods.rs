@@ -14,7 +14,7 @@ use slipmode_core::number::{Dd, Rational, Real};
 use slipmode_core::roots::textbook::{Three, aberth, cardano, companion, newton, viete};
 use slipmode_core::roots::{Bounded, BoundedCubic, Pair, Working, certified_roots};
 
-/// Digits asked of the certified roots: the references have thirty.
+/// Digits requested of the certified roots: the references have thirty.
 const CERTIFIED_DIGITS: u32 = 35;
 
 /// Roundings between exact groups and a coefficient, relative to the sum of its terms' magnitudes: one of each group,

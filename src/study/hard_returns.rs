@@ -1,4 +1,4 @@
-//! Returns where integrators go wrong: V down to 1e-79 V_l, K beside K_c, no inertia, tolerances below rounding; every method of ours
+//! Returns where integrators go wrong: V down to 1e-79 V_l, K next to K_c, no inertia, tolerances below rounding; every method of ours
 //! against references from an unrelated program, and what a whole simulation says.
 
 use rayon::prelude::*;
@@ -35,7 +35,7 @@ pub struct HardReturn {
 pub struct ReturnVerdict {
     /// The method.
     pub method: &'static str,
-    /// The tolerance asked for: local for a return, of the answer for a simulation.
+    /// The tolerance requested: local for a return, of the answer for a simulation.
     pub tolerance: f64,
     /// Steps, evaluations, and the larger of the errors of ln V_peak and of the duration, relative; or why there is no answer.
     pub answer: Result<ReturnAnswer, Failure>,
@@ -170,13 +170,13 @@ fn verdicts(case: &HardReturn) -> Vec<ReturnVerdict> {
     let model = Model::new(case.groups.clone(), case.law);
     let returns = METHODS.into_iter().flat_map(|(method, run)| {
         let model = &model;
-        // A method that does not finish at an ordinary tolerance is not asked for a tighter one.
+        // A method that does not finish at an ordinary tolerance is not run at a tighter one.
         let mut stopped = false;
         TOLERANCES.into_iter().map_while(move |tolerance| {
             if stopped {
                 return None;
             }
-            let answer = run(model, &case.start, tolerance).map(|orbit| case.judge(&orbit));
+            let answer = run(model, &case.start, tolerance).map(|orbit| case.assess(&orbit));
             stopped = answer.is_err();
             Some(ReturnVerdict { method, tolerance, answer })
         })
@@ -204,7 +204,7 @@ fn stated(outcome: Outcome) -> ReturnAnswer {
 }
 
 impl HardReturn {
-    fn judge(&self, orbit: &MeasuredReturn<f64>) -> ReturnAnswer {
+    fn assess(&self, orbit: &MeasuredReturn<f64>) -> ReturnAnswer {
         // The peak of a small oscillation is itself the measure of its error.
         let peak = (orbit.peak - self.log_peak).abs() / self.log_peak.abs().min(1.0);
         let duration = (orbit.duration / self.duration - 1.0).abs();
@@ -240,7 +240,7 @@ mod tests {
                     found.case
                 );
             }
-            // Low orders run out of steps where more is asked than 64 bits hold; what they answer is right.
+            // Low orders run out of steps where more is requested than 64 bits hold; what they answer is right.
             for verdict in of("Radau IIA 5").chain(of("Rodas5P")) {
                 let answer = verdict.answer.as_ref();
                 assert!(
@@ -252,7 +252,7 @@ mod tests {
     }
 
     #[test]
-    fn a_simulation_asked_for_less_than_rounding_refuses_or_states_what_it_asked() {
+    fn a_simulation_at_a_tolerance_below_rounding_refuses_or_meets_it() {
         for found in outcomes() {
             let below = found
                 .verdicts

@@ -1,4 +1,4 @@
-//! Where oscillation begins along lines of constant normal stress: theory's velocities beside those of simulations (figs 4 and 6).
+//! Where oscillation begins along lines of constant normal stress: theory's velocities next to those of simulations (figs 4 and 6).
 
 use rayon::prelude::*;
 

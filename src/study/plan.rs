@@ -1,4 +1,4 @@
-//! The plan: what is asked for, cut down to what a scene states, as items with stable ids.
+//! The plan: what is requested, cut down to what a scene states, as items with stable ids.
 
 use crate::scene::Scene;
 use crate::study::{Need, Needs};

@@ -10,7 +10,7 @@ use slipmode_core::number::Rational;
 /// The most steps of one run of the scheme; a run that needs more is counted, not made.
 pub const AFFORDABLE_STEPS: f64 = 1e6;
 
-/// Error asked of the converged runs: far below any bias of the scheme.
+/// Error requested of the converged runs: far below any bias of the scheme.
 const TOLERANCE: f64 = 1e-10;
 
 /// Our cycles that pass before the scheme counts as late: a run that begins on a limit cycle forgets within fewer

@@ -1,4 +1,4 @@
-//! The nonlinear slider simulated on a (V, σ) grid, beside the exact classification of the linear theory (figs 3a and 6).
+//! The nonlinear slider simulated on a (V, σ) grid, next to the exact classification of the linear theory (figs 3a and 6).
 
 use rayon::prelude::*;
 

@@ -11,7 +11,7 @@ use slipmode_core::stability::{Asymptote, SlipMode, SpectralClass};
 /// ω/ω_n of the thresholds whose effect on the map is reported, besides the default √(1/2).
 const FREQUENCY_RATIOS: [f64; 7] = [0.1, 0.3, 0.5, std::f64::consts::FRAC_1_SQRT_2, 0.9, 0.95, 0.99];
 
-/// Exact slip modes beside those the simplified map assigns.
+/// Exact slip modes next to those the simplified map assigns.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ZonesOutcome {
     /// The slip mode of each point, decided exactly.

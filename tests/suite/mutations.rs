@@ -1,4 +1,4 @@
-//! Valid inputs with a few bytes changed, the same ones every time, held against what every reader promises.
+//! Valid inputs with a few bytes changed, the same ones every time, compared with what every reader promises.
 
 use slipmode::archive::{Files, ReleaseTime, pack};
 

@@ -1,6 +1,6 @@
 //! What every reader promises of any bytes: it ends, without a panic, and what it accepts is the same when it is printed and read again.
 //!
-//! Nothing here knows where the bytes come from, so that any source of them can be held against the promises.
+//! Nothing here knows where the bytes come from, so that any source of them can be compared with the promises.
 
 use std::collections::BTreeMap;
 use std::fmt::Debug;

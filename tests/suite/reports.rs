@@ -1,4 +1,4 @@
-//! `report` and `verify`: a folder read whole, verdicts held against the record, files against the published copy.
+//! `report` and `verify`: a folder read whole, verdicts compared with the record, files against the published copy.
 
 use std::fs;
 use std::path::Path;

@@ -31,7 +31,7 @@ pub struct GridOptions {
     grid_normal_stress: Option<String>,
 }
 
-/// A grid as asked for, valid.
+/// A grid as requested, valid.
 #[derive(Debug)]
 pub struct GridRequest {
     fixed: Parameters<Rational>,
@@ -40,7 +40,7 @@ pub struct GridRequest {
 }
 
 impl GridOptions {
-    /// Whether a grid is asked for.
+    /// Whether a grid is requested.
     pub fn is_given(&self) -> bool {
         self.grid_loading_velocity.is_some() || self.grid_normal_stress.is_some()
     }

@@ -10,7 +10,7 @@ use slipmode_core::stability::{Classification, InertialThreshold, LogDistance, c
 use crate::cli::roots::{PrintedRoot, print_roots};
 use crate::cli::terminal;
 
-/// Significant digits of the roots beside a classification: those of a 64-bit number.
+/// Significant digits of the roots next to a classification: those of a 64-bit number.
 const ROOT_DIGITS: u32 = 17;
 /// Significant digits in the text for people.
 const SHOWN_DIGITS: usize = 6;

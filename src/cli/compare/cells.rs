@@ -33,7 +33,7 @@ pub const APPENDED: &[&str] = &[
 ];
 
 /// Appends the cells of a comparison, each behind a comma.
-pub fn push_comparison(found: &Comparison, doubts: &[String], out: &mut Vec<u8>) {
+pub fn push_comparison(found: &Comparison, warnings: &[String], out: &mut Vec<u8>) {
     let optional = |value: Option<f64>| value.map(shortest).unwrap_or_default();
     let theory = &found.theory;
     let simulation = found.simulation.as_ref().ok();
@@ -56,7 +56,7 @@ pub fn push_comparison(found: &Comparison, doubts: &[String], out: &mut Vec<u8>)
     cells.push(optional(largest_difference(found)));
     cells.push(found.verdict.as_str().into());
     cells.push(reason(found));
-    cells.push(doubts.join("; "));
+    cells.push(warnings.join("; "));
     for cell in cells {
         out.push(b',');
         push_cell(out, cell.as_bytes());

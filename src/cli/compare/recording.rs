@@ -43,7 +43,7 @@ pub fn locate(folder: &Path, name: &str) -> Result<PathBuf, Problem> {
     if place.starts_with(&root) { Ok(folder.join(name)) } else { Err(outside()) }
 }
 
-/// Reads a trajectory; gaps are told about the loading velocity, of which the logarithm is given.
+/// Reads a trajectory; gaps are reported about the loading velocity, of which the logarithm is given.
 ///
 /// # Errors
 /// Every fault of the file, up to twenty.

@@ -17,7 +17,7 @@ use crate::cli::simulate::range;
 use crate::cli::simulate::run::{Settings, simulate_point};
 use crate::cli::words::{LAW_COLUMN, law_of_word, of_word, start_of_word};
 
-/// The optional columns beside the values.
+/// The optional columns next to the values.
 const TRAJECTORY_COLUMN: &str = "trajectory";
 const START_COLUMN: &str = "start";
 const TOLERANCE_COLUMN: &str = "tolerance";
@@ -58,7 +58,7 @@ pub struct ComparedRow {
     /// The file of its trajectory, as the row names it.
     pub trajectory: Option<String>,
     /// Groups outside the ranges over which simulations were tested.
-    pub doubts: Vec<String>,
+    pub warnings: Vec<String>,
 }
 
 impl RowWork for CompareRows {
@@ -130,22 +130,22 @@ impl RowWork for CompareRows {
             simulate_point(parameters, law, Settings { tolerance, start: row.start })
         };
         let comparison = compare_run(&row.run, &simulate);
-        let doubts = range::outside_tested(&row.run.parameters);
-        push_comparison(&comparison, &doubts, out);
+        let warnings = range::outside_tested(&row.run.parameters);
+        push_comparison(&comparison, &warnings, out);
         let mut run = row.run.clone();
         if !self.keeps_recordings {
             run.recording = None;
         }
         Remark {
             is_unanswered: comparison.verdict == Agreement::NotCompared,
-            warning: (!doubts.is_empty()).then(|| doubts.join("; ")),
+            warning: (!warnings.is_empty()).then(|| warnings.join("; ")),
             kept: ComparedRow {
                 number: row.number,
                 run,
                 start: row.start,
                 comparison,
                 trajectory: row.trajectory.clone(),
-                doubts,
+                warnings,
             },
         }
     }

@@ -41,7 +41,7 @@ fn runs(rows: &[ComparedRow]) -> Table {
             Cell::text(simulated),
             number(Some(row.run.tolerance), ERROR_DIGITS + 1),
             Cell::text(reason(found)),
-            Cell::text(row.doubts.join("; ")),
+            Cell::text(row.warnings.join("; ")),
         ]);
     }
     table

@@ -119,7 +119,7 @@ fn row_object(row: &ComparedRow) -> Json {
         "tolerance": row.run.tolerance,
         "verdict": found.verdict.as_str(),
         "reason": reason(found),
-        "warnings": row.doubts,
+        "warnings": row.warnings,
         "theory": {
             "spectral_class": theory.class.as_str(),
             "slip_mode": theory.slip_mode.as_str(),
@@ -146,7 +146,7 @@ fn finding_object(finding: &Finding) -> Json {
     })
 }
 
-/// A number, a word or null; the error of a number stands beside it.
+/// A number, a word or null; the error of a number stands next to it.
 fn value_object(value: Value) -> Json {
     match value {
         Value::Number { value, relative_error } => {

@@ -36,7 +36,7 @@ pub fn scene_text(typed: &Typed, effects: Effects, ranges: &Ranges) -> String {
     let coarser = match ranges.points_less {
         0 => "",
         _ => {
-            "# Finer grids had a run without a result, next to the boundary, and claims on every run cannot be decided with holes.\n"
+            "# Finer grids had a run without a result, next to the boundary, and claims on every run cannot be decided when a run failed.\n"
         }
     };
     let sections = [

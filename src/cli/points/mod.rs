@@ -65,12 +65,12 @@ pub fn run<W: RowWork>(
     command: W,
     progress: Progress,
 ) -> Result<(), Failure> {
-    // An output that cannot be written is told before the work, not after it; a faulty header before the output.
+    // An output that cannot be written is reported before the work, not after it; a faulty header before the output.
     let started = Started::new(input, command, options.keep_going, progress)?;
     let mut output = Output::create(&options.output)?;
     let done = started.work(&mut output)?;
     output.commit()?;
-    done.tell();
+    done.print_remarks();
     Ok(())
 }
 
@@ -132,9 +132,9 @@ impl<W: RowWork> Started<W> {
 }
 
 impl<K> Done<K> {
-    /// Says on standard error that rows were passed over or are doubtful.
-    pub fn tell(&self) {
-        self.counts.tell();
+    /// Reports on standard error that rows were passed over or have warnings.
+    pub fn print_remarks(&self) {
+        self.counts.print_remarks();
     }
 
     /// How many rows were passed over because they are at fault.
@@ -142,9 +142,9 @@ impl<K> Done<K> {
         self.counts.faulty
     }
 
-    /// Says on standard error which rows are doubtful, and nothing else.
-    pub fn tell_doubts(&self) {
-        self.counts.tell_doubts();
+    /// Reports on standard error which rows have warnings, and nothing else.
+    pub fn print_warnings(&self) {
+        self.counts.print_warnings();
     }
 }
 
@@ -170,32 +170,35 @@ struct Counts {
     rows: u64,
     faulty: u64,
     unanswered: u64,
-    doubtful: u64,
-    first_doubt: Option<(u64, String)>,
+    with_warning: u64,
+    first_warning: Option<(u64, String)>,
 }
 
 impl Counts {
     fn add<K>(&mut self, part: Worked<K>) {
         self.faulty += part.faulty;
         self.unanswered += part.unanswered;
-        self.doubtful += part.doubtful;
-        self.first_doubt = self.first_doubt.take().or(part.first_doubt);
+        self.with_warning += part.with_warning;
+        self.first_warning = self.first_warning.take().or(part.first_warning);
     }
 
     /// Says on standard error that rows were passed over, so that nobody takes the output for complete.
-    fn tell(&self) {
+    fn print_remarks(&self) {
         if self.faulty > 0 {
             eprintln!("{} of {} rows have an error; see the column `error`", self.faulty, self.rows);
         }
         if self.unanswered > 0 {
             eprintln!("{} of {} rows have no answer; see the column `status`", self.unanswered, self.rows);
         }
-        self.tell_doubts();
+        self.print_warnings();
     }
 
-    fn tell_doubts(&self) {
-        if let Some((row, doubt)) = &self.first_doubt {
-            eprintln!("warning: row {row}: {doubt}; {} of {} rows have a warning", self.doubtful, self.rows);
+    fn print_warnings(&self) {
+        if let Some((row, warning)) = &self.first_warning {
+            eprintln!(
+                "warning: row {row}: {warning}; {} of {} rows have a warning",
+                self.with_warning, self.rows
+            );
         }
     }
 }

@@ -34,12 +34,12 @@ pub trait RowWork: Sync {
     fn append(&self, input: &Self::Input, out: &mut Vec<u8>) -> Remark<Self::Kept>;
 }
 
-/// What is to be said of a row besides its cells.
+/// What is reported of a row besides its cells.
 #[derive(Debug, Default)]
 pub struct Remark<K = ()> {
     /// Whether the work ended without an answer, which the row's cells explain.
     pub is_unanswered: bool,
-    /// A doubt about the row's input.
+    /// A warning about the row's input.
     pub warning: Option<String>,
     /// What the command wants back when all rows are done.
     pub kept: K,

@@ -33,10 +33,10 @@ pub struct Worked<K> {
     pub kept: Vec<K>,
     /// Rows without an answer.
     pub unanswered: u64,
-    /// Rows whose input is doubtful.
-    pub doubtful: u64,
-    /// The number of the first doubtful row, and the doubt.
-    pub first_doubt: Option<(u64, String)>,
+    /// Rows whose input has a warning.
+    pub with_warning: u64,
+    /// The number of the first row with a warning, and the warning.
+    pub first_warning: Option<(u64, String)>,
 }
 
 impl<K> Worked<K> {
@@ -47,8 +47,8 @@ impl<K> Worked<K> {
             faulty: 0,
             kept: Vec::new(),
             unanswered: 0,
-            doubtful: 0,
-            first_doubt: None,
+            with_warning: 0,
+            first_warning: None,
         }
     }
 }
@@ -90,9 +90,9 @@ impl<W: RowWork> Work<W> {
         worked.text.extend_from_slice(if self.keep_going { b",\n" } else { b"\n" });
         worked.kept.push(remark.kept);
         worked.unanswered += u64::from(remark.is_unanswered);
-        if let Some(doubt) = remark.warning {
-            worked.doubtful += 1;
-            worked.first_doubt.get_or_insert((row.number, doubt));
+        if let Some(warning) = remark.warning {
+            worked.with_warning += 1;
+            worked.first_warning.get_or_insert((row.number, warning));
         }
     }
 

@@ -1,11 +1,11 @@
-//! Doubts about a slider's values: units that are not SI, and groups for which no simulation was tested.
+//! Warnings about a slider's values: units that are not SI, and groups for which no simulation was tested.
 
 use rug::Float;
 use slipmode_core::friction::Parameters;
 use slipmode_core::number::Rational;
 use slipmode_core::number::format::{round_digits, round_float};
 
-use crate::cli::unit_doubts::unit_doubts;
+use crate::cli::unit_warnings::unit_warnings;
 
 /// Groups between which simulations were tested: the paper's values over its figures' V0 = 10^-6 to 10^-1 m/s and
 /// σ = 10^2.5 to 10^7.5 Pa, with a and b of its section 3 and exchanged.
@@ -16,9 +16,9 @@ const TESTED: [(&str, [f64; 2]); 3] = [
 ];
 
 /// What a user should know of the values before trusting a simulation, if anything.
-pub fn doubt(parameters: &Parameters<Rational>) -> Option<String> {
+pub fn warning(parameters: &Parameters<Rational>) -> Option<String> {
     let p = parameters;
-    let mut doubts = unit_doubts(&[
+    let mut warnings = unit_warnings(&[
         &p.direct_effect,
         &p.evolution_effect,
         &p.critical_slip_distance_m,
@@ -27,21 +27,21 @@ pub fn doubt(parameters: &Parameters<Rational>) -> Option<String> {
         &p.normal_stress_pa,
         &p.loading_velocity_m_per_s,
     ]);
-    doubts.extend(outside_tested(parameters));
-    (!doubts.is_empty()).then(|| doubts.join("; "))
+    warnings.extend(outside_tested(parameters));
+    (!warnings.is_empty()).then(|| warnings.join("; "))
 }
 
 /// The groups of a slider that lie outside the ranges over which simulations were tested.
 pub fn outside_tested(parameters: &Parameters<Rational>) -> Vec<String> {
-    let mut doubts = Vec::new();
+    let mut warnings = Vec::new();
     let groups = parameters.groups();
     let values = [groups.inertial_parameter, groups.stiffness_group, groups.effect_ratio];
     for (value, (name, [from, to])) in values.iter().zip(TESTED) {
         if !(from..=to).contains(&value.to_f64()) {
             let shown = round_float(&Float::with_val(64, value), 3);
             let [from, to] = [from, to].map(|end| round_digits(end, 3));
-            doubts.push(format!("{name} is {shown}, outside the tested range {from} to {to}"));
+            warnings.push(format!("{name} is {shown}, outside the tested range {from} to {to}"));
         }
     }
-    doubts
+    warnings
 }

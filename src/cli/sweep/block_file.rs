@@ -160,7 +160,7 @@ impl Heading {
 
 /// A block's file, its heading read.
 pub struct OpenBlock {
-    /// The heading, not yet held against the content.
+    /// The heading, not yet compared with the content.
     pub heading: Heading,
     reader: BufReader<File>,
     name: PathBuf,
@@ -228,7 +228,7 @@ fn hexadecimal(digest: Sha256) -> String {
     digest.finalize().iter().map(|byte| format!("{byte:02x}")).collect()
 }
 
-/// Writes a block: beside its place, synced, renamed.
+/// Writes a block: next to its place, synced, renamed.
 ///
 /// # Errors
 /// When it cannot be written; nothing is left behind then.

@@ -166,7 +166,7 @@ pub(crate) fn slug(words: &str) -> String {
     kept.flat_map(char::to_lowercase).map(|c| if c == ' ' { '-' } else { c }).collect()
 }
 
-/// Whether a link may stay: a deep link, a path beside the page, or one of the known schemes.
+/// Whether a link may stay: a deep link, a path next to the page, or one of the known schemes.
 fn is_allowed(destination: &str) -> bool {
     let plain = !destination.chars().any(|c| c.is_control() || c.is_whitespace() || c == '\\');
     let scheme = destination.split(['/', '?', '#']).next().and_then(|start| start.split_once(':'));

@@ -97,7 +97,7 @@ fn all_seven(
         Some(entry) if entry.is_table() => coordinate_of_table(&entry, faults, from_table),
         Some(entry) => entry.decimal(AllowedRange::PHYSICAL, faults).map(Coordinate::Fixed),
         None => match parameters {
-            // What is wrong with the parameters is told already.
+            // What is wrong with the parameters is reported already.
             Some(None) => None,
             Some(Some(parameters)) => {
                 of_parameters(parameters, quantity).or_else(|| missing(section, quantity, faults))

@@ -97,7 +97,7 @@ impl Origin {
     }
 }
 
-/// What a run is held against.
+/// What a run is compared with.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Reference {
     /// The linear theory.
@@ -163,7 +163,7 @@ pub struct Finding {
     pub observable: Observable,
     /// Where the run's value comes from.
     pub origin: Origin,
-    /// What it is held against.
+    /// What it is compared with.
     pub reference: Reference,
     /// The run's value.
     pub run: Value,

@@ -7,7 +7,7 @@ use super::{
 use crate::study::recording::{Measured, RecordedBehaviour, RecordedDecay};
 use slipmode_core::dynamics::{Behaviour, Simulation};
 
-/// A run held against theory and simulation.
+/// A run compared with theory and simulation.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Comparison {
     /// The linear theory.
@@ -25,7 +25,7 @@ pub struct Comparison {
 /// The loosest our simulation ever is, and how far below the run's tolerance it has to be.
 const LOOSEST_SIMULATION: f64 = 1e-8;
 const BELOW_TOLERANCE: f64 = 0.01;
-/// The tightest relative error that a simulation can be asked for.
+/// The tightest relative error that a simulation can be requested to meet.
 const TIGHTEST_SIMULATION: f64 = 1e-15;
 /// Relative error of theory's 64-bit numbers.
 const THEORY_ERROR: f64 = 1e-14;

@@ -1,4 +1,4 @@
-//! Other people's runs held against the linear theory and against our own simulation.
+//! Other people's runs compared with the linear theory and with our own simulation.
 //!
 //! A run states parameters and what came out of it: values, words, or a trajectory. Each is compared with every reference that
 //! can say something of it, within the run's own tolerance plus the errors of both sides. What cannot be compared says why,

@@ -1,4 +1,4 @@
-//! What a run is held against: the linear theory, exactly, and our simulation, with its errors.
+//! What a run is compared with: the linear theory, exactly, and our simulation, with its errors.
 
 use rug::Float;
 

@@ -38,7 +38,7 @@ pub enum RecordedBehaviour {
     Decay(RecordedDecay),
 }
 
-/// Why nothing is said of the long-term behaviour.
+/// Why no long-term behaviour is reported.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum Undecided {
     /// The recording is too short.
@@ -63,7 +63,7 @@ pub enum Undecided {
 const DEAD: f64 = 1e-4;
 /// A geometric approach is what three cycles let expect; an early approach is slower, so that more than expected is left.
 const APPROACH: f64 = 3.0;
-/// A cycle is only told when its swing changed by less than this part of it through the last third of the recording.
+/// A cycle is only reported when its swing changed by less than this part of it through the last third of the recording.
 const NEARLY_CONSTANT: f64 = 0.05;
 /// Changes of the swing below this part of it count as none.
 const STILL: f64 = 1e-6;

@@ -14,7 +14,7 @@ use slipmode_core::stability::boundary_sign;
 pub struct BoundaryCount {
     /// The route.
     pub route: &'static str,
-    /// Digits asked for.
+    /// Digits requested.
     pub digits: u32,
     /// What is counted.
     pub counted: &'static str,
@@ -26,7 +26,7 @@ pub struct BoundaryCount {
     pub agrees: bool,
 }
 
-/// Digits of the reference beyond those asked for.
+/// Digits of the reference beyond those requested.
 const MORE_DIGITS: u32 = 20;
 
 /// Halving to more digits than this takes longer than it shows.

@@ -25,7 +25,7 @@ pub struct ClassCounts {
 pub struct MethodCount {
     /// The method.
     pub method: &'static str,
-    /// Points asked.
+    /// Points requested.
     pub points: usize,
     /// A wrong sign of the growth rate, or real for complex, or the reverse.
     pub wrong: usize,
@@ -59,8 +59,8 @@ pub(super) fn count(points: u32, textbook_points: u32) -> ClassCounts {
     });
     // Every value is a power of ten to a finite exponent.
     let (signs, decided_by) = exact.unwrap_or_default();
-    let asked = rows.len().min(textbook_points as usize);
-    let methods = TEXTBOOK.map(|method| by_textbook(method, &rows[..asked], &signs)).to_vec();
+    let requested = rows.len().min(textbook_points as usize);
+    let methods = TEXTBOOK.map(|method| by_textbook(method, &rows[..requested], &signs)).to_vec();
     ClassCounts { points: signs.len() as u64, decided_by, methods }
 }
 

@@ -1,6 +1,6 @@
 //! Three roots of a cubic: the precision that was worked with against the digits that came out right.
 //!
-//! The reference of every root is a certified one to twenty digits more than the most that are asked for.
+//! The reference of every root is a certified one to twenty digits more than the most that are requested.
 
 use rayon::prelude::*;
 use rug::Float;
@@ -21,7 +21,7 @@ pub struct RootCount {
     pub set: &'static str,
     /// The method.
     pub method: &'static str,
-    /// Digits asked for, where the method has such.
+    /// Digits requested, where the method has such.
     pub digits: Option<u32>,
     /// Cubics solved.
     pub cubics: usize,
@@ -33,7 +33,7 @@ pub struct RootCount {
     pub digits_right: Option<f64>,
 }
 
-/// Digits of the references beyond the most asked for.
+/// Digits of the references beyond the most requested.
 const MORE_DIGITS: u32 = 20;
 
 /// Cubics of a set that are solved to so many digits: their number falls where each takes long.

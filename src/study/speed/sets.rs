@@ -1,4 +1,4 @@
-//! The inputs: random sliders as wide as laboratories, faults and theory go, and cubics beside double roots.
+//! The inputs: random sliders as wide as laboratories, faults and theory go, and cubics next to double roots.
 
 use rug::ops::Pow;
 

@@ -1,7 +1,7 @@
 //! A sweep of simulations: steps and evaluations against the worst error, tolerance by tolerance.
 //!
 //! The sweep spans V_l = 1e-6 … 1e-1 m/s and σ = 1e3 … 1e7 Pa under both laws. The reference is the same at a tolerance of 1e-11;
-//! what the integrator itself is worth is held against double-double elsewhere.
+//! what the integrator itself is worth is compared with double-double elsewhere.
 
 use rayon::prelude::*;
 
@@ -13,7 +13,7 @@ use slipmode_core::number::Rational;
 /// The sweep at one tolerance.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SweepCount {
-    /// Relative error asked of peak velocity and period.
+    /// Relative error requested of peak velocity and period.
     pub tolerance: f64,
     /// Runs.
     pub runs: usize,

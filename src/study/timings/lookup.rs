@@ -97,10 +97,11 @@ impl<'r> Rows<'r> {
         let (mut unmet, mut lines) = (0, Vec::new());
         for (rows, tolerance) in cases(self.0, kind).values().flat_map(|rows| ERRORS.map(|most| (rows, most)))
         {
-            let asked = |row: &&&PeerRow| {
-                row.is_ours() && row.tolerance.is_some_and(|asked| (asked / tolerance - 1.0).abs() < 1e-3)
+            let requested = |row: &&&PeerRow| {
+                row.is_ours()
+                    && row.tolerance.is_some_and(|requested| (requested / tolerance - 1.0).abs() < 1e-3)
             };
-            let ours: Vec<&&PeerRow> = rows.iter().filter(asked).collect();
+            let ours: Vec<&&PeerRow> = rows.iter().filter(requested).collect();
             if !ours.iter().any(|row| row.wrong == 0 && error(row) <= 10.0 * tolerance) {
                 unmet += 1;
                 lines.extend(ours.iter().map(|row| row.line));

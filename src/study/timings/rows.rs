@@ -13,7 +13,7 @@ pub struct PeerRow {
     pub work: String,
     /// How it was done; ours begin with `slipmode`.
     pub method: String,
-    /// The tolerance asked for, where the method has one.
+    /// The tolerance requested, where the method has one.
     pub tolerance: Option<f64>,
     /// How many items were done.
     pub items: f64,
@@ -44,8 +44,8 @@ pub struct CostRow {
     pub peak_memory_kib: f64,
     /// The form of the law that is expected, if any.
     pub form: Option<Form>,
-    /// A size that is asked about and not measured.
-    pub asked: Option<f64>,
+    /// A size whose cost is extrapolated and not measured.
+    pub requested: Option<f64>,
     /// The command.
     pub command: String,
 }
@@ -123,7 +123,7 @@ pub fn read_cost(file: &str, text: &str) -> Result<Vec<CostRow>, Faults> {
                 Form::read(&row.text(column))
                     .ok_or_else(|| row.fault(column, "`power`, or `beside` and a power"))
             })?,
-            asked: row.optional(6, SheetRow::positive)?,
+            requested: row.optional(6, SheetRow::positive)?,
             command: row.text(7),
         })
     };
@@ -172,8 +172,8 @@ mod tests {
     fn a_series_states_its_form_and_the_requested_size() {
         let header = "ladder,variable,size,wall_s,cpu_s,peak_memory_kib,form,asked,command\n";
         let rows = read_cost("cost.csv", &format!("{header}grid,points,1e6,1,0.5,900,beside 0.5,1e9,slipmode x\nt,threads,2,1,1,9,,,slipmode y\n")).unwrap();
-        assert_eq!((rows[0].form, rows[0].asked), (Some(Form::Beside(0.5)), Some(1e9)));
-        assert_eq!((rows[1].form, rows[1].asked), (None, None));
+        assert_eq!((rows[0].form, rows[0].requested), (Some(Form::Beside(0.5)), Some(1e9)));
+        assert_eq!((rows[1].form, rows[1].requested), (None, None));
         assert!(read_cost("cost.csv", &format!("{header}grid,points,1e6,1,0.5,900,cubic,,c\n")).is_err());
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::scene::{CsvProblem, Fault, Faults, Problem};
 
-/// A row: its line in the file, counted from 1, and a cell for each column asked for.
+/// A row: its line in the file, counted from 1, and a cell for each column requested.
 #[derive(Debug)]
 pub(super) struct SheetRow<'t> {
     file: &'t str,
@@ -11,7 +11,7 @@ pub(super) struct SheetRow<'t> {
     cells: Vec<&'t str>,
 }
 
-/// The rows of a file, each with the columns asked for in their order.
+/// The rows of a file, each with the columns requested in their order.
 pub(super) fn rows<'t>(
     file: &'t str,
     text: &'t str,
@@ -49,7 +49,7 @@ pub(super) fn rows<'t>(
 }
 
 impl SheetRow<'_> {
-    /// The text of a column, by its place among those asked for.
+    /// The text of a column, by its place among those requested.
     pub(super) fn text(&self, column: usize) -> String {
         self.cells[column].to_owned()
     }

@@ -238,8 +238,8 @@ fn an_unreachable_tolerance_says_what_was_reached() {
     let model = Model::new(paper(-3.0, 5.0), EvolutionLaw::Slip);
     let options = Options { tolerance: 1e-18, ..Options::default() };
     match simulate_model(&model, &options) {
-        Err(super::Failure::UnreachableTolerance { asked, reached }) => {
-            assert!(asked == 1e-18 && reached > 1e-16 && reached < 1e-9, "{reached:e}");
+        Err(super::Failure::UnreachableTolerance { requested, reached }) => {
+            assert!(requested == 1e-18 && reached > 1e-16 && reached < 1e-9, "{reached:e}");
         }
         other => unreachable!("{other:?}"),
     }

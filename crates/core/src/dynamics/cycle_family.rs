@@ -40,7 +40,7 @@ pub(super) const CLOSED: f64 = 1e-10;
 /// Where η is small the imbalance is a small difference with few digits. Changes below this that no longer shrink are its rounding.
 const ROUNDING: f64 = 1e-6;
 
-/// Differences for the derivative: larger than the root of the return's error, small beside 1.
+/// Differences for the derivative: larger than the root of the return's error, small compared with 1.
 const DIFFERENCE: f64 = 1e-5;
 
 /// Most iterations; a prediction from neighbouring members needs two or three.
@@ -100,7 +100,7 @@ impl CycleFamily {
     }
 
     /// The member at a logarithmic distance in stress.
-    pub(super) fn beside(&self, member: &Member, shift: f64) -> Result<Member, Failure> {
+    pub(super) fn neighbour(&self, member: &Member, shift: f64) -> Result<Member, Failure> {
         let factor = libm::exp(shift);
         self.member(factor * member.orbit.end[2], [factor * self.imbalance(member), member.stiffness_group])
     }

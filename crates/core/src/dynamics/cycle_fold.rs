@@ -34,7 +34,7 @@ impl CycleFamily {
         let mut width = libm::log(middle.orbit.end[2] / before.orbit.end[2]);
         for _ in 0..HALVINGS {
             width *= 0.5;
-            for side in [self.beside(&best, -width)?, self.beside(&best, width)?] {
+            for side in [self.neighbour(&best, -width)?, self.neighbour(&best, width)?] {
                 if side.stiffness_group > best.stiffness_group {
                     best = side;
                 }
@@ -48,10 +48,11 @@ impl CycleFamily {
     /// The member at the top of the parabola through this one, which is the highest, and its neighbours.
     fn vertex(&self, middle: &Member, width: f64) -> Result<Member, Failure> {
         let height = |member: &Member| libm::log(member.stiffness_group / middle.stiffness_group);
-        let (below, above) = (height(&self.beside(middle, -width)?), height(&self.beside(middle, width)?));
+        let (below, above) =
+            (height(&self.neighbour(middle, -width)?), height(&self.neighbour(middle, width)?));
         let curvature = above + below;
         if curvature < 0.0 {
-            self.beside(middle, -0.5 * width * (above - below) / curvature)
+            self.neighbour(middle, -0.5 * width * (above - below) / curvature)
         } else {
             Ok(middle.clone())
         }
@@ -71,7 +72,7 @@ impl CycleFamily {
         }
         for _ in 0..MOST_ITERATIONS {
             let to = other.0 - other.1 * (other.0 - one.0) / (other.1 - one.1);
-            nearest = self.beside(&nearest, to - place(&nearest))?;
+            nearest = self.neighbour(&nearest, to - place(&nearest))?;
             let reached = height(&nearest);
             if reached.abs() <= ROUNDING_OF_STIFFNESS {
                 return Ok(nearest);

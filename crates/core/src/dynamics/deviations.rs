@@ -14,7 +14,7 @@ const SIZE_IN_ROOTS: f64 = 1e-3;
 /// Factor between the times at which the propagator is examined.
 const RATIO: f64 = 1.5;
 
-/// The phases of the pair between which its eigenvalue is read off: neither lost beside 1 nor near the negative axis.
+/// The phases of the pair between which its eigenvalue is read off: neither small compared with 1 nor near the negative axis.
 const PHASES: std::ops::Range<f64> = 0.5..2.0;
 
 /// Part of the propagator below which its eigenvalues are rounding and truncation errors, over the root of the rounding error.

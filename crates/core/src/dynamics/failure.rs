@@ -13,7 +13,7 @@ pub enum Failure {
         "no step meets the tolerance {tolerance:e} at time {time:e} D_c/V_l, where ln(V/V_l) = {log_velocity}"
     )]
     StepVanished {
-        /// Local tolerance asked for.
+        /// Local tolerance requested.
         tolerance: f64,
         /// Time since the start of the run or cycle.
         time: f64,
@@ -38,11 +38,11 @@ pub enum Failure {
         /// Relative change of the state from the last oscillation to the one before.
         change: f64,
     },
-    /// The asked accuracy is below what the arithmetic gives.
-    #[error("a relative error of {asked:e} is out of reach: {reached:.1e} was reached")]
+    /// The requested accuracy is below what the arithmetic gives.
+    #[error("a relative error of {requested:e} is out of reach: {reached:.1e} was reached")]
     UnreachableTolerance {
-        /// Relative error asked for.
-        asked: f64,
+        /// Relative error requested.
+        requested: f64,
         /// Relative error reached.
         reached: f64,
     },

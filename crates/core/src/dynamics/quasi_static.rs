@@ -1,4 +1,4 @@
-//! The quasi-static slider, where inertia provably does not matter to the asked accuracy.
+//! The quasi-static slider, where inertia provably does not matter to the requested accuracy.
 //!
 //! With η = 0 the spring always balances friction. The full system follows its slow trajectory at the distance η e^x x' in x, to first
 //! order in η (substitute x = ζ − βy + O(η) into the equation of motion). Each swing of that distance leaves an error of its size, so the

@@ -2,7 +2,7 @@
 //!
 //! x = k ln 2 + r with |r| ≤ 0.3466, q = e^r − 1 by its Taylor polynomial of degree 13, e^x = 2^k (1 + q), e^x − 1 = (2^k − 1) + 2^k q.
 //! With u = 2^−53: the reduction leaves r with an error of u |r| + 4e-7 u (k·LN_2_HIGH and the first difference are exact, k·LN_2_LOW is below
-//! 2e-7; for k = 0 r is x). The second part counts beside e^r, not beside a small r: e^x − 1 is no smaller than 2/7 for k ≠ 0.
+//! 2e-7; for k = 0 r is x). The second part counts next to e^r, not next to a small r: e^x − 1 is no smaller than 2/7 for k ≠ 0.
 //! The polynomial lacks |r|^13/14! < 2e-17 of q. q = r + r² P, where the second term is below 0.22 |r| and its
 //! parts err by at most 10 u of it: 1 + 0.22 · 10 + 1 units with the last sum and r itself, so less than 5 u of q. Hence
 //! e^x errs by less than u + 0.42/0.58 · 5 u < 5 u. For k ≠ 0, e^x − 1 adds an exact 2^k − 1 (or one rounding) to a product of at most

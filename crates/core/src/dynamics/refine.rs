@@ -74,7 +74,7 @@ pub(super) struct Accuracy {
     pub fine: f64,
     /// What the steps of the finer return may add up to, however well the two agree.
     pub floor: f64,
-    pub asked: f64,
+    pub requested: f64,
 }
 
 /// Newton's corrections of a rough cycle with a derivative for each, until they are small; the last derivative and the crossing.
@@ -122,8 +122,8 @@ pub(super) fn refine<R: Scalar, M: Stepper<R> + Clone>(
     rough: [R; 2],
     accuracy: Accuracy,
 ) -> Result<Option<Refined<R>>, Failure> {
-    let Accuracy { coarse, fine, asked, .. } = accuracy;
-    let Some((coarse, rate)) = approach(map, derivative, rough, [coarse, asked], 0.5)? else {
+    let Accuracy { coarse, fine, requested, .. } = accuracy;
+    let Some((coarse, rate)) = approach(map, derivative, rough, [coarse, requested], 0.5)? else {
         return Ok(None);
     };
     let first = map.apply(&coarse.from, fine)?;
@@ -132,7 +132,7 @@ pub(super) fn refine<R: Scalar, M: Stepper<R> + Clone>(
     let image_difference: [f64; 2] =
         std::array::from_fn(|i| (first.image[i].clone() - &coarse.image[i]).to_f64());
     // The derivative is the same, and so is what a correction leaves.
-    let Some((mapped, rate)) = approach(map, derivative, first.from.clone(), [fine, asked], rate)? else {
+    let Some((mapped, rate)) = approach(map, derivative, first.from.clone(), [fine, requested], rate)? else {
         return Ok(None);
     };
     let correction = derivative.correction(mapped.residual());
@@ -152,7 +152,7 @@ fn approach<R: Scalar, M: Stepper<R> + Clone>(
     map: &mut ReturnMap<'_, R, M>,
     derivative: &Derivative,
     from: [R; 2],
-    [local_tolerance, asked]: [f64; 2],
+    [local_tolerance, requested]: [f64; 2],
     rate: f64,
 ) -> Result<Option<(MappedReturn<R>, f64)>, Failure> {
     let (mut from, mut last, mut rate, mut before) = (from, f64::INFINITY, rate, f64::INFINITY);
@@ -172,7 +172,7 @@ fn approach<R: Scalar, M: Stepper<R> + Clone>(
         }
         let noise = derivative.correction([rounding(&mapped); 2]);
         let resolved = size <= noise[0].abs().max(noise[1].abs());
-        if change[PEAK].abs().max(change[DURATION].abs()) <= 0.1 * asked || resolved {
+        if change[PEAK].abs().max(change[DURATION].abs()) <= 0.1 * requested || resolved {
             return Ok(Some((mapped, rate)));
         }
         // The map has steps of the size of its errors; nearer than that no correction leads.
@@ -211,7 +211,7 @@ pub(super) fn follow<M: Stepper<f64> + Clone>(
     let mut change = size(difference(crossing, section(&rough.from))) / size(crossing);
     let mut carried: Option<Observed> = None;
     for _ in 0..MOST_RETURNS {
-        let ready = at <= accuracy.coarse && SLOW * change <= accuracy.asked;
+        let ready = at <= accuracy.coarse && SLOW * change <= accuracy.requested;
         let tolerance = if ready {
             accuracy.fine
         } else {
@@ -234,7 +234,7 @@ pub(super) fn follow<M: Stepper<f64> + Clone>(
             });
             let errors = with_inertia(errors, &mapped.orbit, map.model.groups());
             let largest = errors[PEAK].max(errors[DURATION]);
-            if largest <= accuracy.asked || carried.is_some() {
+            if largest <= accuracy.requested || carried.is_some() {
                 return Ok(Some(Refined { mapped, errors, distance: left }));
             }
             // The next return is compared with one that errs like itself: a third of what this pair showed stays.

@@ -210,7 +210,7 @@ impl Derivative {
         self
     }
 
-    /// How far the slow direction is from neither growing nor shrinking, whether or not doubtful entries count.
+    /// How far the slow direction is from neither growing nor shrinking, whether or not unresolved entries count.
     pub fn least_neutrality(&self) -> f64 {
         neutrality(self.image).abs().min(neutrality(self.raw).abs())
     }

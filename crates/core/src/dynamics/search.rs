@@ -1,7 +1,7 @@
-//! The search for a long-term behaviour whose stated errors meet what was asked.
+//! The search for a long-term behaviour whose stated errors meet the request.
 //!
 //! A rough run follows the trajectory to its limit cycle; [`refine`](super::refine) then brings one cycle to its accuracy with few returns. A decay is run
-//! twice from the start, at two tolerances. A result that misses the asked accuracy is computed anew, tighter, from the cycle already
+//! twice from the start, at two tolerances. A result that misses the requested accuracy is computed anew, tighter, from the cycle already
 //! known; where f64 allows no tighter run, Newton's iteration goes on in double-double. When that does not do either, the
 //! answer is a failure that says what was reached.
 
@@ -16,7 +16,7 @@ use super::stepper::Stepper;
 use super::{Failure, Model, Options, Radau, Return};
 use crate::number::Dd;
 
-/// The least asked error that the method of order 5 is used for.
+/// The least requested error that the method of order 5 is used for.
 pub(super) const LOOSE: f64 = 1e-3;
 
 /// The tightest local tolerance in f64.
@@ -25,13 +25,13 @@ const TIGHTEST: f64 = 2e-13;
 /// The tolerance of the finer of two runs over that of the coarser.
 const FINER: f64 = 0.01;
 
-/// The tolerances of an attempt over those of one that came out larger than asked; [`FINER`] where it decided nothing.
+/// The tolerances of an attempt over those of one that came out larger than requested; [`FINER`] where it decided nothing.
 const TIGHTER: f64 = 0.1;
 
 /// How near to a slowly contracting cycle the rough run has to come before Newton's iteration takes over.
 const NEWTON_FROM: f64 = 1e-2;
 
-/// The same for one that contracts fast, over the asked error: true returns follow, and their errors are measured.
+/// The same for one that contracts fast, over the requested error: true returns follow, and their errors are measured.
 const FOLLOW_FROM: f64 = 0.3;
 
 /// Local tolerances of one attempt.
@@ -56,8 +56,8 @@ impl Levels {
     }
 
     /// For the method of order 9: its global error is about the 3/2nd power of the local tolerance.
-    pub fn for_error(asked: f64) -> Self {
-        let coarse = (30.0 * asked).clamp(TIGHTEST / FINER, 1e-3);
+    pub fn for_error(requested: f64) -> Self {
+        let coarse = (30.0 * requested).clamp(TIGHTEST / FINER, 1e-3);
         let (rough, tightest) = (coarse.max(1e-4), TIGHTEST / FINER);
         Self { rough, coarse, tightest, bad_steps: 1.0, most_returns: u64::MAX }
     }
@@ -88,9 +88,9 @@ impl<'m, 'o, M: Stepper<f64> + Clone> Search<'m, 'o, M> {
         Self { model, method, options, levels, known: None, work: [0; 2] }
     }
 
-    /// Tightens until the stated errors of peak and period are no larger than asked.
+    /// Tightens until the stated errors of peak and period are no larger than requested.
     pub fn answer(mut self) -> Result<Outcome, Failure> {
-        let asked = self.options.tolerance;
+        let requested = self.options.tolerance;
         let mut reached = f64::INFINITY;
         let mut last_failure = None;
         loop {
@@ -99,7 +99,7 @@ impl<'m, 'o, M: Stepper<f64> + Clone> Search<'m, 'o, M> {
                 Ok((long_term, errors)) => {
                     let outcome = self.outcome(long_term, errors, FINER * self.levels.coarse);
                     reached = outcome.largest_error().min(reached);
-                    if outcome.largest_error() <= asked {
+                    if outcome.largest_error() <= requested {
                         return Ok(outcome);
                     }
                 }
@@ -117,7 +117,7 @@ impl<'m, 'o, M: Stepper<f64> + Clone> Search<'m, 'o, M> {
         }
         match last_failure {
             Some(failure) if reached.is_infinite() => Err(failure),
-            _ => Err(Failure::UnreachableTolerance { asked, reached }),
+            _ => Err(Failure::UnreachableTolerance { requested, reached }),
         }
     }
 
@@ -205,7 +205,7 @@ impl<'m, 'o, M: Stepper<f64> + Clone> Search<'m, 'o, M> {
     fn refined(&mut self, found: Cycle<f64>, tolerance: f64) -> Result<Found, Failure> {
         let Levels { coarse, bad_steps, .. } = self.levels;
         let fine = FINER * coarse;
-        let accuracy = Accuracy { coarse, fine, floor: bad_steps * fine, asked: self.options.tolerance };
+        let accuracy = Accuracy { coarse, fine, floor: bad_steps * fine, requested: self.options.tolerance };
         let returns = found.returns_per_cycle;
         let mut map = ReturnMap::new(self.model, self.method.clone(), returns, self.options.most_steps);
         let mut refined = None;
@@ -218,7 +218,7 @@ impl<'m, 'o, M: Stepper<f64> + Clone> Search<'m, 'o, M> {
             let (derivative, rough) = derivative(&mut map, rough)?;
             contraction = Some(derivative.multiplier());
             refined = refine(&mut map, &derivative, rough, accuracy)?;
-            let satisfied = refined.as_ref().is_some_and(|refined| satisfies(refined, accuracy.asked));
+            let satisfied = refined.as_ref().is_some_and(|refined| satisfies(refined, accuracy.requested));
             if !satisfied && self.levels.tighter(TIGHTER).is_none() {
                 let more =
                     in_double_double(self.model, &found, &derivative, &refined, accuracy, self.options)?;
@@ -242,8 +242,8 @@ impl<'m, 'o, M: Stepper<f64> + Clone> Search<'m, 'o, M> {
     }
 }
 
-fn satisfies<R>(refined: &Refined<R>, asked: f64) -> bool {
-    refined.errors[PEAK].max(refined.errors[DURATION]) <= 0.9 * asked
+fn satisfies<R>(refined: &Refined<R>, requested: f64) -> bool {
+    refined.errors[PEAK].max(refined.errors[DURATION]) <= 0.9 * requested
 }
 
 /// Newton's iteration in double-double, for cycles whose fixed point magnifies the rounding errors of f64.

@@ -1,7 +1,7 @@
 //! One simulation from parameters in SI to observables in SI, each with an error estimate.
 //!
 //! Radau IIA of order 5 is the cheapest method that meets a hundredth, order 9 serves from there down to rounding. What is
-//! then asked of a search, and how its errors are known, is in the module of the search.
+//! then required of a search, and how its errors are known, is in the module of the search.
 
 use super::outcome::{Outcome, Simulation};
 use super::search::{LOOSE, Levels, Search};

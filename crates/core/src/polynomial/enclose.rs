@@ -10,7 +10,7 @@ use crate::polynomial::{IsolatingInterval, UnivariatePolynomial};
 /// Precision of the first attempt, in bits.
 const FIRST_PRECISION: u32 = 96;
 
-/// Bits carried beyond those asked for; each doubling of precision costs about three of them.
+/// Bits carried beyond those requested; each doubling of precision costs about three of them.
 const GUARD_BITS: u32 = 16;
 
 /// A polynomial whose coefficients can be had to any precision, by ascending power.
@@ -59,7 +59,7 @@ pub fn enclose_root(polynomial: &impl Coefficients, lower: &Rational, upper: &Ra
             Contraction::EqualSigns => return bracket.ball(precision),
             Contraction::TooCoarse => {}
         }
-        // Past this the root is not simple; a simple one is separated after a few times the precision asked for.
+        // Past this the root is not simple; a simple one is separated after a few times the precision requested.
         if precision > target.saturating_mul(64).max(1 << 16) {
             return bracket.ball(precision);
         }

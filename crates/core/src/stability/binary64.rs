@@ -47,7 +47,7 @@ fn classify_shortly(parameters: &Parameters<f64>, threshold: &InertialThreshold)
     let spectral_class = SpectralClass::from_signs(transition_sign, boundary_sign);
     let parts = LargestParts::of_bounded(&cubic.spectrum()?, transition_sign)?;
     let in_si = parts.times_rate(parameters.map(|value| Dd::from(*value)).rate_per_s())?;
-    // The upper area is that of a > b; equal effects are no doubt here, where the inputs are exact.
+    // The upper area is that of a > b; equal effects are decided here, where the inputs are exact.
     let has_no_upper_area = parameters.evolution_effect >= parameters.direct_effect;
     let slip_mode = slip_mode_by(
         spectral_class,

@@ -40,7 +40,7 @@ pub fn stiffness_group<R: Field>(double_root: &R, effect_ratio: &R) -> R {
     double_root.clone() * (stretched(double_root, effect_ratio) - &square) / (R::from(2) * &square)
 }
 
-/// The third root beside the double root r: t(r) = ((2r+1)β − (r+1)²)/((r+1)² − β).
+/// The third root next to the double root r: t(r) = ((2r+1)β − (r+1)²)/((r+1)² − β).
 #[must_use]
 pub fn third_root<R: Field>(double_root: &R, effect_ratio: &R) -> R {
     let square = (double_root.clone() + R::from(1)).square();

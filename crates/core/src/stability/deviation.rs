@@ -14,7 +14,7 @@ use crate::stability::logarithm::log10_one_plus;
 use crate::stability::parameter_equation::{ParameterEquation, cusp_parameter};
 use crate::stability::{Arc, ArcFrame, Asymptote};
 
-/// Bits beyond the digits asked for.
+/// Bits beyond the digits requested.
 const GUARD_BITS: u32 = 24;
 
 /// The leading term of exact/asymptote − 1 at a point of the boundary: η, η, −2βκ/(β−1)², β/(2κ).

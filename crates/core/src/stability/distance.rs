@@ -129,7 +129,7 @@ mod tests {
 
     #[test]
     fn a_distance_from_the_boundary_is_resolved_however_small() {
-        // Eq 16 to leading order, and then a point beside the crossing that the curve gives.
+        // Eq 16 to leading order, and then a point next to the crossing that the curve gives.
         let curve = BoundaryCurve::new(&paper(), 80);
         let velocity = parse_decimal("1e-5").unwrap();
         let crossing = curve.at_velocity(&velocity).remove(1).normal_stress_pa;

@@ -9,7 +9,7 @@ use crate::number::{Ball, Field, Real, bits_for_digits};
 use crate::polynomial::UnivariatePolynomial;
 use crate::roots::{certified_roots, discriminant};
 
-/// Digits beyond those asked for, for the few operations on the roots.
+/// Digits beyond those requested, for the few operations on the roots.
 const GUARD_DIGITS: u32 = 5;
 
 /// The oscillating pair of eq 8 at one point.
@@ -181,7 +181,7 @@ mod tests {
     }
 
     #[test]
-    fn as_many_digits_are_certain_as_were_asked_for() {
+    fn as_many_digits_are_certain_as_were_requested() {
         for digits in [10, 40, 200] {
             let found = oscillation(&at("3e-4", "3e4"), digits).unwrap();
             let certain = -found.angular_frequency_per_s.relative_radius_log2() / libm::log2(10.0);

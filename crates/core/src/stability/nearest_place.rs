@@ -122,7 +122,7 @@ struct Line {
     velocity_squared: f64,
 }
 
-/// How far beside a root the sign has to be certain: λ is then known to this, and no error or σ changes by more than four times as much.
+/// How far next to a root the sign has to be certain: λ is then known to this, and no error or σ changes by more than four times as much.
 const BESIDE: f64 = 1.0 / (1u64 << 34) as f64;
 /// Relative error of the difference of two sides, in terms of their sum: each has less than 40 roundings of 2⁻⁵³.
 const SIDES: f64 = 1.0 / (1u64 << 46) as f64;

@@ -120,7 +120,7 @@ impl ParameterEquation {
         }
     }
 
-    /// Whether the branch between eq 16 and the cusp has κ as low as asked: κ < (√β + 1)²; any velocity below the cusp's occurs.
+    /// Whether the branch between eq 16 and the cusp has κ low enough: κ < (√β + 1)²; any velocity below the cusp's occurs.
     fn quasi_static_branch_has_solution(&self) -> bool {
         match &self.given {
             Given::StiffnessGroup(kappa) => {

@@ -1,6 +1,6 @@
 //! The parameters λ at given κ, quickly: the equation of each arc is prepared once, a root costs one certified Newton step.
 //!
-//! Where 64-bit cannot tell beyond doubt how many roots there are (next to an asymptote's own σ or to the cusp), there is
+//! Where 64-bit cannot decide how many roots there are (next to an asymptote's own σ or to the cusp), there is
 //! no answer, and the caller takes the general way of [`ParameterEquation`](super::parameter_equation).
 
 use std::cmp::Ordering;

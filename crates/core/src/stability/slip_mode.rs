@@ -75,7 +75,7 @@ pub fn slip_mode(groups: &Groups<Rational>, class: SpectralClass, threshold: &In
     })
 }
 
-/// [`slip_mode`] with the answer to "does the pair oscillate above the threshold?", asked only where it matters.
+/// [`slip_mode`] with the answer to "does the pair oscillate above the threshold?", computed only where it matters.
 pub(super) fn slip_mode_given(
     groups: &Groups<Rational>,
     class: SpectralClass,
@@ -87,7 +87,7 @@ pub(super) fn slip_mode_given(
 }
 
 /// The table of modes: `upper_area` says whether real roots lie in the upper area of a > b, `inertial` whether the pair
-/// oscillates above the threshold. Each is asked only where it matters; without its answer there is no mode.
+/// oscillates above the threshold. Each is computed only where it matters; without its answer there is no mode.
 pub(super) fn slip_mode_by(
     class: SpectralClass,
     upper_area: impl Fn() -> Option<bool>,

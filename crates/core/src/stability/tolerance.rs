@@ -10,7 +10,7 @@ use crate::number::{Ball, Real, bits_for_digits};
 use crate::stability::parameter_equation::{ParameterEquation, cusp_parameter};
 use crate::stability::{Arc, ArcFrame, Asymptote};
 
-/// Bits beyond the digits asked for.
+/// Bits beyond the digits requested.
 const GUARD_BITS: u32 = 24;
 
 /// How far an asymptote can be used.

@@ -14,7 +14,7 @@ pub(super) fn formula(text: &str) -> Expression {
     text.parse().unwrap_or_else(|error| panic!("formula {text}: {error}"))
 }
 
-/// All physical quantities are positive, nothing is said of a − b.
+/// All physical quantities are positive, nothing is assumed about a − b.
 pub(super) fn any() -> Domain {
     Domain::positive(QUANTITIES)
 }

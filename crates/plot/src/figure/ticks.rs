@@ -7,7 +7,7 @@ use super::Scale;
 pub(crate) struct Tick {
     /// Value on the axis.
     pub value: f64,
-    /// Text beside the tick, such as `10^{-3}`; empty when the tick is a minor one.
+    /// Text next to the tick, such as `10^{-3}`; empty when the tick is a minor one.
     pub label: String,
 }
 

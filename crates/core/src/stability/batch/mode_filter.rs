@@ -1,4 +1,4 @@
-//! The 64-bit filter of slip modes along one grid row: three more polynomials in σ beside the two signs.
+//! The 64-bit filter of slip modes along one grid row: three more polynomials in σ in addition to the two signs.
 //!
 //! With k, m and δ as in [`row_filter`](super::row_filter) and T = (ω/ω_n)² of the threshold, the pair oscillates above the
 //! threshold where h = m·Δ + 4Tk·(c₂² − 3c₁m + 4Tkm)² < 0, Δ being the discriminant of (k, c₁, c₂, m) = (k, k + δσ, aσ + m, m):
@@ -45,7 +45,7 @@ pub(super) struct ModeFilter {
 }
 
 impl ModeFilter {
-    /// The filter beside that of the signs, from the same balls and T.
+    /// The filter next to that of the signs, from the same balls and T.
     pub(super) fn new(
         signs: RowFilter,
         [a, difference, k, m]: [&Ball; 4],

@@ -9,7 +9,7 @@
 //! at most 4nU and a U for every operation: P' by 12U, Q by 18U and Δ by 28U of the sums of the magnitudes of their terms.
 //! With z = |y|, F(z) = z³ + 3P'z − |Q| has one positive root, where F' = 3(z² + P') ≥ 2z². Where F' ≥ (3/2)z² still holds and
 //! the Newton step t is below 1e-6·z, F''/(2F') is at most 2/z around, a root lies within 2|t| (Newton-Kantorovich), and
-//! the step leaves at most 2t²/z times a factor near 1, beside the rounding of t and the errors of the data and residual
+//! the step leaves at most 2t²/z times a factor near 1, in addition to the rounding of t and the errors of the data and residual
 //! over F'. A point at which the bounds do not prove two units in the last place is marked, and is left to a higher precision level.
 
 use super::dispatch::Kernel;

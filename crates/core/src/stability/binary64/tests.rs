@@ -131,7 +131,7 @@ fn modes_do_not_depend_on_the_units_of_the_inputs() {
             let point = Parameters {
                 critical_slip_distance_m: libm::ldexp(1.0, length),
                 loading_velocity_m_per_s: libm::ldexp(1.0, velocity),
-                // β = 3/2, beside K = K_c for the second pair.
+                // β = 3/2, next to K = K_c for the second pair.
                 ..slider(
                     1.0,
                     1.5,

@@ -10,7 +10,7 @@ use crate::stability::parameter_equation::{ParameterEquation, cusp_parameter};
 use crate::stability::parameter_section::StiffnessSection;
 use crate::stability::{Arc, ArcFrame};
 
-/// Bits beyond the digits asked for: the forms of `arc_point` lose four or five, square roots and logarithms two more.
+/// Bits beyond the digits requested: the forms of `arc_point` lose four or five, square roots and logarithms two more.
 const GUARD_BITS: u32 = 24;
 
 /// Of the guard bits, those that a root of an equation with coefficients of that precision may lose.
@@ -212,7 +212,7 @@ mod tests {
     }
 
     #[test]
-    fn every_number_of_every_sample_has_the_digits_asked_for() {
+    fn every_number_of_every_sample_has_the_requested_digits() {
         for (a, b) in [(4, 6), (6, 4), (5, 5), (1, 1000), (1000, 1)] {
             let parameters = with_effects(Rational::from((a, 1000)), Rational::from((b, 1000)));
             let curve = BoundaryCurve::new(&parameters, 50);

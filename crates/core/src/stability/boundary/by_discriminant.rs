@@ -14,7 +14,7 @@ use crate::roots::discriminant;
 use crate::stability::Arc;
 use crate::stability::boundary::{Crossing, Section};
 
-/// Bits beyond the digits asked for, for the arithmetic after the root is known.
+/// Bits beyond the digits requested, for the arithmetic after the root is known.
 const GUARD_BITS: u32 = 24;
 
 /// The groups along a section, as functions of the unknown: κ at given V0, η at given σ.
@@ -71,7 +71,7 @@ impl Line {
         UnivariatePolynomial::interpolating(values)
     }
 
-    /// r, from the cubic at its double root; the precision is raised until r is certain to the bits asked for.
+    /// r, from the cubic at its double root; the precision is raised until r is certain to the bits requested.
     fn double_root(
         &self,
         polynomial: &UnivariatePolynomial,
