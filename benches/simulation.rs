@@ -7,7 +7,7 @@
 
 use std::time::Instant;
 
-use slipmode::study::{MeasuredReturn, reference_return, return_methods};
+use slipmode::experiments::work_precision::{MeasuredReturn, reference_return, return_methods};
 use slipmode_core::dynamics::{Model, Options, simulate_model};
 use slipmode_core::friction::{EvolutionLaw, Groups};
 

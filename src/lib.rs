@@ -8,10 +8,12 @@
 
 pub mod archive;
 pub mod claims;
-pub mod exhibit;
+pub mod comparison;
+pub mod experiments;
+pub mod explorer;
 pub mod report;
 pub mod scene;
-pub mod study;
+pub mod sweep;
 
 pub use slipmode_core as core;
 pub use slipmode_plot as plot;

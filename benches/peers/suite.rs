@@ -6,7 +6,7 @@
 use std::hint::black_box;
 use std::path::Path;
 
-use slipmode::study::{HardCase, Method, compare_hard_cases, read_hard_cases};
+use slipmode::experiments::hard_cases::{HardCase, Method, compare_hard_cases, read_hard_cases};
 use slipmode_core::number::{Dd, Rational};
 use slipmode_core::roots::textbook::{Three, aberth, cardano, companion, newton, viete};
 use slipmode_core::roots::{binary64, certified_roots, double_double};

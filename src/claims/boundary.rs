@@ -1,7 +1,8 @@
 //! Claims B: the boundary max Im(s) = 0, its areas and its asymptotes.
 
-use crate::claims::{Check, Context, Evidence, Finding};
-use crate::study::{Need, SceneOutcome};
+use crate::claims::{Check, Evidence, Finding};
+use crate::experiments::Context;
+use crate::experiments::{Need, SceneOutcome};
 use slipmode_core::theory::areas::{self, Effects};
 use slipmode_core::theory::{boundary, exchange, inertial, quasi_static};
 

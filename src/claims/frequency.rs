@@ -1,7 +1,9 @@
 //! Claims Q: the frequency of oscillation and its limits.
 
-use crate::claims::{Check, Context, Evidence, Finding};
-use crate::study::{FrequencyLine, FrequencyOutcome, Need};
+use crate::claims::{Check, Evidence, Finding};
+use crate::experiments::Context;
+use crate::experiments::Need;
+use crate::experiments::frequency::{FrequencyLine, FrequencyOutcome};
 use slipmode_core::number::format::{certain_digits, rational_to_decimal, round_digits};
 use slipmode_core::number::{Ball, Rational, Real};
 use slipmode_core::stability::Asymptote;

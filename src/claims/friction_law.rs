@@ -1,6 +1,7 @@
 //! Claims F: the friction law and its two evolution laws.
 
-use crate::claims::{Check, Context, Finding};
+use crate::claims::{Check, Finding};
+use crate::experiments::Context;
 use slipmode_core::number::Rational;
 use slipmode_core::theory::{linearisation, regularised, steady_state};
 

@@ -2,9 +2,10 @@
 
 use serde::Serialize;
 
-use crate::claims::{Check, Context, Finding, Verdict};
+use crate::claims::{Check, Finding, Verdict};
+use crate::experiments::Context;
+use crate::experiments::Needs;
 use crate::scene::ClaimEntry;
-use crate::study::Needs;
 
 /// One line of the ledger.
 #[derive(Debug, Clone, Serialize)]

@@ -1,7 +1,9 @@
 //! Claims L: the linearisation, the third-order equation and the cubic.
 
-use crate::claims::{Check, Context, Evidence, Finding};
-use crate::study::{ModeRuns, Need, Outcome};
+use crate::claims::{Check, Evidence, Finding};
+use crate::experiments::Context;
+use crate::experiments::linear_regime::ModeRuns;
+use crate::experiments::{Need, Outcome};
 use slipmode_core::number::format::round_digits;
 use slipmode_core::theory::{characteristic, linearisation, third_order};
 

@@ -12,12 +12,14 @@ mod ledger;
 mod linearisation;
 mod numerical;
 mod overshoot;
+mod planted_fault_tables;
 mod planted_faults;
 mod simulated;
 mod simulated_laws;
 mod simulated_least_peak;
 mod simulated_onset;
 mod simulated_trends;
+mod theory_tables;
 mod transition;
 mod verdict;
 mod zones;
@@ -27,17 +29,7 @@ pub use ledger::{Entry, Ledger, find, known_ids, needs};
 pub use planted_faults::{PlantedFaults, Survivor, plant_faults};
 pub use verdict::{Evidence, Strength, Verdict};
 
-use crate::study::{Need, Outcome};
-use slipmode_core::theory::PaperEquations;
-
-/// What a check may look at.
-#[derive(Debug, Clone, Copy)]
-pub struct Context<'c> {
-    /// The paper's equations as the report states them: the thing under test.
-    pub equations: &'c PaperEquations,
-    /// What was computed for the report's scenes.
-    pub outcome: &'c Outcome,
-}
+use crate::experiments::{Context, Need, TableMaker};
 
 /// How one claim is decided.
 #[derive(Debug)]
@@ -69,4 +61,9 @@ pub fn checks() -> impl Iterator<Item = &'static Check> {
     ]
     .into_iter()
     .flatten()
+}
+
+/// The tables about the equations and the claims.
+pub fn table_makers() -> impl Iterator<Item = &'static TableMaker> {
+    [planted_fault_tables::TABLES, theory_tables::TABLES].into_iter().flatten()
 }

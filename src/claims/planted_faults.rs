@@ -3,7 +3,8 @@
 use rayon::prelude::*;
 
 use super::alterations::{Alteration, alterations};
-use crate::claims::{Check, Context, Verdict, checks};
+use crate::claims::{Check, Verdict, checks};
+use crate::experiments::Context;
 use slipmode_core::theory::Equation;
 
 /// What became of the wrong versions of one equation.
@@ -89,8 +90,8 @@ fn noticing(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::experiments::Outcome;
     use crate::scene::read_equations;
-    use crate::study::Outcome;
 
     #[test]
     fn wrong_equations_are_noticed_by_the_claims_that_rest_on_them() {

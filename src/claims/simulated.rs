@@ -1,7 +1,9 @@
 //! The simulations as the N claims read them: complete grids, neighbours on them, and error estimates.
 
-use crate::claims::{Context, Evidence, Finding};
-use crate::study::{Outcome, SceneOutcome, SimulationsOutcome};
+use crate::claims::{Evidence, Finding};
+use crate::experiments::Context;
+use crate::experiments::simulations::SimulationsOutcome;
+use crate::experiments::{Outcome, SceneOutcome};
 use slipmode_core::dynamics::{Behaviour, Simulation};
 use slipmode_core::friction::EvolutionLaw;
 use slipmode_core::number::format::round_digits;
@@ -42,7 +44,7 @@ pub(super) fn grids<'c>(context: &'c Context, pick: Pick) -> Result<Vec<Runs<'c>
             let run = |(velocity_m_per_s, normal_stress_pa, point): (
                 f64,
                 f64,
-                &'c crate::study::SimulatedPoint,
+                &'c crate::experiments::simulations::SimulatedPoint,
             )| {
                 match &point.simulation {
                     Ok(simulation) => Ok(Run {

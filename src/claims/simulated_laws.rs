@@ -1,11 +1,12 @@
 //! Claim N4: whether the two evolution laws end alike, on the grid and next to K = K_c.
 
 use crate::claims::simulated::{evidence, grids};
-use crate::claims::{Context, Evidence, Finding};
-use crate::study::{
-    CycleFamilyOutcome, Edge, NearRun, NearTransitionOutcome, Outcome, SceneOutcome, effect_ratio,
-    place_on_transition,
+use crate::claims::{Evidence, Finding};
+use crate::experiments::Context;
+use crate::experiments::near_transition::{
+    CycleFamilyOutcome, Edge, NearRun, NearTransitionOutcome, place_on_transition,
 };
+use crate::experiments::{Outcome, SceneOutcome, effect_ratio};
 use slipmode_core::friction::EvolutionLaw;
 use slipmode_core::number::Rational;
 use slipmode_core::number::format::{rational_to_decimal, round_digits};

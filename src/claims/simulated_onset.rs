@@ -1,8 +1,9 @@
 //! Claim N6: at which velocity inertial vibration first appears in the runs of fig 4, and in which unit its caption speaks.
 
-use crate::claims::{Context, Evidence, Finding};
+use crate::claims::{Evidence, Finding};
+use crate::experiments::Context;
+use crate::experiments::onset::{Located, Onset, OnsetOutcome, OtherUnit, SeenOnset};
 use crate::scene::SceneParameters;
-use crate::study::{Located, Onset, OnsetOutcome, OtherUnit, SeenOnset};
 use slipmode_core::dynamics::Behaviour;
 use slipmode_core::friction::Parameters;
 use slipmode_core::number::format::{certain_digits, rational_to_decimal, round_digits};

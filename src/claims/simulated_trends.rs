@@ -1,8 +1,9 @@
 //! Claims N on peak velocity, stress drop and period across the grid.
 
 use crate::claims::simulated::{Run, Runs, evidence, for_each_law, grids};
-use crate::claims::{Context, Evidence, Finding};
-use crate::study::Outcome;
+use crate::claims::{Evidence, Finding};
+use crate::experiments::Context;
+use crate::experiments::Outcome;
 use slipmode_core::number::format::round_digits;
 use slipmode_core::stability::SlipMode;
 

@@ -1,6 +1,7 @@
 //! Claims S: the stability transition K = K_c.
 
-use crate::claims::{Check, Context, Finding};
+use crate::claims::{Check, Finding};
+use crate::experiments::Context;
 use slipmode_core::theory::transition;
 
 pub(super) const CHECKS: &[Check] = &[

@@ -4,9 +4,9 @@ use std::io::Write;
 use std::path::PathBuf;
 
 use clap::Args;
-use slipmode::exhibit::{boundary_columns, boundary_row, vanishes};
+use slipmode::experiments::boundary::END_ERROR;
+use slipmode::experiments::boundary::{boundary_columns, boundary_row, vanishes};
 use slipmode::scene::{AllowedRange, Limits, Problem, Quantity};
-use slipmode::study::END_ERROR;
 use slipmode_core::friction::Parameters;
 use slipmode_core::number::{Ball, Rational};
 use slipmode_core::stability::boundary::{BoundaryCurve, BoundaryPoint};

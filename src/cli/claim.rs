@@ -1,9 +1,10 @@
 //! `slipmode verify DIR --claim ID`: one claim decided again, with nothing computed that it does not need.
 
-use slipmode::claims::{self, Context, Entry, Evidence, Ledger, known_ids};
+use slipmode::claims::{self, Entry, Evidence, Ledger, known_ids};
+use slipmode::experiments;
+use slipmode::experiments::Context;
 use slipmode::report::Folder;
 use slipmode::scene::{ClaimEntry, nearest};
-use slipmode::study;
 
 use crate::cli::failure::Failure;
 use crate::cli::progress::Progress;
@@ -16,7 +17,8 @@ use crate::cli::terminal;
 pub fn verify_claim(folder: &Folder, id: &str, progress: &Progress) -> Result<(), Failure> {
     let text = listed(folder, id)?;
     let needs = claims::needs(std::slice::from_ref(text));
-    let outcome = progress.items(|progress| study::run(&folder.scenes, &needs, &folder.references, progress));
+    let outcome =
+        progress.items(|progress| experiments::run(&folder.scenes, &needs, &folder.references, progress));
     let context = Context { equations: &folder.equations, outcome: &outcome };
     let ledger = Ledger::decide(&folder.plan.name, std::slice::from_ref(text), &context);
     for entry in &ledger.claims {

@@ -13,8 +13,8 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
+use slipmode::comparison::Agreement;
 use slipmode::scene::{AllowedRange, Problem};
-use slipmode::study::Agreement;
 
 use crate::cli::environment::Environment;
 use crate::cli::failure::Failure;

@@ -2,8 +2,8 @@
 
 use std::io::Cursor;
 
+use slipmode::comparison::recording::{LEAST_SAMPLES, Recording};
 use slipmode::scene::{Faults, Problem};
-use slipmode::study::{LEAST_SAMPLES, Recording};
 use slipmode_core::friction::Parameters;
 use slipmode_core::number::Rational;
 

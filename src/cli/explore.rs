@@ -5,10 +5,12 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use slipmode::archive::sha256_hex;
-use slipmode::exhibit::{Window, explorer};
+use slipmode::experiments::Scene;
+use slipmode::experiments::inertial_threshold;
+use slipmode::explorer::{Families, NamedPoint};
+use slipmode::explorer::{Window, explorer};
 use slipmode::report::{ExplorerPage, PAGE_BUDGET_BYTES, render_explorer};
-use slipmode::scene::{Limits, Scene, SceneParameters};
-use slipmode::study::{Families, NamedPoint, inertial_threshold};
+use slipmode::scene::{Limits, SceneParameters};
 use slipmode_core::number::{Rational, nearest_f64};
 
 use crate::cli::failure::Failure;

@@ -8,12 +8,10 @@ use std::path::{Path, PathBuf};
 
 use slipmode::archive::{Files, sha256_hex};
 use slipmode::claims::known_ids;
+use slipmode::experiments::References;
+use slipmode::experiments::{Scene, check_distinct_scene_names};
 use slipmode::report::{Folder, InputView};
-use slipmode::scene::{
-    Fault, Faults, Limits, Problem, ReportPlan, Scene, check_distinct_scene_names, file_text, read_claims,
-    read_equations,
-};
-use slipmode::study::References;
+use slipmode::scene::{Fault, Faults, Limits, Problem, ReportPlan, file_text, read_claims, read_equations};
 use slipmode_core::theory::PaperEquations;
 
 use crate::cli::input::{read_small_file, unreadable};

@@ -6,7 +6,7 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use slipmode::study::{Shard, Summary, SummaryError, array_string};
+use slipmode::sweep::{Shard, Summary, SummaryError, array_string};
 
 use crate::cli::failure::Failure;
 use crate::cli::options::Arguments;

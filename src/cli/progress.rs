@@ -35,7 +35,7 @@ impl Progress {
     }
 
     /// A bar over the items of a plan, fed by the work itself.
-    pub fn items<T>(self, work: impl FnOnce(slipmode::study::Progress) -> T) -> T {
+    pub fn items<T>(self, work: impl FnOnce(slipmode::experiments::Progress) -> T) -> T {
         let bar = self.bar(ProgressBar::no_length(), "{bar:40} {pos}/{len} {msg}");
         let result = work(&|item: &str, number: usize, count: usize| {
             bar.set_length(count as u64);

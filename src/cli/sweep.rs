@@ -18,7 +18,7 @@ use clap::Args;
 use indicatif::ProgressBar;
 use rayon::prelude::*;
 use slipmode::scene::Problem;
-use slipmode::study::{Blocks, Shard};
+use slipmode::sweep::{Blocks, Shard};
 
 use crate::cli::failure::Failure;
 use crate::cli::options::Arguments;

@@ -1,9 +1,9 @@
 //! `slipmode tolerance`: which formula may be used where, for given relative errors.
 
 use clap::Args;
-use slipmode::exhibit::place_of_limit;
+use slipmode::experiments::tolerance::place_of_limit;
+use slipmode::experiments::tolerance::{ToleranceRow, tolerance_limits};
 use slipmode::scene::{AllowedRange, SceneParameters, ToleranceSection};
-use slipmode::study::{ToleranceRow, tolerance_limits};
 use slipmode_core::number::format::{certain_digits, rational_to_decimal};
 use slipmode_core::number::{Ball, Rational};
 use slipmode_core::stability::Asymptote;

@@ -1,9 +1,9 @@
-//! From findings and exhibits to the view: words are put in place, nothing is computed.
+//! From findings, figures and tables to the view: words are put in place, nothing is computed.
 
 use std::collections::BTreeMap;
 
 use crate::claims::{Entry, Evidence, Ledger, Verdict};
-use crate::exhibit::Figure;
+use crate::experiments::Figure;
 use crate::report::claims_picture::claims_picture;
 use crate::report::{
     CardView, ChapterView, ClaimGroupView, ClaimView, EquationView, EvidenceView, FactView, FigureView,

@@ -6,7 +6,7 @@ use super::ReportError;
 use super::html::table_html;
 use super::page_style::{EXPLORER_SCRIPT, content_policy, explorer_style_sheet};
 use super::templates::Templates;
-use crate::exhibit::{Explorer, FormulaRow, PointRow, Varying};
+use crate::explorer::{Explorer, FormulaRow, PointRow, Varying};
 use crate::scene::SceneParameters;
 use slipmode_core::number::format::rational_to_decimal;
 use slipmode_plot::figure::within_html;

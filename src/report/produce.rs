@@ -2,13 +2,16 @@
 
 use std::collections::BTreeMap;
 
-use crate::claims::{self, Context, Ledger};
-use crate::exhibit::{Figure, FigureMaker, TableMaker, figure_makers, table_makers};
+use crate::claims::{self, Ledger};
+use crate::experiments;
+use crate::experiments::Context;
+use crate::experiments::Scene;
+use crate::experiments::{Figure, FigureMaker, TableMaker, figure_makers, table_makers};
+use crate::experiments::{Needs, Outcome, Progress, References};
 use crate::report::assemble::{Material, assemble};
 use crate::report::blocks::{BlockKind, Piece, pieces};
 use crate::report::{FactView, InputView, ReportError, render_html, render_markdown};
-use crate::scene::{ClaimEntry, ReportPlan, Scene};
-use crate::study::{self, Needs, Outcome, Progress, References};
+use crate::scene::{ClaimEntry, ReportPlan};
 use slipmode_core::theory::PaperEquations;
 use slipmode_plot::table::Table;
 
@@ -53,11 +56,11 @@ pub fn produce(
     let wanted = Wanted::of(folder);
     let mut needs = claims::needs(&folder.claims);
     needs.extend(wanted.needs());
-    let outcome = study::run(&folder.scenes, &needs, &folder.references, progress);
+    let outcome = experiments::run(&folder.scenes, &needs, &folder.references, progress);
     let context = Context { equations: &folder.equations, outcome: &outcome };
     let ledger = Ledger::decide(&folder.plan.name, &folder.claims, &context);
     let (figures, tables) = (wanted.figures(&outcome)?, wanted.tables(&context)?);
-    let mut files = exhibit_files(figures.iter().map(|(figure, _)| figure), &tables);
+    let mut files = figure_and_table_files(figures.iter().map(|(figure, _)| figure), &tables);
     files.insert("ledger.json".into(), ledger.to_json());
     let view = assemble(Material {
         plan: &folder.plan,
@@ -86,18 +89,24 @@ pub fn produce_scene(
     references: &References,
     progress: Progress,
 ) -> BTreeMap<String, String> {
-    let outcome = study::run(std::slice::from_ref(scene), &study::all_needs(), references, progress);
+    let outcome =
+        experiments::run(std::slice::from_ref(scene), &experiments::all_needs(), references, progress);
     let context = Context { equations, outcome: &outcome };
     let figures: Vec<Figure> = figure_makers().filter_map(|maker| (maker.make)(&outcome)).collect();
     // Tables that need nothing computed are about the paper, not about the scene.
-    let tables: Vec<Table> = table_makers()
+    let tables: Vec<Table> = all_table_makers()
         .filter(|maker| !maker.needs.is_empty())
         .filter_map(|maker| (maker.make)(&context))
         .collect();
-    exhibit_files(figures.iter(), &tables)
+    figure_and_table_files(figures.iter(), &tables)
 }
 
-fn exhibit_files<'f>(
+/// The tables of the experiments, and those about the equations and the claims.
+fn all_table_makers() -> impl Iterator<Item = &'static TableMaker> {
+    table_makers().chain(claims::table_makers())
+}
+
+fn figure_and_table_files<'f>(
     figures: impl Iterator<Item = &'f Figure>,
     tables: &[Table],
 ) -> BTreeMap<String, String> {
@@ -106,7 +115,7 @@ fn exhibit_files<'f>(
     figures.chain(tables).collect()
 }
 
-/// The exhibits that prose places, and the tables with the numbers of its figures.
+/// The figures and tables that prose places, and the tables with the numbers of its figures.
 struct Wanted {
     figures: Vec<&'static FigureMaker>,
     tables: Vec<&'static TableMaker>,
@@ -136,7 +145,7 @@ impl Wanted {
                 self.figures.extend(figure_makers().find(|maker| maker.id == id));
             }
             BlockKind::Table if !self.tables.iter().any(|maker| maker.id == id) => {
-                self.tables.extend(table_makers().find(|maker| maker.id == id));
+                self.tables.extend(all_table_makers().find(|maker| maker.id == id));
             }
             BlockKind::Figure | BlockKind::Table | BlockKind::Equation | BlockKind::Claim => {}
         }

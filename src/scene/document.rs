@@ -11,7 +11,7 @@ const MOST_SYNTAX_FAULTS: usize = 5;
 
 /// Where values come from: the file's name and text.
 #[derive(Debug)]
-pub(super) struct Source<'s> {
+pub(crate) struct Source<'s> {
     pub file: &'s str,
     pub text: &'s str,
 }
@@ -28,7 +28,7 @@ impl Source<'_> {
 ///
 /// # Errors
 /// All the faults: those of the text and syntax alone when there are any, else those of the content.
-pub(super) fn read_document<T>(
+pub(crate) fn read_document<T>(
     file: &str,
     bytes: &[u8],
     read: impl FnOnce(&mut Section<'_>, &mut Faults) -> Option<T>,

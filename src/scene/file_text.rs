@@ -32,7 +32,7 @@ pub fn file_text<'b>(file: &str, bytes: &'b [u8]) -> Result<&'b str, Fault> {
 }
 
 /// The line, counted from 1, of a byte offset.
-pub(super) fn line_at(bytes: &[u8], offset: usize) -> usize {
+pub(crate) fn line_at(bytes: &[u8], offset: usize) -> usize {
     bytes[..offset.min(bytes.len())].iter().filter(|byte| **byte == b'\n').count() + 1
 }
 

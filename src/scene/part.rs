@@ -29,7 +29,7 @@ impl Part {
     }
 
     /// Reads the part of a chapter after those of the `earlier` chapters: the chapters of a part follow one another.
-    pub(super) fn read(entry: &Entry<'_>, earlier: &[Option<Self>], faults: &mut Faults) -> Option<Self> {
+    pub(crate) fn read(entry: &Entry<'_>, earlier: &[Option<Self>], faults: &mut Faults) -> Option<Self> {
         let word = entry.text(faults)?;
         let Some(part) = Self::ALL.into_iter().find(|part| part.as_str() == word) else {
             let words = Self::ALL.map(Self::as_str);

@@ -1,5 +1,7 @@
 //! The seven physical inputs: their names in scenes, CSV files and on the command line.
 
+use crate::scene::section::{Section, given};
+use crate::scene::{AllowedRange, Faults};
 use slipmode_core::friction::Parameters;
 use slipmode_core::number::Rational;
 
@@ -117,4 +119,31 @@ impl SceneParameters {
         let loading_velocity_m_per_s = self.loading_velocity_m_per_s.clone()?;
         Some(self.at(normal_stress_pa, loading_velocity_m_per_s))
     }
+}
+
+/// The keys of `[parameters]`.
+pub(crate) fn read_parameters(section: &mut Section<'_>, faults: &mut Faults) -> Option<SceneParameters> {
+    let range = AllowedRange::PHYSICAL;
+    let mut required = |section: &mut Section<'_>, quantity: Quantity| {
+        section.required(quantity.key(), &range.text(), faults).and_then(|entry| entry.decimal(range, faults))
+    };
+    let direct_effect = required(section, Quantity::DirectEffect);
+    let evolution_effect = required(section, Quantity::EvolutionEffect);
+    let critical_slip_distance = required(section, Quantity::CriticalSlipDistance);
+    let stiffness = required(section, Quantity::Stiffness);
+    let mass_per_area = required(section, Quantity::MassPerArea);
+    let mut optional = |section: &mut Section<'_>, quantity: Quantity| {
+        section.optional(quantity.key()).map(|entry| entry.decimal(range, faults))
+    };
+    let normal_stress = optional(section, Quantity::NormalStress);
+    let loading_velocity = optional(section, Quantity::LoadingVelocity);
+    Some(SceneParameters {
+        direct_effect: direct_effect?,
+        evolution_effect: evolution_effect?,
+        critical_slip_distance_m: critical_slip_distance?,
+        stiffness_pa_per_m: stiffness?,
+        mass_per_area_kg_per_m2: mass_per_area?,
+        normal_stress_pa: given(normal_stress)?,
+        loading_velocity_m_per_s: given(loading_velocity)?,
+    })
 }

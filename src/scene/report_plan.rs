@@ -4,7 +4,7 @@ use crate::scene::document::read_document;
 use crate::scene::part::Part;
 use crate::scene::section::Entry;
 use crate::scene::sections::{NAME_RULE, safe_name};
-use crate::scene::{Fault, Faults, Problem, Scene, same_name};
+use crate::scene::{Faults, Problem, same_name};
 
 /// A report: the scenes that it computes and the chapters that describe them.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -109,34 +109,9 @@ fn distinct_name(entry: &Entry<'_>, earlier: &mut Vec<String>, faults: &mut Faul
     Some(name)
 }
 
-/// Refuses scenes of different files with one name: their outputs would overwrite each other.
-///
-/// # Errors
-/// One fault for each scene whose name an earlier file has, also when only case differs.
-pub fn check_distinct_scene_names(scenes: &[(String, Scene)]) -> Result<(), Faults> {
-    let mut faults = Faults::new();
-    for (index, (file, scene)) in scenes.iter().enumerate() {
-        let first = scenes[..index].iter().find(|(_, first)| same_name(&first.name, &scene.name));
-        if let Some((first_file, first)) = first {
-            faults.push(Fault {
-                file: file.clone(),
-                line: None,
-                key: "name".into(),
-                value: Some(scene.name.clone()),
-                problem: Problem::Duplicate {
-                    of: format!("the name of the scene in {first_file}"),
-                    folded: first.name != scene.name,
-                },
-            });
-        }
-    }
-    if faults.is_empty() { Ok(()) } else { Err(faults) }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scene::Limits;
 
     const CHAPTER: &str = "[[chapter]]\nid = \"c\"\ntitle = \"C\"\nprose = \"c.md\"\n";
 
@@ -198,11 +173,5 @@ mod tests {
             let fault = &plan(scenes).unwrap_err()[0];
             assert!(fault.to_string().contains("the same as an earlier `one`"), "{fault}");
         }
-        let scene = |name: &str| {
-            let text = format!("name = \"{name}\"\ntitle = \"T\"\n");
-            (format!("{name}.toml"), Scene::parse("s", text.as_bytes(), &Limits::default()).unwrap())
-        };
-        assert!(check_distinct_scene_names(&[scene("a"), scene("b")]).is_ok());
-        assert_eq!(check_distinct_scene_names(&[scene("a"), scene("b"), scene("A")]).unwrap_err().len(), 1);
     }
 }

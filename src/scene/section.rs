@@ -17,7 +17,7 @@ const MOST_LIST_FAULTS: usize = 100;
 
 /// A table of the file.
 #[derive(Debug)]
-pub(super) struct Section<'t> {
+pub(crate) struct Section<'t> {
     source: &'t Source<'t>,
     path: String,
     offset: usize,
@@ -27,7 +27,7 @@ pub(super) struct Section<'t> {
 
 /// A value of the file, with its full key.
 #[derive(Debug, Clone)]
-pub(super) struct Entry<'t> {
+pub(crate) struct Entry<'t> {
     source: &'t Source<'t>,
     key: String,
     value: &'t Spanned<DeValue<'t>>,
@@ -207,5 +207,13 @@ impl<'t> Entry<'t> {
             values.push(read(&member, faults));
         }
         values.into_iter().collect()
+    }
+}
+
+/// A section is absent, or there and sound; `None` when it is there and faulty.
+pub(crate) fn given<T>(section: Option<Option<T>>) -> Option<Option<T>> {
+    match section {
+        None => Some(None),
+        Some(read) => read.map(Some),
     }
 }

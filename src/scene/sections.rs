@@ -60,7 +60,7 @@ pub struct HardCases {
 const MOST_DIGITS: u64 = 1_000_000;
 
 impl Rectangle {
-    pub(super) fn read(entry: &Entry<'_>, limits: &Limits, faults: &mut Faults) -> Option<Self> {
+    pub(crate) fn read(entry: &Entry<'_>, limits: &Limits, faults: &mut Faults) -> Option<Self> {
         let mut section = entry.section(faults)?;
         let velocity = axis(&mut section, "loading_velocity_m_per_s", limits, faults);
         let stress = axis(&mut section, "normal_stress_pa", limits, faults);
@@ -74,7 +74,7 @@ impl Rectangle {
 }
 
 impl BoundarySection {
-    pub(super) fn read(entry: &Entry<'_>, limits: &Limits, faults: &mut Faults) -> Option<Self> {
+    pub(crate) fn read(entry: &Entry<'_>, limits: &Limits, faults: &mut Faults) -> Option<Self> {
         let mut section = entry.section(faults)?;
         let points = points(&mut section, limits, faults);
         let digits = section
@@ -86,7 +86,7 @@ impl BoundarySection {
 }
 
 impl FrequencySection {
-    pub(super) fn read(entry: &Entry<'_>, limits: &Limits, faults: &mut Faults) -> Option<Self> {
+    pub(crate) fn read(entry: &Entry<'_>, limits: &Limits, faults: &mut Faults) -> Option<Self> {
         let mut section = entry.section(faults)?;
         let ratios = section
             .required("normal_stress_over_critical", "a list of ratios > 0", faults)
@@ -102,7 +102,7 @@ impl FrequencySection {
 }
 
 impl EffectRatioSweep {
-    pub(super) fn read(entry: &Entry<'_>, limits: &Limits, faults: &mut Faults) -> Option<Self> {
+    pub(crate) fn read(entry: &Entry<'_>, limits: &Limits, faults: &mut Faults) -> Option<Self> {
         let mut section = entry.section(faults)?;
         let effect_ratio = axis(&mut section, "effect_ratio", limits, faults);
         let near_equal = match section.optional("near_equal") {
@@ -115,7 +115,7 @@ impl EffectRatioSweep {
 }
 
 impl ToleranceSection {
-    pub(super) fn read(entry: &Entry<'_>, faults: &mut Faults) -> Option<Self> {
+    pub(crate) fn read(entry: &Entry<'_>, faults: &mut Faults) -> Option<Self> {
         let mut section = entry.section(faults)?;
         let relative = section
             .required("relative", "a list of relative errors, each 0 < value < 1", faults)
@@ -126,7 +126,7 @@ impl ToleranceSection {
 }
 
 impl HardCases {
-    pub(super) fn read(entry: &Entry<'_>, faults: &mut Faults) -> Option<Self> {
+    pub(crate) fn read(entry: &Entry<'_>, faults: &mut Faults) -> Option<Self> {
         let mut section = entry.section(faults)?;
         let file = section
             .required("file", "the name of a file", faults)
@@ -142,10 +142,10 @@ impl HardCases {
 }
 
 /// The rule of [`check_name`] as messages state it.
-pub(super) const NAME_RULE: &str = "A-Z a-z 0-9 . _ -, at most 100 characters";
+pub(crate) const NAME_RULE: &str = "A-Z a-z 0-9 . _ -, at most 100 characters";
 
 /// A text that can be a file name everywhere.
-pub(super) fn safe_name(entry: &Entry<'_>, faults: &mut Faults) -> Option<String> {
+pub(crate) fn safe_name(entry: &Entry<'_>, faults: &mut Faults) -> Option<String> {
     let name = entry.text(faults)?;
     match check_name(&name) {
         Ok(()) => Some(name),
@@ -161,7 +161,7 @@ fn open_unit_list(entry: &Entry<'_>, faults: &mut Faults) -> Option<Vec<Rational
 }
 
 /// `{ from, to, points }` with positive ends in ascending order.
-pub(super) fn axis(
+pub(crate) fn axis(
     section: &mut Section<'_>,
     key: &'static str,
     limits: &Limits,
@@ -200,7 +200,7 @@ fn points(section: &mut Section<'_>, limits: &Limits, faults: &mut Faults) -> Op
     count
 }
 
-pub(super) fn check_points(
+pub(crate) fn check_points(
     entry: &Entry<'_>,
     points: u64,
     limits: &Limits,

@@ -1,6 +1,6 @@
 //! The cells that `compare` appends to a row: what theory and simulation say, and the verdicts.
 
-use slipmode::study::{Agreement, Comparison, Finding, Observable};
+use slipmode::comparison::{Agreement, Comparison, Finding, Observable};
 use slipmode_core::dynamics::Simulation;
 use slipmode_core::number::format::shortest;
 

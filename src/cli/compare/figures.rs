@@ -1,7 +1,8 @@
 //! The figures of a comparison: how far values lie apart, and cycles of the end of both sides drawn over each other.
 
+use slipmode::comparison::recording::Recording;
+use slipmode::comparison::{Observable, Reference};
 use slipmode::report::FigureView;
-use slipmode::study::{Observable, Recording, Reference};
 use slipmode_core::dynamics::{Behaviour, Control, Model, Radau, trajectory};
 use slipmode_core::number::format::round_digits;
 use slipmode_plot::figure::{Axis, Band, Caption, LineChart, Series};

@@ -2,8 +2,8 @@
 
 use std::path::Path;
 
+use slipmode::comparison::Agreement;
 use slipmode::report::{ChapterView, ProvenanceView, ReportView, render_html, render_markdown};
-use slipmode::study::Agreement;
 
 use crate::cli::compare::figures::figures;
 use crate::cli::compare::inputs::inputs;

@@ -3,8 +3,8 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use slipmode::comparison::recording::{LEAST_SAMPLES, Recording};
 use slipmode::scene::{AllowedRange, CsvProblem, Fault, Faults, Problem, check_name};
-use slipmode::study::{LEAST_SAMPLES, Recording};
 use slipmode_core::number::{Rational, parse_decimal, parse_short_decimal};
 
 use crate::cli::input::Input;

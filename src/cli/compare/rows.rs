@@ -4,8 +4,9 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use rug::Float;
+use slipmode::comparison::recording::Recording;
+use slipmode::comparison::{Agreement, Comparison, Observable, StatedMode, StatedRun, compare_run};
 use slipmode::scene::{AllowedRange, CsvProblem, Faults, Problem, Quantity, nearest};
-use slipmode::study::{Agreement, Comparison, Observable, Recording, StatedMode, StatedRun, compare_run};
 use slipmode_core::dynamics::Start;
 use slipmode_core::friction::{EvolutionLaw, Parameters};
 use slipmode_core::number::Rational;

@@ -1,6 +1,6 @@
 //! The tables of a comparison: one row a run, and one row a finding.
 
-use slipmode::study::{Finding, Value};
+use slipmode::comparison::{Finding, Value};
 use slipmode_core::number::format::round_digits;
 use slipmode_plot::table::{Cell, Column, Table};
 

@@ -1,7 +1,7 @@
 //! What `compare` says: a table for people, one object for programs.
 
 use serde_json::{Value as Json, json};
-use slipmode::study::{Agreement, Finding, Value};
+use slipmode::comparison::{Agreement, Finding, Value};
 use slipmode_core::number::format::round_digits;
 
 use crate::cli::compare::cells::reason;

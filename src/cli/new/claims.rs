@@ -1,9 +1,10 @@
 //! The claims of a new report: those of the paper that speak of sliders like this one, each with its computed verdict.
 
-use slipmode::claims::{self, Context, Ledger, Verdict, known_ids};
+use slipmode::claims::{self, Ledger, Verdict, known_ids};
+use slipmode::experiments;
+use slipmode::experiments::Context;
 use slipmode::report::Folder;
 use slipmode::scene::{ClaimEntry, Faults, read_claims};
-use slipmode::study;
 
 use crate::cli::new::Effects;
 use crate::cli::progress::Progress;
@@ -61,7 +62,8 @@ pub fn undecided(entries: &[ClaimEntry]) -> String {
 /// Computes what the claims of a folder need, and decides them.
 pub fn decide(folder: &Folder, progress: Progress) -> Decided {
     let needs = claims::needs(&folder.claims);
-    let outcome = progress.items(|progress| study::run(&folder.scenes, &needs, &folder.references, progress));
+    let outcome =
+        progress.items(|progress| experiments::run(&folder.scenes, &needs, &folder.references, progress));
     let context = Context { equations: &folder.equations, outcome: &outcome };
     let ledger = Ledger::decide(&folder.plan.name, &folder.claims, &context);
     let pairs = folder.claims.iter().cloned().zip(ledger.claims);

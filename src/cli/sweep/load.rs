@@ -6,8 +6,11 @@ use std::path::{Path, PathBuf};
 
 use sha2::{Digest, Sha256};
 use slipmode::archive::sha256_hex;
-use slipmode::scene::{Fault, Limits, Problem, Scene, SweepPoints, SweepSection, SweepWork};
-use slipmode::study::{PointSource, inertial_threshold};
+use slipmode::experiments::Scene;
+use slipmode::experiments::inertial_threshold;
+use slipmode::scene::{Fault, Limits, Problem};
+use slipmode::sweep::PointSource;
+use slipmode::sweep::{SweepPoints, SweepSection, SweepWork};
 use slipmode_core::dynamics::Start;
 use slipmode_core::friction::EvolutionLaw;
 use slipmode_core::number::nearest_f64;

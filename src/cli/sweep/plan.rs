@@ -2,7 +2,7 @@
 
 use std::time::Instant;
 
-use slipmode::study::Blocks;
+use slipmode::sweep::Blocks;
 use slipmode_core::number::format::round_digits;
 
 use crate::cli::failure::Failure;

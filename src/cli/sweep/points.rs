@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use slipmode::study::{Blocks, Shard};
+use slipmode::sweep::{Blocks, Shard};
 
 use crate::cli::failure::Failure;
 use crate::cli::input::Input;

@@ -1,7 +1,7 @@
 //! What a sweep does at a point: the same work that `--points` does with a row, on points that are made instead of read.
 
 use slipmode::scene::Quantity;
-use slipmode::study::{PointSource, Varying};
+use slipmode::sweep::{PointSource, Varying};
 use slipmode_core::friction::EvolutionLaw;
 use slipmode_core::number::format::shortest;
 use slipmode_core::stability::{NearestPlace, classify, classify_quickly};

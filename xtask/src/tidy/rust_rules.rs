@@ -148,7 +148,7 @@ mod tests {
     #[test]
     fn the_world_is_for_the_command_line() {
         let bad = "//!\nuse std::fs;\nfn f() { std::time::Instant::now(); }\n";
-        assert_eq!(complaints("src/study/x.rs", bad), [2, 3]);
+        assert_eq!(complaints("src/experiments/x.rs", bad), [2, 3]);
         assert_eq!(complaints("src/cli/x.rs", bad), [0; 0]);
     }
 

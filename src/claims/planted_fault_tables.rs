@@ -1,0 +1,60 @@
+//! The table of planted faults: how many wrong equations the claims notice, and which they do not.
+
+use crate::claims::{PlantedFaults, plant_faults};
+use crate::experiments::Context;
+use crate::experiments::TableMaker;
+use crate::experiments::unless_empty;
+use slipmode_plot::table::{Cell, Column, Table};
+
+pub(crate) const TABLES: &[TableMaker] =
+    &[TableMaker { id: "planted-faults", needs: &[], make: planted_faults }];
+
+fn planted_faults(context: &Context) -> Option<Table> {
+    let columns = vec![
+        Column::text("equation", "Eq"),
+        Column::number("same", "Same in other words", ""),
+        Column::number("planted", "Wrong versions", ""),
+        Column::number("noticed", "Noticed", ""),
+        Column::number("rate_percent", "Kill rate", "%"),
+        Column::text("noticed_by", "Noticed first by"),
+        Column::text("survivors", "Not noticed"),
+    ];
+    let mut table = Table::new("planted-faults", "Wrong equations planted on purpose, and the claims that notice", columns)
+        .with_note("Every numbered equation with one sign turned, one term doubled, one exponent or root changed, or a and b exchanged; versions that say the same in other words are no faults. For each wrong version the claims of linear theory are decided again, by the code that decides the ledger, until a verdict is another one: then it is noticed.");
+    let found = plant_faults(context);
+    for one in &found {
+        let survivors: Vec<String> =
+            one.survivors.iter().map(|survivor| format!("{}: {}", survivor.kind, survivor.text)).collect();
+        table.push(row(
+            &one.equation,
+            [one.harmless, one.planted, one.noticed],
+            &one.noticed_by.join(", "),
+            &survivors.join("; "),
+        ));
+    }
+    let sum = |count: fn(&PlantedFaults) -> usize| found.iter().map(count).sum::<usize>();
+    let all = [sum(|one| one.harmless), sum(|one| one.planted), sum(|one| one.noticed)];
+    table.push(row("all", all, "", ""));
+    unless_empty(table)
+}
+
+fn row(
+    equation: &str,
+    [harmless, planted, noticed]: [usize; 3],
+    noticed_by: &str,
+    survivors: &str,
+) -> Vec<Cell> {
+    // Rounded down, so that 100 % means all of them.
+    let rate = (1000 * noticed)
+        .checked_div(planted)
+        .map_or(String::new(), |rate| format!("{}.{}", rate / 10, rate % 10));
+    vec![
+        Cell::text(equation),
+        Cell::number(harmless.to_string()),
+        Cell::number(planted.to_string()),
+        Cell::number(noticed.to_string()),
+        Cell::number(rate),
+        Cell::text(noticed_by),
+        Cell::text(survivors),
+    ]
+}

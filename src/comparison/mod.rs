@@ -1,0 +1,17 @@
+//! Other people's runs compared with the linear theory and with our own simulation.
+//!
+//! A run states parameters and what came out of it: values, words, or a trajectory. Each is compared with every reference that
+//! can say something of it, within the run's own tolerance plus the errors of both sides. What cannot be compared says why,
+//! and is never a pass.
+
+mod agreement;
+mod findings;
+pub mod recording;
+mod reference;
+mod stated;
+mod units;
+
+pub use agreement::{Agreement, Finding, Observable, Origin, Reference, Value};
+pub use findings::{Comparison, compare_run};
+pub use reference::{Simulate, Theory};
+pub use stated::{StatedMode, StatedRun};

@@ -1,0 +1,96 @@
+//! Decays: how fast and how often the velocity still moves about its steady value.
+
+use super::Recording;
+use super::long_term::{Measured, RecordedDecay, Reduced};
+use super::returns::Return;
+
+/// Deviations below this part of the largest one are noise, in a decay without oscillation.
+const NOISE: f64 = 1e-6;
+/// Returns whose swing is below this part of the largest one are noise at any accuracy; above it their rates tell.
+const NOISY_RETURN: f64 = 1e-10;
+/// Neighbouring rates that are compared.
+const WINDOW: usize = 3;
+/// Parts of a decay without oscillation that are compared with each other.
+const PARTS: usize = 3;
+
+/// Rate and period of a decaying oscillation, where three neighbouring returns agree best about the rate.
+///
+/// Early returns are not linear yet, the last ones drown in the recording's noise; between them lies a plateau, and the
+/// spread on it is the error.
+pub(crate) fn decay_of_returns(reduced: &Reduced) -> RecordedDecay {
+    let returns = &reduced.whole;
+    let largest = returns.iter().map(Return::swing).fold(0.0, f64::max);
+    let alive =
+        returns.iter().position(|orbit| orbit.swing() < NOISY_RETURN * largest).unwrap_or(returns.len());
+    let returns = &returns[..alive];
+    let rates: Vec<f64> = returns
+        .windows(2)
+        .map(|pair| libm::log(pair[1].swing() / pair[0].swing()) / pair[1].duration_s)
+        .collect();
+    let spread = |values: &[f64]| {
+        let (low, high) = values.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| {
+            (low.min(*value), high.max(*value))
+        });
+        high - low
+    };
+    let width = WINDOW.min(rates.len());
+    let windows = 0..if width < 2 { 0 } else { rates.len() + 1 - width };
+    let best = windows.min_by(|one, other| {
+        spread(&rates[*one..one + width]).total_cmp(&spread(&rates[*other..other + width]))
+    });
+    let Some(at) = best else {
+        return RecordedDecay {
+            period_s: returns.last().map(|orbit| period(reduced, orbit, orbit.duration_s)),
+            rate_per_s: None,
+        };
+    };
+    let durations: Vec<f64> = returns[at + 1..at + 1 + width].iter().map(|orbit| orbit.duration_s).collect();
+    let orbit = &returns[at + 2];
+    let swings = reduced.resolution(orbit, Return::swing) / orbit.swing();
+    let error = spread(&rates[at..at + width]) + 2.0 * swings / orbit.duration_s;
+    let rate = Measured { value: rates[at + 1], relative_error: error / rates[at + 1].abs() };
+    RecordedDecay { period_s: Some(period(reduced, orbit, spread(&durations))), rate_per_s: Some(rate) }
+}
+
+fn period(reduced: &Reduced, orbit: &Return, spread: f64) -> Measured {
+    let error = spread + reduced.resolution(orbit, |orbit| orbit.duration_s);
+    Measured { value: orbit.duration_s, relative_error: error / orbit.duration_s }
+}
+
+/// A decay that passes its steady value no more: the deviation shrinks through the last half of the recording.
+pub(crate) fn decay_without_returns(recording: &Recording, log_level: f64) -> Option<RecordedDecay> {
+    let deviations: Vec<f64> = recording.log_velocities.iter().map(|log| log - log_level).collect();
+    let largest = deviations.iter().fold(0.0, |largest: f64, value| largest.max(value.abs()));
+    let (last, middle) = (deviations.last()?.abs(), deviations[deviations.len() / 2].abs());
+    let is_dead = last <= NOISE * largest;
+    let shrinks = last < 0.5 * middle && last < 0.1 * largest;
+    if !(is_dead || shrinks) {
+        return None;
+    }
+    let alive = deviations.iter().rposition(|value| value.abs() > NOISE * largest)?;
+    let is_small = |value: &f64| value.abs() < 0.1 * largest;
+    let begin = deviations[..=alive].iter().rposition(|value| !is_small(value)).map_or(0, |index| index + 1);
+    let change = deviations[..=alive].windows(2).rposition(|pair| pair[0] * pair[1] <= 0.0);
+    let begin = begin.max(change.map_or(0, |index| index + 1));
+    Some(RecordedDecay { period_s: None, rate_per_s: rate(&recording.times_s, &deviations, begin, alive) })
+}
+
+/// The slope of ln |deviation| over the last of three parts of a stretch of samples, with the change from the part before as error.
+fn rate(times: &[f64], deviations: &[f64], begin: usize, end: usize) -> Option<Measured> {
+    if end < begin + 2 * PARTS {
+        return None;
+    }
+    let (from, to) = (times[begin], times[end]);
+    let nearest = |time: f64| (begin..=end).find(|index| times[*index] >= time).unwrap_or(end);
+    let marks = [0.0, 1.0, 2.0, 3.0].map(|part| nearest(from + (to - from) * part / 3.0));
+    let slopes: Vec<f64> = marks
+        .windows(2)
+        .map(|pair| {
+            let fall = libm::log(deviations[pair[1]] / deviations[pair[0]]);
+            fall / (times[pair[1]] - times[pair[0]])
+        })
+        .collect();
+    let [_, before, last] = slopes[..] else { return None };
+    let relative_error = (last - before).abs() / last.abs();
+    relative_error.is_finite().then_some(Measured { value: last, relative_error })
+}

@@ -1,0 +1,205 @@
+//! The long-term behaviour of a recording: a cycle, a decay, or neither yet.
+
+use super::decay::{decay_of_returns, decay_without_returns};
+use super::returns::{Return, returns};
+use super::{LEAST_SAMPLES, Recording};
+
+/// A value with the error that the recording leaves.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Measured {
+    /// The value.
+    pub value: f64,
+    /// Its estimated relative error; infinite when the samples do not resolve it.
+    pub relative_error: f64,
+}
+
+/// A return to steady sliding.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct RecordedDecay {
+    /// Period of the long-term oscillation, s; none when nothing oscillates.
+    pub period_s: Option<Measured>,
+    /// Growth rate of the deviation of ln V, 1/s, as a rule negative; none when too little is recorded.
+    pub rate_per_s: Option<Measured>,
+}
+
+/// The long-term behaviour of a recording.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum RecordedBehaviour {
+    /// A limit cycle.
+    Cycle {
+        /// V at the peak over V_l.
+        peak_ratio: Measured,
+        /// s.
+        period_s: Measured,
+        /// Largest minus least stress, Pa; none when no stress was recorded.
+        stress_drop_pa: Option<Measured>,
+    },
+    /// A return to steady sliding.
+    Decay(RecordedDecay),
+}
+
+/// Why no long-term behaviour is reported.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum Undecided {
+    /// The recording is too short.
+    #[error("the trajectory has {samples} samples (needed: {LEAST_SAMPLES})")]
+    FewSamples {
+        /// Samples that there are.
+        samples: usize,
+    },
+    /// Neither enough cycles nor a decay.
+    #[error(
+        "the trajectory shows {0} cycles after its first passage of the loading velocity, and no decay (needed: 3 cycles)"
+    )]
+    FewCycles(usize),
+    /// The cycles still change.
+    #[error("the trajectory has not settled: its last swings of log10 V are {0}")]
+    StillChanging(String),
+}
+
+/// Swings below this part of the largest deviation of ln V are the end of a decay, whatever noise they show.
+///
+/// A true cycle is as small as this only within about 1e-8 of K = K_c, where no recording is long enough to decide.
+const DEAD: f64 = 1e-4;
+/// A geometric approach is what three cycles let expect; an early approach is slower, so that more than expected is left.
+const APPROACH: f64 = 3.0;
+/// A cycle is only reported when its swing changed by less than this part of it through the last third of the recording.
+const NEARLY_CONSTANT: f64 = 0.05;
+/// Changes of the swing below this part of it count as none.
+const STILL: f64 = 1e-6;
+
+impl Recording {
+    /// The long-term behaviour about steady sliding at a velocity, of which its logarithm is given; cycles have so many returns.
+    ///
+    /// The first return is never used: it belongs to the start.
+    ///
+    /// # Errors
+    /// When the recording is too short or still changing.
+    pub fn long_term(
+        &self,
+        log_level: f64,
+        returns_per_cycle: usize,
+    ) -> Result<RecordedBehaviour, Undecided> {
+        let samples = self.times_s.len();
+        if samples < LEAST_SAMPLES {
+            return Err(Undecided::FewSamples { samples });
+        }
+        let reduced = Reduced::of(self, log_level, returns_per_cycle.max(1));
+        let cycles = reduced.whole.len();
+        let deviation = |log: &f64| (log - log_level).abs();
+        let largest = self.log_velocities.iter().map(deviation).fold(0.0, f64::max);
+        let is_alive = reduced.whole.iter().any(|orbit| orbit.swing() > DEAD * largest);
+        if cycles < 3 || !is_alive {
+            let decay = decay_without_returns(self, log_level);
+            return decay.map(RecordedBehaviour::Decay).ok_or(Undecided::FewCycles(cycles));
+        }
+        match limit_of_swing(&reduced.whole, largest) {
+            Some(Limit::Zero) => Ok(RecordedBehaviour::Decay(decay_of_returns(&reduced))),
+            Some(Limit::Cycle) => Ok(reduced.cycle(self.stresses_pa.is_empty())),
+            None => {
+                let last = &reduced.whole[cycles - 3..];
+                let swing = |orbit: &Return| format!("{:.4}", orbit.swing() / std::f64::consts::LN_10);
+                Err(Undecided::StillChanging(last.iter().map(swing).collect::<Vec<_>>().join(", ")))
+            }
+        }
+    }
+}
+
+/// Cycles from all samples, and from each half of them.
+pub(crate) struct Reduced {
+    /// From all samples.
+    pub whole: Vec<Return>,
+    halves: [Vec<Return>; 2],
+}
+
+impl Reduced {
+    fn of(recording: &Recording, log_level: f64, per_cycle: usize) -> Self {
+        let mut whole = returns(recording, log_level, per_cycle);
+        let halves = [0, 1].map(|phase| returns(&recording.every_second(phase), log_level, per_cycle));
+        if !whole.is_empty() {
+            whole.remove(0);
+        }
+        Self { whole, halves }
+    }
+
+    /// How far `value` of a return moves when every second sample is left out: the larger of two ways to do so.
+    pub fn resolution(&self, orbit: &Return, value: impl Fn(&Return) -> f64) -> f64 {
+        let moved = |half: &Vec<Return>| {
+            let near = half.iter().min_by(|one, other| {
+                (one.end_s - orbit.end_s).abs().total_cmp(&(other.end_s - orbit.end_s).abs())
+            });
+            let same = near.filter(|near| (near.end_s - orbit.end_s).abs() < 0.3 * orbit.duration_s);
+            same.map_or(f64::INFINITY, |same| (value(same) - value(orbit)).abs())
+        };
+        self.halves.iter().map(moved).fold(0.0, f64::max)
+    }
+
+    fn cycle(&self, without_stress: bool) -> RecordedBehaviour {
+        let peak = self.last_value(|orbit| orbit.peak);
+        let relative = |(value, error): (f64, f64)| Measured { value, relative_error: error / value.abs() };
+        let peak_ratio =
+            Measured { value: libm::exp(peak.0), relative_error: libm::expm1(peak.1.min(700.0)) };
+        let stress_drop_pa = (!without_stress).then(|| relative(self.last_value(Return::stress_drop_pa)));
+        RecordedBehaviour::Cycle {
+            peak_ratio,
+            period_s: relative(self.last_value(|orbit| orbit.duration_s)),
+            stress_drop_pa,
+        }
+    }
+
+    /// The value of the last cycle and its error: the largest change by halving among the last cycles, and what they may still change.
+    fn last_value(&self, value: impl Fn(&Return) -> f64 + Copy) -> (f64, f64) {
+        let count = self.whole.len();
+        let last_cycles = &self.whole[count.saturating_sub(4)..];
+        let resolution = last_cycles.iter().map(|orbit| self.resolution(orbit, value)).fold(0.0, f64::max);
+        let values = spaced(&self.whole).map(value);
+        let last = value(&self.whole[count - 1]);
+        let step = (last - value(&self.whole[count - 2])).abs();
+        (last, resolution + APPROACH * step.max(remaining(values)))
+    }
+}
+
+/// The last cycle and two earlier ones at equal distances, as far apart as the recording allows.
+fn spaced(whole: &[Return]) -> [&Return; 3] {
+    let last = whole.len() - 1;
+    let apart = (last / 2).min(1 + last / 3);
+    [&whole[last - 2 * apart], &whole[last - apart], &whole[last]]
+}
+
+/// What a geometric approach through three values has left.
+fn remaining([first, second, third]: [f64; 3]) -> f64 {
+    let (before, after) = (second - first, third - second);
+    let ratio = after / before;
+    if (0.0..1.0).contains(&ratio) { after.abs() * ratio / (1.0 - ratio) } else { after.abs() }
+}
+
+enum Limit {
+    Zero,
+    Cycle,
+}
+
+/// Where the swing of the cycles goes; none when that cannot be told yet.
+fn limit_of_swing(whole: &[Return], largest: f64) -> Option<Limit> {
+    let [first, second, third] = spaced(whole).map(Return::swing);
+    if third <= DEAD * largest {
+        return Some(Limit::Zero);
+    }
+    let (before, after) = (second - first, third - second);
+    let ratio = after / before;
+    if after.abs() <= STILL * third {
+        // A decay as slow as this shows its ratio all the same; noise has none.
+        let is_geometric = before.abs() > STILL * third && (0.9..1.0).contains(&ratio);
+        if !is_geometric {
+            return Some(Limit::Cycle);
+        }
+    }
+    if !(0.0..1.0).contains(&ratio) {
+        // Cycles that scatter about a value have reached their limit; those that run away have not.
+        return (ratio < 0.0 && after.abs() <= NEARLY_CONSTANT * third).then_some(Limit::Cycle);
+    }
+    match (third + after * ratio / (1.0 - ratio)) / third {
+        limit if limit < 0.2 => Some(Limit::Zero),
+        limit if (0.8..1.25).contains(&limit) && after.abs() <= NEARLY_CONSTANT * third => Some(Limit::Cycle),
+        _ => None,
+    }
+}

@@ -1,0 +1,129 @@
+//! Tables of the boundary: its points, its marks, and the agreement of the routes.
+
+use rug::Float;
+
+use crate::experiments::Context;
+use crate::experiments::Need;
+use crate::experiments::TableMaker;
+use crate::experiments::boundary::BoundaryOutcome;
+use crate::experiments::unless_empty;
+use slipmode_core::number::Ball;
+use slipmode_core::number::format::{certain_digits, round_float};
+use slipmode_core::stability::boundary::BoundaryPoint;
+use slipmode_plot::table::{Cell, Column, Table};
+
+pub(crate) const TABLES: &[TableMaker] = &[
+    TableMaker { id: "boundary", needs: &[Need::Boundary], make: all_points },
+    TableMaker { id: "marks", needs: &[Need::Boundary], make: marked_points },
+    TableMaker { id: "routes", needs: &[Need::Boundary], make: routes },
+];
+
+/// Digits shown of a coordinate in a report; `slipmode boundary --digits` prints as many as requested.
+const SHOWN_DIGITS: usize = 20;
+
+/// The columns of the boundary's table, the same on the command line and in reports.
+#[must_use]
+pub fn boundary_columns() -> Vec<Column> {
+    vec![
+        Column::text("arc", "Arc"),
+        Column::number("double_root", "Double root r", ""),
+        Column::number("normal_stress_pa", "Normal stress σ", "Pa"),
+        Column::number("loading_velocity_m_per_s", "Loading velocity V0", "m/s"),
+        Column::text("asymptote", "Nearest asymptote"),
+        Column::number("asymptote_value", "Its value", "Pa or m/s"),
+        Column::number("relative_error", "exact/asymptote − 1", ""),
+        Column::number("log10_distance", "log10 distance", ""),
+        Column::number("condition_number", "Condition number", ""),
+        Column::text("mark", "Mark"),
+    ]
+}
+
+/// One row of the boundary's table, with at most `digits` certain digits of each coordinate.
+#[must_use]
+pub fn boundary_row(point: &BoundaryPoint, digits: usize) -> Vec<Cell> {
+    let number = |ball| Cell::number(certain_digits(ball, digits));
+    // A relative error or a condition is read, not computed with.
+    let short = |ball: &Ball| match vanishes(ball, digits) {
+        true => Cell::number("0"),
+        false => Cell::number(certain_digits(ball, digits.min(SHOWN_DIGITS))),
+    };
+    vec![
+        Cell::text(point.arc.as_str()),
+        number(&point.double_root),
+        number(&point.normal_stress_pa),
+        number(&point.loading_velocity_m_per_s),
+        Cell::text(point.asymptote.as_str()),
+        number(&point.asymptote_value),
+        short(&point.relative_error),
+        short(&point.log10_distance),
+        short(&point.condition_number),
+        Cell::text(point.mark.map_or("", |mark| mark.as_str())),
+    ]
+}
+
+/// Whether a number of order one is zero to all digits: where the asymptote meets the boundary, the enclosure of its error
+/// is tiny and around zero.
+#[must_use]
+pub fn vanishes(ball: &Ball, digits: usize) -> bool {
+    let decimals = -(digits as f64) * std::f64::consts::LOG2_10;
+    let is_tiny = |radius: &Float| radius.get_exp().is_some_and(|exponent| f64::from(exponent) < decimals);
+    ball.contains_zero() && (ball.is_exact() || is_tiny(&ball.radius()))
+}
+
+fn point_table(
+    context: &Context,
+    id: &str,
+    title: &str,
+    wanted: fn(&BoundaryPoint) -> bool,
+) -> Option<Table> {
+    let mut columns = vec![Column::text("scene", "Scene")];
+    columns.extend(boundary_columns());
+    let mut table = Table::new(id, title, columns);
+    for (name, outcome) in boundaries(context) {
+        for point in outcome.points.iter().filter(|point| wanted(point)) {
+            let mut row = vec![Cell::text(name)];
+            row.extend(boundary_row(point, SHOWN_DIGITS));
+            table.push(row);
+        }
+    }
+    unless_empty(table)
+}
+
+fn boundaries<'c>(context: &Context<'c>) -> impl Iterator<Item = (&'c str, &'c BoundaryOutcome)> {
+    context
+        .outcome
+        .scenes
+        .iter()
+        .filter_map(|scene| Some((scene.scene.name.as_str(), scene.boundary.as_ref()?)))
+}
+
+fn all_points(context: &Context) -> Option<Table> {
+    point_table(context, "boundary", "The exact boundary", |_| true)
+}
+
+fn marked_points(context: &Context) -> Option<Table> {
+    point_table(context, "marks", "Cusp and corners", |point| point.mark.is_some())
+}
+
+fn routes(context: &Context) -> Option<Table> {
+    let columns = vec![
+        Column::text("scene", "Scene"),
+        Column::number("compared", "Crossings found by all three routes", ""),
+        Column::number("disagreements", "Disagreements", ""),
+        Column::number("digits", "Digits asked for", ""),
+        Column::number("largest_relative_difference", "Largest possible relative difference", ""),
+    ];
+    let mut table = Table::new("routes", "The boundary by three routes", columns)
+        .with_note("Routes: the rational curve, isolated real roots of the discriminant, and bisection on the exact class. The difference is an upper bound from the enclosures alone.");
+    for (name, outcome) in boundaries(context) {
+        let comparison = &outcome.comparison;
+        table.push(vec![
+            Cell::text(name),
+            Cell::number(comparison.compared.to_string()),
+            Cell::number(comparison.disagreements.len().to_string()),
+            Cell::number(outcome.digits.to_string()),
+            Cell::number(round_float(&comparison.largest_difference, 2)),
+        ]);
+    }
+    unless_empty(table)
+}

@@ -1,0 +1,45 @@
+//! The asymptotes' worst errors against β = b/a, on which alone they depend.
+
+use rayon::prelude::*;
+
+use crate::experiments::map::run::exactly;
+use crate::scene::EffectRatioSweep;
+use slipmode_core::number::Rational;
+use slipmode_core::stability::deviation::{CornerErrors, corner_errors};
+
+/// The worst errors at one ratio of effects.
+#[derive(Debug, Clone)]
+pub struct SweepRow {
+    /// β, exact.
+    pub effect_ratio: Rational,
+    /// The errors that bound all others.
+    pub errors: CornerErrors,
+}
+
+/// Rows by ascending β.
+#[derive(Debug, Clone)]
+pub struct SweepOutcome {
+    /// The rows.
+    pub rows: Vec<SweepRow>,
+}
+
+/// Digits of each enclosure: more than any table or figure shows.
+const DIGITS: u32 = 20;
+
+/// Computes the worst errors along the axis, and at β = 1 ± each near-equal distance.
+#[must_use]
+pub fn sweep_effect_ratio(section: &EffectRatioSweep) -> SweepOutcome {
+    let near = section
+        .near_equal
+        .iter()
+        .flat_map(|distance| [Rational::from(1) - distance, Rational::from(1) + distance]);
+    let mut ratios: Vec<Rational> =
+        section.effect_ratio.coordinates().into_iter().map(exactly).chain(near).collect();
+    ratios.sort();
+    ratios.dedup();
+    let rows = ratios
+        .into_par_iter()
+        .map(|effect_ratio| SweepRow { errors: corner_errors(&effect_ratio, DIGITS), effect_ratio })
+        .collect();
+    SweepOutcome { rows }
+}

@@ -1,0 +1,69 @@
+//! Frequencies along lines of constant normal stress (fig 2).
+
+use crate::experiments::frequency::{FrequencyLine, FrequencyOutcome};
+use crate::experiments::{Figure, FigureMaker};
+use crate::experiments::{Need, SceneOutcome};
+use crate::scene::SceneParameters;
+use slipmode_core::number::format::rational_to_decimal;
+use slipmode_plot::figure::{Axis, Caption, LineChart, Reference, Series};
+
+pub(crate) const FIGURES: &[FigureMaker] = &[FigureMaker {
+    id: "fig-2",
+    needs: &[Need::Frequency],
+    data: &["frequency"],
+    make: |outcome| frequency_lines(outcome.potentially_unstable()?),
+}];
+
+const DESCRIPTION: &str = "Largest imaginary part against loading velocity at constant normal stresses, on logarithmic axes. At the critical normal stress it follows eq 23 at low velocity and bends to the natural frequency; where a line has a gap the frequency is zero.";
+
+fn frequency_lines(scene: &SceneOutcome) -> Option<Figure> {
+    let (parameters, outcome) = (scene.parameters()?, scene.frequency.as_ref()?);
+    let velocities = &outcome.loading_velocity_m_per_s;
+    let (first, last) = (*velocities.first()?, *velocities.last()?);
+    let natural =
+        (parameters.stiffness_pa_per_m.to_f64() / parameters.mass_per_area_kg_per_m2.to_f64()).sqrt();
+    let mut series: Vec<Series> = outcome.lines.iter().map(|line| line_series(outcome, line)).collect();
+    series.push(crossing_series(parameters, natural, first, last));
+    let chart = LineChart {
+        caption: Caption::new("fig-2", "Largest imaginary part at constant normal stress", DESCRIPTION),
+        x: Axis::log10("Loading velocity *V*_0", "m/s", first, last),
+        y: Axis::log10("max Im(*s*)", "1/s", natural * 1e-4, natural * 3.0),
+        series,
+        references: vec![Reference::Horizontal { at: natural, label: "*ω*_n = √(*K*/*M*)".into() }],
+        bands: Vec::new(),
+        labels: Vec::new(),
+    };
+    Some(Figure {
+        id: "fig-2".into(),
+        label: "Figure 2".into(),
+        caption_markdown: "Largest imaginary part along lines of constant normal stress (compare fig 2 of the paper), with eq 23 and the natural angular frequency. Where a line is missing all roots are real.".into(),
+        description: DESCRIPTION.into(),
+        svg: chart.svg(),
+    })
+}
+
+fn line_series(outcome: &FrequencyOutcome, line: &FrequencyLine) -> Series {
+    let ratio = &line.normal_stress_over_critical;
+    let label = if *ratio.denom() == 1 { ratio.numer().to_string() } else { rational_to_decimal(ratio, 4) };
+    let points = outcome
+        .loading_velocity_m_per_s
+        .iter()
+        .zip(&line.max_imaginary_per_s)
+        .map(|(velocity, imaginary)| (*velocity, imaginary.to_f64().unwrap_or(0.0)))
+        .collect();
+    Series { label: format!("*σ* = {label} *σ*_c"), points, marked: false, theory: false }
+}
+
+/// Eq 23, drawn up to three times the natural frequency.
+fn crossing_series(parameters: &SceneParameters, natural: f64, first: f64, last: f64) -> Series {
+    let effects =
+        (parameters.evolution_effect.clone() - &parameters.direct_effect) / &parameters.direct_effect;
+    let per_metre = effects.to_f64().sqrt() / parameters.critical_slip_distance_m.to_f64();
+    let end = last.min(natural * 3.0 / per_metre);
+    Series {
+        label: "eq 23".into(),
+        points: vec![(first, first * per_metre), (end, end * per_metre)],
+        marked: false,
+        theory: true,
+    }
+}

@@ -1,0 +1,58 @@
+//! max Im(s) along lines of constant normal stress (fig 2), with eq 23 and ω_n next to it.
+
+use rayon::prelude::*;
+
+use crate::experiments::map::run::exactly;
+use crate::scene::{FrequencySection, SceneParameters};
+use slipmode_core::number::{Rational, Wide};
+use slipmode_core::stability::transition::critical_normal_stress_pa;
+use slipmode_core::stability::{InertialThreshold, classify};
+
+/// One line of constant normal stress.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FrequencyLine {
+    /// σ/σ_c, exact.
+    pub normal_stress_over_critical: Rational,
+    /// σ, Pa, exact.
+    pub normal_stress_pa: Rational,
+    /// Largest Im(s), 1/s, at each velocity of the outcome: relative error at most 1e-14.
+    pub max_imaginary_per_s: Vec<Wide>,
+}
+
+/// The lines of a scene and their velocities.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FrequencyOutcome {
+    /// Loading velocities, m/s.
+    pub loading_velocity_m_per_s: Vec<f64>,
+    /// One line per requested ratio σ/σ_c.
+    pub lines: Vec<FrequencyLine>,
+}
+
+/// Computes the lines; the scene reader has made sure that b > a, so that σ_c exists.
+#[must_use]
+pub fn frequency_lines(parameters: &SceneParameters, section: &FrequencySection) -> FrequencyOutcome {
+    let velocities = section.loading_velocity_m_per_s.coordinates();
+    let critical = critical_normal_stress_pa(&parameters.at(Rational::from(1), Rational::from(1)));
+    let lines = section
+        .normal_stress_over_critical
+        .iter()
+        .map(|ratio| line(parameters, &velocities, ratio.clone(), critical.clone() * ratio))
+        .collect();
+    FrequencyOutcome { loading_velocity_m_per_s: velocities, lines }
+}
+
+fn line(
+    parameters: &SceneParameters,
+    velocities: &[f64],
+    ratio: Rational,
+    stress: Rational,
+) -> FrequencyLine {
+    let threshold = InertialThreshold::default();
+    let max_imaginary_per_s = velocities
+        .par_iter()
+        .map(|&velocity| {
+            classify(&parameters.at(stress.clone(), exactly(velocity)), &threshold).max_imaginary_per_s
+        })
+        .collect();
+    FrequencyLine { normal_stress_over_critical: ratio, normal_stress_pa: stress, max_imaginary_per_s }
+}

@@ -1,0 +1,285 @@
+//! Returns where integrators go wrong: V down to 1e-79 V_l, K next to K_c, no inertia, tolerances below rounding; every method of ours
+//! against references from an unrelated program, and what a whole simulation says.
+
+use rayon::prelude::*;
+
+use crate::experiments::work_precision::run::{MeasuredReturn, return_within};
+use crate::scene::{CsvProblem, Fault, Faults, Problem};
+use slipmode_core::dynamics::{
+    Behaviour, Failure, Model, Options, Outcome, Radau, Rodas5P, State, Taylor, simulate_model,
+};
+use slipmode_core::friction::{EvolutionLaw, Groups, Parameters};
+use slipmode_core::number::{Rational, parse_decimal};
+
+/// A return with the answers of an independent program.
+#[derive(Debug, Clone, PartialEq)]
+pub struct HardReturn {
+    /// What makes it hard.
+    pub family: String,
+    /// The evolution law.
+    pub law: EvolutionLaw,
+    /// η, κ, β.
+    pub groups: Groups<f64>,
+    /// The state on V = V_l.
+    start: State<f64>,
+    /// ln(V_peak/V_l).
+    log_peak: f64,
+    /// ln(V_min/V_l).
+    pub log_trough: f64,
+    /// Duration, D_c/V_l.
+    duration: f64,
+}
+
+/// What one method did with a return, or a simulation with the slider.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ReturnVerdict {
+    /// The method.
+    pub method: &'static str,
+    /// The tolerance requested: local for a return, of the answer for a simulation.
+    pub tolerance: f64,
+    /// Steps, evaluations, and the larger of the errors of ln V_peak and of the duration, relative; or why there is no answer.
+    pub answer: Result<ReturnAnswer, Failure>,
+}
+
+/// The answer of one method.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ReturnAnswer {
+    /// Steps, refused ones included.
+    pub steps: u64,
+    /// Evaluations of the right-hand side.
+    pub evaluations: u64,
+    /// Of a return the error, of a simulation the error that it states.
+    pub error: f64,
+    /// What a simulation ends in.
+    pub behaviour: Option<Behaviour>,
+}
+
+/// One return by every method.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ReturnOutcome {
+    /// The return.
+    pub case: HardReturn,
+    /// Method by method, tolerance by tolerance.
+    pub verdicts: Vec<ReturnVerdict>,
+}
+
+const COLUMNS: [&str; 10] = [
+    "family",
+    "law",
+    "inertial_parameter",
+    "stiffness_group",
+    "effect_ratio",
+    "start_y",
+    "start_z",
+    "expected_log_peak",
+    "expected_log_trough",
+    "expected_duration",
+];
+
+/// Reads a file of returns: CSV with these columns in this order, and `#` lines of words.
+///
+/// # Errors
+/// A header or a row of other columns, and what is not a number, each with its line.
+pub fn read_hard_returns(file: &str, text: &str) -> Result<Vec<HardReturn>, Faults> {
+    let mut lines = (1..).zip(text.lines()).filter(|(_, line)| !line.starts_with('#'));
+    let fault = |line, key: &str, value: Option<&str>, problem| {
+        vec![Fault {
+            file: file.into(),
+            line: Some(line),
+            key: key.into(),
+            value: value.map(str::to_owned),
+            problem,
+        }]
+    };
+    let wanted = COLUMNS.join(",");
+    match lines.next() {
+        Some((_, header)) if header == wanted => {}
+        found => {
+            let line = found.map_or(1, |(line, _)| line);
+            return Err(fault(line, "", None, CsvProblem::NoHeader { wanted }.into()));
+        }
+    }
+    let read = |(line, row): (usize, &str)| {
+        let cells: Vec<&str> = row.split(',').collect();
+        if cells.len() != COLUMNS.len() {
+            let problem = CsvProblem::CellCount { found: cells.len(), wanted: COLUMNS.len() };
+            return Err(fault(line, "", None, problem.into()));
+        }
+        let number = |column: usize| {
+            let allowed = "any decimal".to_string();
+            parse_decimal(cells[column]).map(|value: Rational| value.to_f64()).map_err(|reason| {
+                fault(line, COLUMNS[column], Some(cells[column]), Problem::NotANumber { reason, allowed })
+            })
+        };
+        let law = EvolutionLaw::ALL.into_iter().find(|law| law.as_str() == cells[1]);
+        let unknown = || {
+            let problem = Problem::UnknownWord { nearest: None, allowed: "aging, slip".into() };
+            fault(line, COLUMNS[1], Some(cells[1]), problem)
+        };
+        Ok(HardReturn {
+            family: cells[0].to_owned(),
+            law: law.ok_or_else(unknown)?,
+            groups: Groups {
+                inertial_parameter: number(2)?,
+                stiffness_group: number(3)?,
+                effect_ratio: number(4)?,
+            },
+            start: [0.0, number(5)?, number(6)?],
+            log_peak: number(7)?,
+            log_trough: number(8)?,
+            duration: number(9)?,
+        })
+    };
+    lines.map(read).collect()
+}
+
+/// Local tolerances of the returns: an ordinary one, and two below what 64 bits can tell.
+const TOLERANCES: [f64; 3] = [1e-9, 1e-16, 1e-20];
+
+/// Tolerances of the simulations: an ordinary one, and one below rounding.
+const ASKED: [f64; 2] = [1e-8, 1e-16];
+
+/// The most steps of a return: ten times what the hardest one takes.
+const MOST_STEPS: u64 = 20_000;
+
+/// Every case by every method.
+#[must_use]
+pub fn run_hard_returns(cases: &[HardReturn]) -> Vec<ReturnOutcome> {
+    cases.par_iter().map(|case| ReturnOutcome { case: case.clone(), verdicts: verdicts(case) }).collect()
+}
+
+type Run = fn(&Model<f64>, &State<f64>, f64) -> Result<MeasuredReturn<f64>, Failure>;
+
+const METHODS: [(&str, Run); 5] = [
+    ("Rodas5P", |model, start, local| return_within(model, Rodas5P::new(), start, local, MOST_STEPS)),
+    ("Radau IIA 5", |model, start, local| {
+        return_within(model, Radau::<f64, 3>::new(), start, local, MOST_STEPS)
+    }),
+    ("Radau IIA 9", |model, start, local| {
+        return_within(model, Radau::<f64, 5>::new(), start, local, MOST_STEPS)
+    }),
+    ("Radau IIA 13", |model, start, local| {
+        return_within(model, Radau::<f64, 7>::new(), start, local, MOST_STEPS)
+    }),
+    ("Taylor 20", |model, start, local| {
+        return_within(model, Taylor::<f64, 20>::new(), start, local, MOST_STEPS)
+    }),
+];
+
+fn verdicts(case: &HardReturn) -> Vec<ReturnVerdict> {
+    let model = Model::new(case.groups.clone(), case.law);
+    let returns = METHODS.into_iter().flat_map(|(method, run)| {
+        let model = &model;
+        // A method that does not finish at an ordinary tolerance is not run at a tighter one.
+        let mut stopped = false;
+        TOLERANCES.into_iter().map_while(move |tolerance| {
+            if stopped {
+                return None;
+            }
+            let answer = run(model, &case.start, tolerance).map(|orbit| case.assess(&orbit));
+            stopped = answer.is_err();
+            Some(ReturnVerdict { method, tolerance, answer })
+        })
+    });
+    let whole = ASKED.map(|tolerance| {
+        let options = Options { tolerance, most_returns: MOST_RETURNS, ..Options::default() };
+        ReturnVerdict {
+            method: "simulation",
+            tolerance,
+            answer: simulate_model(&model, &options).map(stated),
+        }
+    });
+    returns.chain(whole).collect()
+}
+
+/// Oscillations of a whole simulation before it is called undecided.
+const MOST_RETURNS: u64 = 1_000;
+
+fn stated(outcome: Outcome) -> ReturnAnswer {
+    // Units in which an outcome is what it is.
+    let found = outcome.in_si(&Parameters::from([1.0; 7]));
+    let error = found.peak_relative_error.max(found.period_relative_error.unwrap_or(0.0));
+    let (steps, evaluations) = (found.steps, found.evaluations);
+    ReturnAnswer { steps, evaluations, error, behaviour: Some(found.behaviour) }
+}
+
+impl HardReturn {
+    fn assess(&self, orbit: &MeasuredReturn<f64>) -> ReturnAnswer {
+        // The peak of a small oscillation is itself the measure of its error.
+        let peak = (orbit.peak - self.log_peak).abs() / self.log_peak.abs().min(1.0);
+        let duration = (orbit.duration / self.duration - 1.0).abs();
+        ReturnAnswer {
+            steps: orbit.steps,
+            evaluations: orbit.evaluations,
+            error: peak.max(duration),
+            behaviour: None,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn outcomes() -> Vec<ReturnOutcome> {
+        let text = include_str!("../../../reports/im-avouac/vectors/simulation-hard.txt");
+        run_hard_returns(&read_hard_returns("simulation-hard.txt", text).unwrap())
+    }
+
+    #[test]
+    fn order_nine_finishes_every_return_and_no_answer_is_far_from_the_reference() {
+        let outcomes = outcomes();
+        assert!(outcomes.len() >= 10, "{}", outcomes.len());
+        assert!(outcomes.iter().any(|found| found.case.log_trough < -149.0));
+        for found in &outcomes {
+            let of = |method| found.verdicts.iter().filter(move |verdict| verdict.method == method);
+            for verdict in of("Radau IIA 9").chain(of("Radau IIA 13")) {
+                assert!(
+                    verdict.answer.as_ref().is_ok_and(|answer| answer.error < 1e-10),
+                    "{:?} {verdict:?}",
+                    found.case
+                );
+            }
+            // Low orders run out of steps where more is requested than 64 bits hold; what they answer is right.
+            for verdict in of("Radau IIA 5").chain(of("Rodas5P")) {
+                let answer = verdict.answer.as_ref();
+                assert!(
+                    answer.map_or(verdict.tolerance < 1e-15, |answer| answer.error < 1e-8),
+                    "{verdict:?}"
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn a_simulation_at_a_tolerance_below_rounding_refuses_or_meets_it() {
+        for found in outcomes() {
+            let below = found
+                .verdicts
+                .iter()
+                .find(|verdict| verdict.method == "simulation" && verdict.tolerance < 1e-15);
+            let answer = &below.unwrap().answer;
+            assert!(
+                answer
+                    .as_ref()
+                    .map_or_else(|failure| !failure.to_string().is_empty(), |answer| answer.error <= 1e-16),
+                "{:?} {answer:?}",
+                found.case
+            );
+        }
+    }
+
+    #[test]
+    fn a_file_that_is_no_list_of_returns_is_refused_with_its_line() {
+        for (text, named) in [
+            ("", "1: empty"),
+            ("family,law\n", "1: empty"),
+            (&format!("{}\nf,slip,1,1,1,0,1,1,1\n", COLUMNS.join(",")), "2: 9 cells"),
+            (&format!("{}\nf,fast,1,1,1,0,1,1,1,1\n", COLUMNS.join(",")), "2: law = fast"),
+            (&format!("{}\nf,slip,x,1,1,0,1,1,1,1\n", COLUMNS.join(",")), "2: inertial_parameter = x"),
+        ] {
+            let faults = read_hard_returns("laps.txt", text).unwrap_err();
+            assert!(faults[0].to_string().contains(named), "{}", faults[0]);
+        }
+    }
+}

@@ -1,0 +1,106 @@
+//! Tables of how the numbers came about: precision levels, and hard cases by family and by method.
+
+use crate::experiments::Context;
+use crate::experiments::Need;
+use crate::experiments::TableMaker;
+use crate::experiments::hard_cases::{FamilyOutcome, Method, MethodScore};
+use crate::experiments::unless_empty;
+use slipmode_core::number::format::round_digits;
+use slipmode_core::roots::PrecisionLevel;
+use slipmode_plot::table::{Cell, Column, Table};
+
+pub(crate) const TABLES: &[TableMaker] = &[
+    TableMaker { id: "rungs", needs: &[Need::Map], make: precision_levels },
+    TableMaker { id: "hard-cases", needs: &[Need::HardCases], make: hard_cases },
+    TableMaker { id: "method-verdicts", needs: &[Need::HardCases], make: method_verdicts },
+    TableMaker { id: "method-errors", needs: &[Need::HardCases], make: method_errors },
+];
+
+fn precision_levels(context: &Context) -> Option<Table> {
+    let columns = vec![
+        Column::text("scene", "Scene"),
+        Column::text("rung", "Rung"),
+        Column::number("points", "Points decided", ""),
+    ];
+    let mut table = Table::new("rungs", "Which rung answered on the maps", columns);
+    for scene in &context.outcome.scenes {
+        let Some(map) = &scene.map else { continue };
+        for precision_level in [PrecisionLevel::F64, PrecisionLevel::DoubleDouble, PrecisionLevel::Exact] {
+            let points = map.values.iter().filter(|point| point.precision_level == precision_level).count();
+            table.push(vec![
+                Cell::text(&scene.scene.name),
+                Cell::text(precision_level.as_str()),
+                Cell::number(points.to_string()),
+            ]);
+        }
+    }
+    unless_empty(table)
+}
+
+fn hard_cases(context: &Context) -> Option<Table> {
+    let columns = vec![
+        Column::text("family", "Family"),
+        Column::number("points", "Points", ""),
+        Column::number("wrong", "Wrong signs, classes or modes", ""),
+        Column::number("worst_real_error", "Worst error of max Re(s), relative to the root", ""),
+        Column::number("worst_imaginary_error", "Worst relative error of max Im(s)", ""),
+        Column::text("highest_rung", "Highest rung"),
+    ];
+    let mut table = Table::new("hard-cases", "Hard cases against independent programs", columns);
+    for family in families(context) {
+        table.push(vec![
+            Cell::text(&family.family),
+            Cell::number(family.points.to_string()),
+            Cell::number(family.wrong.to_string()),
+            Cell::number(round_digits(family.worst_real_error, 1)),
+            Cell::number(round_digits(family.worst_imaginary_error, 1)),
+            Cell::text(family.highest_precision_level.as_str()),
+        ]);
+    }
+    unless_empty(table)
+}
+
+fn families<'c>(context: &'c Context<'_>) -> impl Iterator<Item = &'c FamilyOutcome> {
+    context.outcome.scenes.iter().filter_map(|scene| scene.hard_cases.as_ref()).flatten()
+}
+
+/// A row per family, a column per method.
+fn by_method(context: &Context, mut table: Table, cell: impl Fn(&MethodScore) -> String) -> Option<Table> {
+    for family in families(context) {
+        let mut row = vec![Cell::text(&family.family), Cell::number(family.points.to_string())];
+        row.extend(family.methods.iter().map(|score| Cell::text(cell(score))));
+        table.push(row);
+    }
+    unless_empty(table)
+}
+
+fn method_columns() -> Vec<Column> {
+    let name = |method: Method| {
+        method.as_str().replace([' ', '-'], "_").replace("64_bit", "binary64").to_lowercase()
+    };
+    let mut columns = vec![Column::text("family", "Family"), Column::number("points", "Points", "")];
+    columns.extend(Method::ALL.map(|method| Column::text(&name(method), method.as_str())));
+    columns
+}
+
+fn method_verdicts(context: &Context) -> Option<Table> {
+    let title = "Wrong signs or classes by method; points without a finite answer, and points left open";
+    let table = Table::new("method-verdicts", title, method_columns());
+    by_method(context, table, |score| {
+        let parts = [(score.wrong, "wrong"), (score.failed, "failed"), (score.open, "open")];
+        let said =
+            parts.iter().filter(|(count, _)| *count > 0).map(|(count, word)| format!("{count} {word}"));
+        let said = said.collect::<Vec<_>>().join(", ");
+        if said.is_empty() { "all right".to_owned() } else { said }
+    })
+}
+
+fn method_errors(context: &Context) -> Option<Table> {
+    let title = "Worst error of max Re(s) / of max Im(s) by method, in 2^-52 of the root and of Im(s), where answered";
+    let table = Table::new("method-errors", title, method_columns());
+    by_method(context, table, |score| {
+        let [real, imaginary] =
+            [score.worst_real_ulps, score.worst_imaginary_ulps].map(|ulps| round_digits(ulps, 1));
+        format!("{real} / {imaginary}")
+    })
+}

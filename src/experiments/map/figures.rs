@@ -1,0 +1,198 @@
+//! Maps of the (V, σ) plane: max Im(s) (figs 1 and 6a) and slip modes (fig 7).
+
+use crate::experiments::boundary::BoundaryOutcome;
+use crate::experiments::map::MapPoint;
+use crate::experiments::shared::Grid;
+use crate::experiments::shared::axes::{asymptote_lines, axes, boundary_lines, cusp_mark, transition_line};
+use crate::experiments::shared::map_readout::readout;
+use crate::experiments::{Figure, FigureMaker};
+use crate::experiments::{Need, SceneOutcome};
+use slipmode_core::stability::{Arc, SlipMode};
+use slipmode_plot::figure::{
+    Axis, Caption, ColourScale, HeatMap, Line, Readout, Zone, ZoneMap, zones_of_grid,
+};
+
+pub(crate) const FIGURES: &[FigureMaker] = &[
+    FigureMaker {
+        id: "fig-1",
+        needs: &[Need::Map, Need::Boundary],
+        data: &["boundary"],
+        make: |outcome| frequency_map(outcome.potentially_unstable()?, &FIG_1),
+    },
+    FigureMaker {
+        id: "fig-6a",
+        needs: &[Need::Map, Need::Boundary],
+        data: &["boundary"],
+        make: |outcome| frequency_map(outcome.never_unstable()?, &FIG_6A),
+    },
+    FigureMaker {
+        id: "fig-7a",
+        needs: &[Need::Map, Need::Zones, Need::Boundary],
+        data: &["zones"],
+        make: |outcome| zone_map(outcome.potentially_unstable()?, &FIG_7A, &FIG_1),
+    },
+    FigureMaker {
+        id: "fig-7b",
+        needs: &[Need::Map, Need::Zones, Need::Boundary],
+        data: &["zones"],
+        make: |outcome| zone_map(outcome.never_unstable()?, &FIG_7B, &FIG_6A),
+    },
+];
+
+/// The words around a map.
+struct Words {
+    id: &'static str,
+    label: &'static str,
+    title: &'static str,
+    caption: &'static str,
+    description: &'static str,
+}
+
+const FIG_1: Words = Words {
+    id: "fig-1",
+    label: "Figure 1",
+    title: "Largest imaginary part of the roots of eq 8, a < b",
+    caption: "Largest imaginary part of the three roots for a < b (compare fig 1 of the paper). Every point was classified exactly; the solid line is the exact boundary, the dashed lines are its four asymptotes, and the white line is the transition.",
+    description: "Map over loading velocity and normal stress. Two uncoloured areas without oscillation, one at high normal stress and one at low normal stress, are bounded by exact lines that join pairs of dashed asymptotes; the lower area ends in a cusp to the right of the asymptotes' corner. The frequency rises from left to right and saturates at the natural frequency.",
+};
+
+const FIG_6A: Words = Words {
+    id: "fig-6a",
+    label: "Figure 6a",
+    title: "Largest imaginary part of the roots of eq 8, a ≥ b",
+    caption: "Largest imaginary part of the three roots for a ≥ b (compare fig 6a of the paper). Every point was classified exactly. There is no transition; with a and b exchanged the line of eq 20 would stand at another velocity, and so would the contours.",
+    description: "Map over loading velocity and normal stress for a not below b: uncoloured areas without oscillation at low and, unless a equals b, at high normal stress, bounded by exact lines that join pairs of dashed asymptotes; no transition line.",
+};
+
+const FIG_7A: Words = Words {
+    id: "fig-7a",
+    label: "Figure 7a",
+    title: "Slip modes, a < b",
+    caption: "Slip modes decided exactly at every point (compare fig 7a of the paper), with the exact boundary, the asymptotes and the transition over them.",
+    description: "Map of the slip modes over loading velocity and normal stress: overdamped stable sliding at low stress and low velocity, non-inertial and inertial underdamped oscillation around it, stick-slip at high stress, harmonic vibration at high velocity.",
+};
+
+const FIG_7B: Words = Words {
+    id: "fig-7b",
+    label: "Figure 7b",
+    title: "Slip modes, a ≥ b",
+    caption: "Slip modes decided exactly at every point for a ≥ b (compare fig 7b of the paper): everything is stable, and the upper area is an overdamped oscillation.",
+    description: "Map of the slip modes over loading velocity and normal stress: overdamped stable sliding, non-inertial and inertial underdamped oscillation, and overdamped oscillation at high stress.",
+};
+
+fn figure(words: &Words, svg: String) -> Figure {
+    Figure {
+        id: words.id.into(),
+        label: words.label.into(),
+        caption_markdown: words.caption.into(),
+        description: words.description.into(),
+        svg,
+    }
+}
+
+fn caption(words: &Words) -> Caption {
+    Caption::new(words.id, words.title, words.description)
+}
+
+pub(crate) fn theory_lines(
+    scene: &SceneOutcome,
+    boundary: &BoundaryOutcome,
+    x: &Axis,
+    y: &Axis,
+) -> Vec<Line> {
+    let Some(parameters) = scene.parameters() else { return Vec::new() };
+    let mut lines = boundary_lines(&boundary.points);
+    lines.extend(asymptote_lines(parameters, x, y));
+    lines.extend(transition_line(parameters, x, y));
+    lines
+}
+
+fn frequency_map(scene: &SceneOutcome, words: &Words) -> Option<Figure> {
+    let (map, boundary) = (scene.map.as_ref()?, scene.boundary.as_ref()?);
+    let (x, y) = axes(map)?;
+    let parameters = scene.parameters()?;
+    let natural =
+        (parameters.stiffness_pa_per_m.to_f64() / parameters.mass_per_area_kg_per_m2.to_f64()).sqrt();
+    let heat_map = HeatMap {
+        caption: caption(words),
+        columns: map.loading_velocity_m_per_s.len(),
+        values: frequencies(map),
+        colours: ColourScale {
+            title: "max Im(*s*)".into(),
+            unit: "1/s".into(),
+            min: natural * 1e-4,
+            max: natural,
+            steps: 24,
+        },
+        zero_areas: zero_areas(boundary, &x, &y),
+        zero_label: "max Im(*s*) = 0 exactly".into(),
+        lines: theory_lines(scene, boundary, &x, &y),
+        marks: cusp_mark(&boundary.points),
+        labels: Vec::new(),
+        x,
+        y,
+    };
+    Some(figure(words, heat_map.svg_with(Some(&readout(map, boundary)))))
+}
+
+fn frequencies(map: &Grid<MapPoint>) -> Vec<f64> {
+    map.values.iter().map(|point| point.max_imaginary_per_s.to_f64().unwrap_or(0.0)).collect()
+}
+
+/// The areas without oscillation, closed along the edges of the map.
+fn zero_areas(boundary: &BoundaryOutcome, x: &Axis, y: &Axis) -> Vec<Vec<(f64, f64)>> {
+    [(Arc::Upper, y.max), (Arc::Lower, y.min)]
+        .into_iter()
+        .filter_map(|(arc, edge)| {
+            let mut outline: Vec<(f64, f64)> = boundary
+                .points
+                .iter()
+                .filter(|point| point.arc == arc)
+                .map(|point| (point.loading_velocity_m_per_s.to_f64(), point.normal_stress_pa.to_f64()))
+                .collect();
+            let (first, last) = (*outline.first()?, *outline.last()?);
+            // The arc runs from the slow (quasi-static) end to the inertial one; both ends go on along their asymptote.
+            let outside = x.min.min(first.0);
+            outline.insert(0, (outside, first.1));
+            outline.push((last.0, if arc == Arc::Upper { edge.max(last.1) } else { edge.min(last.1) }));
+            outline.push((outside, if arc == Arc::Upper { edge.max(last.1) } else { edge.min(last.1) }));
+            Some(outline)
+        })
+        .collect()
+}
+
+/// The zones, with the words of the map of frequencies over the same axes.
+fn zone_map(scene: &SceneOutcome, words: &Words, frequencies: &Words) -> Option<Figure> {
+    let (zones, boundary) = (scene.zones.as_ref()?, scene.boundary.as_ref()?);
+    let (x, y) = axes(&zones.exact)?;
+    let classes: Vec<usize> = zones
+        .exact
+        .values
+        .iter()
+        .map(|mode| SlipMode::ALL.iter().position(|known| known == mode).unwrap_or(0))
+        .collect();
+    let columns = zones.exact.loading_velocity_m_per_s.len();
+    let outlines = zones_of_grid(&x, &y, columns, &classes, SlipMode::ALL.len());
+    let present = SlipMode::ALL
+        .iter()
+        .zip(outlines)
+        .enumerate()
+        .filter(|(_, (_, outlines))| !outlines.is_empty())
+        .map(|(style, (mode, outlines))| Zone { label: mode.words().into(), outlines, style })
+        .collect();
+    let lines = theory_lines(scene, boundary, &x, &y);
+    let same_axes =
+        |map: &Grid<MapPoint>| axes(map).is_some_and(|(other_x, other_y)| (&other_x, &other_y) == (&x, &y));
+    let said =
+        scene.map.as_ref().filter(|map| same_axes(map)).map(|_| Readout::SameAs(frequencies.id.into()));
+    let map = ZoneMap {
+        caption: caption(words),
+        zones: present,
+        lines,
+        marks: cusp_mark(&boundary.points),
+        labels: Vec::new(),
+        x,
+        y,
+    };
+    Some(figure(words, map.svg_with(said.as_ref())))
+}

@@ -1,0 +1,49 @@
+//! What a scene's sections say, compute and show: one folder an experiment. Pure, and the same bytes on any number of threads.
+
+pub mod boundary;
+pub mod effect_ratio_sweep;
+pub mod error_bound;
+mod figures;
+pub mod frequency;
+pub mod hard_cases;
+pub mod linear_regime;
+pub mod map;
+pub mod near_transition;
+mod need;
+pub mod onset;
+pub mod original_scheme;
+mod outcome;
+mod plan;
+mod run;
+mod scene;
+pub mod shared;
+pub mod simulations;
+pub mod speed_counts;
+pub mod start_sensitivity;
+pub mod swept;
+mod tables;
+pub mod timings;
+pub mod tolerance;
+pub mod trajectories;
+pub mod work_precision;
+pub mod zones;
+
+pub use figures::{Figure, FigureMaker, figure_makers};
+pub use need::{Need, Needs};
+pub use outcome::{Outcome, References, SceneOutcome, effect_ratio};
+pub use plan::{Item, all_needs, plan};
+pub use run::{Progress, inertial_threshold, run};
+pub use scene::{Scene, check_distinct_scene_names};
+pub(crate) use tables::unless_empty;
+pub use tables::{TableMaker, table_makers};
+
+use slipmode_core::theory::PaperEquations;
+
+/// What a table or a check may look at.
+#[derive(Debug, Clone, Copy)]
+pub struct Context<'c> {
+    /// The paper's equations as the report states them: the thing under test.
+    pub equations: &'c PaperEquations,
+    /// What was computed for the report's scenes.
+    pub outcome: &'c Outcome,
+}

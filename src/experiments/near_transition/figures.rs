@@ -1,0 +1,213 @@
+//! Figures of what happens close to K = K_c: sign of the coefficient, strip of bistability, amplitudes of cycles.
+
+use crate::experiments::near_transition::{CycleFamilyOutcome, Edge, FamilyCycle, NearTransitionOutcome};
+use crate::experiments::{Figure, FigureMaker};
+use crate::experiments::{Need, Outcome, SceneOutcome, effect_ratio};
+use slipmode_core::friction::EvolutionLaw;
+use slipmode_core::number::Rational;
+use slipmode_core::number::format::rational_to_decimal;
+use slipmode_core::theory::hopf::degenerate_inertial_parameter;
+use slipmode_plot::figure::{
+    Axis, Caption, Line, LineChart, LineRole, PointMark, Reference, RegionLabel, Series, Side, Zone, ZoneMap,
+};
+
+const NEEDS: &[Need] = &[Need::NearTransition];
+
+pub(crate) const FIGURES: &[FigureMaker] = &[
+    FigureMaker { id: "criticality", needs: &[], data: &["hopf-coefficient"], make: criticality },
+    FigureMaker {
+        id: "bistability-strip",
+        needs: NEEDS,
+        data: &["bistability-edge"],
+        make: |outcome| strip(outcome.potentially_unstable()?),
+    },
+    FigureMaker {
+        id: "cycle-amplitudes",
+        needs: NEEDS,
+        data: &["cycle-families", "near-transition-runs"],
+        make: |outcome| amplitudes(outcome.potentially_unstable()?.near_transition.as_ref()?),
+    },
+];
+
+/// Vertices of a curve.
+const VERTICES: u32 = 80;
+
+const CRITICALITY: &str = "Plane of the inertial parameter eta and of b/a minus 1, both logarithmic. A curve that starts upright at eta = 1/7 and bends to smaller eta as b/a grows divides it: left of it the aging law is subcritical, right of it both laws are supercritical.";
+
+fn criticality(outcome: &Outcome) -> Option<Figure> {
+    let x = Axis::log10("*η*", "", 1e-3, 1e1);
+    let y = Axis::log10("*β* − 1", "", 1e-2, 1e3);
+    let (low, high) = (libm::log10(y.min), libm::log10(y.max));
+    let curve: Vec<(f64, f64)> = (0..=VERTICES)
+        .map(|index| libm::exp10(low + (high - low) * f64::from(index) / f64::from(VERTICES)))
+        .map(|above| (degenerate_inertial_parameter(1.0 + above), above))
+        .collect();
+    let closed = |edge: f64| [curve.clone(), vec![(edge, y.max), (edge, y.min)]].concat();
+    let zone = |label: &str, edge, style| Zone { label: label.into(), outlines: vec![closed(edge)], style };
+    let paper = effect_ratio(outcome.potentially_unstable()?.parameters()?).to_f64();
+    let map = ZoneMap {
+        caption: Caption::new("criticality", "Sign of the first Lyapunov coefficient", CRITICALITY),
+        zones: vec![
+            zone("aging law subcritical, slip law supercritical", x.min, 2),
+            zone("both laws supercritical", x.max, 0),
+        ],
+        lines: vec![Line {
+            label: "*l*_1 = 0 with the aging law".into(),
+            role: LineRole::Boundary,
+            points: curve.clone(),
+        }],
+        marks: vec![PointMark {
+            label: "*β* of the simulations".into(),
+            x: degenerate_inertial_parameter(paper),
+            y: paper - 1.0,
+            side: Side::Right,
+        }],
+        labels: Vec::new(),
+        x: x.clone(),
+        y: y.clone(),
+    };
+    Some(Figure {
+        id: "criticality".into(),
+        label: "Figure T1".into(),
+        caption_markdown: "How cycles are born on $K = K_c$, by the sign of the first Lyapunov coefficient (exact): softly where it is negative, with a stretch of bistability where it is positive. The slip law's is negative everywhere.".into(),
+        description: CRITICALITY.into(),
+        svg: map.svg(),
+    })
+}
+
+const STRIP: &str = "Relative distance from the critical stiffness against eta, both logarithmic. Below a curve that rises to about 0.006 near eta = 0.025 and then falls steeply to zero at eta = 0.138 lies the strip in which a limit cycle and steady sliding are both stable.";
+
+fn edges(near: &NearTransitionOutcome) -> Vec<(f64, &Edge)> {
+    let edge = |family: &'_ CycleFamilyOutcome| family.inertial_parameter.to_f64();
+    let families = near.families.iter().filter(|family| family.law == EvolutionLaw::Aging);
+    families.filter_map(|family| Some((edge(family), family.edge.as_ref().ok()?.as_ref()?))).collect()
+}
+
+fn strip(scene: &SceneOutcome) -> Option<Figure> {
+    let edges = edges(scene.near_transition.as_ref()?);
+    let points: Vec<(f64, f64)> = edges.iter().map(|(inertial, edge)| (*inertial, edge.excess)).collect();
+    let least = points.iter().map(|(_, excess)| *excess).fold(f64::INFINITY, f64::min);
+    let (first, _) = *points.first()?;
+    let limit = degenerate_inertial_parameter(effect_ratio(scene.parameters()?).to_f64());
+    let x = Axis::log10("*η*", "", first, 1.0);
+    let y = Axis::log10("*K*/*K*_c − 1", "", libm::exp10(libm::log10(0.1 * least).floor()), 1e-1);
+    let outline = [points.clone(), vec![(limit, y.min), (first, y.min)]].concat();
+    let label =
+        |lines: &[&str], x, y| RegionLabel { lines: lines.iter().map(|&line| line.into()).collect(), x, y };
+    let map = ZoneMap {
+        caption: Caption::new("bistability-strip", "Strip of bistability of the aging law", STRIP),
+        zones: vec![Zone {
+            label: "stable cycle and stable sliding".into(),
+            outlines: vec![outline],
+            style: 2,
+        }],
+        lines: vec![
+            Line { label: "edge: fold of cycles".into(), role: LineRole::Boundary, points: points.clone() },
+            Line {
+                label: "*η*_0, where *l*_1 = 0".into(),
+                role: LineRole::Guide,
+                points: vec![(limit, y.min), (limit, y.max)],
+            },
+        ],
+        marks: points
+            .iter()
+            .map(|&(x, y)| PointMark { label: String::new(), x, y, side: Side::Above })
+            .collect(),
+        labels: vec![
+            label(&["two late behaviours:", "the start decides"], 1e-3, 2e-6),
+            label(&["stable sliding only"], 1e-4, 1e-2),
+        ],
+        x,
+        y,
+    };
+    Some(Figure {
+        id: "bistability-strip".into(),
+        label: "Figure T2".into(),
+        caption_markdown: "Where $K > K_c$ and yet a stable limit cycle exists: aging law, $\\beta$ of the simulations. Points: folds of the families of cycles (converged); between them the edge is joined by straight lines. With the slip law no cycle was found at any $K > K_c$.".into(),
+        description: STRIP.into(),
+        svg: map.svg(),
+    })
+}
+
+const AMPLITUDES: &str = "Peak velocity of cycles against K/K_c minus 1 at one small eta. With the slip law a stable branch rises from zero towards smaller stiffness. With the aging law an unstable branch rises from zero towards larger stiffness, turns at the fold, and goes on as the stable branch to smaller stiffness. Thin dashed parabolas of the theory touch both at zero.";
+
+/// The family of the law at the smallest η of the runs at which the aging law has an edge.
+fn family<'c>(
+    near: &'c NearTransitionOutcome,
+    law: EvolutionLaw,
+    inertial: &Rational,
+) -> Option<&'c CycleFamilyOutcome> {
+    near.families.iter().find(|family| family.law == law && family.inertial_parameter == *inertial)
+}
+
+fn amplitudes(near: &NearTransitionOutcome) -> Option<Figure> {
+    let has_edge = |inertial: &&Rational| {
+        family(near, EvolutionLaw::Aging, inertial).is_some_and(|family| matches!(family.edge, Ok(Some(_))))
+    };
+    let inertial = near.runs.iter().map(|run| &run.inertial_parameter).filter(has_edge).min()?;
+    let aging = family(near, EvolutionLaw::Aging, inertial)?;
+    let slip = family(near, EvolutionLaw::Slip, inertial)?;
+    let edge = aging.edge.as_ref().ok()?.as_ref()?;
+    let fold = (edge.excess, edge.log_peak);
+    let unstable = |cycle: &&FamilyCycle| cycle.log_peak < edge.log_peak;
+    let place = |cycle: &FamilyCycle| (cycle.excess, cycle.log_peak);
+    let lower: Vec<(f64, f64)> = aging.cycles.iter().filter(unstable).map(place).collect();
+    let upper: Vec<(f64, f64)> = aging.cycles.iter().filter(|cycle| !unstable(cycle)).map(place).collect();
+    let origin = vec![(0.0, 0.0)];
+    let series = |label: &str, points| Series { label: label.into(), points, marked: false, theory: false };
+    let x = Axis::linear("*K*/*K*_c − 1", "", -0.01, 0.01);
+    let highest = near_peak(&upper, x.min);
+    let chart = LineChart {
+        caption: Caption::new("cycle-amplitudes", "Amplitudes of cycles close to K = K_c", AMPLITUDES),
+        y: Axis::linear("ln(*V*_{peak}/*V*_l)", "", 0.0, 1.1 * highest),
+        series: vec![
+            series("aging, stable", [vec![fold], upper].concat()),
+            series("aging, unstable", [origin.clone(), lower, vec![fold]].concat()),
+            series("slip, stable", [origin, slip.cycles.iter().map(place).collect()].concat()),
+            Series { marked: true, ..series("aging, runs from *V*_l/10", run_peaks(near, aging)) },
+            Series { marked: true, ..series("slip, runs from *V*_l/10", run_peaks(near, slip)) },
+            theory(aging, &x),
+            Series { label: String::new(), ..theory(slip, &x) },
+        ],
+        references: vec![Reference::Vertical { at: 0.0, label: "*K* = *K*_c".into() }],
+        bands: Vec::new(),
+        labels: Vec::new(),
+        x,
+    };
+    Some(Figure {
+        id: "cycle-amplitudes".into(),
+        label: "Figure T3".into(),
+        caption_markdown: format!(
+            "Cycles close to $K = K_c$ at $\\eta = {}$, stable and unstable, by Newton's method on the return map, and the cycles on which runs from $V_l/10$ end. The thin lines are the amplitude $A \\propto \\sqrt{{|1 - K/K_c|}}$ of the first Lyapunov coefficient.",
+            rational_to_decimal(inertial, 6)
+        ),
+        description: AMPLITUDES.into(),
+        svg: chart.svg(),
+    })
+}
+
+/// The peak of the stable branch where it leaves the chart.
+fn near_peak(branch: &[(f64, f64)], from: f64) -> f64 {
+    branch.iter().filter(|(excess, _)| *excess > from).map(|(_, peak)| *peak).fold(1.0, f64::max)
+}
+
+fn run_peaks(near: &NearTransitionOutcome, family: &CycleFamilyOutcome) -> Vec<(f64, f64)> {
+    near.runs
+        .iter()
+        .filter(|run| run.law == family.law && run.inertial_parameter == family.inertial_parameter)
+        .filter(|run| run.periodic() == Some(true))
+        .filter_map(|run| {
+            Some(((run.stiffness_over_critical.to_f64() - 1.0), run.outcome.as_ref().ok()?.log_peak()))
+        })
+        .collect()
+}
+
+/// A = √(A²/(K/K_c − 1) (K/K_c − 1)), on the side where it exists.
+fn theory(family: &CycleFamilyOutcome, x: &Axis) -> Series {
+    let points = (0..=VERTICES)
+        .map(|index| f64::from(index) / f64::from(VERTICES))
+        .flat_map(|share| [x.min * share * share, x.max * share * share])
+        .filter_map(|excess| Some((excess, family.predicted_amplitude(excess)?)))
+        .collect();
+    Series { label: "first Lyapunov coefficient".into(), points, marked: false, theory: true }
+}

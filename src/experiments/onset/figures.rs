@@ -1,0 +1,91 @@
+//! Runs on either side of the onset of oscillation, with the velocities of theory (fig 4).
+
+use crate::experiments::onset::ShownRun;
+use crate::experiments::{Figure, FigureMaker};
+use crate::experiments::{Need, Outcome};
+use slipmode_core::number::format::round_digits;
+use slipmode_core::stability::Asymptote;
+use slipmode_plot::figure::{Axis, Caption, LineChart, Reference, Series};
+
+pub(crate) const FIGURES: &[FigureMaker] = &[
+    FigureMaker {
+        id: "fig-4a",
+        needs: &[Need::Onset],
+        data: &["onset", "onset-runs"],
+        make: |outcome| runs(outcome, 0, "a"),
+    },
+    FigureMaker {
+        id: "fig-4b",
+        needs: &[Need::Onset],
+        data: &["onset", "onset-runs"],
+        make: |outcome| runs(outcome, 1, "b"),
+    },
+];
+
+/// The lowest velocity shown, in units of V_l; the highest is that of the runs.
+const LOWEST: f64 = 0.6;
+
+fn runs(outcome: &Outcome, index: usize, letter: &str) -> Option<Figure> {
+    let scene = outcome.potentially_unstable()?;
+    let found = scene.onset.as_ref()?;
+    let mut lines = found.lines.iter().filter(|line| line.asymptote == Asymptote::InertialLower);
+    let line = lines.nth(index)?;
+    let until = line.shown.iter().filter_map(|run| run.history.last()).map(|last| last.0).fold(0.0, f64::max);
+    let stress = round_digits(line.normal_stress_pa.to_f64(), 4);
+    let exact =
+        round_digits(line.boundary_velocity_m_per_s.to_f64() / line.asymptote_velocity_m_per_s.to_f64(), 5);
+    let highest = line.shown.iter().flat_map(|run| &run.history).map(|sample| sample.1).fold(1.0, f64::max);
+    let seen = line.seen.first().and_then(|seen| seen.second_rise).map_or("never".into(), |found| {
+        round_digits(found.velocity_m_per_s / line.asymptote_velocity_m_per_s.to_f64(), 4)
+    });
+    let law = line.seen.first().map_or("", |seen| seen.law.as_str());
+    let visible = round_digits(found.visible.to_f64(), 3);
+    let id = format!("fig-4{letter}");
+    let title =
+        format!("Velocity after a start at a tenth of the loading velocity, σ = {stress} Pa, {law} law");
+    let description = format!(
+        "Velocity over loading velocity against loaded distance over critical slip distance for {} loading velocities. Below the boundary, at {exact} times the velocity of equation 20, the velocity rises once above the loading velocity and returns without falling below it; well above the boundary it rings.",
+        line.shown.len()
+    );
+    let chart = LineChart {
+        caption: Caption::new(&id, &title, &description),
+        x: Axis::linear("Loaded distance over slip distance *V*_l *t*/*D*_c", "", 0.0, until),
+        y: Axis::linear("*V*/*V*_l", "", LOWEST, (5.0 * highest).ceil() / 5.0),
+        series: line.shown.iter().map(series).chain(line.at_boundary.as_ref().map(boundary_series)).collect(),
+        references: vec![Reference::Horizontal { at: 1.0, label: String::new() }],
+        bands: Vec::new(),
+        labels: Vec::new(),
+    };
+    let caption = format!(
+        "Runs at σ = {stress} Pa with the {law} law on either side of the onset (compare fig 4{letter} of the paper, whose caption must mean Pa). Velocities are in units of that of eq 20; the exact boundary lies at {exact}, and from {seen} on V rises again by {visible} V_l after its first peak. The single rise above V_l below the boundary is no oscillation: the spring has to shorten."
+    );
+    (!line.shown.is_empty()).then(|| Figure {
+        label: format!("Figure 4{letter}"),
+        caption_markdown: caption,
+        svg: chart.svg(),
+        description,
+        id,
+    })
+}
+
+fn series(run: &ShownRun) -> Series {
+    let ratio = round_digits(run.velocity_over_asymptote, 3);
+    let side = if run.oscillates { "complex pair" } else { "real roots" };
+    Series {
+        label: format!("*V*_l = {ratio} *V*_{{20}} ({side})"),
+        points: run.history.clone(),
+        marked: false,
+        theory: false,
+    }
+}
+
+/// The run at the boundary as the theory line among the others.
+fn boundary_series(run: &ShownRun) -> Series {
+    let ratio = round_digits(run.velocity_over_asymptote, 4);
+    Series {
+        label: format!("exact boundary, *V*_l = {ratio} *V*_{{20}}"),
+        points: run.history.clone(),
+        marked: false,
+        theory: true,
+    }
+}

@@ -1,0 +1,13 @@
+//! Where oscillation begins along lines of constant normal stress (figs 4 and 6).
+
+pub(crate) mod figures;
+pub(crate) mod first_swing;
+pub(crate) mod run;
+pub(crate) mod search;
+pub(crate) mod section;
+pub(crate) mod tables;
+pub(crate) mod theory;
+
+pub use run::{Onset, OnsetOutcome, OtherUnit, ShownRun, onset};
+pub use search::{Located, SeenOnset};
+pub use section::OnsetSection;

@@ -1,0 +1,48 @@
+//! The theory's velocities of an onset: the exact boundary of the stable zone, and where the mode becomes inertial.
+
+use crate::experiments::map::run::exactly;
+use crate::experiments::onset::Located;
+use crate::experiments::shared::search::border_between;
+use crate::scene::SceneParameters;
+use slipmode_core::number::{Ball, Rational};
+use slipmode_core::stability::{
+    Arc, BoundaryCurve, InertialThreshold, Section, SlipMode, classify, has_transition,
+};
+
+/// Certain digits of the theory's velocities: more than any table shows.
+pub(crate) const DIGITS: u32 = 20;
+
+/// The boundary of the stable zone with the largest velocity at a normal stress: arc and velocity.
+pub(crate) fn stable_boundary(parameters: &SceneParameters, stress: &Rational) -> Option<(Arc, Ball)> {
+    let anywhere = parameters.at(Rational::from(1), Rational::from(1));
+    let upper_is_stable = !has_transition(&anywhere);
+    BoundaryCurve::new(&anywhere, DIGITS)
+        .crossings(&Section::AtNormalStress(stress.clone()))
+        .into_iter()
+        .map(|(crossing, _)| (crossing.arc, crossing.loading_velocity_m_per_s))
+        .filter(|(arc, _)| *arc == Arc::Lower || upper_is_stable)
+        .max_by(|(_, one), (_, other)| one.to_f64().total_cmp(&other.to_f64()))
+}
+
+/// Largest factor above the boundary at which the threshold is sought, and the width in ln V to which it is located.
+const INERTIAL_REACH: f64 = 1e3;
+const INERTIAL_WIDTH: f64 = 1e-12;
+
+/// Halving on the exact slip mode.
+pub(crate) fn inertial_velocity(
+    parameters: &SceneParameters,
+    threshold: &InertialThreshold,
+    stress: &Rational,
+    boundary: f64,
+) -> Option<Located> {
+    let is_inertial = |log_velocity: f64| {
+        let point = parameters.at(stress.clone(), exactly(libm::exp(log_velocity)));
+        Some(classify(&point, threshold).slip_mode == SlipMode::InertialUnderdampedOscillation)
+    };
+    let ends = (libm::log(boundary), libm::log(boundary * INERTIAL_REACH));
+    // With a < b the stable zone ends at V_c; the last inertial velocity below it serves as the upper end.
+    let mut upper = (1..=64).map(|index| ends.0 + (ends.1 - ends.0) * f64::from(index) / 64.0);
+    let upper = upper.find(|&place| is_inertial(place) == Some(true))?;
+    let (low, high) = border_between(is_inertial, (ends.0, upper), INERTIAL_WIDTH)?;
+    Some(Located { velocity_m_per_s: libm::exp(high), error_dex: (high - low) / std::f64::consts::LN_10 })
+}

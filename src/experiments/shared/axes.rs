@@ -1,0 +1,110 @@
+//! The (V, σ) plane of the maps: axes, and the lines of theory drawn over them.
+
+use crate::experiments::shared::Grid;
+use crate::scene::SceneParameters;
+use slipmode_core::number::{Ball, Rational};
+use slipmode_core::stability::boundary::{BoundaryPoint, Mark};
+use slipmode_core::stability::transition::{
+    critical_velocity_squared, has_transition, transition_normal_stress_pa,
+};
+use slipmode_core::stability::{Arc, Asymptote, asymptote};
+use slipmode_plot::figure::{Axis, Line, LineRole, PointMark, Side};
+
+/// The two axes of a grid.
+pub(crate) fn axes<T>(grid: &Grid<T>) -> Option<(Axis, Axis)> {
+    let (velocities, stresses) = (&grid.loading_velocity_m_per_s, &grid.normal_stress_pa);
+    Some((
+        Axis::log10("Loading velocity *V*_0", "m/s", *velocities.first()?, *velocities.last()?),
+        Axis::log10("Normal stress *σ*", "Pa", *stresses.first()?, *stresses.last()?),
+    ))
+}
+
+/// The exact boundary as lines, arc by arc, in drawing order.
+pub(crate) fn boundary_lines(points: &[BoundaryPoint]) -> Vec<Line> {
+    [Arc::Upper, Arc::Lower]
+        .into_iter()
+        .map(|arc| Line {
+            label: "exact boundary max Im(*s*) = 0".into(),
+            role: LineRole::Boundary,
+            points: arc_points(points, arc),
+        })
+        .filter(|line| !line.points.is_empty())
+        .collect()
+}
+
+fn arc_points(points: &[BoundaryPoint], arc: Arc) -> Vec<(f64, f64)> {
+    points
+        .iter()
+        .filter(|point| point.arc == arc)
+        .map(|point| (point.loading_velocity_m_per_s.to_f64(), point.normal_stress_pa.to_f64()))
+        .collect()
+}
+
+/// The cusp as a marked point.
+pub(crate) fn cusp_mark(points: &[BoundaryPoint]) -> Vec<PointMark> {
+    points
+        .iter()
+        .filter(|point| point.mark == Some(Mark::Cusp))
+        .map(|point| PointMark {
+            label: "cusp".into(),
+            x: point.loading_velocity_m_per_s.to_f64(),
+            y: point.normal_stress_pa.to_f64(),
+            side: Side::Right,
+        })
+        .collect()
+}
+
+/// The parameters at a place of the plane, in 64 bits: good enough to draw.
+fn at(parameters: &SceneParameters, stress: f64) -> slipmode_core::friction::Parameters<f64> {
+    let stress = Rational::from_f64(stress).unwrap_or_default();
+    parameters.at(stress, Rational::from(1)).map(|value| Ball::from_rational(value, 64).to_f64())
+}
+
+/// Eqs 15, 16, 18 and 20, each from the edge of the map to its corner.
+pub(crate) fn asymptote_lines(parameters: &SceneParameters, x: &Axis, y: &Axis) -> Vec<Line> {
+    let arcs = [Arc::Upper, Arc::Lower]
+        .into_iter()
+        .filter(|arc| *arc == Arc::Lower || parameters.direct_effect != parameters.evolution_effect);
+    arcs.flat_map(|arc| {
+        let (corner_stress, corner_velocity) = asymptote::corner(arc, &at(parameters, 1.0));
+        // The inertial asymptote leaves the corner upwards on the upper arc, downwards on the lower one.
+        let end_stress = if arc == Arc::Upper { y.max } else { y.min };
+        let end_velocity = Asymptote::inertial(arc).value(&at(parameters, end_stress));
+        [
+            asymptote_line(vec![(x.min, corner_stress), (corner_velocity, corner_stress)]),
+            asymptote_line(vec![(corner_velocity, corner_stress), (end_velocity, end_stress)]),
+        ]
+    })
+    .collect()
+}
+
+fn asymptote_line(points: Vec<(f64, f64)>) -> Line {
+    Line { label: "asymptotes, eqs 15, 16, 18, 20".into(), role: LineRole::Asymptote, points }
+}
+
+/// How many vertices draw the bend of K = K_c.
+const TRANSITION_VERTICES: u32 = 160;
+
+/// K = K_c (eq 9), which exists for b > a only.
+pub(crate) fn transition_line(parameters: &SceneParameters, x: &Axis, y: &Axis) -> Option<Line> {
+    let exact = parameters.at(Rational::from(1), Rational::from(1));
+    if !has_transition(&exact) {
+        return None;
+    }
+    let critical_velocity = critical_velocity_squared(&exact).to_f64().sqrt();
+    let (low, high) = (libm::log10(x.min), libm::log10(critical_velocity));
+    let points = (0..=TRANSITION_VERTICES)
+        .filter_map(|index| {
+            // Vertices crowd towards V_c, where the line turns down: the distance from it halves evenly.
+            let share = f64::from(index) / f64::from(TRANSITION_VERTICES);
+            let velocity = libm::exp10(low + (high - low) * (1.0 - (1.0 - share) * (1.0 - share)));
+            let velocity = velocity.min(critical_velocity * (1.0 - 1e-9));
+            let place =
+                parameters.at(Rational::from(1), Rational::from_f64(velocity)?).map(|value| value.to_f64());
+            Some((velocity, transition_normal_stress_pa(&place)))
+        })
+        .chain(std::iter::once((critical_velocity, y.min)))
+        .filter(|(_, stress)| *stress > 0.0)
+        .collect();
+    Some(Line { label: "transition *K* = *K*_c".into(), role: LineRole::Transition, points })
+}

@@ -1,0 +1,10 @@
+//! What several experiments use: grids, searches for zeros, and the (V, σ) plane of the maps.
+
+pub(crate) mod axes;
+#[cfg(test)]
+pub(crate) mod fixtures;
+pub(crate) mod grid;
+pub(crate) mod map_readout;
+pub(crate) mod search;
+
+pub use grid::Grid;

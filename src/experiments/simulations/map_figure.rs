@@ -1,0 +1,92 @@
+//! The map of simulated peak velocities with the theory's lines over it (fig 3a).
+
+use crate::experiments::map::figures::theory_lines;
+use crate::experiments::shared::axes::axes;
+use crate::experiments::shared::map_readout::simulated_readout;
+use crate::experiments::simulations::{LeastPeak, SimulatedPoint, SimulationsOutcome};
+use crate::experiments::trajectories::curves::point_marks;
+use crate::experiments::{Figure, FigureMaker};
+use crate::experiments::{Need, SceneOutcome};
+use slipmode_core::friction::EvolutionLaw;
+use slipmode_plot::figure::{Caption, ColourScale, HeatMap, Line, LineRole, Side};
+
+pub(crate) const FIGURES: &[FigureMaker] = &[FigureMaker {
+    id: "fig-3a",
+    needs: &[Need::Simulations, Need::Boundary],
+    data: &["simulations", "least-peaks"],
+    make: |outcome| peak_map(outcome.potentially_unstable()?),
+}];
+
+const TITLE: &str = "Peak velocity of the simulated limit cycles, slip law, a < b";
+const DESCRIPTION: &str = "Map over loading velocity and normal stress. Simulations that end in steady sliding fill the lower left and are uncoloured, up to the line of the transition. Beyond it the peak velocity grows with normal stress; from left to right it falls to a minimum near equation 18 and rises after it.";
+const LETTERS: &str = " Letters mark the points of figs 3b to 3g.";
+const CAPTION: &str = "Peak velocity of the limit cycle, simulated on a grid with the slip law (compare fig 3a of the paper). Points that end in steady sliding are uncoloured. The exact boundary, its asymptotes and the transition of the linear theory lie over it; the dotted line joins the least peak velocities at given normal stress (compare fig 5). The edge of the colour lies half-way between grid points.";
+
+fn peak_map(scene: &SceneOutcome) -> Option<Figure> {
+    let outcome = scene.simulations.as_ref()?;
+    let (_, grid) = outcome.grids.iter().find(|(law, _)| *law == LAW)?;
+    let (x, y) = axes(grid)?;
+    let values: Vec<f64> = grid.values.iter().map(peak_velocity).collect();
+    let positive = || values.iter().copied().filter(|value| *value > 0.0);
+    let lowest = positive().fold(f64::INFINITY, f64::min);
+    let highest = positive().fold(0.0, f64::max);
+    let boundary = scene.boundary.as_ref()?;
+    let mut lines = theory_lines(scene, boundary, &x, &y);
+    lines.push(least_peak_line(outcome, LAW));
+    let map = HeatMap {
+        caption: Caption::new("fig-3a", TITLE, DESCRIPTION),
+        columns: grid.loading_velocity_m_per_s.len(),
+        colours: ColourScale {
+            title: "Peak velocity".into(),
+            unit: "m/s".into(),
+            min: libm::exp10(libm::log10(lowest).floor()),
+            max: libm::exp10(libm::log10(highest).ceil()),
+            steps: STEPS,
+        },
+        values,
+        zero_areas: Vec::new(),
+        zero_label: "ends in steady sliding".into(),
+        lines,
+        marks: point_marks(scene, "3", |id| format!("**{}**", id.trim_start_matches('3')), Side::Right),
+        labels: Vec::new(),
+        x,
+        y,
+    };
+    highest.is_normal().then(|| Figure {
+        id: "fig-3a".into(),
+        label: "Figure 3a".into(),
+        caption_markdown: if scene.trajectories.is_some() {
+            format!("{CAPTION}{LETTERS}")
+        } else {
+            CAPTION.into()
+        },
+        description: DESCRIPTION.into(),
+        svg: map.svg_with(Some(&simulated_readout(grid, boundary))),
+    })
+}
+
+/// The law of the paper's figure.
+const LAW: EvolutionLaw = EvolutionLaw::Slip;
+
+/// Colour steps of the map.
+const STEPS: usize = 30;
+
+/// The minima of the peak velocity with one law.
+pub(crate) fn least_peak_line(outcome: &SimulationsOutcome, law: EvolutionLaw) -> Line {
+    let place = |least: &LeastPeak| {
+        (least.eq18_velocity_m_per_s * libm::exp10(least.offset_dex), least.normal_stress_pa)
+    };
+    Line {
+        label: "least peak velocity at given *σ*".into(),
+        role: LineRole::Guide,
+        points: outcome.least_peaks.iter().filter(|least| least.law == law).map(place).collect(),
+    }
+}
+
+/// The peak velocity of a limit cycle, m/s; 0, which a map leaves uncoloured, for a decay or a run without a result.
+pub(crate) fn peak_velocity(point: &SimulatedPoint) -> f64 {
+    match (&point.simulation, point.periodic()) {
+        (Ok(simulation), Some(true)) => simulation.peak_velocity_m_per_s,
+        _ => 0.0,
+    }
+}

@@ -1,0 +1,71 @@
+//! The map of simulated overshoots for a > b with the theory's lines over it (fig 6a).
+
+use crate::experiments::map::figures::theory_lines;
+use crate::experiments::shared::axes::axes;
+use crate::experiments::shared::map_readout::simulated_readout;
+use crate::experiments::simulations::SimulatedPoint;
+use crate::experiments::trajectories::curves::point_marks;
+use crate::experiments::{Figure, FigureMaker};
+use crate::experiments::{Need, SceneOutcome};
+use slipmode_core::friction::EvolutionLaw;
+use slipmode_plot::figure::{Caption, ColourScale, HeatMap, Side};
+
+pub(crate) const FIGURES: &[FigureMaker] = &[FigureMaker {
+    id: "fig-6a-simulated",
+    needs: &[Need::Simulations, Need::Boundary],
+    data: &["simulations"],
+    make: |outcome| overshoot_map(outcome.never_unstable()?),
+}];
+
+const TITLE: &str = "Overshoot of the simulated approach to steady sliding, slip law, a ≥ b";
+const DESCRIPTION: &str = "Map over loading velocity and normal stress for a not below b. Nothing overshoots in an uncoloured area at high normal stress, where there is one; its edge runs along the exact upper boundary. Everywhere else the velocity passes the loading velocity, by more at higher loading velocity; in the lower area, which the linear theory calls overdamped, it still does so, and the colour goes on across the lower boundary without a step.";
+const CAPTION: &str = "By how much the velocity passes the loading velocity after a start at a tenth of it, as a share of the loading velocity, simulated on a grid with the slip law (compare fig 6a of the paper; every run ends in steady sliding). The exact boundary and its asymptotes lie over it. Along the exact upper boundary the overshoot ends, as at a critical damping; in the lower area runs pass the loading velocity and return, although no root of eq 8 is complex there. Values are converged; the edges of colour are sampled, half-way between grid points.";
+
+/// The law of the paper's figure.
+const LAW: EvolutionLaw = EvolutionLaw::Slip;
+
+fn overshoot_map(scene: &SceneOutcome) -> Option<Figure> {
+    let outcome = scene.simulations.as_ref()?;
+    let (_, grid) = outcome.grids.iter().find(|(law, _)| *law == LAW)?;
+    let (x, y) = axes(grid)?;
+    let boundary = scene.boundary.as_ref()?;
+    let map = HeatMap {
+        caption: Caption::new("fig-6a-simulated", TITLE, DESCRIPTION),
+        columns: grid.loading_velocity_m_per_s.len(),
+        values: grid.points().map(|(velocity, _, point)| overshoot(velocity, point)).collect(),
+        colours: ColourScale {
+            title: "Overshoot *V*/*V*_l − 1".into(),
+            unit: String::new(),
+            min: 0.01,
+            max: 1.0,
+            steps: 20,
+        },
+        zero_areas: Vec::new(),
+        zero_label: "never faster than *V*_l".into(),
+        lines: theory_lines(scene, boundary, &x, &y),
+        marks: point_marks(scene, "6", first_of_a_panel, Side::Left),
+        labels: Vec::new(),
+        x,
+        y,
+    };
+    Some(Figure {
+        id: "fig-6a-simulated".into(),
+        label: "Figure 6a, simulated".into(),
+        caption_markdown: CAPTION.into(),
+        description: DESCRIPTION.into(),
+        svg: map.svg_with(Some(&simulated_readout(grid, boundary))),
+    })
+}
+
+/// The panel's letter at its first point: `b` for `6b-1`.
+fn first_of_a_panel(id: &str) -> String {
+    id.strip_suffix("-1").map_or_else(String::new, |name| format!("**{}**", name.trim_start_matches('6')))
+}
+
+/// V_peak/V_l − 1 of a decay; 0, which a map leaves uncoloured, within its error, and where there is no result.
+fn overshoot(velocity: f64, point: &SimulatedPoint) -> f64 {
+    let Ok(simulation) = &point.simulation else { return 0.0 };
+    let overshoot = simulation.peak_velocity_m_per_s / velocity - 1.0;
+    let seen = point.periodic() == Some(false) && overshoot > simulation.peak_relative_error;
+    if seen { overshoot } else { 0.0 }
+}

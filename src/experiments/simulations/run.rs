@@ -1,0 +1,147 @@
+//! The nonlinear slider simulated on a (V, σ) grid, next to the exact classification of the linear theory (figs 3a and 6).
+
+use rayon::prelude::*;
+
+use crate::experiments::map::run::exactly;
+use crate::experiments::shared::Grid;
+use crate::experiments::simulations::SimulationsSection;
+use crate::experiments::simulations::{LeastPeak, least_peaks};
+use crate::scene::SceneParameters;
+use slipmode_core::dynamics::{Behaviour, Failure, Options, Simulation, simulate};
+use slipmode_core::friction::EvolutionLaw;
+use slipmode_core::number::{Rational, nearest_f64};
+use slipmode_core::stability::{
+    Classification, InertialThreshold, classify, critical_stiffness, has_transition,
+};
+
+/// One simulation and what the linear theory says of the same point.
+#[derive(Debug, Clone)]
+pub struct SimulatedPoint {
+    /// What the simulation showed, or why it has no result.
+    pub simulation: Result<Simulation, Failure>,
+    /// The exact classification.
+    pub theory: Classification,
+    /// K/K_c; none where there is no transition (a ≥ b).
+    pub stiffness_over_critical: Option<f64>,
+}
+
+/// The simulations of a scene.
+#[derive(Debug, Clone)]
+pub struct SimulationsOutcome {
+    /// One grid for each law, in the order of the scene.
+    pub grids: Vec<(EvolutionLaw, Grid<SimulatedPoint>)>,
+    /// The velocity of the least peak at each normal stress of the grid that is unstable at every velocity.
+    pub least_peaks: Vec<LeastPeak>,
+}
+
+impl SimulatedPoint {
+    /// Whether the simulation ended on a limit cycle; none when it failed.
+    #[must_use]
+    pub fn periodic(&self) -> Option<bool> {
+        self.simulation.as_ref().ok().map(|simulation| simulation.behaviour == Behaviour::Periodic)
+    }
+
+    /// Whether the simulation's slip mode is the theory's; a failed simulation agrees with nothing.
+    #[must_use]
+    pub fn agrees(&self) -> bool {
+        self.simulation.as_ref().is_ok_and(|simulation| simulation.slip_mode == self.theory.slip_mode)
+    }
+}
+
+/// The options of a run at a relative tolerance.
+pub(crate) fn options(tolerance: &Rational) -> Options {
+    Options { tolerance: nearest_f64(tolerance), ..Options::default() }
+}
+
+/// Simulates every point of the section's grid with each law, and what else the section asks for.
+#[must_use]
+pub fn simulations(
+    parameters: &SceneParameters,
+    section: &SimulationsSection,
+    threshold: &InertialThreshold,
+) -> SimulationsOutcome {
+    let options = options(&section.tolerance);
+    let grid = |&law: &EvolutionLaw| (law, simulate_grid(parameters, section, law, threshold, &options));
+    SimulationsOutcome {
+        grids: section.laws.iter().map(grid).collect(),
+        least_peaks: least_peaks(parameters, section, threshold, &options),
+    }
+}
+
+fn simulate_grid(
+    parameters: &SceneParameters,
+    section: &SimulationsSection,
+    law: EvolutionLaw,
+    threshold: &InertialThreshold,
+    options: &Options,
+) -> Grid<SimulatedPoint> {
+    let velocities = section.rectangle.loading_velocity_m_per_s.coordinates();
+    let stresses = section.rectangle.normal_stress_pa.coordinates();
+    let places: Vec<(f64, f64)> = stresses
+        .iter()
+        .flat_map(|&stress| velocities.iter().map(move |&velocity| (velocity, stress)))
+        .collect();
+    let values = places
+        .par_iter()
+        .map(|&(velocity, stress)| {
+            let point = parameters.at(exactly(stress), exactly(velocity));
+            let ratio = || (point.stiffness_pa_per_m.clone() / critical_stiffness(&point)).to_f64();
+            SimulatedPoint {
+                simulation: simulate(&point, law, options),
+                theory: classify(&point, threshold),
+                stiffness_over_critical: has_transition(&point).then(ratio),
+            }
+        })
+        .collect();
+    Grid { loading_velocity_m_per_s: velocities, normal_stress_pa: stresses, values }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::experiments::shared::fixtures::paper;
+    use crate::scene::{LogAxis, Rectangle};
+    use slipmode_core::number::parse_decimal;
+
+    fn section(velocity: [&str; 2], stress: [&str; 2]) -> SimulationsSection {
+        let axis = |[from, to]: [&str; 2]| LogAxis {
+            from: parse_decimal(from).unwrap(),
+            to: parse_decimal(to).unwrap(),
+            points: 3,
+        };
+        SimulationsSection {
+            rectangle: Rectangle { loading_velocity_m_per_s: axis(velocity), normal_stress_pa: axis(stress) },
+            laws: EvolutionLaw::ALL.to_vec(),
+            tolerance: parse_decimal("1e-8").unwrap(),
+        }
+    }
+
+    #[test]
+    fn cycles_stand_where_the_stiffness_is_below_critical() {
+        let outcome =
+            simulations(&paper(), &section(["1e-5", "1e-1"], ["1e3", "1e7"]), &InertialThreshold::default());
+        for (law, grid) in &outcome.grids {
+            for point in &grid.values {
+                let below = point.stiffness_over_critical.unwrap() < 1.0;
+                assert_eq!(point.periodic(), Some(below), "{law:?}");
+                assert_eq!(below, point.theory.transition_sign < 0);
+            }
+        }
+    }
+
+    #[test]
+    fn a_decay_has_the_period_of_the_exact_pair_even_where_the_real_mode_dies_as_slowly() {
+        // At 1e-4 m/s and 10^2.75 Pa the real mode is as slow as the pair, and successive returns differ by percents.
+        let section = section(["1e-4", "1e-3"], ["5.623413251903491e2", "1e4"]);
+        let outcome = simulations(&paper(), &section, &InertialThreshold::default());
+        for point in outcome.grids.iter().flat_map(|(_, grid)| &grid.values) {
+            let found = point.simulation.as_ref().unwrap();
+            let exact = point.theory.max_imaginary_per_s.to_f64().unwrap();
+            assert_eq!(found.period_s.is_some(), exact > 0.0);
+            if let Some((period, error)) = found.period_s.zip(found.period_relative_error) {
+                let deviation = (period * exact / std::f64::consts::TAU - 1.0).abs();
+                assert!(deviation < error.max(1e-9), "{deviation:e} {error:e}");
+            }
+        }
+    }
+}

@@ -1,0 +1,44 @@
+//! Work against error by counts that no machine changes: roots of a cubic, classes of many points, a point of the boundary, a sweep.
+//!
+//! The stick-slip cycle, the fifth of the kind, is in [`work_precision`](crate::experiments::work_precision::work_precision).
+
+mod boundary_point;
+mod classes;
+mod cubics;
+pub(crate) mod figures;
+mod section;
+mod sets;
+mod sweep;
+pub(crate) mod tables;
+
+pub use boundary_point::BoundaryCount;
+pub use classes::{ClassCounts, MethodCount};
+pub use cubics::RootCount;
+pub use section::{SpeedCountsSection, TimingsSection};
+pub use sweep::SweepCount;
+
+use crate::scene::SceneParameters;
+
+/// Everything that is counted.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SpeedCounts {
+    /// Roots of two sets of cubics, method by method.
+    pub roots: Vec<RootCount>,
+    /// Classes of random points.
+    pub classes: ClassCounts,
+    /// One point of the boundary by each route.
+    pub boundary: Vec<BoundaryCount>,
+    /// A sweep of simulations.
+    pub sweep: Vec<SweepCount>,
+}
+
+/// Counts all that the section asks for.
+#[must_use]
+pub fn speed_counts(parameters: &SceneParameters, section: &SpeedCountsSection) -> SpeedCounts {
+    SpeedCounts {
+        roots: cubics::count(section),
+        classes: classes::count(section.points, section.textbook_points),
+        boundary: boundary_point::count(parameters, &section.digits),
+        sweep: sweep::count(parameters, section),
+    }
+}

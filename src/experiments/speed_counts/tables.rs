@@ -1,0 +1,139 @@
+//! Tables of work against error by counts: roots, classes, a point of the boundary, a sweep.
+
+use crate::experiments::Context;
+use crate::experiments::Need;
+use crate::experiments::TableMaker;
+use crate::experiments::speed_counts::{ClassCounts, SpeedCounts};
+use crate::experiments::unless_empty;
+use slipmode_core::number::format::round_digits;
+use slipmode_plot::table::{Cell, Column, Table};
+
+pub(crate) const TABLES: &[TableMaker] = &[
+    TableMaker { id: "speed-roots", needs: &[Need::SpeedCounts], make: roots },
+    TableMaker { id: "speed-classes", needs: &[Need::SpeedCounts], make: classes },
+    TableMaker { id: "speed-boundary", needs: &[Need::SpeedCounts], make: boundary },
+    TableMaker { id: "speed-sweep", needs: &[Need::SpeedCounts], make: sweep },
+];
+
+fn counts<'c>(context: &'c Context) -> Option<&'c SpeedCounts> {
+    context.outcome.scenes.iter().find_map(|scene| scene.speed_counts.as_ref())
+}
+
+fn count(value: impl ToString) -> Cell {
+    Cell::number(value.to_string())
+}
+
+/// Whole digits, rounded down: no digit is claimed that is not there.
+fn whole_digits(digits: f64) -> Cell {
+    Cell::number(format!("{:.0}", digits.floor()))
+}
+
+fn roots(context: &Context) -> Option<Table> {
+    let columns = vec![
+        Column::text("set", "Cubics"),
+        Column::text("method", "Method"),
+        Column::number("digits_asked", "Digits asked", ""),
+        Column::number("cubics", "Cubics", ""),
+        Column::number("open", "Left open", ""),
+        Column::number("bits", "Bits worked with", ""),
+        Column::number("digits_right", "Digits right, worst root", ""),
+    ];
+    let mut table = Table::new("speed-roots", "Three roots: digits right by precision worked with", columns);
+    for row in &counts(context)?.roots {
+        table.push(vec![
+            Cell::text(row.set),
+            Cell::text(row.method),
+            row.digits.map_or_else(Cell::empty, count),
+            count(row.cubics),
+            count(row.open),
+            count(row.bits),
+            row.digits_right.map_or_else(Cell::empty, whole_digits),
+        ]);
+    }
+    unless_empty(table)
+}
+
+fn classes(context: &Context) -> Option<Table> {
+    let columns = vec![
+        Column::text("method", "Method"),
+        Column::number("points", "Points", ""),
+        Column::number("decided", "Decided", ""),
+        Column::number("wrong", "Wrong signs", ""),
+        Column::number("failed", "Without a finite answer", ""),
+    ];
+    let mut table = Table::new("speed-classes", "Signs of random points, by rung and by method", columns);
+    let ClassCounts { points, decided_by, methods } = &counts(context)?.classes;
+    for (precision_level, decided) in [
+        ("ours: 64-bit filter", decided_by.f64),
+        ("ours: double-double", decided_by.double_double),
+        ("ours: rationals", decided_by.exact),
+    ] {
+        table.push(vec![
+            Cell::text(precision_level),
+            count(points),
+            count(decided),
+            Cell::number("0"),
+            Cell::number("0"),
+        ]);
+    }
+    for method in methods {
+        table.push(vec![
+            Cell::text(method.method),
+            count(method.points),
+            count(method.points - method.failed),
+            count(method.wrong),
+            count(method.failed),
+        ]);
+    }
+    unless_empty(table)
+}
+
+fn boundary(context: &Context) -> Option<Table> {
+    let columns = vec![
+        Column::text("route", "Route"),
+        Column::number("digits_asked", "Digits asked", ""),
+        Column::text("counted", "Counted"),
+        Column::number("count", "Count", ""),
+        Column::number("digits_right", "Digits right", ""),
+        Column::text("agrees", "Overlaps the reference"),
+    ];
+    let mut table = Table::new("speed-boundary", "One point of the boundary by each route", columns);
+    for row in &counts(context)?.boundary {
+        table.push(vec![
+            Cell::text(row.route),
+            count(row.digits),
+            Cell::text(row.counted),
+            row.count.map_or_else(Cell::empty, count),
+            whole_digits(row.digits_right),
+            Cell::text(if row.agrees { "yes" } else { "no" }),
+        ]);
+    }
+    unless_empty(table)
+}
+
+fn sweep(context: &Context) -> Option<Table> {
+    let columns = vec![
+        Column::number("tolerance", "Tolerance", ""),
+        Column::number("runs", "Runs", ""),
+        Column::number("failed", "Failed", ""),
+        Column::number("wrong", "Wrong behaviour", ""),
+        Column::number("beyond", "Error beyond the tolerance", ""),
+        Column::number("steps", "Steps", ""),
+        Column::number("evaluations", "Right-hand sides", ""),
+        Column::number("worst_error", "Worst relative error", ""),
+    ];
+    let mut table = Table::new("speed-sweep", "A sweep of both laws, tolerance by tolerance", columns);
+    for row in &counts(context)?.sweep {
+        table.push(vec![
+            Cell::number(round_digits(row.tolerance, 2)),
+            count(row.runs),
+            count(row.failed),
+            count(row.wrong),
+            count(row.beyond),
+            count(row.steps),
+            count(row.evaluations),
+            Cell::number(round_digits(row.worst_error, 1)),
+        ]);
+    }
+    unless_empty(table)
+}

@@ -1,0 +1,239 @@
+//! Figures of sweeps that ran elsewhere: what both laws do on a fine grid, and the asymptotes' worst errors in many points.
+
+use crate::experiments::map::figures::theory_lines;
+use crate::experiments::swept::Swept;
+use crate::experiments::{Figure, FigureMaker};
+use crate::experiments::{Need, Outcome, SceneOutcome};
+use crate::sweep::{SummarySection, SweepWork};
+use slipmode_core::friction::EvolutionLaw;
+use slipmode_core::number::Rational;
+use slipmode_core::stability::SlipMode;
+use slipmode_core::stability::deviation::{CornerErrors, corner_errors};
+use slipmode_plot::figure::{Axis, Caption, ColourScale, HeatMap, LineChart, Reference, Series};
+
+pub(crate) const FIGURES: &[FigureMaker] = &[
+    FigureMaker {
+        id: "swept-laws",
+        needs: &[Need::Swept, Need::Boundary],
+        data: &["swept-modes"],
+        make: |outcome| laws_map(outcome.potentially_unstable()?, simulated(outcome)?),
+    },
+    FigureMaker {
+        id: "swept-errors",
+        needs: &[Need::Swept],
+        data: &["swept-worst"],
+        make: |outcome| worst_errors(&worst_by_effect_ratio(measured(outcome)?)?),
+    },
+];
+
+/// Every sweep.
+pub(crate) fn all(outcome: &Outcome) -> impl Iterator<Item = &Swept> {
+    outcome.scenes.iter().filter_map(|scene| scene.swept.as_ref()).flatten()
+}
+
+/// The first sweep of simulations.
+pub(crate) fn simulated(outcome: &Outcome) -> Option<&Swept> {
+    all(outcome).find(|swept| matches!(swept.section.work, SweepWork::Simulate { .. }))
+}
+
+/// The first sweep of the asymptotes' errors.
+pub(crate) fn measured(outcome: &Outcome) -> Option<&Swept> {
+    all(outcome).find(|swept| swept.section.work == SweepWork::AsymptoteError)
+}
+
+/// The place of a key among the cells of a row's key: bins come first, in the order of the scene.
+pub(crate) fn bin_place(kept: &SummarySection, column: &str) -> Option<usize> {
+    kept.bins.iter().position(|bins| bins.column == column)
+}
+
+/// The place of a column of words.
+pub(crate) fn word_place(kept: &SummarySection, column: &str) -> Option<usize> {
+    kept.by.iter().position(|name| name == column).map(|place| kept.bins.len() + place)
+}
+
+/// The place of a statistic, by the name of its column, among the values of a row.
+pub(crate) fn value_place(kept: &SummarySection, name: &str) -> Option<usize> {
+    let names = kept.numbers.iter().flat_map(|numbers| {
+        numbers.statistics.iter().map(|statistic| format!("{}_{}", numbers.column, statistic.as_str()))
+    });
+    names.into_iter().position(|found| found == name)
+}
+
+const LAWS_TITLE: &str = "By how much the aging law's limit cycles are faster";
+const LAWS: &str = "Map over loading velocity and normal stress of the excess of the mean peak velocity of limit cycles with the aging law over that with the slip law, in small cells. The excess is some tens of percent in stick-slip, larger next to the transition at low velocity, and fades towards high velocity and low stress. Cells without limit cycles fill the lower left and are uncoloured.";
+const LAWS_CAPTION: &str = "By how much the mean peak velocity of a cell's limit cycles is larger with the aging law than with the slip law, as a share, on the grid of fig 3a refined 20-fold in both directions. Both laws have the same linear theory, whose lines lie over the map: deep in vibration the cycles are the same to 1 %, in stick-slip they differ by a third and more. Excesses below 1 %, the tolerance of the runs, have one colour; cells without limit cycles are uncoloured. Sampled: what the sweep took stands in the table of sweeps.";
+/// The excess that the runs' tolerance of 1e-2 lets be seen.
+const LEAST_EXCESS: f64 = 0.01;
+/// Colour steps of the map.
+const STEPS: usize = 20;
+
+fn laws_map(scene: &SceneOutcome, swept: &Swept) -> Option<Figure> {
+    let kept = swept.kept()?;
+    let places = [bin_place(kept, "loading_velocity_m_per_s")?, bin_place(kept, "normal_stress_pa")?];
+    let edges = places.map(|place| kept.bins[place].edges.coordinates());
+    let [columns, rows] = [edges[0].len() - 1, edges[1].len() - 1];
+    let means = law_means(swept, kept, places, columns, rows)?;
+    let excess = |[slip, aging]: &[f64; 2]| {
+        // Equal peaks are a limit cycle too: coloured like every excess below the scale.
+        if *slip > 0.0 { (aging / slip - 1.0).max(f64::MIN_POSITIVE) } else { 0.0 }
+    };
+    let values: Vec<f64> = means.iter().map(excess).collect();
+    let highest = values.iter().copied().fold(0.0, f64::max);
+    if !highest.is_normal() {
+        return None;
+    }
+    let centre = |edges: &[f64], cell: usize| (edges[cell] * edges[cell + 1]).sqrt();
+    let axis = |title, unit, edges: &[f64], cells: usize| {
+        Axis::log10(title, unit, centre(edges, 0), centre(edges, cells - 1))
+    };
+    let x = axis("Loading velocity *V*_0", "m/s", &edges[0], columns);
+    let y = axis("Normal stress *σ*", "Pa", &edges[1], rows);
+    let caption = Caption::new("swept-laws", LAWS_TITLE, LAWS);
+    let map = HeatMap {
+        caption: caption.clone(),
+        columns,
+        values,
+        colours: ColourScale {
+            title: "*V*_{peak}, aging law/slip law − 1".into(),
+            unit: String::new(),
+            min: LEAST_EXCESS,
+            max: libm::exp10((libm::log10(highest) * 2.0).ceil().max(-3.0) / 2.0),
+            steps: STEPS,
+        },
+        zero_areas: Vec::new(),
+        zero_label: "no limit cycles".into(),
+        lines: theory_lines(scene, scene.boundary.as_ref()?, &x, &y),
+        marks: Vec::new(),
+        labels: Vec::new(),
+        x,
+        y,
+    };
+    Some(Figure::new(caption, "Figure L1", LAWS_CAPTION, map.svg()))
+}
+
+/// The mean peak velocity of limit cycles of either law, cell by cell, σ by σ; 0 where there are none.
+fn law_means(
+    swept: &Swept,
+    kept: &SummarySection,
+    [x, y]: [usize; 2],
+    columns: usize,
+    rows: usize,
+) -> Option<Vec<[f64; 2]>> {
+    let (law, mode) = (word_place(kept, "law")?, word_place(kept, "slip_mode")?);
+    let sum = value_place(kept, "peak_velocity_m_per_s_sum")?;
+    let cycles = [SlipMode::StickSlip, SlipMode::HarmonicVibration].map(SlipMode::as_str);
+    let mut totals = vec![[(0.0, 0u64); 2]; columns * rows];
+    for row in swept.summary.sorted() {
+        let key: Vec<&str> = row.key().collect();
+        let bin = |place: usize| key.get(place)?.parse::<usize>().ok()?.checked_sub(1);
+        let (Some(column), Some(line)) = (bin(x), bin(y)) else { continue };
+        let of_law = usize::from(key.get(law) == Some(&EvolutionLaw::Aging.as_str()));
+        let is_cycle = key.get(mode).is_some_and(|mode| cycles.contains(mode));
+        if let (true, Some(cell)) = (is_cycle && column < columns, totals.get_mut(line * columns + column)) {
+            cell[of_law].0 += row.values.get(sum).copied().flatten().unwrap_or(0.0);
+            cell[of_law].1 += row.rows;
+        }
+    }
+    let mean = |(sum, count): (f64, u64)| if count > 0 { sum / count as f64 } else { 0.0 };
+    Some(totals.into_iter().map(|cell| cell.map(mean)).collect())
+}
+
+/// The worst distances, log10, of a bin of β: of the upper and of the lower arc.
+#[derive(Debug, Clone)]
+pub(crate) struct WorstOfBin {
+    /// The bin's ends.
+    pub effect_ratio: [f64; 2],
+    /// The largest in the sweep.
+    pub sampled: [f64; 2],
+    /// What is derived at either end; none on the upper arc for a = b.
+    pub derived: [[Option<f64>; 2]; 2],
+}
+
+/// The worst errors of a sweep by bins of β, next to the derived ones.
+pub(crate) fn worst_by_effect_ratio(swept: &Swept) -> Option<Vec<WorstOfBin>> {
+    let kept = swept.kept()?;
+    let beta = bin_place(kept, "evolution_effect")?;
+    let asymptote = word_place(kept, "asymptote")?;
+    let extremes =
+        ["least", "greatest"].map(|end| value_place(kept, &format!("asymptote_relative_error_{end}")));
+    let edges = kept.bins[beta].edges.coordinates();
+    let derived: Vec<[Option<f64>; 2]> = edges.iter().map(|edge| derived_worst(*edge)).collect();
+    let mut worst: Vec<WorstOfBin> = (0..edges.len() - 1)
+        .map(|bin| WorstOfBin {
+            effect_ratio: [edges[bin], edges[bin + 1]],
+            sampled: [0.0; 2],
+            derived: [derived[bin], derived[bin + 1]],
+        })
+        .collect();
+    for row in swept.summary.sorted() {
+        let key: Vec<&str> = row.key().collect();
+        let bin = key.get(beta).and_then(|bin| bin.parse::<usize>().ok()?.checked_sub(1));
+        let arc = match key.get(asymptote).copied() {
+            Some("eq15" | "eq18") => 0,
+            Some("eq16" | "eq20") => 1,
+            _ => continue,
+        };
+        let Some(bin) = bin.and_then(|bin| worst.get_mut(bin)) else { continue };
+        for place in extremes {
+            let error = row.values.get(place?).copied().flatten().unwrap_or(0.0);
+            bin.sampled[arc] = bin.sampled[arc].max((libm::log1p(error) / core::f64::consts::LN_10).abs());
+        }
+    }
+    Some(worst)
+}
+
+/// Digits of what is derived: more than the table shows.
+const DIGITS: u32 = 12;
+
+fn derived_worst(effect_ratio: f64) -> [Option<f64>; 2] {
+    let CornerErrors { upper_worst_log10, lower_worst_log10, .. } =
+        corner_errors(&Rational::from_f64(effect_ratio).unwrap_or_default(), DIGITS);
+    [upper_worst_log10.map(|worst| worst.to_f64()), Some(lower_worst_log10.to_f64())]
+}
+
+const WORST: &str = "Worst error of the asymptotes against the ratio of evolution to direct effect: for each arc the line that is derived from the corners, and above it a staircase, the largest distance found in the sweep in each quarter decade, which meets the line at one end of nearly every step.";
+const WORST_CAPTION: &str = "Largest log10 distance between the exact boundary and the nearer asymptote: derived at the corners (dashed), and the largest in each quarter decade of β among the points of a sweep over (β, κ, η) that knows nothing of corners (staircases). On the upper arc nothing is derived at a = b.";
+/// Points of a derived line in a bin.
+const DERIVED_A_BIN: i32 = 6;
+
+fn worst_errors(worst: &[WorstOfBin]) -> Option<Figure> {
+    let (first, last) = (worst.first()?, worst.last()?);
+    let caption = Caption::new("swept-errors", "Worst error of the asymptotes in a sweep", WORST);
+    let derived: Vec<(f64, [Option<f64>; 2])> = worst
+        .iter()
+        .flat_map(|bin| within(bin.effect_ratio))
+        .map(|beta| (beta, derived_worst(beta)))
+        .collect();
+    let line = |arc: usize, label: &str| Series {
+        label: format!("{label}, derived"),
+        points: derived.iter().map(|(beta, worst)| (*beta, worst[arc].unwrap_or(f64::NAN))).collect(),
+        marked: false,
+        theory: true,
+    };
+    let stairs = |arc: usize, label: &str| Series {
+        label: format!("{label}, largest in the sweep"),
+        points: worst.iter().flat_map(|bin| bin.effect_ratio.map(|end| (end, bin.sampled[arc]))).collect(),
+        marked: false,
+        theory: false,
+    };
+    let names = [(0, "upper arc (eqs 15 and 18)"), (1, "lower arc (eqs 16 and 20)")];
+    let chart = LineChart {
+        caption: caption.clone(),
+        x: Axis::log10("*β* = *b*/*a*", "", first.effect_ratio[0], last.effect_ratio[1]),
+        y: Axis::linear("Largest log10 distance from the nearer asymptote", "", 0.0, 0.5),
+        series: names.into_iter().flat_map(|(arc, label)| [line(arc, label), stairs(arc, label)]).collect(),
+        references: vec![Reference::Vertical { at: 1.0, label: "*a* = *b*".into() }],
+        bands: Vec::new(),
+        labels: Vec::new(),
+    };
+    Some(Figure::new(caption, "Figure L2", WORST_CAPTION, chart.svg()))
+}
+
+/// Places from one end of a bin to the other, evenly in the logarithm.
+fn within([from, to]: [f64; 2]) -> impl Iterator<Item = f64> {
+    (0..=DERIVED_A_BIN).map(move |step| {
+        let share = f64::from(step) / f64::from(DERIVED_A_BIN);
+        // The ends themselves, so that neighbouring bins meet.
+        if step == DERIVED_A_BIN { to } else { from * libm::pow(to / from, share) }
+    })
+}

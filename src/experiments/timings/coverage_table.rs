@@ -1,0 +1,67 @@
+//! The table of coverage: how many lines of each module the tests ran, and where most are left.
+
+use crate::experiments::Context;
+use crate::experiments::Need;
+use crate::experiments::TableMaker;
+use crate::experiments::timings::{CoverageRow, Timings};
+use crate::experiments::unless_empty;
+use slipmode_plot::table::{Cell, Column, Table};
+
+pub(crate) const TABLES: &[TableMaker] =
+    &[TableMaker { id: "coverage", needs: &[Need::Timings], make: coverage }];
+
+fn coverage(context: &Context) -> Option<Table> {
+    let timings = context.outcome.scenes.iter().find_map(|scene| scene.timings.as_ref())?;
+    let (file, rows) = timings.coverage.as_ref()?;
+    let columns = vec![
+        Column::text("module", "Module"),
+        Column::number("lines", "Lines", ""),
+        Column::number("by_tests", "Run by tests", ""),
+        Column::number("by_tests_percent", "Share", "%"),
+        Column::number("with_verify", "Run by tests or verify", ""),
+        Column::number("with_verify_percent", "Share", "%"),
+        Column::text("most_left_in", "Most lines left in"),
+    ];
+    let mut table = Table::new("coverage", "Lines of the program that its tests run", columns)
+        .with_note(&measured(timings, file));
+    rows.iter().for_each(|one| table.push(row(one)));
+    table.push(row(&sum(rows)));
+    unless_empty(table)
+}
+
+fn sum(rows: &[CoverageRow]) -> CoverageRow {
+    let sum = |count: fn(&CoverageRow) -> u64| rows.iter().map(count).fold(0, u64::saturating_add);
+    CoverageRow {
+        module: "all".into(),
+        lines: sum(|row| row.lines),
+        by_tests: sum(|row| row.by_tests),
+        with_verify: sum(|row| row.with_verify),
+        most_left_in: String::new(),
+    }
+}
+
+/// What was counted, and what the machine's file says of when and with what.
+fn measured(timings: &Timings, file: &str) -> String {
+    let facts = timings.machine.iter().filter(|row| row.file == file);
+    let facts: String = facts.map(|row| format!(", {} {}", row.key, row.value)).collect();
+    format!(
+        "Shares are rounded down. Lines of unit tests are not counted. Beside each file: its lines that nothing ran. Read from `timings/{file}`{facts}."
+    )
+}
+
+fn row(row: &CoverageRow) -> Vec<Cell> {
+    let count = |count: u64| Cell::number(count.to_string());
+    let share = |run: u64| {
+        let share = row.per_mille(run);
+        Cell::number(share.map_or(String::new(), |share| format!("{}.{}", share / 10, share % 10)))
+    };
+    vec![
+        Cell::text(&row.module),
+        count(row.lines),
+        count(row.by_tests),
+        share(row.by_tests),
+        count(row.with_verify),
+        share(row.with_verify),
+        Cell::text(&row.most_left_in),
+    ]
+}

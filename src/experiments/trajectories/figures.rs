@@ -1,0 +1,135 @@
+//! Trajectories over time: the six slip modes (figs 3b to 3g) and the approach to steady sliding for a > b (figs 6b to 6d).
+
+use crate::experiments::trajectories::curves::{
+    extent, linear_axis, mode_words, power_markup, runs_of, series, stress_unit, velocity_ratio,
+};
+use crate::experiments::trajectories::{Moment, TrajectoryRun};
+use crate::experiments::{Figure, FigureMaker};
+use crate::experiments::{Need, SceneOutcome};
+use slipmode_core::friction::{EvolutionLaw, SlipMode};
+use slipmode_plot::figure::{Axis, Caption, Panel, Panels, Reference};
+
+pub(crate) const FIGURES: &[FigureMaker] = &[
+    FigureMaker {
+        id: "fig-3b-g",
+        needs: &[Need::Trajectories],
+        data: &["trajectory-modes", "trajectories"],
+        make: |outcome| slip_modes(outcome.potentially_unstable()?),
+    },
+    FigureMaker {
+        id: "fig-6b-d",
+        needs: &[Need::Trajectories],
+        data: &["trajectory-modes", "trajectories"],
+        make: |outcome| approaches(outcome.intrinsically_stable()?),
+    },
+];
+
+/// The law of the paper's figures.
+const LAW: EvolutionLaw = EvolutionLaw::Slip;
+
+const MODES_DESCRIPTION: &str = "Six panels of shear stress against time. Panels b and c show saw teeth of slow loading and sudden drops, larger and rarer in b at the higher normal stress. Panel d shows a slow oscillation that dies after two swings. Panel e shows an even vibration at the natural period that neither grows nor dies. Panel f rises once and settles without oscillation. Panel g shows a fast oscillation that dies away over six swings and more.";
+const MODES_CAPTION: &str = "Shear stress beyond that of steady sliding, against time, in each of the six cases of section 3.1 (compare figs 3b to 3g of the paper), slip law, from steady sliding at a tenth of the loading velocity. The paper's text does not state its points; these lie well inside each area and are marked in figure 3a. Curves are converged, drawn to half a pixel; periods and peaks with their errors are in the table.";
+
+/// Height of a panel of the six.
+const MODE_HEIGHT: f64 = 130.0;
+
+fn slip_modes(scene: &SceneOutcome) -> Option<Figure> {
+    let panels: Vec<Panel> = runs_of(scene, "3", LAW).into_iter().filter_map(mode_panel).collect();
+    let figure = Panels {
+        caption: Caption::new("fig-3b-g", "The six slip modes, simulated", MODES_DESCRIPTION),
+        columns: 2,
+        height: MODE_HEIGHT,
+        panels,
+    };
+    (!figure.panels.is_empty()).then(|| Figure {
+        id: "fig-3b-g".into(),
+        label: "Figures 3b to 3g".into(),
+        caption_markdown: MODES_CAPTION.into(),
+        description: MODES_DESCRIPTION.into(),
+        svg: figure.svg(),
+    })
+}
+
+fn mode_panel(run: &TrajectoryRun) -> Option<Panel> {
+    let course = run.course.as_ref().ok()?;
+    let stresses = || course.moments.iter().map(|moment| moment.stress_change_pa);
+    let (unit, size) = stress_unit(stresses());
+    let [theory, simulation] = mode_words(run);
+    let letter = run.point.id.trim_start_matches('3');
+    Some(Panel {
+        heading: vec![format!("**{letter}** {theory}"), simulation, place_words(run)],
+        x: Axis::linear("Time", "s", 0.0, course.moments.last()?.time_s),
+        y: linear_axis("Δ*τ*", unit, stresses().map(|stress| stress / size))?,
+        series: vec![series(String::new(), run, |moment| (moment.time_s, moment.stress_change_pa / size))],
+        references: vec![Reference::Horizontal { at: 0.0, label: String::new() }],
+    })
+}
+
+/// σ and V_l of a run.
+pub(crate) fn place_words(run: &TrajectoryRun) -> String {
+    let stress = power_markup(run.point.normal_stress_pa.to_f64());
+    let velocity = power_markup(run.point.loading_velocity_m_per_s.to_f64());
+    format!("*σ* = {stress} Pa, *V*_l = {velocity} m/s")
+}
+
+const APPROACH_DESCRIPTION: &str = "Three panels of velocity over loading velocity against time, four loading velocities in each. In panel b, at high normal stress, the slower two rise to the loading velocity without passing it and the faster two vibrate about it. In panel c the slow two show one rise and one trough, the fast two vibrate. In panel d, at low normal stress, the slower two pass the loading velocity by less than a tenth and return to it slowly from above, the faster two vibrate.";
+const APPROACH_CAPTION: &str = "Velocity over loading velocity after a start at a tenth of it, for a > b and the slip law (compare figs 6b to 6d of the paper): across the upper boundary (b), from non-inertial to inertial oscillation (c) and across the lower boundary (d). The legend says of each point whether its exact class is overdamped or an underdamped oscillation, non-inertial or inertial; the points, which the paper's text does not state, are marked in figure 6a as simulated. Curves are converged, drawn to half a pixel.";
+
+/// Height of a panel of the three.
+const APPROACH_HEIGHT: f64 = 170.0;
+
+/// The panels of fig 6, by the beginning of their points' ids, with what they show.
+const APPROACHES: [(&str, &str); 3] = [
+    ("6b", "**b** across the upper boundary"),
+    ("6c", "**c** from non-inertial to inertial oscillation"),
+    ("6d", "**d** across the lower boundary"),
+];
+
+fn approaches(scene: &SceneOutcome) -> Option<Figure> {
+    let panel = |(prefix, words): (&str, &str)| approach_panel(&runs_of(scene, prefix, LAW), words);
+    let figure = Panels {
+        caption: Caption::new(
+            "fig-6b-d",
+            "The approach to steady sliding for a > b, simulated",
+            APPROACH_DESCRIPTION,
+        ),
+        columns: 1,
+        height: APPROACH_HEIGHT,
+        panels: APPROACHES.into_iter().filter_map(panel).collect(),
+    };
+    (!figure.panels.is_empty()).then(|| Figure {
+        id: "fig-6b-d".into(),
+        label: "Figures 6b to 6d".into(),
+        caption_markdown: APPROACH_CAPTION.into(),
+        description: APPROACH_DESCRIPTION.into(),
+        svg: figure.svg(),
+    })
+}
+
+fn approach_panel(runs: &[&TrajectoryRun], words: &str) -> Option<Panel> {
+    let moments = || runs.iter().flat_map(|run| run.course.iter().flat_map(|course| &course.moments));
+    let (_, last) = extent(moments().map(|moment: &Moment| moment.time_s))?;
+    let stress = power_markup(runs.first()?.point.normal_stress_pa.to_f64());
+    let lines = runs.iter().map(|run| {
+        let velocity = power_markup(run.point.loading_velocity_m_per_s.to_f64());
+        let label = format!("{velocity} m/s, {}", damping_words(run));
+        series(label, run, |moment| (moment.time_s, velocity_ratio(moment)))
+    });
+    Some(Panel {
+        heading: vec![format!("{words}, *σ* = {stress} Pa")],
+        x: Axis::linear("Time", "s", 0.0, last),
+        y: linear_axis("*V*/*V*_l", "", moments().map(velocity_ratio).chain([0.0]))?,
+        series: lines.collect(),
+        references: vec![Reference::Horizontal { at: 1.0, label: String::new() }],
+    })
+}
+
+/// What the theory's slip mode says of the damping, in a word that fits a legend.
+fn damping_words(run: &TrajectoryRun) -> &'static str {
+    match run.theory.slip_mode {
+        SlipMode::OverdampedStableSliding | SlipMode::OverdampedOscillation => "overdamped",
+        SlipMode::NonInertialUnderdampedOscillation => "non-inertial",
+        SlipMode::InertialUnderdampedOscillation => "inertial",
+        SlipMode::StickSlip | SlipMode::HarmonicVibration => "unstable",
+    }
+}

@@ -1,0 +1,12 @@
+//! The nonlinear slider over time at named points (figs 3b to 3g and 6b to 6d).
+
+pub(crate) mod curves;
+pub(crate) mod figures;
+pub(crate) mod phase_portraits;
+pub(crate) mod run;
+pub(crate) mod section;
+pub(crate) mod tables;
+pub(crate) mod thinning;
+
+pub use run::{Course, DRAWING_TOLERANCE, Moment, TrajectoryRun, trajectories};
+pub use section::{TrajectoriesSection, TrajectoryPoint};

@@ -1,0 +1,102 @@
+//! Phase portraits: velocity against shear stress, where the line of steady sliding organises every run.
+
+use crate::experiments::trajectories::curves::{
+    extent, linear_axis, mode_words, runs_of, stress_unit, velocity_ratio,
+};
+use crate::experiments::trajectories::figures::place_words;
+use crate::experiments::trajectories::{Moment, TrajectoryRun};
+use crate::experiments::{Figure, FigureMaker};
+use crate::experiments::{Need, SceneOutcome};
+use crate::scene::SceneParameters;
+use slipmode_core::dynamics::Behaviour;
+use slipmode_core::friction::EvolutionLaw;
+use slipmode_plot::figure::{Axis, Caption, Panel, Panels, Series};
+
+pub(crate) const FIGURES: &[FigureMaker] = &[FigureMaker {
+    id: "phase-portraits",
+    needs: &[Need::Trajectories],
+    data: &["trajectories"],
+    make: |outcome| portraits(outcome.potentially_unstable()?),
+}];
+
+const DESCRIPTION: &str = "Four panels of shear stress against the logarithm of velocity, each with the straight line of steady sliding, which falls to the right. Stick-slip runs round a wide loop: right along the line of failure, down at high velocity, left to very low velocity and up while the spring loads; the loop of the aging law reaches much lower velocities. Harmonic vibration is a smaller loop around the point of steady sliding. The underdamped run winds inwards to that point; the overdamped run goes past it once and comes back along one direction.";
+const CAPTION: &str = "Velocity against shear stress for four of the points of figs 3b to 3g, both evolution laws: the limit cycle of the two unstable points, and for the two stable ones the whole run from its start at V_l/10 on the line of steady sliding. All runs go round clockwise: with equal linear theory the two laws part far from steady sliding, above all in how slow the stick phase becomes. Converged, drawn to half a pixel.";
+
+/// The points, one for each kind of motion.
+const POINTS: [&str; 4] = ["3b", "3e", "3g", "3f"];
+/// Height of a panel.
+const HEIGHT: f64 = 190.0;
+
+fn portraits(scene: &SceneOutcome) -> Option<Figure> {
+    let parameters = scene.parameters()?;
+    let figure = Panels {
+        caption: Caption::new("phase-portraits", "Phase portraits of four slip modes", DESCRIPTION),
+        columns: 2,
+        height: HEIGHT,
+        panels: POINTS.into_iter().filter_map(|id| portrait(scene, parameters, id)).collect(),
+    };
+    (!figure.panels.is_empty()).then(|| Figure {
+        id: "phase-portraits".into(),
+        label: "Phase portraits".into(),
+        caption_markdown: CAPTION.into(),
+        description: DESCRIPTION.into(),
+        svg: figure.svg(),
+    })
+}
+
+fn portrait(scene: &SceneOutcome, parameters: &SceneParameters, id: &str) -> Option<Panel> {
+    let runs: Vec<&TrajectoryRun> = [EvolutionLaw::Slip, EvolutionLaw::Aging]
+        .into_iter()
+        .flat_map(|law| runs_of(scene, id, law))
+        .collect();
+    let moments = || runs.iter().flat_map(|run| shown(run));
+    let stresses = || moments().map(|moment: &Moment| moment.stress_change_pa);
+    let (unit, size) = stress_unit(stresses());
+    let (slowest, fastest) = extent(moments().map(velocity_ratio))?;
+    let first = runs.first()?;
+    let [theory, _] = mode_words(first);
+    let mut lines: Vec<Series> = runs
+        .iter()
+        .map(|run| {
+            let place = |moment: &Moment| (velocity_ratio(moment), moment.stress_change_pa / size);
+            Series {
+                label: format!("{} law", run.law.as_str()),
+                points: shown(run).iter().map(place).collect(),
+                marked: false,
+                theory: false,
+            }
+        })
+        .collect();
+    let (low, high) = (slowest / 1.5, fastest * 1.5);
+    lines.push(steady_line(parameters, first, [low, high], size));
+    Some(Panel {
+        heading: vec![theory, place_words(first)],
+        x: Axis::log10("*V*/*V*_l", "", low, high),
+        y: linear_axis("Δ*τ*", unit, stresses().map(|stress| stress / size))?,
+        series: lines,
+        references: Vec::new(),
+    })
+}
+
+/// The last return of a limit cycle, and the whole of a decay.
+fn shown(run: &TrajectoryRun) -> &[Moment] {
+    let Ok(course) = &run.course else { return &[] };
+    let found = run.simulation.as_ref().ok().filter(|found| found.behaviour == Behaviour::Periodic);
+    let return_s = found.and_then(|found| found.period_s).unwrap_or(f64::INFINITY);
+    let end_s = course.moments.last().map_or(0.0, |moment| moment.time_s);
+    // From the last moment before the return, so that the loop closes.
+    let before = course.moments.partition_point(|moment| end_s - moment.time_s >= return_s);
+    &course.moments[before.saturating_sub(1)..]
+}
+
+/// Steady sliding at other velocities: Δτ = (a − b) σ ln(V/V_l), eq 1 with θ = D_c/V.
+fn steady_line(parameters: &SceneParameters, run: &TrajectoryRun, ends: [f64; 2], unit_pa: f64) -> Series {
+    let effect = parameters.direct_effect.to_f64() - parameters.evolution_effect.to_f64();
+    let stress = |ratio: f64| effect * run.point.normal_stress_pa.to_f64() * libm::log(ratio) / unit_pa;
+    Series {
+        label: "steady sliding".into(),
+        points: ends.map(|ratio| (ratio, stress(ratio))).to_vec(),
+        marked: false,
+        theory: true,
+    }
+}

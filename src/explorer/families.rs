@@ -1,0 +1,207 @@
+//! A slider and its relatives: b, K and M multiplied by stated factors, with the boundary of each b and the slip mode of
+//! named points for every combination.
+//!
+//! For a given β the boundary and the transition are curves of the groups η and κ alone, and so move on the logarithmic
+//! (V, σ) plane without changing their shape when K or M changes: σ in proportion to K, V in proportion to √(K/M).
+//! The curves are therefore computed once for each b, and moved.
+
+use rayon::prelude::*;
+
+use crate::experiments::boundary::END_ERROR;
+use crate::scene::SceneParameters;
+use slipmode_core::number::{Rational, Wide};
+use slipmode_core::stability::boundary::{BoundaryCurve, BoundaryPoint};
+use slipmode_core::stability::{InertialThreshold, SlipMode, classify};
+
+/// Factors of b: closer where β passes 1 for common sliders.
+const EVOLUTION_EFFECT_FACTORS: [&str; 19] = [
+    "0.01", "0.02", "0.05", "0.1", "0.2", "0.5", "0.6", "0.7", "0.8", "0.9", "1", "1.2", "1.5", "2", "5",
+    "10", "20", "50", "100",
+];
+
+/// Factors of K and of M.
+const OTHER_FACTORS: [&str; 13] =
+    ["0.01", "0.02", "0.05", "0.1", "0.2", "0.5", "1", "2", "5", "10", "20", "50", "100"];
+
+/// Points on each arc of a boundary.
+const ARC_POINTS: usize = 160;
+
+/// Digits of a boundary's points: far more than a drawing shows.
+const DIGITS: u32 = 20;
+
+/// One of the three parameters that vary, with its factors in ascending order.
+#[derive(Debug, Clone)]
+pub struct Factors {
+    /// The factors, as exact decimals.
+    pub texts: &'static [&'static str],
+    /// The factors.
+    pub values: Vec<Rational>,
+    /// The place of the factor 1.
+    pub base: usize,
+}
+
+impl Factors {
+    fn of(texts: &'static [&'static str]) -> Self {
+        let values =
+            texts.iter().filter_map(|text| slipmode_core::number::parse_decimal(text).ok()).collect();
+        Self { texts, values, base: texts.iter().position(|text| *text == "1").unwrap_or(0) }
+    }
+}
+
+/// A point of operation that keeps its σ and V0 while the slider changes.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct NamedPoint {
+    /// What it is called.
+    pub name: String,
+    /// σ, Pa.
+    pub normal_stress_pa: Rational,
+    /// V0, m/s.
+    pub loading_velocity_m_per_s: Rational,
+}
+
+/// What is known of a point for one combination.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PointState {
+    /// The slip mode, decided exactly.
+    pub slip_mode: SlipMode,
+    /// Largest Im(s), 1/s: relative error at most 1e-14, exactly 0 where all roots are real.
+    pub max_imaginary_per_s: Wide,
+}
+
+/// A slider with its relatives.
+#[derive(Debug, Clone)]
+pub struct Families {
+    /// The slider itself.
+    pub parameters: SceneParameters,
+    /// Factors of b, K and M.
+    pub factors: [Factors; 3],
+    /// The boundary for each factor of b, with the slider's own K and M.
+    pub boundaries: Vec<Vec<BoundaryPoint>>,
+    /// The points.
+    pub points: Vec<NamedPoint>,
+    /// For each point its states, M varying fastest, b slowest.
+    pub states: Vec<Vec<PointState>>,
+}
+
+impl Families {
+    /// Computes a slider's families.
+    #[must_use]
+    pub fn of(parameters: &SceneParameters, points: Vec<NamedPoint>, threshold: &InertialThreshold) -> Self {
+        let factors = [&EVOLUTION_EFFECT_FACTORS[..], &OTHER_FACTORS, &OTHER_FACTORS].map(Factors::of);
+        let mut families = Self {
+            parameters: parameters.clone(),
+            factors,
+            boundaries: Vec::new(),
+            points,
+            states: Vec::new(),
+        };
+        families.boundaries = families.effects().par_iter().map(boundary).collect();
+        let sliders = families.sliders();
+        families.states = families
+            .points
+            .iter()
+            .map(|point| sliders.par_iter().map(|slider| state(slider, point, threshold)).collect())
+            .collect();
+        families
+    }
+
+    /// The slider with each b, and its own K and M.
+    #[must_use]
+    pub fn effects(&self) -> Vec<SceneParameters> {
+        let [effects, stiffnesses, masses] = &self.factors;
+        let (stiffness, mass) = (&stiffnesses.values[stiffnesses.base], &masses.values[masses.base]);
+        effects.values.iter().map(|effect| self.relative([effect, stiffness, mass])).collect()
+    }
+
+    /// Every combination, M varying fastest, b slowest.
+    #[must_use]
+    pub fn sliders(&self) -> Vec<SceneParameters> {
+        let [effects, stiffnesses, masses] = &self.factors;
+        let mut sliders = Vec::new();
+        for effect in &effects.values {
+            for stiffness in &stiffnesses.values {
+                sliders.extend(masses.values.iter().map(|mass| self.relative([effect, stiffness, mass])));
+            }
+        }
+        sliders
+    }
+
+    /// The place of a combination among [`Families::sliders`].
+    #[must_use]
+    pub fn place(&self, [effect, stiffness, mass]: [usize; 3]) -> usize {
+        let [_, stiffnesses, masses] = &self.factors;
+        (effect * stiffnesses.values.len() + stiffness) * masses.values.len() + mass
+    }
+
+    fn relative(&self, [effect, stiffness, mass]: [&Rational; 3]) -> SceneParameters {
+        let own = &self.parameters;
+        SceneParameters {
+            evolution_effect: own.evolution_effect.clone() * effect,
+            stiffness_pa_per_m: own.stiffness_pa_per_m.clone() * stiffness,
+            mass_per_area_kg_per_m2: own.mass_per_area_kg_per_m2.clone() * mass,
+            ..own.clone()
+        }
+    }
+}
+
+/// The boundary of one slider; σ and V0 play no part in it.
+fn boundary(slider: &SceneParameters) -> Vec<BoundaryPoint> {
+    let anywhere = slider.at(Rational::from(1), Rational::from(1));
+    BoundaryCurve::new(&anywhere, DIGITS).sample(ARC_POINTS, END_ERROR)
+}
+
+fn state(slider: &SceneParameters, point: &NamedPoint, threshold: &InertialThreshold) -> PointState {
+    let place = slider.at(point.normal_stress_pa.clone(), point.loading_velocity_m_per_s.clone());
+    let found = classify(&place, threshold);
+    PointState { slip_mode: found.slip_mode, max_imaginary_per_s: found.max_imaginary_per_s }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::experiments::shared::fixtures::paper;
+    use slipmode_core::number::parse_decimal;
+
+    fn families() -> Families {
+        let point = NamedPoint {
+            name: "A".into(),
+            normal_stress_pa: parse_decimal("1e5").unwrap(),
+            loading_velocity_m_per_s: parse_decimal("1e-3").unwrap(),
+        };
+        Families::of(&paper(), vec![point], &InertialThreshold::default())
+    }
+
+    #[test]
+    fn the_factors_are_exact_ascend_and_hold_one() {
+        for factors in &families().factors {
+            assert_eq!(factors.values.len(), factors.texts.len());
+            assert!(factors.values.is_sorted() && factors.values[factors.base] == 1);
+        }
+    }
+
+    #[test]
+    fn the_combination_of_ones_is_the_slider_itself() {
+        let families = families();
+        let base = families.place([0, 1, 2].map(|at| families.factors[at].base));
+        assert_eq!(families.sliders()[base], families.parameters);
+        assert_eq!(families.states[0][base].slip_mode, SlipMode::StickSlip);
+        assert_eq!(families.states[0].len(), families.sliders().len());
+    }
+
+    #[test]
+    fn stiffness_and_mass_move_the_boundary_without_changing_it() {
+        let families = families();
+        // K twice and M five times: σ doubles, V grows by √(2/5).
+        let [two, five] = ["2", "5"].map(|text| parse_decimal(text).unwrap());
+        let moved = boundary(&families.relative([&Rational::from(1), &two, &five]));
+        let own = &families.boundaries[families.factors[0].base];
+        assert_eq!(moved.len(), own.len());
+        let close = |ratio: f64, expected: f64| (ratio / expected - 1.0).abs() < 1e-12;
+        for (moved, own) in moved.iter().zip(own) {
+            assert_eq!((moved.arc, moved.asymptote), (own.arc, own.asymptote));
+            assert!(close(moved.normal_stress_pa.to_f64() / own.normal_stress_pa.to_f64(), 2.0));
+            let velocities = moved.loading_velocity_m_per_s.to_f64() / own.loading_velocity_m_per_s.to_f64();
+            assert!(close(velocities, 0.4_f64.sqrt()));
+        }
+    }
+}

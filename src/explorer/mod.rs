@@ -1,0 +1,9 @@
+//! The explorer page of one slider: a family of sliders with b, K and M changed, as curves, formulas and words.
+
+pub(crate) mod families;
+pub(crate) mod formulas;
+pub(crate) mod tables;
+pub(crate) mod view;
+
+pub use families::{Factors, Families, NamedPoint, PointState};
+pub use view::{Control, Explorer, FormulaRow, PointRow, Varying, Window, explorer};

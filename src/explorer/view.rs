@@ -1,0 +1,254 @@
+//! The explorer of one's own slider: curves, formulas and points for every stored combination of b, K and M, as words.
+
+use serde::Serialize;
+
+use crate::experiments::shared::axes::{asymptote_lines, boundary_lines, transition_line};
+use crate::explorer::formulas::{self, FORMULAS, formula_values};
+use crate::explorer::tables::one_at_a_time;
+use crate::explorer::{Factors, Families, NamedPoint, PointState};
+use slipmode_core::number::Rational;
+use slipmode_core::number::format::{rational_to_decimal, round_digits};
+use slipmode_core::stability::boundary::BoundaryPoint;
+use slipmode_plot::figure::{Axis, Caption, FamilyMap, Line, LineRole, PointMark, Side, packed};
+
+use slipmode_plot::table::Table;
+
+/// Everything that the explorer's page shows.
+#[derive(Debug, Clone)]
+pub struct Explorer {
+    /// The map with the slider's own curves shown.
+    pub svg: String,
+    /// b, K and M.
+    pub controls: Vec<Control>,
+    /// What the formulas say.
+    pub formulas: Vec<FormulaRow>,
+    /// What is known of the points.
+    pub points: Vec<PointRow>,
+    /// The same as tables, one parameter changed at a time.
+    pub tables: Vec<Table>,
+    /// How many combinations are stored.
+    pub combinations: usize,
+}
+
+/// A parameter that varies.
+#[derive(Debug, Clone, Serialize)]
+pub struct Control {
+    /// `b`, `K` or `M`.
+    pub id: &'static str,
+    /// What it is.
+    pub name: &'static str,
+    /// The slider's values as words, ascending.
+    pub steps: Vec<String>,
+    /// The place of the slider's own value.
+    pub base: usize,
+}
+
+/// A text for every combination: its different words and a code for each, and the text of the slider itself.
+#[derive(Debug, Clone, Default, Serialize)]
+pub struct Varying {
+    /// The different texts.
+    pub words: String,
+    /// A code for each combination; see [`packed`].
+    pub cells: String,
+    /// The text for the slider's own b, K and M.
+    pub base: String,
+}
+
+/// What a formula says, between words that stay.
+#[derive(Debug, Clone, Serialize)]
+pub struct FormulaRow {
+    /// The formula's name.
+    pub name: &'static str,
+    /// Words before the value.
+    pub before: &'static str,
+    /// The value.
+    pub value: Varying,
+    /// Its unit.
+    pub unit: &'static str,
+    /// Words before the limit of its range.
+    pub where_before: &'static str,
+    /// The limit.
+    pub limit: Varying,
+    /// Its unit.
+    pub limit_unit: &'static str,
+}
+
+/// What is known of a point.
+#[derive(Debug, Clone, Serialize)]
+pub struct PointRow {
+    /// Its name.
+    pub name: String,
+    /// σ in Pa.
+    pub stress: String,
+    /// V0 in m/s.
+    pub velocity: String,
+    /// Slip mode.
+    pub mode: Varying,
+    /// Largest Im(s) in 1/s.
+    pub imaginary: Varying,
+    /// Frequency in Hz.
+    pub frequency: Varying,
+}
+
+/// The part of the plane that is shown.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Window {
+    /// Loading velocities, m/s.
+    pub velocity: (f64, f64),
+    /// Normal stresses, Pa.
+    pub stress: (f64, f64),
+}
+
+/// Digits of a number; what is computed is certain to far more.
+pub(crate) const DIGITS: usize = 4;
+
+/// Decades by which curves move at most: σ by two with K, V by one with K and one with M.
+const MARGIN: i32 = 2;
+
+const TITLE: &str = "Boundary, transition and asymptotes of the chosen slider";
+const DESCRIPTION: &str = "Map over loading velocity and normal stress: the exact boundary max Im(s) = 0 with its upper and its lower arc, the asymptotes of equations 15, 16, 18 and 20 within their ranges, the transition K = K_c where b is greater than a, and the scene's points.";
+
+/// The explorer of a slider's families.
+#[must_use]
+pub fn explorer(families: &Families, window: Window) -> Explorer {
+    let base = families.place([0, 1, 2].map(|at| families.factors[at].base));
+    let varying = |texts: Vec<String>| Varying::of(&texts, base);
+    let sliders = families.sliders();
+    let values: Vec<[String; FORMULAS]> = sliders.iter().map(formula_values).collect();
+    let value = |at: usize| varying(values.iter().map(|texts| texts[at].clone()).collect());
+    Explorer {
+        svg: map(families, window).svg(),
+        controls: controls(families),
+        formulas: formulas::rows(value),
+        points: families
+            .points
+            .iter()
+            .zip(&families.states)
+            .map(|(point, states)| point_row(point, states, varying))
+            .collect(),
+        tables: one_at_a_time(families, &values),
+        combinations: sliders.len(),
+    }
+}
+
+impl Varying {
+    fn of(texts: &[String], base: usize) -> Self {
+        let (words, cells) = packed(texts);
+        Self { words, cells, base: texts.get(base).cloned().unwrap_or_default() }
+    }
+}
+
+fn point_row(
+    point: &NamedPoint,
+    states: &[PointState],
+    varying: impl Fn(Vec<String>) -> Varying,
+) -> PointRow {
+    let of = |text: fn(&PointState) -> String| varying(states.iter().map(text).collect());
+    PointRow {
+        name: point.name.clone(),
+        stress: rational_to_decimal(&point.normal_stress_pa, DIGITS),
+        velocity: rational_to_decimal(&point.loading_velocity_m_per_s, DIGITS),
+        mode: of(|state| state.slip_mode.words().into()),
+        imaginary: of(|state| round_digits(imaginary(state), DIGITS)),
+        frequency: of(|state| round_digits(imaginary(state) / std::f64::consts::TAU, DIGITS)),
+    }
+}
+
+/// Largest Im(s) as a 64-bit number.
+pub(crate) fn imaginary(state: &PointState) -> f64 {
+    state.max_imaginary_per_s.to_f64().unwrap_or(0.0)
+}
+
+fn controls(families: &Families) -> Vec<Control> {
+    let own = &families.parameters;
+    let [effects, stiffnesses, masses] = &families.factors;
+    let step = |factors: &Factors, value: &Rational, unit: &str| -> Vec<String> {
+        let texts = factors.texts.iter().zip(&factors.values);
+        texts
+            .map(|(factor, times)| {
+                format!("{}{unit} (× {factor})", rational_to_decimal(&(value.clone() * times), DIGITS))
+            })
+            .collect()
+    };
+    let beta = |times: &Rational| {
+        rational_to_decimal(&(own.evolution_effect.clone() * times / &own.direct_effect), DIGITS)
+    };
+    let effect_steps = step(effects, &own.evolution_effect, "");
+    let effect_steps = effect_steps
+        .into_iter()
+        .zip(&effects.values)
+        .map(|(text, times)| format!("{text}, β = b/a = {}", beta(times)))
+        .collect();
+    vec![
+        Control { id: "b", name: "Evolution effect b", steps: effect_steps, base: effects.base },
+        Control {
+            id: "K",
+            name: "Stiffness K",
+            steps: step(stiffnesses, &own.stiffness_pa_per_m, " Pa/m"),
+            base: stiffnesses.base,
+        },
+        Control {
+            id: "M",
+            name: "Mass over area M",
+            steps: step(masses, &own.mass_per_area_kg_per_m2, " kg/m²"),
+            base: masses.base,
+        },
+    ]
+}
+
+fn map(families: &Families, window: Window) -> FamilyMap {
+    let x = Axis::log10("Loading velocity *V*_0", "m/s", window.velocity.0, window.velocity.1);
+    let y = Axis::log10("Normal stress *σ*", "Pa", window.stress.0, window.stress.1);
+    let far = libm::exp10(f64::from(MARGIN));
+    let wide = |axis: &Axis| Axis { min: axis.min / far, max: axis.max * far, ..axis.clone() };
+    let (wide_x, wide_y) = (wide(&x), wide(&y));
+    let effects = families.effects();
+    let members = effects.iter().zip(&families.boundaries).map(|(slider, points)| {
+        let mut lines = extended_boundary(points, &wide_x);
+        lines.extend(asymptote_lines(slider, &wide_x, &wide_y));
+        lines.extend(transition_line(slider, &wide_x, &wide_y));
+        lines
+    });
+    let [_, stiffnesses, masses] = &families.factors;
+    let decades = |factor: &Rational| libm::log10(factor.to_f64());
+    FamilyMap {
+        caption: Caption::new("explorer-map", TITLE, DESCRIPTION),
+        members: members.collect(),
+        base: families.factors[0].base,
+        moves: vec![
+            stiffnesses.values.iter().map(|factor| (decades(factor) / 2.0, decades(factor))).collect(),
+            masses.values.iter().map(|factor| (-decades(factor) / 2.0, 0.0)).collect(),
+        ],
+        margin: MARGIN,
+        marks: families.points.iter().map(|point| mark(point, &x)).collect(),
+        x,
+        y,
+    }
+}
+
+fn mark(point: &NamedPoint, x: &Axis) -> PointMark {
+    let velocity = point.loading_velocity_m_per_s.to_f64();
+    // Above, where a neighbour at the same normal stress is not in its way; at the edge there is no room for half of it.
+    let at_the_edge = x.position(velocity).is_some_and(|at| at > 0.95);
+    PointMark {
+        label: format!("**{}**", point.name),
+        x: velocity,
+        y: point.normal_stress_pa.to_f64(),
+        side: if at_the_edge { Side::Left } else { Side::Above },
+    }
+}
+
+/// The arcs, carried on along their asymptotes, from which their ends differ by less than a billionth.
+fn extended_boundary(points: &[BoundaryPoint], x: &Axis) -> Vec<Line> {
+    let mut lines = boundary_lines(points);
+    for line in lines.iter_mut().filter(|line| line.role == LineRole::Boundary) {
+        let (Some(&slow), Some(&fast)) = (line.points.first(), line.points.last()) else { continue };
+        let factor = if fast.1 > slow.1 { FAR } else { 1.0 / FAR };
+        line.points.insert(0, (slow.0.min(x.min), slow.1));
+        line.points.push((fast.0 * factor, fast.1 * factor));
+    }
+    lines
+}
+
+/// Farther than any window reaches.
+const FAR: f64 = 1e30;
