@@ -1,6 +1,7 @@
 //! `SHA256SUMS`: the digest of every other file, in the format of `sha256sum --check`.
 
 use std::collections::BTreeMap;
+use std::io::{self, Read};
 
 use sha2::{Digest, Sha256};
 
@@ -12,7 +13,30 @@ pub const DIGESTS_FILE: &str = "SHA256SUMS";
 /// SHA-256 in lower-case hexadecimal.
 #[must_use]
 pub fn sha256_hex(bytes: &[u8]) -> String {
-    Sha256::digest(bytes).iter().map(|byte| format!("{byte:02x}")).collect()
+    finished_hex(Sha256::new_with_prefix(bytes))
+}
+
+/// The end of a digest that was computed part by part, in lower-case hexadecimal.
+#[must_use]
+pub fn finished_hex(digest: Sha256) -> String {
+    digest.finalize().iter().map(|byte| format!("{byte:02x}")).collect()
+}
+
+/// Length and SHA-256 of all that a reader gives, in constant memory.
+///
+/// # Errors
+/// When the reader fails.
+pub fn sha256_of_reader(mut reader: impl Read) -> io::Result<(u64, String)> {
+    let (mut digest, mut bytes, mut buffer) = (Sha256::new(), 0, vec![0; 1 << 16]);
+    loop {
+        match reader.read(&mut buffer)? {
+            0 => return Ok((bytes, finished_hex(digest))),
+            count => {
+                digest.update(&buffer[..count]);
+                bytes += count as u64;
+            }
+        }
+    }
 }
 
 /// The text of `SHA256SUMS` for these files.

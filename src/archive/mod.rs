@@ -25,7 +25,7 @@ pub use container::{ReleaseTime, pack};
 pub use contents::{
     Facts, INPUT_FOLDER, Parts, README_FILE, REPORT_FOLDER, STATEMENT_FILE, VERSIONS_FILE, contents,
 };
-pub use digests::{DIGESTS_FILE, digest_faults, sha256_hex};
+pub use digests::{DIGESTS_FILE, digest_faults, finished_hex, sha256_hex, sha256_of_reader};
 pub use ledger_difference::ledger_differences;
 pub use names::check_path;
 pub use unpack::{Caps, unpack};

@@ -79,7 +79,6 @@ pub fn assemble(material: Material) -> ReportView {
             text_markdown: "Every number on this page follows from the files below and from nothing else; the command makes the page again, byte for byte.".into(),
             command,
             inputs,
-            facts: Vec::new(),
         },
         environment,
     }
@@ -154,7 +153,6 @@ fn groups(ledger: &Ledger, report: &str) -> Vec<ClaimGroupView> {
         .iter()
         .map(|(letter, title)| ClaimGroupView {
             title: (*title).into(),
-            intro_markdown: String::new(),
             claims: ledger
                 .claims
                 .iter()
@@ -182,7 +180,6 @@ fn claim_view(entry: &Entry, ledger: &Ledger, report: &str) -> ClaimView {
             finding.strength.as_str().into()
         },
         evidence: finding.evidence.iter().map(evidence_view).collect(),
-        limits_markdown: Vec::new(),
         counter_example_markdown: plain(finding.counter_example.as_deref().unwrap_or_default()),
         not_established_markdown: plain(entry.not_established),
         remark_markdown: finding.remarks.iter().map(|remark| plain(remark)).collect::<Vec<_>>().join("\n\n"),

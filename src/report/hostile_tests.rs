@@ -24,13 +24,13 @@ fn hostile_view() -> ReportView {
     view.chapters[0].text_markdown =
         format!("{HOSTILE}\n\n# {HOSTILE}\n\n[[table:corners]]\n[[claim:B5]]\n[[equation:8]]\n");
     for group in &mut view.ledger {
-        (group.title, group.intro_markdown) = (text(), text());
+        group.title = text();
         for claim in &mut group.claims {
             (claim.place, claim.strength, claim.command) = (text(), text(), text());
             (claim.statement_markdown, claim.acceptance_markdown, claim.verdict_markdown) =
                 (text(), text(), text());
             (claim.counter_example_markdown, claim.remark_markdown) = (text(), text());
-            (claim.not_established_markdown, claim.limits_markdown) = (text(), vec![text()]);
+            claim.not_established_markdown = text();
             for item in &mut claim.evidence {
                 (item.kind, item.strength, item.text_markdown) = (text(), text(), text());
                 (item.numbers, item.certificate) = (vec![fact()], text());
@@ -48,7 +48,7 @@ fn hostile_view() -> ReportView {
     (table.columns[1].header, table.columns[1].unit) = (text(), text());
     table.rows[0] = table.rows[0].iter().map(|cell| Cell { text: text(), kind: cell.kind }).collect();
     let provenance = &mut view.provenance;
-    (provenance.text_markdown, provenance.command, provenance.facts) = (text(), text(), vec![fact()]);
+    (provenance.text_markdown, provenance.command) = (text(), text());
     provenance.inputs = vec![InputView { path: text(), bytes: text(), sha256: text() }];
     view.environment = vec![fact()];
     view

@@ -66,7 +66,6 @@ impl<'a> Page<'a> {
         let provenance = ProvenanceContext {
             text_html: self.prose.blocks(&view.provenance.text_markdown, 2, "provenance"),
             command: &view.provenance.command,
-            facts: &view.provenance.facts,
             inputs: &view.provenance.inputs,
         };
         let style_css = style_sheet(&self.prose.mathematics.style_rules());
@@ -99,7 +98,6 @@ impl<'a> Page<'a> {
             groups.push(GroupContext {
                 anchor: group_anchor(index + 1),
                 title: &group.title,
-                intro_html: self.prose.blocks(&group.intro_markdown, 3, &group.title),
                 chips: group.claims.iter().map(Chip::of).collect(),
                 claims_html,
             });

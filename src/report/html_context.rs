@@ -48,7 +48,6 @@ pub(crate) struct FindingContext<'a> {
 pub(crate) struct GroupContext<'a> {
     pub anchor: String,
     pub title: &'a str,
-    pub intro_html: String,
     pub chips: Vec<Chip<'a>>,
     pub claims_html: Vec<String>,
 }
@@ -75,7 +74,6 @@ pub(crate) struct ChapterContext<'a> {
 pub(crate) struct ProvenanceContext<'a> {
     pub text_html: String,
     pub command: &'a str,
-    pub facts: &'a [FactView],
     pub inputs: &'a [InputView],
 }
 

@@ -5,7 +5,6 @@
 //! adds sorting, finding and reading out, and everything is readable without it.
 
 mod assemble;
-mod base64;
 mod blocks;
 mod catalogue;
 mod claim_html;

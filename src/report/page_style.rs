@@ -2,7 +2,8 @@
 
 use sha2::{Digest, Sha256};
 
-use super::base64::base64;
+use base64::Engine;
+use base64::prelude::BASE64_STANDARD;
 
 const STYLE: &str = include_str!("../../templates/style.css");
 
@@ -15,7 +16,7 @@ const MATH_FONT: &[u8] = include_bytes!("../../templates/fonts/slipmode-math.wof
 /// The whole style sheet: the font, the rules, and those of the formulas' classes.
 #[must_use]
 pub(crate) fn style_sheet(formula_rules: &str) -> String {
-    let font = base64(MATH_FONT);
+    let font = BASE64_STANDARD.encode(MATH_FONT);
     format!(
         "@font-face{{font-family:\"Slipmode Math\";src:url(\"data:font/woff2;base64,{font}\") format(\"woff2\")}}\n\
          {STYLE}{formula_rules}"
@@ -34,7 +35,7 @@ pub(crate) fn explorer_style_sheet() -> String {
 /// A content policy under which the page may use this style sheet, this script and embedded fonts: no requests.
 #[must_use]
 pub(crate) fn content_policy(style_sheet: &str, script: &str) -> String {
-    let digest = |text: &str| base64(&Sha256::digest(text.as_bytes()));
+    let digest = |text: &str| BASE64_STANDARD.encode(Sha256::digest(text.as_bytes()));
     let (style, script) = (digest(style_sheet), digest(script));
     format!(
         "default-src 'none'; style-src 'sha256-{style}'; script-src 'sha256-{script}'; font-src data:; base-uri 'none'; form-action 'none'"

@@ -94,12 +94,7 @@ impl<'a> Report<'a> {
                 .collect();
             let rendered: Result<Vec<String>, ReportError> =
                 claims.iter().map(|claim| self.templates.render("claim.md", claim)).collect();
-            groups.push(Group {
-                title: &group.title,
-                intro_md: self.prose(&group.intro_markdown, 3),
-                claims,
-                claims_md: rendered?,
-            });
+            groups.push(Group { title: &group.title, claims, claims_md: rendered? });
         }
         Ok(groups)
     }
@@ -190,7 +185,6 @@ impl<'a> Report<'a> {
         Provenance {
             text_md: self.prose(&provenance.text_markdown, 2),
             command_md: code_span(&provenance.command),
-            facts: facts(&provenance.facts),
             inputs: provenance.inputs.iter().map(input).collect(),
         }
     }

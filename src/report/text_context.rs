@@ -41,7 +41,6 @@ pub(crate) struct Finding<'a> {
 #[derive(Serialize)]
 pub(crate) struct Group<'a> {
     pub title: &'a str,
-    pub intro_md: String,
     pub claims: Vec<ClaimText<'a>>,
     pub claims_md: Vec<String>,
 }
@@ -66,7 +65,6 @@ pub(crate) struct Chapter<'a> {
 pub(crate) struct Provenance {
     pub text_md: String,
     pub command_md: String,
-    pub facts: Vec<Fact>,
     pub inputs: Vec<Input>,
 }
 

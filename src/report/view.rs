@@ -128,8 +128,6 @@ pub struct ChapterView {
 pub struct ClaimGroupView {
     /// Heading, such as `Stability (S)`.
     pub title: String,
-    /// One or two sentences; may be empty.
-    pub intro_markdown: String,
     /// Claims in order.
     pub claims: Vec<ClaimView>,
 }
@@ -153,8 +151,6 @@ pub struct ClaimView {
     pub strength: String,
     /// What the verdict rests on.
     pub evidence: Vec<EvidenceView>,
-    /// Limits, as numbers.
-    pub limits_markdown: Vec<String>,
     /// The counter-example, exact where it can be; empty when there is none.
     pub counter_example_markdown: String,
     /// What the verdict does not establish.
@@ -228,8 +224,6 @@ pub struct ProvenanceView {
     pub command: String,
     /// Files that went in.
     pub inputs: Vec<InputView>,
-    /// Further facts that do not depend on the machine: program version, counts by precision level.
-    pub facts: Vec<FactView>,
 }
 
 /// A file that went into the report.

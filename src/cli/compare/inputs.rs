@@ -2,10 +2,9 @@
 
 use std::collections::BTreeSet;
 use std::fs::File;
-use std::io::{self, BufReader, Read};
 use std::path::Path;
 
-use sha2::{Digest, Sha256};
+use slipmode::archive::sha256_of_reader;
 use slipmode::report::InputView;
 
 use crate::cli::compare::rows::ComparedRow;
@@ -29,21 +28,7 @@ pub fn inputs(runs: &Path, rows: &[ComparedRow]) -> Result<Vec<InputView>, Failu
 }
 
 fn view(path: &Path, name: &str) -> Result<InputView, Failure> {
-    let (bytes, sha256) = digest(path).map_err(|error| Failure::io(path, "cannot be read again", &error))?;
+    let digest = File::open(path).and_then(sha256_of_reader);
+    let (bytes, sha256) = digest.map_err(|error| Failure::io(path, "cannot be read again", &error))?;
     Ok(InputView { path: name.into(), bytes: bytes.to_string(), sha256 })
-}
-
-/// Length and SHA-256 of a file, in constant memory.
-fn digest(path: &Path) -> io::Result<(u64, String)> {
-    let mut reader = BufReader::new(File::open(path)?);
-    let (mut digest, mut bytes, mut buffer) = (Sha256::new(), 0, vec![0; 1 << 16]);
-    loop {
-        let read = reader.read(&mut buffer)?;
-        if read == 0 {
-            break;
-        }
-        digest.update(&buffer[..read]);
-        bytes += read as u64;
-    }
-    Ok((bytes, digest.finalize().iter().map(|byte| format!("{byte:02x}")).collect()))
 }

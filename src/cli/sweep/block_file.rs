@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use std::time::{SystemTime, UNIX_EPOCH};
 
 use sha2::{Digest, Sha256};
+use slipmode::archive::finished_hex;
 
 use crate::cli::failure::Failure;
 
@@ -217,15 +218,11 @@ impl OpenBlock {
             skipped -= from as u64;
             out.write_all(&buffer[from..count]).map_err(|error| crate::cli::output::machine_write(&error))?;
         }
-        if hexadecimal(digest) == self.heading.sha256 {
+        if finished_hex(digest) == self.heading.sha256 {
             return Ok(Ok(()));
         }
         Ok(Err(Unsound::Damaged("damaged or tampered with: its SHA-256 is not the stated one".into())))
     }
-}
-
-fn hexadecimal(digest: Sha256) -> String {
-    digest.finalize().iter().map(|byte| format!("{byte:02x}")).collect()
 }
 
 /// Writes a block: next to its place, synced, renamed.
@@ -249,7 +246,7 @@ pub fn write_block(
         sha256: String::new(),
     };
     let digest = Sha256::new().chain_update(heading.stated()).chain_update(columns).chain_update(lines);
-    heading.sha256 = hexadecimal(digest);
+    heading.sha256 = finished_hex(digest);
     let place = folder.join(block_name(block));
     let beside = Beside::create(folder, block)?;
     let written = || -> io::Result<()> {
