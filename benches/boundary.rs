@@ -5,7 +5,7 @@
 use std::hint::black_box;
 use std::time::Instant;
 
-use slipmode_core::friction::Parameters;
+use slipmode_core::friction::Slider;
 use slipmode_core::number::{Ball, Rational, parse_decimal};
 use slipmode_core::stability::Arc;
 use slipmode_core::stability::boundary::{BoundaryCurve, Section, by_bisection, by_discriminant};
@@ -18,16 +18,8 @@ fn number(text: &str) -> Rational {
 }
 
 /// The paper's slider.
-fn parameters() -> Parameters<Rational> {
-    Parameters {
-        direct_effect: number("0.004"),
-        evolution_effect: number("0.006"),
-        critical_slip_distance_m: number("1e-5"),
-        stiffness_pa_per_m: number("1e7"),
-        mass_per_area_kg_per_m2: number("1000"),
-        normal_stress_pa: number("1"),
-        loading_velocity_m_per_s: number("1"),
-    }
+fn slider() -> Slider<Rational> {
+    Slider::from([number("0.004"), number("0.006"), number("1e-5"), number("1e7"), number("1000")])
 }
 
 /// Sections at given σ that cross the boundary once: the upper arc above eq 15, the lower one below eq 16.
@@ -51,8 +43,8 @@ fn medians<const N: usize>(items: usize, rounds: usize, mut run: [&mut dyn FnMut
     })
 }
 
-fn points_of_the_curve(parameters: &Parameters<Rational>) {
-    let curve = BoundaryCurve::new(parameters, DIGITS);
+fn points_of_the_curve(slider: &Slider<Rational>) {
+    let curve = BoundaryCurve::new(slider, DIGITS);
     let places: Vec<Ball> = curve.sample_parameters(100, 1e-6);
     let both = |evaluate: &dyn Fn(Arc, &Ball)| {
         places.iter().for_each(|place| [Arc::Upper, Arc::Lower].iter().for_each(|&arc| evaluate(arc, place)));
@@ -74,8 +66,8 @@ fn points_of_the_curve(parameters: &Parameters<Rational>) {
     );
 }
 
-fn points_at_given_normal_stress(parameters: &Parameters<Rational>) {
-    let curve = BoundaryCurve::new(parameters, DIGITS);
+fn points_at_given_normal_stress(slider: &Slider<Rational>) {
+    let curve = BoundaryCurve::new(slider, DIGITS);
     let sections: Vec<Section> = stresses().into_iter().map(Section::AtNormalStress).collect();
     let ends = (number("1e-8"), number("1e3"));
     let [velocity, row, discriminant, bisection] = medians(
@@ -84,10 +76,10 @@ fn points_at_given_normal_stress(parameters: &Parameters<Rational>) {
         [
             &mut || sections.iter().for_each(|section| drop(black_box(curve.crossings(section)))),
             &mut || sections.iter().for_each(|section| drop(black_box(curve.on_section(section)))),
-            &mut || sections.iter().for_each(|s| drop(black_box(by_discriminant(parameters, s, DIGITS)))),
+            &mut || sections.iter().for_each(|s| drop(black_box(by_discriminant(slider, s, DIGITS)))),
             &mut || {
                 sections.iter().for_each(|section| {
-                    drop(black_box(by_bisection(parameters, section, (&ends.0, &ends.1), DIGITS)));
+                    drop(black_box(by_bisection(slider, section, (&ends.0, &ends.1), DIGITS)));
                 });
             },
         ],
@@ -105,7 +97,7 @@ fn points_at_given_normal_stress(parameters: &Parameters<Rational>) {
 }
 
 fn main() {
-    let parameters = parameters();
-    points_of_the_curve(&parameters);
-    points_at_given_normal_stress(&parameters);
+    let slider = slider();
+    points_of_the_curve(&slider);
+    points_at_given_normal_stress(&slider);
 }

@@ -5,7 +5,7 @@
 use std::hint::black_box;
 use std::time::Instant;
 
-use slipmode_core::friction::Parameters;
+use slipmode_core::friction::{Parameters, Slider};
 use slipmode_core::number::{Rational, parse_decimal};
 use slipmode_core::stability::batch::{GridKernel, PrecisionCounts, SignPair, classify_points, grid_values};
 use slipmode_core::stability::{InertialThreshold, classify};
@@ -13,17 +13,9 @@ use slipmode_core::stability::{InertialThreshold, classify};
 const SIDE: usize = 4096;
 const REPETITIONS: usize = 5;
 
-fn paper(a: &str, b: &str) -> Parameters<Rational> {
+fn paper(a: &str, b: &str) -> Slider<Rational> {
     let number = |text: &str| parse_decimal(text).unwrap();
-    Parameters {
-        direct_effect: number(a),
-        evolution_effect: number(b),
-        critical_slip_distance_m: number("1e-5"),
-        stiffness_pa_per_m: number("1e7"),
-        mass_per_area_kg_per_m2: number("1000"),
-        normal_stress_pa: number("1"),
-        loading_velocity_m_per_s: number("1"),
-    }
+    Slider::from([number(a), number(b), number("1e-5"), number("1e7"), number("1000")])
 }
 
 fn axis(from: f64, to: f64, count: usize) -> Vec<f64> {
@@ -42,11 +34,9 @@ fn timed<T>(work: impl FnOnce() -> T) -> (f64, T) {
 }
 
 /// The alternative: 64-bit groups, the signs of Cardano's discriminant (q/2)² + (p/3)³ and of the margin as they come.
-fn cardano_row(fixed: &Parameters<f64>, velocity: f64, stresses: &[f64], cells: &mut [SignPair]) {
+fn cardano_row(slider: &Slider<f64>, velocity: f64, stresses: &[f64], cells: &mut [SignPair]) {
     for (cell, &stress) in cells.iter_mut().zip(stresses) {
-        let point =
-            Parameters { normal_stress_pa: stress, loading_velocity_m_per_s: velocity, ..fixed.clone() };
-        let groups = point.groups();
+        let groups = slider.at(stress, velocity).groups();
         let [c0, c1, c2, c3] = groups.characteristic_cubic();
         let (a, b, c) = (c2 / c3, c1 / c3, c0 / c3);
         let third = b / 3.0 - a * a / 9.0;
@@ -57,10 +47,10 @@ fn cardano_row(fixed: &Parameters<f64>, velocity: f64, stresses: &[f64], cells: 
     }
 }
 
-fn grid_case(name: &str, fixed: &Parameters<Rational>) {
+fn grid_case(name: &str, slider: &Slider<Rational>) {
     let (velocities, stresses) = (axis(-7.0, 1.0, SIDE), axis(2.0, 9.0, SIDE));
-    let kernel = GridKernel::new(fixed, &stresses).unwrap();
-    let fixed_64 = fixed.map(Rational::to_f64);
+    let kernel = GridKernel::new(slider, &stresses).unwrap();
+    let slider_64 = slider.map(Rational::to_f64);
     let (mut exact_cells, mut cardano_cells) =
         (vec![SignPair::new(0, 0); SIDE * SIDE], vec![SignPair::new(0, 0); SIDE * SIDE]);
     let (mut exact_times, mut cardano_times) = (Vec::new(), Vec::new());
@@ -75,7 +65,7 @@ fn grid_case(name: &str, fixed: &Parameters<Rational>) {
         exact_times.push(seconds);
         let (seconds, ()) = timed(|| {
             for (&velocity, row) in velocities.iter().zip(cardano_cells.chunks_mut(SIDE)) {
-                cardano_row(&fixed_64, velocity, &stresses, row);
+                cardano_row(&slider_64, velocity, &stresses, row);
             }
         });
         cardano_times.push(seconds);
@@ -111,15 +101,7 @@ fn points_case() {
         column(2.0, 9.0, 67_867_967),
         column(-9.0, 1.0, 86_028_121),
     ];
-    let points = Parameters {
-        direct_effect: &columns[0][..],
-        evolution_effect: &columns[1][..],
-        critical_slip_distance_m: &columns[2][..],
-        stiffness_pa_per_m: &columns[3][..],
-        mass_per_area_kg_per_m2: &columns[4][..],
-        normal_stress_pa: &columns[5][..],
-        loading_velocity_m_per_s: &columns[6][..],
-    };
+    let points = Parameters::from(columns.each_ref().map(Vec::as_slice));
     let mut counts = PrecisionCounts::default();
     let times = (0..REPETITIONS)
         .map(|_| {
@@ -139,21 +121,17 @@ fn points_case() {
     );
 }
 
-fn value_case(fixed: &Parameters<Rational>) {
+fn value_case(slider: &Slider<Rational>) {
     let (velocities, stresses) = (axis(-7.0, 1.0, 256), axis(2.0, 9.0, 256));
     let points = (velocities.len() * stresses.len()) as f64;
     let threads = rayon::current_num_threads() as f64;
-    let (batch, _) = timed(|| grid_values(fixed, &velocities, &stresses));
+    let (batch, _) = timed(|| grid_values(slider, &velocities, &stresses));
     let threshold = InertialThreshold::default();
     let (single, _) = timed(|| {
         for &velocity in &velocities[..64] {
             for &stress in &stresses {
-                let point = Parameters {
-                    loading_velocity_m_per_s: Rational::from_f64(velocity).unwrap(),
-                    normal_stress_pa: Rational::from_f64(stress).unwrap(),
-                    ..fixed.clone()
-                };
-                black_box(classify(&point, &threshold));
+                let [stress, velocity] = [stress, velocity].map(|value| Rational::from_f64(value).unwrap());
+                black_box(classify(&slider.at(stress, velocity), &threshold));
             }
         }
     });

@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 use std::fs;
 use std::path::Path;
 
-use slipmode_core::friction::Parameters;
+use slipmode_core::friction::{OperatingPoint, Slider};
 use slipmode_core::number::{Ball, Rational, parse_decimal};
 use slipmode_core::stability::boundary::{BoundaryCurve, Section};
 
@@ -18,17 +18,9 @@ const REPETITIONS: usize = 5;
 const LEADING: [&str; 4] = ["1.3", "2.9", "4.7", "7.1"];
 const EXPONENTS: [i32; 6] = [0, 1, 2, 6, 7, 8];
 
-fn paper() -> Parameters<Rational> {
+fn paper() -> Slider<Rational> {
     let number = |text: &str| parse_decimal(text).unwrap();
-    Parameters {
-        direct_effect: number("0.004"),
-        evolution_effect: number("0.006"),
-        critical_slip_distance_m: number("1e-5"),
-        stiffness_pa_per_m: number("1e7"),
-        mass_per_area_kg_per_m2: number("1000"),
-        normal_stress_pa: number("1"),
-        loading_velocity_m_per_s: number("1"),
-    }
+    Slider::from([number("0.004"), number("0.006"), number("1e-5"), number("1e7"), number("1000")])
 }
 
 fn stresses() -> impl Iterator<Item = String> {
@@ -76,8 +68,9 @@ pub fn play(folder: &Path) {
         let mut widest = 0.0f64;
         for (place, arc) in places.iter().flat_map(|place| curve.arcs().iter().map(move |arc| (place, *arc)))
         {
-            let (stress, velocity) = curve.position(arc, place);
-            widest = widest.max(relative_radius(&stress)).max(relative_radius(&velocity));
+            let OperatingPoint { normal_stress_pa, loading_velocity_m_per_s } = curve.position(arc, place);
+            let radius = [normal_stress_pa, loading_velocity_m_per_s].map(|value| relative_radius(&value));
+            widest = radius.into_iter().fold(widest, f64::max);
         }
         widest
     });

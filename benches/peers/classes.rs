@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use slipmode_core::friction::Parameters;
+use slipmode_core::friction::{Parameters, Slider};
 use slipmode_core::number::Rational;
 use slipmode_core::stability::batch::{
     GridKernel, LargestPartsPerS, PrecisionCounts, SignPair, classify_points, point_values,
@@ -24,17 +24,9 @@ const STRIDE: usize = 8;
 
 const REPETITIONS: usize = 5;
 
-/// The paper's slider; σ and V0 are set by the grid.
-fn paper() -> Parameters<f64> {
-    Parameters {
-        direct_effect: 0.004,
-        evolution_effect: 0.006,
-        critical_slip_distance_m: 1e-5,
-        stiffness_pa_per_m: 1e7,
-        mass_per_area_kg_per_m2: 1000.0,
-        normal_stress_pa: 1.0,
-        loading_velocity_m_per_s: 1.0,
-    }
+/// The paper's slider.
+fn paper() -> Slider<f64> {
+    Slider::from([0.004, 0.006, 1e-5, 1e7, 1000.0])
 }
 
 fn axis(low: f64, high: f64) -> Vec<f64> {
@@ -54,8 +46,7 @@ pub fn prepare(folder: &Path) {
     }
     write(folder, "grid", || {
         let (velocities, stresses) = grid_axes();
-        let at =
-            |v: &f64, s: &f64| Parameters { normal_stress_pa: *s, loading_velocity_m_per_s: *v, ..paper() };
+        let at = |v: &f64, s: &f64| paper().at(*s, *v);
         let rows = velocities.iter().step_by(STRIDE);
         rows.flat_map(|v| stresses.iter().step_by(STRIDE).map(|s| at(v, s)).collect::<Vec<_>>()).collect()
     });

@@ -13,18 +13,6 @@ pub struct Columns(Vec<Vec<f64>>);
 
 const WIDTH: usize = 12;
 
-fn as_array(p: &Parameters<f64>) -> [f64; 7] {
-    [
-        p.direct_effect,
-        p.evolution_effect,
-        p.critical_slip_distance_m,
-        p.stiffness_pa_per_m,
-        p.mass_per_area_kg_per_m2,
-        p.normal_stress_pa,
-        p.loading_velocity_m_per_s,
-    ]
-}
-
 /// Signs of K − K_c and of the discriminant, max Re(s), that root's modulus and max Im(s) in 1/s, by rationals and enclosures.
 fn reference(point: &Parameters<f64>) -> [f64; 5] {
     let exact = point.map(|value| Rational::from_f64(*value).unwrap());
@@ -50,7 +38,7 @@ impl Columns {
         let rows: Vec<[f64; WIDTH]> = points
             .par_iter()
             .map(|point| {
-                let (inputs, answers) = (as_array(point), reference(point));
+                let (inputs, answers) = (<[f64; 7]>::from(point.clone()), reference(point));
                 std::array::from_fn(|i| if i < 7 { inputs[i] } else { answers[i - 7] })
             })
             .collect();
@@ -77,28 +65,12 @@ impl Columns {
 
     /// The inputs as columns.
     pub fn inputs(&self) -> Parameters<&[f64]> {
-        Parameters {
-            direct_effect: &self.0[0],
-            evolution_effect: &self.0[1],
-            critical_slip_distance_m: &self.0[2],
-            stiffness_pa_per_m: &self.0[3],
-            mass_per_area_kg_per_m2: &self.0[4],
-            normal_stress_pa: &self.0[5],
-            loading_velocity_m_per_s: &self.0[6],
-        }
+        Parameters::from(std::array::from_fn(|input| self.0[input].as_slice()))
     }
 
     /// The inputs of one point.
     pub fn point(&self, index: usize) -> Parameters<f64> {
-        Parameters {
-            direct_effect: self.0[0][index],
-            evolution_effect: self.0[1][index],
-            critical_slip_distance_m: self.0[2][index],
-            stiffness_pa_per_m: self.0[3][index],
-            mass_per_area_kg_per_m2: self.0[4][index],
-            normal_stress_pa: self.0[5][index],
-            loading_velocity_m_per_s: self.0[6][index],
-        }
+        Parameters::from(std::array::from_fn(|input| self.0[input][index]))
     }
 
     /// The references of one point: two signs, max Re, that root's modulus, max Im.

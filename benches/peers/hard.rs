@@ -13,15 +13,7 @@ fn distance(number: usize) -> f64 {
 
 /// Inputs whose units are 1: short binary numbers, so that their products are exact.
 fn slider(direct_effect: f64, evolution_effect: f64, stiffness: f64, mass: f64) -> Parameters<f64> {
-    Parameters {
-        direct_effect,
-        evolution_effect,
-        critical_slip_distance_m: 1.0,
-        stiffness_pa_per_m: stiffness,
-        mass_per_area_kg_per_m2: mass,
-        normal_stress_pa: 1.0,
-        loading_velocity_m_per_s: 1.0,
-    }
+    Parameters::from([direct_effect, evolution_effect, 1.0, stiffness, mass, 1.0, 1.0])
 }
 
 /// On the lower arc with double root r, a multiple of 1/64; then K times 1 + ε.

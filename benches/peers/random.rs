@@ -32,14 +32,14 @@ impl Random {
     /// One slider: V0 1e-9…10, σ 1e2…1e9, a 1e-4…3e-2, b/a 0.05…20, D_c 1e-7…1e-2, K 1e4…1e12, M 1e-2…1e7.
     pub fn parameters(&mut self) -> Parameters<f64> {
         let direct_effect = self.decades(-4.0, libm::log10(3e-2));
-        Parameters {
+        Parameters::from([
             direct_effect,
-            evolution_effect: direct_effect * self.decades(libm::log10(0.05), libm::log10(20.0)),
-            critical_slip_distance_m: self.decades(-7.0, -2.0),
-            stiffness_pa_per_m: self.decades(4.0, 12.0),
-            mass_per_area_kg_per_m2: self.decades(-2.0, 7.0),
-            normal_stress_pa: self.decades(2.0, 9.0),
-            loading_velocity_m_per_s: self.decades(-9.0, 1.0),
-        }
+            direct_effect * self.decades(libm::log10(0.05), libm::log10(20.0)),
+            self.decades(-7.0, -2.0),
+            self.decades(4.0, 12.0),
+            self.decades(-2.0, 7.0),
+            self.decades(2.0, 9.0),
+            self.decades(-9.0, 1.0),
+        ])
     }
 }

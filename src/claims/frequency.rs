@@ -6,7 +6,7 @@ use crate::experiments::Need;
 use crate::experiments::frequency::{FrequencyLine, FrequencyOutcome};
 use slipmode_core::number::format::{certain_digits, rational_to_decimal, round_digits};
 use slipmode_core::number::{Ball, Rational, Real};
-use slipmode_core::stability::Asymptote;
+use slipmode_core::stability::asymptote;
 use slipmode_core::theory::{frequency, non_inertial, period};
 
 pub(super) const CHECKS: &[Check] = &[
@@ -75,7 +75,7 @@ fn q3(context: &Context) -> Finding {
         "eq 23 is the limit V0 → 0, and ω_n the limit V0 → ∞: the frequency lies strictly below both at every velocity",
     );
     let Some(scene) = context.outcome.potentially_unstable() else { return finding };
-    let (Some(parameters), Some(outcome)) = (scene.parameters(), &scene.frequency) else { return finding };
+    let (Some(parameters), Some(outcome)) = (scene.slider(), &scene.frequency) else { return finding };
     let one = Rational::from(1);
     let Some(line) = outcome.lines.iter().find(|line| line.normal_stress_over_critical == one) else {
         return finding;
@@ -124,7 +124,7 @@ fn q4(context: &Context) -> Finding {
 }
 
 fn q5(context: &Context) -> Finding {
-    let Some(parameters) = context.outcome.potentially_unstable().and_then(|scene| scene.parameters()) else {
+    let Some(parameters) = context.outcome.potentially_unstable().and_then(|scene| scene.slider()) else {
         return Finding::not_checked("The report has no scene with a < b to take K and M from.");
     };
     match period::natural(
@@ -158,15 +158,14 @@ fn q5(context: &Context) -> Finding {
 
 fn q6(context: &Context) -> Finding {
     let finding = Finding::from_proofs([frequency::low_frequency_zone(context.equations)]);
-    let Some(parameters) = context.outcome.potentially_unstable().and_then(|scene| scene.parameters()) else {
+    let Some(parameters) = context.outcome.potentially_unstable().and_then(|scene| scene.slider()) else {
         return finding.within("η ≪ 1: the proof bounds (ω/ω_n)² by 2η");
     };
     // Everywhere above eq 16 η is below its value on eq 16, so that one velocity serves the whole strip.
-    let point =
-        parameters.at(Rational::from(1), Rational::from(1)).map(|value| Ball::from_rational(value, 128));
-    let lowest_stress = Asymptote::QuasiStaticLower.value(&point);
-    let velocity_squared = lowest_stress * &point.direct_effect * &point.critical_slip_distance_m
-        / &point.mass_per_area_kg_per_m2
+    let slider = parameters.map(|value| Ball::from_rational(value, 128));
+    let lowest_stress = asymptote::quasi_static_lower_normal_stress_pa(&slider);
+    let velocity_squared = lowest_stress * &slider.direct_effect * &slider.critical_slip_distance_m
+        / &slider.mass_per_area_kg_per_m2
         / Ball::from(200);
     let velocity = certain_digits(&velocity_squared.sqrt(), 6);
     finding

@@ -46,7 +46,7 @@ fn reference_friction() -> Rational {
 }
 
 fn f4(context: &Context) -> Finding {
-    let Some(parameters) = context.outcome.potentially_unstable().and_then(|scene| scene.parameters()) else {
+    let Some(parameters) = context.outcome.potentially_unstable().and_then(|scene| scene.slider()) else {
         return Finding::not_checked("The report has no scene with a < b to take the direct effect a from.");
     };
     match regularised::bound(context.equations, &reference_friction(), &parameters.direct_effect) {

@@ -3,9 +3,8 @@
 use crate::claims::{Evidence, Finding};
 use crate::experiments::Context;
 use crate::experiments::onset::{Located, Onset, OnsetOutcome, OtherUnit, SeenOnset};
-use crate::scene::SceneParameters;
 use slipmode_core::dynamics::Behaviour;
-use slipmode_core::friction::Parameters;
+use slipmode_core::friction::Slider;
 use slipmode_core::number::format::{certain_digits, rational_to_decimal, round_digits};
 use slipmode_core::number::{Ball, Rational};
 use slipmode_core::stability::Asymptote;
@@ -33,7 +32,7 @@ pub(super) fn n6(context: &Context) -> Result<Finding, Finding> {
         .outcome
         .potentially_unstable()
         .ok_or_else(|| Finding::not_checked("The report has no scene with a < b."))?;
-    let (Some(parameters), Some(outcome)) = (scene.parameters(), scene.onset.as_ref()) else {
+    let (Some(parameters), Some(outcome)) = (scene.slider(), scene.onset.as_ref()) else {
         return Err(Finding::not_checked("The report does not look for the onset of oscillation."));
     };
     let lower = outcome.lines.iter().filter(|line| line.asymptote == Asymptote::InertialLower);
@@ -50,12 +49,11 @@ pub(super) fn n6(context: &Context) -> Result<Finding, Finding> {
         .remark("The text states no velocity of fig 4. The report's runs take five of fig 3a's quarter decades, two below eq 20 and three above it, as the words on the colours ask."))
 }
 
-fn compare<'c>(context: &Context, parameters: &SceneParameters, line: &'c Onset) -> Option<Compared<'c>> {
-    let point: Parameters<Rational> = parameters.at(line.normal_stress_pa.clone(), Rational::from(1));
-    let eq20_m_per_s = emergence::velocity_of_eq_20(context.equations, &point, BITS)?;
+fn compare<'c>(context: &Context, slider: &Slider<Rational>, line: &'c Onset) -> Option<Compared<'c>> {
+    let stress = &line.normal_stress_pa;
+    let eq20_m_per_s = emergence::velocity_of_eq_20(context.equations, slider, stress, BITS)?;
     let excess = line.boundary_velocity_m_per_s.clone() / &eq20_m_per_s - Ball::from(1);
-    let twice = point.stiffness_pa_per_m.clone() * &point.critical_slip_distance_m * 2u32;
-    let leading = point.evolution_effect.clone() * &point.normal_stress_pa / twice;
+    let leading = slider.evolution_effect.clone() * stress / (slider.stiffness_stress_pa() * 2u32);
     Some(Compared { line, eq20_m_per_s, excess, leading })
 }
 

@@ -90,7 +90,7 @@ pub(super) fn n10(context: &Context) -> Result<Finding, Finding> {
     let natural_s = context
         .outcome
         .potentially_unstable()
-        .and_then(|scene| scene.parameters())
+        .and_then(|scene| scene.slider())
         .map(|p| (p.mass_per_area_kg_per_m2.clone() / &p.stiffness_pa_per_m).to_f64().sqrt())
         .map(|unit| std::f64::consts::TAU * unit)
         .ok_or_else(|| Finding::not_checked("The scene has no parameters."))?;

@@ -7,13 +7,13 @@ use clap::Args;
 use slipmode::experiments::boundary::END_ERROR;
 use slipmode::experiments::boundary::{boundary_columns, boundary_row, vanishes};
 use slipmode::scene::{AllowedRange, Limits, Problem, Quantity};
-use slipmode_core::friction::Parameters;
+use slipmode_core::friction::Slider;
 use slipmode_core::number::{Ball, Rational};
 use slipmode_core::stability::boundary::{BoundaryCurve, BoundaryPoint};
 use slipmode_plot::table::Table;
 
 use crate::cli::failure::Failure;
-use crate::cli::options::{Arguments, SliderOptions};
+use crate::cli::options::{Arguments, MaterialOptions, SliderOptions};
 use crate::cli::output::{Output, machine_write};
 use crate::cli::roots::MOST_DIGITS;
 
@@ -47,7 +47,7 @@ pub struct Options {
 
 /// What was requested, valid.
 struct Request {
-    parameters: Parameters<Rational>,
+    slider: Slider<Rational>,
     points: usize,
     digits: u32,
     at_velocity: Option<Rational>,
@@ -75,7 +75,7 @@ pub fn run(options: &Options) -> Result<(), Failure> {
 
 impl Request {
     fn read(options: &Options, arguments: &mut Arguments) -> Option<Self> {
-        let parameters = slider(&options.slider, arguments);
+        let slider = slider(&options.slider, arguments);
         let limit = arguments.whole("--max-points", options.max_points.as_deref(), 2..=u64::from(u32::MAX));
         let limit = limit.unwrap_or(Limits::default().max_points);
         let points = arguments.whole("--points", Some(&options.points), 2..=u64::MAX);
@@ -92,7 +92,7 @@ impl Request {
         let at_velocity = coordinate("--at-velocity", &options.at_velocity);
         let at_normal_stress = coordinate("--at-normal-stress", &options.at_normal_stress);
         Some(Self {
-            parameters: parameters?,
+            slider: slider?,
             points: usize::try_from(points?).ok()?,
             digits: u32::try_from(digits?).ok()?,
             at_velocity: at_velocity?,
@@ -120,7 +120,7 @@ impl Request {
     }
 
     fn points_to(&self, digits: u32) -> Vec<BoundaryPoint> {
-        let curve = BoundaryCurve::new(&self.parameters, digits);
+        let curve = BoundaryCurve::new(&self.slider, digits);
         if self.at_velocity.is_none() && self.at_normal_stress.is_none() {
             return curve.sample(self.points, END_ERROR);
         }
@@ -145,15 +145,13 @@ impl Request {
     }
 }
 
-/// The slider without its point of operation: σ and V0 are what is sought, and are checked but not used when given.
-fn slider(options: &SliderOptions, arguments: &mut Arguments) -> Option<Parameters<Rational>> {
-    let values = Quantity::ALL.map(|quantity| {
-        let sought = matches!(quantity, Quantity::NormalStress | Quantity::LoadingVelocity);
-        match options.text(quantity) {
-            None if sought => Some(Rational::from(1)),
-            _ => options.required(quantity, arguments),
+/// The slider without its operating point: σ and V0 are what is sought, and are checked but not used when given.
+fn slider(options: &SliderOptions, arguments: &mut Arguments) -> Option<Slider<Rational>> {
+    let [a, b, d, k, m] = MaterialOptions::QUANTITIES.map(|quantity| options.required(quantity, arguments));
+    for sought in [Quantity::NormalStress, Quantity::LoadingVelocity] {
+        if options.text(sought).is_some() {
+            options.required(sought, arguments)?;
         }
-    });
-    let [Some(a), Some(b), Some(d), Some(k), Some(m), Some(s), Some(v)] = values else { return None };
-    Some(Parameters::from([a, b, d, k, m, s, v]))
+    }
+    Some(Slider::from([a?, b?, d?, k?, m?]))
 }

@@ -1,5 +1,6 @@
 //! `slipmode explore`: one page on which b, K and M of a scene's slider can be changed.
 
+use slipmode_core::friction::Slider;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
@@ -10,7 +11,7 @@ use slipmode::experiments::inertial_threshold;
 use slipmode::explorer::{Families, NamedPoint};
 use slipmode::explorer::{Window, explorer};
 use slipmode::report::{ExplorerPage, PAGE_BUDGET_BYTES, render_explorer};
-use slipmode::scene::{Limits, SceneParameters};
+use slipmode::scene::{Limits, ParametersSection};
 use slipmode_core::number::{Rational, nearest_f64};
 
 use crate::cli::failure::Failure;
@@ -42,15 +43,15 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     let scene = Scene::parse(&options.scene.display().to_string(), &bytes, &Limits::default())?;
     let refused = |why: &str| Failure::Refused(format!("{}: {why}", options.scene.display()));
     let parameters = scene.parameters.as_ref().ok_or_else(|| refused("has no [parameters] to explore"))?;
-    let window = window(&scene, parameters).map_err(|why| refused(&why))?;
+    let window = window(&scene, &parameters.slider).map_err(|why| refused(&why))?;
     let place = place(options.output.as_deref(), &scene.name);
     let mut output = Output::create(&place)?;
     let (points, marks) = points(&scene, parameters, window);
-    let families = Families::of(parameters, points, &inertial_threshold(&scene));
+    let families = Families::of(&parameters.slider, points, &inertial_threshold(&scene));
     let file = options.scene.file_name().unwrap_or_default().to_string_lossy().into_owned();
     let page = ExplorerPage {
         title: &scene.title,
-        parameters,
+        slider: &parameters.slider,
         marks: &marks,
         command: &format!("slipmode explore {file} --output {}.html", scene.name),
         scene: &file,
@@ -80,7 +81,7 @@ fn place(output: Option<&Path>, name: &str) -> PathBuf {
 }
 
 /// The scene's map, or what `new` would choose for the slider.
-fn window(scene: &Scene, parameters: &SceneParameters) -> Result<Window, String> {
+fn window(scene: &Scene, slider: &Slider<Rational>) -> Result<Window, String> {
     let ends = |from: &Rational, to: &Rational| (nearest_f64(from), nearest_f64(to));
     if let Some(map) = scene.map.as_ref().or(scene.zones.as_ref()) {
         let (velocity, stress) = (&map.loading_velocity_m_per_s, &map.normal_stress_pa);
@@ -89,12 +90,12 @@ fn window(scene: &Scene, parameters: &SceneParameters) -> Result<Window, String>
             stress: ends(&stress.from, &stress.to),
         });
     }
-    let ranges = Ranges::around(parameters)?;
+    let ranges = Ranges::around(slider)?;
     Ok(Window { velocity: ranges.velocity.ends(), stress: ranges.stress.ends() })
 }
 
 /// The points that are followed, and a sentence on where they come from.
-fn points(scene: &Scene, parameters: &SceneParameters, window: Window) -> (Vec<NamedPoint>, String) {
+fn points(scene: &Scene, parameters: &ParametersSection, window: Window) -> (Vec<NamedPoint>, String) {
     let mut points = Vec::new();
     if let Some(point) = parameters.point() {
         points.push(NamedPoint {

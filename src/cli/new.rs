@@ -5,10 +5,12 @@ mod files;
 mod ranges;
 mod scene;
 
+use slipmode_core::friction::Slider;
+use slipmode_core::number::Rational;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use slipmode::scene::{Fault, Limits, Problem, SceneParameters, check_name};
+use slipmode::scene::{Fault, Limits, Problem, check_name};
 
 use crate::cli::failure::Failure;
 use crate::cli::folder::{Source, read_report_from};
@@ -82,7 +84,7 @@ pub fn run(options: &Options, progress: &Progress) -> Result<(), Failure> {
 }
 
 impl Effects {
-    fn of(parameters: &SceneParameters) -> Self {
+    fn of(parameters: &Slider<Rational>) -> Self {
         match parameters.direct_effect.cmp(&parameters.evolution_effect) {
             std::cmp::Ordering::Less => Self::Weakening,
             std::cmp::Ordering::Equal => Self::Neutral,
@@ -92,7 +94,7 @@ impl Effects {
 }
 
 /// The name and the numbers as typed, and the numbers as exact values.
-fn read(options: &Options) -> Result<(Typed, SceneParameters), Failure> {
+fn read(options: &Options) -> Result<(Typed, Slider<Rational>), Failure> {
     let mut arguments = Arguments::default();
     if let Err(error) = check_name(&options.name) {
         arguments.fault::<()>("NAME", Some(&format!("{:?}", options.name)), Problem::BadName(error));
@@ -108,7 +110,7 @@ fn read(options: &Options) -> Result<(Typed, SceneParameters), Failure> {
         stiffness_pa_per_m: own(k),
         mass_per_area_kg_per_m2: own(m),
     };
-    let parameters = material.parameters(&mut arguments);
+    let parameters = material.slider(&mut arguments);
     arguments.finish()?;
     let missing = || Failure::Input(Vec::<Fault>::new());
     let typed = Typed { name: options.name.clone(), material, is_example };

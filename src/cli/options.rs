@@ -4,8 +4,8 @@ use std::ops::RangeInclusive;
 
 use clap::Args;
 
-use slipmode::scene::{AllowedRange, Fault, Faults, Problem, Quantity, SceneParameters, parse_whole};
-use slipmode_core::friction::Parameters;
+use slipmode::scene::{AllowedRange, Fault, Faults, Problem, Quantity, parse_whole};
+use slipmode_core::friction::{Parameters, Slider};
 use slipmode_core::number::Rational;
 use slipmode_core::stability::InertialThreshold;
 
@@ -55,13 +55,13 @@ impl MaterialOptions {
     }
 
     /// All five values; what is missing or faulty is collected in `arguments`.
-    pub fn parameters(&self, arguments: &mut Arguments) -> Option<SceneParameters> {
+    pub fn slider(&self, arguments: &mut Arguments) -> Option<Slider<Rational>> {
         let [Some(a), Some(b), Some(d), Some(k), Some(m)] =
             Self::QUANTITIES.map(|quantity| required(quantity, self.text(quantity), arguments))
         else {
             return None;
         };
-        Some(SceneParameters::of_slider([a, b, d, k, m]))
+        Some(Slider::from([a, b, d, k, m]))
     }
 }
 

@@ -3,7 +3,8 @@
 use clap::Args;
 use slipmode::experiments::tolerance::place_of_limit;
 use slipmode::experiments::tolerance::{ToleranceRow, tolerance_limits};
-use slipmode::scene::{AllowedRange, SceneParameters, ToleranceSection};
+use slipmode::scene::{AllowedRange, ToleranceSection};
+use slipmode_core::friction::Slider;
 use slipmode_core::number::format::{certain_digits, rational_to_decimal};
 use slipmode_core::number::{Ball, Rational};
 use slipmode_core::stability::Asymptote;
@@ -34,7 +35,7 @@ const WORKING_BITS: u32 = 96;
 /// When the arguments are at fault.
 pub fn run(options: &Options) -> Result<(), Failure> {
     let mut arguments = Arguments::default();
-    let parameters = options.material.parameters(&mut arguments);
+    let parameters = options.material.slider(&mut arguments);
     let relative: Vec<Rational> = options
         .relative_error
         .iter()
@@ -50,7 +51,7 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     terminal::print(&std::iter::once(head).chain(lines).collect::<String>())
 }
 
-fn line(parameters: &SceneParameters, row: &ToleranceRow) -> String {
+fn line(parameters: &Slider<Rational>, row: &ToleranceRow) -> String {
     let asymptote = row.limit.asymptote;
     let unit = if asymptote.is_quasi_static() { "m/s" } else { "Pa" };
     columns([
@@ -63,11 +64,10 @@ fn line(parameters: &SceneParameters, row: &ToleranceRow) -> String {
 }
 
 /// The formula with the slider's numbers: eqs 15 and 16 are values of σ, eqs 18 and 20 are V0 in proportion to σ.
-fn formula(parameters: &SceneParameters, asymptote: Asymptote) -> String {
-    let at_one_pascal = parameters
-        .at(Rational::from(1), Rational::from(1))
-        .map(|value| Ball::from_rational(value, WORKING_BITS));
-    let value = certain_digits(&asymptote.value(&at_one_pascal), DIGITS);
+fn formula(slider: &Slider<Rational>, asymptote: Asymptote) -> String {
+    let slider = slider.map(|value| Ball::from_rational(value, WORKING_BITS));
+    let one_pascal = Ball::from(1);
+    let value = certain_digits(&asymptote.value(&slider, &one_pascal), DIGITS);
     if asymptote.is_quasi_static() {
         format!("σ = {value} Pa")
     } else {

@@ -80,7 +80,7 @@ impl Side<'_> {
             self.compare_stated(observable, value, &mut findings);
         }
         if let Some(recording) = &self.run.recording {
-            let level = self.run.parameters.loading_velocity_m_per_s.to_f64();
+            let level = self.run.parameters.point.loading_velocity_m_per_s.to_f64();
             match recording.long_term(libm::log(level), self.returns_per_cycle()) {
                 Ok(RecordedBehaviour::Cycle { peak_ratio, period_s, stress_drop_pa }) => {
                     self.compare_mode(

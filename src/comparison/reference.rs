@@ -6,7 +6,7 @@ use slipmode_core::dynamics::{Behaviour, Simulation};
 use slipmode_core::friction::{EvolutionLaw, Parameters, SlipMode};
 use slipmode_core::number::Rational;
 use slipmode_core::roots::certified_roots;
-use slipmode_core::stability::{InertialThreshold, SpectralClass, classify, critical_stiffness};
+use slipmode_core::stability::{InertialThreshold, SpectralClass, classify};
 
 /// Our simulation of a slider to a relative error, or why there is none in words.
 pub type Simulate<'s> =
@@ -37,8 +37,8 @@ impl Theory {
     #[must_use]
     pub fn of(parameters: &Parameters<Rational>) -> Self {
         let found = classify(parameters, &InertialThreshold::default());
-        let critical = critical_stiffness(parameters);
-        let ratio = || Rational::from(&parameters.stiffness_pa_per_m / &critical).to_f64();
+        let critical = parameters.critical_stiffness();
+        let ratio = || Rational::from(&parameters.slider.stiffness_pa_per_m / &critical).to_f64();
         let roots = certified_roots(&parameters.characteristic_cubic_per_s(), DIGITS).roots;
         // Real roots come first, ascending; the pair last.
         let last = roots.last();

@@ -69,10 +69,10 @@ impl Guess {
                 let factor = power_of_ten(self.power);
                 let parameters = &mut other.parameters;
                 let value = match quantity {
-                    Quantity::NormalStress => &mut parameters.normal_stress_pa,
-                    Quantity::LoadingVelocity => &mut parameters.loading_velocity_m_per_s,
-                    Quantity::CriticalSlipDistance => &mut parameters.critical_slip_distance_m,
-                    _ => &mut parameters.stiffness_pa_per_m,
+                    Quantity::NormalStress => &mut parameters.point.normal_stress_pa,
+                    Quantity::LoadingVelocity => &mut parameters.point.loading_velocity_m_per_s,
+                    Quantity::CriticalSlipDistance => &mut parameters.slider.critical_slip_distance_m,
+                    _ => &mut parameters.slider.stiffness_pa_per_m,
                 };
                 *value *= factor;
             }

@@ -30,7 +30,7 @@ pub mod zones;
 
 pub use figures::{Figure, FigureMaker, figure_makers};
 pub use need::{Need, Needs};
-pub use outcome::{Outcome, References, SceneOutcome, effect_ratio};
+pub use outcome::{Outcome, References, SceneOutcome};
 pub use plan::{Item, all_needs, plan};
 pub use run::{Progress, inertial_threshold, run};
 pub use scene::{Scene, check_distinct_scene_names};

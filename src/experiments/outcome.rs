@@ -1,5 +1,6 @@
 //! What was computed, scene by scene.
 
+use slipmode_core::friction::Slider;
 use std::collections::BTreeMap;
 
 use crate::experiments::Scene;
@@ -24,7 +25,6 @@ use crate::experiments::tolerance::ToleranceOutcome;
 use crate::experiments::trajectories::TrajectoryRun;
 use crate::experiments::work_precision::WorkCase;
 use crate::experiments::zones::ZonesOutcome;
-use crate::scene::SceneParameters;
 use slipmode_core::number::Rational;
 
 /// Everything computed for one scene; what nobody needed is absent.
@@ -103,10 +103,10 @@ impl SceneOutcome {
         }
     }
 
-    /// The slider's parameters, where the scene states them.
+    /// The slider, where the scene states one.
     #[must_use]
-    pub fn parameters(&self) -> Option<&SceneParameters> {
-        self.scene.parameters.as_ref()
+    pub fn slider(&self) -> Option<&Slider<Rational>> {
+        self.scene.parameters.as_ref().map(|section| &section.slider)
     }
 }
 
@@ -136,8 +136,8 @@ impl Outcome {
         self.first_with(|p| p.evolution_effect <= p.direct_effect)
     }
 
-    fn first_with(&self, wanted: impl Fn(&SceneParameters) -> bool) -> Option<&SceneOutcome> {
-        self.scenes.iter().find(|scene| scene.parameters().is_some_and(&wanted))
+    fn first_with(&self, wanted: impl Fn(&Slider<Rational>) -> bool) -> Option<&SceneOutcome> {
+        self.scenes.iter().find(|scene| scene.slider().is_some_and(&wanted))
     }
 }
 
@@ -152,10 +152,4 @@ pub struct References {
     pub timings: BTreeMap<TimingsSection, Timings>,
     /// Sweeps by name.
     pub swept: BTreeMap<String, Swept>,
-}
-
-/// b/a of a slider.
-#[must_use]
-pub fn effect_ratio(parameters: &SceneParameters) -> Rational {
-    parameters.evolution_effect.clone() / &parameters.direct_effect
 }

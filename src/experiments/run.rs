@@ -47,7 +47,7 @@ pub fn inertial_threshold(scene: &Scene) -> InertialThreshold {
 
 fn compute(item: &Item, outcome: &mut SceneOutcome, references: &References) {
     let scene = item.scene;
-    let parameters = scene.parameters.as_ref();
+    let parameters = scene.parameters.as_ref().map(|section| &section.slider);
     let threshold = inertial_threshold(scene);
     match item.need {
         Need::Map => {

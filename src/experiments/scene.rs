@@ -14,7 +14,7 @@ use crate::scene::section::{Section, given};
 use crate::scene::sections::{NAME_RULE, safe_name};
 use crate::scene::{
     AllowedRange, BoundarySection, EffectRatioSweep, Fault, Faults, FrequencySection, HardCases, Limits,
-    Problem, Rectangle, SceneParameters, ToleranceSection, same_name,
+    ParametersSection, Problem, Rectangle, ToleranceSection, same_name,
 };
 use crate::sweep::SweepSection;
 use slipmode_core::number::Rational;
@@ -27,7 +27,7 @@ pub struct Scene {
     /// The title, for people.
     pub title: String,
     /// The slider; absent in scenes that need none.
-    pub parameters: Option<SceneParameters>,
+    pub parameters: Option<ParametersSection>,
     /// ω/ω_n above which an oscillation is called inertial; absent for the default √(1/2), exactly.
     pub inertial_threshold: Option<Rational>,
     /// `[map]`: max Im(s) and the spectral class on a (V, σ) grid.
@@ -177,7 +177,7 @@ const NEED_PARAMETERS: &[&str] = &[
 /// The sections that only mean something for a slider with a critical normal stress.
 const NEED_CRITICAL_STRESS: &[&str] = &["frequency", "near_transition"];
 
-fn check_needs(top: &mut Section<'_>, parameters: Option<&Option<SceneParameters>>, faults: &mut Faults) {
+fn check_needs(top: &mut Section<'_>, parameters: Option<&Option<ParametersSection>>, faults: &mut Faults) {
     if parameters.is_none() {
         for key in NEED_PARAMETERS {
             if let Some(entry) = top.optional(key) {
@@ -185,10 +185,8 @@ fn check_needs(top: &mut Section<'_>, parameters: Option<&Option<SceneParameters
             }
         }
     }
-    let has_critical_stress =
-        |parameters: &SceneParameters| parameters.evolution_effect > parameters.direct_effect;
     if let Some(Some(parameters)) = parameters
-        && !has_critical_stress(parameters)
+        && !parameters.slider.has_transition()
     {
         for key in NEED_CRITICAL_STRESS {
             if top.optional(key).is_some() {

@@ -6,9 +6,9 @@
 //! The curves are therefore computed once for each b, and moved.
 
 use rayon::prelude::*;
+use slipmode_core::friction::Slider;
 
 use crate::experiments::boundary::END_ERROR;
-use crate::scene::SceneParameters;
 use slipmode_core::number::{Rational, Wide};
 use slipmode_core::stability::boundary::{BoundaryCurve, BoundaryPoint};
 use slipmode_core::stability::{InertialThreshold, SlipMode, classify};
@@ -72,7 +72,7 @@ pub struct PointState {
 #[derive(Debug, Clone)]
 pub struct Families {
     /// The slider itself.
-    pub parameters: SceneParameters,
+    pub parameters: Slider<Rational>,
     /// Factors of b, K and M.
     pub factors: [Factors; 3],
     /// The boundary for each factor of b, with the slider's own K and M.
@@ -86,7 +86,7 @@ pub struct Families {
 impl Families {
     /// Computes a slider's families.
     #[must_use]
-    pub fn of(parameters: &SceneParameters, points: Vec<NamedPoint>, threshold: &InertialThreshold) -> Self {
+    pub fn of(parameters: &Slider<Rational>, points: Vec<NamedPoint>, threshold: &InertialThreshold) -> Self {
         let factors = [&EVOLUTION_EFFECT_FACTORS[..], &OTHER_FACTORS, &OTHER_FACTORS].map(Factors::of);
         let mut families = Self {
             parameters: parameters.clone(),
@@ -107,7 +107,7 @@ impl Families {
 
     /// The slider with each b, and its own K and M.
     #[must_use]
-    pub fn effects(&self) -> Vec<SceneParameters> {
+    pub fn effects(&self) -> Vec<Slider<Rational>> {
         let [effects, stiffnesses, masses] = &self.factors;
         let (stiffness, mass) = (&stiffnesses.values[stiffnesses.base], &masses.values[masses.base]);
         effects.values.iter().map(|effect| self.relative([effect, stiffness, mass])).collect()
@@ -115,7 +115,7 @@ impl Families {
 
     /// Every combination, M varying fastest, b slowest.
     #[must_use]
-    pub fn sliders(&self) -> Vec<SceneParameters> {
+    pub fn sliders(&self) -> Vec<Slider<Rational>> {
         let [effects, stiffnesses, masses] = &self.factors;
         let mut sliders = Vec::new();
         for effect in &effects.values {
@@ -133,9 +133,9 @@ impl Families {
         (effect * stiffnesses.values.len() + stiffness) * masses.values.len() + mass
     }
 
-    fn relative(&self, [effect, stiffness, mass]: [&Rational; 3]) -> SceneParameters {
+    fn relative(&self, [effect, stiffness, mass]: [&Rational; 3]) -> Slider<Rational> {
         let own = &self.parameters;
-        SceneParameters {
+        Slider {
             evolution_effect: own.evolution_effect.clone() * effect,
             stiffness_pa_per_m: own.stiffness_pa_per_m.clone() * stiffness,
             mass_per_area_kg_per_m2: own.mass_per_area_kg_per_m2.clone() * mass,
@@ -144,13 +144,12 @@ impl Families {
     }
 }
 
-/// The boundary of one slider; σ and V0 play no part in it.
-fn boundary(slider: &SceneParameters) -> Vec<BoundaryPoint> {
-    let anywhere = slider.at(Rational::from(1), Rational::from(1));
-    BoundaryCurve::new(&anywhere, DIGITS).sample(ARC_POINTS, END_ERROR)
+/// The boundary of one slider.
+fn boundary(slider: &Slider<Rational>) -> Vec<BoundaryPoint> {
+    BoundaryCurve::new(slider, DIGITS).sample(ARC_POINTS, END_ERROR)
 }
 
-fn state(slider: &SceneParameters, point: &NamedPoint, threshold: &InertialThreshold) -> PointState {
+fn state(slider: &Slider<Rational>, point: &NamedPoint, threshold: &InertialThreshold) -> PointState {
     let place = slider.at(point.normal_stress_pa.clone(), point.loading_velocity_m_per_s.clone());
     let found = classify(&place, threshold);
     PointState { slip_mode: found.slip_mode, max_imaginary_per_s: found.max_imaginary_per_s }

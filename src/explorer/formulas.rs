@@ -1,12 +1,10 @@
 //! What eqs 15, 16, 18 and 20 and the ends of the transition say for a slider, in words for the explorer.
 
 use crate::explorer::view::{DIGITS, FormulaRow, Varying};
-use crate::scene::SceneParameters;
+use slipmode_core::friction::Slider;
 use slipmode_core::number::format::round_digits;
 use slipmode_core::number::{Ball, Rational};
-use slipmode_core::stability::{
-    Arc, Asymptote, asymptote, critical_normal_stress_pa, critical_velocity_m_per_s, has_transition,
-};
+use slipmode_core::stability::{Arc, Asymptote, asymptote};
 
 /// How many values [`formula_values`] gives.
 pub(crate) const FORMULAS: usize = 8;
@@ -18,19 +16,20 @@ const WORKING_BITS: u32 = 96;
 const NONE: &str = "none";
 
 /// Eqs 15, 16, 18 and 20 (the latter two in m/s at 1 Pa), V0 at the upper and at the lower corner, σ_c and V_c.
-pub(crate) fn formula_values(slider: &SceneParameters) -> [String; FORMULAS] {
-    let exact = slider.at(Rational::from(1), Rational::from(1));
-    let balls = exact.map(|value| Ball::from_rational(value, WORKING_BITS));
+pub(crate) fn formula_values(slider: &Slider<Rational>) -> [String; FORMULAS] {
+    let balls = slider.map(|value| Ball::from_rational(value, WORKING_BITS));
     let text = |value: &Ball| round_digits(value.to_f64(), DIGITS);
     let has_upper = slider.direct_effect != slider.evolution_effect;
     let exists = |arc: Arc| arc == Arc::Lower || has_upper;
     let of = |formula: Asymptote| {
-        if exists(formula.arc()) { text(&formula.value(&balls)) } else { NONE.into() }
+        if exists(formula.arc()) { text(&formula.value(&balls, &Ball::from(1))) } else { NONE.into() }
     };
-    let corner = |arc: Arc| if exists(arc) { text(&asymptote::corner(arc, &balls).1) } else { NONE.into() };
+    let corner = |arc: Arc| {
+        if exists(arc) { text(&asymptote::corner(arc, &balls).loading_velocity_m_per_s) } else { NONE.into() }
+    };
     let [upper, lower, inertial_upper, inertial_lower] = Asymptote::ALL.map(of);
-    let (stress, velocity) = if has_transition(&exact) {
-        (text(&critical_normal_stress_pa(&balls)), text(&critical_velocity_m_per_s(&balls)))
+    let (stress, velocity) = if slider.has_transition() {
+        (text(&balls.critical_normal_stress_pa()), text(&balls.critical_velocity_m_per_s()))
     } else {
         (NONE.into(), NONE.into())
     };
@@ -71,8 +70,8 @@ mod tests {
     use super::*;
     use slipmode_core::number::parse_decimal;
 
-    fn slider(a: &str, b: &str) -> SceneParameters {
-        SceneParameters::of_slider([a, b, "1e-5", "1e7", "1000"].map(|text| parse_decimal(text).unwrap()))
+    fn slider(a: &str, b: &str) -> Slider<Rational> {
+        Slider::from([a, b, "1e-5", "1e7", "1000"].map(|text| parse_decimal(text).unwrap()))
     }
 
     #[test]

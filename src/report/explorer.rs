@@ -1,13 +1,14 @@
 //! The explorer's page: one self-contained HTML file whose script only chooses among what is stored in it.
 
 use serde::Serialize;
+use slipmode_core::friction::Slider;
+use slipmode_core::number::Rational;
 
 use super::ReportError;
 use super::html::table_html;
 use super::page_style::{EXPLORER_SCRIPT, content_policy, explorer_style_sheet};
 use super::templates::Templates;
 use crate::explorer::{Explorer, FormulaRow, PointRow, Varying};
-use crate::scene::SceneParameters;
 use slipmode_core::number::format::rational_to_decimal;
 use slipmode_plot::figure::within_html;
 
@@ -17,7 +18,7 @@ pub struct ExplorerPage<'a> {
     /// The scene's title.
     pub title: &'a str,
     /// The slider.
-    pub parameters: &'a SceneParameters,
+    pub slider: &'a Slider<Rational>,
     /// Where the points come from, in a sentence.
     pub marks: &'a str,
     /// The command that makes the page again.
@@ -56,8 +57,8 @@ pub fn render_explorer(explorer: &Explorer, page: &ExplorerPage<'_>) -> Result<S
     );
     let context = PageContext {
         title: page.title,
-        effect: rational_to_decimal(&page.parameters.direct_effect, DIGITS),
-        slip: rational_to_decimal(&page.parameters.critical_slip_distance_m, DIGITS),
+        effect: rational_to_decimal(&page.slider.direct_effect, DIGITS),
+        slip: rational_to_decimal(&page.slider.critical_slip_distance_m, DIGITS),
         policy: content_policy(&style_css, EXPLORER_SCRIPT),
         style_css,
         controls: controls.collect(),

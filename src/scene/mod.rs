@@ -28,7 +28,7 @@ pub use fault::{Fault, Faults, Problem};
 pub use file_text::{MAX_FILE_BYTES, file_text, is_forbidden};
 pub use name::{NameError, check_name, nearest, same_name};
 pub use part::Part;
-pub use quantity::{Quantity, SceneParameters};
+pub use quantity::{ParametersSection, Quantity};
 pub use range::{AllowedRange, parse_whole};
 pub use report_plan::{Chapter, ReportPlan};
 pub use sections::{

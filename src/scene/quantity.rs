@@ -2,7 +2,7 @@
 
 use crate::scene::section::{Section, given};
 use crate::scene::{AllowedRange, Faults};
-use slipmode_core::friction::Parameters;
+use slipmode_core::friction::{OperatingPoint, Slider};
 use slipmode_core::number::Rational;
 
 /// One of the seven inputs of the spring-slider, in the order of the command line.
@@ -64,65 +64,30 @@ impl Quantity {
     }
 }
 
-/// The parameters of a scene: the material and the machine, and perhaps one point (V0, σ) of operation.
+/// `[parameters]`: the slider, and perhaps how it is driven.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct SceneParameters {
-    /// a of eq 1, dimensionless.
-    pub direct_effect: Rational,
-    /// b of eq 1, dimensionless.
-    pub evolution_effect: Rational,
-    /// D_c, m.
-    pub critical_slip_distance_m: Rational,
-    /// K, Pa/m.
-    pub stiffness_pa_per_m: Rational,
-    /// M, kg/m².
-    pub mass_per_area_kg_per_m2: Rational,
+pub struct ParametersSection {
+    /// a, b, D_c, K and M.
+    pub slider: Slider<Rational>,
     /// σ, Pa; absent when the scene sweeps it.
     pub normal_stress_pa: Option<Rational>,
     /// V0, m/s; absent when the scene sweeps it.
     pub loading_velocity_m_per_s: Option<Rational>,
 }
 
-impl SceneParameters {
-    /// A material and a machine without a point of operation: a, b, D_c (m), K (Pa/m) and M (kg/m²).
+impl ParametersSection {
+    /// The scene's own operating point, when the scene states both σ and V0.
     #[must_use]
-    pub fn of_slider([a, b, d, k, m]: [Rational; 5]) -> Self {
-        Self {
-            direct_effect: a,
-            evolution_effect: b,
-            critical_slip_distance_m: d,
-            stiffness_pa_per_m: k,
-            mass_per_area_kg_per_m2: m,
-            normal_stress_pa: None,
-            loading_velocity_m_per_s: None,
-        }
-    }
-
-    /// The full set at one normal stress (Pa) and one loading velocity (m/s).
-    #[must_use]
-    pub fn at(&self, normal_stress_pa: Rational, loading_velocity_m_per_s: Rational) -> Parameters<Rational> {
-        Parameters {
-            direct_effect: self.direct_effect.clone(),
-            evolution_effect: self.evolution_effect.clone(),
-            critical_slip_distance_m: self.critical_slip_distance_m.clone(),
-            stiffness_pa_per_m: self.stiffness_pa_per_m.clone(),
-            mass_per_area_kg_per_m2: self.mass_per_area_kg_per_m2.clone(),
-            normal_stress_pa,
-            loading_velocity_m_per_s,
-        }
-    }
-
-    /// The scene's own point of operation, when it states both σ and V0.
-    #[must_use]
-    pub fn point(&self) -> Option<Parameters<Rational>> {
-        let normal_stress_pa = self.normal_stress_pa.clone()?;
-        let loading_velocity_m_per_s = self.loading_velocity_m_per_s.clone()?;
-        Some(self.at(normal_stress_pa, loading_velocity_m_per_s))
+    pub fn point(&self) -> Option<OperatingPoint<Rational>> {
+        Some(OperatingPoint {
+            normal_stress_pa: self.normal_stress_pa.clone()?,
+            loading_velocity_m_per_s: self.loading_velocity_m_per_s.clone()?,
+        })
     }
 }
 
 /// The keys of `[parameters]`.
-pub(crate) fn read_parameters(section: &mut Section<'_>, faults: &mut Faults) -> Option<SceneParameters> {
+pub(crate) fn read_parameters(section: &mut Section<'_>, faults: &mut Faults) -> Option<ParametersSection> {
     let range = AllowedRange::PHYSICAL;
     let mut required = |section: &mut Section<'_>, quantity: Quantity| {
         section.required(quantity.key(), &range.text(), faults).and_then(|entry| entry.decimal(range, faults))
@@ -137,12 +102,14 @@ pub(crate) fn read_parameters(section: &mut Section<'_>, faults: &mut Faults) ->
     };
     let normal_stress = optional(section, Quantity::NormalStress);
     let loading_velocity = optional(section, Quantity::LoadingVelocity);
-    Some(SceneParameters {
-        direct_effect: direct_effect?,
-        evolution_effect: evolution_effect?,
-        critical_slip_distance_m: critical_slip_distance?,
-        stiffness_pa_per_m: stiffness?,
-        mass_per_area_kg_per_m2: mass_per_area?,
+    Some(ParametersSection {
+        slider: Slider {
+            direct_effect: direct_effect?,
+            evolution_effect: evolution_effect?,
+            critical_slip_distance_m: critical_slip_distance?,
+            stiffness_pa_per_m: stiffness?,
+            mass_per_area_kg_per_m2: mass_per_area?,
+        },
         normal_stress_pa: given(normal_stress)?,
         loading_velocity_m_per_s: given(loading_velocity)?,
     })

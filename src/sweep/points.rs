@@ -177,13 +177,13 @@ mod tests {
         assert_eq!(points[..5], [(1.0, 0.1), (1.0, 0.2), (1.0, 0.3), (1.0, 0.4), (10.0, 0.1)]);
         assert_eq!(points[11], (100.0, 0.4));
         let exact = source.exact(&source.at(4));
-        assert_eq!(exact.direct_effect, Rational::from((1, 3)), "a decimal stays exact");
+        assert_eq!(exact.slider.direct_effect, Rational::from((1, 3)), "a decimal stays exact");
         assert_eq!(
-            exact.loading_velocity_m_per_s,
+            exact.point.loading_velocity_m_per_s,
             Rational::from_f64(0.1).unwrap(),
             "a coordinate is its 64-bit number"
         );
-        assert_eq!(source.double_double(&source.at(4)).stiffness_pa_per_m, Dd::from(10.0));
+        assert_eq!(source.double_double(&source.at(4)).slider.stiffness_pa_per_m, Dd::from(10.0));
     }
 
     #[test]

@@ -6,7 +6,7 @@ mod summary;
 use crate::scene::laws::read_laws;
 use crate::scene::section::{Entry, Section};
 use crate::scene::sections::{NAME_RULE, safe_name};
-use crate::scene::{AllowedRange, Faults, Problem, SceneParameters, nearest};
+use crate::scene::{AllowedRange, Faults, ParametersSection, Problem, nearest};
 pub use coordinates::{Coordinate, Spacing, Span};
 use coordinates::{grid_coordinates, sample_coordinates};
 use slipmode_core::friction::EvolutionLaw;
@@ -70,7 +70,7 @@ pub enum SweepPoints {
 }
 
 /// The parameters of a scene as they were read: absent, faulty, or sound.
-pub(crate) type ReadParameters<'p> = Option<Option<&'p SceneParameters>>;
+pub(crate) type ReadParameters<'p> = Option<Option<&'p ParametersSection>>;
 
 const WORKS: [&str; 4] = ["classify", "boundary", "asymptote-error", "simulate"];
 

@@ -1,6 +1,6 @@
 //! The boundary, its cusp and its worst corners against vectors computed from eq 8 by an unrelated program.
 
-use slipmode_core::friction::Parameters;
+use slipmode_core::friction::Slider;
 use slipmode_core::number::{Ball, Rational};
 use slipmode_core::stability::BoundaryCurve;
 use slipmode_core::stability::boundary::{Section, by_discriminant};
@@ -11,16 +11,8 @@ use crate::hard_cases::{decimal, rows};
 const VECTORS: &str = include_str!("../vectors/boundary.txt");
 const DIGITS: u32 = 60;
 
-fn parameters(cells: &[&str]) -> Parameters<Rational> {
-    Parameters {
-        direct_effect: decimal(cells[1]),
-        evolution_effect: decimal(cells[2]),
-        critical_slip_distance_m: decimal(cells[3]),
-        stiffness_pa_per_m: decimal(cells[4]),
-        mass_per_area_kg_per_m2: decimal(cells[5]),
-        normal_stress_pa: Rational::from(1),
-        loading_velocity_m_per_s: Rational::from(1),
-    }
+fn slider(cells: &[&str]) -> Slider<Rational> {
+    Slider::from([1, 2, 3, 4, 5].map(|column| decimal(cells[column])))
 }
 
 /// The vectors print 60 digits, so that their rounding is below 1e-59 of each number.
@@ -44,18 +36,18 @@ fn sections_cross_the_boundary_where_an_unrelated_program_finds_them() {
     let mut crossings = 0;
     for cells in rows(VECTORS).skip(1) {
         let Some(section) = section(cells[0], cells[6]) else { continue };
-        let parameters = parameters(&cells);
+        let slider = slider(&cells);
         let expected: Vec<&str> = cells[7].split(' ').filter(|text| !text.is_empty()).collect();
         let sought = |stress: Ball, velocity: Ball| match section {
             Section::AtVelocity(_) => stress,
             Section::AtNormalStress(_) => velocity,
         };
-        let by_curve: Vec<Ball> = BoundaryCurve::new(&parameters, DIGITS)
+        let by_curve: Vec<Ball> = BoundaryCurve::new(&slider, DIGITS)
             .on_section(&section)
             .into_iter()
             .map(|point| sought(point.normal_stress_pa, point.loading_velocity_m_per_s))
             .collect();
-        let by_discriminant: Vec<Ball> = by_discriminant(&parameters, &section, DIGITS)
+        let by_discriminant: Vec<Ball> = by_discriminant(&slider, &section, DIGITS)
             .into_iter()
             .map(|crossing| sought(crossing.normal_stress_pa, crossing.loading_velocity_m_per_s))
             .collect();
@@ -76,7 +68,7 @@ fn cusps_and_worst_corners_are_those_of_an_unrelated_program() {
     for cells in rows(VECTORS).skip(1) {
         let expected: Vec<&str> = cells[7].split(' ').collect();
         if cells[0] == "cusp" {
-            let cusp = BoundaryCurve::new(&parameters(&cells), DIGITS).cusp();
+            let cusp = BoundaryCurve::new(&slider(&cells), DIGITS).cusp();
             let found = [cusp.normal_stress_pa, cusp.loading_velocity_m_per_s, cusp.double_root];
             found.iter().zip(&expected).for_each(|(ball, text)| assert_matches(ball, text, cells[2]));
         }

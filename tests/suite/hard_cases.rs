@@ -34,28 +34,20 @@ pub fn assert_within(found: &Rational, expected: &str, measure: &str, tolerance:
 
 /// Inputs with these groups: every unit is 1.
 fn unit_parameters(eta: &str, kappa: &str, beta: &str) -> Parameters<Rational> {
-    Parameters {
-        direct_effect: Rational::from(1),
-        evolution_effect: number(beta),
-        critical_slip_distance_m: Rational::from(1),
-        stiffness_pa_per_m: number(kappa),
-        mass_per_area_kg_per_m2: number(eta),
-        normal_stress_pa: Rational::from(1),
-        loading_velocity_m_per_s: Rational::from(1),
-    }
+    Parameters::from([
+        Rational::from(1),
+        number(beta),
+        Rational::from(1),
+        number(kappa),
+        number(eta),
+        Rational::from(1),
+        Rational::from(1),
+    ])
 }
 
 /// Inputs from the seven cells of a row.
 fn parameters(cells: &[&str]) -> Parameters<Rational> {
-    Parameters {
-        direct_effect: decimal(cells[0]),
-        evolution_effect: decimal(cells[1]),
-        critical_slip_distance_m: decimal(cells[2]),
-        stiffness_pa_per_m: decimal(cells[3]),
-        mass_per_area_kg_per_m2: decimal(cells[4]),
-        normal_stress_pa: decimal(cells[5]),
-        loading_velocity_m_per_s: decimal(cells[6]),
-    }
+    Parameters::from([0, 1, 2, 3, 4, 5, 6].map(|column| decimal(cells[column])))
 }
 
 /// Compares with the seven cells of expectations that end a row.

@@ -3,13 +3,13 @@
 use clap::Args;
 use serde_json::{Map, Value, json};
 use slipmode::scene::{AllowedRange, LogAxis, LogCoordinates, Problem, Quantity};
-use slipmode_core::friction::Parameters;
+use slipmode_core::friction::Slider;
 use slipmode_core::number::Rational;
 use slipmode_core::stability::batch::{GridAxis, StreamedGrid, Tally};
 use slipmode_core::stability::{InertialThreshold, SlipMode, SpectralClass};
 
 use crate::cli::failure::Failure;
-use crate::cli::options::{Arguments, SliderOptions, option_of};
+use crate::cli::options::{Arguments, MaterialOptions, SliderOptions, option_of};
 use crate::cli::progress::Progress;
 use crate::cli::terminal;
 
@@ -34,7 +34,7 @@ pub struct GridOptions {
 /// A grid as requested, valid.
 #[derive(Debug)]
 pub struct GridRequest {
-    fixed: Parameters<Rational>,
+    slider: Slider<Rational>,
     loading_velocities: LogAxis,
     normal_stresses: LogAxis,
 }
@@ -47,28 +47,25 @@ impl GridOptions {
 
     /// The grid; what is missing or faulty is collected in `arguments`.
     pub fn read(&self, slider: &SliderOptions, arguments: &mut Arguments) -> Option<GridRequest> {
-        let fixed = Quantity::ALL.map(|quantity| match quantity {
-            Quantity::NormalStress | Quantity::LoadingVelocity => on_axis(slider, quantity, arguments),
-            _ => slider.required(quantity, arguments),
-        });
+        let fixed = MaterialOptions::QUANTITIES.map(|quantity| slider.required(quantity, arguments));
+        refuse_single_values(slider, arguments);
         let velocities = axis("--grid-loading-velocity", self.grid_loading_velocity.as_deref(), arguments);
         let stresses = axis("--grid-normal-stress", self.grid_normal_stress.as_deref(), arguments);
-        let [Some(a), Some(b), Some(d), Some(k), Some(m), Some(s), Some(v)] = fixed else { return None };
+        let [Some(a), Some(b), Some(d), Some(k), Some(m)] = fixed else { return None };
         Some(GridRequest {
-            fixed: Parameters::from([a, b, d, k, m, s, v]),
+            slider: Slider::from([a, b, d, k, m]),
             loading_velocities: velocities?,
             normal_stresses: stresses?,
         })
     }
 }
 
-/// Refuses a single value of a quantity that the grid varies; the value that stands in its place is not used.
-fn on_axis(slider: &SliderOptions, quantity: Quantity, arguments: &mut Arguments) -> Option<Rational> {
-    match slider.text(quantity) {
-        None => Some(Rational::from(1)),
-        given => {
+/// Refuses a single value of a quantity that the grid varies.
+fn refuse_single_values(slider: &SliderOptions, arguments: &mut Arguments) {
+    for quantity in [Quantity::NormalStress, Quantity::LoadingVelocity] {
+        if let given @ Some(_) = slider.text(quantity) {
             let in_grid = Problem::Needs("no grid: the grid's axes give it".into());
-            arguments.fault(&option_of(quantity), given, in_grid)
+            arguments.fault::<()>(&option_of(quantity), given, in_grid);
         }
     }
 }
@@ -111,7 +108,7 @@ impl GridRequest {
         let [velocities, stresses] =
             [&self.loading_velocities, &self.normal_stresses].map(LogCoordinates::of);
         let grid = StreamedGrid {
-            fixed: &self.fixed,
+            slider: &self.slider,
             threshold,
             loading_velocities: GridAxis {
                 count: self.loading_velocities.points,

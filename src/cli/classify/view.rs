@@ -5,7 +5,7 @@ use serde_json::{Value, json};
 use slipmode_core::friction::{Groups, Parameters};
 use slipmode_core::number::format::round_float;
 use slipmode_core::number::{Rational, Wide};
-use slipmode_core::stability::{Classification, InertialThreshold, LogDistance, classify, transition};
+use slipmode_core::stability::{Classification, InertialThreshold, LogDistance, classify};
 
 use crate::cli::roots::{PrintedRoot, print_roots};
 use crate::cli::terminal;
@@ -30,9 +30,9 @@ pub struct PointView {
 impl PointView {
     /// Classifies the point.
     pub fn new(parameters: &Parameters<Rational>, threshold: &InertialThreshold) -> Self {
-        let critical_stiffness_pa_per_m = transition::critical_stiffness(parameters);
+        let critical_stiffness_pa_per_m = parameters.critical_stiffness();
         let stiffness_ratio = (critical_stiffness_pa_per_m > 0)
-            .then(|| Rational::from(&parameters.stiffness_pa_per_m / &critical_stiffness_pa_per_m));
+            .then(|| Rational::from(&parameters.slider.stiffness_pa_per_m / &critical_stiffness_pa_per_m));
         Self {
             found: classify(parameters, threshold),
             critical_stiffness_pa_per_m,

@@ -93,7 +93,7 @@ fn last(rows: &[ComparedRow]) -> f64 {
 /// The last cycle of a trajectory and of our run, both from their upward crossing of V_l on.
 fn long_term_cycles(row: &ComparedRow) -> Option<FigureView> {
     let recording = row.run.recording.as_ref()?;
-    let level = row.run.parameters.loading_velocity_m_per_s.to_f64();
+    let level = row.run.parameters.point.loading_velocity_m_per_s.to_f64();
     let theirs = last_cycle(recording, level)?;
     let ours = last_cycle(&our_recording(row)?, level)?;
     let both = || theirs.iter().chain(&ours);
@@ -157,7 +157,7 @@ fn our_recording(row: &ComparedRow) -> Option<Recording> {
     let control = Control { local_tolerance: found.local_tolerance, most_steps: MOST_STEPS };
     let until = PERIODS * period_s * rate_per_s;
     let run = trajectory(&model, Radau::<f64, 5>::new(), start, control, until, SAMPLES_PER_STEP).ok()?;
-    let level = libm::log(parameters.loading_velocity_m_per_s.to_f64());
+    let level = libm::log(parameters.point.loading_velocity_m_per_s.to_f64());
     Some(Recording {
         times_s: run.samples.iter().map(|sample| sample.time / rate_per_s).collect(),
         log_velocities: run.samples.iter().map(|sample| sample.state[0] + level).collect(),

@@ -161,7 +161,7 @@ impl CompareRows {
     ) -> Option<Recording> {
         let place = reader.optional(TRAJECTORY_COLUMN, |name| recording::locate(&self.folder, name))?;
         // Without its velocity the row is refused anyhow, and gaps cannot be told.
-        let log_level = libm::log(parameters?.loading_velocity_m_per_s.to_f64());
+        let log_level = libm::log(parameters?.point.loading_velocity_m_per_s.to_f64());
         recording::read(&place, log_level).map_err(|faults| reader.faults.extend(faults)).ok()
     }
 }

@@ -1,6 +1,6 @@
 //! The part of the (V, σ) plane that a slider's report shows: all corners of its boundary, in whole decades.
 
-use slipmode::scene::SceneParameters;
+use slipmode_core::friction::Slider;
 use slipmode_core::number::{Ball, Rational};
 use slipmode_core::stability::{Arc, asymptote};
 
@@ -54,7 +54,7 @@ impl Ranges {
     /// From two decades (V) or one (σ) below the lower corner of the asymptotes to one above the upper corner.
     ///
     /// σ_c and V_c lie between the two corners: σ_c is the geometric mean of their normal stresses.
-    pub fn around(parameters: &SceneParameters) -> Result<Self, String> {
+    pub fn around(parameters: &Slider<Rational>) -> Result<Self, String> {
         let (low_stress, low_velocity) = corner(parameters, Arc::Lower)?;
         let has_upper = parameters.direct_effect != parameters.evolution_effect;
         let (high_stress, high_velocity) = if has_upper {
@@ -89,12 +89,11 @@ impl Ranges {
 }
 
 /// log10 of σ and V0 where the two asymptotes of an arc cross.
-fn corner(parameters: &SceneParameters, arc: Arc) -> Result<(f64, f64), String> {
-    let slider = parameters
-        .at(Rational::from(1), Rational::from(1))
-        .map(|value| Ball::from_rational(value, WORKING_BITS));
-    let (stress, velocity) = asymptote::corner(arc, &slider);
-    let decades = [stress, velocity].map(|value| libm::log10(value.to_f64()));
+fn corner(slider: &Slider<Rational>, arc: Arc) -> Result<(f64, f64), String> {
+    let slider = slider.map(|value| Ball::from_rational(value, WORKING_BITS));
+    let corner = asymptote::corner(arc, &slider);
+    let decades =
+        [corner.normal_stress_pa, corner.loading_velocity_m_per_s].map(|value| libm::log10(value.to_f64()));
     let [stress, velocity] = decades;
     if decades.iter().all(|decade| decade.abs() <= FARTHEST) {
         return Ok((stress, velocity));
@@ -113,8 +112,8 @@ mod tests {
     use super::*;
     use slipmode_core::number::parse_decimal;
 
-    fn slider(a: &str, b: &str, stiffness: &str) -> SceneParameters {
-        SceneParameters::of_slider([a, b, "1e-5", stiffness, "1000"].map(|text| parse_decimal(text).unwrap()))
+    fn slider(a: &str, b: &str, stiffness: &str) -> Slider<Rational> {
+        Slider::from([a, b, "1e-5", stiffness, "1000"].map(|text| parse_decimal(text).unwrap()))
     }
 
     #[test]

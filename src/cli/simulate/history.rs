@@ -84,10 +84,10 @@ struct Units {
 impl Units {
     fn new(parameters: &Parameters<Rational>, simulation: &Simulation) -> Self {
         let rate_per_s = parameters.rate_per_s();
-        let stress_pa = Rational::from(&parameters.direct_effect * &parameters.normal_stress_pa);
+        let stress_pa = parameters.direct_stress_pa();
         let certain = -libm::log10(simulation.peak_relative_error);
         Self {
-            velocity_m_per_s: Float::with_val(64, &parameters.loading_velocity_m_per_s),
+            velocity_m_per_s: Float::with_val(64, &parameters.point.loading_velocity_m_per_s),
             state_s: Float::with_val(64, rate_per_s.clone().recip()),
             rate_per_s: rate_per_s.to_f64(),
             stress_pa: stress_pa.to_f64(),

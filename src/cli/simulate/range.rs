@@ -17,16 +17,8 @@ const TESTED: [(&str, [f64; 2]); 3] = [
 
 /// What a user should know of the values before trusting a simulation, if anything.
 pub fn warning(parameters: &Parameters<Rational>) -> Option<String> {
-    let p = parameters;
-    let mut warnings = unit_warnings(&[
-        &p.direct_effect,
-        &p.evolution_effect,
-        &p.critical_slip_distance_m,
-        &p.stiffness_pa_per_m,
-        &p.mass_per_area_kg_per_m2,
-        &p.normal_stress_pa,
-        &p.loading_velocity_m_per_s,
-    ]);
+    let values: [Rational; 7] = parameters.clone().into();
+    let mut warnings = unit_warnings(&values.each_ref());
     warnings.extend(outside_tested(parameters));
     (!warnings.is_empty()).then(|| warnings.join("; "))
 }

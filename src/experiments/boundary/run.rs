@@ -1,6 +1,7 @@
 //! The exact boundary of a scene, and whether its three routes agree.
 
-use crate::scene::{BoundarySection, SceneParameters};
+use crate::scene::BoundarySection;
+use slipmode_core::friction::Slider;
 use slipmode_core::number::Rational;
 use slipmode_core::stability::boundary::{BoundaryCurve, BoundaryPoint, RouteComparison, compare_routes};
 
@@ -21,14 +22,13 @@ pub const END_ERROR: f64 = 1e-9;
 /// Sections per arc on which the routes are compared: enough to meet every regime of both arcs, cheap enough for a scene.
 const COMPARED_SECTIONS: usize = 24;
 
-/// Computes the boundary; σ and V0 of the parameters play no part in it.
+/// Computes the boundary.
 #[must_use]
-pub fn boundary_outcome(parameters: &SceneParameters, section: BoundarySection) -> BoundaryOutcome {
-    let anywhere = parameters.at(Rational::from(1), Rational::from(1));
-    let curve = BoundaryCurve::new(&anywhere, section.digits);
+pub fn boundary_outcome(parameters: &Slider<Rational>, section: BoundarySection) -> BoundaryOutcome {
+    let curve = BoundaryCurve::new(parameters, section.digits);
     BoundaryOutcome {
         points: curve.sample(section.points as usize, END_ERROR),
-        comparison: compare_routes(&anywhere, COMPARED_SECTIONS, section.digits),
+        comparison: compare_routes(parameters, COMPARED_SECTIONS, section.digits),
         digits: section.digits,
     }
 }

@@ -146,15 +146,15 @@ fn reference(model: &Model<f64>, long_term: &LongTerm<f64>) -> Option<Truth> {
 fn held_against(run: &Outcome, truth: Option<&Truth>, empty: BoundCheck) -> BoundCheck {
     // Units in which the three groups are M, K and b.
     let groups = &empty.groups;
-    let stated = run.in_si(&Parameters {
-        direct_effect: 1.0,
-        evolution_effect: groups.effect_ratio,
-        critical_slip_distance_m: 1.0,
-        stiffness_pa_per_m: groups.stiffness_group,
-        mass_per_area_kg_per_m2: groups.inertial_parameter,
-        normal_stress_pa: 1.0,
-        loading_velocity_m_per_s: 1.0,
-    });
+    let stated = run.in_si(&Parameters::from([
+        1.0,
+        groups.effect_ratio,
+        1.0,
+        groups.stiffness_group,
+        groups.inertial_parameter,
+        1.0,
+        1.0,
+    ]));
     let periodic = matches!(run.long_term(), LongTerm::Cycle(_));
     let Some(truth) = truth else { return BoundCheck { periodic: Some(periodic), ..empty } };
     let same = truth.periodic == periodic;

@@ -3,7 +3,8 @@
 use crate::experiments::frequency::{FrequencyLine, FrequencyOutcome};
 use crate::experiments::{Figure, FigureMaker};
 use crate::experiments::{Need, SceneOutcome};
-use crate::scene::SceneParameters;
+use slipmode_core::friction::Slider;
+use slipmode_core::number::Rational;
 use slipmode_core::number::format::rational_to_decimal;
 use slipmode_plot::figure::{Axis, Caption, LineChart, Reference, Series};
 
@@ -17,7 +18,7 @@ pub(crate) const FIGURES: &[FigureMaker] = &[FigureMaker {
 const DESCRIPTION: &str = "Largest imaginary part against loading velocity at constant normal stresses, on logarithmic axes. At the critical normal stress it follows eq 23 at low velocity and bends to the natural frequency; where a line has a gap the frequency is zero.";
 
 fn frequency_lines(scene: &SceneOutcome) -> Option<Figure> {
-    let (parameters, outcome) = (scene.parameters()?, scene.frequency.as_ref()?);
+    let (parameters, outcome) = (scene.slider()?, scene.frequency.as_ref()?);
     let velocities = &outcome.loading_velocity_m_per_s;
     let (first, last) = (*velocities.first()?, *velocities.last()?);
     let natural =
@@ -55,7 +56,7 @@ fn line_series(outcome: &FrequencyOutcome, line: &FrequencyLine) -> Series {
 }
 
 /// Eq 23, drawn up to three times the natural frequency.
-fn crossing_series(parameters: &SceneParameters, natural: f64, first: f64, last: f64) -> Series {
+fn crossing_series(parameters: &Slider<Rational>, natural: f64, first: f64, last: f64) -> Series {
     let effects =
         (parameters.evolution_effect.clone() - &parameters.direct_effect) / &parameters.direct_effect;
     let per_metre = effects.to_f64().sqrt() / parameters.critical_slip_distance_m.to_f64();

@@ -1,11 +1,11 @@
 //! max Im(s) along lines of constant normal stress (fig 2), with eq 23 and ω_n next to it.
 
 use rayon::prelude::*;
+use slipmode_core::friction::Slider;
 
 use crate::experiments::map::run::exactly;
-use crate::scene::{FrequencySection, SceneParameters};
+use crate::scene::FrequencySection;
 use slipmode_core::number::{Rational, Wide};
-use slipmode_core::stability::transition::critical_normal_stress_pa;
 use slipmode_core::stability::{InertialThreshold, classify};
 
 /// One line of constant normal stress.
@@ -30,9 +30,9 @@ pub struct FrequencyOutcome {
 
 /// Computes the lines; the scene reader has made sure that b > a, so that σ_c exists.
 #[must_use]
-pub fn frequency_lines(parameters: &SceneParameters, section: &FrequencySection) -> FrequencyOutcome {
+pub fn frequency_lines(parameters: &Slider<Rational>, section: &FrequencySection) -> FrequencyOutcome {
     let velocities = section.loading_velocity_m_per_s.coordinates();
-    let critical = critical_normal_stress_pa(&parameters.at(Rational::from(1), Rational::from(1)));
+    let critical = parameters.critical_normal_stress_pa();
     let lines = section
         .normal_stress_over_critical
         .iter()
@@ -42,7 +42,7 @@ pub fn frequency_lines(parameters: &SceneParameters, section: &FrequencySection)
 }
 
 fn line(
-    parameters: &SceneParameters,
+    parameters: &Slider<Rational>,
     velocities: &[f64],
     ratio: Rational,
     stress: Rational,

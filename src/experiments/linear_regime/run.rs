@@ -17,9 +17,8 @@ use crate::experiments::linear_regime::LinearRegimeSection;
 use crate::experiments::linear_regime::modes::{BITS, Direction, Mode, ROOT_DIGITS};
 use crate::experiments::linear_regime::snapshots::{projected_rate, rate_of_snapshots, snapshots};
 use crate::experiments::linear_regime::{SteadyRun, steady_sliding};
-use crate::scene::SceneParameters;
 use slipmode_core::dynamics::{Failure, Model, Radau};
-use slipmode_core::friction::{EvolutionLaw, Groups};
+use slipmode_core::friction::{EvolutionLaw, Groups, Slider};
 use slipmode_core::number::{Dd, Rational};
 use slipmode_core::roots::certified_roots;
 use slipmode_core::stability::{InertialThreshold, SlipMode, classify};
@@ -122,7 +121,7 @@ struct Case<'p> {
 /// Runs every start of the section.
 #[must_use]
 pub fn linear_regime(
-    parameters: &SceneParameters,
+    parameters: &Slider<Rational>,
     section: &LinearRegimeSection,
     threshold: &InertialThreshold,
 ) -> LinearRegimeOutcome {
@@ -138,7 +137,7 @@ pub fn linear_regime(
 }
 
 fn cases<'p>(
-    parameters: &SceneParameters,
+    parameters: &Slider<Rational>,
     point: &'p [Rational; 2],
     section: &LinearRegimeSection,
     threshold: &InertialThreshold,

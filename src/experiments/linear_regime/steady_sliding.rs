@@ -3,9 +3,8 @@
 use rayon::prelude::*;
 
 use crate::experiments::linear_regime::LinearRegimeSection;
-use crate::scene::SceneParameters;
 use slipmode_core::dynamics::{Control, Failure, Integrator, Model, Radau, Start, State, trajectory};
-use slipmode_core::friction::EvolutionLaw;
+use slipmode_core::friction::{EvolutionLaw, Slider};
 use slipmode_core::number::Rational;
 
 /// How long steady sliding is watched, D_c/V_l.
@@ -55,7 +54,7 @@ pub struct SteadyRun {
 /// Watches steady sliding and gathers the free residual at every point with every law.
 #[must_use]
 pub fn steady_sliding(
-    parameters: &SceneParameters,
+    parameters: &Slider<Rational>,
     section: &LinearRegimeSection,
 ) -> Vec<Result<SteadyRun, Failure>> {
     let cases: Vec<(&[Rational; 2], EvolutionLaw)> =
@@ -64,7 +63,7 @@ pub fn steady_sliding(
 }
 
 fn run_case(
-    parameters: &SceneParameters,
+    parameters: &Slider<Rational>,
     [velocity, stress]: &[Rational; 2],
     law: EvolutionLaw,
 ) -> Result<SteadyRun, Failure> {

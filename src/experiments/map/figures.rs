@@ -100,7 +100,7 @@ pub(crate) fn theory_lines(
     x: &Axis,
     y: &Axis,
 ) -> Vec<Line> {
-    let Some(parameters) = scene.parameters() else { return Vec::new() };
+    let Some(parameters) = scene.slider() else { return Vec::new() };
     let mut lines = boundary_lines(&boundary.points);
     lines.extend(asymptote_lines(parameters, x, y));
     lines.extend(transition_line(parameters, x, y));
@@ -110,7 +110,7 @@ pub(crate) fn theory_lines(
 fn frequency_map(scene: &SceneOutcome, words: &Words) -> Option<Figure> {
     let (map, boundary) = (scene.map.as_ref()?, scene.boundary.as_ref()?);
     let (x, y) = axes(map)?;
-    let parameters = scene.parameters()?;
+    let parameters = scene.slider()?;
     let natural =
         (parameters.stiffness_pa_per_m.to_f64() / parameters.mass_per_area_kg_per_m2.to_f64()).sqrt();
     let heat_map = HeatMap {

@@ -1,9 +1,10 @@
 //! max Im(s), spectral class and slip mode on a (V, σ) grid (figs 1, 6a and 7).
 
 use rayon::prelude::*;
+use slipmode_core::friction::Slider;
 
 use crate::experiments::shared::Grid;
-use crate::scene::{Rectangle, SceneParameters};
+use crate::scene::Rectangle;
 use slipmode_core::number::{Rational, Wide};
 use slipmode_core::roots::PrecisionLevel;
 use slipmode_core::stability::{InertialThreshold, SlipMode, SpectralClass, classify};
@@ -24,7 +25,7 @@ pub struct MapPoint {
 /// Classifies every point of a rectangle; its coordinates are the f64 of the axes, taken as exact rationals.
 #[must_use]
 pub fn classify_rectangle(
-    parameters: &SceneParameters,
+    parameters: &Slider<Rational>,
     rectangle: &Rectangle,
     threshold: &InertialThreshold,
 ) -> Grid<MapPoint> {
@@ -40,7 +41,7 @@ pub fn classify_rectangle(
 }
 
 fn map_point(
-    parameters: &SceneParameters,
+    parameters: &Slider<Rational>,
     velocity: f64,
     stress: f64,
     threshold: &InertialThreshold,

@@ -1,11 +1,11 @@
 //! The edge of bistability: the largest K/K_c at which a limit cycle coexists with stable sliding, and what start reaches it.
 
-use crate::scene::SceneParameters;
 use slipmode_core::dynamics::{
     Control, CycleFamily, Failure, Fold, Integrator, LongTerm, Member, Model, Options, Radau,
     long_term_behaviour, simulate_model, start_threshold,
 };
-use slipmode_core::friction::Groups;
+use slipmode_core::friction::{Groups, Slider};
+use slipmode_core::number::Rational;
 
 /// The edge at one η.
 #[derive(Debug, Clone, PartialEq)]
@@ -57,7 +57,7 @@ const CONTROL: Control = Control { local_tolerance: 1e-8, most_steps: 1_000_000 
 
 /// The fold of a family above K = K_c, if it has one.
 pub(crate) fn edge(
-    parameters: &SceneParameters,
+    parameters: &Slider<Rational>,
     family: &CycleFamily,
     members: &[Member],
     critical: f64,
@@ -95,7 +95,7 @@ fn model(family: &CycleFamily, stiffness_group: f64) -> Model<f64> {
 
 /// Loading velocity (m/s) and normal stress (Pa) at which a slider with b > a has this η on K = K_c.
 #[must_use]
-pub fn place_on_transition(parameters: &SceneParameters, inertial_parameter: f64) -> [f64; 2] {
+pub fn place_on_transition(parameters: &Slider<Rational>, inertial_parameter: f64) -> [f64; 2] {
     let direct = parameters.direct_effect.to_f64();
     let slip_distance = parameters.critical_slip_distance_m.to_f64();
     let critical = (parameters.evolution_effect.to_f64() / direct - 1.0) * (1.0 + inertial_parameter);

@@ -1,13 +1,10 @@
 //! The families of limit cycles that leave steady sliding at K = K_c, each followed through its fold where it has one.
 
-use rayon::prelude::*;
-
-use crate::experiments::effect_ratio;
 use crate::experiments::near_transition::NearTransition;
 use crate::experiments::near_transition::bistability::{Edge, edge};
-use crate::scene::SceneParameters;
+use rayon::prelude::*;
 use slipmode_core::dynamics::{CycleFamily, Failure, Member};
-use slipmode_core::friction::EvolutionLaw;
+use slipmode_core::friction::{EvolutionLaw, Slider};
 use slipmode_core::number::Rational;
 use slipmode_core::theory::hopf::{Criticality, square_amplitude};
 use slipmode_core::theory::linearisation::Law;
@@ -128,7 +125,7 @@ impl CycleFamilyOutcome {
 
 /// Follows the cycles of both laws at every η of the section.
 pub(crate) fn cycle_families(
-    parameters: &SceneParameters,
+    parameters: &Slider<Rational>,
     section: &NearTransition,
 ) -> Vec<CycleFamilyOutcome> {
     let mut inertial: Vec<&Rational> =
@@ -142,8 +139,8 @@ pub(crate) fn cycle_families(
     cases.par_iter().map(|&(law, inertial)| follow(parameters, law, inertial)).collect()
 }
 
-fn follow(parameters: &SceneParameters, law: EvolutionLaw, inertial: &Rational) -> CycleFamilyOutcome {
-    let effect_ratio = effect_ratio(parameters);
+fn follow(parameters: &Slider<Rational>, law: EvolutionLaw, inertial: &Rational) -> CycleFamilyOutcome {
+    let effect_ratio = parameters.effect_ratio();
     let family = CycleFamily {
         law,
         inertial_parameter: inertial.to_f64(),

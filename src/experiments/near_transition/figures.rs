@@ -2,7 +2,7 @@
 
 use crate::experiments::near_transition::{CycleFamilyOutcome, Edge, FamilyCycle, NearTransitionOutcome};
 use crate::experiments::{Figure, FigureMaker};
-use crate::experiments::{Need, Outcome, SceneOutcome, effect_ratio};
+use crate::experiments::{Need, Outcome, SceneOutcome};
 use slipmode_core::friction::EvolutionLaw;
 use slipmode_core::number::Rational;
 use slipmode_core::number::format::rational_to_decimal;
@@ -44,7 +44,7 @@ fn criticality(outcome: &Outcome) -> Option<Figure> {
         .collect();
     let closed = |edge: f64| [curve.clone(), vec![(edge, y.max), (edge, y.min)]].concat();
     let zone = |label: &str, edge, style| Zone { label: label.into(), outlines: vec![closed(edge)], style };
-    let paper = effect_ratio(outcome.potentially_unstable()?.parameters()?).to_f64();
+    let paper = outcome.potentially_unstable()?.slider()?.effect_ratio().to_f64();
     let map = ZoneMap {
         caption: Caption::new("criticality", "Sign of the first Lyapunov coefficient", CRITICALITY),
         zones: vec![
@@ -88,7 +88,7 @@ fn strip(scene: &SceneOutcome) -> Option<Figure> {
     let points: Vec<(f64, f64)> = edges.iter().map(|(inertial, edge)| (*inertial, edge.excess)).collect();
     let least = points.iter().map(|(_, excess)| *excess).fold(f64::INFINITY, f64::min);
     let (first, _) = *points.first()?;
-    let limit = degenerate_inertial_parameter(effect_ratio(scene.parameters()?).to_f64());
+    let limit = degenerate_inertial_parameter(scene.slider()?.effect_ratio().to_f64());
     let x = Axis::log10("*η*", "", first, 1.0);
     let y = Axis::log10("*K*/*K*_c − 1", "", libm::exp10(libm::log10(0.1 * least).floor()), 1e-1);
     let outline = [points.clone(), vec![(limit, y.min), (first, y.min)]].concat();

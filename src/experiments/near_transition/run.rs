@@ -1,14 +1,11 @@
 //! Finite starts close to K = K_c, and the cycles that are there: what the linear theory, the same for both laws, cannot tell.
 
-use rayon::prelude::*;
-
-use crate::experiments::effect_ratio;
 use crate::experiments::near_transition::NearTransition;
 use crate::experiments::near_transition::cycle_families::{CycleFamilyOutcome, cycle_families};
 use crate::experiments::simulations::run::options;
-use crate::scene::SceneParameters;
+use rayon::prelude::*;
 use slipmode_core::dynamics::{Decay, Failure, LongTerm, Model, Options, Outcome, simulate_model};
-use slipmode_core::friction::{EvolutionLaw, Groups};
+use slipmode_core::friction::{EvolutionLaw, Groups, Slider};
 use slipmode_core::number::Rational;
 use slipmode_core::roots::{Pair, binary64};
 
@@ -80,7 +77,7 @@ impl NearRun {
 
 /// Simulates with each law at κ = (K/K_c)(β − 1)(1 + η), which is eq 9 in the groups, and follows the families of cycles.
 #[must_use]
-pub fn near_transition(parameters: &SceneParameters, section: &NearTransition) -> NearTransitionOutcome {
+pub fn near_transition(parameters: &Slider<Rational>, section: &NearTransition) -> NearTransitionOutcome {
     let families = cycle_families(parameters, section);
     let cases: Vec<(EvolutionLaw, &Rational, &Rational)> = EvolutionLaw::ALL
         .into_iter()
@@ -90,7 +87,7 @@ pub fn near_transition(parameters: &SceneParameters, section: &NearTransition) -
         })
         .collect();
     let options = options(&section.tolerance);
-    let effect_ratio = effect_ratio(parameters);
+    let effect_ratio = parameters.effect_ratio();
     let runs = cases
         .par_iter()
         .map(|&(law, inertial, ratio)| {

@@ -1,12 +1,12 @@
 //! Tables of what happens close to K = K_c: the coefficient, the runs, the cycles and the edge of bistability.
 
 use crate::experiments::Context;
+use crate::experiments::Need;
 use crate::experiments::TableMaker;
 use crate::experiments::near_transition::{
     CycleFamilyOutcome, Edge, NearRun, NearTransitionOutcome, Threshold,
 };
 use crate::experiments::unless_empty;
-use crate::experiments::{Need, effect_ratio};
 use slipmode_core::number::format::{rational_to_decimal, round_digits};
 use slipmode_core::theory::hopf::{coefficient, degenerate_inertial_parameter};
 use slipmode_core::theory::linearisation::Law;
@@ -184,7 +184,7 @@ fn edges(context: &Context) -> Option<Table> {
 /// How the edge vanishes at both ends of the strip, from the two outermost rows there.
 fn orders(context: &Context) -> Option<String> {
     let scene = context.outcome.potentially_unstable()?;
-    let limit = degenerate_inertial_parameter(effect_ratio(scene.parameters()?).to_f64());
+    let limit = degenerate_inertial_parameter(scene.slider()?.effect_ratio().to_f64());
     let edge = |family: &CycleFamilyOutcome| {
         Some((family.inertial_parameter.to_f64(), family.edge.as_ref().ok()?.as_ref()?.excess))
     };

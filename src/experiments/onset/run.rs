@@ -8,13 +8,11 @@ use crate::experiments::onset::search::Line;
 use crate::experiments::onset::theory::{DIGITS, inertial_velocity, stable_boundary};
 use crate::experiments::onset::{Located, SeenOnset};
 use crate::experiments::simulations::run::options;
-use crate::scene::SceneParameters;
 use slipmode_core::dynamics::{Behaviour, simulate};
-use slipmode_core::friction::Parameters;
+use slipmode_core::friction::Slider;
 use slipmode_core::number::{Ball, Rational, bits_for_digits, nearest_f64};
-use slipmode_core::stability::{
-    Asymptote, InertialThreshold, classify, critical_normal_stress_pa, has_transition,
-};
+use slipmode_core::stability::asymptote::inertial_lower_velocity_m_per_s;
+use slipmode_core::stability::{Asymptote, InertialThreshold, classify};
 
 /// One line of constant normal stress that crosses the boundary in the stable zone.
 #[derive(Debug, Clone)]
@@ -81,7 +79,7 @@ const SHOWN_SAMPLES: usize = 161;
 /// Compares the velocities at every normal stress of the section.
 #[must_use]
 pub fn onset(
-    parameters: &SceneParameters,
+    parameters: &Slider<Rational>,
     section: &OnsetSection,
     threshold: &InertialThreshold,
 ) -> OnsetOutcome {
@@ -98,7 +96,7 @@ pub fn onset(
 }
 
 fn onset_at(
-    parameters: &SceneParameters,
+    parameters: &Slider<Rational>,
     section: &OnsetSection,
     threshold: &InertialThreshold,
     stress: &Rational,
@@ -106,15 +104,15 @@ fn onset_at(
     let (arc, boundary) = stable_boundary(parameters, stress)?;
     let asymptote = Asymptote::inertial(arc);
     let bits = bits_for_digits(DIGITS);
-    let at_stress = parameters.at(stress.clone(), Rational::from(1));
-    let asymptote_velocity = asymptote.value(&at_stress.map(|value| Ball::from_rational(value, bits)));
+    let ball = |value: &Rational| Ball::from_rational(value, bits);
+    let asymptote_velocity = asymptote.value(&parameters.map(ball), &ball(stress));
     let line =
         |law| Line { parameters, normal_stress_pa: stress, law, tolerance: nearest_f64(&section.tolerance) };
     let (from, at) = (asymptote_velocity.to_f64(), boundary.to_f64());
     let visible = section.visible.to_f64();
     let first = section.laws.first().map(|&law| line(law));
     let fastest = section.velocity_over_asymptote.iter().map(Rational::to_f64).fold(0.0, f64::max);
-    let until = SHOWN_PERIODS * natural_period(&at_stress, from * fastest);
+    let until = SHOWN_PERIODS * natural_period(parameters, from * fastest);
     let run = |ratio: f64| Some(shown_run(first.as_ref()?, threshold, from, ratio, until));
     Some(Onset {
         normal_stress_pa: stress.clone(),
@@ -129,7 +127,7 @@ fn onset_at(
 }
 
 /// 2π/ω_n in units of D_c/V_l at a loading velocity.
-fn natural_period(parameters: &Parameters<Rational>, velocity: f64) -> f64 {
+fn natural_period(parameters: &Slider<Rational>, velocity: f64) -> f64 {
     let squared = parameters.natural_angular_frequency_squared_per_s2().to_f64();
     std::f64::consts::TAU / squared.sqrt() * velocity / parameters.critical_slip_distance_m.to_f64()
 }
@@ -145,14 +143,13 @@ fn shown_run(line: &Line, threshold: &InertialThreshold, asymptote: f64, ratio: 
     }
 }
 
-fn in_other_unit(parameters: &SceneParameters, section: &OnsetSection, stress: Rational) -> OtherUnit {
-    let anywhere = parameters.at(stress.clone(), Rational::from(1));
-    let velocity = Asymptote::InertialLower.value(&anywhere.map(Rational::to_f64));
+fn in_other_unit(parameters: &Slider<Rational>, section: &OnsetSection, stress: Rational) -> OtherUnit {
+    let velocity = inertial_lower_velocity_m_per_s(&parameters.map(Rational::to_f64), &stress.to_f64());
     let point = parameters.at(stress.clone(), exactly(velocity));
     let run = section.laws.first().map(|&law| simulate(&point, law, &options(&section.tolerance)));
     OtherUnit {
         has_boundary: stable_boundary(parameters, &stress).is_some(),
-        always_unstable: has_transition(&anywhere) && stress > critical_normal_stress_pa(&anywhere),
+        always_unstable: parameters.has_transition() && stress > parameters.critical_normal_stress_pa(),
         behaviour: run.and_then(Result::ok).map(|simulation| simulation.behaviour),
         normal_stress_pa: stress,
     }

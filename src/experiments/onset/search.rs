@@ -7,11 +7,10 @@
 use crate::experiments::map::run::exactly;
 use crate::experiments::onset::first_swing::Swing;
 use crate::experiments::shared::search::{border_between, extrapolate_to_zero};
-use crate::scene::SceneParameters;
 use slipmode_core::dynamics::{
     Control, Failure, Integrator, Model, Radau, Start, oscillation_of_small_deviations,
 };
-use slipmode_core::friction::EvolutionLaw;
+use slipmode_core::friction::{EvolutionLaw, Slider};
 use slipmode_core::number::Rational;
 
 /// A velocity with its error.
@@ -41,7 +40,7 @@ pub struct SeenOnset {
 /// A line of constant normal stress under one law.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Line<'p> {
-    pub parameters: &'p SceneParameters,
+    pub parameters: &'p Slider<Rational>,
     pub normal_stress_pa: &'p Rational,
     pub law: EvolutionLaw,
     pub tolerance: f64,

@@ -3,20 +3,17 @@
 use crate::experiments::map::run::exactly;
 use crate::experiments::onset::Located;
 use crate::experiments::shared::search::border_between;
-use crate::scene::SceneParameters;
+use slipmode_core::friction::Slider;
 use slipmode_core::number::{Ball, Rational};
-use slipmode_core::stability::{
-    Arc, BoundaryCurve, InertialThreshold, Section, SlipMode, classify, has_transition,
-};
+use slipmode_core::stability::{Arc, BoundaryCurve, InertialThreshold, Section, SlipMode, classify};
 
 /// Certain digits of the theory's velocities: more than any table shows.
 pub(crate) const DIGITS: u32 = 20;
 
 /// The boundary of the stable zone with the largest velocity at a normal stress: arc and velocity.
-pub(crate) fn stable_boundary(parameters: &SceneParameters, stress: &Rational) -> Option<(Arc, Ball)> {
-    let anywhere = parameters.at(Rational::from(1), Rational::from(1));
-    let upper_is_stable = !has_transition(&anywhere);
-    BoundaryCurve::new(&anywhere, DIGITS)
+pub(crate) fn stable_boundary(parameters: &Slider<Rational>, stress: &Rational) -> Option<(Arc, Ball)> {
+    let upper_is_stable = !parameters.has_transition();
+    BoundaryCurve::new(parameters, DIGITS)
         .crossings(&Section::AtNormalStress(stress.clone()))
         .into_iter()
         .map(|(crossing, _)| (crossing.arc, crossing.loading_velocity_m_per_s))
@@ -30,7 +27,7 @@ const INERTIAL_WIDTH: f64 = 1e-12;
 
 /// Halving on the exact slip mode.
 pub(crate) fn inertial_velocity(
-    parameters: &SceneParameters,
+    parameters: &Slider<Rational>,
     threshold: &InertialThreshold,
     stress: &Rational,
     boundary: f64,

@@ -6,10 +6,9 @@ use crate::experiments::map::run::exactly;
 use crate::experiments::original_scheme::scheme::{
     AFFORDABLE_STEPS, converged_cycle, model_at, scheme_peak, steps_needed,
 };
-use crate::scene::SceneParameters;
-use slipmode_core::friction::EvolutionLaw;
+use slipmode_core::friction::{EvolutionLaw, Slider};
 use slipmode_core::number::Rational;
-use slipmode_core::stability::{Asymptote, has_transition};
+use slipmode_core::stability::asymptote::inertial_upper_velocity_m_per_s;
 
 /// How far a step moves the velocity of the least peak at one normal stress.
 #[derive(Debug, Clone, PartialEq)]
@@ -37,14 +36,14 @@ const DEGREE: usize = 4;
 
 /// By law and stress, then by step; a case is left out where a cycle is missing, a run is too long or the minimum lies outside.
 pub(crate) fn least_peaks_of_scheme(
-    parameters: &SceneParameters,
+    parameters: &Slider<Rational>,
     stresses: &[Rational],
     fractions: &[f64],
 ) -> Vec<SchemeLeastPeak> {
     let cases: Vec<(EvolutionLaw, f64)> = EvolutionLaw::ALL
         .into_iter()
         .flat_map(|law| stresses.iter().map(move |stress| (law, stress.to_f64())))
-        .filter(|&(_, stress)| has_transition(&parameters.at(exactly(stress), exactly(1.0))))
+        .filter(|_| parameters.has_transition())
         .collect();
     let found: Vec<Vec<SchemeLeastPeak>> =
         cases.par_iter().map(|&(law, stress)| at_stress(parameters, law, stress, fractions)).collect();
@@ -52,13 +51,12 @@ pub(crate) fn least_peaks_of_scheme(
 }
 
 fn at_stress(
-    parameters: &SceneParameters,
+    parameters: &Slider<Rational>,
     law: EvolutionLaw,
     stress: f64,
     fractions: &[f64],
 ) -> Vec<SchemeLeastPeak> {
-    let unit = parameters.at(exactly(stress), exactly(1.0)).map(Rational::to_f64);
-    let eq18 = Asymptote::InertialUpper.value(&unit);
+    let eq18 = inertial_upper_velocity_m_per_s(&parameters.map(Rational::to_f64), &stress);
     let offsets: Vec<f64> = (-SAMPLES..=SAMPLES).map(|i| f64::from(i) * SPACING_DEX + CENTRE_DEX).collect();
     let cycles: Option<Vec<_>> = offsets
         .par_iter()

@@ -8,9 +8,8 @@ use crate::experiments::original_scheme::scheme::{
 };
 use crate::experiments::original_scheme::stability::{SchemeMapRow, SchemeTransition, map_rows, transitions};
 use crate::experiments::original_scheme::{OriginalSchemeSection, Place};
-use crate::scene::SceneParameters;
 use slipmode_core::dynamics::Failure;
-use slipmode_core::friction::EvolutionLaw;
+use slipmode_core::friction::{EvolutionLaw, Slider};
 use slipmode_core::number::Rational;
 
 /// The scheme at one place with one step.
@@ -64,7 +63,7 @@ impl SchemeStep {
 /// Runs the scheme wherever the section asks for it.
 #[must_use]
 pub fn original_scheme(
-    parameters: &SceneParameters,
+    parameters: &Slider<Rational>,
     section: &OriginalSchemeSection,
 ) -> OriginalSchemeOutcome {
     let fractions: Vec<f64> = section.steps.iter().map(Rational::to_f64).collect();
@@ -85,7 +84,7 @@ pub fn original_scheme(
 }
 
 fn series(
-    parameters: &SceneParameters,
+    parameters: &Slider<Rational>,
     place: &Place,
     law: EvolutionLaw,
     fractions: &[f64],

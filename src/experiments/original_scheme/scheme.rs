@@ -1,10 +1,9 @@
 //! One run of the original scheme that starts on our limit cycle: its own long-term peak, and how sharply it is known.
 
-use crate::scene::SceneParameters;
 use slipmode_core::dynamics::{
     Cycle, Failure, LongTerm, Model, Options, OriginalScheme, Outcome, simulate_model,
 };
-use slipmode_core::friction::EvolutionLaw;
+use slipmode_core::friction::{EvolutionLaw, Slider};
 use slipmode_core::number::Rational;
 
 /// The most steps of one run of the scheme; a run that needs more is counted, not made.
@@ -44,7 +43,7 @@ pub(crate) fn converged_cycle(model: &Model<f64>) -> Option<Cycle<f64>> {
 
 /// The slider at a place of the plane.
 pub(crate) fn model_at(
-    parameters: &SceneParameters,
+    parameters: &Slider<Rational>,
     velocity: Rational,
     stress: Rational,
     law: EvolutionLaw,

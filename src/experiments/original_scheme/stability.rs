@@ -9,16 +9,13 @@
 //!
 //! A pair of its eigenvalues leaves the unit circle where 1 − a1 + a0 a2 − a0² = 0, for λ³ + a2 λ² + a1 λ + a0.
 
-use rayon::prelude::*;
-use rug::Float;
-
-use crate::experiments::effect_ratio;
 use crate::experiments::map::run::exactly;
 use crate::experiments::original_scheme::scheme::{converged_cycle, model_at, scheme_peak, steps_needed};
-use crate::scene::{LogAxis, Rectangle, SceneParameters};
-use slipmode_core::friction::{EvolutionLaw, Groups};
+use crate::scene::{LogAxis, Rectangle};
+use rayon::prelude::*;
+use rug::Float;
+use slipmode_core::friction::{EvolutionLaw, Groups, Slider};
 use slipmode_core::number::Rational;
-use slipmode_core::stability::has_transition;
 
 /// Bits of the eigenvalue conditions: the third power of a step of 1e-12 is still far from rounding.
 const BITS: u32 = 256;
@@ -140,11 +137,11 @@ pub struct SchemeTransition {
 
 /// By velocity, where K = K_c exists, then by step.
 pub(crate) fn transitions(
-    parameters: &SceneParameters,
+    parameters: &Slider<Rational>,
     axis: &LogAxis,
     fractions: &[f64],
 ) -> Vec<SchemeTransition> {
-    let beta = effect_ratio(parameters);
+    let beta = parameters.effect_ratio();
     let mut found = Vec::new();
     for velocity in axis.coordinates() {
         // η/κ = M V²/(K D_c²) does not contain σ, and κ = (β − 1)(1 + η) on the line.
@@ -164,7 +161,7 @@ pub(crate) fn transitions(
 
 /// Every point of the rectangle, by law and step.
 pub(crate) fn map_rows(
-    parameters: &SceneParameters,
+    parameters: &Slider<Rational>,
     rectangle: &Rectangle,
     fractions: &[f64],
 ) -> Vec<SchemeMapRow> {
@@ -180,12 +177,11 @@ pub(crate) fn map_rows(
 }
 
 /// Points whose stability the scheme gets wrong.
-fn flipped(parameters: &SceneParameters, places: &[(f64, f64)], fraction: f64) -> usize {
+fn flipped(parameters: &Slider<Rational>, places: &[(f64, f64)], fraction: f64) -> usize {
     let fraction = Float::with_val(BITS, fraction);
     let wrong = |&&(velocity, stress): &&(f64, f64)| {
-        let point = parameters.at(exactly(stress), exactly(velocity));
-        let groups = point.groups();
-        has_transition(&point)
+        let groups = parameters.at(exactly(stress), exactly(velocity)).groups();
+        parameters.has_transition()
             && (groups.transition_margin() > 0) != margin(&groups, &fraction).is_sign_positive()
     };
     places.par_iter().filter(wrong).count()
@@ -199,7 +195,7 @@ enum Fate {
 }
 
 fn map_row(
-    parameters: &SceneParameters,
+    parameters: &Slider<Rational>,
     places: &[(f64, f64)],
     law: EvolutionLaw,
     fraction: f64,

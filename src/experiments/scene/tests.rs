@@ -20,10 +20,13 @@ fn messages(more: &str) -> Vec<String> {
 fn decimals_are_taken_from_their_text() {
     let scene = parse(SLIDER).unwrap();
     let parameters = scene.parameters.unwrap();
-    assert_eq!(parameters.direct_effect, Rational::from((1, 250)));
+    assert_eq!(parameters.slider.direct_effect, Rational::from((1, 250)));
     assert_eq!(parameters.normal_stress_pa, None);
     let quoted = parse(&SLIDER.replace("0.004", "\"0.00400000000000000000001\"")).unwrap();
-    assert_eq!(quoted.parameters.unwrap().direct_effect, parse_decimal("0.00400000000000000000001").unwrap());
+    assert_eq!(
+        quoted.parameters.unwrap().slider.direct_effect,
+        parse_decimal("0.00400000000000000000001").unwrap()
+    );
 }
 
 #[test]
@@ -252,6 +255,6 @@ proptest::proptest! {
     ) {
         let text = format!("{digits}e{exponent}");
         let scene = parse(&SLIDER.replace("0.004", &text)).unwrap();
-        proptest::prop_assert_eq!(scene.parameters.unwrap().direct_effect, parse_decimal(&text).unwrap());
+        proptest::prop_assert_eq!(scene.parameters.unwrap().slider.direct_effect, parse_decimal(&text).unwrap());
     }
 }

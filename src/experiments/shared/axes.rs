@@ -1,12 +1,9 @@
 //! The (V, σ) plane of the maps: axes, and the lines of theory drawn over them.
 
 use crate::experiments::shared::Grid;
-use crate::scene::SceneParameters;
+use slipmode_core::friction::{OperatingPoint, Slider};
 use slipmode_core::number::{Ball, Rational};
 use slipmode_core::stability::boundary::{BoundaryPoint, Mark};
-use slipmode_core::stability::transition::{
-    critical_velocity_squared, has_transition, transition_normal_stress_pa,
-};
 use slipmode_core::stability::{Arc, Asymptote, asymptote};
 use slipmode_plot::figure::{Axis, Line, LineRole, PointMark, Side};
 
@@ -54,22 +51,19 @@ pub(crate) fn cusp_mark(points: &[BoundaryPoint]) -> Vec<PointMark> {
         .collect()
 }
 
-/// The parameters at a place of the plane, in 64 bits: good enough to draw.
-fn at(parameters: &SceneParameters, stress: f64) -> slipmode_core::friction::Parameters<f64> {
-    let stress = Rational::from_f64(stress).unwrap_or_default();
-    parameters.at(stress, Rational::from(1)).map(|value| Ball::from_rational(value, 64).to_f64())
-}
-
 /// Eqs 15, 16, 18 and 20, each from the edge of the map to its corner.
-pub(crate) fn asymptote_lines(parameters: &SceneParameters, x: &Axis, y: &Axis) -> Vec<Line> {
+pub(crate) fn asymptote_lines(parameters: &Slider<Rational>, x: &Axis, y: &Axis) -> Vec<Line> {
     let arcs = [Arc::Upper, Arc::Lower]
         .into_iter()
         .filter(|arc| *arc == Arc::Lower || parameters.direct_effect != parameters.evolution_effect);
+    // In 64 bits: good enough to draw.
+    let slider = parameters.map(|value| Ball::from_rational(value, 64).to_f64());
     arcs.flat_map(|arc| {
-        let (corner_stress, corner_velocity) = asymptote::corner(arc, &at(parameters, 1.0));
+        let OperatingPoint { normal_stress_pa: corner_stress, loading_velocity_m_per_s: corner_velocity } =
+            asymptote::corner(arc, &slider);
         // The inertial asymptote leaves the corner upwards on the upper arc, downwards on the lower one.
         let end_stress = if arc == Arc::Upper { y.max } else { y.min };
-        let end_velocity = Asymptote::inertial(arc).value(&at(parameters, end_stress));
+        let end_velocity = Asymptote::inertial(arc).value(&slider, &end_stress);
         [
             asymptote_line(vec![(x.min, corner_stress), (corner_velocity, corner_stress)]),
             asymptote_line(vec![(corner_velocity, corner_stress), (end_velocity, end_stress)]),
@@ -86,22 +80,20 @@ fn asymptote_line(points: Vec<(f64, f64)>) -> Line {
 const TRANSITION_VERTICES: u32 = 160;
 
 /// K = K_c (eq 9), which exists for b > a only.
-pub(crate) fn transition_line(parameters: &SceneParameters, x: &Axis, y: &Axis) -> Option<Line> {
-    let exact = parameters.at(Rational::from(1), Rational::from(1));
-    if !has_transition(&exact) {
+pub(crate) fn transition_line(parameters: &Slider<Rational>, x: &Axis, y: &Axis) -> Option<Line> {
+    if !parameters.has_transition() {
         return None;
     }
-    let critical_velocity = critical_velocity_squared(&exact).to_f64().sqrt();
+    let critical_velocity = parameters.critical_velocity_squared().to_f64().sqrt();
+    let rounded = parameters.map(Rational::to_f64);
     let (low, high) = (libm::log10(x.min), libm::log10(critical_velocity));
     let points = (0..=TRANSITION_VERTICES)
-        .filter_map(|index| {
+        .map(|index| {
             // Vertices crowd towards V_c, where the line turns down: the distance from it halves evenly.
             let share = f64::from(index) / f64::from(TRANSITION_VERTICES);
             let velocity = libm::exp10(low + (high - low) * (1.0 - (1.0 - share) * (1.0 - share)));
             let velocity = velocity.min(critical_velocity * (1.0 - 1e-9));
-            let place =
-                parameters.at(Rational::from(1), Rational::from_f64(velocity)?).map(|value| value.to_f64());
-            Some((velocity, transition_normal_stress_pa(&place)))
+            (velocity, rounded.transition_normal_stress_pa(&velocity))
         })
         .chain(std::iter::once((critical_velocity, y.min)))
         .filter(|(_, stress)| *stress > 0.0)

@@ -5,12 +5,11 @@ use rayon::prelude::*;
 use crate::experiments::map::run::exactly;
 use crate::experiments::shared::search::{border_between, minimum_between, zero_between};
 use crate::experiments::simulations::SimulationsSection;
-use crate::scene::SceneParameters;
 use slipmode_core::dynamics::{Behaviour, Options, Simulation, simulate};
-use slipmode_core::friction::EvolutionLaw;
-use slipmode_core::stability::{
-    Asymptote, InertialThreshold, SlipMode, classify, critical_normal_stress_pa, has_transition,
-};
+use slipmode_core::friction::{EvolutionLaw, Slider};
+use slipmode_core::number::Rational;
+use slipmode_core::stability::asymptote::inertial_upper_velocity_m_per_s;
+use slipmode_core::stability::{InertialThreshold, SlipMode, classify};
 
 /// The minimum of the peak velocity over the loading velocity at one normal stress.
 #[derive(Debug, Clone, PartialEq)]
@@ -64,7 +63,7 @@ pub const SIDE_WIDTH: f64 = 1e-3;
 /// when a run fails or decays, or when the least sample lies at an end of the searched range.
 #[must_use]
 pub fn least_peaks(
-    parameters: &SceneParameters,
+    parameters: &Slider<Rational>,
     section: &SimulationsSection,
     threshold: &InertialThreshold,
     options: &Options,
@@ -75,13 +74,12 @@ pub fn least_peaks(
         .iter()
         .flat_map(|&law| stresses.iter().map(move |&stress| (law, stress)))
         .filter(|&(_, stress)| {
-            let point = parameters.at(exactly(stress), exactly(1.0));
-            has_transition(&point) && exactly(stress) > critical_normal_stress_pa(&point)
+            parameters.has_transition() && exactly(stress) > parameters.critical_normal_stress_pa()
         })
         .collect();
     let least = |&(law, stress): &(EvolutionLaw, f64)| {
-        let at_unit_velocity = parameters.at(exactly(stress), exactly(1.0)).map(|value| value.to_f64());
-        let eq18_velocity_m_per_s = Asymptote::InertialUpper.value(&at_unit_velocity);
+        let eq18_velocity_m_per_s =
+            inertial_upper_velocity_m_per_s(&parameters.map(Rational::to_f64), &stress);
         Line { parameters, law, stress, eq18_velocity_m_per_s, options }.least_peak(threshold)
     };
     cases.par_iter().filter_map(least).collect()
@@ -89,7 +87,7 @@ pub fn least_peaks(
 
 /// A line of constant normal stress; places on it are offsets from eq 18 in dex.
 struct Line<'p> {
-    parameters: &'p SceneParameters,
+    parameters: &'p Slider<Rational>,
     law: EvolutionLaw,
     stress: f64,
     eq18_velocity_m_per_s: f64,

@@ -81,9 +81,8 @@ fn map(scene: &SceneOutcome) -> Option<Figure> {
     let low = values.iter().copied().filter(|value| *value > 0.0).fold(f64::INFINITY, f64::min);
     let law_word = law.as_str();
     let eq18 = |stress: f64| {
-        let stress = slipmode_core::number::Rational::from_f64(stress).unwrap_or_default();
-        let point = scene.parameters()?.at(stress, slipmode_core::number::Rational::from(1));
-        Some(Asymptote::InertialUpper.value(&point.map(slipmode_core::number::Rational::to_f64)))
+        let slider = scene.slider()?.map(slipmode_core::number::Rational::to_f64);
+        Some(Asymptote::InertialUpper.value(&slider, &stress))
     };
     let asymptote = Line {
         label: "eq 18".into(),

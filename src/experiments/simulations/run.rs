@@ -6,13 +6,10 @@ use crate::experiments::map::run::exactly;
 use crate::experiments::shared::Grid;
 use crate::experiments::simulations::SimulationsSection;
 use crate::experiments::simulations::{LeastPeak, least_peaks};
-use crate::scene::SceneParameters;
 use slipmode_core::dynamics::{Behaviour, Failure, Options, Simulation, simulate};
-use slipmode_core::friction::EvolutionLaw;
+use slipmode_core::friction::{EvolutionLaw, Slider};
 use slipmode_core::number::{Rational, nearest_f64};
-use slipmode_core::stability::{
-    Classification, InertialThreshold, classify, critical_stiffness, has_transition,
-};
+use slipmode_core::stability::{Classification, InertialThreshold, classify};
 
 /// One simulation and what the linear theory says of the same point.
 #[derive(Debug, Clone)]
@@ -56,7 +53,7 @@ pub(crate) fn options(tolerance: &Rational) -> Options {
 /// Simulates every point of the section's grid with each law, and what else the section asks for.
 #[must_use]
 pub fn simulations(
-    parameters: &SceneParameters,
+    parameters: &Slider<Rational>,
     section: &SimulationsSection,
     threshold: &InertialThreshold,
 ) -> SimulationsOutcome {
@@ -69,7 +66,7 @@ pub fn simulations(
 }
 
 fn simulate_grid(
-    parameters: &SceneParameters,
+    parameters: &Slider<Rational>,
     section: &SimulationsSection,
     law: EvolutionLaw,
     threshold: &InertialThreshold,
@@ -85,11 +82,11 @@ fn simulate_grid(
         .par_iter()
         .map(|&(velocity, stress)| {
             let point = parameters.at(exactly(stress), exactly(velocity));
-            let ratio = || (point.stiffness_pa_per_m.clone() / critical_stiffness(&point)).to_f64();
+            let ratio = || (point.slider.stiffness_pa_per_m.clone() / point.critical_stiffness()).to_f64();
             SimulatedPoint {
                 simulation: simulate(&point, law, options),
                 theory: classify(&point, threshold),
-                stiffness_over_critical: has_transition(&point).then(ratio),
+                stiffness_over_critical: parameters.has_transition().then(ratio),
             }
         })
         .collect();

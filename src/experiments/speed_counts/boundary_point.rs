@@ -3,8 +3,7 @@
 //! The section is σ = 1 kPa of the scene's slider, on the lower arc. Halving asks for one exact sign a bit; the curve is
 //! evaluated once at its parameter. The reference is the section solved to twenty digits more.
 
-use crate::scene::SceneParameters;
-use slipmode_core::friction::Parameters;
+use slipmode_core::friction::Slider;
 use slipmode_core::number::{Ball, Rational, bits_for_digits};
 use slipmode_core::stability::boundary::{BoundaryCurve, Section, by_discriminant};
 use slipmode_core::stability::boundary_sign;
@@ -29,17 +28,19 @@ pub struct BoundaryCount {
 /// Digits of the reference beyond those requested.
 const MORE_DIGITS: u32 = 20;
 
+/// σ of the section that is crossed, Pa.
+const NORMAL_STRESS_PA: i32 = 1_000;
+
 /// Halving to more digits than this takes longer than it shows.
 const MOST_HALVED_DIGITS: u32 = 1_000;
 
 /// Every route at every number of digits; nothing when the section does not cross the boundary once.
-pub(crate) fn count(parameters: &SceneParameters, digits: &[u32]) -> Vec<BoundaryCount> {
-    let slider = parameters.at(Rational::from(1_000), Rational::from(1));
-    digits.iter().flat_map(|&digits| at(&slider, digits).unwrap_or_default()).collect()
+pub(crate) fn count(parameters: &Slider<Rational>, digits: &[u32]) -> Vec<BoundaryCount> {
+    digits.iter().flat_map(|&digits| at(parameters, digits).unwrap_or_default()).collect()
 }
 
-fn at(slider: &Parameters<Rational>, digits: u32) -> Option<Vec<BoundaryCount>> {
-    let section = Section::AtNormalStress(slider.normal_stress_pa.clone());
+fn at(slider: &Slider<Rational>, digits: u32) -> Option<Vec<BoundaryCount>> {
+    let section = Section::AtNormalStress(Rational::from(NORMAL_STRESS_PA));
     let fine = BoundaryCurve::new(slider, digits + MORE_DIGITS).crossings(&section);
     let [(reference, parameter)] = fine.as_slice() else { return None };
     let velocity = &reference.loading_velocity_m_per_s;
@@ -52,7 +53,7 @@ fn at(slider: &Parameters<Rational>, digits: u32) -> Option<Vec<BoundaryCount>> 
         digits_right: digits_right(found, velocity),
         agrees: found.overlaps(velocity),
     };
-    let (_, on_curve) = curve.position(reference.arc, parameter);
+    let on_curve = curve.position(reference.arc, parameter).loading_velocity_m_per_s;
     let mut rows = vec![row("curve", "evaluations of the curve", Some(1), &on_curve)];
     for (crossing, _) in &curve.crossings(&section) {
         rows.push(row("section", "not counted", None, &crossing.loading_velocity_m_per_s));
@@ -69,12 +70,11 @@ fn at(slider: &Parameters<Rational>, digits: u32) -> Option<Vec<BoundaryCount>> 
 }
 
 /// Halving between half and twice the crossing; the enclosure and the signs that it took.
-fn halve(slider: &Parameters<Rational>, crossing: &Ball, digits: u32) -> Option<(Ball, u64)> {
+fn halve(slider: &Slider<Rational>, crossing: &Ball, digits: u32) -> Option<(Ball, u64)> {
     let bits = bits_for_digits(digits);
     let start = Rational::from_f64(crossing.to_f64())?;
     let sign = |velocity: &Rational| {
-        let point = Parameters { loading_velocity_m_per_s: velocity.clone(), ..slider.clone() };
-        boundary_sign(&point.groups())
+        boundary_sign(&slider.at(Rational::from(NORMAL_STRESS_PA), velocity.clone()).groups())
     };
     let (mut low, mut width) = (start.clone() / 2_u32, start * 2_u32);
     let at_low = sign(&low);

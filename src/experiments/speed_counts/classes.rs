@@ -38,25 +38,9 @@ pub(crate) fn count(points: u32, textbook_points: u32) -> ClassCounts {
     let sliders = Sliders::new();
     let rows: Vec<Parameters<f64>> =
         (0..points).into_par_iter().map(|number| sliders.parameters(number)).collect();
-    let column = |of: fn(&Parameters<f64>) -> f64| rows.iter().map(of).collect::<Vec<f64>>();
-    let columns = [
-        column(|p| p.direct_effect),
-        column(|p| p.evolution_effect),
-        column(|p| p.critical_slip_distance_m),
-        column(|p| p.stiffness_pa_per_m),
-        column(|p| p.mass_per_area_kg_per_m2),
-        column(|p| p.normal_stress_pa),
-        column(|p| p.loading_velocity_m_per_s),
-    ];
-    let exact = classify_points(&Parameters {
-        direct_effect: &columns[0],
-        evolution_effect: &columns[1],
-        critical_slip_distance_m: &columns[2],
-        stiffness_pa_per_m: &columns[3],
-        mass_per_area_kg_per_m2: &columns[4],
-        normal_stress_pa: &columns[5],
-        loading_velocity_m_per_s: &columns[6],
-    });
+    let columns: [Vec<f64>; 7] =
+        std::array::from_fn(|input| rows.iter().map(|row| <[f64; 7]>::from(row.clone())[input]).collect());
+    let exact = classify_points(&Parameters::from(columns.each_ref().map(Vec::as_slice)));
     // Every value is a power of ten to a finite exponent.
     let (signs, decided_by) = exact.unwrap_or_default();
     let requested = rows.len().min(textbook_points as usize);

@@ -2,6 +2,9 @@
 //!
 //! The stick-slip cycle, the fifth of the kind, is in [`work_precision`](crate::experiments::work_precision::work_precision).
 
+use slipmode_core::friction::Slider;
+use slipmode_core::number::Rational;
+
 mod boundary_point;
 mod classes;
 mod cubics;
@@ -16,8 +19,6 @@ pub use classes::{ClassCounts, MethodCount};
 pub use cubics::RootCount;
 pub use section::{SpeedCountsSection, TimingsSection};
 pub use sweep::SweepCount;
-
-use crate::scene::SceneParameters;
 
 /// Everything that is counted.
 #[derive(Debug, Clone, PartialEq)]
@@ -34,7 +35,7 @@ pub struct SpeedCounts {
 
 /// Counts all that the section asks for.
 #[must_use]
-pub fn speed_counts(parameters: &SceneParameters, section: &SpeedCountsSection) -> SpeedCounts {
+pub fn speed_counts(parameters: &Slider<Rational>, section: &SpeedCountsSection) -> SpeedCounts {
     SpeedCounts {
         roots: cubics::count(section),
         classes: classes::count(section.points, section.textbook_points),

@@ -26,15 +26,15 @@ impl Sliders {
             libm::exp10(low + (high - low) * self.0.coordinate(u64::from(number), quantity))
         };
         let direct_effect = value(0);
-        Parameters {
+        Parameters::from([
             direct_effect,
-            evolution_effect: direct_effect * value(1),
-            critical_slip_distance_m: value(2),
-            stiffness_pa_per_m: value(3),
-            mass_per_area_kg_per_m2: value(4),
-            normal_stress_pa: value(5),
-            loading_velocity_m_per_s: value(6),
-        }
+            direct_effect * value(1),
+            value(2),
+            value(3),
+            value(4),
+            value(5),
+            value(6),
+        ])
     }
 }
 

@@ -6,9 +6,8 @@
 use rayon::prelude::*;
 
 use crate::experiments::speed_counts::SpeedCountsSection;
-use crate::scene::SceneParameters;
 use slipmode_core::dynamics::{Failure, Options, Simulation, simulate};
-use slipmode_core::friction::{EvolutionLaw, Parameters};
+use slipmode_core::friction::{EvolutionLaw, Parameters, Slider};
 use slipmode_core::number::Rational;
 
 /// The sweep at one tolerance.
@@ -38,7 +37,7 @@ const REFERENCE: f64 = 1e-11;
 type Run = Result<Simulation, Failure>;
 
 /// The sweep at every tolerance.
-pub(crate) fn count(parameters: &SceneParameters, section: &SpeedCountsSection) -> Vec<SweepCount> {
+pub(crate) fn count(parameters: &Slider<Rational>, section: &SpeedCountsSection) -> Vec<SweepCount> {
     let points = points(parameters, section.sweep_side);
     let at = |tolerance: f64| -> Vec<Run> {
         let options = Options { tolerance, ..Options::default() };
@@ -49,7 +48,7 @@ pub(crate) fn count(parameters: &SceneParameters, section: &SpeedCountsSection) 
     tolerances.map(|tolerance| summed(tolerance, &at(tolerance), &reference)).collect()
 }
 
-fn points(parameters: &SceneParameters, side: u32) -> Vec<(Parameters<Rational>, EvolutionLaw)> {
+fn points(parameters: &Slider<Rational>, side: u32) -> Vec<(Parameters<Rational>, EvolutionLaw)> {
     let at = |low: f64, high: f64, index: u32| {
         let share = f64::from(index) / f64::from(side.saturating_sub(1).max(1));
         Rational::from_f64(libm::exp10(low + (high - low) * share)).unwrap_or_default()

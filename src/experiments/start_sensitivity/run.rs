@@ -3,14 +3,13 @@
 use rayon::prelude::*;
 
 use crate::experiments::linear_regime::StartSensitivitySection;
-use crate::scene::SceneParameters;
 use slipmode_core::dynamics::{
     Control, Failure, Integrator, Model, Options, Radau, ReturnEnd, Simulation, Start, Stepper, increment,
     next_return, simulate,
 };
-use slipmode_core::friction::EvolutionLaw;
+use slipmode_core::friction::{EvolutionLaw, Slider};
 use slipmode_core::number::{Rational, nearest_f64};
-use slipmode_core::stability::{InertialThreshold, SlipMode, classify, critical_stiffness, has_transition};
+use slipmode_core::stability::{InertialThreshold, SlipMode, classify};
 
 /// Local tolerances of the first peak: the finer run is reported, the difference is its error.
 const TOLERANCES: [f64; 2] = [1e-9, 1e-10];
@@ -65,7 +64,7 @@ pub struct StartGroup {
 /// Runs every completion of the start.
 #[must_use]
 pub fn start_sensitivity(
-    parameters: &SceneParameters,
+    parameters: &Slider<Rational>,
     section: &StartSensitivitySection,
     threshold: &InertialThreshold,
 ) -> Vec<StartGroup> {
@@ -75,7 +74,7 @@ pub fn start_sensitivity(
 }
 
 fn group(
-    parameters: &SceneParameters,
+    parameters: &Slider<Rational>,
     section: &StartSensitivitySection,
     threshold: &InertialThreshold,
     [velocity, stress]: &[Rational; 2],
@@ -90,13 +89,13 @@ fn group(
         early: early(&model, start),
         long_term: simulate(&point, law, &Options { start, tolerance, ..Options::default() }),
     };
-    let ratio = || (point.stiffness_pa_per_m.clone() / critical_stiffness(&point)).to_f64();
+    let ratio = || (point.slider.stiffness_pa_per_m.clone() / point.critical_stiffness()).to_f64();
     StartGroup {
         loading_velocity_m_per_s: velocity.to_f64(),
         normal_stress_pa: stress.to_f64(),
         law,
         inertial_parameter: groups.inertial_parameter,
-        stiffness_over_critical: has_transition(&point).then(ratio),
+        stiffness_over_critical: parameters.has_transition().then(ratio),
         slip_mode: classify(&point, threshold).slip_mode,
         runs: Start::ALL.par_iter().map(|&start| run(start)).collect(),
     }

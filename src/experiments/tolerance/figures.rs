@@ -4,7 +4,7 @@ use crate::experiments::boundary::BoundaryOutcome;
 use crate::experiments::effect_ratio_sweep::SweepOutcome;
 use crate::experiments::tolerance::ToleranceOutcome;
 use crate::experiments::{Figure, FigureMaker};
-use crate::experiments::{Need, SceneOutcome, effect_ratio};
+use crate::experiments::{Need, SceneOutcome};
 use slipmode_core::number::format::rational_to_decimal;
 use slipmode_core::number::{Ball, Rational};
 use slipmode_core::stability::Asymptote;
@@ -38,7 +38,7 @@ const ALONG: &str = "Signed relative error of each of the four asymptotes along 
 
 fn along_arcs(scene: &SceneOutcome) -> Option<Figure> {
     let outcome = scene.boundary.as_ref()?;
-    let beta = effect_ratio(scene.parameters()?);
+    let beta = scene.slider()?.effect_ratio();
     let caption = Caption::new("deviation", "Relative error of the asymptotes along the boundary", ALONG);
     let chart = LineChart {
         caption: caption.clone(),
@@ -151,7 +151,7 @@ fn good_enough(scene: &SceneOutcome) -> Option<Figure> {
 
 /// D_c √(K/M), m/s: the velocity at which η/κ = 1.
 fn velocity_scale(scene: &SceneOutcome) -> Option<f64> {
-    let parameters = scene.parameters()?;
+    let parameters = scene.slider()?;
     let natural =
         (parameters.stiffness_pa_per_m.to_f64() / parameters.mass_per_area_kg_per_m2.to_f64()).sqrt();
     Some(parameters.critical_slip_distance_m.to_f64() * natural)

@@ -1,7 +1,6 @@
 //! Where each asymptote of a slider is good to a given relative error, and whether its error shrinks as derived.
-
-use crate::experiments::effect_ratio;
-use crate::scene::{SceneParameters, ToleranceSection};
+use crate::scene::ToleranceSection;
+use slipmode_core::friction::Slider;
 use slipmode_core::number::{Ball, Rational, bits_for_digits};
 use slipmode_core::stability::Asymptote;
 use slipmode_core::stability::deviation::{ConvergenceStep, CornerErrors, convergence, corner_errors};
@@ -37,11 +36,9 @@ const DECADES: u32 = 8;
 
 /// Computes the limits; asymptotes that do not exist (eqs 15 and 18 for a = b) have no rows.
 #[must_use]
-pub fn tolerance_limits(parameters: &SceneParameters, section: &ToleranceSection) -> ToleranceOutcome {
-    let beta = effect_ratio(parameters);
-    let slider = parameters
-        .at(Rational::from(1), Rational::from(1))
-        .map(|value| Ball::from_rational(value, bits_for_digits(DIGITS) + 24));
+pub fn tolerance_limits(parameters: &Slider<Rational>, section: &ToleranceSection) -> ToleranceOutcome {
+    let beta = parameters.effect_ratio();
+    let slider = parameters.map(|value| Ball::from_rational(value, bits_for_digits(DIGITS) + 24));
     let rows = Asymptote::ALL
         .into_iter()
         .flat_map(|asymptote| section.relative.iter().map(move |tolerance| (asymptote, tolerance)))

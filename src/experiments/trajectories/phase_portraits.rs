@@ -7,9 +7,9 @@ use crate::experiments::trajectories::figures::place_words;
 use crate::experiments::trajectories::{Moment, TrajectoryRun};
 use crate::experiments::{Figure, FigureMaker};
 use crate::experiments::{Need, SceneOutcome};
-use crate::scene::SceneParameters;
 use slipmode_core::dynamics::Behaviour;
-use slipmode_core::friction::EvolutionLaw;
+use slipmode_core::friction::{EvolutionLaw, Slider};
+use slipmode_core::number::Rational;
 use slipmode_plot::figure::{Axis, Caption, Panel, Panels, Series};
 
 pub(crate) const FIGURES: &[FigureMaker] = &[FigureMaker {
@@ -28,7 +28,7 @@ const POINTS: [&str; 4] = ["3b", "3e", "3g", "3f"];
 const HEIGHT: f64 = 190.0;
 
 fn portraits(scene: &SceneOutcome) -> Option<Figure> {
-    let parameters = scene.parameters()?;
+    let parameters = scene.slider()?;
     let figure = Panels {
         caption: Caption::new("phase-portraits", "Phase portraits of four slip modes", DESCRIPTION),
         columns: 2,
@@ -44,7 +44,7 @@ fn portraits(scene: &SceneOutcome) -> Option<Figure> {
     })
 }
 
-fn portrait(scene: &SceneOutcome, parameters: &SceneParameters, id: &str) -> Option<Panel> {
+fn portrait(scene: &SceneOutcome, parameters: &Slider<Rational>, id: &str) -> Option<Panel> {
     let runs: Vec<&TrajectoryRun> = [EvolutionLaw::Slip, EvolutionLaw::Aging]
         .into_iter()
         .flat_map(|law| runs_of(scene, id, law))
@@ -90,7 +90,7 @@ fn shown(run: &TrajectoryRun) -> &[Moment] {
 }
 
 /// Steady sliding at other velocities: Δτ = (a − b) σ ln(V/V_l), eq 1 with θ = D_c/V.
-fn steady_line(parameters: &SceneParameters, run: &TrajectoryRun, ends: [f64; 2], unit_pa: f64) -> Series {
+fn steady_line(parameters: &Slider<Rational>, run: &TrajectoryRun, ends: [f64; 2], unit_pa: f64) -> Series {
     let effect = parameters.direct_effect.to_f64() - parameters.evolution_effect.to_f64();
     let stress = |ratio: f64| effect * run.point.normal_stress_pa.to_f64() * libm::log(ratio) / unit_pa;
     Series {

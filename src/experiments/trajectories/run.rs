@@ -5,11 +5,10 @@ use rayon::prelude::*;
 use crate::experiments::simulations::run::options;
 use crate::experiments::trajectories::thinning::kept;
 use crate::experiments::trajectories::{TrajectoriesSection, TrajectoryPoint};
-use crate::scene::SceneParameters;
 use slipmode_core::dynamics::{
     Control, Failure, Model, Options, Radau, Sample, Simulation, State, simulate, trajectory,
 };
-use slipmode_core::friction::{EvolutionLaw, Parameters};
+use slipmode_core::friction::{EvolutionLaw, Parameters, Slider};
 use slipmode_core::number::Rational;
 use slipmode_core::stability::{Classification, InertialThreshold, classify};
 
@@ -61,7 +60,7 @@ const MOST_STEPS: u64 = 200_000;
 /// Follows every point of the section with each of its laws.
 #[must_use]
 pub fn trajectories(
-    parameters: &SceneParameters,
+    parameters: &Slider<Rational>,
     section: &TrajectoriesSection,
     threshold: &InertialThreshold,
 ) -> Vec<TrajectoryRun> {
@@ -72,32 +71,32 @@ pub fn trajectories(
 }
 
 fn follow(
-    parameters: &SceneParameters,
+    slider: &Slider<Rational>,
     point: &TrajectoryPoint,
     law: EvolutionLaw,
     threshold: &InertialThreshold,
     options: &Options,
 ) -> TrajectoryRun {
-    let slider = parameters.at(point.normal_stress_pa.clone(), point.loading_velocity_m_per_s.clone());
-    let simulation = simulate(&slider, law, options);
+    let parameters = slider.at(point.normal_stress_pa.clone(), point.loading_velocity_m_per_s.clone());
+    let simulation = simulate(&parameters, law, options);
     let course = match &simulation {
         // As accurate as the finest run behind the observables.
-        Ok(found) => course(&slider, law, options, found.local_tolerance, point.duration_s.to_f64()),
+        Ok(found) => course(&parameters, law, options, found.local_tolerance, point.duration_s.to_f64()),
         Err(failure) => Err(failure.clone()),
     };
-    TrajectoryRun { point: point.clone(), law, theory: classify(&slider, threshold), simulation, course }
+    TrajectoryRun { point: point.clone(), law, theory: classify(&parameters, threshold), simulation, course }
 }
 
 fn course(
-    slider: &Parameters<Rational>,
+    parameters: &Parameters<Rational>,
     law: EvolutionLaw,
     options: &Options,
     local_tolerance: f64,
     duration_s: f64,
 ) -> Result<Course, Failure> {
-    let model = Model::new(slider.groups().map(Rational::to_f64), law);
-    let rate_per_s = slider.rate_per_s().to_f64();
-    let direct_stress_pa = Rational::from(&slider.direct_effect * &slider.normal_stress_pa).to_f64();
+    let model = Model::new(parameters.groups().map(Rational::to_f64), law);
+    let rate_per_s = parameters.rate_per_s().to_f64();
+    let direct_stress_pa = parameters.direct_stress_pa().to_f64();
     let control = Control { local_tolerance, most_steps: MOST_STEPS };
     let start = options.start.state(&model, &libm::log(options.velocity_ratio));
     let until = duration_s * rate_per_s;

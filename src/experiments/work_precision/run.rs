@@ -7,13 +7,12 @@ use rayon::prelude::*;
 
 use crate::experiments::original_scheme::scheme::{highest, model_at};
 use crate::experiments::original_scheme::{Place, WorkPrecisionSection};
-use crate::scene::SceneParameters;
 use slipmode_core::dynamics::{
     Control, Failure, Integrator, LongTerm, Model, OriginalScheme, Radau, Rodas5P, Scalar, Start, State,
     Stepper, Taylor, long_term_behaviour, next_return,
 };
-use slipmode_core::friction::EvolutionLaw;
-use slipmode_core::number::Dd;
+use slipmode_core::friction::{EvolutionLaw, Slider};
+use slipmode_core::number::{Dd, Rational};
 
 /// A return: [ln(V_peak/V_l), duration], and its work.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -129,11 +128,11 @@ pub fn reference_return(model: &Model<f64>) -> Option<(State<f64>, MeasuredRetur
 
 /// All methods on all returns that the section asks for.
 #[must_use]
-pub fn work_precision(parameters: &SceneParameters, section: &WorkPrecisionSection) -> Vec<WorkCase> {
+pub fn work_precision(parameters: &Slider<Rational>, section: &WorkPrecisionSection) -> Vec<WorkCase> {
     section.places.par_iter().filter_map(|place| work_case(parameters, place)).collect()
 }
 
-fn work_case(parameters: &SceneParameters, place: &Place) -> Option<WorkCase> {
+fn work_case(parameters: &Slider<Rational>, place: &Place) -> Option<WorkCase> {
     let (velocity, stress) = (place.loading_velocity_m_per_s.clone(), place.normal_stress_pa.clone());
     let model = model_at(parameters, velocity, stress, LAW);
     let (section, exact) = reference_return(&model)?;

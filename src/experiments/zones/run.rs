@@ -1,12 +1,9 @@
 //! The simplified map of fig 7, drawn from the paper's equations, against exact slip modes (claim Z1).
 
 use crate::experiments::map::MapPoint;
-use crate::experiments::map::run::exactly;
 use crate::experiments::shared::Grid;
-use crate::scene::SceneParameters;
-use slipmode_core::friction::Parameters;
-use slipmode_core::number::Wide;
-use slipmode_core::stability::transition::{critical_stiffness, critical_velocity_squared};
+use slipmode_core::friction::Slider;
+use slipmode_core::number::{Rational, Wide};
 use slipmode_core::stability::{Asymptote, SlipMode, SpectralClass};
 
 /// ω/ω_n of the thresholds whose effect on the map is reported, besides the default √(1/2).
@@ -42,7 +39,7 @@ pub struct ThresholdShare {
 
 /// Holds the exact slip modes of a map against the simplified map of fig 7 on the same points.
 #[must_use]
-pub fn compare_zones(parameters: &SceneParameters, map: &Grid<MapPoint>) -> ZonesOutcome {
+pub fn compare_zones(parameters: &Slider<Rational>, map: &Grid<MapPoint>) -> ZonesOutcome {
     let simplified = Grid {
         loading_velocity_m_per_s: map.loading_velocity_m_per_s.clone(),
         normal_stress_pa: map.normal_stress_pa.clone(),
@@ -101,20 +98,19 @@ impl Zone {
 }
 
 /// The lines of fig 7 in 64 bits: a rounding error could only move a point that lies on a line.
-fn simplified_zone(parameters: &SceneParameters, velocity: f64, stress: f64) -> Zone {
-    let point: Parameters<f64> =
-        parameters.at(exactly(stress), exactly(velocity)).map(|value| value.to_f64());
-    let value = |asymptote: Asymptote| asymptote.value(&point);
+fn simplified_zone(parameters: &Slider<Rational>, velocity: f64, stress: f64) -> Zone {
+    let slider = parameters.map(Rational::to_f64);
+    let value = |asymptote: Asymptote| asymptote.value(&slider, &stress);
     Zone {
-        stable: point.stiffness_pa_per_m > critical_stiffness(&point),
+        stable: slider.stiffness_pa_per_m > slider.at(stress, velocity).critical_stiffness(),
         upper: stress > value(Asymptote::QuasiStaticUpper) && velocity < value(Asymptote::InertialUpper),
         lower: stress < value(Asymptote::QuasiStaticLower) && velocity < value(Asymptote::InertialLower),
         // Eq 23 meets ω_n at V_c; for a > b the same line with |b − a|.
-        inertial: velocity * velocity > critical_velocity_squared(&point).abs(),
+        inertial: velocity * velocity > slider.critical_velocity_squared().abs(),
     }
 }
 
-fn threshold_shares(parameters: &SceneParameters, map: &Grid<MapPoint>) -> Vec<ThresholdShare> {
+fn threshold_shares(parameters: &Slider<Rational>, map: &Grid<MapPoint>) -> Vec<ThresholdShare> {
     let natural =
         (parameters.stiffness_pa_per_m.to_f64() / parameters.mass_per_area_kg_per_m2.to_f64()).sqrt();
     let ratios: Vec<f64> = map

@@ -1,7 +1,7 @@
 //! The coordinates of a sweep's points: each of the seven quantities is one decimal, an axis, or a span.
 
 use crate::scene::section::{Entry, Section};
-use crate::scene::{AllowedRange, Faults, Problem, Quantity, SceneParameters, nearest};
+use crate::scene::{AllowedRange, Faults, ParametersSection, Problem, Quantity, nearest};
 use crate::sweep::section::ReadParameters;
 use slipmode_core::number::Rational;
 
@@ -117,13 +117,14 @@ fn missing(section: &mut Section<'_>, quantity: Quantity, faults: &mut Faults) -
     section.required(quantity.key(), &allowed, faults).and(None)
 }
 
-fn of_parameters(parameters: &SceneParameters, quantity: Quantity) -> Option<Coordinate> {
+fn of_parameters(parameters: &ParametersSection, quantity: Quantity) -> Option<Coordinate> {
+    let slider = &parameters.slider;
     let value = match quantity {
-        Quantity::DirectEffect => Some(&parameters.direct_effect),
-        Quantity::EvolutionEffect => Some(&parameters.evolution_effect),
-        Quantity::CriticalSlipDistance => Some(&parameters.critical_slip_distance_m),
-        Quantity::Stiffness => Some(&parameters.stiffness_pa_per_m),
-        Quantity::MassPerArea => Some(&parameters.mass_per_area_kg_per_m2),
+        Quantity::DirectEffect => Some(&slider.direct_effect),
+        Quantity::EvolutionEffect => Some(&slider.evolution_effect),
+        Quantity::CriticalSlipDistance => Some(&slider.critical_slip_distance_m),
+        Quantity::Stiffness => Some(&slider.stiffness_pa_per_m),
+        Quantity::MassPerArea => Some(&slider.mass_per_area_kg_per_m2),
         Quantity::NormalStress => parameters.normal_stress_pa.as_ref(),
         Quantity::LoadingVelocity => parameters.loading_velocity_m_per_s.as_ref(),
     };

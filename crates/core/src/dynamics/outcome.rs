@@ -206,7 +206,6 @@ impl Outcome {
     #[must_use]
     pub fn in_si(&self, parameters: &Parameters<f64>) -> Simulation {
         let rate_per_s = parameters.rate_per_s();
-        let direct_stress_pa = parameters.direct_effect * parameters.normal_stress_pa;
         let drop = stress_drop(&self.long_term);
         let (log_peak, period) = peak_and_period(&self.long_term, self.start);
         let (returns, growth) = match &self.long_term {
@@ -217,10 +216,10 @@ impl Outcome {
         Simulation {
             behaviour: if periodic { Behaviour::Periodic } else { Behaviour::Decaying },
             slip_mode: self.slip_mode(),
-            peak_velocity_m_per_s: parameters.loading_velocity_m_per_s * libm::exp(log_peak),
+            peak_velocity_m_per_s: parameters.point.loading_velocity_m_per_s * libm::exp(log_peak),
             minimum_velocity_log10_ratio: trough(&self.long_term, self.start) / std::f64::consts::LN_10,
             period_s: period.map(|period| period / rate_per_s),
-            stress_drop_pa: drop * direct_stress_pa,
+            stress_drop_pa: drop * parameters.direct_stress_pa(),
             stress_drop_over_direct_effect: drop,
             frequency_hz: period.map(|period| returns as f64 * rate_per_s / period),
             growth_rate_per_s: growth.map(|growth| growth * rate_per_s),

@@ -51,7 +51,7 @@ pub fn simulate(
     let groups = parameters.groups().map(nearest_f64);
     let parameters = parameters.map(nearest_f64);
     let balance = match options.regularised_reference_friction {
-        Some(reference) => Balance::Regularised(reference / parameters.direct_effect),
+        Some(reference) => Balance::Regularised(reference / parameters.slider.direct_effect),
         None => Balance::Inertial,
     };
     let outcome = simulate_model(&Model::with_balance(groups, law, balance), options)?;

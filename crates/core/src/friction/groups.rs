@@ -26,11 +26,23 @@ impl<R: Field> Groups<R> {
         ]
     }
 
-    /// (K − K_c)/(aσ/D_c) = κ + (1−β)(1+η): its sign is that of K − K_c (eq 9), positive when linearly stable.
+    /// κ_c = (β−1)(1+η), the κ of K = K_c (eq 9).
+    #[must_use]
+    pub fn critical_stiffness_group(&self) -> R {
+        let one = R::from(1);
+        (self.effect_ratio.clone() - &one) * (one + &self.inertial_parameter)
+    }
+
+    /// κ − κ_c = (K − K_c)/(aσ/D_c): its sign is that of K − K_c (eq 9), positive when linearly stable.
     #[must_use]
     pub fn transition_margin(&self) -> R {
-        let one = R::from(1);
-        self.stiffness_group.clone() + (one.clone() - &self.effect_ratio) * (one + &self.inertial_parameter)
+        self.stiffness_group.clone() - self.critical_stiffness_group()
+    }
+
+    /// (ω_n D_c/V0)² = κ/η: the square of the natural angular frequency in units of V0/D_c.
+    #[must_use]
+    pub fn natural_angular_frequency_squared(&self) -> R {
+        self.stiffness_group.clone() / &self.inertial_parameter
     }
 
     /// The same groups in another number type.

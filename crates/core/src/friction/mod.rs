@@ -5,9 +5,11 @@
 mod evolution;
 mod groups;
 mod parameters;
+mod slider;
 mod slip_mode;
 
 pub use evolution::EvolutionLaw;
 pub use groups::Groups;
-pub use parameters::Parameters;
+pub use parameters::{OperatingPoint, Parameters};
+pub use slider::Slider;
 pub use slip_mode::SlipMode;

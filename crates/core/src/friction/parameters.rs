@@ -1,94 +1,136 @@
-//! The seven inputs of the spring-slider, in SI.
+//! A slider at an operating point: the seven inputs of the spring-slider, in SI.
 
-use crate::friction::Groups;
-use crate::number::Field;
+use crate::friction::{Groups, Slider};
+use crate::number::{Field, Real};
 
-/// What a user knows of a spring-slider with rate-and-state friction; every value is positive.
+/// How the slider is driven: one point of the (V0, σ) plane; both values are positive.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Parameters<R> {
-    /// a of eq 1, dimensionless.
-    pub direct_effect: R,
-    /// b of eq 1, dimensionless.
-    pub evolution_effect: R,
-    /// D_c of eqs 1-3, m.
-    pub critical_slip_distance_m: R,
-    /// K of eq 4: shear stress per slip, Pa/m.
-    pub stiffness_pa_per_m: R,
-    /// M of eq 4: mass per unit area, kg/m².
-    pub mass_per_area_kg_per_m2: R,
+pub struct OperatingPoint<R> {
     /// σ of eq 4, Pa.
     pub normal_stress_pa: R,
     /// V0 of eq 4 (the paper's V_l in its section 3), m/s.
     pub loading_velocity_m_per_s: R,
 }
 
+/// A slider at an operating point: all that the equations of motion need.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Parameters<R> {
+    /// a, b, D_c, K, M.
+    pub slider: Slider<R>,
+    /// σ, V0.
+    pub point: OperatingPoint<R>,
+}
+
 /// The seven values in the order of the fields: a, b, D_c, K, M, σ, V0.
 impl<R> From<[R; 7]> for Parameters<R> {
     fn from([a, b, d, k, m, s, v]: [R; 7]) -> Self {
         Self {
-            direct_effect: a,
-            evolution_effect: b,
-            critical_slip_distance_m: d,
-            stiffness_pa_per_m: k,
-            mass_per_area_kg_per_m2: m,
-            normal_stress_pa: s,
-            loading_velocity_m_per_s: v,
+            slider: Slider::from([a, b, d, k, m]),
+            point: OperatingPoint { normal_stress_pa: s, loading_velocity_m_per_s: v },
+        }
+    }
+}
+
+/// The inverse of [`Parameters::from`] an array: a, b, D_c, K, M, σ, V0.
+impl<R> From<Parameters<R>> for [R; 7] {
+    fn from(Parameters { slider: s, point }: Parameters<R>) -> Self {
+        [
+            s.direct_effect,
+            s.evolution_effect,
+            s.critical_slip_distance_m,
+            s.stiffness_pa_per_m,
+            s.mass_per_area_kg_per_m2,
+            point.normal_stress_pa,
+            point.loading_velocity_m_per_s,
+        ]
+    }
+}
+
+impl<R> Parameters<R> {
+    /// The same parameters in another number type.
+    #[must_use]
+    pub fn map<S>(&self, mut convert: impl FnMut(&R) -> S) -> Parameters<S> {
+        Parameters {
+            slider: self.slider.map(&mut convert),
+            point: OperatingPoint {
+                normal_stress_pa: convert(&self.point.normal_stress_pa),
+                loading_velocity_m_per_s: convert(&self.point.loading_velocity_m_per_s),
+            },
         }
     }
 }
 
 impl<R: Field> Parameters<R> {
+    /// aσ, Pa: the unit of stress of the dimensionless slider.
+    #[must_use]
+    pub fn direct_stress_pa(&self) -> R {
+        self.slider.direct_effect.clone() * &self.point.normal_stress_pa
+    }
+
     /// The dimensionless groups η, κ, β of these parameters.
     #[must_use]
     pub fn groups(&self) -> Groups<R> {
-        let direct_stress_pa = self.direct_effect.clone() * &self.normal_stress_pa;
+        let Self { slider, point } = self;
+        let direct_stress_pa = self.direct_stress_pa();
         Groups {
-            inertial_parameter: self.mass_per_area_kg_per_m2.clone() * self.loading_velocity_m_per_s.square()
-                / (direct_stress_pa.clone() * &self.critical_slip_distance_m),
-            stiffness_group: self.stiffness_pa_per_m.clone() * &self.critical_slip_distance_m
-                / &direct_stress_pa,
-            effect_ratio: self.evolution_effect.clone() / &self.direct_effect,
+            inertial_parameter: slider.mass_per_area_kg_per_m2.clone()
+                * point.loading_velocity_m_per_s.square()
+                / (direct_stress_pa.clone() * &slider.critical_slip_distance_m),
+            stiffness_group: slider.stiffness_stress_pa() / &direct_stress_pa,
+            effect_ratio: slider.effect_ratio(),
         }
     }
 
     /// V0/D_c, 1/s: the rate that turns a dimensionless exponent p into s = p·V0/D_c.
     #[must_use]
     pub fn rate_per_s(&self) -> R {
-        self.loading_velocity_m_per_s.clone() / &self.critical_slip_distance_m
-    }
-
-    /// ω_n² = K/M, 1/s²: the square of the natural angular frequency.
-    #[must_use]
-    pub fn natural_angular_frequency_squared_per_s2(&self) -> R {
-        self.stiffness_pa_per_m.clone() / &self.mass_per_area_kg_per_m2
+        self.point.loading_velocity_m_per_s.clone() / &self.slider.critical_slip_distance_m
     }
 
     /// The coefficients of eq 8 times σ, by ascending power of s: K V0/D_c, K + (a−b)σ/D_c, aσ/V0 + M V0/D_c, M.
     #[must_use]
     pub fn characteristic_cubic_per_s(&self) -> [R; 4] {
-        let p = self;
-        let effect_difference = p.direct_effect.clone() - &p.evolution_effect;
+        let Self { slider, point } = self;
+        let effect_difference = slider.direct_effect.clone() - &slider.evolution_effect;
         [
-            p.stiffness_pa_per_m.clone() * self.rate_per_s(),
-            p.stiffness_pa_per_m.clone()
-                + effect_difference * &p.normal_stress_pa / &p.critical_slip_distance_m,
-            p.direct_effect.clone() * &p.normal_stress_pa / &p.loading_velocity_m_per_s
-                + p.mass_per_area_kg_per_m2.clone() * self.rate_per_s(),
-            p.mass_per_area_kg_per_m2.clone(),
+            slider.stiffness_pa_per_m.clone() * self.rate_per_s(),
+            slider.stiffness_pa_per_m.clone()
+                + effect_difference * &point.normal_stress_pa / &slider.critical_slip_distance_m,
+            slider.direct_effect.clone() * &point.normal_stress_pa / &point.loading_velocity_m_per_s
+                + slider.mass_per_area_kg_per_m2.clone() * self.rate_per_s(),
+            slider.mass_per_area_kg_per_m2.clone(),
         ]
     }
 
-    /// The same parameters in another number type.
+    /// K_c,qs = (b−a)σ/D_c, Pa/m (eq 10): depends on σ, not on M or V0.
+    #[doc(alias = "eq. 10")]
     #[must_use]
-    pub fn map<S>(&self, mut convert: impl FnMut(&R) -> S) -> Parameters<S> {
-        Parameters {
-            direct_effect: convert(&self.direct_effect),
-            evolution_effect: convert(&self.evolution_effect),
-            critical_slip_distance_m: convert(&self.critical_slip_distance_m),
-            stiffness_pa_per_m: convert(&self.stiffness_pa_per_m),
-            mass_per_area_kg_per_m2: convert(&self.mass_per_area_kg_per_m2),
-            normal_stress_pa: convert(&self.normal_stress_pa),
-            loading_velocity_m_per_s: convert(&self.loading_velocity_m_per_s),
-        }
+    pub fn critical_stiffness_quasi_static(&self) -> R {
+        self.slider.effect_difference() * &self.point.normal_stress_pa / &self.slider.critical_slip_distance_m
+    }
+
+    /// K_c,dyn = ((b−a)/a)·M V0²/D_c², Pa/m (eq 11): depends on M·V0², not on σ.
+    #[doc(alias = "eq. 11")]
+    #[must_use]
+    pub fn critical_stiffness_dynamic(&self) -> R {
+        self.slider.effect_difference() / &self.slider.direct_effect
+            * &self.slider.mass_per_area_kg_per_m2
+            * self.rate_per_s().square()
+    }
+
+    /// K_c = ((b−a)σ/D_c)·(1 + M V0²/(σ a D_c)), Pa/m (eq 9): linearly stable above it.
+    #[doc(alias = "eq. 9")]
+    #[must_use]
+    pub fn critical_stiffness(&self) -> R {
+        self.critical_stiffness_quasi_static() * (R::from(1) + self.groups().inertial_parameter)
+    }
+}
+
+impl<R: Real> Parameters<R> {
+    /// The angular frequency of eq 23, √((b−a)/a)·V0/D_c, 1/s: exact on K = K_c. Needs b > a.
+    #[doc(alias = "eq. 23")]
+    #[must_use]
+    pub fn transition_angular_frequency_per_s(&self) -> R {
+        (self.slider.effect_difference() / &self.slider.direct_effect).sqrt() * self.rate_per_s()
     }
 }

@@ -3,8 +3,8 @@
 //! Sums and differences of √a and √b are written so that nothing cancels when a ≈ b:
 //! (√b − √a)² = (b−a)²/(√a + √b)².
 
-use crate::friction::Parameters;
-use crate::number::{Field, Real};
+use crate::friction::{OperatingPoint, Slider};
+use crate::number::Real;
 use crate::stability::Arc;
 
 /// One of the asymptotes of max Im(s) = 0.
@@ -69,14 +69,14 @@ impl Asymptote {
         }
     }
 
-    /// σ of eq 15 or 16 in Pa, or V0 of eq 18 or 20 at the parameters' σ in m/s.
+    /// σ of eq 15 or 16 in Pa, which does not depend on the given σ, or V0 of eq 18 or 20 in m/s at that σ in Pa.
     #[must_use]
-    pub fn value<R: Real>(self, parameters: &Parameters<R>) -> R {
+    pub fn value<R: Real>(self, slider: &Slider<R>, normal_stress_pa: &R) -> R {
         match self {
-            Self::QuasiStaticUpper => quasi_static_upper_normal_stress_pa(parameters),
-            Self::QuasiStaticLower => quasi_static_lower_normal_stress_pa(parameters),
-            Self::InertialUpper => inertial_upper_velocity_m_per_s(parameters),
-            Self::InertialLower => inertial_lower_velocity_m_per_s(parameters),
+            Self::QuasiStaticUpper => quasi_static_upper_normal_stress_pa(slider),
+            Self::QuasiStaticLower => quasi_static_lower_normal_stress_pa(slider),
+            Self::InertialUpper => inertial_upper_velocity_m_per_s(slider, normal_stress_pa),
+            Self::InertialLower => inertial_lower_velocity_m_per_s(slider, normal_stress_pa),
         }
     }
 }
@@ -86,8 +86,8 @@ impl Asymptote {
 /// The paper takes M = 0. For M > 0 the boundary's σ is larger by the relative amount η, to leading order.
 #[doc(alias = "eq. 15")]
 #[must_use]
-pub fn quasi_static_upper_normal_stress_pa<R: Real>(parameters: &Parameters<R>) -> R {
-    stiffness_stress(parameters) * squared_root_sum(parameters) / effect_difference(parameters).square()
+pub fn quasi_static_upper_normal_stress_pa<R: Real>(slider: &Slider<R>) -> R {
+    slider.stiffness_stress_pa() * squared_root_sum(slider) / slider.effect_difference().square()
 }
 
 /// σ = K D_c/(√b + √a)², Pa (eq 16).
@@ -95,53 +95,54 @@ pub fn quasi_static_upper_normal_stress_pa<R: Real>(parameters: &Parameters<R>) 
 /// The paper takes M = 0. For M > 0 the boundary's σ is larger by the relative amount η, to leading order.
 #[doc(alias = "eq. 16")]
 #[must_use]
-pub fn quasi_static_lower_normal_stress_pa<R: Real>(parameters: &Parameters<R>) -> R {
-    stiffness_stress(parameters) / squared_root_sum(parameters)
+pub fn quasi_static_lower_normal_stress_pa<R: Real>(slider: &Slider<R>) -> R {
+    slider.stiffness_stress_pa() / squared_root_sum(slider)
 }
 
-/// V0 = |a−b|σ/(2√(MK)), m/s (eq 18), at the parameters' σ; zero for a = b.
+/// V0 = |a−b|σ/(2√(MK)), m/s (eq 18); zero for a = b.
 ///
 /// The paper takes D_c → 0. The boundary's V0 is smaller by the relative amount 2bKD_c/((b−a)²σ), to leading order.
 #[doc(alias = "eq. 18")]
 #[must_use]
-pub fn inertial_upper_velocity_m_per_s<R: Real>(parameters: &Parameters<R>) -> R {
-    effect_difference(parameters).square().sqrt() * &parameters.normal_stress_pa / twice_impedance(parameters)
+pub fn inertial_upper_velocity_m_per_s<R: Real>(slider: &Slider<R>, normal_stress_pa: &R) -> R {
+    slider.effect_difference().square().sqrt() * normal_stress_pa / twice_impedance(slider)
 }
 
-/// V0 = aσ/(2√(MK)), m/s (eq 20), at the parameters' σ.
+/// V0 = aσ/(2√(MK)), m/s (eq 20).
 ///
 /// The paper takes D_c → ∞. The boundary's V0 is larger by the relative amount bσ/(2KD_c), to leading order.
 #[doc(alias = "eq. 20")]
 #[must_use]
-pub fn inertial_lower_velocity_m_per_s<R: Real>(parameters: &Parameters<R>) -> R {
-    parameters.direct_effect.clone() * &parameters.normal_stress_pa / twice_impedance(parameters)
+pub fn inertial_lower_velocity_m_per_s<R: Real>(slider: &Slider<R>, normal_stress_pa: &R) -> R {
+    slider.direct_effect.clone() * normal_stress_pa / twice_impedance(slider)
 }
 
-/// The corner of an arc's two asymptotes, 15∩18 or 16∩20: (σ in Pa, V0 in m/s).
+/// The corner of an arc's two asymptotes, 15∩18 or 16∩20.
 #[must_use]
-pub fn corner<R: Real>(arc: Arc, parameters: &Parameters<R>) -> (R, R) {
-    let normal_stress_pa = Asymptote::quasi_static(arc).value(parameters);
-    let at_corner = Parameters { normal_stress_pa: normal_stress_pa.clone(), ..parameters.clone() };
-    (normal_stress_pa, Asymptote::inertial(arc).value(&at_corner))
-}
-
-/// K·D_c, Pa.
-fn stiffness_stress<R: Real>(parameters: &Parameters<R>) -> R {
-    parameters.stiffness_pa_per_m.clone() * &parameters.critical_slip_distance_m
+pub fn corner<R: Real>(arc: Arc, slider: &Slider<R>) -> OperatingPoint<R> {
+    let (normal_stress_pa, loading_velocity_m_per_s) = match arc {
+        Arc::Upper => {
+            let stress = quasi_static_upper_normal_stress_pa(slider);
+            let velocity = inertial_upper_velocity_m_per_s(slider, &stress);
+            (stress, velocity)
+        }
+        Arc::Lower => {
+            let stress = quasi_static_lower_normal_stress_pa(slider);
+            let velocity = inertial_lower_velocity_m_per_s(slider, &stress);
+            (stress, velocity)
+        }
+    };
+    OperatingPoint { normal_stress_pa, loading_velocity_m_per_s }
 }
 
 /// (√a + √b)².
-fn squared_root_sum<R: Real>(parameters: &Parameters<R>) -> R {
-    (parameters.direct_effect.sqrt() + parameters.evolution_effect.sqrt()).square()
-}
-
-fn effect_difference<R: Field>(parameters: &Parameters<R>) -> R {
-    parameters.evolution_effect.clone() - &parameters.direct_effect
+fn squared_root_sum<R: Real>(slider: &Slider<R>) -> R {
+    (slider.direct_effect.sqrt() + slider.evolution_effect.sqrt()).square()
 }
 
 /// 2√(MK), Pa·s/m.
-fn twice_impedance<R: Real>(parameters: &Parameters<R>) -> R {
-    R::from(2) * (parameters.mass_per_area_kg_per_m2.clone() * &parameters.stiffness_pa_per_m).sqrt()
+fn twice_impedance<R: Real>(slider: &Slider<R>) -> R {
+    R::from(2) * (slider.mass_per_area_kg_per_m2.clone() * &slider.stiffness_pa_per_m).sqrt()
 }
 
 #[cfg(test)]
@@ -149,18 +150,21 @@ mod tests {
     use rug::Rational;
 
     use super::*;
-    use crate::number::{Ball, parse_decimal};
+    use crate::number::{Ball, Field, parse_decimal};
     use crate::stability::fixtures::{paper, with_effects};
-    use crate::stability::transition::critical_normal_stress_pa;
 
-    fn balls(parameters: &Parameters<Rational>) -> Parameters<Ball> {
-        parameters.map(|value| Ball::from_rational(value, 200))
+    fn balls(slider: &Slider<Rational>) -> Slider<Ball> {
+        slider.map(|value| Ball::from_rational(value, 200))
+    }
+
+    fn stress() -> Ball {
+        Ball::from(10_000)
     }
 
     #[test]
     fn square_effects_give_rational_asymptotes() {
-        let parameters = with_effects(Rational::from((4, 10_000)), Rational::from((9, 10_000)));
-        let values = Asymptote::ALL.map(|asymptote| asymptote.value(&balls(&parameters)));
+        let slider = with_effects(Rational::from((4, 10_000)), Rational::from((9, 10_000)));
+        let values = Asymptote::ALL.map(|asymptote| asymptote.value(&balls(&slider), &stress()));
         // √a = 0.02, √b = 0.03; K D_c = 100 Pa; 2√(MK) = 2e5 Pa s/m; σ = 1e4 Pa.
         let expected = ["1e6", "40000", "2.5e-5", "2e-5"].map(|text| parse_decimal(text).unwrap());
         for (value, exact) in values.iter().zip(&expected) {
@@ -173,17 +177,17 @@ mod tests {
         let (a, b) = (Rational::from((4, 1000)), Rational::from((6, 1000)));
         let (one, other) = (balls(&with_effects(a.clone(), b.clone())), balls(&with_effects(b, a)));
         for asymptote in Asymptote::ALL {
-            let overlap = asymptote.value(&one).overlaps(&asymptote.value(&other));
+            let overlap = asymptote.value(&one, &stress()).overlaps(&asymptote.value(&other, &stress()));
             assert_eq!(overlap, asymptote != Asymptote::InertialLower);
         }
     }
 
     #[test]
     fn the_product_of_eqs_15_and_16_is_the_square_of_eq_12() {
-        let parameters = balls(&paper());
-        let product = quasi_static_upper_normal_stress_pa(&parameters)
-            * quasi_static_lower_normal_stress_pa(&parameters);
-        assert!(product.overlaps(&critical_normal_stress_pa(&parameters).square()));
+        let slider = balls(&paper());
+        let product =
+            quasi_static_upper_normal_stress_pa(&slider) * quasi_static_lower_normal_stress_pa(&slider);
+        assert!(product.overlaps(&slider.critical_normal_stress_pa().square()));
     }
 
     #[test]

@@ -48,12 +48,12 @@ fn classify_shortly(parameters: &Parameters<f64>, threshold: &InertialThreshold)
     let parts = LargestParts::of_bounded(&cubic.spectrum()?, transition_sign)?;
     let in_si = parts.times_rate(parameters.map(|value| Dd::from(*value)).rate_per_s())?;
     // The upper area is that of a > b; equal effects are decided here, where the inputs are exact.
-    let has_no_upper_area = parameters.evolution_effect >= parameters.direct_effect;
+    let has_no_upper_area = parameters.slider.evolution_effect >= parameters.slider.direct_effect;
     let slip_mode = slip_mode_by(
         spectral_class,
         || if has_no_upper_area { Some(false) } else { clearly_in_upper_area(&groups) },
         || {
-            let natural_squared = groups.stiffness_group / groups.inertial_parameter;
+            let natural_squared = groups.natural_angular_frequency_squared();
             clearly_inertial(parts.imaginary.hi(), natural_squared, threshold)
         },
     )?;
@@ -71,9 +71,9 @@ fn classify_shortly(parameters: &Parameters<f64>, threshold: &InertialThreshold)
 
 /// Eq 8 in integers; `None` when they would be too long.
 pub(super) fn short_cubic(parameters: &Parameters<f64>) -> Option<ShortCubic> {
-    let p = parameters.map(|value| odd_part(*value));
+    let Parameters { slider: p, point } = parameters.map(|value| odd_part(*value));
     let (length, stress, velocity) =
-        (p.critical_slip_distance_m, p.normal_stress_pa, p.loading_velocity_m_per_s);
+        (p.critical_slip_distance_m, point.normal_stress_pa, point.loading_velocity_m_per_s);
     let factors = [
         [p.stiffness_pa_per_m, length, length],
         [p.mass_per_area_kg_per_m2, velocity, velocity],

@@ -81,7 +81,7 @@ impl<R: Working> BoundedGroups<R> {
         }
     }
 
-    /// κ + (1−β)(1+η) with its bound: a product of two sums, added to the third group.
+    /// κ − κ_c with its bound: a product of two sums, added to the third group.
     #[inline]
     fn transition_margin(&self) -> Bounded<R> {
         let Groups { inertial_parameter: eta, stiffness_group: kappa, effect_ratio: beta } =
@@ -145,17 +145,7 @@ pub(super) fn groups_in_f64(point: &Parameters<f64>) -> Option<Groups<f64>> {
 /// Whether every input lies within 2^±200, so that products and quotients of five of them stay normal numbers.
 #[inline(always)]
 fn inputs_in_range(point: &Parameters<f64>) -> bool {
-    let p = point;
-    let inputs = [
-        p.direct_effect,
-        p.evolution_effect,
-        p.critical_slip_distance_m,
-        p.stiffness_pa_per_m,
-        p.mass_per_area_kg_per_m2,
-        p.normal_stress_pa,
-        p.loading_velocity_m_per_s,
-    ];
-    all_within(&INPUT_RANGE, inputs)
+    all_within(&INPUT_RANGE, point.clone().into())
 }
 
 /// Whether the groups lie in the range where the error bounds hold.

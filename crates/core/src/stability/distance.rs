@@ -4,8 +4,8 @@ use rug::{Float, Rational};
 
 use super::boundary::{BoundaryCurve, BoundaryPoint};
 use super::logarithm::log10_one_plus;
-use super::{boundary_sign, transition, transition_sign};
-use crate::friction::Parameters;
+use super::{boundary_sign, transition_sign};
+use crate::friction::{OperatingPoint, Parameters, Slider};
 use crate::number::{Ball, Wide};
 
 /// Signed decimal logarithms of (coordinate of the line)/(coordinate of the point), of the nearest such place.
@@ -26,12 +26,14 @@ impl LogDistance {
         if transition_sign(&parameters.groups()) == 0 {
             return Self::ON_THE_LINE;
         }
-        if !transition::has_transition(parameters) {
+        let Parameters { slider, point: OperatingPoint { normal_stress_pa, loading_velocity_m_per_s } } =
+            parameters;
+        if !slider.has_transition() {
             return Self { normal_stress: None, loading_velocity: None };
         }
-        let stress_ratio = transition::transition_normal_stress_pa(parameters) / &parameters.normal_stress_pa;
-        let velocity_squared = parameters.loading_velocity_m_per_s.clone().square();
-        let velocity_squared_ratio = transition::transition_velocity_squared(parameters) / velocity_squared;
+        let stress_ratio = slider.transition_normal_stress_pa(loading_velocity_m_per_s) / normal_stress_pa;
+        let velocity_squared_ratio =
+            slider.transition_velocity_squared(normal_stress_pa) / loading_velocity_m_per_s.clone().square();
         Self { normal_stress: log10(stress_ratio, 1), loading_velocity: log10(velocity_squared_ratio, 2) }
     }
 
@@ -41,12 +43,13 @@ impl LogDistance {
         if boundary_sign(&parameters.groups()) == 0 {
             return Self::ON_THE_LINE;
         }
-        let (stress, velocity) = (&parameters.normal_stress_pa, &parameters.loading_velocity_m_per_s);
+        let (slider, point) = (&parameters.slider, &parameters.point);
+        let (stress, velocity) = (&point.normal_stress_pa, &point.loading_velocity_m_per_s);
         Self {
-            normal_stress: nearest(parameters, stress, |curve| {
+            normal_stress: nearest(slider, stress, |curve| {
                 coordinates(curve.at_velocity(velocity), |point| point.normal_stress_pa)
             }),
-            loading_velocity: nearest(parameters, velocity, |curve| {
+            loading_velocity: nearest(slider, velocity, |curve| {
                 coordinates(curve.at_normal_stress(stress), |point| point.loading_velocity_m_per_s)
             }),
         }
@@ -73,13 +76,13 @@ const MOST_DIGITS: u32 = 1 << 17;
 
 /// The smallest of the distances from `from` to the curve's coordinates, with as many digits as it takes to tell it from zero.
 fn nearest(
-    parameters: &Parameters<Rational>,
+    slider: &Slider<Rational>,
     from: &Rational,
     on_curve: impl Fn(&BoundaryCurve) -> Vec<Ball>,
 ) -> Option<Wide> {
     let mut digits = FIRST_DIGITS;
     loop {
-        let there = on_curve(&BoundaryCurve::new(parameters, digits));
+        let there = on_curve(&BoundaryCurve::new(slider, digits));
         let distances: Vec<Ball> = there.iter().map(|coordinate| log10_ratio(coordinate, from)).collect();
         let separated = distances.iter().all(|distance| distance.relative_radius_log2() < -60.0);
         if separated || digits >= MOST_DIGITS {
@@ -103,11 +106,7 @@ mod tests {
     use crate::stability::fixtures::{paper, with_effects};
 
     fn at(stress: &str, velocity: &str) -> Parameters<Rational> {
-        Parameters {
-            normal_stress_pa: parse_decimal(stress).unwrap(),
-            loading_velocity_m_per_s: parse_decimal(velocity).unwrap(),
-            ..paper()
-        }
+        paper().at(parse_decimal(stress).unwrap(), parse_decimal(velocity).unwrap())
     }
 
     fn number(distance: Option<Wide>) -> f64 {
@@ -124,7 +123,11 @@ mod tests {
         let slower = LogDistance::to_transition(&at("49750", "1e-5"));
         assert!((number(slower.loading_velocity) - 1.0).abs() < 1e-15, "a decade of velocity: {slower:?}");
         let stable = with_effects(Rational::from((6, 1000)), Rational::from((4, 1000)));
-        assert!(LogDistance::to_transition(&stable).normal_stress.is_none());
+        assert!(
+            LogDistance::to_transition(&stable.at(Rational::from(1), Rational::from(1)))
+                .normal_stress
+                .is_none()
+        );
     }
 
     #[test]
@@ -135,8 +138,7 @@ mod tests {
         let crossing = curve.at_velocity(&velocity).remove(1).normal_stress_pa;
         let factor = parse_decimal("1.00000000000000000000000000000000000000000000000001").unwrap();
         let beside = crossing.centre().to_rational().unwrap() * factor;
-        let point = Parameters { normal_stress_pa: beside, loading_velocity_m_per_s: velocity, ..paper() };
-        let distance = number(LogDistance::to_boundary(&point).normal_stress);
+        let distance = number(LogDistance::to_boundary(&paper().at(beside, velocity)).normal_stress);
         assert!((distance / -4.342_944_819_032_518e-51 - 1.0).abs() < 1e-12, "{distance:e}");
     }
 }

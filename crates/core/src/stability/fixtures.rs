@@ -3,23 +3,21 @@
 use proptest::prelude::*;
 use rug::Rational;
 
-use crate::friction::Parameters;
+use crate::friction::Slider;
 
-/// The paper's parameters (fig 1) at V0 = 10⁻⁴ m/s and σ = 10⁴ Pa.
-pub fn paper() -> Parameters<Rational> {
+/// The paper's slider (fig 1).
+pub fn paper() -> Slider<Rational> {
     with_effects(Rational::from((4, 1000)), Rational::from((6, 1000)))
 }
 
 /// The paper's machine with other friction parameters a and b.
-pub fn with_effects(direct_effect: Rational, evolution_effect: Rational) -> Parameters<Rational> {
-    Parameters {
+pub fn with_effects(direct_effect: Rational, evolution_effect: Rational) -> Slider<Rational> {
+    Slider {
         direct_effect,
         evolution_effect,
         critical_slip_distance_m: Rational::from((1, 100_000)),
         stiffness_pa_per_m: Rational::from(10_000_000),
         mass_per_area_kg_per_m2: Rational::from(1000),
-        normal_stress_pa: Rational::from(10_000),
-        loading_velocity_m_per_s: Rational::from((1, 10_000)),
     }
 }
 

@@ -1,4 +1,4 @@
-//! Transition K = K_c, boundary max Im(s) = 0, its asymptotes and how far off they are.
+//! Boundary max Im(s) = 0, its asymptotes and how far off they are.
 
 mod arc_point;
 pub mod asymptote;
@@ -13,7 +13,6 @@ pub mod deviation;
 mod distance;
 #[cfg(test)]
 mod fixtures;
-pub mod frequency;
 mod logarithm;
 mod nearest_place;
 mod parameter_coefficients;
@@ -25,7 +24,6 @@ mod slip_mode;
 mod spectral_class;
 mod spectrum;
 pub mod tolerance;
-pub mod transition;
 
 pub use crate::friction::SlipMode;
 pub use arc_point::{ArcFrame, ArcPoint, Sensitivity};
@@ -40,7 +38,3 @@ pub use quick::classify_quickly;
 pub use slip_mode::{InertialThreshold, slip_mode};
 pub use spectral_class::SpectralClass;
 pub use spectrum::{Classification, classify};
-pub use transition::{
-    critical_normal_stress_pa, critical_stiffness, critical_stiffness_dynamic,
-    critical_stiffness_quasi_static, critical_velocity_m_per_s, critical_velocity_squared, has_transition,
-};

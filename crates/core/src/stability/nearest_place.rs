@@ -36,12 +36,12 @@ impl NearestPlace {
     pub fn of(parameters: &Parameters<Rational>) -> Option<Self> {
         let rounded = parameters.map(Dd::from_rational);
         // Effects that differ beyond double-double's digits are not equal ones: these have no upper arc.
-        let seem_equal = rounded.direct_effect == rounded.evolution_effect;
-        let are_equal = parameters.direct_effect == parameters.evolution_effect;
+        let seem_equal = rounded.slider.direct_effect == rounded.slider.evolution_effect;
+        let are_equal = parameters.slider.direct_effect == parameters.slider.evolution_effect;
         let quick = if seem_equal && !are_equal { Err(Uncertain) } else { Self::quickly(&rounded) };
         quick.unwrap_or_else(|Uncertain| {
             nearest_boundary_point(parameters, DIGITS)
-                .map(|point| Self::of_point(&point, &parameters.normal_stress_pa))
+                .map(|point| Self::of_point(&point, &parameters.point.normal_stress_pa))
         })
     }
 
@@ -59,7 +59,7 @@ impl NearestPlace {
         if !all.iter().all(|group| (1e-40..1e40).contains(group)) {
             return Err(Uncertain);
         }
-        let excess = (parameters.evolution_effect - parameters.direct_effect) / parameters.direct_effect;
+        let excess = parameters.slider.effect_difference() / parameters.slider.direct_effect;
         if excess.hi() != 0.0 && excess.hi().abs() < LEAST_EXCESS {
             return Err(Uncertain);
         }
@@ -104,13 +104,13 @@ const DIGITS: u32 = 20;
 /// The place of the boundary at the same V0 whose σ is nearest in its logarithm, enclosed to this many digits.
 #[must_use]
 pub fn nearest_boundary_point(parameters: &Parameters<Rational>, digits: u32) -> Option<BoundaryPoint> {
-    let stress = Float::with_val(64, &parameters.normal_stress_pa);
+    let stress = Float::with_val(64, &parameters.point.normal_stress_pa);
     let stretch = |place: &BoundaryPoint| {
         let ratio = Float::with_val(64, place.normal_stress_pa.centre() / &stress);
         if ratio < 1 { ratio.recip() } else { ratio }
     };
-    BoundaryCurve::new(parameters, digits)
-        .at_velocity(&parameters.loading_velocity_m_per_s)
+    BoundaryCurve::new(&parameters.slider, digits)
+        .at_velocity(&parameters.point.loading_velocity_m_per_s)
         .into_iter()
         .min_by(|one, other| stretch(one).total_cmp(&stretch(other)))
 }

@@ -30,7 +30,7 @@ pub fn classify_quickly(
         spectral_class,
         || clearly_in_upper_area(&groups),
         || {
-            let natural_squared = groups.stiffness_group / groups.inertial_parameter;
+            let natural_squared = groups.natural_angular_frequency_squared();
             clearly_inertial(parts.imaginary.hi(), natural_squared, threshold)
         },
     )?;
@@ -94,16 +94,9 @@ mod tests {
     fn a_point_on_a_limit_is_left_to_the_exact_inputs() {
         let threshold = InertialThreshold::default();
         let on_transition = slider([-2.0; 7]).map(Dd::from_rational);
-        let equal_effects = Parameters { evolution_effect: on_transition.direct_effect, ..on_transition };
-        let cusp = Parameters {
-            direct_effect: Dd::from(1.0),
-            evolution_effect: Dd::from(1.0),
-            critical_slip_distance_m: Dd::from(1.0),
-            stiffness_pa_per_m: Dd::from(3.375),
-            mass_per_area_kg_per_m2: Dd::from(0.125),
-            normal_stress_pa: Dd::from(1.0),
-            loading_velocity_m_per_s: Dd::from(1.0),
-        };
+        let mut equal_effects = on_transition;
+        equal_effects.slider.evolution_effect = equal_effects.slider.direct_effect;
+        let cusp = Parameters::from([1.0, 1.0, 1.0, 3.375, 0.125, 1.0, 1.0].map(Dd::from));
         assert!(classify_quickly(&cusp, &threshold).is_none());
         assert!(classify_quickly(&equal_effects, &threshold).is_some(), "a = b is no limit of the signs");
     }

@@ -64,7 +64,7 @@ pub fn classify(parameters: &Parameters<Rational>, threshold: &InertialThreshold
         || Depressed::of(&groups.characteristic_cubic()).is_some_and(|cubic| threshold.exceeded_by(&cubic));
     let inertial = || {
         let imaginary = parts.as_ref().map(|parts| parts.imaginary.hi());
-        let natural_squared = groups.stiffness_group.to_f64() / groups.inertial_parameter.to_f64();
+        let natural_squared = groups.map(Rational::to_f64).natural_angular_frequency_squared();
         imaginary
             .and_then(|p| clearly_inertial(p, natural_squared, threshold))
             .unwrap_or_else(exactly_inertial)
@@ -156,6 +156,7 @@ impl LargestParts<Float> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::friction::Slider;
     use crate::number::parse_decimal;
     use crate::stability::curve;
     use crate::stability::fixtures::double_root_and_effect_ratio;
@@ -164,15 +165,14 @@ mod tests {
     /// Unit a, D_c, V and σ make the groups the parameters: η = M, κ = K, β = b.
     fn with_groups(eta: &Rational, kappa: &Rational, beta: &Rational) -> Parameters<Rational> {
         let one = Rational::from(1);
-        Parameters {
+        let slider = Slider {
             direct_effect: one.clone(),
             evolution_effect: beta.clone(),
             critical_slip_distance_m: one.clone(),
             stiffness_pa_per_m: kappa.clone(),
             mass_per_area_kg_per_m2: eta.clone(),
-            normal_stress_pa: one.clone(),
-            loading_velocity_m_per_s: one,
-        }
+        };
+        slider.at(one.clone(), one)
     }
 
     /// Checks every promise of [`Classification`] against the exact signs and 60-digit roots.
@@ -241,15 +241,7 @@ mod tests {
         // Every input at an end of the grammar in turn, in a fixed pattern of all three.
         for pattern in 0..9 {
             let end = |k: usize| ends[(pattern * (k + 1) + k / 3) % 3].clone();
-            assert_promises(&Parameters {
-                direct_effect: end(0),
-                evolution_effect: end(1),
-                critical_slip_distance_m: end(2),
-                stiffness_pa_per_m: end(3),
-                mass_per_area_kg_per_m2: end(4),
-                normal_stress_pa: end(5),
-                loading_velocity_m_per_s: end(6),
-            });
+            assert_promises(&Parameters::from([0, 1, 2, 3, 4, 5, 6].map(end)));
         }
     }
 

@@ -5,7 +5,7 @@
 
 use rug::Rational;
 
-use crate::friction::{Groups, Parameters};
+use crate::friction::{Groups, Slider};
 use crate::number::{Ball, Real, bits_for_digits};
 use crate::stability::parameter_equation::{ParameterEquation, cusp_parameter};
 use crate::stability::{Arc, ArcFrame, Asymptote};
@@ -34,14 +34,12 @@ pub struct Limit {
 impl Limit {
     /// V0 up to which eq 15 or 16 is good, or σ from which (eq 18) or up to which (eq 20) the inertial one is, in SI.
     #[must_use]
-    pub fn in_si(&self, parameters: &Parameters<Ball>) -> Ball {
-        let p = parameters;
+    pub fn in_si(&self, slider: &Slider<Ball>) -> Ball {
         if self.asymptote.is_quasi_static() {
-            let rate = (p.natural_angular_frequency_squared_per_s2() * &self.velocity_squared).sqrt();
-            rate * &p.critical_slip_distance_m
+            let rate = (slider.natural_angular_frequency_squared_per_s2() * &self.velocity_squared).sqrt();
+            rate * &slider.critical_slip_distance_m
         } else {
-            let scale = p.stiffness_pa_per_m.clone() * &p.critical_slip_distance_m / &p.direct_effect;
-            scale / &self.groups.stiffness_group
+            slider.stress_scale_pa() / &self.groups.stiffness_group
         }
     }
 }
@@ -150,15 +148,15 @@ mod tests {
 
     #[test]
     fn the_limit_in_si_is_where_the_discriminant_says_the_error_is_reached() {
-        let parameters = with_effects(number("0.004"), number("0.006"));
-        let balls = parameters.map(|value| Ball::from_rational(value, 200));
+        let slider = with_effects(number("0.004"), number("0.006"));
+        let balls = slider.map(|value| Ball::from_rational(value, 200));
         let limit = limit(Asymptote::QuasiStaticUpper, &number("1.5"), &number("0.01"), 30).unwrap();
         let velocity = limit.in_si(&balls).centre().to_rational().unwrap();
-        let crossing = by_discriminant(&parameters, &Section::AtVelocity(velocity), 30).remove(0);
+        let crossing = by_discriminant(&slider, &Section::AtVelocity(velocity), 30).remove(0);
         let crossings = [crossing.normal_stress_pa];
         let ratio = crossings[0].clone() / asymptote::quasi_static_upper_normal_stress_pa(&balls);
         assert!((ratio.to_f64() - 1.01).abs() < 1e-15);
-        assert!(BoundaryCurve::new(&parameters, 30).arcs().contains(&crossing.arc));
+        assert!(BoundaryCurve::new(&slider, 30).arcs().contains(&crossing.arc));
     }
 
     #[test]

@@ -91,16 +91,7 @@ pub fn dimensionless(equations: &PaperEquations) -> Result<Proof, Refutation> {
 
 /// The parameters as symbols.
 pub(super) fn symbolic_parameters() -> Parameters<RationalFunction> {
-    let variable = RationalFunction::variable;
-    Parameters {
-        direct_effect: variable("a"),
-        evolution_effect: variable("b"),
-        critical_slip_distance_m: variable("D_c"),
-        stiffness_pa_per_m: variable("K"),
-        mass_per_area_kg_per_m2: variable("M"),
-        normal_stress_pa: variable("sigma"),
-        loading_velocity_m_per_s: variable("V_0"),
-    }
+    Parameters::from(["a", "b", "D_c", "K", "M", "sigma", "V_0"].map(RationalFunction::variable))
 }
 
 /// Σ coefficients[k]·variable^k.

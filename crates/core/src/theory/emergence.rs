@@ -1,29 +1,29 @@
 //! The velocity of eq 20 in numbers, from the equation as the report states it.
 
 use super::PaperEquations;
-use crate::friction::Parameters;
+use crate::friction::Slider;
 use crate::number::{Ball, Rational};
 use crate::polynomial::Symbol;
 
-/// The velocity at which eq 20 is met at the parameters' σ, m/s, enclosed; their own V0 plays no part.
+/// The velocity at which eq 20 is met at this σ, m/s, enclosed.
 ///
 /// None when the equation contains other quantities or its left side over its right is not in proportion to V_0.
 #[must_use]
 pub fn velocity_of_eq_20(
     equations: &PaperEquations,
-    parameters: &Parameters<Rational>,
+    slider: &Slider<Rational>,
+    normal_stress_pa: &Rational,
     precision_bits: u32,
 ) -> Option<Ball> {
     let ball = |value: &Rational| Ball::from_rational(value, precision_bits);
     let ratio_at = |velocity: Ball| {
-        let p = parameters;
         let values = [
-            ("a", ball(&p.direct_effect)),
-            ("b", ball(&p.evolution_effect)),
-            ("D_c", ball(&p.critical_slip_distance_m)),
-            ("K", ball(&p.stiffness_pa_per_m)),
-            ("M", ball(&p.mass_per_area_kg_per_m2)),
-            ("sigma", ball(&p.normal_stress_pa)),
+            ("a", ball(&slider.direct_effect)),
+            ("b", ball(&slider.evolution_effect)),
+            ("D_c", ball(&slider.critical_slip_distance_m)),
+            ("K", ball(&slider.stiffness_pa_per_m)),
+            ("M", ball(&slider.mass_per_area_kg_per_m2)),
+            ("sigma", ball(normal_stress_pa)),
             ("V_0", velocity),
         ];
         let values = values.map(|(name, value)| (Symbol::new(name), value)).into();
@@ -44,16 +44,14 @@ mod tests {
     fn velocity(text: Option<&str>) -> Option<Ball> {
         let equations = crate::theory::equations::tests::paper();
         let equations = text.map_or(equations.clone(), |text| equations.altered("20", text).unwrap());
-        let parameters = Parameters {
-            direct_effect: Rational::from((4, 1000)),
-            evolution_effect: Rational::from((6, 1000)),
-            critical_slip_distance_m: Rational::from((1, 100_000)),
-            stiffness_pa_per_m: Rational::from(10_000_000),
-            mass_per_area_kg_per_m2: Rational::from(1000),
-            normal_stress_pa: Rational::from(1000),
-            loading_velocity_m_per_s: Rational::from(7),
-        };
-        velocity_of_eq_20(&equations, &parameters, 128)
+        let slider = Slider::from([
+            Rational::from((4, 1000)),
+            Rational::from((6, 1000)),
+            Rational::from((1, 100_000)),
+            Rational::from(10_000_000),
+            Rational::from(1000),
+        ]);
+        velocity_of_eq_20(&equations, &slider, &Rational::from(1000), 128)
     }
 
     #[test]

@@ -16,7 +16,7 @@ fn section(points: &[[&str; 2]], amplitudes: &[&str]) -> LinearRegimeSection {
     }
 }
 
-fn runs(parameters: &SceneParameters, section: &LinearRegimeSection) -> Vec<ModeRuns> {
+fn runs(parameters: &Slider<Rational>, section: &LinearRegimeSection) -> Vec<ModeRuns> {
     let outcome = linear_regime(parameters, section, &InertialThreshold::default());
     outcome.runs.into_iter().map(Result::unwrap).collect()
 }

@@ -8,7 +8,7 @@ use rug::Rational;
 use super::dispatch::run_on_widest_unit;
 use super::row_filter::{RowFilter, RowLoop};
 use super::{PrecisionCounts, SignPair};
-use crate::friction::{Groups, Parameters};
+use crate::friction::{Groups, Parameters, Slider};
 use crate::number::{Ball, Field};
 use crate::stability::{boundary_sign, certain_signs, transition_sign};
 
@@ -24,16 +24,16 @@ pub struct Grid {
     pub counts: PrecisionCounts,
 }
 
-/// Classifies every point of the grid exactly; V0 in m/s and σ in Pa are taken from the slices, the rest from `fixed`.
+/// Classifies every point of the grid exactly; V0 in m/s and σ in Pa are taken from the slices, the rest from `slider`.
 ///
 /// `None` unless every V0 and σ is positive and finite.
 #[must_use]
 pub fn classify_grid(
-    fixed: &Parameters<Rational>,
+    slider: &Slider<Rational>,
     loading_velocities_m_per_s: &[f64],
     normal_stresses_pa: &[f64],
 ) -> Option<Grid> {
-    let kernel = GridKernel::new(fixed, normal_stresses_pa)?;
+    let kernel = GridKernel::new(slider, normal_stresses_pa)?;
     let width = normal_stresses_pa.len();
     let mut cells = vec![SignPair::UNDECIDED; width * loading_velocities_m_per_s.len()];
     let counts = cells
@@ -46,10 +46,10 @@ pub fn classify_grid(
     Some(Grid { cells, counts: total })
 }
 
-/// What the rows of a grid share: the fixed parameters and the scaled σ.
+/// What the rows of a grid share: the slider and the scaled σ.
 #[derive(Debug, Clone)]
 pub struct GridKernel {
-    fixed: Parameters<Rational>,
+    slider: Slider<Rational>,
     direct_effect: Ball,
     effect_difference: Ball,
     spring: Ball,
@@ -66,23 +66,24 @@ fn is_positive(value: &f64) -> bool {
 impl GridKernel {
     /// Prepares a grid over these σ (Pa); `None` unless all are positive and finite.
     #[must_use]
-    pub fn new(fixed: &Parameters<Rational>, normal_stresses_pa: &[f64]) -> Option<Self> {
+    pub fn new(slider: &Slider<Rational>, normal_stresses_pa: &[f64]) -> Option<Self> {
         if !normal_stresses_pa.iter().all(is_positive) {
             return None;
         }
         let largest = normal_stresses_pa.iter().copied().fold(f64::MIN_POSITIVE, f64::max);
         let (_, stress_exponent) = libm::frexp(largest);
         let ball = |value: &Rational| Ball::from_rational(value, ROW_BITS);
-        let length = &fixed.critical_slip_distance_m;
         Some(Self {
-            direct_effect: ball(&fixed.direct_effect),
-            effect_difference: ball(&(fixed.direct_effect.clone() - &fixed.evolution_effect)),
-            spring: ball(&(fixed.stiffness_pa_per_m.clone() * length)),
-            mass_over_length: ball(&(fixed.mass_per_area_kg_per_m2.clone() / length)),
+            direct_effect: ball(&slider.direct_effect),
+            effect_difference: -ball(&slider.effect_difference()),
+            spring: ball(&slider.stiffness_stress_pa()),
+            mass_over_length: ball(
+                &(slider.mass_per_area_kg_per_m2.clone() / &slider.critical_slip_distance_m),
+            ),
             scaled_stresses: normal_stresses_pa.iter().map(|&s| libm::ldexp(s, -stress_exponent)).collect(),
             normal_stresses_pa: normal_stresses_pa.to_vec(),
             stress_exponent,
-            fixed: fixed.clone(),
+            slider: slider.clone(),
         })
     }
 
@@ -150,11 +151,7 @@ impl GridKernel {
 
     /// The point at this V0 and the σ of this index.
     pub(super) fn point(&self, loading_velocity_m_per_s: f64, index: usize) -> Parameters<Rational> {
-        Parameters {
-            loading_velocity_m_per_s: exact(loading_velocity_m_per_s),
-            normal_stress_pa: exact(self.normal_stresses_pa[index]),
-            ..self.fixed.clone()
-        }
+        self.slider.at(exact(self.normal_stresses_pa[index]), exact(loading_velocity_m_per_s))
     }
 }
 
@@ -182,11 +179,11 @@ mod tests {
     use crate::stability::fixtures::with_effects;
     use proptest::prelude::*;
 
-    fn potentially_unstable() -> Parameters<Rational> {
+    fn potentially_unstable() -> Slider<Rational> {
         with_effects(Rational::from((4, 1000)), Rational::from((6, 1000)))
     }
 
-    fn intrinsically_stable() -> Parameters<Rational> {
+    fn intrinsically_stable() -> Slider<Rational> {
         with_effects(Rational::from((6, 1000)), Rational::from((4, 1000)))
     }
 

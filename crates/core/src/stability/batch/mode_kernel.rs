@@ -6,7 +6,7 @@ use super::dispatch::run_on_widest_unit;
 use super::grid::{GridKernel, ROW_BITS, exact_signs};
 use super::mode_filter::{ModeFilter, ModeLoop};
 use super::{GridCell, PrecisionCounts};
-use crate::friction::Parameters;
+use crate::friction::Slider;
 use crate::number::Ball;
 use crate::roots::PrecisionLevel;
 use crate::stability::{InertialThreshold, slip_mode};
@@ -23,12 +23,12 @@ impl ModeKernel {
     /// Prepares a grid over these σ (Pa); `None` unless all are positive and finite.
     #[must_use]
     pub fn new(
-        fixed: &Parameters<Rational>,
+        slider: &Slider<Rational>,
         threshold: &InertialThreshold,
         normal_stresses_pa: &[f64],
     ) -> Option<Self> {
         Some(Self {
-            grid: GridKernel::new(fixed, normal_stresses_pa)?,
+            grid: GridKernel::new(slider, normal_stresses_pa)?,
             threshold: threshold.clone(),
             squared_ratio: Ball::from_rational(threshold.squared_ratio(), ROW_BITS),
         })

@@ -26,7 +26,7 @@ pub fn classify_points(columns: &Parameters<&[f64]>) -> Option<(Vec<SignPair>, P
         .enumerate()
         .map(|(block, cells)| {
             let first = block * BLOCK;
-            let columns = map_columns(columns, |column| &column[first..first + cells.len()]);
+            let columns = columns.map(|column| &column[first..first + cells.len()]);
             run_on_widest_unit(PointLoop { columns: &columns, cells });
             decide_the_rest(&columns, cells)
         })
@@ -38,42 +38,17 @@ pub fn classify_points(columns: &Parameters<&[f64]>) -> Option<(Vec<SignPair>, P
 
 /// The length of the columns, if all have the same.
 pub(super) fn joint_length(columns: &Parameters<&[f64]>) -> Option<usize> {
-    let count = columns.direct_effect.len();
-    as_array(columns).into_iter().all(|column| column.len() == count).then_some(count)
+    let count = columns.slider.direct_effect.len();
+    columns_of(columns).into_iter().all(|column| column.len() == count).then_some(count)
 }
 
 /// Whether the seven inputs of a point are positive and finite.
 pub(super) fn is_valid(columns: &Parameters<&[f64]>, index: usize) -> bool {
-    as_array(columns).into_iter().all(|column| column[index] > 0.0 && column[index].is_finite())
+    columns_of(columns).into_iter().all(|column| column[index] > 0.0 && column[index].is_finite())
 }
 
-fn as_array<'a>(columns: &Parameters<&'a [f64]>) -> [&'a [f64]; 7] {
-    let p = columns;
-    [
-        p.direct_effect,
-        p.evolution_effect,
-        p.critical_slip_distance_m,
-        p.stiffness_pa_per_m,
-        p.mass_per_area_kg_per_m2,
-        p.normal_stress_pa,
-        p.loading_velocity_m_per_s,
-    ]
-}
-
-#[inline(always)]
-pub(super) fn map_columns<'a, T>(
-    columns: &Parameters<&'a [f64]>,
-    convert: impl Fn(&'a [f64]) -> T,
-) -> Parameters<T> {
-    Parameters {
-        direct_effect: convert(columns.direct_effect),
-        evolution_effect: convert(columns.evolution_effect),
-        critical_slip_distance_m: convert(columns.critical_slip_distance_m),
-        stiffness_pa_per_m: convert(columns.stiffness_pa_per_m),
-        mass_per_area_kg_per_m2: convert(columns.mass_per_area_kg_per_m2),
-        normal_stress_pa: convert(columns.normal_stress_pa),
-        loading_velocity_m_per_s: convert(columns.loading_velocity_m_per_s),
-    }
+fn columns_of<'a>(columns: &Parameters<&'a [f64]>) -> [&'a [f64]; 7] {
+    columns.clone().into()
 }
 
 /// Hands the points that the filter left open to the higher precision levels.
@@ -89,7 +64,7 @@ fn decide_the_rest(columns: &Parameters<&[f64]>, cells: &mut [SignPair]) -> Opti
         if !is_valid(columns, index) {
             return None;
         }
-        let (signs, precision_level) = decide_above_64_bit(&map_columns(columns, |column| column[index]));
+        let (signs, precision_level) = decide_above_64_bit(&columns.map(|column| column[index]));
         *cell = signs;
         counts.count(precision_level);
     }
@@ -121,9 +96,9 @@ impl Kernel for PointLoop<'_> {
     fn run(self) {
         let count = self.cells.len();
         // One slice each of the same length: the compiler then sees that no index can be out of bounds.
-        let columns = map_columns(self.columns, |column| &column[..count]);
+        let columns = self.columns.map(|column| &column[..count]);
         for index in 0..count {
-            let point = map_columns(&columns, |column| column[index]);
+            let point = columns.map(|column| column[index]);
             self.cells[index] = match certain_signs::filter(&point) {
                 (true, stable, real) => SignPair::from_decided(stable, real),
                 (false, ..) => SignPair::UNDECIDED,
@@ -143,19 +118,11 @@ mod tests {
         fn every_point_has_the_exact_signs(exponents in prop::collection::vec(prop::array::uniform7(-12f64..12.0), 1..40)) {
             let column = |k: usize| exponents.iter().map(|e| libm::exp10(e[k])).collect::<Vec<f64>>();
             let columns: Vec<Vec<f64>> = (0..7).map(column).collect();
-            let points = Parameters {
-                direct_effect: &columns[0][..],
-                evolution_effect: &columns[1][..],
-                critical_slip_distance_m: &columns[2][..],
-                stiffness_pa_per_m: &columns[3][..],
-                mass_per_area_kg_per_m2: &columns[4][..],
-                normal_stress_pa: &columns[5][..],
-                loading_velocity_m_per_s: &columns[6][..],
-            };
+            let points = Parameters::from([&columns[0][..], &columns[1][..], &columns[2][..], &columns[3][..], &columns[4][..], &columns[5][..], &columns[6][..]]);
             let (cells, counts) = classify_points(&points).unwrap();
             prop_assert_eq!(counts.f64 + counts.double_double + counts.exact, cells.len() as u64);
             for (index, cell) in cells.iter().enumerate() {
-                let groups = map_columns(&points, |column| exact(column[index])).groups();
+                let groups = points.map(|column| exact(column[index])).groups();
                 prop_assert_eq!(cell.transition_sign(), transition_sign(&groups));
                 prop_assert_eq!(cell.boundary_sign(), boundary_sign(&groups));
             }
@@ -168,15 +135,7 @@ mod tests {
     }
 
     fn all_one_but_stress<'a>(one: &'a [f64], stress: &'a [f64]) -> Parameters<&'a [f64]> {
-        Parameters {
-            direct_effect: one,
-            evolution_effect: one,
-            critical_slip_distance_m: one,
-            stiffness_pa_per_m: one,
-            mass_per_area_kg_per_m2: one,
-            normal_stress_pa: stress,
-            loading_velocity_m_per_s: one,
-        }
+        Parameters::from([one, one, one, one, one, stress, one])
     }
 
     #[test]

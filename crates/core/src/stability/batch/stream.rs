@@ -8,7 +8,7 @@ use rug::Rational;
 
 use super::mode_kernel::ModeKernel;
 use super::{GridCell, PrecisionCounts};
-use crate::friction::Parameters;
+use crate::friction::Slider;
 use crate::stability::InertialThreshold;
 
 /// The most σ of a block: its coordinates fit the second-level cache, and a row's preparation is a small part of its work.
@@ -26,8 +26,8 @@ pub struct GridAxis<F> {
 /// What is classified.
 #[derive(Debug, Clone, Copy)]
 pub struct StreamedGrid<'a, V, S> {
-    /// Material and machine; its V0 and σ are not used.
-    pub fixed: &'a Parameters<Rational>,
+    /// Material and machine.
+    pub slider: &'a Slider<Rational>,
     /// From which ω/ω_n on an oscillation is called inertial.
     pub threshold: &'a InertialThreshold,
     /// V0, m/s.
@@ -71,7 +71,7 @@ where
             let width = BLOCK.min(stresses.count - first);
             let coordinates: Vec<f64> =
                 (first..first + width).into_par_iter().map(&stresses.coordinate).collect();
-            let kernel = ModeKernel::new(self.fixed, self.threshold, &coordinates)?;
+            let kernel = ModeKernel::new(self.slider, self.threshold, &coordinates)?;
             total = merge(total, self.fold_rows(first, &kernel, &empty, &fold, &merge)?);
         }
         Some(total)
@@ -108,9 +108,9 @@ mod tests {
     use crate::stability::fixtures::paper;
 
     fn indices(velocities: u32, stresses: u32) -> Vec<(u32, u32, usize)> {
-        let (fixed, threshold) = (paper(), InertialThreshold::default());
+        let (slider, threshold) = (paper(), InertialThreshold::default());
         let grid = StreamedGrid {
-            fixed: &fixed,
+            slider: &slider,
             threshold: &threshold,
             loading_velocities: GridAxis { count: velocities, coordinate: |i| 1e-6 * f64::from(i + 1) },
             normal_stresses: GridAxis { count: stresses, coordinate: |i| 1e3 + f64::from(i) },
@@ -138,19 +138,19 @@ mod tests {
 
     #[test]
     fn a_coordinate_that_is_not_positive_ends_the_fold() {
-        let (fixed, threshold) = (paper(), InertialThreshold::default());
+        let (slider, threshold) = (paper(), InertialThreshold::default());
         for bad in [0.0, -1.0, f64::NAN, f64::INFINITY] {
             let at = move |i: u32| if i == 2 { bad } else { 1.0 };
             let one = |_: u32| 1.0;
             let grid = StreamedGrid {
-                fixed: &fixed,
+                slider: &slider,
                 threshold: &threshold,
                 loading_velocities: GridAxis { count: 3, coordinate: at },
                 normal_stresses: GridAxis { count: 3, coordinate: one },
             };
             assert!(grid.fold(|| (), |(), _| (), |(), ()| ()).is_none());
             let grid = StreamedGrid {
-                fixed: &fixed,
+                slider: &slider,
                 threshold: &threshold,
                 loading_velocities: GridAxis { count: 3, coordinate: one },
                 normal_stresses: GridAxis { count: 3, coordinate: at },

@@ -113,7 +113,6 @@ impl AddAssign for Tally {
 mod tests {
     use super::super::{GridAxis, classify_grid};
     use super::*;
-    use crate::friction::Parameters;
     use crate::number::Rational;
     use crate::stability::fixtures::paper;
     use crate::stability::{InertialThreshold, classify};
@@ -128,9 +127,9 @@ mod tests {
 
     #[test]
     fn a_streamed_grid_counts_what_point_by_point_classification_finds() {
-        let (fixed, threshold) = (paper(), InertialThreshold::default());
+        let (slider, threshold) = (paper(), InertialThreshold::default());
         let grid = StreamedGrid {
-            fixed: &fixed,
+            slider: &slider,
             threshold: &threshold,
             loading_velocities: GridAxis { count: 23, coordinate: velocity },
             normal_stresses: GridAxis { count: 31, coordinate: stress },
@@ -138,11 +137,9 @@ mod tests {
         let tally = Tally::of_grid(&grid, |_| ()).unwrap();
         let mut modes = [0; SlipMode::ALL.len()];
         for index in 0..23 * 31 {
-            let point = Parameters {
-                loading_velocity_m_per_s: Rational::from_f64(velocity(index / 31)).unwrap(),
-                normal_stress_pa: Rational::from_f64(stress(index % 31)).unwrap(),
-                ..fixed.clone()
-            };
+            let [stress, velocity] =
+                [stress(index % 31), velocity(index / 31)].map(|value| Rational::from_f64(value).unwrap());
+            let point = slider.at(stress, velocity);
             modes[classify(&point, &threshold).slip_mode as usize] += 1;
         }
         assert_eq!(SlipMode::ALL.map(|mode| tally.of_mode(mode)), modes);
@@ -150,7 +147,7 @@ mod tests {
 
         let velocities: Vec<f64> = (0..23).map(velocity).collect();
         let stresses: Vec<f64> = (0..31).map(stress).collect();
-        let cells = classify_grid(&fixed, &velocities, &stresses).unwrap().cells;
+        let cells = classify_grid(&slider, &velocities, &stresses).unwrap().cells;
         let class = |wanted| cells.iter().filter(|cell| cell.spectral_class() == wanted).count() as u64;
         for wanted in [SpectralClass::StableReal, SpectralClass::UnstableReal, SpectralClass::UnstableComplex]
         {

@@ -13,8 +13,7 @@
 //! over F'. A point at which the bounds do not prove two units in the last place is marked, and is left to a higher precision level.
 
 use super::dispatch::Kernel;
-use super::points::map_columns;
-use crate::friction::Parameters;
+use crate::friction::{Parameters, Slider};
 use crate::number::{Dd, Field, Rational, Real};
 
 /// The relative error up to which a value is taken before it is rounded to 64 bits: a half unit in the last place.
@@ -59,14 +58,14 @@ pub(super) struct ValueRow {
 }
 
 impl ValueTerms {
-    /// The terms of these parameters; σ and V0 play no part.
-    pub(super) fn new(fixed: &Parameters<Rational>) -> Self {
-        let length = &fixed.critical_slip_distance_m;
-        let difference = Rational::from(&fixed.direct_effect - &fixed.evolution_effect);
+    /// The terms of this slider.
+    pub(super) fn new(slider: &Slider<Rational>) -> Self {
+        let length = &slider.critical_slip_distance_m;
+        let difference = Rational::from(&slider.direct_effect - &slider.evolution_effect);
         Self {
-            spring: Dd::from_rational(&(fixed.stiffness_pa_per_m.clone() * Field::square(length))),
-            mass: Dd::from_rational(&fixed.mass_per_area_kg_per_m2),
-            direct: Dd::from_rational(&(fixed.direct_effect.clone() * length)),
+            spring: Dd::from_rational(&(slider.stiffness_pa_per_m.clone() * Field::square(length))),
+            mass: Dd::from_rational(&slider.mass_per_area_kg_per_m2),
+            direct: Dd::from_rational(&(slider.direct_effect.clone() * length)),
             difference: Dd::from_rational(&(difference * length)),
             length: Dd::from_rational(length),
         }
@@ -74,13 +73,13 @@ impl ValueTerms {
 
     /// The terms of one point, in the double-doubles that hold its 64-bit numbers exactly.
     #[inline(always)]
-    fn of_point(point: &Parameters<f64>) -> Self {
-        let length = Dd::from(point.critical_slip_distance_m);
-        let difference = Dd::exact_sum(point.direct_effect, -point.evolution_effect);
+    fn of_slider(slider: &Slider<f64>) -> Self {
+        let length = Dd::from(slider.critical_slip_distance_m);
+        let difference = Dd::exact_sum(slider.direct_effect, -slider.evolution_effect);
         Self {
-            spring: Dd::exact_product(point.stiffness_pa_per_m, point.critical_slip_distance_m) * length,
-            mass: Dd::from(point.mass_per_area_kg_per_m2),
-            direct: Dd::exact_product(point.direct_effect, point.critical_slip_distance_m),
+            spring: Dd::exact_product(slider.stiffness_pa_per_m, slider.critical_slip_distance_m) * length,
+            mass: Dd::from(slider.mass_per_area_kg_per_m2),
+            direct: Dd::exact_product(slider.direct_effect, slider.critical_slip_distance_m),
             difference: difference * length,
             length,
         }
@@ -273,18 +272,18 @@ pub(super) struct PointValueLoop<'a> {
 impl Kernel for PointValueLoop<'_> {
     #[inline(always)]
     fn run(self) {
-        let count = self.columns.direct_effect.len();
-        let columns = map_columns(self.columns, |column| &column[..count]);
+        let count = self.columns.slider.direct_effect.len();
+        let columns = self.columns.map(|column| &column[..count]);
         let mut parts = PartColumns {
             real: &mut self.parts.real[..count],
             imaginary: &mut self.parts.imaginary[..count],
         };
         for index in 0..count {
-            let point = map_columns(&columns, |column| column[index]);
-            let row = ValueTerms::of_point(&point).row(point.loading_velocity_m_per_s);
+            let Parameters { slider, point } = columns.map(|column| column[index]);
+            let row = ValueTerms::of_slider(&slider).row(point.loading_velocity_m_per_s);
             let mut found = row.at(point.normal_stress_pa);
             // b enters as a − b only, which would hide a b that is not positive.
-            found.certain &= is_in_range(point.evolution_effect);
+            found.certain &= is_in_range(slider.evolution_effect);
             parts.set(index, found);
         }
     }

@@ -8,9 +8,9 @@ use rayon::prelude::*;
 
 use super::dispatch::run_on_widest_unit;
 use super::grid::exact;
-use super::points::{BLOCK, is_valid, joint_length, map_columns};
+use super::points::{BLOCK, is_valid, joint_length};
 use super::value_kernel::{PartColumns, PointValueLoop, TOLERANCE, ValueLoop, ValueTerms};
-use crate::friction::Parameters;
+use crate::friction::{Parameters, Slider};
 use crate::number::{Dd, Rational, Wide};
 use crate::stability::binary64::short_cubic;
 use crate::stability::certain_signs::BoundedGroups;
@@ -25,12 +25,12 @@ pub struct LargestPartsPerS {
     pub imaginary: Wide,
 }
 
-/// The values at every point of the grid, row after row (σ runs fastest); V0 in m/s and σ in Pa, the rest from `fixed`.
+/// The values at every point of the grid, row after row (σ runs fastest); V0 in m/s and σ in Pa, the rest from `slider`.
 ///
 /// `None` unless every V0 and σ is positive and finite.
 #[must_use]
 pub fn grid_values(
-    fixed: &Parameters<Rational>,
+    slider: &Slider<Rational>,
     loading_velocities_m_per_s: &[f64],
     normal_stresses_pa: &[f64],
 ) -> Option<Vec<LargestPartsPerS>> {
@@ -38,20 +38,18 @@ pub fn grid_values(
     if !inputs.all(|&x| x > 0.0 && x.is_finite()) {
         return None;
     }
-    let (approximate, terms) = (fixed.map(Dd::from_rational), ValueTerms::new(fixed));
+    let (approximate, terms) = (slider.map(Dd::from_rational), ValueTerms::new(slider));
+    let approximate = &approximate;
     let row = |&velocity: &f64| {
-        let mut point = approximate.clone();
-        point.loading_velocity_m_per_s = Dd::from(velocity);
         let [mut real, mut imaginary] = [(); 2].map(|()| vec![0.0; normal_stresses_pa.len()]);
         let (row, stresses) = (terms.row(velocity), normal_stresses_pa);
         let parts = PartColumns { real: &mut real, imaginary: &mut imaginary };
         run_on_widest_unit(ValueLoop { row: &row, stresses, parts });
         let parts = stresses.iter().zip(real.into_iter().zip(imaginary));
         parts.map(move |(&stress, (real, imaginary))| {
-            point.normal_stress_pa = Dd::from(stress);
             certified(real, imaginary)
-                .or_else(|| by_double_double(&point))
-                .unwrap_or_else(|| exactly(fixed, velocity, stress))
+                .or_else(|| by_double_double(&approximate.at(Dd::from(stress), Dd::from(velocity))))
+                .unwrap_or_else(|| exactly(&slider.at(exact(stress), exact(velocity))))
         })
     };
     Some(loading_velocities_m_per_s.par_iter().flat_map_iter(row).collect())
@@ -64,22 +62,22 @@ pub fn grid_values(
 pub fn point_values(columns: &Parameters<&[f64]>) -> Option<Vec<LargestPartsPerS>> {
     let count = joint_length(columns)?;
     let block = |first: usize| {
-        let columns = map_columns(columns, |column| &column[first..count.min(first + BLOCK)]);
+        let columns = columns.map(|column| &column[first..count.min(first + BLOCK)]);
         let [mut real, mut imaginary] = [[0.0; BLOCK]; 2];
         let parts = PartColumns { real: &mut real, imaginary: &mut imaginary };
         run_on_widest_unit(PointValueLoop { columns: &columns, parts });
         let value = |index: usize| {
             certified(real[index], imaginary[index]).or_else(|| {
-                let point = map_columns(&columns, |column| column[index]);
+                let point = columns.map(|column| column[index]);
                 let above = || {
                     by_double_double(&point.map(|value| Dd::from(*value)))
                         .or_else(|| by_short_integers(&point))
-                        .unwrap_or_else(|| exactly_at(&point.map(|value| exact(*value))))
+                        .unwrap_or_else(|| exactly(&point.map(|value| exact(*value))))
                 };
                 is_valid(&columns, index).then(above)
             })
         };
-        (0..columns.direct_effect.len()).map(value).collect::<Option<Vec<_>>>()
+        (0..columns.slider.direct_effect.len()).map(value).collect::<Option<Vec<_>>>()
     };
     let starts: Vec<usize> = (0..count).step_by(BLOCK).collect();
     let blocks = starts.into_par_iter().map(block).collect::<Option<Vec<_>>>()?;
@@ -114,15 +112,7 @@ fn by_short_integers(point: &Parameters<f64>) -> Option<LargestPartsPerS> {
 }
 
 /// The values by way of rationals.
-fn exactly(fixed: &Parameters<Rational>, velocity: f64, stress: f64) -> LargestPartsPerS {
-    exactly_at(&Parameters {
-        loading_velocity_m_per_s: exact(velocity),
-        normal_stress_pa: exact(stress),
-        ..fixed.clone()
-    })
-}
-
-fn exactly_at(point: &Parameters<Rational>) -> LargestPartsPerS {
+fn exactly(point: &Parameters<Rational>) -> LargestPartsPerS {
     let LargestParts { real, imaginary } =
         LargestParts::exactly(&point.groups()).times_rate(&point.rate_per_s());
     LargestPartsPerS { real, imaginary }

@@ -31,15 +31,7 @@ fn assert_promises(point: &Parameters<f64>) -> Classification {
 }
 
 fn slider(direct_effect: f64, evolution_effect: f64, stiffness: f64, mass: f64) -> Parameters<f64> {
-    Parameters {
-        direct_effect,
-        evolution_effect,
-        critical_slip_distance_m: 1.0,
-        stiffness_pa_per_m: stiffness,
-        mass_per_area_kg_per_m2: mass,
-        normal_stress_pa: 1.0,
-        loading_velocity_m_per_s: 1.0,
-    }
+    Parameters::from([direct_effect, evolution_effect, 1.0, stiffness, mass, 1.0, 1.0])
 }
 
 /// Zero, or a power of ten from 1e-30 to 1e-6 with either sign; below 1e-16 it is lost in 64-bit numbers of order 1.
@@ -128,17 +120,15 @@ fn points_on_the_cusp_and_on_the_transition_need_no_rationals() {
 fn modes_do_not_depend_on_the_units_of_the_inputs() {
     for (stiffness, mass) in [(0.6, 0.2), (0.75, 0.5), (2.0, 3.0), (0.01, 1e-3), (7.0, 0.3)] {
         for (length, velocity) in [(700, 600), (-700, -600), (600, -700), (-500, 510), (0, 600)] {
-            let point = Parameters {
-                critical_slip_distance_m: libm::ldexp(1.0, length),
-                loading_velocity_m_per_s: libm::ldexp(1.0, velocity),
-                // β = 3/2, next to K = K_c for the second pair.
-                ..slider(
-                    1.0,
-                    1.5,
-                    libm::ldexp(stiffness, -length),
-                    libm::scalbn(mass, (length - 2 * velocity).clamp(-1000, 1000)),
-                )
-            };
+            // β = 3/2, next to K = K_c for the second pair.
+            let mut point = slider(
+                1.0,
+                1.5,
+                libm::ldexp(stiffness, -length),
+                libm::scalbn(mass, (length - 2 * velocity).clamp(-1000, 1000)),
+            );
+            point.slider.critical_slip_distance_m = libm::ldexp(1.0, length);
+            point.point.loading_velocity_m_per_s = libm::ldexp(1.0, velocity);
             assert_promises(&point);
         }
     }
@@ -157,15 +147,7 @@ fn inputs_at_the_ends_of_the_range_are_classified() {
     for pattern in 0..9 {
         let ends = [f64::from_bits(1), 7.0, f64::MAX];
         let end = |k: usize| ends[(pattern * (k + 1) + k / 3) % 3];
-        let point = Parameters {
-            direct_effect: end(0),
-            evolution_effect: end(1),
-            critical_slip_distance_m: end(2),
-            stiffness_pa_per_m: end(3),
-            mass_per_area_kg_per_m2: end(4),
-            normal_stress_pa: end(5),
-            loading_velocity_m_per_s: end(6),
-        };
+        let point = Parameters::from([end(0), end(1), end(2), end(3), end(4), end(5), end(6)]);
         assert_promises(&point);
     }
 }

@@ -4,7 +4,7 @@
 
 use rug::{Float, Rational};
 
-use crate::friction::Parameters;
+use crate::friction::Slider;
 use crate::number::{Ball, bits_for_digits};
 use crate::stability::boundary::Section;
 use crate::stability::boundary_sign;
@@ -14,13 +14,13 @@ use crate::stability::boundary_sign;
 /// None when the class at both ends is the same. The relative radius is at most 10^−digits.
 #[must_use]
 pub fn by_bisection(
-    parameters: &Parameters<Rational>,
+    slider: &Slider<Rational>,
     section: &Section,
     (lower, upper): (&Rational, &Rational),
     digits: u32,
 ) -> Option<Ball> {
     let bits = bits_for_digits(digits);
-    let sign = |coordinate: &Rational| sign_at(parameters, section, coordinate);
+    let sign = |coordinate: &Rational| sign_at(slider, section, coordinate);
     let (at_lower, at_upper) = (sign(lower), sign(upper));
     for (end, at_end) in [(lower, at_lower), (upper, at_upper)] {
         if at_end == 0 {
@@ -44,13 +44,12 @@ pub fn by_bisection(
 }
 
 /// The sign of the discriminant with the unknown coordinate set.
-fn sign_at(parameters: &Parameters<Rational>, section: &Section, coordinate: &Rational) -> i8 {
-    let (normal_stress_pa, loading_velocity_m_per_s) = match section {
-        Section::AtVelocity(velocity) => (coordinate.clone(), velocity.clone()),
-        Section::AtNormalStress(stress) => (stress.clone(), coordinate.clone()),
+fn sign_at(slider: &Slider<Rational>, section: &Section, coordinate: &Rational) -> i8 {
+    let there = match section {
+        Section::AtVelocity(velocity) => slider.at(coordinate.clone(), velocity.clone()),
+        Section::AtNormalStress(stress) => slider.at(stress.clone(), coordinate.clone()),
     };
-    let point = Parameters { normal_stress_pa, loading_velocity_m_per_s, ..parameters.clone() };
-    boundary_sign(&point.groups())
+    boundary_sign(&there.groups())
 }
 
 /// A number strictly between the two, within an eighth of the interval of its middle, with as few bits as that takes.

@@ -2,9 +2,8 @@
 
 use rug::Rational;
 
-use crate::friction::Parameters;
+use crate::friction::{OperatingPoint, Slider};
 use crate::number::{Ball, Real, bits_for_digits};
-use crate::stability::boundary::crossing::{stress_scale_pa, velocity_scale_squared};
 use crate::stability::boundary::{BoundaryPoint, Crossing, Mark, Section};
 use crate::stability::parameter_equation::{ParameterEquation, cusp_parameter};
 use crate::stability::parameter_section::StiffnessSection;
@@ -17,11 +16,9 @@ const GUARD_BITS: u32 = 24;
 const ROOT_BITS_TO_SPARE: u32 = 14;
 
 /// The boundary of one friction, spring and mass, ready for points of a given number of digits.
-///
-/// The parameters' own σ and V0 play no part.
 #[derive(Debug, Clone)]
 pub struct BoundaryCurve {
-    pub(super) parameters: Parameters<Rational>,
+    pub(super) slider: Slider<Rational>,
     pub(super) effect_ratio: Rational,
     pub(super) frame: ArcFrame<Ball>,
     pub(super) bits: u32,
@@ -34,19 +31,19 @@ pub struct BoundaryCurve {
 impl BoundaryCurve {
     /// The boundary to this many digits.
     #[must_use]
-    pub fn new(parameters: &Parameters<Rational>, digits: u32) -> Self {
+    pub fn new(slider: &Slider<Rational>, digits: u32) -> Self {
         let bits = bits_for_digits(digits) + GUARD_BITS;
-        let effect_ratio = Rational::from(&parameters.evolution_effect / &parameters.direct_effect);
+        let effect_ratio = slider.effect_ratio();
         let frame = ArcFrame::of_rational(&effect_ratio, bits);
         let cusp_parameter = cusp_parameter(&effect_ratio, bits);
         Self {
             at_stiffness: [Arc::Upper, Arc::Lower]
                 .map(|arc| StiffnessSection::new(arc, &frame, &cusp_parameter)),
-            stress_scale_pa: Ball::from_rational(&stress_scale_pa(parameters), bits),
-            velocity_scale_m_per_s: Ball::from_rational(&velocity_scale_squared(parameters), bits).sqrt(),
+            stress_scale_pa: Ball::from_rational(&slider.stress_scale_pa(), bits),
+            velocity_scale_m_per_s: Ball::from_rational(&slider.velocity_scale_squared(), bits).sqrt(),
             frame,
             cusp_parameter,
-            parameters: parameters.clone(),
+            slider: slider.clone(),
             effect_ratio,
             bits,
         }
@@ -64,12 +61,14 @@ impl BoundaryCurve {
         &self.frame
     }
 
-    /// (σ in Pa, V0 in m/s) at the parameter λ of an arc.
+    /// σ and V0 at the parameter λ of an arc.
     #[must_use]
-    pub fn position(&self, arc: Arc, parameter: &Ball) -> (Ball, Ball) {
+    pub fn position(&self, arc: Arc, parameter: &Ball) -> OperatingPoint<Ball> {
         let (inverse_stiffness_group, velocity_squared) = self.frame.place(arc, &self.lifted(parameter));
-        let stress = self.stress_scale_pa.clone() * inverse_stiffness_group;
-        (stress, self.velocity_scale_m_per_s.clone() * velocity_squared.sqrt())
+        OperatingPoint {
+            normal_stress_pa: self.stress_scale_pa.clone() * inverse_stiffness_group,
+            loading_velocity_m_per_s: self.velocity_scale_m_per_s.clone() * velocity_squared.sqrt(),
+        }
     }
 
     /// The full row at the parameter λ of an arc.
@@ -91,7 +90,10 @@ impl BoundaryCurve {
     #[must_use]
     pub fn on_section(&self, section: &Section) -> Vec<BoundaryPoint> {
         let row = |(crossing, parameter): (Crossing, Ball)| {
-            let position = (crossing.normal_stress_pa, crossing.loading_velocity_m_per_s);
+            let position = OperatingPoint {
+                normal_stress_pa: crossing.normal_stress_pa,
+                loading_velocity_m_per_s: crossing.loading_velocity_m_per_s,
+            };
             BoundaryPoint::new(&self.frame, (crossing.arc, &parameter), position, None)
         };
         self.crossings(section).into_iter().map(row).collect()
@@ -107,7 +109,7 @@ impl BoundaryCurve {
     }
 
     fn crossings_at_velocity(&self, velocity_m_per_s: &Rational) -> Vec<(Crossing, Ball)> {
-        let velocity_squared = Section::velocity_squared(&self.parameters, velocity_m_per_s);
+        let velocity_squared = Section::velocity_squared(&self.slider, velocity_m_per_s);
         let crossing = |arc: Arc, parameter: Ball| {
             let place = self.frame.point(arc, &parameter);
             let crossing = Crossing {
@@ -134,7 +136,7 @@ impl BoundaryCurve {
         for &arc in self.arcs() {
             let quickly = self.at_stiffness[arc as usize].parameters(&stiffness_group, self.root_bits());
             let generally = || {
-                let stiffness_group = Section::stiffness_group(&self.parameters, stress_pa);
+                let stiffness_group = Section::stiffness_group(&self.slider, stress_pa);
                 ParameterEquation::at_stiffness(&self.effect_ratio, arc, stiffness_group).roots(self.bits)
             };
             for parameter in quickly.unwrap_or_else(generally) {
@@ -183,26 +185,23 @@ mod tests {
         assert_eq!(certain_digits(&cusp.normal_stress_pa, 5), "5857.9");
         assert!(cusp.normal_stress_pa.relative_radius_log2() < -f64::from(bits_for_digits(50)));
         // The area pokes past the corner of eqs 16 and 20.
-        let (corner_stress, corner_velocity) =
-            asymptote::corner(Arc::Lower, &paper().map(|value| Ball::from_rational(value, 200)));
-        assert!(cusp.normal_stress_pa.lower() > corner_stress.upper());
-        assert!(cusp.loading_velocity_m_per_s.lower() > corner_velocity.upper());
+        let corner = asymptote::corner(Arc::Lower, &paper().map(|value| Ball::from_rational(value, 200)));
+        assert!(cusp.normal_stress_pa.lower() > corner.normal_stress_pa.upper());
+        assert!(cusp.loading_velocity_m_per_s.lower() > corner.loading_velocity_m_per_s.upper());
     }
 
     #[test]
     fn lines_through_a_cusp_of_short_numbers_meet_it_once() {
         // β = 1 with κ = 27/8 and η = 1/8: balls hold the cusp exactly, and its equation is exactly zero there.
         let one = Rational::from(1);
-        let parameters = Parameters {
+        let slider = Slider {
             direct_effect: one.clone(),
             evolution_effect: one.clone(),
             critical_slip_distance_m: one.clone(),
             stiffness_pa_per_m: Rational::from((27, 8)),
             mass_per_area_kg_per_m2: Rational::from((1, 8)),
-            normal_stress_pa: one.clone(),
-            loading_velocity_m_per_s: one.clone(),
         };
-        let curve = BoundaryCurve::new(&parameters, 50);
+        let curve = BoundaryCurve::new(&slider, 50);
         for section in [Section::AtVelocity(one.clone()), Section::AtNormalStress(one.clone())] {
             let found = curve.on_section(&section);
             assert_eq!(found.len(), 1, "{section:?}");
@@ -214,8 +213,8 @@ mod tests {
     #[test]
     fn every_number_of_every_sample_has_the_requested_digits() {
         for (a, b) in [(4, 6), (6, 4), (5, 5), (1, 1000), (1000, 1)] {
-            let parameters = with_effects(Rational::from((a, 1000)), Rational::from((b, 1000)));
-            let curve = BoundaryCurve::new(&parameters, 50);
+            let slider = with_effects(Rational::from((a, 1000)), Rational::from((b, 1000)));
+            let curve = BoundaryCurve::new(&slider, 50);
             let points = curve.sample(30, 1e-8);
             assert_eq!(points.len(), curve.arcs().len() * 30 + if a == b { 4 } else { 5 });
             let goal = -f64::from(bits_for_digits(50));
@@ -224,12 +223,9 @@ mod tests {
                 {
                     assert!(ball.relative_radius_log2() < goal, "{a} {b} {point:?}");
                 }
-                let twin = Parameters {
-                    normal_stress_pa: point.normal_stress_pa.clone(),
-                    loading_velocity_m_per_s: point.loading_velocity_m_per_s.clone(),
-                    ..parameters.map(|value| Ball::from_rational(value, 300))
-                };
-                assert!(point.asymptote.value(&twin).overlaps(&point.asymptote_value));
+                let balls = slider.map(|value| Ball::from_rational(value, 300));
+                let value = point.asymptote.value(&balls, &point.normal_stress_pa);
+                assert!(value.overlaps(&point.asymptote_value));
                 assert_eq!(point.asymptote.arc(), point.arc);
             }
         }

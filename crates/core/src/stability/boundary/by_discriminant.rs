@@ -7,7 +7,7 @@ use std::cmp::Ordering;
 
 use rug::Rational;
 
-use crate::friction::{Groups, Parameters};
+use crate::friction::{Groups, OperatingPoint, Slider};
 use crate::number::{Ball, Field, bits_for_digits};
 use crate::polynomial::{IsolatingInterval, UnivariatePolynomial};
 use crate::roots::discriminant;
@@ -27,9 +27,9 @@ struct Line {
 
 /// All crossings of the section, by σ descending (given V0) or V0 ascending (given σ).
 #[must_use]
-pub fn by_discriminant(parameters: &Parameters<Rational>, section: &Section, digits: u32) -> Vec<Crossing> {
+pub fn by_discriminant(slider: &Slider<Rational>, section: &Section, digits: u32) -> Vec<Crossing> {
     let bits = bits_for_digits(digits) + GUARD_BITS;
-    let line = Line::new(parameters, section);
+    let line = Line::new(slider, section);
     let polynomial = line.along(|groups| discriminant(&groups.characteristic_cubic()), 4);
     let cusps = line.along(|groups| distance_from_cusp(&groups.characteristic_cubic()), 2).gcd(&polynomial);
     polynomial
@@ -39,20 +39,20 @@ pub fn by_discriminant(parameters: &Parameters<Rational>, section: &Section, dig
             let root = line.double_root(&polynomial, &cusps, interval, bits);
             let groups =
                 line.groups(polynomial.refine(interval, bits), |value| Ball::from_rational(value, bits));
-            let (normal_stress_pa, loading_velocity_m_per_s) = section.coordinates(parameters, &groups, bits);
+            let OperatingPoint { normal_stress_pa, loading_velocity_m_per_s } =
+                section.coordinates(slider, &groups, bits);
             Crossing { arc: arc_of(&root), double_root: root, normal_stress_pa, loading_velocity_m_per_s }
         })
         .collect()
 }
 
 impl Line {
-    fn new(parameters: &Parameters<Rational>, section: &Section) -> Self {
+    fn new(slider: &Slider<Rational>, section: &Section) -> Self {
         let (given, at_velocity) = match section {
-            Section::AtVelocity(velocity) => (Section::velocity_squared(parameters, velocity), true),
-            Section::AtNormalStress(stress) => (Section::stiffness_group(parameters, stress), false),
+            Section::AtVelocity(velocity) => (Section::velocity_squared(slider, velocity), true),
+            Section::AtNormalStress(stress) => (Section::stiffness_group(slider, stress), false),
         };
-        let effect_ratio = Rational::from(&parameters.evolution_effect / &parameters.direct_effect);
-        Self { effect_ratio, given, at_velocity }
+        Self { effect_ratio: slider.effect_ratio(), given, at_velocity }
     }
 
     fn groups<R: Field>(&self, unknown: R, convert: impl Fn(&Rational) -> R) -> Groups<R> {

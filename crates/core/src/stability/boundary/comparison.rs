@@ -2,7 +2,7 @@
 
 use rug::{Float, Rational};
 
-use crate::friction::Parameters;
+use crate::friction::Slider;
 use crate::number::Ball;
 use crate::stability::boundary::{
     BoundaryCurve, BoundaryPoint, Crossing, Section, by_bisection, by_discriminant,
@@ -24,20 +24,20 @@ pub struct RouteComparison {
 /// The points are spread over each arc from where its asymptotes are off by 10⁻⁶ on one end to the same on the other; the
 /// section goes through the f64 nearest to the point's coordinate, taken exactly.
 #[must_use]
-pub fn compare_routes(parameters: &Parameters<Rational>, count: usize, digits: u32) -> RouteComparison {
-    let curve = BoundaryCurve::new(parameters, digits);
+pub fn compare_routes(slider: &Slider<Rational>, count: usize, digits: u32) -> RouteComparison {
+    let curve = BoundaryCurve::new(slider, digits);
     let mut comparison =
         RouteComparison { compared: 0, disagreements: Vec::new(), largest_difference: Float::new(32) };
     for &arc in curve.arcs() {
         for (index, parameter) in curve.sample_parameters(count, 1e-6).iter().enumerate() {
-            let (stress, velocity) = curve.position(arc, parameter);
+            let place = curve.position(arc, parameter);
             let section = if index % 2 == 0 {
-                short_rational(&velocity).map(Section::AtVelocity)
+                short_rational(&place.loading_velocity_m_per_s).map(Section::AtVelocity)
             } else {
-                short_rational(&stress).map(Section::AtNormalStress)
+                short_rational(&place.normal_stress_pa).map(Section::AtNormalStress)
             };
             if let Some(section) = section {
-                comparison.add(parameters, &curve, section, digits);
+                comparison.add(slider, &curve, section, digits);
             }
         }
     }
@@ -45,20 +45,14 @@ pub fn compare_routes(parameters: &Parameters<Rational>, count: usize, digits: u
 }
 
 impl RouteComparison {
-    fn add(
-        &mut self,
-        parameters: &Parameters<Rational>,
-        curve: &BoundaryCurve,
-        section: Section,
-        digits: u32,
-    ) {
+    fn add(&mut self, slider: &Slider<Rational>, curve: &BoundaryCurve, section: Section, digits: u32) {
         let along_curve = in_order(curve.on_section(&section), &section);
-        let of_discriminant = in_order_of_crossings(by_discriminant(parameters, &section, digits), &section);
+        let of_discriminant = in_order_of_crossings(by_discriminant(slider, &section, digits), &section);
         let separators = separators(&along_curve);
         let mut agree = along_curve.len() == of_discriminant.len();
         for (index, (first, second)) in along_curve.iter().zip(&of_discriminant).enumerate() {
             let bracket = (&separators[index], &separators[index + 1]);
-            let third = by_bisection(parameters, &section, bracket, digits);
+            let third = by_bisection(slider, &section, bracket, digits);
             agree &= first.1 == second.1 && self.agree([Some(&first.0), Some(&second.0), third.as_ref()]);
         }
         if !agree {
@@ -189,22 +183,20 @@ mod tests {
     fn lines_next_to_the_stress_of_a_quasi_static_asymptote_lose_no_crossing() {
         for distance in ["4e-20", "-4e-40", "4e-57", "4e-200"] {
             let excess = parse_decimal(distance).unwrap();
-            let parameters =
-                with_effects(Rational::from((4, 1000)), (excess.clone() + 1_u32) * 4_u32 / 1000_u32);
+            let slider = with_effects(Rational::from((4, 1000)), (excess.clone() + 1_u32) * 4_u32 / 1000_u32);
             let square = Rational::from(excess.square_ref());
             // Eq 16 lies at κ = 4 + 2(β − 1) nearly, eq 15 at a quarter of (β − 1)².
             let all =
                 [excess.clone() + 4_u32, excess * 3_u32 + 4_u32, square.clone() / 5_u32, square / 3_u32];
             for (kappa, digits) in all.iter().flat_map(|kappa| [15, 50].map(|digits| (kappa, digits))) {
-                let stress = crossing_stress(&parameters, kappa);
+                let stress = crossing_stress(&slider, kappa);
                 let section = Section::AtNormalStress(stress);
-                let crossings = BoundaryCurve::new(&parameters, digits).crossings(&section);
+                let crossings = BoundaryCurve::new(&slider, digits).crossings(&section);
                 let curve = in_order_of_crossings(
                     crossings.into_iter().map(|(crossing, _)| crossing).collect(),
                     &section,
                 );
-                let isolated =
-                    in_order_of_crossings(by_discriminant(&parameters, &section, digits), &section);
+                let isolated = in_order_of_crossings(by_discriminant(&slider, &section, digits), &section);
                 assert_eq!(curve.len(), isolated.len(), "{distance} {digits} {kappa}");
                 for (one, other) in curve.iter().zip(&isolated) {
                     assert!(one.0.overlaps(&other.0) && one.1 == other.1, "{distance} {digits} {kappa}");
@@ -215,9 +207,8 @@ mod tests {
     }
 
     /// σ at which κ has this value.
-    fn crossing_stress(parameters: &Parameters<Rational>, kappa: &Rational) -> Rational {
-        let numerator = Rational::from(&parameters.stiffness_pa_per_m * &parameters.critical_slip_distance_m);
-        numerator / &parameters.direct_effect / kappa
+    fn crossing_stress(slider: &Slider<Rational>, kappa: &Rational) -> Rational {
+        slider.stress_scale_pa() / kappa
     }
 
     #[test]

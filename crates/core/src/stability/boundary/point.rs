@@ -1,6 +1,6 @@
 //! One row of the table of the boundary.
 
-use crate::friction::Groups;
+use crate::friction::{Groups, OperatingPoint};
 use crate::number::{Ball, Field, Real};
 use crate::stability::logarithm::log10_one_plus;
 use crate::stability::{Arc, ArcFrame, Asymptote};
@@ -107,7 +107,7 @@ impl BoundaryPoint {
     pub(super) fn new(
         frame: &ArcFrame<Ball>,
         (arc, parameter): (Arc, &Ball),
-        (normal_stress_pa, loading_velocity_m_per_s): (Ball, Ball),
+        OperatingPoint { normal_stress_pa, loading_velocity_m_per_s }: OperatingPoint<Ball>,
         mark: Option<Mark>,
     ) -> Self {
         let place = frame.point(arc, parameter);

@@ -71,15 +71,8 @@ fn the_coefficients_of_eq_8_are_within_their_bounds_when_every_group_is_off() {
 /// κ = 10⁻⁵ and η = 10⁵ are harmless, but K and M that lead to them are not.
 #[test]
 fn inputs_whose_products_could_leave_the_range_are_left_to_higher_precision() {
-    let point = |stiffness: f64| Parameters {
-        direct_effect: 1.0,
-        evolution_effect: 1.5,
-        critical_slip_distance_m: 1e-5 / stiffness,
-        stiffness_pa_per_m: stiffness,
-        mass_per_area_kg_per_m2: 1.0 / stiffness,
-        normal_stress_pa: 1.0,
-        loading_velocity_m_per_s: 1.0,
-    };
+    let point =
+        |stiffness: f64| Parameters::from([1.0, 1.5, 1e-5 / stiffness, stiffness, 1.0 / stiffness, 1.0, 1.0]);
     assert!(groups_in_f64(&point(1e-50)).is_some());
     let outside = point(1e-65);
     assert!(groups_in_range(&outside.groups()));
@@ -91,15 +84,7 @@ fn inputs_whose_products_could_leave_the_range_are_left_to_higher_precision() {
 /// K = K_c at κ = η = 1 and β = 3/2, and the cusp at κ = 27/8, η = 1/8 and β = 1: one of the two signs is zero.
 #[test]
 fn the_filter_is_certain_only_where_both_signs_are() {
-    let point = |[eta, kappa, beta]: [f64; 3]| Parameters {
-        direct_effect: 1.0,
-        evolution_effect: beta,
-        critical_slip_distance_m: 1.0,
-        stiffness_pa_per_m: kappa,
-        mass_per_area_kg_per_m2: eta,
-        normal_stress_pa: 1.0,
-        loading_velocity_m_per_s: 1.0,
-    };
+    let point = |[eta, kappa, beta]: [f64; 3]| Parameters::from([1.0, beta, 1.0, kappa, eta, 1.0, 1.0]);
     assert!(!filter(&point([1.0, 1.0, 1.5])).0);
     assert!(!filter(&point([0.125, 3.375, 1.0])).0);
     assert_eq!(filter(&point([1.0, 1.25, 1.5])), (true, true, false));

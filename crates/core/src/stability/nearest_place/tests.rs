@@ -3,33 +3,33 @@
 use proptest::prelude::*;
 
 use super::*;
+use crate::friction::Slider;
 use crate::number::parse_decimal;
 
 /// A slider whose η, κ and β are given as powers of ten.
-fn slider([eta, kappa, beta]: [f64; 3]) -> Parameters<Rational> {
+fn point([eta, kappa, beta]: [f64; 3]) -> Parameters<Rational> {
     let one = Rational::from(1);
     let power = |exponent: f64| Rational::from_f64(libm::exp10(exponent)).unwrap();
-    Parameters {
+    let slider = Slider {
         direct_effect: one.clone(),
         evolution_effect: power(beta),
         critical_slip_distance_m: one.clone(),
         stiffness_pa_per_m: power(kappa),
         mass_per_area_kg_per_m2: power(eta),
-        normal_stress_pa: one.clone(),
-        loading_velocity_m_per_s: one,
-    }
+    };
+    slider.at(one.clone(), one)
 }
 
 fn exact(parameters: &Parameters<Rational>) -> Option<NearestPlace> {
     nearest_boundary_point(parameters, 30)
-        .map(|point| NearestPlace::of_point(&point, &parameters.normal_stress_pa))
+        .map(|point| NearestPlace::of_point(&point, &parameters.point.normal_stress_pa))
 }
 
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(400))]
     #[test]
     fn a_quick_place_is_the_certified_one(exponents in [-8f64..6.0, -6f64..6.0, -3f64..3.0]) {
-        let parameters = slider(exponents);
+        let parameters = point(exponents);
         let quick = NearestPlace::quickly(&parameters.map(Dd::from_rational));
         let quick = quick.expect("a random point is nowhere near a limit").expect("a ≠ b has a place");
         let exact = exact(&parameters).expect("a place");
@@ -42,11 +42,11 @@ proptest! {
 
 #[test]
 fn equal_effects_leave_the_lower_arc_and_nothing_beyond_the_cusp() {
-    let equal = |kappa: &str, eta: &str| Parameters {
-        evolution_effect: Rational::from(1),
-        stiffness_pa_per_m: parse_decimal(kappa).unwrap(),
-        mass_per_area_kg_per_m2: parse_decimal(eta).unwrap(),
-        ..slider([0.0; 3])
+    let equal = |kappa: &str, eta: &str| {
+        let mut parameters = point([0.0; 3]);
+        parameters.slider.stiffness_pa_per_m = parse_decimal(kappa).unwrap();
+        parameters.slider.mass_per_area_kg_per_m2 = parse_decimal(eta).unwrap();
+        parameters
     };
     let quickly =
         |parameters: &Parameters<Rational>| NearestPlace::quickly(&parameters.map(Dd::from_rational));
@@ -64,7 +64,7 @@ fn equal_effects_leave_the_lower_arc_and_nothing_beyond_the_cusp() {
 #[test]
 fn next_to_the_cusp_and_far_out_the_answer_is_still_the_certified_one() {
     for exponents in [[-30.0, -20.0, 0.5], [30.0, 20.0, -0.5], [-200.0, -100.0, 0.1], [0.0, 0.0, 1e-12]] {
-        let parameters = slider(exponents);
+        let parameters = point(exponents);
         let (found, exact) = (NearestPlace::of(&parameters).unwrap(), exact(&parameters).unwrap());
         assert_eq!((found.arc, found.asymptote), (exact.arc, exact.asymptote), "{exponents:?}");
         let off = (found.relative_error / exact.relative_error - 1.0).abs();
@@ -78,11 +78,9 @@ fn effects_that_differ_in_the_thirtieth_digit_keep_their_upper_arc() {
         let excess = parse_decimal(&format!("3e-{digit}")).unwrap();
         for ratio in [excess.clone() + 1u32, Rational::from(1) - excess] {
             let direct = parse_decimal("0.0123").unwrap();
-            let parameters = Parameters {
-                evolution_effect: ratio * &direct,
-                direct_effect: direct,
-                ..slider([1.0, 0.5, 0.0])
-            };
+            let mut parameters = point([1.0, 0.5, 0.0]);
+            parameters.slider.evolution_effect = ratio * &direct;
+            parameters.slider.direct_effect = direct;
             let (found, exact) = (NearestPlace::of(&parameters).unwrap(), exact(&parameters).unwrap());
             assert_eq!((found.arc, found.asymptote), (exact.arc, exact.asymptote), "{digit}");
             let off = found.log10_normal_stress_distance - exact.log10_normal_stress_distance;
@@ -99,14 +97,12 @@ fn the_unit_of_stress_does_not_choose_the_place() {
     for exponents in
         [[-3.0, -1.0, -0.5], [-3.0, 2.0, -0.5], [2.0, 1.0, 0.3], [-1.0, 0.5, 1.0], [1.0, -2.0, 0.3]]
     {
-        let here = slider(exponents);
+        let here = point(exponents);
         let unit = Rational::from(1_000_000);
-        let there = Parameters {
-            stiffness_pa_per_m: here.stiffness_pa_per_m.clone() * &unit,
-            mass_per_area_kg_per_m2: here.mass_per_area_kg_per_m2.clone() * &unit,
-            normal_stress_pa: unit,
-            ..here.clone()
-        };
+        let mut there = here.clone();
+        there.slider.stiffness_pa_per_m *= &unit;
+        there.slider.mass_per_area_kg_per_m2 *= &unit;
+        there.point.normal_stress_pa = unit;
         let (here, there) = (exact(&here).unwrap(), exact(&there).unwrap());
         assert_eq!((here.arc, here.asymptote), (there.arc, there.asymptote), "{exponents:?}");
         let change = here.log10_normal_stress_distance - there.log10_normal_stress_distance;

@@ -28,16 +28,14 @@ fn error_in_units(point: &Parameters<Rational>, found: &LargestPartsPerS) -> f64
     of_imaginary.max(units(found.real, re, &modulus))
 }
 
-fn slider(exponents: [f64; 5]) -> Parameters<Rational> {
+fn slider(exponents: [f64; 5]) -> Slider<Rational> {
     let [a, ratio, d, k, m] = exponents.map(|exponent| exact(libm::exp10(exponent)));
-    Parameters {
+    Slider {
         evolution_effect: a.clone() * ratio,
         direct_effect: a,
         critical_slip_distance_m: d,
         stiffness_pa_per_m: k,
         mass_per_area_kg_per_m2: m,
-        normal_stress_pa: Rational::from(1),
-        loading_velocity_m_per_s: Rational::from(1),
     }
 }
 
@@ -54,8 +52,8 @@ fn kernel_row(terms: &ValueTerms, velocity: f64, stresses: &[f64], plain: bool) 
     [real, imaginary]
 }
 
-fn at(fixed: &Parameters<Rational>, velocity: f64, stress: f64) -> Parameters<Rational> {
-    Parameters { loading_velocity_m_per_s: exact(velocity), normal_stress_pa: exact(stress), ..fixed.clone() }
+fn at(fixed: &Slider<Rational>, velocity: f64, stress: f64) -> Parameters<Rational> {
+    fixed.at(exact(stress), exact(velocity))
 }
 
 proptest! {
@@ -84,14 +82,12 @@ proptest! {
         let r = -1.0 - (64.0 * ratio.to_f64().sqrt()).ceil() / 64.0 - f64::from(steps) / 64.0;
         let r = exact(r);
         let one = Rational::from(1);
-        let at_groups = |eta: Rational, kappa: Rational| Parameters {
+        let at_groups = |eta: Rational, kappa: Rational| Slider {
             direct_effect: one.clone(),
             evolution_effect: ratio.clone(),
             critical_slip_distance_m: one.clone(),
             stiffness_pa_per_m: kappa,
             mass_per_area_kg_per_m2: eta,
-            normal_stress_pa: one.clone(),
-            loading_velocity_m_per_s: one.clone(),
         };
         let eta = curve::inertial_parameter(&r, &ratio);
         let beside = at_groups(eta.clone(), curve::stiffness_group(&r, &ratio));
@@ -110,19 +106,11 @@ proptest! {
     ) {
         let column = |k: usize| exponents.iter().map(|e| libm::exp10(e[k])).collect::<Vec<f64>>();
         let columns: Vec<Vec<f64>> = (0..7).map(column).collect();
-        let points = Parameters {
-            direct_effect: &columns[0][..],
-            evolution_effect: &columns[if same { 0 } else { 1 }][..],
-            critical_slip_distance_m: &columns[2][..],
-            stiffness_pa_per_m: &columns[3][..],
-            mass_per_area_kg_per_m2: &columns[4][..],
-            normal_stress_pa: &columns[5][..],
-            loading_velocity_m_per_s: &columns[6][..],
-        };
+        let points = Parameters::from([0, if same { 0 } else { 1 }, 2, 3, 4, 5, 6].map(|k| &columns[k][..]));
         let values = point_values(&points).unwrap();
         prop_assert_eq!(values.len(), exponents.len());
         for (index, found) in values.iter().enumerate() {
-            let point = map_columns(&points, |column| exact(column[index]));
+            let point = points.map(|column| exact(column[index]));
             prop_assert!(error_in_units(&point, found) <= 2.0, "{:?} {:?}", point, found);
         }
     }
@@ -160,13 +148,9 @@ fn values_of_a_grid_are_within_two_units_in_the_last_place() {
     let values = grid_values(&fixed, &velocities, &stresses).unwrap();
     for (index, found) in values.iter().enumerate() {
         let (velocity, stress) = (velocities[index / 40], stresses[index % 40]);
-        let point = Parameters {
-            loading_velocity_m_per_s: exact(velocity),
-            normal_stress_pa: exact(stress),
-            ..fixed.clone()
-        };
+        let point = at(&fixed, velocity, stress);
         assert!(error_in_units(&point, found) <= 2.0, "{velocity:e} {stress:e} {found:?}");
-        let by_rationals = exactly(&fixed, velocity, stress);
+        let by_rationals = exactly(&point);
         assert!(error_in_units(&point, &by_rationals) <= 2.0, "{velocity:e} {stress:e} {by_rationals:?}");
     }
 }
@@ -175,15 +159,7 @@ fn values_of_a_grid_are_within_two_units_in_the_last_place() {
 fn columns_of_unequal_length_and_values_out_of_range_have_no_values() {
     let with_effect = |effect: &[f64], stress: &[f64]| {
         let one = &[1.0][..];
-        point_values(&Parameters {
-            direct_effect: one,
-            evolution_effect: effect,
-            critical_slip_distance_m: one,
-            stiffness_pa_per_m: one,
-            mass_per_area_kg_per_m2: one,
-            normal_stress_pa: stress,
-            loading_velocity_m_per_s: one,
-        })
+        point_values(&Parameters::from([one, effect, one, one, one, stress, one]))
     };
     let values = |stress: &[f64]| with_effect(&[1.0], stress);
     assert!(values(&[2.0]).is_some() && values(&[1.0, 2.0]).is_none());
