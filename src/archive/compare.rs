@@ -23,7 +23,7 @@ pub fn compare_file(path: &str, archived: &[u8], computed: &[u8], promise: Promi
         Promise::Bytes => {
             let (old, new) = (archived.split(|byte| *byte == b'\n'), computed.split(|byte| *byte == b'\n'));
             let same = old.zip(new).take_while(|(old, new)| old == new).count();
-            vec![format!("{path}:{}: differs from what is computed now", same + 1)]
+            vec![format!("{path}:{}: differs from the result computed now", same + 1)]
         }
         Promise::Numbers => match (rows(archived), rows(computed)) {
             (Some(old), Some(new)) => table_differences(path, &old, &new),
@@ -80,7 +80,7 @@ mod tests {
     #[test]
     fn bytes_are_compared_by_line() {
         let differences = compare_file("a.svg", b"1\n2\n3", b"1\n2\n4", Promise::Bytes);
-        assert_eq!(differences, ["a.svg:3: differs from what is computed now"]);
+        assert_eq!(differences, ["a.svg:3: differs from the result computed now"]);
         assert!(compare_file("a.svg", b"1", b"1", Promise::Bytes).is_empty());
     }
 

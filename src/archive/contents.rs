@@ -30,9 +30,9 @@ const LICENSE_APACHE: &str = include_str!("../../LICENSE-APACHE");
 const NOTICE: &str = "\
 # Licences
 
-The files of this archive were made by slipmode, whose own code is licensed under MIT or Apache-2.0, at your option; both texts are beside this file.
-A binary of slipmode also carries rug, GMP, MPFR and MPC, which are under the GNU LGPL, version 3 or later (GMP also under the GNU GPL, version 2 or later).
-This archive holds no binary and no part of them; `Cargo.lock` names their exact versions and digests.
+The files of this archive were made by slipmode, whose own code is licensed under MIT or Apache-2.0, at your option; both texts are next to this file.
+A binary of slipmode also contains rug, GMP, MPFR and MPC, which are under the GNU LGPL, version 3 or later (GMP also under the GNU GPL, version 2 or later).
+This archive contains no binary; `Cargo.lock` names their exact versions and digests.
 ";
 
 /// What is known of the program that computed the report.

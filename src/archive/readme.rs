@@ -9,18 +9,18 @@ pub(super) fn readme(parts: &Parts<'_>) -> String {
     let (name, title, version) = (parts.name, parts.title, &parts.facts.version);
     let mut text = format!(
         "# {title}\n\n\
-         The report `{name}`, with everything that it rests on, archived by slipmode {version}.\n\n\
-         | path | what |\n| --- | --- |\n\
+         The report `{name}`, with all its inputs, archived by slipmode {version}.\n\n\
+         | path | content |\n| --- | --- |\n\
          | `{REPORT_FOLDER}/index.html` | the report as one page; `report.md` is the same in Markdown |\n\
          | `{REPORT_FOLDER}/ledger.json` | every claim with its verdict and evidence |\n\
-         | `{REPORT_FOLDER}/tables/`, `{REPORT_FOLDER}/figures/` | all numbers and pictures |\n\
-         | `{INPUT_FOLDER}/` | what the report was computed from: scenes, claims, equations, prose, hard cases |\n\
+         | `{REPORT_FOLDER}/tables/`, `{REPORT_FOLDER}/figures/` | all numbers and figures |\n\
+         | `{INPUT_FOLDER}/` | inputs of the report: scenes, claims, equations, prose, hard cases |\n\
          | `{VERSIONS_FILE}`, `Cargo.lock` | the program, its libraries, its sources' digest |\n\
          | `SHA256SUMS` | digests, for `sha256sum --check SHA256SUMS` |\n\
          | `ro-crate-metadata.json`, `{STATEMENT_FILE}` | the same for machines: an RO-Crate, and an unsigned in-toto statement |\n\n\
          ## Check it\n\n\
-         `slipmode replay FILE.zip` checks all digests, computes every verdict anew from `{INPUT_FOLDER}/`, and compares all results with `{REPORT_FOLDER}/`.\n\
-         One claim alone, from the unpacked archive:\n\n\
+         `slipmode replay FILE.zip` checks all digests, computes every verdict again from `{INPUT_FOLDER}/`, and compares all results with `{REPORT_FOLDER}/`.\n\
+         To check one claim, from the unpacked archive:\n\n\
          | claim | command | expected |\n| --- | --- | --- |\n"
     );
     for entry in &parts.ledger.claims {

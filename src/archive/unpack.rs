@@ -44,7 +44,7 @@ impl Default for Caps {
 /// a wrong checksum, a cut end, entries that overlap, bytes before or behind, and whatever is beyond the caps.
 pub fn unpack(container: &[u8], caps: &Caps) -> Result<(Files, ReleaseTime), Vec<String>> {
     let mut archive = ZipArchive::new(Cursor::new(container))
-        .map_err(|error| vec![format!("is not a whole zip file: {error}")])?;
+        .map_err(|error| vec![format!("is not a complete zip file: {error}")])?;
     if archive.len() > caps.entries {
         return Err(vec![format!("{} files; at most {} are read", archive.len(), caps.entries)]);
     }
@@ -71,7 +71,7 @@ fn shape_faults(archive: &mut ZipArchive<Cursor<&[u8]>>) -> Vec<String> {
     let found = [
         (archive.has_duplicate_names(), "two files have the same name"),
         (overlapping, "files overlap"),
-        (archive.offset() != 0, "bytes stand before the first file"),
+        (archive.offset() != 0, "has bytes before the first file"),
         (!archive.comment().is_empty(), "it carries a comment"),
     ];
     found.into_iter().filter(|(is_so, _)| *is_so).map(|(_, fault)| fault.to_string()).collect()
@@ -228,7 +228,7 @@ mod tests {
         assert_refused(&flipped, "a.bin");
         let mut longer = b"MZ".to_vec();
         longer.extend(&whole);
-        assert_refused(&longer, "bytes stand before the first file");
+        assert_refused(&longer, "has bytes before the first file");
         let commented = packed(|writer| writer.set_comment("hello").unwrap());
         assert_refused(&commented, "it carries a comment");
     }

@@ -10,15 +10,15 @@ pub(super) const CHECKS: &[Check] = &[
     Check {
         id: "B1",
         criterion: "For a < b the set max Im(s) = 0 has two connected parts over the whole (V, σ) plane, one with positive and one with negative roots.",
-        not_established: "The shape of the areas: see the boundary chapter.",
+        not_established: "The shape of the areas: see the chapter on the boundary.",
         needs: &[Need::Map],
         rests_on: &["L3"],
         decide: b1,
     },
     Check {
         id: "B2",
-        criterion: "Eq 14 is eq 8 with M = 0, and its discriminant vanishes at eqs 15 and 16 and nowhere else.",
-        not_established: "How much inertia moves the two lines: see the asymptotes chapter.",
+        criterion: "Eq 14 is eq 8 with M = 0, and its discriminant vanishes exactly at eqs 15 and 16.",
+        not_established: "How far inertia shifts the two lines: see the chapter on the asymptotes.",
         needs: &[],
         rests_on: &["L3"],
         decide: |context| {
@@ -39,7 +39,7 @@ pub(super) const CHECKS: &[Check] = &[
     Check {
         id: "B4",
         criterion: "Eq 8 times σD_c/V0 tends to eq 17 as D_c → 0, whose discriminant vanishes at eq 18, and the boundary's upper arc tends to eq 18.",
-        not_established: "How near the boundary is to eq 18 at a given D_c: see the asymptotes chapter.",
+        not_established: "The distance between boundary and eq 18 at a given D_c: see the chapter on the asymptotes.",
         needs: &[],
         rests_on: &["L3"],
         decide: |context| Finding::from_proofs([inertial::small_slip_distance(context.equations)]),
@@ -47,19 +47,19 @@ pub(super) const CHECKS: &[Check] = &[
     Check {
         id: "B5",
         criterion: "Eq 8 tends to s times eq 19 as D_c → ∞, whose discriminant vanishes at eq 20, and the boundary's lower arc tends to eq 20.",
-        not_established: "How near the boundary is to eq 20 at a given D_c: see the asymptotes chapter.",
+        not_established: "The distance between boundary and eq 20 at a given D_c: see the chapter on the asymptotes.",
         needs: &[],
         rests_on: &["L3"],
         decide: |context| {
             Finding::from_proofs([inertial::large_slip_distance(context.equations)]).remark(
-                "The paper says that eq 19 is eq 17 with a − b in place of a; it is the other way round: eq 17 has a − b where eq 19 has a.",
+                "The paper describes eq 19 as eq 17 with a − b in place of a. The reverse is true: eq 17 has a − b where eq 19 has a.",
             )
         },
     },
     Check {
         id: "B6",
         criterion: "None of the four equations changes when a and b are exchanged.",
-        not_established: "Anything about the exact boundary under the exchange: see B7.",
+        not_established: "The effect of the exchange on the exact boundary: see B7.",
         needs: &[],
         rests_on: &["B2", "B4", "B5"],
         decide: b6,
@@ -67,7 +67,7 @@ pub(super) const CHECKS: &[Check] = &[
     Check {
         id: "B7",
         criterion: "max Im(s) at every (V, σ) is the same for (a, b) and for (b, a).",
-        not_established: "That a reader could see the difference in the printed figure.",
+        not_established: "Whether the difference is visible in the printed figure.",
         needs: &[Need::Map],
         rests_on: &["L3"],
         decide: b7,
@@ -75,7 +75,7 @@ pub(super) const CHECKS: &[Check] = &[
     Check {
         id: "B8",
         criterion: "Eqs 15, 16, 18 and 20 give the same lines for (a, b) and for (b, a).",
-        not_established: "Which of the two figures was drawn with which line.",
+        not_established: "Which line the authors drew in which figure.",
         needs: &[],
         rests_on: &["B6"],
         decide: b8,
@@ -83,7 +83,7 @@ pub(super) const CHECKS: &[Check] = &[
     Check {
         id: "B9",
         criterion: "Each of the areas (i)-(iv) has a point, for a < b, a = b and a > b.",
-        not_established: "That the four areas are what a reader would call slip modes: see Z1.",
+        not_established: "Whether the four areas match the slip modes: see Z1.",
         needs: &[],
         rests_on: &["B1", "S1"],
         decide: b9,
@@ -134,16 +134,17 @@ fn b6(context: &Context) -> Finding {
     let factors: Vec<String> = exchanges
         .iter()
         .filter(|e| !e.invariant)
-        .map(|e| format!("eq {}, whose solution is multiplied by {}", e.equation, e.factor))
+        .map(|e| format!("the solution of eq {} is multiplied by {}", e.equation, e.factor))
         .collect();
     let fixed_a: Vec<&str> = exchanges.iter().filter(|e| !e.contains_b).map(|e| e.equation).collect();
     let finding = Finding::from_proofs(exchanges.iter().map(|exchange| Ok(exchange.proof.clone())));
     if moved.is_empty() {
         return finding;
     }
-    let finding = finding.outside(format!("Exchanging a and b: the solution of {}.", factors.join(", of "))).remark(format!(
-        "Two readings: no formula asks for the sign of a − b (true of all four; eq {} does not contain b at all), or exchanging a \
-         and b changes nothing, as the paper concludes. The second is true of eqs {kept} only.",
+    let finding = finding.outside(format!("When a and b are exchanged, {}.", factors.join(", "))).remark(format!(
+        "The claim has two readings. First: no formula depends on the sign of a − b. This holds for all four; eq {} \
+            does not contain b at all. Second: exchanging a and b changes nothing, as the paper concludes. This holds \
+            for eqs {kept} only.",
         fixed_a.join(", "),
     ));
     if kept.is_empty() {
@@ -156,7 +157,7 @@ fn b6(context: &Context) -> Finding {
 fn b7(context: &Context) -> Finding {
     let finding = Finding::from_disproof(
         exchange::frequency_contours(context.equations),
-        "Without inertia the exchange multiplies every frequency by a/b; with inertia the contour of frequency zero moves as well.",
+        "Without inertia the exchange multiplies every frequency by a/b. With inertia the contour of zero frequency moves too.",
     );
     match largest_frequency_change(context) {
         Some(evidence) => finding.with_supporting(evidence),
@@ -179,7 +180,7 @@ fn largest_frequency_change(context: &Context) -> Option<Evidence> {
             usize::from(point.max_imaginary_per_s.is_zero() != exchanged.max_imaginary_per_s.is_zero());
     }
     Some(Evidence::Sample {
-        quantity: "Points of the two maps at which one oscillates and the other does not".into(),
+        quantity: "Grid points that oscillate in one map and not in the other".into(),
         value: differing.to_string(),
         points: one.len(),
     })
@@ -194,13 +195,13 @@ fn b8(context: &Context) -> Finding {
                 .filter(|exchange| !exchange.invariant)
                 .map(|exchange| {
                     format!(
-                        "the velocity of eq {} is multiplied by {} when a and b are exchanged",
+                        "Exchanging a and b multiplies the velocity of eq {} by {}.",
                         exchange.equation, exchange.factor
                     )
                 })
                 .collect();
             let finding = Finding::from_proofs(exchanges.into_iter().map(|exchange| Ok(exchange.proof)));
-            if moved.is_empty() { finding } else { finding.refuted(moved.join("; ")) }
+            if moved.is_empty() { finding } else { finding.refuted(moved.join(" ")) }
         }
     }
 }
@@ -230,7 +231,5 @@ fn b9(context: &Context) -> Finding {
     if lacking.is_empty() {
         return finding;
     }
-    finding
-        .within(complete.join("; "))
-        .outside(format!("The areas that exist are, for {}.", lacking.join("; for ")))
+    finding.within(complete.join("; ")).outside(format!("Existing areas for {}.", lacking.join("; for ")))
 }

@@ -38,9 +38,7 @@ impl Finding {
     pub fn from_disproof(disproof: Result<Proof, Refutation>, counter_example: &str) -> Self {
         match disproof.and_then(|proof| proof.recheck().map(|()| proof)) {
             Ok(proof) => Finding::holding(Strength::Exact).with_proof(Ok(proof)).refuted(counter_example),
-            Err(refutation) => {
-                Finding::not_checked(format!("The disproof does not go through: {refutation}"))
-            }
+            Err(refutation) => Finding::not_checked(format!("The disproof fails: {refutation}")),
         }
     }
 

@@ -12,7 +12,7 @@ use slipmode_core::theory::{frequency, non_inertial, period};
 pub(super) const CHECKS: &[Check] = &[
     Check {
         id: "Q1",
-        criterion: "Every complex root of eq 8 has |s| < √(K/M), for all parameters, and the bound is approached.",
+        criterion: "Every complex root of eq 8 has |s| < √(K/M) for all parameters, and some roots come arbitrarily close to this bound.",
         not_established: "The frequency of finite-amplitude motion.",
         needs: &[],
         rests_on: &["L3"],
@@ -26,7 +26,7 @@ pub(super) const CHECKS: &[Check] = &[
     Check {
         id: "Q2",
         criterion: "Eq 8 tends to eq 21 as V0 → ∞ and to eq 22 as σ → 0, and both have the roots ±i√(K/M).",
-        not_established: "How fast the limits are approached.",
+        not_established: "The rate of convergence to the limits.",
         needs: &[],
         rests_on: &["L3"],
         decide: |context| Finding::from_proofs([frequency::limits(context.equations)]),
@@ -34,7 +34,7 @@ pub(super) const CHECKS: &[Check] = &[
     Check {
         id: "Q3",
         criterion: "At σ = σ_c the ratio of max Im(s) to eq 23 tends to 1 as V0 → 0, and max Im(s) rises strictly with V0.",
-        not_established: "Monotony along other lines of constant normal stress.",
+        not_established: "Monotonic behaviour along other lines of constant normal stress.",
         needs: &[Need::Frequency],
         rests_on: &["S6", "Q1"],
         decide: q3,
@@ -42,14 +42,14 @@ pub(super) const CHECKS: &[Check] = &[
     Check {
         id: "Q4",
         criterion: "Below ω_n the frequency depends neither on M nor on K.",
-        not_established: "That a reader of fig 2, where K is fixed, would notice.",
+        not_established: "Whether the dependence is visible in fig 2, where K is fixed.",
         needs: &[],
         rests_on: &["B2", "S6"],
         decide: q4,
     },
     Check {
         id: "Q5",
-        criterion: "√(K/M) of the paper's values is 100 /s, and 2π/ω_n rounds to the printed period.",
+        criterion: "For the paper's values √(K/M) is 100 /s, and 2π/ω_n rounds to the printed period.",
         not_established: "The period of the simulated vibrations: see the N claims.",
         needs: &[],
         rests_on: &[],
@@ -57,8 +57,8 @@ pub(super) const CHECKS: &[Check] = &[
     },
     Check {
         id: "Q6",
-        criterion: "Between eqs 16 and 15 a bound on max Im(s)/ω_n tends to 0 with the velocity.",
-        not_established: "Where the authors drew the dashed line of fig 3a.",
+        criterion: "Between eqs 16 and 15, an upper bound of max Im(s)/ω_n tends to 0 with the velocity.",
+        not_established: "The equation of the dashed line of fig 3a.",
         needs: &[],
         rests_on: &["B2", "Q1"],
         decide: q6,
@@ -72,7 +72,7 @@ fn printed_period_s() -> Rational {
 
 fn q3(context: &Context) -> Finding {
     let finding = Finding::from_proofs([non_inertial::at_critical_stress(context.equations)]).within(
-        "eq 23 is the limit V0 → 0, and ω_n the limit V0 → ∞: the frequency lies strictly below both at every velocity",
+        "eq 23 is the limit V0 → 0 and ω_n is the limit V0 → ∞; the frequency is strictly below both at every velocity",
     );
     let Some(scene) = context.outcome.potentially_unstable() else { return finding };
     let (Some(parameters), Some(outcome)) = (scene.slider(), &scene.frequency) else { return finding };
@@ -108,7 +108,7 @@ fn last_velocity_near(outcome: &FrequencyOutcome, line: &FrequencyLine, eq23_per
         })
         .last();
     Evidence::Sample {
-        quantity: "Highest velocity of the line up to which eq 23 is within 1 %".into(),
+        quantity: "Highest velocity of the line up to which eq 23 has an error below 1 %".into(),
         value: near.map_or("none".into(), |(velocity, _)| format!("{} m/s", round_digits(*velocity, 4))),
         points: outcome.loading_velocity_m_per_s.len(),
     }
@@ -117,15 +117,15 @@ fn last_velocity_near(outcome: &FrequencyOutcome, line: &FrequencyLine, eq23_per
 fn q4(context: &Context) -> Finding {
     Finding::from_disproof(
         non_inertial::mass_and_stiffness(context.equations),
-        "Stiffness: without inertia, at K = K_c,qs, K dω²/dK = ω², so that the frequency grows as √K.",
+        "Stiffness: without inertia, K dω²/dK = ω² at K = K_c,qs, so the frequency grows as √K.",
     )
-    .remark("Mass: without inertia (eq 14) the frequency does not depend on it, and with inertia only to the relative order η: this half holds.")
-    .remark("Eq 23 contains no K because K was replaced by K_c; along it K is tied to the other parameters.")
+    .remark("Mass: without inertia (eq 14) the frequency does not depend on mass; with inertia it depends on mass only to the relative order η. This half of the claim holds.")
+    .remark("Eq 23 does not contain K because K was replaced by K_c; there the other parameters determine K.")
 }
 
 fn q5(context: &Context) -> Finding {
     let Some(parameters) = context.outcome.potentially_unstable().and_then(|scene| scene.slider()) else {
-        return Finding::not_checked("The report has no scene with a < b to take K and M from.");
+        return Finding::not_checked("No scene of the report has a < b, so K and M are unknown.");
     };
     match period::natural(
         context.equations,
@@ -169,10 +169,10 @@ fn q6(context: &Context) -> Finding {
         / Ball::from(200);
     let velocity = certain_digits(&velocity_squared.sqrt(), 6);
     finding
-        .within(format!("ω < ω_n/10 for V0 below {velocity} m/s anywhere between eqs 16 and 15, because (ω/ω_n)² < 2η"))
+        .within(format!("ω < ω_n/10 everywhere between eqs 16 and 15 for V0 below {velocity} m/s, because (ω/ω_n)² < 2η"))
         .with_evidence(Evidence::Enclosure {
             quantity: "Velocity with η = 1/200 on eq 16".into(),
             value: format!("{velocity} m/s"),
         })
-        .remark("The dashed line of fig 3a has no equation in the paper. Candidates: the line η = 1, on which K = K_c has ω = ω_n/√2, and V0 = V_c, where eq 23 meets ω_n; the two cross on σ = σ_c.")
+        .remark("The paper gives no equation for the dashed line of fig 3a. Two candidates: the line η = 1, on which K = K_c has ω = ω_n/√2, and the line V0 = V_c, where eq 23 equals ω_n. The two cross on σ = σ_c.")
 }

@@ -8,16 +8,16 @@ use slipmode_core::theory::{linearisation, regularised, steady_state};
 pub(super) const CHECKS: &[Check] = &[
     Check {
         id: "F1",
-        criterion: "θ = D_c/V makes the right sides of eqs 2 and 3 zero, and puts eq 1 into μ0 + (a−b) ln(V/V0).",
-        not_established: "That a real contact reaches this steady state.",
+        criterion: "With θ = D_c/V, the right sides of eqs 2 and 3 are zero, and eq 1 becomes μ0 + (a−b) ln(V/V0).",
+        not_established: "Whether a real contact reaches this steady state.",
         needs: &[],
         rests_on: &[],
         decide: |context| Finding::from_proofs([steady_state::prove(context.equations)]),
     },
     Check {
         id: "F2",
-        criterion: "The derivatives of the right sides of eqs 2 and 3 in V and in θ agree at steady state.",
-        not_established: "Agreement of the laws at any finite distance from steady state.",
+        criterion: "At steady state, the right sides of eqs 2 and 3 have the same derivatives in V and in θ.",
+        not_established: "Whether the laws agree at a finite distance from steady state.",
         needs: &[],
         rests_on: &["F1"],
         decide: |context| Finding::from_proofs([linearisation::laws_agree(context.equations)]),
@@ -32,7 +32,7 @@ pub(super) const CHECKS: &[Check] = &[
     },
     Check {
         id: "F4",
-        criterion: "The regularised law has the same linearisation at steady sliding, up to a certified relative difference.",
+        criterion: "The regularised law has the same linearisation at steady sliding, except for a certified relative difference.",
         not_established: "The size of the difference during the stick phases of a nonlinear run, where V is far below V0.",
         needs: &[],
         rests_on: &["L3"],
@@ -47,7 +47,7 @@ fn reference_friction() -> Rational {
 
 fn f4(context: &Context) -> Finding {
     let Some(parameters) = context.outcome.potentially_unstable().and_then(|scene| scene.slider()) else {
-        return Finding::not_checked("The report has no scene with a < b to take the direct effect a from.");
+        return Finding::not_checked("No scene of the report has a < b, so the direct effect a is unknown.");
     };
     match regularised::bound(context.equations, &reference_friction(), &parameters.direct_effect) {
         Err(refutation) => Finding::from_proofs([Err(refutation)]),
@@ -55,7 +55,7 @@ fn f4(context: &Context) -> Finding {
             let bound = difference.log10_bound;
             Finding::from_proofs([Ok(difference.proof)])
                 .within(format!("a relative difference of σ in eq 8 below 1e{bound}, for μ0 = 0.6 and the scene's a"))
-                .remark("The two laws are not identical: the regularised one multiplies a and b by one factor below 1, which no 64-bit computation could tell from 1.")
+                .remark("The two laws are not identical: the regularised law multiplies a and b by a factor below 1. In 64-bit arithmetic this factor rounds to 1.")
         }
     }
 }

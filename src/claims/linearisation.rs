@@ -11,7 +11,7 @@ pub(super) const CHECKS: &[Check] = &[
     Check {
         id: "L1",
         criterion: "Differentiating eqs 1, 2 or 3, and 4 at steady state gives eqs 5 and 6 term by term, for both laws.",
-        not_established: "How large a disturbance may be before the linearisation misleads.",
+        not_established: "The size of disturbance at which the linearisation fails.",
         needs: &[],
         rests_on: &["F1"],
         decide: l1,
@@ -19,15 +19,15 @@ pub(super) const CHECKS: &[Check] = &[
     Check {
         id: "L2",
         criterion: "Eliminating Δδ from eqs 5 and 6 gives eq 7.",
-        not_established: "Whether the dots missing in the text at hand are missing in the typeset paper.",
+        not_established: "Whether the dots missing in our text of the paper are also missing in the typeset paper.",
         needs: &[],
         rests_on: &["L1"],
         decide: l2,
     },
     Check {
         id: "L3",
-        criterion: "The characteristic polynomial of eqs 5 and 6 is the left side of eq 8; small disturbances of the nonlinear equations, where a report runs them, have its roots as their rates.",
-        not_established: "Anything about solutions that are not of the form exp(st).",
+        criterion: "The characteristic polynomial of eqs 5 and 6 is the left side of eq 8. If a report simulates small disturbances of the nonlinear equations, their rates are its roots.",
+        not_established: "The behaviour of solutions that are not of the form exp(st).",
         needs: &[Need::LinearRegime],
         rests_on: &["L1", "L2"],
         decide: l3,
@@ -43,8 +43,8 @@ fn l2(context: &Context) -> Finding {
     let orders = third_order::orders(context.equations);
     match third_order::refute_printed(context.equations) {
         Some(_) => finding.remark(format!(
-            "The derivatives of Δθ have the orders {}. The text at hand shows {}, which does not follow from eqs 5 and 6; dots \
-             may have been lost between the typeset page and the text.",
+            "The derivatives of Δθ have the orders {}. Our text of the paper shows {}, which does not follow from eqs \
+                5 and 6; the conversion of the typeset page to text may have lost dots.",
             join(&orders.derived),
             orders.printed.as_deref().map_or_else(String::new, join),
         )),
@@ -98,7 +98,7 @@ impl<'o> SmallDisturbances<'o> {
             .with_supporting(Evidence::Simulation {
                 quantity: "Largest |p_measured − p|/|p| of small disturbances of the nonlinear slider, all roots, both laws".into(),
                 value: format!(
-                    "{} at amplitude {}, {} of it unexplained by the quadratic terms",
+                    "{} at amplitude {}; the quadratic terms do not explain {} of it",
                     round_digits(self.largest(ModeRuns::least_mismatch), 2),
                     round_digits(amplitude, 2),
                     round_digits(unexplained, 1)

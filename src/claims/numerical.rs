@@ -18,71 +18,71 @@ pub(super) const CHECKS: &[Check] = &[
     Check {
         id: "N1",
         criterion: "Every run of the grid with K < K_c ends on a limit cycle and every run with K > K_c decays.",
-        not_established: "What happens between the grid's points, nearer to K = K_c than the grid comes: see N4.",
+        not_established: "The behaviour between the grid's points and closer to K = K_c than the grid: see N4.",
         needs: NEEDS,
         rests_on: &["S1"],
         decide: |context| n1(context).unwrap_or_else(|undecided| undecided),
     },
     Check {
         id: "N2",
-        criterion: "The slip mode read off the trajectory alone is at every grid point that of the exact linear theory.",
-        not_established: "The six cases of fig 3b-g themselves, whose coordinates the text does not state; the word for a cycle depends on the threshold ω/ω_n = √½.",
+        criterion: "At every grid point, the slip mode determined from the trajectory alone is the slip mode of the exact linear theory.",
+        not_established: "The six cases of fig 3b-g themselves, because the text does not state their coordinates. The name of a cycle depends on the threshold ω/ω_n = √½.",
         needs: NEEDS,
         rests_on: &["S1", "B1"],
         decide: |context| n2(context).unwrap_or_else(|undecided| undecided),
     },
     Check {
         id: "N3",
-        criterion: "The peak velocity of the limit cycles rises between all neighbours of the grid, along σ and along V_l.",
-        not_established: "Monotony between the grid's points.",
+        criterion: "The peak velocity of the limit cycles rises between all neighbouring grid points, along σ and along V_l.",
+        not_established: "Monotonic behaviour between the grid's points.",
         needs: NEEDS,
         rests_on: &["N1"],
         decide: |context| n3(context).unwrap_or_else(|undecided| undecided),
     },
     Check {
         id: "N4",
-        criterion: "Both laws end in the same behaviour at every grid point and in every run next to K = K_c, and neither has a limit cycle where K > K_c.",
-        not_established: "Starts other than V_l/10 in steady state, and cycles that no continuation from K = K_c reaches.",
+        criterion: "Both laws have the same long-term behaviour at every grid point and in every run next to K = K_c, and neither has a limit cycle where K > K_c.",
+        not_established: "Starts other than steady state at V_l/10, and limit cycles that continuation from K = K_c does not reach.",
         needs: &[Need::Simulations, Need::NearTransition],
         rests_on: &["F2"],
         decide: |context| n4(context).unwrap_or_else(|undecided| undecided),
     },
     Check {
         id: "N5",
-        criterion: "Between stick-slip neighbours at one V_l, stress drop and period are both smaller at the lower σ.",
-        not_established: "Monotony between the grid's points.",
+        criterion: "For neighbouring stick-slip points at the same V_l, stress drop and period are both smaller at the lower σ.",
+        not_established: "Monotonic behaviour between the grid's points.",
         needs: NEEDS,
         rests_on: &["N1"],
         decide: |context| n5(context).unwrap_or_else(|undecided| undecided),
     },
     Check {
         id: "N6",
-        criterion: "At each σ the velocity where small deviations begin to oscillate in simulations is that of the exact boundary, and eq 20 lies within twice its own leading error bσ/(2KD_c) of it.",
-        not_established: "The velocities of the paper's own runs, which only the colours of fig 3a state; other starts than V_l/10 in steady state, and other definitions of what a reader sees.",
+        criterion: "At each σ, small deviations in simulations begin to oscillate at the velocity of the exact boundary, and eq 20 differs from it by at most twice its own leading error bσ/(2KD_c).",
+        not_established: "The velocities of the paper's own runs, which only the colours of fig 3a show; starts other than steady state at V_l/10; other definitions of visible oscillation.",
         needs: &[Need::Onset],
         rests_on: &["B5"],
         decide: |context| n6(context).unwrap_or_else(|undecided| undecided),
     },
     Check {
         id: "N7",
-        criterion: "At every σ above σ_c the velocity that minimises the peak velocity is that of eq 18, to the error of the minimiser.",
-        not_established: "A minimum outside one decade around eq 18; normal stresses below σ_c, where eq 18 lies in the stable zone.",
+        criterion: "At every σ above σ_c, the velocity that minimises the peak velocity equals that of eq 18 within the error of the minimisation.",
+        not_established: "Minima outside one decade around eq 18; normal stresses below σ_c, where eq 18 lies in the stable zone.",
         needs: NEEDS,
         rests_on: &["B4"],
         decide: |context| n7(context).unwrap_or_else(|undecided| undecided),
     },
     Check {
         id: "N8",
-        criterion: "Between neighbours at one σ the peak velocity falls in stick-slip and rises in harmonic vibration.",
-        not_established: "That another threshold between the two modes gives the same counts.",
+        criterion: "Between neighbouring points at the same σ, the peak velocity falls with V_l in stick-slip and rises with V_l in harmonic vibration.",
+        not_established: "Whether another threshold between the two modes gives the same counts.",
         needs: NEEDS,
         rests_on: &["N1"],
         decide: |context| n8(context).unwrap_or_else(|undecided| undecided),
     },
     Check {
         id: "N9",
-        criterion: "For a > b every run decays, and small motion oscillates exactly where the discriminant is negative.",
-        not_established: "What a reader sees: an oscillation that dies within a fraction of its period exists but leaves no visible wave.",
+        criterion: "For a > b every run decays, and small deviations oscillate exactly where the discriminant is negative.",
+        not_established: "Visible oscillation: an oscillation that decays within a fraction of its period leaves no visible wave.",
         needs: NEEDS,
         rests_on: &["S5", "B1"],
         decide: |context| n9(context).unwrap_or_else(|undecided| undecided),
@@ -109,12 +109,12 @@ fn n1(context: &Context) -> Result<Finding, Finding> {
         format!("{cycles} limit cycles, {} decays", grid.runs.len() - cycles)
     });
     Ok(Finding::from_proofs([])
-        .with_evidence(evidence(&grids, "Late behaviour", value))
+        .with_evidence(evidence(&grids, "Long-term behaviour", value))
         .require(wrong.is_empty(), || {
             format!("{} runs contradict the sign of K − K_c: {}", wrong.len(), wrong[0].place())
         })
         .remark(format!(
-            "The grid comes as near to K = K_c as K/K_c = {} and {}.",
+            "The grid points closest to K = K_c have K/K_c = {} and {}.",
             round_digits(below, 4),
             round_digits(above, 4)
         )))
@@ -146,18 +146,18 @@ fn n2(context: &Context) -> Result<Finding, Finding> {
             points: all.len(),
         })
         .require(slowed == differing.len(), || {
-            format!("{} modes differ otherwise than in the period of a cycle", differing.len() - slowed)
+            format!("{} modes differ in more than the period of a cycle", differing.len() - slowed)
         });
     let Some(first) = differing.first() else { return Ok(finding) };
     Ok(finding
         .within(format!(
-            "{} of {} runs; the other {} are unstable with a complex pair above the threshold, but their limit cycle is slower than their small oscillation and falls below it",
+            "{} of {} runs; the other {} are unstable with a complex pair above the frequency threshold, but their limit cycle is slower than their small oscillation and falls below the threshold",
             all.len() - differing.len(),
             all.len(),
             differing.len()
         ))
         .outside(format!("{}: theory harmonic vibration, simulation stick-slip", first.place()))
-        .remark("Stick-slip answers two of the six conditions, so that there are five words for six conditions; no simulation tells those two apart."))
+        .remark("Two of the six conditions give stick-slip, so there are five names for six conditions. No simulation distinguishes these two conditions."))
 }
 
 /// Relative deviation of a decay's period from that of the exact pair; 0 without oscillation.
@@ -177,7 +177,7 @@ fn n9(context: &Context) -> Result<Finding, Finding> {
     let finding = Finding::from_proofs([])
         .with_evidence(evidence(
             &grids,
-            "Runs that oscillate late",
+            "Runs that oscillate in the long term",
             for_each_law(&grids, |grid| format!("{} of {}", oscillating(grid), grid.runs.len())),
         ))
         .require(!all.iter().any(|run| run.periodic()), || "a run ends on a limit cycle".into())

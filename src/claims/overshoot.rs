@@ -33,7 +33,7 @@ impl Overshoots {
     pub(super) fn limit(&self) -> String {
         let [all, passing] = self.counts;
         format!(
-            "oscillation of what is left late; of the {all} runs below the lower boundary, which do not oscillate, {passing} pass V_l once on their way from V_l/10, by up to {} of it",
+            "oscillation in the long term; the {all} runs below the lower boundary do not oscillate, but {passing} of them exceed V_l once on their way from V_l/10, by up to {} of V_l",
             round_digits(self.lower, 2)
         )
     }

@@ -12,15 +12,15 @@ pub(crate) const TABLES: &[TableMaker] =
 fn planted_faults(context: &Context) -> Option<Table> {
     let columns = vec![
         Column::text("equation", "Eq"),
-        Column::number("same", "Same in other words", ""),
+        Column::number("same", "Equivalent forms", ""),
         Column::number("planted", "Wrong versions", ""),
         Column::number("noticed", "Noticed", ""),
         Column::number("rate_percent", "Kill rate", "%"),
-        Column::text("noticed_by", "Noticed first by"),
+        Column::text("noticed_by", "First detected by"),
         Column::text("survivors", "Not noticed"),
     ];
-    let mut table = Table::new("planted-faults", "Wrong equations planted on purpose, and the claims that notice", columns)
-        .with_note("Every numbered equation with one sign turned, one term doubled, one exponent or root changed, or a and b exchanged; versions that say the same in other words are no faults. For each wrong version the claims of linear theory are decided again, by the code that decides the ledger, until a verdict is another one: then it is noticed.");
+    let mut table = Table::new("planted-faults", "Deliberately wrong equations, and the claims that detect them", columns)
+        .with_note("Each numbered equation with one sign reversed, one term doubled, one exponent or root changed, or a and b exchanged. Equivalent forms are not counted as wrong. For each wrong version, the code of the ledger decides the claims of linear theory again until a verdict changes; the version then counts as detected.");
     let found = plant_faults(context);
     for one in &found {
         let survivors: Vec<String> =

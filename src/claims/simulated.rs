@@ -32,7 +32,7 @@ pub(super) type Pick = fn(&Outcome) -> Option<&SceneOutcome>;
 pub(super) fn outcome<'c>(context: &'c Context, pick: Pick) -> Result<&'c SimulationsOutcome, Finding> {
     pick(context.outcome)
         .and_then(|scene| scene.simulations.as_ref())
-        .ok_or_else(|| Finding::not_checked("The report has no simulations of the slider in question."))
+        .ok_or_else(|| Finding::not_checked("The report has no simulations of this slider."))
 }
 
 /// The grids of a scene, if every run has a result: a claim on every simulation cannot be decided when runs failed.

@@ -24,7 +24,7 @@ pub(super) fn n4(context: &Context) -> Result<Finding, Finding> {
     let (Some(slip), Some(aging)) = (by(EvolutionLaw::Slip), by(EvolutionLaw::Aging)) else {
         return Err(Finding::not_checked("The report does not simulate both laws."));
     };
-    let missing = || Finding::not_checked("The report does not look next to K = K_c.");
+    let missing = || Finding::not_checked("The report has no runs next to K = K_c.");
     let scene = context.outcome.potentially_unstable().ok_or_else(missing)?;
     let near = scene.near_transition.as_ref().ok_or_else(missing)?;
     consistent(near)?;
@@ -53,7 +53,7 @@ pub(super) fn n4(context: &Context) -> Result<Finding, Finding> {
         Some(widest) => Ok(within_strip(finding, scene, near, widest, &coexisting)),
         None if !coexisting.is_empty() => Ok(finding.refuted(ends(&coexisting))),
         None if renamed == 0 => Ok(finding),
-        None => Ok(finding.within(format!("the same stability everywhere; {renamed} of {points} cycles differ in period enough to be named differently"))),
+        None => Ok(finding.within(format!("the same stability everywhere; {renamed} of {points} cycles differ so much in period that their names differ"))),
     }
 }
 
@@ -68,7 +68,7 @@ fn consistent(near: &NearTransitionOutcome) -> Result<(), Finding> {
     match near.families.iter().find(|family| !sides(family)) {
         None => Ok(()),
         Some(family) => Err(Finding::not_checked(format!(
-            "With the {} law at η = {} no small cycle was found on the side of K = K_c that the first Lyapunov coefficient says.",
+            "With the {} law at η = {}, no small cycle was found on the side of K = K_c that the first Lyapunov coefficient predicts.",
             family.law.as_str(),
             rational_to_decimal(&family.inertial_parameter, 6)
         ))),
@@ -113,7 +113,7 @@ fn within_strip(
 ) -> Finding {
     let count = near.families.iter().filter(|family| matches!(family.edge, Ok(Some(_)))).count();
     let limit = format!(
-        "infinitesimal disturbances: with the {} law a stable limit cycle coexists with stable sliding up to K/K_c = 1 + {} (± {}) at η = {}, the widest of {count} values of η looked at",
+        "infinitesimal disturbances only: with the {} law a stable limit cycle coexists with stable sliding up to K/K_c = 1 + {} (± {}) at η = {}, the largest range for {count} values of η",
         family.law.as_str(),
         round_digits(edge.excess, 5),
         round_digits(edge.error, 1),
@@ -136,7 +136,7 @@ fn place(scene: &SceneOutcome, near: &NearTransitionOutcome) -> Option<String> {
     let stresses = scene.scene.simulations.as_ref()?.rectangle.normal_stress_pa.coordinates();
     let step = stresses.windows(2).map(|pair| libm::log10(pair[1] / pair[0])).fold(f64::INFINITY, f64::min);
     Some(format!(
-        "With the parameters of the simulations the strip lies on the low-velocity side of V_l = {} m/s, σ = {} Pa along K = K_c, where η = η_0 = 1/(3 + 2√(β + 3)) = {}, and is at most {} dex of normal stress wide (the steps of the grid are {} dex): a map of this resolution cannot show it.",
+        "For the parameters of the simulations, the bistable strip follows K = K_c on the low-velocity side of the point V_l = {} m/s, σ = {} Pa, where η = η_0 = 1/(3 + 2√(β + 3)) = {}. It is at most {} dex of normal stress wide. The steps of the grid are {} dex, so the map does not show it.",
         round_digits(velocity, 3),
         round_digits(stress, 3),
         round_digits(limit, 4),
@@ -165,12 +165,12 @@ fn runs_evidence(near: &NearTransitionOutcome) -> Evidence {
     };
     Evidence::Simulation {
         quantity:
-            "Runs next to K = K_c: on a cycle / in sliding / without a result, for K < K_c and for K > K_c"
+            "Runs next to K = K_c that end on a limit cycle / in steady sliding / without a result, for K < K_c and for K > K_c"
                 .into(),
         value: [false, true]
             .map(|above| [Some(true), Some(false), None].map(|end| count(end, above).to_string()).join(" / "))
             .join(" and "),
-        error: "each end is the same at two tolerances".into(),
+        error: "each result is the same at two tolerances".into(),
         runs: near.runs.len(),
     }
 }

@@ -48,7 +48,7 @@ pub(super) fn n7(context: &Context) -> Result<Finding, Finding> {
         )
     };
     let finding = Finding::from_proofs([]).with_evidence(Evidence::Simulation {
-        quantity: "log10 of the minimising velocity over that of eq 18: law, σ, offset".into(),
+        quantity: "log10 of the minimising velocity divided by that of eq 18: law, σ, offset".into(),
         value: least.iter().map(each).collect::<Vec<_>>().join("; "),
         error: format!("{} dex at most", round_digits(error, 2)),
         runs: least.len(),
@@ -65,25 +65,25 @@ pub(super) fn n7(context: &Context) -> Result<Finding, Finding> {
     Ok(finding
         .with_evidence(Evidence::Simulation {
             quantity: format!(
-                "Width of the stretch of V_l whose peak is within {} % and {} % of the least, dex",
+                "Width of the range of V_l whose peak is within {} % and {} % of the minimum, in dex",
                 percent(FLATNESS_LEVELS[0]),
                 percent(FLATNESS_LEVELS[1])
             ),
             value: format!("{}; {}", range(widths(0), 3), range(widths(1), 3)),
-            error: format!("{SIDE_WIDTH} dex at each side"),
+            error: format!("{SIDE_WIDTH} dex at each end"),
             runs: least.len(),
         })
         .within(format!(
-            "offsets of {} dex from eq 18; the peak there is at most {} % above the least one, and within {} % of it in {} of {} cases",
+            "the minimum is offset from eq 18 by {} dex; the peak at eq 18 is at most {} % above the minimum, and within {} % of it in {} of {} cases",
             range(offsets, 3),
             percent(excess - 1.0),
             percent(FLATNESS_LEVELS[1]),
             inside(1),
             least.len()
         ))
-        .outside(format!("the minimum lies {} dex from eq 18, not on it", range(offsets, 3)))
-        .remark("Dividing by the peak at one velocity, as fig 5 does, changes no minimum.")
-        .remark("The minimum is flat, so that a grid of quarter decades cannot place it better than the grid is wide."))
+        .outside(format!("the minimum is offset from eq 18 by {} dex", range(offsets, 3)))
+        .remark("Fig 5 divides by the peak at one velocity. This does not move the minimum.")
+        .remark("The minimum is flat, so a grid of quarter decades locates it only to within one grid step."))
 }
 
 pub(super) fn n8(context: &Context) -> Result<Finding, Finding> {
@@ -102,15 +102,17 @@ pub(super) fn n8(context: &Context) -> Result<Finding, Finding> {
     let finding = Finding::from_proofs([])
         .with_evidence(evidence(
             &grids,
-            "Stick-slip neighbours at one σ whose peak velocity falls with V_l",
+            "Neighbouring stick-slip points at the same σ whose peak velocity falls with V_l",
             for_each_law(&grids, |grid| of(stick_slip(grid))),
         ))
         .with_evidence(evidence(
             &grids,
-            "Harmonic neighbours at one σ whose peak velocity rises with V_l",
+            "Neighbouring points of harmonic vibration at the same σ whose peak velocity rises with V_l",
             for_each_law(&grids, |grid| of(vibration(grid))),
         ))
-        .require(grows.0 == grows.1, || format!("in vibration only {} neighbours rise", of(grows)));
+        .require(grows.0 == grows.1, || {
+            format!("in vibration the peak velocity rises for {} neighbours only", of(grows))
+        });
     let least = &outcome(context, Outcome::potentially_unstable)?.least_peaks;
     let after = |change: fn(&LeastPeak) -> Option<f64>| {
         extent(least.iter().filter_map(|found| Some(change(found)? - found.offset_dex)))
@@ -118,7 +120,7 @@ pub(super) fn n8(context: &Context) -> Result<Finding, Finding> {
     let (cycle, theory) =
         (after(|found| found.cycle_mode_change_dex), after(|found| found.theory_mode_change_dex));
     let finding = finding.with_evidence(Evidence::Simulation {
-        quantity: "log10 of the velocity where the mode changes over that where the peak turns: mode of the cycle; of small deviations by the exact theory".into(),
+        quantity: "log10 of the ratio of two velocities, where the mode changes and where the peak is lowest: for the mode of the cycle; for the mode of small deviations by the exact theory".into(),
         value: format!("{} dex; {} dex", range(cycle, 3), range(theory, 3)),
         error: format!("{SIDE_WIDTH} dex"),
         runs: least.len(),
@@ -126,7 +128,7 @@ pub(super) fn n8(context: &Context) -> Result<Finding, Finding> {
     let Some(pair) = stray else { return Ok(finding) };
     Ok(finding
         .within(format!(
-            "{} stick-slip neighbours, and all {} harmonic ones: the cycle's frequency passes the threshold {} dex above the velocity where the peak turns",
+            "{} stick-slip neighbours, and all {} of harmonic vibration; the cycle's frequency passes the threshold {} dex above the velocity of the lowest peak",
             of(falls),
             grows.1,
             range(cycle, 3)

@@ -33,7 +33,7 @@ pub(super) fn n6(context: &Context) -> Result<Finding, Finding> {
         .potentially_unstable()
         .ok_or_else(|| Finding::not_checked("The report has no scene with a < b."))?;
     let (Some(parameters), Some(outcome)) = (scene.slider(), scene.onset.as_ref()) else {
-        return Err(Finding::not_checked("The report does not look for the onset of oscillation."));
+        return Err(Finding::not_checked("The report does not compute the onset of oscillation."));
     };
     let lower = outcome.lines.iter().filter(|line| line.asymptote == Asymptote::InertialLower);
     let compared: Option<Vec<Compared>> = lower.map(|line| compare(context, parameters, line)).collect();
@@ -46,7 +46,7 @@ pub(super) fn n6(context: &Context) -> Result<Finding, Finding> {
     Ok(unit(finding, &outcome.other_unit)
         .within(limit(outcome, &compared))
         .remark(first_peak(&compared))
-        .remark("The text states no velocity of fig 4. The report's runs take five of fig 3a's quarter decades, two below eq 20 and three above it, as the words on the colours ask."))
+        .remark("The text states no velocity for fig 4. The report's runs use five of fig 3a's quarter decades, two below eq 20 and three above it, consistent with the text on the colours."))
 }
 
 fn compare<'c>(context: &Context, slider: &Slider<Rational>, line: &'c Onset) -> Option<Compared<'c>> {
@@ -105,7 +105,7 @@ fn assess(finding: Finding, compared: &Compared) -> Finding {
         })
         .require(compared.is_near(), || {
             format!(
-                "at σ = {stress} Pa oscillation begins at {} times the velocity of eq 20, though its series allows {} % at most",
+                "at σ = {stress} Pa oscillation begins at {} times the velocity of eq 20, although its series allows at most {} %",
                 round_digits(1.0 + compared.excess.to_f64(), 4),
                 round_digits(100.0 * compared.leading.to_f64() * f64::from(LEADING_ERRORS), 3)
             )
@@ -122,7 +122,7 @@ fn assess(finding: Finding, compared: &Compared) -> Finding {
         let errors = [seen.exists, seen.second_rise, seen.undershoot].map(|found| found.map_or(0.0, |found| found.error_dex));
         finding
             .with_evidence(Evidence::Simulation {
-                quantity: format!("σ = {stress} Pa, {law} law: log10 over eq 20 of the velocity where small deviations begin to oscillate; where a second rise is seen; where an undershoot is seen"),
+                quantity: format!("σ = {stress} Pa, {law} law: log10 of the velocity divided by that of eq 20, where small deviations begin to oscillate; where a second rise is visible; where an undershoot is visible"),
                 value: format!("{}; {}; {}", dex(seen.exists), dex(seen.second_rise), dex(seen.undershoot)),
                 error: format!("{} dex", round_digits(errors.into_iter().fold(0.0, f64::max), 2)),
                 runs: 3,
@@ -143,16 +143,16 @@ fn unit(finding: Finding, others: &[OtherUnit]) -> Finding {
     let stresses = stresses.join(" and ");
     let ends_steady = |other: &OtherUnit| other.behaviour != Some(Behaviour::Periodic);
     if others.iter().any(|other| other.has_boundary || !other.always_unstable || ends_steady(other)) {
-        return finding.remark(format!("At {stresses} Pa, the normal stresses in the caption's unit, there is an onset too: the unit is not decided."));
+        return finding.remark(format!("At {stresses} Pa, the normal stresses in the caption's unit, there is an onset too, so the unit is undecided."));
     }
     finding
         .with_evidence(Evidence::Simulation {
-            quantity: format!("Late behaviour at {stresses} Pa, the caption's MPa, and the velocity of eq 20 there"),
+            quantity: format!("Long-term behaviour at {stresses} Pa (the caption's unit, MPa) and the velocity of eq 20 there"),
             value: "limit cycle".into(),
             error: "the same at two tolerances".into(),
             runs: others.len(),
         })
-        .remark(format!("The caption of fig 4 says MPa and must mean Pa. At {stresses} Pa σ exceeds σ_c, so that steady sliding is unstable at every velocity, no boundary is left in the stable zone, and the runs end on limit cycles instead of settling; in Pa all that the section says of the figure is found."))
+        .remark(format!("The unit MPa in the caption of fig 4 must be Pa. At {stresses} Pa, σ exceeds σ_c: steady sliding is unstable at every velocity, there is no boundary in the stable zone, and the runs end on limit cycles instead of decaying. In Pa, the runs agree with everything that the section states about the figure."))
 }
 
 fn limit(outcome: &OnsetOutcome, compared: &[Compared]) -> String {
@@ -165,7 +165,7 @@ fn limit(outcome: &OnsetOutcome, compared: &[Compared]) -> String {
             .as_ref()
             .map_or("no velocity".into(), |found| format!("{} dex", round_digits(one.dex(found), 3)));
         format!(
-            "at σ = {} Pa oscillation begins {} % above eq 20; it is inertial by the threshold from {inertial} above eq 20, rises again by {visible} % of V_l from {}, and undershoots V_l by {visible} % from {}, depending on the law",
+            "at σ = {} Pa oscillation begins {} % above eq 20; by the frequency threshold it is inertial from {inertial} above eq 20; a second rise by {visible} % of V_l is visible from {}, and an undershoot by {visible} % of V_l from {}, depending on the law",
             one.stress(),
             percent(one.excess.to_f64()),
             one.laws(|seen| seen.second_rise),
@@ -182,7 +182,7 @@ fn first_peak(compared: &[Compared]) -> String {
     let (low, high) =
         peaks.fold((f64::INFINITY, 0.0f64), |(low, high), peak| (low.min(peak), high.max(peak)));
     format!(
-        "The short peak of the runs next to the onset is no sign of vibration: steady friction is lower at V_l than at V_l/10, so that the spring must shorten by (b−a)σ ln 10/K, which takes V > V_l for a while at every velocity. At the exact boundary, where nothing oscillates, it is {} to {} % of V_l already.",
+        "The short peak of the runs next to the onset is no sign of vibration. Steady friction is lower at V_l than at V_l/10, so the spring must shorten by (b−a)σ ln 10/K, which needs V > V_l for a while at every velocity. At the exact boundary, where nothing oscillates, the peak is already {} to {} % of V_l.",
         round_digits(100.0 * low, 3),
         round_digits(100.0 * high, 3)
     )

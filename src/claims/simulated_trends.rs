@@ -46,25 +46,25 @@ pub(super) fn n3(context: &Context) -> Result<Finding, Finding> {
     let finding = Finding::from_proofs([])
         .with_evidence(evidence(
             &grids,
-            "Neighbours at one V_l whose peak velocity rises with σ",
+            "Neighbouring points at the same V_l whose peak velocity rises with σ",
             of(with_stress),
         ))
         .with_evidence(evidence(
             &grids,
-            "Neighbours at one σ whose peak velocity rises with V_l",
+            "Neighbouring points at the same σ whose peak velocity rises with V_l",
             for_each_law(&grids, |grid| of(with_velocity(grid))),
         ))
         .require(with_stress.0 == with_stress.1, || {
-            format!("along σ only {} neighbours rise", of(with_stress))
+            format!("along σ the peak velocity rises for {} neighbours only", of(with_stress))
         });
     let Some(pair) = falling else { return Ok(finding) };
     Ok(finding
         .within(format!(
-            "growth with σ, at every V_l, so that the peak is least next to K = K_c; with V_l it grows between {} neighbours only",
+            "the peak velocity rises with σ at every V_l, so it is lowest next to K = K_c; with V_l it rises between {} neighbours only",
             of(all_velocity)
         ))
         .outside(peaks(pair))
-        .remark("Claim N8, from the same section, says of stick-slip the opposite of the half that fails here."))
+        .remark("For stick-slip, claim N8 from the same section states the opposite of the half that fails here."))
 }
 
 pub(super) fn n5(context: &Context) -> Result<Finding, Finding> {
@@ -79,7 +79,7 @@ pub(super) fn n5(context: &Context) -> Result<Finding, Finding> {
     Ok(Finding::from_proofs([])
         .with_evidence(evidence(
             &grids,
-            "Stick-slip neighbours at one V_l with the smaller stress drop and the shorter period at the lower σ",
+            "Neighbouring stick-slip points at the same V_l with the smaller stress drop and the shorter period at the lower σ",
             for_each_law(&grids, |grid| of(count(grid))),
         ))
         .require(all > 0 && passed == all, || format!("only {passed} of {all} neighbours")))
@@ -110,7 +110,7 @@ pub(super) fn n10(context: &Context) -> Result<Finding, Finding> {
     Ok(Finding::from_proofs([])
         .with_evidence(evidence(
             &grids,
-            "Excess of the period over 2π/√(K/M): least, greatest",
+            "Excess of the period over 2π/√(K/M): minimum, maximum",
             format!("{}, {}", excess(*shortest), excess(*longest)),
         ))
         .with_supporting(Evidence::Sample {
@@ -118,13 +118,13 @@ pub(super) fn n10(context: &Context) -> Result<Finding, Finding> {
             value: format!("{}, {}, {}", within(0.1), within(1.0), within(10.0)),
             points: ratios.len(),
         })
-        .require(*shortest > 1.0, || format!("a period is {} of the natural one", round_digits(*shortest, 8)))
+        .require(*shortest > 1.0, || format!("one period is {} of the natural period", round_digits(*shortest, 8)))
         .within(format!(
-            "1 % in {} of {} vibrations and 10 % in {}; every period is longer than the natural one, by up to {}",
+            "within 1 % in {} of {} vibrations and within 10 % in {}; every period is longer than the natural period, by up to {}",
             within(1.0),
             ratios.len(),
             within(10.0),
             excess(*longest)
         ))
-        .remark("The longest periods belong to the threshold ω/ω_n = √½ that ends the two modes, where the period is √2 times the natural one."))
+        .remark("The longest periods occur at the threshold ω/ω_n = √½ that ends the two modes; there the period is √2 times the natural period."))
 }

@@ -17,7 +17,7 @@ const SERIES_ORDER: usize = 3;
 fn equations(context: &Context) -> Option<Table> {
     let columns =
         vec![Column::text("equation", "Eq"), Column::text("text", "As read"), Column::text("note", "Note")];
-    let mut table = Table::new("equations", "The paper's equations, as this report reads them", columns);
+    let mut table = Table::new("equations", "The paper's equations, as read by the program", columns);
     for equation in context.equations.iter() {
         let text = format!("{} = {}", equation.left, equation.right);
         table.push(vec![Cell::text(&equation.number), Cell::text(text), Cell::text(&equation.note)]);

@@ -13,8 +13,8 @@ use slipmode_core::theory::{asymptote_series, criteria, frequency, inertial, qua
 pub(super) const CHECKS: &[Check] = &[
     Check {
         id: "Z1",
-        criterion: "The exact map shows five slip modes for a < b and four for a > b, and the equations named draw the same zones.",
-        not_established: "That simulations show the same modes: see the N claims.",
+        criterion: "The exact map has five slip modes for a < b and four for a > b, and the zones drawn from the named equations are the same.",
+        not_established: "Whether simulations show the same modes: see the N claims.",
         needs: &[Need::Map, Need::Zones],
         rests_on: &["B1", "B9", "S1"],
         decide: z1,
@@ -22,7 +22,7 @@ pub(super) const CHECKS: &[Check] = &[
     Check {
         id: "Z2",
         criterion: "Points exist with η > 1 and no underdamped oscillation.",
-        not_established: "How η > 1 fares as a rule of thumb for a given apparatus.",
+        not_established: "The usefulness of η > 1 as a rule of thumb for a given apparatus.",
         needs: &[],
         rests_on: &["B1"],
         decide: z2,
@@ -30,26 +30,26 @@ pub(super) const CHECKS: &[Check] = &[
     Check {
         id: "Z3",
         criterion: "The velocity of eq 20 is the same for every D_c and changes with K.",
-        not_established: "That the exact boundary is independent of D_c: it is not.",
+        not_established: "Independence of the exact boundary from D_c: it does depend on D_c.",
         needs: &[],
         rests_on: &["B5"],
         decide: |context| {
             Finding::from_proofs([criteria::slip_distance_and_stiffness(context.equations)])
-                .remark("The sentence lacks a word after \"unlike the criterion\"; the criterion η > 1 seems to be meant, which does contain D_c and not K.")
+                .remark("In the paper's sentence a word is missing after \"unlike the criterion\". It probably means the criterion η > 1, which contains D_c and not K.")
         },
     },
     Check {
         id: "Z4",
-        criterion: "Changing a, b or D_c alone moves a point off the exact boundary.",
-        not_established: "That each matters by much: eq 20 contains a only, and b enters with the relative order bσ/(2KD_c).",
+        criterion: "Changing only a, b or D_c moves a point off the exact boundary.",
+        not_established: "The size of each effect: eq 20 contains only a, and b enters with the relative order bσ/(2KD_c).",
         needs: &[],
         rests_on: &["B5"],
         decide: |context| Finding::from_proofs([criteria::all_parameters(context.equations)]),
     },
     Check {
         id: "Z5",
-        criterion: "Each criterion is either an identity of the linear theory or has a quantified error.",
-        not_established: "What finite disturbances do.",
+        criterion: "Each criterion is an identity of the linear theory or has a quantified error.",
+        not_established: "The effect of finite disturbances.",
         needs: &[Need::Tolerance],
         rests_on: &["B2", "B4", "B5", "S1", "S6"],
         decide: z5,
@@ -86,14 +86,14 @@ fn z1(context: &Context) -> Finding {
             percent(zones.disagreeing_areas, zones.exact.len())
         ));
         finding = finding.with_evidence(Evidence::Sample {
-            quantity: format!("Points at which fig 7's zones and the exact slip modes differ, {case} (stability or oscillation; slip mode)"),
+            quantity: format!("Points where fig 7's zones and the exact slip modes differ, {case} (stability or oscillation; slip mode)"),
             value: format!("{}; {}", zones.disagreeing_areas, zones.disagreeing_modes),
             points: zones.exact.len(),
         });
     }
     finding
-        .within(format!("the lines misplace stability or oscillation at {} of the map", limits.join(" and ")))
-        .remark("The line between inertial and non-inertial oscillation follows from none of the five equations: it needs a threshold on ω/ω_n, or a further line such as V0 = V_c.")
+        .within(format!("the lines give the wrong stability or oscillation on {} of the map", limits.join(" and ")))
+        .remark("The line between inertial and non-inertial oscillation follows from none of the five equations. It needs a threshold on ω/ω_n, or another line such as V0 = V_c.")
 }
 
 fn percent(part: usize, whole: usize) -> String {
@@ -116,8 +116,8 @@ fn modes_evidence(zones: &ZonesOutcome, modes: &BTreeSet<&str>, case: &str) -> E
 
 fn z2(context: &Context) -> Finding {
     Finding::from_proofs([criteria::inertial_parameter(context.equations)])
-        .within("the upper area, which has real roots at every η; in the stable zone of a < b η ≥ 1/2 already suffices, and η > 1 is not necessary")
-        .outside("For a < b and K > K_c every point with η > 1 is underdamped: there the criterion is sufficient.")
+        .within("the upper area, which has real roots at every η; in the stable zone of a < b, η ≥ 1/2 already suffices, so η > 1 is not necessary")
+        .outside("For a < b and K > K_c every point with η > 1 is underdamped, so there the criterion is sufficient.")
 }
 
 fn z5(context: &Context) -> Finding {
@@ -133,7 +133,7 @@ fn z5(context: &Context) -> Finding {
         .with_proof(transition::stability(context.equations))
         .with_proof(transition::crossing_frequency(context.equations))
         .remark("Exact: eqs 9-13 and 23. Exact without inertia: eqs 15 and 16. Asymptotic: eqs 15, 16, 18 and 20 on the boundary of eq 8.")
-        .remark("Eq 20 governs one of three ways out of steady sliding without oscillation: at low velocity the boundary is eq 16, and around the corner it is neither.");
+        .remark("Oscillation can start across eq 16 (at low velocity), across eq 20, or near their corner, where neither equation is the boundary.");
     let tolerance = context.outcome.potentially_unstable().and_then(|scene| scene.tolerance.as_ref());
     match tolerance {
         None => finding.within("the relative errors of the series"),
@@ -143,7 +143,7 @@ fn z5(context: &Context) -> Finding {
             let enclosure =
                 |quantity: &str, value: String| Evidence::Enclosure { quantity: quantity.into(), value };
             finding
-                .within(format!("eq 20 misses the exact velocity by the relative amount {at_corner} at its corner with eq 16; farther from the corner by bσ/(2KD_c) to leading order"))
+                .within(format!("the relative error of eq 20 in velocity is {at_corner} at its corner with eq 16, and bσ/(2KD_c) to leading order far from the corner"))
                 .with_evidence(enclosure("V_exact/V_20 − 1 at the corner of eqs 16 and 20", at_corner))
                 .with_evidence(enclosure("Largest log10 distance between the lower arc and the nearer of eqs 16 and 20", worst))
         }

@@ -24,7 +24,7 @@ pub struct Options {
     /// The report's folder, with report.toml, claims.toml, equations.toml, scenes/ and prose/
     #[arg(value_name = "DIR")]
     folder: PathBuf,
-    /// The archive to write; FILE.timings.json next to it says when and where
+    /// The archive to write; FILE.timings.json next to it records time and machine
     #[arg(short, long, value_name = "FILE.zip")]
     output: PathBuf,
     #[command(flatten)]

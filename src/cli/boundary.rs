@@ -25,19 +25,19 @@ const MOST_WORKING_DIGITS: u32 = 100_000;
 pub struct Options {
     #[command(flatten)]
     slider: SliderOptions,
-    /// Points on each arc, besides the marked ones (cusp and corners)
+    /// Points on each arc, in addition to the marked ones (cusp and corners)
     #[arg(long, value_name = "N", default_value = "200", allow_hyphen_values = true)]
     points: String,
-    /// Significant digits, 1 to 1 000 000; only certain ones are printed, and 0 for an error that vanishes to all of them
+    /// Significant digits, 1 to 1 000 000; only certain digits are printed, and 0 for an error that is zero to all of them
     #[arg(long, value_name = "D", default_value = "20", allow_hyphen_values = true)]
     digits: String,
-    /// The points of the boundary at this loading velocity instead, m/s
+    /// Only the points of the boundary at this loading velocity, m/s
     #[arg(long, value_name = "V", allow_hyphen_values = true)]
     at_velocity: Option<String>,
-    /// The points of the boundary at this normal stress instead, Pa
+    /// Only the points of the boundary at this normal stress, Pa
     #[arg(long, value_name = "S", allow_hyphen_values = true)]
     at_normal_stress: Option<String>,
-    /// Lifts the limit on --points [default: 4 194 304]
+    /// Raises the limit on --points [default: 4 194 304]
     #[arg(long, value_name = "N", allow_hyphen_values = true)]
     max_points: Option<String>,
     /// Where to write; `-` is standard output

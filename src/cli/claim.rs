@@ -38,7 +38,9 @@ fn listed<'f>(folder: &'f Folder, id: &str) -> Result<&'f ClaimEntry, Failure> {
     folder.claims.iter().find(|claim| claim.id == id).ok_or_else(|| {
         let listed = folder.claims.iter().map(|claim| claim.id.as_str());
         let near = match nearest(id, listed) {
-            _ if known_ids().contains(&id) => "; it is one of the paper's that claims.toml leaves out".into(),
+            _ if known_ids().contains(&id) => {
+                "; it is a claim of the paper that claims.toml leaves out".into()
+            }
             near => near.map(|near| format!("; did you mean {near}?")).unwrap_or_default(),
         };
         Failure::Refused(format!("--claim = {id}: the report lists no such claim{near}"))

@@ -30,7 +30,7 @@ use rows::{CompareRows, ComparedRow, nearest_number};
 /// Options of `compare`.
 #[derive(Debug, Args)]
 pub struct Options {
-    /// The runs, one a row; `-` reads standard input
+    /// The runs, one per row; `-` reads standard input
     ///
     /// The header is that of `classify --points`, with at least one of the columns peak_velocity_m_per_s, period_s,
     /// stress_drop_pa, frequency_hz, mode (periodic, decaying, or a slip mode) and trajectory (a CSV file in the folder of the
@@ -48,7 +48,7 @@ pub struct Options {
     /// than this decides nothing. Our simulation is a hundred times more accurate, and 1e-8 at least.
     #[arg(long, value_name = "T", default_value = "1e-2", allow_hyphen_values = true)]
     tolerance: String,
-    /// Compares the rows that can be read although others are at fault; their faults are reported, and the command ends with 1
+    /// Compares the valid rows although others are invalid; the command lists their faults and exits with 1
     ///
     /// The rows written with --output get a column `error`.
     #[arg(long)]
@@ -56,7 +56,7 @@ pub struct Options {
     /// One JSON object instead of text
     #[arg(long)]
     json: bool,
-    /// Also write the rows as CSV, with what theory and simulation say and the verdicts; `-` is standard output, instead of text
+    /// Also write the rows as CSV, with the results of theory and simulation and the verdicts; `-` is standard output, instead of text
     #[arg(short, long, value_name = "OUT.csv")]
     output: Option<PathBuf>,
     /// Also write a report folder: index.html, report.md, tables and figures
@@ -126,7 +126,7 @@ fn verdict(rows: &[ComparedRow], faulty: u64) -> Result<(), Failure> {
     let count = |verdict: Agreement| rows.iter().filter(|row| row.comparison.verdict == verdict).count();
     match (count(Agreement::Differs), count(Agreement::NotCompared)) {
         (differs, open) if faulty > 0 => Err(Failure::Check(format!(
-            "{faulty} rows are at fault; of the other {}, {differs} differ and {open} could not be compared",
+            "{faulty} rows are invalid; of the other {}, {differs} differ and {open} could not be compared",
             rows.len()
         ))),
         _ if rows.is_empty() => Err(Failure::Check("no rows, so nothing was compared".into())),

@@ -19,7 +19,7 @@ pub struct Options {
     /// A ledger.json or an archive
     #[arg(value_name = "A")]
     first: PathBuf,
-    /// Another
+    /// Another ledger.json or archive
     #[arg(value_name = "B")]
     second: PathBuf,
 }

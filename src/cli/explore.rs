@@ -23,7 +23,7 @@ use crate::cli::terminal;
 /// Options of `explore`.
 #[derive(Debug, Args)]
 pub struct Options {
-    /// The scene: its slider, its map for the axes, its point of operation or those of its trajectories
+    /// The scene; the page uses its slider, the axes of its map, and its operating point or the points of its trajectories
     #[arg(value_name = "SCENE.toml")]
     scene: PathBuf,
     /// The page, or a folder for it; `-` is standard output [default: NAME.html, with the scene's name]
@@ -61,7 +61,7 @@ pub fn run(options: &Options) -> Result<(), Failure> {
         .map_err(|error| Failure::machine("the page cannot be made", &error))?;
     if html.len() > PAGE_BUDGET_BYTES {
         return Err(refused(&format!(
-            "its page would take {} bytes, more than {PAGE_BUDGET_BYTES}",
+            "its page would have {} bytes (allowed: {PAGE_BUDGET_BYTES})",
             html.len()
         )));
     }
@@ -115,12 +115,12 @@ fn points(scene: &Scene, parameters: &ParametersSection, window: Window) -> (Vec
     let words = match stated {
         0 => {
             points.push(middle(window));
-            "The scene states no point: the one marked is the middle of the map.".into()
+            "The scene has no points; the marked point is the middle of the map.".into()
         }
         _ if stated > MOST_POINTS => {
-            format!("The points are the first {MOST_POINTS} of the {stated} that the scene states.")
+            format!("The points are the first {MOST_POINTS} of the {stated} points of the scene.")
         }
-        _ => "The points are those that the scene states.".into(),
+        _ => "The points are the points of the scene.".into(),
     };
     (points, words)
 }

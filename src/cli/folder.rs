@@ -78,7 +78,7 @@ pub fn read_report_from(source: Source, limits: Limits) -> Result<(Folder, Files
         && !root.is_dir()
     {
         let error =
-            io::Error::other("no such folder (wanted: a report's folder, such as `slipmode new` writes)");
+            io::Error::other("no such folder (expected: a report's folder, such as `slipmode new` writes)");
         return Err(vec![unreadable(root, &error)]);
     }
     let mut reader = Reader::new(source, limits);

@@ -24,10 +24,10 @@ pub struct Options {
     /// Where to write the rows; `-` is standard output
     #[arg(short, long, value_name = "OUT.csv", default_value = "-", conflicts_with = "missing")]
     output: PathBuf,
-    /// Only print the shards whose blocks are missing or damaged, as an array string; nothing when all hold
+    /// Only print the shards whose blocks are missing or damaged, as an array string; nothing if all blocks are valid
     #[arg(long)]
     missing: bool,
-    /// Of how many shards the missing ones are named [default: as many as blocks]
+    /// Number of shards, used to name the missing ones [default: as many as blocks]
     #[arg(long, value_name = "N", allow_hyphen_values = true)]
     shards: Option<String>,
 }
@@ -122,7 +122,7 @@ impl<'f> Folder<'f> {
             }
         }
         strays.sort();
-        let none = || Failure::Refused(format!("{}: has no sound block; run every shard", place.display()));
+        let none = || Failure::Refused(format!("{}: has no valid block; run every shard", place.display()));
         let (reference, origin) = first.ok_or_else(none)?;
         Ok(Self { place, origin, reference, last, strays })
     }

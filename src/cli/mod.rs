@@ -54,37 +54,37 @@ struct Cli {
 
 #[derive(Debug, Subcommand)]
 enum Command {
-    /// Stability, boundary, slip mode, growth rate and frequency of one point or of every row of a CSV file; the counts of a grid
+    /// Computes stability, slip mode, growth rate and frequency of one point or of every row of a CSV file, or counts them on a grid
     Classify(classify::Options),
-    /// The three roots of eq 8 with certified digits
+    /// Computes the three roots of eq 8 with certified digits
     Roots(roots::Options),
-    /// The exact boundary max Im(s) = 0 as CSV, whole or at one velocity or normal stress
+    /// Writes the exact boundary max Im(s) = 0 as CSV, complete or at one velocity or normal stress
     Boundary(boundary::Options),
-    /// The nonlinear slider, simulated: mode, peak velocity, period, stress drop, each with its error
+    /// Simulates the nonlinear slider: mode, peak velocity, period and stress drop with their errors
     Simulate(simulate::Options),
-    /// One shard of a scene's sweep, block by block into a folder; also its plan, and scripts for Slurm
+    /// Computes one shard of a scene's sweep, block by block, into a folder; also plans the sweep and writes scripts for Slurm
     Sweep(sweep::Options),
-    /// The blocks of a sweep put together; refuses, and names the shards to run, unless every block is there once
+    /// Joins the blocks of a sweep; if blocks are missing, names the shards to run
     Merge(merge::Options),
-    /// Runs of other programs, compared with the theory and with our simulation; exits with 1 unless all agree
+    /// Compares runs of other programs with the theory and with our simulation; exits with 1 unless all agree
     Compare(compare::Options),
-    /// Which formula may be used where, for given relative errors
+    /// Prints where each formula may be used, for given relative errors
     Tolerance(tolerance::Options),
-    /// One page on which b, K and M of a scene's slider can be changed: stored curves, no server
+    /// Writes a page on which b, K and M of a scene's slider can be changed; it needs no server
     Explore(explore::Options),
-    /// A folder for a report on one's own slider, ready to be made
+    /// Writes a folder for a report on your own slider
     New(new::Options),
-    /// One scene: its tables and figures
+    /// Computes one scene: its tables and figures
     Run(report::RunOptions),
-    /// A report folder: its page, tables, figures and ledger
+    /// Computes a report: its page, tables, figures and ledger
     Report(report::ReportOptions),
-    /// A report compared with its recorded verdicts and its published copy; exits with 1 when anything moved
+    /// Computes a report and compares it with its recorded verdicts and its published copy; exits with 1 if anything differs
     Verify(report::VerifyOptions),
-    /// A report with everything it rests on in one zip file that has the same bytes everywhere
+    /// Packs a report and all its inputs into one zip file, with the same bytes everywhere
     Archive(archive::Options),
-    /// An archive checked and computed anew; exits with 1 when anything differs
+    /// Checks an archive and computes it again; exits with 1 if anything differs
     Replay(replay::Options),
-    /// Two ledgers or archives compared, verdict by verdict; exits with 1 when they differ
+    /// Compares two ledgers or archives, verdict by verdict; exits with 1 if they differ
     Diff(diff::Options),
 }
 

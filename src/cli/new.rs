@@ -59,7 +59,7 @@ pub fn run(options: &Options, progress: &Progress) -> Result<(), Failure> {
     let (typed, parameters) = read(options)?;
     let place = options.output.clone().unwrap_or_else(|| PathBuf::from(&options.name));
     if place.symlink_metadata().is_ok() {
-        return Err(Failure::Refused(format!("{}: exists already; name another folder", place.display())));
+        return Err(Failure::Refused(format!("{}: already exists; choose another folder", place.display())));
     }
     let effects = Effects::of(&parameters);
     let mut ranges = Ranges::around(&parameters).map_err(Failure::Refused)?;

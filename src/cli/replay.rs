@@ -32,7 +32,7 @@ pub struct Options {
 /// Checks an archive, decides every verdict again, and compares all results.
 ///
 /// # Errors
-/// When the archive or its inputs are at fault, or anything differs from what is computed now.
+/// When the archive or its inputs are at fault, or anything differs from the result computed now.
 pub fn run(options: &Options, progress: &Progress) -> Result<(), Failure> {
     let limits = options.limit.limits()?;
     let opened = open(&options.archive)?;
@@ -86,7 +86,7 @@ fn replay(path: &Path, opened: &Opened, limits: Limits, progress: &Progress) -> 
     let mut differences: Vec<String> = inputs
         .keys()
         .filter(|path| !read.contains_key(*path))
-        .map(|path| format!("{INPUT_FOLDER}/{path}: nothing in the report refers to it"))
+        .map(|path| format!("{INPUT_FOLDER}/{path}: the report does not refer to it"))
         .collect();
     differences.extend(drift(&product.ledger));
     let facts = facts(opened.time);
@@ -98,10 +98,10 @@ fn replay(path: &Path, opened: &Opened, limits: Limits, progress: &Progress) -> 
     let promise_kept = if same_program {
         differences.extend(byte_differences(&opened.files, &computed));
         differences.extend(container_fault(&opened.container, &opened.files, opened.time));
-        "archived by this very program: all bytes compared"
+        "archived by the same program: all bytes compared"
     } else {
         differences.extend(number_differences(&opened.files, &computed)?);
-        "archived by another build: verdicts compared, and tables to their last digits; pages, figures and metadata are not promised"
+        "archived by another build: verdicts and tables compared to their last digits; pages, figures and metadata may differ"
     };
     Ok(Replayed { product, promise_kept, differences })
 }

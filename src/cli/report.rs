@@ -24,7 +24,7 @@ const PAGE: &str = "index.html";
 /// The limit on grids, shared by the commands that read scenes.
 #[derive(Debug, Args)]
 pub struct LimitOption {
-    /// Lifts the limit on the points of one grid, line or sweep [default: 4194304]
+    /// Raises the limit on the points of one grid, line or sweep [default: 4194304]
     #[arg(long, value_name = "N", allow_hyphen_values = true)]
     max_points: Option<String>,
 }
@@ -72,7 +72,7 @@ pub struct ReportOptions {
 pub struct VerifyOptions {
     #[command(flatten)]
     report: ReportOptions,
-    /// Decides this claim alone, writes nothing, and says how it was decided
+    /// Decides only this claim, writes nothing, and prints the evidence
     #[arg(long, value_name = "ID")]
     claim: Option<String>,
 }
@@ -127,13 +127,13 @@ pub fn verify(options: &VerifyOptions, progress: &Progress) -> Result<(), Failur
     text += &summary(&product.ledger);
     text += &format!("{}\n", place.join(PAGE).display());
     if !published.exists() {
-        text += "there is no published copy to compare with: only the verdicts were\n";
+        text += "there is no published copy: only the verdicts were compared\n";
     }
     terminal::print(&text)?;
     if drift.is_empty() && moved.is_empty() {
         return Ok(());
     }
-    let counts = format!("drift: {} verdicts, {} files", drift.len(), moved.len());
+    let counts = format!("differences: {} verdicts, {} files", drift.len(), moved.len());
     let hint = "check the differences, then `cargo xtask accept` rewrites the published copy".to_string();
     let lines: Vec<String> = drift.into_iter().chain(moved).chain([counts, hint]).collect();
     Err(Failure::Check(lines.join("\n")))
@@ -141,8 +141,7 @@ pub fn verify(options: &VerifyOptions, progress: &Progress) -> Result<(), Failur
 
 /// What is wrong with a page of this size, if anything.
 fn over_budget(bytes: usize) -> Option<String> {
-    (bytes > PAGE_BUDGET_BYTES)
-        .then(|| format!("{PAGE}: {bytes} bytes, more than the {PAGE_BUDGET_BYTES} of a page"))
+    (bytes > PAGE_BUDGET_BYTES).then(|| format!("{PAGE}: {bytes} bytes (allowed: {PAGE_BUDGET_BYTES})"))
 }
 
 /// A report that was computed and written.

@@ -28,13 +28,13 @@ use run::{Found, Settings, simulate_point};
 pub struct Options {
     #[command(flatten)]
     slider: SliderOptions,
-    /// The evolution law, `slip` (eq 3) or `aging` (eq 2); not needed when the file of --points has a column `law`
+    /// The evolution law, `slip` (eq 3) or `aging` (eq 2); not needed if the file of --points has a column `law`
     #[arg(long, value_name = "LAW", allow_hyphen_values = true)]
     law: Option<String>,
-    /// Permitted relative error of peak velocity and period, 1e-15 to 1e-2; one that cannot be reached is a failure
+    /// Permitted relative error of peak velocity and period, 1e-15 to 1e-2; a run that cannot reach it fails
     #[arg(long, value_name = "T", default_value = "1e-8", allow_hyphen_values = true)]
     tolerance: String,
-    /// How the start at V = V0/10 is completed
+    /// State and spring at the start at V = V0/10
     ///
     /// steady-at-velocity: state and spring as in steady sliding at V; steady-state-spring-at-loading: state steady at V,
     /// spring as in steady sliding at V0; velocity-step-in-equilibrium: state steady at V0, spring in equilibrium with
@@ -44,18 +44,18 @@ pub struct Options {
     /// One JSON object instead of text
     #[arg(long, conflicts_with = "points")]
     json: bool,
-    /// Also write the run from its start as CSV: time, velocity, state variable, and shear stress beyond that of steady sliding
+    /// Also write the run from its start as CSV: time, velocity, state variable, and shear stress relative to steady sliding
     ///
-    /// Time is counted from the start and strictly increases: of samples that 64-bit time cannot tell apart, the first is kept.
+    /// Time starts at 0 and strictly increases: of samples with the same 64-bit time, only the first is kept.
     #[arg(long, value_name = "OUT.csv", conflicts_with = "points")]
     trajectory: Option<PathBuf>,
-    /// How long the trajectory is, s [default: ten periods; without oscillation until 1e-13 of the deviation is left]
+    /// Duration of the trajectory, s [default: ten periods; without oscillation, until 1e-13 of the deviation is left]
     #[arg(long, value_name = "T", requires = "trajectory", allow_hyphen_values = true)]
     duration_s: Option<String>,
     /// Simulate every row of a CSV file; `-` reads standard input
     ///
-    /// The header is that of `classify --points`, with an optional column `law`. A row whose simulation fails says so in
-    /// its column `status`, and the others go on.
+    /// The header is that of `classify --points`, with an optional column `law`. If the simulation of a row
+    /// fails, its column `status` has the reason, and the other rows continue.
     #[arg(long, value_name = "FILE.csv")]
     points: Option<PathBuf>,
     #[command(flatten)]

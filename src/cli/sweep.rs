@@ -34,10 +34,10 @@ use work::{Lines, PointWork};
 pub struct Options {
     /// The scene: a TOML file with a section [sweep]
     scene: PathBuf,
-    /// Which blocks: block k belongs to shard k mod N, shards are counted from 0
+    /// The shard to compute: block k belongs to shard k mod N; shards are counted from 0
     #[arg(long, value_name = "I/N", default_value = "0/1", allow_hyphen_values = true)]
     shard: String,
-    /// The folder of the blocks; those in it that hold are not computed again
+    /// The folder of the blocks; valid blocks in it are not computed again
     #[arg(long, value_name = "DIR", required_unless_present = "plan")]
     out: Option<PathBuf>,
     /// Measure some points, print points, blocks, shards, core-hours and bytes, and compute nothing
@@ -46,10 +46,10 @@ pub struct Options {
     /// Write a job array for Slurm and the merge after it into DIR, and compute nothing
     #[arg(long)]
     slurm: bool,
-    /// How long a shard should take on one core, minutes
+    /// Target time of a shard on one core, minutes
     #[arg(long, value_name = "M", default_value = "30", allow_hyphen_values = true)]
     minutes: String,
-    /// Shards of the job array [default: as many as --minutes makes]
+    /// Shards of the job array [default: computed from --minutes]
     #[arg(long, value_name = "N", requires = "slurm", allow_hyphen_values = true)]
     shards: Option<String>,
 }
@@ -120,7 +120,7 @@ impl Task for ComputeShard<'_> {
         done?;
         match writer.unanswered.into_inner() {
             0 => {}
-            count => eprintln!("{count} points have no answer; see their columns `status` or `error`"),
+            count => eprintln!("{count} points have no result; see their columns `status` or `error`"),
         }
         Ok(())
     }

@@ -18,7 +18,7 @@ use crate::cli::terminal;
 pub struct Options {
     #[command(flatten)]
     material: MaterialOptions,
-    /// A relative error that would be accepted, 0 < E < 1; may be given several times
+    /// An acceptable relative error, 0 < E < 1; may be given several times
     #[arg(short = 'e', long, value_name = "E", allow_hyphen_values = true, default_values = ["0.1", "0.01", "0.001"])]
     relative_error: Vec<String>,
 }

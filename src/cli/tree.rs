@@ -135,7 +135,7 @@ pub fn differences(files: &Files, published: &Path) -> Result<Vec<String>, Failu
 fn difference(name: &str, old: Option<&str>, new: Option<&str>) -> Option<String> {
     match (old, new) {
         (None, _) => Some(format!("{name}: not in the published copy")),
-        (Some(_), None) => Some(format!("{name}: published, but not made any more")),
+        (Some(_), None) => Some(format!("{name}: in the published copy, but not in the report")),
         (Some(old), Some(new)) if old == new => None,
         (Some(old), Some(new)) => {
             let (old, new) = (without_environment(old), without_environment(new));

@@ -36,7 +36,7 @@ pub fn compare_run(run: &StatedRun, simulate: Simulate<'_>) -> Comparison {
     let mut found = compare_as_stated(run, simulate);
     found.diagnosis = match found.verdict {
         Agreement::Agrees => None,
-        _ if run.is_empty() => Some("the row gives nothing to compare".into()),
+        _ if run.is_empty() => Some("the row has nothing to compare".into()),
         // Velocities in another unit never pass V_l, so that such a trajectory is not even compared.
         Agreement::Differs | Agreement::NotCompared => diagnose(run, simulate),
     };
@@ -147,7 +147,7 @@ impl Side<'_> {
         let run = Value::Word(mode.as_str());
         let open = |why: &str| Finding::because(place, run, Agreement::NotCompared, why);
         let Some(word) = theory else {
-            return open("on the transition the linear theory leaves the end open");
+            return open("on the transition the linear theory does not decide the long-term behaviour");
         };
         let mut found = Finding::of_words(origin, Reference::Theory, mode.as_str(), word);
         if found.verdict == Agreement::Differs && simulated.is_some_and(|simulated| simulated != word) {

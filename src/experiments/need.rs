@@ -83,7 +83,7 @@ impl Need {
             Need::Tolerance => "tolerance",
             Need::Zones => "zones",
             Need::HardCases => "hard-cases",
-            Need::HardReturns => "hard-laps",
+            Need::HardReturns => "hard-cycles",
             Need::Simulations => "simulations",
             Need::LinearRegime => "linear-regime",
             Need::StartSensitivity => "start-sensitivity",

@@ -189,7 +189,7 @@ fn controls(families: &Families) -> Vec<Control> {
         },
         Control {
             id: "M",
-            name: "Mass over area M",
+            name: "Mass per area M",
             steps: step(masses, &own.mass_per_area_kg_per_m2, " kg/m²"),
             base: masses.base,
         },

@@ -76,7 +76,7 @@ pub fn assemble(material: Material) -> ReportView {
         figures: figures.into_iter().map(figure_view).collect(),
         tables,
         provenance: ProvenanceView {
-            text_markdown: "Every number on this page follows from the files below and from nothing else; the command makes the page again, byte for byte.".into(),
+            text_markdown: "All numbers on this page are computed from the files below. The command makes the same page again, byte for byte.".into(),
             command,
             inputs,
         },
@@ -221,7 +221,7 @@ fn evidence_view(evidence: &Evidence) -> EvidenceView {
             kind: "Sample".into(),
             strength,
             text_markdown: String::new(),
-            numbers: vec![fact(quantity, value), fact("points looked at", &points.to_string())],
+            numbers: vec![fact(quantity, value), fact("points checked", &points.to_string())],
             certificate: String::new(),
         },
     }

@@ -129,7 +129,7 @@ fn reference_faults(view: &ReportView, catalogue: &Catalogue<'_>) -> Vec<String>
     }
     for claim in catalogue.claims.values() {
         let unknown = claim.rests_on.iter().filter(|id| !catalogue.claims.contains_key(id.as_str()));
-        found.extend(unknown.map(|id| format!("claim {}: rests on unknown claim `{id}`", claim.id)));
+        found.extend(unknown.map(|id| format!("claim {}: depends on unknown claim `{id}`", claim.id)));
     }
     for figure in &view.figures {
         let unknown = figure.data.iter().filter(|id| !catalogue.tables.contains_key(id.as_str()));

@@ -37,7 +37,6 @@ pub(crate) struct ClaimPage<'a> {
     symbol: &'static str,
     word: &'static str,
     open: bool,
-    colon: bool,
     strength: &'a str,
     statement_html: String,
     acceptance_html: String,
@@ -86,8 +85,6 @@ impl<'a> ClaimPage<'a> {
             symbol: claim.standing.symbol(),
             word: claim.standing.word(),
             open: claim.standing != Standing::Holds,
-            // "holds within 1 %" reads on; "fails: …" and "holds: …" do not.
-            colon: claim.standing != Standing::HoldsWithin && !claim.verdict_markdown.is_empty(),
             strength: &claim.strength,
             statement_html: html(&claim.statement_markdown, "statement"),
             acceptance_html: html(&claim.acceptance_markdown, "acceptance"),

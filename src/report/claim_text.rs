@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use super::markdown::slug;
-use super::view::{ClaimView, EvidenceView, Standing};
+use super::view::{ClaimView, EvidenceView};
 use slipmode_plot::table::{escape_cell, escape_markdown, printable};
 
 /// What `claim.md` and the ledger's table ask for.
@@ -14,7 +14,6 @@ pub(crate) struct ClaimText<'a> {
     place_md: String,
     symbol: &'static str,
     word: &'static str,
-    colon: bool,
     strength: &'a str,
     statement_md: String,
     acceptance_md: String,
@@ -46,7 +45,6 @@ impl<'a> ClaimText<'a> {
             place_md: escape_cell(&claim.place),
             symbol: claim.standing.symbol(),
             word: claim.standing.word(),
-            colon: claim.standing != Standing::HoldsWithin && !claim.verdict_markdown.is_empty(),
             strength: &claim.strength,
             statement_md: item(&claim.statement_markdown),
             acceptance_md: item(&claim.acceptance_markdown),

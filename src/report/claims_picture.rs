@@ -12,7 +12,7 @@ const LOOKS: [(Standing, &str, &str); 4] = [
     (Standing::NotChecked, "#eceef0", "#57606a"),
 ];
 
-const TITLE: &str = "Which claims rest on which";
+const TITLE: &str = "Dependencies between claims";
 
 /// The picture; `None` when no claim of the ledger rests on another.
 pub(super) fn claims_picture(ledger: &Ledger, standing: &dyn Fn(usize) -> Standing) -> Option<FigureView> {
@@ -42,12 +42,12 @@ pub(super) fn claims_picture(ledger: &Ledger, standing: &dyn Fn(usize) -> Standi
         caption: Caption::new("claims-picture", TITLE, &description),
         looks: LOOKS.into_iter().map(look).collect(),
         nodes,
-        curve_words: "the claim on the right rests on the one on the left".into(),
+        curve_words: "the claim on the right depends on the one on the left".into(),
     };
     Some(FigureView {
         id: "claims-picture".into(),
         label: TITLE.into(),
-        caption_markdown: "Every box is a claim and leads to it. If a claim fails, all that are joined to it on the right lose a ground.".into(),
+        caption_markdown: "Each box is a claim and links to it. If a claim fails, all claims joined to it on the right lose a premise.".into(),
         description,
         svg: graph.svg(),
         data: Vec::new(),
@@ -62,5 +62,5 @@ fn description(nodes: &[BoxNode]) -> String {
     };
     let resting = nodes.iter().filter(|node| !node.rests_on.is_empty());
     let sentences: Vec<String> = resting.map(|node| format!("{} on {}", id(node), grounds(node))).collect();
-    format!("Claims as boxes, each to the right of those that it rests on: {}.", sentences.join(", "))
+    format!("Claims as boxes, each to the right of the claims that it depends on: {}.", sentences.join(", "))
 }

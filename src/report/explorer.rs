@@ -52,7 +52,7 @@ pub fn render_explorer(explorer: &Explorer, page: &ExplorerPage<'_>) -> Result<S
         steps: control.steps.join("|"),
     });
     let grid = format!(
-        "Stored are {} combinations of b, K and M, each the scene’s value times one of the factors that the tables list, and nothing between them.",
+        "The page stores {} combinations of b, K and M, each the scene’s value times one of the factors in the tables. It does not interpolate between them.",
         explorer.combinations
     );
     let context = PageContext {

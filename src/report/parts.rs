@@ -8,7 +8,7 @@ pub(crate) fn title(part: Part) -> &'static str {
     match part {
         Part::CodeVerification => "Code verification: exact",
         Part::SolutionVerification => "Solution verification: the numerical error of these runs",
-        Part::Validation => "Validation: the paper against computation",
+        Part::Validation => "Validation: the paper compared with computation",
     }
 }
 
@@ -16,13 +16,13 @@ pub(crate) fn title(part: Part) -> &'static str {
 pub(crate) fn lead(part: Part) -> &'static str {
     match part {
         Part::CodeVerification => {
-            "Are the equations and the program right? Decided by algebra over the rationals and by routes that share nothing."
+            "Are the equations and the program right? This is decided by algebra over the rationals and by independent methods."
         }
         Part::SolutionVerification => {
-            "How far may the numbers of this report’s own runs be off? Measured on the runs themselves."
+            "How large are the errors of this report’s own runs? They are measured on the runs themselves."
         }
         Part::Validation => {
-            "Does what the paper says agree with what was computed? Each answer is a verdict with its evidence."
+            "Do the paper’s claims agree with computation? Each answer is a verdict with its evidence."
         }
     }
 }

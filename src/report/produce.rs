@@ -179,7 +179,7 @@ fn collect<'i, T>(
         match one {
             Some(one) => all.push(one),
             None => faults
-                .push(format!("report.toml: no scene of the report states what the {kind} `{id}` shows")),
+                .push(format!("report.toml: no scene of the report computes what the {kind} `{id}` shows")),
         }
     }
     if faults.is_empty() { Ok(all) } else { Err(ReportError::Faults(faults)) }

@@ -97,7 +97,7 @@ pub enum Problem {
     #[error("reversed range: from is greater than to (allowed: from < to)")]
     ReversedRange,
     /// More points than the limit.
-    #[error("{points} points are over the limit of {limit} (--max-points N lifts it)")]
+    #[error("{points} points exceed the limit of {limit} (--max-points N raises it)")]
     TooManyPoints {
         /// The points requested.
         points: String,

@@ -40,7 +40,7 @@ impl Part {
         let left = earlier.iter().rev().skip_while(|before| **before == Some(part));
         if left.into_iter().any(|before| *before == Some(part)) {
             let of =
-                "a part that other chapters have ended (the chapters of a part follow one another)".into();
+                "a part that ended before other chapters (the chapters of a part follow one another)".into();
             faults.push(entry.fault(Problem::Duplicate { of, folded: false }));
             return None;
         }

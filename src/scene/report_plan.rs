@@ -69,7 +69,7 @@ fn read_scene_names(entry: &Entry<'_>, faults: &mut Faults) -> Option<Vec<String
 
 /// Why the first chapter has no part.
 const INTRODUCTION_STANDS_APART: &str =
-    "no part on the first chapter: it is the introduction, which stands before all parts";
+    "no part on the first chapter: it is the introduction, which precedes all parts";
 
 fn read_chapters(entry: &Entry<'_>, faults: &mut Faults) -> Option<Vec<Chapter>> {
     let mut ids = Vec::new();
@@ -162,7 +162,7 @@ mod tests {
         let two = told([code, code, valid, "part = \"validatoin\"\n"]);
         assert_eq!(two.len(), 2, "{two:?}");
         assert!(
-            two[0].contains("stands before all parts") && two[1].contains("did you mean `validation`"),
+            two[0].contains("precedes all parts") && two[1].contains("did you mean `validation`"),
             "{two:?}"
         );
     }

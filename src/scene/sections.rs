@@ -131,7 +131,7 @@ impl HardCases {
         let file = section
             .required("file", "the name of a file", faults)
             .and_then(|entry| safe_name(&entry, faults));
-        let returns = section.optional("laps").map(|entry| safe_name(&entry, faults));
+        let returns = section.optional("cycles").map(|entry| safe_name(&entry, faults));
         section.finish(faults);
         let returns = match returns {
             None => None,
@@ -194,7 +194,7 @@ fn points(section: &mut Section<'_>, limits: &Limits, faults: &mut Faults) -> Op
     check_points(&entry, points, limits, faults)?;
     let count = u32::try_from(points).ok();
     if count.is_none() {
-        let allowed = format!("at most {} points along one axis, whatever the limit", u32::MAX);
+        let allowed = format!("at most {} points along one axis, for any limit", u32::MAX);
         faults.push(entry.fault(Problem::OutOfRange { allowed }));
     }
     count

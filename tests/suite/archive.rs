@@ -38,7 +38,7 @@ fn an_archive_is_replayed_in_another_place() {
     fs::copy(from.path("small.zip"), to.path("got.zip")).unwrap();
     let said = to.run(["replay", "got.zip"]).expect_success();
     assert!(said.contains("2 claims: 1 hold, 0 hold within a limit, 1 fail"), "{said}");
-    assert!(said.contains("archived by this very program: all bytes compared"), "{said}");
+    assert!(said.contains("archived by the same program: all bytes compared"), "{said}");
     assert_eq!(to.names(), ["got.zip"], "a replay leaves nothing behind");
 }
 
@@ -134,7 +134,7 @@ fn a_verdict_is_never_read_from_the_archive() {
     forged(&place, true, |files| drop(files.insert("report/tables/more.csv".into(), b"x\n".to_vec())));
     expect_difference(&place, &["report/tables/more.csv: archived, but not made by the report"]);
     forged(&place, true, |files| drop(files.insert("input/prose/d.md".into(), b"x\n".to_vec())));
-    expect_difference(&place, &["input/prose/d.md: nothing in the report refers to it"]);
+    expect_difference(&place, &["input/prose/d.md: the report does not refer to it"]);
 }
 
 #[test]
@@ -148,7 +148,7 @@ fn another_build_is_held_to_verdicts_and_digits_only() {
         replace(files, "report/index.html", "</html>", "</html><!-- of another build -->");
     });
     let said = place.run(["replay", "forged.zip"]).expect_success();
-    assert!(said.contains("archived by another build: verdicts compared"), "{said}");
+    assert!(said.contains("archived by another build: verdicts and tables compared"), "{said}");
     forged(&place, true, |files| {
         other_build(files);
         replace(files, "report/ledger.json", "\"verdict\": \"fails\"", "\"verdict\": \"holds\"");

@@ -68,7 +68,7 @@ fn counts_and_digits_state_their_range() {
         (&["roots", "--digits", "1.5"], "--digits = 1.5: out of range"),
         (&["roots", "--digits", "many"], "--digits = many: not a decimal number"),
         (&["boundary", "--points", "0"], "--points = 0: out of range"),
-        (&["boundary", "--points", "9223372036854775807"], "limit of 4194304 (--max-points N lifts it)"),
+        (&["boundary", "--points", "9223372036854775807"], "limit of 4194304 (--max-points N raises it)"),
         (
             &["roots", "--threads", "0"],
             "--threads = 0: out of range (allowed: a whole number from 1 to 1024)",

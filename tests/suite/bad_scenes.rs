@@ -57,8 +57,8 @@ fn every_way_to_get_a_scene_wrong_is_named() {
         ("from = 1e-6", "from = 0.1", "map.loading_velocity_m_per_s: empty range"),
         ("points = 5", "points = 0", "map.loading_velocity_m_per_s.points = 0: out of range"),
         ("points = 5", "points = 1", "out of range (allowed: a whole number, 2 or more"),
-        ("points = 5", "points = 4000", "limit of 4194304 (--max-points N lifts it)"),
-        ("points = 5", "points = 9223372036854775807", "limit of 4194304 (--max-points N lifts it)"),
+        ("points = 5", "points = 4000", "limit of 4194304 (--max-points N raises it)"),
+        ("points = 5", "points = 9223372036854775807", "limit of 4194304 (--max-points N raises it)"),
         (
             "name = \"s\"",
             "name = \"../../x\"",
@@ -108,7 +108,7 @@ fn the_limit_on_points_can_be_lifted_or_lowered() {
     place.write("s.toml", SCENE);
     place
         .run(["run", "s.toml", "-o", "out", "--max-points", "24"])
-        .expect_refusal(&["25 points are over the limit of 24"]);
+        .expect_refusal(&["25 points exceed the limit of 24"]);
     place.run(["run", "s.toml", "-o", "out", "--max-points", "25"]).expect_success();
     place.run(["run", "s.toml", "-o", "out", "--max-points", "x"]).expect_refusal(&["--max-points = x"]);
 }

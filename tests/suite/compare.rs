@@ -163,7 +163,7 @@ fn a_trajectory_that_has_not_settled_is_not_compared() {
         assert_eq!(found["differ"], 0);
         if law == "aging" {
             assert_eq!((ended.code, &found["not_compared"]), (1, &1.into()), "{}", ended.stdout);
-            assert!(found["rows"][0]["reason"].as_str().unwrap().contains("has not settled"));
+            assert!(found["rows"][0]["reason"].as_str().unwrap().contains("has not converged"));
         }
     }
 }
@@ -192,7 +192,7 @@ fn a_simulation_out_of_reach_is_no_verdict() {
     assert_eq!((code, &found["rows"][0]["verdict"]), (1, &"not-compared".into()));
     let reason = found["rows"][0]["reason"].as_str().unwrap();
     assert!(
-        reason.contains("a relative error of 1e-15 is out of reach: ") && reason.contains("was reached"),
+        reason.contains("a relative error of 1e-15 is not attainable: ") && reason.contains("was reached"),
         "{reason}"
     );
 }

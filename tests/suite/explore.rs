@@ -86,7 +86,7 @@ fn the_page_asks_for_nothing_and_is_small() {
     assert!(page.contains("<title>Explorer: Mine &lt;b&gt;&amp;</title>"));
     // One member of the family is drawn without scripts; a scene without a point has the middle of its map marked.
     assert_eq!(page.matches("class=\"member\" display=\"none\"").count(), 18);
-    assert!(page.contains("the one marked is the middle of the map"));
+    assert!(page.contains("the marked point is the middle of the map"));
 }
 
 #[test]

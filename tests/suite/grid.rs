@@ -52,7 +52,7 @@ fn everything_wrong_with_a_grid_is_told_at_once() {
     ended.expect_refusal(&[
         "--direct-effect = 0: must be > 0",
         "--critical-slip-distance-m: missing",
-        "--normal-stress-pa = 5: needs no grid: the grid's axes give it",
+        "--normal-stress-pa = 5: needs no grid: the grid's axes give this value",
         "--grid-loading-velocity, FROM = -1: must be > 0",
         "--grid-loading-velocity, TO = 1e400: out of range (allowed: 1e-300 to 1e300)",
         "--grid-loading-velocity, N = 1: out of range (allowed: a whole number from 2 to 1000000)",

@@ -103,7 +103,7 @@ fn every_number_that_is_missing_or_faulty_is_told_at_once() {
 }
 
 #[test]
-fn a_lab_books_units_are_doubted_and_the_folder_is_written() {
+fn units_of_a_lab_book_get_a_warning_and_the_folder_is_written() {
     let place = Workplace::new();
     let ended = place.run(["new", "um", "-a", "0.009", "-b", "0.0126", "-d", "8", "-k", "2e9", "-m", "2400"]);
     assert_eq!(ended.stderr, "warning: critical_slip_distance_m = 8: looks like um (wanted: m)\n");

@@ -105,8 +105,8 @@ fn files_that_moved_are_named_one_by_one() {
     for message in [
         "differs from the published copy",
         "report.md: not in the published copy",
-        "more.txt: published, but not made any more",
-        "drift: 0 verdicts, 3 files",
+        "more.txt: in the published copy, but not in the report",
+        "differences: 0 verdicts, 3 files",
     ] {
         assert!(ended.stderr.contains(message), "{message}: {}", ended.stderr);
     }
@@ -125,7 +125,11 @@ fn a_report_without_a_published_page_is_compared_in_all_other_files() {
     place.write("small/published/index.html", "<html>");
     let ended = place.run(["verify", "small", "-o", "made"]);
     assert_eq!(ended.code, 1);
-    assert!(ended.stderr.contains("index.html: published, but not made any more"), "{}", ended.stderr);
+    assert!(
+        ended.stderr.contains("index.html: in the published copy, but not in the report"),
+        "{}",
+        ended.stderr
+    );
 }
 
 #[test]

@@ -122,7 +122,7 @@ fn the_text_prints_certain_digits_only() {
             assert_eq!(printed.parse::<f64>().unwrap(), rounded, "{tolerance} {line}: {printed} of {value}");
         }
         let lowest = number(&reference, "minimum_velocity_log10_ratio");
-        let printed = shown("log10 of least");
+        let printed = shown("log10 of minimum");
         let places = printed.split('.').nth(1).map_or(0, str::len);
         assert_eq!(format!("{lowest:.places$}"), printed, "{tolerance}");
     }
@@ -214,7 +214,7 @@ fn a_tolerance_out_of_reach_fails_and_says_what_was_reached() {
     let more = ["--law", "slip", "--tolerance", "1e-15", "--json", "--trajectory", "run.csv"];
     let ended = run(&place, "1e5", "1e-3", &more);
     assert_eq!(ended.code, 1);
-    let message = "the simulation failed: a relative error of 1e-15 is out of reach: ";
+    let message = "the simulation failed: a relative error of 1e-15 is not attainable: ";
     assert!(ended.stderr.contains(message) && ended.stderr.contains(" was reached"), "{}", ended.stderr);
     let found: Value = serde_json::from_str(&ended.stdout).unwrap();
     assert!(found["status"].as_str().unwrap().starts_with("a relative error of 1e-15"));
@@ -223,7 +223,7 @@ fn a_tolerance_out_of_reach_fails_and_says_what_was_reached() {
 }
 
 #[test]
-fn doubtful_values_are_warned_of() {
+fn suspicious_values_get_a_warning() {
     let ended = run(&Workplace::new(), "5", "1e-3", &["--law", "slip"]);
     assert_eq!(ended.code, 0, "{}", ended.stderr);
     assert!(ended.stderr.contains("warning: normal_stress_pa = 5: looks like MPa"));

@@ -64,7 +64,7 @@ fn a_row_that_fails_says_so_and_the_others_go_on() {
     let ended = place.run_with_input(["simulate", "--points", "-", "--law", "aging"], &rows);
     assert_eq!(ended.code, 0);
     assert!(
-        ended.stderr.starts_with("1 of 3 rows have no answer; see the column `status`\nwarning: row 2: ")
+        ended.stderr.starts_with("1 of 3 rows have no result; see the column `status`\nwarning: row 2: ")
     );
     let mut reader = csv::ReaderBuilder::new().flexible(false).from_reader(ended.stdout.as_bytes());
     let rows: Vec<_> = reader.records().map(Result::unwrap).collect();

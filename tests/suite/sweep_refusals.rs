@@ -19,11 +19,11 @@ fn a_damaged_block_is_refused_by_name_and_computed_again() {
     let swapped: String = content.chars().rev().collect();
     let cases = [
         (content[..content.len() - 20].to_string(), "truncated: "),
-        (String::new(), "has no sound heading"),
-        (content[..40].to_string(), "has no sound heading"),
+        (String::new(), "has no valid heading"),
+        (content[..40].to_string(), "has no valid heading"),
         (format!("{content}x"), "too long: "),
-        (content.replacen("\n", "\r\n", 1), "has no sound heading"),
-        (swapped, "has no sound heading"),
+        (content.replacen("\n", "\r\n", 1), "has no valid heading"),
+        (swapped, "has no valid heading"),
         (flipped(&content), "its SHA-256 is not the stated one"),
         (content.replacen("points 100", "points 101", 1), "its SHA-256 is not the stated one"),
     ];
@@ -72,7 +72,7 @@ fn a_block_of_elsewhere_is_refused_by_name_and_never_overwritten() {
     place.write(&block(5), good.replacen(version, "version 0.0.9 0123", 1));
     expect_refused_merge(&place, &["block-000000005.csv: is of another program version (0.0.9 0123, not "]);
     place.write(&block(5), place.read(&block(4)));
-    expect_refused_merge(&place, &["block-000000005.csv: holds block 4: doubled or renamed"]);
+    expect_refused_merge(&place, &["block-000000005.csv: contains block 4: duplicated or renamed"]);
     place.write(&block(5), &good);
     place.write("blocks/block-000000005 (copy).csv", &good);
     expect_refused_merge(&place, &["block-000000005 (copy).csv: is not the name of a block"]);
@@ -125,5 +125,5 @@ fn faulty_arguments_are_refused_at_once() {
     place.run(["sweep", "many.toml", "--out", "o"]).expect_refusal(&["30999969 blocks", "block_points"]);
     place.run(["merge", "nowhere"]).expect_refusal(&["nowhere: cannot be read"]);
     place.write("empty/x", "");
-    place.run(["merge", "empty"]).expect_refusal(&["empty: has no sound block; run every shard"]);
+    place.run(["merge", "empty"]).expect_refusal(&["empty: has no valid block; run every shard"]);
 }

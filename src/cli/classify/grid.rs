@@ -64,7 +64,7 @@ impl GridOptions {
 fn refuse_single_values(slider: &SliderOptions, arguments: &mut Arguments) {
     for quantity in [Quantity::NormalStress, Quantity::LoadingVelocity] {
         if let given @ Some(_) = slider.text(quantity) {
-            let in_grid = Problem::Needs("no grid: the grid's axes give it".into());
+            let in_grid = Problem::Needs("no grid: the grid's axes give this value".into());
             arguments.fault::<()>(&option_of(quantity), given, in_grid);
         }
     }

@@ -42,11 +42,11 @@ fn differences(rows: &[ComparedRow]) -> Option<FigureView> {
         return None;
     }
     let end = libm::exp10(libm::log10(largest).floor() + 1.0);
-    let description = "One mark for each number of a run that was held against a simulation: the difference from it over the difference that tolerance and errors allow. Marks inside the strip between -1 and 1 agree.";
+    let description = "One mark for each number of a run that was compared with a simulation: the difference divided by the difference that tolerance and errors allow. Marks between -1 and 1 agree.";
     let chart = LineChart {
-        caption: Caption::new("differences", "Runs against our simulations", description),
+        caption: Caption::new("differences", "Runs compared with our simulations", description),
         x: Axis::linear("Row", "", first(rows) - 0.5, last(rows) + 0.5),
-        y: Axis::signed_log10("Difference over the allowed one", "", SMALLEST, -end, end),
+        y: Axis::signed_log10("Difference / allowed difference", "", SMALLEST, -end, end),
         series,
         references: Vec::new(),
         bands: vec![Band { across: true, from: -1.0, to: 1.0, label: "agreement".into() }],
@@ -55,7 +55,7 @@ fn differences(rows: &[ComparedRow]) -> Option<FigureView> {
     Some(FigureView {
         id: "differences".into(),
         label: String::new(),
-        caption_markdown: "Differences of the runs' numbers from our simulation, relative, in units of what the tolerance and the errors of both sides allow. Inside the strip they agree.".into(),
+        caption_markdown: "Relative differences between the runs' numbers and our simulation, in units of what the tolerance and the errors of both sides allow. Inside the strip they agree.".into(),
         description: description.into(),
         svg: chart.svg(),
         data: vec!["findings".into()],
@@ -103,12 +103,12 @@ fn long_term_cycles(row: &ComparedRow) -> Option<FigureView> {
     let (low, high) = (libm::log10(lowest).floor(), libm::log10(highest).ceil());
     let id = format!("late-cycle-row-{}", row.number);
     let description = format!(
-        "Velocity over one late cycle of row {}, from the upward passage of the loading velocity on: the trajectory as recorded, and our simulation.",
+        "Velocity over one late cycle of row {}, starting at the upward crossing of the loading velocity: the recorded trajectory, and our simulation.",
         row.number
     );
     let chart = LineChart {
         caption: Caption::new(&id, &format!("Late cycle of row {}", row.number), &description),
-        x: Axis::linear("Time since the upward passage of *V*_0", "s", 0.0, end),
+        x: Axis::linear("Time since the upward crossing of *V*_0", "s", 0.0, end),
         y: Axis::log10("Velocity", "m/s", libm::exp10(low), libm::exp10(high.max(low + 1.0))),
         series: vec![line("simulation", ours), line("run", theirs)],
         references: Vec::new(),
@@ -120,7 +120,7 @@ fn long_term_cycles(row: &ComparedRow) -> Option<FigureView> {
         id,
         label: String::new(),
         caption_markdown: format!(
-            "The last cycle that the trajectory of row {} shows, and the last one of {periods} periods of our simulation from its start; both begin where the velocity passes the loading velocity upwards.",
+            "The last cycle of the trajectory of row {}, and the last of {periods} periods of our simulation from its start. Both begin at the upward crossing of the loading velocity.",
             row.number
         ),
         description,

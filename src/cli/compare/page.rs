@@ -14,8 +14,8 @@ use crate::cli::failure::Failure;
 use crate::cli::points::Done;
 use crate::cli::tree::Files;
 
-const SUBTITLE: &str = "Runs of other programs held against the linear theory and against our simulation";
-const HOW: &str = "Each number is compared with our simulation of the same slider and, for decaying oscillations, with the roots of the linear theory. It agrees when it differs by no more than the stated tolerance and the errors of both sides together; it differs beyond them. Where an error is larger than the tolerance, an agreement would say nothing, and the number counts as not compared.\n\nA trajectory is reduced to what it does late: its first lap is left out, the rest of it decides between a cycle and a decay, and the last cycle gives peak, period and stress drop. Their errors come from the samples themselves: the same reduction on every second sample, and the change that the last cycles still show. Periods are those between upward passages of the loading velocity.\n\nA mode is compared with the linear theory as well; where our own simulation departs from the theory, that is no verdict on the run.\n";
+const SUBTITLE: &str = "Runs of other programs compared with the linear theory and with our simulation";
+const HOW: &str = "Each number is compared with our simulation of the same slider and, for decaying oscillations, with the roots of the linear theory. It agrees if it differs by at most the stated tolerance plus the errors of both sides; otherwise it differs. If an error is larger than the tolerance, the number is not compared.\n\nA trajectory is compared by its long-term behaviour: its first cycle is left out, the rest decides between a limit cycle and a decay, and the last cycle gives peak, period and stress drop. Their errors come from the same reduction of every second sample and from the change between the last cycles. Periods are times between upward crossings of the loading velocity.\n\nA mode is also compared with the linear theory, unless our own simulation departs from the theory.\n";
 
 /// All files of the folder.
 ///
@@ -79,7 +79,7 @@ fn summary(rows: &[ComparedRow], faulty: u64) -> String {
         count(Agreement::Differs),
         count(Agreement::NotCompared),
         if faulty > 0 {
-            format!(" {faulty} further rows of the file are at fault and were passed over.")
+            format!(" {faulty} further rows of the file are invalid and were left out.")
         } else {
             String::new()
         },

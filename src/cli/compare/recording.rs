@@ -95,7 +95,7 @@ struct Positions {
 
 fn header(file: &str, row: Option<Row<'_>>) -> Result<Positions, Faults> {
     let Some(row) = row else {
-        let wanted = "time_s, velocity_m_per_s and perhaps shear_stress_pa".into();
+        let wanted = "time_s, velocity_m_per_s and optionally shear_stress_pa".into();
         return Err(vec![fault(file, None, "", CsvProblem::NoHeader { wanted }.into())]);
     };
     let line = Some(row.line);

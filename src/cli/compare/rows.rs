@@ -78,7 +78,7 @@ impl RowWork for CompareRows {
         let unknown: Vec<&str> = names.iter().map(String::as_str).filter(is_unknown).collect();
         let mut faults = Vec::new();
         if has(LAW_COLUMN) && self.law.is_some() {
-            let problem = Problem::Needs("no --law beside it: the column chooses the law".into());
+            let problem = Problem::Needs("no --law together with it: the column chooses the law".into());
             faults.push((LAW_COLUMN.to_string(), problem));
         }
         for of in Observable::STATED.into_iter().filter(|of| !has(of.key())) {

@@ -63,9 +63,9 @@ fn findings(rows: &[ComparedRow]) -> Table {
         Column::text("verdict", "Verdict"),
         Column::text("reason", "Reason"),
     ];
-    let note = "Errors and differences are relative. The error of a number that was stated is its tolerance; that of a number from a trajectory is what its sampling and its last cycles leave open.";
+    let note = "Errors and differences are relative. The error of a stated number is its tolerance. The error of a number from a trajectory comes from its sampling and from the change between its last cycles.";
     let mut table =
-        Table::new("findings", "Every quantity against theory and simulation", columns).with_note(note);
+        Table::new("findings", "All quantities compared with theory and simulation", columns).with_note(note);
     for row in rows {
         for finding in &row.comparison.findings {
             table.push(finding_cells(row.number, finding));

@@ -69,7 +69,7 @@ fn line(finding: &Finding) -> String {
     );
     if let (Some(difference), Some(allowed)) = (finding.difference, finding.allowed) {
         text += &format!(
-            "  off by {}, allowed {}",
+            "  difference {}, allowed {}",
             round_digits(difference, ERROR_DIGITS),
             round_digits(allowed, ERROR_DIGITS)
         );

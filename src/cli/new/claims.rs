@@ -90,9 +90,9 @@ impl Decided {
         let listed = self.claims.iter().filter(|claim| claim.verdict != Verdict::NotChecked);
         let sections: String = listed.map(|claim| section(&claim.entry, claim.verdict)).collect();
         format!(
-            "# The paper's claims that speak of sliders like this one, each with the verdict that was computed when this file was\n\
-             # written. `slipmode verify {name}` computes them again and exits with 1 when one differs; `--claim ID` decides one.\n\
-             {left_out}{sections}"
+            "# The paper's claims that apply to sliders like this one, each with the verdict that was computed when \
+                this file was\n# written. `slipmode verify {name}` computes them again and exits with 1 if one \
+                differs; `--claim ID` decides one.\n{left_out}{sections}"
         )
     }
 

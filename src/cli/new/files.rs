@@ -81,9 +81,9 @@ pub fn folder_files(typed: &Typed, effects: Effects, ranges: &Ranges) -> Files {
 
 fn report_text(name: &str, chapters: &[Chapter]) -> String {
     let head = format!(
-        "# What the report is called, which scenes it computes, and its chapters; the first chapter is the summary.\n\
-         # Add a scene: write scenes/OTHER.toml and list it. Add a chapter: write prose/OTHER.md and list it.\n\
-         name = \"{name}\"\ntitle = \"{name}\"\nscenes = [\"{name}\"]\n"
+        "# Name, title, scenes and chapters of the report; the first chapter is the summary.\n# To add a scene, write \
+            scenes/OTHER.toml and list it. To add a chapter, write prose/OTHER.md and list it.\nname = \
+            \"{name}\"\ntitle = \"{name}\"\nscenes = [\"{name}\"]\n"
     );
     let section = |chapter: &Chapter| {
         let Chapter { id, title, .. } = chapter;

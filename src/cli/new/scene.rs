@@ -36,33 +36,33 @@ pub fn scene_text(typed: &Typed, effects: Effects, ranges: &Ranges) -> String {
     let coarser = match ranges.points_less {
         0 => "",
         _ => {
-            "# Finer grids had a run without a result, next to the boundary, and claims on every run cannot be decided when a run failed.\n"
+            "# With finer grids, a run next to the boundary failed, and claims about every run need all runs.\n"
         }
     };
     let sections = [
         format!(
-            "# What is computed for this slider. Whatever section you delete is not computed; every key is checked.\n\
-             # Decimals are exact: 0.004 is 1/250. All units are SI.\n\
-             name = \"{name}\"\ntitle = \"{name}\"\n"
+            "# Computations for this slider. Delete a section to leave out its computation. Every key is checked.\n# \
+                Decimals are exact: 0.004 is 1/250. All units are SI.\nname = \"{name}\"\ntitle = \"{name}\"\n"
         ),
         parameters(typed),
         format!(
-            "# max Im(s) and the stability at every point of a grid of loading velocity and normal stress.\n\
-             # The ranges hold the corners of all asymptotes; choose your own to look elsewhere.\n[map]\n{map}"
+            "# max Im(s) and stability at every point of a grid of loading velocity and normal stress.\n# The ranges \
+                contain the corners of all asymptotes; you may choose others.\n[map]\n{map}"
         ),
         "# The exact boundary max Im(s) = 0 between oscillation and no oscillation.\n\
          [boundary]\npoints = 160  # on each arc\ndigits = 30  # certain digits of each coordinate\n"
             .into(),
         frequency(effects, ranges.velocity),
-        "# Where each formula (eqs 15, 16, 18, 20) is good to these relative errors.\n\
-         [tolerance]\nrelative = [0.1, 0.01, 0.001]\n"
+        "# Where each formula (eqs 15, 16, 18, 20) has at most these relative errors.\n[tolerance]\nrelative = [0.1, \
+            0.01, 0.001]\n"
             .into(),
         format!(
-            "# Slip modes on a grid, against the map that the formulas alone would draw.\n[zones]\n{map}"
+            "# Slip modes on a grid, compared with the map drawn by the formulas alone.\n[zones]\n{map}"
         ),
         format!(
-            "# The nonlinear slider at every point of a coarser grid. A finer grid costs time in proportion.\n\
-             {coarser}[simulations]\n{runs}laws = [\"slip\", \"aging\"]\ntolerance = 1e-8  # relative, of peak velocity and period\n"
+            "# The nonlinear slider at every point of a coarser grid. The time is proportional to the number of \
+                points.\n{coarser}[simulations]\n{runs}laws = [\"slip\", \"aging\"]\ntolerance = 1e-8  # relative, of \
+                peak velocity and period\n"
         ),
     ];
     sections.join("\n")
@@ -70,7 +70,7 @@ pub fn scene_text(typed: &Typed, effects: Effects, ranges: &Ranges) -> String {
 
 fn parameters(typed: &Typed) -> String {
     let source = match typed.is_example {
-        true => "# No values were given: these are the paper's. Replace them by yours.\n",
+        true => "# No values were given; these are the paper's values. Replace them by yours.\n",
         false => "# As typed.\n",
     };
     let meaning = [

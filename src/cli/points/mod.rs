@@ -39,7 +39,7 @@ pub struct RowsOptions {
     /// Where to write the rows; `-` is standard output
     #[arg(short, long, value_name = "OUT.csv", default_value = "-", requires = "points")]
     output: PathBuf,
-    /// Give faulty rows an `error` column instead of stopping
+    /// Give invalid rows a cell in a column `error` instead of stopping
     #[arg(long, requires = "points")]
     keep_going: bool,
 }
@@ -188,7 +188,7 @@ impl Counts {
             eprintln!("{} of {} rows have an error; see the column `error`", self.faulty, self.rows);
         }
         if self.unanswered > 0 {
-            eprintln!("{} of {} rows have no answer; see the column `status`", self.unanswered, self.rows);
+            eprintln!("{} of {} rows have no result; see the column `status`", self.unanswered, self.rows);
         }
         self.print_warnings();
     }

@@ -49,7 +49,7 @@ impl RowWork for SimulateRows {
             (false, None) => {
                 Problem::Missing { allowed: format!("a column of {LAWS}, or the option --law for all rows") }
             }
-            (true, Some(_)) => Problem::Needs("no --law beside it: the column chooses the law".into()),
+            (true, Some(_)) => Problem::Needs("no --law together with it: the column chooses the law".into()),
             _ => return Vec::new(),
         };
         vec![(LAW_COLUMN.into(), problem)]

@@ -57,7 +57,7 @@ pub fn text(found: &Simulation, law: EvolutionLaw, settings: Settings) -> String
         ("mode", found.behaviour.as_str().into(), mode),
         ("slip mode", found.slip_mode.as_str().into(), "(from the trajectory alone)"),
         ("peak velocity", relative(found.peak_velocity_m_per_s, found.peak_relative_error, "m/s"), extent),
-        ("log10 of least V/V0", lowest, extent),
+        ("log10 of minimum V/V0", lowest, extent),
         ("stress drop", relative(found.stress_drop_pa, found.stress_drop_relative_error, "Pa"), extent),
         ("period", period, oscillation),
         ("frequency", frequency, oscillation),

@@ -187,13 +187,13 @@ impl OpenBlock {
             limited.read_until(b'\n', &mut text).map_err(Unsound::Unreadable)?;
         }
         let heading = std::str::from_utf8(&text).ok().and_then(Heading::parse);
-        let heading = heading.ok_or_else(|| Unsound::Damaged("has no sound heading".into()))?;
+        let heading = heading.ok_or_else(|| Unsound::Damaged("has no valid heading".into()))?;
         let stated = text.len() as u64 + heading.bytes;
         match size {
             size if size < stated => Err(Unsound::Damaged(format!("truncated: {size} of {stated} bytes"))),
             size if size > stated => Err(Unsound::Damaged(format!("too long: {size} bytes, not {stated}"))),
             _ if heading.block != block => {
-                Err(Unsound::Damaged(format!("holds block {}: doubled or renamed", heading.block)))
+                Err(Unsound::Damaged(format!("contains block {}: duplicated or renamed", heading.block)))
             }
             _ => Ok(Self { heading, reader, name }),
         }
@@ -221,7 +221,7 @@ impl OpenBlock {
         if finished_hex(digest) == self.heading.sha256 {
             return Ok(Ok(()));
         }
-        Ok(Err(Unsound::Damaged("damaged or tampered with: its SHA-256 is not the stated one".into())))
+        Ok(Err(Unsound::Damaged("damaged or altered: its SHA-256 is not the stated one".into())))
     }
 }
 

@@ -86,7 +86,7 @@ impl Plan {
             ("blocks", self.blocks().to_string(), &format!("(of {} points)", self.blocks.block_points)),
             ("shards", shards.to_string(), &format!("(about {} minutes each)", digits(shard_minutes))),
             ("core-hours", digits(self.core_seconds() / 3600.0), ""),
-            ("bytes", digits(self.bytes), "(blocks; the merged file has at most as many again)"),
+            ("bytes", digits(self.bytes), "(of blocks; the merged file has at most as many)"),
             (
                 "a point",
                 format!("{} s", digits(self.seconds_per_point)),
@@ -95,7 +95,7 @@ impl Plan {
             (
                 "a block",
                 format!("{} s", digits(block_seconds)),
-                "(lost when a shard is killed, at most, on each thread)",
+                "(lost at most, on each thread, if a shard is killed)",
             ),
         ])
     }

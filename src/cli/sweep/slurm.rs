@@ -62,7 +62,7 @@ fn absolute(path: &Path) -> Result<String, Failure> {
     match path.to_str() {
         Some(text) => Ok(quoted(text)),
         None => Err(Failure::Refused(format!(
-            "{}: a path that is not UTF-8 cannot stand in a script",
+            "{}: a script cannot contain a path that is not UTF-8",
             path.display()
         ))),
     }
@@ -91,13 +91,13 @@ impl Scripts<'_> {
         let limit = self.minutes * 2;
         format!(
             "#!/bin/sh\n\
-             # One task of the array computes one shard, on one core. submit.sh says which tasks there are.\n\
+             # One task of the array computes one shard, on one core. submit.sh lists the tasks.\n\
              #SBATCH --job-name={name}\n\
              #SBATCH --ntasks=1\n\
              #SBATCH --cpus-per-task=1\n\
-             # Minutes: twice what was planned for a shard.\n\
+             # Minutes: twice the planned time of a shard.\n\
              #SBATCH --time={limit}\n\
-             # A task whose node fails, or that is preempted, goes back to the queue; it goes on after its last whole block.\n\
+             # A task whose node fails, or that is preempted, goes back to the queue; it continues after its last complete block.\n\
              #SBATCH --requeue\n\
              #SBATCH --open-mode=append\n\
              exec {program} --threads 1 --quiet sweep {scene} --shard \"$SLURM_ARRAY_TASK_ID/{shards}\" --out {out}\n"
@@ -108,8 +108,8 @@ impl Scripts<'_> {
         let Self { name, program, out, shards, .. } = self;
         format!(
             "#!/bin/sh\n\
-             # Puts the blocks together when no task of the array is left, whatever became of them.\n\
-             # Ends with 1, and with the shards to submit again in its log, when blocks are missing.\n\
+             # Joins the blocks after all tasks of the array have ended, also if some failed.\n\
+             # If blocks are missing, exits with 1 and names the shards to submit again in its log.\n\
              #SBATCH --job-name={name}-merge\n\
              #SBATCH --ntasks=1\n\
              #SBATCH --cpus-per-task=1\n\
@@ -123,7 +123,7 @@ impl Scripts<'_> {
         let last = shards - 1;
         format!(
             "#!/bin/sh\n\
-             # Submits the array, and the merge to follow it.\n\
+             # Submits the array, and the merge after it.\n\
              #   sh submit.sh           all {shards} shards, 0 to {last}\n\
              #   sh submit.sh 3,17-19   only these: what `merge {out} --shards {shards} --missing` prints\n\
              # A cluster takes arrays up to its MaxArraySize (`scontrol show config`); `sweep --slurm --shards N` makes fewer.\n\

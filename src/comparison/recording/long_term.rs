@@ -49,11 +49,11 @@ pub enum Undecided {
     },
     /// Neither enough cycles nor a decay.
     #[error(
-        "the trajectory shows {0} cycles after its first passage of the loading velocity, and no decay (needed: 3 cycles)"
+        "the trajectory has {0} cycles after its first crossing of the loading velocity, and no decay (needed: 3 cycles)"
     )]
     FewCycles(usize),
     /// The cycles still change.
-    #[error("the trajectory has not settled: its last swings of log10 V are {0}")]
+    #[error("the trajectory has not converged to a cycle or a decay: its last ranges of log10 V are {0}")]
     StillChanging(String),
 }
 

@@ -110,11 +110,11 @@ fn routes(context: &Context) -> Option<Table> {
         Column::text("scene", "Scene"),
         Column::number("compared", "Crossings found by all three routes", ""),
         Column::number("disagreements", "Disagreements", ""),
-        Column::number("digits", "Digits asked for", ""),
+        Column::number("digits", "Requested digits", ""),
         Column::number("largest_relative_difference", "Largest possible relative difference", ""),
     ];
     let mut table = Table::new("routes", "The boundary by three routes", columns)
-        .with_note("Routes: the rational curve, isolated real roots of the discriminant, and bisection on the exact class. The difference is an upper bound from the enclosures alone.");
+        .with_note("Routes: the rational curve, isolated real roots of the discriminant, and bisection on the exact class. The difference is an upper bound, computed from the enclosures.");
     for (name, outcome) in boundaries(context) {
         let comparison = &outcome.comparison;
         table.push(vec![

@@ -15,7 +15,7 @@ pub(crate) const FIGURES: &[FigureMaker] = &[FigureMaker {
     make: |outcome| frequency_lines(outcome.potentially_unstable()?),
 }];
 
-const DESCRIPTION: &str = "Largest imaginary part against loading velocity at constant normal stresses, on logarithmic axes. At the critical normal stress it follows eq 23 at low velocity and bends to the natural frequency; where a line has a gap the frequency is zero.";
+const DESCRIPTION: &str = "Largest imaginary part against loading velocity at constant normal stresses, on logarithmic axes. At the critical normal stress it follows eq 23 at low velocity and approaches the natural frequency at high velocity. The frequency is zero in the gaps of a line.";
 
 fn frequency_lines(scene: &SceneOutcome) -> Option<Figure> {
     let (parameters, outcome) = (scene.slider()?, scene.frequency.as_ref()?);
@@ -37,7 +37,7 @@ fn frequency_lines(scene: &SceneOutcome) -> Option<Figure> {
     Some(Figure {
         id: "fig-2".into(),
         label: "Figure 2".into(),
-        caption_markdown: "Largest imaginary part along lines of constant normal stress (compare fig 2 of the paper), with eq 23 and the natural angular frequency. Where a line is missing all roots are real.".into(),
+        caption_markdown: "Largest imaginary part along lines of constant normal stress (compare fig 2 of the paper), with eq 23 and the natural angular frequency. In the gaps of a line all roots are real.".into(),
         description: DESCRIPTION.into(),
         svg: chart.svg(),
     })

@@ -11,16 +11,16 @@ use slipmode_plot::table::{Cell, Column, Table};
 
 pub(crate) const TABLES: &[TableMaker] = &[
     TableMaker {
-        id: "hard-laps",
+        id: "hard-cycles",
         needs: &[Need::HardReturns],
         make: |context| by_method(context, &ORDINARY),
     },
     TableMaker {
-        id: "hard-laps-below-rounding",
+        id: "hard-cycles-below-rounding",
         needs: &[Need::HardReturns],
         make: |context| by_method(context, &BELOW),
     },
-    TableMaker { id: "hard-laps-runs", needs: &[Need::HardReturns], make: runs },
+    TableMaker { id: "hard-cycles-runs", needs: &[Need::HardReturns], make: runs },
 ];
 
 /// One of the two tables with a column per method.
@@ -32,14 +32,14 @@ struct Kind {
 }
 
 const ORDINARY: Kind = Kind {
-    id: "hard-laps",
-    title: "Error of a lap by method, at a local tolerance of 1e-9; a whole simulation at 1e-8",
+    id: "hard-cycles",
+    title: "Error of one cycle by method, at a local tolerance of 1e-9; a whole simulation at 1e-8",
     tolerances: [1e-12, 1.0],
 };
 
 const BELOW: Kind = Kind {
-    id: "hard-laps-below-rounding",
-    title: "The same at tolerances below rounding, 1e-16",
+    id: "hard-cycles-below-rounding",
+    title: "Error of one cycle by method, at a local tolerance of 1e-16, below rounding",
     tolerances: [1e-18, 1e-12],
 };
 
@@ -84,7 +84,7 @@ fn by_method(context: &Context, kind: &Kind) -> Option<Table> {
                 .verdicts
                 .iter()
                 .find(|verdict| verdict.method == method && (least..most).contains(&verdict.tolerance));
-            Cell::text(said.map_or_else(|| "not asked".into(), short))
+            Cell::text(said.map_or_else(|| "not run".into(), short))
         }));
         table.push(row);
     }
@@ -98,7 +98,7 @@ const fn kind_of(failure: &Failure) -> &'static str {
         Failure::StepVanished { .. } => "step vanishes",
         Failure::TooManySteps { .. } => "too many steps",
         Failure::Undecided { .. } => "undecided",
-        Failure::UnreachableTolerance { .. } => "refused: out of reach",
+        Failure::UnreachableTolerance { .. } => "refused: not attainable",
     }
 }
 
@@ -108,7 +108,7 @@ fn short(verdict: &ReturnVerdict) -> String {
         Err(failure) => kind_of(failure).into(),
         Ok(ReturnAnswer { error, behaviour: None, .. }) => round_digits(*error, 1),
         Ok(ReturnAnswer { error, behaviour: Some(behaviour), .. }) => {
-            format!("{}, stated {}", behaviour.as_str(), round_digits(*error, 1))
+            format!("{}, estimated {}", behaviour.as_str(), round_digits(*error, 1))
         }
     }
 }
@@ -123,7 +123,7 @@ fn runs(context: &Context) -> Option<Table> {
         Column::number("error", "Error", ""),
         Column::text("failure", "Failure"),
     ]);
-    let mut table = Table::new("hard-laps-runs", "Hard laps, run by run", columns);
+    let mut table = Table::new("hard-cycles-runs", "Hard cycles, run by run", columns);
     for found in outcomes(context) {
         for verdict in &found.verdicts {
             let mut row = case_cells(&found.case);

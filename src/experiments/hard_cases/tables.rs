@@ -10,7 +10,7 @@ use slipmode_core::roots::PrecisionLevel;
 use slipmode_plot::table::{Cell, Column, Table};
 
 pub(crate) const TABLES: &[TableMaker] = &[
-    TableMaker { id: "rungs", needs: &[Need::Map], make: precision_levels },
+    TableMaker { id: "precision-levels", needs: &[Need::Map], make: precision_levels },
     TableMaker { id: "hard-cases", needs: &[Need::HardCases], make: hard_cases },
     TableMaker { id: "method-verdicts", needs: &[Need::HardCases], make: method_verdicts },
     TableMaker { id: "method-errors", needs: &[Need::HardCases], make: method_errors },
@@ -19,10 +19,11 @@ pub(crate) const TABLES: &[TableMaker] = &[
 fn precision_levels(context: &Context) -> Option<Table> {
     let columns = vec![
         Column::text("scene", "Scene"),
-        Column::text("rung", "Rung"),
+        Column::text("rung", "Precision level"),
         Column::number("points", "Points decided", ""),
     ];
-    let mut table = Table::new("rungs", "Which rung answered on the maps", columns);
+    let mut table =
+        Table::new("precision-levels", "Precision level that decided the points of the maps", columns);
     for scene in &context.outcome.scenes {
         let Some(map) = &scene.map else { continue };
         for precision_level in [PrecisionLevel::F64, PrecisionLevel::DoubleDouble, PrecisionLevel::Exact] {
@@ -42,11 +43,11 @@ fn hard_cases(context: &Context) -> Option<Table> {
         Column::text("family", "Family"),
         Column::number("points", "Points", ""),
         Column::number("wrong", "Wrong signs, classes or modes", ""),
-        Column::number("worst_real_error", "Worst error of max Re(s), relative to the root", ""),
-        Column::number("worst_imaginary_error", "Worst relative error of max Im(s)", ""),
-        Column::text("highest_rung", "Highest rung"),
+        Column::number("worst_real_error", "Largest error of max Re(s), relative to the root", ""),
+        Column::number("worst_imaginary_error", "Largest relative error of max Im(s)", ""),
+        Column::text("highest_rung", "Highest precision level"),
     ];
-    let mut table = Table::new("hard-cases", "Hard cases against independent programs", columns);
+    let mut table = Table::new("hard-cases", "Hard cases compared with independent programs", columns);
     for family in families(context) {
         table.push(vec![
             Cell::text(&family.family),
@@ -84,7 +85,7 @@ fn method_columns() -> Vec<Column> {
 }
 
 fn method_verdicts(context: &Context) -> Option<Table> {
-    let title = "Wrong signs or classes by method; points without a finite answer, and points left open";
+    let title = "Wrong signs or classes by method; points without a finite answer, and undecided points";
     let table = Table::new("method-verdicts", title, method_columns());
     by_method(context, table, |score| {
         let parts = [(score.wrong, "wrong"), (score.failed, "failed"), (score.open, "open")];
@@ -96,7 +97,7 @@ fn method_verdicts(context: &Context) -> Option<Table> {
 }
 
 fn method_errors(context: &Context) -> Option<Table> {
-    let title = "Worst error of max Re(s) / of max Im(s) by method, in 2^-52 of the root and of Im(s), where answered";
+    let title = "Largest error of max Re(s) / of max Im(s) by method, in 2^-52 of the root and of Im(s), for points with an answer";
     let table = Table::new("method-errors", title, method_columns());
     by_method(context, table, |score| {
         let [real, imaginary] =

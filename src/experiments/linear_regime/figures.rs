@@ -49,7 +49,7 @@ fn all_runs(context: &Context) -> Option<Table> {
         Column::text("law", "Law"),
         Column::number("growth_rate", "Re p", "V_l/D_c"),
         Column::number("angular_frequency", "Im p", "V_l/D_c"),
-        Column::text("direction", "Start along which part of the eigenvector"),
+        Column::text("direction", "Start along real or imaginary part of the eigenvector"),
         Column::number("largest_amplitude", "Largest amplitude", ""),
         Column::number("mismatch_at_largest", "Mismatch there", ""),
         Column::number("smallest_amplitude", "Smallest amplitude", ""),
@@ -57,11 +57,11 @@ fn all_runs(context: &Context) -> Option<Table> {
         Column::number("frequency_mismatch", "Mismatch of frequency there", ""),
         Column::number("snapshot_mismatch", "Mismatch from snapshots there", ""),
         Column::number("order", "Order in the amplitude", ""),
-        Column::number("coefficient", "Predicted mismatch over amplitude", ""),
-        Column::number("off_prediction", "Measured over predicted, less 1", ""),
-        Column::number("difference_of_64_bit", "64-bit run differs by", ""),
+        Column::number("coefficient", "Predicted mismatch / amplitude", ""),
+        Column::number("off_prediction", "Measured / predicted − 1", ""),
+        Column::number("difference_of_64_bit", "Difference of a 64-bit run", ""),
     ];
-    let mut table = Table::new("linear-regime", "Small disturbances against the roots of eq 8", columns)
+    let mut table = Table::new("linear-regime", "Small disturbances compared with the roots of eq 8", columns)
         .with_note("Mismatches are relative to |p|; amplitudes are the largest of |ln(V/V_l)|, |ln(V_l θ/D_c)| and the spring stress in units of aσ. Roots: certified to 40 digits. Runs: double-double, local tolerance 1e-20.");
     for scene in &context.outcome.scenes {
         for run in runs_of(scene) {
@@ -132,14 +132,14 @@ fn extremes(context: &Context) -> Option<Table> {
         Column::text("root", "Root"),
         Column::number("starts", "Starts", ""),
         Column::number("amplitude", "Smallest amplitude", ""),
-        Column::number("worst_mismatch", "Worst mismatch there, by either route", ""),
+        Column::number("worst_mismatch", "Largest mismatch there, by either method", ""),
         Column::number("worst_order", "Order farthest from 1", ""),
         Column::number("off_prediction", "Farthest from the predicted constant", ""),
         Column::number("difference_of_64_bit", "Largest difference of a 64-bit run", ""),
         Column::number("failures", "Starts of the scene without a result", ""),
     ];
     let mut table =
-        Table::new("linear-regime-extremes", "Growth rate and frequency against the roots: the worst", columns)
+        Table::new("linear-regime-extremes", "Growth rate and frequency compared with the roots: largest mismatches", columns)
             .with_note("Mismatch: |p_measured − p|/|p|. The order is the slope of the mismatch over the amplitude from the largest to the smallest amplitude.");
     for group in groups(context.outcome) {
         let failures = context.outcome.scenes.iter().find(|scene| scene.scene.name == group.scene);
@@ -169,11 +169,11 @@ fn steady(context: &Context) -> Option<Table> {
         Column::number("normal_stress_pa", "σ", "Pa"),
         Column::text("law", "Law"),
         Column::number("departure", "Departure from steady sliding", ""),
-        Column::number("disturbed_over_disturbance", "Largest over initial disturbance of 2^-52", ""),
-        Column::number("free_residual_over_normal_stress", "Free residual over σ", ""),
+        Column::number("disturbed_over_disturbance", "Largest / initial disturbance of 2^-52", ""),
+        Column::number("free_residual_over_normal_stress", "Free residual / σ", ""),
     ];
     let mut table = Table::new("steady-sliding", "Steady sliding over a million D_c/V_l, and the free residual", columns)
-        .with_note("Departure: the largest of |ln(V/V_l)|, |ln(V_l θ/D_c)| and the spring stress in units of aσ. The disturbed start has 2^-52 in all three; where steady sliding is unstable it must grow, and is not run. Free residual: spring stress against that of loading and separately integrated slip, from the paper's start over 1 000 D_c/V_l (100 of a decay), local tolerance 1e-11.");
+        .with_note("Departure: the largest of |ln(V/V_l)|, |ln(V_l θ/D_c)| and the spring stress in units of aσ. The disturbed start has 2^-52 in all three. Where steady sliding is unstable, the disturbance must grow and is not run. Free residual: difference between the spring stress and that computed from loading and separately integrated slip, from the paper's start over 1 000 D_c/V_l (100 for a decay), local tolerance 1e-11.");
     for scene in &context.outcome.scenes {
         let steady = scene.linear_regime.iter().flat_map(|outcome| &outcome.steady);
         for run in steady.filter_map(|run| run.as_ref().ok()) {
@@ -195,7 +195,7 @@ fn steady_row(scene: &str, run: &SteadyRun) -> Vec<Cell> {
     ]
 }
 
-const DESCRIPTION: &str = "Relative mismatch between the rate of a small disturbance and the root of the cubic, against the size of the disturbance, on logarithmic axes. Four series, the starts of largest and smallest constant under each evolution law, fall along straight lines of slope one over eight decades; the largest constants of the two laws nearly coincide. Only the smallest mismatches come down to the level at which 64-bit runs stop.";
+const DESCRIPTION: &str = "Relative mismatch between the rate of a small disturbance and the root of the cubic, against the size of the disturbance, on logarithmic axes. Four series, the starts with the largest and smallest constant under each evolution law, follow straight lines of slope one over eight decades. The largest constants of the two laws nearly coincide. Only the smallest mismatches reach the rounding level of 64-bit runs.";
 
 fn mismatch_chart(outcome: &Outcome) -> Option<Figure> {
     let all: Vec<&ModeRuns> = outcome.scenes.iter().flat_map(runs_of).collect();
@@ -228,7 +228,7 @@ fn mismatch_chart(outcome: &Outcome) -> Option<Figure> {
     (least < most && floor > 0.0).then(|| Figure {
         id: "small-disturbances".into(),
         label: "Figure L1".into(),
-        caption_markdown: "Relative mismatch between the measured rate of a small disturbance and the certified root, against the size of the disturbance: for each law the starts with the largest and the smallest predicted constant of all points. Nonlinear runs in double-double. All lines have slope 1, as the quadratic terms require; the others lie between them. The grey line is the largest difference of a 64-bit run from the smallest amplitude.".into(),
+        caption_markdown: "Relative mismatch between the measured rate of a small disturbance and the certified root, against the size of the disturbance: for each law, the starts with the largest and the smallest predicted constant of all points. The nonlinear runs are in double-double. All lines have slope 1, as the quadratic terms require; the lines of other starts lie between them. The grey line is the largest difference of a 64-bit run at the smallest amplitude.".into(),
         description: DESCRIPTION.into(),
         svg: chart.svg(),
     })

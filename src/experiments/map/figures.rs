@@ -52,23 +52,23 @@ const FIG_1: Words = Words {
     id: "fig-1",
     label: "Figure 1",
     title: "Largest imaginary part of the roots of eq 8, a < b",
-    caption: "Largest imaginary part of the three roots for a < b (compare fig 1 of the paper). Every point was classified exactly; the solid line is the exact boundary, the dashed lines are its four asymptotes, and the white line is the transition.",
-    description: "Map over loading velocity and normal stress. Two uncoloured areas without oscillation, one at high normal stress and one at low normal stress, are bounded by exact lines that join pairs of dashed asymptotes; the lower area ends in a cusp to the right of the asymptotes' corner. The frequency rises from left to right and saturates at the natural frequency.",
+    caption: "Largest imaginary part of the three roots for a < b (compare fig 1 of the paper). Every point was classified exactly. Solid line: exact boundary. Dashed lines: its four asymptotes. White line: transition.",
+    description: "Map over loading velocity and normal stress. Two areas without colour do not oscillate, one at high and one at low normal stress. Exact lines that join pairs of dashed asymptotes bound them. The lower area ends in a cusp to the right of the asymptotes' corner. The frequency rises from left to right and saturates at the natural frequency.",
 };
 
 const FIG_6A: Words = Words {
     id: "fig-6a",
     label: "Figure 6a",
     title: "Largest imaginary part of the roots of eq 8, a ≥ b",
-    caption: "Largest imaginary part of the three roots for a ≥ b (compare fig 6a of the paper). Every point was classified exactly. There is no transition; with a and b exchanged the line of eq 20 would stand at another velocity, and so would the contours.",
-    description: "Map over loading velocity and normal stress for a not below b: uncoloured areas without oscillation at low and, unless a equals b, at high normal stress, bounded by exact lines that join pairs of dashed asymptotes; no transition line.",
+    caption: "Largest imaginary part of the three roots for a ≥ b (compare fig 6a of the paper). Every point was classified exactly. There is no transition. With a and b exchanged, the line of eq 20 and the contours would lie at other velocities.",
+    description: "Map over loading velocity and normal stress for a not below b: areas without colour do not oscillate, at low and, unless a equals b, at high normal stress. Exact lines that join pairs of dashed asymptotes bound them. There is no transition line.",
 };
 
 const FIG_7A: Words = Words {
     id: "fig-7a",
     label: "Figure 7a",
     title: "Slip modes, a < b",
-    caption: "Slip modes decided exactly at every point (compare fig 7a of the paper), with the exact boundary, the asymptotes and the transition over them.",
+    caption: "Slip modes, decided exactly at every point (compare fig 7a of the paper), with the exact boundary, the asymptotes and the transition.",
     description: "Map of the slip modes over loading velocity and normal stress: overdamped stable sliding at low stress and low velocity, non-inertial and inertial underdamped oscillation around it, stick-slip at high stress, harmonic vibration at high velocity.",
 };
 
@@ -76,7 +76,7 @@ const FIG_7B: Words = Words {
     id: "fig-7b",
     label: "Figure 7b",
     title: "Slip modes, a ≥ b",
-    caption: "Slip modes decided exactly at every point for a ≥ b (compare fig 7b of the paper): everything is stable, and the upper area is an overdamped oscillation.",
+    caption: "Slip modes for a ≥ b, decided exactly at every point (compare fig 7b of the paper). All modes are stable. The upper area is an overdamped oscillation.",
     description: "Map of the slip modes over loading velocity and normal stress: overdamped stable sliding, non-inertial and inertial underdamped oscillation, and overdamped oscillation at high stress.",
 };
 

@@ -32,7 +32,7 @@ pub(crate) const FIGURES: &[FigureMaker] = &[
 /// Vertices of a curve.
 const VERTICES: u32 = 80;
 
-const CRITICALITY: &str = "Plane of the inertial parameter eta and of b/a minus 1, both logarithmic. A curve that starts upright at eta = 1/7 and bends to smaller eta as b/a grows divides it: left of it the aging law is subcritical, right of it both laws are supercritical.";
+const CRITICALITY: &str = "Plane of the inertial parameter eta and of b/a minus 1, both logarithmic. A curve divides it; the curve starts upright at eta = 1/7 and bends to smaller eta as b/a grows. Left of it the aging law is subcritical, right of it both laws are supercritical.";
 
 fn criticality(outcome: &Outcome) -> Option<Figure> {
     let x = Axis::log10("*η*", "", 1e-3, 1e1);
@@ -69,7 +69,7 @@ fn criticality(outcome: &Outcome) -> Option<Figure> {
     Some(Figure {
         id: "criticality".into(),
         label: "Figure T1".into(),
-        caption_markdown: "How cycles are born on $K = K_c$, by the sign of the first Lyapunov coefficient (exact): softly where it is negative, with a stretch of bistability where it is positive. The slip law's is negative everywhere.".into(),
+        caption_markdown: "Sign of the first Lyapunov coefficient on $K = K_c$ (exact). Where it is negative, the bifurcation is supercritical. Where it is positive, it is subcritical, with a range of bistability. The coefficient of the slip law is negative everywhere.".into(),
         description: CRITICALITY.into(),
         svg: map.svg(),
     })
@@ -102,7 +102,7 @@ fn strip(scene: &SceneOutcome) -> Option<Figure> {
             style: 2,
         }],
         lines: vec![
-            Line { label: "edge: fold of cycles".into(), role: LineRole::Boundary, points: points.clone() },
+            Line { label: "limit: fold of cycles".into(), role: LineRole::Boundary, points: points.clone() },
             Line {
                 label: "*η*_0, where *l*_1 = 0".into(),
                 role: LineRole::Guide,
@@ -114,7 +114,7 @@ fn strip(scene: &SceneOutcome) -> Option<Figure> {
             .map(|&(x, y)| PointMark { label: String::new(), x, y, side: Side::Above })
             .collect(),
         labels: vec![
-            label(&["two late behaviours:", "the start decides"], 1e-3, 2e-6),
+            label(&["two long-term behaviours:", "the start decides"], 1e-3, 2e-6),
             label(&["stable sliding only"], 1e-4, 1e-2),
         ],
         x,
@@ -123,13 +123,13 @@ fn strip(scene: &SceneOutcome) -> Option<Figure> {
     Some(Figure {
         id: "bistability-strip".into(),
         label: "Figure T2".into(),
-        caption_markdown: "Where $K > K_c$ and yet a stable limit cycle exists: aging law, $\\beta$ of the simulations. Points: folds of the families of cycles (converged); between them the edge is joined by straight lines. With the slip law no cycle was found at any $K > K_c$.".into(),
+        caption_markdown: "Values of $K > K_c$ at which a stable limit cycle exists: aging law, $\\beta$ of the simulations. Points: folds of the families of cycles (converged), joined by straight lines. With the slip law no cycle was found at any $K > K_c$.".into(),
         description: STRIP.into(),
         svg: map.svg(),
     })
 }
 
-const AMPLITUDES: &str = "Peak velocity of cycles against K/K_c minus 1 at one small eta. With the slip law a stable branch rises from zero towards smaller stiffness. With the aging law an unstable branch rises from zero towards larger stiffness, turns at the fold, and goes on as the stable branch to smaller stiffness. Thin dashed parabolas of the theory touch both at zero.";
+const AMPLITUDES: &str = "Peak velocity of cycles against K/K_c minus 1 at one small eta. With the slip law a stable branch rises from zero towards smaller stiffness. With the aging law an unstable branch rises from zero towards larger stiffness, turns at the fold, and continues as the stable branch to smaller stiffness. Thin dashed parabolas of the theory touch both at zero.";
 
 /// The family of the law at the smallest η of the runs at which the aging law has an edge.
 fn family<'c>(
@@ -178,7 +178,7 @@ fn amplitudes(near: &NearTransitionOutcome) -> Option<Figure> {
         id: "cycle-amplitudes".into(),
         label: "Figure T3".into(),
         caption_markdown: format!(
-            "Cycles close to $K = K_c$ at $\\eta = {}$, stable and unstable, by Newton's method on the return map, and the cycles on which runs from $V_l/10$ end. The thin lines are the amplitude $A \\propto \\sqrt{{|1 - K/K_c|}}$ of the first Lyapunov coefficient.",
+            "Cycles close to $K = K_c$ at $\\eta = {}$, stable and unstable, by Newton's method on the return map, and the limit cycles at which runs from $V_l/10$ end. Thin lines: amplitude $A \\propto \\sqrt{{|1 - K/K_c|}}$ predicted by the first Lyapunov coefficient.",
             rational_to_decimal(inertial, 6)
         ),
         description: AMPLITUDES.into(),

@@ -60,18 +60,18 @@ fn runs(context: &Context) -> Option<Table> {
         Column::text("law", "Law"),
         Column::number("inertial_parameter", "η", ""),
         Column::number("stiffness_over_critical", "K/K_c", ""),
-        Column::text("behaviour", "Late behaviour"),
+        Column::text("behaviour", "Long-term behaviour"),
         Column::number("log_peak", "ln(V_peak/V_l)", ""),
         Column::number("log_peak_newton", "the same by Newton's method", ""),
         Column::number("amplitude", "Amplitude of ln(V/V_l)", ""),
         Column::number("amplitude_predicted", "by the coefficient", ""),
         Column::number("growth_over_rate", "Growth rate", "V_l/D_c"),
         Column::number("linear_growth_over_rate", "Re(s)", "V_l/D_c"),
-        Column::number("laps_per_e_fold", "Laps per factor e", ""),
+        Column::number("laps_per_e_fold", "Cycles per factor e", ""),
         Column::text("failure", "Failure"),
     ];
     let mut table = Table::new("near-transition-runs", "Runs close to K = K_c", columns)
-        .with_note("Start: steady sliding at V_l/10. Peak and amplitude (half of the range) are those of the limit cycle, the growth rate is that of the late oscillation of a decay. The prediction of the coefficient is of leading order, for small stable cycles. Laps per factor e: in how many oscillations the distance from the late behaviour shrinks by e.");
+        .with_note("Start: steady sliding at V_l/10. Peak and amplitude (half of the range) are those of the limit cycle; the growth rate is that of the late oscillation of a decay. The coefficient predicts small stable cycles to leading order. Cycles per factor e: number of oscillations in which the distance from the long-term behaviour shrinks by e.");
     for run in found(context).flat_map(|outcome| &outcome.runs) {
         let ended = |on_cycle: bool| run.periodic().map(|periodic| periodic == on_cycle) == Some(true);
         let word = if ended(true) { "periodic" } else { "decaying" };
@@ -108,7 +108,7 @@ fn families(context: &Context) -> Option<Table> {
         Column::number("multiplier", "Leading Floquet multiplier", ""),
     ];
     let mut table = Table::new("cycle-families", "Cycles that leave steady sliding at K = K_c", columns)
-        .with_note("Found by Newton's method on the return map with K as an unknown, stable and unstable alike; a multiplier above 1 means unstable.");
+        .with_note("Stable and unstable cycles, found by Newton's method on the return map with K as an unknown. A multiplier above 1 means unstable.");
     for family in found(context).flat_map(|outcome| &outcome.families) {
         for cycle in &family.cycles {
             table.push(vec![
@@ -131,11 +131,11 @@ fn agreement(context: &Context) -> Option<Table> {
         Column::number("inertial_parameter", "η", ""),
         Column::text("criticality", "Bifurcation (exact)"),
         Column::number("amplitude", "Amplitude of ln(V/V_l)", ""),
-        Column::number("deviation", "K/K_c − 1 over the predicted, minus 1", ""),
+        Column::number("deviation", "(K/K_c − 1) / predicted − 1", ""),
         Column::number("order", "Order in the amplitude", ""),
     ];
-    let mut table = Table::new("cycle-agreement", "Integrated cycles against the first Lyapunov coefficient", columns)
-        .with_note("The deviation is of second order in the amplitude: the next term of the normal form. The order shown follows from two cycles a factor of about two apart (sampled); it is left out where the second-order term is about to change sign and the next one shows.");
+    let mut table = Table::new("cycle-agreement", "Integrated cycles compared with the first Lyapunov coefficient", columns)
+        .with_note("The deviation is of second order in the amplitude, the next term of the normal form. The order follows from two cycles whose amplitudes differ by a factor of about two (sampled). It is left out where the second-order term is close to changing sign, so that the next term dominates.");
     for family in found(context).flat_map(|outcome| &outcome.families) {
         let Some(agreement) = family.agreement() else { continue };
         table.push(vec![
@@ -155,10 +155,10 @@ fn edges(context: &Context) -> Option<Table> {
         Column::number("inertial_parameter", "η", ""),
         Column::number("loading_velocity_m_per_s", "V_l on K = K_c", "m/s"),
         Column::number("normal_stress_pa", "σ on K = K_c", "Pa"),
-        Column::number("edge_excess", "Edge: K/K_c − 1", ""),
+        Column::number("edge_excess", "Fold: K/K_c − 1", ""),
         Column::number("edge_error", "± of the continuation", ""),
-        Column::number("bracket_by_runs", "Runs confirm it to a part of", ""),
-        Column::number("edge_log_peak", "ln(V_peak/V_l) at the edge", ""),
+        Column::number("bracket_by_runs", "Confirmed by runs to a relative", ""),
+        Column::number("edge_log_peak", "ln(V_peak/V_l) at the fold", ""),
         Column::number("width_dex", "Width in σ", "dex"),
         Column::number("half_way_excess", "Half-way: K/K_c − 1", ""),
         Column::number("unstable_log_peak", "ln(V_peak/V_l) of the unstable cycle", ""),
@@ -166,11 +166,11 @@ fn edges(context: &Context) -> Option<Table> {
         Column::text("threshold_confirmed", "Confirmed by runs"),
     ];
     let note = format!(
-        "The edge is the fold of the family of cycles (converged). Runs that start on the fold's cycle end on a cycle below the edge and in sliding above it. The threshold is the steady sliding from which a run half-way to the edge is undecided: slower starts end on the limit cycle. Confirmed by runs from 2 % in ln(V/V_l) to either side. An empty cell: at least one of the runs has no result.{}",
+        "The limit of bistability is the fold of the family of cycles (converged). Runs that start on the fold's cycle end on a limit cycle below the fold and in steady sliding above it. Threshold start, for K half-way to the fold: runs that start from slower steady sliding end on the limit cycle, others in steady sliding. Runs from 2 % in ln(V/V_l) on either side confirm it. An empty cell: at least one of the runs has no result.{}",
         orders(context).unwrap_or_default()
     );
     let mut table =
-        Table::new("bistability-edge", "Edge of bistability, aging law", columns).with_note(&note);
+        Table::new("bistability-edge", "Limit of bistability, aging law", columns).with_note(&note);
     for family in found(context).flat_map(|outcome| &outcome.families) {
         let Ok(Some(edge)) = &family.edge else { continue };
         let mut row = vec![Cell::number(rational_to_decimal(&family.inertial_parameter, 6))];
@@ -194,7 +194,7 @@ fn orders(context: &Context) -> Option<String> {
         round_digits(libm::log(heights[1] / heights[0]) / libm::log(places[1] / places[0]), 3)
     };
     Some(format!(
-        " Between the first two rows the edge grows as η to the power {}, between the last two it vanishes as η_0 − η to the power {} (sampled).",
+        " Between the first two rows K/K_c − 1 at the fold grows as η to the power {}; between the last two it vanishes as η_0 − η to the power {} (sampled).",
         order([one.1, two.1], [one.0, two.0]),
         order([before.1, last.1], [limit - before.0, limit - last.0])
     ))

@@ -48,13 +48,13 @@ fn onset(context: &Context) -> Option<Table> {
         Column::number("simulated_dex", "Oscillation in simulations", "dex"),
         Column::number("simulated_error_dex", "Its error", "dex"),
         Column::number("inertial_dex", "Inertial by the threshold", "dex"),
-        Column::number("second_rise_dex", "Second rise seen", "dex"),
+        Column::number("second_rise_dex", "Second rise visible", "dex"),
         Column::number("undershoot_dex", "Undershoot seen", "dex"),
-        Column::number("seen_error_dex", "Error of what is seen", "dex"),
+        Column::number("seen_error_dex", "Error of the visible onset", "dex"),
         Column::number("peak_excess_at_boundary", "V_peak/V_l − 1 at the boundary", ""),
     ];
-    let mut table = Table::new("onset", "Where oscillation begins at given normal stress", columns)
-        .with_note("Velocities in dex are log10 over that of the asymptote (eq 20; eq 18 on the upper arc). The exact boundary is enclosed and the threshold decided exactly; simulated oscillation is where the squared frequency of small deviations is extrapolated to zero; something is seen when V, after its first peak above V_l in the run from V_l/10, rises again, or falls below V_l, by the scene's visible part of V_l.");
+    let mut table = Table::new("onset", "Onset of oscillation at given normal stress", columns)
+        .with_note("Velocities in dex are log10 of the ratio to that of the asymptote (eq 20; eq 18 on the upper arc). The exact boundary is enclosed and the threshold is decided exactly. Simulated oscillation begins where the squared frequency of small deviations extrapolates to zero. Oscillation is visible if V, after its first peak above V_l in the run from V_l/10, rises again, or falls below V_l, by the scene's visible fraction of V_l.");
     for (scene, line) in lines(context) {
         for seen in &line.seen {
             let [exists, exists_error] = located(line, seen.exists.as_ref());
@@ -92,7 +92,7 @@ fn runs(context: &Context) -> Option<Table> {
         Column::number("velocity_over_loading_velocity", "V/V_l", ""),
     ];
     let mut table = Table::new("onset-runs", "Runs on either side of the onset", columns)
-        .with_note("Samples of the runs of fig 4, evenly in time.");
+        .with_note("Samples of the runs of fig 4, equally spaced in time.");
     for (scene, line) in lines(context) {
         for run in &line.shown {
             for &(time, velocity) in &run.history {

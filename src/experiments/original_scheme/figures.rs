@@ -34,7 +34,7 @@ pub(crate) const FIGURES: &[FigureMaker] = &[
     },
 ];
 
-const BIAS: &str = "Size of the relative bias of the late peak velocity under the original scheme against its step, on logarithmic axes, at several places and for both laws. Every line falls in proportion to the step.";
+const BIAS: &str = "Size of the relative bias of the long-term peak velocity under the original scheme against its step, on logarithmic axes, at several points and for both laws. Every line falls in proportion to the step.";
 
 /// Lines of one figure: more would repeat a look.
 const MOST_LINES: usize = 6;
@@ -51,7 +51,7 @@ fn bias(outcome: &Outcome) -> Option<Figure> {
     let longest = points().map(|(step, _)| step).fold(0.0, f64::max);
     let chart = LineChart {
         caption: caption.clone(),
-        x: Axis::log10("Step over √(*M*/*K*)", "", 0.8 * shortest, 1.25 * longest),
+        x: Axis::log10("Step / √(*M*/*K*)", "", 0.8 * shortest, 1.25 * longest),
         y: Axis::log10(
             "Bias of the peak velocity, size",
             "",
@@ -66,7 +66,7 @@ fn bias(outcome: &Outcome) -> Option<Figure> {
     greatest.is_normal().then(|| Figure {
         id: caption.id,
         label: "Figure N1".into(),
-        caption_markdown: "Relative deviation of the late peak velocity of the original scheme from the converged one, by its step. The step is in units of √(M/K); the public form of the scheme advises less than a tenth. Negative biases are drawn by their size; their signs are in the table.".into(),
+        caption_markdown: "Relative deviation of the long-term peak velocity of the original scheme from the converged one, against the step. The step is in units of √(M/K); the public form of the scheme advises less than a tenth. Biases are drawn by their absolute value; the table has their signs.".into(),
         description: caption.description,
         svg: chart.svg(),
     })
@@ -90,7 +90,7 @@ fn bias_line(series: &SchemeSeries) -> Series {
     Series { label, points, marked: true, theory: false }
 }
 
-const WORK: &str = "Error of the logarithm of the peak velocity against evaluations of the right-hand side on one lap of the limit cycle, on logarithmic axes, one line for each method. High order pays: from nine digits on the Radau methods of orders 9 and 13 need the fewest evaluations.";
+const WORK: &str = "Error of the logarithm of the peak velocity against evaluations of the right-hand side on one period of the limit cycle, on logarithmic axes, one line for each method. From nine digits on, the Radau methods of orders 9 and 13 need the fewest evaluations.";
 
 /// Below this an error of ln V_peak is rounding.
 const LEAST_ERROR: f64 = 1e-16;
@@ -117,7 +117,7 @@ fn work(outcome: &Outcome, index: usize) -> Option<Figure> {
         id,
         label: format!("Figure N{}", index + 2),
         caption_markdown: format!(
-            "Work against error on one lap of the limit cycle, {place}, slip law. The reference is Radau IIA of order 13 in double-double at a local tolerance of 1e-20; errors below 1e-16 are drawn there. A method that is missing does not finish the lap within 100 000 steps. For the original scheme, evaluations are Newton iterations."
+            "Work against error on one period of the limit cycle, {place}, slip law. The reference is Radau IIA of order 13 in double-double at a local tolerance of 1e-20. Errors below 1e-16 are drawn at 1e-16. Missing methods do not finish the period within 100 000 steps. For the original scheme, evaluations are Newton iterations."
         ),
         description: caption.description,
         svg: chart.svg(),

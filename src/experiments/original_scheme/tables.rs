@@ -51,14 +51,14 @@ fn place_columns() -> Vec<Column> {
 fn bias(context: &Context) -> Option<Table> {
     let mut columns = place_columns();
     columns.extend([
-        Column::number("step_over_natural_time", "Step over √(M/K)", ""),
+        Column::number("step_over_natural_time", "Step / √(M/K)", ""),
         Column::number("bias_percent", "Bias of the peak velocity", "%"),
         Column::number("spread_percent", "Spread", "%"),
         Column::number("steps", "Steps of the run", ""),
         Column::text("outcome", "Outcome"),
     ]);
-    let mut table = Table::new("scheme-bias", "Bias of the late peak velocity under the original scheme", columns)
-        .with_note("Each run begins on our limit cycle, forgets it over ten cycles, and is measured over eight. The spread is half the difference of the highest and the lowest of four windows. Runs of more than 1e6 steps are counted, not made.");
+    let mut table = Table::new("scheme-bias", "Bias of the long-term peak velocity under the original scheme", columns)
+        .with_note("Each run starts on our limit cycle, adjusts over ten cycles, and is measured over eight. The spread is half the difference between the highest and the lowest of four windows. Runs of more than 1e6 steps are counted, not made.");
     for series in &scheme(context)?.series {
         for step in &series.steps {
             let mut row = place_cells(series).to_vec();
@@ -92,7 +92,7 @@ fn order(context: &Context) -> Option<Table> {
         Column::number("order_error", "Its error", ""),
     ]);
     let mut table = Table::new("scheme-order", "Observed order of the original scheme", columns)
-        .with_note("From the differences of late peaks at three steps that halve, without our converged value; the error adds the spreads of the peaks and the distance from the order of the next coarser three.");
+        .with_note("Computed from the long-term peaks at three steps, each half of the previous one, without our converged value. The error adds the spreads of the peaks and the difference from the order of the next coarser three steps.");
     for series in &scheme(context)?.series {
         let Some((order, error)) = series.order else { continue };
         let mut row = place_cells(series).to_vec();
@@ -105,12 +105,12 @@ fn order(context: &Context) -> Option<Table> {
 fn transition(context: &Context) -> Option<Table> {
     let columns = vec![
         Column::number("loading_velocity_m_per_s", "Loading velocity V0", "m/s"),
-        Column::number("step_over_natural_time", "Step over √(M/K)", ""),
-        Column::number("shift_percent", "Critical stiffness of the scheme from the true one", "%"),
+        Column::number("step_over_natural_time", "Step / √(M/K)", ""),
+        Column::number("shift_percent", "Relative deviation of the scheme's critical stiffness", "%"),
     ];
     let mut table =
         Table::new("scheme-transition", "Critical stiffness under the original scheme", columns).with_note(
-            "From the scheme's own linearisation, the same for both laws, bisected to 1e-15 with 256 bits; η is that of K = K_c at this velocity.",
+            "From the scheme's own linearisation, which is the same for both laws, bisected to 1e-15 with 256 bits. η is that of K = K_c at this velocity.",
         );
     for row in &scheme(context)?.transition {
         table.push(vec![
@@ -125,18 +125,18 @@ fn transition(context: &Context) -> Option<Table> {
 fn map(context: &Context) -> Option<Table> {
     let columns = vec![
         Column::text("law", "Law"),
-        Column::number("step_over_natural_time", "Step over √(M/K)", ""),
+        Column::number("step_over_natural_time", "Step / √(M/K)", ""),
         Column::number("points", "Points", ""),
         Column::number("flipped", "Stability flipped", ""),
         Column::number("cycles", "Limit cycles run", ""),
         Column::number("left_out", "Left out", ""),
         Column::number("lost", "Lost", ""),
         Column::number("median_bias_percent", "Median size of the bias", "%"),
-        Column::number("least_bias_percent", "Least bias", "%"),
-        Column::number("greatest_bias_percent", "Greatest bias", "%"),
+        Column::number("least_bias_percent", "Smallest bias", "%"),
+        Column::number("greatest_bias_percent", "Largest bias", "%"),
     ];
-    let mut table = Table::new("scheme-map", "What the original scheme does to points of fig 3a", columns)
-        .with_note("Stability is that of the scheme's own linearisation, evaluated with 256 bits, against the exact sign of K − K_c. Left out: limit cycles that would take more than 1e5 steps. Lost: those of which the scheme keeps less than 1/e of the peak, or that it cannot follow.");
+    let mut table = Table::new("scheme-map", "Effect of the original scheme on points of fig 3a", columns)
+        .with_note("Stability of the scheme's own linearisation, evaluated with 256 bits, is compared with the exact sign of K − K_c. Left out: limit cycles that would take more than 1e5 steps. Lost: limit cycles whose peak falls below 1/e under the scheme, or that the scheme cannot follow.");
     for row in &scheme(context)?.map {
         let percent = |value: f64| 100.0 * libm::expm1(value);
         table.push(vec![
@@ -159,13 +159,13 @@ fn least_peaks(context: &Context) -> Option<Table> {
     let columns = vec![
         Column::text("law", "Law"),
         Column::number("normal_stress_pa", "Normal stress σ", "Pa"),
-        Column::number("step_over_natural_time", "Step over √(M/K)", ""),
-        Column::number("offset_dex", "Our minimum from eq 18", "dex"),
-        Column::number("shift_dex", "The scheme's minimum from ours", "dex"),
+        Column::number("step_over_natural_time", "Step / √(M/K)", ""),
+        Column::number("offset_dex", "Offset of our minimum from eq 18", "dex"),
+        Column::number("shift_dex", "Offset of the scheme's minimum from ours", "dex"),
         Column::number("shift_error_dex", "Error of the shift", "dex"),
     ];
-    let mut table = Table::new("scheme-least-peaks", "Velocity of the least peak under the original scheme (fig 5)", columns)
-        .with_note("Both minima are those of quartics through the same 17 velocities; the error of the shift is its change when every second velocity is left out. A step is missing where a run fails or the minimum leaves the sampled range.");
+    let mut table = Table::new("scheme-least-peaks", "Velocity of the lowest peak under the original scheme (fig 5)", columns)
+        .with_note("Both minima are those of quartics through the same 17 velocities. The error of the shift is its change when every second velocity is left out. A step is missing if a run fails or the minimum leaves the sampled range.");
     for least in &scheme(context)?.least_peaks {
         table.push(vec![
             Cell::text(least.law.as_str()),
@@ -184,13 +184,16 @@ fn work(context: &Context) -> Option<Table> {
         Column::number("normal_stress_pa", "Normal stress σ", "Pa"),
         Column::number("loading_velocity_m_per_s", "Loading velocity V0", "m/s"),
         Column::text("method", "Method"),
-        Column::number("setting", "Local tolerance, or step over √(M/K)", ""),
+        Column::number("setting", "Local tolerance, or step / √(M/K)", ""),
         Column::number("steps", "Steps", ""),
         Column::number("evaluations", "Evaluations", ""),
         Column::number("peak_error", "Error of ln(V_peak/V0)", ""),
     ];
-    let mut table =
-        Table::new("work-precision", "Work against error on one lap of the limit cycle, slip law", columns);
+    let mut table = Table::new(
+        "work-precision",
+        "Work against error on one period of the limit cycle, slip law",
+        columns,
+    );
     for case in context.outcome.scenes.iter().filter_map(|scene| scene.work_precision.as_ref()).flatten() {
         for point in &case.points {
             table.push(vec![
@@ -221,12 +224,12 @@ fn bound(context: &Context) -> Option<Table> {
         Column::number("runs", "Runs", ""),
         Column::number("failed", "Without a result", ""),
         Column::number("unreferenced", "Without a reference", ""),
-        Column::number("above_stated", "True error above the stated one", ""),
+        Column::number("above_stated", "True error above the estimated one", ""),
         Column::number("above_tenth", "Above a tenth of it", ""),
         Column::number("above_hundredth", "Above a hundredth of it", ""),
-        Column::number("worst_ratio", "Worst true over stated", ""),
+        Column::number("worst_ratio", "Largest true / estimated error", ""),
     ];
-    let mut table = Table::new("error-bound", "Does the stated error hold: random sliders, both laws", columns)
+    let mut table = Table::new("error-bound", "True errors compared with estimated errors: random sliders, both laws", columns)
         .with_note("η from 1e-6 to 1e4, b/a from 0.4 to 3.4, K/K_c from 1e-3 to 10, from a fixed sequence. References: Radau IIA of order 13 in double-double at a local tolerance of 1e-18. Sampled, not proved.");
     let mut tolerances: Vec<f64> = checks(context).map(|check| check.tolerance).collect();
     tolerances.sort_by(|a, b| b.total_cmp(a));
@@ -270,12 +273,12 @@ fn bound_runs(context: &Context) -> Option<Table> {
         Column::number("effect_ratio", "b/a", ""),
         Column::text("law", "Law"),
         Column::number("tolerance", "Tolerance", ""),
-        Column::text("behaviour", "Late behaviour"),
-        Column::number("peak_ratio", "Peak: true over stated error", ""),
-        Column::number("period_ratio", "Period: true over stated error", ""),
+        Column::text("behaviour", "Long-term behaviour"),
+        Column::number("peak_ratio", "Peak: true / estimated error", ""),
+        Column::number("period_ratio", "Period: true / estimated error", ""),
         Column::text("failure", "Failure"),
     ];
-    let mut table = Table::new("error-bound-runs", "Stated against true errors, run by run", columns);
+    let mut table = Table::new("error-bound-runs", "Estimated and true errors, run by run", columns);
     for check in checks(context) {
         let behaviour = check.periodic.map_or("", |periodic| if periodic { "periodic" } else { "decaying" });
         table.push(vec![

@@ -115,7 +115,7 @@ fn faults_of_points_and_amplitudes_are_all_named_and_their_product_is_limited() 
     let sound = format!("{SLIDER}[linear_regime]\n{}laws = [\"slip\"]\namplitudes = [1e-3]\n", points("1e3"));
     let limits = Limits { max_points: 2 };
     let faults = Scene::parse("s.toml", sound.as_bytes(), &limits).unwrap_err();
-    assert!(faults[0].to_string().contains("3 points are over the limit of 2"), "{faults:?}");
+    assert!(faults[0].to_string().contains("3 points exceed the limit of 2"), "{faults:?}");
 }
 
 #[test]
@@ -173,7 +173,7 @@ fn a_grid_over_the_limit_names_the_limit_and_the_flag() {
     assert!(parse(&format!("{SLIDER}{}", axes(2048))).is_ok());
     for points in [2049, 9_223_372_036_854_775_807] {
         let found = messages(&axes(points)).join("\n");
-        assert!(found.contains("limit of 4194304 (--max-points N lifts it)"), "{found}");
+        assert!(found.contains("limit of 4194304 (--max-points N raises it)"), "{found}");
     }
     let lifted = Limits { max_points: 1 << 40 };
     assert!(Scene::parse("s", format!("{SLIDER}{}", axes(2049)).as_bytes(), &lifted).is_ok());

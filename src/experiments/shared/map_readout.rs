@@ -16,7 +16,7 @@ use slipmode_plot::figure::{Readout, Words};
 const POINTS: usize = 25;
 
 /// What is reported of theory at a point; certainty: modes and zeros are exact, numbers rounded to three digits.
-const THEORY: &str = "V = {x} m/s, σ = {y} Pa: {0}; max Im(s) = {1} 1/s. Nearest asymptote: {2}, off by {3} % at the nearest point of the boundary.";
+const THEORY: &str = "V = {x} m/s, σ = {y} Pa: {0}; max Im(s) = {1} 1/s. Nearest asymptote: {2}, with an error of {3} % at the nearest point of the boundary.";
 
 /// The words at a coarse part of the map's grid.
 pub(crate) fn readout(map: &Grid<MapPoint>, boundary: &BoundaryOutcome) -> Readout {

@@ -60,7 +60,7 @@ fn normalised(grid: &Grid<SimulatedPoint>) -> Option<Vec<f64>> {
     Some(grid.values.chunks(grid.loading_velocity_m_per_s.len()).flat_map(row).collect())
 }
 
-const MAP: &str = "Map over loading velocity and normal stress of the peak velocity divided by that at the lowest loading velocities. From left to right it falls to a shallow valley, which runs close to the line of equation 18, and rises steeply beyond it.";
+const MAP: &str = "Map over loading velocity and normal stress of the peak velocity divided by that at the lowest loading velocities. From left to right it falls to a flat minimum close to the line of equation 18 and rises steeply beyond it.";
 
 fn map(scene: &SceneOutcome) -> Option<Figure> {
     let outcome = scene.simulations.as_ref()?;
@@ -89,7 +89,7 @@ fn map(scene: &SceneOutcome) -> Option<Figure> {
         role: LineRole::Asymptote,
         points: vec![(eq18(y.min)?, y.min), (eq18(y.max)?, y.max)],
     };
-    let title = format!("Peak velocity over that at 10^−5.5 m/s, {law_word} law, a < b");
+    let title = format!("Peak velocity divided by that at 10^−5.5 m/s, {law_word} law, a < b");
     let map = HeatMap {
         caption: Caption::new("fig-5a", &title, MAP),
         columns,
@@ -113,7 +113,7 @@ fn map(scene: &SceneOutcome) -> Option<Figure> {
         id: "fig-5a".into(),
         label: "Figure 5a".into(),
         caption_markdown: format!(
-            "Peak velocity of the limit cycle with the {law_word} law, divided by that at 10⁻⁵·⁵ m/s and the same normal stress (compare fig 5a of the paper). The dashed line is eq 18, the dotted one joins the minima found by minimisation."
+            "Peak velocity of the limit cycle with the {law_word} law, divided by that at 10⁻⁵·⁵ m/s and the same normal stress (compare fig 5a of the paper). The dashed line is eq 18. The dotted line joins the minima found by minimisation."
         ),
         description: MAP.into(),
         svg: map.svg_with(said.as_ref()),
@@ -155,14 +155,15 @@ fn curves(scene: &SceneOutcome, law: EvolutionLaw, id: &str, label: &str) -> Opt
     let (low, high) =
         (heights().map(|p| p.1).fold(f64::INFINITY, f64::min), heights().map(|p| p.1).fold(0.0, f64::max));
     let description = format!(
-        "Normalised peak velocity with the {} law against loading velocity over that of equation 18, for several normal stresses. Every curve falls to a flat minimum near 1 and rises beyond it.",
+        "Normalised peak velocity with the {} law against loading velocity divided by that of equation 18, for several normal stresses. Every curve falls to a flat minimum near 1 and rises beyond it.",
         law.as_str()
     );
-    let title = format!("Normalised peak velocity against V_l over that of eq 18, {} law", law.as_str());
+    let title =
+        format!("Normalised peak velocity against V_l divided by that of eq 18, {} law", law.as_str());
     let chart = LineChart {
         caption: Caption::new(id, &title, &description),
-        x: Axis::log10("*V*_l over the velocity of eq 18", "", LOWEST, HIGHEST),
-        y: Axis::linear("Peak velocity over that at 10^{−5.5} m/s", "", 0.8 * low, 1.25 * high),
+        x: Axis::log10("*V*_l / velocity of eq 18", "", LOWEST, HIGHEST),
+        y: Axis::linear("Peak velocity / that at 10^{−5.5} m/s", "", 0.8 * low, 1.25 * high),
         series,
         references: vec![Reference::Vertical { at: 1.0, label: "eq 18".into() }],
         bands: Vec::new(),
@@ -171,7 +172,7 @@ fn curves(scene: &SceneOutcome, law: EvolutionLaw, id: &str, label: &str) -> Opt
     (!chosen.is_empty()).then(|| Figure {
         id: id.into(),
         label: label.into(),
-        caption_markdown: format!("Normalised peak velocity of the limit cycle with the {} law against the loading velocity over that of eq 18 (compare fig 5b of the paper), with the minima found by minimisation.", law.as_str()),
+        caption_markdown: format!("Normalised peak velocity of the limit cycle with the {} law against the loading velocity divided by that of eq 18 (compare fig 5b of the paper), with the minima found by minimisation.", law.as_str()),
         description,
         svg: chart.svg(),
     })

@@ -18,9 +18,9 @@ pub(crate) const FIGURES: &[FigureMaker] = &[FigureMaker {
 }];
 
 const TITLE: &str = "Peak velocity of the simulated limit cycles, slip law, a < b";
-const DESCRIPTION: &str = "Map over loading velocity and normal stress. Simulations that end in steady sliding fill the lower left and are uncoloured, up to the line of the transition. Beyond it the peak velocity grows with normal stress; from left to right it falls to a minimum near equation 18 and rises after it.";
+const DESCRIPTION: &str = "Map over loading velocity and normal stress. Simulations that end in steady sliding fill the lower left, without colour, up to the line of the transition. Beyond it the peak velocity rises with normal stress; from left to right it falls to a minimum near equation 18 and then rises.";
 const LETTERS: &str = " Letters mark the points of figs 3b to 3g.";
-const CAPTION: &str = "Peak velocity of the limit cycle, simulated on a grid with the slip law (compare fig 3a of the paper). Points that end in steady sliding are uncoloured. The exact boundary, its asymptotes and the transition of the linear theory lie over it; the dotted line joins the least peak velocities at given normal stress (compare fig 5). The edge of the colour lies half-way between grid points.";
+const CAPTION: &str = "Peak velocity of the limit cycle, simulated on a grid with the slip law (compare fig 3a of the paper), with the exact boundary, its asymptotes and the transition of the linear theory. Points that end in steady sliding have no colour. The dotted line joins the lowest peak velocities at given normal stress (compare fig 5). The edge of the colour lies half-way between grid points.";
 
 fn peak_map(scene: &SceneOutcome) -> Option<Figure> {
     let outcome = scene.simulations.as_ref()?;
@@ -77,7 +77,7 @@ pub(crate) fn least_peak_line(outcome: &SimulationsOutcome, law: EvolutionLaw) -
         (least.eq18_velocity_m_per_s * libm::exp10(least.offset_dex), least.normal_stress_pa)
     };
     Line {
-        label: "least peak velocity at given *σ*".into(),
+        label: "lowest peak velocity at given *σ*".into(),
         role: LineRole::Guide,
         points: outcome.least_peaks.iter().filter(|least| least.law == law).map(place).collect(),
     }

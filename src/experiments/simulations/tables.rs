@@ -46,7 +46,7 @@ fn simulations(context: &Context) -> Option<Table> {
         Column::number("stiffness_over_critical", "K/K_c", ""),
         Column::text("slip_mode_theory", "Slip mode, theory"),
         Column::text("slip_mode_simulation", "Slip mode, simulation"),
-        Column::text("behaviour", "Late behaviour"),
+        Column::text("behaviour", "Long-term behaviour"),
         Column::number("peak_velocity_m_per_s", "Peak velocity", "m/s"),
         Column::number("period_s", "Period", "s"),
         Column::number("stress_drop_pa", "Stress drop", "Pa"),
@@ -54,7 +54,7 @@ fn simulations(context: &Context) -> Option<Table> {
         Column::number("period_relative_error", "Error of the period", ""),
         Column::text("failure", "Failure"),
     ];
-    let mut table = Table::new("simulations", "Simulations, grid by grid", columns)
+    let mut table = Table::new("simulations", "Simulations, all grid points", columns)
         .with_note("Start: steady sliding at V_l/10. Peak and stress drop are those of the limit cycle, or of the transient of a decay; the period is that of the cycle or of the small oscillation at the end. Errors are relative estimates from a second run at a tenth of the tolerance.");
     for_each_point(context, |scene, law, velocity, stress, point| {
         let found = point.simulation.as_ref().ok();
@@ -92,7 +92,7 @@ fn disagreements(context: &Context) -> Option<Table> {
         Column::number("angular_frequency_per_s", "Angular frequency of the run", "1/s"),
     ];
     let mut table =
-        Table::new("simulation-disagreements", "Runs whose slip mode is not that of the theory", columns)
+        Table::new("simulation-disagreements", "Runs whose slip mode differs from theory", columns)
             .with_note("Runs without a result are listed with an empty mode.");
     for_each_point(context, |scene, law, velocity, stress, point| {
         if point.agrees() {
@@ -119,9 +119,9 @@ fn least_peaks(context: &Context) -> Option<Table> {
         Column::text("law", "Law"),
         Column::number("normal_stress_pa", "Normal stress σ", "Pa"),
         Column::number("eq18_velocity_m_per_s", "Velocity of eq 18", "m/s"),
-        Column::number("offset_dex", "Minimum from eq 18", "dex"),
+        Column::number("offset_dex", "Offset of the minimum from eq 18", "dex"),
         Column::number("offset_error_dex", "Its error", "dex"),
-        Column::number("peak_at_eq18_over_least", "Peak at eq 18 over least peak", ""),
+        Column::number("peak_at_eq18_over_least", "Peak at eq 18 / lowest peak", ""),
         Column::number("curvature_per_dex2", "Curvature of ln(peak)", "1/dex²"),
         Column::number("one_percent_from_dex", "Within 1 % from", "dex"),
         Column::number("one_percent_to_dex", "to", "dex"),
@@ -130,8 +130,8 @@ fn least_peaks(context: &Context) -> Option<Table> {
         Column::number("cycle_mode_change_dex", "Mode of the cycle changes", "dex"),
         Column::number("theory_mode_change_dex", "Mode by theory changes", "dex"),
     ];
-    let mut table = Table::new("least-peaks", "Where the peak velocity is least, against eq 18", columns)
-        .with_note("Minimised over one decade on either side of eq 18. All places are log10 of the velocity over that of eq 18; the sides of the flat part and the changes of mode are located to 0.001 dex. The mode changes from stick-slip to harmonic vibration where the frequency of the limit cycle, or of small deviations by the exact theory, passes the threshold.");
+    let mut table = Table::new("least-peaks", "Velocity of the lowest peak, compared with eq 18", columns)
+        .with_note("Minimised over one decade on either side of eq 18. All positions are log10 of the velocity divided by that of eq 18. The ends of the flat range and the changes of mode are located to 0.001 dex. The mode changes from stick-slip to harmonic vibration where the frequency of the limit cycle, or of small deviations by the exact theory, passes the threshold.");
     for least in simulated(context).flat_map(|(_, outcome)| &outcome.least_peaks) {
         table.push(vec![
             Cell::text(least.law.as_str()),

@@ -97,11 +97,11 @@ fn roots(outcome: &Outcome) -> Option<Figure> {
         "speed-roots",
         Words {
             label: "Figure P1",
-            title: "Digits right against bits worked with, three roots of a cubic".into(),
-            caption: "Digits that are right in the worst root of a set, by the bits of the arithmetic. Certified roots take the bits that a cubic loses in addition, which are known in advance; the others lose digits instead. The two marks of such a method are its two sets, as the table has them; a mark at one digit means that none is right.".into(),
-            description: "Digits right in the worst root against bits of the arithmetic, on logarithmic axes. Certified roots lie on a straight line up to ten thousand digits; 64-bit methods lie below it.",
+            title: "Correct digits against bits of the arithmetic, three roots of a cubic".into(),
+            caption: "Correct digits in the worst root of a set, against the bits of the arithmetic. Certified roots use as many additional bits as the cubic loses, a number that is known in advance; the other methods lose digits. The two marks of a method are the two sets of the table. A mark at one digit means that no digit is correct.".into(),
+            description: "Correct digits in the worst root against bits of the arithmetic, on logarithmic axes. Certified roots lie on a straight line up to ten thousand digits; 64-bit methods lie below it.",
         },
-        [("Bits worked with", ""), ("Digits right, worst root", "")],
+        [("Bits of the arithmetic", ""), ("Correct digits, worst root", "")],
         series,
     )
 }
@@ -116,9 +116,9 @@ fn boundary(outcome: &Outcome) -> Option<Figure> {
         "speed-boundary",
         Words {
             label: "Figure P2",
-            title: "Digits right against evaluations, one point of the boundary".into(),
-            caption: "Digits of one point of the boundary by evaluations: exact signs of the discriminant for bisection, one evaluation of the rational curve at any number of digits.".into(),
-            description: "Digits right against the number of evaluations, on logarithmic axes. Bisection gains a third of a digit an evaluation; the curve needs one evaluation at any number of digits.",
+            title: "Correct digits against evaluations, one point of the boundary".into(),
+            caption: "Digits of one point of the boundary against evaluations: exact signs of the discriminant for bisection, one evaluation of the rational curve for any number of digits.".into(),
+            description: "Correct digits against the number of evaluations, on logarithmic axes. Bisection gains a third of a digit per evaluation; the curve needs one evaluation for any number of digits.",
         },
         [("Evaluations", ""), ("Digits right", "")],
         vec![line("bisection"), line("curve")],
@@ -135,11 +135,11 @@ fn sweep(outcome: &Outcome) -> Option<Figure> {
         "speed-sweep",
         Words {
             label: "Figure P3",
-            title: "Worst error of a sweep against its work".into(),
-            caption: "The worst relative error of peak velocity and period over a sweep of both laws, by steps and by right-hand sides a run, one mark a tolerance.".into(),
-            description: "Worst relative error of a sweep against steps and evaluations a run, on logarithmic axes; the line of evaluations falls steeply, that of steps turns back where the method changes.",
+            title: "Largest error of a sweep against its work".into(),
+            caption: "Largest relative error of peak velocity and period over a sweep of both laws, against steps and right-hand sides per run, one mark per tolerance.".into(),
+            description: "Largest relative error of a sweep against steps and evaluations per run, on logarithmic axes. The line of evaluations falls steeply; the line of steps turns back where the method changes.",
         },
-        [("Count a run", ""), ("Worst relative error", "")],
+        [("Count per run", ""), ("Largest relative error", "")],
         vec![line("right-hand sides", |row| row.evaluations), line("steps", |row| row.steps)],
     )
 }
@@ -172,8 +172,8 @@ fn times_of_roots(outcome: &Outcome) -> Option<Figure> {
         Words {
             label: "Figure P4",
             title: "Time of three roots against digits".into(),
-            caption: "CPU time of the three roots of one cubic by the digits asked for, random cubics where nothing else is said. The errors are in the table. FLINT's roots and ours are enclosed, the others are not.".into(),
-            description: "CPU time of three roots against digits asked for, on logarithmic axes, one line for each program.",
+            caption: "CPU time of the three roots of one cubic against the requested digits, for random cubics unless stated otherwise. The table has the errors. FLINT's roots and ours are enclosed, the others are not.".into(),
+            description: "CPU time of three roots against requested digits, on logarithmic axes, one line for each program.",
         },
         [("Digits", ""), ("CPU time", "µs")],
         series,
@@ -221,7 +221,7 @@ fn times_of_a_cycle(outcome: &Outcome) -> Option<Figure> {
             label: "Figure P5",
             title: format!("Time of one cycle against its error, {case}"),
             caption: format!(
-                "CPU time of one cycle of `{case}` (V_l = 10^v m/s, σ = 10^s Pa) by its measured error, the larger of those of ln V_peak and of the duration; the reference is Radau IIA of order 13 in double-double. One mark a tolerance; the six fastest methods at an error of 1e-6. A tolerance at which a program does not finish has none."
+                "CPU time of one cycle of `{case}` (V_l = 10^v m/s, σ = 10^s Pa) against its measured error, the larger of the errors of ln V_peak and of the duration. The reference is Radau IIA of order 13 in double-double. One mark per tolerance, for the six fastest methods at an error of 1e-6. There is no mark at a tolerance where a program does not finish."
             ),
             description: "CPU time of one cycle against its measured error, on logarithmic axes, one line for each method.",
         },

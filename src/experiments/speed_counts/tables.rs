@@ -32,13 +32,14 @@ fn roots(context: &Context) -> Option<Table> {
     let columns = vec![
         Column::text("set", "Cubics"),
         Column::text("method", "Method"),
-        Column::number("digits_asked", "Digits asked", ""),
+        Column::number("digits_asked", "Requested digits", ""),
         Column::number("cubics", "Cubics", ""),
-        Column::number("open", "Left open", ""),
-        Column::number("bits", "Bits worked with", ""),
-        Column::number("digits_right", "Digits right, worst root", ""),
+        Column::number("open", "Undecided", ""),
+        Column::number("bits", "Bits of the arithmetic", ""),
+        Column::number("digits_right", "Correct digits, worst root", ""),
     ];
-    let mut table = Table::new("speed-roots", "Three roots: digits right by precision worked with", columns);
+    let mut table =
+        Table::new("speed-roots", "Three roots: correct digits by precision of the arithmetic", columns);
     for row in &counts(context)?.roots {
         table.push(vec![
             Cell::text(row.set),
@@ -61,7 +62,8 @@ fn classes(context: &Context) -> Option<Table> {
         Column::number("wrong", "Wrong signs", ""),
         Column::number("failed", "Without a finite answer", ""),
     ];
-    let mut table = Table::new("speed-classes", "Signs of random points, by rung and by method", columns);
+    let mut table =
+        Table::new("speed-classes", "Signs of random points, by precision level and by method", columns);
     let ClassCounts { points, decided_by, methods } = &counts(context)?.classes;
     for (precision_level, decided) in [
         ("ours: 64-bit filter", decided_by.f64),
@@ -91,7 +93,7 @@ fn classes(context: &Context) -> Option<Table> {
 fn boundary(context: &Context) -> Option<Table> {
     let columns = vec![
         Column::text("route", "Route"),
-        Column::number("digits_asked", "Digits asked", ""),
+        Column::number("digits_asked", "Requested digits", ""),
         Column::text("counted", "Counted"),
         Column::number("count", "Count", ""),
         Column::number("digits_right", "Digits right", ""),
@@ -117,10 +119,10 @@ fn sweep(context: &Context) -> Option<Table> {
         Column::number("runs", "Runs", ""),
         Column::number("failed", "Failed", ""),
         Column::number("wrong", "Wrong behaviour", ""),
-        Column::number("beyond", "Error beyond the tolerance", ""),
+        Column::number("beyond", "Error above the tolerance", ""),
         Column::number("steps", "Steps", ""),
         Column::number("evaluations", "Right-hand sides", ""),
-        Column::number("worst_error", "Worst relative error", ""),
+        Column::number("worst_error", "Largest relative error", ""),
     ];
     let mut table = Table::new("speed-sweep", "A sweep of both laws, tolerance by tolerance", columns);
     for row in &counts(context)?.sweep {

@@ -36,19 +36,19 @@ fn starts(context: &Context) -> Option<Table> {
         Column::number("stiffness_over_critical", "K/K_c", ""),
         Column::text("law", "Law"),
         Column::text("start", "Start"),
-        Column::number("first_peak_over_loading", "First peak over V_l", ""),
+        Column::number("first_peak_over_loading", "First peak / V_l", ""),
         Column::number("first_peak_relative_error", "Its error", ""),
-        Column::number("time_back_over_inertial_time", "Time back at V_l over η D_c/V_l", ""),
-        Column::number("left_over", "Left over then", ""),
-        Column::text("behaviour", "Late behaviour"),
+        Column::number("time_back_over_inertial_time", "Time of return to V_l / (η D_c/V_l)", ""),
+        Column::number("left_over", "Remaining disturbance", ""),
+        Column::text("behaviour", "Long-term behaviour"),
         Column::number("late_peak_velocity_m_per_s", "Peak velocity of the cycle", "m/s"),
         Column::number("late_peak_relative_error", "Its relative error", ""),
-        Column::number("late_period_s", "Late period", "s"),
+        Column::number("late_period_s", "Long-term period", "s"),
         Column::number("late_period_relative_error", "Its relative error", ""),
         Column::text("failure", "Failure"),
     ];
     let mut table = Table::new("starts", "Four ways to complete the start V_l/10", columns)
-        .with_note("First peak: the largest velocity before the second upward passage of V_l. Back at V_l: |ln(V/V_l)| is down to 1 % of its start; left over then is the larger of |ln(V_l θ/D_c)| and the spring's distance from steady sliding in units of aσ. Errors are relative estimates from a second run at a tenth of the tolerance.");
+        .with_note("First peak: the largest velocity before the second upward crossing of V_l. Return to V_l: |ln(V/V_l)| has decreased to 1 % of its initial value. Remaining disturbance: the larger of |ln(V_l θ/D_c)| and the spring's distance from steady sliding in units of aσ at that time. Errors are relative estimates from a second run at a tenth of the tolerance.");
     for (scene, group) in groups(context) {
         for run in &group.runs {
             table.push(start_row(scene, group, run));
@@ -98,15 +98,16 @@ fn spread(context: &Context) -> Option<Table> {
         Column::number("stiffness_over_critical", "K/K_c", ""),
         Column::text("slip_mode", "Slip mode by theory"),
         Column::text("law", "Law"),
-        Column::text("late_behaviour", "Late behaviour, by start"),
+        Column::text("late_behaviour", "Long-term behaviour, by start"),
         Column::number("late_peak_spread", "Spread of the cycle's peak", ""),
-        Column::number("late_peak_allowed", "Errors of the two together", ""),
-        Column::number("late_period_spread", "Spread of the late period", ""),
-        Column::number("first_peak_least", "Least first peak over V_l", ""),
-        Column::number("first_peak_most", "Largest first peak over V_l", ""),
+        Column::number("late_peak_allowed", "Sum of the two errors", ""),
+        Column::number("late_period_spread", "Spread of the long-term period", ""),
+        Column::number("first_peak_least", "Smallest first peak / V_l", ""),
+        Column::number("first_peak_most", "Largest first peak / V_l", ""),
     ];
-    let mut table = Table::new("start-spread", "What depends on the start and what does not", columns)
-        .with_note("Spread: largest over least of the starts that end alike, less 1.");
+    let mut table = Table::new("start-spread", "Dependence on the start", columns).with_note(
+        "Spread: largest / smallest value − 1, over the starts with the same long-term behaviour.",
+    );
     for (scene, group) in groups(context) {
         table.push(spread_row(scene, group));
     }

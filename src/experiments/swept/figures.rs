@@ -59,9 +59,9 @@ pub(crate) fn value_place(kept: &SummarySection, name: &str) -> Option<usize> {
     names.into_iter().position(|found| found == name)
 }
 
-const LAWS_TITLE: &str = "By how much the aging law's limit cycles are faster";
-const LAWS: &str = "Map over loading velocity and normal stress of the excess of the mean peak velocity of limit cycles with the aging law over that with the slip law, in small cells. The excess is some tens of percent in stick-slip, larger next to the transition at low velocity, and fades towards high velocity and low stress. Cells without limit cycles fill the lower left and are uncoloured.";
-const LAWS_CAPTION: &str = "By how much the mean peak velocity of a cell's limit cycles is larger with the aging law than with the slip law, as a share, on the grid of fig 3a refined 20-fold in both directions. Both laws have the same linear theory, whose lines lie over the map: deep in vibration the cycles are the same to 1 %, in stick-slip they differ by a third and more. Excesses below 1 %, the tolerance of the runs, have one colour; cells without limit cycles are uncoloured. Sampled: what the sweep took stands in the table of sweeps.";
+const LAWS_TITLE: &str = "Excess of peak velocity with the aging law over the slip law";
+const LAWS: &str = "Map over loading velocity and normal stress of the excess of the mean peak velocity of limit cycles with the aging law over that with the slip law, in small cells. The excess is some tens of percent in stick-slip, larger next to the transition at low velocity, and decreases towards high velocity and low stress. Cells without limit cycles fill the lower left and have no colour.";
+const LAWS_CAPTION: &str = "Relative excess of the mean peak velocity of a cell's limit cycles with the aging law over the slip law, on the grid of fig 3a refined 20-fold in both directions, with the lines of the linear theory, which is the same for both laws. Deep in vibration the cycles agree to 1 %; in stick-slip they differ by a third and more. Excesses below 1 %, the tolerance of the runs, have one colour. Cells without limit cycles have no colour. Sampled; the table of sweeps has the cost of the sweep.";
 /// The excess that the runs' tolerance of 1e-2 lets be seen.
 const LEAST_EXCESS: f64 = 0.01;
 /// Colour steps of the map.
@@ -191,14 +191,14 @@ fn derived_worst(effect_ratio: f64) -> [Option<f64>; 2] {
     [upper_worst_log10.map(|worst| worst.to_f64()), Some(lower_worst_log10.to_f64())]
 }
 
-const WORST: &str = "Worst error of the asymptotes against the ratio of evolution to direct effect: for each arc the line that is derived from the corners, and above it a staircase, the largest distance found in the sweep in each quarter decade, which meets the line at one end of nearly every step.";
-const WORST_CAPTION: &str = "Largest log10 distance between the exact boundary and the nearer asymptote: derived at the corners (dashed), and the largest in each quarter decade of β among the points of a sweep over (β, κ, η) that knows nothing of corners (staircases). On the upper arc nothing is derived at a = b.";
+const WORST: &str = "Largest error of the asymptotes against the ratio of evolution to direct effect: for each arc, the line that is derived from the corners, and above it a staircase with the largest distance found in the sweep in each quarter decade. The staircase meets the line at one end of nearly every step.";
+const WORST_CAPTION: &str = "Largest log10 distance between the exact boundary and the nearer asymptote: derived at the corners (dashed), and the largest in each quarter decade of β among the points of a sweep over (β, κ, η) that does not use the corners (staircases). On the upper arc there is no derived value at a = b.";
 /// Points of a derived line in a bin.
 const DERIVED_A_BIN: i32 = 6;
 
 fn worst_errors(worst: &[WorstOfBin]) -> Option<Figure> {
     let (first, last) = (worst.first()?, worst.last()?);
-    let caption = Caption::new("swept-errors", "Worst error of the asymptotes in a sweep", WORST);
+    let caption = Caption::new("swept-errors", "Largest error of the asymptotes in a sweep", WORST);
     let derived: Vec<(f64, [Option<f64>; 2])> = worst
         .iter()
         .flat_map(|bin| within(bin.effect_ratio))

@@ -34,16 +34,16 @@ fn sweeps(context: &Context) -> Option<Table> {
         Column::number("rows", "Rows", ""),
         Column::number("core_seconds", "CPU time", "s"),
         Column::number("rows_per_core_second", "Rows per second and core", "1/s"),
-        Column::number("core_hours_for_1e7", "Would take for 1e7 rows", "core-hours"),
-        Column::number("core_hours_for_1e9", "Would take for 1e9 rows", "core-hours"),
+        Column::number("core_hours_for_1e7", "Predicted for 1e7 rows", "core-hours"),
+        Column::number("core_hours_for_1e9", "Predicted for 1e9 rows", "core-hours"),
         Column::number("peak_memory_mib", "Peak memory", "MiB"),
         Column::text("machine", "Machine"),
         Column::text("version", "Program"),
         Column::text("scene_sha256", "Scene, SHA-256"),
         Column::text("command", "Command"),
     ];
-    let mut table = Table::new("sweeps", "Sweeps that ran elsewhere, and what they took", columns)
-        .with_note("Measured with a clock on the machine named; what more rows would take is in proportion to the rows. The scenes and the merged summaries are inputs of this report; that every row is counted once was checked when they were read.");
+    let mut table = Table::new("sweeps", "Sweeps that were run separately, and their cost", columns)
+        .with_note("Wall-clock time on the named machine; predictions are proportional to the number of rows. The scenes and the merged summaries are inputs of this report. Reading them checks that every row is counted once.");
     for swept in all(context.outcome) {
         let entry = &swept.entry;
         let per_row = entry.core_seconds.clone() / Rational::from(swept.rows);
@@ -87,7 +87,7 @@ fn modes(context: &Context) -> Option<Table> {
         Column::number("share", "Share of the law's runs", ""),
     ];
     let mut table = Table::new("swept-modes", "Slip modes on the refined grid", columns)
-        .with_note("Read off each trajectory without asking the theory; the counts are exact, the grid is a sample. A run without a mode has failed.");
+        .with_note("Determined from each trajectory alone. The counts are exact; the grid is a sample. A run without a mode has failed.");
     for ((law, mode), runs) in counts {
         let share = runs as f64 / of_law.get(&law).copied().unwrap_or(1) as f64;
         table.push(vec![
@@ -117,13 +117,13 @@ fn errors(context: &Context) -> Option<Table> {
         Column::text("asymptote", "Nearer asymptote"),
         Column::number("points", "Points", ""),
         Column::number("near_points", "Points within a factor of 1.26 of the boundary", ""),
-        Column::number("share_off_1_percent", "Of these, off by 1 % or more", ""),
-        Column::number("share_off_10_percent", "Of these, off by 10 % or more", ""),
-        Column::number("least_error", "Least exact/asymptote − 1", ""),
-        Column::number("greatest_error", "Greatest exact/asymptote − 1", ""),
+        Column::number("share_off_1_percent", "Of these, error of 1 % or more", ""),
+        Column::number("share_off_10_percent", "Of these, error of 10 % or more", ""),
+        Column::number("least_error", "Smallest exact/asymptote − 1", ""),
+        Column::number("greatest_error", "Largest exact/asymptote − 1", ""),
     ];
-    let mut table = Table::new("swept-errors", "How wrong the asymptotes are over (β, κ, η)", columns)
-        .with_note("Each point is held against the place of the boundary at the same V0 that is nearest in ln σ, and that place against its nearer asymptote. Counts are exact, extremes are those of a sample of low discrepancy. Distances are in σ: a factor of 1.26 is 0.1 in log10.");
+    let mut table = Table::new("swept-errors", "Errors of the asymptotes over (β, κ, η)", columns)
+        .with_note("For each point, the nearest boundary point in ln σ at the same V0 is compared with its nearer asymptote. Counts are exact; extremes are those of a low-discrepancy sample. Distances are in σ: a factor of 1.26 is 0.1 in log10.");
     for (asymptote, found) in by_asymptote(swept, swept.kept()?)? {
         let share = |count: u64| Cell::number(round_digits(count as f64 / found.near.max(1) as f64, DIGITS));
         let extreme = |value: Option<f64>| {
@@ -182,7 +182,7 @@ fn worst(context: &Context) -> Option<Table> {
         Column::number("lower_derived_from_log10", "Lower arc, derived at the first β", "dex"),
         Column::number("lower_derived_to_log10", "Lower arc, derived at the last β", "dex"),
     ];
-    let mut table = Table::new("swept-worst", "Worst errors by quarter decades of β", columns)
+    let mut table = Table::new("swept-worst", "Largest errors by quarter decades of β", columns)
         .with_note("The largest log10 distance from the nearer asymptote: in the sweep (sampled) and at the corners for the two ends of the quarter decade (enclosed).");
     for bin in worst_by_effect_ratio(measured(context.outcome)?)? {
         let number = |value: f64| Cell::number(round_digits(value, DIGITS));

@@ -20,9 +20,9 @@ fn coverage(context: &Context) -> Option<Table> {
         Column::number("by_tests_percent", "Share", "%"),
         Column::number("with_verify", "Run by tests or verify", ""),
         Column::number("with_verify_percent", "Share", "%"),
-        Column::text("most_left_in", "Most lines left in"),
+        Column::text("most_left_in", "Most lines not run in"),
     ];
-    let mut table = Table::new("coverage", "Lines of the program that its tests run", columns)
+    let mut table = Table::new("coverage", "Lines of the program that the tests run", columns)
         .with_note(&measured(timings, file));
     rows.iter().for_each(|one| table.push(row(one)));
     table.push(row(&sum(rows)));
@@ -45,7 +45,7 @@ fn measured(timings: &Timings, file: &str) -> String {
     let facts = timings.machine.iter().filter(|row| row.file == file);
     let facts: String = facts.map(|row| format!(", {} {}", row.key, row.value)).collect();
     format!(
-        "Shares are rounded down. Lines of unit tests are not counted. Beside each file: its lines that nothing ran. Read from `timings/{file}`{facts}."
+        "Shares are rounded down. Lines of unit tests are not counted. The last column names files with their number of lines that nothing ran. Source: `timings/{file}`{facts}."
     )
 }
 

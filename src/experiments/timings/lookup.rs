@@ -38,7 +38,7 @@ impl<'r> Rows<'r> {
     ) -> Measured {
         let rows = wanted.into_iter().map(|(work, method)| self.find(work, method));
         let rows = rows.collect::<Result<Vec<_>, _>>()?;
-        let value = rows.iter().map(|row| quantity(row)).reduce(pick).ok_or("nothing asked for")?;
+        let value = rows.iter().map(|row| quantity(row)).reduce(pick).ok_or("no target")?;
         Ok((value, rows.iter().map(|row| row.line).collect()))
     }
 
@@ -54,7 +54,7 @@ impl<'r> Rows<'r> {
         peer: &str,
         ours: &str,
     ) -> Measured {
-        let mut least: Measured = Err("nothing asked for".into());
+        let mut least: Measured = Err("no target".into());
         for work in works {
             let (ratio, lines) = self.ratio((work.as_ref(), peer), (work.as_ref(), ours))?;
             if !least.as_ref().is_ok_and(|(known, _)| *known <= ratio) {
@@ -66,7 +66,7 @@ impl<'r> Rows<'r> {
 
     /// The largest of several ratios, each of a first work and method over a second.
     pub(crate) fn most_ratio<const N: usize>(&self, pairs: [[(String, &str); 2]; N]) -> Measured {
-        let mut most: Measured = Err("nothing asked for".into());
+        let mut most: Measured = Err("no target".into());
         for [over, under] in &pairs {
             let (ratio, lines) = self.ratio((&over.0, over.1), (&under.0, under.1))?;
             if !most.as_ref().is_ok_and(|(known, _)| *known >= ratio) {
@@ -79,7 +79,7 @@ impl<'r> Rows<'r> {
     /// Over all cases of a kind and all errors, the least of the best peer's time over ours; a peer that does not reach an error is
     /// no peer there, and an error that none of ours reaches counts as infinitely slow.
     pub(crate) fn least_over_peers(&self, kind: &str) -> Measured {
-        let mut least: Measured = Err(format!("no case of `{kind}` that a peer reaches"));
+        let mut least: Measured = Err(format!("no case of `{kind}` that a competitor finishes"));
         for (rows, most) in cases(self.0, kind).values().flat_map(|rows| ERRORS.map(|most| (rows, most))) {
             let Some(peer) = fastest(rows, most, |row| !row.is_ours()) else { continue };
             let ours = fastest(rows, most, PeerRow::is_ours);

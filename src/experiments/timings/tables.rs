@@ -62,10 +62,10 @@ fn wanted(context: &Context) -> Option<Table> {
     ];
     let timings = timings(context)?;
     let note = format!(
-        "Rows are lines of `timings/{}`. The bounds were set before anything was measured; a word in the column of outcomes is computed from the rows.",
+        "Rows are lines of `timings/{}`. The bounds were set before the measurements. The results are computed from the rows.",
         timings.peers_file
     );
-    let mut table = Table::new("aims", "What was wanted, and what was measured", columns).with_note(&note);
+    let mut table = Table::new("aims", "Targets and measurements", columns).with_note(&note);
     for aim in aims(&timings.peers) {
         let (value, found) = match &aim.measured {
             Ok((value, lines)) => (number(*value), lines.clone()),
@@ -107,7 +107,7 @@ fn outcome(aim: &Aim) -> String {
     match (met(aim.must), met(aim.aim)) {
         (Some(false), _) => "missed",
         (_, Some(true)) => "aim met",
-        (Some(true), Some(false)) => "must met, aim missed",
+        (Some(true), Some(false)) => "required value met, target missed",
         (None, Some(false)) => "aim missed",
         (Some(true), None) => "must met",
         (None, None) => "",
@@ -120,15 +120,15 @@ fn peers(context: &Context, [id, title]: [&str; 2], wanted: fn(&str) -> bool) ->
         Column::text("work", "Work"),
         Column::text("method", "Method"),
         Column::number("tolerance", "Tolerance", ""),
-        Column::number("cpu_us", "CPU time an item", "µs"),
-        Column::number("over_ours", "Over our fastest", ""),
-        Column::number("worst_error", "Worst error", ""),
+        Column::number("cpu_us", "CPU time per item", "µs"),
+        Column::number("over_ours", "Ratio to our fastest", ""),
+        Column::number("worst_error", "Largest error", ""),
         Column::text("wrong", "Wrong or failed"),
         Column::number("row", "Row", ""),
     ];
     let timings = timings(context)?;
     let note = format!(
-        "Printed by `cargo xtask bench --peers`; the command of each row stands in its line of `timings/{}`. Errors leave wrong answers out.",
+        "Printed by `cargo xtask bench --peers`; the lines of `timings/{}` have the command of each row. Wrong answers are not included in the errors.",
         timings.peers_file
     );
     let mut table = Table::new(id, title, columns).with_note(&note);
@@ -164,13 +164,13 @@ fn cycles(context: &Context) -> Option<Table> {
         Column::number("error", "Error met", ""),
         Column::text("method", "Method"),
         Column::text("cases", "Cases"),
-        Column::number("mean_over_ours", "Over our fastest, mean", ""),
-        Column::text("range_over_ours", "Least and largest"),
+        Column::number("mean_over_ours", "Ratio to our fastest, mean", ""),
+        Column::text("range_over_ours", "Smallest and largest"),
         Column::text("rows", "Rows"),
     ];
     let timings = timings(context)?;
     let note = format!(
-        "Printed by `cargo xtask bench --peers cycles` and `… smooth`. For each case and method the fastest tolerance whose measured error is at most the error met; ratios are to our fastest method on the same case at the same error, their mean geometric. Rows are lines of `timings/{}`.",
+        "Printed by `cargo xtask bench --peers cycles` and `… smooth`. For each case and method, the fastest tolerance whose measured error is at most the required error. Ratios are to our fastest method on the same case at the same error; their mean is geometric. Rows are lines of `timings/{}`.",
         timings.peers_file
     );
     let mut table =
@@ -203,19 +203,19 @@ fn laws(context: &Context) -> Option<Table> {
         Column::number("residual", "Largest residual, factor", ""),
         Column::number("top_size", "Largest size measured", ""),
         Column::number("top_cpu_s", "CPU time there", "s"),
-        Column::number("top_predicted_cpu_s", "By the law without it", "s"),
+        Column::number("top_predicted_cpu_s", "Predicted by the law without it", "s"),
         Column::number("peak_memory_mib", "Peak memory there", "MiB"),
-        Column::number("asked_size", "Size asked", ""),
+        Column::number("asked_size", "Predicted size", ""),
         Column::number("asked_cpu_s", "Predicted CPU time", "s"),
         Column::text("rows", "Rows"),
         Column::text("command", "Command of the largest"),
     ];
     let timings = timings(context)?;
     let note = format!(
-        "Printed by `cargo xtask cost`; rows are lines of `timings/{}`, which holds every command. Times are of one thread unless threads are what grows; laws are least squares over the rows, computed with this page.",
+        "Printed by `cargo xtask cost`; rows are lines of `timings/{}`, which has every command. Times are for one thread unless the number of threads varies. Laws are least-squares fits to the rows, computed with this page.",
         timings.cost_file
     );
-    let mut table = Table::new("cost-laws", "How CPU time and memory grow", columns).with_note(&note);
+    let mut table = Table::new("cost-laws", "Growth of CPU time and memory", columns).with_note(&note);
     for series in cost_series(&timings.cost) {
         table.push(law_row(&series)?);
     }
@@ -256,7 +256,7 @@ fn law_text(law: &Law) -> String {
 fn machine(context: &Context) -> Option<Table> {
     let columns =
         vec![Column::text("file", "File"), Column::text("key", "What"), Column::text("value", "Value")];
-    let mut table = Table::new("timings-machine", "Where and when the times were measured", columns);
+    let mut table = Table::new("timings-machine", "Machine and date of the measurements", columns);
     for row in &timings(context)?.machine {
         table.push(vec![Cell::text(&row.file), Cell::text(&row.key), Cell::text(&row.value)]);
     }

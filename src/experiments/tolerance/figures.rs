@@ -55,7 +55,7 @@ fn along_arcs(scene: &SceneOutcome) -> Option<Figure> {
     Some(Figure::new(
         caption,
         "Figure A1",
-        "Signed relative error of each asymptote along its arc, for a < b: of σ at the same velocity for eqs 15 and 16, of V0 at the same normal stress for eqs 18 and 20. The lower arc turns back at the cusp.",
+        "Signed relative error of each asymptote along its arc, for a < b: error of σ at the same velocity for eqs 15 and 16, error of V0 at the same normal stress for eqs 18 and 20. The lower arc turns back at the cusp.",
         chart.svg(),
     ))
 }
@@ -79,11 +79,11 @@ fn equation_label(asymptote: Asymptote) -> String {
     asymptote.as_str().replace("eq", "eq ")
 }
 
-const WORST: &str = "Worst error of the asymptotes against the ratio of evolution to direct effect: the largest distance in log10 between the exact boundary and the nearer asymptote, for the upper and the lower arc.";
+const WORST: &str = "Largest error of the asymptotes against the ratio of evolution to direct effect: the largest distance in log10 between the exact boundary and the nearer asymptote, for the upper and the lower arc.";
 
 fn worst_errors(sweep: &SweepOutcome) -> Option<Figure> {
     let (first, last) = (sweep.rows.first()?, sweep.rows.last()?);
-    let caption = Caption::new("corners", "Worst error of the asymptotes against b/a", WORST);
+    let caption = Caption::new("corners", "Largest error of the asymptotes against b/a", WORST);
     let line =
         |label: &str, value: &dyn Fn(&crate::experiments::effect_ratio_sweep::SweepRow) -> Option<&Ball>| {
             Series {
@@ -112,12 +112,12 @@ fn worst_errors(sweep: &SweepOutcome) -> Option<Figure> {
     Some(Figure::new(
         caption,
         "Figure A2",
-        "Worst case of the asymptotes: it depends on b/a alone. Every point is an enclosure.",
+        "Largest error of the asymptotes, which depends only on b/a. Every point is an enclosure.",
         chart.svg(),
     ))
 }
 
-const ENOUGH: &str = "For each asymptote, the stretch of velocity over which it agrees with the exact boundary within 10, 1 and 0.1 percent.";
+const ENOUGH: &str = "For each asymptote, the range of velocity in which it agrees with the exact boundary within 10, 1 and 0.1 percent.";
 
 fn good_enough(scene: &SceneOutcome) -> Option<Figure> {
     let outcome = scene.tolerance.as_ref()?;
@@ -125,7 +125,7 @@ fn good_enough(scene: &SceneOutcome) -> Option<Figure> {
     tolerances.sort();
     tolerances.dedup();
     tolerances.reverse();
-    let caption = Caption::new("tolerance", "Where each asymptote is good enough", ENOUGH);
+    let caption = Caption::new("tolerance", "Where each asymptote is accurate enough", ENOUGH);
     let scale = velocity_scale(scene)?;
     let chart = RangeChart {
         caption: caption.clone(),
@@ -144,7 +144,7 @@ fn good_enough(scene: &SceneOutcome) -> Option<Figure> {
     Some(Figure::new(
         caption,
         "Figure A3",
-        "Where each asymptote may be used instead of the exact boundary, for a < b, by the velocity on the boundary.",
+        "Ranges of velocity in which each asymptote may replace the exact boundary, for a < b.",
         chart.svg(),
     ))
 }

@@ -35,11 +35,11 @@ fn tolerance(context: &Context) -> Option<Table> {
         Column::text("where", "Where"),
         Column::number("limit", "Limit", "m/s or Pa"),
         Column::number("group_at_limit", "η or κ at the limit", ""),
-        Column::number("leading_order", "The same to leading order", ""),
+        Column::number("leading_order", "Leading order", ""),
         Column::number("exact_over_leading", "exact/leading", ""),
     ];
     let mut table = Table::new("tolerance", "Which formula may be used where", columns)
-        .with_note("Leading order in closed form: η = ε for eqs 15 and 16, κ = ε(β−1)²/(2β) for eq 18, κ = β/(2ε) for eq 20. A branch that is good up to the cusp has the cusp's values.");
+        .with_note("Leading order in closed form, for a relative error ε: η = ε for eqs 15 and 16, κ = ε(β−1)²/(2β) for eq 18, κ = β/(2ε) for eq 20. A branch that is accurate up to the cusp has the values of the cusp.");
     for scene in &context.outcome.scenes {
         let Some(outcome) = &scene.tolerance else { continue };
         for row in &outcome.rows {
@@ -84,8 +84,7 @@ fn convergence(context: &Context) -> Option<Table> {
         Column::number("ratio", "error/leading", ""),
         Column::number("order", "Measured order (derived: 1)", ""),
     ];
-    let mut table =
-        Table::new("convergence", "Measured order of convergence against the derived one", columns);
+    let mut table = Table::new("convergence", "Measured and derived order of convergence", columns);
     for scene in &context.outcome.scenes {
         let Some(outcome) = &scene.tolerance else { continue };
         for (asymptote, steps) in &outcome.convergence {
@@ -107,16 +106,16 @@ fn convergence(context: &Context) -> Option<Table> {
 fn corners(context: &Context) -> Option<Table> {
     let columns = vec![
         Column::number("effect_ratio", "β = b/a", ""),
-        Column::number("upper_worst_log10", "Upper arc: worst log10 distance", ""),
+        Column::number("upper_worst_log10", "Upper arc: largest log10 distance", ""),
         Column::number("upper_eq15_error", "eq 15 at V0 of the corner", ""),
         Column::number("upper_eq18_error", "eq 18 at V0 of the corner", ""),
-        Column::number("lower_worst_log10", "Lower arc: worst log10 distance", ""),
+        Column::number("lower_worst_log10", "Lower arc: largest log10 distance", ""),
         Column::number("cusp_eq16_error", "eq 16 at the cusp", ""),
         Column::number("cusp_eq20_error", "eq 20 at the cusp", ""),
         Column::number("lower_eq20_error_at_corner_normal_stress", "eq 20 at σ of eq 16", ""),
     ];
-    let mut table = Table::new("corners", "Worst errors of the asymptotes against b/a", columns)
-        .with_note("Errors are exact/asymptote − 1: of σ at the same V0 (eqs 15 and 16), of V0 at the same σ (eqs 18 and 20). Distances are to the nearer asymptote of the arc. Every digit is certain.");
+    let mut table = Table::new("corners", "Largest errors of the asymptotes against b/a", columns)
+        .with_note("Errors are exact/asymptote − 1, for σ at the same V0 (eqs 15 and 16) and for V0 at the same σ (eqs 18 and 20). Distances are to the nearer asymptote of the arc. All printed digits are certain.");
     for row in context
         .outcome
         .scenes

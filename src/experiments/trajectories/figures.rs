@@ -27,8 +27,8 @@ pub(crate) const FIGURES: &[FigureMaker] = &[
 /// The law of the paper's figures.
 const LAW: EvolutionLaw = EvolutionLaw::Slip;
 
-const MODES_DESCRIPTION: &str = "Six panels of shear stress against time. Panels b and c show saw teeth of slow loading and sudden drops, larger and rarer in b at the higher normal stress. Panel d shows a slow oscillation that dies after two swings. Panel e shows an even vibration at the natural period that neither grows nor dies. Panel f rises once and settles without oscillation. Panel g shows a fast oscillation that dies away over six swings and more.";
-const MODES_CAPTION: &str = "Shear stress beyond that of steady sliding, against time, in each of the six cases of section 3.1 (compare figs 3b to 3g of the paper), slip law, from steady sliding at a tenth of the loading velocity. The paper's text does not state its points; these lie well inside each area and are marked in figure 3a. Curves are converged, drawn to half a pixel; periods and peaks with their errors are in the table.";
+const MODES_DESCRIPTION: &str = "Six panels of shear stress against time. Panels b and c show a sawtooth of slow loading and sudden drops, larger and rarer in b at the higher normal stress. Panel d shows a slow oscillation that decays after two swings. Panel e shows a steady vibration at the natural period that neither grows nor decays. Panel f rises once and approaches steady sliding without oscillation. Panel g shows a fast oscillation that decays over more than six swings.";
+const MODES_CAPTION: &str = "Shear stress relative to steady sliding, against time, in each of the six cases of section 3.1 (compare figs 3b to 3g of the paper), slip law, from steady sliding at a tenth of the loading velocity. The paper's text does not state its points; ours lie well inside each area and are marked in figure 3a. Curves are converged, drawn to half a pixel. The table has periods and peaks with their errors.";
 
 /// Height of a panel of the six.
 const MODE_HEIGHT: f64 = 130.0;
@@ -72,8 +72,8 @@ pub(crate) fn place_words(run: &TrajectoryRun) -> String {
     format!("*σ* = {stress} Pa, *V*_l = {velocity} m/s")
 }
 
-const APPROACH_DESCRIPTION: &str = "Three panels of velocity over loading velocity against time, four loading velocities in each. In panel b, at high normal stress, the slower two rise to the loading velocity without passing it and the faster two vibrate about it. In panel c the slow two show one rise and one trough, the fast two vibrate. In panel d, at low normal stress, the slower two pass the loading velocity by less than a tenth and return to it slowly from above, the faster two vibrate.";
-const APPROACH_CAPTION: &str = "Velocity over loading velocity after a start at a tenth of it, for a > b and the slip law (compare figs 6b to 6d of the paper): across the upper boundary (b), from non-inertial to inertial oscillation (c) and across the lower boundary (d). The legend says of each point whether its exact class is overdamped or an underdamped oscillation, non-inertial or inertial; the points, which the paper's text does not state, are marked in figure 6a as simulated. Curves are converged, drawn to half a pixel.";
+const APPROACH_DESCRIPTION: &str = "Three panels of velocity divided by loading velocity against time, four loading velocities in each. In panel b, at high normal stress, the slower two rise to the loading velocity without exceeding it, and the faster two vibrate about it. In panel c the slower two show one rise and one trough, and the faster two vibrate. In panel d, at low normal stress, the slower two exceed the loading velocity by less than a tenth and return to it slowly from above, and the faster two vibrate.";
+const APPROACH_CAPTION: &str = "Velocity divided by loading velocity after a start at a tenth of it, for a > b and the slip law (compare figs 6b to 6d of the paper): across the upper boundary (b), from non-inertial to inertial oscillation (c) and across the lower boundary (d). The legend names the exact class of each point: overdamped, or a non-inertial or inertial underdamped oscillation. The paper's text does not state its points; ours are marked in the simulated figure 6a. Curves are converged, drawn to half a pixel.";
 
 /// Height of a panel of the three.
 const APPROACH_HEIGHT: f64 = 170.0;

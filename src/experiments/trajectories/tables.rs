@@ -46,15 +46,15 @@ fn modes(context: &Context) -> Option<Table> {
         Column::number("period_theory_s", "2π/max Im(s), theory", "s"),
         Column::number("period_s", "Period, simulation", "s"),
         Column::number("period_relative_error", "Its error", ""),
-        Column::number("peak_over_loading_velocity", "Peak velocity over V_l", ""),
+        Column::number("peak_over_loading_velocity", "Peak velocity / V_l", ""),
         Column::number("peak_relative_error", "Its error", ""),
         Column::number("stress_drop_pa", "Stress drop", "Pa"),
         Column::number("stress_drop_relative_error", "Its error", ""),
         Column::number("free_residual_pa", "Free residual", "Pa"),
         Column::text("failure", "Failure"),
     ];
-    let mut table = Table::new("trajectory-modes", "What the runs of figs 3b to 3g and 6b to 6d show", columns)
-        .with_note("The slip mode of a simulation is read off its late behaviour alone. Peak and stress drop are those of the limit cycle, or of the transient of a decay; errors are relative, converged by a second run at a tenth of the tolerance. The period of the theory is that of the small oscillation, from the exact class and a 64-bit root. The free residual is the largest difference between the spring stress as integrated and as it follows from slip integrated apart from it.");
+    let mut table = Table::new("trajectory-modes", "Results of the runs of figs 3b to 3g and 6b to 6d", columns)
+        .with_note("The slip mode of a simulation is determined from its long-term behaviour alone. Peak and stress drop are those of the limit cycle, or of the transient of a decay. Errors are relative estimates from a second run at a tenth of the tolerance. The period of the theory is that of the small oscillation, from the exact class and a 64-bit root. The free residual is the largest difference between the integrated spring stress and the spring stress computed from separately integrated slip.");
     runs(context).for_each(|run| table.push(mode_row(run)));
     unless_empty(table)
 }
@@ -96,11 +96,11 @@ fn samples(context: &Context) -> Option<Table> {
         Column::text("point", "Point"),
         Column::text("law", "Law"),
         Column::number("time_s", "Time since the start", "s"),
-        Column::number("velocity_log10_ratio", "log10 of V over V_l", ""),
-        Column::number("shear_stress_change_pa", "Shear stress beyond steady sliding", "Pa"),
+        Column::number("velocity_log10_ratio", "log10 of V/V_l", ""),
+        Column::number("shear_stress_change_pa", "Shear stress relative to steady sliding", "Pa"),
     ];
-    let mut table = Table::new("trajectories", "Samples of the runs that the figures draw", columns)
-        .with_note("Start: steady sliding at V_l/10. Thinned: whatever was left out lies within a thousandth of the curve's extent of the line through these samples, in every pair of time, velocity, its logarithm and stress. Rounded to draw with; the observables have the certain digits.");
+    let mut table = Table::new("trajectories", "Samples of the runs in the figures", columns)
+        .with_note("Start: steady sliding at V_l/10. The samples are thinned: every omitted sample lies within a thousandth of the curve's extent from the line through the samples shown, in every pair of time, velocity, its logarithm and stress. Values are rounded for drawing; the tables of observables have all certain digits.");
     for run in runs(context) {
         for moment in run.course.iter().flat_map(|course| &course.moments) {
             let log10_ratio = moment.log_velocity_ratio / std::f64::consts::LN_10;

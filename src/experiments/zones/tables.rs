@@ -92,7 +92,7 @@ fn thresholds(context: &Context) -> Option<Table> {
     ];
     let mut table = Table::new(
         "thresholds",
-        "How the map depends on the threshold between inertial and non-inertial",
+        "Dependence of the map on the threshold between inertial and non-inertial",
         columns,
     )
     .with_note("The default threshold is √½, the frequency ratio on K = K_c at η = 1.");

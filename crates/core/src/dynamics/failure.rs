@@ -30,7 +30,7 @@ pub enum Failure {
     },
     /// Neither a limit cycle nor a decay was reached.
     #[error(
-        "late behaviour undecided after {cycles} oscillations; the last changed by a relative {change:e}"
+        "long-term behaviour undecided after {cycles} oscillations; the last changed by a relative {change:e}"
     )]
     Undecided {
         /// Oscillations computed.
@@ -39,7 +39,7 @@ pub enum Failure {
         change: f64,
     },
     /// The requested accuracy is below what the arithmetic gives.
-    #[error("a relative error of {requested:e} is out of reach: {reached:.1e} was reached")]
+    #[error("a relative error of {requested:e} is not attainable: {reached:.1e} was reached")]
     UnreachableTolerance {
         /// Relative error requested.
         requested: f64,

@@ -165,7 +165,7 @@ pub(super) mod tests {
             .replace("omega_n = sqrt(K/M)", "omega_n = sqrt(K/M");
         let error = read(&text).expect_err("five faults").to_string();
         for part in [
-            "equation 2: stands twice",
+            "equation 2: occurs twice",
             "equation 3: is missing",
             "equation 14: left side: 'Q' is not a variable of the paper",
             "equation 61: is not an equation of the paper",

@@ -115,7 +115,7 @@ pub(super) fn read(file: EquationsText) -> Result<(Equations, Vec<String>), Equa
         let key = format!("equation {}", entry.number);
         match read_entry(entry) {
             Ok(equation) if equations.contains_key(&equation.number) => {
-                faults.push(EquationFault { key, message: "stands twice".to_owned() });
+                faults.push(EquationFault { key, message: "occurs twice".to_owned() });
             }
             Ok(equation) => {
                 equations.insert(equation.number.clone(), equation);

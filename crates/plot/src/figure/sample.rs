@@ -237,7 +237,7 @@ pub(crate) fn range_chart() -> RangeChart {
     RangeChart {
         caption: Caption::new(
             "good-enough",
-            "Where each asymptote is good enough",
+            "Where each asymptote is accurate enough",
             "Stricter levels end earlier.",
         ),
         axis: Axis::log10("Loading velocity *V*_0", "m/s", 1e-6, 1e-1),
