@@ -11,6 +11,7 @@ mod coverage;
 mod failure;
 mod gmp_cache;
 mod licences;
+mod lines;
 mod machine;
 mod measured_on;
 mod process;
@@ -40,6 +41,7 @@ usage: cargo xtask <command> [arguments]
   coverage      count the lines of each module that the tests run, into bench-results/ (needs cargo-llvm-cov)
   sweep-cost    measure memory, scaling and overhead of sweeps, on a machine without other work
   tidy          check the source rules: order of modules, headers, lengths, wording, links
+  lines         count lines of code without blank lines, comments and tests, and compare them with their bounds
   licences      check every dependency's licence against the list of allowed licences
   validate      run external validators on every report's page, Markdown, archive and citation
   cluster-test  run a sweep on a real Slurm and kill one node midway (Linux)
@@ -77,6 +79,7 @@ fn run(arguments: &[String]) -> Result<(), Failure> {
         "tidy" => tidy::run(),
         "timings" => timings::run(),
         "licences" => licences::run(),
+        "lines" => lines::run(),
         "machine" => machine::run(),
         "help" | "--help" | "-h" => {
             println!("{USAGE}");

@@ -90,7 +90,7 @@ fn complaints(files: &[TextFile], paths: &[String]) -> Vec<Complaint> {
 }
 
 /// All Rust files; those that another declares as tests are marked so.
-fn rust_sources(files: &[TextFile]) -> Vec<RustSource<'_>> {
+pub fn rust_sources(files: &[TextFile]) -> Vec<RustSource<'_>> {
     let rust_files = files.iter().filter(|file| file.has_extension("rs"));
     let mut sources: Vec<RustSource> = rust_files.map(RustSource::new).collect();
     let test_files: BTreeSet<String> = sources.iter().flat_map(RustSource::test_modules).collect();
@@ -101,7 +101,7 @@ fn rust_sources(files: &[TextFile]) -> Vec<RustSource<'_>> {
 }
 
 /// Reads every file that is text; binary files (fonts, archives) have no rules here.
-fn read(paths: &[String]) -> Result<Vec<TextFile>, Failure> {
+pub fn read(paths: &[String]) -> Result<Vec<TextFile>, Failure> {
     let root = repository::root();
     let mut files = Vec::new();
     for path in paths {
