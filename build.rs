@@ -7,7 +7,8 @@ use std::process::Command;
 use sha2::{Digest, Sha256};
 
 /// What the program is built from, besides its dependencies, which `Cargo.lock` pins.
-const SOURCES: [&str; 6] = ["Cargo.lock", "Cargo.toml", "build.rs", "crates", "src", "templates"];
+const SOURCES: [&str; 7] =
+    ["Cargo.lock", "Cargo.toml", "build.rs", "crates/core", "crates/plot", "src", "templates"];
 
 fn main() {
     for source in SOURCES {

@@ -1,81 +1,17 @@
-//! `cargo xtask bench`: the benchmarks, which print ratios beside times; `--peers` runs other programs beside them.
-
-mod players;
-mod ratios;
-mod row;
-mod schedule;
-mod write;
+//! `cargo xtask bench`, `cost`, `coverage`, `sweep-cost` and `timings`: built and run by the package slipmode-bench.
 
 use crate::failure::Failure;
 use crate::{machine, process};
-use players::Player;
 
-/// Everything that `--peers` does, in the order of the table.
-const WORKS: [&str; 18] = [
-    "classes-random",
-    "classes-grid",
-    "classes-disc",
-    "classes-hopf",
-    "classes-cusp",
-    "hard-cases",
-    "roots-50-random",
-    "roots-50-hard",
-    "roots-100-random",
-    "roots-100-hard",
-    "roots-1000-random",
-    "roots-1000-hard",
-    "roots-10000-random",
-    "roots-10000-hard",
-    "boundary-section",
-    "cycles",
-    "smooth",
-    "sweep",
-];
-
-/// How often every player is asked for every piece of work, in turn.
-const ROUNDS: usize = 3;
-
-/// Runs `cargo bench` and SciPy beside the simulations, or, with `--peers`, every peer that is found.
-///
-/// Other arguments are passed on to `cargo bench`.
+/// Runs a command of slipmode-bench in the release build.
 ///
 /// # Errors
-/// When the machine lacks a tool or a benchmark fails; a peer that is missing is skipped by name.
-pub fn run(arguments: &[String]) -> Result<(), Failure> {
+/// When the machine lacks a tool, the build fails, or the command does.
+pub fn run(command: &str, arguments: &[String]) -> Result<(), Failure> {
     machine::run()?;
-    if arguments.iter().any(|word| word == "--peers") {
-        return peers(&arguments.iter().filter(|word| *word != "--peers").collect::<Vec<_>>());
+    let run = ["run", "--release", "--locked", "--quiet", "--package", "slipmode-bench", "--", command];
+    match process::status(process::cargo(&run).args(arguments))? {
+        0 => Ok(()),
+        code => Err(Failure { code, message: format!("{command} exited with {code}") }),
     }
-    let mut command = process::cargo(&["bench", "--locked", "--package", "slipmode", "--benches"]);
-    process::check(command.args(arguments))?;
-    if arguments.is_empty() { beside_scipy() } else { Ok(()) }
-}
-
-/// Cycles by SciPy's Radau, LSODA and BDF, and by us, in one run.
-fn beside_scipy() -> Result<(), Failure> {
-    let players = players::find(|player: &Player| matches!(player.name, "slipmode" | "SciPy"))?;
-    schedule::prepare()?;
-    let measured = schedule::run(&players, &["cycles"], 1)?;
-    for line in ratios::lines(&measured) {
-        println!("{line}");
-    }
-    Ok(())
-}
-
-/// Words after `--peers` name works, by their beginning; none means all. `--once` makes one round of it.
-fn peers(words: &[&String]) -> Result<(), Failure> {
-    let rounds = if words.iter().any(|word| *word == "--once") { 1 } else { ROUNDS };
-    let words: Vec<&&String> = words.iter().filter(|word| **word != "--once").collect();
-    let wanted = |work: &&str| words.is_empty() || words.iter().any(|word| work.starts_with(word.as_str()));
-    let works: Vec<&str> = WORKS.into_iter().filter(wanted).collect();
-    if works.is_empty() {
-        return Err(Failure::bad_input(format!("--peers takes the beginnings of: {}", WORKS.join(", "))));
-    }
-    let players = players::find(|_| true)?;
-    schedule::prepare()?;
-    let measured = schedule::run(&players, &works, rounds)?;
-    for line in ratios::lines(&measured) {
-        println!("{line}");
-    }
-    if words.is_empty() { write::results(&players, &measured) } else { Ok(()) }
 }

@@ -6,21 +6,16 @@ mod accept;
 mod bench;
 #[cfg(target_os = "linux")]
 mod cluster_test;
-mod cost;
-mod coverage;
 mod failure;
 mod gmp_cache;
 mod licences;
 mod lines;
 mod machine;
-mod measured_on;
 mod process;
 mod repository;
 mod spdx;
-mod sweep_cost;
 mod test;
 mod tidy;
-mod timings;
 mod validate;
 mod verify;
 
@@ -35,10 +30,10 @@ usage: cargo xtask <command> [arguments]
   test          format, clippy, rustdoc, tidy, licences, all tests; ends with a count
   accept        rewrite the published copy of every report
   bench         run the benchmarks, with SciPy next to the simulations (arguments are passed on to `cargo bench`);
-                --peers [works]: all installed competitors, results in bench-results/
-  timings       copy bench-results/{peers,cost,coverage,machine}.csv into the report on the paper
+                --peers [works]: all installed competitors, results in crates/bench/results/
+  timings       copy crates/bench/results/{peers,cost,coverage,machine}.csv into the report on the paper
   cost          measure time and memory against points, digits, tolerance and threads, and fit cost laws
-  coverage      count the lines of each module that the tests run, into bench-results/ (needs cargo-llvm-cov)
+  coverage      count the lines of each module that the tests run, into crates/bench/results/ (needs cargo-llvm-cov)
   sweep-cost    measure memory, scaling and overhead of sweeps, on a machine without other work
   tidy          check the source rules: order of modules, headers, lengths, wording, links
   lines         count lines of code without blank lines, comments and tests, and compare them with their bounds
@@ -63,7 +58,7 @@ fn main() -> ExitCode {
 fn run(arguments: &[String]) -> Result<(), Failure> {
     let (command, rest) = arguments.split_first().ok_or_else(|| Failure::bad_input(USAGE))?;
     match command.as_str() {
-        "bench" => bench::run(rest),
+        "bench" | "cost" | "coverage" | "sweep-cost" | "timings" => bench::run(command, rest),
         _ if !rest.is_empty() => {
             Err(Failure::bad_input(format!("`{command}` takes no arguments\n\n{USAGE}")))
         }
@@ -73,11 +68,7 @@ fn run(arguments: &[String]) -> Result<(), Failure> {
         "validate" => validate::run(),
         #[cfg(target_os = "linux")]
         "cluster-test" => cluster_test::run(),
-        "cost" => cost::run(),
-        "coverage" => coverage::run(),
-        "sweep-cost" => sweep_cost::run(),
         "tidy" => tidy::run(),
-        "timings" => timings::run(),
         "licences" => licences::run(),
         "lines" => lines::run(),
         "machine" => machine::run(),

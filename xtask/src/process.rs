@@ -16,13 +16,6 @@ pub fn cargo(arguments: &[&str]) -> Command {
     command
 }
 
-/// The command that prints the compiler's version.
-pub fn rustc_version() -> Command {
-    let mut command = Command::new(env::var_os("RUSTC").unwrap_or_else(|| "rustc".into()));
-    command.arg("--version").current_dir(repository::root());
-    command
-}
-
 /// Runs a command with its streams inherited and returns its exit code (1 when a signal ended it).
 ///
 /// # Errors

@@ -124,8 +124,8 @@ mod tests {
     #[test]
     fn a_header_is_wanted_and_length_is_limited() {
         assert_eq!(complaints("tests/suite/main.rs", "mod a;\n"), [1]);
-        assert_eq!(complaints("benches/a.rs", &format!("//! A.\n{}", "\n".repeat(600))), [0]);
-        assert_eq!(complaints("benches/a.rs", &format!("//! A.\n{}", "\n".repeat(599))), [0; 0]);
+        assert_eq!(complaints("crates/bench/benches/a.rs", &format!("//! A.\n{}", "\n".repeat(600))), [0]);
+        assert_eq!(complaints("crates/bench/benches/a.rs", &format!("//! A.\n{}", "\n".repeat(599))), [0; 0]);
     }
 
     #[test]

@@ -7,7 +7,7 @@
 //!
 //! # Which method, and why
 //! Time of one period of the limit cycle in µs, slip law, by the cheapest tolerance that meets an error of 1e-4, 1e-8 and 1e-12 of
-//! ln V_peak and of the duration (`cargo xtask bench --peers cycles`, the rows of `bench-results/peers.csv`; read them as ratios):
+//! ln V_peak and of the duration (`cargo xtask bench --peers cycles`, the rows of `crates/bench/results/peers.csv`; read them as ratios):
 //!
 //! | case | Rodas5P | Radau 5 | Radau 9 | Radau 13 |
 //! |---|---|---|---|---|

@@ -3,7 +3,7 @@
 //! Every number is measured on the release build of the command line, one process at a time. A law is fitted to the CPU
 //! times of each ladder but its top rung (wall times tell of the machine's other work too); what it says of the top is printed
 //! beside what was measured there. The result is a CSV and a
-//! Markdown file under `bench-results/`, which enter a report only by `cargo xtask timings`.
+//! Markdown file under `crates/bench/results/`, which enter a report only by `cargo xtask timings`.
 
 mod fit;
 mod ladders;
@@ -12,8 +12,7 @@ pub mod measure;
 use std::fmt::Write as _;
 use std::fs;
 
-use crate::failure::Failure;
-use crate::{machine, measured_on, repository, verify};
+use crate::{measured_on, process, repository};
 use fit::{Form, Law};
 use ladders::Ladder;
 use measure::Measured;
@@ -28,13 +27,11 @@ struct Climbed {
 ///
 /// # Errors
 /// When the build or a measured command fails, or a file cannot be written.
-pub fn run() -> Result<(), Failure> {
-    machine::run()?;
-    verify::build_release()?;
+pub fn run() -> Result<(), String> {
+    let program = process::build_release()?;
     let root = repository::root();
     let folder = root.join("target/cost");
     fs::create_dir_all(&folder).map_err(|error| cannot_write(&error))?;
-    let program = root.join("target/release/slipmode");
     let mut climbed = Vec::new();
     for ladder in ladders::all(&folder).map_err(|error| cannot_write(&error))? {
         eprintln!("cost: {}", ladder.name);
@@ -55,8 +52,8 @@ pub fn run() -> Result<(), Failure> {
     Ok(())
 }
 
-fn cannot_write(error: &std::io::Error) -> Failure {
-    Failure::bad_input(format!("target/cost or bench-results: {error}"))
+fn cannot_write(error: &std::io::Error) -> String {
+    format!("target/cost or crates/bench/results: {error}")
 }
 
 fn csv(climbed: &[Climbed]) -> String {

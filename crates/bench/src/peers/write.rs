@@ -8,14 +8,13 @@ use std::fs;
 use super::players::Player;
 use super::ratios::{over, ratios};
 use super::row::Row;
-use crate::failure::Failure;
 use crate::measured_on::{self, Facts};
 
-/// Writes `bench-results/peers.csv`, `bench-results/peers.md` and the rows of `bench-results/machine.csv` about them.
+/// Writes `crates/bench/results/peers.csv`, `crates/bench/results/peers.md` and the rows of `crates/bench/results/machine.csv` about them.
 ///
 /// # Errors
 /// When they cannot be written.
-pub fn results(players: &[Player], rows: &[Row]) -> Result<(), Failure> {
+pub fn results(players: &[Player], rows: &[Row]) -> Result<(), String> {
     let folder = measured_on::folder();
     let mut facts = measured_on::facts();
     facts.extend(players.iter().map(|player| (player.name.to_string(), player.version.clone())));
@@ -23,9 +22,11 @@ pub fn results(players: &[Player], rows: &[Row]) -> Result<(), Failure> {
     let written = fs::create_dir_all(&folder)
         .and_then(|()| fs::write(folder.join("peers.csv"), csv(rows)))
         .and_then(|()| fs::write(folder.join("peers.md"), markdown(&head, rows)));
-    written.map_err(|error| Failure::bad_input(format!("bench-results: {error}")))?;
+    written.map_err(|error| format!("crates/bench/results: {error}"))?;
     measured_on::write("peers.csv", &facts)?;
-    println!("written: bench-results/peers.csv, bench-results/peers.md, bench-results/machine.csv");
+    println!(
+        "written: crates/bench/results/peers.csv, crates/bench/results/peers.md, crates/bench/results/machine.csv"
+    );
     Ok(())
 }
 

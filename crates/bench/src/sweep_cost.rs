@@ -8,8 +8,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use crate::cost::measure::{Measured, once};
-use crate::failure::Failure;
-use crate::{machine, process, repository, verify};
+use crate::{process, repository};
 
 /// Points over the three groups: a work of a microsecond, so that whatever else a sweep does would show.
 const SCENE: &str = "name = \"cost\"\ntitle = \"Cost\"\n[parameters]\ndirect_effect = 1\nevolution_effect = 1\n\
@@ -36,17 +35,16 @@ struct Place {
 ///
 /// # Errors
 /// When the build or a measured command fails, or a file cannot be written.
-pub fn run() -> Result<(), Failure> {
-    machine::run()?;
-    verify::build_release()?;
-    let root = repository::root();
+pub fn run() -> Result<(), String> {
     let place =
-        Place { program: root.join("target/release/slipmode"), folder: root.join("target/sweep-cost") };
+        Place { program: process::build_release()?, folder: repository::root().join("target/sweep-cost") };
     let _ = fs::remove_dir_all(&place.folder);
     fs::create_dir_all(&place.folder).map_err(|error| place.cannot(&error))?;
     let cores = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
-    let compiler = process::output(&mut process::rustc_version()).unwrap_or_default();
-    println!("Command: `cargo xtask sweep-cost`. {cores} cores, {}, release build.\n", compiler.trim());
+    println!(
+        "Command: `cargo xtask sweep-cost`. {cores} cores, {}, release build.\n",
+        process::rustc_version()
+    );
     print!("{}", memory(&place)?);
     print!("{}", scaling(&place)?);
     print!("{}", overhead(&place)?);
@@ -54,31 +52,31 @@ pub fn run() -> Result<(), Failure> {
 }
 
 impl Place {
-    fn cannot(&self, error: &std::io::Error) -> Failure {
-        Failure::bad_input(format!("{}: {error}", self.folder.display()))
+    fn cannot(&self, error: &std::io::Error) -> String {
+        format!("{}: {error}", self.folder.display())
     }
 
     /// Writes the scene of so many points in such blocks, and takes the folder of its blocks away.
-    fn scene(&self, points: u64, block: u64, summary: bool) -> Result<(), Failure> {
+    fn scene(&self, points: u64, block: u64, summary: bool) -> Result<(), String> {
         let text = SCENE.replace("COUNT", &points.to_string()).replace("BLOCK", &block.to_string());
         let text = if summary { text + SUMMARY } else { text };
         let _ = fs::remove_dir_all(self.folder.join("blocks"));
         fs::write(self.folder.join("cost.toml"), text).map_err(|error| self.cannot(&error))
     }
 
-    fn measure(&self, command: &str) -> Result<Measured, Failure> {
+    fn measure(&self, command: &str) -> Result<Measured, String> {
         let arguments: Vec<String> = command.split_whitespace().map(String::from).collect();
         eprintln!("sweep-cost: slipmode {command}");
         once(&self.program, &arguments, Path::new(&self.folder))
     }
 
-    fn sweep(&self, options: &str) -> Result<Measured, Failure> {
+    fn sweep(&self, options: &str) -> Result<Measured, String> {
         self.measure(&format!("sweep cost.toml --out blocks --quiet {options}"))
     }
 }
 
 /// Peak memory of sweep and merge against points: rows that are kept, and rows that are summed up.
-fn memory(place: &Place) -> Result<String, Failure> {
+fn memory(place: &Place) -> Result<String, String> {
     let mut text = String::from(
         "| blocks hold | points | sweep, CPU s | sweep, peak MiB | merge, CPU s | merge, peak MiB |\n|---|---|---|---|---|---|\n",
     );
@@ -112,13 +110,13 @@ fn memory(place: &Place) -> Result<String, Failure> {
 const RUNS: usize = 3;
 
 /// The wall time of a run that finds no block.
-fn fresh(place: &Place, points: u64, block: u64, options: &str) -> Result<f64, Failure> {
+fn fresh(place: &Place, points: u64, block: u64, options: &str) -> Result<f64, String> {
     place.scene(points, block, true)?;
     Ok(place.sweep(options)?.wall_s)
 }
 
 /// The least wall time of some fresh runs.
-fn fastest(place: &Place, points: u64, block: u64, options: &str) -> Result<f64, Failure> {
+fn fastest(place: &Place, points: u64, block: u64, options: &str) -> Result<f64, String> {
     let mut least = f64::INFINITY;
     for _ in 0..RUNS {
         least = least.min(fresh(place, points, block, options)?);
@@ -127,7 +125,7 @@ fn fastest(place: &Place, points: u64, block: u64, options: &str) -> Result<f64,
 }
 
 /// Wall time with one thread and with two, asked in turn so that both meet the same machine.
-fn scaling(place: &Place) -> Result<String, Failure> {
+fn scaling(place: &Place) -> Result<String, String> {
     const POINTS: u64 = 40 * USUAL_BLOCK;
     let (mut one, mut two) = (f64::INFINITY, f64::INFINITY);
     for _ in 0..RUNS {
@@ -141,7 +139,7 @@ fn scaling(place: &Place) -> Result<String, Failure> {
 }
 
 /// What a shard takes besides its points: the start, and each block's heading, digest and sync.
-fn overhead(place: &Place) -> Result<String, Failure> {
+fn overhead(place: &Place) -> Result<String, String> {
     const BLOCKS: u64 = 1000;
     const POINTS: u64 = 1_000_000;
     let start = fastest(place, 1, 1, "--threads 1")?;

@@ -4,7 +4,6 @@
 
 use std::fs;
 
-use crate::failure::Failure;
 use crate::{measured_on, repository};
 
 /// The files, as both folders name them.
@@ -14,22 +13,22 @@ const FILES: [&str; 4] = ["peers.csv", "cost.csv", "coverage.csv", "machine.csv"
 ///
 /// # Errors
 /// When there is nothing to copy, or the report's folder cannot be written.
-pub fn run() -> Result<(), Failure> {
+pub fn run() -> Result<(), String> {
     let place = repository::root().join("reports/im-avouac/timings");
     let mut copied = 0;
     for name in FILES {
         let from = measured_on::folder().join(name);
         if !from.is_file() {
-            println!("bench-results/{name} is not there: the report keeps the one it has");
+            println!("crates/bench/results/{name} is not there: the report keeps the one it has");
             continue;
         }
-        let failed = |error| Failure::bad_input(format!("{}: {error}", place.join(name).display()));
+        let failed = |error| format!("{}: {error}", place.join(name).display());
         fs::create_dir_all(&place).and_then(|()| fs::copy(&from, place.join(name))).map_err(failed)?;
         println!("copied: reports/im-avouac/timings/{name}");
         copied += 1;
     }
     if copied == 0 {
-        return Err(Failure::bad_input("measure first: `cargo xtask bench --peers`, `cargo xtask cost`"));
+        return Err("measure first: `cargo xtask bench --peers`, `cargo xtask cost`".to_string());
     }
     Ok(())
 }

@@ -1,4 +1,4 @@
-//! `bench-results/machine.csv`: on which machine, on which day and with which versions the files beside it were measured.
+//! `crates/bench/results/machine.csv`: on which machine, on which day and with which versions the files beside it were measured.
 //!
 //! One row a fact, under the name of the file that it is about, so that each command rewrites its own rows only.
 
@@ -7,7 +7,6 @@ use std::fs;
 use std::path::PathBuf;
 use std::time::{SystemTime, UNIX_EPOCH};
 
-use crate::failure::Failure;
 use crate::{process, repository};
 
 /// Facts by name, in the order in which they are written.
@@ -17,7 +16,7 @@ const HEADER: &str = "file,key,value";
 
 /// The folder of what was measured.
 pub fn folder() -> PathBuf {
-    repository::root().join("bench-results")
+    repository::root().join("crates/bench/results")
 }
 
 /// The date, the processor and how many of its cores are ours, and the compiler; no host's name.
@@ -25,13 +24,12 @@ pub fn facts() -> Facts {
     let info = fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
     let model = info.lines().find_map(|line| line.strip_prefix("model name")?.split_once(": ").map(|p| p.1));
     let cores = std::thread::available_parallelism().map_or(1, usize::from);
-    let compiler = process::output(&mut process::rustc_version()).unwrap_or_default();
     let fact = |key: &str, value: &str| (key.to_string(), value.to_string());
     vec![
         fact("date", &today()),
         fact("processor", model.unwrap_or(std::env::consts::ARCH)),
         fact("cores", &cores.to_string()),
-        fact("compiler", compiler.trim()),
+        fact("compiler", &process::rustc_version()),
     ]
 }
 
@@ -39,10 +37,10 @@ pub fn facts() -> Facts {
 ///
 /// # Errors
 /// When the file cannot be written.
-pub fn write(file: &str, facts: &Facts) -> Result<(), Failure> {
+pub fn write(file: &str, facts: &Facts) -> Result<(), String> {
     let path = folder().join("machine.csv");
     let text = merged(&fs::read_to_string(&path).unwrap_or_default(), file, facts);
-    fs::write(path, text).map_err(|error| Failure::bad_input(format!("bench-results/machine.csv: {error}")))
+    fs::write(path, text).map_err(|error| format!("crates/bench/results/machine.csv: {error}"))
 }
 
 fn merged(known: &str, file: &str, facts: &Facts) -> String {

@@ -15,7 +15,7 @@ use slipmode_core::stability::{InertialThreshold, classify};
 use super::clock::best_of;
 use super::row::{Row, scientific};
 
-const CASES: &str = include_str!("../../reports/im-avouac/vectors/classification-hard.txt");
+const CASES: &str = include_str!("../../../../reports/im-avouac/vectors/classification-hard.txt");
 const REPETITIONS: usize = 3;
 /// How often the suite is gone through in one repetition.
 const ROUNDS: usize = 20;

@@ -1,5 +1,5 @@
 //! `cargo xtask coverage`: how many lines of each module the tests run, and `verify` of the reports beside them, by
-//! cargo-llvm-cov, into `bench-results/coverage.csv`.
+//! cargo-llvm-cov, into `crates/bench/results/coverage.csv`.
 //!
 //! A unit test runs all of its own lines, so they are left out: files and modules under `#[cfg(test)]`, which stand
 //! at the end of a file. Examples in the documentation, benchmarks and this package are not run for it.
@@ -11,8 +11,7 @@ use std::fmt::Write as _;
 use std::fs;
 use std::process::Command;
 
-use crate::failure::Failure;
-use crate::{machine, measured_on, process, repository};
+use crate::{measured_on, process, repository};
 
 const TOOL: &str = "cargo-llvm-cov";
 const FILE: &str = "coverage.csv";
@@ -26,15 +25,16 @@ const FILES_NAMED: usize = 3;
 /// # Errors
 /// Without the tool, or when the build fails or the file cannot be written. A test that fails is named, and no error:
 /// slower code exceeds a limit of time first, and it ran its lines all the same.
-pub fn run() -> Result<(), Failure> {
-    if process::find_program(TOOL, &machine::search_path()).is_none() {
-        return Err(Failure::bad_input(format!(
+pub fn run() -> Result<(), String> {
+    if tool(&["--version"]).output().is_ok_and(|output| !output.status.success()) {
+        return Err(format!(
             "coverage wants {TOOL}: `cargo install {TOOL}` and `rustup component add llvm-tools`"
-        )));
+        ));
     }
     process::check(&mut tool(&["clean", "--workspace"]))?;
     let measured = ["--no-report", "--ignore-run-fail", "--locked"];
-    process::check(tool(&["--lib", "--bins", "--test", "suite"]).args(measured))?;
+    let packages = ["--package", "slipmode", "--package", "slipmode-core", "--package", "slipmode-plot"];
+    process::check(tool(&["--lib", "--bins", "--test", "suite"]).args(packages).args(measured))?;
     let by_tests = record()?;
     for report in repository::reports()? {
         let place = "target/coverage-report";
@@ -57,18 +57,18 @@ fn tool(arguments: &[&str]) -> Command {
 }
 
 /// What was run until now, in the format LCOV.
-fn record() -> Result<String, Failure> {
+fn record() -> Result<String, String> {
     let path = repository::root().join("target/coverage.lcov");
     process::check(tool(&["report", "--lcov", "--output-path"]).arg(&path))?;
     fs::read_to_string(path).map_err(failed)
 }
 
-fn failed(error: std::io::Error) -> Failure {
-    Failure::bad_input(format!("coverage: {error}"))
+fn failed(error: std::io::Error) -> String {
+    format!("coverage: {error}")
 }
 
 /// Writes the table, and the day, the compiler and the tool to the facts beside it.
-fn write(by_tests: &str, with_verify: &str) -> Result<(), Failure> {
+fn write(by_tests: &str, with_verify: &str) -> Result<(), String> {
     let sources = sources()?;
     let root = repository::root().to_string_lossy().into_owned();
     let table = table(&files([by_tests, with_verify], &root, &sources));
@@ -87,14 +87,12 @@ fn write(by_tests: &str, with_verify: &str) -> Result<(), Failure> {
 }
 
 /// The program's sources by path.
-fn sources() -> Result<BTreeMap<String, String>, Failure> {
+fn sources() -> Result<BTreeMap<String, String>, String> {
     let read = |path: String| {
         let text = fs::read_to_string(repository::root().join(&path));
-        text.map(|text| (path.clone(), text)).map_err(|error| Failure::bad_input(format!("{path}: {error}")))
+        text.map(|text| (path.clone(), text)).map_err(|error| format!("{path}: {error}"))
     };
-    let paths = repository::files()?;
-    let is_source = |path: &String| repository::inside_package(path).is_some() && path.ends_with(".rs");
-    paths.into_iter().filter(is_source).map(read).collect()
+    repository::sources()?.into_iter().map(read).collect()
 }
 
 /// How many lines of a file can be run, how many were by tests, and how many with `verify` besides.

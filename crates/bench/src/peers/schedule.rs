@@ -5,15 +5,24 @@ use std::process::{Command, Stdio};
 
 use super::players::Player;
 use super::row::{Row, keep_best};
-use crate::failure::Failure;
 use crate::process;
 
 /// Writes the inputs and their references, unless they lie there.
 ///
 /// # Errors
 /// When our own benchmark cannot be built or fails.
-pub fn prepare() -> Result<(), Failure> {
-    let words = ["bench", "--locked", "--bench", "peers", "--", "prepare", "target/peers/inputs"];
+pub fn prepare() -> Result<(), String> {
+    let words = [
+        "bench",
+        "--locked",
+        "-p",
+        "slipmode-bench",
+        "--bench",
+        "peers",
+        "--",
+        "prepare",
+        "target/peers/inputs",
+    ];
     process::check(&mut process::cargo(&words))
 }
 
@@ -21,7 +30,7 @@ pub fn prepare() -> Result<(), Failure> {
 ///
 /// # Errors
 /// When slipmode's own part fails; another player that fails is named and left out.
-pub fn run(players: &[Player], works: &[&str], rounds: usize) -> Result<Vec<Row>, Failure> {
+pub fn run(players: &[Player], works: &[&str], rounds: usize) -> Result<Vec<Row>, String> {
     let mut rows = Vec::new();
     for work in works {
         for round in 0..rounds {
@@ -35,7 +44,7 @@ pub fn run(players: &[Player], works: &[&str], rounds: usize) -> Result<Vec<Row>
     Ok(rows)
 }
 
-fn play(player: &Player, work: &str, rows: &mut Vec<Row>) -> Result<(), Failure> {
+fn play(player: &Player, work: &str, rows: &mut Vec<Row>) -> Result<(), String> {
     let mut command = player.command(work);
     let words = words(&command);
     let done = command.stderr(Stdio::inherit()).output();
@@ -48,7 +57,7 @@ fn play(player: &Player, work: &str, rows: &mut Vec<Row>) -> Result<(), Failure>
             }
             Ok(())
         }
-        _ if player.name == "slipmode" => Err(Failure::check(format!("`{words}` failed"))),
+        _ if player.name == "slipmode" => Err(format!("`{words}` failed")),
         _ => {
             println!("peer {} failed at {work} and is left out there", player.name);
             Ok(())

@@ -4,7 +4,6 @@ use std::fs;
 use std::path::PathBuf;
 use std::process::{Command, Stdio};
 
-use crate::failure::Failure;
 use crate::{process, repository};
 
 /// How a player is started.
@@ -84,8 +83,8 @@ pub fn folder() -> PathBuf {
 ///
 /// # Errors
 /// When a folder cannot be made.
-pub fn find(wanted: impl Fn(&Player) -> bool) -> Result<Vec<Player>, Failure> {
-    fs::create_dir_all(folder()).map_err(|error| Failure::bad_input(format!("target/peers: {error}")))?;
+pub fn find(wanted: impl Fn(&Player) -> bool) -> Result<Vec<Player>, String> {
+    fs::create_dir_all(folder()).map_err(|error| format!("target/peers: {error}"))?;
     let mut found = Vec::new();
     for mut player in all().into_iter().chain([scipy()]).filter(|player| wanted(player)) {
         match player.look() {
@@ -109,9 +108,17 @@ impl Player {
     /// The command that does a piece of work, in the repository's root, on one thread.
     pub fn command(&self, work: &str) -> Command {
         let mut command = match self.program {
-            Program::Ours => {
-                process::cargo(&["bench", "--quiet", "--locked", "--bench", "peers", "--", "play"])
-            }
+            Program::Ours => process::cargo(&[
+                "bench",
+                "--quiet",
+                "--locked",
+                "-p",
+                "slipmode-bench",
+                "--bench",
+                "peers",
+                "--",
+                "play",
+            ]),
             Program::Python(script) => program("python3", &[&path_of(script)]),
             Program::Gp(script) => program("gp", &["-q", "-f", "-s", "1000000000", &path_of(script)]),
             Program::Compiled { source, .. } => program(&executable(source), &[]),
@@ -167,7 +174,7 @@ fn program(name: &str, arguments: &[&str]) -> Command {
 }
 
 fn path_of(script: &str) -> String {
-    format!("benches/peers/{script}")
+    format!("crates/bench/benches/peers/{script}")
 }
 
 fn executable(source: &str) -> String {

@@ -1,0 +1,56 @@
+//! The benchmarks' commands, which `cargo xtask` calls by the same names: timings, costs and test coverage of slipmode.
+
+use std::process::ExitCode;
+
+use clap::{Parser, Subcommand};
+use slipmode_bench::{cost, coverage, peers, sweep_cost, timings};
+
+/// Measures slipmode and other programs on the same inputs.
+#[derive(Debug, Parser)]
+#[command(name = "cargo xtask")]
+struct CommandLine {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Debug, Subcommand)]
+enum Command {
+    /// Run the benchmarks; with --peers, every other program that is found, into crates/bench/results
+    Bench {
+        /// Run other programs on the same inputs; words name works by their beginning, none means all
+        #[arg(long)]
+        peers: bool,
+        /// One round instead of three
+        #[arg(long, requires = "peers")]
+        once: bool,
+        /// Works, or arguments for `cargo bench`
+        #[arg(trailing_var_arg = true, allow_hyphen_values = true)]
+        words: Vec<String>,
+    },
+    /// Measure how time and memory grow with points, digits, tolerance and threads
+    Cost,
+    /// Count the lines of each module that the tests run
+    Coverage,
+    /// Measure memory, scaling and overhead of sweeps
+    SweepCost,
+    /// Copy what was measured into the report on the paper
+    Timings,
+}
+
+fn main() -> ExitCode {
+    let done = match CommandLine::parse().command {
+        Command::Bench { peers: true, once, words } => peers::compare(&words, once),
+        Command::Bench { peers: false, words, .. } => peers::bench(&words),
+        Command::Cost => cost::run(),
+        Command::Coverage => coverage::run(),
+        Command::SweepCost => sweep_cost::run(),
+        Command::Timings => timings::run(),
+    };
+    match done {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(message) => {
+            eprintln!("{message}");
+            ExitCode::FAILURE
+        }
+    }
+}
