@@ -138,7 +138,11 @@ fn reference(model: &Model<f64>, long_term: &LongTerm<f64>) -> Option<Truth> {
             let highest = [start[0], decay.transient.end[0]]
                 .into_iter()
                 .fold(decay.transient.peak, |highest, x| if x > highest { x } else { highest });
-            Truth { periodic: false, log_peak: highest, period: decay.oscillation.map(|(period, _)| period) }
+            Truth {
+                periodic: false,
+                log_peak: highest,
+                period: decay.oscillation.map(|oscillation| oscillation.period),
+            }
         }
     })
 }

@@ -4,7 +4,9 @@ use crate::experiments::near_transition::NearTransition;
 use crate::experiments::near_transition::cycle_families::{CycleFamilyOutcome, cycle_families};
 use crate::experiments::simulations::run::options;
 use rayon::prelude::*;
-use slipmode_core::dynamics::{Decay, Failure, LongTerm, Model, Options, Outcome, simulate_model};
+use slipmode_core::dynamics::{
+    Decay, Failure, LongTerm, Model, Options, Oscillation, Outcome, simulate_model,
+};
 use slipmode_core::friction::{EvolutionLaw, Groups, Slider};
 use slipmode_core::number::Rational;
 use slipmode_core::roots::{Pair, binary64};
@@ -56,7 +58,7 @@ impl NearRun {
     /// Growth rate of the oscillation of a decay, in V_l/D_c.
     #[must_use]
     pub fn growth(&self) -> Option<f64> {
-        self.long_term_oscillation().map(|(_, growth)| growth)
+        self.long_term_oscillation().map(|oscillation| oscillation.growth_rate)
     }
 
     /// Returns in which the distance from the long-term behaviour shrinks by e.
@@ -64,10 +66,13 @@ impl NearRun {
     pub fn returns_per_fold(&self) -> Option<f64> {
         let contraction = self.outcome.as_ref().ok()?.contraction();
         let on_cycle = contraction.filter(|factor| (0.0..1.0).contains(factor)).map(|f| -1.0 / libm::log(f));
-        on_cycle.or_else(|| self.long_term_oscillation().map(|(period, growth)| -1.0 / (growth * period)))
+        on_cycle.or_else(|| {
+            self.long_term_oscillation()
+                .map(|oscillation| -1.0 / (oscillation.growth_rate * oscillation.period))
+        })
     }
 
-    fn long_term_oscillation(&self) -> Option<(f64, f64)> {
+    fn long_term_oscillation(&self) -> Option<Oscillation<f64>> {
         match self.outcome.as_ref().ok()?.long_term() {
             LongTerm::Decay(Decay { oscillation, .. }) => *oscillation,
             LongTerm::Cycle(_) => None,

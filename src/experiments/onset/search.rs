@@ -93,7 +93,7 @@ impl Line<'_> {
     /// (ω/ω_n)² of small deviations; none when nothing oscillates or a run failed.
     fn squared_frequency(&self, log_velocity: f64) -> Option<f64> {
         let model = self.model(log_velocity);
-        let (period, _) = oscillation_of_small_deviations(&model, 0.01 * self.tolerance).ok()??;
+        let period = oscillation_of_small_deviations(&model, 0.01 * self.tolerance).ok()??.period;
         let omega = std::f64::consts::TAU / period;
         Some(omega * omega * model.groups().inertial_parameter / model.groups().stiffness_group)
     }

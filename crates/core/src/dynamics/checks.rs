@@ -2,9 +2,11 @@
 
 use super::integrator::{Control, Integrator};
 use super::long_term::{LongTerm, long_term_behaviour};
+use super::multi::Multi;
 use super::section_return::next_return;
 use super::{
-    Model, Multi, Options, Radau, Rodas5P, Scalar, Simulation, Start, State, Stepper, Taylor, simulate_model,
+    Model, Options, Oscillation, Radau, Rodas5P, Scalar, Simulation, Start, State, Stepper, Taylor,
+    simulate_model,
 };
 use crate::friction::{EvolutionLaw, Groups};
 use crate::number::Dd;
@@ -41,7 +43,7 @@ fn long_term_decay_matches_the_roots_of_eq_8() {
             let model = Model::new(groups.clone(), law);
             let outcome = simulate_model(&model, &Options::default()).unwrap();
             let LongTerm::Decay(decay) = outcome.long_term() else { unreachable!("K > K_c: {eta} {kappa}") };
-            let (period, growth) = decay.oscillation.unwrap();
+            let Oscillation { period, growth_rate: growth } = decay.oscillation.unwrap();
             let angular = std::f64::consts::TAU / period;
             let (re, im) = pair_near(&groups, (growth, angular));
             assert!((angular / im - 1.0).abs() < 1e-8, "{law:?} {eta} {kappa}: {angular} {im}");

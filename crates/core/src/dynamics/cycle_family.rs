@@ -3,10 +3,11 @@
 //! A simulation can only end on a stable cycle, and never on the edge of stability. With the size given and the stiffness sought,
 //! Newton's method on the return map finds stable and unstable members alike, and passes the fold where two members merge.
 
+use super::floquet::floquet_multipliers;
 use super::integrator::{Control, Integrator};
 use super::long_term::Cycle;
 use super::section_return::{Return, ReturnEnd, next_return};
-use super::{Failure, Model, Radau, floquet_multipliers};
+use super::{Failure, Model, Radau};
 use crate::friction::{EvolutionLaw, Groups};
 
 /// The cycles of a slider with given η, β and law.

@@ -1,7 +1,7 @@
 //! The end of a decay: period and growth rate of its oscillation, or the rate of an end without one.
 
 use super::history::History;
-use super::long_term::{Decay, LongTerm};
+use super::long_term::{Decay, LongTerm, Oscillation};
 use super::section_return::{Return, ReturnEnd, next_return};
 use super::stepper::Stepper;
 use super::{Failure, Integrator, Scalar, State};
@@ -20,11 +20,11 @@ pub(super) fn measure_decay<R: Scalar, M: Stepper<R> + Clone>(
             return Ok(LongTerm::Decay(Decay { oscillation: None, transient, rate: final_rate(run) }));
         }
         history.push(orbit);
-        if let Some((period, rate)) = last_oscillation(&history)
+        if let Some(oscillation) = last_oscillation(&history)
             && history.returns.len() >= 4
             && steady(&history)
         {
-            return Ok(LongTerm::Decay(Decay { transient, oscillation: Some((period, rate)), rate: None }));
+            return Ok(LongTerm::Decay(Decay { transient, oscillation: Some(oscillation), rate: None }));
         }
     }
     // A real mode that dies about as slowly as the pair keeps the returns unequal: their last one is no measure of the period.
@@ -39,13 +39,16 @@ fn steady<R: Scalar>(history: &History<R>) -> bool {
     (2..=3).all(|back| (duration(back) / last - 1.0).abs() < 1e-11)
 }
 
-fn last_oscillation<R: Scalar>(history: &History<R>) -> Option<(R, R)> {
+fn last_oscillation<R: Scalar>(history: &History<R>) -> Option<Oscillation<R>> {
     let n = history.returns.len();
     let (before, last) = (history.returns.get(n.checked_sub(2)?)?, &history.returns[n - 1]);
     // ζ and y shrink by the same factor; the larger one is the better measured.
     let component = if last.end[1].abs() < last.end[2].abs() { 2 } else { 1 };
     let factor = last.end[component].clone() / &before.end[component];
-    (factor > R::from(0)).then(|| (last.duration.clone(), factor.logarithm() / &last.duration))
+    (factor > R::from(0)).then(|| Oscillation {
+        period: last.duration.clone(),
+        growth_rate: factor.logarithm() / &last.duration,
+    })
 }
 
 /// d ln|state|/dt at the end of a decay without oscillation, from the component that moves.

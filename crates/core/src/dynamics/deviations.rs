@@ -5,6 +5,7 @@
 //! dies. No linear theory enters: the equations are the nonlinear ones, with errors of the order of the deviation.
 
 use super::integrator::{Control, Integrator};
+use super::long_term::Oscillation;
 use super::{Failure, Model, Radau, Scalar, Stepper};
 use crate::number::Dd;
 
@@ -29,7 +30,7 @@ const RESOLUTION_IN_ROOTS: f64 = 1.0;
 pub fn oscillation_of_small_deviations(
     model: &Model<f64>,
     local_tolerance: f64,
-) -> Result<Option<(f64, f64)>, Failure> {
+) -> Result<Option<Oscillation<f64>>, Failure> {
     oscillation(model, Radau::<f64, 5>::new(), local_tolerance)
 }
 
@@ -37,7 +38,7 @@ pub fn oscillation_of_small_deviations(
 pub(super) fn oscillation_in_double_double(
     model: &Model<f64>,
     local_tolerance: f64,
-) -> Result<Option<(f64, f64)>, Failure> {
+) -> Result<Option<Oscillation<f64>>, Failure> {
     let fine = Model::with_balance(
         model.groups().map(|&group| Dd::from(group)),
         model.law(),
@@ -50,7 +51,7 @@ fn oscillation<R: Scalar, M: Stepper<R> + Clone>(
     model: &Model<R>,
     method: M,
     local_tolerance: f64,
-) -> Result<Option<(f64, f64)>, Failure> {
+) -> Result<Option<Oscillation<f64>>, Failure> {
     let control = Control { local_tolerance, most_steps: 1_000_000 };
     let size = R::from_f64(SIZE_IN_ROOTS * R::UNIT_ROUNDOFF.sqrt());
     let start = |axis: usize| std::array::from_fn(|i| if i == axis { size.clone() } else { R::from(0) });
@@ -75,7 +76,8 @@ fn oscillation<R: Scalar, M: Stepper<R> + Clone>(
         let propagator = std::array::from_fn(|i| std::array::from_fn(|j| runs[j].state()[i].clone() / &size));
         match pair_of(&propagator) {
             PairSeen::Pair { ln_modulus, phase } if PHASES.contains(&phase) => {
-                return Ok(Some((std::f64::consts::TAU * time / phase, ln_modulus / time)));
+                let period = std::f64::consts::TAU * time / phase;
+                return Ok(Some(Oscillation { period, growth_rate: ln_modulus / time }));
             }
             PairSeen::Lost => return Ok(None),
             _ => time *= RATIO,
@@ -168,7 +170,8 @@ mod tests {
         };
         for law in EvolutionLaw::ALL {
             let model = Model::new(groups.clone(), law);
-            let (period, growth) = oscillation_of_small_deviations(&model, 1e-9).unwrap().unwrap();
+            let Oscillation { period, growth_rate: growth } =
+                oscillation_of_small_deviations(&model, 1e-9).unwrap().unwrap();
             assert!((std::f64::consts::TAU / period / 4.0 - 1.0).abs() < 1e-7, "{period}");
             assert!((growth / -4.0 - 1.0).abs() < 1e-7, "{growth}");
         }

@@ -23,6 +23,22 @@ pub struct Control {
     pub most_steps: u64,
 }
 
+/// What runs cost.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub(super) struct Work {
+    /// Accepted and refused steps.
+    pub steps: u64,
+    /// Evaluations of the right-hand side.
+    pub evaluations: u64,
+}
+
+impl std::ops::AddAssign for Work {
+    fn add_assign(&mut self, other: Self) {
+        self.steps += other.steps;
+        self.evaluations += other.evaluations;
+    }
+}
+
 /// A run in progress.
 #[derive(Debug, Clone)]
 pub struct Integrator<'m, R, M> {
@@ -114,6 +130,11 @@ impl<'m, R: Scalar, M: Stepper<R>> Integrator<'m, R, M> {
     #[must_use]
     pub const fn step_counts(&self) -> (u64, u64) {
         (self.steps, self.refused)
+    }
+
+    /// What the run cost so far.
+    pub(super) fn work(&self) -> Work {
+        Work { steps: self.steps + self.refused, evaluations: self.method.evaluations() }
     }
 
     /// The permitted local error.

@@ -80,13 +80,22 @@ pub struct Cycle<R> {
     pub from: State<R>,
 }
 
+/// An oscillation that shrinks or grows by the same factor in every period, in units of D_c/V_l.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Oscillation<R> {
+    /// The period.
+    pub period: R,
+    /// The growth rate, negative for a decay.
+    pub growth_rate: R,
+}
+
 /// A return to steady sliding.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Decay<R> {
     /// All that happened before it was called linear, as one return.
     pub transient: Return<R>,
-    /// Period and growth rate (negative) of the long-term oscillation in units of D_c/V_l; none when there is no oscillation.
-    pub oscillation: Option<(R, R)>,
+    /// The long-term oscillation; none when there is no oscillation.
+    pub oscillation: Option<Oscillation<R>>,
     /// Rate at which the state shrank at the very end, when it does not oscillate.
     pub rate: Option<R>,
 }
@@ -109,84 +118,164 @@ pub fn long_term_behaviour<R: Scalar, M: Stepper<R> + Clone>(
     target: f64,
     most_returns: u64,
 ) -> Result<LongTerm<R>, Failure> {
-    long_term_within(run, [target; 2], most_returns)
+    long_term_within(run, PermittedDistance { fast: target, slow: target }, most_returns)
 }
 
-/// The same with a permitted distance of its own where a return contracts slowly: Newton's iteration goes on from there.
+/// The permitted relative distance from a limit cycle.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct PermittedDistance {
+    /// Where returns contract fast.
+    pub fast: f64,
+    /// Where returns contract slowly: Newton's iteration may go on from farther away.
+    pub slow: f64,
+}
+
+/// The same with a permitted distance for either speed of contraction.
 pub(super) fn long_term_within<R: Scalar, M: Stepper<R> + Clone>(
     run: &mut Integrator<'_, R, M>,
-    [target, slow_target]: [f64; 2],
+    permitted: PermittedDistance,
     most_returns: u64,
 ) -> Result<LongTerm<R>, Failure> {
-    let mut transient: Option<Return<R>> = None;
-    let mut history = History::new();
-    let mut contraction = None;
-    let mut jumped = false;
-    let mut reach = LARGEST_JUMP;
-    let mut retreat: Option<State<R>> = None;
-    let mut standstill = Standstill::new();
+    let mut approach = Approach::new();
     for done in 1..=most_returns {
-        let (orbit, end) = match (next_return(run), &retreat) {
-            (Ok(orbit), _) => orbit,
-            // The jump led where no trajectory goes: back to where it came from, and less far the next time.
+        let Some((orbit, end)) = approach.next_return(run)? else { continue };
+        if end == ReturnEnd::AtRest {
+            let transient = approach.transient.unwrap_or(orbit);
+            return Ok(LongTerm::Decay(Decay { oscillation: None, transient, rate: final_rate(run) }));
+        }
+        approach.history.push(orbit);
+        if approach.is_linear()
+            && let Some(transient) = approach.transient.take()
+        {
+            return measure_decay(run, approach.history, transient);
+        }
+        let Some(change) = approach.history.change(1) else { continue };
+        let noise = approach.noise(run.local_tolerance());
+        if approach.stands_still(change, run.local_tolerance()) {
+            return Err(Failure::Undecided { cycles: done, change });
+        }
+        if let Some(cycle) = approach.cycle(change, noise, permitted) {
+            return Ok(LongTerm::Cycle(cycle));
+        }
+        if change > noise {
+            approach.jump(run);
+        }
+    }
+    let change = approach.history.change(1).unwrap_or(f64::INFINITY);
+    Err(Failure::Undecided { cycles: most_returns, change })
+}
+
+/// A trajectory on its way to its long-term behaviour.
+struct Approach<R> {
+    /// All returns before the first jump, as one.
+    transient: Option<Return<R>>,
+    history: History<R>,
+    /// Factor by which a return last shrank a change.
+    contraction: Option<f64>,
+    has_jumped: bool,
+    /// The largest part of the state that the next jump may change.
+    reach: f64,
+    /// Where the last jump came from.
+    retreat: Option<State<R>>,
+    standstill: Standstill,
+}
+
+impl<R: Scalar> Approach<R> {
+    const fn new() -> Self {
+        Self {
+            transient: None,
+            history: History::new(),
+            contraction: None,
+            has_jumped: false,
+            reach: LARGEST_JUMP,
+            retreat: None,
+            standstill: Standstill::new(),
+        }
+    }
+
+    /// The next return; none when the last jump led where no trajectory goes: then the run goes back and jumps less far the next time.
+    fn next_return<M: Stepper<R> + Clone>(
+        &mut self,
+        run: &mut Integrator<'_, R, M>,
+    ) -> Result<Option<(Return<R>, ReturnEnd)>, Failure> {
+        let (orbit, end) = match (next_return(run), self.retreat.take()) {
+            (Ok(found), origin) => {
+                self.retreat = origin;
+                found
+            }
             (Err(Failure::StepVanished { .. }), Some(origin)) => {
-                run.resume_from(origin.clone());
-                (reach, retreat, history) = (0.25 * reach, None, History::new());
-                continue;
+                run.resume_from(origin);
+                (self.reach, self.history) = (0.25 * self.reach, History::new());
+                return Ok(None);
             }
             (Err(failure), _) => return Err(failure),
         };
-        if !jumped {
-            transient = Some(transient.map_or_else(|| orbit.clone(), |so_far| so_far.joined(orbit.clone())));
+        if !self.has_jumped {
+            let so_far = self.transient.take();
+            self.transient =
+                Some(so_far.map_or_else(|| orbit.clone(), |so_far| so_far.joined(orbit.clone())));
         }
-        if end == ReturnEnd::AtRest {
-            return Ok(LongTerm::Decay(Decay {
-                oscillation: None,
-                transient: transient.unwrap_or(orbit),
-                rate: final_rate(run),
-            }));
-        }
-        history.push(orbit);
-        let amplitude = history.back(0).map_or(0.0, size);
-        let shrinking = history.back(1).is_some_and(|before| size(before) > amplitude);
-        if amplitude < LINEAR
-            && shrinking
-            && let Some(transient) = transient.clone()
-        {
-            return measure_decay(run, history, transient);
-        }
-        let Some(change) = history.change(1) else { continue };
-        // Where the state is above 1 the tolerance is not relative to it.
-        let relative_tolerance = run.local_tolerance() / amplitude.max(1.0);
-        let noise = (NOISE_IN_TOLERANCES * relative_tolerance).max(ROUNDING_OF_RETURNS);
-        if change < ERRATIC_IN_TOLERANCES * relative_tolerance && standstill.lasts(change, amplitude) {
-            return Err(Failure::Undecided { cycles: done, change });
-        }
+        Ok(Some((orbit, end)))
+    }
+
+    /// Size of the state at the last crossing.
+    fn amplitude(&self) -> f64 {
+        self.history.back(0).map_or(0.0, size)
+    }
+
+    /// Whether the state is small and shrinks.
+    fn is_linear(&self) -> bool {
+        let amplitude = self.amplitude();
+        amplitude < LINEAR && self.history.back(1).is_some_and(|before| size(before) > amplitude)
+    }
+
+    /// The local tolerance relative to the state: where the state is above 1 the integrator's is not.
+    fn relative_tolerance(&self, local_tolerance: f64) -> f64 {
+        local_tolerance / self.amplitude().max(1.0)
+    }
+
+    /// Relative changes below this may be errors.
+    fn noise(&self, local_tolerance: f64) -> f64 {
+        (NOISE_IN_TOLERANCES * self.relative_tolerance(local_tolerance)).max(ROUNDING_OF_RETURNS)
+    }
+
+    /// Whether changes of the size of the errors no longer shrink.
+    fn stands_still(&mut self, change: f64, local_tolerance: f64) -> bool {
+        change < ERRATIC_IN_TOLERANCES * self.relative_tolerance(local_tolerance)
+            && self.standstill.lasts(change, self.amplitude())
+    }
+
+    /// The limit cycle, when the trajectory is near enough to it.
+    fn cycle(&mut self, change: f64, noise: f64, permitted: PermittedDistance) -> Option<Cycle<R>> {
         if change > noise {
-            contraction = history.multiplier().or(contraction);
+            self.contraction = self.history.multiplier().or(self.contraction);
         }
+        let contraction = self.contraction.filter(|&known| known < 1.0);
         // Where no contraction could be measured the first returns already were on the cycle.
-        let known = contraction.filter(|&known| known < 1.0).unwrap_or(UNMEASURED);
+        let known = contraction.unwrap_or(UNMEASURED);
         // The return's peak and duration belong to the state that it began with.
         let distance = change / (1.0 - known);
-        let permitted = if known < SLOW { target } else { slow_target };
-        let measured = contraction.is_some_and(|known| known < 1.0) && distance <= permitted;
-        if measured || history.within(noise) && distance <= FARTHEST {
-            return Ok(LongTerm::Cycle(cycle(&history, 1, contraction, distance)));
+        let near = distance <= if known < SLOW { permitted.fast } else { permitted.slow };
+        if contraction.is_some() && near || self.history.within(noise) && distance <= FARTHEST {
+            return Some(cycle(&self.history, 1, self.contraction, distance));
         }
-        if let Some(m) = returns_per_cycle(&history, target, noise) {
-            let distance = history.change(m).unwrap_or(change);
-            return Ok(LongTerm::Cycle(cycle(&history, m, None, distance)));
+        let returns = returns_per_cycle(&self.history, permitted.fast, noise)?;
+        let distance = self.history.change(returns).unwrap_or(change);
+        Some(cycle(&self.history, returns, None, distance))
+    }
+
+    /// Jumps along the slow direction, where one shows.
+    fn jump<M: Stepper<R>>(&mut self, run: &mut Integrator<'_, R, M>) {
+        if self.history.crossings.len() < RETURNS_BEFORE_JUMP {
+            return;
         }
-        let may_jump = history.crossings.len() >= RETURNS_BEFORE_JUMP && change > noise;
-        if may_jump && let Some(to) = jump(&history, reach) {
-            retreat = Some(run.state().clone());
-            run.resume_from([R::from(0), R::from_f64(to[0]), R::from_f64(to[1])]);
-            history = History::new();
-            jumped = true;
+        if let Some([y, zeta]) = jump(&self.history, self.reach) {
+            self.retreat = Some(run.state().clone());
+            run.resume_from([R::from(0), R::from_f64(y), R::from_f64(zeta)]);
+            self.history = History::new();
+            self.has_jumped = true;
         }
     }
-    Err(Failure::Undecided { cycles: most_returns, change: history.change(1).unwrap_or(f64::INFINITY) })
 }
 
 fn cycle<R: Scalar>(

@@ -20,8 +20,6 @@ pub enum Balance<R> {
     Inertial,
     /// Inertia, spring and the regularised friction a·asinh(V/(2 V_l)·exp((μ0 + b ln(V_l θ/D_c))/a)); holds μ0/a.
     Regularised(R),
-    /// Spring and friction of eq 1 alone (η = 0): ζ = x + βy along the trajectory.
-    QuasiStatic,
 }
 
 impl<R> Balance<R> {
@@ -31,7 +29,6 @@ impl<R> Balance<R> {
         match self {
             Self::Inertial => Balance::Inertial,
             Self::Regularised(reference) => Balance::Regularised(convert(reference)),
-            Self::QuasiStatic => Balance::QuasiStatic,
         }
     }
 }
@@ -73,7 +70,7 @@ impl<R: Scalar> Model<R> {
         let inverse_inertia = R::from(1) / &groups.inertial_parameter;
         let steady_excess = match &balance {
             Balance::Regularised(reference) => regularised_friction(&R::from(0), reference).0,
-            _ => R::from(0),
+            Balance::Inertial => R::from(0),
         };
         Self { groups, law, balance, inverse_inertia, steady_excess }
     }
@@ -127,7 +124,7 @@ impl<R: Scalar> Model<R> {
             Balance::Regularised(reference) => {
                 regularised_friction(&logarithmic, reference).0 - &self.steady_excess
             }
-            _ => logarithmic,
+            Balance::Inertial => logarithmic,
         }
     }
 
@@ -145,7 +142,7 @@ impl<R: Scalar> Model<R> {
         self.rate_and_stiffness(state).0
     }
 
-    /// The same with the stiffness ∂x'/∂ζ = e^{−x}/η of the balance of forces; zero quasi-statically, where there is none.
+    /// The same with the stiffness ∂x'/∂ζ = e^{−x}/η of the balance of forces.
     #[must_use]
     #[inline]
     pub(super) fn rate_and_stiffness(&self, state: &State<R>) -> (State<R>, R) {
@@ -155,16 +152,8 @@ impl<R: Scalar> Model<R> {
             EvolutionLaw::Aging => e.healing_excess.clone() - &e.velocity_excess,
         };
         let stress_rate = -(self.groups.stiffness_group.clone() * &e.velocity_excess);
-        let (velocity_rate, stiffness) = match self.balance {
-            Balance::QuasiStatic => {
-                (stress_rate.clone() - self.groups.effect_ratio.clone() * &state_rate, R::from(0))
-            }
-            _ => {
-                let stiffness = self.inverse_momentum(&e.velocity);
-                (self.imbalance(state) * &stiffness, stiffness)
-            }
-        };
-        ([velocity_rate, state_rate, stress_rate], stiffness)
+        let stiffness = self.inverse_momentum(&e.velocity);
+        ([self.imbalance(state) * &stiffness, state_rate, stress_rate], stiffness)
     }
 
     /// The derivative of the rate by the state.
@@ -179,27 +168,14 @@ impl<R: Scalar> Model<R> {
             EvolutionLaw::Aging => (-e.velocity.clone(), -e.healing.clone()),
         };
         let zx = -(self.groups.stiffness_group.clone() * &e.velocity);
-        if self.balance == Balance::QuasiStatic {
-            let xx = zx.clone() - beta.clone() * &yx;
-            return Arrow { xx, xy: -(beta.clone() * &yy), xz: R::from(0), yx, yy, zx };
-        }
         let logarithmic = state[0].clone() + beta.clone() * &state[1];
         let slope = match &self.balance {
             Balance::Regularised(reference) => regularised_friction(&logarithmic, reference).1,
-            _ => R::from(1),
+            Balance::Inertial => R::from(1),
         };
         let xz = self.inverse_momentum(&e.velocity);
         let xx = -(xz.clone() * (slope.clone() + self.imbalance(state)));
         Arrow { xx, xy: -(xz.clone() * beta * slope), xz, yx, yy, zx }
-    }
-
-    /// η e^x x', what inertia takes of the stress in units of aσ: how far it is from negligible on a quasi-static trajectory.
-    ///
-    /// The slow trajectory of the full system is x = ζ − βy − η e^x x' + O(η²): leaving inertia out shifts ln V by this much.
-    #[must_use]
-    pub fn inertia_neglected(&self, state: &State<R>) -> R {
-        let (velocity, _) = state[0].exponentials();
-        self.rate(state)[0].clone() * velocity * &self.groups.inertial_parameter
     }
 }
 
@@ -236,7 +212,7 @@ mod tests {
     #[test]
     fn steady_sliding_does_not_move_by_a_single_bit() {
         for law in EvolutionLaw::ALL {
-            for balance in [Balance::Inertial, Balance::QuasiStatic, Balance::Regularised(150.0)] {
+            for balance in [Balance::Inertial, Balance::Regularised(150.0)] {
                 assert_eq!(model(law, balance).rate(&[0.0; 3]).map(f64::abs), [0.0; 3]);
             }
         }
@@ -254,9 +230,9 @@ mod tests {
     proptest! {
         #[test]
         fn the_jacobian_is_the_derivative_of_the_rate(
-            state in prop::array::uniform3(-2.0f64..2.0), law in 0usize..2, which in 0usize..3
+            state in prop::array::uniform3(-2.0f64..2.0), law in 0usize..2, which in 0usize..2
         ) {
-            let balance = [Balance::Inertial, Balance::Regularised(1.5), Balance::QuasiStatic][which].clone();
+            let balance = [Balance::Inertial, Balance::Regularised(1.5)][which].clone();
             let model = model(EvolutionLaw::ALL[law], balance);
             for column in 0..3 {
                 // Central differences of step 1e-5 err by 1e-10 times the third derivative, below 1e3 here.

@@ -1,6 +1,7 @@
 //! What a simulation showed: without units, with its errors, and in SI.
 
 use super::Model;
+use super::integrator::Work;
 use super::long_term::{Cycle, Decay, LongTerm};
 use super::section_return::Return;
 use crate::friction::{Groups, Parameters, SlipMode};
@@ -88,8 +89,7 @@ pub struct Outcome {
     period_relative_error: Option<f64>,
     trough_error: f64,
     drop_error: f64,
-    steps: u64,
-    evaluations: u64,
+    work: Work,
     local_tolerance: f64,
 }
 
@@ -99,7 +99,7 @@ pub(super) fn peak_and_period(long_term: &LongTerm<f64>, start: f64) -> (f64, Op
         LongTerm::Cycle(cycle) => (cycle.orbit.peak, Some(cycle.orbit.duration)),
         LongTerm::Decay(decay) => {
             let approached = decay.transient.end[0].max(start);
-            (decay.transient.peak.max(approached), decay.oscillation.map(|(period, _)| period))
+            (decay.transient.peak.max(approached), decay.oscillation.map(|oscillation| oscillation.period))
         }
     }
 }
@@ -130,7 +130,7 @@ impl Outcome {
         start: f64,
         long_term: LongTerm<f64>,
         errors: Errors,
-        [steps, evaluations]: [u64; 2],
+        work: Work,
         local_tolerance: f64,
     ) -> Self {
         let contraction = if let LongTerm::Cycle(cycle) = &long_term { cycle.contraction } else { None };
@@ -143,8 +143,7 @@ impl Outcome {
             period_relative_error: errors.period.map(libm::expm1),
             trough_error: errors.trough,
             drop_error: errors.drop,
-            steps,
-            evaluations,
+            work,
             local_tolerance,
         }
     }
@@ -164,7 +163,7 @@ impl Outcome {
     /// Accepted and refused steps of all runs.
     #[must_use]
     pub const fn steps(&self) -> u64 {
-        self.steps
+        self.work.steps
     }
 
     /// Factor by which deviations from the cycle shrank in one return of the approach; none for a decay.
@@ -185,8 +184,8 @@ impl Outcome {
         match &self.long_term {
             LongTerm::Cycle(cycle) if inertial(angular_frequency(cycle)) => SlipMode::HarmonicVibration,
             LongTerm::Cycle(_) => SlipMode::StickSlip,
-            LongTerm::Decay(Decay { oscillation: Some((period, _)), .. }) => {
-                if inertial(std::f64::consts::TAU / period) {
+            LongTerm::Decay(Decay { oscillation: Some(oscillation), .. }) => {
+                if inertial(std::f64::consts::TAU / oscillation.period) {
                     SlipMode::InertialUnderdampedOscillation
                 } else {
                     SlipMode::NonInertialUnderdampedOscillation
@@ -210,7 +209,9 @@ impl Outcome {
         let (log_peak, period) = peak_and_period(&self.long_term, self.start);
         let (returns, growth) = match &self.long_term {
             LongTerm::Cycle(cycle) => (cycle.returns_per_cycle, None),
-            LongTerm::Decay(decay) => (1, decay.oscillation.map(|(_, growth)| growth).or(decay.rate)),
+            LongTerm::Decay(decay) => {
+                (1, decay.oscillation.map(|oscillation| oscillation.growth_rate).or(decay.rate))
+            }
         };
         let periodic = matches!(self.long_term, LongTerm::Cycle(_));
         Simulation {
@@ -228,8 +229,8 @@ impl Outcome {
             period_relative_error: self.period_relative_error,
             minimum_velocity_log10_error: self.trough_error / std::f64::consts::LN_10,
             stress_drop_relative_error: self.drop_error / drop,
-            steps: self.steps,
-            evaluations: self.evaluations,
+            steps: self.work.steps,
+            evaluations: self.work.evaluations,
             local_tolerance: self.local_tolerance,
         }
     }

@@ -10,8 +10,9 @@
 
 use super::history::{difference, size};
 use super::long_term::SLOW;
+use super::observables::Observables;
 use super::return_errors::{OF_DIFFERENCE, return_errors, rounding, rounding_shown, with_inertia};
-use super::return_map::{DURATION, Derivative, MappedReturn, Observed, PEAK, ReturnMap, shifted};
+use super::return_map::{Derivative, MappedReturn, ReturnMap, shifted};
 use super::stepper::Stepper;
 use super::{Cycle, Failure, Scalar, State};
 
@@ -46,7 +47,7 @@ const SMALL: f64 = 1e-3;
 #[derive(Debug, Clone)]
 pub(super) struct Refined<R> {
     pub mapped: MappedReturn<R>,
-    pub errors: Observed,
+    pub errors: Observables<f64>,
     /// Newton's correction that is left, relative to the state.
     pub distance: f64,
 }
@@ -61,8 +62,8 @@ impl<R: Scalar> Refined<R> {
             orbit: orbit.rounded(),
             steps,
         };
-        let shown = super::return_map::observed(&mapped.orbit);
-        let errors = std::array::from_fn(|i| self.errors[i] + f64::EPSILON * shown[i].abs().max(1.0));
+        let errors =
+            self.errors + Observables::of(&mapped.orbit).map(|shown| f64::EPSILON * shown.abs().max(1.0));
         Refined { mapped, errors, distance: self.distance }
     }
 }
@@ -123,16 +124,18 @@ pub(super) fn refine<R: Scalar, M: Stepper<R> + Clone>(
     accuracy: Accuracy,
 ) -> Result<Option<Refined<R>>, Failure> {
     let Accuracy { coarse, fine, requested, .. } = accuracy;
-    let Some((coarse, rate)) = approach(map, derivative, rough, [coarse, requested], 0.5)? else {
+    let closing = Closing { local_tolerance: coarse, requested, rate: 0.5 };
+    let Some((coarse, rate)) = approach(map, derivative, rough, closing)? else {
         return Ok(None);
     };
     let first = map.apply(&coarse.from, fine)?;
     // The returns err alike from crossings as close as these, so one pair from the same crossing tells for all.
-    let differences = first.differences(&coarse.orbit);
+    let differences = Observables::differences(&first.orbit, &coarse.orbit);
     let image_difference: [f64; 2] =
         std::array::from_fn(|i| (first.image[i].clone() - &coarse.image[i]).to_f64());
     // The derivative is the same, and so is what a correction leaves.
-    let Some((mapped, rate)) = approach(map, derivative, first.from.clone(), [fine, requested], rate)? else {
+    let closing = Closing { local_tolerance: fine, requested, rate };
+    let Some((mapped, rate)) = approach(map, derivative, first.from.clone(), closing)? else {
         return Ok(None);
     };
     let correction = derivative.correction(mapped.residual());
@@ -141,21 +144,30 @@ pub(super) fn refine<R: Scalar, M: Stepper<R> + Clone>(
     let of_return = return_errors(differences, &mapped.orbit, gains, accuracy.floor);
     let (units, shown) = (rounding(&mapped), rounding_shown(&mapped, gains));
     let displaced = derivative.worst(image_difference.map(|d| OF_DIFFERENCE * d), units);
-    let errors = std::array::from_fn(|i| left[i] + of_return[i] + displaced[i] + shown[i]);
-    let errors = with_inertia(errors, &mapped.orbit, map.model.groups());
+    let errors = with_inertia(left + of_return + displaced + shown, &mapped.orbit, map.model.groups());
     let distance = correction.iter().fold(0.0f64, |size, c| size.max(c.abs())) / mapped.size();
     Ok(Some(Refined { mapped, errors, distance }))
 }
 
-/// Corrects the crossing until the way left shows in no observable, or shrinks no more; with the rate at which it shrank, no less than `rate`.
+/// When Newton's corrections may end.
+#[derive(Debug, Clone, Copy)]
+struct Closing {
+    local_tolerance: f64,
+    /// The requested error, of which the way left may be a tenth.
+    requested: f64,
+    /// The least rate at which the way is taken to shrink.
+    rate: f64,
+}
+
+/// Corrects the crossing until the way left shows in no observable, or shrinks no more; with the rate at which it shrank.
 fn approach<R: Scalar, M: Stepper<R> + Clone>(
     map: &mut ReturnMap<'_, R, M>,
     derivative: &Derivative,
     from: [R; 2],
-    [local_tolerance, requested]: [f64; 2],
-    rate: f64,
+    closing: Closing,
 ) -> Result<Option<(MappedReturn<R>, f64)>, Failure> {
-    let (mut from, mut last, mut rate, mut before) = (from, f64::INFINITY, rate, f64::INFINITY);
+    let Closing { local_tolerance, requested, mut rate } = closing;
+    let (mut from, mut last, mut before) = (from, f64::INFINITY, f64::INFINITY);
     for _ in 0..MOST_CORRECTIONS {
         let mapped = map.apply(&from, local_tolerance)?;
         let correction = derivative.correction(mapped.residual());
@@ -172,7 +184,7 @@ fn approach<R: Scalar, M: Stepper<R> + Clone>(
         }
         let noise = derivative.correction([rounding(&mapped); 2]);
         let resolved = size <= noise[0].abs().max(noise[1].abs());
-        if change[PEAK].abs().max(change[DURATION].abs()) <= 0.1 * requested || resolved {
+        if change.map(f64::abs).peak_or_duration() <= 0.1 * requested || resolved {
             return Ok(Some((mapped, rate)));
         }
         // The map has steps of the size of its errors; nearer than that no correction leads.
@@ -209,7 +221,7 @@ pub(super) fn follow<M: Stepper<f64> + Clone>(
     let (mut orbit, mut at) = (rough.orbit.clone(), rough_tolerance);
     let mut crossing = section(&orbit.end);
     let mut change = size(difference(crossing, section(&rough.from))) / size(crossing);
-    let mut carried: Option<Observed> = None;
+    let mut carried: Option<Observables<f64>> = None;
     for _ in 0..MOST_RETURNS {
         let ready = at <= accuracy.coarse && SLOW * change <= accuracy.requested;
         let tolerance = if ready {
@@ -224,17 +236,15 @@ pub(super) fn follow<M: Stepper<f64> + Clone>(
             return Ok(None);
         }
         if ready {
-            let differences = mapped.differences(&orbit);
+            let differences = Observables::differences(&mapped.orbit, &orbit);
             let of_return = return_errors(differences, &mapped.orbit, gains, accuracy.floor);
             let units = rounding_shown(&mapped, gains);
             // The fixed points of the two maps differ as well, and this return began on the coarser one's.
             let way = size(mapped.residual()) / (1.0 - SLOW);
-            let errors: Observed = std::array::from_fn(|i| {
-                of_return[i] + carried.map_or(0.0, |carried| carried[i]) + gains[i] * way + units[i]
-            });
+            let errors =
+                of_return + carried.unwrap_or(Observables::all(0.0)) + gains.map(|gain| gain * way) + units;
             let errors = with_inertia(errors, &mapped.orbit, map.model.groups());
-            let largest = errors[PEAK].max(errors[DURATION]);
-            if largest <= accuracy.requested || carried.is_some() {
+            if errors.peak_or_duration() <= accuracy.requested || carried.is_some() {
                 return Ok(Some(Refined { mapped, errors, distance: left }));
             }
             // The next return is compared with one that errs like itself: a third of what this pair showed stays.
@@ -252,7 +262,7 @@ fn spread<M: Stepper<f64> + Clone>(
     map: &mut ReturnMap<'_, f64, M>,
     cycle: &Cycle<f64>,
     local_tolerance: f64,
-) -> Result<(f64, Observed), Failure> {
+) -> Result<(f64, Observables<f64>), Failure> {
     let from = [cycle.from[1], cycle.from[2]];
     let effect_ratio = map.model.groups().effect_ratio;
     let part = (DEVIATION_IN_TOLERANCES * local_tolerance / size(from)).clamp(LEAST_DEVIATION, DEVIATION);
@@ -261,5 +271,5 @@ fn spread<M: Stepper<f64> + Clone>(
     let mapped = map.apply(&moved, local_tolerance)?;
     let deviation = size(difference(moved, from));
     let shrunk = size(difference(mapped.image, [cycle.orbit.end[1], cycle.orbit.end[2]])) / deviation;
-    Ok((shrunk, mapped.differences(&cycle.orbit).map(|change| change.abs() / deviation)))
+    Ok((shrunk, Observables::differences(&mapped.orbit, &cycle.orbit).map(|change| change.abs() / deviation)))
 }

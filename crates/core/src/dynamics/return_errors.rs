@@ -1,6 +1,7 @@
 //! What a return errs by: from its difference to another return of the same crossing, from bad steps, from rounding.
 
-use super::return_map::{DURATION, MappedReturn, Observed, PEAK, TROUGH, observed};
+use super::observables::Observables;
+use super::return_map::MappedReturn;
 use super::{Return, Scalar};
 use crate::friction::Groups;
 
@@ -28,32 +29,35 @@ pub(super) fn rounding<R: Scalar>(mapped: &MappedReturn<R>) -> f64 {
 ///
 /// A stress that is held through a stick phase keeps all that Newton's iteration leaves in a step: it ends where updates are below two
 /// units for each of the ten sums that they are made of. What follows a stick phase sees of it what it sees of another crossing.
-pub(super) fn rounding_shown<R: Scalar>(mapped: &MappedReturn<R>, gains: Observed) -> Observed {
-    let shown = observed(&mapped.orbit).map(f64::abs);
-    let range = shown[PEAK].max(shown[TROUGH]).max(1.0);
+pub(super) fn rounding_shown<R: Scalar>(
+    mapped: &MappedReturn<R>,
+    gains: Observables<f64>,
+) -> Observables<f64> {
+    let shown = Observables::of(&mapped.orbit).map(f64::abs);
+    let range = shown.log_peak.max(shown.log_trough).max(1.0);
     let whole = rounding(mapped);
     let unit = whole / mapped.size().max(range);
-    let held = [0.0, 0.0, 1.0, 1.0, 1.0];
-    std::array::from_fn(|i| unit * shown[i].max(range) + HELD * whole * gains[i].max(held[i]))
+    shown
+        .zip(gains)
+        .zip(Observables::held(1.0, 0.0))
+        .map(|((shown, gain), held)| unit * shown.max(range) + HELD * whole * gain.max(held))
 }
 
-/// The errors of the finer of two returns that differ by this much, and of what is seen of a bad step, which acts like a deviation of the crossing: a
-/// slider that barely stops does so at a stress that changes by hundreds of times as much.
+/// The errors of the finer of two returns that differ by this much, and of what is seen of a bad step, which acts like a deviation of the
+/// crossing: a slider that barely stops does so at a stress that changes by hundreds of times as much.
 pub(super) fn return_errors<R: Scalar>(
-    differences: Observed,
+    differences: Observables<f64>,
     orbit: &Return<R>,
-    gains: Observed,
+    gains: Observables<f64>,
     floor: f64,
-) -> Observed {
-    let scales = observed(orbit).map(|value| value.abs().max(1.0));
-    let largest = (0..5).fold(0.0f64, |largest, i| largest.max(differences[i].abs() / scales[i]));
+) -> Observables<f64> {
+    let scales = Observables::of(orbit).map(|value| value.abs().max(1.0));
+    let largest = differences.zip(scales).map(|(difference, scale)| difference.abs() / scale).largest();
     // Stress is loaded at a steady rate: what a stick phase errs in its duration, stress errs in its range.
     let range = (orbit.highest_stress.to_f64() - orbit.lowest_stress.to_f64()).abs();
-    let loaded = [0.0, 0.0, range, range, range].map(|range| range * differences[DURATION].abs());
-    std::array::from_fn(|i| {
-        OF_DIFFERENCE * (differences[i].abs() + loaded[i])
-            + OF_LARGEST * largest * scales[i]
-            + gains[i].max(1.0) * floor
+    let loaded = Observables::held(range, 0.0).map(|range| range * differences.log_duration.abs());
+    differences.zip(loaded).zip(scales).zip(gains).map(|(((difference, loaded), scale), gain)| {
+        OF_DIFFERENCE * (difference.abs() + loaded) + OF_LARGEST * largest * scale + gain.max(1.0) * floor
     })
 }
 
@@ -61,14 +65,17 @@ pub(super) fn return_errors<R: Scalar>(
 ///
 /// Next to its turn the slider moves with V = κt²/2η − Δ. Where Δ > 0 it stops, and friction has fallen by D = √(2κηΔ) when it does: V near
 /// zero is decided by parts of ε, and D² errs by 2κηε. Stress swings with the velocity by √(κη) times as much.
-pub(super) fn with_inertia<R: Scalar>(errors: Observed, orbit: &Return<R>, groups: &Groups<R>) -> Observed {
-    let shown = observed(orbit);
+pub(super) fn with_inertia<R: Scalar>(
+    errors: Observables<f64>,
+    orbit: &Return<R>,
+    groups: &Groups<R>,
+) -> Observables<f64> {
+    let shown = Observables::of(orbit);
     let swing = (groups.stiffness_group.to_f64() * groups.inertial_parameter.to_f64()).sqrt();
-    let velocity_error = (libm::exp(shown[PEAK]) * errors[PEAK]).min(f64::MAX);
+    let velocity_error = (libm::exp(shown.log_peak) * errors.log_peak).min(f64::MAX);
     let square = (2.0 * swing * swing * velocity_error).min(f64::MAX);
-    let depth = shown[TROUGH].abs();
+    let depth = shown.log_trough.abs();
     let stop = square.sqrt().min(square / (depth + (depth * depth - square).max(0.0).sqrt()));
     let stress = (swing * velocity_error).min(f64::MAX);
-    let added = [0.0, 0.0, stop, stress, stress];
-    std::array::from_fn(|i| errors[i] + added[i])
+    errors + Observables { log_trough: stop, ..Observables::held(stress, 0.0) }
 }

@@ -1,19 +1,10 @@
 //! The return map of V = V_l (upward): one cycle seen from a crossing, the map's derivative, and Newton's correction.
 
-use super::integrator::{Control, Integrator};
+use super::integrator::{Control, Integrator, Work};
+use super::observables::Observables;
 use super::section_return::{Return, ReturnEnd, next_return};
 use super::stepper::Stepper;
 use super::{Failure, Model, Scalar};
-
-/// What a cycle shows: ln(V_peak/V_l), ln(duration), ln(V_min/V_l), largest and least ζ.
-pub(super) type Observed = [f64; 5];
-
-/// Places in [`Observed`].
-pub(super) const PEAK: usize = 0;
-pub(super) const DURATION: usize = 1;
-pub(super) const TROUGH: usize = 2;
-pub(super) const HIGHEST: usize = 3;
-pub(super) const LOWEST: usize = 4;
 
 /// The return map over a number of returns, with the method that integrates it.
 #[derive(Debug, Clone)]
@@ -23,8 +14,8 @@ pub(super) struct ReturnMap<'m, R, M> {
     /// Upward crossings of V = V_l in one cycle.
     pub returns: usize,
     pub most_steps: u64,
-    /// Steps (refused ones included) and evaluations so far.
-    pub work: [u64; 2],
+    /// What it cost so far.
+    pub work: Work,
 }
 
 /// One cycle from a crossing.
@@ -38,15 +29,9 @@ pub(super) struct MappedReturn<R> {
     pub steps: u64,
 }
 
-/// What a return shows.
-pub(super) fn observed<R: Scalar>(orbit: &Return<R>) -> Observed {
-    [&orbit.peak, &orbit.duration.logarithm(), &orbit.trough, &orbit.highest_stress, &orbit.lowest_stress]
-        .map(Scalar::to_f64)
-}
-
 impl<'m, R: Scalar, M: Stepper<R> + Clone> ReturnMap<'m, R, M> {
-    pub const fn new(model: &'m Model<R>, method: M, returns: usize, most_steps: u64) -> Self {
-        Self { model, method, returns, most_steps, work: [0; 2] }
+    pub fn new(model: &'m Model<R>, method: M, returns: usize, most_steps: u64) -> Self {
+        Self { model, method, returns, most_steps, work: Work::default() }
     }
 
     /// One cycle from (0, y, ζ).
@@ -65,8 +50,8 @@ impl<'m, R: Scalar, M: Stepper<R> + Clone> ReturnMap<'m, R, M> {
                 None => orbit,
             });
         }
-        let (accepted, refused) = run.step_counts();
-        self.work = [self.work[0] + accepted + refused, self.work[1] + run.method().evaluations()];
+        self.work += run.work();
+        let (accepted, _) = run.step_counts();
         let [_, y, zeta] = run.state().clone();
         let undecided = Failure::Undecided { cycles: 0, change: 1.0 };
         Ok(MappedReturn {
@@ -88,19 +73,6 @@ impl<R: Scalar> MappedReturn<R> {
     pub fn size(&self) -> f64 {
         self.image.iter().fold(0.0f64, |size, c| size.max(c.to_f64().abs()))
     }
-
-    /// What this cycle shows less what another one shows, formed in the cycle's own digits.
-    pub fn differences(&self, other: &Return<R>) -> Observed {
-        let part = |a: &R, b: &R| (a.clone() - b).to_f64();
-        let ratio = part(&self.orbit.duration, &other.duration) / other.duration.to_f64();
-        [
-            part(&self.orbit.peak, &other.peak),
-            libm::log1p(ratio),
-            part(&self.orbit.trough, &other.trough),
-            part(&self.orbit.highest_stress, &other.highest_stress),
-            part(&self.orbit.lowest_stress, &other.lowest_stress),
-        ]
-    }
 }
 
 /// Derivatives of image and observables by the crossing.
@@ -113,8 +85,8 @@ pub(super) struct Derivative {
     image: [[f64; 2]; 2],
     /// The same with the entries that may be errors of the returns alone; elsewhere these count as zero.
     raw: [[f64; 2]; 2],
-    /// Moduli.
-    observed: [[f64; 2]; 5],
+    /// Moduli of the derivatives of the observables.
+    observed: Observables<[f64; 2]>,
 }
 
 /// Relative size of the differences: their truncation error is its square.
@@ -154,7 +126,8 @@ impl Derivative {
             .map(|part| (DIFFERENCE * size).min(LARGEST_PART * part).max(1e-6 * DIFFERENCE * size));
         let return_error = RETURN_ERROR * local_tolerance * local_tolerance.sqrt();
         let zero = [[0.0; 2]; 2];
-        let mut derivative = Self { effect_ratio, image: zero, raw: zero, observed: [[0.0; 2]; 5] };
+        let mut derivative =
+            Self { effect_ratio, image: zero, raw: zero, observed: Observables::all([0.0; 2]) };
         for (column, h) in steps.into_iter().enumerate() {
             let mut moved = |sign: f64| {
                 let mut by = [0.0; 2];
@@ -170,10 +143,12 @@ impl Derivative {
                 derivative.raw[row][column] = slope;
                 derivative.image[row][column] = if slope.abs() < resolution { 0.0 } else { slope };
             }
-            for (row, difference) in high.differences(&low.orbit).into_iter().enumerate() {
+            let differences = Observables::differences(&high.orbit, &low.orbit);
+            derivative.observed = derivative.observed.zip(differences).map(|(mut row, difference)| {
                 // Errors are bounded by these: what cannot be resolved counts with all it may be.
-                derivative.observed[row][column] = slope(difference).abs().max(resolution);
-            }
+                row[column] = slope(difference).abs().max(resolution);
+                row
+            });
         }
         Ok(derivative)
     }
@@ -239,12 +214,12 @@ impl Derivative {
     }
 
     /// The largest change of the observables when the crossing moves by this much.
-    pub fn moved(&self, by: [f64; 2]) -> Observed {
+    pub fn moved(&self, by: [f64; 2]) -> Observables<f64> {
         self.observed.map(|row| row[0] * by[0].abs() + row[1] * by[1].abs())
     }
 
     /// The largest change of the observables of the fixed point when the image errs by up to these amounts in y and ζ.
-    pub fn worst(&self, error: [f64; 2], units: f64) -> Observed {
+    pub fn worst(&self, error: [f64; 2], units: f64) -> Observables<f64> {
         let [u, w] = self.coordinates(error).map(|error| error.abs() + units);
         let resolvent = self.resolvent();
         self.moved(resolvent.map(|row| row[0].abs() * u + row[1].abs() * w))

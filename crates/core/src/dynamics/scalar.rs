@@ -8,7 +8,7 @@ use super::double_double_exp::double_double_exponentials;
 use super::quick_exp::exponentials;
 use crate::number::{Dd, Real};
 
-/// A number that a trajectory can be computed in: `f64`, double-double or [`Multi`](super::Multi).
+/// A number that a trajectory can be computed in: `f64` or double-double.
 pub trait Scalar: Real + PartialOrd + Send + Sync + std::fmt::Debug + 'static {
     /// Bound on the relative error of one operation.
     const UNIT_ROUNDOFF: f64;

@@ -6,12 +6,13 @@
 //! answer is a failure that says what was reached.
 
 use super::deviations::{oscillation_in_double_double, oscillation_of_small_deviations};
-use super::integrator::{Control, Integrator};
-use super::long_term::{Cycle, Decay, LongTerm, SLOW, long_term_within};
+use super::integrator::{Control, Integrator, Work};
+use super::long_term::{Cycle, Decay, LongTerm, PermittedDistance, SLOW, long_term_within};
+use super::observables::Observables;
 use super::outcome::{Errors, Outcome, extremes, peak_and_period, trough};
 use super::refine::{Accuracy, Refined, derivative, follow, refine};
 use super::return_errors::{OF_DIFFERENCE, OF_LARGEST};
-use super::return_map::{DURATION, HIGHEST, LOWEST, PEAK, ReturnMap, TROUGH};
+use super::return_map::ReturnMap;
 use super::stepper::Stepper;
 use super::{Failure, Model, Options, Radau, Return};
 use crate::number::Dd;
@@ -77,15 +78,15 @@ pub(super) struct Search<'m, 'o, M> {
     levels: Levels,
     /// The last cycle found, and the local tolerance that it was found with.
     known: Option<(Cycle<f64>, f64)>,
-    work: [u64; 2],
+    work: Work,
 }
 
 /// A long-term behaviour with its errors.
 type Found = (LongTerm<f64>, Errors);
 
 impl<'m, 'o, M: Stepper<f64> + Clone> Search<'m, 'o, M> {
-    pub const fn new(model: &'m Model<f64>, method: M, options: &'o Options, levels: Levels) -> Self {
-        Self { model, method, options, levels, known: None, work: [0; 2] }
+    pub fn new(model: &'m Model<f64>, method: M, options: &'o Options, levels: Levels) -> Self {
+        Self { model, method, options, levels, known: None, work: Work::default() }
     }
 
     /// Tightens until the stated errors of peak and period are no larger than requested.
@@ -131,8 +132,9 @@ impl<'m, 'o, M: Stepper<f64> + Clone> Search<'m, 'o, M> {
             return self.refined(cycle, tolerance);
         }
         let rough = self.levels.rough;
-        let targets = [FOLLOW_FROM * self.options.tolerance.max(1e-2), NEWTON_FROM];
-        match self.run(rough, |run, returns| long_term_within(run, targets, returns))? {
+        let fast = FOLLOW_FROM * self.options.tolerance.max(1e-2);
+        let permitted = PermittedDistance { fast, slow: NEWTON_FROM };
+        match self.run(rough, |run, returns| long_term_within(run, permitted, returns))? {
             LongTerm::Cycle(cycle) => match self.refined(cycle, rough) {
                 // A slow decay looks like the approach to a cycle that is not there: it is followed to its end.
                 Err(Failure::Undecided { .. }) => self.followed(),
@@ -152,8 +154,8 @@ impl<'m, 'o, M: Stepper<f64> + Clone> Search<'m, 'o, M> {
     }
 
     fn long_term_at(&mut self, local_tolerance: f64) -> Result<LongTerm<f64>, Failure> {
-        let target = 0.01 * self.options.tolerance;
-        self.run(local_tolerance, |run, returns| long_term_within(run, [target, 0.0], returns))
+        let permitted = PermittedDistance { fast: 0.01 * self.options.tolerance, slow: 0.0 };
+        self.run(local_tolerance, |run, returns| long_term_within(run, permitted, returns))
     }
 
     /// A run from the start.
@@ -167,8 +169,7 @@ impl<'m, 'o, M: Stepper<f64> + Clone> Search<'m, 'o, M> {
         let mut run = Integrator::new(self.model, self.method.clone(), start, control)?;
         let long_term =
             long_term_behaviour(&mut run, self.options.most_returns.min(self.levels.most_returns));
-        let (accepted, refused) = run.step_counts();
-        self.work = [self.work[0] + accepted + refused, self.work[1] + run.method().evaluations()];
+        self.work += run.work();
         long_term
     }
 
@@ -184,11 +185,12 @@ impl<'m, 'o, M: Stepper<f64> + Clone> Search<'m, 'o, M> {
             let [wide, narrow] = [(finer / FINER).min(1e-6), finer.min(FINER * 1e-6)];
             coarse.oscillation = oscillation_of_small_deviations(self.model, wide)?;
             fine.oscillation = oscillation_of_small_deviations(self.model, narrow)?;
-            let unequal =
-                coarse.oscillation.zip(fine.oscillation).map_or(
-                    coarse.oscillation.is_some() != fine.oscillation.is_some(),
-                    |((a, _), (b, _))| OF_DIFFERENCE * libm::log(a / b).abs() > 0.5 * self.options.tolerance,
-                );
+            let unequal = coarse
+                .oscillation
+                .zip(fine.oscillation)
+                .map_or(coarse.oscillation.is_some() != fine.oscillation.is_some(), |(a, b)| {
+                    OF_DIFFERENCE * libm::log(a.period / b.period).abs() > 0.5 * self.options.tolerance
+                });
             // Next to a double root the propagator's rounding errors are magnified.
             if unequal {
                 coarse.oscillation = oscillation_in_double_double(self.model, FINER * FINER * wide)?;
@@ -225,15 +227,15 @@ impl<'m, 'o, M: Stepper<f64> + Clone> Search<'m, 'o, M> {
                 refined = more.or(refined);
             }
         }
-        self.work = [self.work[0] + map.work[0], self.work[1] + map.work[1]];
+        self.work += map.work;
         let Some(Refined { mapped, errors, distance }) = refined else {
             return Err(Failure::Undecided { cycles: 0, change: found.distance });
         };
         let errors = Errors {
-            peak: errors[PEAK],
-            period: Some(errors[DURATION]),
-            trough: errors[TROUGH],
-            drop: errors[HIGHEST] + errors[LOWEST],
+            peak: errors.log_peak,
+            period: Some(errors.log_duration),
+            trough: errors.log_trough,
+            drop: errors.highest_stress + errors.lowest_stress,
         };
         let from = [0.0, mapped.from[0], mapped.from[1]];
         let cycle = Cycle { orbit: mapped.orbit, returns_per_cycle: returns, contraction, distance, from };
@@ -243,7 +245,7 @@ impl<'m, 'o, M: Stepper<f64> + Clone> Search<'m, 'o, M> {
 }
 
 fn satisfies<R>(refined: &Refined<R>, requested: f64) -> bool {
-    refined.errors[PEAK].max(refined.errors[DURATION]) <= 0.9 * requested
+    refined.errors.peak_or_duration() <= 0.9 * requested
 }
 
 /// Newton's iteration in double-double, for cycles whose fixed point magnifies the rounding errors of f64.
@@ -280,22 +282,23 @@ fn decay_errors(coarse: &LongTerm<f64>, fine: &LongTerm<f64>, start: f64, floor:
         (None, None) => 0.0,
         _ => f64::INFINITY,
     };
-    let differences = [
-        difference(coarse_peak, peak),
-        of_period,
-        difference(trough(coarse, start), lowest),
-        difference(rough.highest_stress, orbit.highest_stress),
-        difference(rough.lowest_stress, orbit.lowest_stress),
-    ];
-    let largest = differences.iter().fold(0.0f64, |largest, &d| largest.max(d));
+    let differences = Observables {
+        log_peak: difference(coarse_peak, peak),
+        log_duration: of_period,
+        log_trough: difference(trough(coarse, start), lowest),
+        highest_stress: difference(rough.highest_stress, orbit.highest_stress),
+        lowest_stress: difference(rough.lowest_stress, orbit.lowest_stress),
+    };
+    let largest = differences.largest();
     let units = 100.0 * f64::EPSILON;
-    let error = |i: usize, scale: f64| {
-        (OF_DIFFERENCE * differences[i] + OF_LARGEST * largest + units) * f64::abs(scale).max(1.0) + floor
+    let error = |difference: f64, scale: f64| {
+        (OF_DIFFERENCE * difference + OF_LARGEST * largest + units) * f64::abs(scale).max(1.0) + floor
     };
     Errors {
-        peak: error(PEAK, peak),
-        period: period.map(|_| error(DURATION, 1.0)),
-        trough: error(TROUGH, lowest),
-        drop: error(HIGHEST, orbit.highest_stress) + error(LOWEST, orbit.lowest_stress),
+        peak: error(differences.log_peak, peak),
+        period: period.map(|_| error(differences.log_duration, 1.0)),
+        trough: error(differences.log_trough, lowest),
+        drop: error(differences.highest_stress, orbit.highest_stress)
+            + error(differences.lowest_stress, orbit.lowest_stress),
     }
 }

@@ -1,6 +1,6 @@
 //! Where a run starts: the paper says V = V_l/10 and leaves the rest open, so the rest is a choice here.
 
-use super::{Balance, Model, Scalar, State};
+use super::{Model, Scalar, State};
 
 /// How a start at a velocity other than V_l is completed: what the state and the spring are doing at that moment.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
@@ -37,8 +37,6 @@ impl Start {
     }
 
     /// The state for ln(V/V_l) = `log_velocity_ratio`.
-    ///
-    /// Quasi-statically the spring always balances friction, so there the two choices of the spring are one.
     #[must_use]
     pub fn state<R: Scalar>(self, model: &Model<R>, log_velocity_ratio: &R) -> State<R> {
         let x = log_velocity_ratio.clone();
@@ -50,12 +48,8 @@ impl Start {
         let steady_friction = model.friction(&[zero.clone(), zero.clone(), zero.clone()]);
         let equilibrium = model.friction(&[x.clone(), y.clone(), zero]);
         let zeta = match self {
-            Self::SteadyStateSpringAtLoading | Self::VelocityKick
-                if *model.balance() != Balance::QuasiStatic =>
-            {
-                steady_friction
-            }
-            _ => equilibrium,
+            Self::SteadyStateSpringAtLoading | Self::VelocityKick => steady_friction,
+            Self::SteadyAtVelocity | Self::VelocityStepInEquilibrium => equilibrium,
         };
         [x, y, zeta]
     }

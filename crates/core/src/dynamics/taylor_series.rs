@@ -103,7 +103,7 @@ macro_rules! written_out {
     };
 }
 
-/// Coefficients 1 … N − 1 of the solution through a state, and e^{−x}/η, the fastest rate when it is large; `None` for models with another friction or without inertia.
+/// Coefficients 1 … N − 1 of the solution through a state, and e^{−x}/η, the fastest rate when it is large; `None` for another friction.
 pub(super) fn series<R: Scalar, const N: usize>(
     model: &Model<R>,
     from: &State<R>,
@@ -154,9 +154,9 @@ mod tests {
     }
 
     #[test]
-    fn a_model_without_inertia_is_declined() {
+    fn the_regularised_friction_is_declined() {
         let groups = Groups { inertial_parameter: 3.0, stiffness_group: 2.0, effect_ratio: 1.5 };
-        let model = Model::with_balance(groups, EvolutionLaw::Slip, Balance::QuasiStatic);
+        let model = Model::with_balance(groups, EvolutionLaw::Slip, Balance::Regularised(60.0));
         assert!(series(&model, &[0.1, 0.0, 0.1], &mut [[0.0; 3]; 8]).is_none());
     }
 }
