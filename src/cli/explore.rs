@@ -7,7 +7,6 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use slipmode::archive::sha256_hex;
 use slipmode::experiments::Scene;
-use slipmode::experiments::inertial_threshold;
 use slipmode::explorer::{Families, NamedPoint};
 use slipmode::explorer::{Window, explorer};
 use slipmode::report::{ExplorerPage, PAGE_BUDGET_BYTES, render_explorer};
@@ -47,7 +46,7 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     let place = place(options.output.as_deref(), &scene.name);
     let mut output = Output::create(&place)?;
     let (points, marks) = points(&scene, parameters, window);
-    let families = Families::of(&parameters.slider, points, &inertial_threshold(&scene));
+    let families = Families::of(&parameters.slider, points, &scene.threshold());
     let file = options.scene.file_name().unwrap_or_default().to_string_lossy().into_owned();
     let page = ExplorerPage {
         title: &scene.title,
@@ -83,8 +82,9 @@ fn place(output: Option<&Path>, name: &str) -> PathBuf {
 /// The scene's map, or what `new` would choose for the slider.
 fn window(scene: &Scene, slider: &Slider<Rational>) -> Result<Window, String> {
     let ends = |from: &Rational, to: &Rational| (nearest_f64(from), nearest_f64(to));
-    if let Some(map) = scene.map.as_ref().or(scene.zones.as_ref()) {
-        let (velocity, stress) = (&map.loading_velocity_m_per_s, &map.normal_stress_pa);
+    let map = scene.map.as_ref().map(|map| &map.rectangle);
+    if let Some(rectangle) = map.or(scene.zones.as_ref().map(|zones| &zones.rectangle)) {
+        let (velocity, stress) = (&rectangle.loading_velocity_m_per_s, &rectangle.normal_stress_pa);
         return Ok(Window {
             velocity: ends(&velocity.from, &velocity.to),
             stress: ends(&stress.from, &stress.to),

@@ -1,9 +1,10 @@
 //! `slipmode tolerance`: which formula may be used where, for given relative errors.
 
 use clap::Args;
+use slipmode::experiments::tolerance::ToleranceSection;
 use slipmode::experiments::tolerance::place_of_limit;
 use slipmode::experiments::tolerance::{ToleranceRow, tolerance_limits};
-use slipmode::scene::{AllowedRange, ToleranceSection};
+use slipmode::scene::AllowedRange;
 use slipmode_core::friction::Slider;
 use slipmode_core::number::format::{certain_digits, rational_to_decimal};
 use slipmode_core::number::{Ball, Rational};

@@ -43,26 +43,3 @@ pub struct FigureMaker {
     /// Draws it; `None` when the scenes do not hold what it shows.
     pub make: fn(&Outcome) -> Option<Figure>,
 }
-
-/// The figures of every room, a line each.
-const ROOMS: &[&[FigureMaker]] = &[
-    crate::experiments::tolerance::figures::FIGURES,
-    crate::experiments::frequency::figures::FIGURES,
-    crate::experiments::simulations::least_peak_figures::FIGURES,
-    crate::experiments::linear_regime::figures::FIGURES,
-    crate::experiments::map::figures::FIGURES,
-    crate::experiments::near_transition::figures::FIGURES,
-    crate::experiments::original_scheme::figures::FIGURES,
-    crate::experiments::onset::figures::FIGURES,
-    crate::experiments::simulations::overshoot_figure::FIGURES,
-    crate::experiments::trajectories::phase_portraits::FIGURES,
-    crate::experiments::simulations::map_figure::FIGURES,
-    crate::experiments::speed_counts::figures::FIGURES,
-    crate::experiments::swept::figures::FIGURES,
-    crate::experiments::trajectories::figures::FIGURES,
-];
-
-/// All figures.
-pub fn figure_makers() -> impl Iterator<Item = &'static FigureMaker> {
-    ROOMS.iter().copied().flatten()
-}

@@ -3,17 +3,17 @@
 pub mod boundary;
 pub mod effect_ratio_sweep;
 pub mod error_bound;
+mod experiment;
 mod figures;
 pub mod frequency;
 pub mod hard_cases;
 pub mod linear_regime;
 pub mod map;
 pub mod near_transition;
-mod need;
 pub mod onset;
 pub mod original_scheme;
 mod outcome;
-mod plan;
+mod registry;
 mod run;
 mod scene;
 pub mod shared;
@@ -28,14 +28,14 @@ pub mod trajectories;
 pub mod work_precision;
 pub mod zones;
 
-pub use figures::{Figure, FigureMaker, figure_makers};
-pub use need::{Need, Needs};
-pub use outcome::{Outcome, References, SceneOutcome};
-pub use plan::{Item, all_needs, plan};
-pub use run::{Progress, inertial_threshold, run};
-pub use scene::{Scene, check_distinct_scene_names};
+pub use experiment::{Experiment, Requirement, Setting};
+pub use figures::{Figure, FigureMaker};
+pub use outcome::{Outcome, References};
+pub use registry::{Need, Scene, SceneOutcome, figure_makers, table_makers};
+pub use run::{Needs, Progress, all_needs, run};
+pub use scene::check_distinct_scene_names;
+pub use tables::TableMaker;
 pub(crate) use tables::unless_empty;
-pub use tables::{TableMaker, table_makers};
 
 use slipmode_core::theory::PaperEquations;
 

@@ -15,31 +15,6 @@ pub struct TableMaker {
     pub make: fn(&Context) -> Option<Table>,
 }
 
-/// The tables of every room, a line each.
-const ROOMS: &[&[TableMaker]] = &[
-    crate::experiments::boundary::tables::TABLES,
-    crate::experiments::timings::coverage_table::TABLES,
-    crate::experiments::tolerance::tables::TABLES,
-    crate::experiments::hard_cases::return_tables::TABLES,
-    crate::experiments::linear_regime::figures::TABLES,
-    crate::experiments::zones::tables::TABLES,
-    crate::experiments::near_transition::tables::TABLES,
-    crate::experiments::hard_cases::tables::TABLES,
-    crate::experiments::original_scheme::tables::TABLES,
-    crate::experiments::onset::tables::TABLES,
-    crate::experiments::simulations::tables::TABLES,
-    crate::experiments::speed_counts::tables::TABLES,
-    crate::experiments::start_sensitivity::tables::TABLES,
-    crate::experiments::swept::tables::TABLES,
-    crate::experiments::timings::tables::TABLES,
-    crate::experiments::trajectories::tables::TABLES,
-];
-
-/// All tables of the experiments.
-pub fn table_makers() -> impl Iterator<Item = &'static TableMaker> {
-    ROOMS.iter().copied().flatten()
-}
-
 /// A table, unless it has no rows.
 pub(crate) fn unless_empty(table: Table) -> Option<Table> {
     (!table.rows.is_empty()).then_some(table)

@@ -31,6 +31,4 @@ pub use part::Part;
 pub use quantity::{ParametersSection, Quantity};
 pub use range::{AllowedRange, parse_whole};
 pub use report_plan::{Chapter, ReportPlan};
-pub use sections::{
-    BoundarySection, EffectRatioSweep, FrequencySection, HardCases, Rectangle, ToleranceSection,
-};
+pub use sections::{Place, Rectangle};

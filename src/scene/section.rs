@@ -6,7 +6,7 @@ use toml::Spanned;
 use toml::de::{DeString, DeTable, DeValue};
 
 use crate::scene::document::Source;
-use crate::scene::{AllowedRange, Fault, Faults, Problem, nearest, parse_whole};
+use crate::scene::{AllowedRange, Fault, Faults, Limits, Problem, nearest, parse_whole};
 use slipmode_core::number::Rational;
 
 /// The most unknown keys that are reported of one table: each is compared with every known one.
@@ -17,7 +17,7 @@ const MOST_LIST_FAULTS: usize = 100;
 
 /// A table of the file.
 #[derive(Debug)]
-pub(crate) struct Section<'t> {
+pub struct Section<'t> {
     source: &'t Source<'t>,
     path: String,
     offset: usize,
@@ -27,7 +27,7 @@ pub(crate) struct Section<'t> {
 
 /// A value of the file, with its full key.
 #[derive(Debug, Clone)]
-pub(crate) struct Entry<'t> {
+pub struct Entry<'t> {
     source: &'t Source<'t>,
     key: String,
     value: &'t Spanned<DeValue<'t>>,
@@ -35,7 +35,7 @@ pub(crate) struct Entry<'t> {
 
 impl<'t> Section<'t> {
     /// The file's top table.
-    pub fn top(source: &'t Source<'t>, table: &'t DeTable<'t>) -> Self {
+    pub(crate) fn top(source: &'t Source<'t>, table: &'t DeTable<'t>) -> Self {
         Self { source, path: String::new(), offset: 0, table, requested: Vec::new() }
     }
 
@@ -208,6 +208,12 @@ impl<'t> Entry<'t> {
         }
         values.into_iter().collect()
     }
+}
+
+/// A section of a scene, read and valid.
+pub trait ReadSection: Sized {
+    /// Reads it; its faults are added to the others.
+    fn read(entry: &Entry<'_>, limits: &Limits, faults: &mut Faults) -> Option<Self>;
 }
 
 /// A section is absent, or there and sound; `None` when it is there and faulty.

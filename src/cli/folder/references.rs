@@ -7,9 +7,9 @@ use slipmode::archive::sha256_hex;
 use slipmode::experiments::References;
 use slipmode::experiments::Scene;
 use slipmode::experiments::hard_cases::{read_hard_cases, read_hard_returns};
-use slipmode::experiments::speed_counts::TimingsSection;
 use slipmode::experiments::swept::SweptEntry;
 use slipmode::experiments::swept::{Swept, read_swept};
+use slipmode::experiments::timings::TimingsSection;
 use slipmode::experiments::timings::{Timings, read_cost, read_coverage, read_machine, read_peers};
 use slipmode::scene::file_text;
 

@@ -7,7 +7,6 @@ use std::path::{Path, PathBuf};
 use sha2::{Digest, Sha256};
 use slipmode::archive::sha256_hex;
 use slipmode::experiments::Scene;
-use slipmode::experiments::inertial_threshold;
 use slipmode::scene::{Fault, Limits, Problem};
 use slipmode::sweep::PointSource;
 use slipmode::sweep::{SweepPoints, SweepSection, SweepWork};
@@ -60,7 +59,7 @@ pub fn load(place: &Path) -> Result<Loaded, Failure> {
     let file = place.display().to_string();
     let bytes = read_small_file(place)?;
     let scene = Scene::parse(&file, &bytes, &Limits::default())?;
-    let threshold = inertial_threshold(&scene);
+    let threshold = scene.threshold();
     let Some(section) = scene.sweep else {
         let allowed = "a [sweep] section with its work and its points".into();
         return Err(Fault {

@@ -1,6 +1,6 @@
 //! The exact boundary of a scene, and whether its three routes agree.
 
-use crate::scene::BoundarySection;
+use crate::experiments::boundary::BoundarySection;
 use slipmode_core::friction::Slider;
 use slipmode_core::number::Rational;
 use slipmode_core::stability::boundary::{BoundaryCurve, BoundaryPoint, RouteComparison, compare_routes};

@@ -2,8 +2,8 @@
 
 use rayon::prelude::*;
 
+use crate::experiments::effect_ratio_sweep::EffectRatioSweepSection;
 use crate::experiments::map::run::exactly;
-use crate::scene::EffectRatioSweep;
 use slipmode_core::number::Rational;
 use slipmode_core::stability::deviation::{CornerErrors, corner_errors};
 
@@ -28,7 +28,7 @@ const DIGITS: u32 = 20;
 
 /// Computes the worst errors along the axis, and at β = 1 ± each near-equal distance.
 #[must_use]
-pub fn sweep_effect_ratio(section: &EffectRatioSweep) -> SweepOutcome {
+pub fn sweep_effect_ratio(section: &EffectRatioSweepSection) -> SweepOutcome {
     let near = section
         .near_equal
         .iter()

@@ -5,7 +5,7 @@
 
 use rayon::prelude::*;
 
-use crate::experiments::original_scheme::ErrorBoundSection;
+use crate::experiments::error_bound::ErrorBoundSection;
 use slipmode_core::dynamics::{
     Control, Integrator, LongTerm, Model, Options, Outcome, Radau, Scalar, Start, State, long_term_behaviour,
     simulate_model,

@@ -2,5 +2,19 @@
 
 pub(crate) mod figures;
 pub(crate) mod run;
+pub(crate) mod section;
 
 pub use run::{FrequencyLine, FrequencyOutcome, frequency_lines};
+pub use section::FrequencySection;
+
+use crate::experiments::{Experiment, FigureMaker, Requirement, Setting};
+
+impl Experiment for FrequencySection {
+    type Outcome = FrequencyOutcome;
+    const REQUIREMENT: Requirement = Requirement::CriticalNormalStress;
+    const FIGURES: &'static [&'static [FigureMaker]] = &[figures::FIGURES];
+
+    fn run(&self, setting: &Setting<'_>) -> Option<Self::Outcome> {
+        Some(frequency_lines(setting.slider()?, self))
+    }
+}

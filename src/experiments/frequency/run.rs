@@ -3,8 +3,8 @@
 use rayon::prelude::*;
 use slipmode_core::friction::Slider;
 
+use crate::experiments::frequency::FrequencySection;
 use crate::experiments::map::run::exactly;
-use crate::scene::FrequencySection;
 use slipmode_core::number::{Rational, Wide};
 use slipmode_core::stability::{InertialThreshold, classify};
 

@@ -12,15 +12,15 @@ use slipmode_plot::table::{Cell, Column, Table};
 pub(crate) const TABLES: &[TableMaker] = &[
     TableMaker {
         id: "hard-cycles",
-        needs: &[Need::HardReturns],
+        needs: &[Need::HardCases],
         make: |context| by_method(context, &ORDINARY),
     },
     TableMaker {
         id: "hard-cycles-below-rounding",
-        needs: &[Need::HardReturns],
+        needs: &[Need::HardCases],
         make: |context| by_method(context, &BELOW),
     },
-    TableMaker { id: "hard-cycles-runs", needs: &[Need::HardReturns], make: runs },
+    TableMaker { id: "hard-cycles-runs", needs: &[Need::HardCases], make: runs },
 ];
 
 /// One of the two tables with a column per method.
@@ -44,7 +44,12 @@ const BELOW: Kind = Kind {
 };
 
 fn outcomes<'c>(context: &'c Context<'_>) -> impl Iterator<Item = &'c ReturnOutcome> {
-    context.outcome.scenes.iter().filter_map(|scene| scene.hard_returns.as_ref()).flatten()
+    context
+        .outcome
+        .scenes
+        .iter()
+        .filter_map(|scene| scene.hard_cases.as_ref())
+        .flat_map(|found| &found.returns)
 }
 
 fn case_columns() -> Vec<Column> {

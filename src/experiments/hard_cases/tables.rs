@@ -62,7 +62,12 @@ fn hard_cases(context: &Context) -> Option<Table> {
 }
 
 fn families<'c>(context: &'c Context<'_>) -> impl Iterator<Item = &'c FamilyOutcome> {
-    context.outcome.scenes.iter().filter_map(|scene| scene.hard_cases.as_ref()).flatten()
+    context
+        .outcome
+        .scenes
+        .iter()
+        .filter_map(|scene| scene.hard_cases.as_ref())
+        .flat_map(|found| &found.families)
 }
 
 /// A row per family, a column per method.

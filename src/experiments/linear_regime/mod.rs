@@ -9,5 +9,17 @@ pub(crate) mod steady_sliding;
 
 pub use modes::Direction;
 pub use run::{LinearRegimeOutcome, Mismatch, ModeRuns, linear_regime};
-pub use section::{LinearRegimeSection, StartSensitivitySection};
+pub use section::LinearRegimeSection;
 pub use steady_sliding::{SteadyRun, steady_sliding};
+
+use crate::experiments::{Experiment, FigureMaker, Setting, TableMaker};
+
+impl Experiment for LinearRegimeSection {
+    type Outcome = LinearRegimeOutcome;
+    const TABLES: &'static [&'static [TableMaker]] = &[figures::TABLES];
+    const FIGURES: &'static [&'static [FigureMaker]] = &[figures::FIGURES];
+
+    fn run(&self, setting: &Setting<'_>) -> Option<Self::Outcome> {
+        Some(linear_regime(setting.slider()?, self, &setting.threshold()))
+    }
+}

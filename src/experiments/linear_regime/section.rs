@@ -1,7 +1,7 @@
-//! `[linear_regime]` and `[start_sensitivity]`: what is looked at closely at a few points (V, σ).
+//! `[linear_regime]`: small disturbances at a few points (V, σ).
 
 use crate::scene::laws::read_laws;
-use crate::scene::section::{Entry, Section};
+use crate::scene::section::{Entry, ReadSection, Section};
 use crate::scene::sections::check_points;
 use crate::scene::{AllowedRange, Faults, Limits, Problem};
 use slipmode_core::friction::EvolutionLaw;
@@ -18,22 +18,11 @@ pub struct LinearRegimeSection {
     pub amplitudes: Vec<Rational>,
 }
 
-/// `[start_sensitivity]`: every completion of the start V_l/10.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct StartSensitivitySection {
-    /// V (m/s) and σ (Pa) of each point.
-    pub points: Vec<[Rational; 2]>,
-    /// The evolution laws, each once.
-    pub laws: Vec<EvolutionLaw>,
-    /// Permitted relative error of peak velocity and period.
-    pub tolerance: Rational,
-}
-
 /// Starts of a linear regime at one point: one for each real root, two for a pair.
 const STARTS_PER_POINT: u64 = 3;
 
-impl LinearRegimeSection {
-    pub(crate) fn read(entry: &Entry<'_>, limits: &Limits, faults: &mut Faults) -> Option<Self> {
+impl ReadSection for LinearRegimeSection {
+    fn read(entry: &Entry<'_>, limits: &Limits, faults: &mut Faults) -> Option<Self> {
         let mut section = entry.section(faults)?;
         let points = points(&mut section, faults);
         let laws = laws(&mut section, faults);
@@ -49,33 +38,17 @@ impl LinearRegimeSection {
     }
 }
 
-impl StartSensitivitySection {
-    pub(crate) fn read(entry: &Entry<'_>, limits: &Limits, faults: &mut Faults) -> Option<Self> {
-        let mut section = entry.section(faults)?;
-        let points = points(&mut section, faults);
-        let laws = laws(&mut section, faults);
-        let range = AllowedRange::SIMULATION_TOLERANCE;
-        let tolerance = section
-            .required("tolerance", &range.text(), faults)
-            .and_then(|entry| entry.decimal(range, faults));
-        section.finish(faults);
-        let read = Self { points: points?, laws: laws?, tolerance: tolerance? };
-        check_points(entry, product(&[read.points.len(), read.laws.len(), 4]), limits, faults)?;
-        Some(read)
-    }
-}
-
-fn product(lengths: &[usize]) -> u64 {
+pub(crate) fn product(lengths: &[usize]) -> u64 {
     lengths.iter().fold(1, |product, &length| product.saturating_mul(length as u64))
 }
 
-fn laws(section: &mut Section<'_>, faults: &mut Faults) -> Option<Vec<EvolutionLaw>> {
+pub(crate) fn laws(section: &mut Section<'_>, faults: &mut Faults) -> Option<Vec<EvolutionLaw>> {
     let entry = section.required("laws", "a list of \"slip\" and \"aging\"", faults)?;
     read_laws(&entry, faults)
 }
 
 /// `points`: a list of `{ loading_velocity_m_per_s = …, normal_stress_pa = … }`.
-fn points(section: &mut Section<'_>, faults: &mut Faults) -> Option<Vec<[Rational; 2]>> {
+pub(crate) fn points(section: &mut Section<'_>, faults: &mut Faults) -> Option<Vec<[Rational; 2]>> {
     let allowed = "a list of { loading_velocity_m_per_s = …, normal_stress_pa = … }";
     section.required("points", allowed, faults)?.list(faults, |member, faults| {
         let mut section = member.section(faults)?;

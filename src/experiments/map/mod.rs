@@ -2,5 +2,19 @@
 
 pub(crate) mod figures;
 pub(crate) mod run;
+pub(crate) mod section;
 
 pub use run::{MapPoint, classify_rectangle};
+pub use section::MapSection;
+
+use crate::experiments::shared::Grid;
+use crate::experiments::{Experiment, FigureMaker, Setting};
+
+impl Experiment for MapSection {
+    type Outcome = Grid<MapPoint>;
+    const FIGURES: &'static [&'static [FigureMaker]] = &[figures::FIGURES];
+
+    fn run(&self, setting: &Setting<'_>) -> Option<Self::Outcome> {
+        Some(classify_rectangle(setting.slider()?, &self.rectangle, &setting.threshold()))
+    }
+}

@@ -1,6 +1,6 @@
 //! The families of limit cycles that leave steady sliding at K = K_c, each followed through its fold where it has one.
 
-use crate::experiments::near_transition::NearTransition;
+use crate::experiments::near_transition::NearTransitionSection;
 use crate::experiments::near_transition::bistability::{Edge, edge};
 use rayon::prelude::*;
 use slipmode_core::dynamics::{CycleFamily, Failure, Member};
@@ -126,7 +126,7 @@ impl CycleFamilyOutcome {
 /// Follows the cycles of both laws at every η of the section.
 pub(crate) fn cycle_families(
     parameters: &Slider<Rational>,
-    section: &NearTransition,
+    section: &NearTransitionSection,
 ) -> Vec<CycleFamilyOutcome> {
     let mut inertial: Vec<&Rational> =
         section.inertial_parameter.iter().chain(&section.edge_inertial_parameter).collect();

@@ -1,6 +1,6 @@
 //! Finite starts close to K = K_c, and the cycles that are there: what the linear theory, the same for both laws, cannot tell.
 
-use crate::experiments::near_transition::NearTransition;
+use crate::experiments::near_transition::NearTransitionSection;
 use crate::experiments::near_transition::cycle_families::{CycleFamilyOutcome, cycle_families};
 use crate::experiments::simulations::run::options;
 use rayon::prelude::*;
@@ -82,7 +82,10 @@ impl NearRun {
 
 /// Simulates with each law at κ = (K/K_c)(β − 1)(1 + η), which is eq 9 in the groups, and follows the families of cycles.
 #[must_use]
-pub fn near_transition(parameters: &Slider<Rational>, section: &NearTransition) -> NearTransitionOutcome {
+pub fn near_transition(
+    parameters: &Slider<Rational>,
+    section: &NearTransitionSection,
+) -> NearTransitionOutcome {
     let families = cycle_families(parameters, section);
     let cases: Vec<(EvolutionLaw, &Rational, &Rational)> = EvolutionLaw::ALL
         .into_iter()
@@ -143,7 +146,7 @@ mod tests {
 
     fn outcome(inertial: &[&str], stiffness: &[&str], edge: &[&str]) -> NearTransitionOutcome {
         let decimals = |texts: &[&str]| texts.iter().map(|text| parse_decimal(text).unwrap()).collect();
-        let section = NearTransition {
+        let section = NearTransitionSection {
             inertial_parameter: decimals(inertial),
             stiffness_over_critical: decimals(stiffness),
             edge_inertial_parameter: decimals(edge),

@@ -1,13 +1,13 @@
 //! `[near_transition]`: the nonlinear slider close to K = K_c, by η and K/K_c instead of V and σ.
 
-use crate::scene::section::{Entry, Section};
+use crate::scene::section::{Entry, ReadSection, Section};
 use crate::scene::sections::check_points;
 use crate::scene::{AllowedRange, Faults, Limits};
 use slipmode_core::number::Rational;
 
 /// `[near_transition]`.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct NearTransition {
+pub struct NearTransitionSection {
     /// η of the runs.
     pub inertial_parameter: Vec<Rational>,
     /// K/K_c of the runs, each taken at every η.
@@ -18,8 +18,8 @@ pub struct NearTransition {
     pub tolerance: Rational,
 }
 
-impl NearTransition {
-    pub(crate) fn read(entry: &Entry<'_>, limits: &Limits, faults: &mut Faults) -> Option<Self> {
+impl ReadSection for NearTransitionSection {
+    fn read(entry: &Entry<'_>, limits: &Limits, faults: &mut Faults) -> Option<Self> {
         let mut section = entry.section(faults)?;
         let inertial = ratios(&mut section, "inertial_parameter", faults);
         let stiffness = ratios(&mut section, "stiffness_over_critical", faults);

@@ -11,3 +11,15 @@ pub(crate) mod theory;
 pub use run::{Onset, OnsetOutcome, OtherUnit, ShownRun, onset};
 pub use search::{Located, SeenOnset};
 pub use section::OnsetSection;
+
+use crate::experiments::{Experiment, FigureMaker, Setting, TableMaker};
+
+impl Experiment for OnsetSection {
+    type Outcome = OnsetOutcome;
+    const TABLES: &'static [&'static [TableMaker]] = &[tables::TABLES];
+    const FIGURES: &'static [&'static [FigureMaker]] = &[figures::FIGURES];
+
+    fn run(&self, setting: &Setting<'_>) -> Option<Self::Outcome> {
+        Some(onset(setting.slider()?, self, &setting.threshold()))
+    }
+}

@@ -1,7 +1,7 @@
 //! `[onset]`: where oscillation begins along lines of constant normal stress, and runs on either side of it (fig 4).
 
 use crate::scene::laws::read_laws;
-use crate::scene::section::Entry;
+use crate::scene::section::{Entry, ReadSection};
 use crate::scene::sections::check_points;
 use crate::scene::{AllowedRange, Faults, Limits};
 use slipmode_core::friction::EvolutionLaw;
@@ -27,8 +27,8 @@ pub struct OnsetSection {
 /// Runs that one search needs at most: the count that is compared with the limit of points.
 const RUNS_OF_A_SEARCH: u64 = 200;
 
-impl OnsetSection {
-    pub(crate) fn read(entry: &Entry<'_>, limits: &Limits, faults: &mut Faults) -> Option<Self> {
+impl ReadSection for OnsetSection {
+    fn read(entry: &Entry<'_>, limits: &Limits, faults: &mut Faults) -> Option<Self> {
         let mut section = entry.section(faults)?;
         let physical = AllowedRange::PHYSICAL;
         let mut list = |key, allowed: &str, faults: &mut Faults| {

@@ -11,5 +11,17 @@ pub(crate) mod tables;
 pub use least_peak::SchemeLeastPeak;
 pub use run::{OriginalSchemeOutcome, SchemeSeries, SchemeStep, original_scheme};
 pub use scheme::{AFFORDABLE_STEPS, SchemePeak};
-pub use section::{ErrorBoundSection, OriginalSchemeSection, Place, WorkPrecisionSection};
+pub use section::OriginalSchemeSection;
 pub use stability::{SchemeMapRow, SchemeTransition, critical_shift};
+
+use crate::experiments::{Experiment, FigureMaker, Setting, TableMaker};
+
+impl Experiment for OriginalSchemeSection {
+    type Outcome = OriginalSchemeOutcome;
+    const TABLES: &'static [&'static [TableMaker]] = &[tables::TABLES];
+    const FIGURES: &'static [&'static [FigureMaker]] = &[figures::FIGURES];
+
+    fn run(&self, setting: &Setting<'_>) -> Option<Self::Outcome> {
+        Some(original_scheme(setting.slider()?, self))
+    }
+}

@@ -2,12 +2,13 @@
 
 use rayon::prelude::*;
 
+use crate::experiments::original_scheme::OriginalSchemeSection;
 use crate::experiments::original_scheme::least_peak::{SchemeLeastPeak, least_peaks_of_scheme};
 use crate::experiments::original_scheme::scheme::{
     AFFORDABLE_STEPS, SchemePeak, converged_cycle, model_at, scheme_peak, steps_needed,
 };
 use crate::experiments::original_scheme::stability::{SchemeMapRow, SchemeTransition, map_rows, transitions};
-use crate::experiments::original_scheme::{OriginalSchemeSection, Place};
+use crate::scene::Place;
 use slipmode_core::dynamics::Failure;
 use slipmode_core::friction::{EvolutionLaw, Slider};
 use slipmode_core::number::Rational;

@@ -1,18 +1,9 @@
-//! `[original_scheme]`, `[work_precision]` and `[error_bound]`: what the numerical method does to the answer.
+//! `[original_scheme]`: places, steps and points for the fixed-step scheme of the original simulations.
 
-use crate::scene::section::{Entry, Section};
-use crate::scene::sections::{axis, check_points};
+use crate::scene::section::{Entry, ReadSection};
+use crate::scene::sections::{Place, axis, check_points, decimals, places};
 use crate::scene::{AllowedRange, Faults, Limits, Rectangle};
 use slipmode_core::number::Rational;
-
-/// A place of the (V, σ) plane.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Place {
-    /// Loading velocity, m/s.
-    pub loading_velocity_m_per_s: Rational,
-    /// Normal stress, Pa.
-    pub normal_stress_pa: Rational,
-}
 
 /// `[original_scheme]`: the fixed-step scheme of the original simulations against converged runs.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -27,26 +18,8 @@ pub struct OriginalSchemeSection {
     pub least_peak_stresses_pa: Vec<Rational>,
 }
 
-/// `[work_precision]`: work against error of the integrators on one period of the limit cycle.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct WorkPrecisionSection {
-    /// The returns.
-    pub places: Vec<Place>,
-}
-
-/// `[error_bound]`: stated errors against true ones.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct ErrorBoundSection {
-    /// Triples of groups; each is run with both laws.
-    pub groups: u32,
-    /// Relative errors requested.
-    pub tolerances: Vec<Rational>,
-}
-
-const PLACES: &str = "a list of { loading_velocity_m_per_s = …, normal_stress_pa = … }";
-
-impl OriginalSchemeSection {
-    pub(crate) fn read(entry: &Entry<'_>, limits: &Limits, faults: &mut Faults) -> Option<Self> {
+impl ReadSection for OriginalSchemeSection {
+    fn read(entry: &Entry<'_>, limits: &Limits, faults: &mut Faults) -> Option<Self> {
         let mut section = entry.section(faults)?;
         let places = places(&mut section, faults);
         let steps = decimals(&mut section, "steps", AllowedRange::OPEN_UNIT, faults);
@@ -63,50 +36,4 @@ impl OriginalSchemeSection {
         check_points(entry, points, limits, faults)?;
         Some(Self { places, steps, rectangle, least_peak_stresses_pa: stresses? })
     }
-}
-
-impl WorkPrecisionSection {
-    pub(crate) fn read(entry: &Entry<'_>, faults: &mut Faults) -> Option<Self> {
-        let mut section = entry.section(faults)?;
-        let places = places(&mut section, faults);
-        section.finish(faults);
-        Some(Self { places: places? })
-    }
-}
-
-impl ErrorBoundSection {
-    pub(crate) fn read(entry: &Entry<'_>, limits: &Limits, faults: &mut Faults) -> Option<Self> {
-        let mut section = entry.section(faults)?;
-        let most = limits.max_points.min(u64::from(u32::MAX));
-        let groups = section
-            .required("groups", &format!("a whole number from 1 to {most}"), faults)
-            .and_then(|entry| entry.whole(1..=most, faults));
-        let tolerances = decimals(&mut section, "tolerances", AllowedRange::SIMULATION_TOLERANCE, faults);
-        section.finish(faults);
-        Some(Self { groups: u32::try_from(groups?).ok()?, tolerances: tolerances? })
-    }
-}
-
-fn decimals(
-    section: &mut Section<'_>,
-    key: &'static str,
-    range: AllowedRange,
-    faults: &mut Faults,
-) -> Option<Vec<Rational>> {
-    let allowed = format!("a list of numbers, each {}", range.text());
-    let entry = section.required(key, &allowed, faults)?;
-    entry.list(faults, |member, faults| member.decimal(range, faults))
-}
-
-fn places(section: &mut Section<'_>, faults: &mut Faults) -> Option<Vec<Place>> {
-    section.required("places", PLACES, faults)?.list(faults, |member, faults| {
-        let mut section = member.section(faults)?;
-        let range = AllowedRange::PHYSICAL;
-        let mut read =
-            |key| section.required(key, &range.text(), faults).and_then(|entry| entry.decimal(range, faults));
-        let velocity = read("loading_velocity_m_per_s");
-        let stress = read("normal_stress_pa");
-        section.finish(faults);
-        Some(Place { loading_velocity_m_per_s: velocity?, normal_stress_pa: stress? })
-    })
 }

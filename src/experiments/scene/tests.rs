@@ -1,6 +1,7 @@
 //! Scenes as users write them: the full one, and the ways to get one wrong.
 
 use super::*;
+use crate::experiments::boundary::BoundarySection;
 use slipmode_core::friction::EvolutionLaw;
 use slipmode_core::number::parse_decimal;
 
@@ -55,7 +56,7 @@ fn every_section_is_read() {
          [trajectories]\ntolerance = 1e-8\n{POINT}"
     );
     let scene = parse(&text).unwrap();
-    assert_eq!(scene.map.unwrap().normal_stress_pa.points, 7);
+    assert_eq!(scene.map.unwrap().rectangle.normal_stress_pa.points, 7);
     assert_eq!(scene.inertial_threshold, Some(Rational::from((7, 10))));
     assert_eq!(scene.boundary, Some(BoundarySection { points: 400, digits: 50 }));
     let ratios = [(1, 3), (1, 1), (7, 2)].map(Rational::from);

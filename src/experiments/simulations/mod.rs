@@ -11,3 +11,16 @@ pub(crate) mod tables;
 pub use least_peak::{FLATNESS_LEVELS, LeastPeak, SIDE_WIDTH, least_peaks};
 pub use run::{SimulatedPoint, SimulationsOutcome, simulations};
 pub use section::SimulationsSection;
+
+use crate::experiments::{Experiment, FigureMaker, Setting, TableMaker};
+
+impl Experiment for SimulationsSection {
+    type Outcome = SimulationsOutcome;
+    const TABLES: &'static [&'static [TableMaker]] = &[tables::TABLES];
+    const FIGURES: &'static [&'static [FigureMaker]] =
+        &[least_peak_figures::FIGURES, map_figure::FIGURES, overshoot_figure::FIGURES];
+
+    fn run(&self, setting: &Setting<'_>) -> Option<Self::Outcome> {
+        Some(simulations(setting.slider()?, self, &setting.threshold()))
+    }
+}

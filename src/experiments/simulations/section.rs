@@ -1,7 +1,7 @@
 //! `[simulations]`: the nonlinear slider on a (V, σ) grid.
 
 use crate::scene::laws::read_laws;
-use crate::scene::section::Entry;
+use crate::scene::section::{Entry, ReadSection};
 use crate::scene::sections::{axis, check_points};
 use crate::scene::{AllowedRange, Faults, Limits, Rectangle};
 use slipmode_core::friction::EvolutionLaw;
@@ -18,8 +18,8 @@ pub struct SimulationsSection {
     pub tolerance: Rational,
 }
 
-impl SimulationsSection {
-    pub(crate) fn read(entry: &Entry<'_>, limits: &Limits, faults: &mut Faults) -> Option<Self> {
+impl ReadSection for SimulationsSection {
+    fn read(entry: &Entry<'_>, limits: &Limits, faults: &mut Faults) -> Option<Self> {
         let mut section = entry.section(faults)?;
         let velocity = axis(&mut section, "loading_velocity_m_per_s", limits, faults);
         let stress = axis(&mut section, "normal_stress_pa", limits, faults);

@@ -17,7 +17,6 @@ pub(crate) mod tables;
 pub use boundary_point::BoundaryCount;
 pub use classes::{ClassCounts, MethodCount};
 pub use cubics::RootCount;
-pub use section::{SpeedCountsSection, TimingsSection};
 pub use sweep::SweepCount;
 
 /// Everything that is counted.
@@ -41,5 +40,18 @@ pub fn speed_counts(parameters: &Slider<Rational>, section: &SpeedCountsSection)
         classes: classes::count(section.points, section.textbook_points),
         boundary: boundary_point::count(parameters, &section.digits),
         sweep: sweep::count(parameters, section),
+    }
+}
+pub use section::SpeedCountsSection;
+
+use crate::experiments::{Experiment, FigureMaker, Setting, TableMaker};
+
+impl Experiment for SpeedCountsSection {
+    type Outcome = SpeedCounts;
+    const TABLES: &'static [&'static [TableMaker]] = &[tables::TABLES];
+    const FIGURES: &'static [&'static [FigureMaker]] = &[figures::FIGURES];
+
+    fn run(&self, setting: &Setting<'_>) -> Option<Self::Outcome> {
+        Some(speed_counts(setting.slider()?, self))
     }
 }

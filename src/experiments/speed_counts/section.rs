@@ -1,7 +1,7 @@
-//! `[speed_counts]` and `[timings]`: work against error by counts, and the files with times that other commands measured.
+//! `[speed_counts]`: how much is counted, and to which errors.
 
-use crate::scene::section::{Entry, Section};
-use crate::scene::sections::{NAME_RULE, check_points, safe_name};
+use crate::scene::section::{Entry, ReadSection, Section};
+use crate::scene::sections::check_points;
 use crate::scene::{AllowedRange, Faults, Limits};
 use slipmode_core::number::Rational;
 
@@ -22,24 +22,11 @@ pub struct SpeedCountsSection {
     pub tolerances: Vec<Rational>,
 }
 
-/// `[timings]`: files in the folder `timings` that `cargo xtask bench --peers`, `cost` and `coverage` wrote.
-#[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
-pub struct TimingsSection {
-    /// Times of slipmode and its peers.
-    pub peers: String,
-    /// How time and memory grow.
-    pub cost: String,
-    /// On which machine, on which day, with which versions.
-    pub machine: String,
-    /// Which lines of the program the tests ran, from `cargo xtask coverage`.
-    pub coverage: Option<String>,
-}
-
 /// More digits than this take longer than all the rest of a report.
 const MOST_DIGITS: u64 = 100_000;
 
-impl SpeedCountsSection {
-    pub(crate) fn read(entry: &Entry<'_>, limits: &Limits, faults: &mut Faults) -> Option<Self> {
+impl ReadSection for SpeedCountsSection {
+    fn read(entry: &Entry<'_>, limits: &Limits, faults: &mut Faults) -> Option<Self> {
         let mut section = entry.section(faults)?;
         let mut count = |section: &mut Section<'_>, key| {
             let most = limits.max_points.min(u64::from(u32::MAX));
@@ -70,26 +57,6 @@ impl SpeedCountsSection {
             textbook_points: textbook_points?,
             sweep_side,
             tolerances: tolerances?,
-        })
-    }
-}
-
-impl TimingsSection {
-    pub(crate) fn read(entry: &Entry<'_>, faults: &mut Faults) -> Option<Self> {
-        let mut section = entry.section(faults)?;
-        let mut name = |section: &mut Section<'_>, key| {
-            section.required(key, NAME_RULE, faults).and_then(|entry| safe_name(&entry, faults))
-        };
-        let peers = name(&mut section, "peers");
-        let cost = name(&mut section, "cost");
-        let machine = name(&mut section, "machine");
-        let coverage = section.optional("coverage").map(|entry| safe_name(&entry, faults));
-        section.finish(faults);
-        Some(Self {
-            peers: peers?,
-            cost: cost?,
-            machine: machine?,
-            coverage: coverage.map_or(Some(None), |name| name.map(Some))?,
         })
     }
 }

@@ -2,7 +2,7 @@
 
 use rayon::prelude::*;
 
-use crate::experiments::linear_regime::StartSensitivitySection;
+use crate::experiments::start_sensitivity::StartSensitivitySection;
 use slipmode_core::dynamics::{
     Control, Failure, Integrator, Model, Options, Radau, ReturnEnd, Simulation, Start, Stepper, increment,
     next_return, simulate,

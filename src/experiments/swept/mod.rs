@@ -7,3 +7,17 @@ pub(crate) mod tables;
 
 pub use run::{Swept, read_swept};
 pub use section::{SweptEntry, SweptSection};
+
+use crate::experiments::{Experiment, FigureMaker, Requirement, Setting, TableMaker};
+
+impl Experiment for SweptSection {
+    type Outcome = Vec<Swept>;
+    const REQUIREMENT: Requirement = Requirement::Nothing;
+    const TABLES: &'static [&'static [TableMaker]] = &[tables::TABLES];
+    const FIGURES: &'static [&'static [FigureMaker]] = &[figures::FIGURES];
+
+    fn run(&self, setting: &Setting<'_>) -> Option<Self::Outcome> {
+        let of = |entry: &SweptEntry| setting.references.swept.get(&entry.name).cloned();
+        Some(self.sweeps.iter().filter_map(of).collect())
+    }
+}

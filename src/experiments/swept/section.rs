@@ -1,8 +1,8 @@
 //! `[swept]`: sweeps that ran elsewhere, and what running them took.
 
-use crate::scene::section::Entry;
+use crate::scene::section::{Entry, ReadSection};
 use crate::scene::sections::safe_name;
-use crate::scene::{AllowedRange, Faults, Problem};
+use crate::scene::{AllowedRange, Faults, Limits, Problem};
 use slipmode_core::number::Rational;
 
 /// `[swept]`.
@@ -29,8 +29,8 @@ pub struct SweptEntry {
     pub machine: String,
 }
 
-impl SweptSection {
-    pub(crate) fn read(entry: &Entry<'_>, faults: &mut Faults) -> Option<Self> {
+impl ReadSection for SweptSection {
+    fn read(entry: &Entry<'_>, _: &Limits, faults: &mut Faults) -> Option<Self> {
         let mut section = entry.section(faults)?;
         let sweeps = section
             .required("sweep", "a list of sweeps, each under [[swept.sweep]]", faults)

@@ -9,6 +9,7 @@ pub(crate) mod coverage_table;
 mod law;
 mod lookup;
 mod rows;
+pub(crate) mod section;
 mod sheet;
 pub(crate) mod tables;
 
@@ -33,4 +34,17 @@ pub struct Timings {
     pub machine: Vec<MachineRow>,
     /// The name of the file of coverage, where there is one, and which lines of the program the tests ran.
     pub coverage: Option<(String, Vec<CoverageRow>)>,
+}
+pub use section::TimingsSection;
+
+use crate::experiments::{Experiment, Requirement, Setting, TableMaker};
+
+impl Experiment for TimingsSection {
+    type Outcome = Timings;
+    const REQUIREMENT: Requirement = Requirement::Nothing;
+    const TABLES: &'static [&'static [TableMaker]] = &[tables::TABLES, coverage_table::TABLES];
+
+    fn run(&self, setting: &Setting<'_>) -> Option<Self::Outcome> {
+        setting.references.timings.get(self).cloned()
+    }
 }

@@ -2,7 +2,21 @@
 
 pub(crate) mod figures;
 pub(crate) mod run;
+pub(crate) mod section;
 pub(crate) mod tables;
 
 pub use run::{ToleranceOutcome, ToleranceRow, tolerance_limits};
+pub use section::ToleranceSection;
 pub use tables::place_of_limit;
+
+use crate::experiments::{Experiment, FigureMaker, Setting, TableMaker};
+
+impl Experiment for ToleranceSection {
+    type Outcome = ToleranceOutcome;
+    const TABLES: &'static [&'static [TableMaker]] = &[tables::TABLES];
+    const FIGURES: &'static [&'static [FigureMaker]] = &[figures::FIGURES];
+
+    fn run(&self, setting: &Setting<'_>) -> Option<Self::Outcome> {
+        Some(tolerance_limits(setting.slider()?, self))
+    }
+}

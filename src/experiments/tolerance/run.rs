@@ -1,5 +1,5 @@
 //! Where each asymptote of a slider is good to a given relative error, and whether its error shrinks as derived.
-use crate::scene::ToleranceSection;
+use crate::experiments::tolerance::ToleranceSection;
 use slipmode_core::friction::Slider;
 use slipmode_core::number::{Ball, Rational, bits_for_digits};
 use slipmode_core::stability::Asymptote;

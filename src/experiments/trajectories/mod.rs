@@ -10,3 +10,15 @@ pub(crate) mod thinning;
 
 pub use run::{Course, DRAWING_TOLERANCE, Moment, TrajectoryRun, trajectories};
 pub use section::{TrajectoriesSection, TrajectoryPoint};
+
+use crate::experiments::{Experiment, FigureMaker, Setting, TableMaker};
+
+impl Experiment for TrajectoriesSection {
+    type Outcome = Vec<TrajectoryRun>;
+    const TABLES: &'static [&'static [TableMaker]] = &[tables::TABLES];
+    const FIGURES: &'static [&'static [FigureMaker]] = &[figures::FIGURES, phase_portraits::FIGURES];
+
+    fn run(&self, setting: &Setting<'_>) -> Option<Self::Outcome> {
+        Some(trajectories(setting.slider()?, self, &setting.threshold()))
+    }
+}

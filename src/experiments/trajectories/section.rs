@@ -1,7 +1,7 @@
 //! `[trajectories]`: named points of which the course of the nonlinear slider is drawn.
 
 use crate::scene::laws::read_laws;
-use crate::scene::section::Entry;
+use crate::scene::section::{Entry, ReadSection};
 use crate::scene::sections::{check_points, safe_name};
 use crate::scene::{AllowedRange, Faults, Limits, Problem, Quantity, same_name};
 use slipmode_core::friction::EvolutionLaw;
@@ -31,8 +31,8 @@ pub struct TrajectoryPoint {
     pub duration_s: Rational,
 }
 
-impl TrajectoriesSection {
-    pub(crate) fn read(entry: &Entry<'_>, limits: &Limits, faults: &mut Faults) -> Option<Self> {
+impl ReadSection for TrajectoriesSection {
+    fn read(entry: &Entry<'_>, limits: &Limits, faults: &mut Faults) -> Option<Self> {
         let mut section = entry.section(faults)?;
         let range = AllowedRange::SIMULATION_TOLERANCE;
         let tolerance = section

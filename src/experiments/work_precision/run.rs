@@ -6,7 +6,8 @@
 use rayon::prelude::*;
 
 use crate::experiments::original_scheme::scheme::{highest, model_at};
-use crate::experiments::original_scheme::{Place, WorkPrecisionSection};
+use crate::experiments::work_precision::WorkPrecisionSection;
+use crate::scene::Place;
 use slipmode_core::dynamics::{
     Control, Failure, Integrator, LongTerm, Model, OriginalScheme, Radau, Rodas5P, Scalar, Start, State,
     Stepper, Taylor, long_term_behaviour, next_return,

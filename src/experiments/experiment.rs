@@ -1,0 +1,65 @@
+//! What an experiment is: a section of a scene, what is computed for it, and the tables and figures that show it.
+
+use crate::experiments::{FigureMaker, References, Scene, SceneOutcome, TableMaker};
+use crate::scene::section::ReadSection;
+use slipmode_core::friction::Slider;
+use slipmode_core::number::Rational;
+use slipmode_core::stability::InertialThreshold;
+
+/// A section that states a computation.
+pub trait Experiment: ReadSection {
+    /// What is computed.
+    type Outcome;
+
+    /// What a scene with this section has to state besides.
+    const REQUIREMENT: Requirement = Requirement::Parameters;
+
+    /// The tables that show it.
+    const TABLES: &'static [&'static [TableMaker]] = &[];
+
+    /// The figures that show it.
+    const FIGURES: &'static [&'static [FigureMaker]] = &[];
+
+    /// Computes the outcome; `None` when the setting lacks what the section refers to.
+    fn run(&self, setting: &Setting<'_>) -> Option<Self::Outcome>;
+}
+
+/// What a scene has to state for a section to have a meaning.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Requirement {
+    /// The section stands alone.
+    Nothing,
+    /// A slider in `[parameters]`.
+    Parameters,
+    /// A slider with b > a: no other has a critical normal stress.
+    CriticalNormalStress,
+}
+
+/// What an experiment is run with, besides its own section.
+#[derive(Debug, Clone, Copy)]
+pub struct Setting<'s> {
+    /// What was computed for the scene before, in the order of the registry.
+    pub earlier: &'s SceneOutcome,
+    /// The content of the files that scenes name.
+    pub references: &'s References,
+}
+
+impl<'s> Setting<'s> {
+    /// The scene.
+    #[must_use]
+    pub fn scene(&self) -> &'s Scene {
+        &self.earlier.scene
+    }
+
+    /// The slider, where the scene states one.
+    #[must_use]
+    pub fn slider(&self) -> Option<&'s Slider<Rational>> {
+        self.earlier.slider()
+    }
+
+    /// The threshold between inertial and non-inertial oscillations.
+    #[must_use]
+    pub fn threshold(&self) -> InertialThreshold {
+        self.scene().threshold()
+    }
+}

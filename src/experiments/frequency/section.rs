@@ -1,0 +1,47 @@
+//! `[frequency]`: lines of constant normal stress.
+
+use crate::scene::section::{Entry, ReadSection};
+use crate::scene::sections::{axis, check_points};
+use crate::scene::{AllowedRange, Faults, Limits, LogAxis, Problem};
+use slipmode_core::number::{Rational, parse_decimal};
+
+/// `[frequency]`: max Im(s) along lines of constant normal stress.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct FrequencySection {
+    /// σ/σ_c of each line, exact (decimals or fractions n/d); positive.
+    pub normal_stress_over_critical: Vec<Rational>,
+    /// Loading velocities, m/s.
+    pub loading_velocity_m_per_s: LogAxis,
+}
+
+impl ReadSection for FrequencySection {
+    fn read(entry: &Entry<'_>, limits: &Limits, faults: &mut Faults) -> Option<Self> {
+        let mut section = entry.section(faults)?;
+        let ratios = section
+            .required("normal_stress_over_critical", "a list of ratios > 0", faults)
+            .and_then(|entry| entry.list(faults, |member, faults| member.number(faults, parse_ratio)));
+        let velocity = axis(&mut section, "loading_velocity_m_per_s", limits, faults);
+        section.finish(faults);
+        let frequency = Self { normal_stress_over_critical: ratios?, loading_velocity_m_per_s: velocity? };
+        let points = u64::from(frequency.loading_velocity_m_per_s.points)
+            .saturating_mul(frequency.normal_stress_over_critical.len() as u64);
+        check_points(entry, points, limits, faults)?;
+        Some(frequency)
+    }
+}
+
+/// A positive ratio: a decimal or a fraction n/d of decimals.
+fn parse_ratio(text: &str) -> Result<Rational, Problem> {
+    let range = AllowedRange::PHYSICAL;
+    let Some((numerator, denominator)) = text.split_once('/') else {
+        return range.parse(text);
+    };
+    let allowed = || format!("{}, as a decimal or a fraction n/d", range.text());
+    let part =
+        |text| parse_decimal(text).map_err(|reason| Problem::NotANumber { reason, allowed: allowed() });
+    let (numerator, denominator) = (part(numerator)?, part(denominator)?);
+    if denominator <= 0 {
+        return Err(Problem::NotPositive { allowed: allowed() });
+    }
+    range.check(numerator / denominator)
+}

@@ -1,0 +1,158 @@
+//! The list of all experiments: scenes, plans and outcomes are made from it.
+
+use crate::experiments::experiment::{Experiment, Setting};
+use crate::experiments::scene::{Head, read_experiment};
+use crate::experiments::{FigureMaker, References, TableMaker};
+use crate::scene::section::{Section, given};
+use crate::scene::{Faults, Limits, ParametersSection};
+use crate::sweep::SweepSection;
+use slipmode_core::number::Rational;
+
+/// Makes everything that lists experiments from one line for each: what it is about, the word for the computation, the
+/// key of the scene's section, and the section's type.
+macro_rules! experiments {
+    ($(#[doc = $about:literal] $(#[cfg($condition:meta)])? $word:ident, $key:ident: $section:ty;)*) => {
+        /// One kind of computation that a claim, a table or a figure can require.
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+        pub enum Need {
+            $(#[doc = $about] $(#[cfg($condition)])? $word,)*
+        }
+
+        impl Need {
+            /// Every computation, in the order in which a scene's computations run.
+            pub const ALL: &'static [Self] = &[$($(#[cfg($condition)])? Self::$word,)*];
+
+            /// The key of the section that states it.
+            #[must_use]
+            pub fn key(self) -> &'static str {
+                match self {
+                    $($(#[cfg($condition)])? Self::$word => stringify!($key),)*
+                }
+            }
+
+            /// Whether a scene states it.
+            #[must_use]
+            pub fn is_stated_by(self, scene: &Scene) -> bool {
+                match self {
+                    $($(#[cfg($condition)])? Self::$word => scene.$key.is_some(),)*
+                }
+            }
+
+            /// Computes it for the scene of an outcome, which keeps the result.
+            pub(super) fn compute(self, outcome: &mut SceneOutcome, references: &References) {
+                match self {
+                    $($(#[cfg($condition)])? Self::$word => {
+                        let setting = Setting { earlier: outcome, references };
+                        outcome.$key = setting.scene().$key.as_ref().and_then(|section| section.run(&setting));
+                    })*
+                }
+            }
+        }
+
+        /// What a user requests: valid and exact.
+        #[derive(Debug, Clone, PartialEq, Eq)]
+        pub struct Scene {
+            /// The name, safe as a file name.
+            pub name: String,
+            /// The title, for people.
+            pub title: String,
+            /// The slider; absent in scenes that need none.
+            pub parameters: Option<ParametersSection>,
+            /// ω/ω_n above which an oscillation is called inertial; absent for the default √(1/2), exactly.
+            pub inertial_threshold: Option<Rational>,
+            /// Points for many machines, and what is computed at each.
+            pub sweep: Option<SweepSection>,
+            $(#[doc = $about] $(#[cfg($condition)])? pub $key: Option<$section>,)*
+        }
+
+        impl Scene {
+            /// Reads the experiments' sections after the head of a scene.
+            pub(super) fn read(
+                head: Head,
+                top: &mut Section<'_>,
+                limits: &Limits,
+                faults: &mut Faults,
+            ) -> Option<Self> {
+                $($(#[cfg($condition)])?
+                let $key = read_experiment::<$section>(&head, stringify!($key), top, limits, faults);)*
+                Some(Self {
+                    name: head.name?,
+                    title: head.title?,
+                    parameters: given(head.parameters)?,
+                    inertial_threshold: given(head.inertial_threshold)?,
+                    sweep: given(head.sweep)?,
+                    $($(#[cfg($condition)])? $key: given($key)?,)*
+                })
+            }
+        }
+
+        /// Everything computed for one scene; what nothing required is absent.
+        #[derive(Debug, Clone)]
+        pub struct SceneOutcome {
+            /// The scene.
+            pub scene: Scene,
+            $(#[doc = $about] $(#[cfg($condition)])? pub $key: Option<<$section as Experiment>::Outcome>,)*
+        }
+
+        impl SceneOutcome {
+            /// A scene of which nothing has been computed yet.
+            #[must_use]
+            pub fn new(scene: Scene) -> Self {
+                Self { scene, $($(#[cfg($condition)])? $key: None,)* }
+            }
+        }
+
+        /// All tables of the experiments.
+        pub fn table_makers() -> impl Iterator<Item = &'static TableMaker> {
+            [$($(#[cfg($condition)])? <$section as Experiment>::TABLES,)*].into_iter().flatten().copied().flatten()
+        }
+
+        /// All figures of the experiments.
+        pub fn figure_makers() -> impl Iterator<Item = &'static FigureMaker> {
+            [$($(#[cfg($condition)])? <$section as Experiment>::FIGURES,)*].into_iter().flatten().copied().flatten()
+        }
+    };
+}
+
+use crate::experiments as x;
+
+experiments! {
+    /// max Im(s) and the spectral class on a (V, σ) grid.
+    Map, map: x::map::MapSection;
+    /// The exact boundary with its asymptotes, and the agreement of its three routes.
+    Boundary, boundary: x::boundary::BoundarySection;
+    /// max Im(s) along lines of constant normal stress.
+    Frequency, frequency: x::frequency::FrequencySection;
+    /// The worst errors of the asymptotes against b/a.
+    EffectRatioSweep, effect_ratio_sweep: x::effect_ratio_sweep::EffectRatioSweepSection;
+    /// Where each asymptote is good to a given relative error.
+    Tolerance, tolerance: x::tolerance::ToleranceSection;
+    /// Slip modes on a (V, σ) grid against the simplified map of the asymptotes.
+    Zones, zones: x::zones::ZonesSection;
+    /// Points and returns with references from independent programs.
+    HardCases, hard_cases: x::hard_cases::HardCasesSection;
+    /// The nonlinear slider on a (V, σ) grid.
+    Simulations, simulations: x::simulations::SimulationsSection;
+    /// The nonlinear slider over time at named points.
+    Trajectories, trajectories: x::trajectories::TrajectoriesSection;
+    /// Small disturbances along the eigenvectors, and steady sliding itself.
+    LinearRegime, linear_regime: x::linear_regime::LinearRegimeSection;
+    /// Every completion of the start V_l/10.
+    StartSensitivity, start_sensitivity: x::start_sensitivity::StartSensitivitySection;
+    /// Where oscillation begins along lines of constant normal stress.
+    Onset, onset: x::onset::OnsetSection;
+    /// The nonlinear slider close to K = K_c.
+    NearTransition, near_transition: x::near_transition::NearTransitionSection;
+    /// The fixed-step scheme of the original simulations against converged runs.
+    OriginalScheme, original_scheme: x::original_scheme::OriginalSchemeSection;
+    /// Work against error of the integrators.
+    WorkPrecision, work_precision: x::work_precision::WorkPrecisionSection;
+    /// Estimated errors against true errors.
+    ErrorBound, error_bound: x::error_bound::ErrorBoundSection;
+    /// Work against error of roots, classes, boundary points and sweeps, by counts.
+    SpeedCounts, speed_counts: x::speed_counts::SpeedCountsSection;
+    /// Times that other commands measured.
+    Timings, timings: x::timings::TimingsSection;
+    /// Sweeps that ran elsewhere.
+    Swept, swept: x::swept::SweptSection;
+}
