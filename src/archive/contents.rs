@@ -2,10 +2,11 @@
 
 use std::collections::BTreeMap;
 
-use serde_json::json;
+use serde::{Deserialize, Serialize};
 
 use crate::claims::Ledger;
 
+use super::bill_of_materials::bill_of_materials;
 use super::crate_metadata::{CRATE_FILE, crate_metadata};
 use super::digests::{DIGESTS_FILE, list};
 use super::readme::readme;
@@ -22,6 +23,13 @@ pub const VERSIONS_FILE: &str = "versions.json";
 pub const README_FILE: &str = "README.md";
 /// The unsigned in-toto statement.
 pub const STATEMENT_FILE: &str = "provenance.intoto.json";
+
+/// The exact versions and digests of the packages that the program is built from.
+pub const LOCK_FILE: &str = "Cargo.lock";
+/// The same as a CycloneDX bill of materials.
+pub(super) const MATERIALS_FILE: &str = "sbom.cdx.json";
+/// The files that follow from the others.
+pub(super) const DERIVED: [&str; 5] = [MATERIALS_FILE, README_FILE, STATEMENT_FILE, CRATE_FILE, DIGESTS_FILE];
 
 const CARGO_LOCK: &str = include_str!("../../Cargo.lock");
 const CITATION: &str = include_str!("../../CITATION.cff");
@@ -73,25 +81,70 @@ pub fn contents(parts: &Parts<'_>) -> Files {
     let product = parts.product.iter();
     files.extend(product.map(|(path, text)| (format!("{REPORT_FOLDER}/{path}"), text.clone().into_bytes())));
     let texts = [
-        ("Cargo.lock", CARGO_LOCK),
+        (LOCK_FILE, CARGO_LOCK),
         ("CITATION.cff", CITATION),
         ("LICENSE-MIT", LICENSE_MIT),
         ("LICENSE-APACHE", LICENSE_APACHE),
         ("NOTICE.md", NOTICE),
     ];
     files.extend(texts.map(|(path, text)| (path.to_string(), text.as_bytes().to_vec())));
-    let add = |files: &mut Files, path: &str, text: String| files.insert(path.into(), text.into_bytes());
-    add(&mut files, VERSIONS_FILE, versions(parts.facts));
-    add(&mut files, README_FILE, readme(parts));
-    let provenance = statement(parts, &files);
-    add(&mut files, STATEMENT_FILE, provenance);
-    let metadata = crate_metadata(parts, &files);
-    add(&mut files, CRATE_FILE, metadata);
-    let sums = list(&files);
-    add(&mut files, DIGESTS_FILE, sums);
+    files.insert(VERSIONS_FILE.into(), parts.facts.to_json().into_bytes());
+    add_derived(parts, &mut files);
     files
 }
 
-fn versions(facts: &Facts) -> String {
-    format!("{:#}\n", json!({ "versions": facts.versions, "source_sha256": facts.source_sha256 }))
+/// Adds the files that follow from the others, in the order in which they follow.
+pub(super) fn add_derived(parts: &Parts<'_>, files: &mut Files) {
+    let lock = files.get(LOCK_FILE).map(|lock| String::from_utf8_lossy(lock)).unwrap_or_default();
+    let materials = bill_of_materials(&lock, &parts.facts.version);
+    let add = |files: &mut Files, path: &str, text: String| files.insert(path.into(), text.into_bytes());
+    add(files, MATERIALS_FILE, materials);
+    add(files, README_FILE, readme(parts));
+    add(files, STATEMENT_FILE, statement(parts, files));
+    add(files, CRATE_FILE, crate_metadata(parts, files));
+    add(files, DIGESTS_FILE, list(files));
+}
+
+/// The form of `versions.json`.
+#[derive(Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Versions {
+    source_sha256: String,
+    versions: BTreeMap<String, String>,
+}
+
+impl Facts {
+    /// As `versions.json`.
+    #[must_use]
+    pub fn to_json(&self) -> String {
+        let (source_sha256, versions) = (self.source_sha256.clone(), self.versions.clone());
+        format!("{:#}\n", serde_json::json!(Versions { source_sha256, versions }))
+    }
+
+    /// What the `versions.json` of an archive states, which nothing proves.
+    ///
+    /// # Errors
+    /// When it is not what a build of this program writes.
+    pub fn parse(json: &[u8], time: ReleaseTime) -> Result<Self, String> {
+        let refuse = |why: &str| format!("{VERSIONS_FILE}: {why}");
+        let Versions { source_sha256, versions } =
+            serde_json::from_slice(json).map_err(|error| refuse(&error.to_string()))?;
+        let is_word = |text: &String| {
+            text.len() <= 100
+                && text
+                    .chars()
+                    .all(|c| c.is_ascii_alphanumeric() || matches!(c, ' ' | '.' | '+' | '-' | '(' | ')'))
+        };
+        let is_digest =
+            source_sha256.len() == 64 && source_sha256.bytes().all(|byte| byte.is_ascii_hexdigit());
+        let version =
+            versions.get("slipmode").cloned().ok_or_else(|| refuse("states no version of slipmode"))?;
+        let facts = Self { version, versions, source_sha256, time };
+        let is_plain = facts.versions.iter().all(|(name, version)| is_word(name) && is_word(version));
+        if is_digest && is_plain && facts.to_json().as_bytes() == json {
+            Ok(facts)
+        } else {
+            Err(refuse("is not what a build of slipmode writes"))
+        }
+    }
 }

@@ -6,6 +6,7 @@ use std::io::{self, Read};
 use sha2::{Digest, Sha256};
 
 use super::Files;
+use super::untrusted::shown;
 
 /// The file that lists the digests.
 pub const DIGESTS_FILE: &str = "SHA256SUMS";
@@ -65,7 +66,7 @@ pub fn digest_faults(files: &Files) -> Vec<String> {
         }
     }
     let gone = declared.keys().filter(|path| !files.contains_key(**path));
-    faults.extend(gone.map(|path| format!("{path}: declared in {DIGESTS_FILE}, but missing")));
+    faults.extend(gone.map(|path| format!("{}: declared in {DIGESTS_FILE}, but missing", shown(path))));
     faults
 }
 
@@ -83,7 +84,7 @@ fn parse(listed: &[u8]) -> Result<BTreeMap<&str, &str>, String> {
             return Err(format!("{place}: does not begin with 64 hexadecimal digits"));
         }
         if declared.insert(path, digest).is_some() {
-            return Err(format!("{place}: declares {path} for the second time"));
+            return Err(format!("{place}: declares {} for the second time", shown(path)));
         }
     }
     Ok(declared)

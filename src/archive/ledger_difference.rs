@@ -1,80 +1,123 @@
-//! Two ledgers compared with each other, claim by claim.
+//! Two ledgers compared, claim by claim and field by field.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
-use serde::Deserialize;
+use serde_json::{Map, Value};
 
-/// What of a ledger's entry is compared.
-#[derive(Debug, Deserialize, PartialEq, Eq)]
-struct Line {
-    id: String,
-    verdict: String,
-    strength: String,
-    limit: Option<String>,
-    counter_example: Option<String>,
-}
+use super::untrusted::shown;
 
-#[derive(Debug, Deserialize)]
-struct Lines {
-    claims: Vec<Line>,
-}
+/// When two texts count as the same.
+pub type SameText = fn(&str, &str) -> bool;
 
-/// How the second ledger (JSON) differs from the first: one line for each claim and property; empty when they agree.
+/// How the second ledger (JSON) differs from the first: one line for each claim and field; empty when they agree.
 ///
 /// # Errors
 /// When one of them is not a ledger.
-pub fn ledger_differences(old: &[u8], new: &[u8]) -> Result<Vec<String>, String> {
-    let (old, new) = (by_id(old, "the first")?, by_id(new, "the second")?);
-    let mut found = Vec::new();
-    for (id, old) in &old {
-        match new.get(id) {
-            None => found.push(format!("{id}: only in the first ledger")),
-            Some(new) => found.extend(line_differences(old, new)),
+pub fn ledger_differences(old: &[u8], new: &[u8], same: SameText) -> Result<Vec<String>, String> {
+    let (old, new) = (Ledger::read(old, "the first")?, Ledger::read(new, "the second")?);
+    let mut comparison = Comparison { same, found: Vec::new() };
+    for (id, old) in &old.claims {
+        match new.claims.get(id) {
+            None => comparison.found.push(format!("{}: only in the first ledger", shown(id))),
+            Some(new) => comparison.objects(&format!("{}: ", shown(id)), old, new),
         }
     }
-    found.extend(
-        new.keys().filter(|id| !old.contains_key(*id)).map(|id| format!("{id}: only in the second ledger")),
-    );
-    Ok(found)
+    let added = new.claims.keys().filter(|id| !old.claims.contains_key(*id));
+    comparison.found.extend(added.map(|id| format!("{}: only in the second ledger", shown(id))));
+    comparison.objects("ledger: ", &old.rest, &new.rest);
+    Ok(comparison.found)
 }
 
-fn by_id(json: &[u8], which: &str) -> Result<BTreeMap<String, Line>, String> {
-    let lines: Lines =
-        serde_json::from_slice(json).map_err(|error| format!("{which} is not a ledger: {error}"))?;
-    let count = lines.claims.len();
-    let by_id: BTreeMap<String, Line> =
-        lines.claims.into_iter().map(|line| (line.id.clone(), line)).collect();
-    if by_id.len() == count { Ok(by_id) } else { Err(format!("{which} lists a claim twice")) }
+/// A ledger's claims by id, and its other fields.
+struct Ledger {
+    claims: BTreeMap<String, Map<String, Value>>,
+    rest: Map<String, Value>,
 }
 
-fn line_differences(old: &Line, new: &Line) -> Vec<String> {
-    let text = |value: &Option<String>| value.clone().unwrap_or_else(|| "none".into());
-    let pairs = [
-        ("verdict", old.verdict.clone(), new.verdict.clone()),
-        ("strength", old.strength.clone(), new.strength.clone()),
-        ("limit", text(&old.limit), text(&new.limit)),
-        ("counter-example", text(&old.counter_example), text(&new.counter_example)),
-    ];
-    let differs = pairs.into_iter().filter(|(_, old, new)| old != new);
-    differs.map(|(what, was, is)| format!("{}: {what}: {was} -> {is}", old.id)).collect()
+impl Ledger {
+    fn read(json: &[u8], which: &str) -> Result<Self, String> {
+        let refuse = |why: &str| Err(format!("{which} is not a ledger: {why}"));
+        let mut rest: Map<String, Value> = match serde_json::from_slice(json) {
+            Ok(rest) => rest,
+            Err(error) => return refuse(&error.to_string()),
+        };
+        let Some(Value::Array(list)) = rest.remove("claims") else {
+            return refuse("it has no list `claims`");
+        };
+        let mut claims = BTreeMap::new();
+        for claim in list {
+            let Value::Object(claim) = claim else { return refuse("a claim is not an object") };
+            let Some(Value::String(id)) = claim.get("id") else { return refuse("a claim has no id") };
+            if !["verdict", "strength"].iter().all(|field| claim.get(*field).is_some_and(Value::is_string)) {
+                return refuse(&format!("claim {} has no verdict or no strength", shown(id)));
+            }
+            if claims.insert(id.clone(), claim).is_some() {
+                return Err(format!("{which} lists a claim twice"));
+            }
+        }
+        Ok(Self { claims, rest })
+    }
+}
+
+struct Comparison {
+    same: SameText,
+    found: Vec<String>,
+}
+
+impl Comparison {
+    fn objects(&mut self, place: &str, old: &Map<String, Value>, new: &Map<String, Value>) {
+        for field in old.keys().chain(new.keys()).collect::<BTreeSet<_>>() {
+            let (old, new) = (old.get(field).unwrap_or(&Value::Null), new.get(field).unwrap_or(&Value::Null));
+            self.values(&format!("{place}{}", shown(field).replace('_', "-")), old, new);
+        }
+    }
+
+    fn values(&mut self, place: &str, old: &Value, new: &Value) {
+        match (old, new) {
+            (Value::Object(old), Value::Object(new)) => self.objects(&format!("{place}."), old, new),
+            (Value::Array(old), Value::Array(new)) if old.len() == new.len() => {
+                for (number, (old, new)) in (1..).zip(old.iter().zip(new)) {
+                    self.values(&format!("{place}[{number}]"), old, new);
+                }
+            }
+            (Value::String(old), Value::String(new)) if (self.same)(old, new) => {}
+            (old, new) if old == new => {}
+            (old, new) => self.found.push(format!("{place}: {} -> {}", text(old), text(new))),
+        }
+    }
+}
+
+fn text(value: &Value) -> String {
+    match value {
+        Value::Null => "none".into(),
+        Value::String(text) => shown(text),
+        Value::Array(list) => format!("{} entries", list.len()),
+        Value::Object(_) => "an object".into(),
+        other => shown(&other.to_string()),
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    const OLD: &str = r#"{"claims": [{"id": "B8", "verdict": "fails", "strength": "exact", "limit": null,
-        "counter_example": "x = 1"}, {"id": "S1", "verdict": "holds", "strength": "exact", "limit": null, "counter_example": null}]}"#;
+    const OLD: &str = r#"{"report": "r", "claims": [{"id": "B8", "verdict": "fails", "strength": "exact", "limit": null, "words": "W",
+        "counter_example": "x = 1", "evidence": [{"kind": "proof", "runs": 7}]},
+        {"id": "S1", "verdict": "holds", "strength": "exact", "limit": null, "counter_example": null}]}"#;
+
+    fn differences(new: &str) -> Vec<String> {
+        ledger_differences(OLD.as_bytes(), new.as_bytes(), |old, new| old == new).unwrap()
+    }
 
     #[test]
     fn each_difference_is_named_with_old_and_new() {
-        assert!(ledger_differences(OLD.as_bytes(), OLD.as_bytes()).unwrap().is_empty());
+        assert!(differences(OLD).is_empty());
         let new = OLD.replace("\"fails\"", "\"holds\"").replace("\"x = 1\"", "null").replace("S1", "S2");
         assert_eq!(
-            ledger_differences(OLD.as_bytes(), new.as_bytes()).unwrap(),
+            differences(&new),
             [
-                "B8: verdict: fails -> holds",
                 "B8: counter-example: x = 1 -> none",
+                "B8: verdict: fails -> holds",
                 "S1: only in the first ledger",
                 "S2: only in the second ledger"
             ]
@@ -82,14 +125,24 @@ mod tests {
     }
 
     #[test]
+    fn every_field_is_compared() {
+        for (from, to, line) in [
+            ("\"W\"", "\"V\\u001b\"", "B8: words: W -> V\\u{1b}"),
+            ("\"runs\": 7", "\"runs\": 8", "B8: evidence[1].runs: 7 -> 8"),
+            ("\"runs\": 7}", "\"runs\": 7}, {}", "B8: evidence: 1 entries -> 2 entries"),
+            ("\"report\": \"r\"", "\"report\": \"s\"", "ledger: report: r -> s"),
+            ("\"words\"", "\"x\": 1, \"words\"", "B8: x: none -> 1"),
+        ] {
+            assert_eq!(differences(&OLD.replace(from, to)), [line]);
+        }
+    }
+
+    #[test]
     fn what_is_no_ledger_is_refused() {
-        assert!(
-            ledger_differences(b"{}", OLD.as_bytes()).unwrap_err().starts_with("the first is not a ledger")
-        );
-        let doubled = OLD.replace("S1", "B8");
-        assert_eq!(
-            ledger_differences(OLD.as_bytes(), doubled.as_bytes()).unwrap_err(),
-            "the second lists a claim twice"
-        );
+        let refusal = |first: &[u8]| ledger_differences(first, OLD.as_bytes(), |_, _| true).unwrap_err();
+        for bad in [&b"{}"[..], b"", b"[]", br#"{"claims": [1]}"#, br#"{"claims": [{"id": "B8"}]}"#] {
+            assert!(refusal(bad).starts_with("the first is not a ledger"), "{}", refusal(bad));
+        }
+        assert_eq!(refusal(OLD.replace("S1", "B8").as_bytes()), "the first lists a claim twice");
     }
 }

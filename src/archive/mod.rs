@@ -5,6 +5,8 @@
 //! the same files. Reading trusts nothing: names, sizes and digests are checked, and what is archived as a result is only ever
 //! compared with what is computed anew. Nothing here opens files or computes a verdict.
 
+mod bill_of_materials;
+mod budget;
 mod canonical;
 mod compare;
 mod container;
@@ -14,13 +16,14 @@ mod digests;
 mod ledger_difference;
 mod names;
 mod readme;
+mod reproduction;
 mod statement;
 mod unpack;
+mod untrusted;
 
 use std::collections::BTreeMap;
 
-pub use canonical::container_fault;
-pub use compare::{Promise, compare_file};
+pub use budget::{Budget, Request, requests};
 pub use container::{ReleaseTime, pack};
 pub use contents::{
     Facts, INPUT_FOLDER, Parts, README_FILE, REPORT_FOLDER, STATEMENT_FILE, VERSIONS_FILE, contents,
@@ -28,7 +31,9 @@ pub use contents::{
 pub use digests::{DIGESTS_FILE, digest_faults, finished_hex, sha256_hex, sha256_of_reader};
 pub use ledger_difference::ledger_differences;
 pub use names::check_path;
+pub use reproduction::{Maker, Reproduction, reproduction};
 pub use unpack::{Caps, unpack};
+pub use untrusted::shown;
 
 /// Files by their path, `/` between the parts, in the order of the paths.
 pub type Files = BTreeMap<String, Vec<u8>>;

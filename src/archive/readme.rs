@@ -15,7 +15,7 @@ pub(super) fn readme(parts: &Parts<'_>) -> String {
          | `{REPORT_FOLDER}/ledger.json` | every claim with its verdict and evidence |\n\
          | `{REPORT_FOLDER}/tables/`, `{REPORT_FOLDER}/figures/` | all numbers and figures |\n\
          | `{INPUT_FOLDER}/` | inputs of the report: scenes, claims, equations, prose, hard cases |\n\
-         | `{VERSIONS_FILE}`, `Cargo.lock` | the program, its libraries, its sources' digest |\n\
+         | `{VERSIONS_FILE}`, `Cargo.lock`, `sbom.cdx.json` | the program, its libraries, its sources' digest; the packages also as a CycloneDX bill of materials |\n\
          | `SHA256SUMS` | digests, for `sha256sum --check SHA256SUMS` |\n\
          | `ro-crate-metadata.json`, `{STATEMENT_FILE}` | the same for machines: an RO-Crate, and an unsigned in-toto statement |\n\n\
          ## Check it\n\n\

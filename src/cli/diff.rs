@@ -1,4 +1,4 @@
-//! `slipmode diff`: two ledgers, or the ledgers of two archives, compared with each other.
+//! `slipmode diff`: two ledgers, or the ledgers of two archives, compared claim by claim.
 
 use std::path::{Path, PathBuf};
 
@@ -31,7 +31,7 @@ pub struct Options {
 pub fn run(options: &Options) -> Result<(), Failure> {
     let (first, second) = (ledger(&options.first)?, ledger(&options.second)?);
     let (one, other) = (options.first.display(), options.second.display());
-    let differences = ledger_differences(&first, &second)
+    let differences = ledger_differences(&first, &second, |old, new| old == new)
         .map_err(|fault| Failure::Refused(format!("{one}, {other}: {fault}")))?;
     if differences.is_empty() {
         return terminal::print("no differences\n");

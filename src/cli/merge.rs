@@ -6,14 +6,15 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use slipmode::sweep::{Shard, Summary, SummaryError, array_string};
+use slipmode::sweep::{Shard, Summary, array_string};
 
 use crate::cli::failure::Failure;
 use crate::cli::options::Arguments;
 use crate::cli::output::{Output, machine_write};
 use crate::cli::sweep::MOST_SHARDS;
-use crate::cli::sweep::block_file::{Content, OpenBlock, Origin, Unsound, block_name, block_of_name};
-use crate::cli::sweep::summed::refused;
+use crate::cli::sweep::block_file::{
+    Content, Contents, Heading, OpenBlock, Origin, Unsound, block_name, block_of_name,
+};
 use crate::cli::terminal;
 
 /// Options of `merge`.
@@ -32,7 +33,7 @@ pub struct Options {
     shards: Option<String>,
 }
 
-/// The most faults that are reported before the rest is left out.
+/// The most faults that are reported one by one.
 const MOST_FAULTS: usize = 20;
 
 /// Runs the command.
@@ -45,14 +46,16 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     arguments.finish()?;
     let folder = Folder::read(&options.folder)?;
     let shards = shards.unwrap_or(folder.origin.blocks);
-    let found = folder.look(shards, options.missing)?;
     if options.missing {
+        let found = folder.join(shards, Whole::Checked)?.0;
         if let Some(refusal) = refusal(&found.foreign) {
             return Err(refusal);
         }
         let missing = array_string(found.missing.union(&found.damaged_shards).copied());
         return terminal::print(&if missing.is_empty() { missing } else { format!("{missing}\n") });
     }
+    let whole = Whole::of(folder.origin.content, Output::create(&options.output)?);
+    let (found, whole) = folder.join(shards, whole)?;
     if let Some(refusal) = refusal(&[found.foreign, found.damaged].concat()) {
         return Err(refusal);
     }
@@ -65,16 +68,19 @@ pub fn run(options: &Options) -> Result<(), Failure> {
             folder.origin.blocks,
         )));
     }
-    folder.write(&options.output)
+    whole.commit()
 }
 
 /// A folder of blocks.
 struct Folder<'f> {
     place: &'f Path,
-    origin: Origin,
-    reference: u64,
-    last: u64,
+    present: BTreeSet<u64>,
     strays: Vec<String>,
+    /// The first block whose digest is right: it says what the others have to be.
+    reference: u64,
+    origin: Origin,
+    points: u64,
+    columns: Vec<u8>,
 }
 
 /// What is wrong with the blocks.
@@ -83,14 +89,14 @@ struct Found {
     /// The shards of blocks that are not there.
     missing: BTreeSet<u64>,
     missing_blocks: u64,
-    /// The shards of blocks that do not hold.
+    /// The shards of blocks that are damaged.
     damaged_shards: BTreeSet<u64>,
     damaged: Vec<String>,
     /// Blocks of another scene, program version or number of blocks, and files that are no block of this sweep.
     foreign: Vec<String>,
 }
 
-/// One refusal of all faults, the first twenty reported.
+/// One refusal of all faults, the first twenty reported one by one.
 fn refusal(faults: &[String]) -> Option<Failure> {
     let mut lines: Vec<String> = faults.iter().take(MOST_FAULTS).cloned().collect();
     if faults.len() > MOST_FAULTS {
@@ -100,131 +106,182 @@ fn refusal(faults: &[String]) -> Option<Failure> {
 }
 
 impl<'f> Folder<'f> {
-    /// Looks through a folder for the first block with a sound heading: it says what the others have to be.
+    /// Lists a folder and finds the first block whose digest is right.
     fn read(place: &'f Path) -> Result<Self, Failure> {
         let cannot = |error| Failure::io(place, "cannot be read", &error);
-        let mut first: Option<(u64, Origin)> = None;
-        let mut last = 0;
-        let mut strays = Vec::new();
+        let (mut present, mut strays) = (BTreeSet::new(), Vec::new());
         for entry in fs::read_dir(place).map_err(cannot)? {
             let name = entry.map_err(cannot)?.file_name();
             let name = name.to_string_lossy();
-            let block = block_of_name(&name);
-            last = last.max(block.unwrap_or_default());
-            match block {
-                Some(block) if first.as_ref().is_none_or(|(least, _)| block < *least) => {
-                    if let Ok(open) = OpenBlock::open(place, block) {
-                        first = Some((block, open.heading.origin));
-                    }
-                }
+            match block_of_name(&name) {
+                Some(block) => drop(present.insert(block)),
                 None if name.starts_with("block-") => strays.push(name.into_owned()),
-                _ => {}
+                None => {}
             }
         }
         strays.sort();
-        let none = || Failure::Refused(format!("{}: has no valid block; run every shard", place.display()));
-        let (reference, origin) = first.ok_or_else(none)?;
-        Ok(Self { place, origin, reference, last, strays })
-    }
-
-    fn naming(&self, name: &str, reason: &str) -> String {
-        format!("{}: {reason}", self.place.join(name).display())
-    }
-
-    /// Looks at every block; at its content too when `thoroughly`.
-    fn look(&self, shards: u64, thoroughly: bool) -> Result<Found, Failure> {
-        let stray = |name: &String| self.naming(name, "is not the name of a block: a copy?");
-        let mut found = Found { foreign: self.strays.iter().map(stray).collect(), ..Found::default() };
-        if self.last >= self.origin.blocks {
-            let beyond = format!("is beyond the {} blocks of this sweep", self.origin.blocks);
-            found.foreign.push(self.naming(&block_name(self.last), &beyond));
+        for block in present.iter().copied() {
+            let Ok(open) = OpenBlock::open(place, block) else { continue };
+            let heading = open.heading.clone();
+            let Ok(contents) = open.copy(true, &mut std::io::sink())? else { continue };
+            if let Some(fault) = heading.origin.count_fault() {
+                return Err(Failure::Refused(naming(place, &block_name(block), &fault)));
+            }
+            let (origin, points, columns) = (heading.origin, heading.points, contents.columns);
+            return Ok(Self { place, present, strays, reference: block, origin, points, columns });
         }
-        for block in 0..self.origin.blocks {
+        Err(Failure::Refused(format!("{}: has no valid block; run every shard", place.display())))
+    }
+
+    fn naming(&self, block: u64, reason: &str) -> String {
+        naming(self.place, &block_name(block), reason)
+    }
+
+    /// Joins all blocks, and finds everything that is wrong with them.
+    fn join(&self, shards: u64, mut whole: Whole) -> Result<(Found, Whole), Failure> {
+        let stray = |name: &String| naming(self.place, name, "is not the name of a block: a copy?");
+        let mut found = Found { foreign: self.strays.iter().map(stray).collect(), ..Found::default() };
+        let blocks = self.origin.blocks;
+        if let Some(last) = self.present.last().filter(|last| **last >= blocks) {
+            let beyond = format!("is beyond the {blocks} blocks of this sweep");
+            found.foreign.push(self.naming(*last, &beyond));
+        }
+        for block in 0..blocks {
             let shard = Shard::of_block(block, shards);
-            match self.state(block, thoroughly)? {
+            if !self.present.contains(&block) {
+                found.missing.insert(shard);
+                found.missing_blocks += 1;
+                continue;
+            }
+            match self.add(block, &mut whole)? {
                 State::Sound => {}
-                State::Missing => {
-                    found.missing.insert(shard);
-                    found.missing_blocks += 1;
-                }
                 State::Damaged(reason) => {
                     found.damaged_shards.insert(shard);
-                    keep(&mut found.damaged, reason);
+                    keep(&mut found.damaged, self.naming(block, &reason));
                 }
-                State::Foreign(reason) => keep(&mut found.foreign, reason),
+                State::Foreign(reason) => keep(&mut found.foreign, self.naming(block, &reason)),
             }
         }
-        Ok(found)
+        Ok((found, whole))
     }
 
-    fn state(&self, block: u64, thoroughly: bool) -> Result<State, Failure> {
-        let name = block_name(block);
+    /// Adds a block to the whole, and checks its digest, then its origin, then its rows and columns.
+    fn add(&self, block: u64, whole: &mut Whole) -> Result<State, Failure> {
         let open = match OpenBlock::open(self.place, block) {
             Ok(open) => open,
-            Err(Unsound::Missing) => return Ok(State::Missing),
-            Err(Unsound::Damaged(reason)) => return Ok(State::Damaged(self.naming(&name, &reason))),
+            Err(Unsound::Missing) => {
+                return Ok(State::Damaged("changed while the blocks were merged".into()));
+            }
+            Err(Unsound::Damaged(reason)) => return Ok(State::Damaged(reason)),
             Err(Unsound::Unreadable(error)) => {
-                return Err(Failure::io(&self.place.join(name), "cannot be read", &error));
+                return Err(Failure::io(&self.place.join(block_name(block)), "cannot be read", &error));
             }
         };
-        if let Some(difference) = open.heading.origin.difference(&self.origin) {
-            let beside = format!("{difference}, as in {}", block_name(self.reference));
-            return Ok(State::Foreign(self.naming(&name, &beside)));
+        let heading = open.heading.clone();
+        let contents = match whole.copy(open, block == 0)? {
+            Ok(contents) => contents,
+            Err(reason) => return Ok(State::Damaged(reason)),
+        };
+        if let Some(difference) = heading.origin.difference(&self.origin) {
+            return Ok(State::Foreign(format!("{difference}, as in {}", block_name(self.reference))));
         }
-        if thoroughly && let Err(Unsound::Damaged(reason)) = open.copy(true, &mut std::io::sink())? {
-            return Ok(State::Damaged(self.naming(&name, &reason)));
-        }
-        Ok(State::Sound)
+        let fault = self.misplaced(block, &heading, &contents).or(contents.fault);
+        Ok(match fault.or_else(|| whole.add_summary(&contents.columns, heading.points).err()) {
+            Some(reason) => State::Damaged(reason),
+            None => State::Sound,
+        })
     }
 
-    /// Writes all blocks one after the other, or their summaries put together; each is compared with its digest on the way.
-    fn write(&self, output: &Path) -> Result<(), Failure> {
-        let mut output = Output::create(output)?;
-        match self.origin.content {
-            Content::Rows => {
-                for block in 0..self.origin.blocks {
-                    self.copy(block, block == 0, &mut output)?;
-                }
-            }
+    /// How a block of this sweep is not the one that its name and the other blocks ask for, if it is not.
+    fn misplaced(&self, block: u64, heading: &Heading, contents: &Contents) -> Option<String> {
+        if heading.block != block {
+            return Some(format!("contains block {}: duplicated or renamed", heading.block));
+        }
+        let is_last = block + 1 == self.origin.blocks;
+        if heading.points > self.points || (heading.points < self.points && !is_last) {
+            let other = block_name(self.reference);
+            return Some(format!("has {} points, not {} as in {other}", heading.points, self.points));
+        }
+        (contents.columns != self.columns)
+            .then(|| format!("has other columns than {}", block_name(self.reference)))
+    }
+}
+
+fn naming(place: &Path, name: &str, reason: &str) -> String {
+    format!("{}: {reason}", place.join(name).display())
+}
+
+/// What the blocks are joined to.
+enum Whole {
+    /// Nothing: they are only checked.
+    Checked,
+    /// Their rows, one block after the other.
+    Rows(Output),
+    /// Their summaries, added in their order.
+    Summary(Box<SummaryOutput>),
+}
+
+/// A summary of all blocks so far, and where it is written at the end.
+struct SummaryOutput {
+    output: Output,
+    keys: usize,
+    whole: Option<Summary>,
+    /// The CSV of the block that was read last.
+    csv: Vec<u8>,
+}
+
+impl Whole {
+    fn of(content: Content, output: Output) -> Self {
+        match content {
+            Content::Rows => Self::Rows(output),
             Content::Summary(keys) => {
-                let summary = self.summary(keys)?;
-                let written = output.write_all(&summary.columns()).and(output.write_all(&summary.lines()));
-                written.map_err(|error| machine_write(&error))?;
+                Self::Summary(Box::new(SummaryOutput { output, keys, whole: None, csv: Vec::new() }))
             }
         }
-        output.commit()
     }
 
-    /// The summaries of all blocks, added in their order.
-    fn summary(&self, keys: usize) -> Result<Summary, Failure> {
-        let mut whole: Option<Summary> = None;
-        for block in 0..self.origin.blocks {
-            let mut text = Vec::new();
-            let columns = self.copy(block, true, &mut text)?;
-            let (columns, lines) = text.split_at(columns.min(text.len()));
-            if whole.is_none() {
-                whole = Some(Summary::of_columns(columns, keys).map_err(refused)?);
+    /// Copies a block's CSV; what is wrong with the block is the inner error.
+    fn copy(&mut self, open: OpenBlock, is_first: bool) -> Result<Result<Contents, String>, Failure> {
+        let copied = match self {
+            Self::Checked => open.copy(true, &mut std::io::sink()),
+            Self::Rows(output) => open.copy(is_first, output),
+            Self::Summary(summary) => {
+                summary.csv.clear();
+                open.copy(true, &mut summary.csv)
             }
-            if let Some(whole) = &mut whole {
-                let named = |error: SummaryError| {
-                    Failure::Refused(self.naming(&block_name(block), &error.to_string()))
-                };
-                whole.add_summary(lines).map_err(named)?;
-            }
-        }
-        whole.ok_or_else(|| Failure::Refused("there are no blocks".into()))
-    }
-
-    /// Copies a block's CSV and returns the length of its line of column names.
-    fn copy(&self, block: u64, with_columns: bool, out: &mut impl Write) -> Result<usize, Failure> {
-        let gone = |reason: &str| Failure::Refused(self.naming(&block_name(block), reason));
-        let Ok(open) = OpenBlock::open(self.place, block) else {
-            return Err(gone("changed while the blocks were merged"));
         };
-        let columns = usize::try_from(open.heading.columns).unwrap_or(usize::MAX);
-        match open.copy(with_columns, out)? {
-            Err(Unsound::Damaged(reason)) => Err(gone(&reason)),
-            _ => Ok(columns),
+        Ok(copied?.map_err(|unsound| match unsound {
+            Unsound::Damaged(reason) => reason,
+            _ => "changed while the blocks were merged".into(),
+        }))
+    }
+
+    /// Adds the summary of the block that was copied last; its rows have to be as many as its points.
+    fn add_summary(&mut self, columns: &[u8], points: u64) -> Result<(), String> {
+        let Self::Summary(summary) = self else { return Ok(()) };
+        let lines = summary.csv.get(columns.len()..).unwrap_or_default();
+        let whole = match &mut summary.whole {
+            Some(whole) => whole,
+            empty => {
+                let new = Summary::of_columns(columns, summary.keys).map_err(|error| error.to_string())?;
+                empty.insert(new)
+            }
+        };
+        let rows = whole.add_summary(lines).map_err(|error| error.to_string())?;
+        if rows == points { Ok(()) } else { Err(format!("sums up {rows} rows, not {points}")) }
+    }
+
+    fn commit(self) -> Result<(), Failure> {
+        match self {
+            Self::Checked => Ok(()),
+            Self::Rows(output) => output.commit(),
+            Self::Summary(summary) => {
+                let SummaryOutput { mut output, whole, .. } = *summary;
+                let whole = whole.ok_or_else(|| Failure::Refused("there are no blocks".into()))?;
+                let written = output.write_all(&whole.columns()).and(output.write_all(&whole.lines()));
+                written.map_err(|error| machine_write(&error))?;
+                output.commit()
+            }
         }
     }
 }
@@ -232,7 +289,6 @@ impl<'f> Folder<'f> {
 /// How one block is.
 enum State {
     Sound,
-    Missing,
     Damaged(String),
     Foreign(String),
 }

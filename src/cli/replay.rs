@@ -1,52 +1,104 @@
 //! `slipmode replay`: an archive checked, computed anew from its inputs, and compared with the results it holds.
 
-use std::collections::BTreeSet;
+mod watch;
+
 use std::path::{Path, PathBuf};
 
 use clap::Args;
 use slipmode::archive::{
-    Caps, Files, INPUT_FOLDER, Parts, Promise, REPORT_FOLDER, VERSIONS_FILE, compare_file, container_fault,
-    contents, digest_faults, ledger_differences, unpack,
+    Budget, Caps, Facts, Files, INPUT_FOLDER, Maker, Parts, ReleaseTime, Reproduction, digest_faults,
+    reproduction, requests, unpack,
 };
 use slipmode::report::{Folder, Product, produce};
-use slipmode::scene::Limits;
+use slipmode::scene::{AllowedRange, Limits};
+use slipmode_core::number::nearest_f64;
 
 use crate::cli::archive::{facts, machine_free};
 use crate::cli::failure::Failure;
 use crate::cli::folder::{Source, read_report_from};
 use crate::cli::input::read_file_up_to;
+use crate::cli::options::Arguments;
 use crate::cli::progress::Progress;
 use crate::cli::report::{LimitOption, drift, summary, unrenderable};
 use crate::cli::terminal;
+use watch::Watch;
 
 /// Options of `replay`.
 #[derive(Debug, Args)]
+#[command(after_help = limits_text())]
 pub struct Options {
     /// The archive
     #[arg(value_name = "FILE.zip")]
     archive: PathBuf,
+    /// Accepts an archive that another build made: a number may differ by one unit in its last digit
+    #[arg(long)]
+    other_build: bool,
+    /// Fails when anything in the archive cannot be verified
+    #[arg(long)]
+    strict: bool,
+    /// Multiplies the limits on work, memory, time and digits
+    #[arg(long, value_name = "FACTOR", default_value = "1", allow_hyphen_values = true)]
+    budget: String,
     #[command(flatten)]
     limit: LimitOption,
+}
+
+fn limits_text() -> String {
+    let Caps { container_bytes, entries, file_bytes, total_bytes, .. } = Caps::default();
+    let mib = |bytes: u64| bytes >> 20;
+    format!(
+        "Limits: {}; --budget multiplies these. A file of {} MiB, unpacked {} MiB in {entries} files, one of them {} MiB.",
+        Budget::default().text(),
+        mib(container_bytes),
+        mib(total_bytes),
+        mib(file_bytes),
+    )
 }
 
 /// Checks an archive, decides every verdict again, and compares all results.
 ///
 /// # Errors
-/// When the archive or its inputs are at fault, or anything differs from the result computed now.
+/// When the archive or its inputs are at fault or ask for too much, or anything differs from the result computed now.
 pub fn run(options: &Options, progress: &Progress) -> Result<(), Failure> {
     let limits = options.limit.limits()?;
+    let budget = budget(&options.budget)?;
     let opened = open(&options.archive)?;
     let digests = digest_faults(&opened.files);
     if !digests.is_empty() {
         return Err(Failure::Check(digests.join("\n")));
     }
-    let replayed = replay(&options.archive, &opened, limits, progress)?;
-    terminal::print(&format!("{}{}\n", summary(&replayed.product.ledger), replayed.promise_kept))?;
-    if replayed.differences.is_empty() {
-        Ok(())
-    } else {
-        Err(Failure::Check(replayed.differences.join("\n")))
+    let this = facts(opened.time);
+    let refused = |fault: String| Failure::Refused(format!("{}: {fault}", options.archive.display()));
+    let maker = Maker::of(&opened.files, opened.time, &this).map_err(refused)?;
+    if let (Maker::OtherBuild(other), false) = (&maker, options.other_build) {
+        return Err(refused(other_build_text(other, &this, &options.archive)));
     }
+    let replay = Replay { place: &options.archive, opened: &opened, maker, facts: &this, budget };
+    let (product, reproduction) = replay.run(limits, progress)?;
+    let Reproduction { mut differences, not_verified } = reproduction;
+    let open: Vec<String> = not_verified.iter().map(|line| format!("not verified: {line}\n")).collect();
+    terminal::print(&format!("{}{}\n{}", summary(&product.ledger), replay.compared(), open.concat()))?;
+    if options.strict {
+        differences.extend(not_verified.iter().map(|line| format!("{line}: cannot be verified")));
+    }
+    if differences.is_empty() { Ok(()) } else { Err(Failure::Check(differences.join("\n"))) }
+}
+
+fn budget(factor: &str) -> Result<Budget, Failure> {
+    let mut arguments = Arguments::default();
+    let factor = arguments.number("--budget", factor, |text| AllowedRange::BUDGET.parse(text));
+    arguments.finish()?;
+    Ok(Budget::default().times(factor.map_or(1.0, |factor| nearest_f64(&factor))))
+}
+
+fn other_build_text(other: &Facts, this: &Facts, archive: &Path) -> String {
+    let build = |facts: &Facts| format!("{} of sources {}", facts.version, &facts.source_sha256[..12]);
+    format!(
+        "archived by another build (slipmode {}; this is {}); compare with: slipmode replay --other-build {}",
+        build(other),
+        build(this),
+        archive.display()
+    )
 }
 
 /// An archive, unpacked.
@@ -54,7 +106,7 @@ pub struct Opened {
     container: Vec<u8>,
     /// Its files.
     pub files: Files,
-    time: slipmode::archive::ReleaseTime,
+    time: ReleaseTime,
 }
 
 /// Reads an archive.
@@ -72,38 +124,56 @@ pub fn open(path: &Path) -> Result<Opened, Failure> {
     Ok(Opened { container, files, time })
 }
 
-struct Replayed {
-    product: Product,
-    promise_kept: &'static str,
-    differences: Vec<String>,
+/// One replay.
+struct Replay<'r> {
+    place: &'r Path,
+    opened: &'r Opened,
+    maker: Maker,
+    facts: &'r Facts,
+    budget: Budget,
 }
 
-fn replay(path: &Path, opened: &Opened, limits: Limits, progress: &Progress) -> Result<Replayed, Failure> {
-    let inputs = below(&opened.files, INPUT_FOLDER);
-    let inside = path.join(INPUT_FOLDER);
-    let (folder, read) = read_report_from(Source::Archive(inside.clone(), inputs.clone()), limits)?;
-    let product = recompute(&folder, &inside, progress)?;
-    let mut differences: Vec<String> = inputs
-        .keys()
-        .filter(|path| !read.contains_key(*path))
-        .map(|path| format!("{INPUT_FOLDER}/{path}: the report does not refer to it"))
-        .collect();
-    differences.extend(drift(&product.ledger));
-    let facts = facts(opened.time);
-    let (name, title) = (&folder.plan.name, &folder.plan.title);
-    let parts =
-        Parts { name, title, inputs: &read, product: &product.files, ledger: &product.ledger, facts: &facts };
-    let computed = contents(&parts);
-    let same_program = opened.files.get(VERSIONS_FILE) == computed.get(VERSIONS_FILE);
-    let promise_kept = if same_program {
-        differences.extend(byte_differences(&opened.files, &computed));
-        differences.extend(container_fault(&opened.container, &opened.files, opened.time));
-        "archived by the same program: all bytes compared"
-    } else {
-        differences.extend(number_differences(&opened.files, &computed)?);
-        "archived by another build: verdicts and tables compared to their last digits; pages, figures and metadata may differ"
-    };
-    Ok(Replayed { product, promise_kept, differences })
+impl Replay<'_> {
+    fn run(&self, limits: Limits, progress: &Progress) -> Result<(Product, Reproduction), Failure> {
+        let inputs = below(&self.opened.files, INPUT_FOLDER);
+        let inside = self.place.join(INPUT_FOLDER);
+        self.check_digits(&inputs)?;
+        let watch = Watch::start(self.place, self.budget);
+        let (folder, read) = read_report_from(Source::Archive(inside.clone(), inputs.clone()), limits)?;
+        let requests = requests(&folder.scenes);
+        self.refuse(self.budget.faults(&requests))?;
+        watch.name_requests(&requests);
+        let product = recompute(&folder, &inside, progress)?;
+        let (name, title) = (&folder.plan.name, &folder.plan.title);
+        let (product_files, ledger) = (&product.files, &product.ledger);
+        let parts = Parts { name, title, inputs: &read, product: product_files, ledger, facts: self.facts };
+        let mut found = reproduction(&self.opened.container, &self.opened.files, &parts, &self.maker);
+        found.differences.extend(drift(&product.ledger));
+        Ok((product, found))
+    }
+
+    fn check_digits(&self, inputs: &Files) -> Result<(), Failure> {
+        let fault = |(path, bytes): (&String, &Vec<u8>)| {
+            self.budget.digits_fault(&format!("{INPUT_FOLDER}/{path}"), &String::from_utf8_lossy(bytes))
+        };
+        self.refuse(inputs.iter().filter_map(fault).collect())
+    }
+
+    fn refuse(&self, faults: Vec<String>) -> Result<(), Failure> {
+        let line = |fault: &String| format!("{}: {fault}; --budget FACTOR lifts it", self.place.display());
+        let lines: Vec<String> = faults.iter().map(line).collect();
+        if lines.is_empty() { Ok(()) } else { Err(Failure::Refused(lines.join("\n"))) }
+    }
+
+    /// What was compared, in words.
+    fn compared(&self) -> &'static str {
+        match self.maker {
+            Maker::ThisBuild => "archived by this build: all bytes compared",
+            Maker::OtherBuild(_) => {
+                "archived by another build: all files compared, numbers up to one unit of their last digit"
+            }
+        }
+    }
 }
 
 /// Computes a report without what depends on the machine.
@@ -123,33 +193,4 @@ fn below(files: &Files, folder: &str) -> Files {
     let prefix = format!("{folder}/");
     let inside = files.iter().filter_map(|(path, bytes)| Some((path.strip_prefix(&prefix)?, bytes)));
     inside.map(|(path, bytes)| (path.to_string(), bytes.clone())).collect()
-}
-
-fn byte_differences(archived: &Files, computed: &Files) -> Vec<String> {
-    let paths: BTreeSet<&String> = archived.keys().chain(computed.keys()).collect();
-    let mut found = Vec::new();
-    for path in paths {
-        match (archived.get(path), computed.get(path)) {
-            (Some(old), Some(new)) => found.extend(compare_file(path, old, new, Promise::Bytes)),
-            (Some(_), None) => found.push(format!("{path}: archived, but not made by the report")),
-            (None, _) => found.push(format!("{path}: made by the report, but not archived")),
-        }
-    }
-    found
-}
-
-fn number_differences(archived: &Files, computed: &Files) -> Result<Vec<String>, Failure> {
-    let ledger = format!("{REPORT_FOLDER}/ledger.json");
-    let empty = Vec::new();
-    let of = |files: &'_ Files| files.get(&ledger).unwrap_or(&empty).clone();
-    let mut found = ledger_differences(&of(archived), &of(computed)).map_err(Failure::Refused)?;
-    let tables =
-        computed.iter().filter(|(path, _)| path.ends_with(".csv") && path.starts_with(REPORT_FOLDER));
-    for (path, new) in tables {
-        match archived.get(path) {
-            Some(old) => found.extend(compare_file(path, old, new, Promise::Numbers)),
-            None => found.push(format!("{path}: made by the report, but not archived")),
-        }
-    }
-    Ok(found)
 }

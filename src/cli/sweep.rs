@@ -6,6 +6,7 @@ mod boundary_rows;
 mod load;
 mod plan;
 mod points;
+mod shape;
 mod slurm;
 pub mod summed;
 mod work;
@@ -98,7 +99,7 @@ impl Task for ComputeShard<'_> {
             loaded.section.summary.as_ref().map(|section| Summed::new(section, &columns)).transpose()?;
         create_folder(self.out)?;
         let origin = Origin {
-            scene: loaded.digest.clone(),
+            scene: points.digest(&loaded.scene_digest),
             version: load::version(),
             blocks: blocks.count(),
             content: summed.as_ref().map_or(Content::Rows, Summed::content),
@@ -165,21 +166,23 @@ impl<W: PointWork> BlockWriter<'_, W> {
 
     /// Whether a block is there and sound. A damaged one is computed again; one of another sweep is never overwritten.
     fn holds(&self, block: u64) -> Result<bool, Failure> {
+        let place = self.out.join(block_file::block_name(block));
         let open = match OpenBlock::open(self.out, block) {
             Ok(open) => open,
             Err(Unsound::Missing | Unsound::Damaged(_)) => return Ok(false),
-            Err(Unsound::Unreadable(error)) => {
-                let place = self.out.join(block_file::block_name(block));
-                return Err(Failure::io(&place, "cannot be read", &error));
-            }
+            Err(Unsound::Unreadable(error)) => return Err(Failure::io(&place, "cannot be read", &error)),
         };
-        if let Some(difference) = open.heading.origin.difference(&self.origin) {
-            let place = self.out.join(block_file::block_name(block));
+        let heading = open.heading.clone();
+        // The digest comes first: a flipped bit of the heading must not look like another scene.
+        let Ok(contents) = open.copy(true, &mut std::io::sink())? else { return Ok(false) };
+        if let Some(difference) = heading.origin.difference(&self.origin) {
             return Err(Failure::Refused(format!(
                 "{}: {difference}; choose another folder, or remove its blocks",
                 place.display()
             )));
         }
-        Ok(open.copy(true, &mut std::io::sink())?.is_ok())
+        let range = self.blocks.range(block);
+        let is_ours = (heading.block, heading.points) == (block, range.end - range.start);
+        Ok(is_ours && contents.fault.is_none() && contents.columns == self.columns)
     }
 }

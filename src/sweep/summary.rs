@@ -167,12 +167,13 @@ impl Summary {
         Ok(())
     }
 
-    /// Adds the lines of another summary, that of the next block.
+    /// Adds the lines of another summary, that of the next block, and gives the number of rows that they sum up.
     ///
     /// # Errors
     /// When they are not lines of such a summary, or there are too many keys.
-    pub fn add_summary(&mut self, lines: &[u8]) -> Result<(), SummaryError> {
+    pub fn add_summary(&mut self, lines: &[u8]) -> Result<u64, SummaryError> {
         let (keys, fields) = (self.keys.len(), &self.fields);
+        let mut added: u64 = 0;
         for record in records(lines) {
             let row: Vec<&[u8]> = cells(record).collect();
             if row.len() != keys + 1 + fields.len() {
@@ -180,15 +181,17 @@ impl Summary {
             }
             let key = row[..keys].join(&b',');
             let rows = std::str::from_utf8(row[keys]).ok().and_then(|text| text.parse::<u64>().ok());
+            let rows = rows.ok_or(SummaryError::Malformed)?;
+            added = added.checked_add(rows).ok_or(SummaryError::Malformed)?;
             let tally = tally(&mut self.tallies, &key, fields)?;
-            tally.rows = rows.and_then(|rows| tally.rows.checked_add(rows)).ok_or(SummaryError::Malformed)?;
+            tally.rows = tally.rows.checked_add(rows).ok_or(SummaryError::Malformed)?;
             for ((value, field), cell) in tally.values.iter_mut().zip(fields).zip(&row[keys + 1..]) {
                 if !cell.is_empty() {
                     field.statistic.combine(value, number(cell).ok_or(SummaryError::Malformed)?);
                 }
             }
         }
-        Ok(())
+        Ok(added)
     }
 
     /// How many rows were added.

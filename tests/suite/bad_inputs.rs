@@ -25,6 +25,12 @@
 //! | cells that a spreadsheet would run | `bad_points::keep_going_gives_every_row_and_says_which_are_faulty`, `table::csv_text::tests` |
 //! | zip: paths, links, bomb, names, checksum, cut, encrypted, 70 000 entries | `bad_archives` |
 //! | an archive that lies | `archive::a_verdict_is_never_read_from_the_archive`, `archive::an_altered_added_removed_or_renamed_file_is_named` |
+//! | an archive altered and sealed again, of this build or another | `tampering::forty_kinds_of_tampering_are_refused_by_name_in_an_archive_of_this_build`, `tampering::forty_kinds_of_tampering_are_refused_by_name_in_an_archive_of_another_build` |
+//! | an archive that asks for too much: simulations, digits, points, grids, long numbers, time | `replay_budget` |
+//! | a block with a flipped bit in its heading | `sweep_forgeries::a_flipped_bit_in_a_heading_is_damage_of_that_block_and_it_is_computed_again` |
+//! | a block with rows, columns or NULs altered and a right digest | `sweep_forgeries::altered_rows_and_columns_with_a_right_digest_are_refused_and_computed_again`, `sweep_forgeries::a_summary_of_other_rows_than_its_points_is_refused` |
+//! | `block 0 of 18446744073709551615` | `sweep_forgeries::a_count_of_blocks_that_no_sweep_has_is_refused_at_once` |
+//! | a list of points that changes while it is read | `cli::sweep::points::tests::a_list_that_changes_between_two_readings_is_refused` |
 
 use std::time::{Duration, Instant};
 

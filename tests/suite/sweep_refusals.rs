@@ -69,7 +69,10 @@ fn a_block_of_elsewhere_is_refused_by_name_and_never_overwritten() {
     assert_eq!(place.read(&block(5)), foreign);
 
     let version = good.lines().nth(2).unwrap();
-    place.write(&block(5), good.replacen(version, "version 0.0.9 0123", 1));
+    let (heading, csv) = good.split_once("\nsha256 ").unwrap();
+    let csv = csv.split_once("\n\n").unwrap().1;
+    let stated = heading.replacen(version, "version 0.0.9 0123", 1) + "\n";
+    place.write(&block(5), crate::sweep_forgeries::sealed(&stated, csv));
     expect_refused_merge(&place, &["block-000000005.csv: is of another program version (0.0.9 0123, not "]);
     place.write(&block(5), place.read(&block(4)));
     expect_refused_merge(&place, &["block-000000005.csv: contains block 4: duplicated or renamed"]);

@@ -3,6 +3,7 @@
 //! It builds in a second without GMP, so it can name missing programs before anything else fails.
 
 mod accept;
+mod advisories;
 mod bench;
 #[cfg(target_os = "linux")]
 mod cluster_test;
@@ -37,6 +38,7 @@ usage: cargo xtask <command> [arguments]
   sweep-cost    measure memory, scaling and overhead of sweeps, on a machine without other work
   tidy          check the source rules: order of modules, headers, lengths, wording, links
   lines         count lines of code without blank lines, comments and tests, and compare them with their bounds
+  advisories    check the locked packages against the RustSec database (skipped without cargo-deny or network)
   licences      check every dependency's licence against the list of allowed licences
   validate      run external validators on every report's page, Markdown, archive and citation
   cluster-test  run a sweep on a real Slurm and kill one node midway (Linux)
@@ -69,6 +71,7 @@ fn run(arguments: &[String]) -> Result<(), Failure> {
         #[cfg(target_os = "linux")]
         "cluster-test" => cluster_test::run(),
         "tidy" => tidy::run(),
+        "advisories" => advisories::run(),
         "licences" => licences::run(),
         "lines" => lines::run(),
         "machine" => machine::run(),

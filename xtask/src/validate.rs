@@ -169,48 +169,54 @@ fn definition(name: &str) -> PathBuf {
     repository::root().join("xtask/validate").join(name)
 }
 
-/// Copies a definition to the tools' folder; true if it has changed.
-fn renew(name: &str) -> Result<bool, Failure> {
-    let (from, to) = (definition(name), workshop()?.join(name));
-    let cannot = |error: std::io::Error| Failure::bad_input(format!("{}: {error}", from.display()));
-    let text = fs::read(&from).map_err(cannot)?;
-    if fs::read(&to).is_ok_and(|old| old == text) {
-        return Ok(false);
+/// The file that an installation leaves when it has succeeded.
+const INSTALLED: &str = ".installed-from";
+
+/// Installs into a folder of the tools' folder, unless the last installation that succeeded used the same definitions.
+fn install(
+    workshop: &Path,
+    folder: &str,
+    definitions: &[&str],
+    run: impl FnOnce() -> Result<(), Failure>,
+) -> Result<PathBuf, Failure> {
+    let cannot = |name: &str, error: std::io::Error| Failure::bad_input(format!("{name}: {error}"));
+    let mut wanted = Vec::new();
+    for name in definitions {
+        let text = fs::read(definition(name)).map_err(|error| cannot(name, error))?;
+        fs::write(workshop.join(name), &text).map_err(|error| cannot(name, error))?;
+        wanted.extend(text);
     }
-    fs::write(&to, text).map_err(cannot)?;
-    Ok(true)
+    let installed = workshop.join(folder);
+    // Written last: an installation that failed or was killed is repeated.
+    let stamp = installed.join(INSTALLED);
+    if fs::read(&stamp).is_ok_and(|used| used == wanted) {
+        return Ok(installed);
+    }
+    run()?;
+    fs::write(&stamp, wanted).map_err(|error| cannot(INSTALLED, error))?;
+    Ok(installed)
 }
 
-/// The folder of the packages that npm installs.
+/// The folder of the packages that npm installs, each with the digest of the lock file.
 fn node_modules() -> Result<PathBuf, Failure> {
-    let (workshop, news) = (workshop()?, renew("package.json")?);
-    renew("pages.mjs")?;
-    let modules = workshop.join("node_modules");
-    if news || !modules.is_dir() {
-        let options = [
-            "install",
-            "--no-package-lock",
-            "--no-audit",
-            "--no-fund",
-            "--ignore-scripts",
-            "--loglevel=error",
-        ];
-        process::check(Command::new("npm").args(options).current_dir(&workshop))?;
-    }
-    Ok(modules)
+    let workshop = workshop()?;
+    install(&workshop, "node_modules", &["package.json", "package-lock.json", "pages.mjs"], || {
+        let options = ["ci", "--no-audit", "--no-fund", "--ignore-scripts", "--loglevel=error"];
+        process::check(Command::new("npm").args(options).current_dir(&workshop))
+    })
 }
 
-/// A program of the virtual environment that pip fills.
+/// A program of the virtual environment that pip fills with packages of the digests in `requirements.txt`.
 fn python_program(name: &str) -> Result<PathBuf, Failure> {
-    let (workshop, news) = (workshop()?, renew("requirements.txt")?);
-    let programs = workshop.join("venv/bin");
-    if news || !programs.join("cffconvert").is_file() {
-        process::check(Command::new("python3").args(["-m", "venv", "venv"]).current_dir(&workshop))?;
-        let options =
-            ["install", "--quiet", "--disable-pip-version-check", "--requirement", "requirements.txt"];
-        process::check(Command::new(programs.join("pip")).args(options).current_dir(&workshop))?;
-    }
-    Ok(programs.join(name))
+    let workshop = workshop()?;
+    let environment = install(&workshop, "venv", &["requirements.txt"], || {
+        let create = ["-m", "venv", "--clear", "venv"];
+        process::check(Command::new("python3").args(create).current_dir(&workshop))?;
+        let options = ["install", "--quiet", "--disable-pip-version-check", "--require-hashes"];
+        let mut pip = Command::new(workshop.join("venv/bin/pip"));
+        process::check(pip.args(options).args(["--requirement", "requirements.txt"]).current_dir(&workshop))
+    })?;
+    Ok(environment.join("bin").join(name))
 }
 
 fn node_tool(name: &str) -> Result<Command, Failure> {
@@ -258,4 +264,52 @@ fn citation(_made: &Made) -> Result<Vec<Command>, Failure> {
     let mut command = Command::new(python_program("cffconvert")?);
     command.args(["--validate", "--infile"]).arg(repository::root().join("CITATION.cff"));
     Ok(vec![command])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_installation_that_failed_is_repeated_and_one_that_succeeded_is_not() {
+        let workshop = std::env::temp_dir().join(format!("slipmode-validate-{}", std::process::id()));
+        fs::create_dir_all(workshop.join("venv")).unwrap();
+        let mut runs = 0;
+        let mut attempt = |result: Result<(), Failure>| {
+            install(&workshop, "venv", &["requirements.txt"], || {
+                runs += 1;
+                result
+            })
+        };
+        assert!(attempt(Err(Failure::check("no network"))).is_err());
+        assert!(attempt(Ok(())).is_ok() && attempt(Ok(())).is_ok());
+        assert_eq!(runs, 2);
+        fs::remove_dir_all(workshop).unwrap();
+    }
+
+    #[test]
+    fn every_package_of_the_validators_has_a_version_and_a_digest() {
+        let lock = fs::read_to_string(definition("package-lock.json")).unwrap();
+        let packages = lock.matches("\"node_modules/").count();
+        assert!(packages > 50);
+        assert_eq!(lock.matches("\"integrity\": \"sha512-").count(), packages);
+        let requirements = fs::read_to_string(definition("requirements.txt")).unwrap();
+        let packages: Vec<&str> = requirements.split('\n').filter(|line| line.contains("==")).collect();
+        for line in packages.iter().filter(|line| !line.starts_with('#')) {
+            let block = requirements.split(line).nth(1).unwrap();
+            assert!(block.trim_start().starts_with("--hash=sha256:"), "{line}");
+        }
+    }
+
+    #[test]
+    fn the_toolchain_file_names_the_least_version_of_the_manifest() {
+        let read = |name: &str| fs::read_to_string(repository::root().join(name)).unwrap();
+        let value = |text: &str, key: &str| -> String {
+            let line = text.lines().find_map(|line| line.strip_prefix(key)).unwrap();
+            line.trim_matches([' ', '=', '"']).to_string()
+        };
+        let channel = value(&read("rust-toolchain.toml"), "channel");
+        assert_eq!(channel.split('.').count(), 3, "a channel such as `stable` moves");
+        assert!(channel.starts_with(&value(&read("Cargo.toml"), "rust-version")));
+    }
 }

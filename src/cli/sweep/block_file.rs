@@ -9,6 +9,7 @@ use sha2::{Digest, Sha256};
 use slipmode::archive::finished_hex;
 
 use crate::cli::failure::Failure;
+use crate::cli::sweep::shape::Shape;
 
 /// The first line of every block.
 const FORMAT: &str = "slipmode block 1";
@@ -16,6 +17,9 @@ const FORMAT: &str = "slipmode block 1";
 const LONGEST_HEADING: u64 = 1024;
 /// The lines of a heading, the empty one included.
 const HEADING_LINES: usize = 10;
+
+/// The most blocks of a sweep, each of which is a file.
+pub const MOST_BLOCKS: u64 = 10_000_000;
 
 /// What all blocks of a sweep have in common.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -56,6 +60,12 @@ impl Content {
 }
 
 impl Origin {
+    /// How many blocks there are, if no sweep has so many.
+    pub fn count_fault(&self) -> Option<String> {
+        (self.blocks > MOST_BLOCKS)
+            .then(|| format!("is one of {} blocks (allowed: at most {MOST_BLOCKS})", self.blocks))
+    }
+
     /// How a block of this origin does not belong to another's sweep, if it does not.
     pub fn difference(&self, other: &Self) -> Option<String> {
         if self.scene != other.scene {
@@ -122,6 +132,11 @@ pub fn block_of_name(name: &str) -> Option<u64> {
 }
 
 impl Heading {
+    /// A heading without its digest.
+    pub fn of(origin: Origin, block: u64, points: u64, columns: u64, bytes: u64) -> Self {
+        Self { origin, block, points, columns, bytes, sha256: String::new() }
+    }
+
     fn stated(&self) -> String {
         let Self { origin, block, points, columns, bytes, .. } = self;
         let Origin { scene, version, blocks, content } = origin;
@@ -167,6 +182,15 @@ pub struct OpenBlock {
     name: PathBuf,
 }
 
+/// What the CSV of a block consists of.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Contents {
+    /// The line of column names.
+    pub columns: Vec<u8>,
+    /// The first fault of its rows and columns, if any.
+    pub fault: Option<String>,
+}
+
 impl OpenBlock {
     /// Opens a block of a folder and reads its heading; a length other than the stated one is found here.
     ///
@@ -192,19 +216,21 @@ impl OpenBlock {
         match size {
             size if size < stated => Err(Unsound::Damaged(format!("truncated: {size} of {stated} bytes"))),
             size if size > stated => Err(Unsound::Damaged(format!("too long: {size} bytes, not {stated}"))),
-            _ if heading.block != block => {
-                Err(Unsound::Damaged(format!("contains block {}: duplicated or renamed", heading.block)))
-            }
             _ => Ok(Self { heading, reader, name }),
         }
     }
 
-    /// Writes the CSV, without its column names unless `with_columns`, and then tells whether its digest holds.
+    /// Writes the CSV, without its column names unless `with_columns`, and then gives its contents if the digest is the stated one.
     ///
     /// # Errors
-    /// When it cannot be read or written, or is not what it was.
-    pub fn copy(mut self, with_columns: bool, out: &mut impl Write) -> Result<Result<(), Unsound>, Failure> {
+    /// When it cannot be read or written.
+    pub fn copy(
+        mut self,
+        with_columns: bool,
+        out: &mut impl Write,
+    ) -> Result<Result<Contents, Unsound>, Failure> {
         let mut digest = Sha256::new().chain_update(self.heading.stated());
+        let mut shape = Shape::default();
         let mut skipped = if with_columns { 0 } else { self.heading.columns };
         let mut buffer = vec![0; 1 << 16];
         loop {
@@ -214,12 +240,14 @@ impl OpenBlock {
                 Err(error) => return Err(Failure::io(&self.name, "cannot be read", &error)),
             };
             digest.update(&buffer[..count]);
+            shape.add(&buffer[..count]);
             let from = usize::try_from(skipped).unwrap_or(usize::MAX).min(count);
             skipped -= from as u64;
             out.write_all(&buffer[from..count]).map_err(|error| crate::cli::output::machine_write(&error))?;
         }
         if finished_hex(digest) == self.heading.sha256 {
-            return Ok(Ok(()));
+            let fault = shape.fault(&self.heading);
+            return Ok(Ok(Contents { columns: shape.columns, fault }));
         }
         Ok(Err(Unsound::Damaged("damaged or altered: its SHA-256 is not the stated one".into())))
     }
@@ -236,15 +264,8 @@ pub fn write_block(
     columns: &[u8],
     lines: &[u8],
 ) -> Result<(), Failure> {
-    let (columns_bytes, bytes) = (columns.len() as u64, (columns.len() + lines.len()) as u64);
-    let mut heading = Heading {
-        origin: origin.clone(),
-        block,
-        points,
-        columns: columns_bytes,
-        bytes,
-        sha256: String::new(),
-    };
+    let bytes = (columns.len() + lines.len()) as u64;
+    let mut heading = Heading::of(origin.clone(), block, points, columns.len() as u64, bytes);
     let digest = Sha256::new().chain_update(heading.stated()).chain_update(columns).chain_update(lines);
     heading.sha256 = finished_hex(digest);
     let place = folder.join(block_name(block));

@@ -1,10 +1,7 @@
 //! A scene with a sweep, read: its section, its digest, and its work.
 
-use std::fs::File;
-use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 
-use sha2::{Digest, Sha256};
 use slipmode::archive::sha256_hex;
 use slipmode::experiments::Scene;
 use slipmode::scene::{Fault, Limits, Problem};
@@ -17,7 +14,7 @@ use slipmode_core::stability::InertialThreshold;
 
 use crate::cli::classify::rows::ClassifyRows;
 use crate::cli::failure::Failure;
-use crate::cli::input::{read_small_file, unreadable};
+use crate::cli::input::read_small_file;
 use crate::cli::simulate::rows::SimulateRows;
 use crate::cli::simulate::run::Settings;
 use crate::cli::sweep::asymptote_rows::AsymptoteRows;
@@ -31,8 +28,8 @@ pub struct Loaded {
     pub name: String,
     /// Its section.
     pub section: SweepSection,
-    /// SHA-256 of the scene's file, and of the list that it names.
-    pub digest: String,
+    /// SHA-256 of the scene's file.
+    pub scene_digest: String,
     threshold: InertialThreshold,
     list: Option<PathBuf>,
 }
@@ -54,7 +51,7 @@ pub fn version() -> String {
 /// Reads a scene that has a `[sweep]`.
 ///
 /// # Errors
-/// Every fault of the scene; a list that cannot be read.
+/// Every fault of the scene.
 pub fn load(place: &Path) -> Result<Loaded, Failure> {
     let file = place.display().to_string();
     let bytes = read_small_file(place)?;
@@ -75,24 +72,7 @@ pub fn load(place: &Path) -> Result<Loaded, Failure> {
         SweepPoints::List { file } => Some(place.parent().unwrap_or(Path::new("")).join(file)),
         _ => None,
     };
-    let mut digest = sha256_hex(&bytes);
-    if let Some(list) = &list {
-        digest = sha256_hex(format!("{digest} {}", file_digest(list)?).as_bytes());
-    }
-    Ok(Loaded { name: scene.name, section, digest, threshold, list })
-}
-
-/// The digest of a file of any size.
-fn file_digest(place: &Path) -> Result<String, Failure> {
-    let cannot = |error: io::Error| Failure::from(unreadable(place, &error));
-    let mut file = File::open(place).map_err(cannot)?;
-    let (mut digest, mut buffer) = (Sha256::new(), vec![0; 1 << 16]);
-    loop {
-        match file.read(&mut buffer).map_err(cannot)? {
-            0 => return Ok(digest.finalize().iter().map(|byte| format!("{byte:02x}")).collect()),
-            count => digest.update(&buffer[..count]),
-        }
-    }
+    Ok(Loaded { name: scene.name, section, scene_digest: sha256_hex(&bytes), threshold, list })
 }
 
 impl Loaded {
@@ -118,9 +98,13 @@ impl Loaded {
     }
 
     fn with<W: PointWork>(&self, work: W, laws: Vec<EvolutionLaw>, task: impl Task) -> Result<(), Failure> {
-        let points = match (&self.list, PointSource::new(&self.section.points, self.digest.as_bytes())) {
+        let source = PointSource::new(&self.section.points, self.scene_digest.as_bytes());
+        let points = match (&self.list, source) {
             (None, Some(source)) => Points::Made(Box::new(Made { source, laws, work })),
-            (list, _) => Points::Listed(Listed::new(list.as_deref().unwrap_or(Path::new("")), work)?),
+            (list, _) => {
+                let place = list.as_deref().unwrap_or(Path::new(""));
+                Points::Listed(Listed::new(place, work, self.section.block_points)?)
+            }
         };
         task.perform(self, &points)
     }

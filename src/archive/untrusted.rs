@@ -1,0 +1,37 @@
+//! Texts of unknown origin in messages: short, and without characters that move a terminal's cursor.
+
+/// The most characters of one text.
+const MOST_CHARACTERS: usize = 80;
+
+/// A text of unknown origin as messages show it.
+#[must_use]
+pub fn shown(text: &str) -> String {
+    let escaped = |text: &str| -> String {
+        text.chars()
+            .map(
+                |c| if c.is_control() || is_invisible(c) { c.escape_unicode().to_string() } else { c.into() },
+            )
+            .collect()
+    };
+    match text.char_indices().nth(MOST_CHARACTERS) {
+        None => escaped(text),
+        Some((end, _)) => format!("{}… ({} characters)", escaped(&text[..end]), text.chars().count()),
+    }
+}
+
+/// Marks of text direction and characters without width.
+fn is_invisible(character: char) -> bool {
+    matches!(character, '\u{200b}'..='\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2060}'..='\u{2069}' | '\u{feff}')
+}
+
+#[cfg(test)]
+mod tests {
+    use super::shown;
+
+    #[test]
+    fn control_characters_are_escaped_and_long_texts_are_cut() {
+        assert_eq!(shown("a\u{1b}[2Jb\n\u{202e}"), "a\\u{1b}[2Jb\\u{a}\\u{202e}");
+        assert_eq!(shown("σ = 1/3 Pa"), "σ = 1/3 Pa");
+        assert!(shown(&"x".repeat(1000)).ends_with("x… (1000 characters)"));
+    }
+}
