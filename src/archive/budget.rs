@@ -1,10 +1,11 @@
 //! What an archive of unknown origin may ask of the machine that replays it, and what its scenes ask for.
 
 use crate::experiments::Scene;
+use crate::experiments::boundary::BoundarySection;
 use crate::experiments::simulations::SimulationsSection;
 use crate::experiments::speed_counts::SpeedCountsSection;
 use crate::experiments::trajectories::TrajectoryPoint;
-use crate::scene::{BoundarySection, LogAxis, Rectangle};
+use crate::scene::{LogAxis, Rectangle};
 use slipmode_core::number::{Rational, nearest_f64};
 
 /// The most that a replay may take. The defaults are about ten times what the largest published report takes.
@@ -159,9 +160,9 @@ fn points(section: &'static str, points: f64, seconds_per_point: f64) -> Asked {
 
 /// Sections about the linear theory.
 fn plane_requests(scene: &Scene) -> Vec<Asked> {
-    let rectangle = |section, rectangle: &Option<Rectangle>| {
-        rectangle.as_ref().map(|rectangle| points(section, rectangle_points(rectangle), DECISION))
-    };
+    let rectangle = |section, rectangle: &Rectangle| points(section, rectangle_points(rectangle), DECISION);
+    let map = scene.map.as_ref().map(|section| rectangle("map", &section.rectangle));
+    let zones = scene.zones.as_ref().map(|section| rectangle("zones", &section.rectangle));
     let lines = scene.frequency.as_ref().map(|section| {
         let lines = section.normal_stress_over_critical.len() as f64;
         points("frequency", axis_points(&section.loading_velocity_m_per_s) * lines, DECISION)
@@ -170,7 +171,6 @@ fn plane_requests(scene: &Scene) -> Vec<Asked> {
         let ratios = axis_points(&section.effect_ratio) + 2.0 * section.near_equal.len() as f64;
         points("effect_ratio_sweep", ratios, 10.0 * point_of(0.0))
     });
-    let (map, zones) = (rectangle("map", &scene.map), rectangle("zones", &scene.zones));
     let boundary = scene.boundary.map(boundary);
     let counts = scene.speed_counts.as_ref().map(speed_counts);
     [map, zones, boundary, lines, ratios, counts].into_iter().flatten().collect()
