@@ -9,6 +9,7 @@
 pub mod archive;
 pub mod claims;
 pub mod comparison;
+pub mod csv;
 pub mod experiments;
 pub mod explorer;
 pub mod report;

@@ -4,7 +4,6 @@ mod cells;
 mod figures;
 mod inputs;
 mod page;
-pub mod recording;
 mod rows;
 mod tables;
 mod view;

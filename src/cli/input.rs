@@ -4,31 +4,21 @@ use std::fs::File;
 use std::io::{self, Read};
 use std::path::Path;
 
+use slipmode::csv::{Input, RowReader};
 use slipmode::scene::{Fault, MAX_FILE_BYTES, Problem};
 
-/// A stream of bytes to read, with its name for messages and its size when known.
-pub struct Input {
-    /// The name that messages use.
-    pub name: String,
-    /// The bytes.
-    pub reader: Box<dyn Read + Send>,
-    /// The number of bytes, of regular files.
-    pub size: Option<u64>,
-}
-
-impl Input {
-    /// Opens a file, or standard input for `-`.
-    ///
-    /// # Errors
-    /// When the file is missing, a folder, or not readable.
-    pub fn open(path: &Path) -> Result<Self, Fault> {
-        if path.as_os_str() == "-" {
-            return Ok(Self { name: "standard input".into(), reader: Box::new(io::stdin()), size: None });
-        }
-        let name = path.display().to_string();
+/// Opens a CSV file, or standard input for `-`.
+///
+/// # Errors
+/// When the file is missing, a folder, or not readable.
+pub fn open_csv(path: &Path) -> Result<RowReader, Fault> {
+    let input = if path.as_os_str() == "-" {
+        Input { name: "standard input".into(), reader: Box::new(io::stdin()), size: None }
+    } else {
         let (file, size) = open_file(path)?;
-        Ok(Self { name, reader: Box::new(file), size })
-    }
+        Input { name: path.display().to_string(), reader: Box::new(file), size }
+    };
+    Ok(RowReader::new(input))
 }
 
 /// The bytes of a scene, report, claims or prose file; one byte more than the cap is read, never more.

@@ -5,8 +5,6 @@ mod boundary;
 mod claim;
 mod classify;
 mod compare;
-#[cfg(test)]
-mod csv_promises;
 mod diff;
 mod environment;
 mod explore;

@@ -12,6 +12,7 @@ mod boundary_command;
 mod classify;
 mod compare;
 mod compare_bad;
+mod csv_promises;
 mod digit_for_digit;
 mod explore;
 mod full_disk;

@@ -2,6 +2,7 @@
 
 use slipmode::archive::{Files, ReleaseTime, pack};
 
+use crate::csv_promises;
 use crate::mutation::hold;
 use crate::promises;
 
@@ -72,4 +73,22 @@ fn changed_archives_are_refused_or_pack_to_the_same_files() {
     ]);
     let packed = pack(&files, ReleaseTime::UNSTATED).unwrap();
     hold(promises::archive, &[&packed], 4_000);
+}
+
+#[test]
+fn changed_points_are_refused_or_written_as_read() {
+    let header = "direct_effect,evolution_effect,critical_slip_distance_m,stiffness_pa_per_m,\
+        mass_per_area_kg_per_m2,normal_stress_pa,loading_velocity_m_per_s";
+    let plain = format!("{header}\n0.004,0.006,1e-5,1e7,1000,1e5,1e-3\n");
+    let named = format!("id,{header}\r\n\"=a,\"\"b\",4e-3,6e-3,1e-5,1e7,1000,1e5,1.5e-3\r\n");
+    hold(csv_promises::points, &[plain.as_bytes(), named.as_bytes()], 2_000);
+}
+
+#[test]
+fn changed_trajectories_are_refused_or_orderly() {
+    let rows =
+        |with: &str| -> String { (0..12).map(|row| format!("{row}.5,{}e-3{with}\n", 1 + row % 3)).collect() };
+    let plain = format!("time_s,velocity_m_per_s\n{}", rows(""));
+    let stressed = format!("time_s,velocity_m_per_s,shear_stress_pa\n{}", rows(",-1e4"));
+    hold(csv_promises::recording, &[plain.as_bytes(), stressed.as_bytes()], 2_000);
 }

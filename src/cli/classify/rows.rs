@@ -2,10 +2,9 @@
 
 use std::io::Write;
 
+use slipmode::csv::{Cells, Remark, RowWork};
 use slipmode::scene::{Faults, Problem};
 use slipmode_core::stability::{Classification, InertialThreshold, classify, classify_quickly};
-
-use crate::cli::points::{Cells, Remark, RowWork};
 
 /// Classifies rows.
 #[derive(Debug)]

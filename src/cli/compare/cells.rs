@@ -1,10 +1,9 @@
 //! The cells that `compare` appends to a row: what theory and simulation say, and the verdicts.
 
 use slipmode::comparison::{Agreement, Comparison, Finding, Observable};
+use slipmode::csv::push_cell;
 use slipmode_core::dynamics::Simulation;
 use slipmode_core::number::format::shortest;
-
-use crate::cli::points::push_cell;
 
 /// The appended columns.
 pub const APPENDED: &[&str] = &[

@@ -1,19 +1,20 @@
 //! The rows of a runs file: read with their trajectories, compared, their verdicts appended.
 
-use std::path::PathBuf;
+use std::fs;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use rug::Float;
 use slipmode::comparison::recording::Recording;
 use slipmode::comparison::{Agreement, Comparison, Observable, StatedMode, StatedRun, compare_run};
-use slipmode::scene::{AllowedRange, CsvProblem, Faults, Problem, Quantity, nearest};
+use slipmode::csv::{Cells, Remark, RowWork, other_unit, read_recording};
+use slipmode::scene::{AllowedRange, CsvProblem, Faults, Problem, Quantity, check_name, nearest};
 use slipmode_core::dynamics::Start;
 use slipmode_core::friction::{EvolutionLaw, Parameters};
 use slipmode_core::number::Rational;
 
 use crate::cli::compare::cells::{APPENDED, push_comparison};
-use crate::cli::compare::recording;
-use crate::cli::points::{Cells, Remark, RowWork, other_unit};
+use crate::cli::input::open_csv;
 use crate::cli::simulate::range;
 use crate::cli::simulate::run::{Settings, simulate_point};
 use crate::cli::words::{LAW_COLUMN, law_of_word, of_word, start_of_word};
@@ -159,11 +160,28 @@ impl CompareRows {
         reader: &mut RowCells<'_>,
         parameters: Option<&Parameters<Rational>>,
     ) -> Option<Recording> {
-        let place = reader.optional(TRAJECTORY_COLUMN, |name| recording::locate(&self.folder, name))?;
+        let place = reader.optional(TRAJECTORY_COLUMN, |name| trajectory_place(&self.folder, name))?;
         // Without its velocity the row is refused anyhow, and gaps cannot be told.
         let log_level = libm::log(parameters?.point.loading_velocity_m_per_s.to_f64());
-        recording::read(&place, log_level).map_err(|faults| reader.faults.extend(faults)).ok()
+        let read =
+            open_csv(&place).map_err(|fault| vec![fault]).and_then(|rows| read_recording(rows, log_level));
+        read.map_err(|faults| reader.faults.extend(faults)).ok()
     }
+}
+
+/// The place of a trajectory: parts of safe names below the folder of the runs file, and no link that leads out of it.
+///
+/// # Errors
+/// When the name is not safe or the file is not there.
+fn trajectory_place(folder: &Path, name: &str) -> Result<PathBuf, Problem> {
+    if let Some(error) = name.split('/').find_map(|part| check_name(part).err()) {
+        return Err(Problem::BadName(error));
+    }
+    let unreadable = |error: std::io::Error| Problem::Unreadable(error.to_string());
+    let root = fs::canonicalize(folder).map_err(unreadable)?;
+    let place = fs::canonicalize(root.join(name)).map_err(unreadable)?;
+    let outside = || Problem::Needs("a file in the folder of the runs file, or below it".into());
+    if place.starts_with(&root) { Ok(folder.join(name)) } else { Err(outside()) }
 }
 
 /// The nearest 64-bit number.

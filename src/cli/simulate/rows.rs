@@ -1,12 +1,12 @@
 //! `simulate --points`: every row simulated, its observables and errors appended; a failure stands in the row's status.
 
+use slipmode::csv::{Cells, Remark, RowWork, push_cell};
 use slipmode::scene::{Faults, Problem};
 use slipmode_core::dynamics::Simulation;
 use slipmode_core::friction::{EvolutionLaw, Parameters};
 use slipmode_core::number::Rational;
 use slipmode_core::number::format::shortest;
 
-use crate::cli::points::{Cells, Remark, RowWork, push_cell};
 use crate::cli::simulate::range;
 use crate::cli::simulate::run::{Settings, simulate_point};
 use crate::cli::simulate::view::ANSWERED;

@@ -1,9 +1,8 @@
 //! The work `asymptote-error`: how wrong the asymptotes are at the boundary's place nearest to a point, and nothing else.
 
+use slipmode::csv::{Cells, Remark, RowWork};
 use slipmode::scene::{Faults, Problem};
 use slipmode_core::stability::{Arc, NearestPlace};
-
-use crate::cli::points::{Cells, Remark, RowWork};
 
 /// Measures the asymptotes.
 #[derive(Debug, Clone, Copy)]

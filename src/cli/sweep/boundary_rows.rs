@@ -1,11 +1,10 @@
 //! The work `boundary`: how far a point is from max Im(s) = 0, and how wrong the asymptotes are at the nearest place.
 
+use slipmode::csv::{Cells, Remark, RowWork};
 use slipmode::scene::{Faults, Problem};
 use slipmode_core::friction::Parameters;
 use slipmode_core::number::{Ball, Rational, Wide};
 use slipmode_core::stability::{Arc, BoundaryPoint, LogDistance, boundary_sign, nearest_boundary_point};
-
-use crate::cli::points::{Cells, Remark, RowWork};
 
 /// Digits of the boundary's place: more than a 64-bit number prints.
 const DIGITS: u32 = 20;

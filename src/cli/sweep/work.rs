@@ -1,5 +1,6 @@
 //! What a sweep does at a point: the same work that `--points` does with a row, on points that are made instead of read.
 
+use slipmode::csv::{Block, RowWork, Work};
 use slipmode::scene::Quantity;
 use slipmode::sweep::{PointSource, Varying};
 use slipmode_core::friction::EvolutionLaw;
@@ -7,7 +8,6 @@ use slipmode_core::number::format::shortest;
 use slipmode_core::stability::{NearestPlace, classify, classify_quickly};
 
 use crate::cli::classify::rows::ClassifyRows;
-use crate::cli::points::{Block, RowWork, Work};
 use crate::cli::simulate::rows::SimulateRows;
 use crate::cli::sweep::asymptote_rows::AsymptoteRows;
 use crate::cli::sweep::boundary_rows::BoundaryRows;

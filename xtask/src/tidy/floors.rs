@@ -27,6 +27,7 @@ const LIBRARIES: [(&str, Floors); 3] = [
             ("scene", 0),
             ("sweep", 1),
             ("comparison", 1),
+            ("csv", 2),
             ("experiments", 2),
             ("explorer", 3),
             ("claims", 3),

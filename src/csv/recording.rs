@@ -1,20 +1,18 @@
 //! A trajectory's file: time, velocity and perhaps stress, streamed, with every fault named by line and column.
 
-use std::fs;
-use std::path::{Path, PathBuf};
-
-use slipmode::comparison::recording::{LEAST_SAMPLES, Recording};
-use slipmode::scene::{AllowedRange, CsvProblem, Fault, Faults, Problem, check_name};
+use crate::comparison::recording::{LEAST_SAMPLES, Recording};
+use crate::scene::{AllowedRange, CsvProblem, Fault, Faults, Problem};
 use slipmode_core::number::{Rational, parse_decimal, parse_short_decimal};
 
-use crate::cli::input::Input;
-use crate::cli::points::{Row, RowReader, absent, cell_problem, column_faults, names};
+use crate::csv::header::{absent, column_faults, names};
+use crate::csv::rows::{Row, RowReader};
+use crate::csv::work::cell_problem;
 
 /// The columns, with their stems; the last one may be missing.
 const COLUMNS: [(&str, &str); 3] =
     [("time_s", "time"), ("velocity_m_per_s", "velocity"), ("shear_stress_pa", "shear_stress")];
 /// Most samples of a trajectory: 240 MB of numbers.
-pub const MOST_SAMPLES: usize = 10_000_000;
+const MOST_SAMPLES: usize = 10_000_000;
 /// Rows read at a time.
 const BLOCK_ROWS: usize = 4096;
 /// The most faults that are reported of one file.
@@ -28,34 +26,11 @@ struct Read {
     lines: Vec<usize>,
 }
 
-/// The place of a trajectory: parts of safe names below the folder of the runs file, and no link that leads out of it.
-///
-/// # Errors
-/// When the name is not safe or the file is not there.
-pub fn locate(folder: &Path, name: &str) -> Result<PathBuf, Problem> {
-    if let Some(error) = name.split('/').find_map(|part| check_name(part).err()) {
-        return Err(Problem::BadName(error));
-    }
-    let unreadable = |error: std::io::Error| Problem::Unreadable(error.to_string());
-    let root = fs::canonicalize(folder).map_err(unreadable)?;
-    let place = fs::canonicalize(root.join(name)).map_err(unreadable)?;
-    let outside = || Problem::Needs("a file in the folder of the runs file, or below it".into());
-    if place.starts_with(&root) { Ok(folder.join(name)) } else { Err(outside()) }
-}
-
-/// Reads a trajectory; gaps are reported about the loading velocity, of which the logarithm is given.
+/// Reads a trajectory; gaps are compared with the loading velocity, of which the logarithm is given.
 ///
 /// # Errors
 /// Every fault of the file, up to twenty.
-pub fn read(path: &Path, log_level: f64) -> Result<Recording, Faults> {
-    read_rows(RowReader::new(Input::open(path).map_err(|fault| vec![fault])?), log_level)
-}
-
-/// Reads a trajectory from its rows, as [`read`] does from its file.
-///
-/// # Errors
-/// As [`read`].
-pub fn read_rows(mut reader: RowReader, log_level: f64) -> Result<Recording, Faults> {
+pub fn read_recording(mut reader: RowReader, log_level: f64) -> Result<Recording, Faults> {
     let file = reader.name().to_string();
     let first = reader.block(1).map_err(|fault| vec![fault])?;
     let positions = header(&file, first.rows().next())?;

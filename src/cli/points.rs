@@ -3,32 +3,19 @@
 //! Blocks of rows are worked on in parallel and written in the order of the file, so that the output is the same
 //! bytes on any number of threads. While one batch of blocks is worked on, the next is read.
 
-mod cells;
-mod header;
-mod row_work;
-mod rows;
-mod work;
-
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
 use indicatif::ProgressBar;
 use rayon::prelude::*;
+use slipmode::csv::{Block, Header, RowReader, RowWork, Work, Worked};
 use slipmode::scene::{Fault, Faults};
 
 use crate::cli::failure::Failure;
-use crate::cli::input::Input;
+use crate::cli::input::open_csv;
 use crate::cli::output::{Output, machine_write};
 use crate::cli::progress::Progress;
-pub use cells::push_cell;
-pub use header::Header;
-pub use header::{absent, column_faults, names, other_unit};
-pub use row_work::{Cells, Remark, RowWork};
-pub use rows::Block;
-pub use rows::{Row, RowReader};
-pub use work::cell_problem;
-pub use work::{Work, Worked};
 
 /// The most faults that are reported before the run stops looking for more.
 const MOST_FAULTS: usize = 20;
@@ -87,9 +74,8 @@ impl<W: RowWork> Started<W> {
     /// # Errors
     /// When it cannot be opened or read, or its header is at fault.
     pub fn new(input: &Path, command: W, keep_going: bool, progress: Progress) -> Result<Self, Failure> {
-        let input = Input::open(input)?;
-        let bar = progress.bytes(input.size);
-        let mut reader = RowReader::new(input);
+        let mut reader = open_csv(input)?;
+        let bar = progress.bytes(reader.size());
         let file = reader.name().to_string();
         let first = reader.block(1)?;
         let header = Header::read(&file, first.rows().next(), keep_going, &command)?;

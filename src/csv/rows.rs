@@ -2,10 +2,18 @@
 
 use std::io::Read;
 
+use crate::scene::{CsvProblem, Fault, Problem};
 use csv_core::{ReadRecordResult, Reader};
-use slipmode::scene::{CsvProblem, Fault, Problem};
 
-use crate::cli::input::Input;
+/// A stream of bytes to read, with its name for messages and its size when known.
+pub struct Input {
+    /// The name that messages use.
+    pub name: String,
+    /// The bytes.
+    pub reader: Box<dyn Read + Send>,
+    /// The number of bytes, of regular files.
+    pub size: Option<u64>,
+}
 
 /// The most cells in a row.
 pub const MOST_CELLS: usize = 1_000;
@@ -120,6 +128,11 @@ impl RowReader {
         &self.input.name
     }
 
+    /// The number of bytes of the stream, of regular files.
+    pub fn size(&self) -> Option<u64> {
+        self.input.size
+    }
+
     /// The bytes consumed so far.
     pub fn consumed(&self) -> u64 {
         self.consumed
@@ -211,7 +224,7 @@ mod tests {
     use proptest::prelude::*;
 
     use super::*;
-    use crate::cli::points::cells::push_cell;
+    use crate::csv::cells::push_cell;
 
     fn read(text: &[u8]) -> Result<Vec<(usize, u64, Vec<String>)>, Fault> {
         let input =

@@ -1,11 +1,11 @@
 //! What is done with a block of rows: check the text, let the command read and work, keep what was read, append what was found.
 
-use slipmode::scene::{CsvProblem, Fault, Faults, Problem, is_forbidden};
+use crate::scene::{CsvProblem, Fault, Faults, Problem, is_forbidden};
 
-use crate::cli::points::cells::push_cell;
-use crate::cli::points::header::{ERROR_COLUMN, Header};
-use crate::cli::points::row_work::{Cells, RowWork};
-use crate::cli::points::rows::{Block, LONGEST_CELL, Row};
+use crate::csv::cells::push_cell;
+use crate::csv::header::{ERROR_COLUMN, Header};
+use crate::csv::row_work::{Cells, RowWork};
+use crate::csv::rows::{Block, LONGEST_CELL, Row};
 
 /// What stays the same from row to row.
 #[derive(Debug)]

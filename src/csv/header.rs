@@ -1,9 +1,9 @@
 //! The header of a points file: a contract on names and units.
 
-use slipmode::scene::{CsvProblem, Fault, Faults, Problem, Quantity, is_forbidden, nearest};
+use crate::scene::{CsvProblem, Fault, Faults, Problem, Quantity, is_forbidden, nearest};
 
-use crate::cli::points::row_work::RowWork;
-use crate::cli::points::rows::Row;
+use crate::csv::row_work::RowWork;
+use crate::csv::rows::Row;
 
 /// The column that `--keep-going` appends last.
 pub const ERROR_COLUMN: &str = "error";

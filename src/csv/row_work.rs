@@ -1,11 +1,11 @@
 //! What a command does with the rows of a points file, apart from reading and writing them.
 
-use slipmode::scene::{AllowedRange, Fault, Faults, Problem};
+use crate::scene::{AllowedRange, Fault, Faults, Problem};
 use slipmode_core::friction::Parameters;
 use slipmode_core::number::{Dd, Rational, parse_short_decimal};
 
-use crate::cli::points::header::Header;
-use crate::cli::points::rows::Row;
+use crate::csv::header::Header;
+use crate::csv::rows::Row;
 
 /// A command's part in the rows.
 pub trait RowWork: Sync {

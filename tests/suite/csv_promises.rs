@@ -3,17 +3,10 @@
 use std::io::Cursor;
 
 use slipmode::comparison::recording::{LEAST_SAMPLES, Recording};
+use slipmode::csv::{Cells, Header, Input, Remark, RowReader, RowWork, Work, push_cell, read_recording};
 use slipmode::scene::{Faults, Problem};
 use slipmode_core::friction::Parameters;
 use slipmode_core::number::Rational;
-
-use crate::cli::compare::recording::read_rows;
-use crate::cli::input::Input;
-use crate::cli::points::{Cells, Header, Remark, RowReader, RowWork, Work, push_cell};
-
-#[cfg(test)]
-#[path = "../../tests/suite/mutation.rs"]
-mod mutation;
 
 /// Reads the seven numbers of a row and adds nothing.
 struct OnlyRead;
@@ -74,7 +67,7 @@ fn written(bytes: &[u8]) -> Result<Vec<u8>, Faults> {
 
 /// A trajectory that is accepted has increasing times and finite values, and is the same with another system's line ends.
 pub fn recording(bytes: &[u8]) {
-    let read = |bytes: &[u8]| read_rows(reader(bytes), 0.0);
+    let read = |bytes: &[u8]| read_recording(reader(bytes), 0.0);
     match read(bytes) {
         Ok(found) => {
             assert_orderly(&found);
@@ -103,28 +96,4 @@ fn reader(bytes: &[u8]) -> RowReader {
 
 fn is_told(faults: &Faults) -> bool {
     !faults.is_empty() && faults.iter().all(|fault| fault.to_string().starts_with("f:"))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn changed_points_are_refused_or_written_as_read() {
-        let header = "direct_effect,evolution_effect,critical_slip_distance_m,stiffness_pa_per_m,\
-            mass_per_area_kg_per_m2,normal_stress_pa,loading_velocity_m_per_s";
-        let plain = format!("{header}\n0.004,0.006,1e-5,1e7,1000,1e5,1e-3\n");
-        let named = format!("id,{header}\r\n\"=a,\"\"b\",4e-3,6e-3,1e-5,1e7,1000,1e5,1.5e-3\r\n");
-        mutation::hold(points, &[plain.as_bytes(), named.as_bytes()], 2_000);
-    }
-
-    #[test]
-    fn changed_trajectories_are_refused_or_orderly() {
-        let rows = |with: &str| -> String {
-            (0..12).map(|row| format!("{row}.5,{}e-3{with}\n", 1 + row % 3)).collect()
-        };
-        let plain = format!("time_s,velocity_m_per_s\n{}", rows(""));
-        let stressed = format!("time_s,velocity_m_per_s,shear_stress_pa\n{}", rows(",-1e4"));
-        mutation::hold(recording, &[plain.as_bytes(), stressed.as_bytes()], 2_000);
-    }
 }

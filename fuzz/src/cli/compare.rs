@@ -1,4 +1,0 @@
-//! Trajectories.
-
-#[path = "../../../src/cli/compare/recording.rs"]
-pub mod recording;

@@ -1,0 +1,17 @@
+//! CSV files of points and of trajectories, read row by row in constant memory; every fault names line, row and column.
+//!
+//! The readers take a stream of bytes and open no file.
+
+mod cells;
+mod header;
+mod recording;
+mod row_work;
+mod rows;
+mod work;
+
+pub use cells::push_cell;
+pub use header::{Header, other_unit};
+pub use recording::read_recording;
+pub use row_work::{Cells, Remark, RowWork};
+pub use rows::{Block, Input, Row, RowReader};
+pub use work::{Work, Worked};
