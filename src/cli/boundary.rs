@@ -6,16 +6,27 @@ use std::path::PathBuf;
 use clap::Args;
 use slipmode::experiments::boundary::END_ERROR;
 use slipmode::experiments::boundary::{boundary_columns, boundary_row, vanishes};
-use slipmode::scene::{AllowedRange, Limits, Problem, Quantity};
+use slipmode::scene::{AllowedRange, Limits, Problem};
 use slipmode_core::friction::Slider;
 use slipmode_core::number::{Ball, Rational};
 use slipmode_core::stability::boundary::{BoundaryCurve, BoundaryPoint};
 use slipmode_plot::table::Table;
 
 use crate::cli::failure::Failure;
-use crate::cli::options::{Arguments, MaterialOptions, SliderOptions};
+use crate::cli::options::{Arguments, MaterialOptions};
 use crate::cli::output::{Output, machine_write};
 use crate::cli::roots::MOST_DIGITS;
+use crate::cli::terminal;
+
+/// Points on each arc unless the command line says otherwise.
+const DEFAULT_POINTS: u64 = 200;
+/// The arcs of the boundary.
+const ARCS: u64 = 2;
+/// What a point and its row take, in bytes, and each digit of them: measured, and rounded up.
+const POINT_BYTES: u64 = 4_000;
+const DIGIT_BYTES: u64 = 25;
+/// Digits beyond those printed, so that the last one is certain.
+const GUARD_DIGITS: u32 = 2;
 
 /// Working digits beyond which no input in the allowed range hides a point: its groups span less than 10 000 decades.
 const MOST_WORKING_DIGITS: u32 = 100_000;
@@ -24,10 +35,10 @@ const MOST_WORKING_DIGITS: u32 = 100_000;
 #[derive(Debug, Args)]
 pub struct Options {
     #[command(flatten)]
-    slider: SliderOptions,
-    /// Points on each arc, in addition to the marked ones (cusp and corners)
-    #[arg(long, value_name = "N", default_value = "200", allow_hyphen_values = true)]
-    points: String,
+    slider: MaterialOptions,
+    /// Points on each arc, in addition to the marked ones (cusp and corners) [default: 200]
+    #[arg(long, value_name = "N", allow_hyphen_values = true)]
+    points: Option<String>,
     /// Significant digits, 1 to 1 000 000; only certain digits are printed, and 0 for an error that is zero to all of them
     #[arg(long, value_name = "D", default_value = "20", allow_hyphen_values = true)]
     digits: String,
@@ -68,22 +79,17 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     output.write_all(table.to_csv().as_bytes()).map_err(|error| machine_write(&error))?;
     output.commit()?;
     if table.rows.is_empty() {
-        eprintln!("the boundary has no point there");
+        terminal::message("the boundary has no point there");
     }
     Ok(())
 }
 
 impl Request {
     fn read(options: &Options, arguments: &mut Arguments) -> Option<Self> {
-        let slider = slider(&options.slider, arguments);
+        let slider = options.slider.slider(arguments);
         let limit = arguments.whole("--max-points", options.max_points.as_deref(), 2..=u64::from(u32::MAX));
         let limit = limit.unwrap_or(Limits::default().max_points);
-        let points = arguments.whole("--points", Some(&options.points), 2..=u64::MAX);
-        let points = points.filter(|points| *points <= limit).or_else(|| {
-            let points = points?.to_string();
-            let problem = Problem::TooManyPoints { points, limit };
-            arguments.fault("--points", Some(&options.points), problem)
-        });
+        let given = arguments.whole("--points", options.points.as_deref(), 2..=u64::MAX);
         let digits = arguments.whole("--digits", Some(&options.digits), 1..=MOST_DIGITS);
         let mut coordinate = |option, text: &Option<String>| match text {
             Some(text) => arguments.number(option, text, |text| AllowedRange::PHYSICAL.parse(text)).map(Some),
@@ -91,9 +97,21 @@ impl Request {
         };
         let at_velocity = coordinate("--at-velocity", &options.at_velocity);
         let at_normal_stress = coordinate("--at-normal-stress", &options.at_normal_stress);
+        let is_sampled = options.at_velocity.is_none() && options.at_normal_stress.is_none();
+        if !is_sampled {
+            let needs = "neither --at-velocity nor --at-normal-stress, which ask for single points";
+            arguments.refuse("--points", options.points.is_some(), needs);
+            arguments.refuse("--max-points", options.max_points.is_some(), needs);
+        }
+        let points = given.unwrap_or(DEFAULT_POINTS);
+        if let Some(problem) =
+            digits.filter(|_| is_sampled).and_then(|digits| too_many(points, limit, digits))
+        {
+            arguments.fault::<()>("--points", Some(&points.to_string()), problem);
+        }
         Some(Self {
             slider: slider?,
-            points: usize::try_from(points?).ok()?,
+            points: usize::try_from(points).ok()?,
             digits: u32::try_from(digits?).ok()?,
             at_velocity: at_velocity?,
             at_normal_stress: at_normal_stress?,
@@ -129,7 +147,7 @@ impl Request {
         at_velocity.chain(at_stress).collect()
     }
 
-    /// Whether every number of a point has a digit, or is zero to all of them.
+    /// Whether every number of a point has all digits, or is zero to all of them.
     fn is_enclosed(&self, point: &BoundaryPoint) -> bool {
         let numbers = [
             &point.double_root,
@@ -140,18 +158,35 @@ impl Request {
             &point.log10_distance,
             &point.condition_number,
         ];
-        let has_digits = |ball: &Ball| ball.relative_radius_log2() < -4.0;
+        let wanted = -f64::from(self.digits + GUARD_DIGITS) * std::f64::consts::LOG2_10;
+        let has_digits = |ball: &Ball| ball.relative_radius_log2() < wanted;
         numbers.into_iter().all(|ball| has_digits(ball) || vanishes(ball, self.digits as usize))
     }
 }
 
-/// The slider without its operating point: σ and V0 are what is sought, and are checked but not used when given.
-fn slider(options: &SliderOptions, arguments: &mut Arguments) -> Option<Slider<Rational>> {
-    let [a, b, d, k, m] = MaterialOptions::QUANTITIES.map(|quantity| options.required(quantity, arguments));
-    for sought in [Quantity::NormalStress, Quantity::LoadingVelocity] {
-        if options.text(sought).is_some() {
-            options.required(sought, arguments)?;
-        }
+/// Why so many points are not computed, if they are not.
+fn too_many(points: u64, limit: u64, digits: u64) -> Option<Problem> {
+    if points > limit {
+        return Some(Problem::TooManyPoints { points: points.to_string(), limit });
     }
-    Some(Slider::from([a?, b?, d?, k?, m?]))
+    let needed = points.saturating_mul(ARCS * (POINT_BYTES + DIGIT_BYTES * digits));
+    let available = available_memory();
+    let gigabytes = |bytes: u64| format!("{:.1} GB", bytes as f64 / 1e9);
+    (needed > available).then(|| {
+        Problem::Needs(format!(
+            "about {} of memory; {} are available",
+            gigabytes(needed),
+            gigabytes(available)
+        ))
+    })
+}
+
+/// The memory that the system can give, in bytes; where it does not say, that of a small machine.
+fn available_memory() -> u64 {
+    const SMALL_MACHINE: u64 = 8_000_000_000;
+    let stated = std::fs::read_to_string("/proc/meminfo").unwrap_or_default();
+    let kibibytes = stated.lines().find_map(|line| {
+        line.strip_prefix("MemAvailable:")?.trim().strip_suffix(" kB")?.trim().parse::<u64>().ok()
+    });
+    kibibytes.map_or(SMALL_MACHINE, |kibibytes| kibibytes.saturating_mul(1024))
 }

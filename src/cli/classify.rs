@@ -48,6 +48,9 @@ pub struct Options {
 pub fn run(options: &Options, progress: &Progress) -> Result<(), Failure> {
     let mut arguments = Arguments::default();
     let threshold = options.threshold.threshold(&mut arguments);
+    if options.points.is_none() {
+        options.rows.refuse_without_points(&mut arguments);
+    }
     if options.grid.is_given() {
         let request = options.grid.read(&options.slider, &mut arguments);
         arguments.finish()?;

@@ -18,11 +18,10 @@ use slipmode::scene::{AllowedRange, Problem};
 use crate::cli::environment::Environment;
 use crate::cli::failure::Failure;
 use crate::cli::options::Arguments;
-use crate::cli::output::Output;
+use crate::cli::output::{Output, OutputFolder};
 use crate::cli::points::Started;
 use crate::cli::progress::Progress;
-use crate::cli::terminal;
-use crate::cli::tree::OutputFolder;
+use crate::cli::terminal::{self, count_of};
 use crate::cli::words::law_of_word;
 use rows::{CompareRows, ComparedRow, nearest_number};
 
@@ -89,7 +88,7 @@ pub fn run(options: &Options, progress: Progress) -> Result<(), Failure> {
     } else if !takes_stdout {
         terminal::print(&view::text(&done.kept))?;
     }
-    done.faults.iter().for_each(|fault| eprintln!("{fault}"));
+    done.faults.iter().for_each(|fault| terminal::message(&fault.to_string()));
     done.print_warnings();
     verdict(&done.kept, done.faulty())
 }
@@ -123,16 +122,16 @@ impl Options {
 /// Success when every row agrees and none was passed over.
 fn verdict(rows: &[ComparedRow], faulty: u64) -> Result<(), Failure> {
     let count = |verdict: Agreement| rows.iter().filter(|row| row.comparison.verdict == verdict).count();
-    match (count(Agreement::Differs), count(Agreement::NotCompared)) {
-        (differs, open) if faulty > 0 => Err(Failure::Check(format!(
-            "{faulty} rows are invalid; of the other {}, {differs} differ and {open} could not be compared",
-            rows.len()
+    let (differs, open) = (count(Agreement::Differs), count(Agreement::NotCompared));
+    let rest = format!("{}, {differs} differ and {open} could not be compared", count_of(rows.len(), "row"));
+    let faulty = usize::try_from(faulty).unwrap_or(usize::MAX);
+    match differs + open {
+        _ if faulty > 0 => Err(Failure::Check(format!(
+            "{} passed over as invalid; of the other {rest}",
+            count_of(faulty, "row")
         ))),
         _ if rows.is_empty() => Err(Failure::Check("no rows, so nothing was compared".into())),
-        (0, 0) => Ok(()),
-        (differs, open) => {
-            let total = rows.len();
-            Err(Failure::Check(format!("of {total} rows, {differs} differ and {open} could not be compared")))
-        }
+        0 => Ok(()),
+        _ => Err(Failure::Check(format!("of {rest}"))),
     }
 }

@@ -38,7 +38,7 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     }
     let lines: String = differences.iter().map(|line| format!("{line}\n")).collect();
     terminal::print(&lines)?;
-    Err(Failure::Check(format!("{} differences", differences.len())))
+    Err(Failure::Check(terminal::count_of(differences.len(), "difference")))
 }
 
 /// The ledger's bytes: of the file itself, or out of the archive that it is.

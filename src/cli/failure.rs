@@ -6,6 +6,8 @@ use std::path::Path;
 
 use slipmode::scene::{Fault, Faults};
 
+use crate::cli::terminal;
+
 /// Exit code: a check failed.
 pub const CHECK_FAILED: u8 = 1;
 /// Exit code: bad input, or an output that cannot be written.
@@ -20,8 +22,6 @@ pub enum Failure {
     Refused(String),
     /// A check failed; what did is already on standard output.
     Check(String),
-    /// The reader of our output has gone; nothing is left to do or say.
-    ReaderGone,
 }
 
 impl Failure {
@@ -35,12 +35,21 @@ impl Failure {
         Self::Refused(format!("{what}: {error}"))
     }
 
-    /// A write to standard output that did not succeed.
-    pub fn standard_output(error: &io::Error) -> Self {
+    /// A place that is not written, and why.
+    pub fn place(place: &Path, why: &str) -> Self {
+        Self::Refused(format!("{}: {why}", place.display()))
+    }
+
+    /// What a write to standard output that did not succeed means. A reader that has gone wants no more of it, and the command
+    /// goes on to its verdict; anything else is a failure.
+    ///
+    /// # Errors
+    /// When the stream is there and does not take the bytes.
+    pub fn of_standard_output(error: &io::Error) -> Result<(), Self> {
         if error.kind() == io::ErrorKind::BrokenPipe {
-            Self::ReaderGone
+            Ok(())
         } else {
-            Self::machine("standard output", error)
+            Err(Self::machine("standard output", error))
         }
     }
 
@@ -49,26 +58,28 @@ impl Failure {
         match self {
             Self::Input(_) | Self::Refused(_) => BAD_INPUT,
             Self::Check(_) => CHECK_FAILED,
-            Self::ReaderGone => 0,
         }
     }
 
-    /// Tells the user, one line a fault.
+    /// Tells the user, one line a fault, the first ones when there are many.
     pub fn print(&self) {
         match self {
-            Self::Input(faults) => {
-                for fault in faults {
-                    eprintln!("error: {fault}");
-                }
-            }
-            Self::Refused(message) => {
-                for line in message.lines() {
-                    eprintln!("error: {line}");
-                }
-            }
-            Self::Check(message) => eprintln!("{message}"),
-            Self::ReaderGone => {}
+            Self::Input(faults) => print_errors(faults.iter()),
+            Self::Refused(message) => print_errors(message.lines()),
+            Self::Check(message) => terminal::message(message),
         }
+    }
+}
+
+/// The most errors that are printed; the rest is counted.
+const MOST_ERRORS: usize = 25;
+
+fn print_errors<E: fmt::Display>(errors: impl Iterator<Item = E>) {
+    let mut errors = errors.fuse();
+    errors.by_ref().take(MOST_ERRORS).for_each(|error| terminal::message(&format!("error: {error}")));
+    match errors.count() {
+        0 => {}
+        more => terminal::message(&format!("error: and {more} more like these")),
     }
 }
 

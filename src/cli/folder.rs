@@ -10,11 +10,11 @@ use slipmode::archive::{Files, sha256_hex};
 use slipmode::claims::known_ids;
 use slipmode::experiments::References;
 use slipmode::experiments::{Scene, check_distinct_scene_names};
-use slipmode::report::{Folder, InputView};
+use slipmode::report::{Folder, InputView, formula_faults};
 use slipmode::scene::{Fault, Faults, Limits, Problem, ReportPlan, file_text, read_claims, read_equations};
 use slipmode_core::theory::PaperEquations;
 
-use crate::cli::input::{read_small_file, unreadable};
+use crate::cli::input::{fault_of, place_inside, read_small_file, unreadable};
 use references::Places;
 
 /// The paper's equations for scenes that stand outside a report.
@@ -42,7 +42,10 @@ impl Source {
 
     fn read(&self, path: &str) -> Result<Vec<u8>, Fault> {
         match self {
-            Self::Folder(root) => read_small_file(&root.join(path)),
+            Self::Folder(root) => {
+                let place = place_inside(root, path).map_err(|error| unreadable(&root.join(path), &error))?;
+                read_small_file(&place)
+            }
             Self::Archive(root, files) => {
                 let missing = || unreadable(&root.join(path), &io::Error::from(io::ErrorKind::NotFound));
                 files.get(path).cloned().ok_or_else(missing)
@@ -184,13 +187,16 @@ impl Reader {
 fn read_prose(file: &str, bytes: &[u8]) -> Result<String, Faults> {
     if bytes.len() > MOST_PROSE_BYTES {
         let problem = Problem::TooLarge { bytes: bytes.len() as u64, limit: MOST_PROSE_BYTES as u64 };
-        return Err(vec![Fault {
-            file: file.to_string(),
-            line: None,
-            key: String::new(),
-            value: None,
-            problem,
-        }]);
+        return Err(vec![fault_of(Path::new(file), problem)]);
     }
-    file_text(file, bytes).map(str::to_string).map_err(|fault| vec![fault])
+    let text = file_text(file, bytes).map_err(|fault| vec![fault])?;
+    let fault = |(line, message)| Fault {
+        file: file.to_string(),
+        line: Some(line),
+        key: "formula".into(),
+        value: None,
+        problem: Problem::Equation(message),
+    };
+    let faults: Faults = formula_faults(text).into_iter().map(fault).collect();
+    if faults.is_empty() { Ok(text.to_string()) } else { Err(faults) }
 }

@@ -90,8 +90,12 @@ enum Command {
 pub fn main() -> ExitCode {
     let cli = match Cli::try_parse() {
         Ok(cli) => cli,
-        Err(error) => {
-            // Help and version are no errors; a closed pipe is nobody's loss.
+        Err(mut error) => {
+            // The usage line would combine the very options that exclude each other.
+            if error.kind() == clap::error::ErrorKind::ArgumentConflict {
+                error.remove(clap::error::ContextKind::Usage);
+            }
+            // Help and version are no errors. Where they cannot be written, the exit code is the same.
             let _ = error.print();
             return ExitCode::from(if error.use_stderr() { failure::BAD_INPUT } else { 0 });
         }
@@ -106,6 +110,7 @@ pub fn main() -> ExitCode {
 }
 
 fn run(cli: Cli) -> Result<(), Failure> {
+    output::remove_on_signals().map_err(|error| Failure::machine("signals cannot be caught", &error))?;
     let progress = Progress::new(cli.quiet);
     start_threads(cli.threads.as_deref())?;
     match cli.command {

@@ -15,10 +15,10 @@ use slipmode::scene::{Fault, Limits, Problem, check_name};
 use crate::cli::failure::Failure;
 use crate::cli::folder::{Source, read_report_from};
 use crate::cli::options::{Arguments, MaterialOptions};
+use crate::cli::output::OutputFolder;
 use crate::cli::progress::Progress;
 use crate::cli::terminal;
-use crate::cli::tree::{Files, OutputFolder};
-use crate::cli::unit_warnings::unit_warnings;
+use crate::cli::tree::Files;
 
 use files::folder_files;
 pub use ranges::Ranges;
@@ -70,15 +70,6 @@ pub fn run(options: &Options, progress: &Progress) -> Result<(), Failure> {
     }
     let files = draft.files;
     output.commit(&files)?;
-    let p = &parameters;
-    let slider = [
-        &p.direct_effect,
-        &p.evolution_effect,
-        &p.critical_slip_distance_m,
-        &p.stiffness_pa_per_m,
-        &p.mass_per_area_kg_per_m2,
-    ];
-    unit_warnings(&slider).iter().for_each(|warning| eprintln!("warning: {warning}"));
     let listing: String = files.keys().map(|name| format!("{}\n", place.join(name).display())).collect();
     terminal::print(&format!("{listing}next: slipmode report {}\n", place.display()))
 }
@@ -96,8 +87,9 @@ impl Effects {
 /// The name and the numbers as typed, and the numbers as exact values.
 fn read(options: &Options) -> Result<(Typed, Slider<Rational>), Failure> {
     let mut arguments = Arguments::default();
-    if let Err(error) = check_name(&options.name) {
-        arguments.fault::<()>("NAME", Some(&format!("{:?}", options.name)), Problem::BadName(error));
+    // The scene's file is called NAME.toml.
+    if let Err(error) = check_name(&options.name).and(check_name(&format!("{}.toml", options.name))) {
+        arguments.fault::<()>("NAME", Some(&options.name), Problem::BadName(error));
     }
     let given = MaterialOptions::QUANTITIES.map(|quantity| options.material.text(quantity));
     let is_example = given.iter().all(Option::is_none);

@@ -6,10 +6,12 @@ use clap::Args;
 
 use slipmode::scene::{AllowedRange, Fault, Faults, Problem, Quantity, parse_whole};
 use slipmode_core::friction::{Parameters, Slider};
-use slipmode_core::number::Rational;
+use slipmode_core::number::{Rational, nearest_f64};
 use slipmode_core::stability::InertialThreshold;
 
 use crate::cli::failure::Failure;
+use crate::cli::terminal;
+use crate::cli::unit_warnings::unit_warnings;
 
 /// The five arguments that are the material and the machine, in SI; decimals are taken exactly as written.
 #[derive(Debug, Clone, Args)]
@@ -56,11 +58,12 @@ impl MaterialOptions {
 
     /// All five values; what is missing or faulty is collected in `arguments`.
     pub fn slider(&self, arguments: &mut Arguments) -> Option<Slider<Rational>> {
-        let [Some(a), Some(b), Some(d), Some(k), Some(m)] =
-            Self::QUANTITIES.map(|quantity| required(quantity, self.text(quantity), arguments))
-        else {
-            return None;
-        };
+        let values = Quantity::ALL.map(|quantity| match quantity {
+            Quantity::NormalStress | Quantity::LoadingVelocity => None,
+            of_the_slider => required(of_the_slider, self.text(of_the_slider), arguments),
+        });
+        arguments.check_units(&values);
+        let [Some(a), Some(b), Some(d), Some(k), Some(m), ..] = values else { return None };
         Some(Slider::from([a, b, d, k, m]))
     }
 }
@@ -70,7 +73,7 @@ impl MaterialOptions {
 #[command(next_help_heading = "Slider (SI; decimals are exact: 0.004 is 1/250)")]
 pub struct SliderOptions {
     #[command(flatten)]
-    material: MaterialOptions,
+    pub material: MaterialOptions,
     /// σ
     #[arg(short = 's', long, value_name = "S", allow_hyphen_values = true)]
     pub normal_stress_pa: Option<String>,
@@ -92,15 +95,20 @@ impl SliderOptions {
     /// All seven values; what is missing or faulty is collected in `arguments`.
     pub fn parameters(&self, arguments: &mut Arguments) -> Option<Parameters<Rational>> {
         let values = Quantity::ALL.map(|quantity| self.required(quantity, arguments));
+        arguments.check_units(&values);
         let [Some(a), Some(b), Some(d), Some(k), Some(m), Some(s), Some(v)] = values else { return None };
         Some(Parameters::from([a, b, d, k, m, s, v]))
     }
 
     /// Notes every quantity that was given although a file's columns give the slider.
     pub fn refuse_beside_points(&self, arguments: &mut Arguments) {
-        for quantity in Quantity::ALL.into_iter().filter(|quantity| self.text(*quantity).is_some()) {
-            let in_file = Problem::Needs("no --points: the file's columns give the slider".into());
-            arguments.fault::<()>(&option_of(quantity), self.text(quantity), in_file);
+        for quantity in Quantity::ALL {
+            let is_given = self.text(quantity).is_some();
+            arguments.refuse(
+                &option_of(quantity),
+                is_given,
+                "no --points: the file's columns give the slider",
+            );
         }
     }
 
@@ -143,10 +151,11 @@ impl ThresholdOption {
     }
 }
 
-/// The faults of a command line, collected while its values are read.
+/// The faults and warnings of a command line, collected while its values are read.
 #[derive(Debug, Default)]
 pub struct Arguments {
     faults: Faults,
+    warnings: Vec<String>,
 }
 
 impl Arguments {
@@ -160,6 +169,18 @@ impl Arguments {
             problem,
         });
         None
+    }
+
+    /// Notes an option that would have no effect.
+    pub fn refuse(&mut self, option: &str, is_given: bool, needs: &str) {
+        if is_given {
+            self.fault::<()>(option, None, Problem::Needs(needs.to_string()));
+        }
+    }
+
+    /// Notes values of [`Quantity::ALL`] that look like another unit's.
+    pub fn check_units(&mut self, values: &[Option<Rational>; 7]) {
+        self.warnings.extend(unit_warnings(values.each_ref().map(|value| value.as_ref().map(nearest_f64))));
     }
 
     /// A value read by `parse`.
@@ -180,11 +201,12 @@ impl Arguments {
         self.number(option, text?, |text| parse_whole(text, &range))
     }
 
-    /// Ends the reading.
+    /// Ends the reading; prints the warnings.
     ///
     /// # Errors
     /// All the faults, if there are any.
     pub fn finish(self) -> Result<(), Failure> {
+        self.warnings.iter().for_each(|warning| terminal::message(&format!("warning: {warning}")));
         if self.faults.is_empty() { Ok(()) } else { Err(Failure::Input(self.faults)) }
     }
 }

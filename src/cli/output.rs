@@ -1,75 +1,94 @@
 //! Output files: written next to their place and renamed into it when complete, or spooled and then copied to standard output.
 
-use std::fs::{self, File, OpenOptions};
+mod folder;
+mod partial;
+mod places;
+
+use std::fs::{self, File};
 use std::io::{self, BufWriter, Seek, SeekFrom, Write};
+use std::os::fd::AsFd;
 use std::path::{Path, PathBuf};
 
 use crate::cli::failure::Failure;
+use partial::PartialFile;
+
+pub use folder::OutputFolder;
+pub use partial::remove_on_signals;
+pub use places::{check_input, note_input, note_input_folder};
 
 /// A file under writing that appears in its place only when [`Output::commit`] succeeds.
 #[derive(Debug)]
 pub struct Output {
     target: Target,
-    writer: BufWriter<File>,
 }
 
 #[derive(Debug)]
 enum Target {
-    /// A regular file, and the file next to it that is written.
-    File { place: PathBuf, beside: Beside },
-    /// Standard output, from a spool file that nobody else sees.
-    Spool(Beside),
+    /// A regular file, and the unfinished one next to it.
+    File { place: PathBuf, partial: BufWriter<PartialFile> },
+    /// Standard output, from a file without a name.
+    Spool(BufWriter<File>),
 }
 
-/// A file that is removed unless it was renamed.
-#[derive(Debug)]
-struct Beside(PathBuf);
-
-impl Drop for Beside {
-    fn drop(&mut self) {
-        // Gone already after a rename; otherwise there is nobody left to tell.
-        let _ = fs::remove_file(&self.0);
-    }
-}
+/// Bytes collected before they are written.
+const BUFFER_BYTES: usize = 1 << 16;
 
 impl Output {
     /// Starts a file; `-` is standard output, which receives nothing before everything has succeeded.
     ///
     /// # Errors
-    /// When the place is a folder, a link or a device, or its folder is missing or not writable.
+    /// When the place is an input of the command, a folder, a link or a device, or its folder is missing or not writable.
     pub fn create(place: &Path) -> Result<Self, Failure> {
         if place.as_os_str() == "-" {
-            let (beside, file) = create_spool(&std::env::temp_dir())?;
-            return Ok(Self {
-                target: Target::Spool(beside),
-                writer: BufWriter::with_capacity(1 << 16, file),
-            });
+            return Self::spool();
         }
         check_place(place)?;
-        let (beside, file) = create_beside(beside_name(place)?, place)?;
-        let target = Target::File { place: place.to_path_buf(), beside };
-        Ok(Self { target, writer: BufWriter::with_capacity(1 << 16, file) })
+        places::note_output(place, false).map_err(|why| Failure::place(place, why))?;
+        Self::replace(place)
+    }
+
+    /// Starts a file in a folder of the command's own, of which it may have read the earlier version.
+    ///
+    /// # Errors
+    /// When the folder is missing or not writable.
+    pub fn replace(place: &Path) -> Result<Self, Failure> {
+        if place.file_name().is_none() {
+            return Err(Failure::place(place, "is not a name that can be written"));
+        }
+        let partial =
+            PartialFile::beside(place).map_err(|error| Failure::io(place, "cannot be created", &error))?;
+        let partial = BufWriter::with_capacity(BUFFER_BYTES, partial);
+        Ok(Self { target: Target::File { place: place.to_path_buf(), partial } })
+    }
+
+    fn spool() -> Result<Self, Failure> {
+        let no_spool = |error: io::Error| Failure::machine("a temporary file cannot be created", &error);
+        // A stream that is closed has no file, and nothing to overwrite.
+        if let Ok(stdout) = io::stdout().as_fd().try_clone_to_owned() {
+            places::note_standard_output(&File::from(stdout))
+                .map_err(|why| Failure::Refused(format!("standard output: {why}")))?;
+        }
+        let file = tempfile::tempfile().map_err(no_spool)?;
+        Ok(Self { target: Target::Spool(BufWriter::with_capacity(BUFFER_BYTES, file)) })
     }
 
     /// Puts the file in its place.
     ///
     /// # Errors
     /// When the last bytes cannot be written or the file cannot be renamed; nothing is left behind then.
-    pub fn commit(self) -> Result<(), Failure> {
-        let Self { target, writer } = self;
-        let mut file = writer.into_inner().map_err(|error| machine_write(&target.naming(error.error())))?;
-        match target {
-            Target::File { place, beside } => {
-                file.sync_all().map_err(|error| Failure::io(&place, "cannot be written", &error))?;
-                fs::rename(&beside.0, &place)
-                    .map_err(|error| Failure::io(&place, "cannot be written", &error))
+    pub fn commit(mut self) -> Result<(), Failure> {
+        self.flush().map_err(|error| machine_write(&error))?;
+        match self.target {
+            Target::File { place, partial } => {
+                let partial = partial.into_inner().map_err(|error| machine_write(error.error()))?;
+                partial.persist(&place).map_err(|error| Failure::io(&place, "cannot be written", &error))
             }
-            Target::Spool(_beside) => {
+            Target::Spool(writer) => {
+                let mut file = writer.into_inner().map_err(|error| machine_write(error.error()))?;
                 file.seek(SeekFrom::Start(0)).map_err(|error| machine_write(&error))?;
                 let mut stdout = io::stdout().lock();
-                io::copy(&mut file, &mut stdout)
-                    .and_then(|_| stdout.flush())
-                    .map_err(|error| Failure::standard_output(&error))
+                let copied = io::copy(&mut file, &mut stdout).and_then(|_| stdout.flush());
+                copied.or_else(|error| Failure::of_standard_output(&error))
             }
         }
     }
@@ -77,22 +96,32 @@ impl Output {
 
 impl Write for Output {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        self.writer.write(bytes).map_err(|error| self.target.naming(&error))
+        self.attempt(|writer| writer.write(bytes))
     }
 
     fn flush(&mut self) -> io::Result<()> {
-        self.writer.flush().map_err(|error| self.target.naming(&error))
+        self.attempt(|writer| writer.flush())
     }
 }
 
-impl Target {
-    /// The error with the name of the output in front.
-    fn naming(&self, error: &io::Error) -> io::Error {
-        let name = match self {
-            Self::File { place, .. } => place.display().to_string(),
-            Self::Spool(_) => "standard output".to_string(),
+impl Output {
+    /// Does something with the file; an error gets the name of the output in front.
+    fn attempt<T>(&mut self, action: impl FnOnce(&mut dyn Write) -> io::Result<T>) -> io::Result<T> {
+        let (done, name) = match &mut self.target {
+            Target::File { place, partial } => (action(partial), place.display().to_string()),
+            Target::Spool(file) => (action(file), "a temporary file for standard output".to_string()),
         };
-        io::Error::new(error.kind(), format!("{name}: {error}"))
+        done.map_err(|error| io::Error::new(error.kind(), format!("{name}: {error}")))
+    }
+}
+
+impl Write for PartialFile {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        self.file().write(bytes)
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.file().flush()
     }
 }
 
@@ -112,38 +141,5 @@ fn check_place(place: &Path) -> Result<(), Failure> {
         () if metadata.permissions().readonly() => "is read-only",
         () => return Ok(()),
     };
-    Err(Failure::Refused(format!("{}: {wrong}", place.display())))
-}
-
-/// The hidden name in the same folder under which a file is written first.
-pub fn beside_name(place: &Path) -> Result<PathBuf, Failure> {
-    let Some(name) = place.file_name() else {
-        return Err(Failure::Refused(format!("{}: is not a name that can be written", place.display())));
-    };
-    let mut hidden = std::ffi::OsString::from(".");
-    hidden.push(name);
-    hidden.push(format!(".{}.partial", std::process::id()));
-    Ok(place.with_file_name(hidden))
-}
-
-/// Names tried for a spool file.
-const MOST_SPOOL_NAMES: u32 = 1000;
-
-/// A spool file under a name that nothing else has: a run that was killed may have left its own behind.
-fn create_spool(folder: &Path) -> Result<(Beside, File), Failure> {
-    let named = |number: u32| folder.join(format!("slipmode-{}-{number}.spool", std::process::id()));
-    let free = (0..MOST_SPOOL_NAMES).find(|number| !named(*number).exists());
-    let path = named(free.unwrap_or(MOST_SPOOL_NAMES));
-    create_beside(path.clone(), &path)
-}
-
-/// A new file; messages name what it is to become.
-fn create_beside(path: PathBuf, place: &Path) -> Result<(Beside, File), Failure> {
-    let file = OpenOptions::new()
-        .read(true)
-        .write(true)
-        .create_new(true)
-        .open(&path)
-        .map_err(|error| Failure::io(place, "cannot be created", &error))?;
-    Ok((Beside(path), file))
+    Err(Failure::place(place, wrong))
 }

@@ -14,8 +14,10 @@ use slipmode::scene::{Fault, Faults};
 
 use crate::cli::failure::Failure;
 use crate::cli::input::open_csv;
+use crate::cli::options::Arguments;
 use crate::cli::output::{Output, machine_write};
 use crate::cli::progress::Progress;
+use crate::cli::terminal;
 
 /// The most faults that are reported before the run stops looking for more.
 const MOST_FAULTS: usize = 20;
@@ -23,12 +25,21 @@ const MOST_FAULTS: usize = 20;
 /// What becomes of the rows of `--points`.
 #[derive(Debug, Args)]
 pub struct RowsOptions {
-    /// Where to write the rows; `-` is standard output
-    #[arg(short, long, value_name = "OUT.csv", default_value = "-", requires = "points")]
-    output: PathBuf,
+    /// Where to write the rows; `-` is standard output [default: -]
+    #[arg(short, long, value_name = "OUT.csv")]
+    output: Option<PathBuf>,
     /// Give invalid rows a cell in a column `error` instead of stopping
-    #[arg(long, requires = "points")]
+    #[arg(long)]
     keep_going: bool,
+}
+
+impl RowsOptions {
+    /// Notes the options that need rows, where there are none.
+    pub fn refuse_without_points(&self, arguments: &mut Arguments) {
+        let needs = "--points: without rows nothing is written to a file, and none can be at fault";
+        arguments.refuse("--output", self.output.is_some(), needs);
+        arguments.refuse("--keep-going", self.keep_going, needs);
+    }
 }
 
 /// What is left of the rows when all are done.
@@ -54,7 +65,7 @@ pub fn run<W: RowWork>(
 ) -> Result<(), Failure> {
     // An output that cannot be written is reported before the work, not after it; a faulty header before the output.
     let started = Started::new(input, command, options.keep_going, progress)?;
-    let mut output = Output::create(&options.output)?;
+    let mut output = Output::create(options.output.as_deref().unwrap_or(Path::new("-")))?;
     let done = started.work(&mut output)?;
     output.commit()?;
     done.print_remarks();
@@ -171,20 +182,26 @@ impl Counts {
     /// Says on standard error that rows were passed over, so that nobody takes the output for complete.
     fn print_remarks(&self) {
         if self.faulty > 0 {
-            eprintln!("{} of {} rows have an error; see the column `error`", self.faulty, self.rows);
+            terminal::message(&format!(
+                "{} of {} rows have an error; see the column `error`",
+                self.faulty, self.rows
+            ));
         }
         if self.unanswered > 0 {
-            eprintln!("{} of {} rows have no result; see the column `status`", self.unanswered, self.rows);
+            terminal::message(&format!(
+                "{} of {} rows have no result; see the column `status`",
+                self.unanswered, self.rows
+            ));
         }
         self.print_warnings();
     }
 
     fn print_warnings(&self) {
         if let Some((row, warning)) = &self.first_warning {
-            eprintln!(
+            terminal::message(&format!(
                 "warning: row {row}: {warning}; {} of {} rows have a warning",
                 self.with_warning, self.rows
-            );
+            ));
         }
     }
 }

@@ -181,9 +181,9 @@ impl Replay<'_> {
 /// # Errors
 /// When the report cannot be rendered.
 pub fn recompute(folder: &Folder, place: &Path, progress: &Progress) -> Result<Product, Failure> {
-    let command = format!("slipmode report reports/{}", folder.plan.name);
+    let stated_place = format!("reports/{}", folder.plan.name);
     let mut product = progress
-        .items(|progress| produce(folder, &command, Vec::new(), progress))
+        .items(|progress| produce(folder, &stated_place, Vec::new(), progress))
         .map_err(|error| unrenderable(place, &error))?;
     machine_free(&mut product);
     Ok(product)

@@ -14,9 +14,10 @@ use crate::cli::environment::{ENVIRONMENT_FILE, Environment};
 use crate::cli::failure::Failure;
 use crate::cli::folder::{read_report, read_scene};
 use crate::cli::options::Arguments;
+use crate::cli::output::{OutputFolder, note_input_folder};
 use crate::cli::progress::Progress;
-use crate::cli::terminal;
-use crate::cli::tree::{Files, OutputFolder, differences};
+use crate::cli::terminal::{self, count_of};
+use crate::cli::tree::{Files, differences};
 
 /// The file name of a report's page.
 const PAGE: &str = "index.html";
@@ -73,7 +74,7 @@ pub struct VerifyOptions {
     #[command(flatten)]
     report: ReportOptions,
     /// Decides only this claim, writes nothing, and prints the evidence
-    #[arg(long, value_name = "ID")]
+    #[arg(long, value_name = "ID", conflicts_with_all = ["output", "for_publication"])]
     claim: Option<String>,
 }
 
@@ -114,8 +115,9 @@ pub fn verify(options: &VerifyOptions, progress: &Progress) -> Result<(), Failur
         let folder = read_report(&options.folder, options.limit.limits()?)?;
         return verify_claim(&folder, id, progress);
     }
-    let Made { product, place, publish_page } = make(options, progress)?;
     let published = options.folder.join("published");
+    note_input_folder(&published).map_err(|why| Failure::place(&published, why))?;
+    let Made { product, place, publish_page } = make(options, progress)?;
     let mut moved = if published.exists() {
         differences(&published_files(&product.files, publish_page), &published)?
     } else {
@@ -133,8 +135,11 @@ pub fn verify(options: &VerifyOptions, progress: &Progress) -> Result<(), Failur
     if drift.is_empty() && moved.is_empty() {
         return Ok(());
     }
-    let counts = format!("differences: {} verdicts, {} files", drift.len(), moved.len());
-    let hint = "check the differences, then `cargo xtask accept` rewrites the published copy".to_string();
+    let counts = format!("differences: {}, {}", count_of(drift.len(), "verdict"), count_of(moved.len(), "file"));
+    let hint = format!(
+        "check the differences; `slipmode report {} -o NEW --for-publication` writes the copy to publish",
+        options.folder.display()
+    );
     let lines: Vec<String> = drift.into_iter().chain(moved).chain([counts, hint]).collect();
     Err(Failure::Check(lines.join("\n")))
 }
@@ -158,9 +163,9 @@ fn make(options: &ReportOptions, progress: &Progress) -> Result<Made, Failure> {
     let name = &folder.plan.name;
     let place = options.output.clone().unwrap_or_else(|| Path::new("target/report").join(name));
     let output = OutputFolder::create(&place)?;
-    let command = format!("slipmode report {}", stated_place(&options.folder));
+    let stated_place = stated_place(&options.folder);
     let product = progress
-        .items(|progress| produce(&folder, &command, environment.facts(), progress))
+        .items(|progress| produce(&folder, &stated_place, environment.facts(), progress))
         .map_err(|error| unrenderable(&options.folder, &error))?;
     let publish_page = folder.plan.publish_page;
     let mut files = published_files(&product.files, publish_page || !options.for_publication);
@@ -214,8 +219,8 @@ pub fn drift(ledger: &Ledger) -> Vec<String> {
 pub fn summary(ledger: &Ledger) -> String {
     let count = |verdict| ledger.count(verdict);
     format!(
-        "{} claims: {} hold, {} hold within a limit, {} fail, {} not checked\n",
-        ledger.claims.len(),
+        "{}: {} hold, {} hold within a limit, {} fail, {} not checked\n",
+        count_of(ledger.claims.len(), "claim"),
         count(Verdict::Holds),
         count(Verdict::HoldsWithin),
         count(Verdict::Fails),

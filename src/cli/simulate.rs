@@ -50,7 +50,13 @@ pub struct Options {
     #[arg(long, value_name = "OUT.csv", conflicts_with = "points")]
     trajectory: Option<PathBuf>,
     /// Duration of the trajectory, s [default: ten periods; without oscillation, until 1e-13 of the deviation is left]
-    #[arg(long, value_name = "T", requires = "trajectory", allow_hyphen_values = true)]
+    #[arg(
+        long,
+        value_name = "T",
+        requires = "trajectory",
+        conflicts_with = "points",
+        allow_hyphen_values = true
+    )]
     duration_s: Option<String>,
     /// Simulate every row of a CSV file; `-` reads standard input
     ///
@@ -71,6 +77,7 @@ pub fn run(options: &Options, progress: &Progress) -> Result<(), Failure> {
     let law = options.law.as_ref().and_then(|word| arguments.number("--law", word, law_of_word));
     let settings = options.settings(&mut arguments);
     let Some(points) = &options.points else {
+        options.rows.refuse_without_points(&mut arguments);
         return options.single(law, settings, arguments, *progress);
     };
     options.slider.refuse_beside_points(&mut arguments);
@@ -112,8 +119,8 @@ impl Options {
         };
         // An output that cannot be written is reported before the work, not after it.
         let output = self.trajectory.as_deref().map(Output::create).transpose()?;
-        if let Some(warning) = range::warning(&parameters) {
-            eprintln!("warning: {warning}");
+        for warning in range::outside_tested(&parameters) {
+            terminal::message(&format!("warning: {warning}"));
         }
         let (found, written) = progress.spinner("simulating", || {
             let found = simulate_point(&parameters, law, settings);

@@ -24,6 +24,7 @@ use slipmode::sweep::{Blocks, Shard};
 use crate::cli::failure::Failure;
 use crate::cli::options::Arguments;
 use crate::cli::progress::Progress;
+use crate::cli::terminal;
 use block_file::{Content, OpenBlock, Origin, Unsound, write_block};
 use load::{Loaded, Task};
 use points::{Job, Points};
@@ -35,9 +36,9 @@ use work::{Lines, PointWork};
 pub struct Options {
     /// The scene: a TOML file with a section [sweep]
     scene: PathBuf,
-    /// The shard to compute: block k belongs to shard k mod N; shards are counted from 0
-    #[arg(long, value_name = "I/N", default_value = "0/1", allow_hyphen_values = true)]
-    shard: String,
+    /// The shard to compute: block k belongs to shard k mod N; shards are counted from 0 [default: 0/1]
+    #[arg(long, value_name = "I/N", allow_hyphen_values = true)]
+    shard: Option<String>,
     /// The folder of the blocks; valid blocks in it are not computed again
     #[arg(long, value_name = "DIR", required_unless_present = "plan")]
     out: Option<PathBuf>,
@@ -47,14 +48,16 @@ pub struct Options {
     /// Write a job array for Slurm and the merge after it into DIR, and compute nothing
     #[arg(long)]
     slurm: bool,
-    /// Target time of a shard on one core, minutes
-    #[arg(long, value_name = "M", default_value = "30", allow_hyphen_values = true)]
-    minutes: String,
+    /// With --plan or --slurm: target time of a shard on one core, minutes [default: 30]
+    #[arg(long, value_name = "M", allow_hyphen_values = true)]
+    minutes: Option<String>,
     /// Shards of the job array [default: computed from --minutes]
     #[arg(long, value_name = "N", requires = "slurm", allow_hyphen_values = true)]
     shards: Option<String>,
 }
 
+/// How long a shard takes unless the command line says otherwise, in minutes.
+const DEFAULT_MINUTES: u64 = 30;
 /// The longest shard, in minutes: a week.
 const MOST_MINUTES: u64 = 7 * 24 * 60;
 /// The most shards of a job array.
@@ -66,14 +69,22 @@ pub const MOST_SHARDS: u64 = 1_000_000;
 /// When the arguments or the scene are at fault, a file cannot be read or written, or the folder has another sweep's blocks.
 pub fn run(options: &Options, progress: &Progress) -> Result<(), Failure> {
     let mut arguments = Arguments::default();
-    let shard = arguments.number("--shard", &options.shard, |text| {
+    let shard = options.shard.as_deref().unwrap_or("0/1");
+    let shard = arguments.number("--shard", shard, |text| {
         let allowed = "I/N with whole numbers 0 <= I < N".to_string();
         Shard::parse(text).ok_or(Problem::OutOfRange { allowed })
     });
-    let minutes = arguments.whole("--minutes", Some(&options.minutes), 1..=MOST_MINUTES);
+    let minutes = arguments.whole("--minutes", options.minutes.as_deref(), 1..=MOST_MINUTES);
+    let minutes = minutes.unwrap_or(DEFAULT_MINUTES);
     let shards = arguments.whole("--shards", options.shards.as_deref(), 1..=MOST_SHARDS);
+    let computes_nothing = options.plan || options.slurm;
+    let needs = "neither --plan nor --slurm, which compute no shard";
+    arguments.refuse("--shard", computes_nothing && options.shard.is_some(), needs);
+    let needs = "--plan or --slurm: a shard takes as long as it takes";
+    arguments.refuse("--minutes", !computes_nothing && options.minutes.is_some(), needs);
+    arguments.refuse("--out", options.plan && options.out.is_some(), "no --plan, which writes nothing");
     arguments.finish()?;
-    let (Some(shard), Some(minutes)) = (shard, minutes) else { return Ok(()) };
+    let Some(shard) = shard else { return Ok(()) };
     let loaded = load::load(&options.scene)?;
     match &options.out {
         Some(out) if options.slurm => {
@@ -121,7 +132,9 @@ impl Task for ComputeShard<'_> {
         done?;
         match writer.unanswered.into_inner() {
             0 => {}
-            count => eprintln!("{count} points have no result; see their columns `status` or `error`"),
+            count => terminal::message(&format!(
+                "{count} points have no result; see their columns `status` or `error`"
+            )),
         }
         Ok(())
     }

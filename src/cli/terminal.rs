@@ -1,19 +1,17 @@
-//! Standard output: written whole or not at all, and silent when its reader has gone.
+//! Standard output, written whole or not at all, and standard error; no character of a message acts on the terminal.
 
 use std::io::{self, Write};
 
+use slipmode::scene::visible;
+
 use crate::cli::failure::Failure;
 
-/// Writes a finished text to standard output.
+/// Writes a finished text to standard output. A reader that has gone is no failure.
 ///
 /// # Errors
-/// When it cannot be written, also when the reader has gone.
+/// When it cannot be written.
 pub fn print(text: &str) -> Result<(), Failure> {
-    let mut stdout = io::stdout().lock();
-    stdout
-        .write_all(text.as_bytes())
-        .and_then(|()| stdout.flush())
-        .map_err(|error| Failure::standard_output(&error))
+    print_raw(&visible_lines(text))
 }
 
 /// Writes a JSON value to standard output, indented.
@@ -21,7 +19,43 @@ pub fn print(text: &str) -> Result<(), Failure> {
 /// # Errors
 /// As [`print`].
 pub fn print_json(value: &serde_json::Value) -> Result<(), Failure> {
-    print(&format!("{value:#}\n"))
+    // JSON has escapes of its own for control characters.
+    print_raw(&format!("{value:#}\n"))
+}
+
+fn print_raw(text: &str) -> Result<(), Failure> {
+    let mut stdout = io::stdout().lock();
+    let written = stdout.write_all(text.as_bytes()).and_then(|()| stdout.flush());
+    written.or_else(|error| Failure::of_standard_output(&error))
+}
+
+/// Writes lines to standard error. Where it cannot be written, result and exit code are the same without them.
+pub fn message(text: &str) {
+    let lines = text.split('\n').map(shortened).collect::<Vec<_>>().join("\n");
+    let _ = writeln!(io::stderr().lock(), "{}", visible_lines(&lines));
+}
+
+/// The longest line of a message, in characters: room for a list of allowed words, not for a value of 100 kB.
+const LONGEST_LINE: usize = 2_000;
+
+fn shortened(line: &str) -> String {
+    match line.char_indices().nth(LONGEST_LINE) {
+        None => line.to_string(),
+        Some((end, _)) => format!("{}… ({} bytes in all)", &line[..end], line.len()),
+    }
+}
+
+/// A number of things: `1 row`, `2 rows`.
+pub fn count_of(count: usize, thing: &str) -> String {
+    match count {
+        1 => format!("1 {thing}"),
+        count => format!("{count} {thing}s"),
+    }
+}
+
+/// The text with every character but the ends of lines made visible.
+fn visible_lines(text: &str) -> String {
+    text.split('\n').map(visible).collect::<Vec<_>>().join("\n")
 }
 
 /// Lines of name, value and remark.

@@ -1,46 +1,68 @@
 //! Warnings about units: values as a lab book has them, far from what they are in SI.
 
-use rug::Float;
 use slipmode::scene::Quantity;
-use slipmode_core::number::Rational;
-use slipmode_core::number::format::round_float;
+use slipmode_core::friction::Parameters;
+use slipmode_core::number::format::round_digits;
 
-/// A quantity, the values it has in SI, and what others look like.
-type Usual = (Quantity, [f64; 2], &'static str);
-
-const USUAL: [Usual; 5] = [
-    (Quantity::DirectEffect, EFFECTS, THOUSANDTHS),
-    (Quantity::EvolutionEffect, EFFECTS, THOUSANDTHS),
-    // Laboratories have 10^-7 to 10^-3 m.
-    (Quantity::CriticalSlipDistance, [0.0, 0.1], "looks like um (wanted: m)"),
-    // A table-top spring of 100 N/m on 100 cm² has 10^4 Pa/m.
-    (Quantity::Stiffness, [1e3, f64::MAX], "looks like MPa/mm (wanted: Pa/m)"),
-    // A kilogram on 500 cm².
-    (Quantity::NormalStress, [200.0, f64::MAX], "looks like MPa (wanted: Pa)"),
-];
-
+/// Loading velocities of laboratories end below this, m/s; one in um/s is written as 1 and more.
+const FAST_M_PER_S: f64 = 1.0;
+/// A kilogram on 1000 cm² has this mass per area; blocks of a laboratory have some kilograms on less.
+const LIGHT_KG_PER_M2: f64 = 10.0;
+/// Laboratories have 10^-7 to 10^-3 m.
+const LONG_SLIP_M: f64 = 1e-3;
+/// Heavier sliders than this are faults, which slip further.
+const HEAVY_KG_PER_M2: f64 = 1e5;
+/// A table-top spring of 100 N/m on 100 cm² has 10^4 Pa/m.
+const SOFT_PA_PER_M: f64 = 1e3;
+/// A kilogram on 500 cm².
+const LOW_STRESS_PA: f64 = 200.0;
 /// Measured effects are some thousandths to some hundredths.
-const EFFECTS: [f64; 2] = [0.0, 0.5];
-const THOUSANDTHS: &str = "looks like thousandths (wanted: a plain number, such as 0.01)";
+const LARGE_EFFECT: f64 = 0.5;
 
-/// What looks like another unit, a line each; `values` are those of [`Quantity::ALL`], or the first of them.
-pub fn unit_warnings(values: &[&Rational]) -> Vec<String> {
-    let warning = |(quantity, value): (Quantity, &&Rational)| {
-        let (_, [from, to], looks) = USUAL.into_iter().find(|(usual, ..)| *usual == quantity)?;
-        let shown = || round_float(&Float::with_val(64, *value), 6);
-        (**value < from || **value > to).then(|| format!("{} = {}: {looks}", quantity.key(), shown()))
+/// What looks like another unit, a line each; `values` are those of [`Quantity::ALL`] in SI, as far as they are known.
+pub fn unit_warnings(values: [Option<f64>; 7]) -> Vec<String> {
+    let mass = values[Quantity::MassPerArea as usize];
+    let warning = |(quantity, value): (Quantity, Option<f64>)| {
+        let looks = looks_like(quantity, value?, mass)?;
+        Some(format!("{} = {}: {looks}", quantity.key(), round_digits(value?, 6)))
     };
     Quantity::ALL.into_iter().zip(values).filter_map(warning).collect()
+}
+
+/// [`unit_warnings`] of a whole slider.
+pub fn slider_warnings(slider: Parameters<f64>) -> Vec<String> {
+    let values: [f64; 7] = slider.into();
+    unit_warnings(values.map(Some))
+}
+
+/// Which other unit a value seems to have.
+fn looks_like(quantity: Quantity, value: f64, mass: Option<f64>) -> Option<&'static str> {
+    match quantity {
+        Quantity::DirectEffect | Quantity::EvolutionEffect if value > LARGE_EFFECT => {
+            Some("looks like thousandths (wanted: a plain number, such as 0.01)")
+        }
+        Quantity::CriticalSlipDistance if value >= 1.0 => Some("looks like um (wanted: m)"),
+        Quantity::CriticalSlipDistance
+            if value > LONG_SLIP_M && mass.is_none_or(|mass| mass < HEAVY_KG_PER_M2) =>
+        {
+            Some("looks like mm or um (wanted: m)")
+        }
+        Quantity::Stiffness if value < SOFT_PA_PER_M => Some("looks like MPa/mm or MPa/m (wanted: Pa/m)"),
+        Quantity::MassPerArea if value < LIGHT_KG_PER_M2 => {
+            Some("looks like kg (wanted: kg/m2, the mass per area of contact)")
+        }
+        Quantity::NormalStress if value < LOW_STRESS_PA => Some("looks like MPa (wanted: Pa)"),
+        Quantity::LoadingVelocity if value >= FAST_M_PER_S => Some("looks like um/s (wanted: m/s)"),
+        _ => None,
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use slipmode_core::number::parse_decimal;
 
-    fn warned<const N: usize>(values: [&str; N]) -> Vec<String> {
-        let values = values.map(|text| parse_decimal(text).unwrap());
-        unit_warnings(&values.each_ref())
+    fn warned(values: [f64; 7]) -> Vec<String> {
+        unit_warnings(values.map(Some))
     }
 
     #[test]
@@ -50,14 +72,25 @@ mod tests {
             "evolution_effect = 12.6: looks like thousandths",
             "critical_slip_distance_m = 8: looks like um",
             "stiffness_pa_per_m = 2: looks like MPa/mm",
+            "mass_per_area_kg_per_m2 = 5: looks like kg",
             "normal_stress_pa = 5: looks like MPa",
+            "loading_velocity_m_per_s = 10: looks like um/s",
         ];
-        let said = warned(["9", "12.6", "8", "2", "2400", "5", "1e-5"]);
-        assert_eq!(said.len(), wanted.len(), "{said:?}");
-        for (said, part) in said.iter().zip(wanted) {
-            assert!(said.starts_with(part), "{said}");
+        let warnings = warned([9.0, 12.6, 8.0, 2.0, 5.0, 5.0, 10.0]);
+        assert_eq!(warnings.len(), wanted.len(), "{warnings:?}");
+        for (warning, part) in warnings.iter().zip(wanted) {
+            assert!(warning.starts_with(part), "{warning}");
         }
-        assert!(warned(["0.009", "0.0126", "8e-6", "2e9", "2400"]).is_empty());
-        assert!(warned(["0.02", "0.035", "1e-6", "1e4", "20", "2.5e3", "1e-6"]).is_empty());
+        assert!(warned([0.009, 0.0126, 8e-6, 2e9, 2400.0, 5e6, 1e-5]).is_empty());
+        assert!(warned([0.02, 0.035, 1e-6, 1e4, 20.0, 2.5e3, 1e-6]).is_empty());
+        assert!(unit_warnings([None; 7]).is_empty());
+    }
+
+    #[test]
+    fn millimetres_are_told_from_the_slip_of_a_fault_by_its_mass() {
+        let slip = |metres: f64, mass: f64| warned([0.009, 0.0126, metres, 2e9, mass, 5e6, 1e-5]);
+        assert!(slip(0.01, 2400.0)[0].contains("looks like mm"));
+        assert!(slip(0.01, 3e6).is_empty());
+        assert!(slip(10.0, 3e6)[0].contains("looks like um"));
     }
 }

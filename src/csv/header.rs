@@ -105,22 +105,23 @@ pub fn column_faults(names: &[String], appended: &[&str], keep_going: bool) -> V
     faults
 }
 
-/// Why a column is not there: it has another unit, or it is missing.
+/// Why a column is not there: it has another name, or it is missing.
 pub fn absent(key: &'static str, stem: &str, names: &[String]) -> (String, CsvProblem) {
-    match other_unit(stem, names) {
-        Some(name) => (name.to_string(), CsvProblem::UnknownUnit { wanted: key }),
-        None => {
-            let near = nearest(key, names.iter().map(String::as_str)).map(str::to_string);
-            (key.to_string(), CsvProblem::MissingColumn { nearest: near })
-        }
-    }
+    misnamed(key, stem, names).unwrap_or_else(|| {
+        let near = nearest(key, names.iter().map(String::as_str)).map(str::to_string);
+        (key.to_string(), CsvProblem::MissingColumn { nearest: near })
+    })
 }
 
-/// A column that gives a quantity in a unit of its own, or in none.
-pub fn other_unit<'n>(stem: &str, names: &'n [String]) -> Option<&'n str> {
-    let is_other = |name: &&String| {
+/// A column that gives a quantity in a unit of its own or in none, or under a name with blanks around it.
+pub fn misnamed(key: &'static str, stem: &str, names: &[String]) -> Option<(String, CsvProblem)> {
+    if let Some(name) = names.iter().find(|name| name.trim() == key && *name != key) {
+        return Some((format!("{name:?}"), CsvProblem::BlanksAround { wanted: key }));
+    }
+    let has_other_unit = |name: &&String| {
         let unit = name.strip_prefix(stem);
         unit.is_some_and(|unit| unit.is_empty() || unit.starts_with(['_', ' ', '[', '(']))
     };
-    names.iter().find(is_other).map(String::as_str)
+    let name = names.iter().find(has_other_unit)?;
+    Some((name.clone(), CsvProblem::UnknownUnit { wanted: key }))
 }

@@ -10,7 +10,7 @@ mod rows;
 mod work;
 
 pub use cells::push_cell;
-pub use header::{Header, other_unit};
+pub use header::{Header, misnamed};
 pub use recording::read_recording;
 pub use row_work::{Cells, Remark, RowWork};
 pub use rows::{Block, Input, Row, RowReader};

@@ -80,7 +80,7 @@ fn header(file: &str, row: Option<Row<'_>>) -> Result<Positions, Faults> {
     for ((key, stem), position) in COLUMNS.into_iter().zip(columns) {
         let (name, problem) = absent(key, stem, &names);
         // Without a stress nothing is missing, but one in another unit is not to be passed over.
-        let is_optional = key == COLUMNS[2].0 && !matches!(problem, CsvProblem::UnknownUnit { .. });
+        let is_optional = key == COLUMNS[2].0 && matches!(problem, CsvProblem::MissingColumn { .. });
         if position.is_none() && !is_optional {
             faults.push((name, problem));
         }

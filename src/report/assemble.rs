@@ -18,8 +18,8 @@ use slipmode_plot::table::Table;
 pub struct Material<'m> {
     /// What the report is called and how it is divided.
     pub plan: &'m ReportPlan,
-    /// The command line that makes it again.
-    pub command: String,
+    /// The report's folder in the commands that make the page and its verdicts again.
+    pub place: &'m str,
     /// Prose by file name.
     pub prose: &'m BTreeMap<String, String>,
     /// The paper's equations.
@@ -53,7 +53,7 @@ const SHOWN_FINDINGS: usize = 3;
 /// The view of a report.
 #[must_use]
 pub fn assemble(material: Material) -> ReportView {
-    let Material { plan, command, prose, equations, ledger, figures, tables, inputs, environment } = material;
+    let Material { plan, place, prose, equations, ledger, figures, tables, inputs, environment } = material;
     let mut chapters = plan.chapters.iter();
     let introduction = chapters.next();
     ReportView {
@@ -63,7 +63,7 @@ pub fn assemble(material: Material) -> ReportView {
         cards: cards(ledger),
         findings: findings(ledger),
         chapters: chapters.map(|chapter| chapter_view(chapter, prose)).collect(),
-        ledger: groups(ledger, &plan.name),
+        ledger: groups(ledger, place),
         claims_picture: claims_picture(ledger, &|index| standing(ledger.claims[index].finding.verdict)),
         equations: equations
             .iter()
@@ -77,7 +77,7 @@ pub fn assemble(material: Material) -> ReportView {
         tables,
         provenance: ProvenanceView {
             text_markdown: "All numbers on this page are computed from the files below. The command makes the same page again, byte for byte.".into(),
-            command,
+            command: format!("slipmode report {place}"),
             inputs,
         },
         environment,
@@ -148,7 +148,7 @@ fn findings(ledger: &Ledger) -> Vec<FindingView> {
         .collect()
 }
 
-fn groups(ledger: &Ledger, report: &str) -> Vec<ClaimGroupView> {
+fn groups(ledger: &Ledger, place: &str) -> Vec<ClaimGroupView> {
     GROUPS
         .iter()
         .map(|(letter, title)| ClaimGroupView {
@@ -157,14 +157,14 @@ fn groups(ledger: &Ledger, report: &str) -> Vec<ClaimGroupView> {
                 .claims
                 .iter()
                 .filter(|entry| entry.id.starts_with(*letter))
-                .map(|entry| claim_view(entry, ledger, report))
+                .map(|entry| claim_view(entry, ledger, place))
                 .collect(),
         })
         .filter(|group| !group.claims.is_empty())
         .collect()
 }
 
-fn claim_view(entry: &Entry, ledger: &Ledger, report: &str) -> ClaimView {
+fn claim_view(entry: &Entry, ledger: &Ledger, folder: &str) -> ClaimView {
     let finding = &entry.finding;
     let listed = |id: &&str| ledger.claims.iter().any(|other| other.id == *id);
     ClaimView {
@@ -184,7 +184,7 @@ fn claim_view(entry: &Entry, ledger: &Ledger, report: &str) -> ClaimView {
         not_established_markdown: plain(entry.not_established),
         remark_markdown: finding.remarks.iter().map(|remark| plain(remark)).collect::<Vec<_>>().join("\n\n"),
         rests_on: entry.rests_on.iter().filter(|id| listed(id)).map(|&id| id.to_owned()).collect(),
-        command: format!("slipmode verify reports/{report} --claim {}", entry.id),
+        command: format!("slipmode verify {folder} --claim {}", entry.id),
     }
 }
 

@@ -34,6 +34,7 @@ mod view;
 pub use error::ReportError;
 pub use explorer::{ExplorerPage, render_explorer};
 pub use html::render_html;
+pub use markdown::formula_faults;
 pub use produce::{Folder, Product, produce, produce_scene};
 pub use text::render_markdown;
 pub use view::{

@@ -43,13 +43,14 @@ pub struct Product {
     pub files: BTreeMap<String, String>,
 }
 
-/// Makes a report: the same bytes for the same folder, but for the environment block.
+/// Makes a report: the same bytes for the same folder, but for the environment block. `place` is the folder in the commands
+/// that the page prints.
 ///
 /// # Errors
 /// When prose places what does not exist or no scene provides, or cannot be rendered.
 pub fn produce(
     folder: &Folder,
-    command: &str,
+    place: &str,
     environment: Vec<FactView>,
     progress: Progress,
 ) -> Result<Product, ReportError> {
@@ -64,7 +65,7 @@ pub fn produce(
     files.insert("ledger.json".into(), ledger.to_json());
     let view = assemble(Material {
         plan: &folder.plan,
-        command: command.to_owned(),
+        place,
         prose: &folder.prose,
         equations: &folder.equations,
         ledger: &ledger,

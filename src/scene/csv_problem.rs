@@ -23,6 +23,12 @@ pub enum CsvProblem {
         /// The column's name in SI.
         wanted: &'static str,
     },
+    /// A column's name with blanks at its ends.
+    #[error("blanks around the name (allowed: `{wanted}`)")]
+    BlanksAround {
+        /// The name without them.
+        wanted: &'static str,
+    },
     /// A header of one cell that holds other separators than commas.
     #[error("columns are separated by {found} (wanted: commas between columns, and points in decimals)")]
     OtherSeparator {

@@ -2,6 +2,7 @@
 
 use slipmode_core::theory::{EquationFault, EquationsText, PaperEquations};
 
+use crate::scene::file_text::line_at;
 use crate::scene::{Fault, Faults, Problem, file_text};
 
 /// Reads `equations.toml`.
@@ -10,17 +11,19 @@ use crate::scene::{Fault, Faults, Problem, file_text};
 /// All the faults at once: TOML that does not parse, unknown keys, and what [`PaperEquations::read`] refuses.
 pub fn read_equations(file: &str, bytes: &[u8]) -> Result<PaperEquations, Faults> {
     let text = file_text(file, bytes).map_err(|fault| vec![fault])?;
-    let fault = |key: &str, message: &str| Fault {
+    let fault = |line, key: &str, message: &str| Fault {
         file: file.to_string(),
-        line: None,
+        line,
         key: key.to_string(),
         value: None,
-        problem: Problem::Equation(message.trim_end().to_string()),
+        problem: Problem::Equation(message.trim_end().replace('\n', "; ")),
     };
-    let equations: EquationsText =
-        toml::from_str(text).map_err(|error| vec![fault("", &error.to_string())])?;
+    let equations: EquationsText = toml::from_str(text).map_err(|error| {
+        let line = error.span().map(|span| line_at(text.as_bytes(), span.start));
+        vec![fault(line, "", error.message())]
+    })?;
     PaperEquations::read(equations).map_err(|error| {
-        error.faults.iter().map(|EquationFault { key, message }| fault(key, message)).collect()
+        error.faults.iter().map(|EquationFault { key, message }| fault(None, key, message)).collect()
     })
 }
 
@@ -38,7 +41,10 @@ mod tests {
     #[test]
     fn unknown_keys_are_refused() {
         let message = faults(&FILE.replace("note =", "nota ="));
-        assert!(message.contains("equations.toml") && message.contains("nota"), "{message}");
+        assert!(
+            message.starts_with("equations.toml:") && message.contains("nota") && !message.contains('\n'),
+            "{message}"
+        );
     }
 
     #[test]

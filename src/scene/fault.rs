@@ -4,7 +4,7 @@ use std::fmt;
 
 use thiserror::Error;
 
-use crate::scene::{CsvProblem, NameError};
+use crate::scene::{CsvProblem, NameError, is_forbidden};
 use slipmode_core::number::DecimalError;
 
 /// One fault of an input; printed as `file:line: key = value: problem`.
@@ -156,24 +156,38 @@ const LONGEST_VALUE: usize = 60;
 
 /// A value as a message shows it: control characters escaped, cut when long.
 fn shown(value: &str) -> String {
-    let mut text: String = value.chars().take(LONGEST_VALUE).flat_map(visible).collect();
+    let beginning: String = value.chars().take(LONGEST_VALUE).collect();
+    let mut text = visible(&beginning);
     if value.chars().nth(LONGEST_VALUE).is_some() {
         text.push('…');
     }
     text
 }
 
-fn visible(character: char) -> Vec<char> {
-    if character.is_control() || crate::scene::file_text::is_forbidden(character) {
-        character.escape_unicode().collect()
-    } else {
-        vec![character]
+/// A value between quotation marks, unless it is one plain word or number.
+fn quoted(value: &str) -> String {
+    let is_plain = |character: char| character.is_alphanumeric() || "._-+/^*@%".contains(character);
+    let shown = shown(value);
+    if !value.is_empty() && value.chars().all(is_plain) { shown } else { format!("\"{shown}\"") }
+}
+
+/// A text from outside as a message shows it: characters that act on a terminal or cannot be seen are escaped.
+#[must_use]
+pub fn visible(text: &str) -> String {
+    let acts = |character: char| character.is_control() || is_forbidden(character);
+    if !text.contains(acts) {
+        return text.to_string();
     }
+    let mut shown = String::new();
+    for character in text.chars() {
+        if acts(character) { shown.extend(character.escape_unicode()) } else { shown.push(character) }
+    }
+    shown
 }
 
 impl fmt::Display for Fault {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        formatter.write_str(&shown_place(&self.file))?;
+        formatter.write_str(&visible(&self.file))?;
         if let Some(line) = self.line {
             write!(formatter, ":{line}")?;
         }
@@ -181,17 +195,12 @@ impl fmt::Display for Fault {
         if !self.key.is_empty() {
             formatter.write_str(&shown(&self.key))?;
             if let Some(value) = &self.value {
-                write!(formatter, " = {}", shown(value))?;
+                write!(formatter, " = {}", quoted(value))?;
             }
             formatter.write_str(": ")?;
         }
         write!(formatter, "{}", self.problem)
     }
-}
-
-/// A path is never cut, only made visible.
-fn shown_place(file: &str) -> String {
-    file.chars().flat_map(visible).collect()
 }
 
 #[cfg(test)]

@@ -24,7 +24,7 @@ pub use axis::{Limits, LogAxis, LogCoordinates};
 pub use claim_list::{ClaimEntry, ExpectedVerdict, read_claims};
 pub use csv_problem::CsvProblem;
 pub use equations_file::read_equations;
-pub use fault::{Fault, Faults, Problem};
+pub use fault::{Fault, Faults, Problem, visible};
 pub use file_text::{MAX_FILE_BYTES, file_text, is_forbidden};
 pub use name::{NameError, check_name, nearest, same_name};
 pub use part::Part;

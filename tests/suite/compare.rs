@@ -244,7 +244,7 @@ fn rows_at_fault_are_told_and_passed_over_only_when_asked_and_the_page_names_its
     let ended = place.run(["compare", "--runs", "runs.csv", "--keep-going", "--json", "--report", "page"]);
     assert_eq!(ended.code, 1);
     assert!(
-        ended.stderr.contains("row 1") && ended.stderr.contains("1 rows are at fault"),
+        ended.stderr.contains("row 1") && ended.stderr.contains("1 row passed over as invalid"),
         "{}",
         ended.stderr
     );

@@ -3,7 +3,7 @@
 use std::fs;
 use std::process::{Command, Stdio};
 
-use crate::harness::{HEADER, ROW, SLIDER, Workplace};
+use crate::harness::{Ended, HEADER, ROW, SLIDER, Workplace};
 
 const SCENE: &str = "name = \"s\"\ntitle = \"S\"\n[parameters]\ndirect_effect = 0.004\nevolution_effect = 0.006\n\
     critical_slip_distance_m = 1e-5\nstiffness_pa_per_m = 1e7\nmass_per_area_kg_per_m2 = 1000\n\
@@ -24,8 +24,6 @@ fn a_file_is_written_only_where_a_file_may_be() {
     place.run(points("folder")).expect_refusal(&["folder: is a folder; name a file"]);
     place.run(points("missing/out.csv")).expect_refusal(&["missing/out.csv: cannot be created"]);
     place.run(points("..")).expect_refusal(&["is a folder; name a file"]);
-    place.run(points("in.csv")).expect_success();
-    assert_eq!(place.read("in.csv").lines().count(), 2, "an input may be replaced by its output");
     assert_eq!(place.names(), ["folder", "in.csv", "s.toml"]);
 }
 
@@ -94,4 +92,60 @@ fn a_reader_that_goes_away_ends_the_program_quietly() {
     let output = child.wait_with_output().unwrap();
     assert_eq!(String::from_utf8(output.stderr).unwrap(), "");
     assert_eq!(output.status.code(), Some(0));
+}
+
+/// An output that is one of the inputs, under any of its names, is refused before anything is computed.
+#[cfg(unix)]
+#[test]
+fn an_output_never_overwrites_an_input() {
+    let place = workplace();
+    place.write("runs.csv", format!("{HEADER},peak_velocity_m_per_s,trajectory\n{ROW},,t.csv\n"));
+    let samples: String = (0..12).map(|row| format!("{row}.5,{}e-3\n", 1 + row % 3)).collect();
+    place.write("t.csv", format!("time_s,velocity_m_per_s\n{samples}"));
+    fs::hard_link(place.path("in.csv"), place.path("hard.csv")).unwrap();
+    std::os::unix::fs::symlink("in.csv", place.path("soft.csv")).unwrap();
+    let before: Vec<String> = ["in.csv", "runs.csv", "t.csv", "s.toml"].map(|name| place.read(name)).into();
+    let law = ["--law", "slip"];
+    for arguments in [
+        &["classify", "--points", "in.csv", "-o", "in.csv"][..],
+        &["classify", "--points", "in.csv", "-o", "./in.csv"],
+        &["classify", "--points", "in.csv", "-o", "hard.csv"],
+        &["classify", "--points", "soft.csv", "-o", "in.csv"],
+        &["simulate", law[0], law[1], "--points", "in.csv", "-o", "in.csv"],
+        &["compare", "--runs", "runs.csv", "-o", "runs.csv"],
+        &["compare", "--runs", "runs.csv", "-o", "t.csv"],
+        &["compare", "--runs", "runs.csv", "--keep-going", "-o", "t.csv"],
+        &["explore", "s.toml", "-o", "s.toml"],
+    ] {
+        let ended = place.run(arguments.iter().copied());
+        assert_eq!(ended.code, 2, "{arguments:?}: {}", ended.stderr);
+        assert!(
+            ended.stderr.contains("is read and written by this command"),
+            "{arguments:?}: {}",
+            ended.stderr
+        );
+        let now: Vec<String> = ["in.csv", "runs.csv", "t.csv", "s.toml"].map(|name| place.read(name)).into();
+        assert_eq!(now, before, "{arguments:?}");
+    }
+    let two = ["compare", "--runs", "runs.csv", "--report", "out", "-o", "out/rows.csv"];
+    fs::create_dir(place.path("out")).unwrap();
+    place.run(two).expect_refusal(&["is or holds another output of this command"]);
+}
+
+/// Redirections hide the name of a file, and not the file.
+#[cfg(unix)]
+#[test]
+fn a_redirected_input_is_not_overwritten() {
+    let place = workplace();
+    let binary = env!("CARGO_BIN_EXE_slipmode");
+    for command in [
+        format!("'{binary}' classify --points - -o in.csv < in.csv"),
+        format!("'{binary}' classify --points in.csv >> in.csv"),
+    ] {
+        let output = Command::new("sh").args(["-c", &command]).current_dir(place.path("")).output().unwrap();
+        let ended = Ended::from(output);
+        assert_eq!(ended.code, 2, "{command}: {}", ended.stderr);
+        assert!(ended.stderr.contains("is read and written by this command"), "{}", ended.stderr);
+        assert_eq!(place.read("in.csv"), format!("{HEADER}\n{ROW}\n"), "{command}");
+    }
 }

@@ -169,7 +169,7 @@ fn page(prose: &str) -> Option<String> {
         references: References::default(),
         inputs: Vec::new(),
     };
-    let mut product = produce(&folder, "slipmode", Vec::new(), &|_, _, _| ()).ok()?;
+    let mut product = produce(&folder, "p", Vec::new(), &|_, _, _| ()).ok()?;
     product.files.remove("index.html").map(|page| page.to_ascii_lowercase())
 }
 

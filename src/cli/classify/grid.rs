@@ -8,8 +8,9 @@ use slipmode_core::number::Rational;
 use slipmode_core::stability::batch::{GridAxis, StreamedGrid, Tally};
 use slipmode_core::stability::{InertialThreshold, SlipMode, SpectralClass};
 
+use crate::cli::classify::rows::NEUTRAL;
 use crate::cli::failure::Failure;
-use crate::cli::options::{Arguments, MaterialOptions, SliderOptions, option_of};
+use crate::cli::options::{Arguments, SliderOptions, option_of};
 use crate::cli::progress::Progress;
 use crate::cli::terminal;
 
@@ -47,26 +48,14 @@ impl GridOptions {
 
     /// The grid; what is missing or faulty is collected in `arguments`.
     pub fn read(&self, slider: &SliderOptions, arguments: &mut Arguments) -> Option<GridRequest> {
-        let fixed = MaterialOptions::QUANTITIES.map(|quantity| slider.required(quantity, arguments));
-        refuse_single_values(slider, arguments);
+        let fixed = slider.material.slider(arguments);
+        for quantity in [Quantity::NormalStress, Quantity::LoadingVelocity] {
+            let is_given = slider.text(quantity).is_some();
+            arguments.refuse(&option_of(quantity), is_given, "no grid: the grid's axes give it");
+        }
         let velocities = axis("--grid-loading-velocity", self.grid_loading_velocity.as_deref(), arguments);
         let stresses = axis("--grid-normal-stress", self.grid_normal_stress.as_deref(), arguments);
-        let [Some(a), Some(b), Some(d), Some(k), Some(m)] = fixed else { return None };
-        Some(GridRequest {
-            slider: Slider::from([a, b, d, k, m]),
-            loading_velocities: velocities?,
-            normal_stresses: stresses?,
-        })
-    }
-}
-
-/// Refuses a single value of a quantity that the grid varies.
-fn refuse_single_values(slider: &SliderOptions, arguments: &mut Arguments) {
-    for quantity in [Quantity::NormalStress, Quantity::LoadingVelocity] {
-        if let given @ Some(_) = slider.text(quantity) {
-            let in_grid = Problem::Needs("no grid: the grid's axes give this value".into());
-            arguments.fault::<()>(&option_of(quantity), given, in_grid);
-        }
+        Some(GridRequest { slider: fixed?, loading_velocities: velocities?, normal_stresses: stresses? })
     }
 }
 
@@ -172,7 +161,8 @@ fn line(name: &str, count: u64, note: &str) -> String {
 }
 
 fn modes(tally: &Tally) -> Vec<(&'static str, u64)> {
-    SlipMode::ALL.into_iter().map(|mode| (mode.as_str(), tally.of_mode(mode))).collect()
+    let decided = SlipMode::ALL.into_iter().map(|mode| (mode.as_str(), tally.of_mode(mode)));
+    decided.chain([(NEUTRAL, tally.on_transition())]).collect()
 }
 
 fn classes(tally: &Tally) -> Vec<(&'static str, u64)> {

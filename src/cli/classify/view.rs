@@ -7,6 +7,7 @@ use slipmode_core::number::format::round_float;
 use slipmode_core::number::{Rational, Wide};
 use slipmode_core::stability::{Classification, InertialThreshold, LogDistance, classify};
 
+use crate::cli::classify::rows::slip_mode_word;
 use crate::cli::roots::{PrintedRoot, print_roots};
 use crate::cli::terminal;
 
@@ -51,7 +52,7 @@ impl PointView {
             "transition_sign": found.transition_sign,
             "boundary_sign": found.boundary_sign,
             "spectral_class": found.spectral_class.as_str(),
-            "slip_mode": found.slip_mode.as_str(),
+            "slip_mode": slip_mode_word(found),
             "max_real_per_s": number(found.max_real_per_s),
             "max_imaginary_per_s": number(found.max_imaginary_per_s),
             "rung": found.precision_level.as_str(),
@@ -72,7 +73,7 @@ impl PointView {
     pub fn text(&self) -> String {
         let found = &self.found;
         let mut lines = vec![
-            ("slip mode", found.slip_mode.as_str().to_string(), ""),
+            ("slip mode", slip_mode_word(found).to_string(), mode_words(found)),
             ("spectral class", found.spectral_class.as_str().to_string(), ""),
             ("sign of K - K_c", signed(found.transition_sign), transition_words(found.transition_sign)),
             ("sign of discriminant", signed(found.boundary_sign), boundary_words(found.boundary_sign)),
@@ -119,6 +120,15 @@ fn transition_words(sign: i8) -> &'static str {
         1 => "(K > K_c: linearly stable)",
         0 => "(K = K_c: on the transition)",
         _ => "(K < K_c: linearly unstable)",
+    }
+}
+
+/// What a mode without a name in the paper means.
+fn mode_words(found: &Classification) -> &'static str {
+    if found.transition_sign == 0 {
+        "(neither grows nor decays: the linear theory does not decide)"
+    } else {
+        ""
     }
 }
 

@@ -1,7 +1,6 @@
 //! The files that a comparison read, with their digests, for its page.
 
 use std::collections::BTreeSet;
-use std::fs::File;
 use std::path::Path;
 
 use slipmode::archive::sha256_of_reader;
@@ -9,6 +8,7 @@ use slipmode::report::InputView;
 
 use crate::cli::compare::rows::ComparedRow;
 use crate::cli::failure::Failure;
+use crate::cli::input::open_regular;
 
 /// The runs file and the trajectories; standard input cannot be read a second time and has no digest.
 ///
@@ -28,7 +28,7 @@ pub fn inputs(runs: &Path, rows: &[ComparedRow]) -> Result<Vec<InputView>, Failu
 }
 
 fn view(path: &Path, name: &str) -> Result<InputView, Failure> {
-    let digest = File::open(path).and_then(sha256_of_reader);
+    let digest = open_regular(path).and_then(sha256_of_reader);
     let (bytes, sha256) = digest.map_err(|error| Failure::io(path, "cannot be read again", &error))?;
     Ok(InputView { path: name.into(), bytes: bytes.to_string(), sha256 })
 }

@@ -1,20 +1,19 @@
 //! The rows of a runs file: read with their trajectories, compared, their verdicts appended.
 
-use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use rug::Float;
 use slipmode::comparison::recording::Recording;
 use slipmode::comparison::{Agreement, Comparison, Observable, StatedMode, StatedRun, compare_run};
-use slipmode::csv::{Cells, Remark, RowWork, other_unit, read_recording};
+use slipmode::csv::{Cells, Remark, RowWork, misnamed, read_recording};
 use slipmode::scene::{AllowedRange, CsvProblem, Faults, Problem, Quantity, check_name, nearest};
 use slipmode_core::dynamics::Start;
 use slipmode_core::friction::{EvolutionLaw, Parameters};
 use slipmode_core::number::Rational;
 
 use crate::cli::compare::cells::{APPENDED, push_comparison};
-use crate::cli::input::open_csv;
+use crate::cli::input::{open_named_csv, place_inside};
 use crate::cli::simulate::range;
 use crate::cli::simulate::run::{Settings, simulate_point};
 use crate::cli::words::{LAW_COLUMN, law_of_word, of_word, start_of_word};
@@ -83,8 +82,8 @@ impl RowWork for CompareRows {
             faults.push((LAW_COLUMN.to_string(), problem));
         }
         for of in Observable::STATED.into_iter().filter(|of| !has(of.key())) {
-            if let Some(name) = other_unit(of.stem(), names) {
-                faults.push((name.to_string(), CsvProblem::UnknownUnit { wanted: of.key() }.into()));
+            if let Some((name, problem)) = misnamed(of.key(), of.stem(), names) {
+                faults.push((name, problem.into()));
             } else if let Some(near) = nearest(of.key(), unknown.iter().copied()) {
                 let problem = CsvProblem::MissingColumn { nearest: Some(near.to_string()) };
                 faults.push((of.key().to_string(), problem.into()));
@@ -132,7 +131,7 @@ impl RowWork for CompareRows {
             simulate_point(parameters, law, Settings { tolerance, start: row.start })
         };
         let comparison = compare_run(&row.run, &simulate);
-        let warnings = range::outside_tested(&row.run.parameters);
+        let warnings = range::warnings(&row.run.parameters);
         push_comparison(&comparison, &warnings, out);
         let mut run = row.run.clone();
         if !self.keeps_recordings {
@@ -163,8 +162,8 @@ impl CompareRows {
         let place = reader.optional(TRAJECTORY_COLUMN, |name| trajectory_place(&self.folder, name))?;
         // Without its velocity the row is refused anyhow, and gaps cannot be told.
         let log_level = libm::log(parameters?.point.loading_velocity_m_per_s.to_f64());
-        let read =
-            open_csv(&place).map_err(|fault| vec![fault]).and_then(|rows| read_recording(rows, log_level));
+        let rows = open_named_csv(&place).map_err(|fault| vec![fault]);
+        let read = rows.and_then(|rows| read_recording(rows, log_level));
         read.map_err(|faults| reader.faults.extend(faults)).ok()
     }
 }
@@ -177,11 +176,7 @@ fn trajectory_place(folder: &Path, name: &str) -> Result<PathBuf, Problem> {
     if let Some(error) = name.split('/').find_map(|part| check_name(part).err()) {
         return Err(Problem::BadName(error));
     }
-    let unreadable = |error: std::io::Error| Problem::Unreadable(error.to_string());
-    let root = fs::canonicalize(folder).map_err(unreadable)?;
-    let place = fs::canonicalize(root.join(name)).map_err(unreadable)?;
-    let outside = || Problem::Needs("a file in the folder of the runs file, or below it".into());
-    if place.starts_with(&root) { Ok(folder.join(name)) } else { Err(outside()) }
+    place_inside(folder, name).map_err(|error| Problem::Unreadable(error.to_string()))
 }
 
 /// The nearest 64-bit number.

@@ -7,6 +7,7 @@ use slipmode_core::number::format::round_digits;
 use crate::cli::compare::cells::reason;
 use crate::cli::compare::rows::ComparedRow;
 use crate::cli::simulate::view;
+use crate::cli::terminal;
 
 /// Up to so many rows, every finding is shown; beyond it those of rows that do not agree.
 const ROWS_IN_FULL: usize = 20;
@@ -30,8 +31,8 @@ pub fn text(rows: &[ComparedRow]) -> String {
     }
     let count = |verdict: Agreement| rows.iter().filter(|row| row.comparison.verdict == verdict).count();
     text += &format!(
-        "{} rows: {} agree, {} differ, {} not compared\n",
-        rows.len(),
+        "{}: {} agree, {} differ, {} not compared\n",
+        terminal::count_of(rows.len(), "row"),
         count(Agreement::Agrees),
         count(Agreement::Differs),
         count(Agreement::NotCompared),

@@ -2,10 +2,10 @@
 
 use rug::Float;
 use slipmode_core::friction::Parameters;
-use slipmode_core::number::Rational;
 use slipmode_core::number::format::{round_digits, round_float};
+use slipmode_core::number::{Rational, nearest_f64};
 
-use crate::cli::unit_warnings::unit_warnings;
+use crate::cli::unit_warnings::slider_warnings;
 
 /// Groups between which simulations were tested: the paper's values over its figures' V0 = 10^-6 to 10^-1 m/s and
 /// σ = 10^2.5 to 10^7.5 Pa, with a and b of its section 3 and exchanged.
@@ -15,12 +15,17 @@ const TESTED: [(&str, [f64; 2]); 3] = [
     ("beta = b/a", [0.66, 1.5]),
 ];
 
-/// What a user should know of the values before trusting a simulation, if anything.
-pub fn warning(parameters: &Parameters<Rational>) -> Option<String> {
-    let values: [Rational; 7] = parameters.clone().into();
-    let mut warnings = unit_warnings(&values.each_ref());
-    warnings.extend(outside_tested(parameters));
+/// What a user should know of a row's values before trusting a simulation, if anything.
+pub fn row_warning(parameters: &Parameters<Rational>) -> Option<String> {
+    let warnings = warnings(parameters);
     (!warnings.is_empty()).then(|| warnings.join("; "))
+}
+
+/// Units that are not SI, and groups for which no simulation was tested.
+pub fn warnings(parameters: &Parameters<Rational>) -> Vec<String> {
+    let mut warnings = slider_warnings(parameters.map(nearest_f64));
+    warnings.extend(outside_tested(parameters));
+    warnings
 }
 
 /// The groups of a slider that lie outside the ranges over which simulations were tested.

@@ -68,7 +68,7 @@ impl RowWork for SimulateRows {
     }
 
     fn append(&self, (parameters, law): &Self::Input, out: &mut Vec<u8>) -> Remark {
-        let warning = range::warning(parameters);
+        let warning = range::row_warning(parameters);
         match simulate_point(parameters, *law, self.settings) {
             Ok(found) => {
                 push_found(&found, out);

@@ -1,14 +1,15 @@
 //! A block's file: a heading of nine lines and an empty one, then CSV; written whole or not at all, checked by its digest.
 
-use std::fs::{self, File, OpenOptions};
+use std::fs::File;
 use std::io::{self, BufRead, BufReader, Read, Write};
 use std::path::{Path, PathBuf};
-use std::time::{SystemTime, UNIX_EPOCH};
 
 use sha2::{Digest, Sha256};
 use slipmode::archive::finished_hex;
 
 use crate::cli::failure::Failure;
+use crate::cli::input::open_regular;
+use crate::cli::output::{Output, check_input, machine_write};
 use crate::cli::sweep::shape::Shape;
 
 /// The first line of every block.
@@ -198,7 +199,7 @@ impl OpenBlock {
     /// When there is no such file, or it does not hold.
     pub fn open(folder: &Path, block: u64) -> Result<Self, Unsound> {
         let name = folder.join(block_name(block));
-        let file = match File::open(&name) {
+        let file = match open_regular(&name).and_then(not_an_output) {
             Ok(file) => file,
             Err(error) if error.kind() == io::ErrorKind::NotFound => return Err(Unsound::Missing),
             Err(error) => return Err(Unsound::Unreadable(error)),
@@ -243,7 +244,7 @@ impl OpenBlock {
             shape.add(&buffer[..count]);
             let from = usize::try_from(skipped).unwrap_or(usize::MAX).min(count);
             skipped -= from as u64;
-            out.write_all(&buffer[from..count]).map_err(|error| crate::cli::output::machine_write(&error))?;
+            out.write_all(&buffer[from..count]).map_err(|error| machine_write(&error))?;
         }
         if finished_hex(digest) == self.heading.sha256 {
             let fault = shape.fault(&self.heading);
@@ -251,6 +252,12 @@ impl OpenBlock {
         }
         Ok(Err(Unsound::Damaged("damaged or altered: its SHA-256 is not the stated one".into())))
     }
+}
+
+/// A block that the command is going to overwrite must not be read by it.
+fn not_an_output(file: File) -> io::Result<File> {
+    check_input(&file).map_err(io::Error::other)?;
+    Ok(file)
 }
 
 /// Writes a block: next to its place, synced, renamed.
@@ -268,51 +275,9 @@ pub fn write_block(
     let mut heading = Heading::of(origin.clone(), block, points, columns.len() as u64, bytes);
     let digest = Sha256::new().chain_update(heading.stated()).chain_update(columns).chain_update(lines);
     heading.sha256 = finished_hex(digest);
-    let place = folder.join(block_name(block));
-    let beside = Beside::create(folder, block)?;
-    let written = || -> io::Result<()> {
-        let mut file = &beside.file;
-        for part in [heading.text().as_bytes(), columns, lines] {
-            file.write_all(part)?;
-        }
-        file.sync_all()?;
-        fs::rename(&beside.path, &place)
-    };
-    written().map_err(|error| Failure::io(&place, "cannot be written", &error))
-}
-
-/// A file under writing, removed unless it was renamed.
-struct Beside {
-    path: PathBuf,
-    file: File,
-}
-
-/// Names tried for a file under writing.
-const MOST_NAMES: u32 = 100;
-
-impl Beside {
-    /// Copies of a shard on other machines may have our process id: the clock tells their names from ours.
-    fn create(folder: &Path, block: u64) -> Result<Self, Failure> {
-        let mut attempt = 0;
-        loop {
-            let since_epoch = SystemTime::now().duration_since(UNIX_EPOCH).unwrap_or_default().as_nanos();
-            let process = std::process::id();
-            let name = format!(".{}.{process}-{since_epoch}-{attempt}.partial", block_name(block));
-            let path = folder.join(name);
-            match OpenOptions::new().write(true).create_new(true).open(&path) {
-                Ok(file) => return Ok(Self { path, file }),
-                Err(error) if error.kind() == io::ErrorKind::AlreadyExists && attempt < MOST_NAMES => {
-                    attempt += 1;
-                }
-                Err(error) => return Err(Failure::io(&path, "cannot be created", &error)),
-            }
-        }
+    let mut output = Output::replace(&folder.join(block_name(block)))?;
+    for part in [heading.text().as_bytes(), columns, lines] {
+        output.write_all(part).map_err(|error| machine_write(&error))?;
     }
-}
-
-impl Drop for Beside {
-    fn drop(&mut self) {
-        // Gone already after a rename; otherwise there is nobody left to tell.
-        let _ = fs::remove_file(&self.path);
-    }
+    output.commit()
 }

@@ -8,7 +8,7 @@ use slipmode::csv::{Block, Header, RowReader, RowWork, Work};
 use slipmode::sweep::{Blocks, Shard};
 
 use crate::cli::failure::Failure;
-use crate::cli::input::open_csv;
+use crate::cli::input::open_named_csv;
 use crate::cli::sweep::block_file::MOST_BLOCKS;
 use crate::cli::sweep::work::{Lines, Made, PointWork, listed_lines};
 
@@ -44,7 +44,7 @@ impl<W: RowWork> Listed<W> {
     /// # Errors
     /// When it cannot be read, or its header or form is at fault.
     pub fn new(place: &Path, command: W, block_points: u64) -> Result<Self, Failure> {
-        let mut reader = open_csv(place)?;
+        let mut reader = open_named_csv(place)?;
         let file = reader.name().to_string();
         let first = reader.block(1)?;
         // A faulty row gets a cell that says so: one of them must not cost the others their results.
@@ -65,7 +65,7 @@ impl<W: RowWork> Listed<W> {
 
     /// A reader behind the header.
     fn reader(&self) -> Result<RowReader, Failure> {
-        let mut reader = open_csv(&self.place)?;
+        let mut reader = open_named_csv(&self.place)?;
         let header = reader.block(1)?;
         self.check(0, &header)?;
         Ok(reader)

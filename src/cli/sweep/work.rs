@@ -7,7 +7,7 @@ use slipmode_core::friction::EvolutionLaw;
 use slipmode_core::number::format::shortest;
 use slipmode_core::stability::{NearestPlace, classify, classify_quickly};
 
-use crate::cli::classify::rows::ClassifyRows;
+use crate::cli::classify::rows::{Classified, ClassifyRows};
 use crate::cli::simulate::rows::SimulateRows;
 use crate::cli::sweep::asymptote_rows::AsymptoteRows;
 use crate::cli::sweep::boundary_rows::BoundaryRows;
@@ -21,8 +21,10 @@ pub trait PointWork: RowWork {
 
 impl PointWork for ClassifyRows {
     fn input(&self, source: &PointSource, point: &Varying, _law: EvolutionLaw) -> Self::Input {
-        classify_quickly(&source.double_double(point), &self.threshold)
-            .unwrap_or_else(|| classify(&source.exact(point), &self.threshold))
+        let found = classify_quickly(&source.double_double(point), &self.threshold)
+            .unwrap_or_else(|| classify(&source.exact(point), &self.threshold));
+        // The scene's units are checked once, not at each point.
+        Classified { found, warnings: Vec::new() }
     }
 }
 

@@ -38,14 +38,13 @@ pub fn boundary_columns() -> Vec<Column> {
     ]
 }
 
-/// One row of the boundary's table, with at most `digits` certain digits of each coordinate.
+/// One row of the boundary's table, with at most `digits` certain digits of each number.
 #[must_use]
 pub fn boundary_row(point: &BoundaryPoint, digits: usize) -> Vec<Cell> {
     let number = |ball| Cell::number(certain_digits(ball, digits));
-    // A relative error or a condition is read, not computed with.
     let short = |ball: &Ball| match vanishes(ball, digits) {
         true => Cell::number("0"),
-        false => Cell::number(certain_digits(ball, digits.min(SHOWN_DIGITS))),
+        false => Cell::number(certain_digits(ball, digits)),
     };
     vec![
         Cell::text(point.arc.as_str()),

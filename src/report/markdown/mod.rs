@@ -127,6 +127,24 @@ impl Prose {
     }
 }
 
+/// The formulas of a Markdown text that cannot be set, each with its line, counted from 1, and what is wrong.
+#[must_use]
+pub fn formula_faults(markdown: &str) -> Vec<(usize, String)> {
+    let mut mathematics = Mathematics::default();
+    let source = visible(markdown);
+    let mut faults = Vec::new();
+    for (event, place) in Parser::new_ext(&source, options()).into_offset_iter() {
+        let set = match &event {
+            Event::InlineMath(latex) => mathematics.inline(latex),
+            Event::DisplayMath(latex) => mathematics.block(latex),
+            _ => continue,
+        };
+        let line = source.bytes().take(place.start).filter(|byte| *byte == b'\n').count() + 1;
+        faults.extend(set.err().map(|fault| (line, fault)));
+    }
+    faults
+}
+
 /// Text outside code with the indices of its symbols below the line.
 fn with_symbols<'a>(events: Vec<Event<'a>>) -> impl Iterator<Item = Event<'a>> {
     let mut is_code = false;

@@ -77,10 +77,10 @@ impl Tally {
         self.points_where(|cell| cell.spectral_class() == class)
     }
 
-    /// The points of a slip mode.
+    /// The points of a slip mode; those exactly on K = K_c are neutral and have none.
     #[must_use]
     pub fn of_mode(&self, mode: SlipMode) -> u64 {
-        self.points_where(|cell| cell.slip_mode() == mode)
+        self.points_where(|cell| cell.slip_mode() == mode && cell.signs().transition_sign() != 0)
     }
 
     /// The points exactly on K = K_c.

@@ -1,0 +1,90 @@
+//! Output folders: written next to their place and exchanged with it when complete.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use slipmode::scene::{check_name, same_name};
+
+use crate::cli::environment::ENVIRONMENT_FILE;
+use crate::cli::failure::Failure;
+use crate::cli::output::partial::{PartialFolder, folder_of};
+use crate::cli::output::places;
+use crate::cli::tree::Files;
+
+/// A folder under writing; what was written so far is removed unless it is committed.
+#[derive(Debug)]
+pub struct OutputFolder {
+    place: PathBuf,
+    partial: PartialFolder,
+}
+
+impl OutputFolder {
+    /// Starts a folder, so that a place that cannot be written is known before anything is computed.
+    ///
+    /// # Errors
+    /// When the place is a file or a link, holds something else than an earlier output or an input of the command, or cannot
+    /// be created.
+    pub fn create(place: &Path) -> Result<Self, Failure> {
+        let Some(name) = place.file_name() else {
+            return Err(Failure::place(place, "is not a name that can be written"));
+        };
+        let place = place.with_file_name(name);
+        check_place(&place)?;
+        let above = folder_of(&place);
+        fs::create_dir_all(above).map_err(|error| Failure::io(above, "cannot be created", &error))?;
+        places::note_output(&place, true).map_err(|why| Failure::place(&place, why))?;
+        let partial = PartialFolder::beside(&place)
+            .map_err(|error| Failure::io(&place, "cannot be written", &error))?;
+        Ok(Self { place, partial })
+    }
+
+    /// Writes all files and puts the folder in its place, where it replaces an earlier output whole.
+    ///
+    /// # Errors
+    /// When a name is not safe, two names differ in case only, or the file system refuses; the place is as it was then.
+    pub fn commit(self, files: &Files) -> Result<(), Failure> {
+        check_names(files)?;
+        let Self { place, partial } = self;
+        for (name, text) in files {
+            let written = partial.write(name, text.as_bytes());
+            written.map_err(|error| Failure::io(&place.join(name), "cannot be written", &error))?;
+        }
+        partial.persist(&place).map_err(|error| Failure::io(&place, "cannot be put in place", &error))
+    }
+}
+
+/// Only a new folder, an empty one or an earlier output of ours may be written.
+fn check_place(place: &Path) -> Result<(), Failure> {
+    let Ok(metadata) = fs::symlink_metadata(place) else { return Ok(()) };
+    let refuse = |why: &str| Err(Failure::Refused(format!("{}: {why}", place.display())));
+    if metadata.file_type().is_symlink() {
+        return refuse("is a symbolic link; name the folder itself");
+    }
+    if !metadata.is_dir() {
+        return refuse("is a file; name a folder");
+    }
+    let mut entries = fs::read_dir(place).map_err(|error| Failure::io(place, "cannot be read", &error))?;
+    if entries.next().is_some() && !place.join(ENVIRONMENT_FILE).is_file() {
+        return refuse(
+            "is not empty and not an earlier output (it has no environment.json); name another folder",
+        );
+    }
+    Ok(())
+}
+
+fn check_names(files: &Files) -> Result<(), Failure> {
+    let refuse = |name: &str, why: &str| Err(Failure::Refused(format!("output file {name:?}: {why}")));
+    let mut earlier: Option<&String> = None;
+    let mut by_folded: Vec<&String> = files.keys().collect();
+    by_folded.sort_by_key(|name| name.to_ascii_lowercase());
+    for name in by_folded {
+        if let Some(error) = name.split('/').find_map(|part| check_name(part).err()) {
+            return refuse(name, &error.to_string());
+        }
+        if let Some(other) = earlier.filter(|other| same_name(other, name)) {
+            return refuse(name, &format!("the same as {other:?} when case is ignored"));
+        }
+        earlier = Some(name);
+    }
+    Ok(())
+}

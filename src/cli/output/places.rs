@@ -1,0 +1,129 @@
+//! What a command reads and what it writes: nothing may be both, under whatever name, and no two outputs may be one.
+
+use std::fs::{self, File, Metadata};
+use std::path::{Path, PathBuf};
+use std::sync::{Mutex, PoisonError};
+
+use crate::cli::output::partial::folder_of;
+
+/// The files and folders of this process.
+static PLACES: Mutex<Places> = Mutex::new(Places { inputs: Vec::new(), outputs: Vec::new() });
+
+#[derive(Debug)]
+struct Places {
+    inputs: Vec<Place>,
+    outputs: Vec<Place>,
+}
+
+/// A file or folder, or a standard stream.
+#[derive(Debug, Clone, PartialEq, Eq)]
+struct Place {
+    /// Its full path without links; none of standard streams.
+    path: Option<PathBuf>,
+    /// Its device and number there, of regular files: what hard links and redirections share.
+    identity: Option<(u64, u64)>,
+    /// A folder stands for all it holds.
+    is_folder: bool,
+}
+
+const BOTH: &str = "is read and written by this command; name another output";
+const TWICE: &str = "is or holds another output of this command; name another place";
+
+/// Notes a file that is read.
+///
+/// # Errors
+/// When it is an output of this command too.
+pub fn note_input(path: Option<&Path>, file: &File) -> Result<(), &'static str> {
+    let path = path.and_then(|path| fs::canonicalize(path).ok());
+    note_read(Place { path, identity: identity_of(file), is_folder: false })
+}
+
+/// Notes a folder of which all files may be read.
+///
+/// # Errors
+/// When an output of this command lies in it.
+pub fn note_input_folder(folder: &Path) -> Result<(), &'static str> {
+    note_read(Place { path: fs::canonicalize(folder).ok(), identity: None, is_folder: true })
+}
+
+/// Notes a file or folder that is going to be written.
+///
+/// # Errors
+/// When it is an input of this command, or another of its outputs, or holds one.
+pub fn note_output(place: &Path, is_folder: bool) -> Result<(), &'static str> {
+    let name = place.file_name().unwrap_or_default();
+    let path = fs::canonicalize(folder_of(place)).ok().map(|folder| folder.join(name));
+    let identity = fs::metadata(place).ok().and_then(|metadata| identity(&metadata));
+    note_written(Place { path, identity, is_folder })
+}
+
+/// Notes standard output: a file that it is redirected to must not be read.
+///
+/// # Errors
+/// When it is an input of this command.
+pub fn note_standard_output(file: &File) -> Result<(), &'static str> {
+    note_written(Place { path: None, identity: identity_of(file), is_folder: false })
+}
+
+fn note_read(place: Place) -> Result<(), &'static str> {
+    let mut places = PLACES.lock().unwrap_or_else(PoisonError::into_inner);
+    let checked = places.check_read(&place);
+    places.inputs.push(place);
+    checked
+}
+
+/// Checks one of millions of inputs, for all of which an output was noted before.
+///
+/// # Errors
+/// When it is an output of this command too.
+pub fn check_input(file: &File) -> Result<(), &'static str> {
+    let places = PLACES.lock().unwrap_or_else(PoisonError::into_inner);
+    places.check_read(&Place { path: None, identity: identity_of(file), is_folder: false })
+}
+
+impl Places {
+    fn check_read(&self, place: &Place) -> Result<(), &'static str> {
+        if self.outputs.iter().any(|output| output.meets(place)) { Err(BOTH) } else { Ok(()) }
+    }
+}
+
+fn note_written(place: Place) -> Result<(), &'static str> {
+    let mut places = PLACES.lock().unwrap_or_else(PoisonError::into_inner);
+    if places.inputs.iter().any(|input| input.meets(&place)) {
+        return Err(BOTH);
+    }
+    if places.outputs.iter().any(|output| output.meets(&place)) {
+        return Err(TWICE);
+    }
+    places.outputs.push(place);
+    Ok(())
+}
+
+impl Place {
+    /// Whether the two are one file, or one lies in the other.
+    fn meets(&self, other: &Self) -> bool {
+        let is_same = self.identity.is_some() && self.identity == other.identity;
+        let (Some(path), Some(other_path)) = (&self.path, &other.path) else { return is_same };
+        is_same
+            || path == other_path
+            || (self.is_folder && other_path.starts_with(path))
+            || (other.is_folder && path.starts_with(other_path))
+    }
+}
+
+fn identity_of(file: &File) -> Option<(u64, u64)> {
+    file.metadata().ok().and_then(|metadata| identity(&metadata))
+}
+
+/// What tells a regular file from all others, whatever its names are.
+#[cfg(unix)]
+fn identity(metadata: &Metadata) -> Option<(u64, u64)> {
+    use std::os::unix::fs::MetadataExt;
+    metadata.is_file().then(|| (metadata.dev(), metadata.ino()))
+}
+
+/// Elsewhere paths have to do.
+#[cfg(not(unix))]
+fn identity(_metadata: &Metadata) -> Option<(u64, u64)> {
+    None
+}
