@@ -31,6 +31,14 @@
 //! | a block with rows, columns or NULs altered and a right digest | `sweep_forgeries::altered_rows_and_columns_with_a_right_digest_are_refused_and_computed_again`, `sweep_forgeries::a_summary_of_other_rows_than_its_points_is_refused` |
 //! | `block 0 of 18446744073709551615` | `sweep_forgeries::a_count_of_blocks_that_no_sweep_has_is_refused_at_once` |
 //! | a list of points that changes while it is read | `cli::sweep::points::tests::a_list_that_changes_between_two_readings_is_refused` |
+//! | an output that is an input, under any of its names | `outputs::an_output_never_overwrites_an_input`, `outputs::a_redirected_input_is_not_overwritten` |
+//! | links out of a report; pipes as prose, trajectory, block or scene | `messages::links_out_of_a_report_and_pipes_are_refused` |
+//! | points beyond the memory | `messages::more_points_than_memory_holds_are_refused_with_the_memory` |
+//! | control characters in ledgers, names, headers and options | `messages::nothing_from_outside_acts_on_the_terminal` |
+//! | thousands of faults, values of 100 kB | `messages::many_faults_are_counted_and_long_values_shortened` |
+//! | values in the units of a lab book | `messages::every_command_that_takes_the_slider_warns_of_other_units` |
+//! | options that exclude each other or do nothing together | `option_pairs::every_option_of_a_pair_acts_or_the_pair_is_refused` |
+//! | closed and full streams, full and forbidden places, signals, kills and failures at system calls | `hostile` |
 
 use std::time::{Duration, Instant};
 
