@@ -103,12 +103,8 @@ impl SliderOptions {
     /// Notes every quantity that was given although a file's columns give the slider.
     pub fn refuse_beside_points(&self, arguments: &mut Arguments) {
         for quantity in Quantity::ALL {
-            let is_given = self.text(quantity).is_some();
-            arguments.refuse(
-                &option_of(quantity),
-                is_given,
-                "no --points: the file's columns give the slider",
-            );
+            let needs = "no --points: the file's columns give the slider";
+            arguments.refuse_value(&option_of(quantity), self.text(quantity), needs);
         }
     }
 
@@ -171,6 +167,13 @@ impl Arguments {
         None
     }
 
+    /// Notes an option that would have no effect, with the value that it was given.
+    pub fn refuse_value(&mut self, option: &str, given: Option<&str>, needs: &str) {
+        if given.is_some() {
+            self.fault::<()>(option, given, Problem::Needs(needs.to_string()));
+        }
+    }
+
     /// Notes an option that would have no effect.
     pub fn refuse(&mut self, option: &str, is_given: bool, needs: &str) {
         if is_given {
@@ -201,12 +204,15 @@ impl Arguments {
         self.number(option, text?, |text| parse_whole(text, &range))
     }
 
-    /// Ends the reading; prints the warnings.
+    /// Ends the reading; prints the warnings when there is no fault.
     ///
     /// # Errors
     /// All the faults, if there are any.
     pub fn finish(self) -> Result<(), Failure> {
+        if !self.faults.is_empty() {
+            return Err(Failure::Input(self.faults));
+        }
         self.warnings.iter().for_each(|warning| terminal::message(&format!("warning: {warning}")));
-        if self.faults.is_empty() { Ok(()) } else { Err(Failure::Input(self.faults)) }
+        Ok(())
     }
 }

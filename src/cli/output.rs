@@ -75,12 +75,13 @@ impl Output {
     /// Puts the file in its place.
     ///
     /// # Errors
-    /// When the last bytes cannot be written or the file cannot be renamed; nothing is left behind then.
+    /// When the command has read the file that is there, or the system refuses; nothing is left behind then.
     pub fn commit(mut self) -> Result<(), Failure> {
         self.flush().map_err(|error| machine_write(&error))?;
         match self.target {
             Target::File { place, partial } => {
                 let partial = partial.into_inner().map_err(|error| machine_write(error.error()))?;
+                places::check_output(&place, false).map_err(|why| Failure::place(&place, why))?;
                 partial.persist(&place).map_err(|error| Failure::io(&place, "cannot be written", &error))
             }
             Target::Spool(writer) => {

@@ -135,7 +135,8 @@ pub fn verify(options: &VerifyOptions, progress: &Progress) -> Result<(), Failur
     if drift.is_empty() && moved.is_empty() {
         return Ok(());
     }
-    let counts = format!("differences: {}, {}", count_of(drift.len(), "verdict"), count_of(moved.len(), "file"));
+    let counts =
+        format!("differences: {}, {}", count_of(drift.len(), "verdict"), count_of(moved.len(), "file"));
     let hint = format!(
         "check the differences; `slipmode report {} -o NEW --for-publication` writes the copy to publish",
         options.folder.display()

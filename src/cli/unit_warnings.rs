@@ -21,12 +21,24 @@ const LARGE_EFFECT: f64 = 0.5;
 
 /// What looks like another unit, a line each; `values` are those of [`Quantity::ALL`] in SI, as far as they are known.
 pub fn unit_warnings(values: [Option<f64>; 7]) -> Vec<String> {
+    if is_dimensionless(&values) {
+        return Vec::new();
+    }
     let mass = values[Quantity::MassPerArea as usize];
     let warning = |(quantity, value): (Quantity, Option<f64>)| {
         let looks = looks_like(quantity, value?, mass)?;
         Some(format!("{} = {}: {looks}", quantity.key(), round_digits(value?, 6)))
     };
     Quantity::ALL.into_iter().zip(values).filter_map(warning).collect()
+}
+
+/// Whether D_c is the unit of length, and V0 and σ are units too where they are known: no lab book has such values.
+fn is_dimensionless(values: &[Option<f64>; 7]) -> bool {
+    let is_unit = |quantity: Quantity| values[quantity as usize].is_none_or(|value| value == 1.0);
+    values[Quantity::CriticalSlipDistance as usize].is_some()
+        && [Quantity::CriticalSlipDistance, Quantity::NormalStress, Quantity::LoadingVelocity]
+            .into_iter()
+            .all(is_unit)
 }
 
 /// [`unit_warnings`] of a whole slider.
@@ -84,6 +96,7 @@ mod tests {
         assert!(warned([0.009, 0.0126, 8e-6, 2e9, 2400.0, 5e6, 1e-5]).is_empty());
         assert!(warned([0.02, 0.035, 1e-6, 1e4, 20.0, 2.5e3, 1e-6]).is_empty());
         assert!(unit_warnings([None; 7]).is_empty());
+        assert!(warned([1.0, 1.9, 1.0, 0.7, 0.3, 1.0, 1.0]).is_empty(), "dimensionless");
     }
 
     #[test]

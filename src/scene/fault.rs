@@ -168,7 +168,10 @@ fn shown(value: &str) -> String {
 fn quoted(value: &str) -> String {
     let is_plain = |character: char| character.is_alphanumeric() || "._-+/^*@%".contains(character);
     let shown = shown(value);
-    if !value.is_empty() && value.chars().all(is_plain) { shown } else { format!("\"{shown}\"") }
+    // A value of TOML has quotation marks of its own.
+    let is_quoted = value.len() > 1 && value.starts_with('"') && value.ends_with('"');
+    let is_one_word = !value.is_empty() && value.chars().all(is_plain);
+    if is_quoted || is_one_word { shown } else { format!("\"{shown}\"") }
 }
 
 /// A text from outside as a message shows it: characters that act on a terminal or cannot be seen are escaped.

@@ -1,6 +1,6 @@
 //! Points files that are at fault: named by row and column, nothing written; or, with `--keep-going`, an `error` column.
 
-use crate::harness::{HEADER, ROW, Workplace};
+use crate::harness::{HEADER, ROW, Workplace, quoted};
 
 /// Runs a points file that must be refused, and checks that nothing was written.
 fn refuse(content: impl AsRef<[u8]>, parts: &[&str]) {
@@ -48,7 +48,7 @@ fn faulty_cells_are_named_by_row_column_value_and_range() {
         ("1e1000000000", "exponent beyond"),
     ];
     for (value, problem) in cases {
-        let place = format!("in.csv:3: row 2, column stiffness_pa_per_m = {value}: {problem}");
+        let place = format!("in.csv:3: row 2, column stiffness_pa_per_m = {}: {problem}", quoted(value));
         refuse(rows(value), &[&place, "(allowed: 1e-300 to 1e300)"]);
     }
     refuse(rows("1\u{202e}7"), &["row 2, column stiffness_pa_per_m", "U+202E is not allowed"]);

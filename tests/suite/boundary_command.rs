@@ -93,7 +93,7 @@ fn inputs_hundreds_of_decades_apart_get_the_working_digits_they_take() {
         for wanted in [&["--points", "3"][..], &["--at-velocity", "0.125", "--at-normal-stress", "1e-200"]] {
             let arguments =
                 ["boundary", "--digits", "8"].into_iter().chain(slider).chain(wanted.iter().copied());
-            let text = Workplace::new().run(arguments).expect_success();
+            let text = Workplace::new().run(arguments).expect_warnings();
             assert!(!text.contains("inf") && !text.contains('±') && text.lines().count() > 1, "{text}");
         }
     }

@@ -23,7 +23,8 @@ fn a_grid_counts_what_the_rows_of_a_file_say_one_by_one() {
     }
     let place = Workplace::new();
     place.write("points.csv", rows);
-    let table = place.run(["classify", "--points", "points.csv"]).expect_success();
+    // Axes this long leave what laboratories have.
+    let table = place.run(["classify", "--points", "points.csv"]).expect_warnings();
     for (section, column) in [("spectral_class", 9), ("slip_mode", 10)] {
         let counts = found[section].as_object().unwrap();
         assert_eq!(counts.values().map(|count| count.as_u64().unwrap()).sum::<u64>(), 72);
@@ -56,7 +57,7 @@ fn everything_wrong_with_a_grid_is_told_at_once() {
         "--grid-loading-velocity, FROM = -1: must be > 0",
         "--grid-loading-velocity, TO = 1e400: out of range (allowed: 1e-300 to 1e300)",
         "--grid-loading-velocity, N = 1: out of range (allowed: a whole number from 2 to 1000000)",
-        "--grid-normal-stress = 1:2: must be FROM:TO:N, such as 1e2:1e9:1000, not another text",
+        "--grid-normal-stress = \"1:2\": must be FROM:TO:N, such as 1e2:1e9:1000, not another text",
     ]);
 }
 
@@ -68,8 +69,8 @@ fn a_grid_needs_two_axes_that_ascend_and_no_file() {
     };
     refused(&["--grid-normal-stress", "1:2:3"], &["--grid-loading-velocity: missing"]);
     let velocity = ["--grid-loading-velocity", "1:2:3", "--grid-normal-stress"];
-    refused(&[&velocity[..], &["2:1:3"]].concat(), &["= 2:1:3: reversed range"]);
-    refused(&[&velocity[..], &["1:1.0:3"]].concat(), &["= 1:1.0:3: empty range"]);
+    refused(&[&velocity[..], &["2:1:3"]].concat(), &["= \"2:1:3\": reversed range"]);
+    refused(&[&velocity[..], &["1:1.0:3"]].concat(), &["= \"1:1.0:3\": empty range"]);
     refused(&[&velocity[..], &["1:2:1000001"]].concat(), &["N = 1000001: out of range"]);
     refused(&[&velocity[..], &["a:b:c"]].concat(), &["FROM = a: not a decimal", "TO = b: ", "N = c: "]);
     refused(&["--points", "x.csv", "--grid-normal-stress", "1:2:3"], &["cannot be used with"]);

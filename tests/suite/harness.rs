@@ -79,6 +79,13 @@ impl Workplace {
     }
 }
 
+/// A value as messages show it: one that is not one plain word stands between quotation marks.
+pub fn quoted(value: &str) -> String {
+    let is_plain = |character: char| character.is_alphanumeric() || "._-+/^*@%".contains(character);
+    let is_one_word = !value.is_empty() && value.chars().all(is_plain);
+    if is_one_word { value.to_string() } else { format!("\"{value}\"") }
+}
+
 /// The names in a folder, sorted.
 pub fn names_in(folder: &Path) -> Vec<String> {
     let mut names: Vec<String> = fs::read_dir(folder)
@@ -101,6 +108,14 @@ impl Ended {
     #[track_caller]
     pub fn expect_success(self) -> String {
         assert_eq!((self.code, self.stderr.as_str()), (0, ""));
+        self.stdout
+    }
+
+    /// Standard output of a run that must have succeeded with nothing but warnings on standard error.
+    #[track_caller]
+    pub fn expect_warnings(self) -> String {
+        let has_only_warnings = self.stderr.lines().all(|line| line.starts_with("warning: "));
+        assert!(self.code == 0 && has_only_warnings, "{}: {}", self.code, self.stderr);
         self.stdout
     }
 

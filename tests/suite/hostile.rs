@@ -40,7 +40,12 @@ fn cases() -> Vec<Case> {
     vec![
         case("classify SLIDER -s 1e5 -v 1e-3", 0, true, None),
         case("classify SLIDER -s 1e5 -v 1e-3 --json", 0, true, None),
-        case("classify SLIDER --grid-loading-velocity 1e-5:1e-1:7 --grid-normal-stress 1e3:1e7:9", 0, true, None),
+        case(
+            "classify SLIDER --grid-loading-velocity 1e-5:1e-1:7 --grid-normal-stress 1e3:1e7:9",
+            0,
+            true,
+            None,
+        ),
         case("classify --points in.csv", 0, true, None),
         case("classify --points in.csv -o OUT", 0, false, Some("out.csv")),
         case("roots SLIDER -s 1e5 -v 1e-3 --digits 40", 0, true, None),
@@ -116,7 +121,8 @@ fn command(place: &Workplace, arguments: &str) -> Command {
 
 /// Prints a count past the test harness, which keeps the words of tests that pass to itself.
 fn report(what: &str) {
-    let _ = writeln!(std::io::stderr(), "hostile suite, {what}: {} runs so far", RUNS.load(Ordering::Relaxed));
+    let _ =
+        writeln!(std::io::stderr(), "hostile suite, {what}: {} runs so far", RUNS.load(Ordering::Relaxed));
 }
 
 /// The files of a folder tree by their paths, but for those that say when and where a run was.
@@ -338,9 +344,19 @@ const TARGETS: [Target; 4] = [
         earlier: Some("classify --points one.csv -o out.csv"),
         calls: &CALLS,
     },
-    Target { arguments: "run s.toml -o out", output: "out", earlier: Some("run t.toml -o out"), calls: &CALLS },
+    Target {
+        arguments: "run s.toml -o out",
+        output: "out",
+        earlier: Some("run t.toml -o out"),
+        calls: &CALLS,
+    },
     Target { arguments: "sweep sweep.toml --out out", output: "out", earlier: None, calls: &CALLS },
-    Target { arguments: "archive small -o out.zip", output: "out.zip", earlier: None, calls: &["fsync", "rename"] },
+    Target {
+        arguments: "archive small -o out.zip",
+        output: "out.zip",
+        earlier: None,
+        calls: &["fsync", "rename"],
+    },
 ];
 
 /// The most calls of a kind that are attacked: the first ones of a long row are all alike.
@@ -403,12 +419,16 @@ impl<'p> Attack<'p> {
 
     fn run(&self, call: &str, number: usize) -> ExitStatus {
         RUNS.fetch_add(1, Ordering::Relaxed);
-        let (trace, inject) =
-            (format!("trace={call}"), format!("inject={call}:{}:when={number}", self.harm));
+        let (trace, inject) = (format!("trace={call}"), format!("inject={call}:{}:when={number}", self.harm));
         let mut strace = Command::new("strace");
         strace.args(["-f", "-qq", "-o", "/dev/null", "-e", &trace, "-e", &inject]);
         strace.arg(env!("CARGO_BIN_EXE_slipmode")).args(["--threads", "1"]);
-        strace.args(self.target.arguments.split(' ')).current_dir(self.place.path("")).output().unwrap().status
+        strace
+            .args(self.target.arguments.split(' '))
+            .current_dir(self.place.path(""))
+            .output()
+            .unwrap()
+            .status
     }
 
     /// The output is the old or the new one; of a sweep each block is.

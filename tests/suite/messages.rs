@@ -68,7 +68,9 @@ fn every_command_that_takes_the_slider_warns_of_other_units() {
         }
         let values: Vec<&str> = point.iter().skip(1).step_by(2).copied().collect();
         place.write("in.csv", format!("{HEADER}\n{ROW}\n{}\n", values.join(",")));
-        for command in [&["classify", "--points", "in.csv"][..], &["simulate", "--law", "slip", "--points", "in.csv"]] {
+        for command in
+            [&["classify", "--points", "in.csv"][..], &["simulate", "--law", "slip", "--points", "in.csv"]]
+        {
             let ended = place.run(command.iter().copied());
             let wanted = format!("warning: row 2: {words}");
             assert!(ended.stderr.contains(&wanted), "{command:?}: {}", ended.stderr);
@@ -83,7 +85,8 @@ fn every_command_that_takes_the_slider_warns_of_other_units() {
 fn on_the_transition_the_mode_is_neutral_and_said_what_that_means() {
     let place = Workplace::new();
     // K = (b - a) sigma/D_c (1 + M V0^2/(sigma a D_c)) exactly: 2e7 (1 + 0.25) = 2.5e7.
-    let on = ["-a", "0.004", "-b", "0.006", "-d", "1e-5", "-k", "2.5e7", "-m", "1000", "-s", "1e5", "-v", "1e-3"];
+    let on =
+        ["-a", "0.004", "-b", "0.006", "-d", "1e-5", "-k", "2.5e7", "-m", "1000", "-s", "1e5", "-v", "1e-3"];
     let text = place.run(["classify"].iter().chain(&on).copied()).expect_success();
     assert!(text.contains("slip mode                  neutral  (neither grows nor decays"), "{text}");
     let json = place.run(["classify", "--json"].iter().chain(&on).copied()).expect_success();
@@ -104,7 +107,8 @@ fn a_boundary_has_all_the_digits_that_were_requested_in_every_column() {
         for cell in row.split(',') {
             let mantissa = cell.trim_start_matches('-').split('e').next().unwrap();
             let digits = mantissa.bytes().filter(u8::is_ascii_digit).count();
-            let significant = mantissa.trim_start_matches(['0', '.']).bytes().filter(u8::is_ascii_digit).count();
+            let significant =
+                mantissa.trim_start_matches(['0', '.']).bytes().filter(u8::is_ascii_digit).count();
             let is_word = cell.bytes().next().is_none_or(|byte| byte.is_ascii_alphabetic());
             let is_exact = digits < 20;
             assert!(is_word || is_exact || significant >= 38, "{cell} in {row}");
@@ -116,9 +120,11 @@ fn a_boundary_has_all_the_digits_that_were_requested_in_every_column() {
 fn more_points_than_memory_holds_are_refused_with_the_memory() {
     let place = Workplace::new();
     let many = ["--points", "4294967295", "--max-points", "4294967295"];
-    place
-        .run(["boundary"].iter().chain(&SLIDER).chain(&many).copied())
-        .expect_refusal(&["--points = 4294967295: needs about", "GB of memory", "available"]);
+    place.run(["boundary"].iter().chain(&SLIDER).chain(&many).copied()).expect_refusal(&[
+        "--points = 4294967295: needs about",
+        "GB of memory",
+        "available",
+    ]);
 }
 
 #[test]
@@ -162,14 +168,20 @@ fn nothing_from_outside_acts_on_the_terminal() {
 #[test]
 fn many_faults_are_counted_and_long_values_shortened() {
     let place = small_report("Words.\n");
-    let chapter = |index: u32| format!("[[chapter]]\nid = \"c{index}\"\ntitle = \"C\"\nprose = \"c{index}.md\"\n");
+    let chapter =
+        |index: u32| format!("[[chapter]]\nid = \"c{index}\"\ntitle = \"C\"\nprose = \"c{index}.md\"\n");
     let chapters: String = (0..5_000).map(chapter).collect();
-    place.write("small/report.toml", format!("name = \"small\"\ntitle = \"Small\"\nscenes = [\"s\"]\n{chapters}"));
+    place.write(
+        "small/report.toml",
+        format!("name = \"small\"\ntitle = \"Small\"\nscenes = [\"s\"]\n{chapters}"),
+    );
     let ended = place.run(["report", "small", "-o", "out"]);
     assert_eq!((ended.code, ended.stderr.lines().count()), (2, 26), "{}", ended.stderr);
     assert!(ended.stderr.contains("more like these"), "{}", ended.stderr);
     let long = "x".repeat(100_000);
-    for arguments in [&["simulate", "--law", &long][..], &["verify", "small", "--claim", &long], &["new", &long]] {
+    for arguments in
+        [&["simulate", "--law", &long][..], &["verify", "small", "--claim", &long], &["new", &long]]
+    {
         let ended = place.run(arguments.iter().copied());
         assert!(ended.code == 2 && ended.stderr.len() < 6_000, "{} bytes", ended.stderr.len());
     }
@@ -238,7 +250,9 @@ fn links_out_of_a_report_and_pipes_are_refused() {
     fs::remove_file(place.path("small/prose/c.md")).unwrap();
     symlink("../../secret.md", place.path("small/prose/c.md")).unwrap();
     for command in [&["report", "small", "-o", "out"][..], &["archive", "small", "-o", "out.zip"]] {
-        place.run(command.iter().copied()).expect_refusal(&["small/prose/c.md", "is a link that leads out of small"]);
+        place
+            .run(command.iter().copied())
+            .expect_refusal(&["small/prose/c.md", "is a link that leads out of small"]);
     }
     fs::remove_file(place.path("small/prose/c.md")).unwrap();
     place.write("small/prose/inside.md", "Inside.\n");
@@ -273,5 +287,9 @@ fn a_message_does_not_combine_what_it_refuses_to_combine() {
     let place = Workplace::new();
     let ended = place.run(["classify", "--json", "--points", "in.csv"]);
     assert_eq!(ended.code, 2);
-    assert!(ended.stderr.contains("cannot be used with") && !ended.stderr.contains("Usage:"), "{}", ended.stderr);
+    assert!(
+        ended.stderr.contains("cannot be used with") && !ended.stderr.contains("Usage:"),
+        "{}",
+        ended.stderr
+    );
 }

@@ -19,7 +19,8 @@ struct Command {
 }
 
 const POINT: [&str; 15] = [
-    "classify", "-a", "0.004", "-b", "0.006", "-d", "1e-5", "-k", "1e7", "-m", "1000", "-s", "1e5", "-v", "1e-3",
+    "classify", "-a", "0.004", "-b", "0.006", "-d", "1e-5", "-k", "1e7", "-m", "1000", "-s", "1e5", "-v",
+    "1e-3",
 ];
 const GRID: [&str; 15] = [
     "classify",
@@ -72,8 +73,8 @@ const COMMANDS: &[Command] = &[
     Command {
         bases: &[
             &[
-                "roots", "-a", "0.004", "-b", "0.006", "-d", "1e-5", "-k", "1e7", "-m", "1000", "-s", "1e5", "-v",
-                "1e-3",
+                "roots", "-a", "0.004", "-b", "0.006", "-d", "1e-5", "-k", "1e7", "-m", "1000", "-s", "1e5",
+                "-v", "1e-3",
             ],
             &["roots"],
         ],
@@ -111,8 +112,8 @@ const COMMANDS: &[Command] = &[
     Command {
         bases: &[
             &[
-                "simulate", "-a", "0.004", "-b", "0.006", "-d", "1e-5", "-k", "1e7", "-m", "1000", "-s", "1e5", "-v",
-                "1e-3", "--law", "slip",
+                "simulate", "-a", "0.004", "-b", "0.006", "-d", "1e-5", "-k", "1e7", "-m", "1000", "-s",
+                "1e5", "-v", "1e-3", "--law", "slip",
             ],
             &["simulate", "--points", "in.csv", "--law", "slip"],
             &["simulate", "--points", "in.csv"],
@@ -132,7 +133,10 @@ const COMMANDS: &[Command] = &[
         ],
     },
     Command {
-        bases: &[&["tolerance", "-a", "0.004", "-b", "0.006", "-d", "1e-5", "-k", "1e7", "-m", "1000"], &["tolerance"]],
+        bases: &[
+            &["tolerance", "-a", "0.004", "-b", "0.006", "-d", "1e-5", "-k", "1e7", "-m", "1000"],
+            &["tolerance"],
+        ],
         options: &[
             SLIDER[0],
             SLIDER[1],
@@ -268,7 +272,8 @@ fn deed(place: &Workplace, kept: &BTreeSet<String>, arguments: &[&str]) -> Deed 
         let _ = fs::remove_dir_all(place.path(folder));
     }
     files.retain(|name, _| !name.ends_with("environment.json") && !name.ends_with(".timings.json"));
-    let is_a_time = |line: &&str| !["core-hours", "a point", "a block"].iter().any(|name| line.starts_with(name));
+    let is_a_time =
+        |line: &&str| !["core-hours", "a point", "a block"].iter().any(|name| line.starts_with(name));
     let stdout = ended.stdout.lines().filter(is_a_time).collect::<Vec<_>>().join("\n");
     Deed { code: ended.code, stdout, stderr: ended.stderr, files }
 }
@@ -290,9 +295,10 @@ fn listed(place: &Workplace, command: &str) -> BTreeSet<String> {
     let help = place.run([command, "--help"]).expect_success();
     let first_word = |line: &str| -> Option<String> {
         let line = line.trim_start();
-        let line = line.strip_prefix('-').filter(|rest| !rest.starts_with('-')).map_or(line, |rest| {
-            rest.split_once(", ").map_or("", |(_, long)| long)
-        });
+        let line = line
+            .strip_prefix('-')
+            .filter(|rest| !rest.starts_with('-'))
+            .map_or(line, |rest| rest.split_once(", ").map_or("", |(_, long)| long));
         line.starts_with("--").then(|| line.split([' ', '.']).next().unwrap_or_default().to_string())
     };
     help.lines().filter_map(first_word).collect()
@@ -307,18 +313,19 @@ fn every_option_of_a_pair_acts_or_the_pair_is_refused() {
     let (mut runs, mut pairs) = (0, 0);
     for command in COMMANDS {
         let mut done: BTreeMap<Vec<&str>, Deed> = BTreeMap::new();
-        let mut acts = |base: &[&'static str], with: &[&'static str], without: &[&'static str]| -> (bool, bool) {
-            let mut of = |more: &[&'static str]| -> Vec<&'static str> {
-                let arguments = [base, more].concat();
-                if !done.contains_key(&arguments) {
-                    runs += 1;
-                    done.insert(arguments.clone(), deed(&place, &kept, &arguments));
-                }
-                arguments
+        let mut acts =
+            |base: &[&'static str], with: &[&'static str], without: &[&'static str]| -> (bool, bool) {
+                let mut of = |more: &[&'static str]| -> Vec<&'static str> {
+                    let arguments = [base, more].concat();
+                    if !done.contains_key(&arguments) {
+                        runs += 1;
+                        done.insert(arguments.clone(), deed(&place, &kept, &arguments));
+                    }
+                    arguments
+                };
+                let (with, without) = (of(with), of(without));
+                (done[&with].code == 2, done[&with] != done[&without])
             };
-            let (with, without) = (of(with), of(without));
-            (done[&with].code == 2, done[&with] != done[&without])
-        };
         for (index, (name, one)) in command.options.iter().enumerate() {
             for (other_name, other) in &command.options[index + 1..] {
                 if (*name, *other_name) == WITH_A_TEST_OF_ITS_OWN {
@@ -327,14 +334,19 @@ fn every_option_of_a_pair_acts_or_the_pair_is_refused() {
                 pairs += 1;
                 let both = [*one, *other].concat();
                 let mut found = Vec::new();
-                for base in command.bases.iter().filter(|base| !base.contains(&one[0]) && !base.contains(&other[0])) {
+                for base in
+                    command.bases.iter().filter(|base| !base.contains(&one[0]) && !base.contains(&other[0]))
+                {
                     let (refused, one_acts) = acts(base, &both, other);
                     let (_, other_acts) = acts(base, &both, one);
                     found.push((refused, one_acts, other_acts));
                 }
                 let accepted: Vec<_> = found.iter().filter(|(refused, ..)| !refused).collect();
                 let what = format!("{} {name} {other_name}", command.bases[0][0]);
-                assert!(accepted.is_empty() || accepted.iter().any(|(_, acts, _)| *acts), "{what}: {name} is ignored");
+                assert!(
+                    accepted.is_empty() || accepted.iter().any(|(_, acts, _)| *acts),
+                    "{what}: {name} is ignored"
+                );
                 assert!(
                     accepted.is_empty() || accepted.iter().any(|(_, _, acts)| *acts),
                     "{what}: {other_name} is ignored"

@@ -50,8 +50,8 @@ impl GridOptions {
     pub fn read(&self, slider: &SliderOptions, arguments: &mut Arguments) -> Option<GridRequest> {
         let fixed = slider.material.slider(arguments);
         for quantity in [Quantity::NormalStress, Quantity::LoadingVelocity] {
-            let is_given = slider.text(quantity).is_some();
-            arguments.refuse(&option_of(quantity), is_given, "no grid: the grid's axes give it");
+            let needs = "no grid: the grid's axes give this value";
+            arguments.refuse_value(&option_of(quantity), slider.text(quantity), needs);
         }
         let velocities = axis("--grid-loading-velocity", self.grid_loading_velocity.as_deref(), arguments);
         let stresses = axis("--grid-normal-stress", self.grid_normal_stress.as_deref(), arguments);

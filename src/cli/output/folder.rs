@@ -49,6 +49,7 @@ impl OutputFolder {
             let written = partial.write(name, text.as_bytes());
             written.map_err(|error| Failure::io(&place.join(name), "cannot be written", &error))?;
         }
+        places::check_output(&place, true).map_err(|why| Failure::place(&place, why))?;
         partial.persist(&place).map_err(|error| Failure::io(&place, "cannot be put in place", &error))
     }
 }

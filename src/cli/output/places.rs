@@ -51,10 +51,16 @@ pub fn note_input_folder(folder: &Path) -> Result<(), &'static str> {
 /// # Errors
 /// When it is an input of this command, or another of its outputs, or holds one.
 pub fn note_output(place: &Path, is_folder: bool) -> Result<(), &'static str> {
-    let name = place.file_name().unwrap_or_default();
-    let path = fs::canonicalize(folder_of(place)).ok().map(|folder| folder.join(name));
-    let identity = fs::metadata(place).ok().and_then(|metadata| identity(&metadata));
-    note_written(Place { path, identity, is_folder })
+    note_written(Place::of_output(place, is_folder))
+}
+
+/// Checks again that nothing that was read since an output was noted is replaced by it.
+///
+/// # Errors
+/// When the command has read it, or a file in it.
+pub fn check_output(place: &Path, is_folder: bool) -> Result<(), &'static str> {
+    let places = PLACES.lock().unwrap_or_else(PoisonError::into_inner);
+    places.check_written(&Place::of_output(place, is_folder))
 }
 
 /// Notes standard output: a file that it is redirected to must not be read.
@@ -82,6 +88,10 @@ pub fn check_input(file: &File) -> Result<(), &'static str> {
 }
 
 impl Places {
+    fn check_written(&self, place: &Place) -> Result<(), &'static str> {
+        if self.inputs.iter().any(|input| input.meets(place)) { Err(BOTH) } else { Ok(()) }
+    }
+
     fn check_read(&self, place: &Place) -> Result<(), &'static str> {
         if self.outputs.iter().any(|output| output.meets(place)) { Err(BOTH) } else { Ok(()) }
     }
@@ -89,9 +99,7 @@ impl Places {
 
 fn note_written(place: Place) -> Result<(), &'static str> {
     let mut places = PLACES.lock().unwrap_or_else(PoisonError::into_inner);
-    if places.inputs.iter().any(|input| input.meets(&place)) {
-        return Err(BOTH);
-    }
+    places.check_written(&place)?;
     if places.outputs.iter().any(|output| output.meets(&place)) {
         return Err(TWICE);
     }
@@ -100,6 +108,15 @@ fn note_written(place: Place) -> Result<(), &'static str> {
 }
 
 impl Place {
+    fn of_output(place: &Path, is_folder: bool) -> Self {
+        let name = place.file_name().unwrap_or_default();
+        Self {
+            path: fs::canonicalize(folder_of(place)).ok().map(|folder| folder.join(name)),
+            identity: fs::metadata(place).ok().and_then(|metadata| identity(&metadata)),
+            is_folder,
+        }
+    }
+
     /// Whether the two are one file, or one lies in the other.
     fn meets(&self, other: &Self) -> bool {
         let is_same = self.identity.is_some() && self.identity == other.identity;
