@@ -61,7 +61,7 @@ fn work_precision() {
 
 /// Runs a square grid of (V_l, σ) and prints failures, runs a second and the largest stated error.
 fn grid(name: &str, side: u32, velocity: [f64; 2], stress: [f64; 2], effects: &[[f64; 2]], tolerance: f64) {
-    let options = Options { tolerance, ..Options::default() };
+    let options = Options::at(tolerance);
     let at = |[low, high]: [f64; 2], i: u32| low + (high - low) * f64::from(i) / f64::from(side - 1);
     let (mut runs, mut failures, mut steps) = (0u32, 0u32, 0u64);
     let began = Instant::now();

@@ -1,11 +1,42 @@
-//! When does a slider with rate-and-state friction stick, creep, oscillate or vibrate - and how sure are we?
+//! Linear stability and nonlinear motion of a spring-slider with rate-and-state friction.
 //!
-//! Exact signs over the rationals, certified roots, the exact stability boundary, proofs of the linear theory of
-//! Im & Avouac, *Linear stability analysis of the condition for vibration during frictional slip*, and simulations
-//! of the nonlinear slider with estimated errors.
+//! The slider has friction parameters a and b, a critical slip distance D_c, a stiffness K and a mass M per unit area. It is
+//! driven at velocity V_0 under normal stress σ. This crate decides exactly whether steady sliding is stable and whether it
+//! oscillates, computes roots and the stability boundary to any number of certain digits, and simulates the nonlinear motion
+//! with estimated errors. The theory is that of Im & Avouac, *Linear stability analysis of the condition for vibration
+//! during frictional slip*.
 //!
-//! Modules stand on floors and import lower floors only (`cargo xtask tidy` enforces it):
-//! `number` < `polynomial` < `roots` < `friction` < { `theory`, `stability`, `dynamics` }.
+//! ```
+//! use slipmode_core::{InertialThreshold, Slider, classify, parse_decimal};
+//!
+//! // a, b, D_c in m, K in Pa/m and M in kg/m²; decimals are exact: 0.004 is 1/250.
+//! let slider = Slider::from(["0.004", "0.006", "1e-5", "1e7", "1000"].map(|text| parse_decimal(text).unwrap()));
+//! // σ = 1 MPa and V_0 = 10 µm/s.
+//! let parameters = slider.at(parse_decimal("1e6").unwrap(), parse_decimal("1e-5").unwrap());
+//!
+//! let found = classify(&parameters, &InertialThreshold::default());
+//! assert_eq!(found.transition_sign, -1); // K < K_c: steady sliding is unstable
+//! assert_eq!(found.slip_mode.as_str(), "stick-slip");
+//! ```
+//!
+//! # Entry points
+//!
+//! | question | item |
+//! |---|---|
+//! | Is steady sliding stable, does it oscillate, how fast does a disturbance grow? | [`classify`] |
+//! | What are the three exponents s of a small disturbance? | [`certified_roots`] of [`Parameters::characteristic_cubic_per_s`] |
+//! | Where does oscillation begin in the (V_0, σ) plane? | [`BoundaryCurve`], [`Asymptote`] |
+//! | What does the slider do when it is far from steady sliding? | [`simulate`] |
+//!
+//! # Modules
+//!
+//! A module imports lower ones only: `number` < `polynomial` < `roots` < `friction` < {`theory`, `stability`, `dynamics`}.
+//! `theory`, `stability` and `dynamics` do not import each other, so that a simulation is an independent check of the linear theory.
+//!
+//! # Features
+//!
+//! - `rayon` (default): grids are classified on all processors; without it, on one, with the same results.
+//! - `serde`: `Serialize` for the names of slip modes, classes and precision levels, and `Deserialize` for the texts of equations.
 
 pub mod dynamics;
 pub mod friction;
@@ -14,3 +45,11 @@ pub mod polynomial;
 pub mod roots;
 pub mod stability;
 pub mod theory;
+
+pub use dynamics::{Options as SimulationOptions, Simulation, simulate};
+pub use friction::{EvolutionLaw, Groups, OperatingPoint, Parameters, Slider, SlipMode};
+pub use number::{Ball, DecimalError, Rational, parse_decimal};
+pub use roots::{CertifiedRoot, CertifiedRoots, PrecisionLevel, certified_roots};
+pub use stability::{
+    Arc, Asymptote, BoundaryCurve, BoundaryPoint, Classification, InertialThreshold, SpectralClass, classify,
+};

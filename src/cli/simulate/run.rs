@@ -16,7 +16,7 @@ pub struct Settings {
 impl Settings {
     /// The options of the simulation.
     pub fn options(self) -> dynamics::Options {
-        dynamics::Options { tolerance: self.tolerance, start: self.start, ..dynamics::Options::default() }
+        dynamics::Options::at(self.tolerance).with_start(self.start)
     }
 }
 

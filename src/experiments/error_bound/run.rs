@@ -89,7 +89,7 @@ fn checks(groups: &Groups<f64>, law: EvolutionLaw, tolerances: &[f64]) -> Vec<Bo
     let model = Model::new(groups.clone(), law);
     let runs: Vec<_> = tolerances
         .iter()
-        .map(|&tolerance| (tolerance, simulate_model(&model, &Options { tolerance, ..Options::default() })))
+        .map(|&tolerance| (tolerance, simulate_model(&model, &Options::at(tolerance))))
         .collect();
     let reference = runs
         .iter()

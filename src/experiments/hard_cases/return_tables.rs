@@ -104,6 +104,7 @@ const fn kind_of(failure: &Failure) -> &'static str {
         Failure::TooManySteps { .. } => "too many steps",
         Failure::Undecided { .. } => "undecided",
         Failure::UnreachableTolerance { .. } => "refused: not attainable",
+        _ => "failed",
     }
 }
 

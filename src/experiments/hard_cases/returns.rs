@@ -182,7 +182,7 @@ fn verdicts(case: &HardReturn) -> Vec<ReturnVerdict> {
         })
     });
     let whole = ASKED.map(|tolerance| {
-        let options = Options { tolerance, most_returns: MOST_RETURNS, ..Options::default() };
+        let options = Options::at(tolerance).with_most_returns(MOST_RETURNS);
         ReturnVerdict {
             method: "simulation",
             tolerance,

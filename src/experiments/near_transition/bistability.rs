@@ -125,7 +125,7 @@ fn threshold(family: &CycleFamily, members: &[Member], critical: f64, excess: f6
     let below = start_threshold(&model, &unstable).ok()??;
     let periodic = |factor: f64| {
         let velocity_ratio = libm::exp(-factor * below);
-        let options = Options { velocity_ratio, tolerance: TARGET, ..Options::default() };
+        let options = Options::at(TARGET).with_velocity_ratio(velocity_ratio);
         simulate_model(&model, &options).ok().map(|outcome| matches!(outcome.long_term(), LongTerm::Cycle(_)))
     };
     let ends = periodic(1.0 - START_MARGIN).zip(periodic(1.0 + START_MARGIN));

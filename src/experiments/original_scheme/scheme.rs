@@ -34,7 +34,7 @@ pub struct SchemePeak {
 /// Our limit cycle at a place; none where the run decays or fails.
 #[must_use]
 pub(crate) fn converged_cycle(model: &Model<f64>) -> Option<Cycle<f64>> {
-    let options = Options { tolerance: TOLERANCE, ..Options::default() };
+    let options = Options::at(TOLERANCE);
     match simulate_model(model, &options).as_ref().map(Outcome::long_term) {
         Ok(LongTerm::Cycle(cycle)) => Some(cycle.clone()),
         _ => None,

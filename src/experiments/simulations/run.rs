@@ -47,7 +47,7 @@ impl SimulatedPoint {
 
 /// The options of a run at a relative tolerance.
 pub(crate) fn options(tolerance: &Rational) -> Options {
-    Options { tolerance: nearest_f64(tolerance), ..Options::default() }
+    Options::at(nearest_f64(tolerance))
 }
 
 /// Simulates every point of the section's grid with each law, and what else the section asks for.

@@ -40,7 +40,7 @@ type Run = Result<Simulation, Failure>;
 pub(crate) fn count(parameters: &Slider<Rational>, section: &SpeedCountsSection) -> Vec<SweepCount> {
     let points = points(parameters, section.sweep_side);
     let at = |tolerance: f64| -> Vec<Run> {
-        let options = Options { tolerance, ..Options::default() };
+        let options = Options::at(tolerance);
         points.par_iter().map(|(point, law)| simulate(point, *law, &options)).collect()
     };
     let reference = at(REFERENCE);

@@ -22,7 +22,7 @@ pub fn prepare(folder: &Path) {
     if path.exists() {
         return;
     }
-    let fine = Options { tolerance: 1e-6, ..Options::default() };
+    let fine = Options::at(1e-6);
     let at = |low: f64, high: f64, i: usize| low + (high - low) * i as f64 / (SIDE - 1) as f64;
     let mut text = String::new();
     for law in EvolutionLaw::ALL {
@@ -41,7 +41,7 @@ pub fn prepare(folder: &Path) {
 /// All runs in turn on one core.
 pub fn play(folder: &Path) {
     let lines = read_lines(&folder.join("sweep.txt"));
-    let options = Options { tolerance: ERROR, ..Options::default() };
+    let options = Options::at(ERROR);
     let (seconds, found) =
         best_of(2, || lines.iter().map(|line| simulate_model(&line.model, &options)).collect::<Vec<_>>());
     let (mut wrong, mut worst, mut steps) = (0, 0.0f64, 0);

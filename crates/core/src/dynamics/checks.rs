@@ -144,7 +144,7 @@ fn the_stated_error_holds_against_a_tighter_run() {
             let model = Model::new(paper(v, s), law);
             let parameters = unit_parameters();
             let run = |tolerance| {
-                let options = Options { tolerance, ..Options::default() };
+                let options = Options::at(tolerance);
                 simulate_model(&model, &options).unwrap().in_si(&parameters)
             };
             for tolerance in [1e-2, 1e-4, 1e-6] {
@@ -180,7 +180,7 @@ fn stated_errors_hold_for_random_groups() {
         let groups = Groups { inertial_parameter, stiffness_group, effect_ratio };
         let model = Model::new(groups, EvolutionLaw::ALL[case % 2]);
         let run = |tolerance| {
-            let found = simulate_model(&model, &Options { tolerance, ..Options::default() });
+            let found = simulate_model(&model, &Options::at(tolerance));
             found.map(|outcome| outcome.in_si(&unit_parameters()))
         };
         let exact = run(1e-10).or_else(|_| run(1e-9)).unwrap();
@@ -219,7 +219,7 @@ fn a_slider_that_barely_stops_states_that_it_might() {
         let groups = Groups { inertial_parameter: eta, stiffness_group: kappa, effect_ratio: 8.084_136_5 };
         let model = Model::new(groups, EvolutionLaw::Slip);
         let run = |tolerance: f64| {
-            let found = simulate_model(&model, &Options { tolerance, ..Options::default() });
+            let found = simulate_model(&model, &Options::at(tolerance));
             found.unwrap().in_si(&unit_parameters())
         };
         let tight = run(1e-9);

@@ -28,7 +28,7 @@ fn runs_next_to_a_transition_end_at_every_tolerance() {
         let unstable = groups.transition_margin() < 0.0;
         let model = Model::new(groups.clone(), law);
         for tolerance in [1e-2, 1e-8, 1e-10] {
-            let outcome = simulate_model(&model, &Options { tolerance, ..Options::default() }).unwrap();
+            let outcome = simulate_model(&model, &Options::at(tolerance)).unwrap();
             assert_eq!(
                 matches!(outcome.long_term(), LongTerm::Cycle(_)),
                 unstable,
@@ -53,7 +53,7 @@ fn vibrations_that_die_in_a_hundred_million_returns_are_no_cycles() {
         assert!(groups.transition_margin() > 0.0);
         for law in EvolutionLaw::ALL {
             for tolerance in [1e-2, 1e-4, 1e-8] {
-                let options = Options { tolerance, ..Options::default() };
+                let options = Options::at(tolerance);
                 let outcome = simulate_model(&Model::new(groups.clone(), law), &options).unwrap();
                 assert!(
                     matches!(outcome.long_term(), LongTerm::Decay(_)),

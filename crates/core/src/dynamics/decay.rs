@@ -76,7 +76,7 @@ mod tests {
             let slowest = roots.iter().map(|root| root.re.to_f64()).fold(f64::MIN, f64::max);
             for law in EvolutionLaw::ALL {
                 for (tolerance, permitted) in [(1e-2, 1e-2), (1e-4, 1e-3), (1e-8, 1e-5)] {
-                    let options = Options { tolerance, ..Options::default() };
+                    let options = Options::at(tolerance);
                     let run = simulate_model(&Model::new(groups.clone(), law), &options).unwrap();
                     let LongTerm::Decay(decay) = run.long_term() else { panic!("{groups:?} {law:?}") };
                     let off = (decay.rate.unwrap() / slowest - 1.0).abs();

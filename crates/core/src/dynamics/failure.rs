@@ -3,7 +3,15 @@
 use thiserror::Error;
 
 /// Why a run has no result. Times are in units of D_c/V_l.
+///
+/// ```
+/// use slipmode_core::dynamics::Failure;
+///
+/// let failure = Failure::UnreachableTolerance { requested: 1e-18, reached: 1e-14 };
+/// assert!(failure.to_string().contains("not attainable"));
+/// ```
 #[derive(Debug, Clone, PartialEq, Error)]
+#[non_exhaustive]
 pub enum Failure {
     /// The start is not a state of finite numbers, or a group is not positive.
     #[error("the start or a group is not a finite, admissible number")]

@@ -67,6 +67,7 @@ impl Standstill {
 
 /// A limit cycle.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct Cycle<R> {
     /// The whole cycle.
     pub orbit: Return<R>,
@@ -91,6 +92,7 @@ pub struct Oscillation<R> {
 
 /// A return to steady sliding.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct Decay<R> {
     /// All that happened before it was called linear, as one return.
     pub transient: Return<R>,

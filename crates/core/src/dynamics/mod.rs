@@ -28,6 +28,18 @@
 //! with a bound of its error. After it the steps start from the slow time scale.
 //! Two more choices mattered more than the order: the Jacobian of the predicted *middle* of the step halves the iterations, and
 //! Gustafsson's prediction halves the steps, because the way into an event shortens every step by the same factor.
+//!
+//! # Example
+//! ```
+//! use slipmode_core::dynamics::{Model, Options, simulate_model};
+//! use slipmode_core::{EvolutionLaw, Groups};
+//!
+//! // Without units: η, κ and β are all that the equations of motion contain.
+//! let groups = Groups { inertial_parameter: 9.0, stiffness_group: 4.85, effect_ratio: 1.5 };
+//! let found = simulate_model(&Model::new(groups, EvolutionLaw::Slip), &Options::at(1e-4)).unwrap();
+//! assert_eq!(found.slip_mode().as_str(), "harmonic-vibration");
+//! assert!(found.log_peak() > 0.0); // ln(V_peak/V_l)
+//! ```
 
 mod arrest;
 mod arrow;
@@ -46,6 +58,7 @@ mod decay;
 mod dense_matrix;
 mod deviations;
 mod double_double_exp;
+#[doc(hidden)]
 pub mod events;
 mod failure;
 mod floquet;
@@ -75,23 +88,37 @@ mod taylor_series;
 mod threshold;
 mod trajectory;
 
+#[doc(hidden)]
 pub use arrow::Arrow;
+#[doc(hidden)]
 pub use cycle_family::{CycleFamily, Member};
+#[doc(hidden)]
 pub use cycle_fold::Fold;
+#[doc(hidden)]
 pub use deviations::oscillation_of_small_deviations;
 pub use failure::Failure;
+#[doc(hidden)]
 pub use integrator::{Control, Integrator};
 pub use long_term::{Cycle, Decay, LongTerm, Oscillation, long_term_behaviour};
 pub use model::{Balance, Model, State};
+#[doc(hidden)]
 pub use original_scheme::OriginalScheme;
 pub use outcome::{Behaviour, Outcome, Simulation};
+#[doc(hidden)]
 pub use radau::Radau;
+#[doc(hidden)]
 pub use rodas::Rodas5P;
+#[doc(hidden)]
 pub use scalar::Scalar;
+#[doc(hidden)]
 pub use section_return::{Return, ReturnEnd, next_return};
 pub use simulation::{Options, simulate, simulate_model};
 pub use start::Start;
+#[doc(hidden)]
 pub use stepper::{Stepper, Trial, Weight, increment, velocity_slopes};
+#[doc(hidden)]
 pub use taylor::Taylor;
+#[doc(hidden)]
 pub use threshold::start_threshold;
+#[doc(hidden)]
 pub use trajectory::{Sample, Trajectory, trajectory};

@@ -34,6 +34,15 @@ impl<R> Balance<R> {
 }
 
 /// The slider's equations of motion.
+///
+/// ```
+/// use slipmode_core::dynamics::Model;
+/// use slipmode_core::{EvolutionLaw, Groups};
+///
+/// let groups = Groups { inertial_parameter: 0.5, stiffness_group: 2.0, effect_ratio: 1.5 };
+/// let model = Model::new(groups, EvolutionLaw::Aging);
+/// assert_eq!(model.rate(&[0.0; 3]).map(f64::abs), [0.0; 3]); // steady sliding does not move
+/// ```
 #[derive(Debug, Clone)]
 pub struct Model<R> {
     groups: Groups<R>,

@@ -40,7 +40,19 @@ impl Behaviour {
 }
 
 /// What a simulation showed.
+///
+/// ```
+/// use slipmode_core::{EvolutionLaw, Parameters, Simulation, SimulationOptions, parse_decimal, simulate};
+///
+/// let number = |text| parse_decimal(text).unwrap();
+/// let parameters = Parameters::from(["0.004", "0.006", "1e-5", "1e7", "1000", "1e4", "1e-5"].map(number));
+/// let found: Simulation = simulate(&parameters, EvolutionLaw::Slip, &SimulationOptions::at(1e-4)).unwrap();
+/// // K > K_c: the slider returns to steady sliding, with an oscillation that dies out.
+/// assert_eq!(found.behaviour.as_str(), "decaying");
+/// assert!(found.growth_rate_per_s.unwrap() < 0.0 && found.period_s.is_some());
+/// ```
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct Simulation {
     /// Limit cycle or decay.
     pub behaviour: Behaviour,

@@ -10,7 +10,15 @@ use crate::friction::{EvolutionLaw, Parameters};
 use crate::number::{Rational, nearest_f64};
 
 /// What to simulate, beyond the parameters.
+///
+/// ```
+/// use slipmode_core::dynamics::{Options, Start};
+///
+/// let options = Options::at(1e-6).with_start(Start::VelocityKick);
+/// assert_eq!((options.tolerance, options.velocity_ratio), (1e-6, 0.1));
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct Options {
     /// How the start is completed.
     pub start: Start,
@@ -39,7 +47,44 @@ impl Default for Options {
     }
 }
 
+impl Options {
+    /// The paper's start, simulated to this relative error of peak velocity and period.
+    #[must_use]
+    pub fn at(tolerance: f64) -> Self {
+        Self { tolerance, ..Self::default() }
+    }
+
+    /// The same from another start.
+    #[must_use]
+    pub const fn with_start(self, start: Start) -> Self {
+        Self { start, ..self }
+    }
+
+    /// The same from V/V_l = `velocity_ratio`.
+    #[must_use]
+    pub const fn with_velocity_ratio(self, velocity_ratio: f64) -> Self {
+        Self { velocity_ratio, ..self }
+    }
+
+    /// The same with another limit of oscillations.
+    #[must_use]
+    pub const fn with_most_returns(self, most_returns: u64) -> Self {
+        Self { most_returns, ..self }
+    }
+}
+
 /// Simulates a slider.
+///
+/// ```
+/// use slipmode_core::{EvolutionLaw, Parameters, SimulationOptions, parse_decimal, simulate};
+///
+/// // a, b, D_c, K, M, σ, V0: a laboratory slider under 1 MPa is driven at 10 µm/s.
+/// let number = |text| parse_decimal(text).unwrap();
+/// let parameters = Parameters::from(["0.004", "0.006", "1e-5", "1e7", "1000", "1e6", "1e-5"].map(number));
+/// let found = simulate(&parameters, EvolutionLaw::Aging, &SimulationOptions::at(1e-3)).unwrap();
+/// assert_eq!(found.slip_mode.as_str(), "stick-slip");
+/// assert!(found.peak_velocity_m_per_s > 1e-3 && found.peak_relative_error < 1e-3);
+/// ```
 ///
 /// # Errors
 /// A [`Failure`] when the start is not admissible, the long-term behaviour is undecided or the tolerance is out of reach.

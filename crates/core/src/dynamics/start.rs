@@ -3,7 +3,15 @@
 use super::{Model, Scalar, State};
 
 /// How a start at a velocity other than V_l is completed: what the state and the spring are doing at that moment.
+///
+/// ```
+/// use slipmode_core::dynamics::Start;
+///
+/// assert_eq!(Start::default().as_str(), "steady-at-velocity");
+/// assert_eq!(Start::ALL.len(), 4);
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+#[non_exhaustive]
 pub enum Start {
     /// θ = D_c/V, spring in equilibrium with friction: steady sliding at V, before loading goes on at V_l (the default).
     #[default]

@@ -1,6 +1,13 @@
 //! The two laws by which the frictional state evolves (eqs 2 and 3).
 
 /// How the state variable θ evolves; both laws share the steady state θ = D_c/V and the linearisation about it.
+///
+/// ```
+/// use slipmode_core::EvolutionLaw;
+///
+/// assert_eq!(EvolutionLaw::from_word("aging"), Some(EvolutionLaw::Aging));
+/// assert_eq!(EvolutionLaw::Slip.as_str(), "slip");
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum EvolutionLaw {
     /// dθ/dt = 1 − Vθ/D_c (eq 2): heals at rest.

@@ -3,6 +3,17 @@
 use crate::number::Field;
 
 /// η, κ and β: with time in units of D_c/V0 the slider, linear or not, has no other parameter.
+///
+/// ```
+/// use slipmode_core::{Groups, Rational};
+///
+/// let [inertial_parameter, stiffness_group, effect_ratio] = [1, 2, 3].map(Rational::from);
+/// let groups = Groups { inertial_parameter, stiffness_group, effect_ratio };
+/// // Eq 8: η p³ + (1 + η) p² + (κ + 1 − β) p + κ = 0.
+/// assert_eq!(groups.characteristic_cubic(), [2, 0, 2, 1].map(Rational::from));
+/// // κ_c = (β − 1)(1 + η) = 4 > κ: unstable.
+/// assert_eq!(groups.transition_margin(), -2);
+/// ```
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Groups<R> {
     /// η = M V0²/(σ a D_c).

@@ -1,6 +1,16 @@
 //! Rate-and-state friction: parameters in SI, and the three dimensionless groups that are all there is.
 //!
 //! SI stops here: the floors above work in (η, κ, β) and in the unit of time D_c/V0.
+//!
+//! ```
+//! use slipmode_core::friction::{Groups, Slider};
+//!
+//! // 64-bit numbers serve where exactness does not matter.
+//! let slider = Slider::from([0.004, 0.006, 1e-5, 1e7, 1000.0]);
+//! let Groups { inertial_parameter, stiffness_group, effect_ratio } = slider.at(1e6, 0.01).groups();
+//! assert!((inertial_parameter - 2.5).abs() < 1e-12);
+//! assert!((stiffness_group - 0.025).abs() < 1e-15 && effect_ratio == 1.5);
+//! ```
 
 mod evolution;
 mod groups;

@@ -4,6 +4,15 @@ use crate::friction::{OperatingPoint, Parameters};
 use crate::number::{Field, Real};
 
 /// Rate-and-state friction on a spring and a mass; every value is positive.
+///
+/// ```
+/// use slipmode_core::{Slider, parse_decimal};
+///
+/// // A laboratory slider: a, b, D_c in m, K in Pa/m, M in kg/m².
+/// let slider = Slider::from(["0.004", "0.006", "1e-5", "1e7", "1000"].map(|text| parse_decimal(text).unwrap()));
+/// assert!(slider.has_transition()); // b > a
+/// assert_eq!(slider.critical_normal_stress_pa(), 50_000); // K D_c/(b − a)
+/// ```
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Slider<R> {
     /// a of eq 1, dimensionless.
@@ -33,6 +42,13 @@ impl<R> From<[R; 5]> for Slider<R> {
 
 impl<R: Clone> Slider<R> {
     /// The slider driven at V0 (m/s) under σ (Pa).
+    ///
+    /// ```
+    /// use slipmode_core::Slider;
+    ///
+    /// let parameters = Slider::from([0.004, 0.006, 1e-5, 1e7, 1000.0]).at(1e6, 1e-5);
+    /// assert_eq!(parameters.point.normal_stress_pa, 1e6);
+    /// ```
     #[must_use]
     pub fn at(&self, normal_stress_pa: R, loading_velocity_m_per_s: R) -> Parameters<R> {
         Parameters {

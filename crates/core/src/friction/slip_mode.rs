@@ -1,10 +1,16 @@
 //! The names of the slip modes: the linear theory and the simulation use the same words without knowing each other.
 
-use serde::Serialize;
-
 /// How the slider slips, in the words of the paper's figures 1 and 7.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize)]
-#[serde(rename_all = "kebab-case")]
+///
+/// ```
+/// use slipmode_core::SlipMode;
+///
+/// assert_eq!(SlipMode::HarmonicVibration.as_str(), "harmonic-vibration");
+/// assert_eq!(SlipMode::ALL.len(), 6);
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 pub enum SlipMode {
     /// Stable, all roots real.
     OverdampedStableSliding,

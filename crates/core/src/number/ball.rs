@@ -11,6 +11,15 @@ use super::magnitude::{MAGNITUDE_BITS, Magnitude};
 ///
 /// Every operation returns a ball that contains the result for every choice of points in its operands.
 /// A result that cannot be bounded (a division by a ball that contains zero) has an infinite radius and centre zero.
+///
+/// ```
+/// use slipmode_core::number::{Ball, Real};
+/// use slipmode_core::Rational;
+///
+/// let root = Ball::from_rational(&Rational::from(2), 100).sqrt();
+/// let square = root.clone() * &root;
+/// assert!(square.contains(&Rational::from(2)) && root.relative_radius_log2() < -90.0);
+/// ```
 #[derive(Debug, Clone)]
 pub struct Ball {
     pub(super) centre: Float,

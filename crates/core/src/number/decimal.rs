@@ -13,7 +13,15 @@ pub const MAX_DIGITS: usize = 10_000;
 pub const MAX_EXPONENT: i64 = 10_000;
 
 /// Why a text is not a number of the grammar.
+///
+/// ```
+/// use slipmode_core::{DecimalError, parse_decimal};
+///
+/// let error: DecimalError = parse_decimal("four").unwrap_err();
+/// assert!(!error.to_string().is_empty());
+/// ```
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
+#[non_exhaustive]
 pub enum DecimalError {
     /// Not of the form `[+-]digits[.digits][e[+-]digits]`.
     #[error("not a decimal number (write digits such as 0.004 or 1e-5)")]
@@ -30,6 +38,14 @@ pub enum DecimalError {
 ///
 /// # Errors
 /// When the text is not of the grammar, or exceeds the caps on digits and exponent.
+///
+/// ```
+/// use slipmode_core::{Rational, parse_decimal};
+///
+/// assert_eq!(parse_decimal("0.004"), Ok(Rational::from((1, 250))));
+/// assert_eq!(parse_decimal("-1.5e-3"), Ok(Rational::from((-3, 2000))));
+/// assert!(parse_decimal("1,5").is_err());
+/// ```
 pub fn parse_decimal(text: &str) -> Result<Rational, DecimalError> {
     let (negative, unsigned) = strip_sign(text);
     let (mantissa, exponent) = match unsigned.split_once(['e', 'E']) {

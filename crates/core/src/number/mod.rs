@@ -1,10 +1,19 @@
 //! Numbers: one grammar for decimals, exact rationals, double-double, balls, and the traits that let one equation serve them all.
+//!
+//! ```
+//! use slipmode_core::number::{Rational, nearest_f64, parse_decimal};
+//!
+//! let third = Rational::from((1, 3));
+//! assert_eq!(parse_decimal("0.3333").unwrap() - third, Rational::from((-1, 30_000)));
+//! assert_eq!(nearest_f64(&parse_decimal("0.1").unwrap()), 0.1);
+//! ```
 
 mod ball;
 mod ball_arithmetic;
 mod decimal;
 mod double_double;
 mod field;
+#[doc(hidden)]
 pub mod format;
 mod magnitude;
 mod operators;
@@ -17,6 +26,7 @@ pub use decimal::{DecimalError, MAX_DIGITS, MAX_EXPONENT, nearest_f64, parse_dec
 pub use double_double::Dd;
 pub use field::{Field, Real};
 pub use rug::Rational;
+#[doc(hidden)]
 pub use short_decimal::parse_short_decimal;
 pub(crate) use short_integer::{ShortInteger, odd_part};
 pub use wide::Wide;

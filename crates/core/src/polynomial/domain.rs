@@ -3,8 +3,6 @@
 use std::collections::BTreeMap;
 use std::fmt;
 
-use serde::{Deserialize, Serialize};
-
 use super::conversion::Converter;
 use super::{ConversionError, Expression, RationalFunction, Symbol};
 
@@ -12,7 +10,8 @@ use super::{ConversionError, Expression, RationalFunction, Symbol};
 ///
 /// Writing a = α², b = (α + γ)² with α, γ > 0 says a < b, makes √a and √b rational, and fixes the sign of b − a, all
 /// at once. Identities and signs proved after the substitution hold for all values that it can take.
-#[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Domain {
     positive: Vec<String>,
     substitutions: Vec<(String, Expression)>,

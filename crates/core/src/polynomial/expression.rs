@@ -3,11 +3,9 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-use rug::Rational;
-use serde::{Deserialize, Serialize};
-
 use super::division::integer_scale;
 use super::{Monomial, Polynomial, RationalFunction, Symbol};
+use rug::Rational;
 
 /// The functions of one argument that the paper's equations use.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -45,8 +43,9 @@ impl Function {
 }
 
 /// An expression tree; serialised as its text.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(try_from = "String", into = "String")]
+#[derive(Debug, Clone, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(try_from = "String", into = "String"))]
 pub enum Expression {
     /// A rational number.
     Number(Rational),

@@ -1,4 +1,13 @@
 //! Exact algebra over the rationals: polynomials, discriminants, Sturm sequences, symbolic expressions, proofs that can be printed and re-checked.
+//!
+//! ```
+//! use slipmode_core::polynomial::UnivariatePolynomial;
+//!
+//! // (x − 1)(x² − 2) = x³ − x² − 2x + 2 has one negative and two positive roots.
+//! let cubic = UnivariatePolynomial::from_integers(&[2, -2, -1, 1]);
+//! assert_eq!(cubic.isolate_positive_roots().len(), 2);
+//! assert_eq!(cubic.isolate_real_roots().len(), 3);
+//! ```
 
 mod calculus;
 mod certificate;

@@ -2,12 +2,11 @@
 
 use std::fmt;
 
-use serde::{Deserialize, Serialize};
-
 use super::{Certificate, CounterExample, Domain, Expression, Refutation, Toward};
 
 /// One step of a proof.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Step {
     /// The step in words.
     pub says: String,
@@ -18,7 +17,8 @@ pub struct Step {
 }
 
 /// A proved statement. It was checked when it was made, and [`Proof::recheck`] checks it again from its certificates.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Proof {
     /// A stable name, such as `characteristic-polynomial`.
     pub id: String,

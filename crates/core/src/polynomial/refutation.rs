@@ -3,13 +3,12 @@
 use std::collections::BTreeMap;
 use std::fmt;
 
-use rug::Rational;
-use serde::{Deserialize, Serialize};
-
 use super::{Domain, Expression, RationalFunction, Symbol};
+use rug::Rational;
 
 /// A rational point at which a statement is false, with what both sides are there.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct CounterExample {
     /// Names and values.
     pub point: Vec<(String, Expression)>,
@@ -20,7 +19,8 @@ pub struct CounterExample {
 }
 
 /// A statement that could not be proved because it is false (or is no statement at all under the assumptions).
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Refutation {
     /// The identity of the proof that was attempted.
     pub id: String,

@@ -2,23 +2,38 @@
 //!
 //! Cubics are `[c0, c1, c2, c3]` by ascending power. Whether roots are real, and whether any coincide, is never read off
 //! rounded roots: the sign of the [`discriminant`] decides it exactly, and enclosures are computed afterwards.
+//!
+//! ```
+//! use slipmode_core::Rational;
+//! use slipmode_core::roots::{certified_roots, discriminant};
+//!
+//! // (x − 1)²(x + 2) = x³ − 3x + 2: the double root is found as one, because the discriminant is exactly zero.
+//! let cubic = [2, -3, 0, 1].map(Rational::from);
+//! assert_eq!(discriminant(&cubic), 0);
+//! let roots = certified_roots(&cubic, 30).roots;
+//! assert_eq!(roots.iter().map(|root| root.multiplicity).collect::<Vec<_>>(), [1, 2]);
+//! ```
 
+#[doc(hidden)]
 pub mod binary64;
 mod bracket;
 mod certified;
 mod depressed;
 mod discriminant;
+#[doc(hidden)]
 pub mod double_double;
 mod forward;
 mod kahan;
 mod multiple;
 mod precision_level;
 mod short;
+#[doc(hidden)]
 pub mod textbook;
 
 pub use certified::{CertifiedRoot, CertifiedRoots, certified_roots};
 pub(crate) use depressed::Depressed;
 pub use discriminant::discriminant;
+#[doc(hidden)]
 pub use forward::{Bounded, BoundedCubic, Pair, Spectrum, Working};
 pub use precision_level::PrecisionLevel;
 pub(crate) use short::ShortCubic;

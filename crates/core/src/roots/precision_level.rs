@@ -1,18 +1,24 @@
 //! The precision levels, from the fastest arithmetic to the one that is always right.
 
-use serde::Serialize;
-
 /// Which arithmetic gave an answer; a higher level is slower and decides more.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize)]
+///
+/// ```
+/// use slipmode_core::PrecisionLevel;
+///
+/// assert!(PrecisionLevel::F64 < PrecisionLevel::DoubleDouble);
+/// assert_eq!(PrecisionLevel::Exact.as_str(), "exact");
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub enum PrecisionLevel {
     /// 64-bit with a forward error bound.
-    #[serde(rename = "f64")]
+    #[cfg_attr(feature = "serde", serde(rename = "f64"))]
     F64,
     /// Double-double with a forward error bound.
-    #[serde(rename = "double-double")]
+    #[cfg_attr(feature = "serde", serde(rename = "double-double"))]
     DoubleDouble,
     /// Rationals for signs, balls of the needed precision for values.
-    #[serde(rename = "exact")]
+    #[cfg_attr(feature = "serde", serde(rename = "exact"))]
     Exact,
 }
 

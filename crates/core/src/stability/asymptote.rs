@@ -8,6 +8,15 @@ use crate::number::Real;
 use crate::stability::Arc;
 
 /// One of the asymptotes of max Im(s) = 0.
+///
+/// ```
+/// use slipmode_core::{Asymptote, Slider};
+///
+/// let slider = Slider::from([0.004, 0.006, 1e-5, 1e7, 1000.0]);
+/// // Eq 16: σ = K D_c/(√a + √b)², Pa.
+/// let sigma = Asymptote::QuasiStaticLower.value(&slider, &1e4);
+/// assert!((sigma - 100.0 / (0.004f64.sqrt() + 0.006f64.sqrt()).powi(2)).abs() < 1e-9 * sigma);
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Asymptote {
     /// Eq 15: the upper arc as V0 → 0, a normal stress.

@@ -3,6 +3,13 @@
 use crate::number::Field;
 
 /// A connected piece of the boundary in the (V0, σ) plane.
+///
+/// ```
+/// use slipmode_core::{Arc, Asymptote};
+///
+/// assert_eq!(Asymptote::quasi_static(Arc::Lower).as_str(), "eq16");
+/// assert_eq!(Asymptote::InertialUpper.arc(), Arc::Upper);
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Arc {
     /// From eq 15 (V0 → 0) to eq 18 (V0 → ∞), around the area of high normal stress; none for a = b.

@@ -9,6 +9,16 @@ use crate::friction::{OperatingPoint, Parameters, Slider};
 use crate::number::{Ball, Wide};
 
 /// Signed decimal logarithms of (coordinate of the line)/(coordinate of the point), of the nearest such place.
+///
+/// ```
+/// use slipmode_core::stability::LogDistance;
+/// # use slipmode_core::{Slider, parse_decimal};
+/// # let number = |text| parse_decimal(text).unwrap();
+/// # let slider = Slider::from(["0.004", "0.006", "1e-5", "1e7", "1000"].map(number));
+/// // Without inertia K = K_c at σ_c = 50 kPa: from 5 kPa it is one decade up.
+/// let distance = LogDistance::to_transition(&slider.at(number("5e3"), number("1e-9")));
+/// assert!((distance.normal_stress.unwrap().to_f64().unwrap() - 1.0).abs() < 1e-6);
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LogDistance {
     /// log10(σ_line/σ) at the same V0; `None` when the line has no point there.

@@ -1,14 +1,33 @@
 //! Boundary max Im(s) = 0, its asymptotes and how far off they are.
+//!
+//! ```
+//! use slipmode_core::stability::{boundary_sign, transition_sign};
+//! use slipmode_core::{Groups, Rational};
+//!
+//! // η = 1, κ = 1, β = 3/2: κ_c = (β − 1)(1 + η) is exactly 1, so this is a point of the transition K = K_c.
+//! let groups = Groups {
+//!     inertial_parameter: Rational::from(1),
+//!     stiffness_group: Rational::from(1),
+//!     effect_ratio: Rational::from((3, 2)),
+//! };
+//! assert_eq!(transition_sign(&groups), 0);
+//! assert_eq!(boundary_sign(&groups), -1); // a complex pair: the slider oscillates
+//! ```
 
 mod arc_point;
+#[doc(hidden)]
 pub mod asymptote;
 pub mod batch;
 mod binary64;
+#[doc(hidden)]
 pub mod boundary;
 mod certain_signs;
+#[doc(hidden)]
 pub mod curve;
+#[doc(hidden)]
 pub mod cusp;
 mod decision;
+#[doc(hidden)]
 pub mod deviation;
 mod distance;
 #[cfg(test)]
@@ -23,6 +42,7 @@ mod quick;
 mod slip_mode;
 mod spectral_class;
 mod spectrum;
+#[doc(hidden)]
 pub mod tolerance;
 
 pub use crate::friction::SlipMode;

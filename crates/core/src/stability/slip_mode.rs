@@ -12,6 +12,14 @@ use crate::roots::Depressed;
 /// The paper draws no line. The default is (ω/ω_n)² = 1/2, for a reason: on K = K_c the pair has ω² = β−1 (eq 23, in units of
 /// V0/D_c) and ω_n² = κ/η = (β−1)(1+η)/η, so that (ω/ω_n)² = η/(1+η) exactly. That is 1/2 at η = 1, which is where
 /// the asymptotes V0 = V_c and σ = σ_c of the transition cross; eq 23 taken beyond V_c would exceed ω_n.
+///
+/// ```
+/// use slipmode_core::{InertialThreshold, Rational};
+///
+/// assert_eq!(*InertialThreshold::default().squared_ratio(), 0.5);
+/// assert!(InertialThreshold::from_ratio(&Rational::from((9, 10))).is_some());
+/// assert!(InertialThreshold::from_ratio(&Rational::from(2)).is_none()); // ω never reaches ω_n
+/// ```
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct InertialThreshold {
     squared_ratio: Rational,

@@ -1,10 +1,16 @@
 //! The four areas of the paper's figure 1, and the line between stable and unstable.
 
-use serde::Serialize;
-
 /// What the three roots of eq 8 say, decided by two signs.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize)]
-#[serde(rename_all = "kebab-case")]
+///
+/// ```
+/// use slipmode_core::SpectralClass;
+///
+/// // Unstable (K < K_c) with a complex pair of roots.
+/// assert_eq!(SpectralClass::from_signs(-1, -1).as_str(), "unstable-complex");
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 pub enum SpectralClass {
     /// All roots real and negative: perturbations decay without oscillation.
     StableReal,

@@ -16,7 +16,19 @@ const EXACT_DIGITS: u32 = 19;
 const TOLERANCE: f64 = 5e-15;
 
 /// What is known of a point: signs and names exactly, values to 1e-14.
+///
+/// ```
+/// use slipmode_core::{Classification, InertialThreshold, SpectralClass, classify};
+/// # use slipmode_core::{Slider, parse_decimal};
+/// # let number = |text| parse_decimal(text).unwrap();
+/// # let slider = Slider::from(["0.004", "0.006", "1e-5", "1e7", "1000"].map(number));
+/// let found: Classification = classify(&slider.at(number("1e3"), number("1e-5")), &InertialThreshold::default());
+/// assert_eq!(found.transition_sign, 1);
+/// assert_eq!(found.spectral_class, SpectralClass::from_signs(found.transition_sign, found.boundary_sign));
+/// assert!(found.max_real_per_s.to_f64().unwrap() < 0.0); // disturbances die
+/// ```
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct Classification {
     /// Sign of K − K_c: +1 linearly stable, 0 on the transition.
     pub transition_sign: i8,
@@ -44,6 +56,16 @@ pub(super) struct LargestParts<R> {
 }
 
 /// Classifies a point. Signs and names are right for the decimals as written, of any length.
+///
+/// ```
+/// use slipmode_core::{InertialThreshold, classify};
+/// # use slipmode_core::{Slider, parse_decimal};
+/// # let number = |text| parse_decimal(text).unwrap();
+/// # let slider = Slider::from(["0.004", "0.006", "1e-5", "1e7", "1000"].map(number));
+/// let fast = slider.at(number("1e4"), number("0.5"));
+/// let found = classify(&fast, &InertialThreshold::default());
+/// assert_eq!(found.slip_mode.as_str(), "harmonic-vibration");
+/// ```
 #[must_use]
 pub fn classify(parameters: &Parameters<Rational>, threshold: &InertialThreshold) -> Classification {
     let groups = parameters.groups();

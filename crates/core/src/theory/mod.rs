@@ -3,27 +3,54 @@
 //! The numbered equations are input data ([`PaperEquations`]). Each function derives its result from eqs 1-4 (or from
 //! what was derived from them), compares it with what the paper states, and returns the proof or the refutation:
 //! an equation with a wrong sign is refuted by name, with the exact remainder.
+//!
+//! ```
+//! use slipmode_core::theory::{AssumptionsText, EquationText, EquationsText, PaperEquations};
+//!
+//! // The equations are input: a list without eq 1 is refused, and every fault is named.
+//! let text = EquationsText { assumptions: AssumptionsText { positive: vec!["K".into()] }, equation: Vec::<EquationText>::new() };
+//! let error = PaperEquations::read(text).unwrap_err();
+//! assert!(error.faults.iter().any(|fault| fault.key == "equation 1"), "{error}");
+//! ```
 
+#[doc(hidden)]
 pub mod areas;
+#[doc(hidden)]
 pub mod asymptote_series;
+#[doc(hidden)]
 pub mod boundary;
+#[doc(hidden)]
 pub mod characteristic;
+#[doc(hidden)]
 pub mod criteria;
+#[doc(hidden)]
 pub mod emergence;
 mod equations;
+#[doc(hidden)]
 pub mod exchange;
+#[doc(hidden)]
 pub mod frequency;
+#[doc(hidden)]
 pub mod hopf;
+#[doc(hidden)]
 pub mod inertial;
+#[doc(hidden)]
 pub mod linearisation;
+#[doc(hidden)]
 pub mod non_inertial;
 mod notation;
+#[doc(hidden)]
 pub mod period;
+#[doc(hidden)]
 pub mod quasi_static;
 mod reading;
+#[doc(hidden)]
 pub mod regularised;
+#[doc(hidden)]
 pub mod steady_state;
+#[doc(hidden)]
 pub mod third_order;
+#[doc(hidden)]
 pub mod transition;
 
 pub use equations::{Equation, EquationFault, EquationsError, PaperEquations};

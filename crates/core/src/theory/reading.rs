@@ -2,8 +2,6 @@
 
 use std::collections::BTreeMap;
 
-use serde::Deserialize;
-
 use super::{Equation, EquationFault, EquationsError};
 use crate::polynomial::Expression;
 
@@ -71,27 +69,30 @@ const VARIABLES: [&str; 27] = [
 ];
 
 /// The equations of a paper as text, as a file states them.
-#[derive(Debug, Clone, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[derive(Debug, Clone)]
+#[cfg_attr(feature = "serde", derive(serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(deny_unknown_fields))]
 pub struct EquationsText {
     /// What is assumed of the variables.
     pub assumptions: AssumptionsText,
     /// The equations in any order.
-    #[serde(default)]
+    #[cfg_attr(feature = "serde", serde(default))]
     pub equation: Vec<EquationText>,
 }
 
 /// What the equations assume of their variables.
-#[derive(Debug, Clone, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[derive(Debug, Clone)]
+#[cfg_attr(feature = "serde", derive(serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(deny_unknown_fields))]
 pub struct AssumptionsText {
     /// Names of the variables that are positive.
     pub positive: Vec<String>,
 }
 
 /// One equation as text.
-#[derive(Debug, Clone, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[derive(Debug, Clone)]
+#[cfg_attr(feature = "serde", derive(serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(deny_unknown_fields))]
 pub struct EquationText {
     /// Its number in the paper, or its name.
     pub number: String,
@@ -100,7 +101,7 @@ pub struct EquationText {
     /// Both sides as the page at hand shows them, where that differs.
     pub printed: Option<String>,
     /// Why it differs, or what it is.
-    #[serde(default)]
+    #[cfg_attr(feature = "serde", serde(default))]
     pub note: String,
 }
 

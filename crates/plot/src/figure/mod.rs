@@ -8,6 +8,27 @@
 //! Colours: a perceptually even scale for values and a colour-blind-safe set for lines, which also differ by dash
 //! and marker. Every element has a class, so that a page can restyle the ink for a dark theme; without a style
 //! sheet the presentation attributes give a light plate.
+//!
+//! ```
+//! use slipmode_plot::figure::{Axis, Caption, LineChart, Series};
+//!
+//! let decay = Series {
+//!     label: "decay".into(),
+//!     points: (0..50).map(|i| (f64::from(i), 2f64.powi(-i))).collect(),
+//!     marked: false,
+//!     theory: false,
+//! };
+//! let chart = LineChart {
+//!     caption: Caption::new("decay", "A decay", "The line falls steeply and then flattens."),
+//!     x: Axis::linear("Time", "s", 0.0, 50.0),
+//!     y: Axis::log10("Amplitude", "m", 1e-15, 1.0),
+//!     series: vec![decay],
+//!     references: Vec::new(),
+//!     bands: Vec::new(),
+//!     labels: Vec::new(),
+//! };
+//! assert!(chart.svg().starts_with("<svg"));
+//! ```
 
 mod axis;
 mod contour;

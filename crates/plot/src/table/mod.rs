@@ -2,6 +2,14 @@
 //!
 //! A cell carries text that is already formatted: the digits that are certain were chosen where the value was
 //! computed, so that no writer can add or lose one.
+//!
+//! ```
+//! use slipmode_plot::table::{Column, Table, escape_markdown, to_csv};
+//!
+//! let empty = Table::new("empty", "No rows", vec![Column::number("period_s", "Period", "s")]);
+//! assert_eq!(to_csv(&empty), "period_s\n");
+//! assert!(escape_markdown("a*b").contains('\\'));
+//! ```
 
 mod csv_text;
 mod escape;

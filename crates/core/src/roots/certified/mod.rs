@@ -19,7 +19,17 @@ use crate::number::{Ball, Field, Rational, Real, bits_for_digits};
 const GUARD_BITS: u32 = 16;
 
 /// One root of a cubic: the true root lies within `radius` of re + i·im.
+///
+/// ```
+/// use slipmode_core::{Rational, certified_roots};
+///
+/// // x³ − 2: the real root encloses the cube root of 2.
+/// let roots = certified_roots(&[-2, 0, 0, 1].map(Rational::from), 40).roots;
+/// let cube = roots[0].re_ball() * &roots[0].re_ball() * &roots[0].re_ball();
+/// assert!(cube.contains(&Rational::from(2)) && roots[0].radius < 1e-40);
+/// ```
 #[derive(Debug, Clone)]
+#[non_exhaustive]
 pub struct CertifiedRoot {
     /// Real part; exactly zero when the true one is.
     pub re: Float,
@@ -32,7 +42,17 @@ pub struct CertifiedRoot {
 }
 
 /// The roots of a cubic with what was decided exactly about them.
+///
+/// ```
+/// use slipmode_core::{Rational, certified_roots};
+///
+/// // (x + 1)³: one root of multiplicity three, exactly.
+/// let found = certified_roots(&[1, 3, 3, 1].map(Rational::from), 20);
+/// assert_eq!((found.roots.len(), found.roots[0].multiplicity), (1, 3));
+/// assert!(found.roots[0].radius.is_zero());
+/// ```
 #[derive(Debug, Clone)]
+#[non_exhaustive]
 pub struct CertifiedRoots {
     /// Real roots first, ascending; then the conjugate pair, negative imaginary part first. Enclosures are disjoint.
     pub roots: Vec<CertifiedRoot>,
@@ -76,6 +96,17 @@ fn component_ball(part: &Float, radius: &Float) -> Ball {
 /// Every real part and every imaginary part that is not exactly zero has a relative error of at most 10^-digits,
 /// also next to a double root, next to the imaginary axis and for roots many orders of magnitude apart.
 /// A polynomial of degree below three (c3 = 0) is not a cubic and gives no roots.
+///
+/// ```
+/// use slipmode_core::{Parameters, certified_roots, parse_decimal};
+///
+/// let number = |text| parse_decimal(text).unwrap();
+/// let parameters = Parameters::from(["0.004", "0.006", "1e-5", "1e7", "1000", "1e6", "0.1"].map(number));
+/// // The exponents s in 1/s of a small disturbance of steady sliding, to 30 certain digits.
+/// let found = certified_roots(&parameters.characteristic_cubic_per_s(), 30);
+/// assert_eq!(found.discriminant_sign, -1);
+/// assert!(found.roots[0].im.is_zero() && found.roots[1].im < 0 && found.roots[2].im > 0);
+/// ```
 #[must_use]
 pub fn certified_roots(cubic: &[Rational; 4], digits: u32) -> CertifiedRoots {
     let target_bits = bits_for_digits(digits);

@@ -2,10 +2,10 @@
 //!
 //! Row after row the 64-bit [filter](RowFilter) decides nearly every point; the rest is decided at a higher precision level.
 
-use rayon::prelude::*;
 use rug::Rational;
 
 use super::dispatch::run_on_widest_unit;
+use super::parallel;
 use super::row_filter::{RowFilter, RowLoop};
 use super::{PrecisionCounts, SignPair};
 use crate::friction::{Groups, Parameters, Slider};
@@ -27,6 +27,18 @@ pub struct Grid {
 /// Classifies every point of the grid exactly; V0 in m/s and σ in Pa are taken from the slices, the rest from `slider`.
 ///
 /// `None` unless every V0 and σ is positive and finite.
+///
+/// ```
+/// use slipmode_core::stability::batch::classify_grid;
+/// # use slipmode_core::{Slider, parse_decimal};
+/// # let number = |text| parse_decimal(text).unwrap();
+/// # let slider = Slider::from(["0.004", "0.006", "1e-5", "1e7", "1000"].map(number));
+/// // Two velocities in m/s by three normal stresses in Pa.
+/// let grid = classify_grid(&slider, &[1e-5, 0.1], &[1e3, 1e5, 1e7]).unwrap();
+/// assert_eq!(grid.cells.len(), 6);
+/// assert_eq!(grid.cells[0].transition_sign(), 1);
+/// assert_eq!(grid.cells[2].transition_sign(), -1);
+/// ```
 #[must_use]
 pub fn classify_grid(
     slider: &Slider<Rational>,
@@ -36,13 +48,12 @@ pub fn classify_grid(
     let kernel = GridKernel::new(slider, normal_stresses_pa)?;
     let width = normal_stresses_pa.len();
     let mut cells = vec![SignPair::UNDECIDED; width * loading_velocities_m_per_s.len()];
-    let counts = cells
-        .par_chunks_mut(width.max(1))
-        .zip(loading_velocities_m_per_s)
-        .map(|(row, &velocity)| kernel.classify_row(velocity, row))
-        .collect::<Option<Vec<_>>>()?;
+    let rows = cells.chunks_mut(width.max(1)).zip(loading_velocities_m_per_s).collect();
+    let counts = parallel::map(rows, |(row, &velocity)| kernel.classify_row(velocity, row));
     let mut total = PrecisionCounts::default();
-    counts.into_iter().for_each(|row| total += row);
+    for count in counts {
+        total += count?;
+    }
     Some(Grid { cells, counts: total })
 }
 

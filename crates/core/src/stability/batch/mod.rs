@@ -2,12 +2,22 @@
 //! double-double and rationals the rest. The answers are exact, so they cannot depend on the vector units used.
 //!
 //! Points are the f64 handed in, taken as the exact binary rationals that they are.
+//!
+//! ```
+//! use slipmode_core::stability::SpectralClass;
+//! use slipmode_core::stability::batch::SignPair;
+//!
+//! // Both signs of a point in one byte.
+//! let cell = SignPair::new(-1, -1);
+//! assert_eq!(cell.spectral_class(), SpectralClass::UnstableComplex);
+//! ```
 
 mod dispatch;
 mod grid;
 mod grid_cell;
 mod mode_filter;
 mod mode_kernel;
+mod parallel;
 mod points;
 mod row_filter;
 mod sign_pair;

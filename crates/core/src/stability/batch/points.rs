@@ -1,9 +1,8 @@
 //! Exact signs of many unrelated points, given as seven columns.
 
-use rayon::prelude::*;
-
 use super::dispatch::{Kernel, run_on_widest_unit};
 use super::grid::{decide_above_filter, exact};
+use super::parallel;
 use super::{PrecisionCounts, SignPair};
 use crate::friction::Parameters;
 use crate::number::Dd;
@@ -21,16 +20,15 @@ pub(super) const BLOCK: usize = 1024;
 pub fn classify_points(columns: &Parameters<&[f64]>) -> Option<(Vec<SignPair>, PrecisionCounts)> {
     let count = joint_length(columns)?;
     let mut cells = vec![SignPair::UNDECIDED; count];
-    let counts = cells
-        .par_chunks_mut(BLOCK)
-        .enumerate()
-        .map(|(block, cells)| {
-            let first = block * BLOCK;
-            let columns = columns.map(|column| &column[first..first + cells.len()]);
-            run_on_widest_unit(PointLoop { columns: &columns, cells });
-            decide_the_rest(&columns, cells)
-        })
-        .collect::<Option<Vec<PrecisionCounts>>>()?;
+    let blocks = cells.chunks_mut(BLOCK).enumerate().collect();
+    let counts = parallel::map(blocks, |(block, cells): (usize, &mut [SignPair])| {
+        let first = block * BLOCK;
+        let columns = columns.map(|column| &column[first..first + cells.len()]);
+        run_on_widest_unit(PointLoop { columns: &columns, cells });
+        decide_the_rest(&columns, cells)
+    })
+    .into_iter()
+    .collect::<Option<Vec<PrecisionCounts>>>()?;
     let mut total = PrecisionCounts::default();
     counts.into_iter().for_each(|block| total += block);
     Some((cells, total))

@@ -3,10 +3,10 @@
 //! The σ axis is cut into blocks; for each, the rows of constant V0 are classified in parallel. What is kept is one block of
 //! coordinates and one row of cells per thread.
 
-use rayon::prelude::*;
 use rug::Rational;
 
 use super::mode_kernel::ModeKernel;
+use super::parallel;
 use super::{GridCell, PrecisionCounts};
 use crate::friction::Slider;
 use crate::stability::InertialThreshold;
@@ -69,8 +69,7 @@ where
         let mut total = empty();
         for first in (0..stresses.count).step_by(BLOCK as usize) {
             let width = BLOCK.min(stresses.count - first);
-            let coordinates: Vec<f64> =
-                (first..first + width).into_par_iter().map(&stresses.coordinate).collect();
+            let coordinates: Vec<f64> = parallel::map((first..first + width).collect(), &stresses.coordinate);
             let kernel = ModeKernel::new(self.slider, self.threshold, &coordinates)?;
             total = merge(total, self.fold_rows(first, &kernel, &empty, &fold, &merge)?);
         }
@@ -87,18 +86,17 @@ where
     ) -> Option<T> {
         let axis = &self.loading_velocities;
         let scratch = || vec![GridCell::UNDECIDED; kernel.width()];
-        (0..axis.count)
-            .into_par_iter()
-            .try_fold(
-                || (empty(), scratch()),
-                |(sum, mut cells), loading_velocity| {
-                    let decided_by = kernel.classify_row((axis.coordinate)(loading_velocity), &mut cells)?;
-                    let block = RowBlock { loading_velocity, first_normal_stress, cells: &cells, decided_by };
-                    Some((fold(sum, block), cells))
-                },
-            )
-            .map(|part| part.map(|(sum, _)| sum))
-            .try_reduce(empty, |left, right| Some(merge(left, right)))
+        parallel::fold_in_stretches(
+            axis.count,
+            || (empty(), scratch()),
+            |(sum, mut cells): (T, Vec<GridCell>), loading_velocity| {
+                let decided_by = kernel.classify_row((axis.coordinate)(loading_velocity), &mut cells)?;
+                let block = RowBlock { loading_velocity, first_normal_stress, cells: &cells, decided_by };
+                Some((fold(sum, block), cells))
+            },
+            |(sum, _)| sum,
+            merge,
+        )
     }
 }
 
@@ -122,6 +120,7 @@ mod tests {
         grid.fold(Vec::new, note, |left, right| [left, right].concat()).unwrap()
     }
 
+    #[cfg(feature = "rayon")]
     #[test]
     fn blocks_come_once_and_in_order_on_any_number_of_threads() {
         let width = BLOCK + 7;

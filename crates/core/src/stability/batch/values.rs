@@ -4,10 +4,9 @@
 //! has such vectors; what it leaves open goes to the root finder in double-double, whose error bounds follow its branches, and
 //! then to enclosures. 64-bit arithmetic alone could certify none: rounding the coefficients costs more than two units.
 
-use rayon::prelude::*;
-
 use super::dispatch::run_on_widest_unit;
 use super::grid::exact;
+use super::parallel;
 use super::points::{BLOCK, is_valid, joint_length};
 use super::value_kernel::{PartColumns, PointValueLoop, TOLERANCE, ValueLoop, ValueTerms};
 use crate::friction::{Parameters, Slider};
@@ -52,7 +51,10 @@ pub fn grid_values(
                 .unwrap_or_else(|| exactly(&slider.at(exact(stress), exact(velocity))))
         })
     };
-    Some(loading_velocities_m_per_s.par_iter().flat_map_iter(row).collect())
+    let rows = parallel::map(loading_velocities_m_per_s.iter().collect(), |velocity| {
+        row(velocity).collect::<Vec<_>>()
+    });
+    Some(rows.concat())
 }
 
 /// The values of the points whose seven inputs (SI) stand in seven columns of equal length, in their order.
@@ -80,7 +82,7 @@ pub fn point_values(columns: &Parameters<&[f64]>) -> Option<Vec<LargestPartsPerS
         (0..columns.slider.direct_effect.len()).map(value).collect::<Option<Vec<_>>>()
     };
     let starts: Vec<usize> = (0..count).step_by(BLOCK).collect();
-    let blocks = starts.into_par_iter().map(block).collect::<Option<Vec<_>>>()?;
+    let blocks = parallel::map(starts, block).into_iter().collect::<Option<Vec<_>>>()?;
     Some(blocks.concat())
 }
 

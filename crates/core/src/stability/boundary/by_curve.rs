@@ -16,6 +16,18 @@ const GUARD_BITS: u32 = 24;
 const ROOT_BITS_TO_SPARE: u32 = 14;
 
 /// The boundary of one friction, spring and mass, ready for points of a given number of digits.
+///
+/// ```
+/// use slipmode_core::BoundaryCurve;
+/// # use slipmode_core::{Slider, parse_decimal};
+/// # let number = |text| parse_decimal(text).unwrap();
+/// # let slider = Slider::from(["0.004", "0.006", "1e-5", "1e7", "1000"].map(number));
+/// let curve = BoundaryCurve::new(&slider, 20);
+/// // At 10 µm/s steady sliding changes between oscillating and not oscillating at three normal stresses.
+/// let points = curve.at_velocity(&number("1e-5"));
+/// assert_eq!(points.iter().map(|point| point.arc.as_str()).collect::<Vec<_>>(), ["upper", "lower", "lower"]);
+/// assert!(points.iter().all(|point| point.normal_stress_pa.relative_radius_log2() < -60.0));
+/// ```
 #[derive(Debug, Clone)]
 pub struct BoundaryCurve {
     pub(super) slider: Slider<Rational>,

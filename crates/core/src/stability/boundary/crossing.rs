@@ -7,6 +7,17 @@ use crate::number::{Ball, Real};
 use crate::stability::Arc;
 
 /// A line across the plane: one coordinate given, the other sought.
+///
+/// ```
+/// use slipmode_core::BoundaryCurve;
+/// use slipmode_core::stability::Section;
+/// # use slipmode_core::{Slider, parse_decimal};
+/// # let number = |text| parse_decimal(text).unwrap();
+/// # let slider = Slider::from(["0.004", "0.006", "1e-5", "1e7", "1000"].map(number));
+/// let section = Section::AtNormalStress(number("1e4"));
+/// let velocities = BoundaryCurve::new(&slider, 20).on_section(&section);
+/// assert!(velocities.iter().all(|point| point.loading_velocity_m_per_s.to_f64() > 0.0));
+/// ```
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Section {
     /// Given V0 in m/s; σ is sought.

@@ -29,7 +29,18 @@ impl Mark {
 }
 
 /// A point of the boundary, every number enclosed.
+///
+/// ```
+/// use slipmode_core::{BoundaryCurve, BoundaryPoint};
+/// # use slipmode_core::{Slider, parse_decimal};
+/// # let number = |text| parse_decimal(text).unwrap();
+/// # let slider = Slider::from(["0.004", "0.006", "1e-5", "1e7", "1000"].map(number));
+/// let cusp: BoundaryPoint = BoundaryCurve::new(&slider, 20).cusp();
+/// // At the cusp all three roots coincide; it lies near no asymptote.
+/// assert!(cusp.relative_error.to_f64().abs() > 0.1);
+/// ```
 #[derive(Debug, Clone)]
+#[non_exhaustive]
 pub struct BoundaryPoint {
     /// The arc it lies on.
     pub arc: Arc,
