@@ -14,10 +14,10 @@ fn planted_faults(context: &Context) -> Option<Table> {
         Column::text("equation", "Eq"),
         Column::number("same", "Equivalent forms", ""),
         Column::number("planted", "Wrong versions", ""),
-        Column::number("noticed", "Noticed", ""),
-        Column::number("rate_percent", "Kill rate", "%"),
+        Column::number("noticed", "Detected", ""),
+        Column::number("rate_percent", "Detected share", "%"),
         Column::text("noticed_by", "First detected by"),
-        Column::text("survivors", "Not noticed"),
+        Column::text("survivors", "Not detected"),
     ];
     let mut table = Table::new("planted-faults", "Deliberately wrong equations, and the claims that detect them", columns)
         .with_note("Each numbered equation with one sign reversed, one term doubled, one exponent or root changed, or a and b exchanged. Equivalent forms are not counted as wrong. For each wrong version, the code of the ledger decides the claims of linear theory again until a verdict changes; the version then counts as detected.");

@@ -179,7 +179,7 @@ impl Counts {
         self.first_warning = self.first_warning.take().or(part.first_warning);
     }
 
-    /// Says on standard error that rows were passed over, so that nobody takes the output for complete.
+    /// Reports on standard error that rows were left out, so that the output is not taken for complete.
     fn print_remarks(&self) {
         if self.faulty > 0 {
             terminal::message(&format!(

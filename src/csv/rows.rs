@@ -141,7 +141,7 @@ impl RowReader {
     /// The next rows, at most `count`; an empty block at the end of the stream.
     ///
     /// # Errors
-    /// When the stream cannot be read or parsed: after that its rows cannot be told apart any more.
+    /// When the stream cannot be read or parsed: after that its rows cannot be separated.
     pub fn block(&mut self, count: usize) -> Result<Block, Fault> {
         let mut block = Block::default();
         while block.rows.len() < count && self.row_into(&mut block)? {}

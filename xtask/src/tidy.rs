@@ -1,6 +1,6 @@
-//! `cargo xtask tidy`: the rules of the house that no compiler checks.
+//! `cargo xtask tidy`: the source rules that no compiler checks.
 //!
-//! Each rule is a function from texts to complaints, with good and bad samples beside it.
+//! Each rule is a function from texts to complaints, tested with good and bad samples.
 
 mod elementary;
 mod floors;
@@ -9,6 +9,7 @@ mod rust_rules;
 mod rust_source;
 mod text_rules;
 mod views;
+mod wording;
 
 use std::collections::BTreeSet;
 use std::fmt;
@@ -78,12 +79,14 @@ fn complaints(files: &[TextFile], paths: &[String]) -> Vec<Complaint> {
         text_rules::check(file, &mut found);
         views::check_template(file, &mut found);
         references::check_links(file, paths, &mut found);
+        wording::check_text(file, &mut found);
     }
     for source in rust_sources(files) {
         rust_rules::check(&source, &mut found);
         floors::check(&source, &mut found);
         elementary::check(&source, &mut found);
         views::check_report(&source, &mut found);
+        wording::check_command_line(&source, &mut found);
     }
     references::check_data_is_read(files, paths, &mut found);
     found

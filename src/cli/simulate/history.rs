@@ -23,7 +23,7 @@ const DECAY_TIMES: f64 = 30.0;
 const SAMPLES_PER_STEP: usize = 8;
 /// Most steps of a trajectory, so that its samples stay below half a gigabyte.
 const MOST_STEPS: u64 = 1_000_000;
-/// Digits of a sample beyond those of the stated error of the peak.
+/// Digits of a sample beyond those of the estimated error of the peak.
 const GUARD_DIGITS: usize = 1;
 
 /// Integrates from the start again, as accurately as the finest run of the simulation, and writes every step.

@@ -37,7 +37,7 @@ pub fn json(found: &Found) -> Value {
     })
 }
 
-/// Lines of name, value and meaning, with those digits only that the stated errors guarantee.
+/// Lines of name, value and meaning, with only the digits that the estimated errors support.
 pub fn text(found: &Simulation, law: EvolutionLaw, settings: Settings) -> String {
     let (mode, extent, oscillation) = match found.behaviour {
         Behaviour::Periodic => ("(a limit cycle)", "(of the cycle)", "(of the cycle)"),

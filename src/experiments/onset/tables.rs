@@ -49,7 +49,7 @@ fn onset(context: &Context) -> Option<Table> {
         Column::number("simulated_error_dex", "Its error", "dex"),
         Column::number("inertial_dex", "Inertial by the threshold", "dex"),
         Column::number("second_rise_dex", "Second rise visible", "dex"),
-        Column::number("undershoot_dex", "Undershoot seen", "dex"),
+        Column::number("undershoot_dex", "Undershoot visible", "dex"),
         Column::number("seen_error_dex", "Error of the visible onset", "dex"),
         Column::number("peak_excess_at_boundary", "V_peak/V_l − 1 at the boundary", ""),
     ];

@@ -55,7 +55,7 @@ fn bias(context: &Context) -> Option<Table> {
         Column::number("bias_percent", "Bias of the peak velocity", "%"),
         Column::number("spread_percent", "Spread", "%"),
         Column::number("steps", "Steps of the run", ""),
-        Column::text("outcome", "Outcome"),
+        Column::text("outcome", "Result"),
     ]);
     let mut table = Table::new("scheme-bias", "Bias of the long-term peak velocity under the original scheme", columns)
         .with_note("Each run starts on our limit cycle, adjusts over ten cycles, and is measured over eight. The spread is half the difference between the highest and the lowest of four windows. Runs of more than 1e6 steps are counted, not made.");
@@ -127,7 +127,7 @@ fn map(context: &Context) -> Option<Table> {
         Column::text("law", "Law"),
         Column::number("step_over_natural_time", "Step / √(M/K)", ""),
         Column::number("points", "Points", ""),
-        Column::number("flipped", "Stability flipped", ""),
+        Column::number("flipped", "Stability changed", ""),
         Column::number("cycles", "Limit cycles run", ""),
         Column::number("left_out", "Left out", ""),
         Column::number("lost", "Lost", ""),

@@ -120,7 +120,7 @@ fn boundary(outcome: &Outcome) -> Option<Figure> {
             caption: "Digits of one point of the boundary against evaluations: exact signs of the discriminant for bisection, one evaluation of the rational curve for any number of digits.".into(),
             description: "Correct digits against the number of evaluations, on logarithmic axes. Bisection gains a third of a digit per evaluation; the curve needs one evaluation for any number of digits.",
         },
-        [("Evaluations", ""), ("Digits right", "")],
+        [("Evaluations", ""), ("Correct digits", "")],
         vec![line("bisection"), line("curve")],
     )
 }

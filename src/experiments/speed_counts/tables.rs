@@ -96,7 +96,7 @@ fn boundary(context: &Context) -> Option<Table> {
         Column::number("digits_asked", "Requested digits", ""),
         Column::text("counted", "Counted"),
         Column::number("count", "Count", ""),
-        Column::number("digits_right", "Digits right", ""),
+        Column::number("digits_right", "Correct digits", ""),
         Column::text("agrees", "Overlaps the reference"),
     ];
     let mut table = Table::new("speed-boundary", "One point of the boundary by each route", columns);

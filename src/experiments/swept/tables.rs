@@ -30,7 +30,7 @@ const DIGITS: usize = 4;
 fn sweeps(context: &Context) -> Option<Table> {
     let columns = vec![
         Column::text("sweep", "Sweep"),
-        Column::text("title", "What"),
+        Column::text("title", "Item"),
         Column::number("rows", "Rows", ""),
         Column::number("core_seconds", "CPU time", "s"),
         Column::number("rows_per_core_second", "Rows per second and core", "1/s"),

@@ -53,10 +53,10 @@ fn wanted(context: &Context) -> Option<Table> {
     let columns = vec![
         Column::text("work", "Work"),
         Column::text("quantity", "Quantity"),
-        Column::text("outcome", "Outcome"),
+        Column::text("outcome", "Result"),
         Column::number("measured", "Measured", ""),
-        Column::text("must", "Must"),
-        Column::text("aim", "Aim"),
+        Column::text("must", "Required"),
+        Column::text("aim", "Target"),
         Column::text("rows", "Rows"),
         Column::text("command", "Command"),
     ];
@@ -105,11 +105,11 @@ fn outcome(aim: &Aim) -> String {
     };
     let met = |bound: Option<Bound>| bound.map(|bound| bound.is_met(*value));
     match (met(aim.must), met(aim.aim)) {
-        (Some(false), _) => "missed",
-        (_, Some(true)) => "aim met",
+        (Some(false), _) => "required value missed",
+        (_, Some(true)) => "target met",
         (Some(true), Some(false)) => "required value met, target missed",
-        (None, Some(false)) => "aim missed",
-        (Some(true), None) => "must met",
+        (None, Some(false)) => "target missed",
+        (Some(true), None) => "required value met",
         (None, None) => "",
     }
     .into()
@@ -161,7 +161,7 @@ fn error_text(row: &PeerRow) -> String {
 fn cycles(context: &Context) -> Option<Table> {
     let columns = vec![
         Column::text("kind", "Kind"),
-        Column::number("error", "Error met", ""),
+        Column::number("error", "Required error", ""),
         Column::text("method", "Method"),
         Column::text("cases", "Cases"),
         Column::number("mean_over_ours", "Ratio to our fastest, mean", ""),
@@ -198,7 +198,7 @@ fn cycle_row(reached: &Reached<'_>) -> Vec<Cell> {
 
 fn laws(context: &Context) -> Option<Table> {
     let columns = vec![
-        Column::text("what", "What grows"),
+        Column::text("what", "Varied quantity"),
         Column::text("law", "CPU time, s, by its size n"),
         Column::number("residual", "Largest residual, factor", ""),
         Column::number("top_size", "Largest size measured", ""),
@@ -255,7 +255,7 @@ fn law_text(law: &Law) -> String {
 
 fn machine(context: &Context) -> Option<Table> {
     let columns =
-        vec![Column::text("file", "File"), Column::text("key", "What"), Column::text("value", "Value")];
+        vec![Column::text("file", "File"), Column::text("key", "Item"), Column::text("value", "Value")];
     let mut table = Table::new("timings-machine", "Machine and date of the measurements", columns);
     for row in &timings(context)?.machine {
         table.push(vec![Cell::text(&row.file), Cell::text(&row.key), Cell::text(&row.value)]);

@@ -31,7 +31,7 @@ fn tolerance(context: &Context) -> Option<Table> {
     let columns = vec![
         Column::text("scene", "Scene"),
         Column::text("asymptote", "Asymptote"),
-        Column::number("relative_error", "Good to", ""),
+        Column::number("relative_error", "Relative error", ""),
         Column::text("where", "Where"),
         Column::number("limit", "Limit", "m/s or Pa"),
         Column::number("group_at_limit", "η or κ at the limit", ""),

@@ -1,0 +1,133 @@
+//! Plain words: private words of this project are refused where users and reviewers read.
+
+use super::rust_source::{RustSource, word_positions};
+use super::{Complaint, TextFile};
+
+/// Private words, each with the words that readers know.
+const PRIVATE: [(&str, &str); 26] = [
+    ("lap", "cycle or return"),
+    ("laps", "cycles or returns"),
+    ("rung", "precision level"),
+    ("rungs", "precision levels"),
+    ("ladder", "precision levels"),
+    ("sight", "section crossing"),
+    ("plunge", "arrest"),
+    ("plunges", "arrests"),
+    ("exhibit", "figures and tables"),
+    ("exhibits", "figures and tables"),
+    ("bless", "accept"),
+    ("blessed", "accepted"),
+    ("judge", "validator"),
+    ("judges", "validators"),
+    ("chore", "task"),
+    ("chores", "tasks"),
+    ("doubts", "warnings"),
+    ("told", "reported"),
+    ("asked for", "requested"),
+    ("asks for", "requests"),
+    ("held against", "compared with"),
+    ("holes", "failed runs"),
+    ("stated error", "estimated error"),
+    ("stated errors", "estimated errors"),
+    ("late behaviour", "long-term behaviour"),
+    ("somebody", "the user, or who it is"),
+];
+
+/// Folders and files whose every sentence is for readers.
+const READ: [&str; 8] = [
+    "README.md",
+    "ARCHITECTURE.md",
+    "CONTRIBUTING.md",
+    "CHANGELOG.md",
+    "docs/",
+    "examples/",
+    "templates/",
+    "tests/vectors/README.md",
+];
+
+/// Complains about private words in documentation, prose and templates; code spans are exempt.
+pub fn check_text(file: &TextFile, found: &mut Vec<Complaint>) {
+    let is_prose = file.path.starts_with("reports/") && file.path.contains("/prose/");
+    if !is_prose && !READ.iter().any(|place| file.path.starts_with(place)) {
+        return;
+    }
+    for (index, line) in file.text.lines().enumerate() {
+        complain(file, index + 1, line, found);
+    }
+}
+
+/// Complains about private words in the help texts, messages and comments of the command line.
+///
+/// A string that is a single word is exempt: it names a column or a key.
+pub fn check_command_line(source: &RustSource, found: &mut Vec<Complaint>) {
+    if !source.file.path.starts_with("src/cli/") {
+        return;
+    }
+    for (number, code, text) in source.lines_outside_tests() {
+        complain(source.file, number, &words_of(code, text), found);
+    }
+}
+
+/// The comments and strings of a line, which are blank in its code.
+fn words_of(code: &str, text: &str) -> String {
+    let kept = |(code, text): (char, char)| if code == ' ' { text } else { ' ' };
+    code.chars().zip(text.chars()).map(kept).collect()
+}
+
+fn complain(file: &TextFile, line_number: usize, line: &str, found: &mut Vec<Complaint>) {
+    let prose = line.split('`').step_by(2).collect::<Vec<_>>().join("`").to_lowercase();
+    for (private, plain) in PRIVATE.iter().filter(|(private, _)| has_words(&prose, private)) {
+        found.push(file.complaint(line_number, format!("`{private}` is a private word: write {plain}")));
+    }
+}
+
+/// Whether the words occur whole, and not alone between quotation marks.
+fn has_words(prose: &str, words: &str) -> bool {
+    word_positions(prose, words).any(|start| {
+        let is_name = prose[..start].ends_with('"') && prose[start + words.len()..].starts_with('"');
+        !is_name
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::tidy::lines_of;
+
+    fn complaints(path: &str, text: &str) -> Vec<usize> {
+        let mut found = Vec::new();
+        check_text(&TextFile { path: path.into(), text: text.into() }, &mut found);
+        found.iter().map(|complaint| complaint.line).collect()
+    }
+
+    #[test]
+    fn private_words_are_refused_where_they_are_read() {
+        for (private, _) in PRIVATE {
+            let text = format!("ok\nA {private}, as one says.\n");
+            for path in ["README.md", "docs/evidence/a.md", "reports/a/prose/b.md", "templates/report.html"] {
+                assert!(complaints(path, &text).contains(&2), "{path}: {private}");
+            }
+            assert_eq!(complaints("reports/a/published/report.md", &text), [0; 0]);
+        }
+        assert_eq!(complaints("README.md", "Hard-laps of 3\nLate Behaviour"), [1, 2]);
+    }
+
+    #[test]
+    fn code_spans_and_parts_of_words_pass() {
+        assert_eq!(
+            complaints("README.md", "overlap, `rung`, lap_count, `cargo xtask bless`, insight\n"),
+            [0; 0]
+        );
+    }
+
+    #[test]
+    fn help_texts_messages_and_comments_of_the_command_line_are_checked() {
+        let lines = |path: &str, text: &str| lines_of(path, text, check_command_line);
+        assert_eq!(
+            lines("src/cli/a.rs", "/// A lap\nlet lap = \"rung\";\nlet x = \"no rung here\"; // told\n"),
+            [1, 3, 3]
+        );
+        assert_eq!(lines("src/roots/a.rs", "/// A lap\n"), [0; 0]);
+        assert_eq!(lines("src/cli/a.rs", "#[cfg(test)]\nmod tests {\n    // told\n}\n"), [0; 0]);
+    }
+}
