@@ -25,7 +25,7 @@ const DAY: u64 = 86_400;
 const FIRST_DAY: u64 = 3_652;
 
 impl ReleaseTime {
-    /// The time when nobody stated one: zip's first moment.
+    /// The default time: the earliest that zip can store.
     pub const UNSTATED: Self = Self { year: 1980, month: 1, day: 1, hour: 0, minute: 0, second: 0 };
 
     /// From seconds since 1970 (UTC), as `SOURCE_DATE_EPOCH` has them; zip's clock ticks every two seconds, and odd ones are rounded down.

@@ -77,7 +77,7 @@ fn author() -> Value {
     json!({ "@id": "#authors", "@type": "Organization", "name": "The slipmode authors", "url": AUTHORS_URL })
 }
 
-/// The program as an absolute address, which the profile asks for; `.invalid` says that nothing answers there (RFC 2606).
+/// The program as an absolute address, which the profile requires; no host with the ending `.invalid` exists (RFC 2606).
 fn program_id(parts: &Parts<'_>) -> String {
     format!("{AUTHORS_URL}{}", parts.facts.version)
 }

@@ -3,7 +3,7 @@
 //! An archive is a set of named files ([`Files`]) in a zip container: the report's inputs, what was made from them, what is needed to
 //! cite and to relicense them, their digests, and the same said for machines (RO-Crate, in-toto). The container has the same bytes for
 //! the same files. Reading trusts nothing: names, sizes and digests are checked, and what is archived as a result is only ever
-//! compared with what is computed anew. Nothing here opens files or computes a verdict.
+//! compared with new results. Nothing here opens files or computes a verdict.
 
 mod bill_of_materials;
 mod budget;

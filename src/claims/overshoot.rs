@@ -6,7 +6,7 @@ use slipmode_core::stability::SlipMode;
 
 /// The runs of the two areas without oscillation, and how far they pass V_l.
 pub(super) struct Overshoots {
-    /// Largest V/V_l − 1 in the upper area, less its stated error; at most 0 when no run is faster than V_l.
+    /// Largest V/V_l − 1 in the upper area, less its estimated error; at most 0 when no run is faster than V_l.
     upper: f64,
     /// The same in the lower area.
     pub(super) lower: f64,
@@ -39,7 +39,7 @@ impl Overshoots {
     }
 }
 
-/// V_peak/V_l − 1 of the runs of one mode, each less its stated error.
+/// V_peak/V_l − 1 of the runs of one mode, each less its estimated error.
 fn within(runs: &[&Run], mode: SlipMode) -> Vec<f64> {
     let excess = |run: &&&Run| {
         let ratio = run.simulation.peak_velocity_m_per_s / run.velocity_m_per_s;

@@ -32,8 +32,8 @@ pub struct Options {
     ///
     /// The header is that of `classify --points`, with at least one of the columns peak_velocity_m_per_s, period_s,
     /// stress_drop_pa, frequency_hz, mode (periodic, decaying, or a slip mode) and trajectory (a CSV file in the folder of the
-    /// runs file or below it, with time_s, velocity_m_per_s and perhaps shear_stress_pa, that of the spring). Columns law, start
-    /// and tolerance are optional, other columns are kept, an empty cell gives nothing. Limits of a trajectory: 8 to 10 000 000
+    /// runs file or below it, with time_s, velocity_m_per_s and optionally shear_stress_pa, that of the spring). Columns law, start
+    /// and tolerance are optional; other columns are kept; empty cells are ignored. Limits of a trajectory: 8 to 10 000 000
     /// samples.
     #[arg(long, value_name = "FILE.csv")]
     runs: PathBuf,
@@ -42,8 +42,8 @@ pub struct Options {
     law: Option<String>,
     /// Relative error of the runs' values, 1e-13 to 0.5; a column `tolerance` states it row by row
     ///
-    /// A value agrees when it differs from ours by no more than this and the errors of both sides together. An error larger
-    /// than this decides nothing. Our simulation is a hundred times more accurate, and 1e-8 at least.
+    /// A value agrees if it differs from ours by at most this plus the errors of both sides. A value with a larger error is not
+    /// compared. The relative error of our simulation is a hundredth of this, or 1e-8 if that is smaller.
     #[arg(long, value_name = "T", default_value = "1e-2", allow_hyphen_values = true)]
     tolerance: String,
     /// Compares the valid rows although others are invalid; the command lists their faults and exits with 1

@@ -1,4 +1,4 @@
-//! `slipmode replay`: an archive checked, computed anew from its inputs, and compared with the results it holds.
+//! `slipmode replay`: checks an archive, computes it again from its inputs, and compares the results.
 
 mod watch;
 

@@ -1,4 +1,4 @@
-//! Units that are off by a power of ten, told by evidence: what does not fit as stated fits when one value is read in another unit.
+//! Units that are wrong by a power of ten: a run that does not fit as stated fits if one value is read in another unit.
 
 use super::findings::compare_as_stated;
 use super::{Agreement, Observable, Simulate, StatedRun, Value};

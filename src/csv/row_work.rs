@@ -41,7 +41,7 @@ pub struct Remark<K = ()> {
     pub is_unanswered: bool,
     /// A warning about the row's input.
     pub warning: Option<String>,
-    /// What the command wants back when all rows are done.
+    /// What the command needs after all rows are done.
     pub kept: K,
 }
 

@@ -1,7 +1,7 @@
 //! Reports: a view of text in, one self-contained HTML page and one Markdown document out.
 //!
 //! Nothing here does arithmetic or reads files: numbers arrive formatted, figures arrive drawn, templates and fonts
-//! are part of the program. The page asks for nothing over the network; its one script
+//! are part of the program. The page makes no network requests; its one script
 //! adds sorting, finding and reading out, and everything is readable without it.
 
 mod assemble;

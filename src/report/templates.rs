@@ -65,7 +65,7 @@ impl Templates {
     /// Renders a template with a view.
     ///
     /// # Errors
-    /// When the template asks for what the view does not have: an error of this program.
+    /// When the template uses a field that the view does not have: an error of this program.
     pub fn render(&self, name: &str, view: &impl Serialize) -> Result<String, ReportError> {
         let context = Context::from_serialize(view).map_err(|error| fault(name, &error))?;
         self.engine.render(name, &context).map_err(|error| fault(name, &error))

@@ -200,7 +200,7 @@ fn read_samples(
     Some(SweepPoints::Samples { count: count?, coordinates: Box::new(coordinates) })
 }
 
-/// Points that are all the same have no column to be told by.
+/// Identical points have no column that distinguishes them.
 fn check_varies(
     entry: &Entry<'_>,
     coordinates: [Coordinate; 7],

@@ -1,4 +1,4 @@
-//! `explore`: a page that holds every curve and word it shows, and asks for nothing.
+//! `explore`: a page that contains every curve and word it shows, and makes no requests.
 
 use std::fs;
 

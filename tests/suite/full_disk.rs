@@ -65,7 +65,7 @@ fn a_full_standard_output_is_an_error() {
 #[test]
 fn a_folder_that_takes_no_files_is_named() {
     let place = workplace();
-    // Nobody, not even root, creates files there.
+    // No user can create files there.
     place
         .run(["classify", "--points", "in.csv", "-o", "/proc/out.csv"])
         .expect_refusal(&["/proc/", "cannot be created"]);

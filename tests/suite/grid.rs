@@ -1,4 +1,4 @@
-//! `classify` of a grid: the counts are those of its points, on any number of threads, and bad axes are told all at once.
+//! `classify` of a grid: the counts are those of its points, on any number of threads, and all faults of axes are reported at once.
 
 use serde_json::Value;
 

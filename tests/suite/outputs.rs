@@ -1,4 +1,4 @@
-//! Outputs: complete or absent, never over what is not ours, and silent when nobody reads.
+//! Outputs: complete or absent, never over foreign files, and silent when the reader is gone.
 
 use std::fs;
 use std::process::{Command, Stdio};

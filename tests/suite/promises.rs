@@ -111,7 +111,7 @@ pub fn equations(bytes: &[u8]) {
 
 /// Prose that is rendered brings no element of its own that runs or loads anything, and no link but to the known schemes.
 ///
-/// Prose that places an exhibit made from nothing but the paper's equations promises nothing here: that takes proofs and
+/// Prose that places figures or tables made from the paper's equations alone promises nothing here: that takes proofs and
 /// decisions of the whole ledger, up to a minute however short the prose is, and nothing in them comes from it.
 pub fn prose(bytes: &[u8]) {
     let Ok(text) = std::str::from_utf8(bytes) else { return };

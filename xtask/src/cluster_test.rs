@@ -40,7 +40,7 @@ const SCENE: &str = "name = \"rehearsal\"\ntitle = \"Both laws on a grid\"\n[par
 /// Runs the test.
 ///
 /// # Errors
-/// With exit code 1 when the merged bytes differ or something was not as told, 2 when Slurm is required and cannot be had.
+/// With exit code 1 when the merged bytes differ or another check failed, 2 when Slurm is required and cannot be installed.
 pub fn run() -> Result<(), Failure> {
     machine::run()?;
     let lacking = lacking()?;

@@ -19,7 +19,7 @@ const ALLOWED: [&str; 12] = [
     "Zlib",
 ];
 
-/// The LGPL is accepted for the arithmetic alone; README.md tells users of a binary so.
+/// The LGPL is accepted for the arithmetic alone; README.md states this for users of a binary.
 const LESSER_GPL: [&str; 2] = ["LGPL-3.0+", "LGPL-3.0-or-later"];
 const LESSER_GPL_PACKAGES: [&str; 2] = ["gmp-mpfr-sys", "rug"];
 

@@ -21,12 +21,12 @@ const MOST_COORDINATES: u64 = 1_000_000;
 #[derive(Debug, Clone, Args)]
 #[command(next_help_heading = "Grid (counts of classes and slip modes, instead of one point)")]
 pub struct GridOptions {
-    /// N loading velocities from FROM to TO m/s, spread evenly in the logarithm
+    /// N loading velocities from FROM to TO m/s, with equal logarithmic steps
     #[arg(long, value_name = "FROM:TO:N", allow_hyphen_values = true, conflicts_with = "points")]
     grid_loading_velocity: Option<String>,
-    /// N normal stresses from FROM to TO Pa, spread evenly in the logarithm
+    /// N normal stresses from FROM to TO Pa, with equal logarithmic steps
     ///
-    /// Each axis may have 2 to 1 000 000 coordinates; memory does not grow with the points. Each coordinate is rounded to 64
+    /// Each axis may have 2 to 1 000 000 coordinates; memory does not grow with the number of points. Each coordinate is rounded to 64
     /// bits, and every point is then classified exactly.
     #[arg(long, value_name = "FROM:TO:N", allow_hyphen_values = true, conflicts_with = "points")]
     grid_normal_stress: Option<String>,

@@ -178,7 +178,7 @@ enum Limit {
     Cycle,
 }
 
-/// Where the swing of the cycles goes; none when that cannot be told yet.
+/// Trend of the swing of the cycles; none if it is not known yet.
 fn limit_of_swing(whole: &[Return], largest: f64) -> Option<Limit> {
     let [first, second, third] = spaced(whole).map(Return::swing);
     if third <= DEAD * largest {

@@ -1,4 +1,4 @@
-//! Whether stated errors hold: random sliders, both laws, against double-double references.
+//! Whether estimated errors hold: random sliders, both laws, compared with double-double references.
 //!
 //! The groups come from a fixed sequence and not from any grid of the paper. The reference continues from the state
 //! where the run ended (a limit cycle) or begins at its start (a decay), with Radau IIA of order 13 in double-double.

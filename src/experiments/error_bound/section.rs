@@ -5,7 +5,7 @@ use crate::scene::sections::decimals;
 use crate::scene::{AllowedRange, Faults, Limits};
 use slipmode_core::number::Rational;
 
-/// `[error_bound]`: stated errors against true ones.
+/// `[error_bound]`: estimated errors compared with true ones.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ErrorBoundSection {
     /// Triples of groups; each is run with both laws.

@@ -61,7 +61,7 @@ impl SchemeStep {
     }
 }
 
-/// Runs the scheme wherever the section asks for it.
+/// Runs the scheme at every point of the section.
 #[must_use]
 pub fn original_scheme(
     parameters: &Slider<Rational>,

@@ -214,7 +214,7 @@ fn checks<'c>(context: &'c Context) -> impl Iterator<Item = &'c BoundCheck> {
     context.outcome.scenes.iter().filter_map(|scene| scene.error_bound.as_ref()).flatten()
 }
 
-/// Ratios of true to stated error from which on runs are counted.
+/// Ratios of true to estimated error above which runs are counted.
 const RATIOS: [f64; 3] = [1.0, 0.1, 0.01];
 
 fn bound(context: &Context) -> Option<Table> {
@@ -258,7 +258,7 @@ fn bound(context: &Context) -> Option<Table> {
     unless_empty(table)
 }
 
-/// True over stated error of one observable.
+/// Ratio of true to estimated error of one observable.
 type Ratio = fn(&BoundCheck) -> Option<f64>;
 
 /// The observables with the ratio of each.

@@ -129,7 +129,7 @@ const STEPS: usize = 30;
 /// Normal stresses drawn as curves: every second of the grid's, counted down from the highest.
 const EVERY: usize = 2;
 
-/// The most curves of one chart: the looks that can be told apart, less one for the minima.
+/// The most curves of one chart: the styles that can be distinguished, less one for the minima.
 const CURVES: usize = 5;
 
 /// Range of the chart in units of the velocity of eq 18.

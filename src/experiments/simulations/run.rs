@@ -50,7 +50,7 @@ pub(crate) fn options(tolerance: &Rational) -> Options {
     Options::at(nearest_f64(tolerance))
 }
 
-/// Simulates every point of the section's grid with each law, and what else the section asks for.
+/// Simulates every point of the section's grid with each law, and the other computations of the section.
 #[must_use]
 pub fn simulations(
     parameters: &Slider<Rational>,

@@ -1,6 +1,6 @@
 //! One point of the boundary by each route: what it takes for so many digits.
 //!
-//! The section is σ = 1 kPa of the scene's slider, on the lower arc. Halving asks for one exact sign a bit; the curve is
+//! The section is σ = 1 kPa of the scene's slider, on the lower arc. Bisection needs one exact sign per bit; the curve is
 //! evaluated once at its parameter. The reference is the section solved to twenty digits more.
 
 use slipmode_core::friction::Slider;

@@ -32,7 +32,7 @@ pub struct SpeedCounts {
     pub sweep: Vec<SweepCount>,
 }
 
-/// Counts all that the section asks for.
+/// Makes all counts of the section.
 #[must_use]
 pub fn speed_counts(parameters: &Slider<Rational>, section: &SpeedCountsSection) -> SpeedCounts {
     SpeedCounts {

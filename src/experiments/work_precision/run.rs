@@ -127,7 +127,7 @@ pub fn reference_return(model: &Model<f64>) -> Option<(State<f64>, MeasuredRetur
     Some((section, rounded))
 }
 
-/// All methods on all returns that the section asks for.
+/// All methods on all returns of the section.
 #[must_use]
 pub fn work_precision(parameters: &Slider<Rational>, section: &WorkPrecisionSection) -> Vec<WorkCase> {
     section.places.par_iter().filter_map(|place| work_case(parameters, place)).collect()

@@ -1,7 +1,7 @@
 //! Prose: Markdown to HTML, and Markdown to harmless Markdown. The only folder that knows `pulldown-cmark`.
 //!
 //! Raw HTML and images are dropped, links keep only known schemes, headings take no attributes: prose comes from
-//! files that somebody else may have written.
+//! files from unknown authors.
 
 mod harmless;
 

@@ -1,7 +1,7 @@
 //! A Slurm cluster of one machine under three names: its daemons, all of which end with this program.
 //!
 //! When a signal ends this program, the kernel ends the daemons; the supervisor of a task that runs just then goes on asking
-//! for its controller until somebody ends it.
+//! for its controller until it is stopped.
 
 use std::fs::{self, File};
 use std::net::TcpListener;
@@ -62,7 +62,7 @@ impl Cluster {
     pub fn start(place: &Path) -> Result<Self, Failure> {
         let cannot = |error: std::io::Error| Failure::bad_input(format!("{}: {error}", place.display()));
         fs::create_dir(place).map_err(cannot)?;
-        // munge asks for folders that nobody else can write to.
+        // munge requires folders that only its user can write to.
         fs::set_permissions(place, fs::Permissions::from_mode(0o755)).map_err(cannot)?;
         fs::create_dir(place.join("state")).map_err(cannot)?;
         write_key(place).map_err(cannot)?;
@@ -172,7 +172,7 @@ impl Cluster {
 
 impl Drop for Cluster {
     fn drop(&mut self) {
-        // Whatever fails here has ended already, or is told by the kernel to end when we do.
+        // Whatever fails here has ended already, or the kernel ends it when we end.
         for (_, daemon) in self.daemons.iter_mut().rev() {
             let _ = daemon.kill().and_then(|()| daemon.wait());
         }
@@ -192,7 +192,7 @@ fn write_key(place: &Path) -> std::io::Result<()> {
     fs::set_permissions(path, fs::Permissions::from_mode(0o400))
 }
 
-/// Ports that nobody listens on: of the controller, and of each node.
+/// Free ports: of the controller, and of each node.
 fn free_ports() -> std::io::Result<Vec<u16>> {
     let listeners: Vec<TcpListener> =
         (0..=NODES.len()).map(|_| TcpListener::bind("127.0.0.1:0")).collect::<Result<_, _>>()?;

@@ -8,7 +8,7 @@ const NOTES: [&str; 4] = ["TODO", "FIXME", "XXX", "HACK"];
 /// First folders of absolute paths that exist on one machine only; the checkout's own path is another.
 const MACHINE_FOLDERS: [&str; 3] = ["root", "home", "Users"];
 
-/// Hosts of package registries: a mirror's name tells of a machine, the default needs no mention.
+/// Hosts of package registries: a mirror's name belongs to a machine, and the default needs no mention.
 const REGISTRY_HOSTS: [&str; 5] = ["crates.io", "pypi.org", "npmjs", "proxy.golang", "artifactory"];
 
 /// The source of every package in the lock file.

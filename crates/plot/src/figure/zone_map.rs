@@ -1,4 +1,4 @@
-//! Zone maps: a plane divided into named regions, told apart by pattern, colour and name.
+//! Zone maps: a plane divided into named regions with pattern, colour and name.
 
 use super::frame::{CANVAS_WIDTH, Frame};
 use super::legend::{Entry, KEY_WIDTH, Legend};
@@ -127,7 +127,7 @@ fn draw_zone(svg: &mut Svg, frame: &Frame, zone: &Zone) {
     );
 }
 
-/// A tile of the zone's colour with strokes or dots of its ink: the pattern alone tells zones apart.
+/// A tile of the zone's colour with strokes or dots of its ink: the pattern alone distinguishes zones.
 fn define_pattern(svg: &mut Svg, style: usize) {
     let (tile, strokes, dots): (f64, &str, &str) = match style {
         1 => (10.0, "", "M5 4.2a.8 .8 0 1 0 .01 0z"),
