@@ -86,7 +86,7 @@ fn memory_is_measured_and_the_message_says_what_was_asked_for() {
     // 9 MiB: more than the inputs take to read, less than the report takes to compute.
     let ended = place.run(["replay", "small.zip", "--budget", "0.0044"]);
     ended.expect_refusal(&[
-        "small.zip: stopped after 9.0112 MiB of memory (budget); most is asked for by scenes/a.toml: boundary: 16 points of 30 digits",
+        "small.zip: stopped after 9.0112 MiB of memory (budget); the largest request is scenes/a.toml: boundary: 16 points of 30 digits",
         "--budget FACTOR lifts it",
     ]);
     assert!(!place.path("out").exists());

@@ -44,7 +44,7 @@ impl Watch {
     pub fn name_requests(&self, requests: &[Request]) {
         let most = requests.iter().max_by(|one, other| one.core_seconds.total_cmp(&other.core_seconds));
         if let Some(Request { place, what, .. }) = most {
-            let text = format!("; most is asked for by {place}: {what}");
+            let text = format!("; the largest request is {place}: {what}");
             *self.largest.lock().unwrap_or_else(PoisonError::into_inner) = text;
         }
     }
