@@ -160,7 +160,7 @@ impl CompareRows {
         parameters: Option<&Parameters<Rational>>,
     ) -> Option<Recording> {
         let place = reader.optional(TRAJECTORY_COLUMN, |name| trajectory_place(&self.folder, name))?;
-        // Without its velocity the row is refused anyhow, and gaps cannot be told.
+        // Without its velocity the row is refused anyway.
         let log_level = libm::log(parameters?.point.loading_velocity_m_per_s.to_f64());
         let rows = open_named_csv(&place).map_err(|fault| vec![fault]);
         let read = rows.and_then(|rows| read_recording(rows, log_level));

@@ -82,7 +82,7 @@ impl Origin {
         if self.blocks != other.blocks {
             return Some(format!("is one of {} blocks, not of {}", self.blocks, other.blocks));
         }
-        // Of one scene and one program all blocks hold the same, unless somebody edits their headings.
+        // All blocks of one scene and one program agree here, unless their headings were edited.
         (self.content != other.content)
             .then(|| format!("holds {}, not {}", self.content.text(), other.content.text()))
     }
