@@ -22,6 +22,8 @@ pub mod speed_counts;
 pub mod start_sensitivity;
 pub mod swept;
 mod tables;
+#[cfg(test)]
+pub mod test_experiment;
 pub mod timings;
 pub mod tolerance;
 pub mod trajectories;

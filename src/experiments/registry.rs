@@ -155,4 +155,7 @@ experiments! {
     Timings, timings: x::timings::TimingsSection;
     /// Sweeps that ran elsewhere.
     Swept, swept: x::swept::SweptSection;
+    /// The critical stiffness at given normal stresses.
+    #[cfg(test)]
+    TestExperiment, test_experiment: x::test_experiment::TestExperimentSection;
 }

@@ -1,5 +1,6 @@
 //! The exact boundary of a scene: its points, its marks, and the agreement of the three routes to it.
 
+pub(crate) mod figures;
 pub(crate) mod run;
 pub(crate) mod section;
 pub(crate) mod tables;
@@ -8,11 +9,12 @@ pub use run::{BoundaryOutcome, END_ERROR, boundary_outcome};
 pub use section::BoundarySection;
 pub use tables::{boundary_columns, boundary_row, vanishes};
 
-use crate::experiments::{Experiment, Setting, TableMaker};
+use crate::experiments::{Experiment, FigureMaker, Setting, TableMaker};
 
 impl Experiment for BoundarySection {
     type Outcome = BoundaryOutcome;
     const TABLES: &'static [&'static [TableMaker]] = &[tables::TABLES];
+    const FIGURES: &'static [&'static [FigureMaker]] = &[figures::FIGURES];
 
     fn run(&self, setting: &Setting<'_>) -> Option<Self::Outcome> {
         Some(boundary_outcome(setting.slider()?, *self))

@@ -6,6 +6,7 @@ use crate::experiments::Context;
 use crate::experiments::Need;
 use crate::experiments::TableMaker;
 use crate::experiments::boundary::BoundaryOutcome;
+use crate::experiments::shared::cells::count;
 use crate::experiments::unless_empty;
 use slipmode_core::number::Ball;
 use slipmode_core::number::format::{certain_digits, round_float};
@@ -118,9 +119,9 @@ fn routes(context: &Context) -> Option<Table> {
         let comparison = &outcome.comparison;
         table.push(vec![
             Cell::text(name),
-            Cell::number(comparison.compared.to_string()),
-            Cell::number(comparison.disagreements.len().to_string()),
-            Cell::number(outcome.digits.to_string()),
+            count(comparison.compared),
+            count(comparison.disagreements.len()),
+            count(outcome.digits),
             Cell::number(round_float(&comparison.largest_difference, 2)),
         ]);
     }

@@ -2,15 +2,17 @@
 
 pub(crate) mod run;
 pub(crate) mod section;
+pub(crate) mod tables;
 
 pub use run::{BoundCheck, error_bound};
 pub use section::ErrorBoundSection;
 
-use crate::experiments::{Experiment, Requirement, Setting};
+use crate::experiments::{Experiment, Requirement, Setting, TableMaker};
 
 impl Experiment for ErrorBoundSection {
     type Outcome = Vec<BoundCheck>;
     const REQUIREMENT: Requirement = Requirement::Nothing;
+    const TABLES: &'static [&'static [TableMaker]] = &[tables::TABLES];
 
     fn run(&self, _: &Setting<'_>) -> Option<Self::Outcome> {
         Some(error_bound(self))

@@ -3,16 +3,18 @@
 pub(crate) mod figures;
 pub(crate) mod run;
 pub(crate) mod section;
+pub(crate) mod tables;
 
 pub use run::{FrequencyLine, FrequencyOutcome, frequency_lines};
 pub use section::FrequencySection;
 
-use crate::experiments::{Experiment, FigureMaker, Requirement, Setting};
+use crate::experiments::{Experiment, FigureMaker, Requirement, Setting, TableMaker};
 
 impl Experiment for FrequencySection {
     type Outcome = FrequencyOutcome;
     const REQUIREMENT: Requirement = Requirement::CriticalNormalStress;
     const FIGURES: &'static [&'static [FigureMaker]] = &[figures::FIGURES];
+    const TABLES: &'static [&'static [TableMaker]] = &[tables::TABLES];
 
     fn run(&self, setting: &Setting<'_>) -> Option<Self::Outcome> {
         Some(frequency_lines(setting.slider()?, self))

@@ -4,6 +4,7 @@ use crate::experiments::Context;
 use crate::experiments::Need;
 use crate::experiments::TableMaker;
 use crate::experiments::hard_cases::{HardReturn, ReturnAnswer, ReturnOutcome, ReturnVerdict};
+use crate::experiments::shared::cells::{count, rounded};
 use crate::experiments::unless_empty;
 use slipmode_core::dynamics::Failure;
 use slipmode_core::number::format::round_digits;
@@ -61,11 +62,7 @@ fn case_columns() -> Vec<Column> {
 }
 
 fn case_cells(case: &HardReturn) -> Vec<Cell> {
-    vec![
-        Cell::text(&case.family),
-        Cell::text(case.law.as_str()),
-        Cell::number(round_digits(case.log_trough, 4)),
-    ]
+    vec![Cell::text(&case.family), Cell::text(case.law.as_str()), rounded(case.log_trough, 4)]
 }
 
 const METHODS: [(&str, &str); 6] = [
@@ -133,14 +130,11 @@ fn runs(context: &Context) -> Option<Table> {
     for found in outcomes(context) {
         for verdict in &found.verdicts {
             let mut row = case_cells(&found.case);
-            row.extend([Cell::text(verdict.method), Cell::number(round_digits(verdict.tolerance, 1))]);
+            row.extend([Cell::text(verdict.method), rounded(verdict.tolerance, 1)]);
             row.extend(match &verdict.answer {
-                Ok(answer) => [
-                    Cell::number(answer.steps.to_string()),
-                    Cell::number(answer.evaluations.to_string()),
-                    Cell::number(round_digits(answer.error, 1)),
-                    Cell::empty(),
-                ],
+                Ok(answer) => {
+                    [count(answer.steps), count(answer.evaluations), rounded(answer.error, 1), Cell::empty()]
+                }
                 Err(failure) => {
                     [Cell::empty(), Cell::empty(), Cell::empty(), Cell::text(failure.to_string())]
                 }

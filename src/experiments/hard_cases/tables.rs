@@ -1,42 +1,19 @@
-//! Tables of how the numbers came about: precision levels, and hard cases by family and by method.
+//! Tables of hard cases by family and by method.
 
 use crate::experiments::Context;
 use crate::experiments::Need;
 use crate::experiments::TableMaker;
 use crate::experiments::hard_cases::{FamilyOutcome, Method, MethodScore};
+use crate::experiments::shared::cells::{count, rounded};
 use crate::experiments::unless_empty;
 use slipmode_core::number::format::round_digits;
-use slipmode_core::roots::PrecisionLevel;
 use slipmode_plot::table::{Cell, Column, Table};
 
 pub(crate) const TABLES: &[TableMaker] = &[
-    TableMaker { id: "precision-levels", needs: &[Need::Map], make: precision_levels },
     TableMaker { id: "hard-cases", needs: &[Need::HardCases], make: hard_cases },
     TableMaker { id: "method-verdicts", needs: &[Need::HardCases], make: method_verdicts },
     TableMaker { id: "method-errors", needs: &[Need::HardCases], make: method_errors },
 ];
-
-fn precision_levels(context: &Context) -> Option<Table> {
-    let columns = vec![
-        Column::text("scene", "Scene"),
-        Column::text("rung", "Precision level"),
-        Column::number("points", "Points decided", ""),
-    ];
-    let mut table =
-        Table::new("precision-levels", "Precision level that decided the points of the maps", columns);
-    for scene in &context.outcome.scenes {
-        let Some(map) = &scene.map else { continue };
-        for precision_level in [PrecisionLevel::F64, PrecisionLevel::DoubleDouble, PrecisionLevel::Exact] {
-            let points = map.values.iter().filter(|point| point.precision_level == precision_level).count();
-            table.push(vec![
-                Cell::text(&scene.scene.name),
-                Cell::text(precision_level.as_str()),
-                Cell::number(points.to_string()),
-            ]);
-        }
-    }
-    unless_empty(table)
-}
 
 fn hard_cases(context: &Context) -> Option<Table> {
     let columns = vec![
@@ -51,10 +28,10 @@ fn hard_cases(context: &Context) -> Option<Table> {
     for family in families(context) {
         table.push(vec![
             Cell::text(&family.family),
-            Cell::number(family.points.to_string()),
-            Cell::number(family.wrong.to_string()),
-            Cell::number(round_digits(family.worst_real_error, 1)),
-            Cell::number(round_digits(family.worst_imaginary_error, 1)),
+            count(family.points),
+            count(family.wrong),
+            rounded(family.worst_real_error, 1),
+            rounded(family.worst_imaginary_error, 1),
             Cell::text(family.highest_precision_level.as_str()),
         ]);
     }
@@ -73,7 +50,7 @@ fn families<'c>(context: &'c Context<'_>) -> impl Iterator<Item = &'c FamilyOutc
 /// A row per family, a column per method.
 fn by_method(context: &Context, mut table: Table, cell: impl Fn(&MethodScore) -> String) -> Option<Table> {
     for family in families(context) {
-        let mut row = vec![Cell::text(&family.family), Cell::number(family.points.to_string())];
+        let mut row = vec![Cell::text(&family.family), count(family.points)];
         row.extend(family.methods.iter().map(|score| Cell::text(cell(score))));
         table.push(row);
     }

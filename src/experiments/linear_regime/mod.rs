@@ -6,6 +6,7 @@ pub(crate) mod run;
 pub(crate) mod section;
 pub(crate) mod snapshots;
 pub(crate) mod steady_sliding;
+pub(crate) mod tables;
 
 pub use modes::Direction;
 pub use run::{LinearRegimeOutcome, Mismatch, ModeRuns, linear_regime};
@@ -16,8 +17,8 @@ use crate::experiments::{Experiment, FigureMaker, Setting, TableMaker};
 
 impl Experiment for LinearRegimeSection {
     type Outcome = LinearRegimeOutcome;
-    const TABLES: &'static [&'static [TableMaker]] = &[figures::TABLES];
     const FIGURES: &'static [&'static [FigureMaker]] = &[figures::FIGURES];
+    const TABLES: &'static [&'static [TableMaker]] = &[tables::TABLES];
 
     fn run(&self, setting: &Setting<'_>) -> Option<Self::Outcome> {
         Some(linear_regime(setting.slider()?, self, &setting.threshold()))

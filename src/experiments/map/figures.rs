@@ -1,4 +1,4 @@
-//! Maps of the (V, σ) plane: max Im(s) (figs 1 and 6a) and slip modes (fig 7).
+//! Maps of max Im(s) over the (V, σ) plane (figs 1 and 6a).
 
 use crate::experiments::boundary::BoundaryOutcome;
 use crate::experiments::map::MapPoint;
@@ -7,10 +7,8 @@ use crate::experiments::shared::axes::{asymptote_lines, axes, boundary_lines, cu
 use crate::experiments::shared::map_readout::readout;
 use crate::experiments::{Figure, FigureMaker};
 use crate::experiments::{Need, SceneOutcome};
-use slipmode_core::stability::{Arc, SlipMode};
-use slipmode_plot::figure::{
-    Axis, Caption, ColourScale, HeatMap, Line, Readout, Zone, ZoneMap, zones_of_grid,
-};
+use slipmode_core::stability::Arc;
+use slipmode_plot::figure::{Axis, Caption, ColourScale, HeatMap, Line};
 
 pub(crate) const FIGURES: &[FigureMaker] = &[
     FigureMaker {
@@ -25,30 +23,18 @@ pub(crate) const FIGURES: &[FigureMaker] = &[
         data: &["boundary"],
         make: |outcome| frequency_map(outcome.never_unstable()?, &FIG_6A),
     },
-    FigureMaker {
-        id: "fig-7a",
-        needs: &[Need::Map, Need::Zones, Need::Boundary],
-        data: &["zones"],
-        make: |outcome| zone_map(outcome.potentially_unstable()?, &FIG_7A, &FIG_1),
-    },
-    FigureMaker {
-        id: "fig-7b",
-        needs: &[Need::Map, Need::Zones, Need::Boundary],
-        data: &["zones"],
-        make: |outcome| zone_map(outcome.never_unstable()?, &FIG_7B, &FIG_6A),
-    },
 ];
 
 /// The words around a map.
-struct Words {
-    id: &'static str,
-    label: &'static str,
-    title: &'static str,
-    caption: &'static str,
-    description: &'static str,
+pub(crate) struct Words {
+    pub id: &'static str,
+    pub label: &'static str,
+    pub title: &'static str,
+    pub caption: &'static str,
+    pub description: &'static str,
 }
 
-const FIG_1: Words = Words {
+pub(crate) const FIG_1: Words = Words {
     id: "fig-1",
     label: "Figure 1",
     title: "Largest imaginary part of the roots of eq 8, a < b",
@@ -56,7 +42,7 @@ const FIG_1: Words = Words {
     description: "Map over loading velocity and normal stress. Two areas without colour do not oscillate, one at high and one at low normal stress. Exact lines that join pairs of dashed asymptotes bound them. The lower area ends in a cusp to the right of the asymptotes' corner. The frequency rises from left to right and saturates at the natural frequency.",
 };
 
-const FIG_6A: Words = Words {
+pub(crate) const FIG_6A: Words = Words {
     id: "fig-6a",
     label: "Figure 6a",
     title: "Largest imaginary part of the roots of eq 8, a ≥ b",
@@ -64,23 +50,7 @@ const FIG_6A: Words = Words {
     description: "Map over loading velocity and normal stress for a not below b: areas without colour do not oscillate, at low and, unless a equals b, at high normal stress. Exact lines that join pairs of dashed asymptotes bound them. There is no transition line.",
 };
 
-const FIG_7A: Words = Words {
-    id: "fig-7a",
-    label: "Figure 7a",
-    title: "Slip modes, a < b",
-    caption: "Slip modes, decided exactly at every point (compare fig 7a of the paper), with the exact boundary, the asymptotes and the transition.",
-    description: "Map of the slip modes over loading velocity and normal stress: overdamped stable sliding at low stress and low velocity, non-inertial and inertial underdamped oscillation around it, stick-slip at high stress, harmonic vibration at high velocity.",
-};
-
-const FIG_7B: Words = Words {
-    id: "fig-7b",
-    label: "Figure 7b",
-    title: "Slip modes, a ≥ b",
-    caption: "Slip modes for a ≥ b, decided exactly at every point (compare fig 7b of the paper). All modes are stable. The upper area is an overdamped oscillation.",
-    description: "Map of the slip modes over loading velocity and normal stress: overdamped stable sliding, non-inertial and inertial underdamped oscillation, and overdamped oscillation at high stress.",
-};
-
-fn figure(words: &Words, svg: String) -> Figure {
+pub(crate) fn figure(words: &Words, svg: String) -> Figure {
     Figure {
         id: words.id.into(),
         label: words.label.into(),
@@ -90,7 +60,7 @@ fn figure(words: &Words, svg: String) -> Figure {
     }
 }
 
-fn caption(words: &Words) -> Caption {
+pub(crate) fn caption(words: &Words) -> Caption {
     Caption::new(words.id, words.title, words.description)
 }
 
@@ -159,40 +129,4 @@ fn zero_areas(boundary: &BoundaryOutcome, x: &Axis, y: &Axis) -> Vec<Vec<(f64, f
             Some(outline)
         })
         .collect()
-}
-
-/// The zones, with the words of the map of frequencies over the same axes.
-fn zone_map(scene: &SceneOutcome, words: &Words, frequencies: &Words) -> Option<Figure> {
-    let (zones, boundary) = (scene.zones.as_ref()?, scene.boundary.as_ref()?);
-    let (x, y) = axes(&zones.exact)?;
-    let classes: Vec<usize> = zones
-        .exact
-        .values
-        .iter()
-        .map(|mode| SlipMode::ALL.iter().position(|known| known == mode).unwrap_or(0))
-        .collect();
-    let columns = zones.exact.loading_velocity_m_per_s.len();
-    let outlines = zones_of_grid(&x, &y, columns, &classes, SlipMode::ALL.len());
-    let present = SlipMode::ALL
-        .iter()
-        .zip(outlines)
-        .enumerate()
-        .filter(|(_, (_, outlines))| !outlines.is_empty())
-        .map(|(style, (mode, outlines))| Zone { label: mode.words().into(), outlines, style })
-        .collect();
-    let lines = theory_lines(scene, boundary, &x, &y);
-    let same_axes =
-        |map: &Grid<MapPoint>| axes(map).is_some_and(|(other_x, other_y)| (&other_x, &other_y) == (&x, &y));
-    let said =
-        scene.map.as_ref().filter(|map| same_axes(map)).map(|_| Readout::SameAs(frequencies.id.into()));
-    let map = ZoneMap {
-        caption: caption(words),
-        zones: present,
-        lines,
-        marks: cusp_mark(&boundary.points),
-        labels: Vec::new(),
-        x,
-        y,
-    };
-    Some(figure(words, map.svg_with(said.as_ref())))
 }

@@ -3,16 +3,18 @@
 pub(crate) mod figures;
 pub(crate) mod run;
 pub(crate) mod section;
+pub(crate) mod tables;
 
 pub use run::{MapPoint, classify_rectangle};
 pub use section::MapSection;
 
 use crate::experiments::shared::Grid;
-use crate::experiments::{Experiment, FigureMaker, Setting};
+use crate::experiments::{Experiment, FigureMaker, Setting, TableMaker};
 
 impl Experiment for MapSection {
     type Outcome = Grid<MapPoint>;
     const FIGURES: &'static [&'static [FigureMaker]] = &[figures::FIGURES];
+    const TABLES: &'static [&'static [TableMaker]] = &[tables::TABLES];
 
     fn run(&self, setting: &Setting<'_>) -> Option<Self::Outcome> {
         Some(classify_rectangle(setting.slider()?, &self.rectangle, &setting.threshold()))

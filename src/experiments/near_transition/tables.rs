@@ -6,6 +6,7 @@ use crate::experiments::TableMaker;
 use crate::experiments::near_transition::{
     CycleFamilyOutcome, Edge, NearRun, NearTransitionOutcome, Threshold,
 };
+use crate::experiments::shared::cells::{rounded, rounded_or_empty};
 use crate::experiments::unless_empty;
 use slipmode_core::number::format::{rational_to_decimal, round_digits};
 use slipmode_core::theory::hopf::{coefficient, degenerate_inertial_parameter};
@@ -24,14 +25,6 @@ pub(crate) const TABLES: &[TableMaker] = &[
 
 fn found<'c>(context: &'c Context) -> impl Iterator<Item = &'c NearTransitionOutcome> {
     context.outcome.scenes.iter().filter_map(|scene| scene.near_transition.as_ref())
-}
-
-fn number(value: f64, digits: usize) -> Cell {
-    Cell::number(round_digits(value, digits))
-}
-
-fn optional(value: Option<f64>, digits: usize) -> Cell {
-    value.map_or_else(Cell::empty, |value| number(value, digits))
 }
 
 fn coefficients(context: &Context) -> Option<Table> {
@@ -80,13 +73,16 @@ fn runs(context: &Context) -> Option<Table> {
             Cell::number(rational_to_decimal(&run.inertial_parameter, 6)),
             Cell::number(rational_to_decimal(&run.stiffness_over_critical, 6)),
             if run.outcome.is_ok() { Cell::text(word) } else { Cell::empty() },
-            optional(run.outcome.as_ref().ok().filter(|_| ended(true)).map(|found| found.log_peak()), 6),
-            optional(run.newton_log_peak, 6),
-            optional(run.amplitude(), 6),
-            optional(run.predicted_amplitude, 6),
-            optional(run.growth(), 3),
-            optional(run.linear_growth.filter(|_| ended(false)), 6),
-            optional(run.returns_per_fold(), 3),
+            rounded_or_empty(
+                run.outcome.as_ref().ok().filter(|_| ended(true)).map(|found| found.log_peak()),
+                6,
+            ),
+            rounded_or_empty(run.newton_log_peak, 6),
+            rounded_or_empty(run.amplitude(), 6),
+            rounded_or_empty(run.predicted_amplitude, 6),
+            rounded_or_empty(run.growth(), 3),
+            rounded_or_empty(run.linear_growth.filter(|_| ended(false)), 6),
+            rounded_or_empty(run.returns_per_fold(), 3),
             failure(run),
         ]);
     }
@@ -114,11 +110,11 @@ fn families(context: &Context) -> Option<Table> {
             table.push(vec![
                 Cell::text(family.law.as_str()),
                 Cell::number(rational_to_decimal(&family.inertial_parameter, 6)),
-                number(cycle.excess, 5),
-                optional(cycle.predicted_excess, 5),
-                number(cycle.amplitude, 6),
-                number(cycle.log_peak, 6),
-                optional(cycle.multiplier, 6),
+                rounded(cycle.excess, 5),
+                rounded_or_empty(cycle.predicted_excess, 5),
+                rounded(cycle.amplitude, 6),
+                rounded(cycle.log_peak, 6),
+                rounded_or_empty(cycle.multiplier, 6),
             ]);
         }
     }
@@ -142,9 +138,9 @@ fn agreement(context: &Context) -> Option<Table> {
             Cell::text(family.law.as_str()),
             Cell::number(rational_to_decimal(&family.inertial_parameter, 6)),
             Cell::text(family.criticality().as_str()),
-            number(agreement.amplitude, 3),
-            number(agreement.deviation, 3),
-            optional(agreement.order, 3),
+            rounded(agreement.amplitude, 3),
+            rounded(agreement.deviation, 3),
+            rounded_or_empty(agreement.order, 3),
         ]);
     }
     unless_empty(table)
@@ -202,13 +198,13 @@ fn orders(context: &Context) -> Option<String> {
 
 fn edge_cells(edge: &Edge) -> [Cell; 7] {
     [
-        number(edge.loading_velocity_m_per_s, 4),
-        number(edge.normal_stress_pa, 4),
-        number(edge.excess, 5),
-        number(edge.error, 1),
-        optional(edge.bracket, 1),
-        number(edge.log_peak, 4),
-        number(edge.width_dex, 3),
+        rounded(edge.loading_velocity_m_per_s, 4),
+        rounded(edge.normal_stress_pa, 4),
+        rounded(edge.excess, 5),
+        rounded(edge.error, 1),
+        rounded_or_empty(edge.bracket, 1),
+        rounded(edge.log_peak, 4),
+        rounded(edge.width_dex, 3),
     ]
 }
 
@@ -216,9 +212,9 @@ fn threshold_cells(threshold: Option<&Threshold>) -> [Cell; 4] {
     let Some(threshold) = threshold else { return [0; 4].map(|_| Cell::empty()) };
     let word = |confirmed| Cell::text(if confirmed { "yes" } else { "no" });
     [
-        number(threshold.excess, 5),
-        number(threshold.unstable_log_peak, 5),
-        number(threshold.start_velocity_ratio, 5),
+        rounded(threshold.excess, 5),
+        rounded(threshold.unstable_log_peak, 5),
+        rounded(threshold.start_velocity_ratio, 5),
         threshold.confirmed.map_or_else(Cell::empty, word),
     ]
 }

@@ -3,9 +3,10 @@
 use crate::experiments::Context;
 use crate::experiments::TableMaker;
 use crate::experiments::onset::{Located, Onset};
+use crate::experiments::shared::cells::rounded;
 use crate::experiments::unless_empty;
 use crate::experiments::{Need, SceneOutcome};
-use slipmode_core::number::format::{certain_digits, rational_to_decimal, round_digits};
+use slipmode_core::number::format::{certain_digits, rational_to_decimal};
 use slipmode_plot::table::{Cell, Column, Table};
 
 pub(crate) const TABLES: &[TableMaker] = &[
@@ -25,14 +26,14 @@ fn lines<'c>(context: &'c Context) -> impl Iterator<Item = (&'c SceneOutcome, &'
 
 /// log10 of a velocity over that of the asymptote.
 fn dex(line: &Onset, velocity: f64, digits: usize) -> Cell {
-    Cell::number(round_digits(libm::log10(velocity / line.asymptote_velocity_m_per_s.to_f64()), digits))
+    rounded(libm::log10(velocity / line.asymptote_velocity_m_per_s.to_f64()), digits)
 }
 
 /// A located velocity and its error.
 fn located(line: &Onset, found: Option<&Located>) -> [Cell; 2] {
     found.map_or_else(
         || [Cell::empty(), Cell::empty()],
-        |found| [dex(line, found.velocity_m_per_s, 4), Cell::number(round_digits(found.error_dex, 1))],
+        |found| [dex(line, found.velocity_m_per_s, 4), rounded(found.error_dex, 1)],
     )
 }
 
@@ -76,7 +77,7 @@ fn onset(context: &Context) -> Option<Table> {
                 second_rise,
                 undershoot,
                 seen_error,
-                peak.map_or_else(Cell::empty, |peak| Cell::number(round_digits(peak, 3))),
+                peak.map_or_else(Cell::empty, |peak| rounded(peak, 3)),
             ]);
         }
     }
@@ -99,9 +100,9 @@ fn runs(context: &Context) -> Option<Table> {
                 table.push(vec![
                     Cell::text(&scene.scene.name),
                     Cell::number(rational_to_decimal(&line.normal_stress_pa, 4)),
-                    Cell::number(round_digits(run.loading_velocity_m_per_s, 4)),
-                    Cell::number(round_digits(time, 4)),
-                    Cell::number(round_digits(velocity, 5)),
+                    rounded(run.loading_velocity_m_per_s, 4),
+                    rounded(time, 4),
+                    rounded(velocity, 5),
                 ]);
             }
         }

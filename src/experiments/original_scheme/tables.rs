@@ -1,12 +1,11 @@
-//! Tables of what the numerical method does to the answer.
+//! Tables of the original scheme: bias, order, transition, and figs 3a and 5 under it.
 
 use crate::experiments::Context;
 use crate::experiments::Need;
 use crate::experiments::TableMaker;
-use crate::experiments::error_bound::BoundCheck;
 use crate::experiments::original_scheme::{OriginalSchemeOutcome, SchemeSeries, SchemeStep};
+use crate::experiments::shared::cells::{count, rounded, rounded_or_empty};
 use crate::experiments::unless_empty;
-use slipmode_core::number::format::round_digits;
 use slipmode_plot::table::{Cell, Column, Table};
 
 pub(crate) const TABLES: &[TableMaker] = &[
@@ -15,18 +14,7 @@ pub(crate) const TABLES: &[TableMaker] = &[
     TableMaker { id: "scheme-transition", needs: &[Need::OriginalScheme], make: transition },
     TableMaker { id: "scheme-map", needs: &[Need::OriginalScheme], make: map },
     TableMaker { id: "scheme-least-peaks", needs: &[Need::OriginalScheme], make: least_peaks },
-    TableMaker { id: "work-precision", needs: &[Need::WorkPrecision], make: work },
-    TableMaker { id: "error-bound", needs: &[Need::ErrorBound], make: bound },
-    TableMaker { id: "error-bound-runs", needs: &[Need::ErrorBound], make: bound_runs },
 ];
-
-fn number(value: f64, digits: usize) -> Cell {
-    Cell::number(round_digits(value, digits))
-}
-
-fn optional(value: Option<f64>, digits: usize) -> Cell {
-    value.map_or_else(Cell::empty, |value| number(value, digits))
-}
 
 fn scheme<'c>(context: &'c Context) -> Option<&'c OriginalSchemeOutcome> {
     context.outcome.scenes.iter().find_map(|scene| scene.original_scheme.as_ref())
@@ -35,8 +23,8 @@ fn scheme<'c>(context: &'c Context) -> Option<&'c OriginalSchemeOutcome> {
 fn place_cells(series: &SchemeSeries) -> [Cell; 3] {
     [
         Cell::text(series.law.as_str()),
-        number(series.place.normal_stress_pa.to_f64(), 4),
-        number(series.place.loading_velocity_m_per_s.to_f64(), 4),
+        rounded(series.place.normal_stress_pa.to_f64(), 4),
+        rounded(series.place.loading_velocity_m_per_s.to_f64(), 4),
     ]
 }
 
@@ -77,10 +65,10 @@ fn bias_cells(series: &SchemeSeries, step: &SchemeStep) -> [Cell; 5] {
         Some(Ok(_)) => "run".to_string(),
     };
     [
-        number(step.fraction, 4),
-        optional(found.map(|(bias, _)| 100.0 * libm::expm1(bias)), 3),
-        optional(found.map(|(_, spread)| 100.0 * spread), 1),
-        number(step.steps_needed, 3),
+        rounded(step.fraction, 4),
+        rounded_or_empty(found.map(|(bias, _)| 100.0 * libm::expm1(bias)), 3),
+        rounded_or_empty(found.map(|(_, spread)| 100.0 * spread), 1),
+        rounded(step.steps_needed, 3),
         Cell::text(&outcome),
     ]
 }
@@ -96,7 +84,7 @@ fn order(context: &Context) -> Option<Table> {
     for series in &scheme(context)?.series {
         let Some((order, error)) = series.order else { continue };
         let mut row = place_cells(series).to_vec();
-        row.extend([number(order, 3), number(error, 1)]);
+        row.extend([rounded(order, 3), rounded(error, 1)]);
         table.push(row);
     }
     unless_empty(table)
@@ -114,9 +102,9 @@ fn transition(context: &Context) -> Option<Table> {
         );
     for row in &scheme(context)?.transition {
         table.push(vec![
-            number(row.loading_velocity_m_per_s, 4),
-            number(row.fraction, 4),
-            number(100.0 * row.shift, 3),
+            rounded(row.loading_velocity_m_per_s, 4),
+            rounded(row.fraction, 4),
+            rounded(100.0 * row.shift, 3),
         ]);
     }
     unless_empty(table)
@@ -141,15 +129,15 @@ fn map(context: &Context) -> Option<Table> {
         let percent = |value: f64| 100.0 * libm::expm1(value);
         table.push(vec![
             Cell::text(row.law.as_str()),
-            number(row.fraction, 4),
-            Cell::number(row.points.to_string()),
-            Cell::number(row.flipped.to_string()),
-            Cell::number(row.cycles.to_string()),
-            Cell::number(row.left_out.to_string()),
-            Cell::number(row.lost.to_string()),
-            optional(row.median_bias.map(percent), 2),
-            optional(row.bias_range.map(|[low, _]| percent(low)), 2),
-            optional(row.bias_range.map(|[_, high]| percent(high)), 2),
+            rounded(row.fraction, 4),
+            count(row.points),
+            count(row.flipped),
+            count(row.cycles),
+            count(row.left_out),
+            count(row.lost),
+            rounded_or_empty(row.median_bias.map(percent), 2),
+            rounded_or_empty(row.bias_range.map(|[low, _]| percent(low)), 2),
+            rounded_or_empty(row.bias_range.map(|[_, high]| percent(high)), 2),
         ]);
     }
     unless_empty(table)
@@ -169,128 +157,11 @@ fn least_peaks(context: &Context) -> Option<Table> {
     for least in &scheme(context)?.least_peaks {
         table.push(vec![
             Cell::text(least.law.as_str()),
-            number(least.normal_stress_pa, 4),
-            number(least.fraction, 4),
-            number(least.offset_dex, 3),
-            number(least.shift_dex, 2),
-            number(least.shift_error_dex, 1),
-        ]);
-    }
-    unless_empty(table)
-}
-
-fn work(context: &Context) -> Option<Table> {
-    let columns = vec![
-        Column::number("normal_stress_pa", "Normal stress σ", "Pa"),
-        Column::number("loading_velocity_m_per_s", "Loading velocity V0", "m/s"),
-        Column::text("method", "Method"),
-        Column::number("setting", "Local tolerance, or step / √(M/K)", ""),
-        Column::number("steps", "Steps", ""),
-        Column::number("evaluations", "Evaluations", ""),
-        Column::number("peak_error", "Error of ln(V_peak/V0)", ""),
-    ];
-    let mut table = Table::new(
-        "work-precision",
-        "Work against error on one period of the limit cycle, slip law",
-        columns,
-    );
-    for case in context.outcome.scenes.iter().filter_map(|scene| scene.work_precision.as_ref()).flatten() {
-        for point in &case.points {
-            table.push(vec![
-                number(case.place.normal_stress_pa.to_f64(), 4),
-                number(case.place.loading_velocity_m_per_s.to_f64(), 4),
-                Cell::text(point.method),
-                number(point.setting, 4),
-                Cell::number(point.steps.to_string()),
-                Cell::number(point.evaluations.to_string()),
-                number(point.peak_error, 2),
-            ]);
-        }
-    }
-    unless_empty(table)
-}
-
-fn checks<'c>(context: &'c Context) -> impl Iterator<Item = &'c BoundCheck> {
-    context.outcome.scenes.iter().filter_map(|scene| scene.error_bound.as_ref()).flatten()
-}
-
-/// Ratios of true to estimated error above which runs are counted.
-const RATIOS: [f64; 3] = [1.0, 0.1, 0.01];
-
-fn bound(context: &Context) -> Option<Table> {
-    let columns = vec![
-        Column::number("tolerance", "Tolerance", ""),
-        Column::text("observable", "Observable"),
-        Column::number("runs", "Runs", ""),
-        Column::number("failed", "Without a result", ""),
-        Column::number("unreferenced", "Without a reference", ""),
-        Column::number("above_stated", "True error above the estimated one", ""),
-        Column::number("above_tenth", "Above a tenth of it", ""),
-        Column::number("above_hundredth", "Above a hundredth of it", ""),
-        Column::number("worst_ratio", "Largest true / estimated error", ""),
-    ];
-    let mut table = Table::new("error-bound", "True errors compared with estimated errors: random sliders, both laws", columns)
-        .with_note("η from 1e-6 to 1e4, b/a from 0.4 to 3.4, K/K_c from 1e-3 to 10, from a fixed sequence. References: Radau IIA of order 13 in double-double at a local tolerance of 1e-18. Sampled, not proved.");
-    let mut tolerances: Vec<f64> = checks(context).map(|check| check.tolerance).collect();
-    tolerances.sort_by(|a, b| b.total_cmp(a));
-    tolerances.dedup();
-    for tolerance in tolerances {
-        let runs = || checks(context).filter(|check| check.tolerance == tolerance);
-        let failed = runs().filter(|check| check.periodic.is_none()).count();
-        let unreferenced =
-            runs().filter(|check| check.periodic.is_some() && check.peak_ratio.is_none()).count();
-        for (observable, ratio) in observables() {
-            let ratios: Vec<f64> = runs().filter_map(ratio).collect();
-            let mut row = vec![
-                number(tolerance, 2),
-                Cell::text(observable),
-                Cell::number(ratios.len().to_string()),
-                Cell::number(failed.to_string()),
-                Cell::number(unreferenced.to_string()),
-            ];
-            row.extend(RATIOS.map(|limit| {
-                Cell::number(ratios.iter().filter(|&&ratio| ratio > limit).count().to_string())
-            }));
-            row.push(optional(ratios.iter().copied().reduce(f64::max), 2));
-            table.push(row);
-        }
-    }
-    unless_empty(table)
-}
-
-/// Ratio of true to estimated error of one observable.
-type Ratio = fn(&BoundCheck) -> Option<f64>;
-
-/// The observables with the ratio of each.
-fn observables() -> [(&'static str, Ratio); 2] {
-    [("peak velocity", |check| check.peak_ratio), ("period", |check| check.period_ratio)]
-}
-
-fn bound_runs(context: &Context) -> Option<Table> {
-    let columns = vec![
-        Column::number("inertial_parameter", "η", ""),
-        Column::number("stiffness_group", "κ", ""),
-        Column::number("effect_ratio", "b/a", ""),
-        Column::text("law", "Law"),
-        Column::number("tolerance", "Tolerance", ""),
-        Column::text("behaviour", "Long-term behaviour"),
-        Column::number("peak_ratio", "Peak: true / estimated error", ""),
-        Column::number("period_ratio", "Period: true / estimated error", ""),
-        Column::text("failure", "Failure"),
-    ];
-    let mut table = Table::new("error-bound-runs", "Estimated and true errors, run by run", columns);
-    for check in checks(context) {
-        let behaviour = check.periodic.map_or("", |periodic| if periodic { "periodic" } else { "decaying" });
-        table.push(vec![
-            number(check.groups.inertial_parameter, 5),
-            number(check.groups.stiffness_group, 5),
-            number(check.groups.effect_ratio, 5),
-            Cell::text(check.law.as_str()),
-            number(check.tolerance, 2),
-            Cell::text(behaviour),
-            optional(check.peak_ratio, 2),
-            optional(check.period_ratio, 2),
-            Cell::text(&check.failure),
+            rounded(least.normal_stress_pa, 4),
+            rounded(least.fraction, 4),
+            rounded(least.offset_dex, 3),
+            rounded(least.shift_dex, 2),
+            rounded(least.shift_error_dex, 1),
         ]);
     }
     unless_empty(table)

@@ -2,11 +2,11 @@
 
 use crate::experiments::Context;
 use crate::experiments::TableMaker;
+use crate::experiments::shared::cells::{rounded, rounded_or_empty};
 use crate::experiments::simulations::{SimulatedPoint, SimulationsOutcome};
 use crate::experiments::unless_empty;
 use crate::experiments::{Need, SceneOutcome};
 use slipmode_core::friction::EvolutionLaw;
-use slipmode_core::number::format::round_digits;
 use slipmode_plot::table::{Cell, Column, Table};
 
 pub(crate) const TABLES: &[TableMaker] = &[
@@ -31,10 +31,6 @@ fn for_each_point(context: &Context, mut visit: impl FnMut(&str, EvolutionLaw, f
             }
         }
     }
-}
-
-fn optional(value: Option<f64>, digits: usize) -> Cell {
-    value.map_or_else(Cell::empty, |value| Cell::number(round_digits(value, digits)))
 }
 
 fn simulations(context: &Context) -> Option<Table> {
@@ -63,17 +59,17 @@ fn simulations(context: &Context) -> Option<Table> {
         table.push(vec![
             Cell::text(scene),
             Cell::text(law.as_str()),
-            Cell::number(round_digits(stress, DIGITS)),
-            Cell::number(round_digits(velocity, DIGITS)),
-            optional(point.stiffness_over_critical, DIGITS),
+            rounded(stress, DIGITS),
+            rounded(velocity, DIGITS),
+            rounded_or_empty(point.stiffness_over_critical, DIGITS),
             Cell::text(point.theory.slip_mode.as_str()),
             word(found.map_or("", |found| found.slip_mode.as_str())),
             word(found.map_or("", |found| found.behaviour.as_str())),
-            optional(found.map(|found| found.peak_velocity_m_per_s), DIGITS),
-            optional(found.and_then(|found| found.period_s), DIGITS),
-            optional(found.map(|found| found.stress_drop_pa), DIGITS),
-            optional(found.map(|found| found.peak_relative_error), 2),
-            optional(found.and_then(|found| found.period_relative_error), 2),
+            rounded_or_empty(found.map(|found| found.peak_velocity_m_per_s), DIGITS),
+            rounded_or_empty(found.and_then(|found| found.period_s), DIGITS),
+            rounded_or_empty(found.map(|found| found.stress_drop_pa), DIGITS),
+            rounded_or_empty(found.map(|found| found.peak_relative_error), 2),
+            rounded_or_empty(found.and_then(|found| found.period_relative_error), 2),
             word(&failure),
         ]);
     });
@@ -103,12 +99,12 @@ fn disagreements(context: &Context) -> Option<Table> {
         table.push(vec![
             Cell::text(scene),
             Cell::text(law.as_str()),
-            Cell::number(round_digits(stress, 4)),
-            Cell::number(round_digits(velocity, 4)),
+            rounded(stress, 4),
+            rounded(velocity, 4),
             Cell::text(point.theory.slip_mode.as_str()),
             found.map_or_else(Cell::empty, |found| Cell::text(found.slip_mode.as_str())),
-            optional(point.theory.max_imaginary_per_s.to_f64(), 5),
-            optional(angular, 5),
+            rounded_or_empty(point.theory.max_imaginary_per_s.to_f64(), 5),
+            rounded_or_empty(angular, 5),
         ]);
     });
     unless_empty(table)
@@ -135,18 +131,18 @@ fn least_peaks(context: &Context) -> Option<Table> {
     for least in simulated(context).flat_map(|(_, outcome)| &outcome.least_peaks) {
         table.push(vec![
             Cell::text(least.law.as_str()),
-            Cell::number(round_digits(least.normal_stress_pa, 4)),
-            Cell::number(round_digits(least.eq18_velocity_m_per_s, 4)),
-            Cell::number(round_digits(least.offset_dex, 4)),
-            Cell::number(round_digits(least.offset_error_dex, 1)),
-            Cell::number(round_digits(least.peak_at_eq18_over_least, 5)),
-            Cell::number(round_digits(least.curvature_per_dex2, 3)),
-            optional(least.flat[0][0], 3),
-            optional(least.flat[0][1], 3),
-            optional(least.flat[1][0], 3),
-            optional(least.flat[1][1], 3),
-            optional(least.cycle_mode_change_dex, 3),
-            optional(least.theory_mode_change_dex, 3),
+            rounded(least.normal_stress_pa, 4),
+            rounded(least.eq18_velocity_m_per_s, 4),
+            rounded(least.offset_dex, 4),
+            rounded(least.offset_error_dex, 1),
+            rounded(least.peak_at_eq18_over_least, 5),
+            rounded(least.curvature_per_dex2, 3),
+            rounded_or_empty(least.flat[0][0], 3),
+            rounded_or_empty(least.flat[0][1], 3),
+            rounded_or_empty(least.flat[1][0], 3),
+            rounded_or_empty(least.flat[1][1], 3),
+            rounded_or_empty(least.cycle_mode_change_dex, 3),
+            rounded_or_empty(least.theory_mode_change_dex, 3),
         ]);
     }
     unless_empty(table)

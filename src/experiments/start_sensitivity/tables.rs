@@ -3,24 +3,16 @@
 use crate::experiments::Context;
 use crate::experiments::Need;
 use crate::experiments::TableMaker;
+use crate::experiments::shared::cells::{rounded, rounded_or_empty};
 use crate::experiments::start_sensitivity::{StartGroup, StartRun};
 use crate::experiments::unless_empty;
 use slipmode_core::dynamics::{Behaviour, Simulation, Start};
-use slipmode_core::number::format::round_digits;
 use slipmode_plot::table::{Cell, Column, Table};
 
 pub(crate) const TABLES: &[TableMaker] = &[
     TableMaker { id: "starts", needs: &[Need::StartSensitivity], make: starts },
     TableMaker { id: "start-spread", needs: &[Need::StartSensitivity], make: spread },
 ];
-
-fn number(value: f64, digits: usize) -> Cell {
-    Cell::number(round_digits(value, digits))
-}
-
-fn optional(value: Option<f64>, digits: usize) -> Cell {
-    value.map_or_else(Cell::empty, |value| number(value, digits))
-}
 
 fn groups<'c>(context: &'c Context) -> impl Iterator<Item = (&'c str, &'c StartGroup)> {
     context.outcome.scenes.iter().flat_map(|scene| {
@@ -65,20 +57,20 @@ fn start_row(scene: &str, group: &StartGroup, run: &StartRun) -> Vec<Cell> {
     let failure = run.long_term.as_ref().err().or(run.early.as_ref().err()).map(ToString::to_string);
     vec![
         Cell::text(scene),
-        number(group.loading_velocity_m_per_s, 6),
-        number(group.normal_stress_pa, 6),
-        optional(group.stiffness_over_critical, 7),
+        rounded(group.loading_velocity_m_per_s, 6),
+        rounded(group.normal_stress_pa, 6),
+        rounded_or_empty(group.stiffness_over_critical, 7),
         Cell::text(group.law.as_str()),
         Cell::text(run.start.as_str()),
-        optional(peak.map(|(peak, _)| libm::exp(peak)), 6),
-        optional(peak.map(|(_, error)| error), 2),
-        optional(early.map(|(early, _)| early.time_back / group.inertial_parameter), 3),
-        optional(early.map(|(early, _)| early.left_over), 3),
+        rounded_or_empty(peak.map(|(peak, _)| libm::exp(peak)), 6),
+        rounded_or_empty(peak.map(|(_, error)| error), 2),
+        rounded_or_empty(early.map(|(early, _)| early.time_back / group.inertial_parameter), 3),
+        rounded_or_empty(early.map(|(early, _)| early.left_over), 3),
         long_term.map_or_else(Cell::empty, |long_term| Cell::text(long_term.behaviour.as_str())),
-        optional(cycle.map(|cycle| cycle.peak_velocity_m_per_s), 7),
-        optional(cycle.map(|cycle| cycle.peak_relative_error), 2),
-        optional(long_term.and_then(|long_term| long_term.period_s), 7),
-        optional(long_term.and_then(|long_term| long_term.period_relative_error), 2),
+        rounded_or_empty(cycle.map(|cycle| cycle.peak_velocity_m_per_s), 7),
+        rounded_or_empty(cycle.map(|cycle| cycle.peak_relative_error), 2),
+        rounded_or_empty(long_term.and_then(|long_term| long_term.period_s), 7),
+        rounded_or_empty(long_term.and_then(|long_term| long_term.period_relative_error), 2),
         failure.map_or_else(Cell::empty, Cell::text),
     ]
 }
@@ -130,17 +122,17 @@ fn spread_row(scene: &str, group: &StartGroup) -> Vec<Cell> {
     let seen = |value: f64| value.is_finite().then(|| libm::exp(value));
     vec![
         Cell::text(scene),
-        number(group.loading_velocity_m_per_s, 6),
-        number(group.normal_stress_pa, 6),
-        optional(group.stiffness_over_critical, 7),
+        rounded(group.loading_velocity_m_per_s, 6),
+        rounded(group.normal_stress_pa, 6),
+        rounded_or_empty(group.stiffness_over_critical, 7),
         Cell::text(group.slip_mode.as_str()),
         Cell::text(group.law.as_str()),
         Cell::text(behaviours(group)),
-        optional(relative_spread(&peaks), 2),
-        optional((errors.len() > 1).then(|| errors[0] + errors[1]), 2),
-        optional(relative_spread(&periods), 2),
-        optional(seen(least), 6),
-        optional(seen(most), 6),
+        rounded_or_empty(relative_spread(&peaks), 2),
+        rounded_or_empty((errors.len() > 1).then(|| errors[0] + errors[1]), 2),
+        rounded_or_empty(relative_spread(&periods), 2),
+        rounded_or_empty(seen(least), 6),
+        rounded_or_empty(seen(most), 6),
     ]
 }
 

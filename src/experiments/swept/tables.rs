@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use crate::experiments::Context;
 use crate::experiments::Need;
 use crate::experiments::TableMaker;
+use crate::experiments::shared::cells::{count, rounded};
 use crate::experiments::swept::Swept;
 use crate::experiments::swept::figures::{
     all, bin_place, measured, simulated, value_place, word_place, worst_by_effect_ratio,
@@ -12,7 +13,7 @@ use crate::experiments::swept::figures::{
 use crate::experiments::unless_empty;
 use crate::sweep::SummarySection;
 use slipmode_core::number::Rational;
-use slipmode_core::number::format::{rational_to_decimal, round_digits};
+use slipmode_core::number::format::rational_to_decimal;
 use slipmode_plot::table::{Cell, Column, Table};
 
 pub(crate) const TABLES: &[TableMaker] = &[
@@ -53,7 +54,7 @@ fn sweeps(context: &Context) -> Option<Table> {
         table.push(vec![
             Cell::text(&entry.name),
             Cell::text(&swept.title),
-            Cell::number(swept.rows.to_string()),
+            count(swept.rows),
             Cell::number(rational_to_decimal(&entry.core_seconds, CLOCK_DIGITS)),
             Cell::number(rational_to_decimal(&per_row.clone().recip(), CLOCK_DIGITS)),
             Cell::number(hours(10_000_000)),
@@ -93,8 +94,8 @@ fn modes(context: &Context) -> Option<Table> {
         table.push(vec![
             Cell::text(&law),
             if mode.is_empty() { Cell::empty() } else { Cell::text(&mode) },
-            Cell::number(runs.to_string()),
-            Cell::number(round_digits(share, DIGITS)),
+            count(runs),
+            rounded(share, DIGITS),
         ]);
     }
     unless_empty(table)
@@ -125,14 +126,12 @@ fn errors(context: &Context) -> Option<Table> {
     let mut table = Table::new("swept-errors", "Errors of the asymptotes over (β, κ, η)", columns)
         .with_note("For each point, the nearest boundary point in ln σ at the same V0 is compared with its nearer asymptote. Counts are exact; extremes are those of a low-discrepancy sample. Distances are in σ: a factor of 1.26 is 0.1 in log10.");
     for (asymptote, found) in by_asymptote(swept, swept.kept()?)? {
-        let share = |count: u64| Cell::number(round_digits(count as f64 / found.near.max(1) as f64, DIGITS));
-        let extreme = |value: Option<f64>| {
-            value.map_or_else(Cell::empty, |value| Cell::number(round_digits(value, DIGITS)))
-        };
+        let share = |count: u64| rounded(count as f64 / found.near.max(1) as f64, DIGITS);
+        let extreme = |value: Option<f64>| value.map_or_else(Cell::empty, |value| rounded(value, DIGITS));
         table.push(vec![
             if asymptote.is_empty() { Cell::empty() } else { Cell::text(&asymptote) },
-            Cell::number(found.points.to_string()),
-            Cell::number(found.near.to_string()),
+            count(found.points),
+            count(found.near),
             share(found.off[0]),
             share(found.off[1]),
             extreme(found.least),
@@ -185,7 +184,7 @@ fn worst(context: &Context) -> Option<Table> {
     let mut table = Table::new("swept-worst", "Largest errors by quarter decades of β", columns)
         .with_note("The largest log10 distance from the nearer asymptote: in the sweep (sampled) and at the corners for the two ends of the quarter decade (enclosed).");
     for bin in worst_by_effect_ratio(measured(context.outcome)?)? {
-        let number = |value: f64| Cell::number(round_digits(value, DIGITS));
+        let number = |value: f64| rounded(value, DIGITS);
         let derived = |end: usize, arc: usize| bin.derived[end][arc].map_or_else(Cell::empty, number);
         table.push(vec![
             number(bin.effect_ratio[0]),

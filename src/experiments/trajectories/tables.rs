@@ -3,9 +3,10 @@
 use crate::experiments::Context;
 use crate::experiments::Need;
 use crate::experiments::TableMaker;
+use crate::experiments::shared::cells::rounded;
 use crate::experiments::trajectories::TrajectoryRun;
 use crate::experiments::unless_empty;
-use slipmode_core::number::format::{rational_to_decimal, round_digits};
+use slipmode_core::number::format::rational_to_decimal;
 use slipmode_plot::table::{Cell, Column, Table};
 
 pub(crate) const TABLES: &[TableMaker] = &[
@@ -28,11 +29,11 @@ fn runs<'c>(context: &'c Context) -> impl Iterator<Item = &'c TrajectoryRun> {
 fn certain(value: f64, relative_error: f64) -> Cell {
     let digits = -libm::log10(relative_error);
     let digits = if digits >= 1.0 { libm::floor(digits) as usize } else { 1 };
-    Cell::number(round_digits(value, digits.min(MOST_DIGITS)))
+    rounded(value, digits.min(MOST_DIGITS))
 }
 
 fn error(relative: f64) -> Cell {
-    if relative.is_finite() { Cell::number(round_digits(relative, 2)) } else { Cell::empty() }
+    if relative.is_finite() { rounded(relative, 2) } else { Cell::empty() }
 }
 
 fn modes(context: &Context) -> Option<Table> {
@@ -71,17 +72,14 @@ fn mode_row(run: &TrajectoryRun) -> Vec<Cell> {
         Cell::number(rational_to_decimal(&run.point.loading_velocity_m_per_s, 6)),
         Cell::text(run.theory.slip_mode.as_str()),
         number(found.map(|found| Cell::text(found.slip_mode.as_str()))),
-        number(
-            imaginary
-                .map(|imaginary| Cell::number(round_digits(std::f64::consts::TAU / imaginary, MOST_DIGITS))),
-        ),
+        number(imaginary.map(|imaginary| rounded(std::f64::consts::TAU / imaginary, MOST_DIGITS))),
         number(found.and_then(|found| Some(certain(found.period_s?, found.period_relative_error?)))),
         number(found.and_then(|found| found.period_relative_error).map(error)),
         number(found.map(|found| certain(found.peak_velocity_m_per_s / velocity, found.peak_relative_error))),
         number(found.map(|found| error(found.peak_relative_error))),
         number(found.map(|found| certain(found.stress_drop_pa, found.stress_drop_relative_error))),
         number(found.map(|found| error(found.stress_drop_relative_error))),
-        number(run.course.as_ref().ok().map(|course| Cell::number(round_digits(course.free_residual_pa, 1)))),
+        number(run.course.as_ref().ok().map(|course| rounded(course.free_residual_pa, 1))),
         number(failure.map(|failure| Cell::text(failure.to_string()))),
     ]);
     cells
@@ -105,9 +103,9 @@ fn samples(context: &Context) -> Option<Table> {
         for moment in run.course.iter().flat_map(|course| &course.moments) {
             let log10_ratio = moment.log_velocity_ratio / std::f64::consts::LN_10;
             let mut cells = point_cells(run);
-            cells.push(Cell::number(round_digits(moment.time_s, TIME_DIGITS)));
-            cells.push(Cell::number(round_digits(log10_ratio, SAMPLE_DIGITS)));
-            cells.push(Cell::number(round_digits(moment.stress_change_pa, SAMPLE_DIGITS)));
+            cells.push(rounded(moment.time_s, TIME_DIGITS));
+            cells.push(rounded(log10_ratio, SAMPLE_DIGITS));
+            cells.push(rounded(moment.stress_change_pa, SAMPLE_DIGITS));
             table.push(cells);
         }
     }

@@ -1,5 +1,6 @@
 //! Exact slip modes compared with the simplified map of the asymptotes (fig 7).
 
+pub(crate) mod figures;
 pub(crate) mod run;
 pub(crate) mod section;
 pub(crate) mod tables;
@@ -8,11 +9,12 @@ pub use run::{ThresholdShare, ZonesOutcome, compare_zones};
 pub use section::ZonesSection;
 
 use crate::experiments::map::classify_rectangle;
-use crate::experiments::{Experiment, Setting, TableMaker};
+use crate::experiments::{Experiment, FigureMaker, Setting, TableMaker};
 
 impl Experiment for ZonesSection {
     type Outcome = ZonesOutcome;
     const TABLES: &'static [&'static [TableMaker]] = &[tables::TABLES];
+    const FIGURES: &'static [&'static [FigureMaker]] = &[figures::FIGURES];
 
     fn run(&self, setting: &Setting<'_>) -> Option<Self::Outcome> {
         let slider = setting.slider()?;

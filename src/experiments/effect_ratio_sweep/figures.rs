@@ -1,0 +1,48 @@
+//! The figure of the asymptotes' largest errors.
+
+use crate::experiments::effect_ratio_sweep::{SweepOutcome, SweepRow};
+use crate::experiments::{Figure, FigureMaker, Need};
+use slipmode_core::number::Ball;
+use slipmode_plot::figure::{Axis, Caption, LineChart, Reference, Series};
+
+pub(crate) const FIGURES: &[FigureMaker] = &[FigureMaker {
+    id: "corners",
+    needs: &[Need::EffectRatioSweep],
+    data: &["corners"],
+    make: |outcome| worst_errors(outcome.scenes.iter().find_map(|scene| scene.effect_ratio_sweep.as_ref())?),
+}];
+
+const WORST: &str = "Largest error of the asymptotes against the ratio of evolution to direct effect: the largest distance in log10 between the exact boundary and the nearer asymptote, for the upper and the lower arc.";
+
+fn worst_errors(sweep: &SweepOutcome) -> Option<Figure> {
+    let (first, last) = (sweep.rows.first()?, sweep.rows.last()?);
+    let caption = Caption::new("corners", "Largest error of the asymptotes against b/a", WORST);
+    let line = |label: &str, value: &dyn Fn(&SweepRow) -> Option<&Ball>| Series {
+        label: label.into(),
+        points: sweep
+            .rows
+            .iter()
+            .map(|row| (row.effect_ratio.to_f64(), value(row).map_or(f64::NAN, Ball::to_f64)))
+            .collect(),
+        marked: false,
+        theory: false,
+    };
+    let chart = LineChart {
+        caption: caption.clone(),
+        x: Axis::log10("*β* = *b*/*a*", "", first.effect_ratio.to_f64(), last.effect_ratio.to_f64()),
+        y: Axis::linear("Largest log10 distance from the nearer asymptote", "", 0.0, 0.5),
+        series: vec![
+            line("upper arc (eqs 15 and 18)", &|row| row.errors.upper_worst_log10.as_ref()),
+            line("lower arc (eqs 16 and 20)", &|row| Some(&row.errors.lower_worst_log10)),
+        ],
+        references: vec![Reference::Vertical { at: 1.0, label: "*a* = *b*".into() }],
+        bands: Vec::new(),
+        labels: Vec::new(),
+    };
+    Some(Figure::new(
+        caption,
+        "Figure A2",
+        "Largest error of the asymptotes, which depends only on b/a. Every point is an enclosure.",
+        chart.svg(),
+    ))
+}
