@@ -8,11 +8,12 @@ use crate::{licences, machine, process, tidy};
 /// A step's name and what it does.
 type Step = (&'static str, fn() -> Result<(), Failure>);
 
-const STEPS: [Step; 5] = [
+const STEPS: [Step; 6] = [
     ("fmt", format),
     ("tidy", tidy::run),
     ("licences", licences::run),
     ("clippy", clippy),
+    ("core without features", core_without_features),
     ("rustdoc", rustdoc),
 ];
 
@@ -58,6 +59,11 @@ fn format() -> Result<(), Failure> {
 fn clippy() -> Result<(), Failure> {
     let arguments =
         ["clippy", "--workspace", "--all-targets", "--locked", "--quiet", "--", "--deny", "warnings"];
+    process::check(&mut process::cargo(&arguments))
+}
+
+fn core_without_features() -> Result<(), Failure> {
+    let arguments = ["check", "--package", "slipmode-core", "--no-default-features", "--locked", "--quiet"];
     process::check(&mut process::cargo(&arguments))
 }
 

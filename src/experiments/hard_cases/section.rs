@@ -7,7 +7,7 @@ use crate::scene::{Faults, Limits};
 /// `[hard_cases]`: a file of points with references from independent programs.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct HardCasesSection {
-    /// The file's name, safe by [`check_name`]; it has no folder.
+    /// The file's name, safe by `check_name`; it has no folder.
     pub file: String,
     /// The name of a file of returns, if any.
     pub returns: Option<String>,

@@ -2,8 +2,8 @@
 //!
 //! * [`BoundaryCurve`]: the rational curve in its positive parameter (`arc_point`), any number of points at the cost of
 //!   a dozen multiplications each, and single points at given V0 or σ by solving for the parameter;
-//! * [`by_discriminant`]: isolated real roots of the discriminant over ℚ, refined;
-//! * [`by_bisection`]: halving between two points of different exact class.
+//! * `by_discriminant`: isolated real roots of the discriminant over ℚ, refined;
+//! * `by_bisection`: halving between two points of different exact class.
 //!
 //! [`compare_routes`] puts the three side by side.
 
