@@ -140,7 +140,7 @@ impl Replay<'_> {
         self.check_digits(&inputs)?;
         let watch = Watch::start(self.place, self.budget);
         let (folder, read) = read_report_from(Source::Archive(inside.clone(), inputs.clone()), limits)?;
-        let requests = requests(&folder.scenes);
+        let requests = requests(folder.plan.scenes.iter().zip(&folder.scenes));
         self.refuse(self.budget.faults(&requests))?;
         watch.name_requests(&requests);
         let product = recompute(&folder, &inside, progress)?;

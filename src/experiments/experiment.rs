@@ -1,6 +1,6 @@
 //! What an experiment is: a section of a scene, what is computed for it, and the tables and figures that show it.
 
-use crate::experiments::{FigureMaker, References, Scene, SceneOutcome, TableMaker};
+use crate::experiments::{FigureMaker, References, Scene, SceneOutcome, TableMaker, Work};
 use crate::scene::section::ReadSection;
 use slipmode_core::friction::Slider;
 use slipmode_core::number::Rational;
@@ -19,6 +19,9 @@ pub trait Experiment: ReadSection {
 
     /// The figures that show it.
     const FIGURES: &'static [&'static [FigureMaker]] = &[];
+
+    /// What the section asks of the machine.
+    fn work(&self) -> Work;
 
     /// Computes the outcome; `None` when the setting lacks what the section refers to.
     fn run(&self, setting: &Setting<'_>) -> Option<Self::Outcome>;

@@ -27,6 +27,7 @@ pub mod test_experiment;
 pub mod timings;
 pub mod tolerance;
 pub mod trajectories;
+pub mod work;
 pub mod work_precision;
 pub mod zones;
 
@@ -38,6 +39,7 @@ pub use run::{Needs, Progress, all_needs, run};
 pub use scene::check_distinct_scene_names;
 pub use tables::TableMaker;
 pub(crate) use tables::unless_empty;
+pub use work::Work;
 
 use slipmode_core::theory::PaperEquations;
 

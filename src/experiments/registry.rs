@@ -2,7 +2,7 @@
 
 use crate::experiments::experiment::{Experiment, Setting};
 use crate::experiments::scene::{Head, read_experiment};
-use crate::experiments::{FigureMaker, References, TableMaker};
+use crate::experiments::{FigureMaker, References, TableMaker, Work};
 use crate::scene::section::{Section, given};
 use crate::scene::{Faults, Limits, ParametersSection};
 use crate::sweep::SweepSection;
@@ -66,6 +66,15 @@ macro_rules! experiments {
         }
 
         impl Scene {
+            /// What the sections ask of the machine, each with its key.
+            #[must_use]
+            pub fn work(&self) -> Vec<(&'static str, Work)> {
+                [$($(#[cfg($condition)])? (stringify!($key), self.$key.as_ref().map(Experiment::work)),)*]
+                    .into_iter()
+                    .filter_map(|(key, work)| Some((key, work?)))
+                    .collect()
+            }
+
             /// Reads the experiments' sections after the head of a scene.
             pub(super) fn read(
                 head: Head,

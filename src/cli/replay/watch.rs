@@ -42,9 +42,10 @@ impl Watch {
 
     /// Notes what is computed, for the message.
     pub fn name_requests(&self, requests: &[Request]) {
-        let most = requests.iter().max_by(|one, other| one.core_seconds.total_cmp(&other.core_seconds));
-        if let Some(Request { place, what, .. }) = most {
-            let text = format!("; the largest request is {place}: {what}");
+        let most =
+            requests.iter().max_by(|one, other| one.work.core_seconds.total_cmp(&other.work.core_seconds));
+        if let Some(Request { place, work }) = most {
+            let text = format!("; the largest request is {place}: {}", work.what);
             *self.largest.lock().unwrap_or_else(PoisonError::into_inner) = text;
         }
     }

@@ -9,12 +9,17 @@ pub use run::{BoundaryOutcome, END_ERROR, boundary_outcome};
 pub use section::BoundarySection;
 pub use tables::{boundary_columns, boundary_row, vanishes};
 
-use crate::experiments::{Experiment, FigureMaker, Setting, TableMaker};
+use crate::experiments::{Experiment, FigureMaker, Setting, TableMaker, Work};
 
 impl Experiment for BoundarySection {
     type Outcome = BoundaryOutcome;
     const TABLES: &'static [&'static [TableMaker]] = &[tables::TABLES];
     const FIGURES: &'static [&'static [FigureMaker]] = &[figures::FIGURES];
+
+    fn work(&self) -> Work {
+        // On each of two arcs.
+        Work::certified_points(f64::from(self.points) * 2.0, self.digits)
+    }
 
     fn run(&self, setting: &Setting<'_>) -> Option<Self::Outcome> {
         Some(boundary_outcome(setting.slider()?, *self))

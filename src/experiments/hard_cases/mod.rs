@@ -15,7 +15,7 @@ pub use returns::{
 pub use run::{FamilyOutcome, HardCase, compare_hard_cases, read_hard_cases};
 pub use section::HardCasesSection;
 
-use crate::experiments::{Experiment, Requirement, Setting, TableMaker};
+use crate::experiments::{Experiment, Requirement, Setting, TableMaker, Work};
 
 /// How points and returns compare with their references.
 #[derive(Debug, Clone)]
@@ -30,6 +30,10 @@ impl Experiment for HardCasesSection {
     type Outcome = HardCasesOutcome;
     const REQUIREMENT: Requirement = Requirement::Nothing;
     const TABLES: &'static [&'static [TableMaker]] = &[tables::TABLES, return_tables::TABLES];
+
+    fn work(&self) -> Work {
+        Work::on_a_file()
+    }
 
     fn run(&self, setting: &Setting<'_>) -> Option<Self::Outcome> {
         let cases = setting.references.hard_cases.get(&self.file)?;

@@ -9,12 +9,16 @@ pub use run::{MapPoint, classify_rectangle};
 pub use section::MapSection;
 
 use crate::experiments::shared::Grid;
-use crate::experiments::{Experiment, FigureMaker, Setting, TableMaker};
+use crate::experiments::{Experiment, FigureMaker, Setting, TableMaker, Work};
 
 impl Experiment for MapSection {
     type Outcome = Grid<MapPoint>;
     const FIGURES: &'static [&'static [FigureMaker]] = &[figures::FIGURES];
     const TABLES: &'static [&'static [TableMaker]] = &[tables::TABLES];
+
+    fn work(&self) -> Work {
+        Work::map(&self.rectangle)
+    }
 
     fn run(&self, setting: &Setting<'_>) -> Option<Self::Outcome> {
         Some(classify_rectangle(setting.slider()?, &self.rectangle, &setting.threshold()))

@@ -12,13 +12,20 @@ pub use cycle_families::{AmplitudeDeviation, CycleFamilyOutcome, FamilyCycle};
 pub use run::{NearRun, NearTransitionOutcome, near_transition};
 pub use section::NearTransitionSection;
 
-use crate::experiments::{Experiment, FigureMaker, Requirement, Setting, TableMaker};
+use crate::experiments::{Experiment, FigureMaker, Requirement, Setting, TableMaker, Work};
+use slipmode_core::number::nearest_f64;
 
 impl Experiment for NearTransitionSection {
     type Outcome = NearTransitionOutcome;
     const REQUIREMENT: Requirement = Requirement::CriticalNormalStress;
     const TABLES: &'static [&'static [TableMaker]] = &[tables::TABLES];
     const FIGURES: &'static [&'static [FigureMaker]] = &[figures::FIGURES];
+
+    fn work(&self) -> Work {
+        let grid = self.inertial_parameter.len() as f64 * self.stiffness_over_critical.len() as f64;
+        let runs = (grid + self.edge_inertial_parameter.len() as f64) * 10.0;
+        Work::simulations(runs, nearest_f64(&self.tolerance))
+    }
 
     fn run(&self, setting: &Setting<'_>) -> Option<Self::Outcome> {
         Some(near_transition(setting.slider()?, self))

@@ -12,12 +12,19 @@ pub use run::{Onset, OnsetOutcome, OtherUnit, ShownRun, onset};
 pub use search::{Located, SeenOnset};
 pub use section::OnsetSection;
 
-use crate::experiments::{Experiment, FigureMaker, Setting, TableMaker};
+use crate::experiments::work::SEARCH_RUNS;
+use crate::experiments::{Experiment, FigureMaker, Setting, TableMaker, Work};
+use slipmode_core::number::nearest_f64;
 
 impl Experiment for OnsetSection {
     type Outcome = OnsetOutcome;
     const TABLES: &'static [&'static [TableMaker]] = &[tables::TABLES];
     const FIGURES: &'static [&'static [FigureMaker]] = &[figures::FIGURES];
+
+    fn work(&self) -> Work {
+        let runs = SEARCH_RUNS * self.laws.len() as f64 + self.velocity_over_asymptote.len() as f64;
+        Work::simulations(runs * self.normal_stress_pa.len() as f64, nearest_f64(&self.tolerance))
+    }
 
     fn run(&self, setting: &Setting<'_>) -> Option<Self::Outcome> {
         Some(onset(setting.slider()?, self, &setting.threshold()))

@@ -14,12 +14,21 @@ pub use scheme::{AFFORDABLE_STEPS, SchemePeak};
 pub use section::OriginalSchemeSection;
 pub use stability::{SchemeMapRow, SchemeTransition, critical_shift};
 
-use crate::experiments::{Experiment, FigureMaker, Setting, TableMaker};
+use crate::experiments::work::{SEARCH_RUNS, rectangle_points};
+use crate::experiments::{Experiment, FigureMaker, Setting, TableMaker, Work};
+use slipmode_core::number::nearest_f64;
 
 impl Experiment for OriginalSchemeSection {
     type Outcome = OriginalSchemeOutcome;
     const TABLES: &'static [&'static [TableMaker]] = &[tables::TABLES];
     const FIGURES: &'static [&'static [FigureMaker]] = &[figures::FIGURES];
+
+    fn work(&self) -> Work {
+        let steps: f64 = self.steps.iter().map(|step| 1.0 / nearest_f64(step)).sum();
+        let places = rectangle_points(&self.rectangle) + self.places.len() as f64;
+        let searched = self.least_peak_stresses_pa.len() as f64 * SEARCH_RUNS;
+        Work::simulations((places + searched) * steps, 1e-8)
+    }
 
     fn run(&self, setting: &Setting<'_>) -> Option<Self::Outcome> {
         Some(original_scheme(setting.slider()?, self))

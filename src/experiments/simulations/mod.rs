@@ -12,13 +12,20 @@ pub use least_peak::{FLATNESS_LEVELS, LeastPeak, SIDE_WIDTH, least_peaks};
 pub use run::{SimulatedPoint, SimulationsOutcome, simulations};
 pub use section::SimulationsSection;
 
-use crate::experiments::{Experiment, FigureMaker, Setting, TableMaker};
+use crate::experiments::work::rectangle_points;
+use crate::experiments::{Experiment, FigureMaker, Setting, TableMaker, Work};
+use slipmode_core::number::nearest_f64;
 
 impl Experiment for SimulationsSection {
     type Outcome = SimulationsOutcome;
     const TABLES: &'static [&'static [TableMaker]] = &[tables::TABLES];
     const FIGURES: &'static [&'static [FigureMaker]] =
         &[least_peak_figures::FIGURES, map_figure::FIGURES, overshoot_figure::FIGURES];
+
+    fn work(&self) -> Work {
+        let runs = rectangle_points(&self.rectangle) * self.laws.len() as f64;
+        Work::simulations(runs, nearest_f64(&self.tolerance))
+    }
 
     fn run(&self, setting: &Setting<'_>) -> Option<Self::Outcome> {
         Some(simulations(setting.slider()?, self, &setting.threshold()))

@@ -44,12 +44,27 @@ pub fn speed_counts(parameters: &Slider<Rational>, section: &SpeedCountsSection)
 }
 pub use section::SpeedCountsSection;
 
-use crate::experiments::{Experiment, FigureMaker, Setting, TableMaker};
+use crate::experiments::work::{DECISION_S, certified_point_s};
+use crate::experiments::{Experiment, FigureMaker, Setting, TableMaker, Work};
 
 impl Experiment for SpeedCountsSection {
     type Outcome = SpeedCounts;
     const TABLES: &'static [&'static [TableMaker]] = &[tables::TABLES];
     const FIGURES: &'static [&'static [FigureMaker]] = &[figures::FIGURES];
+
+    fn work(&self) -> Work {
+        let points = f64::from(self.points) + f64::from(self.textbook_points) * 10.0;
+        let digits = self.digits.iter().map(|digits| f64::from(*digits));
+        let certified: f64 = digits.clone().map(certified_point_s).sum();
+        let runs = f64::from(self.sweep_side) * f64::from(self.sweep_side);
+        let runs = Work::simulations_at_each(runs, &self.tolerances);
+        Work {
+            what: format!("{points} points and {}", runs.what),
+            core_seconds: points * DECISION_S + f64::from(self.cubics) * certified + runs.core_seconds,
+            digits: digits.fold(0.0, f64::max),
+            ..Work::points(points / 10.0, DECISION_S)
+        }
+    }
 
     fn run(&self, setting: &Setting<'_>) -> Option<Self::Outcome> {
         Some(speed_counts(setting.slider()?, self))

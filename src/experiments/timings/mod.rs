@@ -37,12 +37,16 @@ pub struct Timings {
 }
 pub use section::TimingsSection;
 
-use crate::experiments::{Experiment, Requirement, Setting, TableMaker};
+use crate::experiments::{Experiment, Requirement, Setting, TableMaker, Work};
 
 impl Experiment for TimingsSection {
     type Outcome = Timings;
     const REQUIREMENT: Requirement = Requirement::Nothing;
     const TABLES: &'static [&'static [TableMaker]] = &[tables::TABLES, coverage_table::TABLES];
+
+    fn work(&self) -> Work {
+        Work::on_a_file()
+    }
 
     fn run(&self, setting: &Setting<'_>) -> Option<Self::Outcome> {
         setting.references.timings.get(self).cloned()

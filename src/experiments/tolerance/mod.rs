@@ -9,12 +9,17 @@ pub use run::{ToleranceOutcome, ToleranceRow, tolerance_limits};
 pub use section::ToleranceSection;
 pub use tables::place_of_limit;
 
-use crate::experiments::{Experiment, FigureMaker, Setting, TableMaker};
+use crate::experiments::work::certified_point_s;
+use crate::experiments::{Experiment, FigureMaker, Setting, TableMaker, Work};
 
 impl Experiment for ToleranceSection {
     type Outcome = ToleranceOutcome;
     const TABLES: &'static [&'static [TableMaker]] = &[tables::TABLES];
     const FIGURES: &'static [&'static [FigureMaker]] = &[figures::FIGURES];
+
+    fn work(&self) -> Work {
+        Work::points(self.relative.len() as f64, 100.0 * certified_point_s(0.0))
+    }
 
     fn run(&self, setting: &Setting<'_>) -> Option<Self::Outcome> {
         Some(tolerance_limits(setting.slider()?, self))

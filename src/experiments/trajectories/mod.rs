@@ -11,12 +11,18 @@ pub(crate) mod thinning;
 pub use run::{Course, DRAWING_TOLERANCE, Moment, TrajectoryRun, trajectories};
 pub use section::{TrajectoriesSection, TrajectoryPoint};
 
-use crate::experiments::{Experiment, FigureMaker, Setting, TableMaker};
+use crate::experiments::{Experiment, FigureMaker, Setting, TableMaker, Work};
+use slipmode_core::number::nearest_f64;
 
 impl Experiment for TrajectoriesSection {
     type Outcome = Vec<TrajectoryRun>;
     const TABLES: &'static [&'static [TableMaker]] = &[tables::TABLES];
     const FIGURES: &'static [&'static [FigureMaker]] = &[figures::FIGURES, phase_portraits::FIGURES];
+
+    fn work(&self) -> Work {
+        let runs = self.points.iter().map(|point| point.laws.len()).sum::<usize>();
+        Work::simulations(runs as f64, nearest_f64(&self.tolerance))
+    }
 
     fn run(&self, setting: &Setting<'_>) -> Option<Self::Outcome> {
         Some(trajectories(setting.slider()?, self, &setting.threshold()))

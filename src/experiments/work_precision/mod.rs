@@ -11,12 +11,17 @@ pub use run::{
 };
 pub use section::WorkPrecisionSection;
 
-use crate::experiments::{Experiment, FigureMaker, Setting, TableMaker};
+use crate::experiments::work::SEARCH_RUNS;
+use crate::experiments::{Experiment, FigureMaker, Setting, TableMaker, Work};
 
 impl Experiment for WorkPrecisionSection {
     type Outcome = Vec<WorkCase>;
     const TABLES: &'static [&'static [TableMaker]] = &[tables::TABLES];
     const FIGURES: &'static [&'static [FigureMaker]] = &[figures::FIGURES];
+
+    fn work(&self) -> Work {
+        Work::simulations(self.places.len() as f64 * SEARCH_RUNS, 1e-8)
+    }
 
     fn run(&self, setting: &Setting<'_>) -> Option<Self::Outcome> {
         Some(work_precision(setting.slider()?, self))

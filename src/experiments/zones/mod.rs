@@ -9,12 +9,16 @@ pub use run::{ThresholdShare, ZonesOutcome, compare_zones};
 pub use section::ZonesSection;
 
 use crate::experiments::map::classify_rectangle;
-use crate::experiments::{Experiment, FigureMaker, Setting, TableMaker};
+use crate::experiments::{Experiment, FigureMaker, Setting, TableMaker, Work};
 
 impl Experiment for ZonesSection {
     type Outcome = ZonesOutcome;
     const TABLES: &'static [&'static [TableMaker]] = &[tables::TABLES];
     const FIGURES: &'static [&'static [FigureMaker]] = &[figures::FIGURES];
+
+    fn work(&self) -> Work {
+        Work::map(&self.rectangle)
+    }
 
     fn run(&self, setting: &Setting<'_>) -> Option<Self::Outcome> {
         let slider = setting.slider()?;
