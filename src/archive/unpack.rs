@@ -221,8 +221,8 @@ mod tests {
     fn damage_is_an_error() {
         let content: Vec<u8> = (0..2000_u32).map(|i| (i * i % 251) as u8).collect();
         let whole = with_file("a.bin", &content);
-        assert_refused(&whole[..whole.len() - 30], "is not a whole zip file");
-        assert_refused(b"", "is not a whole zip file");
+        assert_refused(&whole[..whole.len() - 30], "is not a complete zip file");
+        assert_refused(b"", "is not a complete zip file");
         let mut flipped = whole.clone();
         flipped[100] ^= 4;
         assert_refused(&flipped, "a.bin");

@@ -68,7 +68,7 @@ fn a_flipped_byte_anywhere_is_noticed() {
         assert!(!ended.stderr.is_empty() && !ended.stderr.contains("panicked"), "{}", ended.stderr);
     }
     place.write("cut.zip", &whole[..whole.len() - 100]);
-    place.run(["replay", "cut.zip"]).expect_refusal(&["cut.zip: is not a whole zip file"]);
+    place.run(["replay", "cut.zip"]).expect_refusal(&["cut.zip: is not a complete zip file"]);
     place.run(["replay", "missing.zip"]).expect_refusal(&["missing.zip"]);
 }
 
@@ -185,7 +185,7 @@ fn one_claim_is_decided_alone() {
         .expect_refusal(&["--claim = b8: the report lists no such claim; did you mean B8?"]);
     place
         .run(["verify", "small", "--claim", "N1"])
-        .expect_refusal(&["--claim = N1: the report lists no such claim; it is one of the paper's"]);
+        .expect_refusal(&["--claim = N1: the report lists no such claim; it is a claim of the paper"]);
     place.run(["verify", "smal"]).expect_refusal(&["smal: cannot be read: no such folder"]);
     place
         .run(["diff", "small", "small"])

@@ -75,8 +75,8 @@ fn names_that_meet_are_refused() {
 fn damage_is_named() {
     let content: Vec<u8> = (0..2000_u32).map(|i| (i * i % 251) as u8).collect();
     let whole = packed(|writer| add(writer, "a.bin", &content));
-    refuse(b"", "is not a whole zip file");
-    refuse(&whole[..whole.len() - 30], "is not a whole zip file");
+    refuse(b"", "is not a complete zip file");
+    refuse(&whole[..whole.len() - 30], "is not a complete zip file");
     refuse(&whole[whole.len() / 2..], "a.zip: ");
     let mut wrong_checksum = whole.clone();
     // Bytes 14 to 17 of the local header and 16 to 19 of the directory's entry hold the checksum.
