@@ -6,7 +6,7 @@ mod tables;
 
 pub use section::TestExperimentSection;
 
-use crate::experiments::{Experiment, Requirement, Setting, TableMaker};
+use crate::experiments::{Experiment, Requirement, Setting, TableMaker, Work};
 use run::quasi_static_critical_stiffness;
 use slipmode_core::number::Rational;
 
@@ -14,6 +14,10 @@ impl Experiment for TestExperimentSection {
     type Outcome = Vec<Rational>;
     const REQUIREMENT: Requirement = Requirement::CriticalNormalStress;
     const TABLES: &'static [&'static [TableMaker]] = &[tables::TABLES];
+
+    fn work(&self) -> Work {
+        Work::on_a_file()
+    }
 
     fn run(&self, setting: &Setting<'_>) -> Option<Self::Outcome> {
         Some(quasi_static_critical_stiffness(setting.slider()?, self))
