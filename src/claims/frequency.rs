@@ -80,12 +80,9 @@ fn q3(context: &Context) -> Finding {
     let Some(line) = outcome.lines.iter().find(|line| line.normal_stress_over_critical == one) else {
         return finding;
     };
-    // Eq 23 per velocity: √((b−a)/a)/D_c.
-    let effects =
-        (parameters.evolution_effect.clone() - &parameters.direct_effect) / &parameters.direct_effect;
-    let per_metre = effects.to_f64().sqrt() / parameters.critical_slip_distance_m.to_f64();
-    let natural =
-        (parameters.stiffness_pa_per_m.clone() / &parameters.mass_per_area_kg_per_m2).to_f64().sqrt();
+    let enclosed = parameters.map(|value| Ball::from_rational(value, 128));
+    let per_metre = enclosed.transition_angular_frequency_over_velocity_per_m().to_f64();
+    let natural = enclosed.natural_angular_frequency_per_s().to_f64();
     finding.with_supporting(last_velocity_near(outcome, line, per_metre)).with_supporting(Evidence::Sample {
         quantity: "max Im(s)/ω_n at the highest velocity of the line".into(),
         value: round_digits(

@@ -8,8 +8,8 @@ use crate::experiments::near_transition::{
 };
 use crate::experiments::{Outcome, SceneOutcome};
 use slipmode_core::friction::EvolutionLaw;
-use slipmode_core::number::Rational;
 use slipmode_core::number::format::{rational_to_decimal, round_digits};
+use slipmode_core::number::{Rational, nearest_f64};
 use slipmode_core::theory::hopf::{
     Criticality, coefficient, degenerate_inertial_parameter, quasi_static_centre,
 };
@@ -129,7 +129,7 @@ fn within_strip(
 /// Where the strip lies in the plane of the paper's maps, and whether the grid could show it.
 fn place(scene: &SceneOutcome, near: &NearTransitionOutcome) -> Option<String> {
     let parameters = scene.slider()?;
-    let limit = degenerate_inertial_parameter(parameters.effect_ratio().to_f64());
+    let limit = degenerate_inertial_parameter(nearest_f64(&parameters.effect_ratio()));
     let [velocity, stress] = place_on_transition(parameters, limit);
     let edges = near.families.iter().filter_map(|family| family.edge.as_ref().ok()?.as_ref());
     let width = edges.map(|edge| edge.width_dex).fold(0.0, f64::max);

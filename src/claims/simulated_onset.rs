@@ -6,7 +6,7 @@ use crate::experiments::onset::{Located, Onset, OnsetOutcome, OtherUnit, SeenOns
 use slipmode_core::dynamics::Behaviour;
 use slipmode_core::friction::Slider;
 use slipmode_core::number::format::{certain_digits, rational_to_decimal, round_digits};
-use slipmode_core::number::{Ball, Rational};
+use slipmode_core::number::{Ball, Rational, nearest_f64};
 use slipmode_core::stability::Asymptote;
 use slipmode_core::theory::emergence;
 
@@ -107,7 +107,7 @@ fn assess(finding: Finding, compared: &Compared) -> Finding {
             format!(
                 "at σ = {stress} Pa oscillation begins at {} times the velocity of eq 20, although its series allows at most {} %",
                 round_digits(1.0 + compared.excess.to_f64(), 4),
-                round_digits(100.0 * compared.leading.to_f64() * f64::from(LEADING_ERRORS), 3)
+                round_digits(100.0 * nearest_f64(&compared.leading) * f64::from(LEADING_ERRORS), 3)
             )
         });
     line.seen.iter().fold(finding, |finding, seen| {
@@ -157,7 +157,7 @@ fn unit(finding: Finding, others: &[OtherUnit]) -> Finding {
 
 fn limit(outcome: &OnsetOutcome, compared: &[Compared]) -> String {
     let percent = |value: f64| round_digits(100.0 * value, 3);
-    let visible = percent(outcome.visible.to_f64());
+    let visible = percent(nearest_f64(&outcome.visible));
     let each = |one: &Compared| {
         let inertial = one
             .line

@@ -5,6 +5,7 @@ use crate::claims::{Evidence, Finding};
 use crate::experiments::Context;
 use crate::experiments::Outcome;
 use slipmode_core::number::format::round_digits;
+use slipmode_core::number::nearest_f64;
 use slipmode_core::stability::SlipMode;
 
 pub(super) fn rises((first, second): &(&Run, &Run)) -> bool {
@@ -91,7 +92,7 @@ pub(super) fn n10(context: &Context) -> Result<Finding, Finding> {
         .outcome
         .potentially_unstable()
         .and_then(|scene| scene.slider())
-        .map(|p| (p.mass_per_area_kg_per_m2.clone() / &p.stiffness_pa_per_m).to_f64().sqrt())
+        .map(|slider| 1.0 / slider.map(nearest_f64).natural_angular_frequency_per_s())
         .map(|unit| std::f64::consts::TAU * unit)
         .ok_or_else(|| Finding::not_checked("The scene has no parameters."))?;
     let modes = [SlipMode::HarmonicVibration, SlipMode::InertialUnderdampedOscillation];

@@ -14,6 +14,7 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use slipmode::comparison::Agreement;
 use slipmode::scene::{AllowedRange, Problem};
+use slipmode_core::number::nearest_f64;
 
 use crate::cli::environment::Environment;
 use crate::cli::failure::Failure;
@@ -23,7 +24,7 @@ use crate::cli::points::Started;
 use crate::cli::progress::Progress;
 use crate::cli::terminal::{self, count_of};
 use crate::cli::words::law_of_word;
-use rows::{CompareRows, ComparedRow, nearest_number};
+use rows::{CompareRows, ComparedRow};
 
 /// Options of `compare`.
 #[derive(Debug, Args)]
@@ -113,7 +114,7 @@ impl Options {
         Ok(CompareRows {
             folder: folder.unwrap_or(Path::new(".")).to_path_buf(),
             law,
-            tolerance: tolerance.map_or(0.0, |tolerance| nearest_number(&tolerance)),
+            tolerance: tolerance.map_or(0.0, |tolerance| nearest_f64(&tolerance)),
             keeps_recordings: self.report.is_some(),
         })
     }

@@ -6,6 +6,7 @@ use super::{
 };
 use crate::comparison::recording::{Measured, RecordedBehaviour, RecordedDecay};
 use slipmode_core::dynamics::{Behaviour, Simulation};
+use slipmode_core::number::nearest_f64;
 
 /// A run compared with theory and simulation.
 #[derive(Debug, Clone, PartialEq)]
@@ -80,7 +81,7 @@ impl Side<'_> {
             self.compare_stated(observable, value, &mut findings);
         }
         if let Some(recording) = &self.run.recording {
-            let level = self.run.parameters.point.loading_velocity_m_per_s.to_f64();
+            let level = nearest_f64(&self.run.parameters.point.loading_velocity_m_per_s);
             match recording.long_term(libm::log(level), self.returns_per_cycle()) {
                 Ok(RecordedBehaviour::Cycle { peak_ratio, period_s, stress_drop_pa }) => {
                     self.compare_mode(

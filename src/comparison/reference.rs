@@ -4,7 +4,7 @@ use rug::Float;
 
 use slipmode_core::dynamics::{Behaviour, Simulation};
 use slipmode_core::friction::{EvolutionLaw, Parameters, SlipMode};
-use slipmode_core::number::Rational;
+use slipmode_core::number::{Rational, nearest_f64};
 use slipmode_core::roots::certified_roots;
 use slipmode_core::stability::{InertialThreshold, SpectralClass, classify};
 
@@ -38,7 +38,7 @@ impl Theory {
     pub fn of(parameters: &Parameters<Rational>) -> Self {
         let found = classify(parameters, &InertialThreshold::default());
         let critical = parameters.critical_stiffness();
-        let ratio = || Rational::from(&parameters.slider.stiffness_pa_per_m / &critical).to_f64();
+        let ratio = || nearest_f64(&Rational::from(&parameters.slider.stiffness_pa_per_m / &critical));
         let roots = certified_roots(&parameters.characteristic_cubic_per_s(), DIGITS).roots;
         // Real roots come first, ascending; the pair last.
         let last = roots.last();

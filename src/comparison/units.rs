@@ -3,7 +3,7 @@
 use super::findings::compare_as_stated;
 use super::{Agreement, Observable, Simulate, StatedRun, Value};
 use crate::scene::Quantity;
-use slipmode_core::number::Rational;
+use slipmode_core::number::{Rational, nearest_f64};
 
 /// A guess: one value is in another unit.
 struct Guess {
@@ -80,7 +80,7 @@ impl Guess {
                 let factor = if self.power == 0 {
                     std::f64::consts::TAU.recip()
                 } else {
-                    power_of_ten(self.power).to_f64()
+                    nearest_f64(&power_of_ten(self.power))
                 };
                 self.apply_to_observables(&mut other, of, factor)?;
             }

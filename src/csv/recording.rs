@@ -2,7 +2,7 @@
 
 use crate::comparison::recording::{LEAST_SAMPLES, Recording};
 use crate::scene::{AllowedRange, CsvProblem, Fault, Faults, Problem};
-use slipmode_core::number::{Rational, parse_decimal, parse_short_decimal};
+use slipmode_core::number::{Rational, nearest_f64, parse_decimal, parse_short_decimal};
 
 use crate::csv::header::{absent, column_faults, names};
 use crate::csv::rows::{Row, RowReader};
@@ -163,11 +163,11 @@ fn number(cell: &[u8], must_be_positive: bool) -> Result<f64, Problem> {
         return Ok(short.hi());
     }
     if must_be_positive {
-        return AllowedRange::PHYSICAL.parse(text).map(|value| value.to_f64());
+        return AllowedRange::PHYSICAL.parse(text).map(|value| nearest_f64(&value));
     }
     let value =
         parse_decimal(text).map_err(|reason| Problem::NotANumber { reason, allowed: SIGNED.into() })?;
     let limit = parse_decimal("1e300").unwrap_or_default();
     let size = Rational::from(value.abs_ref());
-    if size <= limit { Ok(value.to_f64()) } else { Err(Problem::OutOfRange { allowed: SIGNED.into() }) }
+    if size <= limit { Ok(nearest_f64(&value)) } else { Err(Problem::OutOfRange { allowed: SIGNED.into() }) }
 }

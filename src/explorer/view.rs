@@ -6,8 +6,8 @@ use crate::experiments::shared::axes::{asymptote_lines, boundary_lines, transiti
 use crate::explorer::formulas::{self, FORMULAS, formula_values};
 use crate::explorer::tables::one_at_a_time;
 use crate::explorer::{Factors, Families, NamedPoint, PointState};
-use slipmode_core::number::Rational;
 use slipmode_core::number::format::{rational_to_decimal, round_digits};
+use slipmode_core::number::{Rational, nearest_f64};
 use slipmode_core::stability::boundary::BoundaryPoint;
 use slipmode_plot::figure::{Axis, Caption, FamilyMap, Line, LineRole, PointMark, Side, packed};
 
@@ -210,7 +210,7 @@ fn map(families: &Families, window: Window) -> FamilyMap {
         lines
     });
     let [_, stiffnesses, masses] = &families.factors;
-    let decades = |factor: &Rational| libm::log10(factor.to_f64());
+    let decades = |factor: &Rational| libm::log10(nearest_f64(factor));
     FamilyMap {
         caption: Caption::new("explorer-map", TITLE, DESCRIPTION),
         members: members.collect(),
@@ -227,13 +227,13 @@ fn map(families: &Families, window: Window) -> FamilyMap {
 }
 
 fn mark(point: &NamedPoint, x: &Axis) -> PointMark {
-    let velocity = point.loading_velocity_m_per_s.to_f64();
+    let velocity = nearest_f64(&point.loading_velocity_m_per_s);
     // Above, where a neighbour at the same normal stress is not in its way; at the edge there is no room for half of it.
     let at_the_edge = x.position(velocity).is_some_and(|at| at > 0.95);
     PointMark {
         label: format!("**{}**", point.name),
         x: velocity,
-        y: point.normal_stress_pa.to_f64(),
+        y: nearest_f64(&point.normal_stress_pa),
         side: if at_the_edge { Side::Left } else { Side::Above },
     }
 }

@@ -1,9 +1,7 @@
 //! Logarithmic axes: their limits, and their coordinates, the same bits on every machine.
+use rug::Float;
 
-use rug::float::Round;
-use rug::{Assign, Float};
-
-use slipmode_core::number::Rational;
+use slipmode_core::number::{Rational, nearest_f64};
 
 /// What a scene may ask for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -63,7 +61,7 @@ impl LogCoordinates {
     pub fn of(axis: &LogAxis) -> Self {
         let ends = [&axis.from, &axis.to].map(|end| Float::with_val(WORKING_BITS, end));
         Self {
-            ends: ends.clone().map(nearest_f64),
+            ends: [&axis.from, &axis.to].map(nearest_f64),
             log10_ends: ends.map(Float::log10),
             intervals: axis.points.saturating_sub(1).max(1),
         }
@@ -80,16 +78,10 @@ impl LogCoordinates {
             index => {
                 let weighted = Float::with_val(WORKING_BITS, first * (self.intervals - index))
                     + Float::with_val(WORKING_BITS, last * index);
-                nearest_f64(Float::exp10(weighted / self.intervals))
+                Float::with_val(SETTLED_BITS, Float::exp10(weighted / self.intervals)).to_f64()
             }
         }
     }
-}
-
-fn nearest_f64(value: Float) -> f64 {
-    let mut rounded_twice = Float::new(SETTLED_BITS);
-    rounded_twice.assign(&value);
-    rounded_twice.to_f64_round(Round::Nearest)
 }
 
 #[cfg(test)]

@@ -6,7 +6,7 @@ use crate::scene::{LogAxis, Quantity};
 use crate::sweep::low_discrepancy::LowDiscrepancy;
 use crate::sweep::{Coordinate, Spacing, Span, SweepPoints};
 use slipmode_core::friction::Parameters;
-use slipmode_core::number::{Dd, Rational};
+use slipmode_core::number::{Dd, Rational, nearest_f64};
 
 /// A point: the values of those quantities that vary; the others are not looked at.
 pub type Varying = [f64; 7];
@@ -128,10 +128,6 @@ fn axis_values(span: &Span, points: u32) -> Vec<f64> {
             (0..points).map(|index| nearest_f64(&(from.clone() + step.clone() * index))).collect()
         }
     }
-}
-
-fn nearest_f64(value: &Rational) -> f64 {
-    Float::with_val(53, value).to_f64()
 }
 
 impl Stretch {

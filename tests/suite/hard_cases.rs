@@ -1,7 +1,7 @@
 //! Hard cases with answers from PARI/GP and FLINT (tests/vectors): every sign right, every number to its promise.
 
 use slipmode_core::friction::{Groups, Parameters};
-use slipmode_core::number::{Rational, parse_decimal};
+use slipmode_core::number::{Rational, nearest_f64, parse_decimal};
 use slipmode_core::roots::certified_roots;
 use slipmode_core::stability::{InertialThreshold, classify};
 
@@ -29,7 +29,7 @@ pub fn decimal(text: &str) -> Rational {
 pub fn assert_within(found: &Rational, expected: &str, measure: &str, tolerance: &str, what: &str) {
     let error = (found - decimal(expected)).abs();
     let allowed = decimal(measure).abs() * decimal(tolerance);
-    assert!(error <= allowed, "{what}: found {}, expected {expected}", found.to_f64());
+    assert!(error <= allowed, "{what}: found {}, expected {expected}", nearest_f64(&found));
 }
 
 /// Inputs with these groups: every unit is 1.

@@ -6,7 +6,7 @@ use std::hint::black_box;
 use std::time::Instant;
 
 use slipmode_core::friction::{Parameters, Slider};
-use slipmode_core::number::{Rational, parse_decimal};
+use slipmode_core::number::{Rational, nearest_f64, parse_decimal};
 use slipmode_core::stability::batch::{GridKernel, PrecisionCounts, SignPair, classify_points, grid_values};
 use slipmode_core::stability::{InertialThreshold, classify};
 
@@ -50,7 +50,7 @@ fn cardano_row(slider: &Slider<f64>, velocity: f64, stresses: &[f64], cells: &mu
 fn grid_case(name: &str, slider: &Slider<Rational>) {
     let (velocities, stresses) = (axis(-7.0, 1.0, SIDE), axis(2.0, 9.0, SIDE));
     let kernel = GridKernel::new(slider, &stresses).unwrap();
-    let slider_64 = slider.map(Rational::to_f64);
+    let slider_64 = slider.map(nearest_f64);
     let (mut exact_cells, mut cardano_cells) =
         (vec![SignPair::new(0, 0); SIDE * SIDE], vec![SignPair::new(0, 0); SIDE * SIDE]);
     let (mut exact_times, mut cardano_times) = (Vec::new(), Vec::new());

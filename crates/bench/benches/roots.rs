@@ -11,7 +11,7 @@ use std::time::Instant;
 
 use clock::best_of;
 use rug::{Assign, Float, Integer};
-use slipmode_core::number::{Rational, bits_for_digits, parse_decimal};
+use slipmode_core::number::{Rational, bits_for_digits, nearest_f64, parse_decimal};
 use slipmode_core::roots::{Pair, binary64, certified_roots};
 
 const REPETITIONS: usize = 5;
@@ -34,7 +34,7 @@ fn cubics() -> Vec<[Rational; 4]> {
 fn newton_at_full_precision(cubic: &[Rational; 4], digits: u32) -> [Float; 3] {
     let precision = bits_for_digits(digits) + 64;
     let [c0, c1, c2, c3] = cubic.each_ref().map(|c| Float::with_val(precision, c));
-    let start = binary64::roots(cubic.each_ref().map(Rational::to_f64)).real.value;
+    let start = binary64::roots(cubic.each_ref().map(nearest_f64)).real.value;
     let mut root = Float::with_val(precision, start);
     let mut steps = 0;
     loop {
@@ -149,7 +149,7 @@ fn main() {
         );
     }
     costs_in_products(&cubics, &hard_cubics());
-    let rounded: Vec<[f64; 4]> = cubics.iter().map(|cubic| cubic.each_ref().map(Rational::to_f64)).collect();
+    let rounded: Vec<[f64; 4]> = cubics.iter().map(|cubic| cubic.each_ref().map(nearest_f64)).collect();
     let start = Instant::now();
     let mut open = 0;
     for _ in 0..20_000 {

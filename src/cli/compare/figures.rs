@@ -5,6 +5,7 @@ use slipmode::comparison::{Observable, Reference};
 use slipmode::report::FigureView;
 use slipmode_core::dynamics::{Behaviour, Control, Model, Radau, trajectory};
 use slipmode_core::number::format::round_digits;
+use slipmode_core::number::nearest_f64;
 use slipmode_plot::figure::{Axis, Band, Caption, LineChart, Series};
 
 use crate::cli::compare::rows::ComparedRow;
@@ -93,7 +94,7 @@ fn last(rows: &[ComparedRow]) -> f64 {
 /// The last cycle of a trajectory and of our run, both from their upward crossing of V_l on.
 fn long_term_cycles(row: &ComparedRow) -> Option<FigureView> {
     let recording = row.run.recording.as_ref()?;
-    let level = row.run.parameters.point.loading_velocity_m_per_s.to_f64();
+    let level = nearest_f64(&row.run.parameters.point.loading_velocity_m_per_s);
     let theirs = last_cycle(recording, level)?;
     let ours = last_cycle(&our_recording(row)?, level)?;
     let both = || theirs.iter().chain(&ours);
@@ -150,14 +151,14 @@ fn our_recording(row: &ComparedRow) -> Option<Recording> {
     let found = row.comparison.simulation.as_ref().ok()?;
     let period_s = found.period_s.filter(|_| found.behaviour == Behaviour::Periodic)?;
     let parameters = &row.run.parameters;
-    let rate_per_s = parameters.rate_per_s().to_f64();
-    let model = Model::new(parameters.groups().map(|group| group.to_f64()), row.run.law);
+    let rate_per_s = nearest_f64(&parameters.rate_per_s());
+    let model = Model::new(parameters.groups().map(nearest_f64), row.run.law);
     let options = Settings { tolerance: found.peak_relative_error, start: row.start }.options();
     let start = row.start.state(&model, &libm::log(options.velocity_ratio));
     let control = Control { local_tolerance: found.local_tolerance, most_steps: MOST_STEPS };
     let until = PERIODS * period_s * rate_per_s;
     let run = trajectory(&model, Radau::<f64, 5>::new(), start, control, until, SAMPLES_PER_STEP).ok()?;
-    let level = libm::log(parameters.point.loading_velocity_m_per_s.to_f64());
+    let level = libm::log(nearest_f64(&parameters.point.loading_velocity_m_per_s));
     Some(Recording {
         times_s: run.samples.iter().map(|sample| sample.time / rate_per_s).collect(),
         log_velocities: run.samples.iter().map(|sample| sample.state[0] + level).collect(),

@@ -3,14 +3,13 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use rug::Float;
 use slipmode::comparison::recording::Recording;
 use slipmode::comparison::{Agreement, Comparison, Observable, StatedMode, StatedRun, compare_run};
 use slipmode::csv::{Cells, Remark, RowWork, misnamed, read_recording};
 use slipmode::scene::{AllowedRange, CsvProblem, Faults, Problem, Quantity, check_name, nearest};
 use slipmode_core::dynamics::Start;
 use slipmode_core::friction::{EvolutionLaw, Parameters};
-use slipmode_core::number::Rational;
+use slipmode_core::number::{Rational, nearest_f64};
 
 use crate::cli::compare::cells::{APPENDED, push_comparison};
 use crate::cli::input::{open_named_csv, place_inside};
@@ -107,7 +106,7 @@ impl RowWork for CompareRows {
         let values = Observable::STATED.map(|of| {
             reader
                 .optional(of.key(), |text| AllowedRange::PHYSICAL.parse(text))
-                .map(|value| nearest_number(&value))
+                .map(|value| nearest_f64(&value))
         });
         let recording = self.recording(&mut reader, parameters.as_ref());
         let (Some(parameters), true) = (parameters, reader.faults.is_empty()) else {
@@ -117,7 +116,7 @@ impl RowWork for CompareRows {
             parameters,
             law,
             has_known_start: start.is_some(),
-            tolerance: tolerance.map_or(self.tolerance, |tolerance| nearest_number(&tolerance)),
+            tolerance: tolerance.map_or(self.tolerance, |tolerance| nearest_f64(&tolerance)),
             mode,
             values,
             recording: recording.map(Arc::new),
@@ -161,7 +160,7 @@ impl CompareRows {
     ) -> Option<Recording> {
         let place = reader.optional(TRAJECTORY_COLUMN, |name| trajectory_place(&self.folder, name))?;
         // Without its velocity the row is refused anyway.
-        let log_level = libm::log(parameters?.point.loading_velocity_m_per_s.to_f64());
+        let log_level = libm::log(nearest_f64(&parameters?.point.loading_velocity_m_per_s));
         let rows = open_named_csv(&place).map_err(|fault| vec![fault]);
         let read = rows.and_then(|rows| read_recording(rows, log_level));
         read.map_err(|faults| reader.faults.extend(faults)).ok()
@@ -177,11 +176,6 @@ fn trajectory_place(folder: &Path, name: &str) -> Result<PathBuf, Problem> {
         return Err(Problem::BadName(error));
     }
     place_inside(folder, name).map_err(|error| Problem::Unreadable(error.to_string()))
-}
-
-/// The nearest 64-bit number.
-pub fn nearest_number(value: &Rational) -> f64 {
-    Float::with_val(53, value).to_f64()
 }
 
 /// Columns of which one at least has to be there.

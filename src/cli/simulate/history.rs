@@ -6,8 +6,8 @@ use std::io::Write;
 use rug::Float;
 use slipmode_core::dynamics::{Control, Model, Radau, Sample, Simulation, trajectory};
 use slipmode_core::friction::{EvolutionLaw, Parameters};
-use slipmode_core::number::Rational;
 use slipmode_core::number::format::{round_float, shortest};
+use slipmode_core::number::{Rational, nearest_f64};
 
 use crate::cli::failure::Failure;
 use crate::cli::output::{Output, machine_write};
@@ -35,9 +35,9 @@ pub fn write(
     simulation: &Simulation,
     duration_s: Option<&Rational>,
 ) -> Result<(), Failure> {
-    let model = Model::new(parameters.groups().map(Rational::to_f64), law);
+    let model = Model::new(parameters.groups().map(nearest_f64), law);
     let units = Units::new(parameters, simulation);
-    let duration = duration_s.map_or_else(|| default_duration(simulation, &units), Rational::to_f64);
+    let duration = duration_s.map_or_else(|| default_duration(simulation, &units), nearest_f64);
     let until = duration * units.rate_per_s;
     if !(until.is_normal() && units.rate_per_s.is_normal()) {
         return Err(failed(&"its duration is beyond the range of 64-bit numbers"));
@@ -89,8 +89,8 @@ impl Units {
         Self {
             velocity_m_per_s: Float::with_val(64, &parameters.point.loading_velocity_m_per_s),
             state_s: Float::with_val(64, rate_per_s.clone().recip()),
-            rate_per_s: rate_per_s.to_f64(),
-            stress_pa: stress_pa.to_f64(),
+            rate_per_s: nearest_f64(&rate_per_s),
+            stress_pa: nearest_f64(&stress_pa),
             // At least two digits are certain at any tolerance, and 64-bit numbers have fifteen.
             digits: certain.clamp(2.0, 14.0) as usize + GUARD_DIGITS,
         }

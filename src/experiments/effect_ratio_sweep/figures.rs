@@ -3,6 +3,7 @@
 use crate::experiments::effect_ratio_sweep::{SweepOutcome, SweepRow};
 use crate::experiments::{Figure, FigureMaker, Need};
 use slipmode_core::number::Ball;
+use slipmode_core::number::nearest_f64;
 use slipmode_plot::figure::{Axis, Caption, LineChart, Reference, Series};
 
 pub(crate) const FIGURES: &[FigureMaker] = &[FigureMaker {
@@ -22,14 +23,19 @@ fn worst_errors(sweep: &SweepOutcome) -> Option<Figure> {
         points: sweep
             .rows
             .iter()
-            .map(|row| (row.effect_ratio.to_f64(), value(row).map_or(f64::NAN, Ball::to_f64)))
+            .map(|row| (nearest_f64(&row.effect_ratio), value(row).map_or(f64::NAN, Ball::to_f64)))
             .collect(),
         marked: false,
         theory: false,
     };
     let chart = LineChart {
         caption: caption.clone(),
-        x: Axis::log10("*β* = *b*/*a*", "", first.effect_ratio.to_f64(), last.effect_ratio.to_f64()),
+        x: Axis::log10(
+            "*β* = *b*/*a*",
+            "",
+            nearest_f64(&first.effect_ratio),
+            nearest_f64(&last.effect_ratio),
+        ),
         y: Axis::linear("Largest log10 distance from the nearer asymptote", "", 0.0, 0.5),
         series: vec![
             line("upper arc (eqs 15 and 18)", &|row| row.errors.upper_worst_log10.as_ref()),

@@ -10,8 +10,8 @@ use slipmode_core::dynamics::{
     Control, Integrator, LongTerm, Model, Options, Outcome, Radau, Scalar, Start, State, long_term_behaviour,
     simulate_model,
 };
-use slipmode_core::friction::{EvolutionLaw, Groups, Parameters};
-use slipmode_core::number::{Dd, Rational};
+use slipmode_core::friction::{EvolutionLaw, Groups, Parameters, critical_stiffness_group};
+use slipmode_core::number::{Dd, nearest_f64};
 
 /// One run compared with its reference.
 #[derive(Debug, Clone, PartialEq)]
@@ -65,7 +65,8 @@ fn random_groups(sequence: &mut Sequence) -> Groups<f64> {
     let inertial_parameter = libm::exp10(sequence.between(-6.0, 4.0));
     let effect_ratio = sequence.between(0.4, 3.4);
     let ratio = libm::exp10(sequence.between(-3.0, 1.0));
-    let critical = if effect_ratio > 1.0 { (effect_ratio - 1.0) * (1.0 + inertial_parameter) } else { 1.0 };
+    let critical =
+        if effect_ratio > 1.0 { critical_stiffness_group(&effect_ratio, &inertial_parameter) } else { 1.0 };
     Groups { inertial_parameter, stiffness_group: ratio * critical, effect_ratio }
 }
 
@@ -74,7 +75,7 @@ fn random_groups(sequence: &mut Sequence) -> Groups<f64> {
 pub fn error_bound(section: &ErrorBoundSection) -> Vec<BoundCheck> {
     let mut sequence = Sequence(0);
     let groups: Vec<Groups<f64>> = (0..section.groups).map(|_| random_groups(&mut sequence)).collect();
-    let tolerances: Vec<f64> = section.tolerances.iter().map(Rational::to_f64).collect();
+    let tolerances: Vec<f64> = section.tolerances.iter().map(nearest_f64).collect();
     let cases: Vec<(&Groups<f64>, EvolutionLaw)> = groups
         .iter()
         .flat_map(|groups| EvolutionLaw::ALL.into_iter().map(move |law| (groups, law)))

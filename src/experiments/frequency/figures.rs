@@ -4,8 +4,8 @@ use crate::experiments::frequency::{FrequencyLine, FrequencyOutcome};
 use crate::experiments::{Figure, FigureMaker};
 use crate::experiments::{Need, SceneOutcome};
 use slipmode_core::friction::Slider;
-use slipmode_core::number::Rational;
 use slipmode_core::number::format::rational_to_decimal;
+use slipmode_core::number::{Ball, Rational, nearest_f64};
 use slipmode_plot::figure::{Axis, Caption, LineChart, Reference, Series};
 
 pub(crate) const FIGURES: &[FigureMaker] = &[FigureMaker {
@@ -21,8 +21,7 @@ fn frequency_lines(scene: &SceneOutcome) -> Option<Figure> {
     let (parameters, outcome) = (scene.slider()?, scene.frequency.as_ref()?);
     let velocities = &outcome.loading_velocity_m_per_s;
     let (first, last) = (*velocities.first()?, *velocities.last()?);
-    let natural =
-        (parameters.stiffness_pa_per_m.to_f64() / parameters.mass_per_area_kg_per_m2.to_f64()).sqrt();
+    let natural = parameters.map(nearest_f64).natural_angular_frequency_per_s();
     let mut series: Vec<Series> = outcome.lines.iter().map(|line| line_series(outcome, line)).collect();
     series.push(crossing_series(parameters, natural, first, last));
     let chart = LineChart {
@@ -57,9 +56,8 @@ fn line_series(outcome: &FrequencyOutcome, line: &FrequencyLine) -> Series {
 
 /// Eq 23, drawn up to three times the natural frequency.
 fn crossing_series(parameters: &Slider<Rational>, natural: f64, first: f64, last: f64) -> Series {
-    let effects =
-        (parameters.evolution_effect.clone() - &parameters.direct_effect) / &parameters.direct_effect;
-    let per_metre = effects.to_f64().sqrt() / parameters.critical_slip_distance_m.to_f64();
+    let enclosed = parameters.map(|value| Ball::from_rational(value, 128));
+    let per_metre = enclosed.transition_angular_frequency_over_velocity_per_m().to_f64();
     let end = last.min(natural * 3.0 / per_metre);
     Series {
         label: "eq 23".into(),

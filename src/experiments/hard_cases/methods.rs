@@ -10,7 +10,7 @@ use rug::Float;
 use crate::experiments::hard_cases::HardCase;
 use crate::experiments::hard_cases::textbook::signs_of;
 use slipmode_core::friction::Groups;
-use slipmode_core::number::{Dd, Rational, Real};
+use slipmode_core::number::{Dd, Rational, Real, nearest_f64};
 use slipmode_core::roots::textbook::{Three, aberth, cardano, companion, newton, viete};
 use slipmode_core::roots::{Bounded, BoundedCubic, Pair, Working, certified_roots};
 
@@ -140,7 +140,11 @@ fn score(method: Method, said: &Said, case: &HardCase) -> MethodScore {
         && answer.boundary.to_string() == expected.boundary_sign;
     let ulps = |found: &Float, wanted: &Rational, measure: &Rational| {
         let difference = found.to_rational().unwrap_or_default() - wanted;
-        if difference.is_zero() { 0.0 } else { Rational::from(&difference / measure).abs().to_f64() / ULP }
+        if difference.is_zero() {
+            0.0
+        } else {
+            nearest_f64(&Rational::from(&difference / measure).abs()) / ULP
+        }
     };
     let has_both = !answer.imaginary.is_zero() && !expected.max_imaginary_per_s.is_zero();
     MethodScore {
@@ -157,7 +161,7 @@ fn score(method: Method, said: &Said, case: &HardCase) -> MethodScore {
 
 fn said(method: Method, case: &HardCase) -> Said {
     let groups = case.parameters.groups();
-    let rounded = case.parameters.map(Rational::to_f64);
+    let rounded = case.parameters.map(nearest_f64);
     let textbook = |solve: fn([f64; 4]) -> Three| {
         of_three(&solve(rounded.groups().characteristic_cubic()), rounded.rate_per_s())
     };
@@ -167,7 +171,7 @@ fn said(method: Method, case: &HardCase) -> Said {
         Method::Companion => textbook(companion),
         Method::Newton => textbook(newton),
         Method::Aberth => textbook(aberth),
-        Method::Ours64 => bounded(&groups.map(Rational::to_f64), &case.parameters.rate_per_s()),
+        Method::Ours64 => bounded(&groups.map(nearest_f64), &case.parameters.rate_per_s()),
         Method::DoubleDouble => bounded(&groups.map(Dd::from_rational), &case.parameters.rate_per_s()),
         Method::Certified => certified(&groups, &case.parameters.rate_per_s()),
     }

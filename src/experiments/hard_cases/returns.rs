@@ -9,7 +9,7 @@ use slipmode_core::dynamics::{
     Behaviour, Failure, Model, Options, Outcome, Radau, Rodas5P, State, Taylor, simulate_model,
 };
 use slipmode_core::friction::{EvolutionLaw, Groups, Parameters};
-use slipmode_core::number::{Rational, parse_decimal};
+use slipmode_core::number::{Rational, nearest_f64, parse_decimal};
 
 /// A return with the answers of an independent program.
 #[derive(Debug, Clone, PartialEq)]
@@ -107,7 +107,7 @@ pub fn read_hard_returns(file: &str, text: &str) -> Result<Vec<HardReturn>, Faul
         }
         let number = |column: usize| {
             let allowed = "any decimal".to_string();
-            parse_decimal(cells[column]).map(|value: Rational| value.to_f64()).map_err(|reason| {
+            parse_decimal(cells[column]).map(|value: Rational| nearest_f64(&value)).map_err(|reason| {
                 fault(line, COLUMNS[column], Some(cells[column]), Problem::NotANumber { reason, allowed })
             })
         };

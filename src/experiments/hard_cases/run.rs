@@ -5,7 +5,7 @@ use rayon::prelude::*;
 use crate::experiments::hard_cases::methods::{MethodScore, score_methods};
 use crate::scene::{Fault, Faults, Problem, Quantity};
 use slipmode_core::friction::Parameters;
-use slipmode_core::number::{Rational, Wide, parse_decimal};
+use slipmode_core::number::{Rational, Wide, nearest_f64, parse_decimal};
 use slipmode_core::roots::PrecisionLevel;
 use slipmode_core::stability::{InertialThreshold, classify};
 
@@ -191,5 +191,5 @@ fn error(found: Wide, expected: &Rational, scale: &Rational) -> f64 {
     if difference.is_zero() {
         return 0.0;
     }
-    if scale.is_zero() { f64::INFINITY } else { (difference / scale).abs().to_f64() }
+    if scale.is_zero() { f64::INFINITY } else { nearest_f64(&(difference / scale).abs()) }
 }

@@ -172,6 +172,7 @@ fn dot(a: &[Complex; 3], b: &[Complex; 3]) -> Complex {
 mod tests {
     use super::*;
     use slipmode_core::dynamics::Model;
+    use slipmode_core::number::nearest_f64;
     use slipmode_core::roots::certified_roots;
 
     fn groups() -> Groups<Rational> {
@@ -189,7 +190,7 @@ mod tests {
 
     #[test]
     fn the_vectors_are_eigenvectors_of_the_models_own_jacobian() {
-        let model = Model::new(groups().map(Rational::to_f64), EvolutionLaw::Slip);
+        let model = Model::new(groups().map(nearest_f64), EvolutionLaw::Slip);
         let arrow = model.jacobian(&[0.0; 3]);
         for mode in modes() {
             for part in [Complex::real, Complex::imag] {
@@ -217,7 +218,7 @@ mod tests {
     fn the_quadratic_form_is_the_second_derivative_of_the_rate() {
         let u: State<f64> = [0.3, -0.7, 0.4];
         for law in EvolutionLaw::ALL {
-            let model = Model::new(groups().map(Rational::to_f64), law);
+            let model = Model::new(groups().map(nearest_f64), law);
             // Central second difference of step 1e-3: an error of 1e-6 times the fourth derivative.
             let at = |step: f64| model.rate(&u.map(|component| component * step));
             let (low, high) = (at(-1e-3), at(1e-3));

@@ -19,7 +19,7 @@ use crate::experiments::linear_regime::snapshots::{projected_rate, rate_of_snaps
 use crate::experiments::linear_regime::{SteadyRun, steady_sliding};
 use slipmode_core::dynamics::{Failure, Model, Radau};
 use slipmode_core::friction::{EvolutionLaw, Groups, Slider};
-use slipmode_core::number::{Dd, Rational};
+use slipmode_core::number::{Dd, Rational, nearest_f64};
 use slipmode_core::roots::certified_roots;
 use slipmode_core::stability::{InertialThreshold, SlipMode, classify};
 
@@ -126,7 +126,7 @@ pub fn linear_regime(
     threshold: &InertialThreshold,
 ) -> LinearRegimeOutcome {
     let methods = Methods { fine: Radau::new(), coarse: Radau::new() };
-    let mut amplitudes: Vec<f64> = section.amplitudes.iter().map(Rational::to_f64).collect();
+    let mut amplitudes: Vec<f64> = section.amplitudes.iter().map(nearest_f64).collect();
     amplitudes.sort_by(|a, b| b.total_cmp(a));
     let cases: Vec<Case<'_>> =
         section.points.iter().flat_map(|point| cases(parameters, point, section, threshold)).collect();
@@ -212,7 +212,7 @@ fn run_case(case: &Case<'_>, amplitudes: &[f64], methods: &Methods) -> Result<Mo
     let difference_of_64_bit = match last {
         None => 0.0,
         Some((amplitude, reference)) => {
-            let model = Model::new(case.groups.map(Rational::to_f64), case.law);
+            let model = Model::new(case.groups.map(nearest_f64), case.law);
             let start = case.mode.start(case.direction, amplitude).map(|component| component.hi());
             let states = snapshots(&model, methods.coarse.clone(), start, COARSE, case.time)?;
             relative(&case.mode, &(projected_rate(&case.mode, &states, case.time) - reference))
@@ -220,8 +220,8 @@ fn run_case(case: &Case<'_>, amplitudes: &[f64], methods: &Methods) -> Result<Mo
     };
     let shift = case.mode.first_order_shift(case.law, case.direction, 1.0, case.time);
     Ok(ModeRuns {
-        loading_velocity_m_per_s: case.point[0].to_f64(),
-        normal_stress_pa: case.point[1].to_f64(),
+        loading_velocity_m_per_s: nearest_f64(&case.point[0]),
+        normal_stress_pa: nearest_f64(&case.point[1]),
         slip_mode: case.slip_mode,
         law: case.law,
         growth_rate: case.mode.rate.real().to_f64(),

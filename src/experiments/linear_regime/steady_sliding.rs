@@ -5,7 +5,7 @@ use rayon::prelude::*;
 use crate::experiments::linear_regime::LinearRegimeSection;
 use slipmode_core::dynamics::{Control, Failure, Integrator, Model, Radau, Start, State, trajectory};
 use slipmode_core::friction::{EvolutionLaw, Slider};
-use slipmode_core::number::Rational;
+use slipmode_core::number::{Rational, nearest_f64};
 
 /// How long steady sliding is watched, D_c/V_l.
 const WATCHED: f64 = 1e6;
@@ -69,7 +69,7 @@ fn run_case(
 ) -> Result<SteadyRun, Failure> {
     let groups = parameters.at(stress.clone(), velocity.clone()).groups();
     let stable = groups.transition_margin() > 0;
-    let model = Model::new(groups.map(Rational::to_f64), law);
+    let model = Model::new(groups.map(nearest_f64), law);
     let disturbed =
         stable.then(|| largest_departure(&model, [DISTURBANCE; 3], DISTURBED_WATCHED)).transpose()?;
     let control = Control { local_tolerance: TOLERANCE, most_steps: MOST_STEPS };
@@ -77,12 +77,12 @@ fn run_case(
     let start = Start::default().at_a_tenth(&model);
     let run = trajectory(&model, Radau::<f64, 5>::new(), start, control, until, 1)?;
     Ok(SteadyRun {
-        loading_velocity_m_per_s: velocity.to_f64(),
-        normal_stress_pa: stress.to_f64(),
+        loading_velocity_m_per_s: nearest_f64(&velocity),
+        normal_stress_pa: nearest_f64(&stress),
         law,
         departure: largest_departure(&model, [0.0; 3], WATCHED)?,
         disturbed_over_disturbance: disturbed.map(|largest| largest / DISTURBANCE),
-        free_residual_over_normal_stress: run.free_residual * parameters.direct_effect.to_f64(),
+        free_residual_over_normal_stress: run.free_residual * nearest_f64(&parameters.direct_effect),
     })
 }
 

@@ -7,6 +7,7 @@ use crate::experiments::shared::axes::{asymptote_lines, axes, boundary_lines, cu
 use crate::experiments::shared::map_readout::readout;
 use crate::experiments::{Figure, FigureMaker};
 use crate::experiments::{Need, SceneOutcome};
+use slipmode_core::number::nearest_f64;
 use slipmode_core::stability::Arc;
 use slipmode_plot::figure::{Axis, Caption, ColourScale, HeatMap, Line};
 
@@ -81,8 +82,7 @@ fn frequency_map(scene: &SceneOutcome, words: &Words) -> Option<Figure> {
     let (map, boundary) = (scene.map.as_ref()?, scene.boundary.as_ref()?);
     let (x, y) = axes(map)?;
     let parameters = scene.slider()?;
-    let natural =
-        (parameters.stiffness_pa_per_m.to_f64() / parameters.mass_per_area_kg_per_m2.to_f64()).sqrt();
+    let natural = parameters.map(nearest_f64).natural_angular_frequency_per_s();
     let heat_map = HeatMap {
         caption: caption(words),
         columns: map.loading_velocity_m_per_s.len(),

@@ -4,8 +4,8 @@ use slipmode_core::dynamics::{
     Control, CycleFamily, Failure, Fold, Integrator, LongTerm, Member, Model, Options, Radau,
     long_term_behaviour, simulate_model, start_threshold,
 };
-use slipmode_core::friction::{Groups, Slider};
-use slipmode_core::number::Rational;
+use slipmode_core::friction::{Groups, Slider, critical_stiffness_group};
+use slipmode_core::number::{Rational, nearest_f64};
 
 /// The edge at one η.
 #[derive(Debug, Clone, PartialEq)]
@@ -96,12 +96,12 @@ fn model(family: &CycleFamily, stiffness_group: f64) -> Model<f64> {
 /// Loading velocity (m/s) and normal stress (Pa) at which a slider with b > a has this η on K = K_c.
 #[must_use]
 pub fn place_on_transition(parameters: &Slider<Rational>, inertial_parameter: f64) -> [f64; 2] {
-    let direct = parameters.direct_effect.to_f64();
-    let slip_distance = parameters.critical_slip_distance_m.to_f64();
-    let critical = (parameters.evolution_effect.to_f64() / direct - 1.0) * (1.0 + inertial_parameter);
-    let stress = parameters.stiffness_pa_per_m.to_f64() * slip_distance / (direct * critical);
-    let mass = parameters.mass_per_area_kg_per_m2.to_f64();
-    [(inertial_parameter * stress * direct * slip_distance / mass).sqrt(), stress]
+    let slider = parameters.map(nearest_f64);
+    let critical = critical_stiffness_group(&slider.effect_ratio(), &inertial_parameter);
+    let stress = slider.stiffness_stress_pa() / (slider.direct_effect * critical);
+    let inertia_pa = inertial_parameter * stress * slider.direct_effect;
+    let velocity_squared = inertia_pa * slider.critical_slip_distance_m / slider.mass_per_area_kg_per_m2;
+    [velocity_squared.sqrt(), stress]
 }
 
 /// Whether runs from the fold's cycle end on a cycle a little below the edge and in sliding a little above it.

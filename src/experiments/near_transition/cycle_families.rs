@@ -4,8 +4,8 @@ use crate::experiments::near_transition::NearTransitionSection;
 use crate::experiments::near_transition::bistability::{Edge, edge};
 use rayon::prelude::*;
 use slipmode_core::dynamics::{CycleFamily, Failure, Member};
-use slipmode_core::friction::{EvolutionLaw, Slider};
-use slipmode_core::number::Rational;
+use slipmode_core::friction::{EvolutionLaw, Slider, critical_stiffness_group};
+use slipmode_core::number::{Rational, nearest_f64};
 use slipmode_core::theory::hopf::{Criticality, square_amplitude};
 use slipmode_core::theory::linearisation::Law;
 
@@ -143,12 +143,12 @@ fn follow(parameters: &Slider<Rational>, law: EvolutionLaw, inertial: &Rational)
     let effect_ratio = parameters.effect_ratio();
     let family = CycleFamily {
         law,
-        inertial_parameter: inertial.to_f64(),
-        effect_ratio: effect_ratio.to_f64(),
+        inertial_parameter: nearest_f64(inertial),
+        effect_ratio: nearest_f64(&effect_ratio),
         local_tolerance: LOCAL_TOLERANCE,
     };
-    let critical = (Rational::from(&effect_ratio - 1) * Rational::from(inertial + 1)).to_f64();
-    let square = square_amplitude(named(law), inertial, &effect_ratio).map(|square| square.to_f64());
+    let critical = nearest_f64(&critical_stiffness_group(&effect_ratio, inertial));
+    let square = square_amplitude(named(law), inertial, &effect_ratio).map(|square| nearest_f64(&square));
     let first = first(&family, critical, SMALLEST);
     let members = first
         .map(|first| family.follow(first, FACTOR, |member| member.stiffness_group > FARTHEST * critical));

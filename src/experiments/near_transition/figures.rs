@@ -4,8 +4,8 @@ use crate::experiments::near_transition::{CycleFamilyOutcome, Edge, FamilyCycle,
 use crate::experiments::{Figure, FigureMaker};
 use crate::experiments::{Need, Outcome, SceneOutcome};
 use slipmode_core::friction::EvolutionLaw;
-use slipmode_core::number::Rational;
 use slipmode_core::number::format::rational_to_decimal;
+use slipmode_core::number::{Rational, nearest_f64};
 use slipmode_core::theory::hopf::degenerate_inertial_parameter;
 use slipmode_plot::figure::{
     Axis, Caption, Line, LineChart, LineRole, PointMark, Reference, RegionLabel, Series, Side, Zone, ZoneMap,
@@ -44,7 +44,7 @@ fn criticality(outcome: &Outcome) -> Option<Figure> {
         .collect();
     let closed = |edge: f64| [curve.clone(), vec![(edge, y.max), (edge, y.min)]].concat();
     let zone = |label: &str, edge, style| Zone { label: label.into(), outlines: vec![closed(edge)], style };
-    let paper = outcome.potentially_unstable()?.slider()?.effect_ratio().to_f64();
+    let paper = nearest_f64(&outcome.potentially_unstable()?.slider()?.effect_ratio());
     let map = ZoneMap {
         caption: Caption::new("criticality", "Sign of the first Lyapunov coefficient", CRITICALITY),
         zones: vec![
@@ -78,7 +78,7 @@ fn criticality(outcome: &Outcome) -> Option<Figure> {
 const STRIP: &str = "Relative distance from the critical stiffness against eta, both logarithmic. Below a curve that rises to about 0.006 near eta = 0.025 and then falls steeply to zero at eta = 0.138 lies the strip in which a limit cycle and steady sliding are both stable.";
 
 fn edges(near: &NearTransitionOutcome) -> Vec<(f64, &Edge)> {
-    let edge = |family: &'_ CycleFamilyOutcome| family.inertial_parameter.to_f64();
+    let edge = |family: &'_ CycleFamilyOutcome| nearest_f64(&family.inertial_parameter);
     let families = near.families.iter().filter(|family| family.law == EvolutionLaw::Aging);
     families.filter_map(|family| Some((edge(family), family.edge.as_ref().ok()?.as_ref()?))).collect()
 }
@@ -88,7 +88,7 @@ fn strip(scene: &SceneOutcome) -> Option<Figure> {
     let points: Vec<(f64, f64)> = edges.iter().map(|(inertial, edge)| (*inertial, edge.excess)).collect();
     let least = points.iter().map(|(_, excess)| *excess).fold(f64::INFINITY, f64::min);
     let (first, _) = *points.first()?;
-    let limit = degenerate_inertial_parameter(scene.slider()?.effect_ratio().to_f64());
+    let limit = degenerate_inertial_parameter(nearest_f64(&scene.slider()?.effect_ratio()));
     let x = Axis::log10("*η*", "", first, 1.0);
     let y = Axis::log10("*K*/*K*_c − 1", "", libm::exp10(libm::log10(0.1 * least).floor()), 1e-1);
     let outline = [points.clone(), vec![(limit, y.min), (first, y.min)]].concat();
@@ -197,7 +197,7 @@ fn run_peaks(near: &NearTransitionOutcome, family: &CycleFamilyOutcome) -> Vec<(
         .filter(|run| run.law == family.law && run.inertial_parameter == family.inertial_parameter)
         .filter(|run| run.periodic() == Some(true))
         .filter_map(|run| {
-            Some(((run.stiffness_over_critical.to_f64() - 1.0), run.outcome.as_ref().ok()?.log_peak()))
+            Some(((nearest_f64(&run.stiffness_over_critical) - 1.0), run.outcome.as_ref().ok()?.log_peak()))
         })
         .collect()
 }

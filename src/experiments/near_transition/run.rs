@@ -7,8 +7,8 @@ use rayon::prelude::*;
 use slipmode_core::dynamics::{
     Decay, Failure, LongTerm, Model, Options, Oscillation, Outcome, simulate_model,
 };
-use slipmode_core::friction::{EvolutionLaw, Groups, Slider};
-use slipmode_core::number::Rational;
+use slipmode_core::friction::{EvolutionLaw, Groups, Slider, critical_stiffness_group};
+use slipmode_core::number::{Rational, nearest_f64};
 use slipmode_core::roots::{Pair, binary64};
 
 /// One run from the start of the scene's simulations, V_l/10.
@@ -115,16 +115,16 @@ fn near_run(
     family: Option<&CycleFamilyOutcome>,
     options: &Options,
 ) -> NearRun {
-    let critical = Rational::from(effect_ratio - 1) * Rational::from(inertial + 1);
+    let critical = critical_stiffness_group(effect_ratio, inertial);
     let groups = Groups {
         inertial_parameter: inertial.clone(),
         stiffness_group: critical * ratio,
         effect_ratio: effect_ratio.clone(),
     };
-    let groups = groups.map(Rational::to_f64);
+    let groups = groups.map(nearest_f64);
     let pair = binary64::roots(groups.characteristic_cubic()).pair;
     let linear_growth = if let Pair::Complex { re, .. } = pair { Some(re.value) } else { None };
-    let excess = Rational::from(ratio - 1).to_f64();
+    let excess = nearest_f64(&Rational::from(ratio - 1));
     NearRun {
         law,
         inertial_parameter: inertial.clone(),

@@ -9,6 +9,7 @@ use crate::experiments::near_transition::{
 use crate::experiments::shared::cells::{rounded, rounded_or_empty};
 use crate::experiments::unless_empty;
 use slipmode_core::number::format::{rational_to_decimal, round_digits};
+use slipmode_core::number::nearest_f64;
 use slipmode_core::theory::hopf::{coefficient, degenerate_inertial_parameter};
 use slipmode_core::theory::linearisation::Law;
 use slipmode_plot::table::{Cell, Column, Table};
@@ -180,9 +181,9 @@ fn edges(context: &Context) -> Option<Table> {
 /// How the edge vanishes at both ends of the strip, from the two outermost rows there.
 fn orders(context: &Context) -> Option<String> {
     let scene = context.outcome.potentially_unstable()?;
-    let limit = degenerate_inertial_parameter(scene.slider()?.effect_ratio().to_f64());
+    let limit = degenerate_inertial_parameter(nearest_f64(&scene.slider()?.effect_ratio()));
     let edge = |family: &CycleFamilyOutcome| {
-        Some((family.inertial_parameter.to_f64(), family.edge.as_ref().ok()?.as_ref()?.excess))
+        Some((nearest_f64(&family.inertial_parameter), family.edge.as_ref().ok()?.as_ref()?.excess))
     };
     let edges: Vec<(f64, f64)> = scene.near_transition.as_ref()?.families.iter().filter_map(edge).collect();
     let ([one, two, ..], [.., before, last]) = (edges.as_slice(), edges.as_slice()) else { return None };

@@ -4,6 +4,7 @@ use crate::experiments::onset::ShownRun;
 use crate::experiments::{Figure, FigureMaker};
 use crate::experiments::{Need, Outcome};
 use slipmode_core::number::format::round_digits;
+use slipmode_core::number::nearest_f64;
 use slipmode_core::stability::Asymptote;
 use slipmode_plot::figure::{Axis, Caption, LineChart, Reference, Series};
 
@@ -31,7 +32,7 @@ fn runs(outcome: &Outcome, index: usize, letter: &str) -> Option<Figure> {
     let mut lines = found.lines.iter().filter(|line| line.asymptote == Asymptote::InertialLower);
     let line = lines.nth(index)?;
     let until = line.shown.iter().filter_map(|run| run.history.last()).map(|last| last.0).fold(0.0, f64::max);
-    let stress = round_digits(line.normal_stress_pa.to_f64(), 4);
+    let stress = round_digits(nearest_f64(&line.normal_stress_pa), 4);
     let exact =
         round_digits(line.boundary_velocity_m_per_s.to_f64() / line.asymptote_velocity_m_per_s.to_f64(), 5);
     let highest = line.shown.iter().flat_map(|run| &run.history).map(|sample| sample.1).fold(1.0, f64::max);
@@ -39,7 +40,7 @@ fn runs(outcome: &Outcome, index: usize, letter: &str) -> Option<Figure> {
         round_digits(found.velocity_m_per_s / line.asymptote_velocity_m_per_s.to_f64(), 4)
     });
     let law = line.seen.first().map_or("", |seen| seen.law.as_str());
-    let visible = round_digits(found.visible.to_f64(), 3);
+    let visible = round_digits(nearest_f64(&found.visible), 3);
     let id = format!("fig-4{letter}");
     let title =
         format!("Velocity after a start at a tenth of the loading velocity, σ = {stress} Pa, {law} law");

@@ -109,9 +109,9 @@ fn onset_at(
     let line =
         |law| Line { parameters, normal_stress_pa: stress, law, tolerance: nearest_f64(&section.tolerance) };
     let (from, at) = (asymptote_velocity.to_f64(), boundary.to_f64());
-    let visible = section.visible.to_f64();
+    let visible = nearest_f64(&section.visible);
     let first = section.laws.first().map(|&law| line(law));
-    let fastest = section.velocity_over_asymptote.iter().map(Rational::to_f64).fold(0.0, f64::max);
+    let fastest = section.velocity_over_asymptote.iter().map(nearest_f64).fold(0.0, f64::max);
     let until = SHOWN_PERIODS * natural_period(parameters, from * fastest);
     let run = |ratio: f64| Some(shown_run(first.as_ref()?, threshold, from, ratio, until));
     Some(Onset {
@@ -121,15 +121,16 @@ fn onset_at(
         seen: section.laws.par_iter().map(|&law| line(law).search(from, at, visible)).collect(),
         asymptote_velocity_m_per_s: asymptote_velocity,
         boundary_velocity_m_per_s: boundary,
-        shown: section.velocity_over_asymptote.iter().filter_map(|ratio| run(ratio.to_f64())).collect(),
+        shown: section.velocity_over_asymptote.iter().filter_map(|ratio| run(nearest_f64(ratio))).collect(),
         at_boundary: run(at / from),
     })
 }
 
 /// 2π/ω_n in units of D_c/V_l at a loading velocity.
 fn natural_period(parameters: &Slider<Rational>, velocity: f64) -> f64 {
-    let squared = parameters.natural_angular_frequency_squared_per_s2().to_f64();
-    std::f64::consts::TAU / squared.sqrt() * velocity / parameters.critical_slip_distance_m.to_f64()
+    let slider = parameters.map(nearest_f64);
+    let period_s = std::f64::consts::TAU / slider.natural_angular_frequency_per_s();
+    period_s * velocity / slider.critical_slip_distance_m
 }
 
 fn shown_run(line: &Line, threshold: &InertialThreshold, asymptote: f64, ratio: f64, until: f64) -> ShownRun {
@@ -144,7 +145,7 @@ fn shown_run(line: &Line, threshold: &InertialThreshold, asymptote: f64, ratio: 
 }
 
 fn in_other_unit(parameters: &Slider<Rational>, section: &OnsetSection, stress: Rational) -> OtherUnit {
-    let velocity = inertial_lower_velocity_m_per_s(&parameters.map(Rational::to_f64), &stress.to_f64());
+    let velocity = inertial_lower_velocity_m_per_s(&parameters.map(nearest_f64), &nearest_f64(&stress));
     let point = parameters.at(stress.clone(), exactly(velocity));
     let run = section.laws.first().map(|&law| simulate(&point, law, &options(&section.tolerance)));
     OtherUnit {

@@ -11,7 +11,7 @@ use slipmode_core::dynamics::{
     Control, Failure, Integrator, Model, Radau, Start, oscillation_of_small_deviations,
 };
 use slipmode_core::friction::{EvolutionLaw, Slider};
-use slipmode_core::number::Rational;
+use slipmode_core::number::{Rational, nearest_f64};
 
 /// A velocity with its error.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -73,7 +73,7 @@ impl Line<'_> {
     fn model(&self, log_velocity: f64) -> Model<f64> {
         let velocity = exactly(libm::exp(log_velocity));
         let groups = self.parameters.at(self.normal_stress_pa.clone(), velocity).groups();
-        Model::new(groups.map(Rational::to_f64), self.law)
+        Model::new(groups.map(nearest_f64), self.law)
     }
 
     /// Searches along the line; the asymptote's velocity only says where to begin, the boundary's where to look at a run.

@@ -4,6 +4,7 @@ use crate::experiments::original_scheme::SchemeSeries;
 use crate::experiments::{Figure, FigureMaker};
 use crate::experiments::{Need, Outcome};
 use slipmode_core::number::format::round_digits;
+use slipmode_core::number::nearest_f64;
 use slipmode_plot::figure::{Axis, Caption, LineChart, Reference, Series};
 
 pub(crate) const FIGURES: &[FigureMaker] = &[FigureMaker {
@@ -58,8 +59,8 @@ fn bias_line(series: &SchemeSeries) -> Series {
         .filter_map(|step| Some((step.fraction, libm::expm1(step.bias(series.log_peak)?.0).abs())))
         .filter(|&(_, bias)| bias > 0.0)
         .collect();
-    let stress = libm::log10(series.place.normal_stress_pa.to_f64());
-    let velocity = libm::log10(series.place.loading_velocity_m_per_s.to_f64());
+    let stress = libm::log10(nearest_f64(&series.place.normal_stress_pa));
+    let velocity = libm::log10(nearest_f64(&series.place.loading_velocity_m_per_s));
     let label = format!(
         "{}, *σ* = 10^{{{}}} Pa, *V*_0 = 10^{{{}}} m/s",
         series.law.as_str(),

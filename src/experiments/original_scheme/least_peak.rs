@@ -7,7 +7,7 @@ use crate::experiments::original_scheme::scheme::{
     AFFORDABLE_STEPS, converged_cycle, model_at, scheme_peak, steps_needed,
 };
 use slipmode_core::friction::{EvolutionLaw, Slider};
-use slipmode_core::number::Rational;
+use slipmode_core::number::{Rational, nearest_f64};
 use slipmode_core::stability::asymptote::inertial_upper_velocity_m_per_s;
 
 /// How far a step moves the velocity of the least peak at one normal stress.
@@ -42,7 +42,7 @@ pub(crate) fn least_peaks_of_scheme(
 ) -> Vec<SchemeLeastPeak> {
     let cases: Vec<(EvolutionLaw, f64)> = EvolutionLaw::ALL
         .into_iter()
-        .flat_map(|law| stresses.iter().map(move |stress| (law, stress.to_f64())))
+        .flat_map(|law| stresses.iter().map(move |stress| (law, nearest_f64(stress))))
         .filter(|_| parameters.has_transition())
         .collect();
     let found: Vec<Vec<SchemeLeastPeak>> =
@@ -56,7 +56,7 @@ fn at_stress(
     stress: f64,
     fractions: &[f64],
 ) -> Vec<SchemeLeastPeak> {
-    let eq18 = inertial_upper_velocity_m_per_s(&parameters.map(Rational::to_f64), &stress);
+    let eq18 = inertial_upper_velocity_m_per_s(&parameters.map(nearest_f64), &stress);
     let offsets: Vec<f64> = (-SAMPLES..=SAMPLES).map(|i| f64::from(i) * SPACING_DEX + CENTRE_DEX).collect();
     let cycles: Option<Vec<_>> = offsets
         .par_iter()

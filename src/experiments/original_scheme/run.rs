@@ -11,7 +11,7 @@ use crate::experiments::original_scheme::stability::{SchemeMapRow, SchemeTransit
 use crate::scene::Place;
 use slipmode_core::dynamics::Failure;
 use slipmode_core::friction::{EvolutionLaw, Slider};
-use slipmode_core::number::Rational;
+use slipmode_core::number::{Rational, nearest_f64};
 
 /// The scheme at one place with one step.
 #[derive(Debug, Clone, PartialEq)]
@@ -67,7 +67,7 @@ pub fn original_scheme(
     parameters: &Slider<Rational>,
     section: &OriginalSchemeSection,
 ) -> OriginalSchemeOutcome {
-    let fractions: Vec<f64> = section.steps.iter().map(Rational::to_f64).collect();
+    let fractions: Vec<f64> = section.steps.iter().map(nearest_f64).collect();
     let cases: Vec<(&Place, EvolutionLaw)> = section
         .places
         .iter()

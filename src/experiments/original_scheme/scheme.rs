@@ -4,7 +4,7 @@ use slipmode_core::dynamics::{
     Cycle, Failure, LongTerm, Model, Options, OriginalScheme, Outcome, simulate_model,
 };
 use slipmode_core::friction::{EvolutionLaw, Slider};
-use slipmode_core::number::Rational;
+use slipmode_core::number::{Rational, nearest_f64};
 
 /// The most steps of one run of the scheme; a run that needs more is counted, not made.
 pub const AFFORDABLE_STEPS: f64 = 1e6;
@@ -48,14 +48,14 @@ pub(crate) fn model_at(
     stress: Rational,
     law: EvolutionLaw,
 ) -> Model<f64> {
-    Model::new(parameters.at(stress, velocity).groups().map(Rational::to_f64), law)
+    Model::new(parameters.at(stress, velocity).groups().map(nearest_f64), law)
 }
 
 /// Steps of the whole run at a step of `fraction`·√(M/K).
 #[must_use]
 pub(crate) fn steps_needed(model: &Model<f64>, cycle: &Cycle<f64>, fraction: f64) -> f64 {
     let groups = model.groups();
-    let natural = (groups.inertial_parameter / groups.stiffness_group).sqrt();
+    let natural = 1.0 / groups.natural_angular_frequency_squared().sqrt();
     (FORGOTTEN + WINDOW * WINDOWS as f64) * cycle.orbit.duration / (fraction * natural)
 }
 

@@ -15,7 +15,7 @@ use crate::scene::{LogAxis, Rectangle};
 use rayon::prelude::*;
 use rug::Float;
 use slipmode_core::friction::{EvolutionLaw, Groups, Slider};
-use slipmode_core::number::Rational;
+use slipmode_core::number::{Rational, nearest_f64};
 
 /// Bits of the eigenvalue conditions: the third power of a step of 1e-12 is still far from rounding.
 const BITS: u32 = 256;
@@ -121,7 +121,7 @@ pub fn critical_shift(inertial_parameter: &Rational, effect_ratio: &Rational, fr
         let middle = Rational::from(&low + &high) / 2;
         if stable(&middle) { high = middle } else { low = middle }
     }
-    Some((low - Rational::from(1)).to_f64())
+    Some(nearest_f64(&(low - Rational::from(1))))
 }
 
 /// The scheme's critical stiffness at one velocity and step.

@@ -6,6 +6,7 @@ use crate::experiments::TableMaker;
 use crate::experiments::original_scheme::{OriginalSchemeOutcome, SchemeSeries, SchemeStep};
 use crate::experiments::shared::cells::{count, rounded, rounded_or_empty};
 use crate::experiments::unless_empty;
+use slipmode_core::number::nearest_f64;
 use slipmode_plot::table::{Cell, Column, Table};
 
 pub(crate) const TABLES: &[TableMaker] = &[
@@ -23,8 +24,8 @@ fn scheme<'c>(context: &'c Context) -> Option<&'c OriginalSchemeOutcome> {
 fn place_cells(series: &SchemeSeries) -> [Cell; 3] {
     [
         Cell::text(series.law.as_str()),
-        rounded(series.place.normal_stress_pa.to_f64(), 4),
-        rounded(series.place.loading_velocity_m_per_s.to_f64(), 4),
+        rounded(nearest_f64(&series.place.normal_stress_pa), 4),
+        rounded(nearest_f64(&series.place.loading_velocity_m_per_s), 4),
     ]
 }
 

@@ -2,7 +2,7 @@
 
 use crate::experiments::shared::Grid;
 use slipmode_core::friction::{OperatingPoint, Slider};
-use slipmode_core::number::{Ball, Rational};
+use slipmode_core::number::{Ball, Rational, nearest_f64};
 use slipmode_core::stability::boundary::{BoundaryPoint, Mark};
 use slipmode_core::stability::{Arc, Asymptote, asymptote};
 use slipmode_plot::figure::{Axis, Line, LineRole, PointMark, Side};
@@ -84,8 +84,8 @@ pub(crate) fn transition_line(parameters: &Slider<Rational>, x: &Axis, y: &Axis)
     if !parameters.has_transition() {
         return None;
     }
-    let critical_velocity = parameters.critical_velocity_squared().to_f64().sqrt();
-    let rounded = parameters.map(Rational::to_f64);
+    let critical_velocity = nearest_f64(&parameters.critical_velocity_squared()).sqrt();
+    let rounded = parameters.map(nearest_f64);
     let (low, high) = (libm::log10(x.min), libm::log10(critical_velocity));
     let points = (0..=TRANSITION_VERTICES)
         .map(|index| {

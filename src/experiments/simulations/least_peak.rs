@@ -7,7 +7,7 @@ use crate::experiments::shared::search::{border_between, minimum_between, zero_b
 use crate::experiments::simulations::SimulationsSection;
 use slipmode_core::dynamics::{Behaviour, Options, Simulation, simulate};
 use slipmode_core::friction::{EvolutionLaw, Slider};
-use slipmode_core::number::Rational;
+use slipmode_core::number::{Rational, nearest_f64};
 use slipmode_core::stability::asymptote::inertial_upper_velocity_m_per_s;
 use slipmode_core::stability::{InertialThreshold, SlipMode, classify};
 
@@ -78,8 +78,7 @@ pub fn least_peaks(
         })
         .collect();
     let least = |&(law, stress): &(EvolutionLaw, f64)| {
-        let eq18_velocity_m_per_s =
-            inertial_upper_velocity_m_per_s(&parameters.map(Rational::to_f64), &stress);
+        let eq18_velocity_m_per_s = inertial_upper_velocity_m_per_s(&parameters.map(nearest_f64), &stress);
         Line { parameters, law, stress, eq18_velocity_m_per_s, options }.least_peak(threshold)
     };
     cases.par_iter().filter_map(least).collect()

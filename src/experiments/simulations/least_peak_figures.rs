@@ -9,6 +9,7 @@ use crate::experiments::{Figure, FigureMaker};
 use crate::experiments::{Need, SceneOutcome};
 use slipmode_core::friction::EvolutionLaw;
 use slipmode_core::number::format::round_digits;
+use slipmode_core::number::nearest_f64;
 use slipmode_core::stability::Asymptote;
 use slipmode_plot::figure::{
     Axis, Caption, ColourScale, HeatMap, Line, LineChart, LineRole, Reference, Series,
@@ -81,7 +82,7 @@ fn map(scene: &SceneOutcome) -> Option<Figure> {
     let low = values.iter().copied().filter(|value| *value > 0.0).fold(f64::INFINITY, f64::min);
     let law_word = law.as_str();
     let eq18 = |stress: f64| {
-        let slider = scene.slider()?.map(slipmode_core::number::Rational::to_f64);
+        let slider = scene.slider()?.map(nearest_f64);
         Some(Asymptote::InertialUpper.value(&slider, &stress))
     };
     let asymptote = Line {

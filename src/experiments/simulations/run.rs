@@ -82,7 +82,8 @@ fn simulate_grid(
         .par_iter()
         .map(|&(velocity, stress)| {
             let point = parameters.at(exactly(stress), exactly(velocity));
-            let ratio = || (point.slider.stiffness_pa_per_m.clone() / point.critical_stiffness()).to_f64();
+            let ratio =
+                || nearest_f64(&(point.slider.stiffness_pa_per_m.clone() / point.critical_stiffness()));
             SimulatedPoint {
                 simulation: simulate(&point, law, options),
                 theory: classify(&point, threshold),

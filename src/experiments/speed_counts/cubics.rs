@@ -10,7 +10,7 @@ use super::sets::{Set, sets};
 use crate::experiments::hard_cases::methods::wide;
 use crate::experiments::hard_cases::textbook::TEXTBOOK;
 use crate::experiments::speed_counts::SpeedCountsSection;
-use slipmode_core::number::{Dd, Rational, Real};
+use slipmode_core::number::{Dd, Rational, Real, nearest_f64};
 use slipmode_core::roots::textbook::Three;
 use slipmode_core::roots::{BoundedCubic, CertifiedRoots, Pair, Working, certified_roots};
 
@@ -72,10 +72,10 @@ fn of_set(set: &Set, digits: &[u32]) -> Vec<RootCount> {
     let mut rows: Vec<RootCount> = TEXTBOOK
         .into_iter()
         .map(|(name, solve)| {
-            row(name, None, 53, &by(&|cubic| of_three(solve(cubic.each_ref().map(Rational::to_f64)))))
+            row(name, None, 53, &by(&|cubic| of_three(solve(cubic.each_ref().map(nearest_f64)))))
         })
         .collect();
-    rows.push(row("64-bit with bounds", None, 53, &by(&|cubic| bounded(cubic, Rational::to_f64))));
+    rows.push(row("64-bit with bounds", None, 53, &by(&|cubic| bounded(cubic, nearest_f64))));
     rows.push(row("double-double with bounds", None, 106, &by(&|cubic| bounded(cubic, Dd::from_rational))));
     rows.extend(digits.iter().map(|&digits| {
         let cubics = &set.cubics[..share(set.cubics.len(), digits)];

@@ -8,7 +8,7 @@ use rayon::prelude::*;
 use crate::experiments::speed_counts::SpeedCountsSection;
 use slipmode_core::dynamics::{Failure, Options, Simulation, simulate};
 use slipmode_core::friction::{EvolutionLaw, Parameters, Slider};
-use slipmode_core::number::Rational;
+use slipmode_core::number::{Rational, nearest_f64};
 
 /// The sweep at one tolerance.
 #[derive(Debug, Clone, PartialEq)]
@@ -44,7 +44,7 @@ pub(crate) fn count(parameters: &Slider<Rational>, section: &SpeedCountsSection)
         points.par_iter().map(|(point, law)| simulate(point, *law, &options)).collect()
     };
     let reference = at(REFERENCE);
-    let tolerances = section.tolerances.iter().map(Rational::to_f64);
+    let tolerances = section.tolerances.iter().map(nearest_f64);
     tolerances.map(|tolerance| summed(tolerance, &at(tolerance), &reference)).collect()
 }
 

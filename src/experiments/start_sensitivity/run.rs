@@ -81,7 +81,7 @@ fn group(
     law: EvolutionLaw,
 ) -> StartGroup {
     let point = parameters.at(stress.clone(), velocity.clone());
-    let groups = point.groups().map(Rational::to_f64);
+    let groups = point.groups().map(nearest_f64);
     let model = Model::new(groups.clone(), law);
     let tolerance = nearest_f64(&section.tolerance);
     let run = |start: Start| StartRun {
@@ -89,10 +89,10 @@ fn group(
         early: early(&model, start),
         long_term: simulate(&point, law, &Options::at(tolerance).with_start(start)),
     };
-    let ratio = || (point.slider.stiffness_pa_per_m.clone() / point.critical_stiffness()).to_f64();
+    let ratio = || nearest_f64(&(point.slider.stiffness_pa_per_m.clone() / point.critical_stiffness()));
     StartGroup {
-        loading_velocity_m_per_s: velocity.to_f64(),
-        normal_stress_pa: stress.to_f64(),
+        loading_velocity_m_per_s: nearest_f64(&velocity),
+        normal_stress_pa: nearest_f64(&stress),
         law,
         inertial_parameter: groups.inertial_parameter,
         stiffness_over_critical: parameters.has_transition().then(ratio),

@@ -4,8 +4,8 @@ use crate::experiments::boundary::figures::equation_label;
 use crate::experiments::tolerance::ToleranceOutcome;
 use crate::experiments::{Figure, FigureMaker};
 use crate::experiments::{Need, SceneOutcome};
-use slipmode_core::number::Rational;
 use slipmode_core::number::format::rational_to_decimal;
+use slipmode_core::number::{Rational, nearest_f64};
 use slipmode_core::stability::Asymptote;
 use slipmode_plot::figure::{Axis, Caption, RangeChart, RangeRow, Span};
 
@@ -51,9 +51,8 @@ fn good_enough(scene: &SceneOutcome) -> Option<Figure> {
 /// D_c √(K/M), m/s: the velocity at which η/κ = 1.
 fn velocity_scale(scene: &SceneOutcome) -> Option<f64> {
     let parameters = scene.slider()?;
-    let natural =
-        (parameters.stiffness_pa_per_m.to_f64() / parameters.mass_per_area_kg_per_m2.to_f64()).sqrt();
-    Some(parameters.critical_slip_distance_m.to_f64() * natural)
+    let natural = parameters.map(nearest_f64).natural_angular_frequency_per_s();
+    Some(nearest_f64(&parameters.critical_slip_distance_m) * natural)
 }
 
 fn range_row(

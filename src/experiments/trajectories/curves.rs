@@ -3,6 +3,7 @@
 use crate::experiments::SceneOutcome;
 use crate::experiments::trajectories::{Moment, TrajectoryRun};
 use slipmode_core::friction::EvolutionLaw;
+use slipmode_core::number::nearest_f64;
 use slipmode_plot::figure::{Axis, PointMark, Series, Side};
 
 /// The runs of one law whose point's id starts so, in the scene's order.
@@ -82,8 +83,8 @@ pub(crate) fn point_marks(
         .filter(|point| point.id.starts_with(prefix))
         .map(|point| PointMark {
             label: label(&point.id),
-            x: point.loading_velocity_m_per_s.to_f64(),
-            y: point.normal_stress_pa.to_f64(),
+            x: nearest_f64(&point.loading_velocity_m_per_s),
+            y: nearest_f64(&point.normal_stress_pa),
             side,
         })
         .collect()

@@ -7,6 +7,7 @@ use crate::experiments::trajectories::{Moment, TrajectoryRun};
 use crate::experiments::{Figure, FigureMaker};
 use crate::experiments::{Need, SceneOutcome};
 use slipmode_core::friction::{EvolutionLaw, SlipMode};
+use slipmode_core::number::nearest_f64;
 use slipmode_plot::figure::{Axis, Caption, Panel, Panels, Reference};
 
 pub(crate) const FIGURES: &[FigureMaker] = &[
@@ -67,8 +68,8 @@ fn mode_panel(run: &TrajectoryRun) -> Option<Panel> {
 
 /// σ and V_l of a run.
 pub(crate) fn place_words(run: &TrajectoryRun) -> String {
-    let stress = power_markup(run.point.normal_stress_pa.to_f64());
-    let velocity = power_markup(run.point.loading_velocity_m_per_s.to_f64());
+    let stress = power_markup(nearest_f64(&run.point.normal_stress_pa));
+    let velocity = power_markup(nearest_f64(&run.point.loading_velocity_m_per_s));
     format!("*σ* = {stress} Pa, *V*_l = {velocity} m/s")
 }
 
@@ -109,9 +110,9 @@ fn approaches(scene: &SceneOutcome) -> Option<Figure> {
 fn approach_panel(runs: &[&TrajectoryRun], words: &str) -> Option<Panel> {
     let moments = || runs.iter().flat_map(|run| run.course.iter().flat_map(|course| &course.moments));
     let (_, last) = extent(moments().map(|moment: &Moment| moment.time_s))?;
-    let stress = power_markup(runs.first()?.point.normal_stress_pa.to_f64());
+    let stress = power_markup(nearest_f64(&runs.first()?.point.normal_stress_pa));
     let lines = runs.iter().map(|run| {
-        let velocity = power_markup(run.point.loading_velocity_m_per_s.to_f64());
+        let velocity = power_markup(nearest_f64(&run.point.loading_velocity_m_per_s));
         let label = format!("{velocity} m/s, {}", damping_words(run));
         series(label, run, |moment| (moment.time_s, velocity_ratio(moment)))
     });

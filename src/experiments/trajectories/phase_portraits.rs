@@ -9,7 +9,7 @@ use crate::experiments::{Figure, FigureMaker};
 use crate::experiments::{Need, SceneOutcome};
 use slipmode_core::dynamics::Behaviour;
 use slipmode_core::friction::{EvolutionLaw, Slider};
-use slipmode_core::number::Rational;
+use slipmode_core::number::{Rational, nearest_f64};
 use slipmode_plot::figure::{Axis, Caption, Panel, Panels, Series};
 
 pub(crate) const FIGURES: &[FigureMaker] = &[FigureMaker {
@@ -91,8 +91,8 @@ fn shown(run: &TrajectoryRun) -> &[Moment] {
 
 /// Steady sliding at other velocities: Δτ = (a − b) σ ln(V/V_l), eq 1 with θ = D_c/V.
 fn steady_line(parameters: &Slider<Rational>, run: &TrajectoryRun, ends: [f64; 2], unit_pa: f64) -> Series {
-    let effect = parameters.direct_effect.to_f64() - parameters.evolution_effect.to_f64();
-    let stress = |ratio: f64| effect * run.point.normal_stress_pa.to_f64() * libm::log(ratio) / unit_pa;
+    let effect = nearest_f64(&parameters.direct_effect) - nearest_f64(&parameters.evolution_effect);
+    let stress = |ratio: f64| effect * nearest_f64(&run.point.normal_stress_pa) * libm::log(ratio) / unit_pa;
     Series {
         label: "steady sliding".into(),
         points: ends.map(|ratio| (ratio, stress(ratio))).to_vec(),

@@ -9,7 +9,7 @@ use slipmode_core::dynamics::{
     Control, Failure, Model, Options, Radau, Sample, Simulation, State, simulate, trajectory,
 };
 use slipmode_core::friction::{EvolutionLaw, Parameters, Slider};
-use slipmode_core::number::Rational;
+use slipmode_core::number::{Rational, nearest_f64};
 use slipmode_core::stability::{Classification, InertialThreshold, classify};
 
 /// One run at a named point.
@@ -81,7 +81,7 @@ fn follow(
     let simulation = simulate(&parameters, law, options);
     let course = match &simulation {
         // As accurate as the finest run behind the observables.
-        Ok(found) => course(&parameters, law, options, found.local_tolerance, point.duration_s.to_f64()),
+        Ok(found) => course(&parameters, law, options, found.local_tolerance, nearest_f64(&point.duration_s)),
         Err(failure) => Err(failure.clone()),
     };
     TrajectoryRun { point: point.clone(), law, theory: classify(&parameters, threshold), simulation, course }
@@ -94,9 +94,9 @@ fn course(
     local_tolerance: f64,
     duration_s: f64,
 ) -> Result<Course, Failure> {
-    let model = Model::new(parameters.groups().map(Rational::to_f64), law);
-    let rate_per_s = parameters.rate_per_s().to_f64();
-    let direct_stress_pa = parameters.direct_stress_pa().to_f64();
+    let model = Model::new(parameters.groups().map(nearest_f64), law);
+    let rate_per_s = nearest_f64(&parameters.rate_per_s());
+    let direct_stress_pa = nearest_f64(&parameters.direct_stress_pa());
     let control = Control { local_tolerance, most_steps: MOST_STEPS };
     let start = options.start.state(&model, &libm::log(options.velocity_ratio));
     let until = duration_s * rate_per_s;

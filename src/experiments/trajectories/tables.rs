@@ -7,6 +7,7 @@ use crate::experiments::shared::cells::rounded;
 use crate::experiments::trajectories::TrajectoryRun;
 use crate::experiments::unless_empty;
 use slipmode_core::number::format::rational_to_decimal;
+use slipmode_core::number::nearest_f64;
 use slipmode_plot::table::{Cell, Column, Table};
 
 pub(crate) const TABLES: &[TableMaker] = &[
@@ -63,7 +64,7 @@ fn modes(context: &Context) -> Option<Table> {
 fn mode_row(run: &TrajectoryRun) -> Vec<Cell> {
     let found = run.simulation.as_ref().ok();
     let number = |cell: Option<Cell>| cell.unwrap_or_else(Cell::empty);
-    let velocity = run.point.loading_velocity_m_per_s.to_f64();
+    let velocity = nearest_f64(&run.point.loading_velocity_m_per_s);
     let imaginary = run.theory.max_imaginary_per_s.to_f64().filter(|imaginary| *imaginary > 0.0);
     let failure = run.simulation.as_ref().err().or(run.course.as_ref().err());
     let mut cells = point_cells(run);

@@ -3,6 +3,7 @@
 use crate::experiments::work_precision::WorkCase;
 use crate::experiments::{Figure, FigureMaker, Need, Outcome};
 use slipmode_core::number::format::round_digits;
+use slipmode_core::number::nearest_f64;
 use slipmode_plot::figure::{Axis, Caption, LineChart, Series};
 
 pub(crate) const FIGURES: &[FigureMaker] = &[
@@ -63,8 +64,8 @@ fn work(outcome: &Outcome, index: usize) -> Option<Figure> {
 fn words_of(case: &WorkCase) -> String {
     format!(
         "σ = {} Pa, V0 = {} m/s",
-        round_digits(case.place.normal_stress_pa.to_f64(), 3),
-        round_digits(case.place.loading_velocity_m_per_s.to_f64(), 3)
+        round_digits(nearest_f64(&case.place.normal_stress_pa), 3),
+        round_digits(nearest_f64(&case.place.loading_velocity_m_per_s), 3)
     )
 }
 

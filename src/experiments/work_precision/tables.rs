@@ -2,6 +2,7 @@
 
 use crate::experiments::shared::cells::{count, rounded};
 use crate::experiments::{Context, Need, TableMaker, unless_empty};
+use slipmode_core::number::nearest_f64;
 use slipmode_plot::table::{Cell, Column, Table};
 
 pub(crate) const TABLES: &[TableMaker] =
@@ -25,8 +26,8 @@ fn work(context: &Context) -> Option<Table> {
     for case in context.outcome.scenes.iter().filter_map(|scene| scene.work_precision.as_ref()).flatten() {
         for point in &case.points {
             table.push(vec![
-                rounded(case.place.normal_stress_pa.to_f64(), 4),
-                rounded(case.place.loading_velocity_m_per_s.to_f64(), 4),
+                rounded(nearest_f64(&case.place.normal_stress_pa), 4),
+                rounded(nearest_f64(&case.place.loading_velocity_m_per_s), 4),
                 Cell::text(point.method),
                 rounded(point.setting, 4),
                 count(point.steps),

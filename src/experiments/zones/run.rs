@@ -3,7 +3,7 @@
 use crate::experiments::map::MapPoint;
 use crate::experiments::shared::Grid;
 use slipmode_core::friction::Slider;
-use slipmode_core::number::{Rational, Wide};
+use slipmode_core::number::{Rational, Wide, nearest_f64};
 use slipmode_core::stability::{Asymptote, SlipMode, SpectralClass};
 
 /// ω/ω_n of the thresholds whose effect on the map is reported, besides the default √(1/2).
@@ -99,7 +99,7 @@ impl Zone {
 
 /// The lines of fig 7 in 64 bits: a rounding error could only move a point that lies on a line.
 fn simplified_zone(parameters: &Slider<Rational>, velocity: f64, stress: f64) -> Zone {
-    let slider = parameters.map(Rational::to_f64);
+    let slider = parameters.map(nearest_f64);
     let value = |asymptote: Asymptote| asymptote.value(&slider, &stress);
     Zone {
         stable: slider.stiffness_pa_per_m > slider.at(stress, velocity).critical_stiffness(),
@@ -111,8 +111,7 @@ fn simplified_zone(parameters: &Slider<Rational>, velocity: f64, stress: f64) ->
 }
 
 fn threshold_shares(parameters: &Slider<Rational>, map: &Grid<MapPoint>) -> Vec<ThresholdShare> {
-    let natural =
-        (parameters.stiffness_pa_per_m.to_f64() / parameters.mass_per_area_kg_per_m2.to_f64()).sqrt();
+    let natural = parameters.map(nearest_f64).natural_angular_frequency_per_s();
     let ratios: Vec<f64> = map
         .values
         .iter()

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use rayon::prelude::*;
 use slipmode_core::friction::Parameters;
-use slipmode_core::number::Rational;
+use slipmode_core::number::{Rational, nearest_f64};
 use slipmode_core::roots::{CertifiedRoot, certified_roots};
 
 /// Inputs and references, column by column.
@@ -19,7 +19,7 @@ fn reference(point: &Parameters<f64>) -> [f64; 5] {
     let groups = exact.groups();
     let found = certified_roots(&groups.characteristic_cubic(), 17);
     let largest = found.roots.iter().max_by(|one, other| one.re.total_cmp(&other.re)).unwrap();
-    let rate = exact.rate_per_s().to_f64();
+    let rate = nearest_f64(&exact.rate_per_s());
     let modulus = |root: &CertifiedRoot| root.re.clone().hypot(&root.im).to_f64();
     let imaginary = found.roots.iter().map(|root| root.im.to_f64()).fold(0.0, f64::max);
     let margin = groups.transition_margin();

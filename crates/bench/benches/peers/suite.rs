@@ -7,7 +7,7 @@ use std::hint::black_box;
 use std::path::Path;
 
 use slipmode::experiments::hard_cases::{HardCase, Method, compare_hard_cases, read_hard_cases};
-use slipmode_core::number::{Dd, Rational};
+use slipmode_core::number::{Dd, Rational, nearest_f64};
 use slipmode_core::roots::textbook::{Three, aberth, cardano, companion, newton, viete};
 use slipmode_core::roots::{binary64, certified_roots, double_double};
 use slipmode_core::stability::{InertialThreshold, classify};
@@ -35,7 +35,7 @@ struct Inputs<'c> {
 impl<'c> Inputs<'c> {
     fn of(case: &'c HardCase) -> Self {
         let exact = case.parameters.groups().characteristic_cubic();
-        let rounded = case.parameters.map(Rational::to_f64).groups().characteristic_cubic();
+        let rounded = case.parameters.map(nearest_f64).groups().characteristic_cubic();
         Self { case, rounded, doubled: exact.each_ref().map(Dd::from_rational), exact }
     }
 }

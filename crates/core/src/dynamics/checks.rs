@@ -8,7 +8,7 @@ use super::{
     Model, Options, Oscillation, Radau, Rodas5P, Scalar, Simulation, Start, State, Stepper, Taylor,
     simulate_model,
 };
-use crate::friction::{EvolutionLaw, Groups};
+use crate::friction::{EvolutionLaw, Groups, critical_stiffness_group};
 use crate::number::Dd;
 
 /// The paper's values at σ = 10^s Pa and V_l = 10^v m/s.
@@ -176,7 +176,7 @@ fn stated_errors_hold_for_random_groups() {
     for case in 0..16 {
         let inertial_parameter = libm::exp10(-8.0 + 12.0 * random());
         let (ratio, effect_ratio) = (0.01 + 0.98 * random(), 1.05 + 3.95 * random());
-        let stiffness_group = ratio * (effect_ratio - 1.0) * (1.0 + inertial_parameter);
+        let stiffness_group = ratio * critical_stiffness_group(&effect_ratio, &inertial_parameter);
         let groups = Groups { inertial_parameter, stiffness_group, effect_ratio };
         let model = Model::new(groups, EvolutionLaw::ALL[case % 2]);
         let run = |tolerance| {

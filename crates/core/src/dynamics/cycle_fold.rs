@@ -93,7 +93,7 @@ impl CycleFamily {
 mod tests {
     use super::*;
     use crate::dynamics::Model;
-    use crate::friction::{EvolutionLaw, Groups};
+    use crate::friction::{EvolutionLaw, Groups, critical_stiffness_group};
 
     const EFFECT_RATIO: f64 = 1.5;
 
@@ -102,7 +102,7 @@ mod tests {
     }
 
     fn critical(family: &CycleFamily) -> f64 {
-        (family.effect_ratio - 1.0) * (1.0 + family.inertial_parameter)
+        critical_stiffness_group(&family.effect_ratio, &family.inertial_parameter)
     }
 
     /// From an amplitude of 0.05 of ln(V/V_l), where the cycle is nearly that of the linear equations.

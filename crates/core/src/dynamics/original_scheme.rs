@@ -35,7 +35,7 @@ impl<'m> OriginalScheme<'m> {
     #[must_use]
     pub fn new(model: &'m Model<f64>, [x, y, zeta]: State<f64>, fraction: f64) -> Self {
         let groups = model.groups();
-        let frequency = (groups.stiffness_group / groups.inertial_parameter).sqrt();
+        let frequency = groups.natural_angular_frequency_squared().sqrt();
         let (sine, cosine) = libm::sincos(fraction);
         let half = libm::sin(0.5 * fraction);
         Self {
@@ -140,7 +140,7 @@ impl<'m> OriginalScheme<'m> {
         let (y, _) = self.state_after(x);
         let friction = x + groups.effect_ratio * y;
         let excess = (self.stress - friction) / groups.stiffness_group;
-        let frequency_squared = groups.stiffness_group / groups.inertial_parameter;
+        let frequency_squared = groups.natural_angular_frequency_squared();
         self.velocity =
             1.0 + (self.velocity - 1.0) * self.cosine + excess * frequency_squared * self.sine_over_frequency;
         self.stress += groups.stiffness_group * self.step * (1.0 - libm::exp(x));

@@ -24,6 +24,14 @@ pub struct Groups<R> {
     pub effect_ratio: R,
 }
 
+/// κ_c = (β−1)(1+η), the κ of K = K_c (eq 9) at these β and η.
+#[doc(alias = "eq. 9")]
+#[must_use]
+pub fn critical_stiffness_group<R: Field>(effect_ratio: &R, inertial_parameter: &R) -> R {
+    let one = R::from(1);
+    (effect_ratio.clone() - &one) * (one + inertial_parameter)
+}
+
 impl<R: Field> Groups<R> {
     /// Eq 8 in p = s·D_c/V0, by ascending power of p: κ, κ+1−β, 1+η, η.
     #[must_use]
@@ -40,8 +48,7 @@ impl<R: Field> Groups<R> {
     /// κ_c = (β−1)(1+η), the κ of K = K_c (eq 9).
     #[must_use]
     pub fn critical_stiffness_group(&self) -> R {
-        let one = R::from(1);
-        (self.effect_ratio.clone() - &one) * (one + &self.inertial_parameter)
+        critical_stiffness_group(&self.effect_ratio, &self.inertial_parameter)
     }
 
     /// κ − κ_c = (K − K_c)/(aσ/D_c): its sign is that of K − K_c (eq 9), positive when linearly stable.

@@ -19,7 +19,7 @@ mod slider;
 mod slip_mode;
 
 pub use evolution::EvolutionLaw;
-pub use groups::Groups;
+pub use groups::{Groups, critical_stiffness_group};
 pub use parameters::{OperatingPoint, Parameters};
 pub use slider::Slider;
 pub use slip_mode::SlipMode;

@@ -1,7 +1,7 @@
 //! A slider at an operating point: the seven inputs of the spring-slider, in SI.
 
 use crate::friction::{Groups, Slider};
-use crate::number::{Field, Real};
+use crate::number::Field;
 
 /// How the slider is driven: one point of the (V0, σ) plane; both values are positive.
 ///
@@ -139,14 +139,5 @@ impl<R: Field> Parameters<R> {
     #[must_use]
     pub fn critical_stiffness(&self) -> R {
         self.critical_stiffness_quasi_static() * (R::from(1) + self.groups().inertial_parameter)
-    }
-}
-
-impl<R: Real> Parameters<R> {
-    /// The angular frequency of eq 23, √((b−a)/a)·V0/D_c, 1/s: exact on K = K_c. Needs b > a.
-    #[doc(alias = "eq. 23")]
-    #[must_use]
-    pub fn transition_angular_frequency_per_s(&self) -> R {
-        (self.slider.effect_difference() / &self.slider.direct_effect).sqrt() * self.rate_per_s()
     }
 }

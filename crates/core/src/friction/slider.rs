@@ -162,6 +162,13 @@ impl<R: Real> Slider<R> {
         self.natural_angular_frequency_squared_per_s2().sqrt()
     }
 
+    /// ω/V0 of eq 23, √((b−a)/a)/D_c, 1/m: exact on K = K_c. Needs b > a.
+    #[doc(alias = "eq. 23")]
+    #[must_use]
+    pub fn transition_angular_frequency_over_velocity_per_m(&self) -> R {
+        (self.effect_difference() / &self.direct_effect).sqrt() / &self.critical_slip_distance_m
+    }
+
     /// V_c = D_c·√(a/(b−a))·√(K/M), m/s (eq 13): the velocity of K = K_c as σ → 0. Needs b > a.
     #[doc(alias = "eq. 13")]
     #[must_use]

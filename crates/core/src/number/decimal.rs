@@ -2,6 +2,9 @@
 //!
 //! A decimal *is* a rational: `0.004` is 1/250, not the nearest binary number.
 
+use std::cmp::Ordering;
+
+use rug::float::Round;
 use rug::ops::Pow;
 use rug::{Float, Integer, Rational};
 use thiserror::Error;
@@ -96,10 +99,18 @@ fn scale_by_power_of_ten(integer: Integer, exponent: i64) -> Rational {
     if exponent < 0 { Rational::from((integer, power)) } else { Rational::from(integer * power) }
 }
 
-/// The f64 nearest to a rational number; its own conversion rounds towards zero.
+/// The f64 nearest to a rational number, ties to even, subnormal numbers included.
+///
+/// The conversions of `rug` round towards zero.
 #[must_use]
 pub fn nearest_f64(value: &Rational) -> f64 {
-    Float::with_val(f64::MANTISSA_DIGITS, value).to_f64()
+    // Rounded to odd first: whatever is lost is then still seen by the second rounding, to however few bits.
+    let (mut odd, lost) = Float::with_val_round(64, value, Round::Zero);
+    let is_even = odd.get_significand().is_some_and(|significand| significand.is_even());
+    if lost != Ordering::Equal && is_even {
+        if *value > 0 { odd.next_up() } else { odd.next_down() }
+    }
+    odd.to_f64()
 }
 
 #[cfg(test)]
@@ -113,6 +124,32 @@ mod tests {
         assert_eq!(parse_decimal("+.5E2").unwrap(), Rational::from(50));
         assert_eq!(parse_decimal("1e0000000000000000000000002").unwrap(), Rational::from(100));
         assert_eq!(parse_decimal("0e-5").unwrap(), Rational::new());
+    }
+
+    #[test]
+    fn the_nearest_f64_is_that_of_the_standard_library_down_to_the_smallest() {
+        for text in [
+            "0.1",
+            "-0.3",
+            "1e23",
+            "9007199254740993",
+            "9007199254740993.00000000000000000001",
+            "4.9e-324",
+            "2.4703282292062327e-324",
+            "2.4703282292062328e-324",
+            "2.2250738585072011e-308",
+            "1e400",
+            "-1e-400",
+            "0",
+        ] {
+            assert_eq!(nearest_f64(&parse_decimal(text).unwrap()), text.parse::<f64>().unwrap(), "{text}");
+        }
+        // Half-way between two subnormal numbers, and a little above: one rounding, not two.
+        let tie = Rational::from((3, 1)) / (Rational::from(1) << 1075_u32);
+        assert_eq!(nearest_f64(&tie), libm::ldexp(2.0, -1074));
+        let above = Rational::from((1, 1)) / (Rational::from(1) << 1075_u32)
+            * parse_decimal("1.00000000000000000000000001").unwrap();
+        assert_eq!(nearest_f64(&above), libm::ldexp(1.0, -1074));
     }
 
     #[test]

@@ -6,7 +6,7 @@ use super::certain_signs::{self, BoundedGroups};
 use super::slip_mode::slip_mode_given;
 use super::{InertialThreshold, SlipMode, SpectralClass};
 use crate::friction::{Groups, Parameters};
-use crate::number::{Dd, Rational, Wide};
+use crate::number::{Dd, Rational, Wide, nearest_f64};
 use crate::roots::{Bounded, CertifiedRoots, Depressed, Pair, PrecisionLevel, Spectrum, certified_roots};
 
 /// Digits of the enclosures behind the values when double-double does not suffice.
@@ -86,7 +86,7 @@ pub fn classify(parameters: &Parameters<Rational>, threshold: &InertialThreshold
         || Depressed::of(&groups.characteristic_cubic()).is_some_and(|cubic| threshold.exceeded_by(&cubic));
     let inertial = || {
         let imaginary = parts.as_ref().map(|parts| parts.imaginary.hi());
-        let natural_squared = groups.map(Rational::to_f64).natural_angular_frequency_squared();
+        let natural_squared = groups.map(nearest_f64).natural_angular_frequency_squared();
         imaginary
             .and_then(|p| clearly_inertial(p, natural_squared, threshold))
             .unwrap_or_else(exactly_inertial)
@@ -109,7 +109,7 @@ pub(super) fn clearly_inertial(
     natural_squared: f64,
     threshold: &InertialThreshold,
 ) -> Option<bool> {
-    let ratio = omega * omega / (natural_squared * threshold.squared_ratio().to_f64());
+    let ratio = omega * omega / (natural_squared * nearest_f64(threshold.squared_ratio()));
     ((ratio - 1.0).abs() > 1e-12).then_some(ratio > 1.0)
 }
 

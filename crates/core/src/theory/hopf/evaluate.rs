@@ -59,6 +59,7 @@ fn value(expression: &Expression, eta: &Rational, omega_squared: &Rational) -> O
 mod tests {
     use super::super::Criticality;
     use super::*;
+    use crate::number::nearest_f64;
 
     #[test]
     fn small_cycles_stand_below_the_line_where_supercritical_and_above_it_where_subcritical() {
@@ -86,7 +87,7 @@ mod tests {
     fn the_limit_of_subcritical_cycles_is_where_the_exact_kind_changes() {
         for beta in [(101, 100), (3, 2), (6, 1), (500, 1)] {
             let beta = Rational::from(beta);
-            let limit = degenerate_inertial_parameter(beta.to_f64());
+            let limit = degenerate_inertial_parameter(nearest_f64(&beta));
             let of = |factor: f64| {
                 Criticality::of(Law::Aging, &Rational::from_f64(limit * factor).unwrap(), &beta)
             };

@@ -2,6 +2,7 @@
 
 use super::closed_form::{frequency_slope, square_amplitude};
 use super::*;
+use crate::number::nearest_f64;
 
 const EFFECT_RATIO: f64 = 1.5;
 const STEPS_PER_CYCLE: usize = 1_000;
@@ -117,7 +118,7 @@ fn section_point(amplitude: f64, eta: f64) -> [f64; 2] {
 fn value(expression: &Expression, eta: f64) -> f64 {
     let of = |inner: &Expression| value(inner, eta);
     match expression {
-        Expression::Number(number) => number.to_f64(),
+        Expression::Number(number) => nearest_f64(number),
         Expression::Variable(name) if name.as_str() == "eta" => eta,
         Expression::Variable(_) => omega(),
         Expression::Sum(parts) => parts.iter().map(of).sum(),

@@ -1,6 +1,7 @@
 //! Values of grids and of points against 60-digit roots.
 
 use super::*;
+use crate::number::nearest_f64;
 use crate::roots::certified_roots;
 use crate::stability::batch::dispatch::Kernel;
 use crate::stability::curve;
@@ -79,7 +80,7 @@ proptest! {
         steps in 7i32..384, ratio in 71i32..512, depth in 6i32..54, on in prop::bool::ANY,
     ) {
         let ratio = Rational::from((ratio, 64));
-        let r = -1.0 - (64.0 * ratio.to_f64().sqrt()).ceil() / 64.0 - f64::from(steps) / 64.0;
+        let r = -1.0 - (64.0 * nearest_f64(&ratio).sqrt()).ceil() / 64.0 - f64::from(steps) / 64.0;
         let r = exact(r);
         let one = Rational::from(1);
         let at_groups = |eta: Rational, kappa: Rational| Slider {
