@@ -34,6 +34,14 @@ fn a_point_on_the_transition_has_sign_zero_and_its_neighbours_have_not() {
 }
 
 #[test]
+fn the_growth_rate_next_to_the_transition_has_the_digits_of_the_root() {
+    let stiffness = "42.93364104130763352800000042933641041307633528";
+    let near = classify(["1", "1.05704", "1", stiffness, "751.6935666428407", "1", "1"], &[]);
+    let growth = near["max_real_per_s"].as_f64().unwrap();
+    assert!((growth / -3.585_107_057_402_012_5e-31 - 1.0).abs() < 1e-14, "{growth:e}");
+}
+
+#[test]
 fn a_point_on_the_boundary_has_sign_zero_and_its_neighbours_have_not() {
     // The cusp at a = b: η = 1/8, κ = 27/8, a triple root −3.
     let cusp = with_groups("0.125", "3.375", "1");

@@ -38,8 +38,8 @@ pub struct Classification {
     pub spectral_class: SpectralClass,
     /// The slip mode.
     pub slip_mode: SlipMode,
-    /// Largest Re(s), 1/s, with an error of at most 1e-14 of that root's modulus and always the sign of K_c − K;
-    /// exactly 0 on the transition.
+    /// Largest Re(s), 1/s, with a relative error of at most 1e-14 however near to the transition, and so with the sign of
+    /// K_c − K; exactly 0 on the transition.
     pub max_real_per_s: Wide,
     /// Largest Im(s), 1/s, with a relative error of at most 1e-14; exactly 0 when no root is complex.
     pub max_imaginary_per_s: Wide,
@@ -114,34 +114,25 @@ pub(super) fn clearly_inertial(
 }
 
 impl LargestParts<Dd> {
-    /// From roots with error bounds, when these are small enough for the values of a [`Classification`].
+    /// From roots with error bounds, when each is at most [`TOLERANCE`] of its own part.
+    ///
+    /// On the transition itself the growth rate is zero, and its bound is compared with the pair's modulus.
     pub(super) fn of_bounded(spectrum: &Spectrum<Dd>, transition_sign: i8) -> Option<Self> {
-        Self::of_bounded_within(spectrum, transition_sign, TOLERANCE)
-    }
-
-    /// From roots with error bounds, when these are at most `tolerance` relative to the part (Re: to the root's modulus).
-    pub(super) fn of_bounded_within(
-        spectrum: &Spectrum<Dd>,
-        transition_sign: i8,
-        tolerance: f64,
-    ) -> Option<Self> {
         let zero = Dd::from(0.0);
-        let within = |bounded: &Bounded<Dd>, size: f64| bounded.error <= tolerance * size;
+        let within = |bounded: &Bounded<Dd>, size: f64| bounded.error <= TOLERANCE * size;
         let own_size = |bounded: &Bounded<Dd>| within(bounded, bounded.value.hi().abs());
         let (pair, imaginary) = match &spectrum.pair {
             Pair::NotSeparated => return None,
             Pair::Real([lower, upper]) => (own_size(lower) && own_size(upper)).then_some((*upper, zero))?,
-            Pair::Complex { re, im } => {
+            Pair::Complex { re, im } if transition_sign == 0 => {
                 let (x, y) = (re.value.hi(), im.value.hi());
-                let separate = own_size(im) && within(re, (x * x + y * y).sqrt());
-                separate.then_some((*re, im.value))?
+                (own_size(im) && within(re, (x * x + y * y).sqrt())).then_some((*re, im.value))?
             }
+            Pair::Complex { re, im } => (own_size(im) && own_size(re)).then_some((*re, im.value))?,
         };
         let largest = if pair.value > spectrum.real.value { pair } else { spectrum.real };
-        // Growth is negative exactly when stable; a value whose sign is not certain is left to the exact precision level.
-        let signed = transition_sign == 0 || largest.value.hi().abs() > largest.error;
         let real = if transition_sign == 0 { zero } else { largest.value };
-        (own_size(&spectrum.real) && signed).then_some(Self { real, imaginary })
+        own_size(&spectrum.real).then_some(Self { real, imaginary })
     }
 
     /// The parts in 1/s, if the rate and they lie well inside f64's range.
@@ -210,11 +201,11 @@ mod tests {
         let rate = Float::with_val(300, &parameters.rate_per_s());
         let largest_im = roots.iter().map(|root| root.im.clone()).max_by(Float::total_cmp).unwrap() * &rate;
         let top = roots.iter().max_by(|x, y| x.re.total_cmp(&y.re)).unwrap();
-        let modulus = (top.re.clone().square() + top.im.clone().square()).sqrt() * &rate;
         let im_error = (found.max_imaginary_per_s.to_float() - &largest_im).abs();
         assert!(im_error <= largest_im * 1e-14, "{parameters:?} {found:?}");
-        let re_error = (found.max_real_per_s.to_float() - top.re.clone() * rate).abs();
-        assert!(re_error <= modulus * 1e-14, "{parameters:?} {found:?}");
+        let largest_re = top.re.clone() * rate;
+        let re_error = (found.max_real_per_s.to_float() - &largest_re).abs();
+        assert!(re_error <= largest_re.abs() * 1e-14, "{parameters:?} {found:?}");
         let growth = found.max_real_per_s.to_float().cmp0().unwrap() as i8;
         assert_eq!(growth, -found.transition_sign, "growth has the sign of K_c − K");
         found
@@ -245,6 +236,31 @@ mod tests {
             let shift = parse_decimal(&format!("1e-{depth}")).unwrap() + 1u32;
             assert_promises(&with_groups(&eta, &kappa, &beta));
             assert_promises(&with_groups(&eta, &(kappa * shift), &beta));
+        }
+    }
+
+    /// K from 1e-13 to 1e-31 beside K_c, as an exact decimal and as the 64-bit number nearest to it.
+    #[test]
+    fn the_growth_rate_keeps_its_digits_next_to_the_transition() {
+        for beta in ["1.05704", "1.5", "20"] {
+            let beta = parse_decimal(beta).unwrap();
+            for eta in ["751.6935666428407", "1", "1e-6"] {
+                let eta = parse_decimal(eta).unwrap();
+                let critical = crate::friction::critical_stiffness_group(&beta, &eta);
+                for exponent in 13..=31 {
+                    for sign in ["", "-"] {
+                        let shift = parse_decimal(&format!("{sign}1e-{exponent}")).unwrap() + 1u32;
+                        assert_promises(&with_groups(&eta, &(critical.clone() * shift), &beta));
+                    }
+                }
+                let [beta, eta, critical] =
+                    [&beta, &eta, &critical].map(|value| Rational::from_f64(nearest_f64(value)).unwrap());
+                for steps in -3i32..=3 {
+                    let kappa =
+                        critical.clone() * Rational::from_f64(1.0 + f64::from(steps) * f64::EPSILON).unwrap();
+                    assert_promises(&with_groups(&eta, &kappa, &beta));
+                }
+            }
         }
     }
 
