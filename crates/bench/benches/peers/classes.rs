@@ -4,9 +4,7 @@ use std::path::Path;
 
 use slipmode_core::friction::{Parameters, Slider};
 use slipmode_core::number::Rational;
-use slipmode_core::stability::batch::{
-    GridKernel, LargestPartsPerS, PrecisionCounts, SignPair, classify_points, point_values,
-};
+use slipmode_core::stability::batch::{GridKernel, PrecisionCounts, SignPair, classify_points};
 use slipmode_core::stability::{InertialThreshold, classify_binary64};
 
 use super::clock::best_of;
@@ -87,19 +85,8 @@ pub fn play(family: &str, folder: &Path) {
             error = error.max((imaginary / answers[4] - 1.0).abs());
         }
     }
-    let one = Row { method: "slipmode-values", items: some, seconds, wrong, ..row.clone() };
+    let one = Row { method: "slipmode-values", items: some, seconds, wrong, ..row };
     Row { error: Some(scientific(error)), ..one }.print();
-    let (seconds, found) = best_of(REPETITIONS, || point_values(&inputs).unwrap());
-    let error = found.iter().enumerate().map(|(i, parts)| value_error(parts, columns.answers(i)));
-    let batch = Row { method: "slipmode-values-batch", seconds, ..row };
-    Row { error: Some(scientific(error.fold(0.0, f64::max))), ..batch }.print();
-}
-
-/// The larger error of the two parts: max Re relative to its root's modulus, max Im to itself.
-fn value_error(parts: &LargestPartsPerS, [_, _, growth, modulus, frequency]: [f64; 5]) -> f64 {
-    let [real, imaginary] = [parts.real, parts.imaginary].map(|part| part.to_f64().unwrap_or(f64::NAN));
-    let of_real = (real - growth).abs() / modulus;
-    if frequency > 0.0 { of_real.max((imaginary / frequency - 1.0).abs()) } else { of_real.max(imaginary) }
 }
 
 /// Both signs, max Re and max Im.

@@ -47,11 +47,6 @@ impl BoundedGroups<Dd> {
         usable.then_some(Self { groups, relative_error: 12.0 * Dd::UNIT })
     }
 
-    /// The sign of K − K_c when double-double is certain of it.
-    pub(super) fn certain_transition_sign(&self) -> Option<i8> {
-        certain_sign(&self.transition_margin())
-    }
-
     /// Both signs when 64-bit, or else double-double, is certain of both.
     pub(super) fn signs_below_exact(&self) -> Option<Signs> {
         self.leading().signs(PrecisionLevel::F64).or_else(|| self.signs(PrecisionLevel::DoubleDouble))

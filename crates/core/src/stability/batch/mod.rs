@@ -23,8 +23,6 @@ mod row_filter;
 mod sign_pair;
 mod stream;
 mod tally;
-mod value_kernel;
-mod values;
 
 pub use grid::{Grid, GridKernel, classify_grid};
 pub use grid_cell::GridCell;
@@ -33,4 +31,3 @@ pub use points::classify_points;
 pub use sign_pair::{PrecisionCounts, SignPair};
 pub use stream::{GridAxis, RowBlock, StreamedGrid};
 pub use tally::Tally;
-pub use values::{LargestPartsPerS, grid_values, point_values};

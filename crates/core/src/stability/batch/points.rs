@@ -11,7 +11,7 @@ use crate::stability::binary64::short_cubic;
 use crate::stability::certain_signs::{self, BoundedGroups};
 
 /// Points handled at a time: their columns stay in the first-level cache.
-pub(super) const BLOCK: usize = 1024;
+const BLOCK: usize = 1024;
 
 /// Classifies the points whose seven inputs (SI) stand in seven columns of equal length.
 ///
@@ -35,13 +35,13 @@ pub fn classify_points(columns: &Parameters<&[f64]>) -> Option<(Vec<SignPair>, P
 }
 
 /// The length of the columns, if all have the same.
-pub(super) fn joint_length(columns: &Parameters<&[f64]>) -> Option<usize> {
+fn joint_length(columns: &Parameters<&[f64]>) -> Option<usize> {
     let count = columns.slider.direct_effect.len();
     columns_of(columns).into_iter().all(|column| column.len() == count).then_some(count)
 }
 
 /// Whether the seven inputs of a point are positive and finite.
-pub(super) fn is_valid(columns: &Parameters<&[f64]>, index: usize) -> bool {
+fn is_valid(columns: &Parameters<&[f64]>, index: usize) -> bool {
     columns_of(columns).into_iter().all(|column| column[index] > 0.0 && column[index].is_finite())
 }
 

@@ -47,9 +47,9 @@ fn a_certain_sign_is_the_sign_and_on_the_transition_none_is_certain() {
             effect_ratio: Rational::from((3, 2)),
         };
         assert_eq!(transition_sign(&exact), sign);
-        assert_eq!(BoundedGroups::of(&exact).unwrap().certain_transition_sign(), Some(sign));
+        assert_eq!(certain_sign(&BoundedGroups::of(&exact).unwrap().transition_margin()), Some(sign));
         let on_it = Groups { stiffness_group: Rational::from(1), ..exact };
-        assert_eq!(BoundedGroups::of(&on_it).unwrap().certain_transition_sign(), None);
+        assert_eq!(certain_sign(&BoundedGroups::of(&on_it).unwrap().transition_margin()), None);
     }
 }
 
