@@ -207,12 +207,12 @@ fn b8(context: &Context) -> Finding {
 }
 
 fn b9(context: &Context) -> Finding {
-    let mut finding = Finding::from_proofs([]);
+    let mut proofs = Vec::new();
     let mut complete = Vec::new();
     let mut lacking = Vec::new();
     for effects in Effects::ALL {
         match areas::count(context.equations, effects) {
-            Err(refutation) => finding = finding.with_proof(Err(refutation)),
+            Err(refutation) => proofs.push(Err(refutation)),
             Ok(areas) => {
                 let names: Vec<&str> = ["(i)", "(ii)", "(iii)", "(iv)"]
                     .into_iter()
@@ -224,10 +224,11 @@ fn b9(context: &Context) -> Finding {
                     effects.as_str(),
                     names.join(", ")
                 ));
-                finding = finding.with_proof(Ok(areas.proof));
+                proofs.push(Ok(areas.proof));
             }
         }
     }
+    let finding = Finding::from_proofs(proofs);
     if lacking.is_empty() {
         return finding;
     }

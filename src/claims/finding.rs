@@ -23,51 +23,73 @@ pub struct Finding {
 }
 
 impl Finding {
-    /// Starts from derivations: holds when all succeed, fails with the first refutation otherwise.
+    /// Starts from derivations: holds when all succeed, fails with the first refutation, and is not checked without any.
     #[must_use]
     pub fn from_proofs(attempts: impl IntoIterator<Item = Result<Proof, Refutation>>) -> Self {
-        let mut finding = Finding::holding(Strength::Exact);
-        for attempt in attempts {
-            finding.include(attempt);
+        let finding = attempts.into_iter().fold(None, |finding: Option<Finding>, attempt| {
+            Some(match finding {
+                None => Finding::from_proof(attempt),
+                Some(finding) => finding.with_proof(attempt),
+            })
+        });
+        finding.unwrap_or_else(|| Finding::not_checked("No derivation was tried."))
+    }
+
+    /// Starts from one derivation: holds when it succeeds, fails otherwise.
+    #[must_use]
+    pub fn from_proof(attempt: Result<Proof, Refutation>) -> Self {
+        match rechecked(attempt) {
+            Ok(proof) => Finding::holding(Evidence::Proof { proof }),
+            Err(refutation) => Finding::failing(refutation.to_string()),
         }
-        finding
     }
 
     /// A claim that is false: fails when its disproof succeeds, and is not decided when the disproof does not go through.
     #[must_use]
     pub fn from_disproof(disproof: Result<Proof, Refutation>, counter_example: &str) -> Self {
-        match disproof.and_then(|proof| proof.recheck().map(|()| proof)) {
-            Ok(proof) => Finding::holding(Strength::Exact).with_proof(Ok(proof)).refuted(counter_example),
+        match rechecked(disproof) {
+            Ok(proof) => Finding::holding(Evidence::Proof { proof }).refuted(counter_example),
             Err(refutation) => Finding::not_checked(format!("The disproof fails: {refutation}")),
         }
     }
 
-    /// A finding without evidence yet, as sure as exact until weaker evidence is added.
-    fn holding(strength: Strength) -> Self {
+    /// Starts from a computation: holds as surely as it is, unless a later condition is not met. A computation over no run and no
+    /// point decides nothing.
+    #[must_use]
+    pub fn from_evidence(evidence: Evidence) -> Self {
+        match evidence.is_empty() {
+            true => Finding::not_checked("The computation has no run and no point."),
+            false => Finding::holding(evidence),
+        }
+    }
+
+    /// A claim that fails for a reason that needs no evidence besides.
+    #[must_use]
+    pub fn failing(counter_example: impl Into<String>) -> Self {
         Finding {
-            verdict: Verdict::Holds,
+            counter_example: Some(counter_example.into()),
+            ..Finding::bare(Verdict::Fails, Strength::Exact)
+        }
+    }
+
+    /// A claim that this report gives no ground to decide. No evidence added later turns it into one that holds.
+    #[must_use]
+    pub fn not_checked(reason: impl Into<String>) -> Self {
+        Finding { remarks: vec![reason.into()], ..Finding::bare(Verdict::NotChecked, Strength::Sampled) }
+    }
+
+    fn holding(evidence: Evidence) -> Self {
+        Finding { evidence: vec![evidence.clone()], ..Finding::bare(Verdict::Holds, evidence.strength()) }
+    }
+
+    fn bare(verdict: Verdict, strength: Strength) -> Self {
+        Finding {
+            verdict,
             strength,
             evidence: Vec::new(),
             limit: None,
             counter_example: None,
             remarks: Vec::new(),
-        }
-    }
-
-    /// A claim that this report gives no ground to decide.
-    #[must_use]
-    pub fn not_checked(reason: impl Into<String>) -> Self {
-        Finding {
-            verdict: Verdict::NotChecked,
-            remarks: vec![reason.into()],
-            ..Finding::holding(Strength::Sampled)
-        }
-    }
-
-    fn include(&mut self, attempt: Result<Proof, Refutation>) {
-        match attempt.and_then(|proof| proof.recheck().map(|()| proof)) {
-            Ok(proof) => self.evidence.push(Evidence::Proof { proof }),
-            Err(refutation) => self.refute(refutation.to_string()),
         }
     }
 
@@ -80,7 +102,10 @@ impl Finding {
     /// Adds one more derivation that must succeed.
     #[must_use]
     pub fn with_proof(mut self, attempt: Result<Proof, Refutation>) -> Self {
-        self.include(attempt);
+        match rechecked(attempt) {
+            Ok(proof) => self.evidence.push(Evidence::Proof { proof }),
+            Err(refutation) => self.refute(refutation.to_string()),
+        }
         self
     }
 
@@ -137,5 +162,36 @@ impl Finding {
     pub fn remark(mut self, remark: impl Into<String>) -> Self {
         self.remarks.push(remark.into());
         self
+    }
+}
+
+fn rechecked(attempt: Result<Proof, Refutation>) -> Result<Proof, Refutation> {
+    attempt.and_then(|proof| proof.recheck().map(|()| proof))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn sample(points: usize) -> Evidence {
+        Evidence::Sample { quantity: "q".into(), value: "1".into(), points }
+    }
+
+    #[test]
+    fn without_evidence_nothing_holds() {
+        assert_eq!(Finding::from_proofs([]).verdict, Verdict::NotChecked);
+        assert_eq!(Finding::from_evidence(sample(0)).verdict, Verdict::NotChecked);
+        let proof = Proof::new("no-step", "A statement without a certificate.").reason("Because.");
+        assert_eq!(Finding::from_proof(Ok(proof)).verdict, Verdict::Fails);
+        let undecided = Finding::from_proofs([]).with_evidence(sample(1)).within("a limit");
+        assert_eq!(undecided.verdict, Verdict::NotChecked);
+    }
+
+    #[test]
+    fn evidence_decides_and_a_refutation_overrules_it() {
+        assert_eq!(Finding::from_evidence(sample(1)).verdict, Verdict::Holds);
+        assert_eq!(Finding::from_evidence(sample(1)).strength, Strength::Sampled);
+        assert_eq!(Finding::from_evidence(sample(1)).require(false, || "x".into()).verdict, Verdict::Fails);
+        assert_eq!(Finding::failing("x").with_evidence(sample(1)).verdict, Verdict::Fails);
     }
 }

@@ -25,15 +25,15 @@ pub struct Entry {
     pub not_established: &'static str,
     /// Claims whose truth this one presupposes.
     pub rests_on: &'static [&'static str],
-    /// The word of the recorded verdict.
-    pub expected: &'static str,
+    /// The recorded verdict.
+    pub expected: Verdict,
 }
 
 impl Entry {
     /// Whether the computed verdict is the recorded one.
     #[must_use]
     pub fn is_as_recorded(&self) -> bool {
-        self.finding.verdict.as_str() == self.expected
+        self.finding.verdict == self.expected
     }
 }
 
@@ -87,7 +87,7 @@ fn decide_one(text: &ClaimEntry, context: &Context) -> Entry {
         finding,
         not_established: check.map_or("", |check| check.not_established),
         rests_on: check.map_or(&[], |check| check.rests_on),
-        expected: text.expected.as_str(),
+        expected: text.expected,
     }
 }
 

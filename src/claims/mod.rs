@@ -5,6 +5,7 @@
 
 mod alterations;
 mod boundary;
+mod evidence;
 mod finding;
 mod frequency;
 mod friction_law;
@@ -21,15 +22,15 @@ mod simulated_onset;
 mod simulated_trends;
 mod theory_tables;
 mod transition;
-mod verdict;
 mod zones;
 
+pub use evidence::{Evidence, Strength};
 pub use finding::Finding;
 pub use ledger::{Entry, Ledger, find, known_ids, needs};
 pub use planted_faults::{PlantedFaults, Survivor, plant_faults};
-pub use verdict::{Evidence, Strength, Verdict};
 
 use crate::experiments::{Context, Need, TableMaker};
+pub use crate::scene::Verdict;
 
 /// How one claim is decided.
 #[derive(Debug)]

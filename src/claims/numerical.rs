@@ -108,8 +108,7 @@ fn n1(context: &Context) -> Result<Finding, Finding> {
         let cycles = grid.runs.iter().filter(|run| run.periodic()).count();
         format!("{cycles} limit cycles, {} decays", grid.runs.len() - cycles)
     });
-    Ok(Finding::from_proofs([])
-        .with_evidence(evidence(&grids, "Long-term behaviour", value))
+    Ok(Finding::from_evidence(evidence(&grids, "Long-term behaviour", value))
         .require(wrong.is_empty(), || {
             format!("{} runs contradict the sign of K − K_c: {}", wrong.len(), wrong[0].place())
         })
@@ -138,8 +137,7 @@ fn n2(context: &Context) -> Result<Finding, Finding> {
         };
         SlipMode::ALL.iter().filter_map(named).collect::<Vec<_>>().join(", ")
     };
-    let finding = Finding::from_proofs([])
-        .with_evidence(evidence(&grids, "Slip modes by simulation", counts(true)))
+    let finding = Finding::from_evidence(evidence(&grids, "Slip modes by simulation", counts(true)))
         .with_supporting(Evidence::Sample {
             quantity: "Slip modes by the exact linear theory".into(),
             value: counts(false),
@@ -174,36 +172,34 @@ fn n9(context: &Context) -> Result<Finding, Finding> {
     let oscillating = |grid: &Runs| grid.runs.iter().filter(|run| run.simulation.period_s.is_some()).count();
     let wrong = all.iter().find(|run| run.simulation.period_s.is_some() != (run.theory.boundary_sign < 0));
     let overshoots = Overshoots::of(&all);
-    let finding = Finding::from_proofs([])
-        .with_evidence(evidence(
-            &grids,
-            "Runs that oscillate in the long term",
-            for_each_law(&grids, |grid| format!("{} of {}", oscillating(grid), grid.runs.len())),
-        ))
-        .require(!all.iter().any(|run| run.periodic()), || "a run ends on a limit cycle".into())
-        .require(wrong.is_none(), || {
-            wrong.map_or_else(String::new, |run| {
-                format!("{}: oscillation and discriminant disagree", run.place())
-            })
-        })
-        .with_evidence(evidence(
-            &grids,
-            "Runs without oscillation: in the upper area, in the lower area",
-            format!(
-                "{}, {}",
-                ends_in(SlipMode::OverdampedOscillation),
-                ends_in(SlipMode::OverdampedStableSliding)
-            ),
-        ))
-        .with_evidence(evidence(
-            &grids,
-            "Largest relative deviation of a period from 2π/max Im(s)",
-            round_digits(deviation, 2),
-        ))
-        .with_evidence(evidence(
-            &grids,
-            "Largest V/V_l − 1 of the runs without oscillation: upper area, lower area",
-            overshoots.text(),
-        ));
+    let finding = Finding::from_evidence(evidence(
+        &grids,
+        "Runs that oscillate in the long term",
+        for_each_law(&grids, |grid| format!("{} of {}", oscillating(grid), grid.runs.len())),
+    ))
+    .require(!all.iter().any(|run| run.periodic()), || "a run ends on a limit cycle".into())
+    .require(wrong.is_none(), || {
+        wrong
+            .map_or_else(String::new, |run| format!("{}: oscillation and discriminant disagree", run.place()))
+    })
+    .with_evidence(evidence(
+        &grids,
+        "Runs without oscillation: in the upper area, in the lower area",
+        format!(
+            "{}, {}",
+            ends_in(SlipMode::OverdampedOscillation),
+            ends_in(SlipMode::OverdampedStableSliding)
+        ),
+    ))
+    .with_evidence(evidence(
+        &grids,
+        "Largest relative deviation of a period from 2π/max Im(s)",
+        round_digits(deviation, 2),
+    ))
+    .with_evidence(evidence(
+        &grids,
+        "Largest V/V_l − 1 of the runs without oscillation: upper area, lower area",
+        overshoots.text(),
+    ));
     Ok(if overshoots.lower > 0.0 { finding.within(overshoots.limit()) } else { finding })
 }

@@ -32,13 +32,11 @@ pub(super) fn n4(context: &Context) -> Result<Finding, Finding> {
     let contradicting = pairs().filter(|(slip, aging)| slip.periodic() != aging.periodic()).count();
     let renamed = pairs().filter(|(slip, aging)| !slip.is(aging.simulation.slip_mode)).count();
     let points = slip.runs.len();
-    let finding = Law::ALL
-        .into_iter()
-        .fold(Finding::from_proofs([]), |finding, law| {
-            finding
-                .with_proof(coefficient(context.equations, law).map(|hopf| hopf.proof))
-                .with_proof(quasi_static_centre(context.equations, law))
-        })
+    let proofs = Law::ALL.into_iter().flat_map(|law| {
+        let hopf = coefficient(context.equations, law).map(|hopf| hopf.proof);
+        [hopf, quasi_static_centre(context.equations, law)]
+    });
+    let finding = Finding::from_proofs(proofs)
         .with_evidence(evidence(
             &grids,
             "Grid points where the laws differ in stability (in slip mode)",

@@ -47,7 +47,7 @@ pub(super) fn n7(context: &Context) -> Result<Finding, Finding> {
             round_digits(found.offset_dex, 4)
         )
     };
-    let finding = Finding::from_proofs([]).with_evidence(Evidence::Simulation {
+    let finding = Finding::from_evidence(Evidence::Simulation {
         quantity: "log10 of the minimising velocity divided by that of eq 18: law, σ, offset".into(),
         value: least.iter().map(each).collect::<Vec<_>>().join("; "),
         error: format!("{} dex at most", round_digits(error, 2)),
@@ -95,24 +95,28 @@ pub(super) fn n8(context: &Context) -> Result<Finding, Finding> {
         |grid: &Runs| share(grid.along_velocity().filter(both_are(SlipMode::HarmonicVibration)), rises);
     let falls = total(&grids, stick_slip);
     let grows = total(&grids, vibration);
+    if falls.1 == 0 || grows.1 == 0 {
+        return Err(Finding::not_checked(
+            "No two neighbours of the grid are both stick-slip, or both harmonic.",
+        ));
+    }
     let stray = grids
         .iter()
         .flat_map(Runs::along_velocity)
         .find(|pair| both_are(SlipMode::StickSlip)(pair) && rises(pair));
-    let finding = Finding::from_proofs([])
-        .with_evidence(evidence(
-            &grids,
-            "Neighbouring stick-slip points at the same σ whose peak velocity falls with V_l",
-            for_each_law(&grids, |grid| of(stick_slip(grid))),
-        ))
-        .with_evidence(evidence(
-            &grids,
-            "Neighbouring points of harmonic vibration at the same σ whose peak velocity rises with V_l",
-            for_each_law(&grids, |grid| of(vibration(grid))),
-        ))
-        .require(grows.0 == grows.1, || {
-            format!("in vibration the peak velocity rises for {} neighbours only", of(grows))
-        });
+    let finding = Finding::from_evidence(evidence(
+        &grids,
+        "Neighbouring stick-slip points at the same σ whose peak velocity falls with V_l",
+        for_each_law(&grids, |grid| of(stick_slip(grid))),
+    ))
+    .with_evidence(evidence(
+        &grids,
+        "Neighbouring points of harmonic vibration at the same σ whose peak velocity rises with V_l",
+        for_each_law(&grids, |grid| of(vibration(grid))),
+    ))
+    .require(grows.0 == grows.1, || {
+        format!("in vibration the peak velocity rises for {} neighbours only", of(grows))
+    });
     let least = &outcome(context, Outcome::potentially_unstable)?.least_peaks;
     let after = |change: fn(&LeastPeak) -> Option<f64>| {
         extent(least.iter().filter_map(|found| Some(change(found)? - found.offset_dex)))

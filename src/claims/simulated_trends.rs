@@ -43,21 +43,23 @@ pub(super) fn n3(context: &Context) -> Result<Finding, Finding> {
     let with_stress = total(&grids, |grid| share(grid.along_stress(), rises));
     let with_velocity = |grid: &Runs| share(grid.along_velocity(), rises);
     let all_velocity = total(&grids, with_velocity);
+    if with_stress.1 == 0 || all_velocity.1 == 0 {
+        return Err(Finding::not_checked("No two neighbours of the grid are both limit cycles."));
+    }
     let falling = grids.iter().flat_map(Runs::along_velocity).find(|pair| !rises(pair));
-    let finding = Finding::from_proofs([])
-        .with_evidence(evidence(
-            &grids,
-            "Neighbouring points at the same V_l whose peak velocity rises with σ",
-            of(with_stress),
-        ))
-        .with_evidence(evidence(
-            &grids,
-            "Neighbouring points at the same σ whose peak velocity rises with V_l",
-            for_each_law(&grids, |grid| of(with_velocity(grid))),
-        ))
-        .require(with_stress.0 == with_stress.1, || {
-            format!("along σ the peak velocity rises for {} neighbours only", of(with_stress))
-        });
+    let finding = Finding::from_evidence(evidence(
+        &grids,
+        "Neighbouring points at the same V_l whose peak velocity rises with σ",
+        of(with_stress),
+    ))
+    .with_evidence(evidence(
+        &grids,
+        "Neighbouring points at the same σ whose peak velocity rises with V_l",
+        for_each_law(&grids, |grid| of(with_velocity(grid))),
+    ))
+    .require(with_stress.0 == with_stress.1, || {
+        format!("along σ the peak velocity rises for {} neighbours only", of(with_stress))
+    });
     let Some(pair) = falling else { return Ok(finding) };
     Ok(finding
         .within(format!(
@@ -77,8 +79,7 @@ pub(super) fn n5(context: &Context) -> Result<Finding, Finding> {
     };
     let count = |grid: &Runs| share(grid.along_stress().filter(both), larger_and_rarer);
     let (passed, all) = total(&grids, count);
-    Ok(Finding::from_proofs([])
-        .with_evidence(evidence(
+    Ok(Finding::from_evidence(evidence(
             &grids,
             "Neighbouring stick-slip points at the same V_l with the smaller stress drop and the shorter period at the lower σ",
             for_each_law(&grids, |grid| of(count(grid))),
@@ -108,8 +109,7 @@ pub(super) fn n10(context: &Context) -> Result<Finding, Finding> {
     };
     let within = |percent: f64| ratios.iter().filter(|ratio| **ratio <= 1.0 + percent / 100.0).count();
     let excess = |ratio: f64| format!("{} %", round_digits(100.0 * (ratio - 1.0), 3));
-    Ok(Finding::from_proofs([])
-        .with_evidence(evidence(
+    Ok(Finding::from_evidence(evidence(
             &grids,
             "Excess of the period over 2π/√(K/M): minimum, maximum",
             format!("{}, {}", excess(*shortest), excess(*longest)),

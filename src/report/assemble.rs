@@ -7,7 +7,7 @@ use crate::experiments::Figure;
 use crate::report::claims_picture::claims_picture;
 use crate::report::{
     CardView, ChapterView, ClaimGroupView, ClaimView, EquationView, EvidenceView, FactView, FigureView,
-    FindingView, InputView, ProvenanceView, ReportView, Standing,
+    FindingView, InputView, ProvenanceView, ReportView,
 };
 use crate::scene::{Chapter, ReportPlan};
 use slipmode_core::theory::PaperEquations;
@@ -64,7 +64,7 @@ pub fn assemble(material: Material) -> ReportView {
         findings: findings(ledger),
         chapters: chapters.map(|chapter| chapter_view(chapter, prose)).collect(),
         ledger: groups(ledger, place),
-        claims_picture: claims_picture(ledger, &|index| standing(ledger.claims[index].finding.verdict)),
+        claims_picture: claims_picture(ledger),
         equations: equations
             .iter()
             .map(|equation| EquationView {
@@ -103,15 +103,6 @@ fn chapter_text(chapter: &Chapter, prose: &BTreeMap<String, String>) -> String {
     prose.get(&chapter.prose).cloned().unwrap_or_default()
 }
 
-fn standing(verdict: Verdict) -> Standing {
-    match verdict {
-        Verdict::Holds => Standing::Holds,
-        Verdict::HoldsWithin => Standing::HoldsWithin,
-        Verdict::Fails => Standing::Fails,
-        Verdict::NotChecked => Standing::NotChecked,
-    }
-}
-
 fn cards(ledger: &Ledger) -> Vec<CardView> {
     [
         (Verdict::Holds, "as stated"),
@@ -120,11 +111,7 @@ fn cards(ledger: &Ledger) -> Vec<CardView> {
         (Verdict::NotChecked, "in this report"),
     ]
     .into_iter()
-    .map(|(verdict, note)| CardView {
-        standing: standing(verdict),
-        count: ledger.count(verdict).to_string(),
-        note: note.into(),
-    })
+    .map(|(verdict, note)| CardView { verdict, count: ledger.count(verdict).to_string(), note: note.into() })
     .collect()
 }
 
@@ -139,7 +126,7 @@ fn findings(ledger: &Ledger) -> Vec<FindingView> {
             headline: format!(
                 "{} {}: {}",
                 entry.id,
-                standing(entry.finding.verdict).word(),
+                entry.finding.verdict.word(),
                 entry.words.trim_end_matches('.')
             ),
             text_markdown: plain(entry.finding.counter_example.as_deref().unwrap_or_default()),
@@ -172,7 +159,7 @@ fn claim_view(entry: &Entry, ledger: &Ledger, folder: &str) -> ClaimView {
         place: entry.place.clone(),
         statement_markdown: plain(&entry.words),
         acceptance_markdown: plain(entry.criterion),
-        standing: standing(finding.verdict),
+        verdict: finding.verdict,
         verdict_markdown: plain(finding.limit.as_deref().unwrap_or_default()),
         strength: if finding.verdict == Verdict::NotChecked {
             String::new()

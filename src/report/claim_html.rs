@@ -4,7 +4,8 @@ use serde::Serialize;
 
 use super::catalogue::Catalogue;
 use super::markdown::Prose;
-use super::view::{ClaimView, EvidenceView, FactView, Standing};
+use super::view::{ClaimView, EvidenceView, FactView};
+use crate::scene::Verdict;
 
 /// A claim's id with its verdict, small enough for a line of text.
 #[derive(Debug, Serialize)]
@@ -18,8 +19,8 @@ pub(crate) struct Chip<'a> {
 impl<'a> Chip<'a> {
     /// The chip of a claim.
     pub fn of(claim: &'a ClaimView) -> Self {
-        let standing = claim.standing;
-        Self { id: &claim.id, class: standing.class(), symbol: standing.symbol(), word: standing.word() }
+        let verdict = claim.verdict;
+        Self { id: &claim.id, class: verdict.as_str(), symbol: verdict.symbol(), word: verdict.word() }
     }
 
     /// Chips of the claims with these ids; unknown ids are reported elsewhere.
@@ -81,10 +82,10 @@ impl<'a> ClaimPage<'a> {
         Self {
             id: &claim.id,
             place: &claim.place,
-            class: claim.standing.class(),
-            symbol: claim.standing.symbol(),
-            word: claim.standing.word(),
-            open: claim.standing != Standing::Holds,
+            class: claim.verdict.as_str(),
+            symbol: claim.verdict.symbol(),
+            word: claim.verdict.word(),
+            open: claim.verdict != Verdict::Holds,
             strength: &claim.strength,
             statement_html: html(&claim.statement_markdown, "statement"),
             acceptance_html: html(&claim.acceptance_markdown, "acceptance"),

@@ -1,41 +1,41 @@
 //! The picture of which claims rest on which.
 
-use crate::claims::Ledger;
-use crate::report::{FigureView, Standing};
+use crate::claims::{Ledger, Verdict};
+use crate::report::FigureView;
 use slipmode_plot::figure::{BoxLook, BoxNode, Caption, LayeredGraph};
 
-/// Standings in the order of the legend, with the colours of the picture outside a page.
-const LOOKS: [(Standing, &str, &str); 4] = [
-    (Standing::Holds, "#e6f3e9", "#17692f"),
-    (Standing::HoldsWithin, "#fbf0d9", "#855400"),
-    (Standing::Fails, "#fbe9e7", "#b3261e"),
-    (Standing::NotChecked, "#eceef0", "#57606a"),
+/// Verdicts in the order of the legend, with the colours of the picture outside a page.
+const LOOKS: [(Verdict, &str, &str); 4] = [
+    (Verdict::Holds, "#e6f3e9", "#17692f"),
+    (Verdict::HoldsWithin, "#fbf0d9", "#855400"),
+    (Verdict::Fails, "#fbe9e7", "#b3261e"),
+    (Verdict::NotChecked, "#eceef0", "#57606a"),
 ];
 
 const TITLE: &str = "Dependencies between claims";
 
 /// The picture; `None` when no claim of the ledger rests on another.
-pub(super) fn claims_picture(ledger: &Ledger, standing: &dyn Fn(usize) -> Standing) -> Option<FigureView> {
+pub(super) fn claims_picture(ledger: &Ledger) -> Option<FigureView> {
     let place = |id: &&str| ledger.claims.iter().position(|entry| entry.id == *id);
-    let node = |(index, entry): (usize, &crate::claims::Entry)| {
-        let standing = standing(index);
+    let node = |entry: &crate::claims::Entry| {
+        let verdict = entry.finding.verdict;
         BoxNode {
-            label: format!("{} {}", entry.id, standing.symbol()),
-            name: format!("{} {}: {}", entry.id, standing.word(), entry.words),
+            label: format!("{} {}", entry.id, verdict.symbol()),
+            name: format!("{} {}: {}", entry.id, verdict.word(), entry.words),
             link: format!("#claim-{}", entry.id),
-            look: LOOKS.iter().position(|(look, ..)| *look == standing).unwrap_or(0),
+            look: LOOKS.iter().position(|(look, ..)| *look == verdict).unwrap_or(0),
             rests_on: entry.rests_on.iter().filter_map(place).collect(),
         }
     };
-    let nodes: Vec<BoxNode> = ledger.claims.iter().enumerate().map(node).collect();
+    let nodes: Vec<BoxNode> = ledger.claims.iter().map(node).collect();
     if nodes.iter().all(|node| node.rests_on.is_empty()) {
         return None;
     }
-    let look = |(standing, fill, ink): (Standing, &str, &str)| BoxLook {
-        class: standing.class().into(),
+    let look = |(verdict, fill, ink): (Verdict, &str, &str)| BoxLook {
+        class: verdict.as_str().into(),
         fill: fill.into(),
         ink: ink.into(),
-        words: format!("{} {}", standing.symbol(), standing.word()),
+        words: format!("{} {}", verdict.symbol(), verdict.word()),
     };
     let description = description(&nodes);
     let graph = LayeredGraph {

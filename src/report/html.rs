@@ -258,11 +258,11 @@ const LINE_OF_WORDS: usize = 24;
 
 fn cards(view: &ReportView) -> Vec<CardContext<'_>> {
     let mut contexts = Vec::new();
-    for CardView { standing, count, note } in &view.cards {
+    for CardView { verdict, count, note } in &view.cards {
         contexts.push(CardContext {
-            class: standing.class(),
-            symbol: standing.symbol(),
-            word: standing.word(),
+            class: verdict.as_str(),
+            symbol: verdict.symbol(),
+            word: verdict.word(),
             count,
             note,
         });

@@ -39,7 +39,7 @@ pub use produce::{Folder, Product, produce, produce_scene};
 pub use text::render_markdown;
 pub use view::{
     CardView, ChapterView, ClaimGroupView, ClaimView, EquationView, EvidenceView, FactView, FigureView,
-    FindingView, InputView, ProvenanceView, ReportView, Standing,
+    FindingView, InputView, ProvenanceView, ReportView,
 };
 
 use slipmode_plot::table::Table;

@@ -1,16 +1,17 @@
 //! A report with the parts of a real one, for tests and for looking at; its numbers are made up.
 
 use super::*;
+use crate::scene::Verdict;
 use slipmode_plot::figure::{Axis, Caption, LineChart, Series};
 use slipmode_plot::table::{Cell, Column, Table};
 
-fn claim(id: &str, standing: Standing, statement: &str) -> ClaimView {
+fn claim(id: &str, verdict: Verdict, statement: &str) -> ClaimView {
     ClaimView {
         id: id.into(),
         place: "2.2, fig. 1".into(),
         statement_markdown: statement.into(),
         acceptance_markdown: "The identity holds over $\\mathbb{Q}$ for all $\\eta > 0$, $\\kappa > 0$, $\\beta > 0$.".into(),
-        standing,
+        verdict,
         verdict_markdown: String::new(),
         strength: "exact".into(),
         evidence: vec![EvidenceView {
@@ -32,7 +33,7 @@ fn claim(id: &str, standing: Standing, statement: &str) -> ClaimView {
 }
 
 fn ledger() -> Vec<ClaimGroupView> {
-    use Standing::{Fails, Holds, HoldsWithin, NotChecked};
+    use Verdict::{Fails, Holds, HoldsWithin, NotChecked};
     let mut limited = claim(
         "B5",
         HoldsWithin,
@@ -225,7 +226,7 @@ and never exceeds it.
 /// The sample report.
 pub(crate) fn view() -> ReportView {
     let card =
-        |standing, count: &str, note: &str| CardView { standing, count: count.into(), note: note.into() };
+        |verdict, count: &str, note: &str| CardView { verdict, count: count.into(), note: note.into() };
     let finding = |headline: &str, text: &str, claims: &[&str]| FindingView {
         headline: headline.into(),
         text_markdown: text.into(),
@@ -237,10 +238,10 @@ pub(crate) fn view() -> ReportView {
         subtitle: "The linear theory of Im & Avouac, proved, measured and checked claim by claim".into(),
         summary_markdown: "Every checkable claim of *Linear stability analysis of the condition for vibration during frictional slip* was decided by computation: identities over $\\mathbb{Q}$, certified enclosures of the roots, and the exact boundary $\\max\\operatorname{Im}(s) = 0$ by three routes that share nothing but eq. 8.".into(),
         cards: vec![
-            card(Standing::Holds, "21", "proved or certified"),
-            card(Standing::HoldsWithin, "7", "with a quantified limit"),
-            card(Standing::Fails, "2", "with a counter-example"),
-            card(Standing::NotChecked, "10", "need simulations"),
+            card(Verdict::Holds, "21", "proved or certified"),
+            card(Verdict::HoldsWithin, "7", "with a quantified limit"),
+            card(Verdict::Fails, "2", "with a counter-example"),
+            card(Verdict::NotChecked, "10", "need simulations"),
         ],
         findings: vec![
             finding("The asymptotes are off by up to 37 % at their corners", "For the paper's values the exact boundary pokes past the corner of eqs 16 and 20. The largest error depends on $\\beta = b/a$ alone.", &["B5"]),

@@ -129,8 +129,8 @@ impl<'a> Report<'a> {
             BlockKind::Equation => self.catalogue.equations.get(id).map(|equation| self.equation(equation)),
             BlockKind::Claim => self.catalogue.claims.get(id).map(|claim| {
                 let statement = line(&self.prose(&claim.statement_markdown, 2));
-                let (link, standing) = (self.claim_links(std::slice::from_ref(&claim.id)), claim.standing);
-                format!("> {link} {} {}: {statement}", standing.symbol(), standing.word())
+                let (link, verdict) = (self.claim_links(std::slice::from_ref(&claim.id)), claim.verdict);
+                format!("> {link} {} {}: {statement}", verdict.symbol(), verdict.word())
             }),
         };
         text.unwrap_or_default()
@@ -193,7 +193,7 @@ impl<'a> Report<'a> {
 fn cards(view: &ReportView) -> Vec<Card<'_>> {
     let mut cards = Vec::new();
     for card in &view.cards {
-        let (symbol, word) = (card.standing.symbol(), card.standing.word());
+        let (symbol, word) = (card.verdict.symbol(), card.verdict.word());
         cards.push(Card { symbol, word, count: &card.count, note: &card.note });
     }
     cards

@@ -5,7 +5,7 @@
 
 use serde::Serialize;
 
-use crate::scene::Part;
+use crate::scene::{Part, Verdict};
 use slipmode_plot::table::Table;
 
 /// A whole report.
@@ -39,59 +39,11 @@ pub struct ReportView {
     pub environment: Vec<FactView>,
 }
 
-/// How a claim fared.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum Standing {
-    /// It holds as it stands.
-    Holds,
-    /// It holds within a quantified limit.
-    HoldsWithin,
-    /// A counter-example exists.
-    Fails,
-    /// Not decided in this run.
-    NotChecked,
-}
-
-impl Standing {
-    /// The verdict in words.
-    #[must_use]
-    pub fn word(self) -> &'static str {
-        match self {
-            Self::Holds => "holds",
-            Self::HoldsWithin => "holds within",
-            Self::Fails => "fails",
-            Self::NotChecked => "not checked",
-        }
-    }
-
-    /// The verdict as a sign that needs no colour.
-    #[must_use]
-    pub fn symbol(self) -> &'static str {
-        match self {
-            Self::Holds => "✓",
-            Self::HoldsWithin => "≈",
-            Self::Fails => "✗",
-            Self::NotChecked => "–",
-        }
-    }
-
-    /// The verdict as a class name and as it is spelled in `ledger.json`.
-    #[must_use]
-    pub fn class(self) -> &'static str {
-        match self {
-            Self::Holds => "holds",
-            Self::HoldsWithin => "holds-within",
-            Self::Fails => "fails",
-            Self::NotChecked => "not-checked",
-        }
-    }
-}
-
-/// A summary card: how many claims have one standing.
+/// A summary card: how many claims have one verdict.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CardView {
-    /// Which standing is counted.
-    pub standing: Standing,
+    /// Which verdict is counted.
+    pub verdict: Verdict,
     /// How many, formatted.
     pub count: String,
     /// A few words below the count; may be empty.
@@ -144,7 +96,7 @@ pub struct ClaimView {
     /// What had to be found for the claim to hold, stated before the result.
     pub acceptance_markdown: String,
     /// How it fared.
-    pub standing: Standing,
+    pub verdict: Verdict,
     /// The limit within which it holds, or the reason why it fails or was not checked, in a few words; may be empty.
     pub verdict_markdown: String,
     /// exact, certified, converged or sampled; empty when not checked.

@@ -2,42 +2,7 @@
 
 use crate::scene::document::read_document;
 use crate::scene::section::{Entry, Section};
-use crate::scene::{Faults, Problem, nearest, same_name};
-
-/// The verdict that a claim is recorded to have; the verdict itself is always computed.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum ExpectedVerdict {
-    /// `holds`.
-    Holds,
-    /// `holds-within`: a limit is quantified.
-    HoldsWithin,
-    /// `fails`: there is a counter-example.
-    Fails,
-    /// `not-checked`.
-    NotChecked,
-}
-
-impl ExpectedVerdict {
-    /// The four words of `claims.toml` and `ledger.json`.
-    pub const WORDS: [&'static str; 4] = ["holds", "holds-within", "fails", "not-checked"];
-
-    /// The word of the verdict.
-    #[must_use]
-    pub fn as_str(self) -> &'static str {
-        match self {
-            Self::Holds => "holds",
-            Self::HoldsWithin => "holds-within",
-            Self::Fails => "fails",
-            Self::NotChecked => "not-checked",
-        }
-    }
-
-    fn from_word(word: &str) -> Option<Self> {
-        [Self::Holds, Self::HoldsWithin, Self::Fails, Self::NotChecked]
-            .into_iter()
-            .find(|verdict| verdict.as_str() == word)
-    }
-}
+use crate::scene::{Faults, Problem, Verdict, nearest, same_name};
 
 /// One claim of the paper, in our words.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -48,8 +13,8 @@ pub struct ClaimEntry {
     pub place: String,
     /// The claim, in neutral words.
     pub words: String,
-    /// The recorded verdict.
-    pub expected: ExpectedVerdict,
+    /// The recorded verdict; the verdict itself is always computed.
+    pub expected: Verdict,
 }
 
 /// Reads `claims.toml`; `known_ids` are the ids for which a check exists.
@@ -77,7 +42,7 @@ fn read_claim(
     let id = read_id(&mut section, known_ids, seen, faults);
     let place = section.required("place", "a text", faults).and_then(|entry| entry.text(faults));
     let words = section.required("words", "a text", faults).and_then(|entry| entry.text(faults));
-    let allowed = ExpectedVerdict::WORDS.join(", ");
+    let allowed = Verdict::ALL.map(Verdict::as_str).join(", ");
     let expected =
         section.required("expected", &allowed, faults).and_then(|entry| read_expected(&entry, faults));
     section.finish(faults);
@@ -106,12 +71,12 @@ fn read_id(
     Some(id)
 }
 
-fn read_expected(entry: &Entry<'_>, faults: &mut Faults) -> Option<ExpectedVerdict> {
+fn read_expected(entry: &Entry<'_>, faults: &mut Faults) -> Option<Verdict> {
     let word = entry.text(faults)?;
-    let verdict = ExpectedVerdict::from_word(&word);
+    let verdict = Verdict::from_word(&word);
     if verdict.is_none() {
-        let near = nearest(&word, ExpectedVerdict::WORDS).map(str::to_string);
-        let allowed = ExpectedVerdict::WORDS.join(", ");
+        let near = nearest(&word, Verdict::ALL.map(Verdict::as_str)).map(str::to_string);
+        let allowed = Verdict::ALL.map(Verdict::as_str).join(", ");
         faults.push(entry.fault(Problem::UnknownWord { nearest: near, allowed }));
     }
     verdict
@@ -130,7 +95,7 @@ mod tests {
         let text = claim("B8", "holds-within") + &claim("B1", "fails");
         let claims = read_claims("claims.toml", text.as_bytes(), &["B1", "B8"]).unwrap();
         assert_eq!(claims.iter().map(|claim| claim.id.as_str()).collect::<Vec<_>>(), ["B8", "B1"]);
-        assert_eq!(claims[0].expected, ExpectedVerdict::HoldsWithin);
+        assert_eq!(claims[0].expected, Verdict::HoldsWithin);
     }
 
     #[test]

@@ -19,9 +19,10 @@ mod range;
 mod report_plan;
 pub(crate) mod section;
 pub(crate) mod sections;
+mod verdict;
 
 pub use axis::{Limits, LogAxis, LogCoordinates};
-pub use claim_list::{ClaimEntry, ExpectedVerdict, read_claims};
+pub use claim_list::{ClaimEntry, read_claims};
 pub use csv_problem::CsvProblem;
 pub use equations_file::read_equations;
 pub use fault::{Fault, Faults, Problem, visible};
@@ -32,3 +33,4 @@ pub use quantity::{ParametersSection, Quantity};
 pub use range::{AllowedRange, parse_whole};
 pub use report_plan::{Chapter, ReportPlan};
 pub use sections::{Place, Rectangle};
+pub use verdict::Verdict;

@@ -1,5 +1,7 @@
 //! The claims of a new report: those of the paper that speak of sliders like this one, each with its computed verdict.
 
+use std::collections::BTreeSet;
+
 use slipmode::claims::{self, Ledger, Verdict, known_ids};
 use slipmode::experiments;
 use slipmode::experiments::Context;
@@ -13,7 +15,7 @@ use crate::cli::progress::Progress;
 const PAPER: &str = include_str!("../../../reports/im-avouac/claims.toml");
 
 /// Claims on which the formulas rest for every slider; those that compare a < b with a > b are left to the paper's report.
-const GENERAL: &[&str] = &["F2", "L1", "L2", "L3", "B4", "B5", "Q1", "Q2", "Z3", "Z4", "Z5"];
+const GENERAL: &[&str] = &["F1", "F2", "F3", "L1", "L2", "L3", "B4", "B5", "Q1", "Q2", "Z3", "Z4", "Z5"];
 
 /// Claims about sliders with a < b: the transition, and what simulations show around it.
 const WEAKENING: &[&str] =
@@ -50,8 +52,21 @@ pub fn candidates(effects: Effects) -> Result<Vec<ClaimEntry>, Faults> {
         Effects::Strengthening => STRENGTHENING,
     };
     let mut entries = read_claims("claims.toml", PAPER.as_bytes(), &known_ids())?;
-    entries.retain(|entry| GENERAL.contains(&entry.id.as_str()) || special.contains(&entry.id.as_str()));
+    let kept = with_premises(GENERAL.iter().chain(special).copied());
+    entries.retain(|entry| kept.contains(entry.id.as_str()));
     Ok(entries)
+}
+
+/// These claims with all that they rest on: a claim whose premise is not checked would hold of changed equations too.
+fn with_premises(ids: impl Iterator<Item = &'static str>) -> BTreeSet<&'static str> {
+    let mut open: Vec<&str> = ids.collect();
+    let mut kept = BTreeSet::new();
+    while let Some(id) = open.pop() {
+        if kept.insert(id) {
+            open.extend(claims::find(id).into_iter().flat_map(|check| check.rests_on));
+        }
+    }
+    kept
 }
 
 /// A list whose verdicts stand for nothing yet.

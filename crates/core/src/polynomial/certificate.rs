@@ -81,10 +81,24 @@ pub enum Certificate {
         unknown: String,
         /// The coefficients by ascending power.
         coefficients: Vec<Expression>,
+        /// Assumptions and substitutions.
+        domain: Domain,
     },
 }
 
-impl Certificate {}
+impl Certificate {
+    /// The assumptions, unless the fact is one about numbers.
+    #[must_use]
+    pub fn domain(&self) -> Option<&Domain> {
+        match self {
+            Self::Identity { domain, .. }
+            | Self::Sign { domain, .. }
+            | Self::Limit { domain, .. }
+            | Self::Series { domain, .. } => Some(domain),
+            Self::Difference { .. } | Self::Value { .. } => None,
+        }
+    }
+}
 
 impl fmt::Display for Certificate {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -103,12 +117,13 @@ impl fmt::Display for Certificate {
             Self::Value { expression, point, value } => {
                 write!(formatter, "{expression} = {value} at {}", Point(point))
             }
-            Self::Series { relation, variable, unknown, coefficients } => {
+            Self::Series { relation, variable, unknown, coefficients, domain } => {
                 let series = Series::expression(coefficients, &Expression::variable(variable));
                 write!(
                     formatter,
-                    "{unknown} = {series} + O({variable}^{}) solves {relation} = 0",
-                    coefficients.len()
+                    "{unknown} = {series} + O({variable}^{}) solves {relation} = 0{}",
+                    coefficients.len(),
+                    Given(domain)
                 )
             }
         }

@@ -4,7 +4,8 @@ use std::collections::BTreeMap;
 
 use super::refutation::CounterExample;
 use super::{
-    Certificate, ConversionError, Domain, Expression, Polynomial, RationalFunction, Series, Symbol, Toward,
+    Certificate, ConversionError, Domain, DomainError, Expression, Polynomial, RationalFunction, Series,
+    Symbol, Toward,
 };
 
 /// Why a certificate does not hold.
@@ -20,6 +21,12 @@ impl From<ConversionError> for Failure {
     }
 }
 
+impl From<DomainError> for Failure {
+    fn from(error: DomainError) -> Self {
+        Self::remainder(error.to_string())
+    }
+}
+
 impl Failure {
     fn remainder(remainder: impl Into<String>) -> Self {
         Self { remainder: remainder.into(), counter_example: None }
@@ -29,6 +36,9 @@ impl Failure {
 impl Certificate {
     /// Computes the certificate's fact anew.
     pub(super) fn check(&self) -> Result<(), Failure> {
+        if let Some(domain) = self.domain() {
+            domain.check()?;
+        }
         match self {
             Self::Identity { left, right, domain } => check_identity(left, right, domain),
             Self::Sign { expression, sign, domain } => check_sign(expression, *sign, domain),
@@ -46,8 +56,8 @@ impl Certificate {
                 }
             }
             Self::Value { expression, point, value } => check_value(expression, point, value),
-            Self::Series { relation, variable, unknown, coefficients } => {
-                check_series(relation, variable, unknown, coefficients)
+            Self::Series { relation, variable, unknown, coefficients, domain } => {
+                check_series(relation, variable, unknown, coefficients, domain)
             }
         }
     }
@@ -85,6 +95,12 @@ fn limit(
     domain: &Domain,
 ) -> Result<RationalFunction, Failure> {
     let name = Symbol::new(variable);
+    if !domain.leaves_free(&name) {
+        return Err(Failure::remainder(format!(
+            "{variable} is not free to move alone: an assumption contains it"
+        )));
+    }
+    no_hidden(function, &name)?;
     let end = |polynomial: &Polynomial, degree: u32| match toward {
         Toward::Zero => polynomial.coefficients(&name).swap_remove(0),
         Toward::Infinity => {
@@ -102,6 +118,12 @@ fn limit(
         )));
     }
     Ok(&RationalFunction::from(end(function.numerator(), degree)) / &denominator)
+}
+
+/// A function of the variable that stays opaque, such as exp(1/V), would count as a constant.
+fn no_hidden(function: &RationalFunction, name: &Symbol) -> Result<(), Failure> {
+    let hidden = function.hides(name);
+    hidden.map_or(Ok(()), |hidden| Err(Failure::remainder(format!("{hidden} depends on {name}"))))
 }
 
 fn check_value(
@@ -124,13 +146,15 @@ fn check_series(
     variable: &str,
     unknown: &str,
     coefficients: &[Expression],
+    domain: &Domain,
 ) -> Result<(), Failure> {
-    let domain = Domain::default();
     let relation = domain.rational_function(relation)?;
     let coefficients: Result<Vec<_>, _> =
         coefficients.iter().map(|value| domain.rational_function(value)).collect();
     let series = Series::new(coefficients?);
     let names = (Symbol::new(variable), Symbol::new(unknown));
+    no_hidden(&relation, &names.0)?;
+    no_hidden(&relation, &names.1)?;
     match series.residual(relation.numerator(), &names.0, &names.1) {
         None => {
             Err(Failure::remainder(format!("the relation has no single root in {unknown} at {variable} = 0")))

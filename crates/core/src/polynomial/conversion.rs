@@ -9,7 +9,8 @@ use std::collections::BTreeMap;
 use rug::Rational;
 use thiserror::Error;
 
-use super::{Domain, Expression, Function, Monomial, Polynomial, RationalFunction, Symbol};
+use super::size::{Extent, TooLarge};
+use super::{Domain, Expression, Function, Monomial, Polynomial, RationalFunction, Relation, Symbol};
 
 /// Why an expression is not a rational function under the assumptions.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
@@ -17,53 +18,97 @@ pub enum ConversionError {
     /// A denominator vanishes identically.
     #[error("division by zero in {0}")]
     DivisionByZero(String),
+    /// A denominator may vanish.
+    #[error("{0} is a divisor and may be zero: the assumptions do not exclude it")]
+    PossibleZero(String),
+    /// The argument of a square root may be negative.
+    #[error("{0} is the argument of a square root and may be negative: the assumptions do not exclude it")]
+    PossibleNegative(String),
     /// The logarithm of something that is not a product of positive variables.
     #[error("ln({0}) is not the logarithm of a product of positive variables")]
     Logarithm(String),
     /// The absolute value of something whose sign the assumptions leave open.
     #[error("the sign of {0} is not decided by the assumptions")]
     OpenSign(String),
+    /// Multiplying out would take too long.
+    #[error(transparent)]
+    TooLarge(#[from] TooLarge),
 }
 
+/// What a numerator or denominator may come to when it is multiplied out.
+const LARGEST: Extent = Extent { terms: 20_000, degree: 256 };
+
+/// Converts expressions to rational functions and decides their signs, under the assumptions of a domain.
 pub(super) struct Converter<'d> {
     domain: &'d Domain,
     squares: BTreeMap<Symbol, RationalFunction>,
+    /// Polynomials of which a condition says that they are positive, not negative, or not zero.
+    conditions: Vec<(Polynomial, Relation)>,
 }
 
 impl<'d> Converter<'d> {
     pub(super) fn new(domain: &'d Domain) -> Self {
         let imaginary = (Symbol::new("i"), RationalFunction::from(-1));
         let either_sign = (Symbol::new("pm"), RationalFunction::from(1));
-        Self { domain, squares: BTreeMap::from([imaginary, either_sign]) }
+        let squares = BTreeMap::from([imaginary, either_sign]);
+        let mut converter = Self { domain, squares, conditions: Vec::new() };
+        for (name, square) in domain.squares() {
+            if let Ok(square) = converter.reduced(&domain.as_written(square)) {
+                converter.squares.insert(Symbol::new(name), square);
+            }
+        }
+        // A condition that is no rational function is of no use here; the check of the domain refuses it.
+        for condition in domain.conditions() {
+            if let Ok(function) = converter.reduced(&domain.as_written(&condition.expression))
+                && let Some(fact) = converter.fact(&function, condition.relation)
+            {
+                converter.conditions.push(fact);
+            }
+        }
+        converter
+    }
+
+    /// A converter that knows the squares of the roots in a function that was converted before.
+    pub(super) fn for_sign_of(domain: &'d Domain, function: &RationalFunction) -> Self {
+        let mut converter = Self::new(domain);
+        for name in &function.numerator().variables() | &function.denominator().variables() {
+            let square = argument_of_root(&name).and_then(|argument| converter.reduced(&argument).ok());
+            converter.squares.extend(square.map(|square| (name, square)));
+        }
+        converter
     }
 
     pub(super) fn convert(mut self, expression: &Expression) -> Result<RationalFunction, ConversionError> {
+        self.reduced(expression)
+    }
+
+    fn reduced(&mut self, expression: &Expression) -> Result<RationalFunction, ConversionError> {
         let function = self.function(expression)?;
-        let mut reduced = function;
-        for (name, square) in &self.squares {
-            reduced = reduce_square(&reduced, name, square)
-                .ok_or_else(|| ConversionError::DivisionByZero(expression.to_string()))?;
-        }
-        Ok(reduced)
+        self.without_squares(&function).ok_or_else(|| ConversionError::DivisionByZero(expression.to_string()))
+    }
+
+    /// The function with every known square used.
+    fn without_squares(&self, function: &RationalFunction) -> Option<RationalFunction> {
+        self.squares
+            .iter()
+            .try_fold(function.clone(), |reduced, (name, square)| reduce_square(&reduced, name, square))
     }
 
     fn function(&mut self, expression: &Expression) -> Result<RationalFunction, ConversionError> {
         match expression {
             Expression::Number(value) => Ok(RationalFunction::constant(value.clone())),
             Expression::Variable(name) => Ok(RationalFunction::variable(name.as_str())),
-            Expression::Sum(parts) => self.fold(parts, RationalFunction::from(0), |sum, part| &sum + &part),
-            Expression::Product(parts) => {
-                self.fold(parts, RationalFunction::from(1), |product, part| &product * &part)
-            }
+            Expression::Sum(parts) => self.fold(parts, RationalFunction::from(0), sum),
+            Expression::Product(parts) => self.fold(parts, RationalFunction::from(1), product),
             Expression::Negation(inner) => Ok(-self.function(inner)?),
             Expression::Quotient(left, right) => {
                 let (left, right) = (self.function(left)?, self.function(right)?);
-                left.checked_div(&right)
-                    .ok_or_else(|| ConversionError::DivisionByZero(expression.to_string()))
+                product(&left, &self.reciprocal(&right, expression)?)
             }
             Expression::Power(inner, exponent) => {
-                let power = self.function(inner)?.checked_pow(*exponent);
-                power.ok_or_else(|| ConversionError::DivisionByZero(expression.to_string()))
+                let inner = self.function(inner)?;
+                let base = if *exponent <= 0 { self.reciprocal(&inner, expression)? } else { inner };
+                power(&base, exponent.unsigned_abs())
             }
             Expression::Call(function, inner) => {
                 let argument = self.function(inner)?;
@@ -76,9 +121,115 @@ impl<'d> Converter<'d> {
         &mut self,
         parts: &[Expression],
         start: RationalFunction,
-        combine: impl Fn(RationalFunction, RationalFunction) -> RationalFunction,
+        combine: fn(&RationalFunction, &RationalFunction) -> Result<RationalFunction, ConversionError>,
     ) -> Result<RationalFunction, ConversionError> {
-        parts.iter().try_fold(start, |total, part| Ok(combine(total, self.function(part)?)))
+        parts.iter().try_fold(start, |total, part| combine(&total, &self.function(part)?))
+    }
+
+    /// 1/divisor, if the assumptions exclude that the divisor is zero.
+    fn reciprocal(
+        &self,
+        divisor: &RationalFunction,
+        place: &Expression,
+    ) -> Result<RationalFunction, ConversionError> {
+        let zero = || ConversionError::DivisionByZero(place.to_string());
+        let reduced = self.without_squares(divisor).filter(|reduced| !reduced.is_zero()).ok_or_else(zero)?;
+        if self.never_zero(reduced.numerator()) {
+            RationalFunction::from(1).checked_div(divisor).ok_or_else(zero)
+        } else {
+            Err(ConversionError::PossibleZero(Expression::from(&reduced).to_string()))
+        }
+    }
+
+    /// Do the assumptions exclude that this polynomial is zero? With w² = t known, (e + o·w)(e − o·w) = e² − o²·t decides.
+    fn never_zero(&self, polynomial: &Polynomial) -> bool {
+        let rest = self.without_factors(polynomial, |relation| relation != Relation::NonNegative).0;
+        if self.coefficient_sign(&rest).is_some() {
+            return true;
+        }
+        let known = self.squares.iter().find(|(name, _)| rest.degree(name) > 0);
+        known.is_some_and(|(name, square)| {
+            let (even, odd) = split_by_parity(&rest, name, square);
+            let norm = &(&even * &even) - &(&(&odd * &odd) * square);
+            let norm = self.without_squares(&norm).filter(|norm| !norm.is_zero());
+            norm.is_some_and(|norm| norm.numerator().degree(name) == 0 && self.never_zero(norm.numerator()))
+        })
+    }
+
+    /// +1 or −1 when the assumptions and coefficients of one sign decide the sign; `None` otherwise.
+    pub(super) fn sign_of(&self, function: &RationalFunction) -> Option<i8> {
+        Some(self.polynomial_sign(function.numerator())? * self.polynomial_sign(function.denominator())?)
+    }
+
+    fn polynomial_sign(&self, polynomial: &Polynomial) -> Option<i8> {
+        let (rest, _) = self.without_factors(polynomial, |relation| relation == Relation::Positive);
+        self.coefficient_sign(&rest).or_else(|| self.sign_with_root(&rest))
+    }
+
+    /// The sign of e + o·w with w² = t from those of e − o·w and of their product e² − o²·t.
+    fn sign_with_root(&self, polynomial: &Polynomial) -> Option<i8> {
+        let is_root = |name: &&Symbol| name.as_str().starts_with("sqrt(") && polynomial.degree(name) > 0;
+        let name = self.squares.keys().find(is_root)?;
+        let square = &self.squares[name];
+        let (even, odd) = split_by_parity(polynomial, name, square);
+        let conjugate = &even - &(&odd * &RationalFunction::variable(name.as_str()));
+        let norm = self.without_squares(&(&(&even * &even) - &(&(&odd * &odd) * square)))?;
+        let signs = [conjugate.numerator(), conjugate.denominator()].map(|side| self.coefficient_sign(side));
+        Some(signs[0]? * signs[1]? * self.sign_of(&norm)?)
+    }
+
+    /// The sign that coefficients of one sign give a polynomial in positive variables.
+    fn coefficient_sign(&self, polynomial: &Polynomial) -> Option<i8> {
+        let sign = polynomial.coefficient_sign()?;
+        polynomial.variables().iter().all(|name| self.is_positive(name)).then_some(sign)
+    }
+
+    /// The polynomial divided by the factors that a condition speaks of, as often as it goes, and whether one did.
+    fn without_factors(&self, polynomial: &Polynomial, usable: fn(Relation) -> bool) -> (Polynomial, bool) {
+        let mut rest = polynomial.clone();
+        let mut divided = false;
+        for (factor, relation) in &self.conditions {
+            if !usable(*relation) {
+                continue;
+            }
+            while let Some(quotient) = rest.divide_exact(factor).filter(|_| !rest.is_zero()) {
+                (rest, divided) = (quotient, true);
+            }
+        }
+        (rest, divided)
+    }
+
+    /// A condition as one on a polynomial without a factor of known sign: the numerator, if the denominator is positive.
+    fn fact(&self, function: &RationalFunction, relation: Relation) -> Option<(Polynomial, Relation)> {
+        let positive = self.polynomial_sign(function.denominator()) == Some(1);
+        if !positive && relation != Relation::NonZero {
+            return None;
+        }
+        let numerator = function.numerator();
+        let shared = numerator.terms().map(|(monomial, _)| monomial.clone());
+        let shared = shared.reduce(|divisor, monomial| divisor.common_divisor(&monomial))?;
+        let positive = shared.factors().all(|(name, _)| self.is_positive(name));
+        let shared = Polynomial::term(Rational::from(1), shared);
+        let core = if positive { numerator.divide_exact(&shared)? } else { numerator.clone() };
+        let (core, _) = match relation {
+            Relation::NonZero => self.without_factors(&core, |relation| relation != Relation::NonNegative),
+            Relation::Positive | Relation::NonNegative => {
+                self.without_factors(&core, |relation| relation == Relation::Positive)
+            }
+        };
+        core.as_constant().is_none().then_some((core, relation))
+    }
+
+    /// Is this variable positive? The root of something positive is.
+    fn is_positive(&self, name: &Symbol) -> bool {
+        self.domain.is_positive(name)
+            || argument_of_root(name).is_some_and(|argument| self.is_positive_expression(&argument))
+    }
+
+    fn is_positive_expression(&self, expression: &Expression) -> bool {
+        let mut inner =
+            Self { domain: self.domain, squares: self.squares.clone(), conditions: self.conditions.clone() };
+        inner.reduced(expression).is_ok_and(|function| inner.sign_of(&function) == Some(1))
     }
 
     fn call(
@@ -89,7 +240,7 @@ impl<'d> Converter<'d> {
         match function {
             Function::Ln => self.logarithm(argument),
             Function::Abs => self.absolute(argument),
-            Function::Sqrt => Ok(self.root(argument)),
+            Function::Sqrt => self.root(argument),
             Function::Exp if argument.is_zero() => Ok(RationalFunction::from(1)),
             Function::Exp | Function::Asinh => Ok(opaque(function, argument)),
         }
@@ -118,12 +269,12 @@ impl<'d> Converter<'d> {
     fn positive_term<'p>(&self, polynomial: &'p Polynomial) -> Option<(&'p Monomial, &'p Rational)> {
         let (monomial, coefficient) = polynomial.leading_term().filter(|_| polynomial.term_count() == 1)?;
         let positive =
-            coefficient.is_positive() && monomial.factors().all(|(name, _)| self.domain.is_positive(name));
+            coefficient.is_positive() && monomial.factors().all(|(name, _)| self.is_positive(name));
         positive.then_some((monomial, coefficient))
     }
 
     fn absolute(&self, argument: &RationalFunction) -> Result<RationalFunction, ConversionError> {
-        match self.domain.sign_of(argument) {
+        match self.sign_of(argument) {
             _ if argument.is_zero() => Ok(argument.clone()),
             Some(1) => Ok(argument.clone()),
             Some(_) => Ok(-argument.clone()),
@@ -131,23 +282,63 @@ impl<'d> Converter<'d> {
         }
     }
 
-    fn root(&mut self, argument: &RationalFunction) -> RationalFunction {
+    fn root(&mut self, argument: &RationalFunction) -> Result<RationalFunction, ConversionError> {
+        let possible_negative = || ConversionError::PossibleNegative(Expression::from(argument).to_string());
+        let argument = self.without_squares(argument).ok_or_else(possible_negative)?;
         if argument.is_zero() {
-            return argument.clone();
+            return Ok(argument);
         }
         let roots = argument.numerator().square_root().zip(argument.denominator().square_root());
-        if let Some(root) = roots.and_then(|(upper, lower)| RationalFunction::new(upper, lower)) {
-            match self.domain.sign_of(&root) {
-                Some(1) => return root,
-                Some(_) => return -root,
-                // Of two roots of unknown sign neither is the non-negative one: the root stays a variable.
-                None => {}
-            }
+        let root = roots.and_then(|(upper, lower)| RationalFunction::new(upper, lower));
+        match root.and_then(|root| Some((self.sign_of(&root)?, root))) {
+            Some((1, root)) => return Ok(root),
+            Some((_, root)) => return Ok(-root),
+            // Of two roots of unknown sign neither is the non-negative one: the root stays a variable.
+            None => {}
         }
-        let name = format!("sqrt({})", Expression::from(argument));
-        self.squares.insert(Symbol::new(&name), argument.clone());
-        RationalFunction::variable(&name)
+        if !self.never_negative(&argument) {
+            return Err(possible_negative());
+        }
+        let name = format!("sqrt({})", Expression::from(&argument));
+        self.squares.insert(Symbol::new(&name), argument);
+        Ok(RationalFunction::variable(&name))
     }
+
+    /// Do the assumptions exclude that the function is negative?
+    fn never_negative(&self, function: &RationalFunction) -> bool {
+        let (rest, _) = self.without_factors(function.numerator(), |relation| relation != Relation::NonZero);
+        let signs = self.coefficient_sign(&rest).zip(self.polynomial_sign(function.denominator()));
+        signs.is_some_and(|(upper, lower)| upper * lower > 0)
+    }
+}
+
+/// What the root of this name is taken of.
+fn argument_of_root(name: &Symbol) -> Option<Expression> {
+    name.as_str().strip_prefix("sqrt(")?.strip_suffix(')')?.parse().ok()
+}
+
+/// left + right, unless it is too large.
+fn sum(left: &RationalFunction, right: &RationalFunction) -> Result<RationalFunction, ConversionError> {
+    let crossed = |one: &RationalFunction, other: &RationalFunction| {
+        Extent::of(one.numerator()).times(Extent::of(other.denominator()))
+    };
+    crossed(left, right).plus(crossed(right, left)).within(LARGEST)?;
+    Extent::of(left.denominator()).times(Extent::of(right.denominator())).within(LARGEST)?;
+    Ok(left + right)
+}
+
+/// left·right, unless it is too large.
+fn product(left: &RationalFunction, right: &RationalFunction) -> Result<RationalFunction, ConversionError> {
+    Extent::of(left.numerator()).times(Extent::of(right.numerator())).within(LARGEST)?;
+    Extent::of(left.denominator()).times(Extent::of(right.denominator())).within(LARGEST)?;
+    Ok(left * right)
+}
+
+/// base^exponent, unless it is too large.
+fn power(base: &RationalFunction, exponent: u32) -> Result<RationalFunction, ConversionError> {
+    Extent::of(base.numerator()).power(exponent).within(LARGEST)?;
+    Extent::of(base.denominator()).power(exponent).within(LARGEST)?;
+    Ok(base.pow(exponent))
 }
 
 fn opaque(function: Function, argument: &RationalFunction) -> RationalFunction {
@@ -215,7 +406,8 @@ mod tests {
         let domain = Domain::positive("x y").with("a", parse("x^2"));
         assert!(same(&domain, "sqrt(4*a/y^2)", "2*x/y"));
         assert!(same(&domain, "sqrt(x + y)^2", "x + y"));
-        assert!(same(&domain, "1/(1 + sqrt(x + y))", "(sqrt(x + y) - 1)/(x + y - 1)"));
+        let apart = domain.clone().given(parse("x + y - 1"), Relation::NonZero);
+        assert!(same(&apart, "1/(1 + sqrt(x + y))", "(sqrt(x + y) - 1)/(x + y - 1)"));
         assert!(!same(&domain, "sqrt(x + y)", "x + y"));
     }
 
@@ -234,5 +426,56 @@ mod tests {
     #[test]
     fn identically_zero_denominators_are_refused() {
         assert!(Domain::default().rational_function(&parse("1/(x - x)")).is_err());
+    }
+
+    #[test]
+    fn a_divisor_must_be_proved_or_assumed_not_to_be_zero() {
+        let free = Domain::positive("x y");
+        let refused = |domain: &Domain, text: &str| domain.rational_function(&parse(text)).is_err();
+        for text in [
+            "1/(x - y)",
+            "(x - y)/(x - y)",
+            "(x - y)^-1",
+            "(x - y)^0",
+            "0/(x - y)",
+            "0*(1/z)",
+            "z/z",
+            "1/(x + z)",
+        ] {
+            assert!(refused(&free, text), "{text}");
+        }
+        let apart = free.clone().given(parse("y - x"), Relation::NonZero);
+        for text in ["1/(x - y)", "(x^2 - y^2)/(x - y)", "1/(x*y^2 - y^3)"] {
+            assert!(!refused(&apart, text), "{text}");
+        }
+        for text in ["1/(x + y)", "1/(x + i*y)", "1/(1 + sqrt(x))", "x^0", "1/(2*x + pm*x)"] {
+            assert!(!refused(&free, text), "{text}");
+        }
+        assert!(refused(&free, "1/(x + pm*x)") && refused(&free, "1/(sqrt(x)^2 - x)"));
+    }
+
+    #[test]
+    fn the_argument_of_a_root_must_not_be_negative() {
+        let free = Domain::positive("x y");
+        let refused = |domain: &Domain, text: &str| domain.rational_function(&parse(text)).is_err();
+        for text in ["sqrt(x - y)", "sqrt(-x)", "sqrt(1 - z^2)", "sqrt(z)"] {
+            assert!(refused(&free, text), "{text}");
+        }
+        let above = free.clone().given(parse("x - y"), Relation::NonNegative);
+        assert!(!refused(&above, "sqrt(x - y)") && !refused(&above, "sqrt((x - y)/y)"));
+        // It may be zero: no division by its root.
+        assert!(refused(&above, "1/sqrt(x - y)"));
+        let less = free.given(parse("x - y"), Relation::Positive);
+        assert!(!refused(&less, "1/sqrt(x - y)") && !refused(&less, "1/(sqrt(x) - sqrt(y))"));
+    }
+
+    #[test]
+    fn what_would_fill_the_memory_is_refused_before_it_is_multiplied_out() {
+        let names = ["a", "b", "c", "d", "e", "f", "g", "h", "j", "k"].join(" + ");
+        let bomb = format!("({names})^24");
+        let error =
+            Domain::default().rational_function(&parse(&format!("{bomb} - {bomb} + x"))).expect_err("a bomb");
+        assert!(error.to_string().contains("allowed: 20000 terms, degree 256"), "{error}");
+        assert!(Domain::default().rational_function(&parse("x^64*y^64*z^64*w^64*v^64")).is_err());
     }
 }

@@ -3,25 +3,92 @@
 use std::collections::BTreeMap;
 use std::fmt;
 
-use super::conversion::Converter;
-use super::{ConversionError, Expression, RationalFunction, Symbol};
+use rug::Rational;
 
-/// Assumptions on variables: which are positive, and which are expressed by others.
+use super::conversion::Converter;
+use super::refutation::evaluate;
+use super::{Condition, ConversionError, Expression, Function, RationalFunction, Relation, Symbol};
+
+/// Assumptions on variables, and expressions put in their places.
 ///
-/// Writing a = α², b = (α + γ)² with α, γ > 0 says a < b, makes √a and √b rational, and fixes the sign of b − a, all
-/// at once. Identities and signs proved after the substitution hold for all values that it can take.
+/// What is proved in a domain holds for all values of the variables of which the positive ones are positive and which meet
+/// the conditions. Writing a = α², b = (α + γ)² makes √a and √b rational and fixes the sign of b − a. Such a substitution
+/// stands for an assumption on a and b, here a, b > 0 and b − a > 0, and must reach every point of it: α and γ are
+/// parameters, each with its value in the original variables, and [`Domain::check`] computes that these values are
+/// positive and give a and b back. A variable that carries no assumption is defined by its substitution.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Domain {
     positive: Vec<String>,
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
+    given: Vec<Condition>,
+    /// Variables with a known square: S² = 1 − C² says that (C, S) is a point of the unit circle.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
+    squares: Vec<(String, Expression)>,
     substitutions: Vec<(String, Expression)>,
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
+    parameters: Vec<(String, Expression)>,
+    /// Values at which all assumptions hold; a positive variable without a value is 1, any other 0.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
+    example: Vec<(String, Expression)>,
+}
+
+/// Why a domain says nothing, or something else than what is computed in it.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+pub enum DomainError {
+    /// A substitution misses a part of the assumption on its variable.
+    #[error("{name} = {value} proves its image only: it does not reach every {name} of the assumptions")]
+    NotCovered {
+        /// The variable.
+        name: String,
+        /// What is put in its place.
+        value: Expression,
+    },
+    /// The value of a parameter is not positive under the assumptions.
+    #[error("the parameter {name} = {value} is not positive under the assumptions")]
+    Parameter {
+        /// The parameter.
+        name: String,
+        /// Its value in the original variables.
+        value: Expression,
+    },
+    /// A name is used for two things.
+    #[error("{0} stands for two things in one domain")]
+    Ambiguous(String),
+    /// The assumptions do not hold where the domain says that they do.
+    #[error("{0} does not hold at the example, so that the assumptions may be impossible")]
+    Impossible(String),
+    /// An assumption is no rational function.
+    #[error(transparent)]
+    Conversion(#[from] ConversionError),
 }
 
 impl Domain {
     /// A domain in which the variables of this space-separated list are positive; others are free.
     #[must_use]
     pub fn positive(names: &str) -> Self {
-        Self { positive: names.split_whitespace().map(str::to_owned).collect(), substitutions: Vec::new() }
+        Self { positive: names.split_whitespace().map(str::to_owned).collect(), ..Self::default() }
+    }
+
+    /// The same domain with more positive variables.
+    #[must_use]
+    pub fn and_positive(mut self, names: &str) -> Self {
+        self.positive.extend(names.split_whitespace().map(str::to_owned));
+        self
+    }
+
+    /// The same domain with one more condition.
+    #[must_use]
+    pub fn given(mut self, expression: Expression, relation: Relation) -> Self {
+        self.given.push(Condition { expression, relation });
+        self
+    }
+
+    /// The same domain in which the square of a variable is known.
+    #[must_use]
+    pub fn with_square(mut self, name: &str, square: Expression) -> Self {
+        self.squares.push((name.to_owned(), square));
+        self
     }
 
     /// The same domain with one variable expressed by others (substitutions happen all at once, not in turn).
@@ -32,16 +99,35 @@ impl Domain {
         self
     }
 
-    /// Is this variable assumed positive? Values of the exponential always are.
+    /// The same domain with a positive parameter, which has this value in the variables that the assumptions are about.
     #[must_use]
-    pub fn is_positive(&self, name: &Symbol) -> bool {
-        name.as_str().starts_with("exp(") || self.positive.iter().any(|known| known == name.as_str())
+    pub fn parameter(mut self, name: &str, value: Expression) -> Self {
+        self.parameters.push((name.to_owned(), value));
+        self
     }
 
-    /// The positive variables.
+    /// The same domain with the value of one variable at which all assumptions hold.
     #[must_use]
-    pub fn positive_names(&self) -> &[String] {
-        &self.positive
+    pub fn example(mut self, name: &str, value: Expression) -> Self {
+        self.example.push((name.to_owned(), value));
+        self
+    }
+
+    /// Is this variable positive? Values of the exponential always are.
+    #[must_use]
+    pub fn is_positive(&self, name: &Symbol) -> bool {
+        let listed = || self.positive.iter().chain(self.parameters.iter().map(|(name, _)| name));
+        name.as_str().starts_with("exp(") || listed().any(|known| known == name.as_str())
+    }
+
+    /// The conditions.
+    pub(super) fn conditions(&self) -> &[Condition] {
+        &self.given
+    }
+
+    /// The variables with a known square.
+    pub(super) fn squares(&self) -> &[(String, Expression)] {
+        &self.squares
     }
 
     /// The substitutions, in the order given.
@@ -53,17 +139,24 @@ impl Domain {
     /// The expression after the substitutions.
     #[must_use]
     pub fn substituted(&self, expression: &Expression) -> Expression {
-        let values: BTreeMap<Symbol, Expression> =
-            self.substitutions.iter().map(|(name, value)| (Symbol::new(name), value.clone())).collect();
-        expression.substitute(&values)
+        expression.substitute(&values(&self.substitutions))
+    }
+
+    /// The expression after the substitutions with nothing simplified: a divisor stays where it may be zero.
+    pub(super) fn as_written(&self, expression: &Expression) -> Expression {
+        match self.substitutions.is_empty() {
+            true => expression.clone(),
+            false => expression.replaced(&values(&self.substitutions)),
+        }
     }
 
     /// The expression as a rational function, after the substitutions; i² = −1 and pm² = 1 are used.
     ///
     /// # Errors
-    /// When it divides by zero, or a logarithm or absolute value cannot be resolved under the assumptions.
+    /// When the assumptions do not exclude that it divides by zero or takes the root of a negative number, when a logarithm
+    /// or absolute value cannot be resolved under them, and when it is too large to be expanded.
     pub fn rational_function(&self, expression: &Expression) -> Result<RationalFunction, ConversionError> {
-        Converter::new(self).convert(&self.substituted(expression))
+        Converter::new(self).convert(&self.as_written(expression))
     }
 
     /// left − right as a rational function: zero exactly when both sides are the same.
@@ -86,20 +179,166 @@ impl Domain {
         Ok(self.sign_of(&self.rational_function(expression)?))
     }
 
-    pub(super) fn sign_of(&self, function: &RationalFunction) -> Option<i8> {
-        let variables = &function.numerator().variables() | &function.denominator().variables();
-        let all_positive = variables.iter().all(|name| self.is_positive(name));
-        all_positive.then(|| function.coefficient_sign()).flatten()
+    /// Do the assumptions prove this condition?
+    ///
+    /// # Errors
+    /// When its expression divides by what may be zero, or cannot be converted for another reason.
+    pub fn proves(&self, condition: &Condition) -> Result<bool, ConversionError> {
+        let expression = condition.expression.clone();
+        let refuted = |error: ConversionError| match error {
+            ConversionError::PossibleZero(_)
+            | ConversionError::PossibleNegative(_)
+            | ConversionError::DivisionByZero(_) => Ok(false),
+            other => Err(other),
+        };
+        self.rational_function(&expression)?;
+        match condition.relation {
+            Relation::Positive => Ok(self.sign(&expression)? == Some(1)),
+            Relation::NonNegative => {
+                self.rational_function(&expression.call(Function::Sqrt)).map_or_else(refuted, |_| Ok(true))
+            }
+            Relation::NonZero => {
+                self.rational_function(&expression.power(-1)).map_or_else(refuted, |_| Ok(true))
+            }
+        }
     }
+
+    pub(super) fn sign_of(&self, function: &RationalFunction) -> Option<i8> {
+        Converter::for_sign_of(self, function).sign_of(function)
+    }
+
+    /// Checks that the domain means what it says: every name stands for one thing, the assumptions can hold, and the
+    /// substitutions reach every point at which they do.
+    ///
+    /// # Errors
+    /// The first fault.
+    pub fn check(&self) -> Result<(), DomainError> {
+        self.check_names()?;
+        self.check_example()?;
+        let original = Self { substitutions: Vec::new(), parameters: Vec::new(), ..self.clone() };
+        for (name, value) in &self.parameters {
+            if original.sign(value)? != Some(1) {
+                return Err(DomainError::Parameter { name: name.clone(), value: value.clone() });
+            }
+        }
+        let parameters = values(&self.parameters);
+        for (name, value) in self.substitutions.iter().filter(|(name, _)| self.is_assumed(name)) {
+            let reached = original.difference(&value.replaced(&parameters), &Expression::variable(name))?;
+            if !reached.is_zero() {
+                return Err(DomainError::NotCovered { name: name.clone(), value: value.clone() });
+            }
+        }
+        Ok(())
+    }
+
+    /// Does an assumption speak of this variable?
+    fn is_assumed(&self, name: &str) -> bool {
+        let symbol = Symbol::new(name);
+        self.positive.iter().any(|known| known == name)
+            || self.given.iter().any(|condition| condition.expression.variables().contains(&symbol))
+            || self
+                .squares
+                .iter()
+                .any(|(known, square)| known == name || square.variables().contains(&symbol))
+    }
+
+    /// Substituted variables, parameters and other names must not be mixed up.
+    fn check_names(&self) -> Result<(), DomainError> {
+        let mut seen = std::collections::BTreeSet::new();
+        let ambiguous = |name: &str| DomainError::Ambiguous(name.to_owned());
+        for (name, _) in self.substitutions.iter().chain(&self.parameters) {
+            if !seen.insert(name.as_str()) {
+                return Err(ambiguous(name));
+            }
+        }
+        let substituted = |name: &Symbol| self.substitutions.iter().any(|(known, _)| known == name.as_str());
+        let circular = self.substitutions.iter().flat_map(|(_, value)| value.variables()).find(substituted);
+        let assumed = self.parameters.iter().map(|(name, _)| name).find(|name| self.is_assumed(name));
+        let known = self.squares.iter().map(|(name, _)| name).find(|name| {
+            self.positive.contains(name)
+                || seen.contains(name.as_str())
+                || ["i", "pm"].contains(&name.as_str())
+        });
+        let imaginary = self.positive.iter().find(|name| ["i", "pm"].contains(&name.as_str()));
+        match circular.map(|name| name.to_string()).as_ref().or(assumed).or(known).or(imaginary) {
+            Some(name) => Err(ambiguous(name)),
+            None => Ok(()),
+        }
+    }
+
+    /// Every assumption must hold at the example.
+    fn check_example(&self) -> Result<(), DomainError> {
+        let original = Self { substitutions: Vec::new(), parameters: Vec::new(), ..self.clone() };
+        let value = |expression: &Expression| -> Result<Option<Rational>, DomainError> {
+            let function = original.rational_function(expression)?;
+            let names = &function.numerator().variables() | &function.denominator().variables();
+            // The root of a number stands for itself and has no value here.
+            let names = names.into_iter().filter(|name| !name.as_str().contains('('));
+            Ok(evaluate(&function, &names.map(|name| (name.clone(), self.example_of(&name))).collect()))
+        };
+        for name in &self.positive {
+            if !self.example_of(&Symbol::new(name)).is_positive() {
+                return Err(DomainError::Impossible(format!("{name} > 0")));
+            }
+        }
+        for condition in &self.given {
+            let holds = value(&condition.expression)?.is_some_and(|value| match condition.relation {
+                Relation::Positive => value.is_positive(),
+                Relation::NonNegative => !value.is_negative(),
+                Relation::NonZero => !value.is_zero(),
+            });
+            if !holds {
+                return Err(DomainError::Impossible(condition.to_string()));
+            }
+        }
+        for (name, square) in &self.squares {
+            let given = self.example_of(&Symbol::new(name));
+            if value(square)? != Some(Rational::from(&given * &given)) {
+                return Err(DomainError::Impossible(format!("{name}^2 = {square}")));
+            }
+        }
+        Ok(())
+    }
+
+    fn example_of(&self, name: &Symbol) -> Rational {
+        let given = self.example.iter().find(|(known, _)| known == name.as_str());
+        let number =
+            given.and_then(|(_, value)| Self::default().rational_function(value).ok()?.as_constant());
+        number.unwrap_or_else(|| Rational::from(i32::from(self.is_positive(name))))
+    }
+
+    /// Does a limit in this variable leave every assumption and every other quantity as it is?
+    pub(super) fn leaves_free(&self, name: &Symbol) -> bool {
+        let listed = self.positive.iter().any(|known| known == name.as_str());
+        let given = self.given.iter().map(|condition| &condition.expression);
+        let bound = given.chain(self.squares.iter().chain(&self.parameters).map(|(_, value)| value));
+        let substituted = self.substitutions.iter().any(|(known, _)| known == name.as_str());
+        listed && !substituted && bound.into_iter().all(|value| !value.variables().contains(name))
+    }
+}
+
+fn values(pairs: &[(String, Expression)]) -> BTreeMap<Symbol, Expression> {
+    pairs.iter().map(|(name, value)| (Symbol::new(name), value.clone())).collect()
 }
 
 impl fmt::Display for Domain {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let equal = |(name, value): &(String, Expression)| format!("{name} = {value}");
         let mut parts = Vec::new();
         if !self.positive.is_empty() {
             parts.push(format!("{} > 0", self.positive.join(", ")));
         }
-        parts.extend(self.substitutions.iter().map(|(name, value)| format!("{name} = {value}")));
+        parts.extend(self.given.iter().map(ToString::to_string));
+        parts.extend(self.squares.iter().map(|(name, square)| format!("{name}^2 = {square}")));
+        parts.extend(self.substitutions.iter().map(equal));
+        if !self.parameters.is_empty() {
+            let values: Vec<String> = self.parameters.iter().map(equal).collect();
+            parts.push(format!("where {}", values.join(", ")));
+        }
+        if !self.example.is_empty() {
+            let values: Vec<String> = self.example.iter().map(equal).collect();
+            parts.push(format!("possible at {}", values.join(", ")));
+        }
         formatter.write_str(&parts.join("; "))
     }
 }

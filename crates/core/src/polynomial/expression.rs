@@ -78,11 +78,11 @@ impl Expression {
         Self::Variable(Symbol::new(name))
     }
 
-    /// An integer power of this expression.
+    /// An integer power of this expression; the power 0 of anything but the number zero is 1.
     #[must_use]
     pub fn power(self, exponent: i32) -> Self {
         match exponent {
-            0 => Self::integer(1),
+            0 if !self.is_zero() => Self::integer(1),
             1 => self,
             _ if self.is_one() || (self.is_zero() && exponent > 0) => self,
             _ => Self::Power(Box::new(self), exponent),
@@ -126,7 +126,35 @@ impl Expression {
         }
     }
 
+    /// Has it a value for all values of its variables, as far as can be seen at once?
+    pub(super) fn is_total(&self) -> bool {
+        match self {
+            Self::Number(_) | Self::Variable(_) => true,
+            Self::Sum(parts) | Self::Product(parts) => parts.iter().all(Self::is_total),
+            Self::Quotient(above, below) => above.is_total() && below.is_never_zero(),
+            Self::Negation(inner) => inner.is_total(),
+            Self::Power(inner, exponent) => *exponent > 0 && inner.is_total(),
+            Self::Call(function, inner) => {
+                matches!(function, Function::Abs | Function::Exp | Function::Asinh) && inner.is_total()
+            }
+        }
+    }
+
+    /// Is it, as far as can be seen at once, not zero whatever its variables are?
+    fn is_never_zero(&self) -> bool {
+        match self {
+            Self::Number(value) => !value.is_zero(),
+            Self::Call(Function::Exp, inner) => inner.is_total(),
+            Self::Negation(inner) | Self::Power(inner, _) => inner.is_never_zero(),
+            Self::Product(parts) => parts.iter().all(Self::is_never_zero),
+            _ => false,
+        }
+    }
+
     /// This expression with every variable of the map replaced, all at once.
+    ///
+    /// Zero times a factor is zero, and zero over a divisor too, only where the replacement leaves the factor or divisor as it
+    /// was, or it has a value everywhere: else it may have none where the new expression is used.
     #[must_use]
     pub fn substitute(&self, values: &BTreeMap<Symbol, Expression>) -> Self {
         let go = |inner: &Self| inner.substitute(values);
@@ -134,11 +162,42 @@ impl Expression {
             Self::Number(_) => self.clone(),
             Self::Variable(name) => values.get(name).unwrap_or(self).clone(),
             Self::Sum(parts) => parts.iter().map(go).fold(Self::integer(0), Add::add),
-            Self::Product(parts) => parts.iter().map(go).fold(Self::integer(1), Mul::mul),
-            Self::Quotient(left, right) => go(left) / go(right),
+            Self::Product(parts) => {
+                let replaced: Vec<Self> = parts.iter().map(go).collect();
+                let kept = |(new, old): (&Self, &Self)| new == old || new.is_total();
+                let may_vanish = replaced.iter().any(Self::is_zero);
+                if may_vanish && !replaced.iter().zip(parts).all(kept) {
+                    return Self::Product(replaced);
+                }
+                replaced.into_iter().fold(Self::integer(1), Mul::mul)
+            }
+            Self::Quotient(left, right) => {
+                let (above, below) = (go(left), go(right));
+                if above.is_zero() && below != **right && !below.is_never_zero() {
+                    return Self::Quotient(Box::new(above), Box::new(below));
+                }
+                above / below
+            }
             Self::Negation(inner) => -go(inner),
+            Self::Power(inner, 0) => Self::Power(Box::new(go(inner)), 0),
             Self::Power(inner, exponent) => go(inner).power(*exponent),
             Self::Call(function, inner) => Self::Call(*function, Box::new(go(inner))),
+        }
+    }
+
+    /// This expression with every variable of the map replaced and nothing else changed.
+    pub(super) fn replaced(&self, values: &BTreeMap<Symbol, Expression>) -> Self {
+        let go = |inner: &Self| inner.replaced(values);
+        let boxed = |inner: &Self| Box::new(inner.replaced(values));
+        match self {
+            Self::Number(_) => self.clone(),
+            Self::Variable(name) => values.get(name).unwrap_or(self).clone(),
+            Self::Sum(parts) => Self::Sum(parts.iter().map(go).collect()),
+            Self::Product(parts) => Self::Product(parts.iter().map(go).collect()),
+            Self::Quotient(left, right) => Self::Quotient(boxed(left), boxed(right)),
+            Self::Negation(inner) => Self::Negation(boxed(inner)),
+            Self::Power(inner, exponent) => Self::Power(boxed(inner), *exponent),
+            Self::Call(function, inner) => Self::Call(*function, boxed(inner)),
         }
     }
 
@@ -208,8 +267,8 @@ impl Div for Expression {
     type Output = Self;
 
     fn div(self, other: Self) -> Self {
-        if other.is_one() || self.is_zero() {
-            // 0/x stays 0 for every x at which the quotient means anything.
+        // 0/x stays 0 for every x at which the quotient means anything; 0/0 means nothing.
+        if other.is_one() || (self.is_zero() && !other.is_zero()) {
             return self;
         }
         if self.is_negated() {

@@ -96,6 +96,16 @@ impl Polynomial {
         self.0.keys().map(|monomial| monomial.exponent(variable)).max().unwrap_or(0)
     }
 
+    /// The highest degree of a term in all variables together; 0 for the zero polynomial.
+    #[must_use]
+    pub fn total_degree(&self) -> u32 {
+        self.0
+            .keys()
+            .map(|monomial| monomial.factors().map(|(_, exponent)| exponent).sum())
+            .max()
+            .unwrap_or(0)
+    }
+
     /// The coefficients as polynomials in the other variables, by ascending power of `variable` (at least one).
     #[must_use]
     pub fn coefficients(&self, variable: &Symbol) -> Vec<Self> {

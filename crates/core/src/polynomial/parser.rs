@@ -14,7 +14,7 @@ use std::str::FromStr;
 
 use thiserror::Error;
 
-use super::{Expression, Function, Symbol};
+use super::{Condition, Expression, Function, Relation, Symbol};
 use crate::number::parse_decimal;
 
 /// The deepest nesting that is read; more is refused instead of exhausting the stack.
@@ -36,25 +36,45 @@ pub struct ParseError {
     pub message: String,
 }
 
+/// What must hold at a place of the text for the expression to have a value.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Demand {
+    /// Where the divisor, base or argument begins, counted in characters from 1.
+    pub column: usize,
+    /// What must hold of it.
+    pub condition: Condition,
+}
+
 struct Parser {
     text: Vec<char>,
     position: usize,
     depth: usize,
+    demands: Vec<Demand>,
+}
+
+impl Expression {
+    /// Reads an expression with all that must hold for it to have a value.
+    ///
+    /// # Errors
+    /// When the text is not of the grammar.
+    pub fn read(text: &str) -> Result<(Self, Vec<Demand>), ParseError> {
+        let mut parser = Parser { text: text.chars().collect(), position: 0, depth: 0, demands: Vec::new() };
+        if parser.text.len() > MAX_LENGTH {
+            return Err(parser.error(format!("longer than {MAX_LENGTH} characters")));
+        }
+        let expression = parser.sum()?;
+        match parser.peek() {
+            None => Ok((expression, parser.demands)),
+            Some(found) => Err(parser.error(format!("unexpected '{found}'"))),
+        }
+    }
 }
 
 impl FromStr for Expression {
     type Err = ParseError;
 
     fn from_str(text: &str) -> Result<Self, ParseError> {
-        let mut parser = Parser { text: text.chars().collect(), position: 0, depth: 0 };
-        if parser.text.len() > MAX_LENGTH {
-            return Err(parser.error(format!("longer than {MAX_LENGTH} characters")));
-        }
-        let expression = parser.sum()?;
-        match parser.peek() {
-            None => Ok(expression),
-            Some(found) => Err(parser.error(format!("unexpected '{found}'"))),
-        }
+        Ok(Self::read(text)?.0)
     }
 }
 
@@ -105,9 +125,12 @@ impl Parser {
         let mut product = self.signed()?;
         loop {
             if self.take('*') {
-                product = product * self.signed()?;
+                product = as_written(product, self.signed()?);
             } else if self.take('/') {
-                product = product / self.signed()?;
+                let below = self.divisor()?;
+                // 0/x keeps its divisor: whether it may be zero is decided where the expression is used.
+                let is_zero = product.is_zero();
+                product = if is_zero { quotient(product, below) } else { product / below };
             } else {
                 return Ok(product);
             }
@@ -132,7 +155,23 @@ impl Parser {
         Ok(value)
     }
 
+    fn divisor(&mut self) -> Result<Expression, ParseError> {
+        self.peek();
+        let column = self.position + 1;
+        let divisor = self.signed()?;
+        self.demand(column, &divisor, Relation::NonZero);
+        Ok(divisor)
+    }
+
+    /// Notes what must hold for the expression read so far to have a value.
+    fn demand(&mut self, column: usize, expression: &Expression, relation: Relation) {
+        let condition = Condition { expression: expression.clone(), relation };
+        self.demands.push(Demand { column, condition });
+    }
+
     fn power(&mut self) -> Result<Expression, ParseError> {
+        self.peek();
+        let column = self.position + 1;
         let base = self.atom()?;
         if !self.take('^') {
             return Ok(base);
@@ -144,7 +183,13 @@ impl Parser {
         let Some(exponent) = exponent else {
             return Err(self.error(format!("expected a whole exponent up to {MAX_POWER}")));
         };
-        Ok(base.power(if negative { -exponent } else { exponent }))
+        if negative || exponent == 0 {
+            self.demand(column, &base, Relation::NonZero);
+        }
+        Ok(match exponent {
+            0 => Expression::Power(Box::new(base), 0),
+            _ => base.power(if negative { -exponent } else { exponent }),
+        })
     }
 
     fn atom(&mut self) -> Result<Expression, ParseError> {
@@ -176,7 +221,17 @@ impl Parser {
         let mut name = self.take_while(|c| c.is_ascii_alphanumeric() || c == '_');
         name += &self.take_while(|c| c == '\'');
         match Function::from_name(&name) {
-            Some(function) => Ok(self.parenthesised()?.call(function)),
+            Some(function) => {
+                self.peek();
+                let column = self.position + 1;
+                let argument = self.parenthesised()?;
+                match function {
+                    Function::Ln => self.demand(column, &argument, Relation::Positive),
+                    Function::Sqrt => self.demand(column, &argument, Relation::NonNegative),
+                    Function::Abs | Function::Exp | Function::Asinh => {}
+                }
+                Ok(argument.call(function))
+            }
             None if self.peek() == Some('(') => {
                 Err(self.error(format!("'{name}' is not a function (write * for products)")))
             }
@@ -191,6 +246,19 @@ impl Parser {
         }
         self.text[start..self.position].iter().collect()
     }
+}
+
+/// left·right; a zero keeps the other factor unless that has a value everywhere.
+fn as_written(left: Expression, right: Expression) -> Expression {
+    let dropped = if left.is_zero() { &right } else { &left };
+    if (left.is_zero() || right.is_zero()) && !dropped.is_total() {
+        return Expression::Product(vec![left, right]);
+    }
+    left * right
+}
+
+fn quotient(above: Expression, below: Expression) -> Expression {
+    Expression::Quotient(Box::new(above), Box::new(below))
 }
 
 #[cfg(test)]

@@ -79,6 +79,12 @@ impl From<Expression> for String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::polynomial::{Domain, Relation};
+
+    fn domain() -> Domain {
+        let apart = "b - a".parse().expect("in the grammar");
+        Domain::positive("V theta D_c a b c K M sigma V_0 x").given(apart, Relation::NonZero)
+    }
 
     #[test]
     fn text_survives_reading_and_printing() {
@@ -98,7 +104,7 @@ mod tests {
             let printed = expression.to_string();
             let again: Expression = printed.parse().expect("printed in the grammar");
             assert_eq!(printed, again.to_string(), "{text}");
-            let difference = super::super::Domain::positive("V theta D_c").difference(&expression, &again);
+            let difference = domain().difference(&expression, &again);
             assert!(difference.is_ok_and(|value| value.is_zero()), "{text} was printed as {printed}");
         }
     }

@@ -138,8 +138,11 @@ impl Proof {
     /// Checks every certificate again.
     ///
     /// # Errors
-    /// The first step that does not hold.
+    /// The first step that does not hold; a proof in which no step has a certificate.
     pub fn recheck(&self) -> Result<(), Refutation> {
+        if self.steps.iter().all(|step| step.certificate.is_none()) {
+            return Err(self.refute(&self.statement, &[], "no step of the proof has a certificate"));
+        }
         self.steps.iter().try_for_each(|step| self.check(step))
     }
 
@@ -225,5 +228,107 @@ mod tests {
         assert!(proof.clone().positive("difference", &[], &parse("x - y"), &domain).is_err());
         let pole = parse("1/x");
         assert!(proof.limit("pole", &[], &pole, ("x", Toward::Zero), &parse("0"), &domain).is_err());
+    }
+
+    /// What the check says of a certificate as a file would state it.
+    fn checked(certificate: &str) -> Result<(), String> {
+        let step = format!(r#"{{"says": "s", "equations": [], "certificate": {certificate}}}"#);
+        let text = format!(r#"{{"id": "forged", "statement": "A forged proof.", "steps": [{step}]}}"#);
+        let proof: Proof = serde_json::from_str(&text).expect("readable");
+        proof.recheck().map_err(|refutation| refutation.remainder)
+    }
+
+    fn sign(expression: &str, domain: &str) -> Result<(), String> {
+        checked(&format!(
+            r#"{{"kind": "sign", "expression": "{expression}", "sign": 1, "domain": {domain}}}"#
+        ))
+    }
+
+    fn identity(left: &str, right: &str, domain: &str) -> Result<(), String> {
+        checked(&format!(
+            r#"{{"kind": "identity", "left": "{left}", "right": "{right}", "domain": {domain}}}"#
+        ))
+    }
+
+    #[test]
+    fn forged_sign_of_a_positive_variable_replaced_by_a_negative_one_is_refused() {
+        let forged = r#"{"positive": ["T", "w"], "substitutions": [["T", "-w"]]}"#;
+        let error = sign("-T", forged).expect_err("no positive T is −w");
+        assert!(error.contains("T = -w proves its image only"), "{error}");
+        let with_value =
+            r#"{"positive": ["T"], "substitutions": [["T", "-w"]], "parameters": [["w", "-T"]]}"#;
+        assert!(sign("-T", with_value).expect_err("−T < 0").contains("w = -T is not positive"));
+        let honest = r#"{"positive": [], "given": ["-T > 0"], "substitutions": [["T", "-w"]],
+            "parameters": [["w", "-T"]], "example": [["T", "-1"]]}"#;
+        assert_eq!(sign("-T", honest), Ok(()));
+        assert_eq!(sign("1 - T", honest), Ok(()));
+    }
+
+    #[test]
+    fn forged_identity_without_its_hypothesis_is_refused() {
+        let free = r#"{"positive": ["y"], "substitutions": []}"#;
+        for (left, right) in [
+            ("x/x", "1"),
+            ("(x - x)/(x - x)", "0"),
+            ("0/x", "0"),
+            ("0*(1/x)", "0"),
+            ("x^0", "1"),
+            ("0^0", "1"),
+            ("(x - y)^-1*(x - y)", "1"),
+            ("sqrt(1 - x^2)^2", "1 - x^2"),
+            ("ln(x) - ln(x)", "0"),
+            ("y + 0/0", "y"),
+        ] {
+            assert!(identity(left, right, free).is_err(), "{left} = {right}");
+        }
+        let stated = r#"{"positive": ["y"], "given": ["x != 0", "1 - x^2 >= 0"], "substitutions": [],
+            "example": [["x", "1/2"]]}"#;
+        assert_eq!(identity("x/x", "1", stated), Ok(()));
+        assert_eq!(identity("sqrt(1 - x^2)^2", "1 - x^2", stated), Ok(()));
+        assert!(identity("(x - x)/(x - x)", "0", stated).is_err());
+        // A substitution does not remove the divisor it makes zero.
+        let zero = r#"{"positive": ["y"], "substitutions": [["x", "0"]]}"#;
+        assert!(identity("x/(x*y)", "0", zero).is_err());
+    }
+
+    #[test]
+    fn forged_substitution_that_misses_a_part_of_its_assumption_is_refused() {
+        let missing = r#"{"positive": ["a", "b"], "given": ["b - a > 0"],
+            "substitutions": [["b", "2*a + g"]], "parameters": [["g", "b - a"]], "example": [["b", "2"]]}"#;
+        let error = sign("b - 2*a", missing).expect_err("b = 3a/2 is not reached");
+        assert!(error.contains("does not reach every b"), "{error}");
+        let unproved = missing.replace(r#"["g", "b - a"]"#, r#"["g", "b - 2*a"]"#);
+        assert!(sign("b - 2*a", &unproved).expect_err("b < 2a").contains("g = b - 2*a is not positive"));
+        let bare = r#"{"positive": ["a", "b", "g"], "substitutions": [["b", "a + g"]]}"#;
+        assert!(sign("b - a", bare).expect_err("b < a is positive too").contains("proves its image only"));
+        let covering = missing.replace("2*a + g", "a + g");
+        assert_eq!(sign("b - a", &covering), Ok(()));
+        let by_roots = r#"{"positive": ["a", "b"], "given": ["b - a > 0"], "example": [["b", "2"]],
+            "substitutions": [["a", "p^2"], ["b", "(p + g)^2"]],
+            "parameters": [["p", "sqrt(a)"], ["g", "sqrt(b) - sqrt(a)"]]}"#;
+        assert_eq!(sign("sqrt(b) - sqrt(a)", by_roots), Ok(()));
+    }
+
+    #[test]
+    fn forged_hypotheses_that_cannot_hold_are_refused() {
+        let contradiction = r#"{"positive": ["a", "b"], "given": ["b - a > 0", "a - b > 0"], "substitutions": [],
+            "example": [["b", "2"]]}"#;
+        assert!(
+            sign("1", contradiction).expect_err("nowhere").contains("a - b > 0 does not hold at the example")
+        );
+        let ambiguous = r#"{"positive": ["a"], "substitutions": [["x", "y"], ["y", "-x"]]}"#;
+        assert!(sign("a", ambiguous).expect_err("circular").contains("stands for two things"));
+    }
+
+    #[test]
+    fn forged_limit_of_a_function_that_hides_its_variable_is_refused() {
+        let limit = |expression: &str, value: &str| {
+            checked(&format!(
+                r#"{{"kind": "limit", "expression": "{expression}", "variable": "x", "toward": "zero", "value": "{value}",
+                "domain": {{"positive": ["x", "y"], "substitutions": []}}}}"#
+            ))
+        };
+        assert_eq!(limit("x*y", "0"), Ok(()));
+        assert!(limit("x*exp(1/x)", "0").expect_err("it grows").contains("depends on x"));
     }
 }

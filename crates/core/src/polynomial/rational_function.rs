@@ -4,7 +4,7 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use rug::Rational;
 
-use super::{Polynomial, Symbol};
+use super::{Expression, Polynomial, Symbol};
 use crate::number::Field;
 
 /// numerator/denominator without common factor, the denominator's leading coefficient 1.
@@ -67,23 +67,27 @@ impl RationalFunction {
         Some(self.numerator.as_constant()? / self.denominator.as_constant()?)
     }
 
+    /// A variable of it that stands for a function of this one, such as `exp(1/V)`; derivatives, degrees and limits do not see it.
+    #[must_use]
+    pub fn hides(&self, variable: &Symbol) -> Option<Symbol> {
+        let variables = &self.numerator.variables() | &self.denominator.variables();
+        variables.into_iter().find(|name| {
+            let inner = || name.as_str().parse::<Expression>().map(|inner| inner.variables());
+            name.as_str().contains('(') && inner().map_or(true, |inner| inner.contains(variable))
+        })
+    }
+
     /// The quotient; `None` when `divisor` is zero.
     #[must_use]
     pub fn checked_div(&self, divisor: &Self) -> Option<Self> {
         Self::new(&self.numerator * &divisor.denominator, &self.denominator * &divisor.numerator)
     }
 
-    /// An integer power; `None` for a negative power of zero.
+    /// A natural power; the power 0 is 1.
     #[must_use]
-    pub fn checked_pow(&self, exponent: i32) -> Option<Self> {
-        let power = exponent.unsigned_abs();
-        let (numerator, denominator) = (self.numerator.pow(power), self.denominator.pow(power));
-        if exponent < 0 {
-            Self::new(denominator, numerator)
-        } else {
-            // Powers of coprime polynomials are coprime.
-            Some(Self { numerator, denominator })
-        }
+    pub fn pow(&self, exponent: u32) -> Self {
+        // Powers of coprime polynomials are coprime.
+        Self { numerator: self.numerator.pow(exponent), denominator: self.denominator.pow(exponent) }
     }
 
     /// The partial derivative.
@@ -207,6 +211,5 @@ mod tests {
     fn no_quotient_by_zero() {
         let x = RationalFunction::variable("x");
         assert_eq!(x.checked_div(&(x.clone() - &x)), None);
-        assert_eq!(RationalFunction::from(0).checked_pow(-1), None);
     }
 }

@@ -1,6 +1,6 @@
 //! How many areas of the (V, σ) plane have max Im(s) = 0, and which of the four kinds of area exist.
 
-use super::notation::{cubic, formula};
+use super::notation::{cubic, formula, given_nonzero, given_positive, in_parameters};
 use super::{PaperEquations, boundary, transition};
 use crate::polynomial::{Certificate, Domain, Expression, Proof, Refutation, Symbol};
 
@@ -127,7 +127,7 @@ fn form(equations: &PaperEquations, effects: Effects) -> Result<Proof, Refutatio
             &["8"],
             &f,
             &product,
-            &Domain::default(),
+            &given_nonzero(Domain::default(), &["p + 1"], &[]),
         )
 }
 
@@ -135,12 +135,19 @@ fn level() -> Expression {
     formula("beta*p/(p + 1) - p - eta*p^2")
 }
 
-/// β for each case, with d > 0.
-fn ratio(effects: Effects) -> Expression {
+/// β > 1, β = 1 or 0 < β < 1, with d > 0 for the distance from 1.
+fn case(effects: Effects) -> Domain {
+    let beta = Domain::positive("beta");
     match effects {
-        Effects::Weakening => formula("1 + d"),
-        Effects::Neutral => formula("1"),
-        Effects::Strengthening => formula("1/(1 + d)"),
+        Effects::Weakening => {
+            let above = given_positive(beta, "beta - 1", &[("beta", "2")]);
+            in_parameters(above, &[("beta", "1 + d", "d", "beta - 1")])
+        }
+        Effects::Neutral => Domain::default().with("beta", formula("1")),
+        Effects::Strengthening => {
+            let below = given_positive(beta, "1 - beta", &[("beta", "1/2")]);
+            in_parameters(below, &[("beta", "1/(1 + d)", "d", "(1 - beta)/beta")])
+        }
     }
 }
 
@@ -149,9 +156,10 @@ fn upper_area(proof: Proof, effects: Effects) -> Result<(Proof, Upper), Refutati
     let g = level();
     let p = Symbol::new("p");
     let curvature = g.derivative(&p).derivative(&p);
-    let domain = Domain::positive("beta eta x").with("p", formula("x - 1"));
+    let right = given_positive(Domain::positive("beta eta"), "p + 1", &[]);
+    let domain = in_parameters(right, &[("p", "x - 1", "x", "p + 1")]);
     let slope = g.derivative(&p).with("p", &formula("0"));
-    let case = Domain::positive("d").with("beta", ratio(effects));
+    let case = case(effects);
     let proof = proof
         .certify(
             "g'' < 0 for p = x − 1 > −1",
@@ -194,7 +202,7 @@ fn lower_area(proof: Proof) -> Result<Proof, Refutation> {
     let factor = Expression::integer(2) * formula("1 + x") * (threshold.clone() - formula("eta"));
     let stationary = level.with("eta", &threshold);
     let threshold_slope = formula("(beta*(3*x + 2) - x^3)/(2*x^3*(1 + x)^2)");
-    let (free, positive) = (Domain::default(), Domain::positive("beta eta x"));
+    let positive = Domain::positive("beta eta x");
     let below_half = formula("1/2") - threshold.clone();
     let cusp = formula("x^3/(3*x + 2)").derivative(&x);
     let proof = proof
@@ -203,9 +211,15 @@ fn lower_area(proof: Proof) -> Result<Proof, Refutation> {
             &[],
             Certificate::Sign { expression: third, sign: -1, domain: positive.clone() },
         )?
-        .identity("G' is 2(1 + x)(e(x) − η) with e(x) = (1 − β/x²)/(2(1 + x))", &[], &slope, &factor, &free)?
+        .identity(
+            "G' is 2(1 + x)(e(x) − η) with e(x) = (1 − β/x²)/(2(1 + x))",
+            &[],
+            &slope,
+            &factor,
+            &positive,
+        )?
         .positive("e(x) < 1/2, so that G' < 0 throughout for η ≥ 1/2", &[], &below_half, &positive)?
-        .identity("slope of e", &[], &threshold.derivative(&x), &threshold_slope, &free)?
+        .identity("slope of e", &[], &threshold.derivative(&x), &threshold_slope, &positive)?
         .positive(
             "x³/(3x + 2) rises from 0 without limit: e has one greatest value η_c, rising before \
              it and falling after",

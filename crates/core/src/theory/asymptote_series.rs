@@ -6,9 +6,10 @@
 use super::PaperEquations;
 use super::boundary::{Curve, cubic_discriminant, curve};
 use super::inertial::velocity_ratio;
-use super::notation::{formula, in_groups, rational};
+use super::notation::{formula, given_nonzero, in_groups, rational};
 use crate::polynomial::{
-    Certificate, Domain, Expression, Polynomial, Proof, RationalFunction, Refutation, Series, Symbol,
+    Certificate, Domain, Expression, Polynomial, Proof, RationalFunction, Refutation, Relation, Series,
+    Symbol,
 };
 
 /// The relative error (exact boundary)/(asymptote) − 1 of one asymptote as a power series.
@@ -46,7 +47,8 @@ fn quasi_static(
     length: usize,
 ) -> Result<AsymptoteSeries, Refutation> {
     let proof = series_proof(number, "σ_exact/σ_asymptote − 1 in x = η at the same V0, β = w²");
-    let domain = Domain::positive("w kappa").with("beta", formula("w^2"));
+    let domain = given_nonzero(Domain::positive("w kappa"), &["w - 1"], &[("w", "2")]);
+    let domain = domain.with("beta", formula("w^2"));
     // With σ = 1 the right side is σ_asymptote/σ, which is κ/κ_asymptote.
     let ratio = rational(&proof, &[number], &in_groups(&equations.right(number)), &domain)?;
     let slope = ratio.derivative(&Symbol::new("kappa"));
@@ -69,7 +71,7 @@ fn quasi_static(
         .with("beta", &formula("w^2"))
         .with("eta", &formula("x"))
         .with("kappa", &(Expression::from(&level) / formula("1 + y")));
-    finish(proof, equations, number, ("sigma", "eta"), &relation, &error)
+    finish(proof, equations, number, ("sigma", "eta"), &relation, &error, Domain::default())
 }
 
 /// Eqs 18 and 20: V_exact/V_asymptote − 1 in κ or 1/κ, at the same σ.
@@ -84,9 +86,13 @@ fn inertial(
     let proof = series_proof(number, &format!("V_exact/V_asymptote − 1 in {says} at the same σ"));
     let square = ratio_squared(&proof, equations, number)?;
     let place = if small { formula("r") } else { formula("1/r") };
-    let on_curve = Domain::default()
-        .with("eta", Expression::from(&curve.inertial_parameter).with("r", &place))
-        .with("kappa", Expression::from(&curve.stiffness_group).with("r", &place));
+    let [eta, kappa] = [&curve.inertial_parameter, &curve.stiffness_group]
+        .map(|function| Expression::from(function).with("r", &place));
+    let on_curve = given_nonzero(unequal_effects(), &["r", "r + 1"], &[])
+        .given(eta.clone(), Relation::NonZero)
+        .given(kappa.clone(), Relation::NonZero)
+        .with("eta", eta)
+        .with("kappa", kappa);
     let variable = if small { formula("kappa") } else { formula("1/kappa") };
     let [variable, along_curve] =
         [rational(&proof, &["8"], &variable, &on_curve)?, rational(&proof, &[number], &square, &on_curve)?];
@@ -101,7 +107,16 @@ fn inertial(
     let relation = Expression::from(&cubic_discriminant(equations)?)
         .with("eta", &(formula("(1 + y)^2") * inverse / factor))
         .with("kappa", &kappa);
-    finish(proof, equations, number, ("V_0", if small { "kappa" } else { "1/kappa" }), &relation, &error)
+    let domain = if small { unequal_effects() } else { Domain::default() };
+    finish(
+        proof,
+        equations,
+        number,
+        ("V_0", if small { "kappa" } else { "1/kappa" }),
+        &relation,
+        &error,
+        domain,
+    )
 }
 
 /// (V0/V_asymptote)² in groups, the same for a < b and a > b.
@@ -118,8 +133,13 @@ fn ratio_squared(
         Ok(Expression::from(&square).with("d", &formula(distance)))
     };
     let (below, above) = (case("1 + d", "beta - 1")?, case("1 - d", "1 - beta")?);
-    proof.clone().identity("the same for a < b and a > b", &[number], &below, &above, &Domain::default())?;
+    proof.clone().identity("the same for a < b and a > b", &[number], &below, &above, &unequal_effects())?;
     Ok(below)
+}
+
+/// β ≠ 1.
+fn unequal_effects() -> Domain {
+    given_nonzero(Domain::default(), &["beta - 1"], &[("beta", "2")])
 }
 
 fn series_proof(number: &str, what: &str) -> Proof {
@@ -136,8 +156,10 @@ fn no_asymptote(proof: &Proof, number: &str) -> Refutation {
 
 /// A function of r and β in r and w, β = w².
 fn in_root(function: &RationalFunction) -> RationalFunction {
-    let domain = Domain::default().with("beta", formula("w^2"));
-    domain.rational_function(&Expression::from(function)).unwrap_or_else(|_| function.clone())
+    let square = Polynomial::variable("w").pow(2);
+    let [upper, lower] = [function.numerator(), function.denominator()]
+        .map(|side| side.substitute(&Symbol::new("beta"), &square));
+    RationalFunction::new(upper, lower).unwrap_or_else(|| function.clone())
 }
 
 /// r as a power series in x = function(r), beginning with `start`.
@@ -165,14 +187,18 @@ fn finish(
     (quantity, variable): (&'static str, &'static str),
     relation: &Expression,
     error: &Series,
+    domain: Domain,
 ) -> Result<AsymptoteSeries, Refutation> {
-    let relation = without_powers(&rational(&proof, &["8"], relation, &Domain::default())?);
+    // The small variable is positive, and so is the ratio 1 + y of exact value and asymptote.
+    let positive = given_nonzero(Domain::positive("x w"), &["1 + y", "beta - 1"], &[]);
+    let relation = without_powers(&rational(&proof, &["8"], relation, &positive)?);
     let coefficients: Vec<Expression> = error.coefficients().iter().map(with_short_denominator).collect();
     let certificate = Certificate::Series {
         relation: Expression::from(&relation),
         variable: "x".to_owned(),
         unknown: "y".to_owned(),
         coefficients: coefficients.clone(),
+        domain,
     };
     let proof = proof
         .reason(format!(

@@ -1,9 +1,11 @@
 //! The exact boundary max Im(s) = 0: a rational curve with one cusp.
 
 use super::PaperEquations;
-use super::notation::{coefficients, cubic, formula, rational, simplified};
+use super::notation::{
+    coefficients, cubic, formula, given_nonzero, given_positive, in_parameters, rational, simplified,
+};
 use crate::polynomial::{
-    Domain, Expression, Polynomial, Proof, RationalFunction, Refutation, Symbol, discriminant,
+    Domain, Expression, Polynomial, Proof, RationalFunction, Refutation, Relation, Symbol, discriminant,
 };
 
 /// The parametrisation of the boundary by its double root r, as derived from eq 8.
@@ -37,7 +39,7 @@ pub fn curve(equations: &PaperEquations) -> Result<Curve, Refutation> {
     let sum = (Expression::integer(-1) * c2 / c3 - formula("2*r"))
         .with("eta", &Expression::from(&inertial_parameter))
         .with("kappa", &Expression::from(&stiffness_group));
-    let third_root = rational(&proof, &["8"], &sum, &Domain::default())?;
+    let third_root = rational(&proof, &["8"], &sum, &at_double_root())?;
     Ok(Curve { inertial_parameter, stiffness_group, third_root })
 }
 
@@ -63,7 +65,8 @@ pub fn prove(equations: &PaperEquations) -> Result<Proof, Refutation> {
     let (eta, kappa) =
         (Expression::from(&curve.inertial_parameter), Expression::from(&curve.stiffness_group));
     let free = Domain::default();
-    let on_curve = free.clone().with("eta", eta.clone()).with("kappa", kappa.clone());
+    let at_root = at_double_root();
+    let on_curve = at_root.clone().with("eta", eta.clone()).with("kappa", kappa.clone());
     let f = cubic(equations);
     let product = formula("eta*(p - r)^2") * (formula("p") - Expression::from(&curve.third_root));
     let determinant = formula("(r^3 + r^2) - (r + 1)*(3*r^2 + 2*r)");
@@ -92,7 +95,7 @@ pub fn prove(equations: &PaperEquations) -> Result<Proof, Refutation> {
              κ.",
     )
     .identity("F on the curve", &["8"], &f, &product, &on_curve)?
-    .identity("dκ/dr = −r² dη/dr", &[], &envelope, &zero, &free)?
+    .identity("dκ/dr = −r² dη/dr", &[], &envelope, &zero, &at_root)?
     .identity(
         "discriminant on the curve",
         &["8"],
@@ -100,6 +103,11 @@ pub fn prove(equations: &PaperEquations) -> Result<Proof, Refutation> {
         &zero,
         &on_curve,
     )
+}
+
+/// A double root r is neither 0 nor −1, because F(0) = κ and F(−1) = β are not zero; with η > 0 it is not −1 ± √β either.
+fn at_double_root() -> Domain {
+    given_nonzero(Domain::default(), &["r", "r + 1", "(r + 1)^2 - beta"], &[("r", "1"), ("beta", "1")])
 }
 
 /// The discriminant of F as a polynomial in η, κ, β.
@@ -126,6 +134,7 @@ pub fn cusp(equations: &PaperEquations) -> Result<Proof, Refutation> {
         .with("kappa", formula("(1 + x)^3/(3*x + 2)"));
     let second = f.derivative(&Symbol::new("p")).derivative(&Symbol::new("p"));
     let slope = ratio.derivative(&Symbol::new("x"));
+    let at_root = at_double_root();
     let curve = curve(equations)?;
     let eta_slope = Expression::from(&curve.inertial_parameter.derivative(&Symbol::new("r")));
     let condition = formula("(beta*(3*r + 1) - (r + 1)^3)");
@@ -133,7 +142,7 @@ pub fn cusp(equations: &PaperEquations) -> Result<Proof, Refutation> {
         &Proof::new("cusp", ""),
         &["8"],
         &(eta_slope.clone() / condition.clone()),
-        &Domain::default(),
+        &at_root.clone().given(condition.clone(), Relation::NonZero),
     )?;
     let proof = Proof::new(
         "cusp",
@@ -154,7 +163,7 @@ pub fn cusp(equations: &PaperEquations) -> Result<Proof, Refutation> {
         &["8"],
         &eta_slope,
         &(quotient * condition),
-        &Domain::default(),
+        &at_root,
     )?
     .positive("β rises with x, from 0 without limit: one x for each β", &[], &slope, &Domain::positive("x"))?
     .positive("1/2 − η", &[], &formula("1/2 - 1/(3*x + 2)"), &Domain::positive("x"))?
@@ -172,7 +181,8 @@ pub fn cusp(equations: &PaperEquations) -> Result<Proof, Refutation> {
 pub fn transition_avoids(equations: &PaperEquations) -> Result<Proof, Refutation> {
     let critical = super::notation::in_groups(&equations.right("9"));
     let discriminant = Expression::from(&cubic_discriminant(equations)?).with("kappa", &critical);
-    let domain = Domain::positive("eta d").with("beta", formula("1 + d"));
+    let weakening = given_positive(Domain::positive("eta beta"), "beta - 1", &[("beta", "2")]);
+    let domain = in_parameters(weakening, &[("beta", "1 + d", "d", "beta - 1")]);
     Proof::new(
         "transition-avoids-boundary",
         "For a < b the roots on K = K_c are never all real: K = K_c does not meet the \

@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use super::PaperEquations;
 use super::linearisation::{Law, evolution, linearised, motion};
 use super::notation::{any, formula};
+use super::steady_state;
 use crate::friction::Parameters;
 use crate::polynomial::{Expression, Proof, RationalFunction, Refutation, Symbol};
 
@@ -17,11 +18,12 @@ use crate::polynomial::{Expression, Proof, RationalFunction, Refutation, Symbol}
 pub fn prove(equations: &PaperEquations) -> Result<Proof, Refutation> {
     let eq8 = equations.residual("8");
     let motion = linearised(equations, &motion(equations, &equations.right("1")));
-    let mut proof = Proof::new(
+    let proof = Proof::new(
         "characteristic-polynomial",
-        "Perturbations proportional to e^(st) exist exactly for the roots s of eq 8, for both \
+        "Perturbations of steady sliding proportional to e^(st) exist exactly for the roots s of eq 8, for both \
              evolution laws.",
     );
+    let mut proof = steady_state::laws_rest(proof, equations)?;
     for law in Law::ALL {
         let evolution = linearised(equations, &evolution(equations, law));
         let says = format!("determinant of eqs 1, 4 and the {} in (Δδ, Δθ) e^(st)", law.as_str());

@@ -1,7 +1,7 @@
 //! Criteria for vibration: η > 1 against eq 20, and what each of them depends on.
 
 use super::boundary::cubic_discriminant;
-use super::notation::{any, formula, in_groups};
+use super::notation::{SQUARE_MASS, SQUARE_STIFFNESS, any, formula, in_groups, in_parameters};
 use super::{PaperEquations, transition};
 use crate::polynomial::{Certificate, Domain, Expression, Proof, Refutation, Symbol};
 
@@ -86,8 +86,7 @@ pub fn slip_distance_and_stiffness(equations: &PaperEquations) -> Result<Proof, 
     let eta = equations.right("inertial-parameter");
     let other = |expression: &Expression, name: &str, fresh: &str| expression.with(name, &formula(fresh));
     let slope = velocity.derivative(&Symbol::new("K"));
-    let domain = any().with("K", formula("k^2")).with("M", formula("m^2"));
-    let domain = with_roots(domain);
+    let domain = in_parameters(any().and_positive("d"), &[SQUARE_STIFFNESS, SQUARE_MASS]);
     let falls = -slope;
     Proof::new(
         "slip-distance-and-stiffness",
@@ -110,14 +109,6 @@ pub fn slip_distance_and_stiffness(equations: &PaperEquations) -> Result<Proof, 
         &(-eta.derivative(&Symbol::new("D_c"))),
         &any(),
     )
-}
-
-fn with_roots(domain: Domain) -> Domain {
-    let names = format!("{} k m d", domain.positive_names().join(" "));
-    let substitutions = domain.substitutions().to_vec();
-    substitutions
-        .into_iter()
-        .fold(Domain::positive(&names), |domain, (name, value)| domain.with(&name, value))
 }
 
 /// The exact boundary depends on each of a, b and D_c (claim Z4): changing one alone leaves it.

@@ -127,7 +127,7 @@ impl PaperEquations {
         };
         let known =
             self.equations.get(number).ok_or_else(|| fault("there is no such equation".to_owned()))?;
-        let mut changed = reading::read_equation(number, text).map_err(fault)?;
+        let mut changed = reading::read_equation(number, text, &self.positive).map_err(fault)?;
         changed.printed.clone_from(&known.printed);
         let mut altered = self.clone();
         altered.equations.insert(number.to_owned(), changed);

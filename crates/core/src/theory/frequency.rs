@@ -1,7 +1,10 @@
 //! How the frequency compares with ω_n = √(K/M): eqs 21-23, and the zone of low frequencies.
 
 use super::PaperEquations;
-use super::notation::{any, coefficients, crossing, cubic, formula, in_groups, weakening_by_square};
+use super::notation::{
+    any, coefficients, crossing, cubic, formula, given_positive, in_groups, in_parameters,
+    weakening_by_square,
+};
 use crate::polynomial::{Domain, Expression, Proof, Refutation, Toward};
 
 /// Im(s) never reaches ω_n: |s|² = ω_n²/|t| with a real root t < −1 (claim Q1).
@@ -14,6 +17,8 @@ pub fn bounded(equations: &PaperEquations) -> Result<Proof, Refutation> {
     let roots = formula("M/sigma*(s + u*V_0/D_c)*(s^2 - T*s + Q)");
     let modulus = formula("K/(M*u)");
     let natural = equations.right("natural-frequency").power(2);
+    let left = given_positive(Domain::positive("u"), "u - 1", &[("u", "2")]);
+    let with_root = any().and_positive("u");
     let proof = Proof::new(
         "frequency-bound",
         "Eq 8 always has a real root −u V0/D_c with u > 1, and a complex pair obeys |s|² = \
@@ -39,14 +44,14 @@ pub fn bounded(equations: &PaperEquations) -> Result<Proof, Refutation> {
             &["8"],
             &formula("M*u*V_0*Q/(sigma*D_c)").with("Q", &modulus),
             &c0,
-            &any(),
+            &with_root,
         )?
-        .identity("ω_n²/u", &["natural-frequency"], &(natural / formula("u")), &modulus, &any())?
+        .identity("ω_n²/u", &["natural-frequency"], &(natural / formula("u")), &modulus, &with_root)?
         .positive(
             "1 − 1/u for u = 1 + w",
             &[],
             &formula("1 - 1/u"),
-            &Domain::positive("w").with("u", formula("1 + w")),
+            &in_parameters(left, &[("u", "1 + w", "w", "u - 1")]),
         )?;
     Ok(proof.reason("A complex pair has |s|² = Q, and Im(s)² ≤ |s|²."))
 }
@@ -89,9 +94,17 @@ pub fn low_frequency_zone(equations: &PaperEquations) -> Result<Proof, Refutatio
     let meeting = pair.with("V_0", &equations.right("13"));
     let corner = eta.with("V_0", &equations.right("13")).with("sigma", &equations.right("12"));
     let probe = cubic(equations).with("p", &formula("-1/(2*eta)"));
-    let left_of_eq20 = Domain::positive("beta d e")
-        .with("eta", formula("1/(2*(1 + e))"))
-        .with("kappa", formula("(1 + e)/2 - d"));
+    let left_of_eq20 = in_parameters(
+        given_positive(
+            given_positive(Domain::positive("beta eta kappa"), "1 - 2*eta", &[("eta", "1/8")]),
+            "1/(4*eta) - kappa",
+            &[],
+        ),
+        &[
+            ("eta", "1/(2*(1 + e))", "e", "(1 - 2*eta)/(2*eta)"),
+            ("kappa", "(1 + e)/2 - d", "d", "1/(4*eta) - kappa"),
+        ],
+    );
     let proof = Proof::new(
         "low-frequency-zone",
         "On K = K_c, (ω/ω_n)² = η/(1 + η): one half at η = 1, a line that crosses σ = σ_c at \

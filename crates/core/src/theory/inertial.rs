@@ -1,6 +1,8 @@
 //! The limits of small and of large critical slip distance: eqs 17-20.
 
-use super::notation::{any, coefficients, formula, strengthening, weakening};
+use super::notation::{
+    SQUARE_MASS, SQUARE_STIFFNESS, any, coefficients, formula, in_parameters, strengthening, weakening,
+};
 use super::{Equation, PaperEquations};
 use crate::polynomial::{Domain, Expression, Proof, Refutation, Toward};
 
@@ -44,7 +46,8 @@ pub fn large_slip_distance(equations: &PaperEquations) -> Result<Proof, Refutati
              that of eq 20.",
     )
     .limit("eq 8 times σ as D_c → ∞", &["8", "19"], &scaled, toward, &value, &any())?;
-    critical_damping(proof, equations, ("19", "20"), "a^2*sigma^2", &weakening(), "any a and b")
+    let domain = in_parameters(any(), &[SQUARE_STIFFNESS, SQUARE_MASS]);
+    critical_damping(proof, equations, ("19", "20"), "a^2*sigma^2", &domain, "any a and b")
 }
 
 /// The discriminant of a quadratic is a positive factor times 1 − L², where L = 1 is the equation of its boundary.

@@ -2,6 +2,7 @@
 
 use super::PaperEquations;
 use super::notation::{any, formula};
+use super::steady_state;
 use crate::polynomial::{Expression, Proof, Refutation, Symbol};
 
 /// The law by which the state variable evolves.
@@ -82,11 +83,11 @@ fn pull_along_steady_sliding(equations: &PaperEquations) -> Expression {
 /// When they differ.
 pub fn laws_agree(equations: &PaperEquations) -> Result<Proof, Refutation> {
     let [aging, slip] = Law::ALL.map(|law| linearised(equations, &evolution(equations, law)));
-    Proof::new(
+    let proof = Proof::new(
         "laws-agree-near-steady-state",
-        "The aging law and the slip law have the same linearisation about steady sliding.",
-    )
-    .identity(
+        "The aging law and the slip law have the same steady state, and the same linearisation about it.",
+    );
+    steady_state::laws_rest(proof, equations)?.identity(
         "linear parts of eqs 2 and 3 at θ = D_c/V_0",
         &["2", "3", "steady-state"],
         &aging,
@@ -101,25 +102,32 @@ pub fn laws_agree(equations: &PaperEquations) -> Result<Proof, Refutation> {
 /// When a linear part is another one.
 pub fn prove(equations: &PaperEquations) -> Result<Proof, Refutation> {
     let motion = linearised(equations, &motion(equations, &equations.right("1")));
-    let mut proof = Proof::new(
+    let proof = Proof::new(
         "linearisation",
-        "Eq 5 is the linear part of eq 4 with friction by eq 1; eq 6 is the linear part of eq \
-             2 and of eq 3.",
-    )
-    .identity(
-        "along steady sliding at V_0 the spring's force stays the same: the slope of eq 4 in t",
-        &["4"],
-        &pull_along_steady_sliding(equations),
-        &formula("0"),
-        &any(),
-    )?
-    .identity(
-        "eq 4 with eq 1 in Δδ and Δθ",
-        &["1", "4", "5", "steady-state"],
-        &motion,
-        &equations.residual("5"),
-        &any(),
-    )?;
+        "About steady sliding, eq 5 is the linear part of eq 4 with friction by eq 1; eq 6 is the linear part of \
+             eq 2 and of eq 3.",
+    );
+    let mut proof = steady_state::laws_rest(proof, equations)?
+        .positive(
+            "one position of the load point balances the friction of steady sliding: the slope of eq 4 in δ",
+            &["4"],
+            &equations.residual("4").derivative(&Symbol::new("delta")),
+            &any(),
+        )?
+        .identity(
+            "along steady sliding at V_0 the spring's force stays the same: the slope of eq 4 in t",
+            &["4"],
+            &pull_along_steady_sliding(equations),
+            &formula("0"),
+            &any(),
+        )?
+        .identity(
+            "eq 4 with eq 1 in Δδ and Δθ",
+            &["1", "4", "5", "steady-state"],
+            &motion,
+            &equations.residual("5"),
+            &any(),
+        )?;
     for law in Law::ALL {
         let evolution = linearised(equations, &evolution(equations, law));
         let says = format!("{} in Δδ and Δθ", law.as_str());

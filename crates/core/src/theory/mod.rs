@@ -23,6 +23,7 @@ pub mod boundary;
 pub mod characteristic;
 #[doc(hidden)]
 pub mod criteria;
+mod definedness;
 #[doc(hidden)]
 pub mod emergence;
 mod equations;

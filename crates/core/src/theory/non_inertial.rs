@@ -1,7 +1,9 @@
 //! Non-inertial frequencies: along σ = σ_c (eqs 12 and 23), and how they depend on mass and stiffness (eq 14).
 
 use super::PaperEquations;
-use super::notation::{any, coefficients, crossing, formula, weakening_by_square};
+use super::notation::{
+    any, below, coefficients, crossing, formula, given_positive, in_parameters, weakening_by_square,
+};
 use crate::polynomial::{Domain, Expression, Proof, Refutation, Symbol, Toward};
 
 /// At σ = σ_c the frequency begins as eq 23 and rises strictly with velocity towards ω_n (claim Q3).
@@ -31,7 +33,7 @@ pub fn at_critical_stress(equations: &PaperEquations) -> Result<Proof, Refutatio
         &low_velocity(equations),
         ("V_0", Toward::Zero),
         &formula("p^2 + (b - a)/a"),
-        &any(),
+        &below(),
     )?
     .identity(
         "eq 23 solves that",
@@ -119,17 +121,19 @@ fn slope_at_critical_stress(quantity: &Expression) -> Expression {
 
 /// Every u > 0 and v > 0 with g > 0 is v = u³/(1 + u² + k) for one k > 0.
 fn critical_stress_domain() -> Domain {
-    Domain::positive("u k").with("v", formula("u^3/(1 + u^2 + k)"))
+    let domain = given_positive(Domain::positive("u v"), "u*v - v^2/u^2 - v^2", &[("u", "3")]);
+    in_parameters(domain, &[("v", "u^3/(1 + u^2 + k)", "k", "u^3/v - 1 - u^2")])
 }
 
 /// At σ = σ_c: the cubic in z = s/ω_n, its factors, and the quantities u, v, g.
 fn critical_stress_lemma(equations: &PaperEquations, proof: Proof) -> Result<Proof, Refutation> {
     let at_stress = (equations.residual("8") * formula("sigma")).with("sigma", &equations.right("12"));
-    let units = Domain::default()
-        .with("s", formula("omega*z"))
-        .with("V_0", formula("v*omega*D_c"))
-        .with("K", formula("M*omega^2"))
-        .with("b", formula("a + a/g"));
+    let units = [
+        ("K", "M*omega^2", "omega", "sqrt(K/M)"),
+        ("V_0", "v*omega*D_c", "v", "V_0/(sqrt(K/M)*D_c)"),
+        ("b", "a + a/g", "g", "a/(b - a)"),
+    ];
+    let units = in_parameters(below(), &units).with("s", formula("omega*z"));
     let cubic = formula("z^3 + (g/v + v)*z^2 + v");
     let factors = formula("(z + u)*(z^2 - v/u^2*z + v/u)");
     let domain = critical_stress_domain();
@@ -152,7 +156,7 @@ fn critical_stress_lemma(equations: &PaperEquations, proof: Proof) -> Result<Pro
             &[],
             &cubic,
             &factors,
-            &Domain::default().with("g", g.clone()),
+            &Domain::positive("u v").with("g", g.clone()),
         )?
         .positive("g > 0 exactly for v = u³/(1 + u² + k), k > 0", &[], &g, &domain)?
         .positive("∂g/∂u", &[], &g.derivative(&Symbol::new("u")), &domain)?

@@ -1,7 +1,9 @@
 //! Formulas and assumptions that the proofs share.
 
 use super::PaperEquations;
-use crate::polynomial::{Domain, Expression, Polynomial, Proof, RationalFunction, Refutation, Symbol};
+use crate::polynomial::{
+    Domain, Expression, Polynomial, Proof, RationalFunction, Refutation, Relation, Symbol,
+};
 
 /// The physical quantities, all positive.
 const QUANTITIES: &str = "a b D_c K M sigma V V_0 theta mu_0";
@@ -19,48 +21,83 @@ pub(super) fn any() -> Domain {
     Domain::positive(QUANTITIES)
 }
 
+/// a < b.
+pub(super) fn below() -> Domain {
+    any().given(formula("b - a"), Relation::Positive).example("b", formula("2"))
+}
+
+/// a > b.
+pub(super) fn above() -> Domain {
+    any().given(formula("a - b"), Relation::Positive).example("a", formula("2"))
+}
+
 /// a < b with both roots rational: a = α², b = (α + γ)².
 pub(super) fn weakening() -> Domain {
-    roots_of_machine().with("a", formula("alpha^2")).with("b", formula("(alpha + gamma)^2"))
+    let alpha = ("a", "alpha^2", "alpha", "sqrt(a)");
+    let gamma = ("b", "(alpha + gamma)^2", "gamma", "sqrt(b) - sqrt(a)");
+    in_parameters(below(), &[SQUARE_STIFFNESS, SQUARE_MASS, alpha, gamma])
 }
 
 /// a > b with both roots rational: a = (α + γ)², b = α².
 pub(super) fn strengthening() -> Domain {
-    roots_of_machine().with("a", formula("(alpha + gamma)^2")).with("b", formula("alpha^2"))
+    let gamma = ("a", "(alpha + gamma)^2", "gamma", "sqrt(a) - sqrt(b)");
+    let alpha = ("b", "alpha^2", "alpha", "sqrt(b)");
+    in_parameters(above(), &[SQUARE_STIFFNESS, SQUARE_MASS, gamma, alpha])
 }
 
-/// a = b with a rational root: a = b = α².
+/// a = b with a rational root: a = α². The expression is taken at b = a first.
 pub(super) fn neutral() -> Domain {
-    roots_of_machine().with("a", formula("alpha^2")).with("b", formula("alpha^2"))
+    in_parameters(any(), &[SQUARE_STIFFNESS, SQUARE_MASS, ("a", "alpha^2", "alpha", "sqrt(a)")])
 }
 
 /// a < b with √a and √(b − a) rational: a = α², b = α² + γ²; K = k², M = m².
 pub(super) fn weakening_by_square() -> Domain {
-    roots_of_machine().with("a", formula("alpha^2")).with("b", formula("alpha^2 + gamma^2"))
+    in_parameters(crossing(), &[SQUARE_STIFFNESS, SQUARE_MASS])
 }
 
-/// a = α², b = α² + γ² without a free K: for equations in which K is replaced by K_c.
+/// a = α², b = α² + γ²: √a and √(b − a) rational.
 pub(super) fn crossing() -> Domain {
-    Domain::positive("D_c M sigma V_0 alpha gamma")
-        .with("a", formula("alpha^2"))
-        .with("b", formula("alpha^2 + gamma^2"))
+    let alpha = ("a", "alpha^2", "alpha", "sqrt(a)");
+    in_parameters(below(), &[alpha, ("b", "alpha^2 + gamma^2", "gamma", "sqrt(b - a)")])
 }
 
-/// a ≥ b written as a = b + d: strictly greater with d > 0.
+/// a > b written as a = b + d with d > 0.
 pub(super) fn stronger_direct_effect() -> Domain {
-    Domain::positive(&format!("{QUANTITIES} d")).with("a", formula("b + d"))
+    in_parameters(above(), &[("a", "b + d", "d", "a - b")])
 }
 
 /// a < b written as b = a + d with d > 0.
 pub(super) fn weaker_direct_effect() -> Domain {
-    Domain::positive(&format!("{QUANTITIES} d")).with("b", formula("a + d"))
+    in_parameters(below(), &[("b", "a + d", "d", "b - a")])
 }
 
-/// √K and √M rational: K = k², M = m².
-fn roots_of_machine() -> Domain {
-    Domain::positive(&format!("{QUANTITIES} alpha gamma k m"))
-        .with("K", formula("k^2"))
-        .with("M", formula("m^2"))
+/// √K rational: K = k².
+pub(super) const SQUARE_STIFFNESS: Substitution = ("K", "k^2", "k", "sqrt(K)");
+
+/// √M rational: M = m².
+pub(super) const SQUARE_MASS: Substitution = ("M", "m^2", "m", "sqrt(M)");
+
+/// A variable, its value in parameters, one parameter, and its value in the variables.
+pub(super) type Substitution = (&'static str, &'static str, &'static str, &'static str);
+
+/// The domain with variables expressed by positive parameters.
+pub(super) fn in_parameters(domain: Domain, substitutions: &[Substitution]) -> Domain {
+    substitutions.iter().fold(domain, |domain, (name, value, parameter, inverse)| {
+        domain.with(name, formula(value)).parameter(parameter, formula(inverse))
+    })
+}
+
+/// The domain with the condition that an expression is positive, and values at which it is.
+pub(super) fn given_positive(domain: Domain, expression: &str, example: &[(&str, &str)]) -> Domain {
+    let domain = domain.given(formula(expression), Relation::Positive);
+    example.iter().fold(domain, |domain, (name, value)| domain.example(name, formula(value)))
+}
+
+/// The domain with the condition that expressions are not zero, and values at which they are not.
+pub(super) fn given_nonzero(domain: Domain, expressions: &[&str], example: &[(&str, &str)]) -> Domain {
+    let domain =
+        expressions.iter().fold(domain, |domain, text| domain.given(formula(text), Relation::NonZero));
+    example.iter().fold(domain, |domain, (name, value)| domain.example(name, formula(value)))
 }
 
 /// An equation in dimensionless groups: the unit of time is D_c/V_0, of length D_c, of stress a·σ.
@@ -99,7 +136,7 @@ pub(super) fn coefficients<const COUNT: usize>(
     let function = rational(proof, equation, expression, &any())?;
     let name = Symbol::new(variable);
     let says = format!("a polynomial of degree {} in {variable}", COUNT - 1);
-    if function.denominator().degree(&name) > 0 {
+    if function.denominator().degree(&name) > 0 || function.hides(&name).is_some() {
         return Err(proof.refute(&says, equation, expression.to_string()));
     }
     let parts = function.numerator().coefficients(&name).into_iter();

@@ -45,7 +45,13 @@ pub fn vanishing_frequency(equations: &PaperEquations) -> Result<Proof, Refutati
     proof
         .identity("discriminant times (σ D_c)² for a < b", &used, &discriminant, &product, &weakening())?
         .identity("the same for a > b", &used, &discriminant, &product, &strengthening())?
-        .identity("the same for a = b", &["8", "16"], &discriminant, &single, &neutral())?
+        .identity(
+            "the same for a = b",
+            &["8", "16"],
+            &discriminant.with("b", &formula("a")),
+            &single.with("b", &formula("a")),
+            &neutral(),
+        )?
         .positive("eq 15 lies above eq 16", &["15", "16"], &(upper - lower), &weakening())
 }
 

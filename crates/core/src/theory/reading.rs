@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::{Equation, EquationFault, EquationsError};
+use super::{Equation, EquationFault, EquationsError, definedness};
 use crate::polynomial::Expression;
 
 /// Every equation that must be there, with the name that stands alone on its left side, if one does.
@@ -114,7 +114,7 @@ pub(super) fn read(file: EquationsText) -> Result<(Equations, Vec<String>), Equa
     let mut equations = BTreeMap::new();
     for entry in file.equation {
         let key = format!("equation {}", entry.number);
-        match read_entry(entry) {
+        match read_entry(entry, &file.assumptions.positive) {
             Ok(equation) if equations.contains_key(&equation.number) => {
                 faults.push(EquationFault { key, message: "occurs twice".to_owned() });
             }
@@ -147,39 +147,41 @@ fn assumption_faults(assumptions: &AssumptionsText) -> Vec<EquationFault> {
 }
 
 /// One equation of this number from its text.
-pub(super) fn read_equation(number: &str, text: &str) -> Result<Equation, String> {
-    read_entry(EquationText {
+pub(super) fn read_equation(number: &str, text: &str, positive: &[String]) -> Result<Equation, String> {
+    let entry = EquationText {
         number: number.to_owned(),
         equation: text.to_owned(),
         printed: None,
         note: String::new(),
-    })
+    };
+    read_entry(entry, positive)
 }
 
-fn read_entry(entry: EquationText) -> Result<Equation, String> {
+fn read_entry(entry: EquationText, positive: &[String]) -> Result<Equation, String> {
     let Some((_, name)) = REQUIRED.iter().find(|(number, _)| *number == entry.number) else {
         return Err("is not an equation of the paper (1 to 23, or one of its named ones)".to_owned());
     };
-    let (left, right) = read_sides(&entry.equation)?;
+    let (left, right) = read_sides(&entry.equation, positive)?;
     if let Some(name) = name.filter(|name| left != Expression::variable(name)) {
         return Err(format!("the left side must be {name}, not {left}"));
     }
-    let printed =
-        entry.printed.as_deref().map(read_sides).transpose().map_err(|error| format!("printed: {error}"))?;
+    let printed = entry.printed.as_deref().map(|text| read_sides(text, positive)).transpose();
+    let printed = printed.map_err(|error| format!("printed: {error}"))?;
     Ok(Equation { number: entry.number, left, right, printed, note: entry.note })
 }
 
-fn read_sides(text: &str) -> Result<(Expression, Expression), String> {
+fn read_sides(text: &str, positive: &[String]) -> Result<(Expression, Expression), String> {
     let sides: Vec<&str> = text.split('=').collect();
     let [left, right] = sides[..] else {
         return Err(format!("needs one '=' but has {}: {text}", sides.len() - 1));
     };
-    Ok((read_side(left, "left")?, read_side(right, "right")?))
+    Ok((read_side(left, "left", positive)?, read_side(right, "right", positive)?))
 }
 
-fn read_side(text: &str, side: &str) -> Result<Expression, String> {
-    let expression: Expression =
-        text.trim().parse().map_err(|error| format!("{side} side '{}', {error}", text.trim()))?;
+fn read_side(text: &str, side: &str, positive: &[String]) -> Result<Expression, String> {
+    let text = text.trim();
+    let expression =
+        definedness::read(text, positive).map_err(|error| format!("{side} side '{text}', {error}"))?;
     match expression.variables().iter().find(|name| !VARIABLES.contains(&name.base())) {
         Some(name) => Err(format!("{side} side: '{name}' is not a variable of the paper")),
         None => Ok(expression),

@@ -4,7 +4,7 @@ use rug::Rational;
 use rug::ops::Pow;
 
 use super::PaperEquations;
-use super::notation::{any, formula};
+use super::notation::{any, formula, given_positive, in_parameters};
 use crate::polynomial::{Certificate, Domain, Expression, Proof, Refutation, Symbol};
 
 /// By how much the regularised law changes the linear analysis.
@@ -64,7 +64,7 @@ pub fn linearisation(equations: &PaperEquations) -> Result<Proof, Refutation> {
         &["8"],
         &stiffer,
         &(formula("phi") * heavier),
-        &any(),
+        &any().and_positive("phi"),
     )
 }
 
@@ -78,7 +78,8 @@ pub fn bound(
     direct_effect: &Rational,
 ) -> Result<RegularisedDifference, Refutation> {
     let gap = formula("1 - (1 - z/2)^2*(1 + z)");
-    let domain = Domain::positive("z w").with("z", formula("3/(1 + w)"));
+    let below_three = given_positive(Domain::positive("z"), "3 - z", &[]);
+    let domain = in_parameters(below_three, &[("z", "3/(1 + w)", "w", "(3 - z)/z")]);
     let exponent = Rational::from(reference_friction * 2) / direct_effect;
     // A whole exponent and 2.718 < e keep the bound a rational number.
     let whole = exponent.clone().floor().numer().to_u32().unwrap_or(0).min(MAX_EXPONENT);

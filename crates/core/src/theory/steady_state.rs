@@ -1,6 +1,7 @@
 //! Steady sliding: θ = D_c/V for both evolution laws, with friction μ0 + (a − b)·ln(V/V0).
 
 use super::PaperEquations;
+use super::linearisation::Law;
 use super::notation::{any, formula};
 use crate::polynomial::{Domain, Proof, Refutation, Toward};
 
@@ -9,39 +10,51 @@ use crate::polynomial::{Domain, Proof, Refutation, Toward};
 /// # Errors
 /// When a law does not vanish there, or eq 1 gives another friction.
 pub fn prove(equations: &PaperEquations) -> Result<Proof, Refutation> {
-    let steady = equations.right("steady-state");
-    let at_rest = |number: &str| equations.right(number).with("theta", &steady);
-    let zero = formula("0");
-    let friction = equations.right("1").with("theta", &steady);
+    let friction = equations.right("1").with("theta", &equations.right("steady-state"));
     let ratio = |number: &str| equations.right(number).with("theta", &formula("x*D_c/V"));
-    Proof::new(
+    let proof = Proof::new(
         "steady-state",
         "Both evolution laws have exactly one steady state at velocity V, θ = D_c/V, with \
              friction μ0 + (a − b) ln(V/V0).",
-    )
-    .identity("the aging law rests at θ = D_c/V", &["2", "steady-state"], &at_rest("2"), &zero, &any())?
-    .identity("the slip law rests at θ = D_c/V", &["3", "steady-state"], &at_rest("3"), &zero, &any())?
-    .identity(
-        "in x = Vθ/D_c the aging law is 1 − x, zero at x = 1 only",
-        &["2"],
-        &ratio("2"),
-        &formula("1 - x"),
-        &with_ratio(),
-    )?
-    .identity(
-        "in x = Vθ/D_c the slip law is −x ln x, zero for x > 0 at x = 1 only",
-        &["3"],
-        &ratio("3"),
-        &formula("-x*ln(x)"),
-        &with_ratio(),
-    )?
-    .identity(
-        "eq 1 at θ = D_c/V",
-        &["1", "steady-state", "steady-friction"],
-        &friction,
-        &equations.right("steady-friction"),
-        &any(),
-    )
+    );
+    laws_rest(proof, equations)?
+        .identity(
+            "in x = Vθ/D_c the aging law is 1 − x, zero at x = 1 only",
+            &["2"],
+            &ratio("2"),
+            &formula("1 - x"),
+            &with_ratio(),
+        )?
+        .identity(
+            "in x = Vθ/D_c the slip law is −x ln x, zero for x > 0 at x = 1 only",
+            &["3"],
+            &ratio("3"),
+            &formula("-x*ln(x)"),
+            &with_ratio(),
+        )?
+        .identity(
+            "eq 1 at θ = D_c/V",
+            &["1", "steady-state", "steady-friction"],
+            &friction,
+            &equations.right("steady-friction"),
+            &any(),
+        )
+}
+
+/// Adds that both laws rest at the steady state, which every linearisation about it presupposes.
+///
+/// # Errors
+/// When θ_ss is not positive, or a law has another rate there than zero.
+pub(super) fn laws_rest(proof: Proof, equations: &PaperEquations) -> Result<Proof, Refutation> {
+    let steady = equations.right("steady-state");
+    let mut proof = proof.positive("θ_ss is positive", &["steady-state"], &steady, &any())?;
+    for law in Law::ALL {
+        let number = law.equation();
+        let says = format!("the {} rests at θ = D_c/V", law.as_str());
+        let rate = equations.right(number).with("theta", &steady);
+        proof = proof.identity(&says, &[number, "steady-state"], &rate, &formula("0"), &any())?;
+    }
+    Ok(proof)
 }
 
 /// Far from steady state the laws part: at V → 0 the aging law heals at rate 1, the slip law not at all (claim F3).

@@ -2,10 +2,10 @@
 
 use super::PaperEquations;
 use super::notation::{
-    any, coefficients, crossing, formula, rational, stronger_direct_effect, weakening_by_square,
-    weaker_direct_effect,
+    any, coefficients, crossing, formula, given_positive, in_parameters, rational, stronger_direct_effect,
+    weakening_by_square, weaker_direct_effect,
 };
-use crate::polynomial::{Domain, Expression, Proof, Refutation, Symbol, Toward};
+use crate::polynomial::{Domain, Expression, Proof, Refutation, Relation, Symbol, Toward};
 
 /// The system is stable exactly when K > K_c of eq 9, and a pair is imaginary exactly when K = K_c (claim S1).
 ///
@@ -49,7 +49,8 @@ fn critical_stiffness(proof: &Proof, hurwitz: &Expression) -> Result<Expression,
 
 /// Routh and Hurwitz for a cubic with c3, c2, c0 > 0: the sign of c2 c1 − c3 c0 is minus that of the pair's real part.
 fn hurwitz_lemma(proof: Proof) -> Result<Proof, Refutation> {
-    let domain = Domain::positive("u w Q T");
+    let falling = given_positive(Domain::positive("u Q"), "-T", &[("T", "-1")]);
+    let rising = given_positive(Domain::positive("u Q T"), "u - T", &[("u", "2")]);
     let determinant = formula("(u - T)*(Q - u*T) - u*Q");
     let factor = formula("u^2 - u*T + Q");
     let proof = proof
@@ -66,12 +67,17 @@ fn hurwitz_lemma(proof: Proof) -> Result<Proof, Refutation> {
             &(formula("-T") * factor.clone()),
             &Domain::default(),
         )?
-        .positive("the second factor for T = −w < 0", &[], &factor, &domain.clone().with("T", formula("-w")))?
+        .positive(
+            "the second factor for T = −w < 0",
+            &[],
+            &factor,
+            &in_parameters(falling, &[("T", "-w", "w", "-T")]),
+        )?
         .positive(
             "the second factor for T > 0, where u − T = w > 0",
             &[],
             &factor,
-            &domain.with("u", formula("T + w")),
+            &in_parameters(rising, &[("u", "T + w", "w", "u - T")]),
         )?;
     Ok(proof.reason(
         "For T = 0 the second factor is u² + Q > 0. So c2 c1 − c3 c0 has the sign of −T, and \
@@ -86,6 +92,7 @@ fn hurwitz_lemma(proof: Proof) -> Result<Proof, Refutation> {
 /// When a part is another one or depends on more.
 pub fn parts(equations: &PaperEquations) -> Result<Proof, Refutation> {
     let (total, quasi_static, dynamic) = (equations.right("9"), equations.right("10"), equations.right("11"));
+    let with_others = any().and_positive("M_1 V_1 sigma_1 E");
     let other_machine = quasi_static.with("M", &formula("M_1")).with("V_0", &formula("V_1"));
     let other_stress = dynamic.with("sigma", &formula("sigma_1"));
     let energy = dynamic.with("M", &formula("E/V_0^2"));
@@ -97,14 +104,14 @@ pub fn parts(equations: &PaperEquations) -> Result<Proof, Refutation> {
     )
     .identity("K_c at M = 0", &["9", "10"], &total.with("M", &formula("0")), &quasi_static, &any())?
     .identity("the rest of K_c", &["9", "10", "11"], &(total - quasi_static.clone()), &dynamic, &any())?
-    .identity("K_c,qs with another mass and velocity", &["10"], &quasi_static, &other_machine, &any())?
-    .identity("K_c,dyn with another normal stress", &["11"], &dynamic, &other_stress, &any())?
+    .identity("K_c,qs with another mass and velocity", &["10"], &quasi_static, &other_machine, &with_others)?
+    .identity("K_c,dyn with another normal stress", &["11"], &dynamic, &other_stress, &with_others)?
     .identity(
         "K_c,dyn at the same M V0² = E with another velocity",
         &["11"],
         &energy,
         &other_velocity,
-        &any(),
+        &with_others,
     )
 }
 
@@ -145,6 +152,8 @@ pub fn critical_stress_and_velocity(equations: &PaperEquations) -> Result<Proof,
     let shares = formula("sigma") / stress.clone() + (formula("V_0") / velocity.clone()).power(2);
     let transition = stress.clone() * (formula("1") - (formula("V_0") / velocity.clone()).power(2));
     let square = velocity.clone().power(2) * (formula("1") - formula("sigma") / stress.clone());
+    let slower = formula("1") - (formula("V_0") / velocity.clone()).power(2);
+    let below_critical = domain.clone().given(slower, Relation::Positive).example("V_0", formula("1/2"));
     let nearby = formula("9/10 + (9/10)^2 - 1");
     let used = ["9", "12", "13"];
     Proof::new(
@@ -157,11 +166,11 @@ pub fn critical_stress_and_velocity(equations: &PaperEquations) -> Result<Proof,
     .positive("σ_c is positive", &["12"], &stress, &domain)?
     .positive("V_c is positive", &["13"], &velocity, &domain)?
     .identity(
-        "σ on K = K_c",
+        "σ on K = K_c, for V0 < V_c",
         &used,
         &equations.right("9").with("sigma", &transition),
         &formula("K"),
-        &domain,
+        &below_critical,
     )?
     .limit("σ on K = K_c as V0 → 0", &used, &transition, ("V_0", Toward::Zero), &stress, &domain)?
     .limit("V0² on K = K_c as σ → 0", &used, &square, ("sigma", Toward::Zero), &velocity.power(2), &domain)?

@@ -4,7 +4,7 @@ use super::slider::{crossing_imaginary, crossing_real, on_transition};
 use crate::number::Rational;
 use crate::polynomial::{Domain, Expression, Proof, Refutation, Toward};
 use crate::theory::linearisation::Law;
-use crate::theory::notation::formula;
+use crate::theory::notation::{formula, given_positive, in_parameters};
 
 /// How a cycle is born where K = K_c is crossed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -131,14 +131,26 @@ pub(super) fn sign(proof: Proof, law: Law) -> Result<Proof, Refutation> {
 fn aging_sign(proof: Proof) -> Result<Proof, Refutation> {
     let used = [Law::Aging.equation()];
     let factor = formula("eta^2*(4*beta + 3) + 6*eta - 1");
-    let scale = real(Law::Aging) / factor.clone();
+    let scale = formula("eta*omega^2/(2*((1 + eta)^2 + eta^2*omega^2)*((1 + eta)^2 + 4*eta^2*omega^2))");
     let split = formula("((2*r + 3)*eta - 1)*((2*r - 3)*eta + 1)");
-    let beyond = Domain::positive("eta r d e").with("r", formula("2 + d"));
+    let greater = ("r", "2 + d", "d", "r - 2");
+    let positive = given_positive(Domain::positive("eta r"), "r - 2", &[("r", "3")]);
+    let beyond = in_parameters(positive.clone(), &[greater]);
     let margin = formula("(2*r + 3)*eta - 1");
-    let above = beyond.clone().with("eta", formula("(1 + e)/(2*(2 + d) + 3)"));
-    let below = beyond.clone().with("eta", formula("1/((1 + e)*(2*(2 + d) + 3))"));
+    let above = ("eta", "(1 + e)/(2*(2 + d) + 3)", "e", "(2*r + 3)*eta - 1");
+    let above = in_parameters(given_positive(positive.clone(), above.3, &[]), &[greater, above]);
+    let below = ("eta", "1/((1 + e)*(2*(2 + d) + 3))", "e", "(1 - (2*r + 3)*eta)/((2*r + 3)*eta)");
+    let is_below = given_positive(positive, "1 - (2*r + 3)*eta", &[("eta", "1/18")]);
+    let below = in_parameters(is_below, &[greater, below]);
     proof
-        .positive("−Re c_1 divided by N = η²(4β + 3) + 6η − 1", &used, &-scale, &on_transition())?
+        .identity(
+            "Re c_1 is minus a factor times N = η²(4β + 3) + 6η − 1",
+            &used,
+            &real(Law::Aging),
+            &(-scale.clone() * factor.clone()),
+            &on_transition(),
+        )?
+        .positive("the factor", &used, &scale, &on_transition())?
         .identity(
             "N with β = r² − 3",
             &used,

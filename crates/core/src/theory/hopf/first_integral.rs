@@ -5,7 +5,7 @@ use super::slider::{by_groups, derive};
 use crate::polynomial::{Domain, Expression, Proof, Refutation, Symbol};
 use crate::theory::PaperEquations;
 use crate::theory::linearisation::Law;
-use crate::theory::notation::formula;
+use crate::theory::notation::{formula, given_positive, in_parameters};
 
 /// In the limit η → 0 every orbit near steady sliding is closed at K = K_c, and for K ≠ K_c none is, of whatever size.
 ///
@@ -40,7 +40,7 @@ pub fn prove(equations: &PaperEquations, law: Law) -> Result<Proof, Refutation> 
         [loading - formula("beta") * evolution.clone(), evolution].map(|rate| rate.with("zeta", &sheet));
     let proof = no_cycle(proof, &used, law, &rates)?;
     let (integral, factor) = integral(law);
-    let critical = domain.with("kappa", formula("beta - 1"));
+    let critical = Domain::positive("beta").with("kappa", formula("beta - 1"));
     let along = |function: &Expression| {
         slope(function, "x") * rates[0].clone() + slope(function, "y") * rates[1].clone()
     };
@@ -93,7 +93,8 @@ fn extremum(proof: Proof, law: Law) -> Result<Proof, Refutation> {
     let rest = |expression: Expression| expression.with("x", &formula("0")).with("y", &formula("0"));
     let second = |one: &str, other: &str| rest(slope(&slope(&whole, one), other));
     let determinant = second("x", "x") * second("y", "y") - second("x", "y").power(2);
-    let above = Domain::positive("d").with("beta", formula("1 + d"));
+    let above = given_positive(Domain::positive("beta"), "beta - 1", &[("beta", "2")]);
+    let above = in_parameters(above, &[("beta", "1 + d", "d", "beta - 1")]);
     let used = [law.equation()];
     proof
         .identity("∂H/∂x at steady sliding", &used, &rest(slope(&whole, "x")), &formula("0"), &above)?

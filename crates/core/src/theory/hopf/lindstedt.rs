@@ -72,10 +72,7 @@ fn order(
     unknowns: &[&str],
     domain: Domain,
 ) -> Result<(Proof, Domain), Refutation> {
-    // On the circle the sine is a root; the conversion names it, and so do the conditions.
-    let sine = simplified(&proof, used, &formula("S"), &domain)?.to_string();
-    let identically_in = ["C", sine.as_str()];
-    let conditions = Conditions { vanishing, identically_in: &identically_in, unknowns };
+    let conditions = Conditions { vanishing, identically_in: &["C", "S"], unknowns };
     let domain = solve(&proof, used, &conditions, domain)?;
     for (part, name) in vanishing.iter().zip(NAMES) {
         let says = format!("{name} at order {power}, C = cos τ, S = sin τ");
@@ -93,7 +90,7 @@ fn mixed(quadratic: &Pair, one: &Motion, other: &Motion) -> Pair {
 
 /// K = K_c and a point (C, S) of the unit circle.
 fn on_circle() -> Domain {
-    on_transition().with("S", formula("sqrt(1 - C^2)"))
+    on_transition().with_square("S", formula("1 - C^2")).example("S", formula("1"))
 }
 
 /// Both equations in X = V/V_0, Y = V_0 θ/D_c and rates per D_c/V_0, as eqs 1, 4 and the law give them.

@@ -19,7 +19,7 @@ pub use first_integral::prove as quasi_static_centre;
 
 use super::PaperEquations;
 use super::linearisation::Law;
-use super::notation::{formula, simplified};
+use super::notation::{formula, given_nonzero, simplified};
 use crate::polynomial::{Expression, Proof, Refutation};
 
 /// The cubic coefficient on K = K_c and what follows from it, as functions of `eta` and `omega` = √(β − 1).
@@ -78,6 +78,11 @@ pub fn coefficient(equations: &PaperEquations, law: Law) -> Result<HopfCoefficie
 /// The two routes agree: what the normal form says of the cycle is what the expansion found.
 fn compare(proof: Proof, used: &[&str], law: Law, cycle: &lindstedt::Cycle) -> Result<Proof, Refutation> {
     let domain = slider::on_transition();
+    // A² follows from K where the coefficient is not zero.
+    let hyperbolic = match law {
+        Law::Slip => domain.clone(),
+        Law::Aging => given_nonzero(domain.clone(), &["eta^2*(7 + 4*omega^2) + 6*eta - 1"], &[]),
+    };
     proof
         .reason(
             "By the normal form a cycle has |w|² = −Re(dp/dκ)(κ − κ_c)/Re c_1 and Ω = ω + Im(dp/dκ)(κ − κ_c) + \
@@ -102,14 +107,14 @@ fn compare(proof: Proof, used: &[&str], law: Law, cycle: &lindstedt::Cycle) -> R
             used,
             &(formula("kappa") / cycle.stiffness.clone()),
             &closed_form::square_amplitude(law),
-            &domain,
+            &hyperbolic,
         )?
         .identity(
             "(Ω − ω)/(K/K_c − 1)",
             used,
             &(formula("kappa") * cycle.frequency.clone() / cycle.stiffness.clone()),
             &closed_form::frequency_slope(law),
-            &domain,
+            &hyperbolic,
         )
 }
 

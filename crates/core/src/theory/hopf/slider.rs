@@ -4,7 +4,7 @@ use super::expansion::in_basis;
 use crate::polynomial::{Domain, Expression, Proof, Refutation, Symbol};
 use crate::theory::PaperEquations;
 use crate::theory::linearisation::Law;
-use crate::theory::notation::{any, cubic, formula, simplified};
+use crate::theory::notation::{any, cubic, formula, in_parameters, simplified};
 
 /// x = ln(V/V_0), y = ln(V_0 θ/D_c) and ζ = (spring stress/σ − μ_0)/a.
 pub(super) const STATE: [&str; 3] = ["x", "y", "zeta"];
@@ -25,11 +25,12 @@ pub(super) fn on_transition() -> Domain {
 
 /// The physical quantities by the three groups: everything but them is a unit.
 pub(super) fn by_groups() -> Domain {
-    let positive = format!("{} X Y eta kappa beta", any().positive_names().join(" "));
-    Domain::positive(&positive)
-        .with("M", formula("eta*sigma*a*D_c/V_0^2"))
-        .with("K", formula("kappa*a*sigma/D_c"))
-        .with("b", formula("beta*a"))
+    let groups = [
+        ("M", "eta*sigma*a*D_c/V_0^2", "eta", "M*V_0^2/(sigma*a*D_c)"),
+        ("K", "kappa*a*sigma/D_c", "kappa", "K*D_c/(a*sigma)"),
+        ("b", "beta*a", "beta", "b/a"),
+    ];
+    in_parameters(any().and_positive("X Y"), &groups)
 }
 
 /// Derives the slider and shows that it rests at the origin.

@@ -1,38 +1,11 @@
-//! The words of the ledger: what a check can conclude, how sure it is, and from what.
+//! What a finding rests on, and how sure that makes it.
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use slipmode_core::polynomial::Proof;
 
-/// What the program concludes about a claim.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Verdict {
-    /// True as stated.
-    Holds,
-    /// True inside a limit that the finding quantifies.
-    HoldsWithin,
-    /// Refuted: the finding names a counter-example.
-    Fails,
-    /// This report did not ask for what the check needs.
-    NotChecked,
-}
-
-impl Verdict {
-    /// The word used in `claims.toml`, `ledger.json` and on pages.
-    #[must_use]
-    pub fn as_str(self) -> &'static str {
-        match self {
-            Verdict::Holds => "holds",
-            Verdict::HoldsWithin => "holds-within",
-            Verdict::Fails => "fails",
-            Verdict::NotChecked => "not-checked",
-        }
-    }
-}
-
 /// How sure a finding is; a finding is as sure as its weakest evidence.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Strength {
     /// Decided over the rationals.
@@ -97,6 +70,12 @@ pub enum Evidence {
 }
 
 impl Evidence {
+    /// Whether it rests on no run and no point at all.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        matches!(self, Evidence::Simulation { runs: 0, .. } | Evidence::Sample { points: 0, .. })
+    }
+
     /// How sure this piece is.
     #[must_use]
     pub fn strength(&self) -> Strength {

@@ -1,0 +1,66 @@
+//! Conditions on expressions: what a proof assumes, and what must hold for an expression to be defined.
+
+use std::fmt;
+
+use super::{Expression, ParseError};
+
+/// How an expression compares with zero.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Relation {
+    /// Greater than zero.
+    Positive,
+    /// Zero or greater.
+    NonNegative,
+    /// Not zero.
+    NonZero,
+}
+
+impl Relation {
+    const ALL: [Self; 3] = [Self::NonNegative, Self::NonZero, Self::Positive];
+
+    fn as_str(self) -> &'static str {
+        match self {
+            Self::Positive => " > 0",
+            Self::NonNegative => " >= 0",
+            Self::NonZero => " != 0",
+        }
+    }
+}
+
+/// One condition, such as `b - a > 0`; serialised as its text.
+#[derive(Debug, Clone, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(try_from = "String", into = "String"))]
+pub struct Condition {
+    /// What is compared with zero.
+    pub expression: Expression,
+    /// How.
+    pub relation: Relation,
+}
+
+impl fmt::Display for Condition {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(formatter, "{}{}", self.expression, self.relation.as_str())
+    }
+}
+
+impl From<Condition> for String {
+    fn from(condition: Condition) -> Self {
+        condition.to_string()
+    }
+}
+
+impl TryFrom<String> for Condition {
+    type Error = ParseError;
+
+    fn try_from(text: String) -> Result<Self, ParseError> {
+        let parts = Relation::ALL
+            .iter()
+            .find_map(|&relation| Some((text.strip_suffix(relation.as_str())?, relation)));
+        let (expression, relation) = parts.ok_or_else(|| ParseError {
+            column: text.chars().count(),
+            message: "a condition ends with '> 0', '>= 0' or '!= 0'".to_owned(),
+        })?;
+        Ok(Self { expression: expression.parse()?, relation })
+    }
+}

@@ -1,0 +1,168 @@
+//! How large an expression becomes when it is multiplied out, estimated from above before that is done.
+
+use thiserror::Error;
+
+use super::{Expression, Function, Polynomial};
+
+/// An upper bound on a polynomial's number of terms and total degree.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Extent {
+    /// The number of terms.
+    pub terms: u64,
+    /// The total degree.
+    pub degree: u64,
+}
+
+/// An expression that would become too large.
+#[derive(Debug, Clone, PartialEq, Eq, Error)]
+#[error(
+    "multiplied out it may have {terms} terms and degree {degree} (allowed: {} terms, degree {})",
+    largest.terms, largest.degree, terms = Count(found.terms), degree = Count(found.degree)
+)]
+pub struct TooLarge {
+    /// The bound on what it becomes.
+    pub found: Extent,
+    /// What is allowed.
+    pub largest: Extent,
+}
+
+/// A number that may have been too large to count.
+struct Count(u64);
+
+impl std::fmt::Display for Count {
+    fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self.0 {
+            u64::MAX => formatter.write_str("more than 10^19"),
+            count => write!(formatter, "{count}"),
+        }
+    }
+}
+
+impl Extent {
+    const ONE: Self = Self { terms: 1, degree: 0 };
+
+    /// Of a polynomial as it is.
+    #[must_use]
+    pub fn of(polynomial: &Polynomial) -> Self {
+        Self { terms: polynomial.term_count() as u64, degree: polynomial.total_degree().into() }
+    }
+
+    /// Of the sum of two such polynomials.
+    #[must_use]
+    pub fn plus(self, other: Self) -> Self {
+        Self { terms: self.terms.saturating_add(other.terms), degree: self.degree.max(other.degree) }
+    }
+
+    /// Of their product.
+    #[must_use]
+    pub fn times(self, other: Self) -> Self {
+        Self {
+            terms: self.terms.saturating_mul(other.terms),
+            degree: self.degree.saturating_add(other.degree),
+        }
+    }
+
+    /// Of a power: a sum of n terms to the power k has at most (n + k − 1)!/(k!(n − 1)!) terms.
+    #[must_use]
+    pub fn power(self, exponent: u32) -> Self {
+        let others = self.terms.saturating_sub(1);
+        let terms = (1..=u64::from(exponent))
+            .try_fold(1_u64, |count, step| Some(count.checked_mul(others.checked_add(step)?)? / step));
+        Self { terms: terms.unwrap_or(u64::MAX), degree: self.degree.saturating_mul(exponent.into()) }
+    }
+
+    /// # Errors
+    /// When it is larger than allowed.
+    pub fn within(self, largest: Self) -> Result<(), TooLarge> {
+        if self.terms > largest.terms || self.degree > largest.degree {
+            return Err(TooLarge { found: self, largest });
+        }
+        Ok(())
+    }
+}
+
+impl Expression {
+    /// Checks that neither numerator nor denominator, nor those of a function's argument, become too large.
+    ///
+    /// # Errors
+    /// With the bound that is exceeded.
+    pub fn check_extent(&self, largest: Extent) -> Result<(), TooLarge> {
+        self.extents(largest).map(|_| ())
+    }
+
+    /// Bounds of numerator and denominator.
+    fn extents(&self, largest: Extent) -> Result<[Extent; 2], TooLarge> {
+        let go = |inner: &Self| inner.extents(largest);
+        let found = match self {
+            Self::Number(_) => [Extent::ONE, Extent::ONE],
+            Self::Variable(_) => [Extent { terms: 1, degree: 1 }, Extent::ONE],
+            Self::Sum(parts) => parts
+                .iter()
+                .try_fold(None, |sum: Option<[Extent; 2]>, part| {
+                    let [above, below] = go(part)?;
+                    Ok(Some(sum.map_or([above, below], |[sum, divisor]| {
+                        [sum.times(below).plus(above.times(divisor)), divisor.times(below)]
+                    })))
+                })?
+                .unwrap_or([Extent::ONE; 2]),
+            Self::Product(parts) => parts.iter().try_fold([Extent::ONE; 2], |[product, divisor], part| {
+                let [above, below] = go(part)?;
+                Ok([product.times(above), divisor.times(below)])
+            })?,
+            Self::Quotient(left, right) => {
+                let ([above, below], [upper, lower]) = (go(left)?, go(right)?);
+                [above.times(lower), below.times(upper)]
+            }
+            Self::Negation(inner) => go(inner)?,
+            Self::Power(inner, exponent) => {
+                let [above, below] = go(inner)?.map(|side| side.power(exponent.unsigned_abs()));
+                if *exponent < 0 { [below, above] } else { [above, below] }
+            }
+            Self::Call(function, inner) => {
+                let [above, below] = go(inner)?;
+                let inside = if *function == Function::Abs { above.terms } else { 1 };
+                // Each function is one more level of the chain rule.
+                let degree = above.degree.max(below.degree).saturating_add(1);
+                [Extent { terms: inside, degree }, Extent::ONE]
+            }
+        };
+        found.into_iter().try_for_each(|side| side.within(largest))?;
+        Ok(found)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn error(text: &str) -> Option<String> {
+        let largest = Extent { terms: 100, degree: 12 };
+        text.parse::<Expression>()
+            .expect("in the grammar")
+            .check_extent(largest)
+            .err()
+            .map(|error| error.to_string())
+    }
+
+    #[test]
+    fn bounds_are_those_of_the_binomial_formula() {
+        assert_eq!(error("(a + b)^12"), None);
+        assert_eq!(error("1/(a + b + c)^12"), None);
+        assert!(error("(a + b + c)^13").is_some_and(|error| error.contains("degree 13")));
+        assert!(error("(a + b + c + d)^9").is_some_and(|error| error.contains("220 terms")));
+        assert!(error("exp((a + b + c + d)^9)").is_some());
+    }
+
+    #[test]
+    fn a_sum_counts_the_products_with_the_divisors_of_the_other_terms() {
+        assert_eq!(error("1/(a + b) + 1/(c + d)"), None);
+        let many: Vec<String> = (0..12).map(|n| format!("1/(a{n} + b{n})")).collect();
+        assert!(error(&many.join(" + ")).is_some());
+    }
+
+    #[test]
+    fn what_cannot_be_counted_is_refused_too() {
+        let text = "((((a + b)^64 + c)^64 + d)^64 + e)^64";
+        assert!(error(text).is_some());
+    }
+}

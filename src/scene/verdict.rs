@@ -1,0 +1,61 @@
+//! The four verdicts, with their words and signs: what `claims.toml` records, a check computes, and pages show.
+
+use serde::{Deserialize, Serialize};
+
+/// What the program concludes about a claim.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Verdict {
+    /// True as stated.
+    Holds,
+    /// True inside a limit that the finding quantifies.
+    HoldsWithin,
+    /// Refuted: the finding names a counter-example.
+    Fails,
+    /// This report has no evidence that decides the claim.
+    NotChecked,
+}
+
+impl Verdict {
+    /// All four, in the order in which pages count them.
+    pub const ALL: [Self; 4] = [Self::Holds, Self::HoldsWithin, Self::Fails, Self::NotChecked];
+
+    /// The word used in `claims.toml` and `ledger.json`, and the class name on pages.
+    #[must_use]
+    pub fn as_str(self) -> &'static str {
+        match self {
+            Self::Holds => "holds",
+            Self::HoldsWithin => "holds-within",
+            Self::Fails => "fails",
+            Self::NotChecked => "not-checked",
+        }
+    }
+
+    /// The verdict in plain words.
+    #[must_use]
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Holds => "holds",
+            Self::HoldsWithin => "holds within",
+            Self::Fails => "fails",
+            Self::NotChecked => "not checked",
+        }
+    }
+
+    /// The verdict as a sign that needs no colour.
+    #[must_use]
+    pub fn symbol(self) -> &'static str {
+        match self {
+            Self::Holds => "✓",
+            Self::HoldsWithin => "≈",
+            Self::Fails => "✗",
+            Self::NotChecked => "–",
+        }
+    }
+
+    /// The verdict of this word, if it is one of the four.
+    #[must_use]
+    pub fn from_word(word: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|verdict| verdict.as_str() == word)
+    }
+}
