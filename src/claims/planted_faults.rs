@@ -14,7 +14,7 @@ pub struct PlantedFaults {
     pub equation: String,
     /// How many wrong versions were planted.
     pub planted: usize,
-    /// How many of them changed the verdict of a claim.
+    /// How many of them changed the verdict of a claim, or were refused when they were read.
     pub noticed: usize,
     /// How many versions say the same in other words, and are no faults.
     pub harmless: usize,
@@ -61,7 +61,14 @@ fn plant(equation: &Equation, context: &Context, mut sound: Vec<(&'static Check,
             continue;
         }
         found.planted += 1;
-        match noticing(equation, &text, context, &sound) {
+        let Ok(equations) = context.equations.altered(&equation.number, &text) else {
+            // A version without a value, such as the root of a negative number, is refused before a claim is decided.
+            found.noticed += 1;
+            continue;
+        };
+        let altered = Context { equations: &equations, outcome: context.outcome };
+        let notices = |(check, verdict): &(&Check, Verdict)| (check.decide)(&altered).verdict != *verdict;
+        match sound.iter().position(notices) {
             Some(at) => {
                 found.noticed += 1;
                 // A claim that noticed one fault of an equation is tried on the next one first.
@@ -73,18 +80,6 @@ fn plant(equation: &Equation, context: &Context, mut sound: Vec<(&'static Check,
     }
     found.noticed_by = checks().map(|check| check.id).filter(|id| found.noticed_by.contains(id)).collect();
     found
-}
-
-/// The first claim whose verdict is another one with the equation replaced.
-fn noticing(
-    equation: &Equation,
-    text: &str,
-    context: &Context,
-    sound: &[(&'static Check, Verdict)],
-) -> Option<usize> {
-    let equations = context.equations.altered(&equation.number, text).ok()?;
-    let altered = Context { equations: &equations, outcome: context.outcome };
-    sound.iter().position(|(check, verdict)| (check.decide)(&altered).verdict != *verdict)
 }
 
 #[cfg(test)]

@@ -28,7 +28,7 @@ pub fn verify_claim(folder: &Folder, id: &str, progress: &Progress) -> Result<()
         None => Ok(()),
         Some(entry) => Err(Failure::Check(format!(
             "{id}: recorded {}, now {}",
-            entry.expected,
+            entry.expected.as_str(),
             entry.finding.verdict.as_str()
         ))),
     }

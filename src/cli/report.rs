@@ -212,7 +212,12 @@ pub fn drift(ledger: &Ledger) -> Vec<String> {
     ledger
         .drift()
         .map(|entry| {
-            format!("{}: recorded {}, now {}", entry.id, entry.expected, entry.finding.verdict.as_str())
+            format!(
+                "{}: recorded {}, now {}",
+                entry.id,
+                entry.expected.as_str(),
+                entry.finding.verdict.as_str()
+            )
         })
         .collect()
 }

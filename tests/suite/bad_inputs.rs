@@ -24,6 +24,7 @@
 //! | CSV runs: time, V ≤ 0, NaN, one sample, empty | `compare_bad` |
 //! | cells that a spreadsheet would run | `bad_points::keep_going_gives_every_row_and_says_which_are_faulty`, `table::csv_text::tests` |
 //! | zip: paths, links, bomb, names, checksum, cut, encrypted, 70 000 entries | `bad_archives` |
+//! | equations that divide by zero, or are too large to multiply out | `bad_inputs::equations_without_a_value_or_without_end_are_refused` |
 //! | an archive that lies | `archive::a_verdict_is_never_read_from_the_archive`, `archive::an_altered_added_removed_or_renamed_file_is_named` |
 //! | an archive altered and sealed again, of this build or another | `tampering::forty_kinds_of_tampering_are_refused_by_name_in_an_archive_of_this_build`, `tampering::forty_kinds_of_tampering_are_refused_by_name_in_an_archive_of_another_build` |
 //! | an archive that asks for too much: simulations, digits, points, grids, long numbers, time | `replay_budget` |
@@ -267,4 +268,25 @@ fn prose_without_end_is_rendered_or_refused_in_time() {
     let place = report("T", &"x ".repeat(40_000));
     in_time(&place, ["report", "r", "-o", "out"])
         .expect_refusal(&["r/prose/c.md: 80000 bytes (allowed: at most 65536)"]);
+}
+
+#[test]
+fn equations_without_a_value_or_without_end_are_refused() {
+    let place = report("T", "Nothing is placed here.\n");
+    let equations = place.read("r/equations.toml");
+    let sum = "(a + b + D_c + K + M + sigma + V + V_0 + theta + mu_0)^24";
+    let bomb = format!("mu = {sum} - {sum} + mu_0 + a*ln(V/V_0)");
+    for (before, after, fault) in [
+        ("K_c = (b", "K_c = 0/0 + (b", "equation 9: right side '0/0 + "),
+        ("theta' = 1 -", "theta' = 1/0 -", "column 3: '0' is zero"),
+        ("theta' = 1 -", "theta' = (V - V)/(V - V) -", "'V - V' is zero"),
+        ("omega_n = sqrt(K/M)", "omega_n = sqrt(K/M - 1)", "'K/M - 1' may be negative"),
+        ("mu = mu_0 + a*ln(V/V_0)", &bomb, "38567100 terms and degree 24 (allowed: 16 terms, degree 24)"),
+    ] {
+        assert!(equations.contains(before), "{before}");
+        place.write("r/equations.toml", equations.replacen(before, after, 1));
+        for command in ["verify", "report"] {
+            in_time(&place, [command, "r"]).expect_refusal(&["r/equations.toml", fault]);
+        }
+    }
 }

@@ -29,9 +29,13 @@ fn every_sign_of_a_minus_b_gives_a_report_with_the_verdicts_that_were_recorded()
         assert_eq!(scene.contains("\n[frequency]\n"), has_transition, "{scene}");
         assert_eq!(scene.contains("# [frequency] is left out: it needs the critical"), !has_transition);
         let claims = place.read(&format!("{name}/claims.toml"));
-        for (id, listed) in
-            [("N1", has_transition), ("S1", has_transition), ("N9", name == "strong"), ("B5", true)]
-        {
+        for (id, listed) in [
+            ("N1", has_transition),
+            ("S4", has_transition),
+            ("N9", name == "strong"),
+            ("B5", true),
+            ("F1", true),
+        ] {
             assert_eq!(claims.contains(&format!("id = \"{id}\"\n")), listed, "{name} {id}");
         }
     }
@@ -70,6 +74,22 @@ fn a_verdict_that_was_edited_is_drift() {
     let ended = place.run(["verify", "example"]);
     assert_eq!(ended.code, 1);
     assert!(ended.stderr.contains("recorded fails, now holds"), "{}", ended.stderr);
+}
+
+/// Without F1 and F3 among the claims, F2 and L1 used to hold of a law that does not rest at D_c/V.
+#[test]
+fn a_law_that_was_changed_is_drift_in_every_claim_about_its_steady_state() {
+    let place = Workplace::new();
+    place.run(["new", "example"]).expect_success();
+    let equations = place.read("example/equations.toml");
+    let changed = equations.replacen("theta' = 1 - V*theta/D_c", "theta' = 2 - V*theta/D_c", 1);
+    assert_ne!(equations, changed);
+    fs::write(place.path("example/equations.toml"), changed).unwrap();
+    let ended = place.run(["verify", "example"]);
+    assert_eq!(ended.code, 1);
+    for id in ["F1", "F2", "F3", "L1", "L3"] {
+        assert!(ended.stderr.contains(&format!("{id}: recorded holds, now fails")), "{id}: {}", ended.stderr);
+    }
 }
 
 #[test]

@@ -101,7 +101,8 @@ impl Polynomial {
             std::mem::swap(&mut left, &mut right);
         }
         while !right.is_zero() {
-            let remainder = left.pseudo_remainder(&right, variable);
+            // Of too large remainders the common divisor stays unknown; that of the coefficients is one, if not the greatest.
+            let Some(remainder) = left.pseudo_remainder(&right, variable) else { return content };
             left = right;
             right = remainder.divide_or_keep(&remainder.content(variable)).with_integers();
         }
@@ -119,18 +120,27 @@ impl Polynomial {
     }
 
     /// A multiple of this polynomial reduced by `divisor` until its degree in the variable is lower.
-    fn pseudo_remainder(&self, divisor: &Self, variable: &Symbol) -> Self {
+    ///
+    /// `None` before it would become too large.
+    fn pseudo_remainder(&self, divisor: &Self, variable: &Symbol) -> Option<Self> {
         let degree = divisor.degree(variable);
         let leading = leading_coefficient(divisor, variable);
         let mut remainder = self.clone();
         while !remainder.is_zero() && remainder.degree(variable) >= degree {
             let shift = Monomial::power(variable, remainder.degree(variable) - degree);
             let factor = &leading_coefficient(&remainder, variable) * &Self::term(Rational::from(1), shift);
+            let products = [(&leading, &remainder), (&factor, divisor)];
+            if products.iter().any(|(one, other)| one.term_count() * other.term_count() > MOST_PRODUCTS) {
+                return None;
+            }
             remainder = &(&leading * &remainder) - &(&factor * divisor);
         }
-        remainder
+        Some(remainder)
     }
 }
+
+/// The most products of terms in one step of a remainder sequence.
+const MOST_PRODUCTS: usize = 100_000;
 
 /// The positive factor that turns rationals, not all zero, into integers without a common factor.
 pub(super) fn integer_scale<'r>(values: impl Iterator<Item = &'r Rational>) -> Rational {

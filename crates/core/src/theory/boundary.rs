@@ -2,10 +2,11 @@
 
 use super::PaperEquations;
 use super::notation::{
-    coefficients, cubic, formula, given_nonzero, given_positive, in_parameters, rational, simplified,
+    coefficients, cubic, discriminant_of_cubic, formula, given_nonzero, given_positive, in_parameters,
+    rational, simplified,
 };
 use crate::polynomial::{
-    Domain, Expression, Polynomial, Proof, RationalFunction, Refutation, Relation, Symbol, discriminant,
+    Domain, Expression, Polynomial, Proof, RationalFunction, Refutation, Relation, Symbol,
 };
 
 /// The parametrisation of the boundary by its double root r, as derived from eq 8.
@@ -116,8 +117,7 @@ fn at_double_root() -> Domain {
 /// When eq 8 is no polynomial.
 pub fn cubic_discriminant(equations: &PaperEquations) -> Result<Polynomial, Refutation> {
     let proof = Proof::new("discriminant", "");
-    let function = rational(&proof, &["8"], &cubic(equations), &Domain::default())?;
-    Ok(discriminant(function.numerator(), &Symbol::new("p")))
+    discriminant_of_cubic(&proof, &cubic(equations), "p", &Domain::default())
 }
 
 /// One triple root for each β: (r+1)³ = β(3r+1) with r < −1, η = −1/(3r+1), κ = r³/(3r+1).

@@ -1,7 +1,9 @@
 //! Criteria for vibration: η > 1 against eq 20, and what each of them depends on.
 
 use super::boundary::cubic_discriminant;
-use super::notation::{SQUARE_MASS, SQUARE_STIFFNESS, any, formula, in_groups, in_parameters};
+use super::notation::{
+    SQUARE_MASS, SQUARE_STIFFNESS, any, discriminant_of_cubic, formula, in_groups, in_parameters,
+};
 use super::{PaperEquations, transition};
 use crate::polynomial::{Certificate, Domain, Expression, Proof, Refutation, Symbol};
 
@@ -126,14 +128,9 @@ pub fn all_parameters(equations: &PaperEquations) -> Result<Proof, Refutation> {
         ("sigma", "1"),
         ("V_0", "1"),
     ];
-    let function = super::notation::rational(
-        &Proof::new("vibration-depends-on-all", ""),
-        &["8"],
-        &(equations.residual("8") * formula("sigma*V_0*D_c")),
-        &any(),
-    )?;
-    let discriminant =
-        Expression::from(&crate::polynomial::discriminant(function.numerator(), &Symbol::new("s")));
+    let cubic = equations.residual("8") * formula("sigma*V_0*D_c");
+    let start = Proof::new("vibration-depends-on-all", "");
+    let discriminant = Expression::from(&discriminant_of_cubic(&start, &cubic, "s", &any())?);
     let changes = [("a", "11/10"), ("b", "8/5"), ("D_c", "5")];
     let proof = Proof::new(
         "vibration-depends-on-all",

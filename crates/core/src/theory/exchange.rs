@@ -1,8 +1,8 @@
 //! What exchanging a and b leaves unchanged.
 
 use super::PaperEquations;
-use super::notation::{any, coefficients, formula, strengthening, weakening};
-use crate::polynomial::{Certificate, Expression, Proof, Refutation, Symbol, discriminant};
+use super::notation::{any, coefficients, discriminant_of_cubic, formula, strengthening, weakening};
+use crate::polynomial::{Certificate, Expression, Proof, Refutation, Symbol};
 
 /// What becomes of one equation when a and b are exchanged.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -121,8 +121,8 @@ fn discriminant_at(
     point: &[(String, Expression)],
 ) -> Result<(Expression, Expression), Refutation> {
     let proof = Proof::new("frequency-contours-under-exchange", "");
-    let function = super::notation::rational(&proof, &["8"], &(cubic.clone() * formula("V_0*D_c")), &any())?;
-    let expression = Expression::from(&discriminant(function.numerator(), &Symbol::new("s")));
+    let cubic = cubic.clone() * formula("V_0*D_c");
+    let expression = Expression::from(&discriminant_of_cubic(&proof, &cubic, "s", &any())?);
     let values = point.iter().map(|(name, value)| (Symbol::new(name), value.clone())).collect();
     let value = super::notation::simplified(&proof, &["8"], &expression.substitute(&values), &any())?;
     Ok((expression, value))

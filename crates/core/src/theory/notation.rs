@@ -2,7 +2,7 @@
 
 use super::PaperEquations;
 use crate::polynomial::{
-    Domain, Expression, Polynomial, Proof, RationalFunction, Refutation, Relation, Symbol,
+    Domain, Expression, Polynomial, Proof, RationalFunction, Refutation, Relation, Symbol, discriminant,
 };
 
 /// The physical quantities, all positive.
@@ -148,6 +148,31 @@ pub(super) fn coefficients<const COUNT: usize>(
     parts
         .and_then(|parts| <[Expression; COUNT]>::try_from(parts).ok())
         .ok_or_else(|| proof.refute(&says, equation, expression.to_string()))
+}
+
+/// The most terms of a coefficient of eq 8 whose discriminant is multiplied out: it has five terms of degree 4 in them.
+const MAX_COEFFICIENT_TERMS: usize = 8;
+
+/// The discriminant of eq 8 in one variable, up to the factor that makes it a polynomial.
+///
+/// # Errors
+/// When it is no cubic, or too large.
+pub(super) fn discriminant_of_cubic(
+    proof: &Proof,
+    expression: &Expression,
+    variable: &str,
+    domain: &Domain,
+) -> Result<Polynomial, Refutation> {
+    let function = rational(proof, &["8"], expression, domain)?;
+    let name = Symbol::new(variable);
+    let cubic = function.numerator();
+    let terms = cubic.coefficients(&name).iter().map(Polynomial::term_count).max().unwrap_or(0);
+    if cubic.degree(&name) != 3 || function.hides(&name).is_some() || terms > MAX_COEFFICIENT_TERMS {
+        let says =
+            format!("a cubic in {variable} whose coefficients have at most {MAX_COEFFICIENT_TERMS} terms");
+        return Err(proof.refute(&says, &["8"], expression.to_string()));
+    }
+    Ok(discriminant(cubic, &name))
 }
 
 /// The expression in lowest terms.
