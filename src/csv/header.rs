@@ -82,12 +82,12 @@ pub fn names(row: Row<'_>) -> Result<Vec<String>, Problem> {
             None => Ok(text.to_string()),
         }
     };
-    (0..row.len()).map(text).collect()
+    (0..row.cell_count()).map(text).collect()
 }
 
 /// What a spreadsheet has put in place of the commas: no name of ours has one of these.
 fn other_separator(row: Row<'_>) -> Option<&'static str> {
-    let has = |separator: u8| row.len() == 1 && row.cell(0).contains(&separator);
+    let has = |separator: u8| row.cell_count() == 1 && row.cell(0).contains(&separator);
     [(b';', "semicolons"), (b'\t', "tabs")].into_iter().find_map(|(byte, name)| has(byte).then_some(name))
 }
 

@@ -104,8 +104,8 @@ impl Read {
             value,
             problem,
         };
-        if row.len() != positions.count {
-            let problem = CsvProblem::CellCount { found: row.len(), wanted: positions.count };
+        if row.cell_count() != positions.count {
+            let problem = CsvProblem::CellCount { found: row.cell_count(), wanted: positions.count };
             return Err(vec![told(format!("row {}", row.number), None, problem.into())]);
         }
         let mut faults = Faults::new();

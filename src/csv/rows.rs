@@ -54,7 +54,7 @@ pub struct Row<'b> {
 
 impl<'b> Row<'b> {
     /// The number of cells.
-    pub fn len(self) -> usize {
+    pub fn cell_count(self) -> usize {
         self.ends.len()
     }
 
@@ -231,7 +231,7 @@ mod tests {
             Input { name: "f".into(), reader: Box::new(std::io::Cursor::new(text.to_vec())), size: None };
         let block = RowReader::new(input).block(1_000_000)?;
         let cells = |row: Row<'_>| -> Vec<String> {
-            (0..row.len()).map(|i| String::from_utf8_lossy(row.cell(i)).into_owned()).collect()
+            (0..row.cell_count()).map(|i| String::from_utf8_lossy(row.cell(i)).into_owned()).collect()
         };
         Ok(block.rows().map(|row| (row.line, row.number, cells(row))).collect())
     }

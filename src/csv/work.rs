@@ -76,8 +76,8 @@ impl<W: RowWork> Work<W> {
     fn read(&self, row: Row<'_>) -> Result<W::Input, Faults> {
         let cells = Cells { file: &self.file, header: &self.header, row };
         let wanted = self.header.names.len();
-        if row.len() != wanted {
-            let problem = CsvProblem::CellCount { found: row.len(), wanted };
+        if row.cell_count() != wanted {
+            let problem = CsvProblem::CellCount { found: row.cell_count(), wanted };
             return Err(vec![cells.fault(None, problem.into())]);
         }
         check_text(cells)?;
@@ -141,7 +141,7 @@ fn check_text(cells: Cells<'_>) -> Result<(), Faults> {
     if is_plain(row) {
         return Ok(());
     }
-    let faults: Faults = (0..row.len())
+    let faults: Faults = (0..row.cell_count())
         .filter_map(|index| cell_problem(row.cell(index)).map(|problem| cells.fault(Some(index), problem)))
         .collect();
     if faults.is_empty() { Ok(()) } else { Err(faults) }

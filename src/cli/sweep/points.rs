@@ -85,8 +85,8 @@ impl<W: RowWork> Listed<W> {
 fn rows_digest(rows: &Block) -> [u8; 32] {
     let mut digest = Sha256::new();
     for row in rows.rows() {
-        digest.update((row.len() as u64).to_le_bytes());
-        for cell in (0..row.len()).map(|index| row.cell(index)) {
+        digest.update((row.cell_count() as u64).to_le_bytes());
+        for cell in (0..row.cell_count()).map(|index| row.cell(index)) {
             digest.update((cell.len() as u64).to_le_bytes());
             digest.update(cell);
         }

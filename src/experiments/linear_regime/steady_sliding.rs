@@ -77,8 +77,8 @@ fn run_case(
     let start = Start::default().at_a_tenth(&model);
     let run = trajectory(&model, Radau::<f64, 5>::new(), start, control, until, 1)?;
     Ok(SteadyRun {
-        loading_velocity_m_per_s: nearest_f64(&velocity),
-        normal_stress_pa: nearest_f64(&stress),
+        loading_velocity_m_per_s: nearest_f64(velocity),
+        normal_stress_pa: nearest_f64(stress),
         law,
         departure: largest_departure(&model, [0.0; 3], WATCHED)?,
         disturbed_over_disturbance: disturbed.map(|largest| largest / DISTURBANCE),

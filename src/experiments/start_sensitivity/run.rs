@@ -91,8 +91,8 @@ fn group(
     };
     let ratio = || nearest_f64(&(point.slider.stiffness_pa_per_m.clone() / point.critical_stiffness()));
     StartGroup {
-        loading_velocity_m_per_s: nearest_f64(&velocity),
-        normal_stress_pa: nearest_f64(&stress),
+        loading_velocity_m_per_s: nearest_f64(velocity),
+        normal_stress_pa: nearest_f64(stress),
         law,
         inertial_parameter: groups.inertial_parameter,
         stiffness_over_critical: parameters.has_transition().then(ratio),
