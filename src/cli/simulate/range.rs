@@ -34,7 +34,7 @@ pub fn outside_tested(parameters: &Parameters<Rational>) -> Vec<String> {
     let groups = parameters.groups();
     let values = [groups.inertial_parameter, groups.stiffness_group, groups.effect_ratio];
     for (value, (name, [from, to])) in values.iter().zip(TESTED) {
-        if !(from..=to).contains(&nearest_f64(&value)) {
+        if !(from..=to).contains(&nearest_f64(value)) {
             let shown = round_float(&Float::with_val(64, value), 3);
             let [from, to] = [from, to].map(|end| round_digits(end, 3));
             warnings.push(format!("{name} is {shown}, outside the tested range {from} to {to}"));
