@@ -25,6 +25,14 @@ pub struct Outcome {
 }
 
 impl Outcome {
+    /// What was computed of one kind, with the name of its scene.
+    pub fn each<'o, T: 'o>(
+        &'o self,
+        of: impl Fn(&'o SceneOutcome) -> &'o Option<T>,
+    ) -> impl Iterator<Item = (&'o str, &'o T)> {
+        self.scenes.iter().filter_map(move |scene| Some((scene.scene.name.as_str(), of(scene).as_ref()?)))
+    }
+
     /// The first scene with a < b: the potentially unstable slider of the paper.
     #[must_use]
     pub fn potentially_unstable(&self) -> Option<&SceneOutcome> {

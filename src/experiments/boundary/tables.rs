@@ -2,12 +2,7 @@
 
 use rug::Float;
 
-use crate::experiments::Context;
-use crate::experiments::Need;
-use crate::experiments::TableMaker;
-use crate::experiments::boundary::BoundaryOutcome;
-use crate::experiments::shared::cells::count;
-use crate::experiments::unless_empty;
+use crate::experiments::{Context, Need, TableMaker};
 use slipmode_core::number::Ball;
 use slipmode_core::number::format::{certain_digits, round_float};
 use slipmode_core::stability::boundary::BoundaryPoint;
@@ -76,25 +71,12 @@ fn point_table(
     title: &str,
     wanted: fn(&BoundaryPoint) -> bool,
 ) -> Option<Table> {
-    let mut columns = vec![Column::text("scene", "Scene")];
-    columns.extend(boundary_columns());
-    let mut table = Table::new(id, title, columns);
-    for (name, outcome) in boundaries(context) {
-        for point in outcome.points.iter().filter(|point| wanted(point)) {
-            let mut row = vec![Cell::text(name)];
-            row.extend(boundary_row(point, SHOWN_DIGITS));
-            table.push(row);
-        }
-    }
-    unless_empty(table)
-}
-
-fn boundaries<'c>(context: &Context<'c>) -> impl Iterator<Item = (&'c str, &'c BoundaryOutcome)> {
-    context
-        .outcome
-        .scenes
-        .iter()
-        .filter_map(|scene| Some((scene.scene.name.as_str(), scene.boundary.as_ref()?)))
+    let boundaries = context.outcome.each(|scene| &scene.boundary);
+    let points = boundaries.flat_map(|(name, found)| found.points.iter().map(move |point| (name, point)));
+    Table::of(id, title, points.filter(|(_, point)| wanted(point)))
+        .text("scene", "Scene", |(name, _)| name)
+        .columns(boundary_columns(), |(_, point)| boundary_row(point, SHOWN_DIGITS))
+        .unless_empty()
 }
 
 fn all_points(context: &Context) -> Option<Table> {
@@ -106,24 +88,15 @@ fn marked_points(context: &Context) -> Option<Table> {
 }
 
 fn routes(context: &Context) -> Option<Table> {
-    let columns = vec![
-        Column::text("scene", "Scene"),
-        Column::number("compared", "Crossings found by all three routes", ""),
-        Column::number("disagreements", "Disagreements", ""),
-        Column::number("digits", "Requested digits", ""),
-        Column::number("largest_relative_difference", "Largest possible relative difference", ""),
-    ];
-    let mut table = Table::new("routes", "The boundary by three routes", columns)
-        .with_note("Routes: the rational curve, isolated real roots of the discriminant, and bisection on the exact class. The difference is an upper bound, computed from the enclosures.");
-    for (name, outcome) in boundaries(context) {
-        let comparison = &outcome.comparison;
-        table.push(vec![
-            Cell::text(name),
-            count(comparison.compared),
-            count(comparison.disagreements.len()),
-            count(outcome.digits),
-            Cell::number(round_float(&comparison.largest_difference, 2)),
-        ]);
-    }
-    unless_empty(table)
+    let note = "Routes: the rational curve, isolated real roots of the discriminant, and bisection on the exact class. The difference is an upper bound, computed from the enclosures.";
+    Table::of("routes", "The boundary by three routes", context.outcome.each(|scene| &scene.boundary))
+        .note(note)
+        .text("scene", "Scene", |(name, _)| name)
+        .number("compared", "Crossings found by all three routes", "", |(_, found)| found.comparison.compared)
+        .number("disagreements", "Disagreements", "", |(_, found)| found.comparison.disagreements.len())
+        .number("digits", "Requested digits", "", |(_, found)| found.digits)
+        .number("largest_relative_difference", "Largest possible relative difference", "", |(_, found)| {
+            Cell::number(round_float(&found.comparison.largest_difference, 2))
+        })
+        .unless_empty()
 }

@@ -1,14 +1,11 @@
 //! Tables of the asymptotes' errors: limits of use, and convergence.
 
-use crate::experiments::Context;
-use crate::experiments::Need;
-use crate::experiments::TableMaker;
-use crate::experiments::shared::cells::{ERROR_DIGITS, certain, certain_or_empty};
-use crate::experiments::unless_empty;
-use slipmode_core::number::format::rational_to_decimal;
+use crate::experiments::shared::cells::{ERROR_DIGITS, certain, decimal};
+use crate::experiments::{Context, Need, TableMaker};
+use slipmode_core::number::Ball;
 use slipmode_core::stability::Asymptote;
 use slipmode_core::stability::tolerance::Limit;
-use slipmode_plot::table::{Cell, Column, Table};
+use slipmode_plot::table::Table;
 
 pub(crate) const TABLES: &[TableMaker] = &[
     TableMaker { id: "tolerance", needs: &[Need::Tolerance], make: tolerance },
@@ -16,38 +13,20 @@ pub(crate) const TABLES: &[TableMaker] = &[
 ];
 
 fn tolerance(context: &Context) -> Option<Table> {
-    let columns = vec![
-        Column::text("scene", "Scene"),
-        Column::text("asymptote", "Asymptote"),
-        Column::number("relative_error", "Relative error", ""),
-        Column::text("where", "Where"),
-        Column::number("limit", "Limit", "m/s or Pa"),
-        Column::number("group_at_limit", "η or κ at the limit", ""),
-        Column::number("leading_order", "Leading order", ""),
-        Column::number("exact_over_leading", "exact/leading", ""),
-    ];
-    let mut table = Table::new("tolerance", "Which formula may be used where", columns)
-        .with_note("Leading order in closed form, for a relative error ε: η = ε for eqs 15 and 16, κ = ε(β−1)²/(2β) for eq 18, κ = β/(2ε) for eq 20. A branch that is accurate up to the cusp has the values of the cusp.");
-    for scene in &context.outcome.scenes {
-        let Some(outcome) = &scene.tolerance else { continue };
-        for row in &outcome.rows {
-            let limit = &row.limit;
-            let quasi_static = limit.asymptote.is_quasi_static();
-            let group =
-                if quasi_static { &limit.groups.inertial_parameter } else { &limit.groups.stiffness_group };
-            table.push(vec![
-                Cell::text(&scene.scene.name),
-                Cell::text(limit.asymptote.as_str()),
-                Cell::number(rational_to_decimal(&row.tolerance, 6)),
-                Cell::text(place_of_limit(limit)),
-                certain(&row.in_si),
-                certain(group),
-                Cell::number(rational_to_decimal(&limit.leading, ERROR_DIGITS)),
-                certain(&limit.exact_over_leading),
-            ]);
-        }
-    }
-    unless_empty(table)
+    let note = "Leading order in closed form, for a relative error ε: η = ε for eqs 15 and 16, κ = ε(β−1)²/(2β) for eq 18, κ = β/(2ε) for eq 20. A branch that is accurate up to the cusp has the values of the cusp.";
+    let found = context.outcome.each(|scene| &scene.tolerance);
+    let rows = found.flat_map(|(name, found)| found.rows.iter().map(move |row| (name, row)));
+    Table::of("tolerance", "Which formula may be used where", rows)
+        .note(note)
+        .text("scene", "Scene", |(name, _)| name)
+        .text("asymptote", "Asymptote", |(_, row)| row.limit.asymptote.as_str())
+        .number("relative_error", "Relative error", "", |(_, row)| decimal(&row.tolerance, 6))
+        .text("where", "Where", |(_, row)| place_of_limit(&row.limit))
+        .number("limit", "Limit", "m/s or Pa", |(_, row)| certain(&row.in_si))
+        .number("group_at_limit", "η or κ at the limit", "", |(_, row)| certain(group(&row.limit)))
+        .number("leading_order", "Leading order", "", |(_, row)| decimal(&row.limit.leading, ERROR_DIGITS))
+        .number("exact_over_leading", "exact/leading", "", |(_, row)| certain(&row.limit.exact_over_leading))
+        .unless_empty()
 }
 
 /// On which side of its limit an asymptote is good: of V0 for eqs 15 and 16, of σ for eqs 18 and 20.
@@ -64,29 +43,22 @@ pub fn place_of_limit(limit: &Limit) -> &'static str {
 }
 
 fn convergence(context: &Context) -> Option<Table> {
-    let columns = vec![
-        Column::text("scene", "Scene"),
-        Column::text("asymptote", "Asymptote"),
-        Column::number("leading", "Derived leading term", ""),
-        Column::number("relative_error", "Relative error", ""),
-        Column::number("ratio", "error/leading", ""),
-        Column::number("order", "Measured order (derived: 1)", ""),
-    ];
-    let mut table = Table::new("convergence", "Measured and derived order of convergence", columns);
-    for scene in &context.outcome.scenes {
-        let Some(outcome) = &scene.tolerance else { continue };
-        for (asymptote, steps) in &outcome.convergence {
-            for step in steps {
-                table.push(vec![
-                    Cell::text(&scene.scene.name),
-                    Cell::text(asymptote.as_str()),
-                    certain(&step.leading),
-                    certain(&step.relative_error),
-                    certain(&step.ratio),
-                    certain_or_empty(step.order.as_ref()),
-                ]);
-            }
-        }
-    }
-    unless_empty(table)
+    let found = context.outcome.each(|scene| &scene.tolerance);
+    let series =
+        found.flat_map(|(name, found)| found.convergence.iter().map(move |(of, steps)| (name, of, steps)));
+    let rows = series.flat_map(|(name, of, steps)| steps.iter().map(move |step| (name, of, step)));
+    Table::of("convergence", "Measured and derived order of convergence", rows)
+        .text("scene", "Scene", |(name, ..)| name)
+        .text("asymptote", "Asymptote", |(_, asymptote, _)| asymptote.as_str())
+        .number("leading", "Derived leading term", "", |(.., step)| certain(&step.leading))
+        .number("relative_error", "Relative error", "", |(.., step)| certain(&step.relative_error))
+        .number("ratio", "error/leading", "", |(.., step)| certain(&step.ratio))
+        .number("order", "Measured order (derived: 1)", "", |(.., step)| certain(step.order.as_ref()))
+        .unless_empty()
+}
+
+/// The group that the limit bounds.
+fn group(limit: &Limit) -> &Ball {
+    let groups = &limit.groups;
+    if limit.asymptote.is_quasi_static() { &groups.inertial_parameter } else { &groups.stiffness_group }
 }

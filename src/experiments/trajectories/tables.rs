@@ -1,14 +1,11 @@
 //! Tables of the trajectories: what each run showed, and the samples that the figures draw.
 
-use crate::experiments::Context;
-use crate::experiments::Need;
-use crate::experiments::TableMaker;
-use crate::experiments::shared::cells::rounded;
+use crate::experiments::shared::cells::{RoundedColumns, decimal, rounded};
 use crate::experiments::trajectories::TrajectoryRun;
-use crate::experiments::unless_empty;
-use slipmode_core::number::format::rational_to_decimal;
+use crate::experiments::{Context, Need, TableMaker};
+use slipmode_core::dynamics::Simulation;
 use slipmode_core::number::nearest_f64;
-use slipmode_plot::table::{Cell, Column, Table};
+use slipmode_plot::table::{Cell, Table};
 
 pub(crate) const TABLES: &[TableMaker] = &[
     TableMaker { id: "trajectory-modes", needs: &[Need::Trajectories], make: modes },
@@ -23,7 +20,7 @@ const SAMPLE_DIGITS: usize = 5;
 const TIME_DIGITS: usize = 7;
 
 fn runs<'c>(context: &'c Context) -> impl Iterator<Item = &'c TrajectoryRun> {
-    context.outcome.scenes.iter().filter_map(|scene| scene.trajectories.as_ref()).flatten()
+    context.outcome.each(|scene| &scene.trajectories).flat_map(|(_, runs)| runs)
 }
 
 /// A value with the digits that its relative error leaves certain.
@@ -33,82 +30,83 @@ fn certain(value: f64, relative_error: f64) -> Cell {
     rounded(value, digits.min(MOST_DIGITS))
 }
 
-fn error(relative: f64) -> Cell {
-    if relative.is_finite() { rounded(relative, 2) } else { Cell::empty() }
+fn error(relative: Option<f64>) -> Cell {
+    rounded(relative.filter(|relative| relative.is_finite()), 2)
 }
 
 fn modes(context: &Context) -> Option<Table> {
-    let columns = vec![
-        Column::text("point", "Point"),
-        Column::text("law", "Law"),
-        Column::number("normal_stress_pa", "Normal stress σ", "Pa"),
-        Column::number("loading_velocity_m_per_s", "Loading velocity V_l", "m/s"),
-        Column::text("slip_mode_theory", "Slip mode, theory"),
-        Column::text("slip_mode_simulation", "Slip mode, simulation"),
-        Column::number("period_theory_s", "2π/max Im(s), theory", "s"),
-        Column::number("period_s", "Period, simulation", "s"),
-        Column::number("period_relative_error", "Its error", ""),
-        Column::number("peak_over_loading_velocity", "Peak velocity / V_l", ""),
-        Column::number("peak_relative_error", "Its error", ""),
-        Column::number("stress_drop_pa", "Stress drop", "Pa"),
-        Column::number("stress_drop_relative_error", "Its error", ""),
-        Column::number("free_residual_pa", "Free residual", "Pa"),
-        Column::text("failure", "Failure"),
-    ];
-    let mut table = Table::new("trajectory-modes", "Results of the runs of figs 3b to 3g and 6b to 6d", columns)
-        .with_note("The slip mode of a simulation is determined from its long-term behaviour alone. Peak and stress drop are those of the limit cycle, or of the transient of a decay. Errors are relative estimates from a second run at a tenth of the tolerance. The period of the theory is that of the small oscillation, from the exact class and a 64-bit root. The free residual is the largest difference between the integrated spring stress and the spring stress computed from separately integrated slip.");
-    runs(context).for_each(|run| table.push(mode_row(run)));
-    unless_empty(table)
+    let note = "The slip mode of a simulation is determined from its long-term behaviour alone. Peak and stress drop are those of the limit cycle, or of the transient of a decay. Errors are relative estimates from a second run at a tenth of the tolerance. The period of the theory is that of the small oscillation, from the exact class and a 64-bit root. The free residual is the largest difference between the integrated spring stress and the spring stress computed from separately integrated slip.";
+    Table::of("trajectory-modes", "Results of the runs of figs 3b to 3g and 6b to 6d", runs(context))
+        .note(note)
+        .text("point", "Point", |run| &run.point.id)
+        .text("law", "Law", |run| run.law.as_str())
+        .number("normal_stress_pa", "Normal stress σ", "Pa", |run| decimal(&run.point.normal_stress_pa, 6))
+        .number("loading_velocity_m_per_s", "Loading velocity V_l", "m/s", |run| {
+            decimal(&run.point.loading_velocity_m_per_s, 6)
+        })
+        .text("slip_mode_theory", "Slip mode, theory", |run| run.theory.slip_mode.as_str())
+        .text("slip_mode_simulation", "Slip mode, simulation", |run| {
+            found(run).map(|found| found.slip_mode.as_str())
+        })
+        .rounded("period_theory_s", "2π/max Im(s), theory", "s", MOST_DIGITS, |run| period_by_theory(run))
+        .number("period_s", "Period, simulation", "s", |run| {
+            found(run).and_then(|found| Some(certain(found.period_s?, found.period_relative_error?)))
+        })
+        .number("period_relative_error", "Its error", "", |run| {
+            error(found(run).and_then(|found| found.period_relative_error))
+        })
+        .number("peak_over_loading_velocity", "Peak velocity / V_l", "", |run| {
+            let velocity = nearest_f64(&run.point.loading_velocity_m_per_s);
+            found(run).map(|found| certain(found.peak_velocity_m_per_s / velocity, found.peak_relative_error))
+        })
+        .number("peak_relative_error", "Its error", "", |run| {
+            error(found(run).map(|found| found.peak_relative_error))
+        })
+        .number("stress_drop_pa", "Stress drop", "Pa", |run| {
+            found(run).map(|found| certain(found.stress_drop_pa, found.stress_drop_relative_error))
+        })
+        .number("stress_drop_relative_error", "Its error", "", |run| {
+            error(found(run).map(|found| found.stress_drop_relative_error))
+        })
+        .rounded("free_residual_pa", "Free residual", "Pa", 1, |run| {
+            run.course.as_ref().ok().map(|course| course.free_residual_pa)
+        })
+        .text("failure", "Failure", |run| failure(run))
+        .unless_empty()
 }
 
-fn mode_row(run: &TrajectoryRun) -> Vec<Cell> {
-    let found = run.simulation.as_ref().ok();
-    let number = |cell: Option<Cell>| cell.unwrap_or_else(Cell::empty);
-    let velocity = nearest_f64(&run.point.loading_velocity_m_per_s);
+fn found(run: &TrajectoryRun) -> Option<&Simulation> {
+    run.simulation.as_ref().ok()
+}
+
+fn period_by_theory(run: &TrajectoryRun) -> Option<f64> {
     let imaginary = run.theory.max_imaginary_per_s.to_f64().filter(|imaginary| *imaginary > 0.0);
-    let failure = run.simulation.as_ref().err().or(run.course.as_ref().err());
-    let mut cells = point_cells(run);
-    cells.extend([
-        Cell::number(rational_to_decimal(&run.point.normal_stress_pa, 6)),
-        Cell::number(rational_to_decimal(&run.point.loading_velocity_m_per_s, 6)),
-        Cell::text(run.theory.slip_mode.as_str()),
-        number(found.map(|found| Cell::text(found.slip_mode.as_str()))),
-        number(imaginary.map(|imaginary| rounded(std::f64::consts::TAU / imaginary, MOST_DIGITS))),
-        number(found.and_then(|found| Some(certain(found.period_s?, found.period_relative_error?)))),
-        number(found.and_then(|found| found.period_relative_error).map(error)),
-        number(found.map(|found| certain(found.peak_velocity_m_per_s / velocity, found.peak_relative_error))),
-        number(found.map(|found| error(found.peak_relative_error))),
-        number(found.map(|found| certain(found.stress_drop_pa, found.stress_drop_relative_error))),
-        number(found.map(|found| error(found.stress_drop_relative_error))),
-        number(run.course.as_ref().ok().map(|course| rounded(course.free_residual_pa, 1))),
-        number(failure.map(|failure| Cell::text(failure.to_string()))),
-    ]);
-    cells
+    imaginary.map(|imaginary| std::f64::consts::TAU / imaginary)
 }
 
-fn point_cells(run: &TrajectoryRun) -> Vec<Cell> {
-    vec![Cell::text(&run.point.id), Cell::text(run.law.as_str())]
+fn failure(run: &TrajectoryRun) -> Option<String> {
+    run.simulation.as_ref().err().or(run.course.as_ref().err()).map(ToString::to_string)
 }
 
 fn samples(context: &Context) -> Option<Table> {
-    let columns = vec![
-        Column::text("point", "Point"),
-        Column::text("law", "Law"),
-        Column::number("time_s", "Time since the start", "s"),
-        Column::number("velocity_log10_ratio", "log10 of V/V_l", ""),
-        Column::number("shear_stress_change_pa", "Shear stress relative to steady sliding", "Pa"),
-    ];
-    let mut table = Table::new("trajectories", "Samples of the runs in the figures", columns)
-        .with_note("Start: steady sliding at V_l/10. The samples are thinned: every omitted sample lies within a thousandth of the curve's extent from the line through the samples shown, in every pair of time, velocity, its logarithm and stress. Values are rounded for drawing; the tables of observables have all certain digits.");
-    for run in runs(context) {
-        for moment in run.course.iter().flat_map(|course| &course.moments) {
-            let log10_ratio = moment.log_velocity_ratio / std::f64::consts::LN_10;
-            let mut cells = point_cells(run);
-            cells.push(rounded(moment.time_s, TIME_DIGITS));
-            cells.push(rounded(log10_ratio, SAMPLE_DIGITS));
-            cells.push(rounded(moment.stress_change_pa, SAMPLE_DIGITS));
-            table.push(cells);
-        }
-    }
-    unless_empty(table)
+    let note = "Start: steady sliding at V_l/10. The samples are thinned: every omitted sample lies within a thousandth of the curve's extent from the line through the samples shown, in every pair of time, velocity, its logarithm and stress. Values are rounded for drawing; the tables of observables have all certain digits.";
+    let rows = runs(context).flat_map(|run| {
+        run.course.iter().flat_map(|course| &course.moments).map(move |moment| (run, moment))
+    });
+    Table::of("trajectories", "Samples of the runs in the figures", rows)
+        .note(note)
+        .text("point", "Point", |(run, _)| &run.point.id)
+        .text("law", "Law", |(run, _)| run.law.as_str())
+        .rounded("time_s", "Time since the start", "s", TIME_DIGITS, |(_, at)| at.time_s)
+        .rounded("velocity_log10_ratio", "log10 of V/V_l", "", SAMPLE_DIGITS, |(_, at)| {
+            at.log_velocity_ratio / std::f64::consts::LN_10
+        })
+        .rounded(
+            "shear_stress_change_pa",
+            "Shear stress relative to steady sliding",
+            "Pa",
+            SAMPLE_DIGITS,
+            |(_, at)| at.stress_change_pa,
+        )
+        .unless_empty()
 }

@@ -1,74 +1,47 @@
 //! Tables of slip modes.
 
-use crate::experiments::Context;
-use crate::experiments::TableMaker;
-use crate::experiments::shared::cells::{count, rounded};
-use crate::experiments::unless_empty;
-use crate::experiments::zones::ZonesOutcome;
-use crate::experiments::{Need, SceneOutcome};
+use crate::experiments::shared::Grid;
+use crate::experiments::shared::cells::RoundedColumns;
+use crate::experiments::{Context, Need, TableMaker};
 use slipmode_core::stability::SlipMode;
-use slipmode_plot::table::{Cell, Column, Table};
+use slipmode_plot::table::Table;
 
 pub(crate) const TABLES: &[TableMaker] = &[
     TableMaker { id: "zones", needs: &[Need::Map, Need::Zones], make: zones },
     TableMaker { id: "thresholds", needs: &[Need::Map, Need::Zones], make: thresholds },
 ];
 
-fn zoned(context: &Context) -> impl Iterator<Item = (SceneOutcome, ZonesOutcome)> {
-    context.outcome.scenes.iter().filter_map(|scene| Some((scene.clone(), scene.zones.clone()?)))
-}
-
 fn zones(context: &Context) -> Option<Table> {
-    let columns = vec![
-        Column::text("scene", "Scene"),
-        Column::text("slip_mode", "Slip mode"),
-        Column::number("points_exact", "Points, exact", ""),
-        Column::number("points_simplified", "Points, simplified map", ""),
-        Column::number("areas", "Connected areas, exact", ""),
-    ];
-    let mut table = Table::new("zones", "Slip modes: exact, and by the lines of fig 7", columns);
-    for (scene, zones) in zoned(context) {
-        for mode in SlipMode::ALL {
-            let points = |values: &[SlipMode]| values.iter().filter(|value| **value == mode).count();
-            let (exact, simplified) = (points(&zones.exact.values), points(&zones.simplified.values));
-            if exact + simplified > 0 {
-                table.push(vec![
-                    Cell::text(&scene.scene.name),
-                    Cell::text(mode.as_str()),
-                    count(exact),
-                    count(simplified),
-                    count(zones.exact.areas_of(&mode)),
-                ]);
-            }
-        }
-    }
-    unless_empty(table)
+    let modes = context.outcome.each(|scene| &scene.zones).flat_map(|(name, zones)| {
+        let points = |grid: &Grid<SlipMode>, mode| grid.values.iter().filter(|value| **value == mode).count();
+        let counted =
+            move |mode| (name, zones, mode, [&zones.exact, &zones.simplified].map(|grid| points(grid, mode)));
+        SlipMode::ALL.map(counted)
+    });
+    let found = modes.filter(|(.., [exact, simplified])| exact + simplified > 0);
+    Table::of("zones", "Slip modes: exact, and by the lines of fig 7", found)
+        .text("scene", "Scene", |(name, ..)| name)
+        .text("slip_mode", "Slip mode", |(_, _, mode, _)| mode.as_str())
+        .number("points_exact", "Points, exact", "", |(.., [exact, _])| exact)
+        .number("points_simplified", "Points, simplified map", "", |(.., [_, simplified])| simplified)
+        .number("areas", "Connected areas, exact", "", |(_, zones, mode, _)| zones.exact.areas_of(&mode))
+        .unless_empty()
 }
 
 fn thresholds(context: &Context) -> Option<Table> {
-    let columns = vec![
-        Column::text("scene", "Scene"),
-        Column::number("frequency_ratio", "Threshold ω/ω_n", ""),
-        Column::number("oscillating", "Oscillating points", ""),
-        Column::number("inertial", "Of them inertial", ""),
-        Column::number("moved", "Points whose mode differs from the default's", ""),
-    ];
-    let mut table = Table::new(
+    let note = "The default threshold is √½, the frequency ratio on K = K_c at η = 1.";
+    let zoned = context.outcome.each(|scene| &scene.zones);
+    let shares = zoned.flat_map(|(name, zones)| zones.thresholds.iter().map(move |share| (name, share)));
+    Table::of(
         "thresholds",
         "Dependence of the map on the threshold between inertial and non-inertial",
-        columns,
+        shares,
     )
-    .with_note("The default threshold is √½, the frequency ratio on K = K_c at η = 1.");
-    for (scene, zones) in zoned(context) {
-        for share in &zones.thresholds {
-            table.push(vec![
-                Cell::text(&scene.scene.name),
-                rounded(share.frequency_ratio, 4),
-                count(share.oscillating),
-                count(share.inertial),
-                count(share.moved),
-            ]);
-        }
-    }
-    unless_empty(table)
+    .note(note)
+    .text("scene", "Scene", |(name, _)| name)
+    .rounded("frequency_ratio", "Threshold ω/ω_n", "", 4, |(_, share)| share.frequency_ratio)
+    .number("oscillating", "Oscillating points", "", |(_, share)| share.oscillating)
+    .number("inertial", "Of them inertial", "", |(_, share)| share.inertial)
+    .number("moved", "Points whose mode differs from the default's", "", |(_, share)| share.moved)
+    .unless_empty()
 }

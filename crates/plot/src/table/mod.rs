@@ -14,10 +14,12 @@
 mod csv_text;
 mod escape;
 mod markdown;
+mod rows;
 
 pub use csv_text::to_csv;
 pub use escape::{escape_cell, escape_markdown, printable};
 pub use markdown::{first_rows_to_markdown, to_markdown};
+pub use rows::TableRows;
 
 use serde::Serialize;
 
