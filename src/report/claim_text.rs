@@ -1,79 +1,43 @@
 //! One claim of the ledger as the Markdown templates see it.
 
-use serde::Serialize;
+use serde_json::{Value, json};
 
 use super::markdown::slug;
-use super::view::{ClaimView, EvidenceView};
+use super::view::{ClaimView, EvidenceView, FactView};
 use slipmode_plot::table::{escape_cell, escape_markdown, printable};
 
-/// What `claim.md` and the ledger's table ask for.
-#[derive(Debug, Serialize)]
-pub(crate) struct ClaimText<'a> {
-    id_md: String,
-    link_md: String,
-    place_md: String,
-    symbol: &'static str,
-    word: &'static str,
-    strength: &'a str,
-    statement_md: String,
-    acceptance_md: String,
-    verdict_md: String,
-    evidence: Vec<EvidenceText<'a>>,
-    counter_example_md: String,
-    not_established_md: String,
-    remark_md: String,
-    rests_on_md: String,
-    command_md: String,
+/// What the templates show of a claim; its prose goes through `prose`.
+pub(crate) fn claim_text(claim: &ClaimView, rests_on: String, prose: &dyn Fn(&str) -> String) -> Value {
+    let item = |markdown: &str| line(&prose(markdown));
+    json!({
+        "id_md": escape_markdown(&claim.id),
+        "link_md": format!("[{}](#{})", escape_cell(&claim.id), slug(&claim.id)),
+        "place_md": escape_cell(&claim.place),
+        "symbol": claim.verdict.symbol(),
+        "word": claim.verdict.word(),
+        "strength": claim.strength,
+        "statement_md": item(&claim.statement_markdown),
+        "acceptance_md": item(&claim.acceptance_markdown),
+        "verdict_md": item(&claim.verdict_markdown),
+        "evidence": claim.evidence.iter().map(|one| evidence(one, &item)).collect::<Vec<_>>(),
+        "counter_example_md": item(&claim.counter_example_markdown),
+        "not_established_md": item(&claim.not_established_markdown),
+        "remark_md": item(&claim.remark_markdown),
+        "rests_on_md": rests_on,
+        "command_md": code_span(&claim.command),
+    })
 }
 
-#[derive(Debug, Serialize)]
-struct EvidenceText<'a> {
-    kind: &'a str,
-    strength: &'a str,
-    text_md: String,
-    numbers_md: String,
-    certificate_md: String,
-}
-
-impl<'a> ClaimText<'a> {
-    /// The claim with its prose made harmless; `rests_on` are links to other claims.
-    pub fn of(claim: &'a ClaimView, rests_on: String, prose: &dyn Fn(&str) -> String) -> Self {
-        let item = |markdown: &str| line(&prose(markdown));
-        Self {
-            id_md: escape_markdown(&claim.id),
-            link_md: format!("[{}](#{})", escape_cell(&claim.id), slug(&claim.id)),
-            place_md: escape_cell(&claim.place),
-            symbol: claim.verdict.symbol(),
-            word: claim.verdict.word(),
-            strength: &claim.strength,
-            statement_md: item(&claim.statement_markdown),
-            acceptance_md: item(&claim.acceptance_markdown),
-            verdict_md: item(&claim.verdict_markdown),
-            evidence: claim.evidence.iter().map(|evidence| EvidenceText::of(evidence, &item)).collect(),
-            counter_example_md: item(&claim.counter_example_markdown),
-            not_established_md: item(&claim.not_established_markdown),
-            remark_md: item(&claim.remark_markdown),
-            rests_on_md: rests_on,
-            command_md: code_span(&claim.command),
-        }
-    }
-}
-
-impl<'a> EvidenceText<'a> {
-    fn of(evidence: &'a EvidenceView, item: &dyn Fn(&str) -> String) -> Self {
-        let numbers = evidence
-            .numbers
-            .iter()
-            .map(|fact| format!("{}: {}", escape_cell(&fact.name), escape_cell(&fact.value)));
-        let numbers = numbers.collect::<Vec<_>>().join("; ");
-        Self {
-            kind: &evidence.kind,
-            strength: &evidence.strength,
-            text_md: item(&evidence.text_markdown),
-            numbers_md: if numbers.is_empty() { numbers } else { format!("({numbers})") },
-            certificate_md: code_block(&evidence.certificate),
-        }
-    }
+fn evidence(evidence: &EvidenceView, item: &dyn Fn(&str) -> String) -> Value {
+    let fact = |fact: &FactView| format!("{}: {}", escape_cell(&fact.name), escape_cell(&fact.value));
+    let numbers = evidence.numbers.iter().map(fact).collect::<Vec<_>>().join("; ");
+    json!({
+        "kind": evidence.kind,
+        "strength": evidence.strength,
+        "text_md": item(&evidence.text_markdown),
+        "numbers_md": if numbers.is_empty() { numbers } else { format!("({numbers})") },
+        "certificate_md": code_block(&evidence.certificate),
+    })
 }
 
 /// Prose on one line, so that it can stand in a list item.

@@ -1,6 +1,6 @@
 //! The explorer's page: one self-contained HTML file whose script only chooses among what is stored in it.
 
-use serde::Serialize;
+use serde_json::json;
 use slipmode_core::friction::Slider;
 use slipmode_core::number::Rational;
 
@@ -8,7 +8,7 @@ use super::ReportError;
 use super::html::table_html;
 use super::page_style::{EXPLORER_SCRIPT, content_policy, explorer_style_sheet};
 use super::templates::Templates;
-use crate::explorer::{Explorer, FormulaRow, PointRow, Varying};
+use crate::explorer::Explorer;
 use slipmode_core::number::format::rational_to_decimal;
 use slipmode_plot::figure::within_html;
 
@@ -43,81 +43,45 @@ pub fn render_explorer(explorer: &Explorer, page: &ExplorerPage<'_>) -> Result<S
         tables_html += &table_html(&templates, table, String::new(), "")?;
     }
     let style_css = explorer_style_sheet();
-    let controls = explorer.controls.iter().map(|control| ControlContext {
-        id: control.id,
-        name: control.name,
-        last: control.steps.len().saturating_sub(1),
-        base: control.base,
-        text: control.steps.get(control.base).map_or("", String::as_str),
-        steps: control.steps.join("|"),
+    let controls = explorer.controls.iter().map(|control| {
+        json!({
+            "id": control.id,
+            "name": control.name,
+            "last": control.steps.len().saturating_sub(1),
+            "base": control.base,
+            "text": control.steps.get(control.base).map_or("", String::as_str),
+            "steps": control.steps.join("|"),
+        })
+    });
+    let points = explorer.points.iter().map(|point| {
+        json!({
+            "name": point.name,
+            "stress": point.stress,
+            "velocity": point.velocity,
+            "fields": [&point.mode, &point.imaginary, &point.frequency],
+        })
     });
     let grid = format!(
         "The page stores {} combinations of b, K and M, each the scene’s value times one of the factors in the tables. It does not interpolate between them.",
         explorer.combinations
     );
-    let context = PageContext {
-        title: page.title,
-        effect: rational_to_decimal(&page.slider.direct_effect, DIGITS),
-        slip: rational_to_decimal(&page.slider.critical_slip_distance_m, DIGITS),
-        policy: content_policy(&style_css, EXPLORER_SCRIPT),
-        style_css,
-        controls: controls.collect(),
-        drawing_svg: within_html(&explorer.svg),
-        marks: page.marks,
-        points: explorer.points.iter().map(PointContext::of).collect(),
-        formulas: &explorer.formulas,
-        tables_html,
-        grid,
-        command: page.command,
-        scene: page.scene,
-        digest: page.digest,
-        script_js: EXPLORER_SCRIPT,
-    };
+    let context = json!({
+        "title": page.title,
+        "effect": rational_to_decimal(&page.slider.direct_effect, DIGITS),
+        "slip": rational_to_decimal(&page.slider.critical_slip_distance_m, DIGITS),
+        "policy": content_policy(&style_css, EXPLORER_SCRIPT),
+        "style_css": style_css,
+        "controls": controls.collect::<Vec<_>>(),
+        "drawing_svg": within_html(&explorer.svg),
+        "marks": page.marks,
+        "points": points.collect::<Vec<_>>(),
+        "formulas": explorer.formulas,
+        "tables_html": tables_html,
+        "grid": grid,
+        "command": page.command,
+        "scene": page.scene,
+        "digest": page.digest,
+        "script_js": EXPLORER_SCRIPT,
+    });
     templates.render("explore.html", &context)
-}
-
-/// What `explore.html` asks for.
-#[derive(Serialize)]
-struct PageContext<'a> {
-    title: &'a str,
-    effect: String,
-    slip: String,
-    policy: String,
-    style_css: String,
-    controls: Vec<ControlContext<'a>>,
-    drawing_svg: String,
-    marks: &'a str,
-    points: Vec<PointContext<'a>>,
-    formulas: &'a [FormulaRow],
-    tables_html: String,
-    grid: String,
-    command: &'a str,
-    scene: &'a str,
-    digest: &'a str,
-    script_js: &'static str,
-}
-
-#[derive(Serialize)]
-struct ControlContext<'a> {
-    id: &'a str,
-    name: &'a str,
-    last: usize,
-    base: usize,
-    text: &'a str,
-    steps: String,
-}
-
-#[derive(Serialize)]
-struct PointContext<'a> {
-    name: &'a str,
-    stress: &'a str,
-    velocity: &'a str,
-    fields: [&'a Varying; 3],
-}
-
-impl<'a> PointContext<'a> {
-    fn of(point: &'a PointRow) -> Self {
-        let fields = [&point.mode, &point.imaginary, &point.frequency];
-        Self { name: &point.name, stress: &point.stress, velocity: &point.velocity, fields }
-    }
 }

@@ -2,13 +2,11 @@
 
 use std::collections::BTreeSet;
 
+use serde_json::{Value, json};
+
 use super::blocks::{BlockKind, Piece, pieces};
 use super::catalogue::{Catalogue, anchors, faults, group_anchor};
-use super::claim_html::{Chip, ClaimPage};
-use super::html_context::{
-    CardContext, ChapterContext, EnvironmentContext, EquationContext, FigureContext, FindingContext,
-    GroupContext, PageContext, PartContext, ProvenanceContext, TableContext,
-};
+use super::claim_html::{chip, chips, claim_page};
 use super::markdown::Prose;
 use super::page_style::{SCRIPT, content_policy, style_sheet};
 use super::parts::{lead, runs, title};
@@ -50,57 +48,61 @@ struct Page<'a> {
 }
 
 impl<'a> Page<'a> {
-    fn context(&mut self) -> Result<PageContext<'a>, ReportError> {
+    /// What the template of the page shows.
+    fn context(&mut self) -> Result<Value, ReportError> {
         let view = self.view;
         let summary_html = self.prose.blocks(&view.summary_markdown, 2, "summary");
-        let findings = view.findings.iter().map(|finding| FindingContext {
-            headline: &finding.headline,
-            text_html: self.prose.blocks(&finding.text_markdown, 3, &format!("finding {}", finding.headline)),
-            chips: Chip::list(&finding.claims, &self.catalogue),
+        let findings = view.findings.iter().map(|finding| {
+            json!({
+                "headline": finding.headline,
+                "text_html":
+                    self.prose.blocks(&finding.text_markdown, 3, &format!("finding {}", finding.headline)),
+                "chips": chips(&finding.claims, &self.catalogue),
+            })
         });
-        let findings = findings.collect();
+        let findings: Vec<Value> = findings.collect();
         let groups = self.groups()?;
         let picture_html = self.picture()?;
         let parts = self.parts()?;
         let appendix_html = self.appendix()?;
-        let provenance = ProvenanceContext {
-            text_html: self.prose.blocks(&view.provenance.text_markdown, 2, "provenance"),
-            command: &view.provenance.command,
-            inputs: &view.provenance.inputs,
-        };
+        let provenance = json!({
+            "text_html": self.prose.blocks(&view.provenance.text_markdown, 2, "provenance"),
+            "command": view.provenance.command,
+            "inputs": view.provenance.inputs,
+        });
         let style_css = style_sheet(&self.prose.mathematics.style_rules());
-        Ok(PageContext {
-            title: &view.title,
-            subtitle: &view.subtitle,
-            policy: content_policy(&style_css, SCRIPT),
-            style_css,
-            summary_html,
-            cards: cards(view),
-            findings,
-            groups,
-            picture_html,
-            parts,
-            script_js: SCRIPT,
-            appendix_html,
-            provenance,
-            environment_html: self.environment()?,
-        })
+        Ok(json!({
+            "title": view.title,
+            "subtitle": view.subtitle,
+            "policy": content_policy(&style_css, SCRIPT),
+            "style_css": style_css,
+            "summary_html": summary_html,
+            "cards": cards(view),
+            "findings": findings,
+            "groups": groups,
+            "picture_html": picture_html,
+            "parts": parts,
+            "script_js": SCRIPT,
+            "appendix_html": appendix_html,
+            "provenance": provenance,
+            "environment_html": self.environment()?,
+        }))
     }
 
-    fn groups(&mut self) -> Result<Vec<GroupContext<'a>>, ReportError> {
+    fn groups(&mut self) -> Result<Vec<Value>, ReportError> {
         let mut groups = Vec::new();
         for (index, group) in self.view.ledger.iter().enumerate() {
             let mut claims_html = Vec::new();
             for claim in &group.claims {
-                let page = ClaimPage::of(claim, &self.catalogue, &mut self.prose);
+                let page = claim_page(claim, &self.catalogue, &mut self.prose);
                 claims_html.push(self.templates.render("claim.html", &page)?);
             }
-            groups.push(GroupContext {
-                anchor: group_anchor(index + 1),
-                title: &group.title,
-                chips: group.claims.iter().map(Chip::of).collect(),
-                claims_html,
-            });
+            groups.push(json!({
+                "anchor": group_anchor(index + 1),
+                "title": group.title,
+                "chips": group.claims.iter().map(chip).collect::<Vec<_>>(),
+                "claims_html": claims_html,
+            }));
         }
         Ok(groups)
     }
@@ -109,7 +111,7 @@ impl<'a> Page<'a> {
         self.view.claims_picture.as_ref().map_or_else(|| Ok(String::new()), |picture| self.figure(picture))
     }
 
-    fn parts(&mut self) -> Result<Vec<PartContext<'a>>, ReportError> {
+    fn parts(&mut self) -> Result<Vec<Value>, ReportError> {
         let mut parts = Vec::new();
         for run in runs(&self.view.chapters) {
             let part = run[0].part;
@@ -118,14 +120,14 @@ impl<'a> Page<'a> {
             let mut chapters = Vec::new();
             for chapter in run {
                 let body_html = self.chapter(chapter, level)?;
-                chapters.push(ChapterContext { id: &chapter.id, title: &chapter.title, body_html });
+                chapters.push(json!({ "id": chapter.id, "title": chapter.title, "body_html": body_html }));
             }
-            parts.push(PartContext {
-                anchor: part.map_or("", Part::as_str),
-                title: part.map_or("", title),
-                lead: part.map_or("", lead),
-                chapters,
-            });
+            parts.push(json!({
+                "anchor": part.map_or("", Part::as_str),
+                "title": part.map_or("", title),
+                "lead": part.map_or("", lead),
+                "chapters": chapters,
+            }));
         }
         Ok(parts)
     }
@@ -152,7 +154,7 @@ impl<'a> Page<'a> {
                 self.catalogue.equations.get(id).copied().map(|equation| self.equation(equation))
             }
             BlockKind::Claim => self.catalogue.claims.get(id).copied().map(|claim| {
-                let page = ClaimPage::of(claim, &self.catalogue, &mut self.prose);
+                let page = claim_page(claim, &self.catalogue, &mut self.prose);
                 self.templates.render("verdict.html", &page)
             }),
         };
@@ -160,13 +162,13 @@ impl<'a> Page<'a> {
     }
 
     fn figure(&mut self, figure: &FigureView) -> Result<String, ReportError> {
-        let context = FigureContext {
-            id: &figure.id,
-            label: &figure.label,
-            drawing_svg: within_html(&figure.svg),
-            caption_html: self.prose.inline(&figure.caption_markdown, &format!("caption of {}", figure.id)),
-            data: &figure.data,
-        };
+        let context = json!({
+            "id": figure.id,
+            "label": figure.label,
+            "drawing_svg": within_html(&figure.svg),
+            "caption_html": self.prose.inline(&figure.caption_markdown, &format!("caption of {}", figure.id)),
+            "data": figure.data,
+        });
         self.templates.render("figure.html", &context)
     }
 
@@ -183,8 +185,9 @@ impl<'a> Page<'a> {
             String::new()
         });
         let caption_html = self.prose.inline(&equation.caption_markdown, &place);
-        self.templates
-            .render("equation.html", &EquationContext { id: &equation.id, formula_html, caption_html })
+        let context =
+            json!({ "id": equation.id, "formula_html": formula_html, "caption_html": caption_html });
+        self.templates.render("equation.html", &context)
     }
 
     /// Figures and tables that no chapter placed.
@@ -207,7 +210,7 @@ impl<'a> Page<'a> {
         if self.view.environment.is_empty() {
             return Ok(String::new());
         }
-        self.templates.render("environment.html", &EnvironmentContext { facts: &self.view.environment })
+        self.templates.render("environment.html", &json!({ "facts": self.view.environment }))
     }
 
     /// Deep links must lead somewhere on this page.
@@ -228,16 +231,16 @@ pub(super) fn table_html(
     note_html: String,
     file: &str,
 ) -> Result<String, ReportError> {
-    let context = TableContext {
-        id: &table.id,
-        title: &table.title,
-        file,
-        texts: text_columns(table),
-        columns: &table.columns,
-        rows: &table.rows[..table.rows.len().min(MAX_SHOWN_ROWS)],
-        cut: cut_note(table),
-        note_html,
-    };
+    let context = json!({
+        "id": table.id,
+        "title": table.title,
+        "file": file,
+        "texts": text_columns(table),
+        "columns": table.columns,
+        "rows": table.rows[..table.rows.len().min(MAX_SHOWN_ROWS)],
+        "cut": cut_note(table),
+        "note_html": note_html,
+    });
     templates.render("table.html", &context)
 }
 
@@ -256,16 +259,16 @@ fn text_columns(table: &Table) -> String {
 /// Characters of a cell of words that are kept on one line.
 const LINE_OF_WORDS: usize = 24;
 
-fn cards(view: &ReportView) -> Vec<CardContext<'_>> {
-    let mut contexts = Vec::new();
-    for CardView { verdict, count, note } in &view.cards {
-        contexts.push(CardContext {
-            class: verdict.as_str(),
-            symbol: verdict.symbol(),
-            word: verdict.word(),
-            count,
-            note,
-        });
-    }
-    contexts
+fn cards(view: &ReportView) -> Vec<Value> {
+    let card = |card: &CardView| {
+        let verdict = card.verdict;
+        json!({
+            "class": verdict.as_str(),
+            "symbol": verdict.symbol(),
+            "word": verdict.word(),
+            "count": card.count,
+            "note": card.note,
+        })
+    };
+    view.cards.iter().map(card).collect()
 }

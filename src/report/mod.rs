@@ -15,7 +15,6 @@ mod explorer;
 #[cfg(test)]
 mod hostile_tests;
 mod html;
-mod html_context;
 mod markdown;
 mod math;
 mod page_style;
@@ -28,7 +27,6 @@ mod templates;
 #[cfg(test)]
 mod tests;
 mod text;
-mod text_context;
 mod view;
 
 pub use error::ReportError;

@@ -2,14 +2,18 @@
 
 use std::collections::BTreeSet;
 
+use serde_json::{Value, json};
+
 use super::blocks::{BlockKind, Piece, pieces};
 use super::catalogue::{Catalogue, faults};
-use super::claim_text::{ClaimText, code_span, line};
+use super::claim_text::{claim_text, code_span, line};
 use super::markdown::{harmless, slug};
 use super::parts::{lead, runs, title};
 use super::templates::Templates;
-use super::text_context::{Card, Chapter, Fact, Finding, Group, Input, Part, Provenance, ReportContext};
-use super::view::{ChapterView, EquationView, FactView, FigureView, FindingView, InputView, ReportView};
+use super::view::{
+    CardView, ChapterView, ClaimGroupView, ClaimView, EquationView, FactView, FigureView, FindingView,
+    InputView, ReportView,
+};
 use super::{MAX_SHOWN_ROWS, ReportError, cut_note};
 use slipmode_plot::table::{Table, escape_cell, escape_markdown, first_rows_to_markdown};
 
@@ -36,21 +40,22 @@ struct Report<'a> {
 }
 
 impl<'a> Report<'a> {
-    fn context(&self) -> Result<ReportContext<'a>, ReportError> {
+    fn context(&self) -> Result<Value, ReportError> {
         let view = self.view;
-        Ok(ReportContext {
-            title: &view.title,
-            subtitle: &view.subtitle,
-            summary_md: self.prose(&view.summary_markdown, 1),
-            cards: cards(view),
-            findings: self.findings(),
-            groups: self.groups()?,
-            picture_md: view.claims_picture.as_ref().map_or_else(String::new, |picture| self.figure(picture)),
-            parts: runs(&view.chapters).into_iter().map(|run| self.part(run)).collect(),
-            appendix_md: self.appendix(),
-            provenance: self.provenance(),
-            environment: facts(&view.environment),
-        })
+        Ok(json!({
+            "title": view.title,
+            "subtitle": view.subtitle,
+            "summary_md": self.prose(&view.summary_markdown, 1),
+            "cards": view.cards.iter().map(card).collect::<Vec<_>>(),
+            "findings": view.findings.iter().map(|finding| self.finding(finding)).collect::<Vec<_>>(),
+            "groups": self.groups()?,
+            "picture_md":
+                view.claims_picture.as_ref().map_or_else(String::new, |picture| self.figure(picture)),
+            "parts": runs(&view.chapters).into_iter().map(|run| self.part(run)).collect::<Vec<_>>(),
+            "appendix_md": self.appendix(),
+            "provenance": self.provenance(),
+            "environment": view.environment.iter().map(fact).collect::<Vec<_>>(),
+        }))
     }
 
     fn prose(&self, markdown: &str, shift: usize) -> String {
@@ -69,13 +74,12 @@ impl<'a> Report<'a> {
         chapter.map(|chapter| slug(&chapter.title)).or(section)
     }
 
-    fn findings(&self) -> Vec<Finding<'a>> {
-        let finding = |finding: &'a FindingView| Finding {
-            headline: &finding.headline,
-            text_md: self.prose(&finding.text_markdown, 3),
-            claims_md: self.claim_links(&finding.claims),
-        };
-        self.view.findings.iter().map(finding).collect()
+    fn finding(&self, finding: &FindingView) -> Value {
+        json!({
+            "headline": finding.headline,
+            "text_md": self.prose(&finding.text_markdown, 3),
+            "claims_md": self.claim_links(&finding.claims),
+        })
     }
 
     fn claim_links(&self, ids: &[String]) -> String {
@@ -83,34 +87,27 @@ impl<'a> Report<'a> {
         links.collect::<Vec<_>>().join(", ")
     }
 
-    fn groups(&self) -> Result<Vec<Group<'a>>, ReportError> {
-        let mut groups = Vec::new();
-        for group in &self.view.ledger {
-            let prose = |markdown: &str| self.prose(markdown, 4);
-            let claims: Vec<ClaimText<'a>> = group
-                .claims
-                .iter()
-                .map(|claim| ClaimText::of(claim, self.claim_links(&claim.rests_on), &prose))
-                .collect();
-            let rendered: Result<Vec<String>, ReportError> =
-                claims.iter().map(|claim| self.templates.render("claim.md", claim)).collect();
-            groups.push(Group { title: &group.title, claims, claims_md: rendered? });
-        }
-        Ok(groups)
+    fn groups(&self) -> Result<Vec<Value>, ReportError> {
+        let prose = |markdown: &str| self.prose(markdown, 4);
+        let text = |claim: &ClaimView| claim_text(claim, self.claim_links(&claim.rests_on), &prose);
+        let group = |group: &ClaimGroupView| {
+            let claims: Vec<Value> = group.claims.iter().map(text).collect();
+            let rendered = claims.iter().map(|claim| self.templates.render("claim.md", claim));
+            let claims_md = rendered.collect::<Result<Vec<_>, _>>()?;
+            Ok(json!({ "title": group.title, "claims": claims, "claims_md": claims_md }))
+        };
+        self.view.ledger.iter().map(group).collect()
     }
 
-    fn part(&self, run: &'a [ChapterView]) -> Part<'a> {
+    fn part(&self, run: &[ChapterView]) -> Value {
         let part = run[0].part;
         let level = if part.is_some() { 3 } else { 2 };
-        let chapter = |chapter: &'a ChapterView| Chapter {
-            title: &chapter.title,
-            body_md: self.body(&chapter.text_markdown, level),
-        };
-        Part {
-            title: part.map_or("", title),
-            lead: part.map_or("", lead),
-            chapters: run.iter().map(chapter).collect(),
-        }
+        let chapter = |chapter: &ChapterView| json!({ "title": chapter.title, "body_md": self.body(&chapter.text_markdown, level) });
+        json!({
+            "title": part.map_or("", title),
+            "lead": part.map_or("", lead),
+            "chapters": run.iter().map(chapter).collect::<Vec<_>>(),
+        })
     }
 
     fn body(&self, markdown: &str, level: usize) -> String {
@@ -175,34 +172,32 @@ impl<'a> Report<'a> {
         blocks.collect::<Vec<_>>().join("\n\n")
     }
 
-    fn provenance(&self) -> Provenance {
+    fn provenance(&self) -> Value {
         let provenance = &self.view.provenance;
-        let input = |input: &InputView| Input {
-            path_md: escape_cell(&input.path),
-            bytes_md: escape_cell(&input.bytes),
-            sha256_md: code_span(&input.sha256),
+        let input = |input: &InputView| {
+            json!({
+                "path_md": escape_cell(&input.path),
+                "bytes_md": escape_cell(&input.bytes),
+                "sha256_md": code_span(&input.sha256),
+            })
         };
-        Provenance {
-            text_md: self.prose(&provenance.text_markdown, 2),
-            command_md: code_span(&provenance.command),
-            inputs: provenance.inputs.iter().map(input).collect(),
-        }
+        json!({
+            "text_md": self.prose(&provenance.text_markdown, 2),
+            "command_md": code_span(&provenance.command),
+            "inputs": provenance.inputs.iter().map(input).collect::<Vec<_>>(),
+        })
     }
 }
 
-fn cards(view: &ReportView) -> Vec<Card<'_>> {
-    let mut cards = Vec::new();
-    for card in &view.cards {
-        let (symbol, word) = (card.verdict.symbol(), card.verdict.word());
-        cards.push(Card { symbol, word, count: &card.count, note: &card.note });
-    }
-    cards
+fn card(card: &CardView) -> Value {
+    let verdict = card.verdict;
+    json!({
+        "symbol": verdict.symbol(), "word": verdict.word(), "count": card.count, "note": card.note,
+    })
 }
 
-fn facts(views: &[FactView]) -> Vec<Fact> {
-    let fact =
-        |view: &FactView| Fact { name_md: escape_cell(&view.name), value_md: escape_cell(&view.value) };
-    views.iter().map(fact).collect()
+fn fact(fact: &FactView) -> Value {
+    json!({ "name_md": escape_cell(&fact.name), "value_md": escape_cell(&fact.value) })
 }
 
 /// The text without trailing spaces, with single blank lines and even empty cells, code apart, and one newline at the end.
