@@ -15,7 +15,7 @@ use slipmode::scene::{Fault, Faults, Limits, Problem, ReportPlan, file_text, rea
 use slipmode_core::theory::PaperEquations;
 
 use crate::cli::input::{fault_of, place_inside, read_small_file, unreadable};
-use references::Places;
+use references::VECTORS;
 
 /// The paper's equations for scenes that stand outside a report.
 pub const EQUATIONS: &str = include_str!("../../reports/im-avouac/equations.toml");
@@ -105,11 +105,14 @@ pub fn read_report_from(source: Source, limits: Limits) -> Result<(Folder, Files
         let text = reader.read(&format!("prose/{file}"), |file, bytes, _| read_prose(file, bytes));
         prose.extend(text.map(|text| (file.clone(), text)));
     }
-    let references = reader.references(&scenes, Places::IN_REPORT);
+    let references = reader.references(&scenes, VECTORS);
+    let measured =
+        plan.as_ref().and_then(|plan| plan.measured.as_ref()).map(|folder| reader.measured(folder));
+    let measured = measured.flatten().unwrap_or_default();
     match (plan, claims, equations) {
         (Some(plan), Some(claims), Some(equations)) if reader.faults.is_empty() => {
             let inputs = reader.inputs;
-            Ok((Folder { plan, claims, equations, scenes, prose, references, inputs }, reader.kept))
+            Ok((Folder { plan, claims, equations, scenes, prose, references, measured, inputs }, reader.kept))
         }
         _ => Err(reader.faults),
     }
@@ -134,10 +137,10 @@ pub fn read_scene(path: &Path, limits: Limits) -> Result<LoneScene, Faults> {
     let bytes = read_small_file(path).map_err(|fault| vec![fault])?;
     let scene = Scene::parse(&path.display().to_string(), &bytes, &limits)?;
     let beside = path.parent().unwrap_or(Path::new(""));
-    let report = beside.parent().filter(|report| Places::IN_REPORT.is_in(report));
-    let (place, places) = report.map_or((beside, Places::BESIDE), |report| (report, Places::IN_REPORT));
+    let report = beside.parent().filter(|report| report.join(VECTORS).is_dir());
+    let (place, files) = report.map_or((beside, ""), |report| (report, VECTORS));
     let mut reader = Reader::new(Source::Folder(place.to_path_buf()), limits);
-    let references = reader.references(std::slice::from_ref(&scene), places);
+    let references = reader.references(std::slice::from_ref(&scene), files);
     if !reader.faults.is_empty() {
         return Err(reader.faults);
     }

@@ -18,13 +18,11 @@ mod run;
 mod scene;
 pub mod shared;
 pub mod simulations;
-pub mod speed_counts;
 pub mod start_sensitivity;
 pub mod swept;
 mod tables;
 #[cfg(test)]
 pub mod test_experiment;
-pub mod timings;
 pub mod tolerance;
 pub mod trajectories;
 pub mod work;

@@ -5,7 +5,6 @@ use std::collections::BTreeMap;
 use crate::experiments::SceneOutcome;
 use crate::experiments::hard_cases::{HardCase, HardReturn};
 use crate::experiments::swept::Swept;
-use crate::experiments::timings::{Timings, TimingsSection};
 use slipmode_core::friction::Slider;
 use slipmode_core::number::Rational;
 
@@ -63,8 +62,6 @@ pub struct References {
     pub hard_cases: BTreeMap<String, Vec<HardCase>>,
     /// Hard returns by file name.
     pub hard_returns: BTreeMap<String, Vec<HardReturn>>,
-    /// Times by the section that names their files.
-    pub timings: BTreeMap<TimingsSection, Timings>,
     /// Sweeps by name.
     pub swept: BTreeMap<String, Swept>,
 }

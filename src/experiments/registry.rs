@@ -158,10 +158,6 @@ experiments! {
     WorkPrecision, work_precision: x::work_precision::WorkPrecisionSection;
     /// Estimated errors against true errors.
     ErrorBound, error_bound: x::error_bound::ErrorBoundSection;
-    /// Work against error of roots, classes, boundary points and sweeps, by counts.
-    SpeedCounts, speed_counts: x::speed_counts::SpeedCountsSection;
-    /// Times that other commands measured.
-    Timings, timings: x::timings::TimingsSection;
     /// Sweeps that ran elsewhere.
     Swept, swept: x::swept::SweptSection;
     /// The critical stiffness at given normal stresses.

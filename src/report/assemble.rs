@@ -27,7 +27,7 @@ pub struct Material<'m> {
     /// The verdicts.
     pub ledger: &'m Ledger,
     /// The figures, each with the ids of the tables that hold its numbers.
-    pub figures: Vec<(Figure, &'static [&'static str])>,
+    pub figures: Vec<(Figure, Vec<String>)>,
     /// The tables.
     pub tables: Vec<Table>,
     /// The files that went in.
@@ -84,9 +84,8 @@ pub fn assemble(material: Material) -> ReportView {
     }
 }
 
-fn figure_view((figure, data): (Figure, &[&str])) -> FigureView {
+fn figure_view((figure, data): (Figure, Vec<String>)) -> FigureView {
     let Figure { id, label, caption_markdown, description, svg } = figure;
-    let data = data.iter().map(|&id| id.to_owned()).collect();
     FigureView { id, label, caption_markdown, description, svg, data }
 }
 

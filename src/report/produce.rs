@@ -11,7 +11,7 @@ use crate::experiments::{Needs, Outcome, Progress, References};
 use crate::report::assemble::{Material, assemble};
 use crate::report::blocks::{BlockKind, Piece, pieces};
 use crate::report::{FactView, InputView, ReportError, render_html, render_markdown};
-use crate::scene::{ClaimEntry, ReportPlan};
+use crate::scene::{ClaimEntry, Measured, MeasuredChart, ReportPlan};
 use slipmode_core::theory::PaperEquations;
 use slipmode_plot::table::Table;
 
@@ -30,6 +30,8 @@ pub struct Folder {
     pub prose: BTreeMap<String, String>,
     /// Files that scenes refer to.
     pub references: References,
+    /// What was measured apart.
+    pub measured: Measured,
     /// Every file that was read, with its digest.
     pub inputs: Vec<InputView>,
 }
@@ -54,13 +56,15 @@ pub fn produce(
     environment: Vec<FactView>,
     progress: Progress,
 ) -> Result<Product, ReportError> {
+    check_names(&folder.measured)?;
     let wanted = Wanted::of(folder);
     let mut needs = claims::needs(&folder.claims);
     needs.extend(wanted.needs());
     let outcome = experiments::run(&folder.scenes, &needs, &folder.references, progress);
     let context = Context { equations: &folder.equations, outcome: &outcome };
     let ledger = Ledger::decide(&folder.plan.name, &folder.claims, &context);
-    let (figures, tables) = (wanted.figures(&outcome)?, wanted.tables(&context)?);
+    let (figures, tables) =
+        (wanted.figures(&outcome, &folder.measured)?, wanted.tables(&context, &folder.measured)?);
     let mut files = figure_and_table_files(figures.iter().map(|(figure, _)| figure), &tables);
     files.insert("ledger.json".into(), ledger.to_json());
     let view = assemble(Material {
@@ -116,16 +120,42 @@ fn figure_and_table_files<'f>(
     figures.chain(tables).collect()
 }
 
-/// The figures and tables that prose places, and the tables with the numbers of its figures.
+/// What is measured has other names than what is computed.
+fn check_names(measured: &Measured) -> Result<(), ReportError> {
+    let figures = measured.charts.iter().map(|measured| &measured.chart.caption.id);
+    let figures = figures.filter(|id| figure_maker(id).is_some());
+    let tables = measured.tables.iter().map(|table| &table.id);
+    let tables = tables.filter(|id| table_maker(id).is_some());
+    let fault =
+        |id| format!("report.toml: `{id}` is measured and also computed: one of them needs another name");
+    let faults: Vec<String> = figures.chain(tables).map(fault).collect();
+    if faults.is_empty() { Ok(()) } else { Err(ReportError::Faults(faults)) }
+}
+
+fn figure_maker(id: &str) -> Option<&'static FigureMaker> {
+    figure_makers().find(|maker| maker.id == id)
+}
+
+fn table_maker(id: &str) -> Option<&'static TableMaker> {
+    all_table_makers().find(|maker| maker.id == id)
+}
+
+fn figure_of(measured: &MeasuredChart) -> (Figure, Vec<String>) {
+    let MeasuredChart { label, caption_markdown, data, chart } = measured;
+    (Figure::new(chart.caption.clone(), label, caption_markdown, chart.svg()), data.clone())
+}
+
+/// The ids of the figures and tables that prose places, and of the tables with the numbers of its figures.
+#[derive(Default)]
 struct Wanted {
-    figures: Vec<&'static FigureMaker>,
-    tables: Vec<&'static TableMaker>,
+    figures: Vec<String>,
+    tables: Vec<String>,
 }
 
 impl Wanted {
-    /// What no maker knows is left to the renderer, which names the chapter that places it.
+    /// What nothing provides is left to the renderer, which names the chapter that places it.
     fn of(folder: &Folder) -> Self {
-        let mut wanted = Wanted { figures: Vec::new(), tables: Vec::new() };
+        let mut wanted = Self::default();
         for text in folder.plan.chapters.iter().filter_map(|chapter| folder.prose.get(&chapter.prose)) {
             for piece in pieces(text) {
                 if let Piece::Block(kind, id) = piece {
@@ -133,39 +163,54 @@ impl Wanted {
                 }
             }
         }
-        let data: Vec<&str> = wanted.figures.iter().flat_map(|maker| maker.data).copied().collect();
-        for id in data {
-            wanted.include(BlockKind::Table, id);
+        for figure in wanted.figures.clone() {
+            let made = figure_maker(&figure).map_or(&[][..], |maker| maker.data);
+            made.iter().for_each(|id| wanted.include(BlockKind::Table, id));
+            let measured = folder.measured.chart(&figure).map_or(&[][..], |measured| &measured.data);
+            measured.iter().for_each(|id| wanted.include(BlockKind::Table, id));
         }
         wanted
     }
 
     fn include(&mut self, kind: BlockKind, id: &str) {
-        match kind {
-            BlockKind::Figure if !self.figures.iter().any(|maker| maker.id == id) => {
-                self.figures.extend(figure_makers().find(|maker| maker.id == id));
-            }
-            BlockKind::Table if !self.tables.iter().any(|maker| maker.id == id) => {
-                self.tables.extend(all_table_makers().find(|maker| maker.id == id));
-            }
-            BlockKind::Figure | BlockKind::Table | BlockKind::Equation | BlockKind::Claim => {}
+        let ids = match kind {
+            BlockKind::Figure => &mut self.figures,
+            BlockKind::Table => &mut self.tables,
+            BlockKind::Equation | BlockKind::Claim => return,
+        };
+        if !ids.iter().any(|known| known == id) {
+            ids.push(id.to_owned());
         }
     }
 
     fn needs(&self) -> Needs {
-        let of_figures = self.figures.iter().flat_map(|maker| maker.needs);
-        let of_tables = self.tables.iter().flat_map(|maker| maker.needs);
+        let of_figures = self.figures.iter().filter_map(|id| figure_maker(id)).flat_map(|maker| maker.needs);
+        let of_tables = self.tables.iter().filter_map(|id| table_maker(id)).flat_map(|maker| maker.needs);
         of_figures.chain(of_tables).copied().collect()
     }
 
-    fn figures(&self, outcome: &Outcome) -> Result<Vec<(Figure, &'static [&'static str])>, ReportError> {
-        let made =
-            |maker: &&FigureMaker| (maker.id, (maker.make)(outcome).map(|figure| (figure, maker.data)));
-        collect("figure", self.figures.iter().map(made))
+    fn figures(
+        &self,
+        outcome: &Outcome,
+        measured: &Measured,
+    ) -> Result<Vec<(Figure, Vec<String>)>, ReportError> {
+        let made = |maker: &FigureMaker| {
+            let data = maker.data.iter().map(|&id| id.to_owned()).collect();
+            (maker.make)(outcome).map(|figure| (figure, data))
+        };
+        let shown = |id: &String| match figure_maker(id) {
+            Some(maker) => Some((maker.id, made(maker))),
+            None => measured.chart(id).map(|found| (found.chart.caption.id.as_str(), Some(figure_of(found)))),
+        };
+        collect("figure", self.figures.iter().filter_map(shown))
     }
 
-    fn tables(&self, context: &Context) -> Result<Vec<Table>, ReportError> {
-        collect("table", self.tables.iter().map(|maker| (maker.id, (maker.make)(context))))
+    fn tables(&self, context: &Context, measured: &Measured) -> Result<Vec<Table>, ReportError> {
+        let shown = |id: &String| match table_maker(id) {
+            Some(maker) => Some((maker.id, (maker.make)(context))),
+            None => measured.table(id).map(|found| (found.id.as_str(), Some(found.clone()))),
+        };
+        collect("table", self.tables.iter().filter_map(shown))
     }
 }
 

@@ -2,7 +2,7 @@
 
 use crate::scene::document::read_document;
 use crate::scene::part::Part;
-use crate::scene::section::Entry;
+use crate::scene::section::{Entry, given};
 use crate::scene::sections::{NAME_RULE, safe_name};
 use crate::scene::{Faults, Problem, same_name};
 
@@ -17,6 +17,8 @@ pub struct ReportPlan {
     pub publish_page: bool,
     /// The names of the scenes, each in `scenes/NAME.toml`.
     pub scenes: Vec<String>,
+    /// The folder of tables and charts that were measured apart, if any.
+    pub measured: Option<String>,
     /// The chapters, in order.
     pub chapters: Vec<Chapter>,
 }
@@ -48,6 +50,7 @@ impl ReportPlan {
             let scenes = top
                 .required("scenes", "a list of scene names", faults)
                 .and_then(|entry| read_scene_names(&entry, faults));
+            let measured = top.optional("measured").map(|entry| read_measured(&entry, faults));
             let chapters = top
                 .required("chapter", "[[chapter]] sections", faults)
                 .and_then(|entry| read_chapters(&entry, faults));
@@ -56,6 +59,7 @@ impl ReportPlan {
                 title: title?,
                 publish_page: publish_page?,
                 scenes: scenes?,
+                measured: given(measured)?,
                 chapters: chapters?,
             })
         })
@@ -65,6 +69,14 @@ impl ReportPlan {
 fn read_scene_names(entry: &Entry<'_>, faults: &mut Faults) -> Option<Vec<String>> {
     let mut names = Vec::new();
     entry.list(faults, |member, faults| distinct_name(member, &mut names, faults))
+}
+
+/// `[measured]`: the name of the folder.
+fn read_measured(entry: &Entry<'_>, faults: &mut Faults) -> Option<String> {
+    let mut section = entry.section(faults)?;
+    let folder = section.required("folder", NAME_RULE, faults).and_then(|entry| safe_name(&entry, faults));
+    section.finish(faults);
+    folder
 }
 
 /// Why the first chapter has no part.
@@ -98,7 +110,11 @@ fn read_chapters(entry: &Entry<'_>, faults: &mut Faults) -> Option<Vec<Chapter>>
 }
 
 /// A name that differs from those before it in more than case.
-fn distinct_name(entry: &Entry<'_>, earlier: &mut Vec<String>, faults: &mut Faults) -> Option<String> {
+pub(crate) fn distinct_name(
+    entry: &Entry<'_>,
+    earlier: &mut Vec<String>,
+    faults: &mut Faults,
+) -> Option<String> {
     let name = safe_name(entry, faults)?;
     if let Some(first) = earlier.iter().find(|first| same_name(first, &name)) {
         let folded = *first != name;
@@ -125,7 +141,23 @@ mod tests {
         let plan = plan("[\"one\", \"two\"]").unwrap();
         assert_eq!(plan.scenes, ["one", "two"]);
         assert_eq!(plan.chapters[0].prose, "c.md");
-        assert!(plan.publish_page);
+        assert!(plan.publish_page && plan.measured.is_none());
+    }
+
+    #[test]
+    fn a_report_can_name_a_folder_of_measurements() {
+        let plan = |value: &str| {
+            let text =
+                format!("name = \"r\"\ntitle = \"R\"\nscenes = [\"one\"]\n{CHAPTER}[measured]\n{value}\n");
+            ReportPlan::parse("report.toml", text.as_bytes())
+        };
+        assert_eq!(plan("folder = \"timings\"").unwrap().measured.as_deref(), Some("timings"));
+        for (value, named) in
+            [("folder = \"../x\"", "measured.folder"), ("", "measured.folder"), ("file = 1", "measured.f")]
+        {
+            let fault = plan(value).unwrap_err()[0].to_string();
+            assert!(fault.contains(named), "{fault}");
+        }
     }
 
     #[test]

@@ -13,7 +13,9 @@ use slipmode::experiments::References;
 use slipmode::experiments::Scene;
 use slipmode::experiments::{figure_makers, table_makers};
 use slipmode::report::{Folder, produce};
-use slipmode::scene::{Chapter, Faults, Limits, ReportPlan, check_name, read_claims, read_equations};
+use slipmode::scene::{
+    Chapter, Faults, Limits, Measured, ReportPlan, check_name, read_claims, read_equations,
+};
 use slipmode_core::number::{MAX_EXPONENT, Rational, parse_decimal};
 use slipmode_core::polynomial::Expression;
 use slipmode_core::theory::PaperEquations;
@@ -158,6 +160,7 @@ fn page(prose: &str) -> Option<String> {
         title: "P".into(),
         publish_page: true,
         scenes: Vec::new(),
+        measured: None,
         chapters: vec![chapter],
     };
     let folder = Folder {
@@ -167,6 +170,7 @@ fn page(prose: &str) -> Option<String> {
         scenes: Vec::new(),
         prose: BTreeMap::from([("c.md".to_string(), prose.to_string())]),
         references: References::default(),
+        measured: Measured::default(),
         inputs: Vec::new(),
     };
     let mut product = produce(&folder, "p", Vec::new(), &|_, _, _| ()).ok()?;

@@ -1,4 +1,4 @@
-//! `cargo xtask bench`, `cost`, `coverage`, `sweep-cost` and `timings`: built and run by the package slipmode-bench.
+//! `cargo xtask bench`, `cost`, `coverage`, `sweep-cost`, `tables` and `timings`: built and run by the package slipmode-bench.
 
 use crate::failure::Failure;
 use crate::{machine, process};

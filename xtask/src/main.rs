@@ -33,6 +33,7 @@ usage: cargo xtask <command> [arguments]
   bench         run the benchmarks, with SciPy next to the simulations (arguments are passed on to `cargo bench`);
                 --peers [works]: all installed competitors, results in crates/bench/results/
   timings       copy crates/bench/results/{peers,cost,coverage,machine}.csv into the report on the paper
+  tables        count again, and write the tables and curves of speed and textbook methods that this report shows
   cost          measure time and memory against points, digits, tolerance and threads, and fit cost laws
   coverage      count the lines of each module that the tests run, into crates/bench/results/ (needs cargo-llvm-cov)
   sweep-cost    measure memory, scaling and overhead of sweeps, on a machine without other work
@@ -60,7 +61,7 @@ fn main() -> ExitCode {
 fn run(arguments: &[String]) -> Result<(), Failure> {
     let (command, rest) = arguments.split_first().ok_or_else(|| Failure::bad_input(USAGE))?;
     match command.as_str() {
-        "bench" | "cost" | "coverage" | "sweep-cost" | "timings" => bench::run(command, rest),
+        "bench" | "cost" | "coverage" | "sweep-cost" | "tables" | "timings" => bench::run(command, rest),
         _ if !rest.is_empty() => {
             Err(Failure::bad_input(format!("`{command}` takes no arguments\n\n{USAGE}")))
         }

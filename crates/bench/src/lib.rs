@@ -1,12 +1,20 @@
-//! Benchmarks of slipmode: timings, other programs on the same inputs, costs of larger problems, and test coverage.
+//! Benchmarks of slipmode: timings, other programs and textbook methods on the same inputs, work against error by counts, costs of
+//! larger problems, and test coverage.
 //!
 //! Errors of these commands are messages for people.
 
+pub mod chart;
+pub mod contents;
+pub mod copied;
 pub mod cost;
+pub mod counts;
 pub mod coverage;
 mod measured_on;
+pub mod methods;
 pub mod peers;
 pub mod process;
 mod repository;
 pub mod sweep_cost;
-pub mod timings;
+pub mod tables;
+pub mod textbook;
+pub mod times;

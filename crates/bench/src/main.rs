@@ -1,9 +1,10 @@
 //! The benchmarks' commands, which `cargo xtask` calls by the same names: timings, costs and test coverage of slipmode.
 
+use std::path::PathBuf;
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
-use slipmode_bench::{cost, coverage, peers, sweep_cost, timings};
+use slipmode_bench::{copied, cost, coverage, peers, sweep_cost, tables};
 
 /// Measures slipmode and other programs on the same inputs.
 #[derive(Debug, Parser)]
@@ -33,7 +34,13 @@ enum Command {
     Coverage,
     /// Measure memory, scaling and overhead of sweeps
     SweepCost,
-    /// Copy what was measured into the report on the paper
+    /// Count again, and write what the report on the paper shows of counts and times
+    Tables {
+        /// The report's folder
+        #[arg(default_value = "reports/im-avouac")]
+        report: PathBuf,
+    },
+    /// Copy what was measured into the report on the paper; `tables` tabulates it
     Timings,
 }
 
@@ -44,7 +51,8 @@ fn main() -> ExitCode {
         Command::Cost => cost::run(),
         Command::Coverage => coverage::run(),
         Command::SweepCost => sweep_cost::run(),
-        Command::Timings => timings::run(),
+        Command::Tables { report } => tables::run(&report),
+        Command::Timings => copied::run(),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,

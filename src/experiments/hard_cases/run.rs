@@ -2,7 +2,6 @@
 
 use rayon::prelude::*;
 
-use crate::experiments::hard_cases::methods::{MethodScore, score_methods};
 use crate::scene::{Fault, Faults, Problem, Quantity};
 use slipmode_core::friction::Parameters;
 use slipmode_core::number::{Rational, Wide, nearest_f64, parse_decimal};
@@ -17,18 +16,24 @@ pub struct HardCase {
     /// The seven inputs, exact.
     pub parameters: Parameters<Rational>,
     /// What independent programs found.
-    pub(crate) expected: Expected,
+    pub expected: Expected,
 }
 
+/// The answers of independent programs for one point.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Expected {
-    pub(crate) transition_sign: String,
-    pub(crate) boundary_sign: String,
+pub struct Expected {
+    /// The sign of K − K_c: `-1`, `0` or `1`.
+    pub transition_sign: String,
+    /// The sign of the discriminant of eq 8: `-1`, `0` or `1`.
+    pub boundary_sign: String,
     spectral_class: String,
     slip_mode: String,
-    pub(crate) max_real_per_s: Rational,
-    pub(crate) its_modulus_per_s: Rational,
-    pub(crate) max_imaginary_per_s: Rational,
+    /// max Re(s), 1/s.
+    pub max_real_per_s: Rational,
+    /// The modulus of that root, 1/s.
+    pub its_modulus_per_s: Rational,
+    /// max Im(s), 1/s.
+    pub max_imaginary_per_s: Rational,
 }
 
 /// How one family of hard cases fared.
@@ -46,8 +51,6 @@ pub struct FamilyOutcome {
     pub worst_imaginary_error: f64,
     /// The highest precision level that a point needed.
     pub highest_precision_level: PrecisionLevel,
-    /// How single methods fared, without the precision levels that ours combines.
-    pub methods: Vec<MethodScore>,
 }
 
 const ANSWERS: [&str; 7] = [
@@ -159,7 +162,6 @@ impl FamilyOutcome {
         self.worst_real_error = self.worst_real_error.max(other.worst_real_error);
         self.worst_imaginary_error = self.worst_imaginary_error.max(other.worst_imaginary_error);
         self.highest_precision_level = self.highest_precision_level.max(other.highest_precision_level);
-        self.methods.iter_mut().zip(&other.methods).for_each(|(one, other)| one.absorb(other));
     }
 }
 
@@ -181,7 +183,6 @@ fn compare(case: &HardCase) -> FamilyOutcome {
             &expected.max_imaginary_per_s,
         ),
         highest_precision_level: found.precision_level,
-        methods: score_methods(case),
     }
 }
 

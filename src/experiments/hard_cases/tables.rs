@@ -1,19 +1,15 @@
-//! Tables of hard cases by family and by method.
+//! Tables of hard cases by family.
 
 use crate::experiments::Context;
 use crate::experiments::Need;
 use crate::experiments::TableMaker;
-use crate::experiments::hard_cases::{FamilyOutcome, Method, MethodScore};
+use crate::experiments::hard_cases::FamilyOutcome;
 use crate::experiments::shared::cells::{count, rounded};
 use crate::experiments::unless_empty;
-use slipmode_core::number::format::round_digits;
 use slipmode_plot::table::{Cell, Column, Table};
 
-pub(crate) const TABLES: &[TableMaker] = &[
-    TableMaker { id: "hard-cases", needs: &[Need::HardCases], make: hard_cases },
-    TableMaker { id: "method-verdicts", needs: &[Need::HardCases], make: method_verdicts },
-    TableMaker { id: "method-errors", needs: &[Need::HardCases], make: method_errors },
-];
+pub(crate) const TABLES: &[TableMaker] =
+    &[TableMaker { id: "hard-cases", needs: &[Need::HardCases], make: hard_cases }];
 
 fn hard_cases(context: &Context) -> Option<Table> {
     let columns = vec![
@@ -45,45 +41,4 @@ fn families<'c>(context: &'c Context<'_>) -> impl Iterator<Item = &'c FamilyOutc
         .iter()
         .filter_map(|scene| scene.hard_cases.as_ref())
         .flat_map(|found| &found.families)
-}
-
-/// A row per family, a column per method.
-fn by_method(context: &Context, mut table: Table, cell: impl Fn(&MethodScore) -> String) -> Option<Table> {
-    for family in families(context) {
-        let mut row = vec![Cell::text(&family.family), count(family.points)];
-        row.extend(family.methods.iter().map(|score| Cell::text(cell(score))));
-        table.push(row);
-    }
-    unless_empty(table)
-}
-
-fn method_columns() -> Vec<Column> {
-    let name = |method: Method| {
-        method.as_str().replace([' ', '-'], "_").replace("64_bit", "binary64").to_lowercase()
-    };
-    let mut columns = vec![Column::text("family", "Family"), Column::number("points", "Points", "")];
-    columns.extend(Method::ALL.map(|method| Column::text(&name(method), method.as_str())));
-    columns
-}
-
-fn method_verdicts(context: &Context) -> Option<Table> {
-    let title = "Wrong signs or classes by method; points without a finite answer, and undecided points";
-    let table = Table::new("method-verdicts", title, method_columns());
-    by_method(context, table, |score| {
-        let parts = [(score.wrong, "wrong"), (score.failed, "failed"), (score.open, "open")];
-        let said =
-            parts.iter().filter(|(count, _)| *count > 0).map(|(count, word)| format!("{count} {word}"));
-        let said = said.collect::<Vec<_>>().join(", ");
-        if said.is_empty() { "all right".to_owned() } else { said }
-    })
-}
-
-fn method_errors(context: &Context) -> Option<Table> {
-    let title = "Largest error of max Re(s) / of max Im(s) by method, in 2^-52 of the root and of Im(s), for points with an answer";
-    let table = Table::new("method-errors", title, method_columns());
-    by_method(context, table, |score| {
-        let [real, imaginary] =
-            [score.worst_real_ulps, score.worst_imaginary_ulps].map(|ulps| round_digits(ulps, 1));
-        format!("{real} / {imaginary}")
-    })
 }

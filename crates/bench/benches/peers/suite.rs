@@ -6,9 +6,10 @@
 use std::hint::black_box;
 use std::path::Path;
 
-use slipmode::experiments::hard_cases::{HardCase, Method, compare_hard_cases, read_hard_cases};
+use slipmode::experiments::hard_cases::{HardCase, compare_hard_cases, read_hard_cases};
+use slipmode_bench::methods::{Method, score_families};
+use slipmode_bench::textbook::{Three, aberth, cardano, companion, newton, viete};
 use slipmode_core::number::{Dd, Rational, nearest_f64};
-use slipmode_core::roots::textbook::{Three, aberth, cardano, companion, newton, viete};
 use slipmode_core::roots::{binary64, certified_roots, double_double};
 use slipmode_core::stability::{InertialThreshold, classify};
 
@@ -88,6 +89,7 @@ fn methods() -> [(&'static str, Option<Method>, Solve<'static>); 9] {
 pub fn play(_folder: &Path) {
     let cases = read_hard_cases("classification-hard.txt", CASES).unwrap();
     let families = compare_hard_cases(&cases);
+    let scored = score_families(&cases);
     let points: Vec<Inputs> = cases.iter().map(Inputs::of).collect();
     for (name, method, solve) in methods() {
         let (seconds, ()) = best_of(REPETITIONS, || {
@@ -95,7 +97,7 @@ pub fn play(_folder: &Path) {
                 solve(point);
             }
         });
-        let scores = families.iter().flat_map(|family| &family.methods);
+        let scores = scored.iter().flat_map(|family| &family.methods);
         let (mut wrong, mut worst) = (0, 0.0_f64);
         for score in scores.filter(|score| Some(score.method) == method) {
             wrong += score.wrong + score.failed;

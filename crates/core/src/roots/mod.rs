@@ -27,8 +27,6 @@ mod kahan;
 mod multiple;
 mod precision_level;
 mod short;
-#[doc(hidden)]
-pub mod textbook;
 
 pub use certified::{CertifiedRoot, CertifiedRoots, certified_roots};
 pub(crate) use depressed::Depressed;

@@ -1,0 +1,267 @@
+//! Tables and charts that another program measured and a report shows as they are: read, never computed here.
+//!
+//! A folder of the report has them: `contents.toml` with words, columns and charts, and `tables/ID.csv` with the rows.
+
+use crate::scene::document::read_document;
+use crate::scene::report_plan::distinct_name;
+use crate::scene::section::{Entry, Section};
+use crate::scene::sections::{NAME_RULE, safe_name};
+use crate::scene::{AllowedRange, CsvProblem, Fault, Faults, Problem};
+use slipmode_core::number::nearest_f64;
+use slipmode_plot::figure::{Axis, Caption, LineChart, Series};
+use slipmode_plot::table::{Cell, Column, Kind, Table};
+
+/// What a report's folder of measurements holds.
+#[derive(Debug, Clone, Default)]
+pub struct Measured {
+    /// Files of the folder from which the rows were computed: they belong to the report's inputs, and nothing reads them.
+    pub sources: Vec<String>,
+    /// The tables, without rows until [`with_rows`] adds them.
+    pub tables: Vec<Table>,
+    /// The charts.
+    pub charts: Vec<MeasuredChart>,
+}
+
+/// A line chart and its place in a report.
+#[derive(Debug, Clone)]
+pub struct MeasuredChart {
+    /// Label such as `Figure 1`.
+    pub label: String,
+    /// What it shows and what to look at, in Markdown.
+    pub caption_markdown: String,
+    /// Ids of the tables that hold its numbers.
+    pub data: Vec<String>,
+    /// The chart; its id is the id by which prose places it.
+    pub chart: LineChart,
+}
+
+impl Measured {
+    /// Reads `contents.toml` from its bytes.
+    ///
+    /// # Errors
+    /// All the faults at once.
+    pub fn parse(file: &str, bytes: &[u8]) -> Result<Self, Faults> {
+        read_document(file, bytes, |top, faults| {
+            let sources = names(top, "sources", faults);
+            let (mut table_ids, mut chart_ids) = (Vec::new(), Vec::new());
+            let tables = top
+                .required("table", "[[table]] sections", faults)
+                .and_then(|entry| entry.list(faults, |member, faults| table(member, &mut table_ids, faults)));
+            let charts = top
+                .required("chart", "[[chart]] sections", faults)
+                .and_then(|entry| entry.list(faults, |member, faults| chart(member, &mut chart_ids, faults)));
+            Some(Self { sources: sources?, tables: tables?, charts: charts? })
+        })
+    }
+
+    /// The table of this id.
+    pub(crate) fn table(&self, id: &str) -> Option<&Table> {
+        self.tables.iter().find(|table| table.id == id)
+    }
+
+    /// The chart of this id.
+    pub(crate) fn chart(&self, id: &str) -> Option<&MeasuredChart> {
+        self.charts.iter().find(|measured| measured.chart.caption.id == id)
+    }
+}
+
+/// The table with the rows of its CSV text.
+///
+/// # Errors
+/// When the header has other columns, or a row another number of cells.
+pub fn with_rows(mut table: Table, file: &str, text: &str) -> Result<Table, Faults> {
+    let fault = |line, key: &str, problem: CsvProblem| {
+        vec![Fault { file: file.into(), line, key: key.into(), value: None, problem: problem.into() }]
+    };
+    let mut reader = csv::ReaderBuilder::new().flexible(true).has_headers(false).from_reader(text.as_bytes());
+    // A flexible reader of text in memory has no way to fail.
+    let mut records = reader.records().flatten();
+    let header = records.next().unwrap_or_default();
+    let names = || table.columns.iter().map(|column| column.name.as_str());
+    if let Some(name) =
+        names().enumerate().find_map(|(at, name)| (header.get(at) != Some(name)).then_some(name))
+    {
+        return Err(fault(Some(1), name, CsvProblem::MissingColumn { nearest: None }));
+    }
+    let wanted = table.columns.len();
+    let checked = |record: csv::StringRecord| {
+        let line = || record.position().and_then(|position| usize::try_from(position.line()).ok());
+        let problem = CsvProblem::CellCount { found: record.len(), wanted };
+        if record.len() == wanted { Ok(record) } else { Err(fault(line(), "", problem)) }
+    };
+    checked(header)?;
+    for record in records {
+        let record = checked(record)?;
+        let cells = record.iter().zip(&table.columns);
+        table.rows.push(cells.map(|(text, column)| Cell { text: text.into(), kind: column.kind }).collect());
+    }
+    Ok(table)
+}
+
+fn names(section: &mut Section<'_>, key: &'static str, faults: &mut Faults) -> Option<Vec<String>> {
+    section.required(key, &format!("a list of names, each {NAME_RULE}"), faults)?.list(faults, safe_name)
+}
+
+fn words(section: &mut Section<'_>, key: &'static str, faults: &mut Faults) -> Option<String> {
+    section.required(key, "a text", faults)?.text(faults)
+}
+
+/// A text that may be absent, which is then empty.
+fn optional_words(section: &mut Section<'_>, key: &'static str, faults: &mut Faults) -> Option<String> {
+    section.optional(key).map_or_else(|| Some(String::new()), |entry| entry.text(faults))
+}
+
+fn id(section: &mut Section<'_>, earlier: &mut Vec<String>, faults: &mut Faults) -> Option<String> {
+    distinct_name(&section.required("id", NAME_RULE, faults)?, earlier, faults)
+}
+
+fn table(entry: &Entry<'_>, earlier: &mut Vec<String>, faults: &mut Faults) -> Option<Table> {
+    let mut section = entry.section(faults)?;
+    let id = id(&mut section, earlier, faults);
+    let title = words(&mut section, "title", faults);
+    let note = optional_words(&mut section, "note", faults);
+    let columns = section
+        .required("columns", "a list of { name = …, header = … }", faults)
+        .and_then(|entry| entry.list(faults, column));
+    section.finish(faults);
+    Some(Table::new(&id?, &title?, columns?).with_note(&note?))
+}
+
+fn column(entry: &Entry<'_>, faults: &mut Faults) -> Option<Column> {
+    let mut section = entry.section(faults)?;
+    let (name, header) = (words(&mut section, "name", faults), words(&mut section, "header", faults));
+    let unit = optional_words(&mut section, "unit", faults);
+    let is_number = section.optional("number").map_or(Some(false), |entry| entry.truth(faults));
+    section.finish(faults);
+    let kind = if is_number? { Kind::Number } else { Kind::Text };
+    Some(Column { name: name?, header: header?, unit: unit?, kind })
+}
+
+fn chart(entry: &Entry<'_>, earlier: &mut Vec<String>, faults: &mut Faults) -> Option<MeasuredChart> {
+    let mut section = entry.section(faults)?;
+    let id = id(&mut section, earlier, faults);
+    let [label, title, caption, description] =
+        ["label", "title", "caption", "description"].map(|key| words(&mut section, key, faults));
+    let data = names(&mut section, "data", faults);
+    let [x, y] = ["x", "y"].map(|key| axis(&mut section, key, faults));
+    let series = section
+        .required("series", "a list of { label = …, points = … }", faults)
+        .and_then(|entry| entry.list(faults, series));
+    section.finish(faults);
+    let (references, bands, labels) = (Vec::new(), Vec::new(), Vec::new());
+    let chart = LineChart {
+        caption: Caption::new(&id?, &title?, &description?),
+        x: x?,
+        y: y?,
+        series: series?,
+        references,
+        bands,
+        labels,
+    };
+    Some(MeasuredChart { label: label?, caption_markdown: caption?, data: data?, chart })
+}
+
+fn number(entry: &Entry<'_>, faults: &mut Faults) -> Option<f64> {
+    entry.decimal(AllowedRange::PHYSICAL, faults).map(|value| nearest_f64(&value))
+}
+
+/// A logarithmic axis.
+fn axis(section: &mut Section<'_>, key: &'static str, faults: &mut Faults) -> Option<Axis> {
+    let entry = section.required(key, "{ title = …, from = …, to = … }", faults)?;
+    let mut section = entry.section(faults)?;
+    let title = words(&mut section, "title", faults);
+    let unit = optional_words(&mut section, "unit", faults);
+    let [from, to] = ["from", "to"].map(|key| {
+        section.required(key, &AllowedRange::PHYSICAL.text(), faults).and_then(|end| number(&end, faults))
+    });
+    section.finish(faults);
+    let (from, to) = (from?, to?);
+    if from >= to {
+        faults.push(entry.fault(Problem::ReversedRange));
+        return None;
+    }
+    Some(Axis::log10(&title?, &unit?, from, to))
+}
+
+fn series(entry: &Entry<'_>, faults: &mut Faults) -> Option<Series> {
+    let mut section = entry.section(faults)?;
+    let label = words(&mut section, "label", faults);
+    let points =
+        section.required("points", "a list of [x, y]", faults).and_then(|entry| entry.list(faults, point));
+    section.finish(faults);
+    Some(Series { label: label?, points: points?, marked: true, theory: false })
+}
+
+fn point(entry: &Entry<'_>, faults: &mut Faults) -> Option<(f64, f64)> {
+    match entry.list(faults, number)?.as_slice() {
+        &[x, y] => Some((x, y)),
+        _ => {
+            faults.push(entry.fault(Problem::OutOfRange { allowed: "two numbers, x and y".into() }));
+            None
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const CONTENTS: &str = "sources = [\"raw.csv\"]\n\
+        [[table]]\nid = \"t\"\ntitle = \"T\"\nnote = \"N\"\n\
+        columns = [{ name = \"what\", header = \"What\" }, { name = \"time_s\", header = \"Time\", unit = \"s\", number = true }]\n\
+        [[chart]]\nid = \"c\"\nlabel = \"Figure\"\ntitle = \"C\"\ncaption = \"C.\"\ndescription = \"C\"\ndata = [\"t\"]\n\
+        x = { title = \"n\", from = 1, to = 10 }\ny = { title = \"Time\", unit = \"s\", from = 0.1, to = 1e2 }\n\
+        series = [{ label = \"<script>\", points = [[1, 2.5], [10, 50]] }]\n";
+
+    fn read(text: &str) -> Result<Measured, Faults> {
+        Measured::parse("contents.toml", text.as_bytes())
+    }
+
+    #[test]
+    fn a_table_gets_its_rows_and_a_chart_is_drawn_with_escaped_words() {
+        let found = read(CONTENTS).unwrap();
+        let text = "what,time_s\n\"a, b\",1.5\nc,\n";
+        let table = with_rows(found.tables[0].clone(), "t.csv", text).unwrap();
+        assert_eq!((table.to_csv().as_str(), table.rows.len(), table.note.as_str()), (text, 2, "N"));
+        let found = found.chart("c").unwrap();
+        let svg = found.chart.svg();
+        assert!(svg.contains("&lt;script") && !svg.contains("<script"), "{svg}");
+        assert_eq!(found.data, ["t"]);
+    }
+
+    #[test]
+    fn every_fault_is_named_with_its_key() {
+        for (from, to, named) in [
+            ("id = \"t\"", "id = \"../t\"", "table[1].id"),
+            ("\"raw.csv\"", "\"a/b\"", "sources[1]"),
+            ("from = 1,", "from = 10,", "chart[1].x"),
+            ("from = 1,", "from = -1,", "chart[1].x.from"),
+            ("[10, 50]", "[10]", "series[1].points[2]"),
+            ("number = true", "number = 1", "columns[2].number"),
+            ("note =", "notes =", "table[1].notes"),
+        ] {
+            assert!(CONTENTS.contains(from));
+            let faults = read(&CONTENTS.replace(from, to)).unwrap_err();
+            assert!(faults[0].to_string().contains(named), "{} for {named}", faults[0]);
+        }
+        let twice = CONTENTS.replace(
+            "[[chart]]",
+            "[[table]]\nid = \"T\"\ntitle = \"T\"\ncolumns = [{ name = \"a\", header = \"A\" }]\n[[chart]]",
+        );
+        assert!(read(&twice).unwrap_err()[0].to_string().contains("when case is ignored"));
+    }
+
+    #[test]
+    fn rows_that_do_not_fit_the_columns_are_refused_with_their_line() {
+        let table = read(CONTENTS).unwrap().tables.remove(0);
+        for (text, named) in [
+            ("", "t.csv:1: what: missing column"),
+            ("what,time\na,1\n", "t.csv:1: time_s: missing column"),
+            ("what,time_s,more\n", "t.csv:1: 3 cells"),
+            ("what,time_s\na,1\nb\n", "t.csv:3: 1 cells"),
+        ] {
+            let faults = with_rows(table.clone(), "t.csv", text).unwrap_err();
+            assert!(faults[0].to_string().contains(named), "{}", faults[0]);
+        }
+    }
+}
