@@ -60,7 +60,7 @@ mod tests {
             "{}",
             overshoots.limit()
         );
-        assert!(overshoots.limit().ends_with("by up to 0.37 of it"), "{}", overshoots.limit());
+        assert!(overshoots.limit().ends_with("by up to 0.37 of V_l"), "{}", overshoots.limit());
         assert_eq!(overshoots.text(), "-0.5, 0.37");
     }
 }

@@ -80,7 +80,9 @@ impl Output {
         self.flush().map_err(|error| machine_write(&error))?;
         match self.target {
             Target::File { place, partial } => {
-                let partial = partial.into_inner().map_err(|error| machine_write(error.error()))?;
+                let partial = partial
+                    .into_inner()
+                    .map_err(|error| Failure::io(&place, "cannot be written", error.error()))?;
                 places::check_output(&place, false).map_err(|why| Failure::place(&place, why))?;
                 partial.persist(&place).map_err(|error| Failure::io(&place, "cannot be written", &error))
             }
@@ -112,7 +114,7 @@ impl Output {
             Target::File { place, partial } => (action(partial), place.display().to_string()),
             Target::Spool(file) => (action(file), "a temporary file for standard output".to_string()),
         };
-        done.map_err(|error| io::Error::new(error.kind(), format!("{name}: {error}")))
+        done.map_err(|error| io::Error::new(error.kind(), format!("{name}: cannot be written: {error}")))
     }
 }
 
@@ -126,9 +128,9 @@ impl Write for PartialFile {
     }
 }
 
-/// A write to an output that did not succeed.
+/// A write to an output that did not succeed; the error names the output.
 pub fn machine_write(error: &io::Error) -> Failure {
-    Failure::machine("the output cannot be written", error)
+    Failure::Refused(error.to_string())
 }
 
 /// Only a regular file may be replaced: a rename over a link or device would destroy what others rely on.

@@ -63,13 +63,13 @@ fn a_point_on_the_boundary_has_sign_zero_and_its_neighbours_have_not() {
 
 #[test]
 fn the_threshold_is_an_argument_and_decided_exactly() {
-    // On K = K_c: (ω/ω_n)² = η/(1+η), which is 9/25 at η = 9/16; b = 3 gives κ = 2(1+η) = 3.125.
+    // Eq 8 is (p + 2)(p² + p + 1/2)/2 at η = κ = 1/2 and b/a = 1/4: the pair is −1/2 ± i/2, and ω_n² = κ/η = 1.
     let at = |threshold: &str| {
-        let point = ["1", "3", "1", "3.125", "0.5625", "1", "1"];
+        let point = ["1", "0.25", "1", "0.5", "0.5", "1", "1"];
         classify(point, &["--inertial-threshold", threshold])["slip_mode"].clone()
     };
-    assert_eq!(at("0.5999999999999999999999999"), "inertial-underdamped-oscillation");
-    assert_eq!(at("0.6"), "non-inertial-underdamped-oscillation", "ω/ω_n is 0.6, not above it");
+    assert_eq!(at("0.4999999999999999999999999"), "inertial-underdamped-oscillation");
+    assert_eq!(at("0.5"), "non-inertial-underdamped-oscillation", "ω/ω_n is 0.5, not above it");
 }
 
 #[test]

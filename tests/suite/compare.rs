@@ -251,7 +251,7 @@ fn rows_at_fault_are_told_and_passed_over_only_when_asked_and_the_page_names_its
     let found: Value = serde_json::from_str(&ended.stdout).unwrap();
     assert_eq!((&found["agree"], &found["at_fault"]), (&1.into(), &1.into()));
     let page = place.read("page/index.html");
-    assert!(page.contains("1 further rows of the file are at fault"));
+    assert!(page.contains("1 further row of the file is invalid"));
     let inputs = page.split("id=\"inputs\"").nth(1).unwrap().split("</table>").next().unwrap();
     assert!(inputs.contains("<td>runs.csv</td>"), "{inputs}");
     assert!(inputs.split("<code>").nth(1).is_some_and(|rest| rest.find('<') == Some(64)), "{inputs}");

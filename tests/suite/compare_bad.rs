@@ -44,7 +44,7 @@ fn the_header_is_a_contract() {
     refuse_runs(
         &format!("{HEADER},law,mode,verdict\n{ROW},slip,periodic,1\n"),
         &["--law", "slip"],
-        &["column law: needs no --law beside it", "column verdict: a column of the output"],
+        &["column law: needs no --law together with it", "column verdict: a column of the output"],
     );
     refuse_runs("", &[], &["runs.csv: empty file (wanted: a header line with the columns direct_effect, "]);
     refuse_runs(

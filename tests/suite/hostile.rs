@@ -264,7 +264,9 @@ fn begun(place: &Workplace, arguments: &str, signal_mask: &str) -> Child {
         .spawn()
         .unwrap();
     RUNS.fetch_add(1, Ordering::Relaxed);
-    writeln!(child.stdin.as_mut().unwrap(), "{HEADER},period_s\n{ROW},1").unwrap();
+    // A period to compare with is an observed value for `compare`, and a column of the output for the others.
+    let (column, cell) = if arguments.starts_with("compare") { (",period_s", ",1") } else { ("", "") };
+    writeln!(child.stdin.as_mut().unwrap(), "{HEADER}{column}\n{ROW}{cell}").unwrap();
     wait_for(arguments, || !hidden(place).is_empty());
     child
 }

@@ -96,9 +96,9 @@ fn a_law_that_was_changed_is_drift_in_every_claim_about_its_steady_state() {
 fn a_place_that_is_taken_and_a_name_that_is_unsafe_are_refused() {
     let place = Workplace::new();
     place.write("taken/keep.txt", "mine");
-    place.run(new("taken", "0.01", "0.02")).expect_refusal(&["taken: exists already"]);
+    place.run(new("taken", "0.01", "0.02")).expect_refusal(&["taken: already exists; choose another folder"]);
     fs::create_dir(place.path("empty")).unwrap();
-    place.run(new("empty", "0.01", "0.02")).expect_refusal(&["empty: exists already"]);
+    place.run(new("empty", "0.01", "0.02")).expect_refusal(&["empty: already exists; choose another folder"]);
     for name in ["../up", "a b", "", "CON", "-x", "é", ".hidden"] {
         place.run(new(name, "0.01", "0.02")).expect_refusal(&["NAME = "]);
     }

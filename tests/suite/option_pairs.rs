@@ -104,7 +104,7 @@ const COMMANDS: &[Command] = &[
             ("--points", &["--points", "5"]),
             ("--digits", &["--digits", "6"]),
             ("--at-velocity", &["--at-velocity", "1e-3"]),
-            ("--at-normal-stress", &["--at-normal-stress", "1e5"]),
+            ("--at-normal-stress", &["--at-normal-stress", "1e3"]),
             ("--max-points", &["--max-points", "3"]),
             ("--output", &["-o", "out.csv"]),
         ],
@@ -383,7 +383,7 @@ fn the_pairs_are_those_of_all_options_that_the_help_lists() {
 #[test]
 fn minutes_decide_how_many_shards_a_plan_has() {
     let place = Workplace::new();
-    place.write("large.toml", sweep(2_000_000, 1_000_000));
+    place.write("large.toml", sweep(1_000_000, 1_000_000));
     let shards = |minutes: &str| {
         let plan = place.run(["sweep", "large.toml", "--plan", "--minutes", minutes]).expect_success();
         let line = plan.lines().find(|line| line.starts_with("shards")).unwrap().to_string();

@@ -66,7 +66,7 @@ fn a_page_shows_its_parts_what_rests_on_what_and_how_each_claim_is_decided_again
     assert!(place.read("out/figures/claims-picture.svg").contains("href=\"#claim-S1\""));
     assert!(text.contains("figures/claims-picture.svg"));
     for report in [&page, &text] {
-        assert!(report.contains("slipmode verify reports/small --claim S1"));
+        assert!(report.contains("slipmode verify small --claim S1"));
         assert!(report.contains("Code verification: exact"));
     }
     assert!(page.contains("<h3 id=\"d-title\">C</h3>") && text.contains("\n### C\n"));
@@ -169,5 +169,5 @@ fn a_folder_that_is_no_report_is_refused() {
     place.run(["verify", "none"]).expect_refusal(&["none: cannot be read: no such folder"]);
     let small = small_report();
     small.write("small/equations.toml", "x = 1");
-    small.run(["report", "small"]).expect_refusal(&["small/equations.toml: "]);
+    small.run(["report", "small"]).expect_refusal(&["small/equations.toml:1: unknown field `x`"]);
 }

@@ -105,7 +105,7 @@ fn files_at_fault_are_refused_with_row_and_column_and_nothing_is_written() {
     refuse(
         &format!("{HEADER},law,mode\n"),
         &["--law", "slip"],
-        &["column law: needs no --law beside it", "column mode: a column of the output"],
+        &["column law: needs no --law together with it", "column mode: a column of the output"],
     );
     refuse(
         &format!("{HEADER}\n{ROW}\n"),

@@ -78,10 +78,10 @@ fn summary(rows: &[ComparedRow], faulty: u64) -> String {
         count(Agreement::Agrees),
         count(Agreement::Differs),
         count(Agreement::NotCompared),
-        if faulty > 0 {
-            format!(" {faulty} further rows of the file are invalid and were left out.")
-        } else {
-            String::new()
+        match faulty {
+            0 => String::new(),
+            1 => " 1 further row of the file is invalid and was left out.".to_string(),
+            _ => format!(" {faulty} further rows of the file are invalid and were left out."),
         },
     )
 }

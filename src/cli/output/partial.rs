@@ -4,7 +4,6 @@
 //! run reads, needs or stumbles over, and which may be removed at any time.
 
 use std::collections::BTreeSet;
-use std::error::Error;
 use std::fs::{self, File, Permissions};
 use std::io;
 use std::path::{Path, PathBuf};
@@ -151,11 +150,11 @@ pub fn folder_of(place: &Path) -> &Path {
     place.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."))
 }
 
-/// An error without the hidden path that tempfile adds: messages name the place.
+/// An error without the hidden path that tempfile adds to its words: messages name the place.
 fn bare(error: io::Error) -> io::Error {
-    let source =
-        error.get_ref().and_then(Error::source).and_then(|source| source.downcast_ref::<io::Error>());
-    source.and_then(io::Error::raw_os_error).map_or(error, io::Error::from_raw_os_error)
+    let words = error.to_string();
+    let cause = words.split_once(" at path ").map_or(words.as_str(), |(cause, _)| cause);
+    io::Error::new(error.kind(), cause)
 }
 
 /// Replaces a folder by another; the earlier one is left under the new one's old name.
