@@ -235,7 +235,7 @@ fn workplace() -> Workplace {
     for folder in ["blocks", "fewer"] {
         place.run(["sweep", "sweep.toml", "--out", folder]).expect_success();
     }
-    fs::remove_file(place.path("fewer/block-000000001.csv")).unwrap();
+    fs::remove_file(place.path("fewer/block-000000002.csv")).unwrap();
     place.write(
         "small/report.toml",
         "name = \"small\"\ntitle = \"Small\"\nscenes = [\"s\"]\n[[chapter]]\nid = \"c\"\ntitle = \"C\"\nprose = \"c.md\"\n",
