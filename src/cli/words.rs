@@ -1,6 +1,6 @@
 //! Words that stand for something, on the command line and in CSV cells alike.
 
-use slipmode::scene::{Problem, nearest};
+use slipmode::scene::{Problem, of_word};
 use slipmode_core::dynamics::Start;
 use slipmode_core::friction::EvolutionLaw;
 
@@ -14,7 +14,7 @@ pub const LAW_COLUMN: &str = "law";
 /// # Errors
 /// When no law has this word.
 pub fn law_of_word(text: &str) -> Result<EvolutionLaw, Problem> {
-    of_word(text, &["slip", "aging"], EvolutionLaw::from_word)
+    of_word(text, &EvolutionLaw::ALL, EvolutionLaw::as_str)
 }
 
 /// The start of a word.
@@ -22,17 +22,5 @@ pub fn law_of_word(text: &str) -> Result<EvolutionLaw, Problem> {
 /// # Errors
 /// When no start has this word.
 pub fn start_of_word(text: &str) -> Result<Start, Problem> {
-    let find = |text: &str| Start::ALL.into_iter().find(|start| start.as_str() == text);
-    of_word(text, &Start::ALL.map(Start::as_str), find)
-}
-
-/// What a word out of a list stands for.
-///
-/// # Errors
-/// When the word is not on the list; the nearest one is named.
-pub fn of_word<T>(text: &str, words: &[&str], find: impl Fn(&str) -> Option<T>) -> Result<T, Problem> {
-    find(text).ok_or_else(|| Problem::UnknownWord {
-        nearest: nearest(text, words.iter().copied()).map(str::to_string),
-        allowed: words.join(", "),
-    })
+    of_word(text, &Start::ALL, Start::as_str)
 }

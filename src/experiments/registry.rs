@@ -3,8 +3,8 @@
 use crate::experiments::experiment::{Experiment, Setting};
 use crate::experiments::scene::{Head, read_experiment};
 use crate::experiments::{FigureMaker, References, TableMaker, Work};
-use crate::scene::section::{Section, given};
-use crate::scene::{Faults, Limits, ParametersSection};
+use crate::scene::ParametersSection;
+use crate::scene::section::Section;
 use crate::sweep::SweepSection;
 use slipmode_core::number::Rational;
 
@@ -76,21 +76,16 @@ macro_rules! experiments {
             }
 
             /// Reads the experiments' sections after the head of a scene.
-            pub(super) fn read(
-                head: Head,
-                top: &mut Section<'_>,
-                limits: &Limits,
-                faults: &mut Faults,
-            ) -> Option<Self> {
+            pub(super) fn read(head: Head, top: &mut Section<'_>) -> Option<Self> {
                 $($(#[cfg($condition)])?
-                let $key = read_experiment::<$section>(&head, stringify!($key), top, limits, faults);)*
+                let $key = read_experiment::<$section>(&head, stringify!($key), top);)*
                 Some(Self {
                     name: head.name?,
                     title: head.title?,
-                    parameters: given(head.parameters)?,
-                    inertial_threshold: given(head.inertial_threshold)?,
-                    sweep: given(head.sweep)?,
-                    $($(#[cfg($condition)])? $key: given($key)?,)*
+                    parameters: head.parameters?,
+                    inertial_threshold: head.inertial_threshold?,
+                    sweep: head.sweep?,
+                    $($(#[cfg($condition)])? $key: $key?,)*
                 })
             }
         }

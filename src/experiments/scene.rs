@@ -5,13 +5,13 @@ use crate::experiments::experiment::{Experiment, Requirement};
 use crate::scene::document::read_document;
 use crate::scene::quantity::read_parameters;
 use crate::scene::section::Section;
-use crate::scene::sections::{NAME_RULE, safe_name};
+use crate::scene::sections::NAME_RULE;
 use crate::scene::{AllowedRange, Fault, Faults, Limits, ParametersSection, Problem, same_name};
 use crate::sweep::SweepSection;
 use slipmode_core::number::Rational;
 use slipmode_core::stability::InertialThreshold;
 
-/// What a scene states besides its experiments; each value is absent, faulty, or sound.
+/// What a scene states besides its experiments; each value is faulty, absent, or sound.
 pub(super) struct Head {
     pub name: Option<String>,
     pub title: Option<String>,
@@ -26,7 +26,7 @@ impl Scene {
     /// # Errors
     /// All the faults of the file at once.
     pub fn parse(file: &str, bytes: &[u8], limits: &Limits) -> Result<Self, Faults> {
-        read_document(file, bytes, |top, faults| Self::read(Head::read(top, faults), top, limits, faults))
+        read_document(file, bytes, *limits, |top| Self::read(Head::read(top), top))
     }
 
     /// The threshold between inertial and non-inertial that the scene chose, or the default.
@@ -37,26 +37,23 @@ impl Scene {
 }
 
 impl Head {
-    fn read(top: &mut Section<'_>, faults: &mut Faults) -> Self {
-        let name = top.required("name", NAME_RULE, faults).and_then(|entry| safe_name(&entry, faults));
-        let title = top.required("title", "a text", faults).and_then(|entry| entry.text(faults));
-        let parameters = top.optional("parameters").map(|entry| {
-            let mut section = entry.section(faults)?;
-            let parameters = read_parameters(&mut section, faults);
-            section.finish(faults);
+    fn read(top: &mut Section<'_>) -> Self {
+        let name = top.name("name", NAME_RULE);
+        let title = top.text("title", "a text");
+        let parameters = top.optionally("parameters", |entry| {
+            let mut section = entry.section()?;
+            let parameters = read_parameters(&mut section);
+            section.finish();
             parameters
         });
-        let inertial_threshold = top.optional("inertial_threshold").map(|entry| {
-            let mut section = entry.section(faults)?;
-            let range = AllowedRange::OPEN_UNIT;
-            let ratio = section
-                .required("frequency_ratio", &range.text(), faults)
-                .and_then(|entry| entry.decimal(range, faults));
-            section.finish(faults);
+        let inertial_threshold = top.optionally("inertial_threshold", |entry| {
+            let mut section = entry.section()?;
+            let ratio = section.decimal("frequency_ratio", AllowedRange::OPEN_UNIT);
+            section.finish();
             ratio
         });
         let read = parameters.as_ref().map(Option::as_ref);
-        let sweep = top.optional("sweep").map(|entry| SweepSection::read(&entry, read, faults));
+        let sweep = top.optionally("sweep", |entry| SweepSection::read(entry, read));
         Self { name, title, parameters, inertial_threshold, sweep }
     }
 }
@@ -66,21 +63,19 @@ pub(super) fn read_experiment<E: Experiment>(
     head: &Head,
     key: &'static str,
     top: &mut Section<'_>,
-    limits: &Limits,
-    faults: &mut Faults,
 ) -> Option<Option<E>> {
-    let entry = top.optional(key)?;
-    match (E::REQUIREMENT, &head.parameters) {
-        (Requirement::Nothing, _) => {}
-        (_, None) => faults.push(entry.fault(Problem::Needs("a [parameters] section".into()))),
-        (Requirement::CriticalNormalStress, Some(Some(parameters)))
-            if !parameters.slider.has_transition() =>
-        {
-            faults.push(entry.fault(Problem::NoCriticalNormalStress));
-        }
-        (Requirement::Parameters | Requirement::CriticalNormalStress, Some(_)) => {}
-    }
-    Some(E::read(&entry, limits, faults))
+    top.optionally(key, |entry| {
+        let problem = match (E::REQUIREMENT, &head.parameters) {
+            (Requirement::Nothing, _) => None,
+            (_, Some(None)) => Some(Problem::Needs("a [parameters] section".into())),
+            (Requirement::CriticalNormalStress, Some(Some(parameters))) => {
+                (!parameters.slider.has_transition()).then_some(Problem::NoCriticalNormalStress)
+            }
+            (Requirement::Parameters | Requirement::CriticalNormalStress, _) => None,
+        };
+        problem.map(|problem| entry.refuse::<()>(problem));
+        E::read(entry)
+    })
 }
 
 /// Refuses scenes of different files with one name: their outputs would overwrite each other.

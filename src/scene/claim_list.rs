@@ -1,8 +1,8 @@
 //! `claims.toml`: the claims that a report decides, with the verdict recorded when they were last reviewed.
 
 use crate::scene::document::read_document;
-use crate::scene::section::{Entry, Section};
-use crate::scene::{Faults, Problem, Verdict, nearest, same_name};
+use crate::scene::section::Section;
+use crate::scene::{Faults, Limits, Problem, Verdict, of_word, same_name};
 
 /// One claim of the paper, in our words.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -22,64 +22,31 @@ pub struct ClaimEntry {
 /// # Errors
 /// All the faults at once: among them unknown ids (with the nearest known one) and ids given twice.
 pub fn read_claims(file: &str, bytes: &[u8], known_ids: &[&str]) -> Result<Vec<ClaimEntry>, Faults> {
-    read_document(file, bytes, |top, faults| {
-        let list = top.required("claim", "[[claim]] sections", faults)?;
-        let members = list.members(faults)?;
+    read_document(file, bytes, Limits::default(), |top| {
         let mut seen: Vec<String> = Vec::new();
-        let claims: Vec<Option<ClaimEntry>> =
-            members.iter().map(|member| read_claim(member, known_ids, &mut seen, faults)).collect();
-        claims.into_iter().collect()
+        top.required("claim", "[[claim]] sections")?.list(|member| {
+            let mut section = member.section()?;
+            let id = read_id(&mut section, known_ids, &mut seen);
+            let [place, words] = ["place", "words"].map(|key| section.text(key, "a text"));
+            let allowed = Verdict::ALL.map(Verdict::as_str).join(", ");
+            let expected = section.required("expected", &allowed);
+            let expected = expected.and_then(|entry| entry.word(&Verdict::ALL, Verdict::as_str));
+            section.finish();
+            Some(ClaimEntry { id: id?, place: place?, words: words?, expected: expected? })
+        })
     })
 }
 
-fn read_claim(
-    entry: &Entry<'_>,
-    known_ids: &[&str],
-    seen: &mut Vec<String>,
-    faults: &mut Faults,
-) -> Option<ClaimEntry> {
-    let mut section = entry.section(faults)?;
-    let id = read_id(&mut section, known_ids, seen, faults);
-    let place = section.required("place", "a text", faults).and_then(|entry| entry.text(faults));
-    let words = section.required("words", "a text", faults).and_then(|entry| entry.text(faults));
-    let allowed = Verdict::ALL.map(Verdict::as_str).join(", ");
-    let expected =
-        section.required("expected", &allowed, faults).and_then(|entry| read_expected(&entry, faults));
-    section.finish(faults);
-    Some(ClaimEntry { id: id?, place: place?, words: words?, expected: expected? })
-}
-
-fn read_id(
-    section: &mut Section<'_>,
-    known_ids: &[&str],
-    seen: &mut Vec<String>,
-    faults: &mut Faults,
-) -> Option<String> {
-    let entry = section.required("id", "the id of a claim", faults)?;
-    let id = entry.text(faults)?;
+fn read_id(section: &mut Section<'_>, known_ids: &[&str], seen: &mut Vec<String>) -> Option<String> {
+    let entry = section.required("id", "the id of a claim")?;
+    let id = entry.text()?;
     if let Some(first) = seen.iter().find(|first| same_name(first, &id)) {
         let folded = *first != id;
-        faults.push(entry.fault(Problem::Duplicate { of: format!("an earlier claim `{first}`"), folded }));
-        return None;
+        return entry.refuse(Problem::Duplicate { of: format!("an earlier claim `{first}`"), folded });
     }
     seen.push(id.clone());
-    if !known_ids.contains(&id.as_str()) {
-        let near = nearest(&id, known_ids.iter().copied()).map(str::to_string);
-        faults.push(entry.fault(Problem::UnknownWord { nearest: near, allowed: known_ids.join(", ") }));
-        return None;
-    }
+    entry.sound(of_word(&id, known_ids, |known| known))?;
     Some(id)
-}
-
-fn read_expected(entry: &Entry<'_>, faults: &mut Faults) -> Option<Verdict> {
-    let word = entry.text(faults)?;
-    let verdict = Verdict::from_word(&word);
-    if verdict.is_none() {
-        let near = nearest(&word, Verdict::ALL.map(Verdict::as_str)).map(str::to_string);
-        let allowed = Verdict::ALL.map(Verdict::as_str).join(", ");
-        faults.push(entry.fault(Problem::UnknownWord { nearest: near, allowed }));
-    }
-    verdict
 }
 
 #[cfg(test)]

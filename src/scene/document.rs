@@ -1,52 +1,59 @@
 //! A TOML file under reading: its text, its lines, and the faults found so far.
 
+use std::cell::RefCell;
+
 use toml::de::{DeTable, Error};
 
 use crate::scene::file_text::{file_text, line_at};
 use crate::scene::section::Section;
-use crate::scene::{Fault, Faults, Problem};
+use crate::scene::{Fault, Faults, Limits, Problem};
 
 /// The most syntax faults reported of one file: after the first few the rest follow from them.
 const MOST_SYNTAX_FAULTS: usize = 5;
 
-/// Where values come from: the file's name and text.
+/// Where values come from: the file's name, text and limits, and the faults found so far.
 #[derive(Debug)]
 pub(crate) struct Source<'s> {
     pub file: &'s str,
     pub text: &'s str,
+    pub limits: Limits,
+    faults: RefCell<Faults>,
 }
 
 impl Source<'_> {
-    /// A fault of this file at a byte offset.
-    pub fn fault(&self, offset: usize, key: String, value: Option<String>, problem: Problem) -> Fault {
+    /// Notes a fault of this file at a byte offset.
+    pub fn fault(&self, offset: usize, key: String, value: Option<String>, problem: Problem) {
         let line = Some(line_at(self.text.as_bytes(), offset));
-        Fault { file: self.file.to_string(), line, key, value, problem }
+        self.faults.borrow_mut().push(Fault { file: self.file.to_string(), line, key, value, problem });
+    }
+
+    /// How many faults were found so far.
+    pub fn fault_count(&self) -> usize {
+        self.faults.borrow().len()
     }
 }
 
-/// Parses a file and hands its top table to `read`, which collects faults; every key that it did not ask for is one.
+/// Parses a file and hands its top table to `read`; every key that it did not ask for is a fault.
 ///
 /// # Errors
 /// All the faults: those of the text and syntax alone when there are any, else those of the content.
 pub(crate) fn read_document<T>(
     file: &str,
     bytes: &[u8],
-    read: impl FnOnce(&mut Section<'_>, &mut Faults) -> Option<T>,
+    limits: Limits,
+    read: impl FnOnce(&mut Section<'_>) -> Option<T>,
 ) -> Result<T, Faults> {
     let text = file_text(file, bytes).map_err(|fault| vec![fault])?;
-    let source = Source { file, text };
+    let source = Source { file, text, limits, faults: RefCell::default() };
     let (document, errors) = DeTable::parse_recoverable(text);
     if !errors.is_empty() {
-        return Err(errors
-            .iter()
-            .take(MOST_SYNTAX_FAULTS)
-            .map(|error| syntax_fault(&source, error))
-            .collect());
+        errors.iter().take(MOST_SYNTAX_FAULTS).for_each(|error| syntax_fault(&source, error));
+        return Err(source.faults.into_inner());
     }
-    let mut faults = Faults::new();
     let mut section = Section::top(&source, document.get_ref());
-    let value = read(&mut section, &mut faults);
-    section.finish(&mut faults);
+    let value = read(&mut section);
+    section.finish();
+    let mut faults = source.faults.take();
     faults.sort_by_key(|fault| fault.line);
     match value {
         Some(value) if faults.is_empty() => Ok(value),
@@ -54,8 +61,8 @@ pub(crate) fn read_document<T>(
     }
 }
 
-fn syntax_fault(source: &Source<'_>, error: &Error) -> Fault {
+fn syntax_fault(source: &Source<'_>, error: &Error) {
     let offset = error.span().map_or(0, |span| span.start);
     let message = error.message().lines().collect::<Vec<_>>().join("; ");
-    source.fault(offset, String::new(), None, Problem::Syntax(message))
+    source.fault(offset, String::new(), None, Problem::Syntax(message));
 }

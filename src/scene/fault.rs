@@ -143,7 +143,6 @@ pub enum Problem {
     NoCriticalNormalStress,
 }
 
-/// "did you mean" with the nearest word, or else the whole list.
 fn suggestion(nearest: &Option<String>, known: &str) -> String {
     match nearest {
         Some(nearest) => format!("; did you mean `{nearest}`? (allowed: {known})"),

@@ -5,8 +5,8 @@
 use crate::scene::document::read_document;
 use crate::scene::report_plan::distinct_name;
 use crate::scene::section::{Entry, Section};
-use crate::scene::sections::{NAME_RULE, safe_name};
-use crate::scene::{AllowedRange, CsvProblem, Fault, Faults, Problem};
+use crate::scene::sections::NAME_RULE;
+use crate::scene::{AllowedRange, CsvProblem, Fault, Faults, Limits, Problem};
 use slipmode_core::number::nearest_f64;
 use slipmode_plot::figure::{Axis, Caption, LineChart, Series};
 use slipmode_plot::table::{Cell, Column, Kind, Table};
@@ -41,15 +41,15 @@ impl Measured {
     /// # Errors
     /// All the faults at once.
     pub fn parse(file: &str, bytes: &[u8]) -> Result<Self, Faults> {
-        read_document(file, bytes, |top, faults| {
-            let sources = names(top, "sources", faults);
+        read_document(file, bytes, Limits::default(), |top| {
+            let sources = names(top, "sources");
             let (mut table_ids, mut chart_ids) = (Vec::new(), Vec::new());
             let tables = top
-                .required("table", "[[table]] sections", faults)
-                .and_then(|entry| entry.list(faults, |member, faults| table(member, &mut table_ids, faults)));
+                .required("table", "[[table]] sections")
+                .and_then(|entry| entry.list(|member| table(member, &mut table_ids)));
             let charts = top
-                .required("chart", "[[chart]] sections", faults)
-                .and_then(|entry| entry.list(faults, |member, faults| chart(member, &mut chart_ids, faults)));
+                .required("chart", "[[chart]] sections")
+                .and_then(|entry| entry.list(|member| chart(member, &mut chart_ids)));
             Some(Self { sources: sources?, tables: tables?, charts: charts? })
         })
     }
@@ -98,56 +98,51 @@ pub fn with_rows(mut table: Table, file: &str, text: &str) -> Result<Table, Faul
     Ok(table)
 }
 
-fn names(section: &mut Section<'_>, key: &'static str, faults: &mut Faults) -> Option<Vec<String>> {
-    section.required(key, &format!("a list of names, each {NAME_RULE}"), faults)?.list(faults, safe_name)
-}
-
-fn words(section: &mut Section<'_>, key: &'static str, faults: &mut Faults) -> Option<String> {
-    section.required(key, "a text", faults)?.text(faults)
+fn names(section: &mut Section<'_>, key: &'static str) -> Option<Vec<String>> {
+    section.required(key, &format!("a list of names, each {NAME_RULE}"))?.list(Entry::name)
 }
 
 /// A text that may be absent, which is then empty.
-fn optional_words(section: &mut Section<'_>, key: &'static str, faults: &mut Faults) -> Option<String> {
-    section.optional(key).map_or_else(|| Some(String::new()), |entry| entry.text(faults))
+fn optional_words(section: &mut Section<'_>, key: &'static str) -> Option<String> {
+    section.optionally(key, Entry::text).map(Option::unwrap_or_default)
 }
 
-fn id(section: &mut Section<'_>, earlier: &mut Vec<String>, faults: &mut Faults) -> Option<String> {
-    distinct_name(&section.required("id", NAME_RULE, faults)?, earlier, faults)
+fn id(section: &mut Section<'_>, earlier: &mut Vec<String>) -> Option<String> {
+    distinct_name(&section.required("id", NAME_RULE)?, earlier)
 }
 
-fn table(entry: &Entry<'_>, earlier: &mut Vec<String>, faults: &mut Faults) -> Option<Table> {
-    let mut section = entry.section(faults)?;
-    let id = id(&mut section, earlier, faults);
-    let title = words(&mut section, "title", faults);
-    let note = optional_words(&mut section, "note", faults);
-    let columns = section
-        .required("columns", "a list of { name = …, header = … }", faults)
-        .and_then(|entry| entry.list(faults, column));
-    section.finish(faults);
+fn table(entry: &Entry<'_>, earlier: &mut Vec<String>) -> Option<Table> {
+    let mut section = entry.section()?;
+    let id = id(&mut section, earlier);
+    let title = section.text("title", "a text");
+    let note = optional_words(&mut section, "note");
+    let columns = section.required("columns", "a list of { name = …, header = … }");
+    let columns = columns.and_then(|entry| entry.list(column));
+    section.finish();
     Some(Table::new(&id?, &title?, columns?).with_note(&note?))
 }
 
-fn column(entry: &Entry<'_>, faults: &mut Faults) -> Option<Column> {
-    let mut section = entry.section(faults)?;
-    let (name, header) = (words(&mut section, "name", faults), words(&mut section, "header", faults));
-    let unit = optional_words(&mut section, "unit", faults);
-    let is_number = section.optional("number").map_or(Some(false), |entry| entry.truth(faults));
-    section.finish(faults);
-    let kind = if is_number? { Kind::Number } else { Kind::Text };
+fn column(entry: &Entry<'_>) -> Option<Column> {
+    let mut section = entry.section()?;
+    let [name, header] = ["name", "header"].map(|key| section.text(key, "a text"));
+    let unit = optional_words(&mut section, "unit");
+    let is_number = section.optionally("number", Entry::truth);
+    section.finish();
+    let kind = if is_number? == Some(true) { Kind::Number } else { Kind::Text };
     Some(Column { name: name?, header: header?, unit: unit?, kind })
 }
 
-fn chart(entry: &Entry<'_>, earlier: &mut Vec<String>, faults: &mut Faults) -> Option<MeasuredChart> {
-    let mut section = entry.section(faults)?;
-    let id = id(&mut section, earlier, faults);
+fn chart(entry: &Entry<'_>, earlier: &mut Vec<String>) -> Option<MeasuredChart> {
+    let mut section = entry.section()?;
+    let id = id(&mut section, earlier);
     let [label, title, caption, description] =
-        ["label", "title", "caption", "description"].map(|key| words(&mut section, key, faults));
-    let data = names(&mut section, "data", faults);
-    let [x, y] = ["x", "y"].map(|key| axis(&mut section, key, faults));
+        ["label", "title", "caption", "description"].map(|key| section.text(key, "a text"));
+    let data = names(&mut section, "data");
+    let [x, y] = ["x", "y"].map(|key| axis(&mut section, key));
     let series = section
-        .required("series", "a list of { label = …, points = … }", faults)
-        .and_then(|entry| entry.list(faults, series));
-    section.finish(faults);
+        .required("series", "a list of { label = …, points = … }")
+        .and_then(|entry| entry.list(series));
+    section.finish();
     let (references, bands, labels) = (Vec::new(), Vec::new(), Vec::new());
     let chart = LineChart {
         caption: Caption::new(&id?, &title?, &description?),
@@ -161,44 +156,29 @@ fn chart(entry: &Entry<'_>, earlier: &mut Vec<String>, faults: &mut Faults) -> O
     Some(MeasuredChart { label: label?, caption_markdown: caption?, data: data?, chart })
 }
 
-fn number(entry: &Entry<'_>, faults: &mut Faults) -> Option<f64> {
-    entry.decimal(AllowedRange::PHYSICAL, faults).map(|value| nearest_f64(&value))
-}
-
 /// A logarithmic axis.
-fn axis(section: &mut Section<'_>, key: &'static str, faults: &mut Faults) -> Option<Axis> {
-    let entry = section.required(key, "{ title = …, from = …, to = … }", faults)?;
-    let mut section = entry.section(faults)?;
-    let title = words(&mut section, "title", faults);
-    let unit = optional_words(&mut section, "unit", faults);
-    let [from, to] = ["from", "to"].map(|key| {
-        section.required(key, &AllowedRange::PHYSICAL.text(), faults).and_then(|end| number(&end, faults))
-    });
-    section.finish(faults);
-    let (from, to) = (from?, to?);
-    if from >= to {
-        faults.push(entry.fault(Problem::ReversedRange));
-        return None;
-    }
-    Some(Axis::log10(&title?, &unit?, from, to))
+fn axis(section: &mut Section<'_>, key: &'static str) -> Option<Axis> {
+    let mut section = section.required(key, "{ title = …, from = …, to = … }")?.section()?;
+    let title = section.text("title", "a text");
+    let unit = optional_words(&mut section, "unit");
+    let ends = section.ends();
+    section.finish();
+    let (from, to) = ends?;
+    Some(Axis::log10(&title?, &unit?, nearest_f64(&from), nearest_f64(&to)))
 }
 
-fn series(entry: &Entry<'_>, faults: &mut Faults) -> Option<Series> {
-    let mut section = entry.section(faults)?;
-    let label = words(&mut section, "label", faults);
-    let points =
-        section.required("points", "a list of [x, y]", faults).and_then(|entry| entry.list(faults, point));
-    section.finish(faults);
+fn series(entry: &Entry<'_>) -> Option<Series> {
+    let mut section = entry.section()?;
+    let label = section.text("label", "a text");
+    let points = section.required("points", "a list of [x, y]").and_then(|entry| entry.list(point));
+    section.finish();
     Some(Series { label: label?, points: points?, marked: true, theory: false })
 }
 
-fn point(entry: &Entry<'_>, faults: &mut Faults) -> Option<(f64, f64)> {
-    match entry.list(faults, number)?.as_slice() {
-        &[x, y] => Some((x, y)),
-        _ => {
-            faults.push(entry.fault(Problem::OutOfRange { allowed: "two numbers, x and y".into() }));
-            None
-        }
+fn point(entry: &Entry<'_>) -> Option<(f64, f64)> {
+    match entry.list(|member| member.decimal(AllowedRange::PHYSICAL))?.as_slice() {
+        [x, y] => Some((nearest_f64(x), nearest_f64(y))),
+        _ => entry.refuse(Problem::OutOfRange { allowed: "two numbers, x and y".into() }),
     }
 }
 

@@ -2,6 +2,8 @@
 
 use thiserror::Error;
 
+use crate::scene::Problem;
+
 /// The longest name, in characters.
 const LONGEST: usize = 100;
 
@@ -69,6 +71,18 @@ pub fn nearest<'k>(written: &str, known: impl IntoIterator<Item = &'k str>) -> O
         .filter(|(distance, word)| *distance <= (word.chars().count() / 3).max(1))
         .min_by_key(|(distance, _)| *distance)
         .map(|(_, word)| word)
+}
+
+/// The one of `all` that has a word.
+///
+/// # Errors
+/// When none has it; the nearest word is named.
+pub fn of_word<'w, T: Copy>(text: &str, all: &[T], word_of: impl Fn(T) -> &'w str) -> Result<T, Problem> {
+    all.iter().copied().find(|one| word_of(*one) == text).ok_or_else(|| {
+        let words: Vec<&str> = all.iter().map(|one| word_of(*one)).collect();
+        let nearest = nearest(text, words.iter().copied()).map(str::to_string);
+        Problem::UnknownWord { nearest, allowed: words.join(", ") }
+    })
 }
 
 #[cfg(test)]

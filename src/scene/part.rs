@@ -1,7 +1,7 @@
 //! The parts into which a report's chapters are kept apart, as verification and validation are.
 
+use crate::scene::Problem;
 use crate::scene::section::Entry;
-use crate::scene::{Faults, Problem, nearest};
 
 /// What the chapters of a part are about.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -29,20 +29,13 @@ impl Part {
     }
 
     /// Reads the part of a chapter after those of the `earlier` chapters: the chapters of a part follow one another.
-    pub(crate) fn read(entry: &Entry<'_>, earlier: &[Option<Self>], faults: &mut Faults) -> Option<Self> {
-        let word = entry.text(faults)?;
-        let Some(part) = Self::ALL.into_iter().find(|part| part.as_str() == word) else {
-            let words = Self::ALL.map(Self::as_str);
-            let near = nearest(&word, words).map(str::to_string);
-            faults.push(entry.fault(Problem::UnknownWord { nearest: near, allowed: words.join(", ") }));
-            return None;
-        };
+    pub(crate) fn read(entry: &Entry<'_>, earlier: &[Option<Self>]) -> Option<Self> {
+        let part = entry.word(&Self::ALL, Self::as_str)?;
         let left = earlier.iter().rev().skip_while(|before| **before == Some(part));
         if left.into_iter().any(|before| *before == Some(part)) {
             let of =
                 "a part that ended before other chapters (the chapters of a part follow one another)".into();
-            faults.push(entry.fault(Problem::Duplicate { of, folded: false }));
-            return None;
+            return entry.refuse(Problem::Duplicate { of, folded: false });
         }
         Some(part)
     }

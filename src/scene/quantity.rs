@@ -1,7 +1,7 @@
 //! The seven physical inputs: their names in scenes, CSV files and on the command line.
 
-use crate::scene::section::{Section, given};
-use crate::scene::{AllowedRange, Faults};
+use crate::scene::AllowedRange;
+use crate::scene::section::Section;
 use slipmode_core::friction::{OperatingPoint, Slider};
 use slipmode_core::number::Rational;
 
@@ -35,6 +35,12 @@ impl Quantity {
         Self::NormalStress,
         Self::LoadingVelocity,
     ];
+
+    /// Those of the material and the machine.
+    pub const OF_THE_SLIDER: [Self; 5] = {
+        let [a, b, d, k, m, ..] = Self::ALL;
+        [a, b, d, k, m]
+    };
 
     /// The name with its SI unit, as scene key and CSV column.
     #[must_use]
@@ -76,6 +82,20 @@ pub struct ParametersSection {
 }
 
 impl ParametersSection {
+    /// The value of a quantity, when it is stated.
+    #[must_use]
+    pub fn value(&self, quantity: Quantity) -> Option<&Rational> {
+        match quantity {
+            Quantity::DirectEffect => Some(&self.slider.direct_effect),
+            Quantity::EvolutionEffect => Some(&self.slider.evolution_effect),
+            Quantity::CriticalSlipDistance => Some(&self.slider.critical_slip_distance_m),
+            Quantity::Stiffness => Some(&self.slider.stiffness_pa_per_m),
+            Quantity::MassPerArea => Some(&self.slider.mass_per_area_kg_per_m2),
+            Quantity::NormalStress => self.normal_stress_pa.as_ref(),
+            Quantity::LoadingVelocity => self.loading_velocity_m_per_s.as_ref(),
+        }
+    }
+
     /// The scene's own operating point, when the scene states both σ and V0.
     #[must_use]
     pub fn point(&self) -> Option<OperatingPoint<Rational>> {
@@ -87,30 +107,14 @@ impl ParametersSection {
 }
 
 /// The keys of `[parameters]`.
-pub(crate) fn read_parameters(section: &mut Section<'_>, faults: &mut Faults) -> Option<ParametersSection> {
+pub(crate) fn read_parameters(section: &mut Section<'_>) -> Option<ParametersSection> {
     let range = AllowedRange::PHYSICAL;
-    let mut required = |section: &mut Section<'_>, quantity: Quantity| {
-        section.required(quantity.key(), &range.text(), faults).and_then(|entry| entry.decimal(range, faults))
-    };
-    let direct_effect = required(section, Quantity::DirectEffect);
-    let evolution_effect = required(section, Quantity::EvolutionEffect);
-    let critical_slip_distance = required(section, Quantity::CriticalSlipDistance);
-    let stiffness = required(section, Quantity::Stiffness);
-    let mass_per_area = required(section, Quantity::MassPerArea);
-    let mut optional = |section: &mut Section<'_>, quantity: Quantity| {
-        section.optional(quantity.key()).map(|entry| entry.decimal(range, faults))
-    };
-    let normal_stress = optional(section, Quantity::NormalStress);
-    let loading_velocity = optional(section, Quantity::LoadingVelocity);
+    let [a, b, d, k, m] = Quantity::OF_THE_SLIDER.map(|quantity| section.decimal(quantity.key(), range));
+    let [stress, velocity] = [Quantity::NormalStress, Quantity::LoadingVelocity]
+        .map(|quantity| section.optionally(quantity.key(), |entry| entry.decimal(range)));
     Some(ParametersSection {
-        slider: Slider {
-            direct_effect: direct_effect?,
-            evolution_effect: evolution_effect?,
-            critical_slip_distance_m: critical_slip_distance?,
-            stiffness_pa_per_m: stiffness?,
-            mass_per_area_kg_per_m2: mass_per_area?,
-        },
-        normal_stress_pa: given(normal_stress)?,
-        loading_velocity_m_per_s: given(loading_velocity)?,
+        slider: Slider::from([a?, b?, d?, k?, m?]),
+        normal_stress_pa: stress?,
+        loading_velocity_m_per_s: velocity?,
     })
 }

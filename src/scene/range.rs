@@ -76,16 +76,21 @@ impl AllowedRange {
 /// # Errors
 /// When the text is not a number of the grammar, or one that is not whole or lies outside.
 pub fn parse_whole(text: &str, range: &RangeInclusive<u64>) -> Result<u64, Problem> {
-    let allowed = match (range.start(), range.end()) {
-        (start, &u64::MAX) => format!("a whole number, {start} or more"),
-        (start, end) => format!("a whole number from {start} to {end}"),
-    };
+    let allowed = whole_range_text(range);
     if let Ok(value) = text.parse::<u64>() {
         return if range.contains(&value) { Ok(value) } else { Err(Problem::OutOfRange { allowed }) };
     }
     match parse_decimal(text) {
         Ok(_) => Err(Problem::OutOfRange { allowed }),
         Err(reason) => Err(Problem::NotANumber { reason, allowed }),
+    }
+}
+
+/// The range in words.
+pub(crate) fn whole_range_text(range: &RangeInclusive<u64>) -> String {
+    match (range.start(), range.end()) {
+        (start, &u64::MAX) => format!("a whole number, {start} or more"),
+        (start, end) => format!("a whole number from {start} to {end}"),
     }
 }
 

@@ -2,9 +2,9 @@
 
 use crate::scene::document::read_document;
 use crate::scene::part::Part;
-use crate::scene::section::{Entry, given};
-use crate::scene::sections::{NAME_RULE, safe_name};
-use crate::scene::{Faults, Problem, same_name};
+use crate::scene::section::Entry;
+use crate::scene::sections::NAME_RULE;
+use crate::scene::{Faults, Limits, Problem, same_name};
 
 /// A report: the scenes that it computes and the chapters that describe them.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -43,39 +43,34 @@ impl ReportPlan {
     /// # Errors
     /// All the faults at once: among them scenes listed twice, also when only case differs.
     pub fn parse(file: &str, bytes: &[u8]) -> Result<Self, Faults> {
-        read_document(file, bytes, |top, faults| {
-            let name = top.required("name", NAME_RULE, faults).and_then(|entry| safe_name(&entry, faults));
-            let title = top.required("title", "a text", faults).and_then(|entry| entry.text(faults));
-            let publish_page = top.optional("publish_page").map_or(Some(true), |entry| entry.truth(faults));
-            let scenes = top
-                .required("scenes", "a list of scene names", faults)
-                .and_then(|entry| read_scene_names(&entry, faults));
-            let measured = top.optional("measured").map(|entry| read_measured(&entry, faults));
-            let chapters = top
-                .required("chapter", "[[chapter]] sections", faults)
-                .and_then(|entry| read_chapters(&entry, faults));
+        read_document(file, bytes, Limits::default(), |top| {
+            let name = top.name("name", NAME_RULE);
+            let title = top.text("title", "a text");
+            let publish_page = top.optionally("publish_page", Entry::truth);
+            let scenes = top.required("scenes", "a list of scene names").and_then(|entry| {
+                let mut names = Vec::new();
+                entry.list(|member| distinct_name(member, &mut names))
+            });
+            let measured = top.optionally("measured", read_measured);
+            let chapters = top.required("chapter", "[[chapter]] sections");
+            let chapters = chapters.and_then(|entry| read_chapters(&entry));
             Some(Self {
                 name: name?,
                 title: title?,
-                publish_page: publish_page?,
+                publish_page: publish_page?.unwrap_or(true),
                 scenes: scenes?,
-                measured: given(measured)?,
+                measured: measured?,
                 chapters: chapters?,
             })
         })
     }
 }
 
-fn read_scene_names(entry: &Entry<'_>, faults: &mut Faults) -> Option<Vec<String>> {
-    let mut names = Vec::new();
-    entry.list(faults, |member, faults| distinct_name(member, &mut names, faults))
-}
-
 /// `[measured]`: the name of the folder.
-fn read_measured(entry: &Entry<'_>, faults: &mut Faults) -> Option<String> {
-    let mut section = entry.section(faults)?;
-    let folder = section.required("folder", NAME_RULE, faults).and_then(|entry| safe_name(&entry, faults));
-    section.finish(faults);
+fn read_measured(entry: &Entry<'_>) -> Option<String> {
+    let mut section = entry.section()?;
+    let folder = section.name("folder", NAME_RULE);
+    section.finish();
     folder
 }
 
@@ -83,43 +78,30 @@ fn read_measured(entry: &Entry<'_>, faults: &mut Faults) -> Option<String> {
 const INTRODUCTION_STANDS_APART: &str =
     "no part on the first chapter: it is the introduction, which precedes all parts";
 
-fn read_chapters(entry: &Entry<'_>, faults: &mut Faults) -> Option<Vec<Chapter>> {
+fn read_chapters(entry: &Entry<'_>) -> Option<Vec<Chapter>> {
     let mut ids = Vec::new();
     let mut parts = Vec::new();
-    entry.list(faults, |member, faults| {
-        let mut section = member.section(faults)?;
-        let id = section
-            .required("id", NAME_RULE, faults)
-            .and_then(|entry| distinct_name(&entry, &mut ids, faults));
-        let title = section.required("title", "a text", faults).and_then(|entry| entry.text(faults));
-        let prose =
-            section.required("prose", "a file of prose/", faults).and_then(|entry| safe_name(&entry, faults));
-        let stated = section.optional("part");
-        let part = stated.as_ref().and_then(|entry| {
-            if parts.is_empty() {
-                faults.push(entry.fault(Problem::Needs(INTRODUCTION_STANDS_APART.into())));
-                return None;
-            }
-            Part::read(entry, &parts, faults)
+    entry.list(|member| {
+        let mut section = member.section()?;
+        let id = section.required("id", NAME_RULE).and_then(|entry| distinct_name(&entry, &mut ids));
+        let title = section.text("title", "a text");
+        let prose = section.name("prose", "a file of prose/");
+        let part = section.optionally("part", |entry| match parts.is_empty() {
+            true => entry.refuse(Problem::Needs(INTRODUCTION_STANDS_APART.into())),
+            false => Part::read(entry, &parts),
         });
-        parts.push(part);
-        section.finish(faults);
-        (stated.is_none() || part.is_some()).then_some(())?;
-        Some(Chapter { id: id?, title: title?, prose: prose?, part })
+        parts.push(part.flatten());
+        section.finish();
+        Some(Chapter { id: id?, title: title?, prose: prose?, part: part? })
     })
 }
 
 /// A name that differs from those before it in more than case.
-pub(crate) fn distinct_name(
-    entry: &Entry<'_>,
-    earlier: &mut Vec<String>,
-    faults: &mut Faults,
-) -> Option<String> {
-    let name = safe_name(entry, faults)?;
+pub(crate) fn distinct_name(entry: &Entry<'_>, earlier: &mut Vec<String>) -> Option<String> {
+    let name = entry.name()?;
     if let Some(first) = earlier.iter().find(|first| same_name(first, &name)) {
         let folded = *first != name;
-        faults.push(entry.fault(Problem::Duplicate { of: format!("an earlier `{first}`"), folded }));
-        return None;
+        return entry.refuse(Problem::Duplicate { of: format!("an earlier `{first}`"), folded });
     }
     earlier.push(name.clone());
     Some(name)

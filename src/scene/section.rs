@@ -6,7 +6,8 @@ use toml::Spanned;
 use toml::de::{DeString, DeTable, DeValue};
 
 use crate::scene::document::Source;
-use crate::scene::{AllowedRange, Fault, Faults, Limits, Problem, nearest, parse_whole};
+use crate::scene::range::whole_range_text;
+use crate::scene::{AllowedRange, Limits, Problem, check_name, nearest, of_word, parse_whole};
 use slipmode_core::number::Rational;
 
 /// The most unknown keys that are reported of one table: each is compared with every known one.
@@ -49,26 +50,85 @@ impl<'t> Section<'t> {
     }
 
     /// The value of a key that must be there; its absence is a fault that states what may stand there.
-    pub fn required(&mut self, key: &'static str, allowed: &str, faults: &mut Faults) -> Option<Entry<'t>> {
+    pub fn required(&mut self, key: &'static str, allowed: &str) -> Option<Entry<'t>> {
         let entry = self.optional(key);
         if entry.is_none() {
-            faults.push(self.fault(key, Problem::Missing { allowed: allowed.to_string() }));
+            self.fault(key, Problem::Missing { allowed: allowed.to_string() });
         }
         entry
     }
 
+    /// What `read` makes of a key that may be absent; `None` when it is there and faulty.
+    pub fn optionally<T>(
+        &mut self,
+        key: &'static str,
+        read: impl FnOnce(&Entry<'t>) -> Option<T>,
+    ) -> Option<Option<T>> {
+        match self.optional(key) {
+            None => Some(None),
+            Some(entry) => read(&entry).map(Some),
+        }
+    }
+
+    /// A text that must be there.
+    pub fn text(&mut self, key: &'static str, allowed: &str) -> Option<String> {
+        self.required(key, allowed)?.text()
+    }
+
+    /// A text that must be there and be safe as the name of a file.
+    pub fn name(&mut self, key: &'static str, allowed: &str) -> Option<String> {
+        self.required(key, allowed)?.name()
+    }
+
+    /// A decimal that must be there.
+    pub fn decimal(&mut self, key: &'static str, range: AllowedRange) -> Option<Rational> {
+        self.required(key, &range.text())?.decimal(range)
+    }
+
+    /// A list of decimals that must be there.
+    pub fn decimals(
+        &mut self,
+        key: &'static str,
+        allowed: &str,
+        range: AllowedRange,
+    ) -> Option<Vec<Rational>> {
+        self.required(key, allowed)?.list(|member| member.decimal(range))
+    }
+
+    /// A whole number that must be there.
+    pub fn whole(&mut self, key: &'static str, range: RangeInclusive<u64>) -> Option<u64> {
+        self.required(key, &whole_range_text(&range))?.whole(range)
+    }
+
     /// A fault of the section as a whole, under one of its keys.
-    pub fn fault(&self, key: &str, problem: Problem) -> Fault {
-        self.source.fault(self.offset, self.full_key(key), None, problem)
+    pub fn fault(&self, key: &str, problem: Problem) {
+        self.source.fault(self.offset, self.full_key(key), None, problem);
+    }
+
+    /// The ends of a range, `from` < `to`, which must be there.
+    pub fn ends(&mut self) -> Option<(Rational, Rational)> {
+        let [from, to] = ["from", "to"].map(|key| self.decimal(key, AllowedRange::PHYSICAL));
+        let (from, to) = (from?, to?);
+        if from >= to {
+            let problem = if from == to { Problem::EmptyRange } else { Problem::ReversedRange };
+            self.source.fault(self.offset, self.path.clone(), None, problem);
+            return None;
+        }
+        Some((from, to))
+    }
+
+    /// The limits of the file.
+    pub fn limits(&self) -> &'t Limits {
+        &self.source.limits
     }
 
     /// Every key that no reader requested is a fault.
-    pub fn finish(self, faults: &mut Faults) {
+    pub fn finish(self) {
         let is_unknown = |key: &&Spanned<DeString<'_>>| !self.requested.contains(&key.get_ref().as_ref());
         for key in self.table.keys().filter(is_unknown).take(MOST_UNKNOWN_KEYS) {
             let near = nearest(key.get_ref(), self.requested.iter().copied()).map(str::to_string);
             let problem = Problem::UnknownKey { nearest: near, known: self.requested.join(", ") };
-            faults.push(self.source.fault(key.span().start, self.full_key(key.get_ref()), None, problem));
+            self.source.fault(key.span().start, self.full_key(key.get_ref()), None, problem);
         }
     }
 
@@ -78,17 +138,23 @@ impl<'t> Section<'t> {
 }
 
 impl<'t> Entry<'t> {
-    /// A fault of this value.
-    pub fn fault(&self, problem: Problem) -> Fault {
+    /// Notes a fault of this value, which then has no reading.
+    pub fn refuse<T>(&self, problem: Problem) -> Option<T> {
         let value = match self.value.get_ref() {
             DeValue::Table(_) => None,
             DeValue::String(text) => Some(format!("{text:?}")),
             _ => Some(self.written().to_string()),
         };
-        self.source.fault(self.value.span().start, self.key.clone(), value, problem)
+        self.source.fault(self.value.span().start, self.key.clone(), value, problem);
+        None
     }
 
-    fn wrong_type(&self, wanted: &str) -> Fault {
+    /// What was read; the problem is noted when there is one.
+    pub fn sound<T>(&self, read: Result<T, Problem>) -> Option<T> {
+        read.map_err(|problem| self.refuse::<T>(problem)).ok()
+    }
+
+    fn wrong_type<T>(&self, wanted: &str) -> Option<T> {
         let found = match self.value.get_ref() {
             DeValue::String(_) => "a text",
             DeValue::Integer(_) | DeValue::Float(_) => "a number",
@@ -97,7 +163,7 @@ impl<'t> Entry<'t> {
             DeValue::Array(_) => "a list",
             DeValue::Table(_) => "a table",
         };
-        self.fault(Problem::WrongType { wanted: wanted.to_string(), found })
+        self.refuse(Problem::WrongType { wanted: wanted.to_string(), found })
     }
 
     /// The value as it stands in the file.
@@ -105,58 +171,56 @@ impl<'t> Entry<'t> {
         self.source.text.get(self.value.span()).unwrap_or_default()
     }
 
-    /// The text of a number, written bare or between quotes.
-    fn number_text(&self) -> Option<&str> {
-        match self.value.get_ref() {
-            DeValue::Integer(_) | DeValue::Float(_) => Some(self.written()),
-            DeValue::String(text) => Some(text),
-            _ => None,
-        }
-    }
-
-    /// A number read exactly from its text by `parse`.
-    pub fn number<T>(
-        &self,
-        faults: &mut Faults,
-        parse: impl FnOnce(&str) -> Result<T, Problem>,
-    ) -> Option<T> {
-        let Some(text) = self.number_text() else {
-            faults.push(self.wrong_type("a number"));
-            return None;
+    /// A number read exactly from its text, written bare or between quotes, by `parse`.
+    pub fn number<T>(&self, parse: impl FnOnce(&str) -> Result<T, Problem>) -> Option<T> {
+        let parsed = match self.value.get_ref() {
+            DeValue::Integer(_) | DeValue::Float(_) => parse(self.written()),
+            DeValue::String(text) => parse(text),
+            _ => return self.wrong_type("a number"),
         };
-        parse(text).map_err(|problem| faults.push(self.fault(problem))).ok()
+        self.sound(parsed)
     }
 
     /// A decimal in a range.
-    pub fn decimal(&self, range: AllowedRange, faults: &mut Faults) -> Option<Rational> {
-        self.number(faults, |text| range.parse(text))
+    pub fn decimal(&self, range: AllowedRange) -> Option<Rational> {
+        self.number(|text| range.parse(text))
     }
 
     /// A whole number in a range.
-    pub fn whole(&self, range: RangeInclusive<u64>, faults: &mut Faults) -> Option<u64> {
-        self.number(faults, |text| parse_whole(text, &range))
+    pub fn whole(&self, range: RangeInclusive<u64>) -> Option<u64> {
+        self.number(|text| parse_whole(text, &range))
     }
 
     /// True or false.
-    pub fn truth(&self, faults: &mut Faults) -> Option<bool> {
-        let DeValue::Boolean(value) = self.value.get_ref() else {
-            faults.push(self.wrong_type("true or false"));
-            return None;
-        };
-        Some(*value)
+    pub fn truth(&self) -> Option<bool> {
+        match self.value.get_ref() {
+            DeValue::Boolean(value) => Some(*value),
+            _ => self.wrong_type("true or false"),
+        }
     }
 
     /// A text that is not empty.
-    pub fn text(&self, faults: &mut Faults) -> Option<String> {
-        let DeValue::String(text) = self.value.get_ref() else {
-            faults.push(self.wrong_type("a text in quotes"));
-            return None;
-        };
-        if text.trim().is_empty() {
-            faults.push(self.fault(Problem::Empty { allowed: "a text".into() }));
-            return None;
+    pub fn text(&self) -> Option<String> {
+        match self.value.get_ref() {
+            DeValue::String(text) if text.trim().is_empty() => {
+                self.refuse(Problem::Empty { allowed: "a text".into() })
+            }
+            DeValue::String(text) => Some(text.to_string()),
+            _ => self.wrong_type("a text in quotes"),
         }
-        Some(text.to_string())
+    }
+
+    /// A text that is safe as the name of a file.
+    pub fn name(&self) -> Option<String> {
+        let name = self.text()?;
+        self.sound(check_name(&name).map_err(Problem::BadName))?;
+        Some(name)
+    }
+
+    /// One of `all`, by its word.
+    pub fn word<T: Copy>(&self, all: &[T], word_of: impl Fn(T) -> &'static str) -> Option<T> {
+        let text = self.text()?;
+        self.sound(of_word(&text, all, word_of))
     }
 
     /// Whether the value is a table.
@@ -165,61 +229,65 @@ impl<'t> Entry<'t> {
     }
 
     /// A table.
-    pub fn section(&self, faults: &mut Faults) -> Option<Section<'t>> {
+    pub fn section(&self) -> Option<Section<'t>> {
         let DeValue::Table(table) = self.value.get_ref() else {
-            faults.push(self.wrong_type("a table"));
-            return None;
+            return self.wrong_type("a table");
         };
         let offset = self.value.span().start;
         Some(Section { source: self.source, path: self.key.clone(), offset, table, requested: Vec::new() })
     }
 
-    /// The members of a list that is not empty, each with the key `list[i]`, counted from 1.
-    pub fn members(&self, faults: &mut Faults) -> Option<Vec<Entry<'t>>> {
+    /// A list that is not empty, of which every member is read by `read`; `None` when any of them is faulty.
+    ///
+    /// A member has the key `list[i]`, counted from 1.
+    pub fn list<T>(&self, mut read: impl FnMut(&Entry<'t>) -> Option<T>) -> Option<Vec<T>> {
         let DeValue::Array(array) = self.value.get_ref() else {
-            faults.push(self.wrong_type("a list"));
-            return None;
+            return self.wrong_type("a list");
         };
         if array.is_empty() {
-            faults.push(self.fault(Problem::Empty { allowed: "at least one member".into() }));
-            return None;
+            return self.refuse(Problem::Empty { allowed: "at least one member".into() });
         }
-        let member = |(index, value)| Entry {
-            source: self.source,
-            key: format!("{}[{}]", self.key, index + 1),
-            value,
-        };
-        Some(array.iter().enumerate().map(member).collect())
-    }
-
-    /// A list of which every member is read by `read`; `None` when any of them is faulty.
-    pub fn list<T>(
-        &self,
-        faults: &mut Faults,
-        mut read: impl FnMut(&Entry<'t>, &mut Faults) -> Option<T>,
-    ) -> Option<Vec<T>> {
-        let most = faults.len() + MOST_LIST_FAULTS;
+        let most = self.source.fault_count() + MOST_LIST_FAULTS;
         let mut values = Vec::new();
-        for member in self.members(faults)? {
-            if faults.len() >= most {
+        for (index, value) in array.iter().enumerate() {
+            if self.source.fault_count() >= most {
                 return None;
             }
-            values.push(read(&member, faults));
+            let key = format!("{}[{}]", self.key, index + 1);
+            values.push(read(&Entry { source: self.source, key, value }));
         }
         values.into_iter().collect()
+    }
+
+    /// A list of which no member occurs twice; `earlier` names the member that is doubled.
+    pub fn distinct<T: PartialEq + Clone>(
+        &self,
+        earlier: impl Fn(&T) -> String,
+        read: impl Fn(&Entry<'t>) -> Option<T>,
+    ) -> Option<Vec<T>> {
+        let mut seen = Vec::new();
+        self.list(|member| {
+            let value = read(member)?;
+            if seen.contains(&value) {
+                return member.refuse(Problem::Duplicate { of: earlier(&value), folded: false });
+            }
+            seen.push(value.clone());
+            Some(value)
+        })
+    }
+
+    /// Refuses more points than the limit of the file.
+    pub fn check_points(&self, points: u64) -> Option<()> {
+        let limit = self.source.limits.max_points;
+        if points <= limit {
+            return Some(());
+        }
+        self.refuse(Problem::TooManyPoints { points: points.to_string(), limit })
     }
 }
 
 /// A section of a scene, read and valid.
 pub trait ReadSection: Sized {
     /// Reads it; its faults are added to the others.
-    fn read(entry: &Entry<'_>, limits: &Limits, faults: &mut Faults) -> Option<Self>;
-}
-
-/// A section is absent, or there and sound; `None` when it is there and faulty.
-pub(crate) fn given<T>(section: Option<Option<T>>) -> Option<Option<T>> {
-    match section {
-        None => Some(None),
-        Some(read) => read.map(Some),
-    }
+    fn read(entry: &Entry<'_>) -> Option<Self>;
 }

@@ -1,7 +1,8 @@
-//! Values that several sections have: rectangles, axes, names, lists of ratios.
+//! Values that several sections have: rectangles, axes, places, laws.
 
 use crate::scene::section::{Entry, Section};
-use crate::scene::{AllowedRange, Faults, Limits, LogAxis, Problem, check_name};
+use crate::scene::{AllowedRange, LogAxis, Problem};
+use slipmode_core::friction::EvolutionLaw;
 use slipmode_core::number::Rational;
 
 /// A rectangle of the (V, σ) plane with a logarithmic grid.
@@ -14,124 +15,80 @@ pub struct Rectangle {
 }
 
 impl Rectangle {
-    pub(crate) fn read(entry: &Entry<'_>, limits: &Limits, faults: &mut Faults) -> Option<Self> {
-        let mut section = entry.section(faults)?;
-        let velocity = axis(&mut section, "loading_velocity_m_per_s", limits, faults);
-        let stress = axis(&mut section, "normal_stress_pa", limits, faults);
-        section.finish(faults);
-        let rectangle = Self { loading_velocity_m_per_s: velocity?, normal_stress_pa: stress? };
-        let points = u64::from(rectangle.loading_velocity_m_per_s.points)
-            .saturating_mul(u64::from(rectangle.normal_stress_pa.points));
-        check_points(entry, points, limits, faults)?;
+    /// A section that is a rectangle, with no more points than the limit.
+    pub(crate) fn read(entry: &Entry<'_>) -> Option<Self> {
+        let mut section = entry.section()?;
+        let rectangle = section.rectangle();
+        section.finish();
+        let rectangle = rectangle?;
+        entry.check_points(rectangle.points())?;
         Some(rectangle)
     }
-}
 
-/// The rule of [`check_name`] as messages state it.
-pub(crate) const NAME_RULE: &str = "A-Z a-z 0-9 . _ -, at most 100 characters";
-
-/// A text that can be a file name everywhere.
-pub(crate) fn safe_name(entry: &Entry<'_>, faults: &mut Faults) -> Option<String> {
-    let name = entry.text(faults)?;
-    match check_name(&name) {
-        Ok(()) => Some(name),
-        Err(error) => {
-            faults.push(entry.fault(Problem::BadName(error)));
-            None
-        }
+    /// How many points the grid has.
+    pub(crate) fn points(&self) -> u64 {
+        u64::from(self.loading_velocity_m_per_s.points)
+            .saturating_mul(u64::from(self.normal_stress_pa.points))
     }
 }
 
-pub(crate) fn open_unit_list(entry: &Entry<'_>, faults: &mut Faults) -> Option<Vec<Rational>> {
-    entry.list(faults, |member, faults| member.decimal(AllowedRange::OPEN_UNIT, faults))
-}
-
-/// `{ from, to, points }` with positive ends in ascending order.
-pub(crate) fn axis(
-    section: &mut Section<'_>,
-    key: &'static str,
-    limits: &Limits,
-    faults: &mut Faults,
-) -> Option<LogAxis> {
-    let entry = section.required(key, "{ from = …, to = …, points = … }", faults)?;
-    let mut section = entry.section(faults)?;
-    let mut end = |section: &mut Section<'_>, key| {
-        let allowed = AllowedRange::PHYSICAL;
-        section.required(key, &allowed.text(), faults).and_then(|entry| entry.decimal(allowed, faults))
-    };
-    let from = end(&mut section, "from");
-    let to = end(&mut section, "to");
-    let points = points(&mut section, limits, faults);
-    section.finish(faults);
-    let (from, to) = (from?, to?);
-    if from >= to {
-        let problem = if from == to { Problem::EmptyRange } else { Problem::ReversedRange };
-        faults.push(entry.fault(problem));
-        return None;
-    }
-    Some(LogAxis { from, to, points: points? })
-}
-
-/// `points`: from 2 to the limit.
-pub(crate) fn points(section: &mut Section<'_>, limits: &Limits, faults: &mut Faults) -> Option<u32> {
-    let allowed = format!("a whole number from 2 to {}", limits.max_points);
-    let entry = section.required("points", &allowed, faults)?;
-    let points = entry.whole(2..=u64::MAX, faults)?;
-    check_points(&entry, points, limits, faults)?;
-    let count = u32::try_from(points).ok();
-    if count.is_none() {
-        let allowed = format!("at most {} points along one axis, for any limit", u32::MAX);
-        faults.push(entry.fault(Problem::OutOfRange { allowed }));
-    }
-    count
-}
-
-pub(crate) fn check_points(
-    entry: &Entry<'_>,
-    points: u64,
-    limits: &Limits,
-    faults: &mut Faults,
-) -> Option<()> {
-    if points <= limits.max_points {
-        return Some(());
-    }
-    faults.push(entry.fault(Problem::TooManyPoints { points: points.to_string(), limit: limits.max_points }));
-    None
-}
-
-/// A list of numbers of a range.
-pub(crate) fn decimals(
-    section: &mut Section<'_>,
-    key: &'static str,
-    range: AllowedRange,
-    faults: &mut Faults,
-) -> Option<Vec<Rational>> {
-    let allowed = format!("a list of numbers, each {}", range.text());
-    let entry = section.required(key, &allowed, faults)?;
-    entry.list(faults, |member, faults| member.decimal(range, faults))
-}
-
-/// A place of the (V, σ) plane.
+/// A point of the (V, σ) plane.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Place {
-    /// Loading velocity, m/s.
+    /// V, m/s.
     pub loading_velocity_m_per_s: Rational,
-    /// Normal stress, Pa.
+    /// σ, Pa.
     pub normal_stress_pa: Rational,
 }
 
+/// The rule of [`check_name`](crate::scene::check_name) as messages state it.
+pub(crate) const NAME_RULE: &str = "A-Z a-z 0-9 . _ -, at most 100 characters";
+
 const PLACES: &str = "a list of { loading_velocity_m_per_s = …, normal_stress_pa = … }";
 
-/// A list of places.
-pub(crate) fn places(section: &mut Section<'_>, faults: &mut Faults) -> Option<Vec<Place>> {
-    section.required("places", PLACES, faults)?.list(faults, |member, faults| {
-        let mut section = member.section(faults)?;
-        let range = AllowedRange::PHYSICAL;
-        let mut read =
-            |key| section.required(key, &range.text(), faults).and_then(|entry| entry.decimal(range, faults));
-        let velocity = read("loading_velocity_m_per_s");
-        let stress = read("normal_stress_pa");
-        section.finish(faults);
-        Some(Place { loading_velocity_m_per_s: velocity?, normal_stress_pa: stress? })
-    })
+impl Section<'_> {
+    /// The two axes of a rectangle; its points are compared with the limit by the caller.
+    pub(crate) fn rectangle(&mut self) -> Option<Rectangle> {
+        let [velocity, stress] = ["loading_velocity_m_per_s", "normal_stress_pa"].map(|key| self.axis(key));
+        Some(Rectangle { loading_velocity_m_per_s: velocity?, normal_stress_pa: stress? })
+    }
+
+    /// `{ from, to, points }` with positive ends in ascending order.
+    pub(crate) fn axis(&mut self, key: &'static str) -> Option<LogAxis> {
+        let mut section = self.required(key, "{ from = …, to = …, points = … }")?.section()?;
+        let ends = section.ends();
+        let points = section.points();
+        section.finish();
+        let (from, to) = ends?;
+        Some(LogAxis { from, to, points: points? })
+    }
+
+    /// A number of points within the limit.
+    pub(crate) fn points(&mut self) -> Option<u32> {
+        let allowed = format!("a whole number from 2 to {}", self.limits().max_points);
+        let entry = self.required("points", &allowed)?;
+        let points = entry.whole(2..=u64::MAX)?;
+        entry.check_points(points)?;
+        let allowed = || format!("at most {} points along one axis, for any limit", u32::MAX);
+        entry.sound(u32::try_from(points).map_err(|_| Problem::OutOfRange { allowed: allowed() }))
+    }
+
+    /// A list of places.
+    pub(crate) fn places(&mut self, key: &'static str) -> Option<Vec<Place>> {
+        self.required(key, PLACES)?.list(|member| {
+            let mut section = member.section()?;
+            let [velocity, stress] = ["loading_velocity_m_per_s", "normal_stress_pa"]
+                .map(|key| section.decimal(key, AllowedRange::PHYSICAL));
+            section.finish();
+            Some(Place { loading_velocity_m_per_s: velocity?, normal_stress_pa: stress? })
+        })
+    }
+
+    /// The evolution laws, each once.
+    pub(crate) fn laws(&mut self) -> Option<Vec<EvolutionLaw>> {
+        self.required("laws", "a list of \"slip\" and \"aging\"")?.distinct(
+            |law: &EvolutionLaw| format!("an earlier law `{}`", law.as_str()),
+            |member| member.word(&EvolutionLaw::ALL, EvolutionLaw::as_str),
+        )
+    }
 }

@@ -3,10 +3,9 @@
 mod coordinates;
 mod summary;
 
-use crate::scene::laws::read_laws;
 use crate::scene::section::{Entry, Section};
-use crate::scene::sections::{NAME_RULE, safe_name};
-use crate::scene::{AllowedRange, Faults, ParametersSection, Problem, nearest};
+use crate::scene::sections::NAME_RULE;
+use crate::scene::{AllowedRange, ParametersSection, Problem};
 pub use coordinates::{Coordinate, Spacing, Span};
 use coordinates::{grid_coordinates, sample_coordinates};
 use slipmode_core::friction::EvolutionLaw;
@@ -69,32 +68,23 @@ pub enum SweepPoints {
     },
 }
 
-/// The parameters of a scene as they were read: absent, faulty, or sound.
+/// The parameters of a scene as they were read: faulty, absent, or sound.
 pub(crate) type ReadParameters<'p> = Option<Option<&'p ParametersSection>>;
 
 const WORKS: [&str; 4] = ["classify", "boundary", "asymptote-error", "simulate"];
 
 impl SweepSection {
-    pub(crate) fn read(
-        entry: &Entry<'_>,
-        parameters: ReadParameters<'_>,
-        faults: &mut Faults,
-    ) -> Option<Self> {
-        let mut section = entry.section(faults)?;
+    pub(crate) fn read(entry: &Entry<'_>, parameters: ReadParameters<'_>) -> Option<Self> {
+        let mut section = entry.section()?;
         let is_list = section.optional("list").is_some();
-        let work = read_work(&mut section, is_list, faults);
-        let points = read_points(&mut section, parameters, faults);
-        let block_points = match section.optional("block_points") {
-            Some(entry) => entry.whole(1..=MOST_BLOCK_POINTS, faults),
-            None => work.as_ref().map(SweepWork::usual_block_points),
-        };
-        let summary = section.optional("summary").map(|entry| SummarySection::read(&entry, faults));
-        section.finish(faults);
-        let summary = match summary {
-            None => None,
-            Some(read) => Some(read?),
-        };
-        Some(Self { work: work?, points: points?, block_points: block_points?, summary })
+        let work = read_work(&mut section, is_list);
+        let points = read_points(&mut section, parameters);
+        let block_points = section.optionally("block_points", |entry| entry.whole(1..=MOST_BLOCK_POINTS));
+        let summary = section.optionally("summary", SummarySection::read);
+        section.finish();
+        let work = work?;
+        let block_points = block_points?.unwrap_or_else(|| work.usual_block_points());
+        Some(Self { work, points: points?, block_points, summary: summary? })
     }
 }
 
@@ -109,16 +99,13 @@ impl SweepWork {
     }
 }
 
-fn read_work(section: &mut Section<'_>, is_list: bool, faults: &mut Faults) -> Option<SweepWork> {
-    let entry = section.required("work", &WORKS.join(", "), faults)?;
-    match entry.text(faults)?.as_str() {
-        "classify" => Some(SweepWork::Classify),
-        "boundary" => Some(SweepWork::Boundary),
-        "asymptote-error" => Some(SweepWork::AsymptoteError),
-        "simulate" => read_simulate(section, is_list, faults),
-        word => {
-            let near = nearest(word, WORKS).map(str::to_string);
-            faults.push(entry.fault(Problem::UnknownWord { nearest: near, allowed: WORKS.join(", ") }));
+fn read_work(section: &mut Section<'_>, is_list: bool) -> Option<SweepWork> {
+    match section.required("work", &WORKS.join(", "))?.word(&WORKS, |word| word) {
+        Some("classify") => Some(SweepWork::Classify),
+        Some("boundary") => Some(SweepWork::Boundary),
+        Some("asymptote-error") => Some(SweepWork::AsymptoteError),
+        Some(_) => read_simulate(section, is_list),
+        None => {
             // Their absence or presence is no news if the work is unknown.
             let _ = (section.optional("laws"), section.optional("tolerance"));
             None
@@ -126,93 +113,71 @@ fn read_work(section: &mut Section<'_>, is_list: bool, faults: &mut Faults) -> O
     }
 }
 
-fn read_simulate(section: &mut Section<'_>, is_list: bool, faults: &mut Faults) -> Option<SweepWork> {
-    const LAWS: &str = "a list of \"slip\" and \"aging\"";
+fn read_simulate(section: &mut Section<'_>, is_list: bool) -> Option<SweepWork> {
     let laws = match section.optional("laws") {
         None if is_list => Some(Vec::new()),
-        None => section.required("laws", LAWS, faults).map(|_| Vec::new()),
-        Some(entry) => read_laws(&entry, faults).filter(|laws| {
+        stated => section.laws().filter(|laws| {
             let fits = !is_list || laws.len() == 1;
-            if !fits {
+            if !fits && let Some(entry) = stated {
                 let wanted = "one law for a list, or none and a column `law` in its file".into();
-                faults.push(entry.fault(Problem::Needs(wanted)));
+                entry.refuse::<()>(Problem::Needs(wanted));
             }
             fits
         }),
     };
-    let range = AllowedRange::SIMULATION_TOLERANCE;
-    let tolerance =
-        section.required("tolerance", &range.text(), faults).and_then(|entry| entry.decimal(range, faults));
+    let tolerance = section.decimal("tolerance", AllowedRange::SIMULATION_TOLERANCE);
     Some(SweepWork::Simulate { laws: laws?, tolerance: tolerance? })
 }
 
 /// Exactly one of `grid`, `samples` and `list`.
-fn read_points(
-    section: &mut Section<'_>,
-    parameters: ReadParameters<'_>,
-    faults: &mut Faults,
-) -> Option<SweepPoints> {
-    let places = [section.optional("grid"), section.optional("samples"), section.optional("list")];
+fn read_points(section: &mut Section<'_>, parameters: ReadParameters<'_>) -> Option<SweepPoints> {
+    let places = ["grid", "samples", "list"].map(|key| section.optional(key));
     if places.iter().flatten().count() != 1 {
         let one = "exactly one of [sweep.grid], [sweep.samples] and [sweep.list]";
-        faults.push(section.fault("points", Problem::Needs(one.into())));
+        section.fault("points", Problem::Needs(one.into()));
         return None;
     }
     let [grid, samples, list] = places;
     if let Some(entry) = grid {
-        return read_grid(&entry, parameters, faults);
+        return read_grid(&entry, parameters);
     }
     if let Some(entry) = samples {
-        return read_samples(&entry, parameters, faults);
+        return read_samples(&entry, parameters);
     }
-    let mut section = list?.section(faults)?;
-    let file = section.required("file", NAME_RULE, faults).and_then(|entry| safe_name(&entry, faults));
-    section.finish(faults);
+    let mut section = list?.section()?;
+    let file = section.name("file", NAME_RULE);
+    section.finish();
     Some(SweepPoints::List { file: file? })
 }
 
-fn read_grid(entry: &Entry<'_>, parameters: ReadParameters<'_>, faults: &mut Faults) -> Option<SweepPoints> {
-    let mut section = entry.section(faults)?;
-    let coordinates = grid_coordinates(&mut section, parameters, faults);
-    section.finish(faults);
-    let coordinates = check_varies(entry, coordinates?, faults)?;
+fn read_grid(entry: &Entry<'_>, parameters: ReadParameters<'_>) -> Option<SweepPoints> {
+    let mut section = entry.section()?;
+    let coordinates = grid_coordinates(&mut section, parameters);
+    section.finish();
+    let coordinates = check_varies(entry, coordinates?)?;
     let points = coordinates.iter().fold(1u64, |product, axis| product.saturating_mul(axis.points()));
     if points > MOST_SWEEP_POINTS {
         let allowed = format!("at most {MOST_SWEEP_POINTS} points in all");
-        faults.push(entry.fault(Problem::OutOfRange { allowed }));
-        return None;
+        return entry.refuse(Problem::OutOfRange { allowed });
     }
     Some(SweepPoints::Grid(Box::new(coordinates)))
 }
 
-fn read_samples(
-    entry: &Entry<'_>,
-    parameters: ReadParameters<'_>,
-    faults: &mut Faults,
-) -> Option<SweepPoints> {
-    let mut section = entry.section(faults)?;
-    let count = section
-        .required("count", &format!("a whole number from 1 to {MOST_SWEEP_POINTS}"), faults)
-        .and_then(|entry| entry.whole(1..=MOST_SWEEP_POINTS, faults));
-    let coordinates = sample_coordinates(&mut section, parameters, faults);
-    section.finish(faults);
-    let coordinates = check_varies(entry, coordinates?, faults)?;
+fn read_samples(entry: &Entry<'_>, parameters: ReadParameters<'_>) -> Option<SweepPoints> {
+    let mut section = entry.section()?;
+    let count = section.whole("count", 1..=MOST_SWEEP_POINTS);
+    let coordinates = sample_coordinates(&mut section, parameters);
+    section.finish();
+    let coordinates = check_varies(entry, coordinates?)?;
     Some(SweepPoints::Samples { count: count?, coordinates: Box::new(coordinates) })
 }
 
 /// Identical points have no column that distinguishes them.
-fn check_varies(
-    entry: &Entry<'_>,
-    coordinates: [Coordinate; 7],
-    faults: &mut Faults,
-) -> Option<[Coordinate; 7]> {
+fn check_varies(entry: &Entry<'_>, coordinates: [Coordinate; 7]) -> Option<[Coordinate; 7]> {
     if coordinates.iter().any(Coordinate::varies) {
         return Some(coordinates);
     }
-    faults.push(
-        entry.fault(Problem::Needs("at least one quantity that varies: { from = …, to = …, … }".into())),
-    );
-    None
+    entry.refuse(Problem::Needs("at least one quantity that varies: { from = …, to = …, … }".into()))
 }
 
 #[cfg(test)]

@@ -2,7 +2,6 @@
 //!
 //! Each rule is a function from texts to complaints, tested with good and bad samples.
 
-mod elementary;
 mod floors;
 mod references;
 mod rust_rules;
@@ -84,7 +83,6 @@ fn complaints(files: &[TextFile], paths: &[String]) -> Vec<Complaint> {
     for source in rust_sources(files) {
         rust_rules::check(&source, &mut found);
         floors::check(&source, &mut found);
-        elementary::check(&source, &mut found);
         views::check_report(&source, &mut found);
         wording::check_command_line(&source, &mut found);
     }

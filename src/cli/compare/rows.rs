@@ -6,7 +6,7 @@ use std::sync::Arc;
 use slipmode::comparison::recording::Recording;
 use slipmode::comparison::{Agreement, Comparison, Observable, StatedMode, StatedRun, compare_run};
 use slipmode::csv::{Cells, Remark, RowWork, misnamed, read_recording};
-use slipmode::scene::{AllowedRange, CsvProblem, Faults, Problem, Quantity, check_name, nearest};
+use slipmode::scene::{AllowedRange, CsvProblem, Faults, Problem, Quantity, check_name, nearest, of_word};
 use slipmode_core::dynamics::Start;
 use slipmode_core::friction::{EvolutionLaw, Parameters};
 use slipmode_core::number::{Rational, nearest_f64};
@@ -15,7 +15,7 @@ use crate::cli::compare::cells::{APPENDED, push_comparison};
 use crate::cli::input::{open_named_csv, place_inside};
 use crate::cli::simulate::range;
 use crate::cli::simulate::run::{Settings, simulate_point};
-use crate::cli::words::{LAW_COLUMN, law_of_word, of_word, start_of_word};
+use crate::cli::words::{LAW_COLUMN, law_of_word, start_of_word};
 
 /// The optional columns next to the values.
 const TRAJECTORY_COLUMN: &str = "trajectory";
@@ -185,9 +185,7 @@ fn observable_columns() -> impl Iterator<Item = &'static str> {
 }
 
 fn mode_of_word(text: &str) -> Result<StatedMode, Problem> {
-    let known = StatedMode::all();
-    let words: Vec<&str> = known.iter().map(|mode| mode.as_str()).collect();
-    of_word(text, &words, |text| known.iter().copied().find(|mode| mode.as_str() == text))
+    of_word(text, &StatedMode::all(), |mode| mode.as_str())
 }
 
 /// The optional cells of a row, with the faults found so far.

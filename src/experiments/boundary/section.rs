@@ -1,8 +1,6 @@
 //! `[boundary]`: how many points of the boundary, to how many digits.
 
 use crate::scene::section::{Entry, ReadSection};
-use crate::scene::sections::points;
-use crate::scene::{Faults, Limits};
 
 /// `[boundary]`: the exact boundary along its arcs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -17,13 +15,11 @@ pub struct BoundarySection {
 const MOST_DIGITS: u64 = 1_000_000;
 
 impl ReadSection for BoundarySection {
-    fn read(entry: &Entry<'_>, limits: &Limits, faults: &mut Faults) -> Option<Self> {
-        let mut section = entry.section(faults)?;
-        let points = points(&mut section, limits, faults);
-        let digits = section
-            .required("digits", &format!("1 to {MOST_DIGITS}"), faults)
-            .and_then(|entry| entry.whole(1..=MOST_DIGITS, faults));
-        section.finish(faults);
+    fn read(entry: &Entry<'_>) -> Option<Self> {
+        let mut section = entry.section()?;
+        let points = section.points();
+        let digits = section.whole("digits", 1..=MOST_DIGITS);
+        section.finish();
         Some(Self { points: points?, digits: u32::try_from(digits?).ok()? })
     }
 }

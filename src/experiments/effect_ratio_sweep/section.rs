@@ -1,8 +1,7 @@
 //! `[effect_ratio_sweep]`: ratios b/a.
 
 use crate::scene::section::{Entry, ReadSection};
-use crate::scene::sections::{axis, open_unit_list};
-use crate::scene::{Faults, Limits, LogAxis};
+use crate::scene::{AllowedRange, LogAxis};
 use slipmode_core::number::Rational;
 
 /// `[effect_ratio_sweep]`: the asymptotes' worst errors against β = b/a.
@@ -15,14 +14,12 @@ pub struct EffectRatioSweepSection {
 }
 
 impl ReadSection for EffectRatioSweepSection {
-    fn read(entry: &Entry<'_>, limits: &Limits, faults: &mut Faults) -> Option<Self> {
-        let mut section = entry.section(faults)?;
-        let effect_ratio = axis(&mut section, "effect_ratio", limits, faults);
-        let near_equal = match section.optional("near_equal") {
-            Some(entry) => open_unit_list(&entry, faults),
-            None => Some(Vec::new()),
-        };
-        section.finish(faults);
-        Some(Self { effect_ratio: effect_ratio?, near_equal: near_equal? })
+    fn read(entry: &Entry<'_>) -> Option<Self> {
+        let mut section = entry.section()?;
+        let effect_ratio = section.axis("effect_ratio");
+        let near_equal = section
+            .optionally("near_equal", |entry| entry.list(|member| member.decimal(AllowedRange::OPEN_UNIT)));
+        section.finish();
+        Some(Self { effect_ratio: effect_ratio?, near_equal: near_equal?.unwrap_or_default() })
     }
 }

@@ -1,8 +1,7 @@
 //! `[frequency]`: lines of constant normal stress.
 
 use crate::scene::section::{Entry, ReadSection};
-use crate::scene::sections::{axis, check_points};
-use crate::scene::{AllowedRange, Faults, Limits, LogAxis, Problem};
+use crate::scene::{AllowedRange, LogAxis, Problem};
 use slipmode_core::number::{Rational, parse_decimal};
 
 /// `[frequency]`: max Im(s) along lines of constant normal stress.
@@ -15,17 +14,17 @@ pub struct FrequencySection {
 }
 
 impl ReadSection for FrequencySection {
-    fn read(entry: &Entry<'_>, limits: &Limits, faults: &mut Faults) -> Option<Self> {
-        let mut section = entry.section(faults)?;
+    fn read(entry: &Entry<'_>) -> Option<Self> {
+        let mut section = entry.section()?;
         let ratios = section
-            .required("normal_stress_over_critical", "a list of ratios > 0", faults)
-            .and_then(|entry| entry.list(faults, |member, faults| member.number(faults, parse_ratio)));
-        let velocity = axis(&mut section, "loading_velocity_m_per_s", limits, faults);
-        section.finish(faults);
+            .required("normal_stress_over_critical", "a list of ratios > 0")
+            .and_then(|entry| entry.list(|member| member.number(parse_ratio)));
+        let velocity = section.axis("loading_velocity_m_per_s");
+        section.finish();
         let frequency = Self { normal_stress_over_critical: ratios?, loading_velocity_m_per_s: velocity? };
         let points = u64::from(frequency.loading_velocity_m_per_s.points)
             .saturating_mul(frequency.normal_stress_over_critical.len() as u64);
-        check_points(entry, points, limits, faults)?;
+        entry.check_points(points)?;
         Some(frequency)
     }
 }

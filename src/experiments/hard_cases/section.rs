@@ -1,8 +1,6 @@
 //! `[hard_cases]`: files of points and of returns with references from independent programs.
 
 use crate::scene::section::{Entry, ReadSection};
-use crate::scene::sections::safe_name;
-use crate::scene::{Faults, Limits};
 
 /// `[hard_cases]`: a file of points with references from independent programs.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -14,17 +12,11 @@ pub struct HardCasesSection {
 }
 
 impl ReadSection for HardCasesSection {
-    fn read(entry: &Entry<'_>, _: &Limits, faults: &mut Faults) -> Option<Self> {
-        let mut section = entry.section(faults)?;
-        let file = section
-            .required("file", "the name of a file", faults)
-            .and_then(|entry| safe_name(&entry, faults));
-        let returns = section.optional("cycles").map(|entry| safe_name(&entry, faults));
-        section.finish(faults);
-        let returns = match returns {
-            None => None,
-            Some(name) => Some(name?),
-        };
-        Some(Self { file: file?, returns })
+    fn read(entry: &Entry<'_>) -> Option<Self> {
+        let mut section = entry.section()?;
+        let file = section.name("file", "the name of a file");
+        let returns = section.optionally("cycles", Entry::name);
+        section.finish();
+        Some(Self { file: file?, returns: returns? })
     }
 }

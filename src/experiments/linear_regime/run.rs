@@ -17,6 +17,7 @@ use crate::experiments::linear_regime::LinearRegimeSection;
 use crate::experiments::linear_regime::modes::{BITS, Direction, Mode, ROOT_DIGITS};
 use crate::experiments::linear_regime::snapshots::{projected_rate, rate_of_snapshots, snapshots};
 use crate::experiments::linear_regime::{SteadyRun, steady_sliding};
+use crate::scene::Place;
 use slipmode_core::dynamics::{Failure, Model, Radau};
 use slipmode_core::friction::{EvolutionLaw, Groups, Slider};
 use slipmode_core::number::{Dd, Rational, nearest_f64};
@@ -109,7 +110,7 @@ pub struct LinearRegimeOutcome {
 
 /// One start that is to be run with all amplitudes.
 struct Case<'p> {
-    point: &'p [Rational; 2],
+    point: &'p Place,
     groups: Groups<Rational>,
     slip_mode: SlipMode,
     law: EvolutionLaw,
@@ -138,11 +139,11 @@ pub fn linear_regime(
 
 fn cases<'p>(
     parameters: &Slider<Rational>,
-    point: &'p [Rational; 2],
+    point: &'p Place,
     section: &LinearRegimeSection,
     threshold: &InertialThreshold,
 ) -> Vec<Case<'p>> {
-    let [velocity, stress] = point;
+    let Place { loading_velocity_m_per_s: velocity, normal_stress_pa: stress } = point;
     let parameters = parameters.at(stress.clone(), velocity.clone());
     let groups = parameters.groups();
     let slip_mode = classify(&parameters, threshold).slip_mode;
@@ -220,8 +221,8 @@ fn run_case(case: &Case<'_>, amplitudes: &[f64], methods: &Methods) -> Result<Mo
     };
     let shift = case.mode.first_order_shift(case.law, case.direction, 1.0, case.time);
     Ok(ModeRuns {
-        loading_velocity_m_per_s: nearest_f64(&case.point[0]),
-        normal_stress_pa: nearest_f64(&case.point[1]),
+        loading_velocity_m_per_s: nearest_f64(&case.point.loading_velocity_m_per_s),
+        normal_stress_pa: nearest_f64(&case.point.normal_stress_pa),
         slip_mode: case.slip_mode,
         law: case.law,
         growth_rate: case.mode.rate.real().to_f64(),

@@ -3,6 +3,7 @@
 use rayon::prelude::*;
 
 use crate::experiments::linear_regime::LinearRegimeSection;
+use crate::scene::Place;
 use slipmode_core::dynamics::{Control, Failure, Integrator, Model, Radau, Start, State, trajectory};
 use slipmode_core::friction::{EvolutionLaw, Slider};
 use slipmode_core::number::{Rational, nearest_f64};
@@ -57,14 +58,14 @@ pub fn steady_sliding(
     parameters: &Slider<Rational>,
     section: &LinearRegimeSection,
 ) -> Vec<Result<SteadyRun, Failure>> {
-    let cases: Vec<(&[Rational; 2], EvolutionLaw)> =
+    let cases: Vec<(&Place, EvolutionLaw)> =
         section.points.iter().flat_map(|point| section.laws.iter().map(move |&law| (point, law))).collect();
     cases.par_iter().map(|&(point, law)| run_case(parameters, point, law)).collect()
 }
 
 fn run_case(
     parameters: &Slider<Rational>,
-    [velocity, stress]: &[Rational; 2],
+    Place { loading_velocity_m_per_s: velocity, normal_stress_pa: stress }: &Place,
     law: EvolutionLaw,
 ) -> Result<SteadyRun, Failure> {
     let groups = parameters.at(stress.clone(), velocity.clone()).groups();
@@ -115,7 +116,12 @@ mod tests {
         let decimal = |text| parse_decimal(text).unwrap();
         let parameters = paper();
         let section = LinearRegimeSection {
-            points: vec![[decimal("1e-5"), decimal("2e4")], [decimal("1e-5"), decimal("1e6")]],
+            points: ["2e4", "1e6"]
+                .map(|stress| Place {
+                    loading_velocity_m_per_s: decimal("1e-5"),
+                    normal_stress_pa: decimal(stress),
+                })
+                .into(),
             laws: EvolutionLaw::ALL.to_vec(),
             amplitudes: Vec::new(),
         };

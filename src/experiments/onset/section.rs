@@ -1,9 +1,7 @@
 //! `[onset]`: where oscillation begins along lines of constant normal stress, and runs on either side of it (fig 4).
 
-use crate::scene::laws::read_laws;
+use crate::scene::AllowedRange;
 use crate::scene::section::{Entry, ReadSection};
-use crate::scene::sections::check_points;
-use crate::scene::{AllowedRange, Faults, Limits};
 use slipmode_core::friction::EvolutionLaw;
 use slipmode_core::number::Rational;
 
@@ -28,41 +26,28 @@ pub struct OnsetSection {
 const RUNS_OF_A_SEARCH: u64 = 200;
 
 impl ReadSection for OnsetSection {
-    fn read(entry: &Entry<'_>, limits: &Limits, faults: &mut Faults) -> Option<Self> {
-        let mut section = entry.section(faults)?;
+    fn read(entry: &Entry<'_>) -> Option<Self> {
+        let mut section = entry.section()?;
         let physical = AllowedRange::PHYSICAL;
-        let mut list = |key, allowed: &str, faults: &mut Faults| {
-            section
-                .required(key, allowed, faults)
-                .and_then(|entry| entry.list(faults, |member, faults| member.decimal(physical, faults)))
-        };
-        let stresses = list("normal_stress_pa", "a list of normal stresses in Pa", faults);
-        let velocities = list("velocity_over_asymptote", "a list of ratios > 0", faults);
-        let laws = section
-            .required("laws", "a list of \"slip\" and \"aging\"", faults)
-            .and_then(|entry| read_laws(&entry, faults));
-        let mut decimal = |key, range: AllowedRange, faults: &mut Faults| {
-            section.required(key, &range.text(), faults).and_then(|entry| entry.decimal(range, faults))
-        };
-        let tolerance = decimal("tolerance", AllowedRange::SIMULATION_TOLERANCE, faults);
-        let visible = decimal("visible", AllowedRange::OPEN_UNIT, faults);
-        let other_unit = section.optional("other_unit_pa").map(|entry| entry.decimal(physical, faults));
-        section.finish(faults);
+        let stresses = section.decimals("normal_stress_pa", "a list of normal stresses in Pa", physical);
+        let velocities = section.decimals("velocity_over_asymptote", "a list of ratios > 0", physical);
+        let laws = section.laws();
+        let tolerance = section.decimal("tolerance", AllowedRange::SIMULATION_TOLERANCE);
+        let visible = section.decimal("visible", AllowedRange::OPEN_UNIT);
+        let other_unit = section.optionally("other_unit_pa", |entry| entry.decimal(physical));
+        section.finish();
         let (stresses, velocities, laws) = (stresses?, velocities?, laws?);
         let runs = (RUNS_OF_A_SEARCH.saturating_mul(laws.len() as u64))
             .saturating_add(velocities.len() as u64)
             .saturating_mul(stresses.len() as u64);
-        check_points(entry, runs, limits, faults)?;
+        entry.check_points(runs)?;
         Some(Self {
             normal_stress_pa: stresses,
             velocity_over_asymptote: velocities,
             laws,
             tolerance: tolerance?,
             visible: visible?,
-            other_unit_pa: match other_unit {
-                None => None,
-                Some(read) => Some(read?),
-            },
+            other_unit_pa: other_unit?,
         })
     }
 }

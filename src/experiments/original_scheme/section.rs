@@ -1,8 +1,7 @@
 //! `[original_scheme]`: places, steps and points for the fixed-step scheme of the original simulations.
 
 use crate::scene::section::{Entry, ReadSection};
-use crate::scene::sections::{Place, axis, check_points, decimals, places};
-use crate::scene::{AllowedRange, Faults, Limits, Rectangle};
+use crate::scene::{AllowedRange, Place, Rectangle};
 use slipmode_core::number::Rational;
 
 /// `[original_scheme]`: the fixed-step scheme of the original simulations against converged runs.
@@ -19,21 +18,18 @@ pub struct OriginalSchemeSection {
 }
 
 impl ReadSection for OriginalSchemeSection {
-    fn read(entry: &Entry<'_>, limits: &Limits, faults: &mut Faults) -> Option<Self> {
-        let mut section = entry.section(faults)?;
-        let places = places(&mut section, faults);
-        let steps = decimals(&mut section, "steps", AllowedRange::OPEN_UNIT, faults);
-        let velocity = axis(&mut section, "loading_velocity_m_per_s", limits, faults);
-        let stress = axis(&mut section, "normal_stress_pa", limits, faults);
-        let stresses = decimals(&mut section, "least_peak_stresses_pa", AllowedRange::PHYSICAL, faults);
-        section.finish(faults);
-        let rectangle = Rectangle { loading_velocity_m_per_s: velocity?, normal_stress_pa: stress? };
-        let (places, steps) = (places?, steps?);
-        let points = u64::from(rectangle.loading_velocity_m_per_s.points)
-            .saturating_mul(u64::from(rectangle.normal_stress_pa.points))
-            .saturating_add(places.len() as u64)
-            .saturating_mul(steps.len() as u64);
-        check_points(entry, points, limits, faults)?;
+    fn read(entry: &Entry<'_>) -> Option<Self> {
+        let mut section = entry.section()?;
+        let places = section.places("places");
+        let [unit, physical] = [AllowedRange::OPEN_UNIT, AllowedRange::PHYSICAL];
+        let allowed = |range: AllowedRange| format!("a list of numbers, each {}", range.text());
+        let steps = section.decimals("steps", &allowed(unit), unit);
+        let rectangle = section.rectangle();
+        let stresses = section.decimals("least_peak_stresses_pa", &allowed(physical), physical);
+        section.finish();
+        let (places, steps, rectangle) = (places?, steps?, rectangle?);
+        let points = rectangle.points().saturating_add(places.len() as u64);
+        entry.check_points(points.saturating_mul(steps.len() as u64))?;
         Some(Self { places, steps, rectangle, least_peak_stresses_pa: stresses? })
     }
 }

@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::experiments::boundary::BoundarySection;
+use crate::scene::Place;
 use slipmode_core::friction::EvolutionLaw;
 use slipmode_core::number::parse_decimal;
 
@@ -70,7 +71,11 @@ fn every_section_is_read() {
     assert_eq!(point.loading_velocity_m_per_s, Rational::from((3, 10_000)));
     assert_eq!(point.duration_s, Rational::from((2, 5)));
     let linear = scene.linear_regime.unwrap();
-    assert_eq!(linear.points, [[Rational::from((1, 100_000)), Rational::from(1000)]]);
+    let place = Place {
+        loading_velocity_m_per_s: Rational::from((1, 100_000)),
+        normal_stress_pa: Rational::from(1000),
+    };
+    assert_eq!(linear.points, [place]);
     assert_eq!(linear.amplitudes.len(), 2);
     assert_eq!(scene.start_sensitivity.unwrap().laws, [EvolutionLaw::Slip]);
     let onset = scene.onset.unwrap();

@@ -3,6 +3,7 @@
 use rayon::prelude::*;
 
 use crate::experiments::start_sensitivity::StartSensitivitySection;
+use crate::scene::Place;
 use slipmode_core::dynamics::{
     Control, Failure, Integrator, Model, Options, Radau, ReturnEnd, Simulation, Start, Stepper, increment,
     next_return, simulate,
@@ -68,7 +69,7 @@ pub fn start_sensitivity(
     section: &StartSensitivitySection,
     threshold: &InertialThreshold,
 ) -> Vec<StartGroup> {
-    let cases: Vec<(&[Rational; 2], EvolutionLaw)> =
+    let cases: Vec<(&Place, EvolutionLaw)> =
         section.points.iter().flat_map(|point| section.laws.iter().map(move |&law| (point, law))).collect();
     cases.par_iter().map(|&(point, law)| group(parameters, section, threshold, point, law)).collect()
 }
@@ -77,7 +78,7 @@ fn group(
     parameters: &Slider<Rational>,
     section: &StartSensitivitySection,
     threshold: &InertialThreshold,
-    [velocity, stress]: &[Rational; 2],
+    Place { loading_velocity_m_per_s: velocity, normal_stress_pa: stress }: &Place,
     law: EvolutionLaw,
 ) -> StartGroup {
     let point = parameters.at(stress.clone(), velocity.clone());
@@ -156,7 +157,10 @@ mod tests {
         let decimal = |text| parse_decimal(text).unwrap();
         let parameters = paper();
         let section = StartSensitivitySection {
-            points: vec![[decimal(velocity), decimal(stress)]],
+            points: vec![Place {
+                loading_velocity_m_per_s: decimal(velocity),
+                normal_stress_pa: decimal(stress),
+            }],
             laws: EvolutionLaw::ALL.to_vec(),
             tolerance: decimal("1e-8"),
         };

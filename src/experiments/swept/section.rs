@@ -1,8 +1,7 @@
 //! `[swept]`: sweeps that ran elsewhere, and what running them took.
 
 use crate::scene::section::{Entry, ReadSection};
-use crate::scene::sections::safe_name;
-use crate::scene::{AllowedRange, Faults, Limits, Problem};
+use crate::scene::{AllowedRange, Problem};
 use slipmode_core::number::Rational;
 
 /// `[swept]`.
@@ -30,38 +29,29 @@ pub struct SweptEntry {
 }
 
 impl ReadSection for SweptSection {
-    fn read(entry: &Entry<'_>, _: &Limits, faults: &mut Faults) -> Option<Self> {
-        let mut section = entry.section(faults)?;
+    fn read(entry: &Entry<'_>) -> Option<Self> {
+        let mut section = entry.section()?;
         let sweeps = section
-            .required("sweep", "a list of sweeps, each under [[swept.sweep]]", faults)
-            .and_then(|entry| entry.list(faults, SweptEntry::read));
-        section.finish(faults);
+            .required("sweep", "a list of sweeps, each under [[swept.sweep]]")
+            .and_then(|entry| entry.list(SweptEntry::read));
+        section.finish();
         Some(Self { sweeps: sweeps? })
     }
 }
 
 impl SweptEntry {
-    fn read(entry: &Entry<'_>, faults: &mut Faults) -> Option<Self> {
-        let mut section = entry.section(faults)?;
-        let name = section
-            .required("name", "the name of NAME.toml and NAME.csv", faults)
-            .and_then(|entry| safe_name(&entry, faults));
-        let mut text =
-            |key, allowed: &str| section.required(key, allowed, faults).and_then(|entry| entry.text(faults));
-        let digest = text("scene_sha256", "the digest that blocks state");
-        let version = text("version", "the version that blocks state");
-        let machine = text("machine", "on what and when");
-        let range = AllowedRange::PHYSICAL;
-        let mut positive =
-            |key| section.required(key, &range.text(), faults).and_then(|entry| entry.decimal(range, faults));
-        let core_seconds = positive("core_seconds");
-        let peak_memory_mib = positive("peak_memory_mib");
-        section.finish(faults);
+    fn read(entry: &Entry<'_>) -> Option<Self> {
+        let mut section = entry.section()?;
+        let name = section.name("name", "the name of NAME.toml and NAME.csv");
+        let digest = section.text("scene_sha256", "the digest that blocks state");
+        let version = section.text("version", "the version that blocks state");
+        let machine = section.text("machine", "on what and when");
+        let [core_seconds, peak_memory_mib] =
+            ["core_seconds", "peak_memory_mib"].map(|key| section.decimal(key, AllowedRange::PHYSICAL));
+        section.finish();
         let digest = digest?;
         if digest.len() != 64 || !digest.bytes().all(|byte| b"0123456789abcdef".contains(&byte)) {
-            let wanted = "a scene_sha256 of 64 digits 0-9 a-f".into();
-            faults.push(entry.fault(Problem::Needs(wanted)));
-            return None;
+            return entry.refuse(Problem::Needs("a scene_sha256 of 64 digits 0-9 a-f".into()));
         }
         Some(Self {
             name: name?,

@@ -1,8 +1,7 @@
 //! `[test_experiment]`: normal stresses.
 
+use crate::scene::AllowedRange;
 use crate::scene::section::{Entry, ReadSection};
-use crate::scene::sections::decimals;
-use crate::scene::{AllowedRange, Faults, Limits};
 use slipmode_core::number::Rational;
 
 /// `[test_experiment]`.
@@ -13,10 +12,11 @@ pub struct TestExperimentSection {
 }
 
 impl ReadSection for TestExperimentSection {
-    fn read(entry: &Entry<'_>, _: &Limits, faults: &mut Faults) -> Option<Self> {
-        let mut section = entry.section(faults)?;
-        let normal_stress_pa = decimals(&mut section, "normal_stress_pa", AllowedRange::PHYSICAL, faults);
-        section.finish(faults);
+    fn read(entry: &Entry<'_>) -> Option<Self> {
+        let mut section = entry.section()?;
+        let allowed = "a list of normal stresses in Pa";
+        let normal_stress_pa = section.decimals("normal_stress_pa", allowed, AllowedRange::PHYSICAL);
+        section.finish();
         Some(Self { normal_stress_pa: normal_stress_pa? })
     }
 }

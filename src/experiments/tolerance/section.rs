@@ -1,8 +1,7 @@
 //! `[tolerance]`: relative errors.
 
+use crate::scene::AllowedRange;
 use crate::scene::section::{Entry, ReadSection};
-use crate::scene::sections::open_unit_list;
-use crate::scene::{Faults, Limits};
 use slipmode_core::number::Rational;
 
 /// `[tolerance]`: where each asymptote is good to a relative error.
@@ -13,12 +12,11 @@ pub struct ToleranceSection {
 }
 
 impl ReadSection for ToleranceSection {
-    fn read(entry: &Entry<'_>, _: &Limits, faults: &mut Faults) -> Option<Self> {
-        let mut section = entry.section(faults)?;
-        let relative = section
-            .required("relative", "a list of relative errors, each 0 < value < 1", faults)
-            .and_then(|entry| open_unit_list(&entry, faults));
-        section.finish(faults);
+    fn read(entry: &Entry<'_>) -> Option<Self> {
+        let mut section = entry.section()?;
+        let allowed = "a list of relative errors, each 0 < value < 1";
+        let relative = section.decimals("relative", allowed, AllowedRange::OPEN_UNIT);
+        section.finish();
         Some(Self { relative: relative? })
     }
 }

@@ -1,8 +1,7 @@
 //! `[work_precision]`: the cycles on which integrators are compared.
 
+use crate::scene::Place;
 use crate::scene::section::{Entry, ReadSection};
-use crate::scene::sections::{Place, places};
-use crate::scene::{Faults, Limits};
 
 /// `[work_precision]`: work against error of the integrators on one period of the limit cycle.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -12,10 +11,10 @@ pub struct WorkPrecisionSection {
 }
 
 impl ReadSection for WorkPrecisionSection {
-    fn read(entry: &Entry<'_>, _: &Limits, faults: &mut Faults) -> Option<Self> {
-        let mut section = entry.section(faults)?;
-        let places = places(&mut section, faults);
-        section.finish(faults);
+    fn read(entry: &Entry<'_>) -> Option<Self> {
+        let mut section = entry.section()?;
+        let places = section.places("places");
+        section.finish();
         Some(Self { places: places? })
     }
 }

@@ -1,7 +1,7 @@
 //! `[sweep.summary]`: what is kept of a sweep whose rows are too many to keep.
 
-use crate::scene::section::{Entry, Section};
-use crate::scene::{AllowedRange, Faults, LogAxis, Problem, nearest};
+use crate::scene::section::Entry;
+use crate::scene::{LogAxis, Problem};
 
 /// The most cells of a summary: they are held in memory.
 pub const MOST_SUMMARY_CELLS: u64 = 1 << 20;
@@ -67,90 +67,52 @@ impl Statistic {
 const COLUMN: &str = "the name of a column";
 
 impl SummarySection {
-    pub(crate) fn read(entry: &Entry<'_>, faults: &mut Faults) -> Option<Self> {
-        let mut section = entry.section(faults)?;
-        let bins = optional_list(&mut section, "bins", faults, ColumnBins::read);
-        let by = optional_list(&mut section, "by", faults, |entry, faults| entry.text(faults));
-        let numbers = optional_list(&mut section, "numbers", faults, ColumnStatistics::read);
-        section.finish(faults);
-        let found = Self { bins: bins?, by: by?, numbers: numbers? };
-        let cells = found
-            .bins
-            .iter()
-            .fold(1u64, |cells, bins| cells.saturating_mul(u64::from(bins.edges.points) + 1));
+    pub(crate) fn read(entry: &Entry<'_>) -> Option<Self> {
+        let mut section = entry.section()?;
+        let bins = section.optionally("bins", |entry| entry.list(ColumnBins::read));
+        let by = section.optionally("by", |entry| entry.list(Entry::text));
+        let numbers = section.optionally("numbers", |entry| entry.list(ColumnStatistics::read));
+        section.finish();
+        let bins = bins?.unwrap_or_default();
+        let cells =
+            bins.iter().fold(1u64, |cells, bins| cells.saturating_mul(u64::from(bins.edges.points) + 1));
         if cells > MOST_SUMMARY_CELLS {
             let allowed =
                 format!("at most {MOST_SUMMARY_CELLS} cells in all, those beyond the ends included");
-            faults.push(entry.fault(Problem::OutOfRange { allowed }));
-            return None;
+            return entry.refuse(Problem::OutOfRange { allowed });
         }
-        Some(found)
-    }
-}
-
-/// A list that may be absent, which is the same as one without members.
-fn optional_list<T>(
-    section: &mut Section<'_>,
-    key: &'static str,
-    faults: &mut Faults,
-    read: impl FnMut(&Entry<'_>, &mut Faults) -> Option<T>,
-) -> Option<Vec<T>> {
-    match section.optional(key) {
-        Some(entry) => entry.list(faults, read),
-        None => Some(Vec::new()),
+        Some(Self { bins, by: by?.unwrap_or_default(), numbers: numbers?.unwrap_or_default() })
     }
 }
 
 impl ColumnBins {
-    fn read(entry: &Entry<'_>, faults: &mut Faults) -> Option<Self> {
-        let mut section = entry.section(faults)?;
-        let column = section.required("column", COLUMN, faults).and_then(|entry| entry.text(faults));
-        let range = AllowedRange::PHYSICAL;
-        let mut end =
-            |key| section.required(key, &range.text(), faults).and_then(|entry| entry.decimal(range, faults));
-        let (from, to) = (end("from"), end("to"));
-        let most = MOST_SUMMARY_CELLS - 1;
-        let count = section
-            .required("count", &format!("a whole number from 1 to {most}"), faults)
-            .and_then(|entry| entry.whole(1..=most, faults));
-        section.finish(faults);
-        let (from, to) = (from?, to?);
-        if from >= to {
-            faults.push(entry.fault(if from == to { Problem::EmptyRange } else { Problem::ReversedRange }));
-            return None;
-        }
+    fn read(entry: &Entry<'_>) -> Option<Self> {
+        let mut section = entry.section()?;
+        let column = section.text("column", COLUMN);
+        let ends = section.ends();
+        let count = section.whole("count", 1..=MOST_SUMMARY_CELLS - 1);
+        section.finish();
+        let (from, to) = ends?;
         let points = u32::try_from(count? + 1).ok()?;
         Some(Self { column: column?, edges: LogAxis { from, to, points } })
     }
 }
 
 impl ColumnStatistics {
-    fn read(entry: &Entry<'_>, faults: &mut Faults) -> Option<Self> {
-        let mut section = entry.section(faults)?;
-        let column = section.required("column", COLUMN, faults).and_then(|entry| entry.text(faults));
+    fn read(entry: &Entry<'_>) -> Option<Self> {
+        let mut section = entry.section()?;
+        let column = section.text("column", COLUMN);
         let words = Statistic::ALL.map(Statistic::as_str).join(", ");
         let statistics = section
-            .required("statistics", &format!("a list of {words}"), faults)
-            .and_then(|entry| entry.list(faults, read_statistic));
-        section.finish(faults);
+            .required("statistics", &format!("a list of {words}"))
+            .and_then(|entry| entry.list(|member| member.word(&Statistic::ALL, Statistic::as_str)));
+        section.finish();
         let (column, statistics) = (column?, statistics?);
         let repeated = (1..statistics.len()).find(|index| statistics[..*index].contains(&statistics[*index]));
         if let Some(index) = repeated {
             let of = format!("an earlier `{}`", statistics[index].as_str());
-            faults.push(entry.fault(Problem::Duplicate { of, folded: false }));
-            return None;
+            return entry.refuse(Problem::Duplicate { of, folded: false });
         }
         Some(Self { column, statistics })
     }
-}
-
-fn read_statistic(entry: &Entry<'_>, faults: &mut Faults) -> Option<Statistic> {
-    let words = Statistic::ALL.map(Statistic::as_str);
-    let text = entry.text(faults)?;
-    let found = Statistic::ALL.into_iter().find(|statistic| statistic.as_str() == text);
-    if found.is_none() {
-        let near = nearest(&text, words).map(str::to_string);
-        faults.push(entry.fault(Problem::UnknownWord { nearest: near, allowed: words.join(", ") }));
-    }
-    found
 }

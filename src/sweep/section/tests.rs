@@ -1,9 +1,9 @@
 //! Sweeps as users write them, and the ways to get one wrong.
 
 use super::*;
+use crate::scene::Limits;
 use crate::scene::document::read_document;
 use crate::scene::quantity::read_parameters;
-use crate::scene::section::given;
 
 const SLIDER: &str = "[parameters]\ndirect_effect = 0.004\nevolution_effect = 0.006\n\
     critical_slip_distance_m = 1e-5\nstiffness_pa_per_m = 1e7\nmass_per_area_kg_per_m2 = 1000\n";
@@ -11,15 +11,14 @@ const AXES: &str = "normal_stress_pa = { from = 1e3, to = 1e6, points = 50 }\n\
     loading_velocity_m_per_s = { from = 1e-6, to = 1e-1, points = 40, spacing = \"linear\" }\n";
 
 fn parse(text: &str) -> Result<SweepSection, Vec<String>> {
-    let read = |top: &mut Section<'_>, faults: &mut Faults| {
-        let parameters =
-            top.optional("parameters").map(|entry| read_parameters(&mut entry.section(faults)?, faults));
+    let read = |top: &mut Section<'_>| {
+        let parameters = top.optionally("parameters", |entry| read_parameters(&mut entry.section()?));
         let read = parameters.as_ref().map(Option::as_ref);
-        let sweep = top.optional("sweep").map(|entry| SweepSection::read(&entry, read, faults));
-        given(parameters)?;
-        given(sweep)?
+        let sweep = top.optionally("sweep", |entry| SweepSection::read(entry, read));
+        parameters?;
+        sweep?
     };
-    read_document("s.toml", text.as_bytes(), read)
+    read_document("s.toml", text.as_bytes(), Limits::default(), read)
         .map_err(|faults| faults.iter().map(ToString::to_string).collect())
 }
 

@@ -8,9 +8,13 @@ fn decimal(text: &str) -> Rational {
     parse_decimal(text).unwrap()
 }
 
+fn place([velocity, stress]: [&str; 2]) -> Place {
+    Place { loading_velocity_m_per_s: decimal(velocity), normal_stress_pa: decimal(stress) }
+}
+
 fn section(points: &[[&str; 2]], amplitudes: &[&str]) -> LinearRegimeSection {
     LinearRegimeSection {
-        points: points.iter().map(|point| point.map(decimal)).collect(),
+        points: points.iter().map(|point| place(*point)).collect(),
         laws: EvolutionLaw::ALL.to_vec(),
         amplitudes: amplitudes.iter().map(|text| decimal(text)).collect(),
     }
