@@ -12,7 +12,6 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use slipmode::comparison::Agreement;
 use slipmode::scene::{AllowedRange, Problem};
 use slipmode_core::number::nearest_f64;
 
@@ -24,7 +23,7 @@ use crate::cli::points::Started;
 use crate::cli::progress::Progress;
 use crate::cli::terminal::{self, count_of};
 use crate::cli::words::law_of_word;
-use rows::{CompareRows, ComparedRow};
+use rows::{CompareRows, ComparedRow, counts};
 
 /// Options of `compare`.
 #[derive(Debug, Args)]
@@ -122,8 +121,7 @@ impl Options {
 
 /// Success when every row agrees and none was passed over.
 fn verdict(rows: &[ComparedRow], faulty: u64) -> Result<(), Failure> {
-    let count = |verdict: Agreement| rows.iter().filter(|row| row.comparison.verdict == verdict).count();
-    let (differs, open) = (count(Agreement::Differs), count(Agreement::NotCompared));
+    let [_, differs, open] = counts(rows);
     let rest = format!("{}, {differs} differ and {open} could not be compared", count_of(rows.len(), "row"));
     let faulty = usize::try_from(faulty).unwrap_or(usize::MAX);
     match differs + open {

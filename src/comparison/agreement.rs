@@ -1,5 +1,7 @@
 //! One quantity of a run against one reference: how far apart, how far apart they may be, and the verdict.
 
+use crate::comparison::recording::Measured;
+
 /// What is compared.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Observable {
@@ -24,56 +26,40 @@ impl Observable {
     /// What a column of a runs file may give as a number.
     pub const STATED: [Self; 4] = [Self::PeakVelocity, Self::Period, Self::StressDrop, Self::Frequency];
 
+    /// Its key, its stem, its words and its unit.
+    const fn names(self) -> [&'static str; 4] {
+        match self {
+            Self::Mode => ["mode", "mode", "mode", ""],
+            Self::PeakVelocity => ["peak_velocity_m_per_s", "peak_velocity", "peak velocity", "m/s"],
+            Self::Period => ["period_s", "period", "period", "s"],
+            Self::StressDrop => ["stress_drop_pa", "stress_drop", "stress drop", "Pa"],
+            Self::Frequency => ["frequency_hz", "frequency", "frequency", "Hz"],
+            Self::GrowthRate => ["growth_rate_per_s", "growth_rate", "growth rate", "1/s"],
+        }
+    }
+
     /// The column, with its unit.
     #[must_use]
     pub const fn key(self) -> &'static str {
-        match self {
-            Self::Mode => "mode",
-            Self::PeakVelocity => "peak_velocity_m_per_s",
-            Self::Period => "period_s",
-            Self::StressDrop => "stress_drop_pa",
-            Self::Frequency => "frequency_hz",
-            Self::GrowthRate => "growth_rate_per_s",
-        }
+        self.names()[0]
     }
 
     /// The column without its unit: what a column in another unit still begins with.
     #[must_use]
     pub const fn stem(self) -> &'static str {
-        match self {
-            Self::Mode => "mode",
-            Self::PeakVelocity => "peak_velocity",
-            Self::Period => "period",
-            Self::StressDrop => "stress_drop",
-            Self::Frequency => "frequency",
-            Self::GrowthRate => "growth_rate",
-        }
+        self.names()[1]
     }
 
     /// The name for people.
     #[must_use]
     pub const fn words(self) -> &'static str {
-        match self {
-            Self::Mode => "mode",
-            Self::PeakVelocity => "peak velocity",
-            Self::Period => "period",
-            Self::StressDrop => "stress drop",
-            Self::Frequency => "frequency",
-            Self::GrowthRate => "growth rate",
-        }
+        self.names()[2]
     }
 
     /// The unit for people; empty for words.
     #[must_use]
     pub const fn unit(self) -> &'static str {
-        match self {
-            Self::Mode => "",
-            Self::PeakVelocity => "m/s",
-            Self::Period => "s",
-            Self::StressDrop => "Pa",
-            Self::Frequency => "Hz",
-            Self::GrowthRate => "1/s",
-        }
+        self.names()[3]
     }
 }
 
@@ -143,13 +129,8 @@ impl Agreement {
 /// A value of either side.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Value {
-    /// A number with its relative error: zero for a stated value, whose error is the tolerance.
-    Number {
-        /// The number.
-        value: f64,
-        /// Its relative error.
-        relative_error: f64,
-    },
+    /// A number with its error.
+    Number(Measured),
     /// A word.
     Word(&'static str),
     /// There is none.
@@ -179,39 +160,27 @@ pub struct Finding {
     pub why: String,
 }
 
+/// What is compared, where the run's value comes from, and what it is compared with.
+pub type Subject = (Observable, Origin, Reference);
+
 impl Finding {
     /// A finding about words, decided by their equality.
     #[must_use]
     pub fn of_words(origin: Origin, reference: Reference, run: &'static str, ours: &'static str) -> Self {
         let verdict = if run == ours { Agreement::Agrees } else { Agreement::Differs };
-        Self {
-            observable: Observable::Mode,
-            origin,
-            reference,
-            run: Value::Word(run),
-            ours: Value::Word(ours),
-            difference: None,
-            allowed: None,
-            verdict,
-            why: String::new(),
-        }
+        let subject = (Observable::Mode, origin, reference);
+        Self { ours: Value::Word(ours), ..Self::because(subject, Value::Word(run), verdict, "") }
     }
 
     /// A finding about numbers: they differ beyond tolerance and errors; they agree within them, provided that no error exceeds the
     /// tolerance, for else the agreement would only say how little is known.
     #[must_use]
-    pub fn of_numbers(
-        observable: Observable,
-        origin: Origin,
-        reference: Reference,
-        [run, ours]: [(f64, f64); 2],
-        tolerance: f64,
-    ) -> Self {
-        let difference = run.0 / ours.0 - 1.0;
-        let allowed = tolerance + run.1 + ours.1;
+    pub fn of_numbers(subject: Subject, [run, ours]: [Measured; 2], tolerance: f64) -> Self {
+        let difference = run.value / ours.value - 1.0;
+        let allowed = tolerance + run.relative_error + ours.relative_error;
         // Not so for an error that is no number.
-        let resolves = |error: f64| error <= tolerance;
-        let unresolved = |whose: &str, error: f64| {
+        let resolves = |side: Measured| side.relative_error <= tolerance;
+        let unresolved = |whose: &str, Measured { relative_error: error, .. }| {
             let shown = if error.is_finite() { format!("only to {error:.1e}") } else { "not at all".into() };
             (
                 Agreement::NotCompared,
@@ -220,28 +189,22 @@ impl Finding {
         };
         let (verdict, why) = match () {
             () if difference.abs() > allowed => (Agreement::Differs, String::new()),
-            () if !resolves(run.1) => unresolved("the trajectory", run.1),
-            () if !resolves(ours.1) => unresolved("our simulation", ours.1),
+            () if !resolves(run) => unresolved("the trajectory", run),
+            () if !resolves(ours) => unresolved("our simulation", ours),
             () => (Agreement::Agrees, String::new()),
         };
-        let number = |(value, relative_error)| Value::Number { value, relative_error };
         Self {
-            observable,
-            origin,
-            reference,
-            run: number(run),
-            ours: number(ours),
+            ours: Value::Number(ours),
             difference: Some(difference),
             allowed: Some(allowed),
-            verdict,
-            why,
+            ..Self::because(subject, Value::Number(run), verdict, &why)
         }
     }
 
     /// A finding with a verdict for a reason in words.
     #[must_use]
     pub fn because(
-        (observable, origin, reference): (Observable, Origin, Reference),
+        (observable, origin, reference): Subject,
         run: Value,
         verdict: Agreement,
         why: &str,
@@ -265,14 +228,9 @@ mod tests {
     use super::*;
 
     fn verdict(run: (f64, f64), ours: (f64, f64), tolerance: f64) -> Agreement {
-        Finding::of_numbers(
-            Observable::Period,
-            Origin::Trajectory,
-            Reference::Simulation,
-            [run, ours],
-            tolerance,
-        )
-        .verdict
+        let both = [run, ours].map(|(value, relative_error)| Measured { value, relative_error });
+        let subject = (Observable::Period, Origin::Trajectory, Reference::Simulation);
+        Finding::of_numbers(subject, both, tolerance).verdict
     }
 
     #[test]

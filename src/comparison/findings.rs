@@ -49,7 +49,9 @@ pub(crate) fn compare_as_stated(run: &StatedRun, simulate: Simulate<'_>) -> Comp
     let theory = Theory::of(&run.parameters);
     let tolerance = (BELOW_TOLERANCE * run.tolerance).clamp(TIGHTEST_SIMULATION, LOOSEST_SIMULATION);
     let simulation = simulate(&run.parameters, run.law, tolerance);
-    let findings = Side { run, theory: &theory, simulation: &simulation }.findings();
+    let mut side = Side { run, theory: &theory, simulation: &simulation, findings: Vec::new() };
+    side.compare();
+    let findings = side.findings;
     let has = |verdict| findings.iter().any(|finding: &Finding| finding.verdict == verdict);
     let verdict = match () {
         () if has(Agreement::Differs) => Agreement::Differs,
@@ -59,55 +61,48 @@ pub(crate) fn compare_as_stated(run: &StatedRun, simulate: Simulate<'_>) -> Comp
     Comparison { theory, simulation, findings, verdict, diagnosis: None }
 }
 
-/// Both sides of a comparison.
+/// Both sides of a comparison, and what was found so far.
 struct Side<'r> {
     run: &'r StatedRun,
     theory: &'r Theory,
     simulation: &'r Result<Simulation, String>,
+    findings: Vec<Finding>,
 }
 
 const START: &str = "our run ends in steady sliding, so this belongs to its transient, which depends on the start: name it in a column `start`";
 const STILL: &str = "our simulation does not oscillate";
 const NO_PAIR: &str = "all roots of the linear theory are real";
 const OTHER_END: &str = "the trajectory and our simulation end differently";
+const UNDECIDED: &str = "on the transition the linear theory does not decide the long-term behaviour";
+const NONLINEAR: &str =
+    "our simulation departs from the linear theory here, which holds for small deviations";
 
 impl Side<'_> {
-    fn findings(&self) -> Vec<Finding> {
-        let mut findings = Vec::new();
+    fn compare(&mut self) {
         if let Some(mode) = self.run.mode {
-            self.compare_mode(Origin::Column, mode, &mut findings);
+            self.compare_mode(Origin::Column, mode);
         }
         for (observable, value) in self.run.stated() {
-            self.compare_stated(observable, value, &mut findings);
+            self.compare_stated(observable, value);
         }
-        if let Some(recording) = &self.run.recording {
-            let level = nearest_f64(&self.run.parameters.point.loading_velocity_m_per_s);
-            match recording.long_term(libm::log(level), self.returns_per_cycle()) {
-                Ok(RecordedBehaviour::Cycle { peak_ratio, period_s, stress_drop_pa }) => {
-                    self.compare_mode(
-                        Origin::Trajectory,
-                        StatedMode::Behaviour(Behaviour::Periodic),
-                        &mut findings,
-                    );
-                    let peak = Measured { value: peak_ratio.value * level, ..peak_ratio };
-                    self.compare_cycle([Some(peak), Some(period_s), stress_drop_pa], &mut findings);
-                }
-                Ok(RecordedBehaviour::Decay(decay)) => {
-                    self.compare_mode(
-                        Origin::Trajectory,
-                        StatedMode::Behaviour(Behaviour::Decaying),
-                        &mut findings,
-                    );
-                    self.compare_decay(decay, &mut findings);
-                }
-                Err(undecided) => {
-                    let place = (Observable::Mode, Origin::Trajectory, Reference::Simulation);
-                    let why = undecided.to_string();
-                    findings.push(Finding::because(place, Value::None, Agreement::NotCompared, &why));
-                }
+        let Some(recording) = &self.run.recording else { return };
+        let level = nearest_f64(&self.run.parameters.point.loading_velocity_m_per_s);
+        match recording.long_term(libm::log(level), self.returns_per_cycle()) {
+            Ok(RecordedBehaviour::Cycle { peak_ratio, period_s, stress_drop_pa }) => {
+                self.compare_mode(Origin::Trajectory, StatedMode::Behaviour(Behaviour::Periodic));
+                let peak = Measured { value: peak_ratio.value * level, ..peak_ratio };
+                self.compare_cycle([Some(peak), Some(period_s), stress_drop_pa]);
+            }
+            Ok(RecordedBehaviour::Decay(decay)) => {
+                self.compare_mode(Origin::Trajectory, StatedMode::Behaviour(Behaviour::Decaying));
+                self.compare_decay(decay);
+            }
+            Err(undecided) => {
+                let subject = (Observable::Mode, Origin::Trajectory, Reference::Simulation);
+                let (open, why) = (Agreement::NotCompared, undecided.to_string());
+                self.findings.push(Finding::because(subject, Value::None, open, &why));
             }
         }
-        findings
     }
 
     /// Crossings of V = V_l in one period of our cycle; one for a decay.
@@ -117,176 +112,133 @@ impl Side<'_> {
         both.map_or(1, |(period, frequency)| libm::round(period * frequency).clamp(1.0, 64.0) as usize)
     }
 
-    fn compare_mode(&self, origin: Origin, mode: StatedMode, findings: &mut Vec<Finding>) {
-        let of_behaviour = |behaviour: Behaviour| behaviour.as_str();
+    fn compare_mode(&mut self, origin: Origin, mode: StatedMode) {
+        let simulation = self.simulation.as_ref();
         let (simulated, theory) = match mode {
             StatedMode::Behaviour(_) => (
-                self.simulation.as_ref().map(|found| of_behaviour(found.behaviour)),
-                self.theory.behaviour.map(of_behaviour),
+                simulation.map(|found| found.behaviour.as_str()),
+                self.theory.behaviour.map(Behaviour::as_str),
             ),
-            StatedMode::Slip(_) => (
-                self.simulation.as_ref().map(|found| found.slip_mode.as_str()),
-                Some(self.theory.slip_mode.as_str()),
-            ),
-        };
-        findings.push(match simulated {
-            Ok(word) => Finding::of_words(origin, Reference::Simulation, mode.as_str(), word),
-            Err(why) => self.without_simulation(Observable::Mode, origin, Value::Word(mode.as_str()), why),
-        });
-        findings.push(self.theory_on_mode(origin, mode, simulated.ok(), theory));
-    }
-
-    /// The theory is linear: where our own simulation departs from it, it does not speak against a run.
-    fn theory_on_mode(
-        &self,
-        origin: Origin,
-        mode: StatedMode,
-        simulated: Option<&'static str>,
-        theory: Option<&'static str>,
-    ) -> Finding {
-        let place = (Observable::Mode, origin, Reference::Theory);
-        let run = Value::Word(mode.as_str());
-        let open = |why: &str| Finding::because(place, run, Agreement::NotCompared, why);
-        let Some(word) = theory else {
-            return open("on the transition the linear theory does not decide the long-term behaviour");
-        };
-        let mut found = Finding::of_words(origin, Reference::Theory, mode.as_str(), word);
-        if found.verdict == Agreement::Differs && simulated.is_some_and(|simulated| simulated != word) {
-            found.verdict = Agreement::NotCompared;
-            found.why =
-                "our simulation departs from the linear theory here, which holds for small deviations".into();
-        }
-        found
-    }
-
-    fn compare_stated(&self, observable: Observable, value: f64, findings: &mut Vec<Finding>) {
-        let place = (observable, Origin::Column, Reference::Simulation);
-        let run = Value::Number { value, relative_error: 0.0 };
-        let simulation = match self.simulation {
-            Ok(simulation) => simulation,
-            Err(why) => {
-                findings.push(self.without_simulation(observable, Origin::Column, run, why));
-                // A cycle is not linear: only a decay has the theory's frequency.
-                if self.theory.behaviour == Some(Behaviour::Decaying) {
-                    self.compare_linear(observable, Origin::Column, (value, 0.0), findings);
-                }
-                return;
+            StatedMode::Slip(_) => {
+                (simulation.map(|found| found.slip_mode.as_str()), Some(self.theory.slip_mode.as_str()))
             }
         };
+        let word = mode.as_str();
+        self.findings.push(match simulated {
+            Ok(ours) => Finding::of_words(origin, Reference::Simulation, word, ours),
+            Err(why) => without_simulation(Observable::Mode, origin, Value::Word(word), why),
+        });
+        self.findings.push(theory_on_mode(origin, word, simulated.ok(), theory));
+    }
+
+    fn compare_stated(&mut self, observable: Observable, value: f64) {
+        let stated = Measured { value, relative_error: 0.0 };
         let of_transient = matches!(observable, Observable::PeakVelocity | Observable::StressDrop)
-            && simulation.behaviour == Behaviour::Decaying
             && !self.run.has_known_start;
-        findings.push(match simulated(simulation, observable) {
-            _ if of_transient => Finding::because(place, run, Agreement::NotCompared, START),
-            Some(ours) => {
-                self.numbers(observable, Origin::Column, Reference::Simulation, [(value, 0.0), ours])
-            }
-            None => Finding::because(place, run, Agreement::Differs, STILL),
-        });
-        if simulation.behaviour == Behaviour::Decaying {
-            self.compare_linear(observable, Origin::Column, (value, 0.0), findings);
+        let open = |ours: Behaviour| (of_transient && ours == Behaviour::Decaying).then_some(START);
+        self.compare_simulated(observable, Origin::Column, stated, open);
+        // A cycle is not linear: only a decay has the theory's frequency.
+        let behaviour = self.simulation.as_ref().map_or(self.theory.behaviour, |ours| Some(ours.behaviour));
+        if behaviour == Some(Behaviour::Decaying) {
+            self.compare_linear(observable, Origin::Column, stated);
         }
+    }
+
+    /// A number against our simulation, unless `open` says why a simulation with this end has none to compare.
+    fn compare_simulated(
+        &mut self,
+        observable: Observable,
+        origin: Origin,
+        run: Measured,
+        open: impl Fn(Behaviour) -> Option<&'static str>,
+    ) {
+        let subject = (observable, origin, Reference::Simulation);
+        let because = |verdict, why| Finding::because(subject, Value::Number(run), verdict, why);
+        self.findings.push(match self.simulation {
+            Err(why) => without_simulation(observable, origin, Value::Number(run), why),
+            Ok(ours) => match (open(ours.behaviour), simulated(ours, observable)) {
+                (Some(why), _) => because(Agreement::NotCompared, why),
+                (None, Some(ours)) => Finding::of_numbers(subject, [run, ours], self.run.tolerance),
+                (None, None) => because(Agreement::Differs, STILL),
+            },
+        });
     }
 
     /// Period, frequency and growth rate of a decay against the pair of the linear theory.
-    fn compare_linear(
-        &self,
-        observable: Observable,
-        origin: Origin,
-        run: (f64, f64),
-        findings: &mut Vec<Finding>,
-    ) {
+    fn compare_linear(&mut self, observable: Observable, origin: Origin, run: Measured) {
         let ours = match observable {
             Observable::Period => self.theory.frequency_hz.map(|frequency| 1.0 / frequency),
             Observable::Frequency => self.theory.frequency_hz,
             Observable::GrowthRate => Some(self.theory.growth_rate_per_s),
             Observable::Mode | Observable::PeakVelocity | Observable::StressDrop => return,
         };
-        findings.push(match ours {
-            Some(ours) => self.numbers(observable, origin, Reference::Theory, [run, (ours, THEORY_ERROR)]),
-            None => {
-                let value = Value::Number { value: run.0, relative_error: run.1 };
-                Finding::because((observable, origin, Reference::Theory), value, Agreement::Differs, NO_PAIR)
+        let subject = (observable, origin, Reference::Theory);
+        self.findings.push(match ours {
+            Some(value) => {
+                let ours = Measured { value, relative_error: THEORY_ERROR };
+                Finding::of_numbers(subject, [run, ours], self.run.tolerance)
             }
+            None => Finding::because(subject, Value::Number(run), Agreement::Differs, NO_PAIR),
         });
     }
 
-    fn compare_cycle(&self, measured: [Option<Measured>; 3], findings: &mut Vec<Finding>) {
+    fn compare_cycle(&mut self, measured: [Option<Measured>; 3]) {
         let observables = [Observable::PeakVelocity, Observable::Period, Observable::StressDrop];
         for (observable, measured) in observables.into_iter().zip(measured) {
-            let Some(Measured { value, relative_error }) = measured else { continue };
-            let run = Value::Number { value, relative_error };
-            let place = (observable, Origin::Trajectory, Reference::Simulation);
-            findings.push(match self.simulation {
-                Err(why) => self.without_simulation(observable, Origin::Trajectory, run, why),
-                Ok(ours) if ours.behaviour != Behaviour::Periodic => {
-                    Finding::because(place, run, Agreement::NotCompared, OTHER_END)
-                }
-                Ok(ours) => match simulated(ours, observable) {
-                    Some(ours) => {
-                        let both = [(value, relative_error), ours];
-                        self.numbers(observable, Origin::Trajectory, Reference::Simulation, both)
-                    }
-                    None => Finding::because(place, run, Agreement::Differs, STILL),
-                },
-            });
+            let Some(measured) = measured else { continue };
+            let open = |ours: Behaviour| (ours != Behaviour::Periodic).then_some(OTHER_END);
+            self.compare_simulated(observable, Origin::Trajectory, measured, open);
         }
     }
 
-    fn compare_decay(&self, decay: RecordedDecay, findings: &mut Vec<Finding>) {
+    fn compare_decay(&mut self, decay: RecordedDecay) {
         let origin = Origin::Trajectory;
-        if let Some(Measured { value, relative_error }) = decay.period_s {
-            if let Ok(ours) = self.simulation
-                && ours.behaviour == Behaviour::Decaying
-            {
-                let place = (Observable::Period, origin, Reference::Simulation);
-                findings.push(match simulated(ours, Observable::Period) {
-                    Some(ours) => {
-                        let both = [(value, relative_error), ours];
-                        self.numbers(Observable::Period, origin, Reference::Simulation, both)
-                    }
-                    None => Finding::because(
-                        place,
-                        Value::Number { value, relative_error },
-                        Agreement::Differs,
-                        STILL,
-                    ),
-                });
+        if let Some(period) = decay.period_s {
+            if self.simulation.as_ref().is_ok_and(|ours| ours.behaviour == Behaviour::Decaying) {
+                self.compare_simulated(Observable::Period, origin, period, |_| None);
             }
-            self.compare_linear(Observable::Period, origin, (value, relative_error), findings);
+            self.compare_linear(Observable::Period, origin, period);
         }
         // The pair's rate is seen in returns; without returns the slowest root is, which is the last one when all are real.
-        if let Some(Measured { value, relative_error }) = decay.rate_per_s
+        if let Some(rate) = decay.rate_per_s
             && decay.period_s.is_some() == self.theory.frequency_hz.is_some()
         {
-            self.compare_linear(Observable::GrowthRate, origin, (value, relative_error), findings);
+            self.compare_linear(Observable::GrowthRate, origin, rate);
         }
-    }
-
-    fn numbers(
-        &self,
-        observable: Observable,
-        origin: Origin,
-        reference: Reference,
-        both: [(f64, f64); 2],
-    ) -> Finding {
-        Finding::of_numbers(observable, origin, reference, both, self.run.tolerance)
-    }
-
-    fn without_simulation(&self, observable: Observable, origin: Origin, run: Value, why: &str) -> Finding {
-        let why = format!("our simulation failed: {why}");
-        Finding::because((observable, origin, Reference::Simulation), run, Agreement::NotCompared, &why)
     }
 }
 
-/// A value of our simulation with its relative error.
-fn simulated(found: &Simulation, observable: Observable) -> Option<(f64, f64)> {
-    let with_period_error = |value: Option<f64>| value.zip(found.period_relative_error);
-    match observable {
-        Observable::PeakVelocity => Some((found.peak_velocity_m_per_s, found.peak_relative_error)),
-        Observable::Period => with_period_error(found.period_s),
-        Observable::StressDrop => Some((found.stress_drop_pa, found.stress_drop_relative_error)),
-        Observable::Frequency => with_period_error(found.frequency_hz),
-        Observable::Mode | Observable::GrowthRate => None,
+/// The theory is linear: where our own simulation departs from it, it does not speak against a run.
+fn theory_on_mode(
+    origin: Origin,
+    mode: &'static str,
+    simulated: Option<&'static str>,
+    theory: Option<&'static str>,
+) -> Finding {
+    let Some(word) = theory else {
+        let subject = (Observable::Mode, origin, Reference::Theory);
+        return Finding::because(subject, Value::Word(mode), Agreement::NotCompared, UNDECIDED);
+    };
+    let found = Finding::of_words(origin, Reference::Theory, mode, word);
+    if found.verdict == Agreement::Differs && simulated.is_some_and(|simulated| simulated != word) {
+        return Finding { verdict: Agreement::NotCompared, why: NONLINEAR.into(), ..found };
     }
+    found
+}
+
+fn without_simulation(observable: Observable, origin: Origin, run: Value, why: &str) -> Finding {
+    let why = format!("our simulation failed: {why}");
+    Finding::because((observable, origin, Reference::Simulation), run, Agreement::NotCompared, &why)
+}
+
+/// A value of our simulation with its relative error.
+fn simulated(found: &Simulation, observable: Observable) -> Option<Measured> {
+    let (value, relative_error) = match observable {
+        Observable::PeakVelocity => (found.peak_velocity_m_per_s, found.peak_relative_error),
+        Observable::Period => found.period_s.zip(found.period_relative_error)?,
+        Observable::StressDrop => (found.stress_drop_pa, found.stress_drop_relative_error),
+        Observable::Frequency => found.frequency_hz.zip(found.period_relative_error)?,
+        Observable::Mode | Observable::GrowthRate => return None,
+    };
+    Some(Measured { value, relative_error })
 }

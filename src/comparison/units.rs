@@ -54,7 +54,7 @@ pub fn diagnose(run: &StatedRun, simulate: Simulate<'_>) -> Option<String> {
         let other = guess.applied(run)?;
         let found = compare_as_stated(&other, simulate);
         let has_number = |finding: &&super::Finding| {
-            finding.verdict == Agreement::Agrees && matches!(finding.run, Value::Number { .. })
+            finding.verdict == Agreement::Agrees && matches!(finding.run, Value::Number(_))
         };
         let numbers = found.findings.iter().filter(has_number).count();
         (found.verdict == Agreement::Agrees && numbers > 0).then(|| guess.message(numbers))

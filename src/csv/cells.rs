@@ -1,5 +1,7 @@
 //! Cells of the output: quoted where CSV needs it, and harmless in a spreadsheet.
 
+use serde_json::Value;
+use slipmode_core::number::format::shortest;
 use slipmode_core::number::parse_decimal;
 
 /// Appends a cell of the input as it stands; text that a spreadsheet would run as a formula gets a `'` in front.
@@ -28,6 +30,56 @@ pub fn push_cell(out: &mut Vec<u8>, cell: &[u8]) {
 fn starts_a_formula(cell: &[u8]) -> bool {
     let Some(b'=' | b'+' | b'-' | b'@' | b'\t' | b'\r') = cell.first() else { return false };
     std::str::from_utf8(cell).map_or(true, |text| parse_decimal(text).is_err())
+}
+
+/// What stands in an appended cell.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Datum {
+    /// A text.
+    Text(String),
+    /// A number of 64 bits, in its shortest decimal; an empty cell, or null, when there is none.
+    Number(Option<f64>),
+    /// A whole number.
+    Count(u64),
+}
+
+impl Datum {
+    /// The value in JSON.
+    #[must_use]
+    pub fn json(self) -> Value {
+        match self {
+            Self::Text(text) => text.into(),
+            Self::Number(number) => number.into(),
+            Self::Count(count) => count.into(),
+        }
+    }
+}
+
+/// An appended column: its name, and its cell of a result.
+pub type Column<T> = (&'static str, fn(&T) -> Datum);
+
+/// The names of columns.
+#[must_use]
+pub const fn names<T, const N: usize>(columns: &[Column<T>; N]) -> [&'static str; N] {
+    let mut names = [""; N];
+    let mut index = 0;
+    while index < N {
+        names[index] = columns[index].0;
+        index += 1;
+    }
+    names
+}
+
+/// Appends the cells of a result, each behind a comma.
+pub fn push_cells<T>(columns: &[Column<T>], result: &T, out: &mut Vec<u8>) {
+    for (_, cell) in columns {
+        out.push(b',');
+        match cell(result) {
+            Datum::Text(text) => push_cell(out, text.as_bytes()),
+            Datum::Number(number) => out.extend(number.map(shortest).unwrap_or_default().bytes()),
+            Datum::Count(count) => out.extend(count.to_string().bytes()),
+        }
+    }
 }
 
 #[cfg(test)]

@@ -9,7 +9,7 @@ mod row_work;
 mod rows;
 mod work;
 
-pub use cells::push_cell;
+pub use cells::{Column, Datum, names, push_cell, push_cells};
 pub use header::{Header, misnamed};
 pub use recording::read_recording;
 pub use row_work::{Cells, Remark, RowWork};

@@ -3,7 +3,7 @@
 use std::io::Write;
 
 use slipmode::csv::{Cells, Remark, RowWork};
-use slipmode::scene::{Faults, Problem};
+use slipmode::scene::Faults;
 use slipmode_core::number::nearest_f64;
 use slipmode_core::stability::{
     Classification, InertialThreshold, SpectralClass, classify, classify_quickly,
@@ -51,10 +51,6 @@ impl RowWork for ClassifyRows {
     ];
     const BLOCK_ROWS: usize = 2048;
     const BLOCKS_PER_THREAD: usize = 1;
-
-    fn header_faults(&self, _names: &[String]) -> Vec<(String, Problem)> {
-        Vec::new()
-    }
 
     fn read(&self, cells: Cells<'_>) -> Result<Classified, Faults> {
         if let Some(short) = cells.short_parameters()

@@ -1,80 +1,62 @@
 //! The cells that `compare` appends to a row: what theory and simulation say, and the verdicts.
 
 use slipmode::comparison::{Agreement, Comparison, Finding, Observable};
-use slipmode::csv::push_cell;
+use slipmode::csv::{Column, Datum};
 use slipmode_core::dynamics::Simulation;
-use slipmode_core::number::format::shortest;
+
+use crate::cli::compare::rows::ComparedRow;
 
 /// The appended columns.
-pub const APPENDED: &[&str] = &[
-    "theory_class",
-    "theory_slip_mode",
-    "theory_stiffness_over_critical",
-    "theory_frequency_hz",
-    "simulated_mode",
-    "simulated_slip_mode",
-    "simulated_peak_velocity_m_per_s",
-    "simulated_period_s",
-    "simulated_stress_drop_pa",
-    "simulated_frequency_hz",
-    "simulated_peak_relative_error",
-    "simulated_period_relative_error",
-    "mode_verdict",
-    "peak_velocity_verdict",
-    "period_verdict",
-    "stress_drop_verdict",
-    "frequency_verdict",
-    "growth_rate_verdict",
-    "largest_difference",
-    "verdict",
-    "reason",
-    "warning",
+pub const COLUMNS: [Column<ComparedRow>; 22] = [
+    ("theory_class", |row| word(row.comparison.theory.class.as_str())),
+    ("theory_slip_mode", |row| word(row.comparison.theory.slip_mode.as_str())),
+    ("theory_stiffness_over_critical", |row| Datum::Number(row.comparison.theory.stiffness_ratio)),
+    ("theory_frequency_hz", |row| Datum::Number(row.comparison.theory.frequency_hz)),
+    ("simulated_mode", |row| simulated_word(row, |found| found.behaviour.as_str())),
+    ("simulated_slip_mode", |row| simulated_word(row, |found| found.slip_mode.as_str())),
+    ("simulated_peak_velocity_m_per_s", |row| simulated(row, |found| Some(found.peak_velocity_m_per_s))),
+    ("simulated_period_s", |row| simulated(row, |found| found.period_s)),
+    ("simulated_stress_drop_pa", |row| simulated(row, |found| Some(found.stress_drop_pa))),
+    ("simulated_frequency_hz", |row| simulated(row, |found| found.frequency_hz)),
+    ("simulated_peak_relative_error", |row| simulated(row, |found| Some(found.peak_relative_error))),
+    ("simulated_period_relative_error", |row| simulated(row, |found| found.period_relative_error)),
+    ("mode_verdict", |row| verdict_on(row, Observable::Mode)),
+    ("peak_velocity_verdict", |row| verdict_on(row, Observable::PeakVelocity)),
+    ("period_verdict", |row| verdict_on(row, Observable::Period)),
+    ("stress_drop_verdict", |row| verdict_on(row, Observable::StressDrop)),
+    ("frequency_verdict", |row| verdict_on(row, Observable::Frequency)),
+    ("growth_rate_verdict", |row| verdict_on(row, Observable::GrowthRate)),
+    ("largest_difference", |row| Datum::Number(largest_difference(&row.comparison))),
+    ("verdict", |row| word(row.comparison.verdict.as_str())),
+    ("reason", |row| Datum::Text(reason(&row.comparison))),
+    ("warning", |row| Datum::Text(row.warnings.join("; "))),
 ];
 
-/// Appends the cells of a comparison, each behind a comma.
-pub fn push_comparison(found: &Comparison, warnings: &[String], out: &mut Vec<u8>) {
-    let optional = |value: Option<f64>| value.map(shortest).unwrap_or_default();
-    let theory = &found.theory;
-    let simulation = found.simulation.as_ref().ok();
-    let simulated = |value: fn(&Simulation) -> Option<f64>| optional(simulation.and_then(value));
-    let mut cells = vec![
-        theory.class.as_str().to_string(),
-        theory.slip_mode.as_str().into(),
-        optional(theory.stiffness_ratio),
-        optional(theory.frequency_hz),
-        simulation.map_or("", |found| found.behaviour.as_str()).into(),
-        simulation.map_or("", |found| found.slip_mode.as_str()).into(),
-        simulated(|found| Some(found.peak_velocity_m_per_s)),
-        simulated(|found| found.period_s),
-        simulated(|found| Some(found.stress_drop_pa)),
-        simulated(|found| found.frequency_hz),
-        simulated(|found| Some(found.peak_relative_error)),
-        simulated(|found| found.period_relative_error),
-    ];
-    cells.extend(Observable::ALL.map(|of| verdict_on(found, of).map_or("", Agreement::as_str).to_string()));
-    cells.push(optional(largest_difference(found)));
-    cells.push(found.verdict.as_str().into());
-    cells.push(reason(found));
-    cells.push(warnings.join("; "));
-    for cell in cells {
-        out.push(b',');
-        push_cell(out, cell.as_bytes());
-    }
+fn word(word: &str) -> Datum {
+    Datum::Text(word.into())
 }
 
-/// The verdict on one quantity over all its references and origins; none when the run does not give it.
-pub fn verdict_on(found: &Comparison, of: Observable) -> Option<Agreement> {
-    let verdicts =
-        found.findings.iter().filter(|finding| finding.observable == of).map(|finding| finding.verdict);
-    verdicts.reduce(|one, other| match (one, other) {
+fn simulated(row: &ComparedRow, value: fn(&Simulation) -> Option<f64>) -> Datum {
+    Datum::Number(row.comparison.simulation.as_ref().ok().and_then(value))
+}
+
+fn simulated_word(row: &ComparedRow, of: fn(&Simulation) -> &'static str) -> Datum {
+    word(row.comparison.simulation.as_ref().map_or("", of))
+}
+
+/// The verdict on one quantity over all its references and origins; empty when the run does not give it.
+fn verdict_on(row: &ComparedRow, of: Observable) -> Datum {
+    let verdicts = row.comparison.findings.iter().filter(|finding| finding.observable == of);
+    let verdict = verdicts.map(|finding| finding.verdict).reduce(|one, other| match (one, other) {
         (Agreement::Differs, _) | (_, Agreement::Differs) => Agreement::Differs,
         (Agreement::Agrees, _) | (_, Agreement::Agrees) => Agreement::Agrees,
         _ => Agreement::NotCompared,
-    })
+    });
+    word(verdict.map_or("", Agreement::as_str))
 }
 
 /// The difference of the largest size.
-pub fn largest_difference(found: &Comparison) -> Option<f64> {
+fn largest_difference(found: &Comparison) -> Option<f64> {
     let differences = found.findings.iter().filter_map(|finding| finding.difference);
     differences.max_by(|one, other| one.abs().total_cmp(&other.abs()))
 }

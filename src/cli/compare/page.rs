@@ -2,12 +2,11 @@
 
 use std::path::Path;
 
-use slipmode::comparison::Agreement;
 use slipmode::report::{ChapterView, ProvenanceView, ReportView, render_html, render_markdown};
 
 use crate::cli::compare::figures::figures;
 use crate::cli::compare::inputs::inputs;
-use crate::cli::compare::rows::ComparedRow;
+use crate::cli::compare::rows::{ComparedRow, counts};
 use crate::cli::compare::tables::tables;
 use crate::cli::environment::{ENVIRONMENT_FILE, Environment};
 use crate::cli::failure::Failure;
@@ -71,17 +70,14 @@ fn command(runs: &Path) -> String {
 }
 
 fn summary(rows: &[ComparedRow], faulty: u64) -> String {
-    let count = |verdict: Agreement| rows.iter().filter(|row| row.comparison.verdict == verdict).count();
+    let [agree, differ, not_compared] = counts(rows);
+    let invalid = match faulty {
+        0 => String::new(),
+        1 => " 1 further row of the file is invalid and was left out.".to_string(),
+        _ => format!(" {faulty} further rows of the file are invalid and were left out."),
+    };
     format!(
-        "Of {} runs, **{} agree**, **{} differ** and **{} could not be compared**.{}\n",
+        "Of {} runs, **{agree} agree**, **{differ} differ** and **{not_compared} could not be compared**.{invalid}\n",
         rows.len(),
-        count(Agreement::Agrees),
-        count(Agreement::Differs),
-        count(Agreement::NotCompared),
-        match faulty {
-            0 => String::new(),
-            1 => " 1 further row of the file is invalid and was left out.".to_string(),
-            _ => format!(" {faulty} further rows of the file are invalid and were left out."),
-        },
     )
 }

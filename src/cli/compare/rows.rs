@@ -5,13 +5,13 @@ use std::sync::Arc;
 
 use slipmode::comparison::recording::Recording;
 use slipmode::comparison::{Agreement, Comparison, Observable, StatedMode, StatedRun, compare_run};
-use slipmode::csv::{Cells, Remark, RowWork, misnamed, read_recording};
+use slipmode::csv::{Cells, Remark, RowWork, misnamed, names, push_cells, read_recording};
 use slipmode::scene::{AllowedRange, CsvProblem, Faults, Problem, Quantity, check_name, nearest, of_word};
 use slipmode_core::dynamics::Start;
 use slipmode_core::friction::{EvolutionLaw, Parameters};
 use slipmode_core::number::{Rational, nearest_f64};
 
-use crate::cli::compare::cells::{APPENDED, push_comparison};
+use crate::cli::compare::cells::COLUMNS;
 use crate::cli::input::{open_named_csv, place_inside};
 use crate::cli::simulate::range;
 use crate::cli::simulate::run::{Settings, simulate_point};
@@ -65,7 +65,7 @@ impl RowWork for CompareRows {
     type Input = ReadRow;
     type Kept = ComparedRow;
 
-    const APPENDED: &'static [&'static str] = APPENDED;
+    const APPENDED: &'static [&'static str] = &names(&COLUMNS);
     /// A row takes milliseconds, and some a hundred times longer than others.
     const BLOCK_ROWS: usize = 1;
     const BLOCKS_PER_THREAD: usize = 16;
@@ -129,24 +129,22 @@ impl RowWork for CompareRows {
         let simulate = |parameters: &Parameters<Rational>, law, tolerance| {
             simulate_point(parameters, law, Settings { tolerance, start: row.start })
         };
-        let comparison = compare_run(&row.run, &simulate);
-        let warnings = range::warnings(&row.run.parameters);
-        push_comparison(&comparison, &warnings, out);
-        let mut run = row.run.clone();
+        let mut compared = ComparedRow {
+            number: row.number,
+            comparison: compare_run(&row.run, &simulate),
+            run: row.run.clone(),
+            start: row.start,
+            trajectory: row.trajectory.clone(),
+            warnings: range::warnings(&row.run.parameters),
+        };
         if !self.keeps_recordings {
-            run.recording = None;
+            compared.run.recording = None;
         }
+        push_cells(&COLUMNS, &compared, out);
         Remark {
-            is_unanswered: comparison.verdict == Agreement::NotCompared,
-            warning: (!warnings.is_empty()).then(|| warnings.join("; ")),
-            kept: ComparedRow {
-                number: row.number,
-                run,
-                start: row.start,
-                comparison,
-                trajectory: row.trajectory.clone(),
-                warnings,
-            },
+            is_unanswered: compared.comparison.verdict == Agreement::NotCompared,
+            warning: (!compared.warnings.is_empty()).then(|| compared.warnings.join("; ")),
+            kept: compared,
         }
     }
 }
@@ -176,6 +174,12 @@ fn trajectory_place(folder: &Path, name: &str) -> Result<PathBuf, Problem> {
         return Err(Problem::BadName(error));
     }
     place_inside(folder, name).map_err(|error| Problem::Unreadable(error.to_string()))
+}
+
+/// How many rows agree, differ and could not be compared.
+pub fn counts(rows: &[ComparedRow]) -> [usize; 3] {
+    [Agreement::Agrees, Agreement::Differs, Agreement::NotCompared]
+        .map(|verdict| rows.iter().filter(|row| row.comparison.verdict == verdict).count())
 }
 
 /// Columns of which one at least has to be there.

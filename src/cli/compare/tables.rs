@@ -1,5 +1,6 @@
 //! The tables of a comparison: one row a run, and one row a finding.
 
+use slipmode::comparison::recording::Measured;
 use slipmode::comparison::{Finding, Value};
 use slipmode_core::number::format::round_digits;
 use slipmode_plot::table::{Cell, Column, Table};
@@ -98,7 +99,7 @@ fn value(value: Value) -> (Cell, Cell) {
     match value {
         Value::None => (Cell::empty(), Cell::empty()),
         Value::Word(word) => (Cell::text(word), Cell::empty()),
-        Value::Number { value, relative_error } => {
+        Value::Number(Measured { value, relative_error }) => {
             let error = Some(relative_error).filter(|error| *error > 0.0);
             (number(Some(value), VALUE_DIGITS), number(error, ERROR_DIGITS))
         }

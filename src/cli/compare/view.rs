@@ -1,11 +1,12 @@
 //! What `compare` says: a table for people, one object for programs.
 
 use serde_json::{Value as Json, json};
+use slipmode::comparison::recording::Measured;
 use slipmode::comparison::{Agreement, Finding, Value};
 use slipmode_core::number::format::round_digits;
 
 use crate::cli::compare::cells::reason;
-use crate::cli::compare::rows::ComparedRow;
+use crate::cli::compare::rows::{ComparedRow, counts};
 use crate::cli::simulate::view;
 use crate::cli::terminal;
 
@@ -29,14 +30,9 @@ pub fn text(rows: &[ComparedRow]) -> String {
             text += &format!("  {diagnosis}\n");
         }
     }
-    let count = |verdict: Agreement| rows.iter().filter(|row| row.comparison.verdict == verdict).count();
-    text += &format!(
-        "{}: {} agree, {} differ, {} not compared\n",
-        terminal::count_of(rows.len(), "row"),
-        count(Agreement::Agrees),
-        count(Agreement::Differs),
-        count(Agreement::NotCompared),
-    );
+    let [agree, differ, not_compared] = counts(rows);
+    let rows = terminal::count_of(rows.len(), "row");
+    text += &format!("{rows}: {agree} agree, {differ} differ, {not_compared} not compared\n");
     text
 }
 
@@ -86,7 +82,7 @@ fn shown_value(value: Value, unit: &str) -> String {
     match value {
         Value::Word(word) => word.into(),
         Value::None => "-".into(),
-        Value::Number { value, relative_error } => {
+        Value::Number(Measured { value, relative_error }) => {
             let number = round_digits(value, VALUE_DIGITS);
             match relative_error {
                 error if error > 0.0 && error.is_finite() => {
@@ -100,12 +96,12 @@ fn shown_value(value: Value, unit: &str) -> String {
 
 /// One object: the rows in their order, how many there are of each verdict, and how many were passed over.
 pub fn json(rows: &[ComparedRow], faulty: u64) -> Json {
-    let count = |verdict: Agreement| rows.iter().filter(|row| row.comparison.verdict == verdict).count();
+    let [agree, differ, not_compared] = counts(rows);
     json!({
         "rows": rows.iter().map(row_object).collect::<Vec<_>>(),
-        "agree": count(Agreement::Agrees),
-        "differ": count(Agreement::Differs),
-        "not_compared": count(Agreement::NotCompared),
+        "agree": agree,
+        "differ": differ,
+        "not_compared": not_compared,
         "at_fault": faulty,
     })
 }
@@ -150,7 +146,7 @@ fn finding_object(finding: &Finding) -> Json {
 /// A number, a word or null; the error of a number stands next to it.
 fn value_object(value: Value) -> Json {
     match value {
-        Value::Number { value, relative_error } => {
+        Value::Number(Measured { value, relative_error }) => {
             json!({ "value": value, "relative_error": relative_error })
         }
         Value::Word(word) => json!(word),

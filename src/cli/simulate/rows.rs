@@ -1,15 +1,13 @@
 //! `simulate --points`: every row simulated, its observables and errors appended; a failure stands in the row's status.
 
-use slipmode::csv::{Cells, Remark, RowWork, push_cell};
+use slipmode::csv::{Cells, Column, Datum, Remark, RowWork, names, push_cells};
 use slipmode::scene::{Faults, Problem};
 use slipmode_core::dynamics::Simulation;
 use slipmode_core::friction::{EvolutionLaw, Parameters};
 use slipmode_core::number::Rational;
-use slipmode_core::number::format::shortest;
 
 use crate::cli::simulate::range;
-use crate::cli::simulate::run::{Settings, simulate_point};
-use crate::cli::simulate::view::ANSWERED;
+use crate::cli::simulate::run::{Found, Settings, simulate_point};
 use crate::cli::words::{LAW_COLUMN, LAWS, law_of_word};
 
 /// Simulates rows.
@@ -21,24 +19,42 @@ pub struct SimulateRows {
     pub settings: Settings,
 }
 
+/// The appended columns, which are also the keys of the object of one point; without a result all but the last are empty.
+pub const COLUMNS: [Column<Found>; 12] = [
+    ("mode", |found| word(found, |found| found.behaviour.as_str())),
+    ("slip_mode", |found| word(found, |found| found.slip_mode.as_str())),
+    ("peak_velocity_m_per_s", |found| number(found, |found| Some(found.peak_velocity_m_per_s))),
+    ("minimum_velocity_log10_ratio", |found| number(found, |found| Some(found.minimum_velocity_log10_ratio))),
+    ("period_s", |found| number(found, |found| found.period_s)),
+    ("stress_drop_pa", |found| number(found, |found| Some(found.stress_drop_pa))),
+    ("frequency_hz", |found| number(found, |found| found.frequency_hz)),
+    ("peak_relative_error", |found| number(found, |found| Some(found.peak_relative_error))),
+    ("period_relative_error", |found| number(found, |found| found.period_relative_error)),
+    ("steps", |found| count(found, |found| found.steps)),
+    ("evaluations", |found| count(found, |found| found.evaluations)),
+    ("status", |found| Datum::Text(found.as_ref().err().map_or(ANSWERED, String::as_str).into())),
+];
+
+/// The status of a simulation that has an answer.
+const ANSWERED: &str = "ok";
+
+fn word(found: &Found, of: fn(&Simulation) -> &'static str) -> Datum {
+    found.as_ref().map_or(Datum::Number(None), |found| Datum::Text(of(found).into()))
+}
+
+fn number(found: &Found, of: fn(&Simulation) -> Option<f64>) -> Datum {
+    Datum::Number(found.as_ref().ok().and_then(of))
+}
+
+fn count(found: &Found, of: fn(&Simulation) -> u64) -> Datum {
+    found.as_ref().map_or(Datum::Number(None), |found| Datum::Count(of(found)))
+}
+
 impl RowWork for SimulateRows {
     type Input = (Parameters<Rational>, EvolutionLaw);
     type Kept = ();
 
-    const APPENDED: &'static [&'static str] = &[
-        "mode",
-        "slip_mode",
-        "peak_velocity_m_per_s",
-        "minimum_velocity_log10_ratio",
-        "period_s",
-        "stress_drop_pa",
-        "frequency_hz",
-        "peak_relative_error",
-        "period_relative_error",
-        "steps",
-        "evaluations",
-        "status",
-    ];
+    const APPENDED: &'static [&'static str] = &names(&COLUMNS);
     /// A row takes milliseconds, and some a hundred times longer than others.
     const BLOCK_ROWS: usize = 1;
     const BLOCKS_PER_THREAD: usize = 64;
@@ -69,38 +85,8 @@ impl RowWork for SimulateRows {
 
     fn append(&self, (parameters, law): &Self::Input, out: &mut Vec<u8>) -> Remark {
         let warning = range::row_warning(parameters);
-        match simulate_point(parameters, *law, self.settings) {
-            Ok(found) => {
-                push_found(&found, out);
-                Remark { is_unanswered: false, warning, kept: () }
-            }
-            Err(reason) => {
-                out.extend_from_slice(",".repeat(Self::APPENDED.len()).as_bytes());
-                push_cell(out, reason.as_bytes());
-                Remark { is_unanswered: true, warning, kept: () }
-            }
-        }
-    }
-}
-
-fn push_found(found: &Simulation, out: &mut Vec<u8>) {
-    let optional = |value: Option<f64>| value.map(shortest).unwrap_or_default();
-    let cells = [
-        found.behaviour.as_str().into(),
-        found.slip_mode.as_str().into(),
-        shortest(found.peak_velocity_m_per_s),
-        shortest(found.minimum_velocity_log10_ratio),
-        optional(found.period_s),
-        shortest(found.stress_drop_pa),
-        optional(found.frequency_hz),
-        shortest(found.peak_relative_error),
-        optional(found.period_relative_error),
-        found.steps.to_string(),
-        found.evaluations.to_string(),
-        ANSWERED.into(),
-    ];
-    for cell in cells {
-        out.push(b',');
-        out.extend_from_slice(cell.as_bytes());
+        let found = simulate_point(parameters, *law, self.settings);
+        push_cells(&COLUMNS, &found, out);
+        Remark { is_unanswered: found.is_err(), warning, kept: () }
     }
 }

@@ -2,12 +2,13 @@
 
 use rug::Float;
 use rug::float::Round;
-use serde_json::{Value, json};
+use serde_json::Value;
 use slipmode_core::dynamics::{Behaviour, Simulation};
 use slipmode_core::friction::EvolutionLaw;
 use slipmode_core::number::Ball;
 use slipmode_core::number::format::{certain_digits, round_digits};
 
+use crate::cli::simulate::rows::COLUMNS;
 use crate::cli::simulate::run::{Found, Settings};
 use crate::cli::terminal;
 
@@ -15,26 +16,10 @@ use crate::cli::terminal;
 const MOST_DIGITS: usize = 17;
 /// Significant digits of an error.
 const ERROR_DIGITS: usize = 2;
-/// The status of a simulation that has an answer.
-pub const ANSWERED: &str = "ok";
 
 /// One object with the names of the CSV columns; null where there is no value.
 pub fn json(found: &Found) -> Value {
-    let simulation = found.as_ref().ok();
-    json!({
-        "mode": simulation.map(|found| found.behaviour.as_str()),
-        "slip_mode": simulation.map(|found| found.slip_mode.as_str()),
-        "peak_velocity_m_per_s": simulation.map(|found| found.peak_velocity_m_per_s),
-        "minimum_velocity_log10_ratio": simulation.map(|found| found.minimum_velocity_log10_ratio),
-        "period_s": simulation.and_then(|found| found.period_s),
-        "stress_drop_pa": simulation.map(|found| found.stress_drop_pa),
-        "frequency_hz": simulation.and_then(|found| found.frequency_hz),
-        "peak_relative_error": simulation.map(|found| found.peak_relative_error),
-        "period_relative_error": simulation.and_then(|found| found.period_relative_error),
-        "steps": simulation.map(|found| found.steps),
-        "evaluations": simulation.map(|found| found.evaluations),
-        "status": found.as_ref().err().map_or(ANSWERED, String::as_str),
-    })
+    COLUMNS.iter().map(|(name, cell)| (name.to_string(), cell(found).json())).collect()
 }
 
 /// Lines of name, value and meaning, with only the digits that the estimated errors support.

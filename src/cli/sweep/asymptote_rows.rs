@@ -1,7 +1,7 @@
 //! The work `asymptote-error`: how wrong the asymptotes are at the boundary's place nearest to a point, and nothing else.
 
 use slipmode::csv::{Cells, Remark, RowWork};
-use slipmode::scene::{Faults, Problem};
+use slipmode::scene::Faults;
 use slipmode_core::stability::{Arc, NearestPlace};
 
 /// Measures the asymptotes.
@@ -16,10 +16,6 @@ impl RowWork for AsymptoteRows {
         &["log10_normal_stress_distance", "arc", "asymptote", "asymptote_relative_error"];
     const BLOCK_ROWS: usize = 1024;
     const BLOCKS_PER_THREAD: usize = 4;
-
-    fn header_faults(&self, _names: &[String]) -> Vec<(String, Problem)> {
-        Vec::new()
-    }
 
     fn read(&self, cells: Cells<'_>) -> Result<Self::Input, Faults> {
         Ok(NearestPlace::of(&cells.parameters()?))

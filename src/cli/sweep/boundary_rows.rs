@@ -1,7 +1,7 @@
 //! The work `boundary`: how far a point is from max Im(s) = 0, and how wrong the asymptotes are at the nearest place.
 
-use slipmode::csv::{Cells, Remark, RowWork};
-use slipmode::scene::{Faults, Problem};
+use slipmode::csv::{Cells, Column, Datum, Remark, RowWork, names, push_cells};
+use slipmode::scene::Faults;
 use slipmode_core::friction::Parameters;
 use slipmode_core::number::{Ball, Rational, Wide};
 use slipmode_core::stability::{Arc, BoundaryPoint, LogDistance, boundary_sign, nearest_boundary_point};
@@ -13,48 +13,50 @@ const DIGITS: u32 = 20;
 #[derive(Debug, Clone, Copy)]
 pub struct BoundaryRows;
 
+/// A point against the boundary.
+struct Measured {
+    sign: i8,
+    distance: LogDistance,
+    nearest: Option<BoundaryPoint>,
+}
+
+const COLUMNS: [Column<Measured>; 7] = [
+    ("boundary_sign", |of| Datum::Text(of.sign.to_string())),
+    ("log10_normal_stress_distance", |of| wide(of.distance.normal_stress)),
+    ("log10_loading_velocity_distance", |of| wide(of.distance.loading_velocity)),
+    ("arc", |of| place(of, |at| if at.arc == Arc::Upper { "upper" } else { "lower" }.to_string())),
+    ("boundary_normal_stress_pa", |of| place(of, |at| nearest_number(&at.normal_stress_pa))),
+    ("asymptote", |of| place(of, |at| at.asymptote.as_str().to_string())),
+    ("asymptote_relative_error", |of| place(of, |at| nearest_number(&at.relative_error))),
+];
+
+fn wide(value: Option<Wide>) -> Datum {
+    Datum::Text(value.map(|value| value.to_string()).unwrap_or_default())
+}
+
+fn place(of: &Measured, part: fn(&BoundaryPoint) -> String) -> Datum {
+    Datum::Text(of.nearest.as_ref().map(part).unwrap_or_default())
+}
+
 impl RowWork for BoundaryRows {
     type Input = Parameters<Rational>;
     type Kept = ();
 
-    const APPENDED: &'static [&'static str] = &[
-        "boundary_sign",
-        "log10_normal_stress_distance",
-        "log10_loading_velocity_distance",
-        "arc",
-        "boundary_normal_stress_pa",
-        "asymptote",
-        "asymptote_relative_error",
-    ];
+    const APPENDED: &'static [&'static str] = &names(&COLUMNS);
     const BLOCK_ROWS: usize = 64;
     const BLOCKS_PER_THREAD: usize = 1;
-
-    fn header_faults(&self, _names: &[String]) -> Vec<(String, Problem)> {
-        Vec::new()
-    }
 
     fn read(&self, cells: Cells<'_>) -> Result<Self::Input, Faults> {
         cells.parameters()
     }
 
     fn append(&self, parameters: &Self::Input, out: &mut Vec<u8>) -> Remark {
-        let distance = LogDistance::to_boundary(parameters);
-        let place = nearest_boundary_point(parameters, DIGITS);
-        let number = |value: Option<Wide>| value.map(|value| value.to_string()).unwrap_or_default();
-        let of_place = |part: fn(&BoundaryPoint) -> String| place.as_ref().map(part).unwrap_or_default();
-        let cells = [
-            boundary_sign(&parameters.groups()).to_string(),
-            number(distance.normal_stress),
-            number(distance.loading_velocity),
-            of_place(|place| if place.arc == Arc::Upper { "upper" } else { "lower" }.to_string()),
-            of_place(|place| nearest_number(&place.normal_stress_pa)),
-            of_place(|place| place.asymptote.as_str().to_string()),
-            of_place(|place| nearest_number(&place.relative_error)),
-        ];
-        for cell in cells {
-            out.push(b',');
-            out.extend_from_slice(cell.as_bytes());
-        }
+        let measured = Measured {
+            sign: boundary_sign(&parameters.groups()),
+            distance: LogDistance::to_boundary(parameters),
+            nearest: nearest_boundary_point(parameters, DIGITS),
+        };
+        push_cells(&COLUMNS, &measured, out);
         Remark::default()
     }
 }
