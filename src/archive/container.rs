@@ -9,14 +9,7 @@ use super::Files;
 
 /// The time that an archive states: a whole number of seconds in the years 1980 to 2107, which is what zip can hold.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct ReleaseTime {
-    year: u16,
-    month: u8,
-    day: u8,
-    hour: u8,
-    minute: u8,
-    second: u8,
-}
+pub struct ReleaseTime(pub(super) DateTime);
 
 /// Seconds in a day.
 const DAY: u64 = 86_400;
@@ -26,7 +19,7 @@ const FIRST_DAY: u64 = 3_652;
 
 impl ReleaseTime {
     /// The default time: the earliest that zip can store.
-    pub const UNSTATED: Self = Self { year: 1980, month: 1, day: 1, hour: 0, minute: 0, second: 0 };
+    pub const UNSTATED: Self = Self(DateTime::DEFAULT);
 
     /// From seconds since 1970 (UTC), as `SOURCE_DATE_EPOCH` has them; zip's clock ticks every two seconds, and odd ones are rounded down.
     ///
@@ -36,32 +29,14 @@ impl ReleaseTime {
         let days = seconds / DAY;
         let (year, month, day) = civil(days.checked_sub(FIRST_DAY)?)?;
         let part = |unit: u64, of: u64| u8::try_from(seconds / unit % of).ok();
-        Some(Self {
-            year,
-            month,
-            day,
-            hour: part(3600, 24)?,
-            minute: part(60, 60)?,
-            second: part(1, 60)? & !1,
-        })
+        let (hour, minute, second) = (part(3600, 24)?, part(60, 60)?, part(1, 60)? & !1);
+        DateTime::from_date_and_time(year, month, day, hour, minute, second).ok().map(Self)
     }
 
     /// `2026-11-21T06:43:24+00:00`.
     #[must_use]
     pub fn to_rfc3339(self) -> String {
-        let Self { year, month, day, hour, minute, second } = self;
-        format!("{year:04}-{month:02}-{day:02}T{hour:02}:{minute:02}:{second:02}+00:00")
-    }
-
-    pub(super) fn of_entry(time: DateTime) -> Self {
-        Self {
-            year: time.year(),
-            month: time.month(),
-            day: time.day(),
-            hour: time.hour(),
-            minute: time.minute(),
-            second: time.second(),
-        }
+        format!("{}+00:00", self.0.to_string().replace(' ', "T"))
     }
 }
 
@@ -85,13 +60,10 @@ fn civil(mut days: u64) -> Option<(u16, u8, u8)> {
 /// # Errors
 /// When the container cannot hold them: more than 4 GiB in one file.
 pub fn pack(files: &Files, time: ReleaseTime) -> Result<Vec<u8>, String> {
-    let ReleaseTime { year, month, day, hour, minute, second } = time;
-    let stamp = DateTime::from_date_and_time(year, month, day, hour, minute, second)
-        .map_err(|error| error.to_string())?;
     let options = SimpleFileOptions::default()
         .compression_method(CompressionMethod::Deflated)
         .compression_level(Some(6))
-        .last_modified_time(stamp)
+        .last_modified_time(time.0)
         .unix_permissions(0o644);
     let mut writer = ZipWriter::new(Cursor::new(Vec::new()));
     for (path, bytes) in files {

@@ -125,7 +125,7 @@ impl Reader<'_> {
     }
 
     fn note_time(&mut self, time: Option<zip::DateTime>) -> Result<(), &'static str> {
-        let time = time.map(ReleaseTime::of_entry).ok_or("states no valid time")?;
+        let time = time.map(ReleaseTime).ok_or("states no valid time")?;
         if *self.time.get_or_insert(time) == time {
             Ok(())
         } else {

@@ -1,27 +1,17 @@
 //! Texts of unknown origin in messages: short, and without characters that move a terminal's cursor.
 
+use crate::scene::visible;
+
 /// The most characters of one text.
 const MOST_CHARACTERS: usize = 80;
 
 /// A text of unknown origin as messages show it.
 #[must_use]
 pub fn shown(text: &str) -> String {
-    let escaped = |text: &str| -> String {
-        text.chars()
-            .map(
-                |c| if c.is_control() || is_invisible(c) { c.escape_unicode().to_string() } else { c.into() },
-            )
-            .collect()
-    };
     match text.char_indices().nth(MOST_CHARACTERS) {
-        None => escaped(text),
-        Some((end, _)) => format!("{}… ({} characters)", escaped(&text[..end]), text.chars().count()),
+        None => visible(text),
+        Some((end, _)) => format!("{}… ({} characters)", visible(&text[..end]), text.chars().count()),
     }
-}
-
-/// Marks of text direction and characters without width.
-fn is_invisible(character: char) -> bool {
-    matches!(character, '\u{200b}'..='\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2060}'..='\u{2069}' | '\u{feff}')
 }
 
 #[cfg(test)]

@@ -1,13 +1,14 @@
 //! `slipmode verify DIR --claim ID`: one claim decided again, with nothing computed that it does not need.
 
-use slipmode::claims::{self, Entry, Evidence, Ledger, known_ids};
-use slipmode::experiments;
-use slipmode::experiments::Context;
-use slipmode::report::Folder;
+use std::slice;
+
+use slipmode::claims::{Entry, Evidence, known_ids};
+use slipmode::report::{Folder, decide};
 use slipmode::scene::{ClaimEntry, nearest};
 
 use crate::cli::failure::Failure;
 use crate::cli::progress::Progress;
+use crate::cli::report::drift;
 use crate::cli::terminal;
 
 /// Decides one claim of a report, prints how, and holds the verdict against the recorded one.
@@ -16,22 +17,12 @@ use crate::cli::terminal;
 /// When the report does not list the claim, or its verdict is not the recorded one.
 pub fn verify_claim(folder: &Folder, id: &str, progress: &Progress) -> Result<(), Failure> {
     let text = listed(folder, id)?;
-    let needs = claims::needs(std::slice::from_ref(text));
-    let outcome =
-        progress.items(|progress| experiments::run(&folder.scenes, &needs, &folder.references, progress));
-    let context = Context { equations: &folder.equations, outcome: &outcome };
-    let ledger = Ledger::decide(&folder.plan.name, std::slice::from_ref(text), &context);
+    let (ledger, _) = progress.items(|progress| decide(folder, slice::from_ref(text), progress));
     for entry in &ledger.claims {
         terminal::print(&account(entry))?;
     }
-    match ledger.drift().next() {
-        None => Ok(()),
-        Some(entry) => Err(Failure::Check(format!(
-            "{id}: recorded {}, now {}",
-            entry.expected.as_str(),
-            entry.finding.verdict.as_str()
-        ))),
-    }
+    let drift = drift(&ledger);
+    if drift.is_empty() { Ok(()) } else { Err(Failure::Check(drift.join("\n"))) }
 }
 
 fn listed<'f>(folder: &'f Folder, id: &str) -> Result<&'f ClaimEntry, Failure> {

@@ -19,7 +19,7 @@ use crate::cli::environment::Environment;
 use crate::cli::failure::Failure;
 use crate::cli::options::Arguments;
 use crate::cli::output::{Output, OutputFolder};
-use crate::cli::points::Started;
+use crate::cli::points::{Started, print_warnings};
 use crate::cli::progress::Progress;
 use crate::cli::terminal::{self, count_of};
 use crate::cli::words::law_of_word;
@@ -84,13 +84,13 @@ pub fn run(options: &Options, progress: Progress) -> Result<(), Failure> {
         output.commit()?;
     }
     if options.json {
-        terminal::print_json(&view::json(&done.kept, done.faulty()))?;
+        terminal::print_json(&view::json(&done.kept, done.counts.faulty))?;
     } else if !takes_stdout {
         terminal::print(&view::text(&done.kept))?;
     }
     done.faults.iter().for_each(|fault| terminal::message(&fault.to_string()));
-    done.print_warnings();
-    verdict(&done.kept, done.faulty())
+    print_warnings(&done.counts);
+    verdict(&done.kept, done.counts.faulty)
 }
 
 impl Options {

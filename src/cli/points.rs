@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use indicatif::ProgressBar;
 use rayon::prelude::*;
-use slipmode::csv::{Block, Header, RowReader, RowWork, Work, Worked};
+use slipmode::csv::{Block, Counts, Header, RowReader, RowWork, Work, Worked};
 use slipmode::scene::{Fault, Faults};
 
 use crate::cli::failure::Failure;
@@ -49,7 +49,8 @@ pub struct Done<K> {
     pub kept: Vec<K>,
     /// The first faults of rows that were passed over.
     pub faults: Faults,
-    counts: Counts,
+    /// The rows, counted.
+    pub counts: Counts,
 }
 
 /// Works on every row of `input` (`-` is standard input) and writes where the options say.
@@ -68,7 +69,7 @@ pub fn run<W: RowWork>(
     let mut output = Output::create(options.output.as_deref().unwrap_or(Path::new("-")))?;
     let done = started.work(&mut output)?;
     output.commit()?;
-    done.print_remarks();
+    print_remarks(&done.counts);
     Ok(())
 }
 
@@ -113,9 +114,8 @@ impl<W: RowWork> Started<W> {
                 }
                 faults.extend(part.faults.iter().take(MOST_FAULTS.saturating_sub(faults.len())).cloned());
                 done.kept.append(&mut part.kept);
-                done.counts.add(part);
+                done.counts.add(part.counts);
             }
-            done.counts.rows += batch.iter().map(|block| block.rows().count() as u64).sum::<u64>();
             batch = next?;
             bar.set_position(reader.consumed());
         }
@@ -125,23 +125,6 @@ impl<W: RowWork> Started<W> {
         }
         done.faults = faults;
         Ok(done)
-    }
-}
-
-impl<K> Done<K> {
-    /// Reports on standard error that rows were passed over or have warnings.
-    pub fn print_remarks(&self) {
-        self.counts.print_remarks();
-    }
-
-    /// How many rows were passed over because they are at fault.
-    pub fn faulty(&self) -> u64 {
-        self.counts.faulty
-    }
-
-    /// Reports on standard error which rows have warnings, and nothing else.
-    pub fn print_warnings(&self) {
-        self.counts.print_warnings();
     }
 }
 
@@ -161,47 +144,24 @@ fn work_batch<W: RowWork>(work: &Work<W>, batch: &[Block], only_read: bool) -> V
     batch.par_iter().with_max_len(1).map(|block| work.block(block, only_read)).collect()
 }
 
-/// How many rows there were, and how many of them need a word.
-#[derive(Debug, Default)]
-struct Counts {
-    rows: u64,
-    faulty: u64,
-    unanswered: u64,
-    with_warning: u64,
-    first_warning: Option<(u64, String)>,
+/// Prints what is to be said of the rows after the output.
+fn print_remarks(counts: &Counts) {
+    let Counts { rows, faulty, unanswered, .. } = counts;
+    if *faulty > 0 {
+        terminal::message(&format!("{faulty} of {rows} rows have an error; see the column `error`"));
+    }
+    if *unanswered > 0 {
+        terminal::message(&format!("{unanswered} of {rows} rows have no result; see the column `status`"));
+    }
+    print_warnings(counts);
 }
 
-impl Counts {
-    fn add<K>(&mut self, part: Worked<K>) {
-        self.faulty += part.faulty;
-        self.unanswered += part.unanswered;
-        self.with_warning += part.with_warning;
-        self.first_warning = self.first_warning.take().or(part.first_warning);
-    }
-
-    /// Reports on standard error that rows were left out, so that the output is not taken for complete.
-    fn print_remarks(&self) {
-        if self.faulty > 0 {
-            terminal::message(&format!(
-                "{} of {} rows have an error; see the column `error`",
-                self.faulty, self.rows
-            ));
-        }
-        if self.unanswered > 0 {
-            terminal::message(&format!(
-                "{} of {} rows have no result; see the column `status`",
-                self.unanswered, self.rows
-            ));
-        }
-        self.print_warnings();
-    }
-
-    fn print_warnings(&self) {
-        if let Some((row, warning)) = &self.first_warning {
-            terminal::message(&format!(
-                "warning: row {row}: {warning}; {} of {} rows have a warning",
-                self.with_warning, self.rows
-            ));
-        }
+/// Prints the first warning, and how many rows have one.
+pub fn print_warnings(counts: &Counts) {
+    if let Some((row, warning)) = &counts.first_warning {
+        terminal::message(&format!(
+            "warning: row {row}: {warning}; {} of {} rows have a warning",
+            counts.with_warning, counts.rows
+        ));
     }
 }

@@ -14,7 +14,7 @@ pub const LAW_COLUMN: &str = "law";
 /// # Errors
 /// When no law has this word.
 pub fn law_of_word(text: &str) -> Result<EvolutionLaw, Problem> {
-    of_word(text, &EvolutionLaw::ALL, EvolutionLaw::as_str)
+    of_word(text, &[EvolutionLaw::Slip, EvolutionLaw::Aging], EvolutionLaw::as_str)
 }
 
 /// The start of a word.

@@ -14,4 +14,4 @@ pub use header::{Header, misnamed};
 pub use recording::read_recording;
 pub use row_work::{Cells, Remark, RowWork};
 pub use rows::{Block, Input, Row, RowReader};
-pub use work::{Work, Worked};
+pub use work::{Counts, Work, Worked};

@@ -27,10 +27,19 @@ pub struct Worked<K> {
     pub text: Vec<u8>,
     /// The faults of the rows.
     pub faults: Faults,
-    /// Rows with at least one fault.
-    pub faulty: u64,
     /// What the command keeps, in the order of the rows.
     pub kept: Vec<K>,
+    /// The rows, counted.
+    pub counts: Counts,
+}
+
+/// How many rows there are of each kind.
+#[derive(Debug, Default)]
+pub struct Counts {
+    /// All rows.
+    pub rows: u64,
+    /// Rows with at least one fault.
+    pub faulty: u64,
     /// Rows without an answer.
     pub unanswered: u64,
     /// Rows whose input has a warning.
@@ -39,25 +48,24 @@ pub struct Worked<K> {
     pub first_warning: Option<(u64, String)>,
 }
 
-impl<K> Worked<K> {
-    fn nothing() -> Self {
-        Self {
-            text: Vec::new(),
-            faults: Faults::new(),
-            faulty: 0,
-            kept: Vec::new(),
-            unanswered: 0,
-            with_warning: 0,
-            first_warning: None,
-        }
+impl Counts {
+    /// Adds the rows that follow these.
+    pub fn add(&mut self, next: Self) {
+        self.rows += next.rows;
+        self.faulty += next.faulty;
+        self.unanswered += next.unanswered;
+        self.with_warning += next.with_warning;
+        self.first_warning = self.first_warning.take().or(next.first_warning);
     }
 }
 
 impl<W: RowWork> Work<W> {
     /// Works on the rows of a block, or only reads them when the output is lost already.
     pub fn block(&self, block: &Block, only_read: bool) -> Worked<W::Kept> {
-        let mut worked = Worked::nothing();
+        let (text, faults, kept) = (Vec::new(), Faults::new(), Vec::new());
+        let mut worked = Worked { text, faults, kept, counts: Counts::default() };
         for row in block.rows() {
+            worked.counts.rows += 1;
             match self.read(row) {
                 Ok(_) if only_read => {}
                 Ok(input) => self.append(row, &input, &mut worked),
@@ -65,7 +73,7 @@ impl<W: RowWork> Work<W> {
                     if self.keep_going {
                         self.append_faults(row, &faults, &mut worked.text);
                     }
-                    worked.faulty += 1;
+                    worked.counts.faulty += 1;
                     worked.faults.extend(faults);
                 }
             }
@@ -89,10 +97,10 @@ impl<W: RowWork> Work<W> {
         let remark = self.command.append(input, &mut worked.text);
         worked.text.extend_from_slice(if self.keep_going { b",\n" } else { b"\n" });
         worked.kept.push(remark.kept);
-        worked.unanswered += u64::from(remark.is_unanswered);
+        worked.counts.unanswered += u64::from(remark.is_unanswered);
         if let Some(warning) = remark.warning {
-            worked.with_warning += 1;
-            worked.first_warning.get_or_insert((row.number, warning));
+            worked.counts.with_warning += 1;
+            worked.counts.first_warning.get_or_insert((row.number, warning));
         }
     }
 

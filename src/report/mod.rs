@@ -33,7 +33,7 @@ pub use error::ReportError;
 pub use explorer::{ExplorerPage, render_explorer};
 pub use html::render_html;
 pub use markdown::formula_faults;
-pub use produce::{Folder, Product, produce, produce_scene};
+pub use produce::{Folder, Product, decide, produce, produce_scene};
 pub use text::render_markdown;
 pub use view::{
     CardView, ChapterView, ClaimGroupView, ClaimView, EquationView, EvidenceView, FactView, FigureView,

@@ -45,6 +45,15 @@ pub struct Product {
     pub files: BTreeMap<String, String>,
 }
 
+/// Computes what claims of a folder need, and decides them.
+#[must_use]
+pub fn decide(folder: &Folder, claims: &[ClaimEntry], progress: Progress) -> (Ledger, Outcome) {
+    let needs = claims::needs(claims);
+    let outcome = experiments::run(&folder.scenes, &needs, &folder.references, progress);
+    let context = Context { equations: &folder.equations, outcome: &outcome };
+    (Ledger::decide(&folder.plan.name, claims, &context), outcome)
+}
+
 /// Makes a report: the same bytes for the same folder, but for the environment block. `place` is the folder in the commands
 /// that the page prints.
 ///

@@ -1,5 +1,8 @@
 //! The integration tests: what a user of the library and of the command line sees.
 
+// Tests compare with the system's elementary functions.
+#![allow(clippy::disallowed_methods)]
+
 mod archive;
 mod arguments;
 mod bad_archives;

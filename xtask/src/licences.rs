@@ -1,27 +1,29 @@
-//! `cargo xtask licences`: every dependency's licence against the allow list.
+//! `cargo xtask licences`: every dependency's licence expression against the list of allowed ones.
+
+use std::collections::BTreeSet;
 
 use crate::failure::Failure;
-use crate::{process, spdx};
+use crate::process;
 
-/// Permissive licences, compatible with MIT OR Apache-2.0.
-const ALLOWED: [&str; 12] = [
-    "0BSD",
+/// Expressions that permissive licences satisfy, compatible with MIT OR Apache-2.0, as packages write them.
+const ALLOWED: [&str; 13] = [
+    "(MIT OR Apache-2.0) AND Unicode-3.0",
     "Apache-2.0",
-    "Apache-2.0 WITH LLVM-exception",
-    "BSD-2-Clause",
-    "BSD-3-Clause",
-    "BSL-1.0",
-    "CC0-1.0",
-    "ISC",
+    "Apache-2.0 / MIT",
+    "Apache-2.0 OR BSL-1.0",
+    "Apache-2.0 OR MIT",
+    "Apache-2.0 WITH LLVM-exception OR Apache-2.0 OR MIT",
     "MIT",
-    "Unicode-3.0",
-    "Unlicense",
+    "MIT OR Apache-2.0",
+    "MIT/Apache-2.0",
+    "Unlicense OR MIT",
+    "Unlicense/MIT",
     "Zlib",
+    "Zlib OR Apache-2.0 OR MIT",
 ];
 
 /// The LGPL is accepted for the arithmetic alone; README.md states this for users of a binary.
-const LESSER_GPL: [&str; 2] = ["LGPL-3.0+", "LGPL-3.0-or-later"];
-const LESSER_GPL_PACKAGES: [&str; 2] = ["gmp-mpfr-sys", "rug"];
+const LESSER_GPL: [(&str, &str); 2] = [("gmp-mpfr-sys", "LGPL-3.0+"), ("rug", "LGPL-3.0+")];
 
 /// Asks cargo for every package of the build, tests included, and its licence.
 ///
@@ -39,41 +41,34 @@ pub fn run() -> Result<(), Failure> {
     ];
     let listing = process::output(&mut process::cargo(&arguments))?;
     let packages = packages(&listing);
-    let refused = refused(&packages);
+    let refused: Vec<String> = packages
+        .iter()
+        .filter(|(name, licence)| !is_allowed(name, licence))
+        .map(|(name, licence)| format!("{name}: licence `{licence}` is not allowed"))
+        .collect();
     if packages.is_empty() {
         return Err(Failure::check("licences: cargo lists no packages"));
     }
-    if refused.is_empty() {
-        println!("licences: {} packages, all allowed", packages.len());
-        return Ok(());
+    if !refused.is_empty() {
+        return Err(Failure::check(format!("licences:\n{}", refused.join("\n"))));
     }
-    let lines: Vec<String> =
-        refused.iter().map(|(name, licence)| format!("{name}: licence `{licence}` is not allowed")).collect();
-    Err(Failure::check(format!("licences:\n{}", lines.join("\n"))))
+    println!("licences: {} packages, all allowed", packages.len());
+    Ok(())
 }
 
-/// Name and licence of each package of a listing, once each.
-fn packages(listing: &str) -> Vec<(&str, &str)> {
-    let mut packages: Vec<(&str, &str)> = listing
-        .lines()
-        .filter_map(|line| line.rsplit_once('|'))
+/// Name and licence of each package of a listing.
+fn packages(listing: &str) -> BTreeSet<(&str, &str)> {
+    let package = |line| {
+        let (package, licence) = str::rsplit_once(line, '|')?;
         // cargo marks a package that depends on itself in tests with `(*)`.
-        .map(|(package, licence)| (package, licence.trim().trim_end_matches("(*)").trim_end()))
-        .map(|(package, licence)| (package.split_whitespace().next().unwrap_or_default(), licence))
-        .collect();
-    packages.sort_unstable();
-    packages.dedup();
-    packages
-}
-
-fn refused<'a>(packages: &[(&'a str, &'a str)]) -> Vec<(&'a str, &'a str)> {
-    packages.iter().filter(|(name, licence)| !is_allowed(name, licence)).copied().collect()
+        let licence = licence.trim().trim_end_matches("(*)").trim_end();
+        Some((package.split_whitespace().next()?, licence))
+    };
+    listing.lines().filter_map(package).collect()
 }
 
 fn is_allowed(package: &str, licence: &str) -> bool {
-    spdx::is_satisfied(licence, &|name| {
-        ALLOWED.contains(&name) || (LESSER_GPL.contains(&name) && LESSER_GPL_PACKAGES.contains(&package))
-    })
+    ALLOWED.contains(&licence) || LESSER_GPL.contains(&(package, licence))
 }
 
 #[cfg(test)]
@@ -83,16 +78,22 @@ mod tests {
     #[test]
     fn a_listing_gives_each_package_once() {
         let listing = "b v1.0.0|MIT\nrug v1.30.0|LGPL-3.0+\nb v1.0.0|MIT (*)\n\na v0.1.0 (proc-macro)|\n";
-        assert_eq!(packages(listing), [("a", ""), ("b", "MIT"), ("rug", "LGPL-3.0+")]);
+        assert_eq!(Vec::from_iter(packages(listing)), [("a", ""), ("b", "MIT"), ("rug", "LGPL-3.0+")]);
+    }
+
+    #[test]
+    fn an_expression_is_allowed_as_it_is_listed() {
+        for good in ["MIT", "MIT/Apache-2.0", "(MIT OR Apache-2.0) AND Unicode-3.0"] {
+            assert!(is_allowed("x", good), "{good}");
+        }
+        for bad in ["", "GPL-3.0-only", "GPL-3.0 OR MIT", "MIT AND GPL-3.0", "MIT OR", "MIT MIT"] {
+            assert!(!is_allowed("x", bad), "{bad:?}");
+        }
     }
 
     #[test]
     fn the_lesser_gpl_is_for_the_arithmetic_alone() {
         assert!(is_allowed("rug", "LGPL-3.0+"));
         assert!(!is_allowed("other", "LGPL-3.0+"));
-        assert_eq!(
-            refused(&[("x", "GPL-3.0-only"), ("y", "MIT"), ("z", "")]),
-            [("x", "GPL-3.0-only"), ("z", "")]
-        );
     }
 }

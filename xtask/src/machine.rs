@@ -23,20 +23,16 @@ install what is missing, then run the command again:
 /// With exit code 2, naming what is missing and how to install it.
 pub fn run() -> Result<(), Failure> {
     let ready = gmp_cache::holds_libraries(&surroundings()?, &locked_version()?);
-    let missing = missing_tools(ready);
-    if missing.is_empty() {
+    if missing_tools(ready).is_empty() {
         let state = if ready { "in the cache" } else { "to be built once (about two minutes of CPU time)" };
         println!("machine: all tools found; GMP, MPFR and MPC {state}");
         return Ok(());
     }
-    println!("machine: missing {}", missing.join(", "));
-    if can_install() {
-        install(&missing)?;
-    }
-    match missing_tools(ready) {
-        none if none.is_empty() => Ok(()),
-        still => Err(Failure::bad_input(format!("missing {}; {INSTRUCTIONS}", still.join(", ")))),
-    }
+    provide(
+        || missing_tools(ready),
+        |missing| if can_install() { install_packages(&debian_packages(missing)) } else { Ok(()) },
+        |_| INSTRUCTIONS.into(),
+    )
 }
 
 /// Finds the formatter and the linter, or adds them where rustup manages the toolchain.
@@ -44,31 +40,38 @@ pub fn run() -> Result<(), Failure> {
 /// # Errors
 /// With exit code 2 when one of them is missing.
 pub fn require_rust_components() -> Result<(), Failure> {
-    let missing = missing_components();
-    if missing.is_empty() {
+    let add = |missing: &[String]| match process::find_program("rustup", &search_path()) {
+        Some(_) => process::status(Command::new("rustup").args(["component", "add"]).args(missing)).map(drop),
+        None => Ok(()),
+    };
+    provide(missing_components, add, |still| format!("run `rustup component add {}`", still.join(" ")))
+}
+
+/// Installs what is missing, and refuses to go on without it.
+fn provide(
+    missing: impl Fn() -> Vec<String>,
+    install: impl FnOnce(&[String]) -> Result<(), Failure>,
+    instructions: impl FnOnce(&[String]) -> String,
+) -> Result<(), Failure> {
+    let before = missing();
+    if before.is_empty() {
         return Ok(());
     }
-    println!("machine: missing {}; adding them with rustup", missing.join(", "));
-    if process::find_program("rustup", &search_path()).is_some() {
-        process::status(Command::new("rustup").args(["component", "add"]).args(&missing))?;
-    }
-    match missing_components() {
+    println!("machine: missing {}", before.join(", "));
+    install(&before)?;
+    match missing() {
         none if none.is_empty() => Ok(()),
-        still => Err(Failure::bad_input(format!(
-            "missing {}; run `rustup component add {}`",
-            still.join(", "),
-            still.join(" ")
-        ))),
+        still => Err(Failure::bad_input(format!("missing {}; {}", still.join(", "), instructions(&still)))),
     }
 }
 
-fn missing_components() -> Vec<&'static str> {
+fn missing_components() -> Vec<String> {
     let works = |subcommand: &str| {
         process::cargo(&[subcommand, "--version"]).output().is_ok_and(|output| output.status.success())
     };
     [("fmt", "rustfmt"), ("clippy", "clippy")]
         .into_iter()
-        .filter_map(|(subcommand, component)| (!works(subcommand)).then_some(component))
+        .filter_map(|(subcommand, component)| (!works(subcommand)).then(|| component.to_string()))
         .collect()
 }
 
@@ -104,10 +107,6 @@ fn debian_packages(tools: &[String]) -> Vec<&str> {
     packages.sort_unstable();
     packages.dedup();
     packages
-}
-
-fn install(missing: &[String]) -> Result<(), Failure> {
-    install_packages(&debian_packages(missing))
 }
 
 /// Whether this machine lets us install Debian's packages.

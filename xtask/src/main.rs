@@ -14,7 +14,6 @@ mod lines;
 mod machine;
 mod process;
 mod repository;
-mod spdx;
 mod test;
 mod tidy;
 mod validate;

@@ -42,11 +42,9 @@ pub fn reports() -> Result<Vec<String>, Failure> {
     Ok(names)
 }
 
-/// The path of a source file of the program inside its package: `number/ball.rs` for `crates/core/src/number/ball.rs`.
-pub fn inside_package(path: &str) -> Option<&str> {
-    let inside =
-        ["crates/core/", "crates/plot/", ""].iter().find_map(|package| path.strip_prefix(package))?;
-    inside.strip_prefix("src/")
+/// Whether a path is a source file of the program's own packages.
+pub fn is_product(path: &str) -> bool {
+    ["crates/core/src/", "crates/plot/src/", "src/"].iter().any(|folder| path.starts_with(folder))
 }
 
 /// The paths in a folder, unsorted.

@@ -23,12 +23,10 @@ pub fn run() -> Result<(), Failure> {
         }
         worst = worst.max(code);
     }
-    match worst {
-        0 => Ok(()),
-        code => {
-            Err(Failure { code, message: format!("verify exited with {code} for {}", unverified.join(", ")) })
-        }
+    if worst == 0 {
+        return Ok(());
     }
+    Err(Failure { code: worst, message: format!("verify exited with {worst} for {}", unverified.join(", ")) })
 }
 
 /// Builds the release binary as the lock file says.

@@ -38,6 +38,9 @@
 //! - `rayon` (default): grids are classified on all processors; without it, on one, with the same results.
 //! - `serde`: `Serialize` for the names of slip modes, classes and precision levels, and `Deserialize` for the texts of equations.
 
+// Tests compare with the system's elementary functions.
+#![cfg_attr(test, allow(clippy::disallowed_methods))]
+
 pub mod dynamics;
 pub mod friction;
 pub mod number;

@@ -40,7 +40,7 @@ pub fn files(runs: &Path, done: &Done<ComparedRow>, environment: &Environment) -
     let view = ReportView {
         title: "Comparison of runs".into(),
         subtitle: SUBTITLE.into(),
-        summary_markdown: summary(rows, done.faulty()),
+        summary_markdown: summary(rows, done.counts.faulty),
         chapters: vec![
             chapter("verdicts", "Verdicts", format!("[[table:runs]]\n\n{placed}")),
             chapter("numbers", "Numbers", "[[table:findings]]\n".into()),

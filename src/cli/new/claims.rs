@@ -2,10 +2,8 @@
 
 use std::collections::BTreeSet;
 
-use slipmode::claims::{self, Ledger, Verdict, known_ids};
-use slipmode::experiments;
-use slipmode::experiments::Context;
-use slipmode::report::Folder;
+use slipmode::claims::{self, Verdict, known_ids};
+use slipmode::report::{self, Folder};
 use slipmode::scene::{ClaimEntry, Faults, read_claims};
 
 use crate::cli::new::Effects;
@@ -76,11 +74,7 @@ pub fn undecided(entries: &[ClaimEntry]) -> String {
 
 /// Computes what the claims of a folder need, and decides them.
 pub fn decide(folder: &Folder, progress: Progress) -> Decided {
-    let needs = claims::needs(&folder.claims);
-    let outcome =
-        progress.items(|progress| experiments::run(&folder.scenes, &needs, &folder.references, progress));
-    let context = Context { equations: &folder.equations, outcome: &outcome };
-    let ledger = Ledger::decide(&folder.plan.name, &folder.claims, &context);
+    let (ledger, outcome) = progress.items(|progress| report::decide(folder, &folder.claims, progress));
     let pairs = folder.claims.iter().cloned().zip(ledger.claims);
     let claims = pairs
         .map(|(entry, found)| DecidedClaim {

@@ -114,5 +114,5 @@ impl<W: PointWork> Made<W> {
 /// The rows of a list.
 pub fn listed_lines<W: RowWork>(work: &Work<W>, rows: &Block) -> Lines {
     let worked = work.block(rows, false);
-    Lines { text: worked.text, unanswered: worked.unanswered + worked.faulty }
+    Lines { text: worked.text, unanswered: worked.counts.unanswered + worked.counts.faulty }
 }

@@ -32,7 +32,7 @@ pub fn check(source: &RustSource, found: &mut Vec<Complaint>) {
     check_header(source, found);
     check_length(source, found);
     check_left_overs(source, found);
-    if repository::inside_package(&source.file.path).is_some() {
+    if repository::is_product(&source.file.path) {
         check_panics(source, found);
         check_side_effects(source, found);
         check_unsafe(source, found);
