@@ -2,6 +2,7 @@
 
 use std::fs;
 use std::path::Path;
+use std::process::Command;
 
 use crate::failure::Failure;
 use crate::{machine, process, repository, verify};
@@ -34,9 +35,7 @@ fn publish(name: &str) -> Result<(), Failure> {
     let files = replace(&root.join("target/report").join(name), &published)
         .map_err(|error| Failure::bad_input(format!("reports/{name}/published: {error}")))?;
     println!("accept: reports/{name}/published/ rewritten, {files} files; check `git diff --text`");
-    process::check(
-        std::process::Command::new("git").current_dir(&root).args(["diff", "--stat", "--", "reports"]),
-    )
+    process::check(Command::new("git").current_dir(&root).args(["diff", "--stat", "--", "reports"]))
 }
 
 /// Writes the new copy next to the old one first, so that an error leaves the old one intact.

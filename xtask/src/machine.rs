@@ -71,7 +71,8 @@ fn missing_components() -> Vec<String> {
     };
     [("fmt", "rustfmt"), ("clippy", "clippy")]
         .into_iter()
-        .filter_map(|(subcommand, component)| (!works(subcommand)).then(|| component.to_string()))
+        .filter(|(subcommand, _)| !works(subcommand))
+        .map(|(_, component)| component.to_string())
         .collect()
 }
 
