@@ -18,13 +18,12 @@ pub fn run() -> Result<(), Failure> {
     machine::run()?;
     verify::build_release()?;
     for name in repository::reports()? {
-        match verify::slipmode(&["report", "--for-publication"], &name)? {
-            0 => publish(&name)?,
-            code => {
-                let message = format!("report {name} exited with {code}; its published copy is unchanged");
-                return Err(Failure { code, message });
-            }
+        let code = verify::slipmode(&["report", "--for-publication"], &name)?;
+        if code != 0 {
+            let message = format!("report {name} exited with {code}; its published copy is unchanged");
+            return Err(Failure { code, message });
         }
+        publish(&name)?;
     }
     Ok(())
 }
