@@ -12,7 +12,7 @@ use std::time::Instant;
 
 use csv_core::{ReadRecordResult, Reader};
 use slipmode::scene::Quantity;
-use slipmode_bench::process::build_release;
+use slipmode_bench::process::build_dist;
 use slipmode_core::friction::Parameters;
 use slipmode_core::number::{Dd, parse_short_decimal};
 use slipmode_core::stability::{Classification, InertialThreshold, classify_quickly};
@@ -135,7 +135,7 @@ fn main() {
             100.0 * seconds / total
         );
     }
-    let program = build_release().unwrap();
+    let program = build_dist().unwrap();
     let (command, ()) = timed(|| {
         let mut command = Command::new(&program);
         command.args(["classify", "--threads", "1", "--points"]).arg(&input).arg("--output").arg(&output);

@@ -20,13 +20,13 @@ pub fn rustc_version() -> String {
     version.map_or_else(|_| String::new(), |version| version.trim().to_string())
 }
 
-/// Builds the release binary of the command line as the lock file says, and returns its path.
+/// Builds the command line with the profile `dist` as the lock file says, and returns its path.
 ///
 /// # Errors
 /// When the build fails.
-pub fn build_release() -> Result<PathBuf, String> {
-    check(&mut cargo(&["build", "--release", "--locked", "--bin", "slipmode"]))?;
-    Ok(repository::root().join("target/release/slipmode"))
+pub fn build_dist() -> Result<PathBuf, String> {
+    check(&mut cargo(&["build", "--profile", "dist", "--locked", "--bin", "slipmode"]))?;
+    Ok(repository::root().join("target/dist/slipmode"))
 }
 
 /// Runs a command that has to succeed.

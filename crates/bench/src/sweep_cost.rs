@@ -1,4 +1,4 @@
-//! `cargo xtask sweep-cost`: memory, scaling and overhead of sweeps, measured on the release build of the command line.
+//! `cargo xtask sweep-cost`: memory, scaling and overhead of sweeps, measured on the profile `dist` of the command line.
 //!
 //! Wall times are what scaling and overhead are about, so that this wants a machine without other work. Nothing of it enters
 //! what `verify` compares.
@@ -37,12 +37,12 @@ struct Place {
 /// When the build or a measured command fails, or a file cannot be written.
 pub fn run() -> Result<(), String> {
     let place =
-        Place { program: process::build_release()?, folder: repository::root().join("target/sweep-cost") };
+        Place { program: process::build_dist()?, folder: repository::root().join("target/sweep-cost") };
     let _ = fs::remove_dir_all(&place.folder);
     fs::create_dir_all(&place.folder).map_err(|error| place.cannot(&error))?;
     let cores = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
     println!(
-        "Command: `cargo xtask sweep-cost`. {cores} cores, {}, release build.\n",
+        "Command: `cargo xtask sweep-cost`. {cores} cores, {}, profile `dist`.\n",
         process::rustc_version()
     );
     print!("{}", memory(&place)?);

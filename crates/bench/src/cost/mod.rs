@@ -1,6 +1,6 @@
 //! `cargo xtask cost`: how time and memory grow with points, rows, digits, tolerance, runs and threads.
 //!
-//! Every number is measured on the release build of the command line, one process at a time. A law is fitted to the CPU
+//! Every number is measured on the profile `dist` of the command line, one process at a time. A law is fitted to the CPU
 //! times of each ladder but its top rung (wall times tell of the machine's other work too); what it says of the top is printed
 //! beside what was measured there. The result is a CSV and a
 //! Markdown file under `crates/bench/results/`, which enter a report only by `cargo xtask timings`.
@@ -28,7 +28,7 @@ struct Climbed {
 /// # Errors
 /// When the build or a measured command fails, or a file cannot be written.
 pub fn run() -> Result<(), String> {
-    let program = process::build_release()?;
+    let program = process::build_dist()?;
     let root = repository::root();
     let folder = root.join("target/cost");
     fs::create_dir_all(&folder).map_err(|error| cannot_write(&error))?;
