@@ -41,7 +41,7 @@ pub fn ends(values: impl Iterator<Item = f64>) -> Option<[f64; 2]> {
     for value in values.filter(|value| *value > 0.0 && value.is_finite()) {
         (least, greatest) = (least.min(value), greatest.max(value));
     }
-    (least <= greatest).then(|| [0.7 * least, 1.5 * greatest])
+    (least <= greatest).then_some([0.7 * least, 1.5 * greatest])
 }
 
 /// A line with a mark at every point.
