@@ -7,8 +7,8 @@ use std::time::Instant;
 
 use slipmode_core::friction::{Parameters, Slider};
 use slipmode_core::number::{Rational, nearest_f64, parse_decimal};
-use slipmode_core::stability::batch::{GridKernel, PrecisionCounts, SignPair, classify_points};
-use slipmode_core::stability::{InertialThreshold, classify};
+use slipmode_core::stability::batch::{GridCell, GridKernel, PrecisionCounts, SignPair, classify_points};
+use slipmode_core::stability::{InertialThreshold, SlipMode, classify};
 
 const SIDE: usize = 4096;
 const REPETITIONS: usize = 5;
@@ -49,10 +49,11 @@ fn cardano_row(slider: &Slider<f64>, velocity: f64, stresses: &[f64], cells: &mu
 
 fn grid_case(name: &str, slider: &Slider<Rational>) {
     let (velocities, stresses) = (axis(-7.0, 1.0, SIDE), axis(2.0, 9.0, SIDE));
-    let kernel = GridKernel::new(slider, &stresses).unwrap();
+    let kernel = GridKernel::new(slider, &InertialThreshold::default(), &stresses).unwrap();
+    let blank = GridCell::new(SignPair::new(0, 0), SlipMode::StickSlip);
     let slider_64 = slider.map(nearest_f64);
     let (mut exact_cells, mut cardano_cells) =
-        (vec![SignPair::new(0, 0); SIDE * SIDE], vec![SignPair::new(0, 0); SIDE * SIDE]);
+        (vec![blank; SIDE * SIDE], vec![SignPair::new(0, 0); SIDE * SIDE]);
     let (mut exact_times, mut cardano_times) = (Vec::new(), Vec::new());
     let mut counts = PrecisionCounts::default();
     for _ in 0..REPETITIONS {
@@ -70,7 +71,7 @@ fn grid_case(name: &str, slider: &Slider<Rational>) {
         });
         cardano_times.push(seconds);
     }
-    let wrong = exact_cells.iter().zip(&cardano_cells).filter(|(exact, other)| exact != other).count();
+    let wrong = exact_cells.iter().zip(&cardano_cells).filter(|(exact, other)| exact.signs() != **other).count();
     let (exact, cardano) = (median(exact_times), median(cardano_times));
     let rate = (SIDE * SIDE) as f64 / exact / 1e6;
     println!(

@@ -3,9 +3,9 @@
 use std::path::Path;
 
 use slipmode_core::friction::{Parameters, Slider};
-use slipmode_core::number::Rational;
-use slipmode_core::stability::batch::{GridKernel, PrecisionCounts, SignPair, classify_points};
-use slipmode_core::stability::{InertialThreshold, classify_binary64};
+use slipmode_core::number::{Dd, Rational};
+use slipmode_core::stability::batch::{GridCell, GridKernel, PrecisionCounts, SignPair, classify_points};
+use slipmode_core::stability::{InertialThreshold, SlipMode, classify, classify_quickly};
 
 use super::clock::best_of;
 use super::columns::Columns;
@@ -91,7 +91,9 @@ pub fn play(family: &str, folder: &Path) {
 
 /// Both signs, max Re and max Im.
 fn values(point: &Parameters<f64>) -> [f64; 4] {
-    let found = classify_binary64(point, &InertialThreshold::default()).unwrap();
+    let threshold = InertialThreshold::default();
+    let found = classify_quickly(&point.map(|value| Dd::from(*value)), &threshold)
+        .unwrap_or_else(|| classify(&point.map(|value| Rational::from_f64(*value).unwrap()), &threshold));
     let part = |value: slipmode_core::number::Wide| value.to_f64().unwrap_or(f64::NAN);
     [
         f64::from(found.transition_sign),
@@ -104,8 +106,8 @@ fn values(point: &Parameters<f64>) -> [f64; 4] {
 fn play_grid(some: &Columns) {
     let (velocities, stresses) = grid_axes();
     let fixed = paper().map(|value| Rational::from_f64(*value).unwrap());
-    let kernel = GridKernel::new(&fixed, &stresses).unwrap();
-    let mut cells = vec![SignPair::new(0, 0); SIDE * SIDE];
+    let kernel = GridKernel::new(&fixed, &InertialThreshold::default(), &stresses).unwrap();
+    let mut cells = vec![GridCell::new(SignPair::new(0, 0), SlipMode::StickSlip); SIDE * SIDE];
     let (seconds, _) = best_of(REPETITIONS, || {
         let mut counts = PrecisionCounts::default();
         for (&velocity, row) in velocities.iter().zip(cells.chunks_mut(SIDE)) {
@@ -115,7 +117,7 @@ fn play_grid(some: &Columns) {
     });
     let side = SIDE / STRIDE;
     let wrong = (0..some.len())
-        .filter(|i| signs_differ(cells[(i / side) * STRIDE * SIDE + (i % side) * STRIDE], some.answers(*i)))
+        .filter(|i| signs_differ(cells[(i / side) * STRIDE * SIDE + (i % side) * STRIDE].signs(), some.answers(*i)))
         .count();
     let work = "classes-grid".to_string();
     Row { work, method: "slipmode-signs", items: SIDE * SIDE, seconds, wrong, ..Row::default() }.print();

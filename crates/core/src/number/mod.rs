@@ -18,7 +18,6 @@ pub mod format;
 mod magnitude;
 mod operators;
 mod short_decimal;
-mod short_integer;
 mod wide;
 
 pub use ball::{Ball, bits_for_digits};
@@ -28,5 +27,4 @@ pub use field::{Field, Real};
 pub use rug::Rational;
 #[doc(hidden)]
 pub use short_decimal::parse_short_decimal;
-pub(crate) use short_integer::{ShortInteger, odd_part};
 pub use wide::Wide;

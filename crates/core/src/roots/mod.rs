@@ -26,7 +26,6 @@ mod forward;
 mod kahan;
 mod multiple;
 mod precision_level;
-mod short;
 
 pub use certified::{CertifiedRoot, CertifiedRoots, certified_roots};
 pub(crate) use depressed::Depressed;
@@ -34,4 +33,3 @@ pub use discriminant::discriminant;
 #[doc(hidden)]
 pub use forward::{Bounded, BoundedCubic, Pair, Spectrum, Working};
 pub use precision_level::PrecisionLevel;
-pub(crate) use short::ShortCubic;

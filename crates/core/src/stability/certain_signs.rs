@@ -131,12 +131,6 @@ pub(super) fn filter(point: &Parameters<f64>) -> (bool, bool, bool) {
     (usable & certain, transition.value > 0.0, boundary.value > 0.0)
 }
 
-/// The groups, each to a few roundings; `None` when they or the inputs lie outside the range where that holds.
-pub(super) fn groups_in_f64(point: &Parameters<f64>) -> Option<Groups<f64>> {
-    let groups = point.groups();
-    (inputs_in_range(point) && groups_in_range(&groups)).then_some(groups)
-}
-
 /// Whether every input lies within 2^±200, so that products and quotients of five of them stay normal numbers.
 #[inline(always)]
 fn inputs_in_range(point: &Parameters<f64>) -> bool {

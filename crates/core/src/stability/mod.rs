@@ -18,7 +18,6 @@ mod arc_point;
 #[doc(hidden)]
 pub mod asymptote;
 pub mod batch;
-mod binary64;
 #[doc(hidden)]
 pub mod boundary;
 mod certain_signs;
@@ -48,7 +47,6 @@ pub mod tolerance;
 pub use crate::friction::SlipMode;
 pub use arc_point::{ArcFrame, ArcPoint, Sensitivity};
 pub use asymptote::Asymptote;
-pub use binary64::classify_binary64;
 pub use boundary::{BoundaryCurve, BoundaryPoint, Mark, Section};
 pub use curve::Arc;
 pub use decision::{boundary_sign, transition_sign};

@@ -16,7 +16,6 @@ mod dispatch;
 mod grid;
 mod grid_cell;
 mod mode_filter;
-mod mode_kernel;
 mod parallel;
 mod points;
 mod row_filter;
@@ -24,9 +23,8 @@ mod sign_pair;
 mod stream;
 mod tally;
 
-pub use grid::{Grid, GridKernel, classify_grid};
+pub use grid::GridKernel;
 pub use grid_cell::GridCell;
-pub use mode_kernel::ModeKernel;
 pub use points::classify_points;
 pub use sign_pair::{PrecisionCounts, SignPair};
 pub use stream::{GridAxis, RowBlock, StreamedGrid};

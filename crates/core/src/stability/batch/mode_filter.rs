@@ -45,9 +45,8 @@ pub(super) struct ModeFilter {
 }
 
 impl ModeFilter {
-    /// The filter next to that of the signs, from the same balls and T.
+    /// The filter for a, δ, k and m as balls, T, and σ scaled by 2^-`stress_exponent`.
     pub(super) fn new(
-        signs: RowFilter,
         [a, difference, k, m]: [&Ball; 4],
         squared_ratio: &Ball,
         stress_exponent: i32,
@@ -62,7 +61,7 @@ impl ModeFilter {
             std::array::from_fn(|_| [integer(1), integer(0)])
         };
         Self {
-            signs,
+            signs: RowFilter::new(a, difference, k, m, stress_exponent),
             threshold: BoundedPolynomial::scaled(&threshold, stress_exponent),
             lower_area: lower_area.map(|line| BoundedPolynomial::scaled(&line, stress_exponent)),
         }

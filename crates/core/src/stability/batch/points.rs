@@ -1,13 +1,12 @@
 //! Exact signs of many unrelated points, given as seven columns.
 
 use super::dispatch::{Kernel, run_on_widest_unit};
-use super::grid::{decide_above_filter, exact};
+use super::grid::{exact, exact_signs};
 use super::parallel;
 use super::{PrecisionCounts, SignPair};
 use crate::friction::Parameters;
 use crate::number::Dd;
 use crate::roots::PrecisionLevel;
-use crate::stability::binary64::short_cubic;
 use crate::stability::certain_signs::{self, BoundedGroups};
 
 /// Points handled at a time: their columns stay in the first-level cache.
@@ -69,17 +68,12 @@ fn decide_the_rest(columns: &Parameters<&[f64]>, cells: &mut [SignPair]) -> Opti
     Some(counts)
 }
 
-/// Both signs by double-double, else by integers of fixed length, else by rationals.
+/// Both signs by double-double, else by rationals.
 fn decide_above_64_bit(point: &Parameters<f64>) -> (SignPair, PrecisionLevel) {
     let in_double_double = BoundedGroups::of_parameters(&point.map(|value| Dd::from(*value)));
-    if let Some(signs) = in_double_double.and_then(|groups| groups.signs_below_exact()) {
-        return (SignPair::new(signs.transition, signs.boundary), PrecisionLevel::DoubleDouble);
-    }
-    match short_cubic(point) {
-        Some(cubic) => {
-            (SignPair::new(cubic.hurwitz_sign(), cubic.discriminant_sign()), PrecisionLevel::Exact)
-        }
-        None => decide_above_filter(&point.map(|value| exact(*value))),
+    match in_double_double.and_then(|groups| groups.signs_below_exact()) {
+        Some(signs) => (SignPair::new(signs.transition, signs.boundary), PrecisionLevel::DoubleDouble),
+        None => (exact_signs(&point.map(|value| exact(*value)).groups()), PrecisionLevel::Exact),
     }
 }
 

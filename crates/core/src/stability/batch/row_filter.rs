@@ -12,8 +12,6 @@
 
 use rug::Float;
 
-use super::SignPair;
-use super::dispatch::Kernel;
 use crate::number::{Ball, Field};
 
 /// Relative part of the error bound.
@@ -99,27 +97,6 @@ impl RowFilter {
         Self {
             boundary: BoundedPolynomial::scaled(&boundary_quartic(a, difference, k, m), stress_exponent),
             transition: BoundedPolynomial::scaled(&transition_line(a, difference, k, m), stress_exponent),
-        }
-    }
-}
-
-/// The inner loop over the scaled σ of a row.
-pub(super) struct RowLoop<'a> {
-    pub(super) filter: &'a RowFilter,
-    pub(super) stresses: &'a [f64],
-    pub(super) cells: &'a mut [SignPair],
-}
-
-impl Kernel for RowLoop<'_> {
-    #[inline(always)]
-    fn run(self) {
-        let filter = *self.filter;
-        for (cell, &x) in self.cells.iter_mut().zip(self.stresses) {
-            let (boundary, boundary_bound) = filter.boundary.at(x);
-            let (transition, transition_bound) = filter.transition.at(x);
-            let certain = (boundary.abs() > boundary_bound) & (transition.abs() > transition_bound);
-            let signs = SignPair::from_decided(transition > 0.0, boundary > 0.0);
-            *cell = if certain { signs } else { SignPair::UNDECIDED };
         }
     }
 }

@@ -5,7 +5,7 @@
 
 use rug::Rational;
 
-use super::mode_kernel::ModeKernel;
+use super::grid::GridKernel;
 use super::parallel;
 use super::{GridCell, PrecisionCounts};
 use crate::friction::Slider;
@@ -70,7 +70,7 @@ where
         for first in (0..stresses.count).step_by(BLOCK as usize) {
             let width = BLOCK.min(stresses.count - first);
             let coordinates: Vec<f64> = parallel::map((first..first + width).collect(), &stresses.coordinate);
-            let kernel = ModeKernel::new(self.slider, self.threshold, &coordinates)?;
+            let kernel = GridKernel::new(self.slider, self.threshold, &coordinates)?;
             total = merge(total, self.fold_rows(first, &kernel, &empty, &fold, &merge)?);
         }
         Some(total)
@@ -79,7 +79,7 @@ where
     fn fold_rows<T: Send>(
         &self,
         first_normal_stress: u32,
-        kernel: &ModeKernel,
+        kernel: &GridKernel,
         empty: &(impl Fn() -> T + Sync),
         fold: &(impl Fn(T, RowBlock<'_>) -> T + Sync),
         merge: &(impl Fn(T, T) -> T + Sync),
