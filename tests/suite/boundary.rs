@@ -49,7 +49,9 @@ fn sections_cross_the_boundary_where_an_unrelated_program_finds_them() {
             .collect();
         let by_discriminant: Vec<Ball> = by_discriminant(&slider, &section, DIGITS)
             .into_iter()
-            .map(|crossing| sought(crossing.normal_stress_pa, crossing.loading_velocity_m_per_s))
+            .map(|crossing| {
+                sought(crossing.position.normal_stress_pa, crossing.position.loading_velocity_m_per_s)
+            })
             .collect();
         for mut found in [by_curve, by_discriminant] {
             found.sort_by(|x, y| x.centre().partial_cmp(y.centre()).unwrap());

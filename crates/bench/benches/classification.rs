@@ -71,7 +71,8 @@ fn grid_case(name: &str, slider: &Slider<Rational>) {
         });
         cardano_times.push(seconds);
     }
-    let wrong = exact_cells.iter().zip(&cardano_cells).filter(|(exact, other)| exact.signs() != **other).count();
+    let wrong =
+        exact_cells.iter().zip(&cardano_cells).filter(|(exact, other)| exact.signs() != **other).count();
     let (exact, cardano) = (median(exact_times), median(cardano_times));
     let rate = (SIDE * SIDE) as f64 / exact / 1e6;
     println!(

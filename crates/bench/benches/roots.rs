@@ -12,7 +12,7 @@ use std::time::Instant;
 use clock::best_of;
 use rug::{Assign, Float, Integer};
 use slipmode_core::number::{Rational, bits_for_digits, nearest_f64, parse_decimal};
-use slipmode_core::roots::{Pair, binary64, certified_roots};
+use slipmode_core::roots::{Pair, bounded_roots, certified_roots};
 
 const REPETITIONS: usize = 5;
 
@@ -34,7 +34,7 @@ fn cubics() -> Vec<[Rational; 4]> {
 fn newton_at_full_precision(cubic: &[Rational; 4], digits: u32) -> [Float; 3] {
     let precision = bits_for_digits(digits) + 64;
     let [c0, c1, c2, c3] = cubic.each_ref().map(|c| Float::with_val(precision, c));
-    let start = binary64::roots(cubic.each_ref().map(nearest_f64)).real.value;
+    let start = bounded_roots(cubic.each_ref().map(nearest_f64)).real.value;
     let mut root = Float::with_val(precision, start);
     let mut steps = 0;
     loop {
@@ -154,7 +154,7 @@ fn main() {
     let mut open = 0;
     for _ in 0..20_000 {
         for &cubic in &rounded {
-            open += usize::from(black_box(binary64::roots(cubic)).pair == Pair::NotSeparated);
+            open += usize::from(black_box(bounded_roots(cubic)).pair == Pair::NotSeparated);
         }
     }
     let each = start.elapsed().as_secs_f64() * 1e9 / (20_000.0 * rounded.len() as f64);

@@ -109,7 +109,7 @@ impl GridRequest {
             },
         };
         let bar = progress.points(self.points());
-        let tally = Tally::of_grid(&grid, |points| bar.inc(points));
+        let tally = grid.tally(|points| bar.inc(points));
         bar.finish_and_clear();
         // Every coordinate of a logarithmic axis in the allowed range is positive and finite.
         tally.unwrap_or_default()

@@ -9,7 +9,7 @@ use slipmode_core::dynamics::{
 };
 use slipmode_core::friction::{EvolutionLaw, Groups, Slider, critical_stiffness_group};
 use slipmode_core::number::{Rational, nearest_f64};
-use slipmode_core::roots::{Pair, binary64};
+use slipmode_core::roots::{Pair, bounded_roots};
 
 /// One run from the start of the scene's simulations, V_l/10.
 #[derive(Debug, Clone)]
@@ -122,7 +122,7 @@ fn near_run(
         effect_ratio: effect_ratio.clone(),
     };
     let groups = groups.map(nearest_f64);
-    let pair = binary64::roots(groups.characteristic_cubic()).pair;
+    let pair = bounded_roots(groups.characteristic_cubic()).pair;
     let linear_growth = if let Pair::Complex { re, .. } = pair { Some(re.value) } else { None };
     let excess = nearest_f64(&Rational::from(ratio - 1));
     NearRun {

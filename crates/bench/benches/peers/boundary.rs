@@ -33,7 +33,7 @@ pub fn prepare(folder: &Path) {
     let mut text = String::new();
     for stress in stresses() {
         for (crossing, _) in curve.crossings(&Section::AtNormalStress(parse_decimal(&stress).unwrap())) {
-            let velocity = crossing.loading_velocity_m_per_s.centre().to_string_radix(10, Some(60));
+            let velocity = crossing.position.loading_velocity_m_per_s.centre().to_string_radix(10, Some(60));
             writeln!(text, "{stress} {velocity}").unwrap();
         }
     }
@@ -54,7 +54,7 @@ pub fn play(folder: &Path) {
         let mut widest = 0.0f64;
         for section in (0..rounds).flat_map(|_| &sections) {
             for (crossing, _) in curve.crossings(section) {
-                widest = widest.max(relative_radius(&crossing.loading_velocity_m_per_s));
+                widest = widest.max(relative_radius(&crossing.position.loading_velocity_m_per_s));
             }
         }
         widest

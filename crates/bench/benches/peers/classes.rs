@@ -117,7 +117,9 @@ fn play_grid(some: &Columns) {
     });
     let side = SIDE / STRIDE;
     let wrong = (0..some.len())
-        .filter(|i| signs_differ(cells[(i / side) * STRIDE * SIDE + (i % side) * STRIDE].signs(), some.answers(*i)))
+        .filter(|i| {
+            signs_differ(cells[(i / side) * STRIDE * SIDE + (i % side) * STRIDE].signs(), some.answers(*i))
+        })
         .count();
     let work = "classes-grid".to_string();
     Row { work, method: "slipmode-signs", items: SIDE * SIDE, seconds, wrong, ..Row::default() }.print();

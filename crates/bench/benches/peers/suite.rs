@@ -10,7 +10,7 @@ use slipmode::experiments::hard_cases::{HardCase, compare_hard_cases, read_hard_
 use slipmode_bench::methods::{Method, score_families};
 use slipmode_bench::textbook::{Three, aberth, cardano, companion, newton, viete};
 use slipmode_core::number::{Dd, Rational, nearest_f64};
-use slipmode_core::roots::{binary64, certified_roots, double_double};
+use slipmode_core::roots::{bounded_roots, certified_roots};
 use slipmode_core::stability::{InertialThreshold, classify};
 
 use super::clock::best_of;
@@ -58,14 +58,14 @@ fn methods() -> [(&'static str, Option<Method>, Solve<'static>); 9] {
             "slipmode-64-bit",
             Some(Method::Ours64),
             Box::new(|point| {
-                black_box(binary64::roots(black_box(point.rounded)));
+                black_box(bounded_roots(black_box(point.rounded)));
             }),
         ),
         (
             "slipmode-double-double",
             Some(Method::DoubleDouble),
             Box::new(|point| {
-                black_box(double_double::roots(black_box(point.doubled)));
+                black_box(bounded_roots(black_box(point.doubled)));
             }),
         ),
         (

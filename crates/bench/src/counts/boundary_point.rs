@@ -43,7 +43,7 @@ fn at(slider: &Slider<Rational>, digits: u32) -> Option<Vec<BoundaryCount>> {
     let section = Section::AtNormalStress(Rational::from(NORMAL_STRESS_PA));
     let fine = BoundaryCurve::new(slider, digits + MORE_DIGITS).crossings(&section);
     let [(reference, parameter)] = fine.as_slice() else { return None };
-    let velocity = &reference.loading_velocity_m_per_s;
+    let velocity = &reference.position.loading_velocity_m_per_s;
     let curve = BoundaryCurve::new(slider, digits);
     let row = |route, counted, count, found: &Ball| BoundaryCount {
         route,
@@ -56,10 +56,10 @@ fn at(slider: &Slider<Rational>, digits: u32) -> Option<Vec<BoundaryCount>> {
     let on_curve = curve.position(reference.arc, parameter).loading_velocity_m_per_s;
     let mut rows = vec![row("curve", "evaluations of the curve", Some(1), &on_curve)];
     for (crossing, _) in &curve.crossings(&section) {
-        rows.push(row("section", "not counted", None, &crossing.loading_velocity_m_per_s));
+        rows.push(row("section", "not counted", None, &crossing.position.loading_velocity_m_per_s));
     }
     for crossing in &by_discriminant(slider, &section, digits) {
-        rows.push(row("discriminant", "not counted", None, &crossing.loading_velocity_m_per_s));
+        rows.push(row("discriminant", "not counted", None, &crossing.position.loading_velocity_m_per_s));
     }
     if digits <= MOST_HALVED_DIGITS
         && let Some((found, signs)) = halve(slider, velocity, digits)

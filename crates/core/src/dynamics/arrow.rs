@@ -26,16 +26,6 @@ pub struct Arrow<R> {
 }
 
 impl<R: Scalar> Arrow<R> {
-    /// The product with a column.
-    #[must_use]
-    pub fn times(&self, v: &[R; 3]) -> [R; 3] {
-        [
-            self.xx.clone() * &v[0] + self.xy.clone() * &v[1] + self.xz.clone() * &v[2],
-            self.yx.clone() * &v[0] + self.yy.clone() * &v[1],
-            self.zx.clone() * &v[0],
-        ]
-    }
-
     /// All entries times the step.
     #[must_use]
     pub fn scaled(&self, h: &R) -> Self {
@@ -199,6 +189,14 @@ mod tests {
 
     fn arrow(e: [f64; 6]) -> Arrow<f64> {
         Arrow { xx: e[0], xy: e[1], xz: e[2], yx: e[3], yy: -e[4].abs(), zx: e[5] }
+    }
+
+    impl Arrow<f64> {
+        /// The product with a column.
+        pub(crate) fn times(&self, v: &[f64; 3]) -> [f64; 3] {
+            let Self { xx, xy, xz, yx, yy, zx } = *self;
+            [xx * v[0] + xy * v[1] + xz * v[2], yx * v[0] + yy * v[1], zx * v[0]]
+        }
     }
 
     proptest! {

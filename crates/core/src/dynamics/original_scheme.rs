@@ -70,12 +70,6 @@ impl<'m> OriginalScheme<'m> {
         self.iterations
     }
 
-    /// The spring stress ζ.
-    #[must_use]
-    pub const fn stress(&self) -> f64 {
-        self.stress
-    }
-
     /// y at the end of a step at constant velocity e^x: the exact solution of either law.
     fn state_after(&self, x: f64) -> (f64, f64) {
         let travel = self.step * libm::exp(x);
@@ -147,25 +141,6 @@ impl<'m> OriginalScheme<'m> {
         self.log_state = y;
         self.log_mean_velocity = x;
     }
-
-    /// The highest ln(V/V_l) between two times from now, in D_c/V_l: the scheme's long-term peak when both are late.
-    ///
-    /// # Errors
-    /// Those of [`Self::advance`], and [`Failure::TooManySteps`] when the time takes more than `most_steps`.
-    pub fn highest_velocity(&mut self, from: f64, to: f64, most_steps: u64) -> Result<f64, Failure> {
-        let [first, last] = [from, to].map(|time| libm::ceil(time / self.step));
-        if last > most_steps as f64 {
-            return Err(Failure::TooManySteps { steps: 0, time: 0.0 });
-        }
-        let mut highest = f64::NEG_INFINITY;
-        for step in 0..last as u64 {
-            self.advance()?;
-            if step as f64 >= first {
-                highest = highest.max(self.log_mean_velocity);
-            }
-        }
-        Ok(highest)
-    }
 }
 
 #[cfg(test)]
@@ -180,11 +155,24 @@ mod tests {
         Model::new(groups, law)
     }
 
+    /// The highest ln(V/V_l) between two times from now, in D_c/V_l: the scheme's long-term peak when both are late.
+    fn highest_velocity(scheme: &mut OriginalScheme<'_>, from: f64, to: f64) -> f64 {
+        let [first, last] = [from, to].map(|time| libm::ceil(time / scheme.step));
+        let mut highest = f64::NEG_INFINITY;
+        for step in 0..last as u64 {
+            scheme.advance().unwrap();
+            if step as f64 >= first {
+                highest = highest.max(scheme.log_mean_velocity);
+            }
+        }
+        highest
+    }
+
     fn bias(law: EvolutionLaw, fraction: f64) -> f64 {
         let model = vibration(law);
         let exact = simulate_model(&model, &Options::default()).unwrap().log_peak();
         let mut scheme = OriginalScheme::new(&model, Start::default().at_a_tenth(&model), fraction);
-        libm::expm1(scheme.highest_velocity(6000.0, 6400.0, 10_000_000).unwrap() - exact)
+        libm::expm1(highest_velocity(&mut scheme, 6000.0, 6400.0) - exact)
     }
 
     #[test]
@@ -202,6 +190,6 @@ mod tests {
     fn steady_sliding_stays_steady() {
         let model = vibration(EvolutionLaw::Slip);
         let mut scheme = OriginalScheme::new(&model, [0.0; 3], 0.1);
-        assert_eq!(scheme.highest_velocity(0.0, 1000.0, 1_000_000).unwrap().abs(), 0.0);
+        assert_eq!(highest_velocity(&mut scheme, 0.0, 1000.0).abs(), 0.0);
     }
 }

@@ -3,10 +3,9 @@
 //! ```
 //! use slipmode_core::polynomial::UnivariatePolynomial;
 //!
-//! // (x − 1)(x² − 2) = x³ − x² − 2x + 2 has one negative and two positive roots.
+//! // (x − 1)(x² − 2) = x³ − x² − 2x + 2 has two positive roots.
 //! let cubic = UnivariatePolynomial::from_integers(&[2, -2, -1, 1]);
 //! assert_eq!(cubic.isolate_positive_roots().len(), 2);
-//! assert_eq!(cubic.isolate_real_roots().len(), 3);
 //! ```
 
 mod calculus;
@@ -51,6 +50,6 @@ pub use rational_function::RationalFunction;
 pub use refutation::{CounterExample, Refutation};
 pub use series::Series;
 pub use size::{Extent, TooLarge};
-pub use sturm::{IsolatingInterval, Limit, SturmSequence};
+pub use sturm::{IsolatingInterval, SturmSequence};
 pub use symbol::Symbol;
 pub use univariate::UnivariatePolynomial;

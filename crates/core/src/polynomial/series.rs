@@ -150,12 +150,6 @@ impl Series {
         }
         Some(Self(root))
     }
-
-    /// The series times itself.
-    #[must_use]
-    pub fn square(&self) -> Self {
-        self.times(self)
-    }
 }
 
 #[cfg(test)]
@@ -176,7 +170,7 @@ mod tests {
     fn square_of_the_square_root_returns() {
         let series = numbers(&[1, 3, -2, 5]);
         let root = series.square_root().expect("begins with 1");
-        assert_eq!(root.square(), series);
+        assert_eq!(root.times(&root), series);
     }
 
     #[test]

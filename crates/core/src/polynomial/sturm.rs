@@ -6,17 +6,6 @@ use rug::{Integer, Rational};
 
 use crate::polynomial::UnivariatePolynomial;
 
-/// An end of an interval on the extended real line.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub enum Limit {
-    /// −∞.
-    MinusInfinity,
-    /// A rational number.
-    At(Rational),
-    /// +∞.
-    PlusInfinity,
-}
-
 /// Where one real root of a polynomial is.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum IsolatingInterval {
@@ -49,50 +38,36 @@ impl SturmSequence {
 
     /// The number of distinct real roots in `lower < x ≤ upper`; 0 for the zero polynomial and for empty intervals.
     #[must_use]
-    pub fn count_roots(&self, lower: &Limit, upper: &Limit) -> usize {
+    pub fn count_roots(&self, lower: &Rational, upper: &Rational) -> usize {
         self.variations(lower).saturating_sub(self.variations(upper))
     }
 
     /// Sign changes along the sequence, zeros left out.
-    fn variations(&self, limit: &Limit) -> usize {
+    fn variations(&self, x: &Rational) -> usize {
         let signs: Vec<Ordering> = self
             .members
             .iter()
-            .map(|member| sign_at(member, limit))
+            .map(|member| sign_at(member, x))
             .filter(|sign| *sign != Ordering::Equal)
             .collect();
         signs.windows(2).filter(|pair| pair[0] != pair[1]).count()
     }
 
     fn sign(&self, x: &Rational) -> Ordering {
-        sign_at_rational(&self.members[0], x)
+        sign_at(&self.members[0], x)
     }
 }
 
 impl UnivariatePolynomial {
     /// The number of distinct real roots in `lower < x ≤ upper`, by Sturm's theorem.
     #[must_use]
-    pub fn count_roots(&self, lower: &Limit, upper: &Limit) -> usize {
+    pub fn count_roots(&self, lower: &Rational, upper: &Rational) -> usize {
         SturmSequence::new(self).count_roots(lower, upper)
-    }
-
-    /// Disjoint enclosures of all distinct real roots, ascending.
-    ///
-    /// Ends of intervals are dyadic and of one sign; a root found to be dyadic on the way is returned exactly.
-    #[must_use]
-    pub fn isolate_real_roots(&self) -> Vec<IsolatingInterval> {
-        let mut roots = self.reflected().isolate_positive_roots();
-        roots.reverse();
-        let mut roots: Vec<_> = roots.into_iter().map(IsolatingInterval::reflected).collect();
-        if !self.is_zero() && self.coefficients()[0] == 0 {
-            roots.push(IsolatingInterval::Exact(Rational::new()));
-        }
-        roots.extend(self.isolate_positive_roots());
-        roots
     }
 
     /// Disjoint enclosures of all distinct positive roots, ascending.
     ///
+    /// Ends of intervals are dyadic; a root found to be dyadic on the way is returned exactly.
     /// The exponent is bisected before the mantissa, so that roots tens of thousands of decades apart cost little.
     #[must_use]
     pub fn isolate_positive_roots(&self) -> Vec<IsolatingInterval> {
@@ -104,18 +79,9 @@ impl UnivariatePolynomial {
     }
 }
 
-impl IsolatingInterval {
-    fn reflected(self) -> Self {
-        match self {
-            Self::Exact(root) => Self::Exact(-root),
-            Self::Between(lower, upper) => Self::Between(-upper, -lower),
-        }
-    }
-}
-
 /// Appends the roots of `lower < x ≤ upper`; the order is ascending because the left half goes first.
 fn bisect(sequence: &SturmSequence, lower: Rational, upper: Rational, roots: &mut Vec<IsolatingInterval>) {
-    let count = sequence.count_roots(&Limit::At(lower.clone()), &Limit::At(upper.clone()));
+    let count = sequence.count_roots(&lower, &upper);
     let end_is_root = sequence.sign(&upper) == Ordering::Equal;
     match (count, end_is_root) {
         (0, _) => {}
@@ -171,18 +137,8 @@ fn integers(polynomial: &UnivariatePolynomial) -> Vec<Integer> {
     polynomial.coefficients().iter().map(|coefficient| coefficient.numer().clone()).collect()
 }
 
-fn sign_at(member: &[Integer], limit: &Limit) -> Ordering {
-    let leading = member.last().map_or(Ordering::Equal, Integer::cmp0);
-    match limit {
-        Limit::PlusInfinity => leading,
-        Limit::MinusInfinity if member.len().is_multiple_of(2) => leading.reverse(),
-        Limit::MinusInfinity => leading,
-        Limit::At(x) => sign_at_rational(member, x),
-    }
-}
-
 /// The sign at n/d (d > 0) of the polynomial, from the integer Σ c_i n^i d^(degree−i).
-fn sign_at_rational(member: &[Integer], x: &Rational) -> Ordering {
+fn sign_at(member: &[Integer], x: &Rational) -> Ordering {
     let mut value = Integer::new();
     let mut denominator_power = Integer::from(1);
     for coefficient in member.iter().rev() {
@@ -209,13 +165,13 @@ mod tests {
     fn counts_are_of_distinct_roots_in_the_half_open_interval() {
         let p = from_roots(&[(1, 2), (1, 2), (3, 1), (-4, 1)])
             .times(&UnivariatePolynomial::from_integers(&[1, 0, 1]));
-        let at = |value: i32| Limit::At(Rational::from(value));
-        assert_eq!(p.count_roots(&Limit::MinusInfinity, &Limit::PlusInfinity), 3);
+        let at = |value: i32| Rational::from(value);
+        assert_eq!(p.count_roots(&at(-100), &at(100)), 3);
         assert_eq!(p.count_roots(&at(0), &at(3)), 2);
-        assert_eq!(p.count_roots(&at(3), &Limit::PlusInfinity), 0);
+        assert_eq!(p.count_roots(&at(3), &at(100)), 0);
         assert_eq!(p.count_roots(&at(-4), &at(0)), 0);
         assert_eq!(UnivariatePolynomial::from_integers(&[]).count_roots(&at(0), &at(1)), 0);
-        assert_eq!(UnivariatePolynomial::from_integers(&[7]).isolate_real_roots(), []);
+        assert_eq!(UnivariatePolynomial::from_integers(&[7]).isolate_positive_roots(), []);
     }
 
     #[test]
@@ -225,19 +181,20 @@ mod tests {
         let factor =
             |root: &Rational| UnivariatePolynomial::new(vec![Rational::from(-root), Rational::from(1)]);
         let p = factor(&far).times(&factor(&near)).times(&factor(&Rational::from(-3)));
-        let roots = p.isolate_real_roots();
-        assert_eq!(roots.len(), 3);
-        let IsolatingInterval::Between(lower, upper) = &roots[2] else { panic!("the root is not dyadic") };
+        let roots = p.isolate_positive_roots();
+        assert_eq!(roots.len(), 2);
+        let IsolatingInterval::Between(lower, upper) = &roots[1] else { panic!("the root is not dyadic") };
         assert!(*lower < far && far < *upper);
     }
 
     proptest! {
         #[test]
-        fn every_root_lies_in_its_interval(mut roots in prop::collection::vec((-60_i64..60, 1_i64..9), 1..6)) {
+        fn every_positive_root_lies_in_its_interval(mut roots in prop::collection::vec((-60_i64..60, 1_i64..9), 1..6)) {
             let p = from_roots(&roots);
             roots.sort_by(|x, y| Rational::from(*x).cmp(&Rational::from(*y)));
             roots.dedup_by(|x, y| Rational::from(*x) == Rational::from(*y));
-            let intervals = p.isolate_real_roots();
+            roots.retain(|(numerator, _)| *numerator > 0);
+            let intervals = p.isolate_positive_roots();
             prop_assert_eq!(intervals.len(), roots.len());
             for (interval, root) in intervals.iter().zip(&roots) {
                 let root = Rational::from(*root);

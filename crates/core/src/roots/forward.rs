@@ -83,6 +83,15 @@ pub struct BoundedCubic<R> {
     pub relative_error: f64,
 }
 
+/// The roots of a cubic whose coefficients are exactly these numbers.
+///
+/// A coefficient may exceed its leading part by half a unit of it; the relative error has room for that.
+#[must_use]
+pub fn bounded_roots<R: Working>(coefficients: [R; 4]) -> Spectrum<R> {
+    let magnitudes = coefficients.map(|coefficient| coefficient.leading().abs());
+    BoundedCubic { coefficients, magnitudes, relative_error: 0.0 }.spectrum()
+}
+
 impl<R: Working> BoundedCubic<R> {
     /// Δ with its error bound.
     ///
@@ -249,3 +258,6 @@ fn is_small(relative: f64) -> bool {
 
 #[cfg(test)]
 mod data_error_tests;
+
+#[cfg(test)]
+mod tests;

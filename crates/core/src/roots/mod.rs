@@ -14,14 +14,10 @@
 //! assert_eq!(roots.iter().map(|root| root.multiplicity).collect::<Vec<_>>(), [1, 2]);
 //! ```
 
-#[doc(hidden)]
-pub mod binary64;
 mod bracket;
 mod certified;
 mod depressed;
 mod discriminant;
-#[doc(hidden)]
-pub mod double_double;
 mod forward;
 mod kahan;
 mod multiple;
@@ -31,5 +27,5 @@ pub use certified::{CertifiedRoot, CertifiedRoots, certified_roots};
 pub(crate) use depressed::Depressed;
 pub use discriminant::discriminant;
 #[doc(hidden)]
-pub use forward::{Bounded, BoundedCubic, Pair, Spectrum, Working};
+pub use forward::{Bounded, BoundedCubic, Pair, Spectrum, Working, bounded_roots};
 pub use precision_level::PrecisionLevel;

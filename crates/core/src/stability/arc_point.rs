@@ -20,8 +20,6 @@ use crate::stability::Arc;
 pub struct ArcPoint<R> {
     /// The double root r of eq 8, in units of V0/D_c.
     pub double_root: R,
-    /// The third root t, in units of V0/D_c.
-    pub third_root: R,
     /// η.
     pub inertial_parameter: R,
     /// κ.
@@ -57,7 +55,6 @@ impl<R: Field> ArcFrame<R> {
         let double_root = self.double_root(arc, &terms);
         let (scaled, cubic) = (terms.scaled_slope(), double_root.square() * &terms.cubic);
         ArcPoint {
-            third_root: -(terms.cubic / &terms.linear),
             inertial_parameter: terms.linear.clone() / &scaled,
             stiffness_group: cubic.clone() / scaled,
             velocity_squared: terms.linear / cubic,
@@ -73,13 +70,11 @@ impl<R: Field> ArcFrame<R> {
         (terms.scaled_slope() / &cubic, terms.linear / cubic)
     }
 
-    /// (r, η/κ) of the same point: all that a place of known κ needs besides.
+    /// η/κ of the same point: all that a place of known κ needs besides.
     #[must_use]
-    pub fn place_at_stiffness(&self, arc: Arc, parameter: &R) -> (R, R) {
+    pub fn velocity_squared(&self, arc: Arc, parameter: &R) -> R {
         let terms = self.terms(arc, parameter);
-        let double_root = self.double_root(arc, &terms);
-        let velocity_squared = terms.linear / (double_root.square() * terms.cubic);
-        (double_root, velocity_squared)
+        terms.linear.clone() / (self.double_root(arc, &terms).square() * terms.cubic)
     }
 
     fn double_root(&self, arc: Arc, terms: &Terms<R>) -> R {

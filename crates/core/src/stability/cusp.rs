@@ -6,13 +6,6 @@ use crate::friction::Groups;
 use crate::number::{Ball, Field};
 use crate::polynomial::UnivariatePolynomial;
 
-/// β of the cusp at η: β = (1−2η)³/(27η²), 0 < η < 1/2.
-#[must_use]
-pub fn effect_ratio<R: Field>(inertial_parameter: &R) -> R {
-    let base = R::from(1) - R::from(2) * inertial_parameter;
-    base.square() * &base / (R::from(27) * inertial_parameter.square())
-}
-
 /// κ of the cusp at η: κ = (1+η)³/(27η²).
 #[must_use]
 pub fn stiffness_group<R: Field>(inertial_parameter: &R) -> R {
@@ -56,6 +49,12 @@ mod tests {
     use proptest::prelude::*;
 
     use super::*;
+
+    /// β of the cusp at η: β = (1−2η)³/(27η²), 0 < η < 1/2.
+    fn effect_ratio(inertial_parameter: &Rational) -> Rational {
+        let base = Rational::from(1) - Rational::from(2) * inertial_parameter;
+        base.clone().square() * &base / (Rational::from(27) * inertial_parameter.clone().square())
+    }
 
     #[test]
     fn at_equal_effects_the_cusp_is_rational() {

@@ -30,8 +30,7 @@ mod tests {
     use super::*;
     use crate::number::parse_decimal;
     use crate::roots::discriminant;
-    use crate::stability::curve;
-    use crate::stability::fixtures::double_root_and_effect_ratio;
+    use crate::stability::fixtures::{self, double_root_and_effect_ratio};
     use proptest::prelude::*;
 
     fn group() -> impl Strategy<Value = Rational> {
@@ -48,8 +47,8 @@ mod tests {
 
     fn on_boundary(r: &Rational, beta: &Rational) -> Groups<Rational> {
         Groups {
-            inertial_parameter: curve::inertial_parameter(r, beta),
-            stiffness_group: curve::stiffness_group(r, beta),
+            inertial_parameter: fixtures::inertial_parameter(r, beta),
+            stiffness_group: fixtures::stiffness_group(r, beta),
             effect_ratio: beta.clone(),
         }
     }
@@ -81,7 +80,7 @@ mod tests {
             let mut groups = on_boundary(&r, &beta);
             prop_assert!(groups.inertial_parameter > 0 && groups.stiffness_group > 0);
             prop_assert_eq!(boundary_sign(&groups), 0);
-            prop_assume!(curve::third_root(&r, &beta) != r);
+            prop_assume!(fixtures::third_root(&r, &beta) != r);
             // Off the cusp, κ splits the double root into two reals on one side and a pair on the other: ∂F/∂κ = r + 1 ≠ 0.
             let shift = parse_decimal("1e-60").unwrap() * &groups.stiffness_group;
             groups.stiffness_group -= &shift;

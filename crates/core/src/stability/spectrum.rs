@@ -171,8 +171,7 @@ mod tests {
     use super::*;
     use crate::friction::Slider;
     use crate::number::parse_decimal;
-    use crate::stability::curve;
-    use crate::stability::fixtures::double_root_and_effect_ratio;
+    use crate::stability::fixtures::{self, double_root_and_effect_ratio};
     use proptest::prelude::*;
 
     /// Unit a, D_c, V and σ make the groups the parameters: η = M, κ = K, β = b.
@@ -223,7 +222,7 @@ mod tests {
 
         #[test]
         fn promises_hold_on_and_next_to_the_boundary((r, beta) in double_root_and_effect_ratio(), depth in 1i32..60) {
-            let (eta, kappa) = (curve::inertial_parameter(&r, &beta), curve::stiffness_group(&r, &beta));
+            let (eta, kappa) = (fixtures::inertial_parameter(&r, &beta), fixtures::stiffness_group(&r, &beta));
             assert_promises(&with_groups(&eta, &kappa, &beta));
             let shift = parse_decimal(&format!("1e-{depth}")).unwrap() + 1u32;
             assert_promises(&with_groups(&eta, &(kappa * shift), &beta));

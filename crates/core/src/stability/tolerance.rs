@@ -153,7 +153,7 @@ mod tests {
         let limit = limit(Asymptote::QuasiStaticUpper, &number("1.5"), &number("0.01"), 30).unwrap();
         let velocity = limit.in_si(&balls).centre().to_rational().unwrap();
         let crossing = by_discriminant(&slider, &Section::AtVelocity(velocity), 30).remove(0);
-        let crossings = [crossing.normal_stress_pa];
+        let crossings = [crossing.position.normal_stress_pa];
         let ratio = crossings[0].clone() / asymptote::quasi_static_upper_normal_stress_pa(&balls);
         assert!((ratio.to_f64() - 1.01).abs() < 1e-15);
         assert!(BoundaryCurve::new(&slider, 30).arcs().contains(&crossing.arc));

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::fmt;
 
 use super::reading::{self, EquationsText};
-use crate::polynomial::{Domain, Expression};
+use crate::polynomial::Expression;
 
 /// One equation of the paper.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -109,12 +109,6 @@ impl PaperEquations {
     /// left − right of the equation of this number.
     pub(super) fn residual(&self, number: &str) -> Expression {
         self.equation(number).residual()
-    }
-
-    /// What the file assumes of the variables.
-    #[must_use]
-    pub fn domain(&self) -> Domain {
-        Domain::positive(&self.positive.join(" "))
     }
 
     /// The same equations with one of them replaced: what a sabotaged claim is tested with.

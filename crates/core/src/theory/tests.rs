@@ -4,7 +4,7 @@ use rug::Rational;
 
 use super::equations::tests::paper;
 use super::*;
-use crate::polynomial::{Expression, Limit, Proof, Refutation, Symbol, UnivariatePolynomial};
+use crate::polynomial::{Expression, Proof, Refutation, Symbol, UnivariatePolynomial};
 
 type Prover = fn(&PaperEquations) -> Result<Proof, Refutation>;
 
@@ -212,8 +212,7 @@ fn sturm_sequences_count_the_same_areas_on_lines_of_fixed_inertial_parameter() {
             .iter()
             .filter_map(crate::polynomial::Polynomial::as_constant)
             .collect();
-        let zero = Limit::At(Rational::new());
-        UnivariatePolynomial::new(coefficients).count_roots(&zero, &Limit::PlusInfinity)
+        UnivariatePolynomial::new(coefficients).isolate_positive_roots().len()
     };
     for (beta, upper) in [((3, 2), 1), ((1, 1), 0), ((2, 3), 1), ((1, 10), 1), ((100, 1), 1)] {
         // The cusp has η = 1/(3x + 2), β = x³/(3x + 2): η = 1/1000 is below it and 1/2 above it for all these β.

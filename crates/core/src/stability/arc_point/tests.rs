@@ -3,8 +3,7 @@
 use proptest::prelude::*;
 
 use super::*;
-use crate::stability::curve;
-use crate::stability::fixtures::positive_rational;
+use crate::stability::fixtures::{self, positive_rational};
 
 proptest! {
     #[test]
@@ -17,14 +16,13 @@ proptest! {
         let frame = ArcFrame::new(Rational::from(&beta - 1_u32), q.clone());
         let point = frame.point(arc, &parameter);
         let r = &point.double_root;
-        prop_assert_eq!(&point.inertial_parameter, &curve::inertial_parameter(r, &beta));
-        prop_assert_eq!(&point.stiffness_group, &curve::stiffness_group(r, &beta));
-        prop_assert_eq!(&point.third_root, &curve::third_root(r, &beta));
+        prop_assert_eq!(&point.inertial_parameter, &fixtures::inertial_parameter(r, &beta));
+        prop_assert_eq!(&point.stiffness_group, &fixtures::stiffness_group(r, &beta));
         let ratio = Rational::from(&point.inertial_parameter / &point.stiffness_group);
         prop_assert_eq!(&point.velocity_squared, &ratio);
+        prop_assert_eq!(&frame.velocity_squared(arc, &parameter), &ratio);
         let inverse = Rational::from(point.stiffness_group.recip_ref());
         prop_assert_eq!(frame.place(arc, &parameter), (inverse, ratio.clone()));
-        prop_assert_eq!(frame.place_at_stiffness(arc, &parameter), (r.clone(), ratio));
         prop_assert!(point.inertial_parameter > 0 && point.stiffness_group > 0);
 
         let (end, factor) = match arc {

@@ -20,12 +20,10 @@ mod parallel;
 mod points;
 mod row_filter;
 mod sign_pair;
-mod stream;
 mod tally;
 
 pub use grid::GridKernel;
 pub use grid_cell::GridCell;
 pub use points::classify_points;
 pub use sign_pair::{PrecisionCounts, SignPair};
-pub use stream::{GridAxis, RowBlock, StreamedGrid};
-pub use tally::Tally;
+pub use tally::{GridAxis, StreamedGrid, Tally};

@@ -46,11 +46,7 @@ pub(super) struct ModeFilter {
 
 impl ModeFilter {
     /// The filter for a, δ, k and m as balls, T, and σ scaled by 2^-`stress_exponent`.
-    pub(super) fn new(
-        [a, difference, k, m]: [&Ball; 4],
-        squared_ratio: &Ball,
-        stress_exponent: i32,
-    ) -> Self {
+    pub(super) fn new([a, difference, k, m]: [&Ball; 4], squared_ratio: &Ball, stress_exponent: i32) -> Self {
         let threshold = threshold_quartic(a, difference, k, m, squared_ratio);
         let has_upper_area = difference.lower() > 0;
         let integer = Ball::from;

@@ -1,9 +1,42 @@
-//! How many points of a grid have which signs and which slip mode.
+//! Grids of any size in constant memory: blocks of rows are classified, counted, and forgotten.
+//!
+//! The σ axis is cut into blocks; for each, the rows of constant V0 are classified in parallel. What is kept is one block of
+//! coordinates and one row of cells per thread.
 
 use std::ops::AddAssign;
 
-use super::{GridCell, PrecisionCounts, RowBlock, StreamedGrid};
-use crate::stability::{SlipMode, SpectralClass};
+use rug::Rational;
+
+use super::grid::GridKernel;
+use super::parallel;
+use super::{GridCell, PrecisionCounts};
+use crate::friction::Slider;
+use crate::stability::{InertialThreshold, SlipMode, SpectralClass};
+
+/// The most σ of a block: its coordinates fit the second-level cache, and a row's preparation is a small part of its work.
+const BLOCK: u32 = 1 << 15;
+
+/// One axis of a streamed grid: the number of coordinates, and each by its index, in SI.
+#[derive(Debug, Clone, Copy)]
+pub struct GridAxis<F> {
+    /// How many coordinates there are.
+    pub count: u32,
+    /// The coordinate of an index below `count`.
+    pub coordinate: F,
+}
+
+/// What is classified.
+#[derive(Debug, Clone, Copy)]
+pub struct StreamedGrid<'a, V, S> {
+    /// Material and machine.
+    pub slider: &'a Slider<Rational>,
+    /// From which ω/ω_n on an oscillation is called inertial.
+    pub threshold: &'a InertialThreshold,
+    /// V0, m/s.
+    pub loading_velocities: GridAxis<V>,
+    /// σ, Pa.
+    pub normal_stresses: GridAxis<S>,
+}
 
 /// Counts over a grid.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -24,28 +57,49 @@ impl Default for Tally {
     }
 }
 
-impl Tally {
-    /// Counts the points of a grid, in memory that does not depend on their number; `tick` hears of every block.
+impl<V, S> StreamedGrid<'_, V, S>
+where
+    V: Fn(u32) -> f64 + Sync,
+    S: Fn(u32) -> f64 + Sync,
+{
+    /// Classifies every point exactly and counts, in memory that does not depend on the number of points; `tick` hears of
+    /// every block of a row.
     ///
     /// `None` unless every coordinate is positive and finite.
     #[must_use]
-    pub fn of_grid<V, S>(grid: &StreamedGrid<'_, V, S>, tick: impl Fn(u64) + Sync) -> Option<Self>
-    where
-        V: Fn(u32) -> f64 + Sync,
-        S: Fn(u32) -> f64 + Sync,
-    {
-        let count = |mut sum: Self, block: RowBlock<'_>| {
-            sum.count(block.cells);
-            sum.decided_by += block.decided_by;
-            tick(block.cells.len() as u64);
-            sum
-        };
-        grid.fold(Self::default, count, |mut left, right| {
-            left += right;
-            left
-        })
+    pub fn tally(&self, tick: impl Fn(u64) + Sync) -> Option<Tally> {
+        let stresses = &self.normal_stresses;
+        let mut total = Tally::default();
+        for first in (0..stresses.count).step_by(BLOCK as usize) {
+            let width = BLOCK.min(stresses.count - first);
+            let coordinates: Vec<f64> = parallel::map((first..first + width).collect(), &stresses.coordinate);
+            let kernel = GridKernel::new(self.slider, self.threshold, &coordinates)?;
+            total += self.tally_rows(&kernel, &tick)?;
+        }
+        Some(total)
     }
 
+    fn tally_rows(&self, kernel: &GridKernel, tick: &(impl Fn(u64) + Sync)) -> Option<Tally> {
+        let axis = &self.loading_velocities;
+        parallel::fold_in_stretches(
+            axis.count,
+            || (Tally::default(), vec![GridCell::UNDECIDED; kernel.width()]),
+            |(mut sum, mut cells), loading_velocity| {
+                sum.decided_by += kernel.classify_row((axis.coordinate)(loading_velocity), &mut cells)?;
+                sum.count(&cells);
+                tick(cells.len() as u64);
+                Some((sum, cells))
+            },
+            |(sum, _)| sum,
+            |mut left, right| {
+                left += right;
+                left
+            },
+        )
+    }
+}
+
+impl Tally {
     fn count(&mut self, cells: &[GridCell]) {
         let mut counters = [[0u64; BYTES]; LANES];
         for group in cells.chunks(LANES) {
@@ -111,11 +165,9 @@ impl AddAssign for Tally {
 
 #[cfg(test)]
 mod tests {
-    use super::super::GridAxis;
     use super::*;
-    use crate::number::Rational;
+    use crate::stability::classify;
     use crate::stability::fixtures::paper;
-    use crate::stability::{InertialThreshold, classify};
 
     fn velocity(index: u32) -> f64 {
         libm::exp10(-7.0 + 8.0 * f64::from(index) / 22.0)
@@ -134,7 +186,7 @@ mod tests {
             loading_velocities: GridAxis { count: 23, coordinate: velocity },
             normal_stresses: GridAxis { count: 31, coordinate: stress },
         };
-        let tally = Tally::of_grid(&grid, |_| ()).unwrap();
+        let tally = grid.tally(|_| ()).unwrap();
         let mut modes = [0; SlipMode::ALL.len()];
         let mut classes = Vec::new();
         for index in 0..23 * 31 {
@@ -154,5 +206,55 @@ mod tests {
             assert_eq!(tally.of_class(wanted), class(wanted));
         }
         assert_eq!((tally.points(), tally.on_transition(), tally.on_boundary()), (23 * 31, 0, 0));
+    }
+
+    fn points_of(velocities: u32, stresses: u32) -> (Tally, u64) {
+        let (slider, threshold) = (paper(), InertialThreshold::default());
+        let grid = StreamedGrid {
+            slider: &slider,
+            threshold: &threshold,
+            loading_velocities: GridAxis { count: velocities, coordinate: |i| 1e-6 * f64::from(i + 1) },
+            normal_stresses: GridAxis { count: stresses, coordinate: |i| 1e3 + f64::from(i) },
+        };
+        let ticks = std::sync::atomic::AtomicU64::new(0);
+        let tally = grid.tally(|points| _ = ticks.fetch_add(points, std::sync::atomic::Ordering::Relaxed));
+        (tally.unwrap(), ticks.into_inner())
+    }
+
+    #[cfg(feature = "rayon")]
+    #[test]
+    fn every_block_is_counted_once_on_any_number_of_threads() {
+        let width = BLOCK + 7;
+        let (expected, _) = points_of(3, width);
+        for threads in [1, 2, 5] {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+            let (tally, ticks) = pool.install(|| points_of(3, width));
+            assert_eq!((tally.points(), ticks), (3 * u64::from(width), 3 * u64::from(width)));
+            assert_eq!(tally, expected);
+        }
+        assert_eq!((points_of(0, 3), points_of(3, 0)), ((Tally::default(), 0), (Tally::default(), 0)));
+    }
+
+    #[test]
+    fn a_coordinate_that_is_not_positive_ends_the_count() {
+        let (slider, threshold) = (paper(), InertialThreshold::default());
+        for bad in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+            let at = move |i: u32| if i == 2 { bad } else { 1.0 };
+            let one = |_: u32| 1.0;
+            let grid = StreamedGrid {
+                slider: &slider,
+                threshold: &threshold,
+                loading_velocities: GridAxis { count: 3, coordinate: at },
+                normal_stresses: GridAxis { count: 3, coordinate: one },
+            };
+            assert!(grid.tally(|_| ()).is_none());
+            let grid = StreamedGrid {
+                slider: &slider,
+                threshold: &threshold,
+                loading_velocities: GridAxis { count: 3, coordinate: one },
+                normal_stresses: GridAxis { count: 3, coordinate: at },
+            };
+            assert!(grid.tally(|_| ()).is_none());
+        }
     }
 }

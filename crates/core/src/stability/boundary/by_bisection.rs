@@ -89,6 +89,6 @@ mod tests {
         let exact = by_discriminant(&paper(), &section, 30);
         let ends = (Rational::from((1, 1_000_000)), Rational::from(1));
         let found = by_bisection(&paper(), &section, (&ends.0, &ends.1), 30);
-        assert!(found.is_some_and(|ball| ball.overlaps(&exact[0].loading_velocity_m_per_s)));
+        assert!(found.is_some_and(|ball| ball.overlaps(&exact[0].position.loading_velocity_m_per_s)));
     }
 }

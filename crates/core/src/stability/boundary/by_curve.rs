@@ -67,12 +67,6 @@ impl BoundaryCurve {
         if self.effect_ratio == 1 { &[Arc::Lower] } else { &[Arc::Upper, Arc::Lower] }
     }
 
-    /// √β and its companions.
-    #[must_use]
-    pub fn frame(&self) -> &ArcFrame<Ball> {
-        &self.frame
-    }
-
     /// σ and V0 at the parameter λ of an arc.
     #[must_use]
     pub fn position(&self, arc: Arc, parameter: &Ball) -> OperatingPoint<Ball> {
@@ -102,11 +96,7 @@ impl BoundaryCurve {
     #[must_use]
     pub fn on_section(&self, section: &Section) -> Vec<BoundaryPoint> {
         let row = |(crossing, parameter): (Crossing, Ball)| {
-            let position = OperatingPoint {
-                normal_stress_pa: crossing.normal_stress_pa,
-                loading_velocity_m_per_s: crossing.loading_velocity_m_per_s,
-            };
-            BoundaryPoint::new(&self.frame, (crossing.arc, &parameter), position, None)
+            BoundaryPoint::new(&self.frame, (crossing.arc, &parameter), crossing.position, None)
         };
         self.crossings(section).into_iter().map(row).collect()
     }
@@ -124,13 +114,11 @@ impl BoundaryCurve {
         let velocity_squared = Section::velocity_squared(&self.slider, velocity_m_per_s);
         let crossing = |arc: Arc, parameter: Ball| {
             let place = self.frame.point(arc, &parameter);
-            let crossing = Crossing {
-                arc,
-                double_root: place.double_root,
+            let position = OperatingPoint {
                 normal_stress_pa: self.stress_scale_pa.clone() / &place.stiffness_group,
                 loading_velocity_m_per_s: Ball::from_rational(velocity_m_per_s, self.bits),
             };
-            (crossing, parameter)
+            (Crossing { arc, position }, parameter)
         };
         let on_arc = |&arc: &Arc| {
             let equation = ParameterEquation::at_velocity(&self.effect_ratio, arc, velocity_squared.clone());
@@ -152,14 +140,12 @@ impl BoundaryCurve {
                 ParameterEquation::at_stiffness(&self.effect_ratio, arc, stiffness_group).roots(self.bits)
             };
             for parameter in quickly.unwrap_or_else(generally) {
-                let (double_root, velocity_squared) = self.frame.place_at_stiffness(arc, &parameter);
-                let crossing = Crossing {
-                    arc,
-                    double_root,
+                let velocity_squared = self.frame.velocity_squared(arc, &parameter);
+                let position = OperatingPoint {
                     normal_stress_pa: normal_stress_pa.clone(),
                     loading_velocity_m_per_s: self.velocity_scale_m_per_s.clone() * velocity_squared.sqrt(),
                 };
-                crossings.push((crossing, parameter));
+                crossings.push((Crossing { arc, position }, parameter));
             }
         }
         crossings

@@ -7,7 +7,7 @@ use std::cmp::Ordering;
 
 use rug::Rational;
 
-use crate::friction::{Groups, OperatingPoint, Slider};
+use crate::friction::{Groups, Slider};
 use crate::number::{Ball, Field, bits_for_digits};
 use crate::polynomial::{IsolatingInterval, UnivariatePolynomial};
 use crate::roots::discriminant;
@@ -36,12 +36,10 @@ pub fn by_discriminant(slider: &Slider<Rational>, section: &Section, digits: u32
         .isolate_positive_roots()
         .iter()
         .map(|interval| {
-            let root = line.double_root(&polynomial, &cusps, interval, bits);
+            let arc = line.arc(&polynomial, &cusps, interval, bits);
             let groups =
                 line.groups(polynomial.refine(interval, bits), |value| Ball::from_rational(value, bits));
-            let OperatingPoint { normal_stress_pa, loading_velocity_m_per_s } =
-                section.coordinates(slider, &groups, bits);
-            Crossing { arc: arc_of(&root), double_root: root, normal_stress_pa, loading_velocity_m_per_s }
+            Crossing { arc, position: section.coordinates(slider, &groups, bits) }
         })
         .collect()
 }
@@ -71,22 +69,23 @@ impl Line {
         UnivariatePolynomial::interpolating(values)
     }
 
-    /// r, from the cubic at its double root; the precision is raised until r is certain to the bits requested.
-    fn double_root(
+    /// The arc: on the upper one r > −1, on the lower one r < −1. The precision is raised until r tells which it is.
+    fn arc(
         &self,
         polynomial: &UnivariatePolynomial,
         cusps: &UnivariatePolynomial,
         interval: &IsolatingInterval,
         bits: u32,
-    ) -> Ball {
+    ) -> Arc {
         let is_cusp = has_root_in(cusps, interval);
         let mut precision = bits;
         loop {
             let unknown = polynomial.refine(interval, precision);
             let groups = self.groups(unknown, |value| Ball::from_rational(value, precision));
             let root = double_root(&groups.characteristic_cubic(), is_cusp);
-            if root.relative_radius_log2() <= 8.0 - f64::from(bits) || precision > bits.saturating_mul(64) {
-                return root;
+            let sign = (root + Ball::from(1)).sign();
+            if sign.is_some() || precision > bits.saturating_mul(64) {
+                return if sign == Some(Ordering::Less) { Arc::Lower } else { Arc::Upper };
             }
             precision = precision.saturating_mul(2);
         }
@@ -107,19 +106,11 @@ fn double_root<R: Field>(cubic: &[R; 4], is_cusp: bool) -> R {
     (R::from(9) * c0 * c3 - c1.clone() * c2) / (R::from(2) * distance_from_cusp(cubic))
 }
 
-/// On the upper arc r > −1, on the lower r < −1.
-fn arc_of(double_root: &Ball) -> Arc {
-    if (double_root.clone() + Ball::from(1)).sign() == Some(Ordering::Less) { Arc::Lower } else { Arc::Upper }
-}
-
 fn has_root_in(polynomial: &UnivariatePolynomial, interval: &IsolatingInterval) -> bool {
-    use crate::polynomial::Limit;
     match interval {
         _ if polynomial.degree().unwrap_or(0) == 0 => false,
         IsolatingInterval::Exact(root) => polynomial.evaluate(root) == 0,
-        IsolatingInterval::Between(lower, upper) => {
-            polynomial.count_roots(&Limit::At(lower.clone()), &Limit::At(upper.clone())) > 0
-        }
+        IsolatingInterval::Between(lower, upper) => polynomial.count_roots(lower, upper) > 0,
     }
 }
 

@@ -4,9 +4,7 @@ use rug::{Float, Rational};
 
 use crate::friction::Slider;
 use crate::number::Ball;
-use crate::stability::boundary::{
-    BoundaryCurve, BoundaryPoint, Crossing, Section, by_bisection, by_discriminant,
-};
+use crate::stability::boundary::{BoundaryCurve, Crossing, Section, by_bisection, by_discriminant};
 
 /// What came of the comparison.
 #[derive(Debug, Clone)]
@@ -46,8 +44,9 @@ pub fn compare_routes(slider: &Slider<Rational>, count: usize, digits: u32) -> R
 
 impl RouteComparison {
     fn add(&mut self, slider: &Slider<Rational>, curve: &BoundaryCurve, section: Section, digits: u32) {
-        let along_curve = in_order(curve.on_section(&section), &section);
-        let of_discriminant = in_order_of_crossings(by_discriminant(slider, &section, digits), &section);
+        let along_curve = curve.crossings(&section).into_iter().map(|(crossing, _)| crossing);
+        let along_curve = in_order(along_curve, &section);
+        let of_discriminant = in_order(by_discriminant(slider, &section, digits), &section);
         let separators = separators(&along_curve);
         let mut agree = along_curve.len() == of_discriminant.len();
         for (index, (first, second)) in along_curve.iter().zip(&of_discriminant).enumerate() {
@@ -79,23 +78,9 @@ impl RouteComparison {
 type Located = (Ball, crate::stability::Arc);
 
 /// The coordinates sought, ascending, with their arcs.
-fn in_order(points: Vec<BoundaryPoint>, section: &Section) -> Vec<Located> {
-    let sought = points.into_iter().map(|point| match section {
-        Section::AtVelocity(_) => (point.normal_stress_pa, point.arc),
-        Section::AtNormalStress(_) => (point.loading_velocity_m_per_s, point.arc),
-    });
-    ascending(sought.collect())
-}
-
-fn in_order_of_crossings(crossings: Vec<Crossing>, section: &Section) -> Vec<Located> {
-    let sought = crossings.into_iter().map(|crossing| match section {
-        Section::AtVelocity(_) => (crossing.normal_stress_pa, crossing.arc),
-        Section::AtNormalStress(_) => (crossing.loading_velocity_m_per_s, crossing.arc),
-    });
-    ascending(sought.collect())
-}
-
-fn ascending(mut located: Vec<Located>) -> Vec<Located> {
+fn in_order(crossings: impl IntoIterator<Item = Crossing>, section: &Section) -> Vec<Located> {
+    let sought = |crossing: Crossing| (section.sought(crossing.position), crossing.arc);
+    let mut located: Vec<Located> = crossings.into_iter().map(sought).collect();
     located.sort_by(|x, y| x.0.centre().partial_cmp(y.0.centre()).unwrap_or(std::cmp::Ordering::Equal));
     located
 }
@@ -192,11 +177,8 @@ mod tests {
                 let stress = crossing_stress(&slider, kappa);
                 let section = Section::AtNormalStress(stress);
                 let crossings = BoundaryCurve::new(&slider, digits).crossings(&section);
-                let curve = in_order_of_crossings(
-                    crossings.into_iter().map(|(crossing, _)| crossing).collect(),
-                    &section,
-                );
-                let isolated = in_order_of_crossings(by_discriminant(&slider, &section, digits), &section);
+                let curve = in_order(crossings.into_iter().map(|(crossing, _)| crossing), &section);
+                let isolated = in_order(by_discriminant(&slider, &section, digits), &section);
                 assert_eq!(curve.len(), isolated.len(), "{distance} {digits} {kappa}");
                 for (one, other) in curve.iter().zip(&isolated) {
                     assert!(one.0.overlaps(&other.0) && one.1 == other.1, "{distance} {digits} {kappa}");

@@ -31,15 +31,19 @@ pub enum Section {
 pub struct Crossing {
     /// The arc that is crossed.
     pub arc: Arc,
-    /// The double root r of eq 8 there, in units of V0/D_c.
-    pub double_root: Ball,
-    /// σ, Pa.
-    pub normal_stress_pa: Ball,
-    /// V0, m/s.
-    pub loading_velocity_m_per_s: Ball,
+    /// σ in Pa and V0 in m/s.
+    pub position: OperatingPoint<Ball>,
 }
 
 impl Section {
+    /// The coordinate that the section leaves open: σ at given V0, V0 at given σ.
+    pub(super) fn sought(&self, position: OperatingPoint<Ball>) -> Ball {
+        match self {
+            Self::AtVelocity(_) => position.normal_stress_pa,
+            Self::AtNormalStress(_) => position.loading_velocity_m_per_s,
+        }
+    }
+
     /// η/κ = (V0/D_c)²·M/K on a section at given V0, which is the same at every σ.
     pub(super) fn velocity_squared(slider: &Slider<Rational>, velocity_m_per_s: &Rational) -> Rational {
         let rate = Rational::from(velocity_m_per_s / &slider.critical_slip_distance_m);

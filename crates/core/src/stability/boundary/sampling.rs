@@ -2,7 +2,7 @@
 
 use std::cmp::Ordering;
 
-use rug::{Float, Rational};
+use rug::Float;
 
 use crate::number::Ball;
 use crate::stability::Arc;
@@ -79,12 +79,6 @@ impl BoundaryCurve {
     #[must_use]
     pub fn cusp(&self) -> BoundaryPoint {
         self.point(Arc::Lower, &self.cusp_parameter(), Some(Mark::Cusp))
-    }
-
-    /// b/a.
-    #[must_use]
-    pub fn effect_ratio(&self) -> &Rational {
-        &self.effect_ratio
     }
 }
 
