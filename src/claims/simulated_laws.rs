@@ -13,7 +13,6 @@ use slipmode_core::number::{Rational, nearest_f64};
 use slipmode_core::theory::hopf::{
     Criticality, coefficient, degenerate_inertial_parameter, quasi_static_centre,
 };
-use slipmode_core::theory::linearisation::Law;
 
 /// The widest edge of bistability: its family and where it is.
 type Widest<'c> = (&'c CycleFamilyOutcome, &'c Edge);
@@ -32,7 +31,7 @@ pub(super) fn n4(context: &Context) -> Result<Finding, Finding> {
     let contradicting = pairs().filter(|(slip, aging)| slip.periodic() != aging.periodic()).count();
     let renamed = pairs().filter(|(slip, aging)| !slip.is(aging.simulation.slip_mode)).count();
     let points = slip.runs.len();
-    let proofs = Law::ALL.into_iter().flat_map(|law| {
+    let proofs = EvolutionLaw::ALL.into_iter().flat_map(|law| {
         let hopf = coefficient(context.equations, law).map(|hopf| hopf.proof);
         [hopf, quasi_static_centre(context.equations, law)]
     });

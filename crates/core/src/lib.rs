@@ -41,6 +41,8 @@
 // Tests compare with the system's elementary functions.
 #![cfg_attr(test, allow(clippy::disallowed_methods))]
 
+mod named;
+
 pub mod dynamics;
 pub mod friction;
 pub mod number;

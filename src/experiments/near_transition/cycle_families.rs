@@ -7,7 +7,6 @@ use slipmode_core::dynamics::{CycleFamily, Failure, Member};
 use slipmode_core::friction::{EvolutionLaw, Slider, critical_stiffness_group};
 use slipmode_core::number::{Rational, nearest_f64};
 use slipmode_core::theory::hopf::{Criticality, square_amplitude};
-use slipmode_core::theory::linearisation::Law;
 
 /// One cycle of a family.
 #[derive(Debug, Clone)]
@@ -76,7 +75,7 @@ impl CycleFamilyOutcome {
     /// How small cycles are born, decided exactly by the first Lyapunov coefficient.
     #[must_use]
     pub fn criticality(&self) -> Criticality {
-        Criticality::of(named(self.law), &self.inertial_parameter, &self.effect_ratio)
+        Criticality::of(self.law, &self.inertial_parameter, &self.effect_ratio)
     }
 
     /// The amplitude of ln(V/V_l) by the coefficient at this K/K_c − 1; none on the side without small cycles.
@@ -148,7 +147,7 @@ fn follow(parameters: &Slider<Rational>, law: EvolutionLaw, inertial: &Rational)
         local_tolerance: LOCAL_TOLERANCE,
     };
     let critical = nearest_f64(&critical_stiffness_group(&effect_ratio, inertial));
-    let square = square_amplitude(named(law), inertial, &effect_ratio).map(|square| nearest_f64(&square));
+    let square = square_amplitude(law, inertial, &effect_ratio).map(|square| nearest_f64(&square));
     let first = first(&family, critical, SMALLEST);
     let members = first
         .map(|first| family.follow(first, FACTOR, |member| member.stiffness_group > FARTHEST * critical));
@@ -185,13 +184,5 @@ fn family_cycle(family: &CycleFamily, member: &Member, critical: f64, square: Op
         amplitude,
         log_peak: member.orbit.peak,
         multiplier: family.leading_multiplier(member).ok(),
-    }
-}
-
-/// The law as the derivations name it.
-const fn named(law: EvolutionLaw) -> Law {
-    match law {
-        EvolutionLaw::Aging => Law::Aging,
-        EvolutionLaw::Slip => Law::Slip,
     }
 }

@@ -5,10 +5,10 @@ use crate::experiments::near_transition::{
 };
 use crate::experiments::shared::cells::{RoundedColumns, decimal, rounded};
 use crate::experiments::{Context, Need, TableMaker};
+use slipmode_core::friction::EvolutionLaw;
 use slipmode_core::number::format::round_digits;
 use slipmode_core::number::nearest_f64;
 use slipmode_core::theory::hopf::{coefficient, degenerate_inertial_parameter};
-use slipmode_core::theory::linearisation::Law;
 use slipmode_plot::table::Table;
 
 const NEEDS: &[Need] = &[Need::NearTransition];
@@ -32,10 +32,10 @@ fn families_of<'c>(context: &'c Context) -> impl Iterator<Item = &'c CycleFamily
 fn coefficients(context: &Context) -> Option<Table> {
     let note = "Derived from eqs 1 to 4 by two routes and proved (exact). A is the amplitude of ln(V/V_l) along the cycle.";
     let of = |law| Some((law, coefficient(context.equations, law).ok()?));
-    let hopf = Law::ALL.into_iter().map(of).collect::<Option<Vec<_>>>()?;
+    let hopf = EvolutionLaw::ALL.into_iter().map(of).collect::<Option<Vec<_>>>()?;
     Table::of("hopf-coefficient", "The first Lyapunov coefficient on K = K_c", &hopf)
         .note(note)
-        .text("law", "Law", |(law, _)| law.as_str())
+        .text("law", "Law", |(law, _)| format!("{} law", law.as_str()))
         .text("real_part", "Re c_1 = ω l_1, with ω² = β − 1", |(_, hopf)| {
             hopf.normal_form[0].to_string()
         })

@@ -11,6 +11,7 @@ const LIBRARIES: [(&str, Floors); 3] = [
     (
         "crates/core/src/",
         &[
+            ("named", 0),
             ("number", 0),
             ("polynomial", 1),
             ("roots", 2),

@@ -19,23 +19,14 @@ pub(super) struct Errors {
     pub drop: f64,
 }
 
-/// The long-term behaviour in one word.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Behaviour {
-    /// A limit cycle.
-    Periodic,
-    /// A return to steady sliding.
-    Decaying,
-}
-
-impl Behaviour {
-    /// The word for tables: `periodic` or `decaying`.
-    #[must_use]
-    pub const fn as_str(self) -> &'static str {
-        match self {
-            Self::Periodic => "periodic",
-            Self::Decaying => "decaying",
-        }
+crate::named! {
+    /// The long-term behaviour in one word.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+    pub enum Behaviour {
+        /// A limit cycle.
+        Periodic = "periodic",
+        /// A return to steady sliding.
+        Decaying = "decaying",
     }
 }
 

@@ -2,48 +2,31 @@
 
 use super::{Model, Scalar, State};
 
-/// How a start at a velocity other than V_l is completed: what the state and the spring are doing at that moment.
-///
-/// ```
-/// use slipmode_core::dynamics::Start;
-///
-/// assert_eq!(Start::default().as_str(), "steady-at-velocity");
-/// assert_eq!(Start::ALL.len(), 4);
-/// ```
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
-#[non_exhaustive]
-pub enum Start {
-    /// θ = D_c/V, spring in equilibrium with friction: steady sliding at V, before loading goes on at V_l (the default).
-    #[default]
-    SteadyAtVelocity,
-    /// θ = D_c/V, spring as in steady sliding at V_l.
-    SteadyStateSpringAtLoading,
-    /// θ = D_c/V_l, spring in equilibrium with friction at V.
-    VelocityStepInEquilibrium,
-    /// θ and spring as in steady sliding at V_l: a kick of the velocity alone, which dies within a time of order η.
-    VelocityKick,
+crate::named! {
+    /// How a start at a velocity other than V_l is completed: what the state and the spring are doing at that moment.
+    ///
+    /// ```
+    /// use slipmode_core::dynamics::Start;
+    ///
+    /// assert_eq!(Start::default().as_str(), "steady-at-velocity");
+    /// assert_eq!(Start::ALL.len(), 4);
+    /// ```
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+    #[non_exhaustive]
+    pub enum Start {
+        /// θ = D_c/V, spring in equilibrium with friction: steady sliding at V, before loading goes on at V_l (the default).
+        #[default]
+        SteadyAtVelocity = "steady-at-velocity",
+        /// θ = D_c/V, spring as in steady sliding at V_l.
+        SteadyStateSpringAtLoading = "steady-state-spring-at-loading",
+        /// θ = D_c/V_l, spring in equilibrium with friction at V.
+        VelocityStepInEquilibrium = "velocity-step-in-equilibrium",
+        /// θ and spring as in steady sliding at V_l: a kick of the velocity alone, which dies within a time of order η.
+        VelocityKick = "velocity-kick",
+    }
 }
 
 impl Start {
-    /// All four, the default first.
-    pub const ALL: [Self; 4] = [
-        Self::SteadyAtVelocity,
-        Self::SteadyStateSpringAtLoading,
-        Self::VelocityStepInEquilibrium,
-        Self::VelocityKick,
-    ];
-
-    /// The word for tables and command lines.
-    #[must_use]
-    pub const fn as_str(self) -> &'static str {
-        match self {
-            Self::SteadyAtVelocity => "steady-at-velocity",
-            Self::SteadyStateSpringAtLoading => "steady-state-spring-at-loading",
-            Self::VelocityStepInEquilibrium => "velocity-step-in-equilibrium",
-            Self::VelocityKick => "velocity-kick",
-        }
-    }
-
     /// The state for ln(V/V_l) = `log_velocity_ratio`.
     #[must_use]
     pub fn state<R: Scalar>(self, model: &Model<R>, log_velocity_ratio: &R) -> State<R> {

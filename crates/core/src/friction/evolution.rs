@@ -1,38 +1,31 @@
 //! The two laws by which the frictional state evolves (eqs 2 and 3).
 
-/// How the state variable θ evolves; both laws share the steady state θ = D_c/V and the linearisation about it.
-///
-/// ```
-/// use slipmode_core::EvolutionLaw;
-///
-/// assert_eq!(EvolutionLaw::from_word("aging"), Some(EvolutionLaw::Aging));
-/// assert_eq!(EvolutionLaw::Slip.as_str(), "slip");
-/// ```
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum EvolutionLaw {
-    /// dθ/dt = 1 − Vθ/D_c (eq 2): heals at rest.
-    Aging,
-    /// dθ/dt = −(Vθ/D_c) ln(Vθ/D_c) (eq 3): evolves by slip only.
-    Slip,
+crate::named! {
+    /// How the state variable θ evolves; both laws share the steady state θ = D_c/V and the linearisation about it.
+    ///
+    /// ```
+    /// use slipmode_core::EvolutionLaw;
+    ///
+    /// assert_eq!(EvolutionLaw::from_word("aging"), Some(EvolutionLaw::Aging));
+    /// assert_eq!(EvolutionLaw::Slip.as_str(), "slip");
+    /// ```
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+    pub enum EvolutionLaw {
+        /// dθ/dt = 1 − Vθ/D_c (eq 2): heals at rest.
+        Aging = "aging",
+        /// dθ/dt = −(Vθ/D_c) ln(Vθ/D_c) (eq 3): evolves by slip only.
+        Slip = "slip",
+    }
 }
 
 impl EvolutionLaw {
-    /// Both laws, in the order of the paper's equations.
-    pub const ALL: [Self; 2] = [Self::Aging, Self::Slip];
-
-    /// The word of the command line and of CSV files: `aging` or `slip`.
+    /// The number of the law's equation in the paper.
     #[must_use]
-    pub const fn as_str(self) -> &'static str {
+    pub const fn equation(self) -> &'static str {
         match self {
-            Self::Aging => "aging",
-            Self::Slip => "slip",
+            Self::Aging => "2",
+            Self::Slip => "3",
         }
-    }
-
-    /// The law of a word, the inverse of [`Self::as_str`].
-    #[must_use]
-    pub fn from_word(word: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|law| law.as_str() == word)
     }
 }
 

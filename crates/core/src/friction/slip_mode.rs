@@ -1,55 +1,34 @@
 //! The names of the slip modes: the linear theory and the simulation use the same words without knowing each other.
 
-/// How the slider slips, in the words of the paper's figures 1 and 7.
-///
-/// ```
-/// use slipmode_core::SlipMode;
-///
-/// assert_eq!(SlipMode::HarmonicVibration.as_str(), "harmonic-vibration");
-/// assert_eq!(SlipMode::ALL.len(), 6);
-/// ```
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
-pub enum SlipMode {
-    /// Stable, all roots real.
-    OverdampedStableSliding,
-    /// Stable, oscillating well below the natural frequency.
-    NonInertialUnderdampedOscillation,
-    /// Stable, oscillating near the natural frequency.
-    InertialUnderdampedOscillation,
-    /// Unstable, not oscillating or oscillating well below the natural frequency.
-    StickSlip,
-    /// Unstable, oscillating near the natural frequency.
-    HarmonicVibration,
-    /// Stable with real roots in the upper area of a > b (fig. 7b, iii).
-    OverdampedOscillation,
+crate::named! {
+    /// How the slider slips, in the words of the paper's figures 1 and 7.
+    ///
+    /// ```
+    /// use slipmode_core::SlipMode;
+    ///
+    /// assert_eq!(SlipMode::HarmonicVibration.as_str(), "harmonic-vibration");
+    /// assert_eq!(SlipMode::ALL.len(), 6);
+    /// ```
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+    #[cfg_attr(feature = "serde", derive(serde::Serialize))]
+    #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
+    pub enum SlipMode {
+        /// Stable, all roots real.
+        OverdampedStableSliding = "overdamped-stable-sliding",
+        /// Stable, oscillating well below the natural frequency.
+        NonInertialUnderdampedOscillation = "non-inertial-underdamped-oscillation",
+        /// Stable, oscillating near the natural frequency.
+        InertialUnderdampedOscillation = "inertial-underdamped-oscillation",
+        /// Unstable, not oscillating or oscillating well below the natural frequency.
+        StickSlip = "stick-slip",
+        /// Unstable, oscillating near the natural frequency.
+        HarmonicVibration = "harmonic-vibration",
+        /// Stable with real roots in the upper area of a > b (fig. 7b, iii).
+        OverdampedOscillation = "overdamped-oscillation",
+    }
 }
 
 impl SlipMode {
-    /// Every slip mode, in the order of the enumeration.
-    pub const ALL: [Self; 6] = [
-        Self::OverdampedStableSliding,
-        Self::NonInertialUnderdampedOscillation,
-        Self::InertialUnderdampedOscillation,
-        Self::StickSlip,
-        Self::HarmonicVibration,
-        Self::OverdampedOscillation,
-    ];
-
-    /// The name in tables and JSON.
-    #[must_use]
-    pub const fn as_str(self) -> &'static str {
-        match self {
-            Self::OverdampedStableSliding => "overdamped-stable-sliding",
-            Self::NonInertialUnderdampedOscillation => "non-inertial-underdamped-oscillation",
-            Self::InertialUnderdampedOscillation => "inertial-underdamped-oscillation",
-            Self::StickSlip => "stick-slip",
-            Self::HarmonicVibration => "harmonic-vibration",
-            Self::OverdampedOscillation => "overdamped-oscillation",
-        }
-    }
-
     /// The name in figures and sentences.
     #[must_use]
     pub const fn words(self) -> &'static str {

@@ -4,26 +4,16 @@ use std::fmt;
 
 use super::{Expression, ParseError};
 
-/// How an expression compares with zero.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Relation {
-    /// Greater than zero.
-    Positive,
-    /// Zero or greater.
-    NonNegative,
-    /// Not zero.
-    NonZero,
-}
-
-impl Relation {
-    const ALL: [Self; 3] = [Self::NonNegative, Self::NonZero, Self::Positive];
-
-    fn as_str(self) -> &'static str {
-        match self {
-            Self::Positive => " > 0",
-            Self::NonNegative => " >= 0",
-            Self::NonZero => " != 0",
-        }
+crate::named! {
+    /// How an expression compares with zero.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+    pub enum Relation {
+        /// Greater than zero.
+        Positive = " > 0",
+        /// Zero or greater.
+        NonNegative = " >= 0",
+        /// Not zero.
+        NonZero = " != 0",
     }
 }
 

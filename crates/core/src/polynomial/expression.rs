@@ -7,38 +7,20 @@ use super::division::integer_scale;
 use super::{Monomial, Polynomial, RationalFunction, Symbol};
 use rug::Rational;
 
-/// The functions of one argument that the paper's equations use.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Function {
-    /// Natural logarithm.
-    Ln,
-    /// Non-negative square root.
-    Sqrt,
-    /// Absolute value.
-    Abs,
-    /// Exponential.
-    Exp,
-    /// Inverse hyperbolic sine (regularised friction law).
-    Asinh,
-}
-
-impl Function {
-    /// The name in the text grammar.
-    #[must_use]
-    pub fn as_str(self) -> &'static str {
-        match self {
-            Self::Ln => "ln",
-            Self::Sqrt => "sqrt",
-            Self::Abs => "abs",
-            Self::Exp => "exp",
-            Self::Asinh => "asinh",
-        }
-    }
-
-    /// The function of this name.
-    #[must_use]
-    pub fn from_name(name: &str) -> Option<Self> {
-        [Self::Ln, Self::Sqrt, Self::Abs, Self::Exp, Self::Asinh].into_iter().find(|f| f.as_str() == name)
+crate::named! {
+    /// The functions of one argument that the paper's equations use.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+    pub enum Function {
+        /// Natural logarithm.
+        Ln = "ln",
+        /// Non-negative square root.
+        Sqrt = "sqrt",
+        /// Absolute value.
+        Abs = "abs",
+        /// Exponential.
+        Exp = "exp",
+        /// Inverse hyperbolic sine (regularised friction law).
+        Asinh = "asinh",
     }
 }
 

@@ -220,7 +220,7 @@ impl Parser {
     fn named(&mut self) -> Result<Expression, ParseError> {
         let mut name = self.take_while(|c| c.is_ascii_alphanumeric() || c == '_');
         name += &self.take_while(|c| c == '\'');
-        match Function::from_name(&name) {
+        match Function::from_word(&name) {
             Some(function) => {
                 self.peek();
                 let column = self.position + 1;

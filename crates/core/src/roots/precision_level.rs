@@ -1,35 +1,25 @@
 //! The precision levels, from the fastest arithmetic to the one that is always right.
 
-/// Which arithmetic gave an answer; a higher level is slower and decides more.
-///
-/// ```
-/// use slipmode_core::PrecisionLevel;
-///
-/// assert!(PrecisionLevel::F64 < PrecisionLevel::DoubleDouble);
-/// assert_eq!(PrecisionLevel::Exact.as_str(), "exact");
-/// ```
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-pub enum PrecisionLevel {
-    /// 64-bit with a forward error bound.
-    #[cfg_attr(feature = "serde", serde(rename = "f64"))]
-    F64,
-    /// Double-double with a forward error bound.
-    #[cfg_attr(feature = "serde", serde(rename = "double-double"))]
-    DoubleDouble,
-    /// Rationals for signs, balls of the needed precision for values.
-    #[cfg_attr(feature = "serde", serde(rename = "exact"))]
-    Exact,
-}
-
-impl PrecisionLevel {
-    /// The name in tables and JSON.
-    #[must_use]
-    pub const fn as_str(self) -> &'static str {
-        match self {
-            Self::F64 => "f64",
-            Self::DoubleDouble => "double-double",
-            Self::Exact => "exact",
-        }
+crate::named! {
+    /// Which arithmetic gave an answer; a higher level is slower and decides more.
+    ///
+    /// ```
+    /// use slipmode_core::PrecisionLevel;
+    ///
+    /// assert!(PrecisionLevel::F64 < PrecisionLevel::DoubleDouble);
+    /// assert_eq!(PrecisionLevel::Exact.as_str(), "exact");
+    /// ```
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+    #[cfg_attr(feature = "serde", derive(serde::Serialize))]
+    pub enum PrecisionLevel {
+        /// 64-bit with a forward error bound.
+        #[cfg_attr(feature = "serde", serde(rename = "f64"))]
+        F64 = "f64",
+        /// Double-double with a forward error bound.
+        #[cfg_attr(feature = "serde", serde(rename = "double-double"))]
+        DoubleDouble = "double-double",
+        /// Rationals for signs, balls of the needed precision for values.
+        #[cfg_attr(feature = "serde", serde(rename = "exact"))]
+        Exact = "exact",
     }
 }

@@ -7,44 +7,31 @@ use crate::friction::{OperatingPoint, Slider};
 use crate::number::Real;
 use crate::stability::Arc;
 
-/// One of the asymptotes of max Im(s) = 0.
-///
-/// ```
-/// use slipmode_core::{Asymptote, Slider};
-///
-/// let slider = Slider::from([0.004, 0.006, 1e-5, 1e7, 1000.0]);
-/// // Eq 16: σ = K D_c/(√a + √b)², Pa.
-/// let sigma = Asymptote::QuasiStaticLower.value(&slider, &1e4);
-/// assert!((sigma - 100.0 / (0.004f64.sqrt() + 0.006f64.sqrt()).powi(2)).abs() < 1e-9 * sigma);
-/// ```
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub enum Asymptote {
-    /// Eq 15: the upper arc as V0 → 0, a normal stress.
-    QuasiStaticUpper,
-    /// Eq 16: the lower arc as V0 → 0, a normal stress.
-    QuasiStaticLower,
-    /// Eq 18: the upper arc as V0 → ∞, a velocity in proportion to σ.
-    InertialUpper,
-    /// Eq 20: the lower arc as σ → 0, a velocity in proportion to σ.
-    InertialLower,
+crate::named! {
+    /// One of the asymptotes of max Im(s) = 0.
+    ///
+    /// ```
+    /// use slipmode_core::{Asymptote, Slider};
+    ///
+    /// let slider = Slider::from([0.004, 0.006, 1e-5, 1e7, 1000.0]);
+    /// // Eq 16: σ = K D_c/(√a + √b)², Pa.
+    /// let sigma = Asymptote::QuasiStaticLower.value(&slider, &1e4);
+    /// assert!((sigma - 100.0 / (0.004f64.sqrt() + 0.006f64.sqrt()).powi(2)).abs() < 1e-9 * sigma);
+    /// ```
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+    pub enum Asymptote {
+        /// Eq 15: the upper arc as V0 → 0, a normal stress.
+        QuasiStaticUpper = "eq15",
+        /// Eq 16: the lower arc as V0 → 0, a normal stress.
+        QuasiStaticLower = "eq16",
+        /// Eq 18: the upper arc as V0 → ∞, a velocity in proportion to σ.
+        InertialUpper = "eq18",
+        /// Eq 20: the lower arc as σ → 0, a velocity in proportion to σ.
+        InertialLower = "eq20",
+    }
 }
 
 impl Asymptote {
-    /// The four, by equation number.
-    pub const ALL: [Self; 4] =
-        [Self::QuasiStaticUpper, Self::QuasiStaticLower, Self::InertialUpper, Self::InertialLower];
-
-    /// `eq15`, `eq16`, `eq18` or `eq20`.
-    #[must_use]
-    pub const fn as_str(self) -> &'static str {
-        match self {
-            Self::QuasiStaticUpper => "eq15",
-            Self::QuasiStaticLower => "eq16",
-            Self::InertialUpper => "eq18",
-            Self::InertialLower => "eq20",
-        }
-    }
-
     /// The arc that it belongs to.
     #[must_use]
     pub const fn arc(self) -> Arc {

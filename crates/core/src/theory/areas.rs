@@ -4,29 +4,16 @@ use super::notation::{cubic, formula, given_nonzero, given_positive, in_paramete
 use super::{PaperEquations, boundary, transition};
 use crate::polynomial::{Certificate, Domain, Expression, Proof, Refutation, Symbol};
 
-/// Which of a and b is the larger one.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Effects {
-    /// a < b: velocity weakening.
-    Weakening,
-    /// a = b: velocity neutral.
-    Neutral,
-    /// a > b: velocity strengthening.
-    Strengthening,
-}
-
-impl Effects {
-    /// All three cases.
-    pub const ALL: [Self; 3] = [Self::Weakening, Self::Neutral, Self::Strengthening];
-
-    /// The case as a formula.
-    #[must_use]
-    pub fn as_str(self) -> &'static str {
-        match self {
-            Self::Weakening => "a < b",
-            Self::Neutral => "a = b",
-            Self::Strengthening => "a > b",
-        }
+crate::named! {
+    /// Which of a and b is the larger one.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+    pub enum Effects {
+        /// a < b: velocity weakening.
+        Weakening = "a < b",
+        /// a = b: velocity neutral.
+        Neutral = "a = b",
+        /// a > b: velocity strengthening.
+        Strengthening = "a > b",
     }
 }
 

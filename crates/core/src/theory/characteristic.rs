@@ -3,9 +3,10 @@
 use std::collections::BTreeMap;
 
 use super::PaperEquations;
-use super::linearisation::{Law, evolution, linearised, motion};
+use super::linearisation::{evolution, linearised, motion};
 use super::notation::{any, formula};
 use super::steady_state;
+use crate::friction::EvolutionLaw;
 use crate::friction::Parameters;
 use crate::polynomial::{Expression, Proof, RationalFunction, Refutation, Symbol};
 
@@ -24,9 +25,9 @@ pub fn prove(equations: &PaperEquations) -> Result<Proof, Refutation> {
              evolution laws.",
     );
     let mut proof = steady_state::laws_rest(proof, equations)?;
-    for law in Law::ALL {
+    for law in EvolutionLaw::ALL {
         let evolution = linearised(equations, &evolution(equations, law));
-        let says = format!("determinant of eqs 1, 4 and the {} in (Δδ, Δθ) e^(st)", law.as_str());
+        let says = format!("determinant of eqs 1, 4 and the {} law in (Δδ, Δθ) e^(st)", law.as_str());
         proof = proof.identity(
             &says,
             &["1", law.equation(), "4", "8"],

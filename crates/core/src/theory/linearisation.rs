@@ -3,39 +3,8 @@
 use super::PaperEquations;
 use super::notation::{any, formula};
 use super::steady_state;
+use crate::friction::EvolutionLaw;
 use crate::polynomial::{Expression, Proof, Refutation, Symbol};
-
-/// The law by which the state variable evolves.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Law {
-    /// Eq 2.
-    Aging,
-    /// Eq 3.
-    Slip,
-}
-
-impl Law {
-    /// Both laws.
-    pub const ALL: [Self; 2] = [Self::Aging, Self::Slip];
-
-    /// The number of the law's equation.
-    #[must_use]
-    pub fn equation(self) -> &'static str {
-        match self {
-            Self::Aging => "2",
-            Self::Slip => "3",
-        }
-    }
-
-    /// The law's name.
-    #[must_use]
-    pub fn as_str(self) -> &'static str {
-        match self {
-            Self::Aging => "aging law",
-            Self::Slip => "slip law",
-        }
-    }
-}
 
 /// The moving variables, their steady values, and the names of their perturbations.
 fn perturbations(equations: &PaperEquations) -> [(&'static str, Expression, &'static str); 5] {
@@ -66,7 +35,7 @@ pub(super) fn motion(equations: &PaperEquations, friction: &Expression) -> Expre
 }
 
 /// Eq 2 or 3 as left − right in δ and θ.
-pub(super) fn evolution(equations: &PaperEquations, law: Law) -> Expression {
+pub(super) fn evolution(equations: &PaperEquations, law: EvolutionLaw) -> Expression {
     equations.residual(law.equation()).with("V", &formula("delta'"))
 }
 
@@ -82,7 +51,7 @@ fn pull_along_steady_sliding(equations: &PaperEquations) -> Expression {
 /// # Errors
 /// When they differ.
 pub fn laws_agree(equations: &PaperEquations) -> Result<Proof, Refutation> {
-    let [aging, slip] = Law::ALL.map(|law| linearised(equations, &evolution(equations, law)));
+    let [aging, slip] = EvolutionLaw::ALL.map(|law| linearised(equations, &evolution(equations, law)));
     let proof = Proof::new(
         "laws-agree-near-steady-state",
         "The aging law and the slip law have the same steady state, and the same linearisation about it.",
@@ -128,9 +97,9 @@ pub fn prove(equations: &PaperEquations) -> Result<Proof, Refutation> {
             &equations.residual("5"),
             &any(),
         )?;
-    for law in Law::ALL {
+    for law in EvolutionLaw::ALL {
         let evolution = linearised(equations, &evolution(equations, law));
-        let says = format!("{} in Δδ and Δθ", law.as_str());
+        let says = format!("{} law in Δδ and Δθ", law.as_str());
         proof = proof.identity(
             &says,
             &[law.equation(), "6", "steady-state"],

@@ -1,8 +1,8 @@
 //! Steady sliding: θ = D_c/V for both evolution laws, with friction μ0 + (a − b)·ln(V/V0).
 
 use super::PaperEquations;
-use super::linearisation::Law;
 use super::notation::{any, formula};
+use crate::friction::EvolutionLaw;
 use crate::polynomial::{Domain, Proof, Refutation, Toward};
 
 /// Both laws rest at θ_ss = D_c/V and nowhere else, with friction μ_ss (eqs 1-3, claim F1).
@@ -48,9 +48,9 @@ pub fn prove(equations: &PaperEquations) -> Result<Proof, Refutation> {
 pub(super) fn laws_rest(proof: Proof, equations: &PaperEquations) -> Result<Proof, Refutation> {
     let steady = equations.right("steady-state");
     let mut proof = proof.positive("θ_ss is positive", &["steady-state"], &steady, &any())?;
-    for law in Law::ALL {
+    for law in EvolutionLaw::ALL {
         let number = law.equation();
-        let says = format!("the {} rests at θ = D_c/V", law.as_str());
+        let says = format!("the {} law rests at θ = D_c/V", law.as_str());
         let rate = equations.right(number).with("theta", &steady);
         proof = proof.identity(&says, &[number, "steady-state"], &rate, &formula("0"), &any())?;
     }

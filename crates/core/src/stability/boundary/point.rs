@@ -5,26 +5,16 @@ use crate::number::{Ball, Field, Real};
 use crate::stability::logarithm::log10_one_plus;
 use crate::stability::{Arc, ArcFrame, Asymptote};
 
-/// What a point of the boundary is remarkable for.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Mark {
-    /// The cusp of the lower arc: all three roots coincide.
-    Cusp,
-    /// At the V0 of the corner of the arc's two asymptotes.
-    CornerVelocity,
-    /// At the σ of the corner of the lower arc's two asymptotes; the upper arc never comes down to it.
-    CornerNormalStress,
-}
-
-impl Mark {
-    /// `cusp`, `corner-velocity` or `corner-normal-stress`.
-    #[must_use]
-    pub const fn as_str(self) -> &'static str {
-        match self {
-            Self::Cusp => "cusp",
-            Self::CornerVelocity => "corner-velocity",
-            Self::CornerNormalStress => "corner-normal-stress",
-        }
+crate::named! {
+    /// What a point of the boundary is remarkable for.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+    pub enum Mark {
+        /// The cusp of the lower arc: all three roots coincide.
+        Cusp = "cusp",
+        /// At the V0 of the corner of the arc's two asymptotes.
+        CornerVelocity = "corner-velocity",
+        /// At the σ of the corner of the lower arc's two asymptotes; the upper arc never comes down to it.
+        CornerNormalStress = "corner-normal-stress",
     }
 }
 

@@ -1,41 +1,33 @@
 //! The coefficient of either law in closed form, and its sign over all parameters.
 
 use super::slider::{crossing_imaginary, crossing_real, on_transition};
+use crate::friction::EvolutionLaw;
 use crate::number::Rational;
 use crate::polynomial::{Domain, Expression, Proof, Refutation, Toward};
-use crate::theory::linearisation::Law;
 use crate::theory::notation::{formula, given_positive, in_parameters};
 
-/// How a cycle is born where K = K_c is crossed.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Criticality {
-    /// l_1 < 0: a small stable cycle on the unstable side, so that oscillation sets in softly.
-    Supercritical,
-    /// l_1 > 0: an unstable cycle on the stable side; a finite kick beyond it destabilises a linearly stable slider.
-    Subcritical,
-    /// l_1 = 0: the next coefficient decides.
-    Degenerate,
+crate::named! {
+    /// How a cycle is born where K = K_c is crossed.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+    pub enum Criticality {
+        /// l_1 < 0: a small stable cycle on the unstable side, so that oscillation sets in softly.
+        Supercritical = "supercritical",
+        /// l_1 > 0: an unstable cycle on the stable side; a finite kick beyond it destabilises a linearly stable slider.
+        Subcritical = "subcritical",
+        /// l_1 = 0: the next coefficient decides.
+        Degenerate = "degenerate",
+    }
 }
 
 impl Criticality {
-    /// The word used in tables.
-    #[must_use]
-    pub fn as_str(self) -> &'static str {
-        match self {
-            Self::Supercritical => "supercritical",
-            Self::Subcritical => "subcritical",
-            Self::Degenerate => "degenerate",
-        }
-    }
-
     /// The kind at this η > 0 and β > 1, decided exactly.
     #[must_use]
-    pub fn of(law: Law, inertial_parameter: &Rational, effect_ratio: &Rational) -> Self {
+    pub fn of(law: EvolutionLaw, inertial_parameter: &Rational, effect_ratio: &Rational) -> Self {
         let eta = inertial_parameter;
         let slope = Rational::from(effect_ratio * 4) + 3;
         let margin = match law {
-            Law::Slip => Rational::from(1),
-            Law::Aging => (slope * eta + 6) * eta - 1,
+            EvolutionLaw::Slip => Rational::from(1),
+            EvolutionLaw::Aging => (slope * eta + 6) * eta - 1,
         };
         match margin.cmp0() {
             std::cmp::Ordering::Greater => Self::Supercritical,
@@ -46,13 +38,13 @@ impl Criticality {
 }
 
 /// Re c_1 in η and ω.
-pub(super) fn real(law: Law) -> Expression {
+pub(super) fn real(law: EvolutionLaw) -> Expression {
     formula(match law {
-        Law::Slip => {
+        EvolutionLaw::Slip => {
             "-eta*omega^2*(1 + eta)*(1 + 9*eta)*(1 + omega^2)\
              /(2*((1 + eta)^2 + eta^2*omega^2)*((1 + eta)^2 + 4*eta^2*omega^2))"
         }
-        Law::Aging => {
+        EvolutionLaw::Aging => {
             "-eta*omega^2*(eta^2*(7 + 4*omega^2) + 6*eta - 1)\
              /(2*((1 + eta)^2 + eta^2*omega^2)*((1 + eta)^2 + 4*eta^2*omega^2))"
         }
@@ -60,13 +52,13 @@ pub(super) fn real(law: Law) -> Expression {
 }
 
 /// Im c_1 in η and ω.
-pub(super) fn imaginary(law: Law) -> Expression {
+pub(super) fn imaginary(law: EvolutionLaw) -> Expression {
     formula(match law {
-        Law::Slip => {
+        EvolutionLaw::Slip => {
             "-omega*(1 + 9*eta)*(1 + omega^2)*((1 + eta)^2 - 2*eta^2*omega^2)\
              /(6*((1 + eta)^2 + eta^2*omega^2)*((1 + eta)^2 + 4*eta^2*omega^2))"
         }
-        Law::Aging => {
+        EvolutionLaw::Aging => {
             "-omega*(9*eta^3 + 16*eta^2*omega^2 + 19*eta^2 + 11*eta + 1)\
              /(6*((1 + eta)^2 + eta^2*omega^2)*((1 + eta)^2 + 4*eta^2*omega^2))"
         }
@@ -74,40 +66,40 @@ pub(super) fn imaginary(law: Law) -> Expression {
 }
 
 /// κ_2 of κ = κ_c + A² κ_2 + O(A⁴), A the amplitude of ln(V/V_l).
-pub(super) fn stiffness_shift(law: Law) -> Expression {
+pub(super) fn stiffness_shift(law: EvolutionLaw) -> Expression {
     -real(law) / (formula("4") * crossing_real())
 }
 
 /// Ω_2 of Ω = ω + A² Ω_2 + O(A⁴).
-pub(super) fn frequency_shift(law: Law) -> Expression {
+pub(super) fn frequency_shift(law: EvolutionLaw) -> Expression {
     crossing_imaginary() * stiffness_shift(law) + imaginary(law) / formula("4")
 }
 
 /// A²/(K/K_c − 1) to leading order: the square amplitude of ln(V/V_l) per relative distance from the line.
-pub(super) fn square_amplitude(law: Law) -> Expression {
+pub(super) fn square_amplitude(law: EvolutionLaw) -> Expression {
     formula(match law {
-        Law::Slip => "-4*((1 + eta)^2 + 4*eta^2*omega^2)/(eta*(1 + 9*eta)*(1 + omega^2))",
-        Law::Aging => {
+        EvolutionLaw::Slip => "-4*((1 + eta)^2 + 4*eta^2*omega^2)/(eta*(1 + 9*eta)*(1 + omega^2))",
+        EvolutionLaw::Aging => {
             "-4*(1 + eta)*((1 + eta)^2 + 4*eta^2*omega^2)/(eta*(eta^2*(7 + 4*omega^2) + 6*eta - 1))"
         }
     })
 }
 
 /// (Ω − ω)/(K/K_c − 1) along the cycle to leading order.
-pub(super) fn frequency_slope(law: Law) -> Expression {
+pub(super) fn frequency_slope(law: EvolutionLaw) -> Expression {
     formula(match law {
-        Law::Slip => "omega*(1 + 3*eta)/(6*eta)",
-        Law::Aging => {
+        EvolutionLaw::Slip => "omega*(1 + 3*eta)/(6*eta)",
+        EvolutionLaw::Aging => {
             "omega*(1 + eta)*(3*eta^2*(7 + 4*omega^2) + 6*eta + 1)/(6*eta*(eta^2*(7 + 4*omega^2) + 6*eta - 1))"
         }
     })
 }
 
 /// The statement of the sign over all η > 0 and β > 1.
-pub(super) fn sign_statement(law: Law) -> &'static str {
+pub(super) fn sign_statement(law: EvolutionLaw) -> &'static str {
     match law {
-        Law::Slip => "l_1 < 0 for all η > 0 and β > 1 (supercritical); l_1 → 0 as η → 0",
-        Law::Aging => {
+        EvolutionLaw::Slip => "l_1 < 0 for all η > 0 and β > 1 (supercritical); l_1 → 0 as η → 0",
+        EvolutionLaw::Aging => {
             "l_1 < 0 (supercritical) for η > η_0, l_1 = 0 at η = η_0, l_1 > 0 (subcritical) for \
              0 < η < η_0, with η_0 = 1/(3 + 2√(β + 3)) < 1/7; l_1 → 0 as η → 0"
         }
@@ -118,18 +110,18 @@ pub(super) fn sign_statement(law: Law) -> &'static str {
 ///
 /// # Errors
 /// When the closed form has another sign.
-pub(super) fn sign(proof: Proof, law: Law) -> Result<Proof, Refutation> {
+pub(super) fn sign(proof: Proof, law: EvolutionLaw) -> Result<Proof, Refutation> {
     match law {
-        Law::Slip => {
+        EvolutionLaw::Slip => {
             proof.positive("−Re c_1 for every η and ω", &[law.equation()], &-real(law), &on_transition())
         }
-        Law::Aging => aging_sign(proof),
+        EvolutionLaw::Aging => aging_sign(proof),
     }
 }
 
 /// η²(4β + 3) + 6η − 1 changes sign once, at η_0 = 1/(3 + 2r) with r = √(β + 3) > 2.
 fn aging_sign(proof: Proof) -> Result<Proof, Refutation> {
-    let used = [Law::Aging.equation()];
+    let used = [EvolutionLaw::Aging.equation()];
     let factor = formula("eta^2*(4*beta + 3) + 6*eta - 1");
     let scale = formula("eta*omega^2/(2*((1 + eta)^2 + eta^2*omega^2)*((1 + eta)^2 + 4*eta^2*omega^2))");
     let split = formula("((2*r + 3)*eta - 1)*((2*r - 3)*eta + 1)");
@@ -146,7 +138,7 @@ fn aging_sign(proof: Proof) -> Result<Proof, Refutation> {
         .identity(
             "Re c_1 is minus a factor times N = η²(4β + 3) + 6η − 1",
             &used,
-            &real(Law::Aging),
+            &real(EvolutionLaw::Aging),
             &(-scale.clone() * factor.clone()),
             &on_transition(),
         )?
@@ -173,11 +165,11 @@ fn aging_sign(proof: Proof) -> Result<Proof, Refutation> {
 ///
 /// # Errors
 /// When the limits are others.
-pub(super) fn quasi_static(proof: Proof, law: Law) -> Result<Proof, Refutation> {
+pub(super) fn quasi_static(proof: Proof, law: EvolutionLaw) -> Result<Proof, Refutation> {
     let first = real(law) / formula("omega");
     let per_eta = match law {
-        Law::Slip => formula("-omega*(1 + omega^2)/2"),
-        Law::Aging => formula("omega/2"),
+        EvolutionLaw::Slip => formula("-omega*(1 + omega^2)/2"),
+        EvolutionLaw::Aging => formula("omega/2"),
     };
     let ends = ("eta", Toward::Zero);
     let used = [law.equation()];

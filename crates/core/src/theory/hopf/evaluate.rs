@@ -1,15 +1,15 @@
 //! The proved expressions at given parameters, exactly.
 
 use super::closed_form::square_amplitude as closed_square_amplitude;
+use crate::friction::EvolutionLaw;
 use crate::number::Rational;
 use crate::polynomial::Expression;
-use crate::theory::linearisation::Law;
 
 /// A²/(K/K_c − 1) to leading order at this η and β, A the amplitude of ln(V/V_l): [`super::HopfCoefficient::square_amplitude`].
 /// Nothing where l_1 = 0.
 #[must_use]
 pub fn square_amplitude(
-    law: Law,
+    law: EvolutionLaw,
     inertial_parameter: &Rational,
     effect_ratio: &Rational,
 ) -> Option<Rational> {
@@ -64,7 +64,7 @@ mod tests {
     #[test]
     fn small_cycles_stand_below_the_line_where_supercritical_and_above_it_where_subcritical() {
         let rational = |pair: (i32, i32)| Rational::from(pair);
-        for law in Law::ALL {
+        for law in EvolutionLaw::ALL {
             for eta in [(1, 100_000), (1, 100), (1, 10), (1, 7), (1, 1), (100, 1)] {
                 for beta in [(101, 100), (3, 2), (50, 1)] {
                     let (eta, beta) = (rational(eta), rational(beta));
@@ -79,7 +79,7 @@ mod tests {
     #[test]
     fn a_value_done_by_hand() {
         // Slip law, η = 1, β = 2: −4(2² + 4)/(1·10·2) = −8/5.
-        let square = square_amplitude(Law::Slip, &Rational::from(1), &Rational::from(2));
+        let square = square_amplitude(EvolutionLaw::Slip, &Rational::from(1), &Rational::from(2));
         assert_eq!(square, Some(Rational::from((-8, 5))));
     }
 
@@ -89,12 +89,12 @@ mod tests {
             let beta = Rational::from(beta);
             let limit = degenerate_inertial_parameter(nearest_f64(&beta));
             let of = |factor: f64| {
-                Criticality::of(Law::Aging, &Rational::from_f64(limit * factor).unwrap(), &beta)
+                Criticality::of(EvolutionLaw::Aging, &Rational::from_f64(limit * factor).unwrap(), &beta)
             };
             assert_eq!(of(1.0 - 1e-12), Criticality::Subcritical);
             assert_eq!(of(1.0 + 1e-12), Criticality::Supercritical);
         }
         // β = 6: η_0 = 1/9, where the coefficient vanishes.
-        assert_eq!(square_amplitude(Law::Aging, &Rational::from((1, 9)), &Rational::from(6)), None);
+        assert_eq!(square_amplitude(EvolutionLaw::Aging, &Rational::from((1, 9)), &Rational::from(6)), None);
     }
 }

@@ -2,9 +2,9 @@
 //! cycle.
 
 use super::slider::{by_groups, derive};
+use crate::friction::EvolutionLaw;
 use crate::polynomial::{Domain, Expression, Proof, Refutation, Symbol};
 use crate::theory::PaperEquations;
-use crate::theory::linearisation::Law;
 use crate::theory::notation::{formula, given_positive, in_parameters};
 
 /// In the limit η → 0 every orbit near steady sliding is closed at K = K_c, and for K ≠ K_c none is, of whatever size.
@@ -13,12 +13,12 @@ use crate::theory::notation::{formula, given_positive, in_parameters};
 ///
 /// # Errors
 /// When eqs 1-4 give another slider.
-pub fn prove(equations: &PaperEquations, law: Law) -> Result<Proof, Refutation> {
-    let id = format!("quasi-static-centre-{}", law.as_str().replace(' ', "-"));
+pub fn prove(equations: &PaperEquations, law: EvolutionLaw) -> Result<Proof, Refutation> {
+    let id = format!("quasi-static-centre-{}-law", law.as_str());
     let proof = Proof::new(
         &id,
         format!(
-            "Without inertia, at κ = β − 1 the slider with the {} has a first integral with a strict extremum at \
+            "Without inertia, at κ = β − 1 the slider with the {} law has a first integral with a strict extremum at \
              steady sliding: the orbits near it are closed, of every small amplitude. At any other κ no orbit is closed.",
             law.as_str()
         ),
@@ -45,8 +45,8 @@ pub fn prove(equations: &PaperEquations, law: Law) -> Result<Proof, Refutation> 
         slope(function, "x") * rates[0].clone() + slope(function, "y") * rates[1].clone()
     };
     let proof = match law {
-        Law::Aging => proof.identity("H = x + β y − (e^x + β − 1) e^y is constant", &used, &along(&integral), &formula("0"), &critical)?,
-        Law::Slip => proof.identity(
+        EvolutionLaw::Aging => proof.identity("H = x + β y − (e^x + β − 1) e^y is constant", &used, &along(&integral), &formula("0"), &critical)?,
+        EvolutionLaw::Slip => proof.identity(
             "H = (x + y − 1 + (β − 1)/β e^(−x)) exp(β(x + y) − (β − 1)x) is constant: its rate over the exponential",
             &used,
             &(along(&integral) + integral.clone() * along(&factor)),
@@ -58,10 +58,15 @@ pub fn prove(equations: &PaperEquations, law: Law) -> Result<Proof, Refutation> 
 }
 
 /// The rates times e^(y) (aging) or e^(βy) (slip) have a divergence of one sign, so that no orbit can close.
-fn no_cycle(proof: Proof, used: &[&str], law: Law, rates: &[Expression; 2]) -> Result<Proof, Refutation> {
+fn no_cycle(
+    proof: Proof,
+    used: &[&str],
+    law: EvolutionLaw,
+    rates: &[Expression; 2],
+) -> Result<Proof, Refutation> {
     let exponent = match law {
-        Law::Aging => formula("1"),
-        Law::Slip => formula("beta"),
+        EvolutionLaw::Aging => formula("1"),
+        EvolutionLaw::Slip => formula("beta"),
     };
     let divergence = slope(&rates[0], "x") + slope(&rates[1], "y") + exponent * rates[1].clone();
     let says =
@@ -74,21 +79,21 @@ fn no_cycle(proof: Proof, used: &[&str], law: Law, rates: &[Expression; 2]) -> R
 }
 
 /// H itself (aging), or H without its exponential factor and the factor's exponent (slip).
-fn integral(law: Law) -> (Expression, Expression) {
+fn integral(law: EvolutionLaw) -> (Expression, Expression) {
     match law {
-        Law::Aging => (formula("x + beta*y - (exp(x) + beta - 1)*exp(y)"), formula("0")),
-        Law::Slip => {
+        EvolutionLaw::Aging => (formula("x + beta*y - (exp(x) + beta - 1)*exp(y)"), formula("0")),
+        EvolutionLaw::Slip => {
             (formula("x + y - 1 + (beta - 1)/(beta*exp(x))"), formula("beta*(x + y) - (beta - 1)*x"))
         }
     }
 }
 
 /// The Hessian of H at the origin is definite.
-fn extremum(proof: Proof, law: Law) -> Result<Proof, Refutation> {
+fn extremum(proof: Proof, law: EvolutionLaw) -> Result<Proof, Refutation> {
     let (integral, factor) = integral(law);
     let whole = match law {
-        Law::Aging => integral,
-        Law::Slip => integral * factor.call(crate::polynomial::Function::Exp),
+        EvolutionLaw::Aging => integral,
+        EvolutionLaw::Slip => integral * factor.call(crate::polynomial::Function::Exp),
     };
     let rest = |expression: Expression| expression.with("x", &formula("0")).with("y", &formula("0"));
     let second = |one: &str, other: &str| rest(slope(&slope(&whole, one), other));

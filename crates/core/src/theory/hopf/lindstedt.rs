@@ -4,9 +4,10 @@
 
 use super::expansion::{Conditions, solve, taylor_part};
 use super::slider::{by_groups, on_transition};
+use crate::friction::EvolutionLaw;
 use crate::polynomial::{Domain, Expression, Proof, Refutation, Symbol};
 use crate::theory::PaperEquations;
-use crate::theory::linearisation::{Law, evolution, motion};
+use crate::theory::linearisation::{evolution, motion};
 use crate::theory::notation::{formula, simplified};
 
 /// u = V/V_0 − 1 with its first two rates, w = V_0 θ/D_c − 1 with its rate, in the time D_c/V_0.
@@ -36,7 +37,7 @@ pub(super) struct Cycle {
 pub(super) fn cycle(
     proof: Proof,
     equations: &PaperEquations,
-    law: Law,
+    law: EvolutionLaw,
 ) -> Result<(Proof, Cycle), Refutation> {
     let used = ["1", law.equation(), "4", "steady-state"];
     let (proof, [linear, quadratic, cubic]) = taylor_parts(proof, &used, equations, law)?;
@@ -94,7 +95,7 @@ fn on_circle() -> Domain {
 }
 
 /// Both equations in X = V/V_0, Y = V_0 θ/D_c and rates per D_c/V_0, as eqs 1, 4 and the law give them.
-fn physical(equations: &PaperEquations, law: Law) -> Pair {
+fn physical(equations: &PaperEquations, law: EvolutionLaw) -> Pair {
     let balance = motion(equations, &equations.right("1")).time_derivative(&["t", "delta", "theta"]);
     let values = [
         ("t'", formula("1")),
@@ -114,7 +115,7 @@ fn taylor_parts(
     mut proof: Proof,
     used: &[&str],
     equations: &PaperEquations,
-    law: Law,
+    law: EvolutionLaw,
 ) -> Result<(Proof, [Pair; 3]), Refutation> {
     let mut parts = [0; 3].map(|_| [formula("0"), formula("0")]);
     for (side, (equation, name)) in physical(equations, law).iter().zip(NAMES).enumerate() {

@@ -18,15 +18,15 @@ pub use evaluate::{degenerate_inertial_parameter, square_amplitude};
 pub use first_integral::prove as quasi_static_centre;
 
 use super::PaperEquations;
-use super::linearisation::Law;
 use super::notation::{formula, given_nonzero, simplified};
+use crate::friction::EvolutionLaw;
 use crate::polynomial::{Expression, Proof, Refutation};
 
 /// The cubic coefficient on K = K_c and what follows from it, as functions of `eta` and `omega` = √(β − 1).
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct HopfCoefficient {
     /// The evolution law.
-    pub law: Law,
+    pub law: EvolutionLaw,
     /// The first Lyapunov coefficient l_1 = Re c_1/ω.
     pub expression: Expression,
     /// Re c_1 and Im c_1 of w' = iω w + c_1 w |w|².
@@ -47,11 +47,11 @@ pub struct HopfCoefficient {
 /// # Errors
 /// When a step of the derivation fails or the coefficient is not the one stated; the refutation names the equations and
 /// gives the exact difference.
-pub fn coefficient(equations: &PaperEquations, law: Law) -> Result<HopfCoefficient, Refutation> {
+pub fn coefficient(equations: &PaperEquations, law: EvolutionLaw) -> Result<HopfCoefficient, Refutation> {
     let used = ["1", law.equation(), "4", "steady-state"];
-    let id = format!("hopf-coefficient-{}", law.as_str().replace(' ', "-"));
+    let id = format!("hopf-coefficient-{}-law", law.as_str());
     let statement = format!(
-        "The first Lyapunov coefficient on K = K_c with the {}: {}.",
+        "The first Lyapunov coefficient on K = K_c with the {} law: {}.",
         law.as_str(),
         closed_form::sign_statement(law)
     );
@@ -76,12 +76,17 @@ pub fn coefficient(equations: &PaperEquations, law: Law) -> Result<HopfCoefficie
 }
 
 /// The two routes agree: what the normal form says of the cycle is what the expansion found.
-fn compare(proof: Proof, used: &[&str], law: Law, cycle: &lindstedt::Cycle) -> Result<Proof, Refutation> {
+fn compare(
+    proof: Proof,
+    used: &[&str],
+    law: EvolutionLaw,
+    cycle: &lindstedt::Cycle,
+) -> Result<Proof, Refutation> {
     let domain = slider::on_transition();
     // A² follows from K where the coefficient is not zero.
     let hyperbolic = match law {
-        Law::Slip => domain.clone(),
-        Law::Aging => given_nonzero(domain.clone(), &["eta^2*(7 + 4*omega^2) + 6*eta - 1"], &[]),
+        EvolutionLaw::Slip => domain.clone(),
+        EvolutionLaw::Aging => given_nonzero(domain.clone(), &["eta^2*(7 + 4*omega^2) + 6*eta - 1"], &[]),
     };
     proof
         .reason(

@@ -11,21 +11,21 @@ type State = [f64; 3];
 
 /// The slider of the derivation, in numbers and written independently of it.
 struct Slider {
-    law: Law,
+    law: EvolutionLaw,
     eta: f64,
     kappa: f64,
 }
 
 impl Slider {
-    fn near(law: Law, eta: f64, distance: f64) -> Self {
+    fn near(law: EvolutionLaw, eta: f64, distance: f64) -> Self {
         Self { law, eta, kappa: (EFFECT_RATIO - 1.0) * (1.0 + eta) * (1.0 + distance) }
     }
 
     fn rates(&self, [x, y, zeta]: State) -> State {
         let velocity = libm::exp(x);
         let evolution = match self.law {
-            Law::Slip => -velocity * (x + y),
-            Law::Aging => libm::exp(-y) - velocity,
+            EvolutionLaw::Slip => -velocity * (x + y),
+            EvolutionLaw::Aging => libm::exp(-y) - velocity,
         };
         [(zeta - x - EFFECT_RATIO * y) / (self.eta * velocity), evolution, self.kappa * (1.0 - velocity)]
     }
@@ -131,12 +131,12 @@ fn value(expression: &Expression, eta: f64) -> f64 {
 }
 
 /// K/K_c − 1 at which the predicted amplitude of ln(V/V_l) is this: positive where the cycle lies above K_c.
-fn distance(law: Law, eta: f64, amplitude: f64) -> f64 {
+fn distance(law: EvolutionLaw, eta: f64, amplitude: f64) -> f64 {
     amplitude * amplitude / value(&square_amplitude(law), eta)
 }
 
 /// Relative errors of the predicted amplitude and frequency shift.
-fn errors(law: Law, eta: f64, amplitude: f64) -> [f64; 2] {
+fn errors(law: EvolutionLaw, eta: f64, amplitude: f64) -> [f64; 2] {
     let distance = distance(law, eta, amplitude);
     let slider = Slider::near(law, eta, distance);
     let (point, period) = slider.cycle(amplitude);
@@ -150,7 +150,7 @@ fn errors(law: Law, eta: f64, amplitude: f64) -> [f64; 2] {
 #[test]
 fn predicted_amplitude_and_frequency_are_those_of_integrated_cycles() {
     let amplitude: f64 = 0.1;
-    for law in Law::ALL {
+    for law in EvolutionLaw::ALL {
         for eta in [0.1, 1.0, 10.0] {
             let whole = errors(law, eta, amplitude);
             let half = errors(law, eta, amplitude * std::f64::consts::FRAC_1_SQRT_2);
@@ -167,7 +167,7 @@ fn predicted_amplitude_and_frequency_are_those_of_integrated_cycles() {
 /// Aging law, η = 0.1, K = 1.001 K_c: linearly stable, and yet a kick beyond the unstable cycle runs away.
 #[test]
 fn a_kick_beyond_the_unstable_cycle_destabilises_a_stable_slider() {
-    let (law, eta, distance) = (Law::Aging, 0.1, 1e-3);
+    let (law, eta, distance) = (EvolutionLaw::Aging, 0.1, 1e-3);
     let slider = Slider::near(law, eta, distance);
     let predicted = (value(&square_amplitude(law), eta) * distance).sqrt();
     let after = |start: f64, returns: usize| {

@@ -1,9 +1,9 @@
 //! The nonlinear slider in logarithms, derived from eqs 1-4: three variables, three groups.
 
 use super::expansion::in_basis;
+use crate::friction::EvolutionLaw;
 use crate::polynomial::{Domain, Expression, Proof, Refutation, Symbol};
 use crate::theory::PaperEquations;
-use crate::theory::linearisation::Law;
 use crate::theory::notation::{any, cubic, formula, in_parameters, simplified};
 
 /// x = ln(V/V_0), y = ln(V_0 θ/D_c) and ζ = (spring stress/σ − μ_0)/a.
@@ -40,7 +40,7 @@ pub(super) fn by_groups() -> Domain {
 pub(super) fn derive(
     proof: Proof,
     equations: &PaperEquations,
-    law: Law,
+    law: EvolutionLaw,
 ) -> Result<(Proof, Slider), Refutation> {
     let derived = physical_rates(equations, law);
     let used = ["1", law.equation(), "4", "steady-state"];
@@ -50,7 +50,7 @@ pub(super) fn derive(
     }
     let says = format!(
         "x = ln X = ln(V/V_0), y = ln Y = ln(V_0 θ/D_c) and ζ = (spring stress/σ − μ_0)/a: their \
-         rates (by e_1, e_2, e_3) per time D_c/V_0 with the {}",
+         rates (by e_1, e_2, e_3) per time D_c/V_0 with the {} law",
         law.as_str()
     );
     let proof = proof
@@ -79,7 +79,7 @@ fn displacement() -> Expression {
 }
 
 /// The rates in X = V/V_0, Y = V_0 θ/D_c and ζ from eqs 1, 4 and the law.
-fn physical_rates(equations: &PaperEquations, law: Law) -> [Expression; 3] {
+fn physical_rates(equations: &PaperEquations, law: EvolutionLaw) -> [Expression; 3] {
     let state = |expression: &Expression| {
         let theta = equations.right("steady-state").with("V", &formula("V_0")) * formula("Y");
         expression.with("theta", &theta).with("V", &formula("V_0*X"))
