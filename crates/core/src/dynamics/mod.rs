@@ -43,6 +43,7 @@
 
 mod arrest;
 mod arrow;
+mod barely_stops;
 #[cfg(test)]
 mod checks;
 #[cfg(test)]

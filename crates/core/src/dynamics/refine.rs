@@ -50,6 +50,8 @@ pub(super) struct Refined<R> {
     pub errors: Observables<f64>,
     /// Newton's correction that is left, relative to the state.
     pub distance: f64,
+    /// Part of the momentum of the crossing over which its contraction was measured.
+    pub measured_over: f64,
 }
 
 impl<R: Scalar> Refined<R> {
@@ -64,7 +66,7 @@ impl<R: Scalar> Refined<R> {
         };
         let errors =
             self.errors + Observables::of(&mapped.orbit).map(|shown| f64::EPSILON * shown.abs().max(1.0));
-        Refined { mapped, errors, distance: self.distance }
+        Refined { mapped, errors, distance: self.distance, measured_over: self.measured_over }
     }
 }
 
@@ -146,7 +148,7 @@ pub(super) fn refine<R: Scalar, M: Stepper<R> + Clone>(
     let displaced = derivative.worst(image_difference.map(|d| OF_DIFFERENCE * d), units);
     let errors = with_inertia(left + of_return + displaced + shown, &mapped.orbit, map.model.groups());
     let distance = correction.iter().fold(0.0f64, |size, c| size.max(c.abs())) / mapped.size();
-    Ok(Some(Refined { mapped, errors, distance }))
+    Ok(Some(Refined { mapped, errors, distance, measured_over: derivative.width }))
 }
 
 /// When Newton's corrections may end.
@@ -213,8 +215,8 @@ pub(super) fn follow<M: Stepper<f64> + Clone>(
     rough_tolerance: f64,
     accuracy: Accuracy,
 ) -> Result<Option<Refined<f64>>, Failure> {
-    let (spread, gains) = spread(map, rough, rough_tolerance)?;
-    if spread > SLOW {
+    let Spread { part, shrunk, gains } = spread(map, rough, rough_tolerance)?;
+    if shrunk > SLOW {
         return Ok(None);
     }
     let section = |state: &State<f64>| [state[1], state[2]];
@@ -245,7 +247,7 @@ pub(super) fn follow<M: Stepper<f64> + Clone>(
                 of_return + carried.unwrap_or(Observables::all(0.0)) + gains.map(|gain| gain * way) + units;
             let errors = with_inertia(errors, &mapped.orbit, map.model.groups());
             if errors.peak_or_duration() <= accuracy.requested || carried.is_some() {
-                return Ok(Some(Refined { mapped, errors, distance: left }));
+                return Ok(Some(Refined { mapped, errors, distance: left, measured_over: part }));
             }
             // The next return is compared with one that errs like itself: a third of what this pair showed stays.
             carried = Some(of_return.map(|error| error / 3.0));
@@ -255,6 +257,16 @@ pub(super) fn follow<M: Stepper<f64> + Clone>(
     Ok(None)
 }
 
+/// What became of a deviation from a cycle's crossing after one return.
+struct Spread {
+    /// Its size as a part of the crossing.
+    part: f64,
+    /// What is left of it, as a part of it.
+    shrunk: f64,
+    /// How much of it is seen.
+    gains: Observables<f64>,
+}
+
 /// By how much a cycle shrinks a deviation from its crossing, in a direction that nothing distinguishes, and how much of it is seen.
 ///
 /// The approach of a trajectory does not tell: what is left of it may lie along a direction in which a return changes next to nothing.
@@ -262,7 +274,7 @@ fn spread<M: Stepper<f64> + Clone>(
     map: &mut ReturnMap<'_, f64, M>,
     cycle: &Cycle<f64>,
     local_tolerance: f64,
-) -> Result<(f64, Observables<f64>), Failure> {
+) -> Result<Spread, Failure> {
     let from = [cycle.from[1], cycle.from[2]];
     let effect_ratio = map.model.groups().effect_ratio;
     let part = (DEVIATION_IN_TOLERANCES * local_tolerance / size(from)).clamp(LEAST_DEVIATION, DEVIATION);
@@ -271,5 +283,6 @@ fn spread<M: Stepper<f64> + Clone>(
     let mapped = map.apply(&moved, local_tolerance)?;
     let deviation = size(difference(moved, from));
     let shrunk = size(difference(mapped.image, [cycle.orbit.end[1], cycle.orbit.end[2]])) / deviation;
-    Ok((shrunk, Observables::differences(&mapped.orbit, &cycle.orbit).map(|change| change.abs() / deviation)))
+    let gains = Observables::differences(&mapped.orbit, &cycle.orbit).map(|change| change.abs() / deviation);
+    Ok(Spread { part, shrunk, gains })
 }

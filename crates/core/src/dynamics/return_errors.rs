@@ -72,10 +72,15 @@ pub(super) fn with_inertia<R: Scalar>(
 ) -> Observables<f64> {
     let shown = Observables::of(orbit);
     let swing = (groups.stiffness_group.to_f64() * groups.inertial_parameter.to_f64()).sqrt();
-    let velocity_error = (libm::exp(shown.log_peak) * errors.log_peak).min(f64::MAX);
+    let velocity_error = velocity_error(errors, orbit);
     let square = (2.0 * swing * swing * velocity_error).min(f64::MAX);
     let depth = shown.log_trough.abs();
     let stop = square.sqrt().min(square / (depth + (depth * depth - square).max(0.0).sqrt()));
     let stress = (swing * velocity_error).min(f64::MAX);
     errors + Observables { log_trough: stop, ..Observables::held(stress, 0.0) }
+}
+
+/// The error of the velocity in units of V_l.
+pub(super) fn velocity_error<R: Scalar>(errors: Observables<f64>, orbit: &Return<R>) -> f64 {
+    (libm::exp(orbit.peak.to_f64()) * errors.log_peak).min(f64::MAX)
 }

@@ -85,6 +85,8 @@ pub(super) struct Derivative {
     image: [[f64; 2]; 2],
     /// The same with the entries that may be errors of the returns alone; elsewhere these count as zero.
     raw: [[f64; 2]; 2],
+    /// Part of the momentum of the crossing over which it was differenced.
+    pub width: f64,
     /// Moduli of the derivatives of the observables.
     observed: Observables<[f64; 2]>,
 }
@@ -126,8 +128,13 @@ impl Derivative {
             .map(|part| (DIFFERENCE * size).min(LARGEST_PART * part).max(1e-6 * DIFFERENCE * size));
         let return_error = RETURN_ERROR * local_tolerance * local_tolerance.sqrt();
         let zero = [[0.0; 2]; 2];
-        let mut derivative =
-            Self { effect_ratio, image: zero, raw: zero, observed: Observables::all([0.0; 2]) };
+        let mut derivative = Self {
+            effect_ratio,
+            image: zero,
+            raw: zero,
+            width: steps[1] / upward,
+            observed: Observables::all([0.0; 2]),
+        };
         for (column, h) in steps.into_iter().enumerate() {
             let mut moved = |sign: f64| {
                 let mut by = [0.0; 2];

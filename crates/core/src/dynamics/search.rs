@@ -5,6 +5,7 @@
 //! known; where f64 allows no tighter run, Newton's iteration goes on in double-double. When that does not do either, the
 //! answer is a failure that says what was reached.
 
+use super::barely_stops::{Confirmed, confirm, may_stop_or_not};
 use super::deviations::{oscillation_in_double_double, oscillation_of_small_deviations};
 use super::integrator::{Control, Integrator, Work};
 use super::long_term::{Cycle, Decay, LongTerm, PermittedDistance, SLOW, long_term_within};
@@ -12,7 +13,7 @@ use super::observables::Observables;
 use super::outcome::{Errors, Outcome, extremes, peak_and_period, trough};
 use super::refine::{Accuracy, Refined, derivative, follow, refine};
 use super::return_errors::{OF_DIFFERENCE, OF_LARGEST};
-use super::return_map::ReturnMap;
+use super::return_map::{Derivative, ReturnMap};
 use super::stepper::Stepper;
 use super::{Failure, Model, Options, Radau, Return};
 use crate::number::Dd;
@@ -28,6 +29,9 @@ const FINER: f64 = 0.01;
 
 /// The tolerances of an attempt over those of one that came out larger than requested; [`FINER`] where it decided nothing.
 const TIGHTER: f64 = 0.1;
+
+/// Crossings from which Newton's iteration is tried.
+const MOST_CROSSINGS: usize = 3;
 
 /// How near to a slowly contracting cycle the rough run has to come before Newton's iteration takes over.
 const NEWTON_FROM: f64 = 1e-2;
@@ -48,19 +52,21 @@ pub(super) struct Levels {
     bad_steps: f64,
     /// Returns after which the method is called unsuited: many of them are cheaper with one of higher order.
     most_returns: u64,
+    /// Whether a cycle that may stop or not is compared with others: returns as accurate as this needs are cheaper with higher order.
+    confirms: bool,
 }
 
 impl Levels {
     /// For the method of order 5.
     pub const fn loose() -> Self {
-        Self { rough: 1e-2, coarse: 1e-2, tightest: 1e-3, bad_steps: 20.0, most_returns: 40 }
+        Self { rough: 1e-2, coarse: 1e-2, tightest: 1e-3, bad_steps: 20.0, most_returns: 40, confirms: false }
     }
 
     /// For the method of order 9: its global error is about the 3/2nd power of the local tolerance.
     pub fn for_error(requested: f64) -> Self {
         let coarse = (30.0 * requested).clamp(TIGHTEST / FINER, 1e-3);
         let (rough, tightest) = (coarse.max(1e-4), TIGHTEST / FINER);
-        Self { rough, coarse, tightest, bad_steps: 1.0, most_returns: u64::MAX }
+        Self { rough, coarse, tightest, bad_steps: 1.0, most_returns: u64::MAX, confirms: true }
     }
 
     fn tighter(self, by: f64) -> Option<Self> {
@@ -215,20 +221,28 @@ impl<'m, 'o, M: Stepper<f64> + Clone> Search<'m, 'o, M> {
         if contraction.is_none_or(|known| known < SLOW) {
             refined = follow(&mut map, &found, tolerance, accuracy)?;
         }
-        if refined.is_none() {
-            let rough = [found.orbit.end[1], found.orbit.end[2]];
-            let (derivative, rough) = derivative(&mut map, rough)?;
-            contraction = Some(derivative.multiplier());
-            refined = refine(&mut map, &derivative, rough, accuracy)?;
-            let satisfied = refined.as_ref().is_some_and(|refined| satisfies(refined, accuracy.requested));
-            if !satisfied && self.levels.tighter(TIGHTER).is_none() {
-                let more =
-                    in_double_double(self.model, &found, &derivative, &refined, accuracy, self.options)?;
-                refined = more.or(refined);
+        let mut crossing = [found.orbit.end[1], found.orbit.end[2]];
+        for _ in 0..MOST_CROSSINGS {
+            if refined.is_none() {
+                let (derivative, rough) = derivative(&mut map, crossing)?;
+                contraction = Some(derivative.multiplier());
+                refined = self.by_newton(&mut map, &derivative, rough, accuracy)?;
+            }
+            let Some(cycle) = refined.as_ref().filter(|&cycle| may_stop_or_not(cycle, &map)) else { break };
+            if !self.levels.confirms {
+                return Err(Failure::UnreachableTolerance { requested: accuracy.requested, reached: 1.0 });
+            }
+            match confirm(&mut map, cycle)? {
+                Confirmed::Cycle => break,
+                Confirmed::Elsewhere(other) => (crossing, refined) = (other, None),
+                Confirmed::Nowhere => {
+                    refined = None;
+                    break;
+                }
             }
         }
         self.work += map.work;
-        let Some(Refined { mapped, errors, distance }) = refined else {
+        let Some(Refined { mapped, errors, distance, .. }) = refined else {
             return Err(Failure::Undecided { cycles: 0, change: found.distance });
         };
         let errors = Errors {
@@ -242,6 +256,24 @@ impl<'m, 'o, M: Stepper<f64> + Clone> Search<'m, 'o, M> {
         self.known = Some((cycle.clone(), FINER * coarse));
         Ok((LongTerm::Cycle(cycle), errors))
     }
+
+    /// Newton's iteration, in double-double where f64 allows no tighter run.
+    fn by_newton(
+        &self,
+        map: &mut ReturnMap<'m, f64, M>,
+        derivative: &Derivative,
+        rough: [f64; 2],
+        accuracy: Accuracy,
+    ) -> Result<Option<Refined<f64>>, Failure> {
+        let refined = refine(map, derivative, rough, accuracy)?;
+        let satisfied = refined.as_ref().is_some_and(|refined| satisfies(refined, accuracy.requested));
+        if satisfied || self.levels.tighter(TIGHTER).is_some() {
+            return Ok(refined);
+        }
+        let from = refined.as_ref().map_or(rough, |refined| refined.mapped.from);
+        let more = in_double_double(map, derivative, from, accuracy)?;
+        Ok(more.or(refined))
+    }
 }
 
 fn satisfies<R>(refined: &Refined<R>, requested: f64) -> bool {
@@ -249,22 +281,18 @@ fn satisfies<R>(refined: &Refined<R>, requested: f64) -> bool {
 }
 
 /// Newton's iteration in double-double, for cycles whose fixed point magnifies the rounding errors of f64.
-fn in_double_double(
-    model: &Model<f64>,
-    found: &Cycle<f64>,
-    derivative: &super::return_map::Derivative,
-    refined: &Option<Refined<f64>>,
+fn in_double_double<M>(
+    map: &ReturnMap<'_, f64, M>,
+    derivative: &Derivative,
+    from: [f64; 2],
     accuracy: Accuracy,
-    options: &Options,
 ) -> Result<Option<Refined<f64>>, Failure> {
     let fine = Model::with_balance(
-        model.groups().map(|&group| Dd::from(group)),
-        model.law(),
-        model.balance().map(|&group| Dd::from(group)),
+        map.model.groups().map(|&group| Dd::from(group)),
+        map.model.law(),
+        map.model.balance().map(|&group| Dd::from(group)),
     );
-    let from =
-        refined.as_ref().map_or([found.orbit.end[1], found.orbit.end[2]], |refined| refined.mapped.from);
-    let mut map = ReturnMap::new(&fine, Radau::<Dd, 7>::new(), found.returns_per_cycle, options.most_steps);
+    let mut map = ReturnMap::new(&fine, Radau::<Dd, 7>::new(), map.returns, map.most_steps);
     let accuracy = Accuracy { coarse: 1e-14, fine: 1e-16, floor: 1e-16, ..accuracy };
     let refined = refine(&mut map, derivative, from.map(Dd::from), accuracy)?;
     Ok(refined.map(|refined| refined.rounded()))
