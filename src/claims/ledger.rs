@@ -1,5 +1,6 @@
 //! The ledger: the claims a report lists, each with the verdict its check computed.
 
+use rayon::prelude::*;
 use serde::Serialize;
 
 use crate::claims::{Check, Finding, Verdict};
@@ -50,7 +51,7 @@ impl Ledger {
     /// Decides every listed claim.
     #[must_use]
     pub fn decide(report: &str, texts: &[ClaimEntry], context: &Context) -> Self {
-        let claims = texts.iter().map(|text| decide_one(text, context)).collect();
+        let claims = texts.par_iter().map(|text| decide_one(text, context)).collect();
         Ledger { report: report.to_owned(), claims }
     }
 

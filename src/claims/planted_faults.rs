@@ -66,7 +66,7 @@ fn plant(equation: &Equation, context: &Context, mut sound: Vec<(&'static Check,
             found.noticed += 1;
             continue;
         };
-        let altered = Context { equations: &equations, outcome: context.outcome };
+        let altered = Context::new(&equations, context.outcome);
         let notices = |(check, verdict): &(&Check, Verdict)| (check.decide)(&altered).verdict != *verdict;
         match sound.iter().position(notices) {
             Some(at) => {
@@ -92,7 +92,7 @@ mod tests {
     fn wrong_equations_are_noticed_by_the_claims_that_rest_on_them() {
         let text = include_str!("../../reports/im-avouac/equations.toml");
         let equations = read_equations("equations.toml", text.as_bytes()).unwrap();
-        let context = Context { equations: &equations, outcome: &Outcome::default() };
+        let context = Context::new(&equations, &Outcome::default());
         let found = plant_faults(&context);
         assert_eq!(found.len(), 23);
         for one in &found {

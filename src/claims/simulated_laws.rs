@@ -10,9 +10,7 @@ use crate::experiments::{Outcome, SceneOutcome};
 use slipmode_core::friction::EvolutionLaw;
 use slipmode_core::number::format::{rational_to_decimal, round_digits};
 use slipmode_core::number::{Rational, nearest_f64};
-use slipmode_core::theory::hopf::{
-    Criticality, coefficient, degenerate_inertial_parameter, quasi_static_centre,
-};
+use slipmode_core::theory::hopf::{Criticality, degenerate_inertial_parameter, quasi_static_centre};
 
 /// The widest edge of bistability: its family and where it is.
 type Widest<'c> = (&'c CycleFamilyOutcome, &'c Edge);
@@ -32,7 +30,7 @@ pub(super) fn n4(context: &Context) -> Result<Finding, Finding> {
     let renamed = pairs().filter(|(slip, aging)| !slip.is(aging.simulation.slip_mode)).count();
     let points = slip.runs.len();
     let proofs = EvolutionLaw::ALL.into_iter().flat_map(|law| {
-        let hopf = coefficient(context.equations, law).map(|hopf| hopf.proof);
+        let hopf = context.hopf_coefficient(law).map(|hopf| hopf.proof.clone());
         [hopf, quasi_static_centre(context.equations, law)]
     });
     let finding = Finding::from_proofs(proofs)

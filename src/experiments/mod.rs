@@ -39,13 +39,40 @@ pub use tables::TableMaker;
 pub(crate) use tables::unless_empty;
 pub use work::Work;
 
+use std::sync::OnceLock;
+
+use slipmode_core::friction::EvolutionLaw;
+use slipmode_core::polynomial::Refutation;
 use slipmode_core::theory::PaperEquations;
+use slipmode_core::theory::hopf::{HopfCoefficient, coefficient};
 
 /// What a table or a check may look at.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug)]
 pub struct Context<'c> {
     /// The paper's equations as the report states them: the thing under test.
     pub equations: &'c PaperEquations,
     /// What was computed for the report's scenes.
     pub outcome: &'c Outcome,
+    hopf: [OnceLock<Result<HopfCoefficient, Refutation>>; 2],
+}
+
+impl<'c> Context<'c> {
+    /// Nothing is derived from the equations yet.
+    #[must_use]
+    pub fn new(equations: &'c PaperEquations, outcome: &'c Outcome) -> Self {
+        Self { equations, outcome, hopf: [OnceLock::new(), OnceLock::new()] }
+    }
+
+    /// The first Lyapunov coefficient. A claim and a table show it; it takes seconds, so it is derived once.
+    ///
+    /// # Errors
+    /// When the equations do not give the stated coefficient.
+    pub fn hopf_coefficient(&self, law: EvolutionLaw) -> Result<&HopfCoefficient, Refutation> {
+        let [slip, aging] = &self.hopf;
+        let derived = match law {
+            EvolutionLaw::Slip => slip,
+            EvolutionLaw::Aging => aging,
+        };
+        derived.get_or_init(|| coefficient(self.equations, law)).as_ref().map_err(Clone::clone)
+    }
 }

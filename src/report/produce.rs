@@ -2,6 +2,8 @@
 
 use std::collections::BTreeMap;
 
+use rayon::prelude::*;
+
 use crate::claims::{self, Ledger};
 use crate::experiments;
 use crate::experiments::Context;
@@ -50,7 +52,7 @@ pub struct Product {
 pub fn decide(folder: &Folder, claims: &[ClaimEntry], progress: Progress) -> (Ledger, Outcome) {
     let needs = claims::needs(claims);
     let outcome = experiments::run(&folder.scenes, &needs, &folder.references, progress);
-    let context = Context { equations: &folder.equations, outcome: &outcome };
+    let context = Context::new(&folder.equations, &outcome);
     (Ledger::decide(&folder.plan.name, claims, &context), outcome)
 }
 
@@ -70,7 +72,7 @@ pub fn produce(
     let mut needs = claims::needs(&folder.claims);
     needs.extend(wanted.needs());
     let outcome = experiments::run(&folder.scenes, &needs, &folder.references, progress);
-    let context = Context { equations: &folder.equations, outcome: &outcome };
+    let context = Context::new(&folder.equations, &outcome);
     let ledger = Ledger::decide(&folder.plan.name, &folder.claims, &context);
     let (figures, tables) =
         (wanted.figures(&outcome, &folder.measured)?, wanted.tables(&context, &folder.measured)?);
@@ -105,7 +107,7 @@ pub fn produce_scene(
 ) -> BTreeMap<String, String> {
     let outcome =
         experiments::run(std::slice::from_ref(scene), &experiments::all_needs(), references, progress);
-    let context = Context { equations, outcome: &outcome };
+    let context = Context::new(equations, &outcome);
     let figures: Vec<Figure> = figure_makers().filter_map(|maker| (maker.make)(&outcome)).collect();
     // Tables that need nothing computed are about the paper, not about the scene.
     let tables: Vec<Table> = all_table_makers()
@@ -211,7 +213,8 @@ impl Wanted {
             Some(maker) => Some((maker.id, made(maker))),
             None => measured.chart(id).map(|found| (found.chart.caption.id.as_str(), Some(figure_of(found)))),
         };
-        collect("figure", self.figures.iter().filter_map(shown))
+        let made: Vec<_> = self.figures.par_iter().filter_map(shown).collect();
+        collect("figure", made.into_iter())
     }
 
     fn tables(&self, context: &Context, measured: &Measured) -> Result<Vec<Table>, ReportError> {
@@ -219,7 +222,8 @@ impl Wanted {
             Some(maker) => Some((maker.id, (maker.make)(context))),
             None => measured.table(id).map(|found| (found.id.as_str(), Some(found.clone()))),
         };
-        collect("table", self.tables.iter().filter_map(shown))
+        let made: Vec<_> = self.tables.par_iter().filter_map(shown).collect();
+        collect("table", made.into_iter())
     }
 }
 

@@ -8,7 +8,7 @@ use crate::experiments::{Context, Need, TableMaker};
 use slipmode_core::friction::EvolutionLaw;
 use slipmode_core::number::format::round_digits;
 use slipmode_core::number::nearest_f64;
-use slipmode_core::theory::hopf::{coefficient, degenerate_inertial_parameter};
+use slipmode_core::theory::hopf::degenerate_inertial_parameter;
 use slipmode_plot::table::Table;
 
 const NEEDS: &[Need] = &[Need::NearTransition];
@@ -31,7 +31,7 @@ fn families_of<'c>(context: &'c Context) -> impl Iterator<Item = &'c CycleFamily
 
 fn coefficients(context: &Context) -> Option<Table> {
     let note = "Derived from eqs 1 to 4 by two routes and proved (exact). A is the amplitude of ln(V/V_l) along the cycle.";
-    let of = |law| Some((law, coefficient(context.equations, law).ok()?));
+    let of = |law| Some((law, context.hopf_coefficient(law).ok()?));
     let hopf = EvolutionLaw::ALL.into_iter().map(of).collect::<Option<Vec<_>>>()?;
     Table::of("hopf-coefficient", "The first Lyapunov coefficient on K = K_c", &hopf)
         .note(note)

@@ -49,7 +49,7 @@ mod tests {
         assert_eq!(*items.borrow(), ["s/test-experiment"]);
         let equations = include_bytes!("../../../reports/im-avouac/equations.toml");
         let equations = read_equations("equations.toml", equations).unwrap();
-        let table = (maker.make)(&Context { equations: &equations, outcome: &outcome }).unwrap();
+        let table = (maker.make)(&Context::new(&equations, &outcome)).unwrap();
         let rows: Vec<String> = table.to_csv().lines().skip(1).map(str::to_owned).collect();
         assert_eq!(rows, ["2e7", "4e7"]);
     }
