@@ -92,7 +92,8 @@ mod tests {
     fn wrong_equations_are_noticed_by_the_claims_that_rest_on_them() {
         let text = include_str!("../../reports/im-avouac/equations.toml");
         let equations = read_equations("equations.toml", text.as_bytes()).unwrap();
-        let context = Context::new(&equations, &Outcome::default());
+        let nothing = Outcome::default();
+        let context = Context::new(&equations, &nothing);
         let found = plant_faults(&context);
         assert_eq!(found.len(), 23);
         for one in &found {
