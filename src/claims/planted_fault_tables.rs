@@ -1,60 +1,45 @@
 //! The table of planted faults: how many wrong equations the claims notice, and which they do not.
 
-use crate::claims::{PlantedFaults, plant_faults};
+use crate::claims::{PlantedFaults, Survivor, plant_faults};
 use crate::experiments::Context;
 use crate::experiments::TableMaker;
-use crate::experiments::unless_empty;
-use slipmode_plot::table::{Cell, Column, Table};
+use slipmode_plot::table::{Cell, Table};
 
 pub(crate) const TABLES: &[TableMaker] =
     &[TableMaker { id: "planted-faults", needs: &[], make: planted_faults }];
 
 fn planted_faults(context: &Context) -> Option<Table> {
-    let columns = vec![
-        Column::text("equation", "Eq"),
-        Column::number("same", "Equivalent forms", ""),
-        Column::number("planted", "Wrong versions", ""),
-        Column::number("noticed", "Detected", ""),
-        Column::number("rate_percent", "Detected share", "%"),
-        Column::text("noticed_by", "First detected by"),
-        Column::text("survivors", "Not detected"),
-    ];
-    let mut table = Table::new("planted-faults", "Deliberately wrong equations, and the claims that detect them", columns)
-        .with_note("Each numbered equation with one sign reversed, one term doubled, one exponent or root changed, or a and b exchanged. Equivalent forms are not counted as wrong. For each wrong version, the code of the ledger decides the claims of linear theory again until a verdict changes; the version then counts as detected.");
+    let note = "Each numbered equation with one sign reversed, one term doubled, one exponent or root changed, or a and b exchanged. Equivalent forms are not counted as wrong. For each wrong version, the code of the ledger decides the claims of linear theory again until a verdict changes; the version then counts as detected.";
     let found = plant_faults(context);
-    for one in &found {
-        let survivors: Vec<String> =
-            one.survivors.iter().map(|survivor| format!("{}: {}", survivor.kind, survivor.text)).collect();
-        table.push(row(
-            &one.equation,
-            [one.harmless, one.planted, one.noticed],
-            &one.noticed_by.join(", "),
-            &survivors.join("; "),
-        ));
-    }
     let sum = |count: fn(&PlantedFaults) -> usize| found.iter().map(count).sum::<usize>();
-    let all = [sum(|one| one.harmless), sum(|one| one.planted), sum(|one| one.noticed)];
-    table.push(row("all", all, "", ""));
-    unless_empty(table)
+    let all = PlantedFaults {
+        equation: "all".into(),
+        planted: sum(|one| one.planted),
+        noticed: sum(|one| one.noticed),
+        harmless: sum(|one| one.harmless),
+        ..PlantedFaults::default()
+    };
+    Table::of(
+        "planted-faults",
+        "Deliberately wrong equations, and the claims that detect them",
+        found.iter().chain([&all]),
+    )
+    .note(note)
+    .text("equation", "Eq", |one| &one.equation)
+    .number("same", "Equivalent forms", "", |one| one.harmless)
+    .number("planted", "Wrong versions", "", |one| one.planted)
+    .number("noticed", "Detected", "", |one| one.noticed)
+    .number("rate_percent", "Detected share", "%", rate_percent)
+    .text("noticed_by", "First detected by", |one| one.noticed_by.join(", "))
+    .text("survivors", "Not detected", |one| {
+        let survivor = |survivor: &Survivor| format!("{}: {}", survivor.kind, survivor.text);
+        one.survivors.iter().map(survivor).collect::<Vec<_>>().join("; ")
+    })
+    .unless_empty()
 }
 
-fn row(
-    equation: &str,
-    [harmless, planted, noticed]: [usize; 3],
-    noticed_by: &str,
-    survivors: &str,
-) -> Vec<Cell> {
-    // Rounded down, so that 100 % means all of them.
-    let rate = (1000 * noticed)
-        .checked_div(planted)
-        .map_or(String::new(), |rate| format!("{}.{}", rate / 10, rate % 10));
-    vec![
-        Cell::text(equation),
-        Cell::number(harmless.to_string()),
-        Cell::number(planted.to_string()),
-        Cell::number(noticed.to_string()),
-        Cell::number(rate),
-        Cell::text(noticed_by),
-        Cell::text(survivors),
-    ]
+/// Rounded down, so that 100 % means all of them.
+fn rate_percent(one: &PlantedFaults) -> Cell {
+    let rate = (1000 * one.noticed).checked_div(one.planted);
+    Cell::number(rate.map_or(String::new(), |rate| format!("{}.{}", rate / 10, rate % 10)))
 }

@@ -8,7 +8,7 @@ use crate::experiments::Context;
 use slipmode_core::theory::Equation;
 
 /// What became of the wrong versions of one equation.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct PlantedFaults {
     /// The equation's number.
     pub equation: String,
@@ -47,14 +47,7 @@ pub fn plant_faults(context: &Context) -> Vec<PlantedFaults> {
 }
 
 fn plant(equation: &Equation, context: &Context, mut sound: Vec<(&'static Check, Verdict)>) -> PlantedFaults {
-    let mut found = PlantedFaults {
-        equation: equation.number.clone(),
-        planted: 0,
-        noticed: 0,
-        harmless: 0,
-        noticed_by: Vec::new(),
-        survivors: Vec::new(),
-    };
+    let mut found = PlantedFaults { equation: equation.number.clone(), ..PlantedFaults::default() };
     for Alteration { kind, text, says_the_same } in alterations(equation) {
         if says_the_same {
             found.harmless += 1;

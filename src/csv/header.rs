@@ -10,12 +10,15 @@ pub const ERROR_COLUMN: &str = "error";
 
 /// A valid header.
 #[derive(Debug, Clone)]
-pub struct Header {
+pub struct Header<P = [usize; 7]> {
     /// The names of all columns, in order.
     pub names: Vec<String>,
-    /// Where each of [`Quantity::ALL`] stands.
-    pub positions: [usize; 7],
+    /// Where each of [`Quantity::ALL`], or of the columns that were wanted, stands.
+    pub positions: P,
 }
+
+/// A column that a header has to have: its name, its name without the unit, and whether it may be missing.
+pub type Wanted = (&'static str, &'static str, bool);
 
 impl Header {
     /// Where a column of this name stands.
@@ -23,7 +26,7 @@ impl Header {
         self.names.iter().position(|known| known == name)
     }
 
-    /// Reads the header of the file `file`; `None` stands for a file without any row.
+    /// Reads the header of the points file `file`; `None` stands for a file without any row.
     ///
     /// # Errors
     /// Every column that is missing, doubled, in another unit, or named like one that is appended.
@@ -33,6 +36,28 @@ impl Header {
         keep_going: bool,
         command: &W,
     ) -> Result<Self, Faults> {
+        let appended: Vec<&str> =
+            W::APPENDED.iter().copied().chain(keep_going.then_some(ERROR_COLUMN)).collect();
+        let wanted = Quantity::ALL.map(|quantity| (quantity.key(), quantity.stem(), false));
+        let others = |names: &[String]| command.header_faults(names);
+        let Header { names, positions } = Header::of_columns(file, row, wanted, &appended, others)?;
+        // A header without faults has all seven.
+        Ok(Self { names, positions: positions.map(Option::unwrap_or_default) })
+    }
+}
+
+impl<const N: usize> Header<[Option<usize>; N]> {
+    /// Reads a header with these columns among others; `others` finds further faults, each with its column.
+    ///
+    /// # Errors
+    /// Every column that is missing, doubled, in another unit, or named like one of `appended`.
+    pub fn of_columns(
+        file: &str,
+        row: Option<Row<'_>>,
+        wanted: [Wanted; N],
+        appended: &[&str],
+        others: impl FnOnce(&[String]) -> Vec<(String, Problem)>,
+    ) -> Result<Self, Faults> {
         let fault = |key: String, problem: Problem| Fault {
             file: file.to_string(),
             line: row.map(|row| row.line),
@@ -41,36 +66,43 @@ impl Header {
             problem,
         };
         let Some(row) = row else {
-            let wanted = Quantity::ALL.map(Quantity::key).join(", ");
-            return Err(vec![fault(String::new(), CsvProblem::NoHeader { wanted }.into())]);
+            let problem = CsvProblem::NoHeader { wanted: in_words(&wanted) };
+            return Err(vec![fault(String::new(), problem.into())]);
         };
         let names = names(row).map_err(|problem| vec![fault("header".into(), problem)])?;
-        let mut faults: Faults = column_faults(&names, W::APPENDED, keep_going)
-            .into_iter()
-            .map(|(name, problem)| (name, problem.into()))
-            .chain(command.header_faults(&names))
-            .map(|(name, problem)| fault(format!("header, column {name}"), problem))
-            .collect();
-        let positions = Quantity::ALL.map(|quantity| names.iter().position(|name| name == quantity.key()));
-        for (quantity, position) in Quantity::ALL.into_iter().zip(positions) {
-            if position.is_none() {
-                let (name, problem) = absent(quantity.key(), quantity.stem(), &names);
-                faults.push(fault(format!("header, column {name}"), problem.into()));
+        let mut faults = column_faults(&names, appended);
+        faults.extend(others(&names));
+        let positions = wanted.map(|(key, ..)| names.iter().position(|name| name == key));
+        for ((key, stem, is_optional), position) in wanted.into_iter().zip(positions) {
+            let (name, problem) = absent(key, stem, &names);
+            // Where nothing is missing, a column in another unit is still not to be passed over.
+            let is_missing = !(is_optional && matches!(problem, CsvProblem::MissingColumn { .. }));
+            if position.is_none() && is_missing {
+                faults.push((name, problem.into()));
             }
         }
-        let found: Vec<usize> = positions.into_iter().flatten().collect();
-        match <[usize; 7]>::try_from(found) {
-            Ok(positions) if faults.is_empty() => Ok(Self { names, positions }),
-            _ => Err(faults),
+        if faults.is_empty() {
+            return Ok(Self { names, positions });
         }
+        let named = |(name, problem)| fault(format!("header, column {name}"), problem);
+        Err(faults.into_iter().map(named).collect())
     }
+}
+
+/// The columns that a header has to have, and those that it may have.
+fn in_words(wanted: &[Wanted]) -> String {
+    let [required, optional] = [false, true].map(|is_wanted| {
+        let keys = wanted.iter().filter(|(.., is_optional)| *is_optional == is_wanted).map(|(key, ..)| *key);
+        keys.collect::<Vec<_>>().join(", ")
+    });
+    if optional.is_empty() { required } else { format!("{required} and optionally {optional}") }
 }
 
 /// The names of a header row.
 ///
 /// # Errors
 /// A name that is not text; columns that are not separated by commas.
-pub fn names(row: Row<'_>) -> Result<Vec<String>, Problem> {
+fn names(row: Row<'_>) -> Result<Vec<String>, Problem> {
     if let Some(found) = other_separator(row) {
         return Err(CsvProblem::OtherSeparator { found }.into());
     }
@@ -92,21 +124,21 @@ fn other_separator(row: Row<'_>) -> Option<&'static str> {
 }
 
 /// Doubled columns, and columns that the output will have as well.
-pub fn column_faults(names: &[String], appended: &[&str], keep_going: bool) -> Vec<(String, CsvProblem)> {
+fn column_faults(names: &[String], appended: &[&str]) -> Vec<(String, Problem)> {
     let mut faults = Vec::new();
     for (index, name) in names.iter().enumerate() {
         if let Some(first) = names[..index].iter().position(|earlier| earlier == name) {
-            faults.push((name.clone(), CsvProblem::DoubledColumn { first: first + 1 }));
+            faults.push((name.clone(), CsvProblem::DoubledColumn { first: first + 1 }.into()));
         }
-        if appended.contains(&name.as_str()) || (keep_going && name == ERROR_COLUMN) {
-            faults.push((name.clone(), CsvProblem::OutputColumn));
+        if appended.contains(&name.as_str()) {
+            faults.push((name.clone(), CsvProblem::OutputColumn.into()));
         }
     }
     faults
 }
 
 /// Why a column is not there: it has another name, or it is missing.
-pub fn absent(key: &'static str, stem: &str, names: &[String]) -> (String, CsvProblem) {
+fn absent(key: &'static str, stem: &str, names: &[String]) -> (String, CsvProblem) {
     misnamed(key, stem, names).unwrap_or_else(|| {
         let near = nearest(key, names.iter().map(String::as_str)).map(str::to_string);
         (key.to_string(), CsvProblem::MissingColumn { nearest: near })

@@ -4,13 +4,17 @@ use crate::comparison::recording::{LEAST_SAMPLES, Recording};
 use crate::scene::{AllowedRange, CsvProblem, Fault, Faults, Problem};
 use slipmode_core::number::{Rational, nearest_f64, parse_decimal, parse_short_decimal};
 
-use crate::csv::header::{absent, column_faults, names};
-use crate::csv::rows::{Row, RowReader};
+use crate::csv::header::{Header, Wanted};
+use crate::csv::row_work::Cells;
+use crate::csv::rows::RowReader;
 use crate::csv::work::cell_problem;
 
 /// The columns, with their stems; the last one may be missing.
-const COLUMNS: [(&str, &str); 3] =
-    [("time_s", "time"), ("velocity_m_per_s", "velocity"), ("shear_stress_pa", "shear_stress")];
+const COLUMNS: [Wanted; 3] = [
+    ("time_s", "time", false),
+    ("velocity_m_per_s", "velocity", false),
+    ("shear_stress_pa", "shear_stress", true),
+];
 /// Most samples of a trajectory: 240 MB of numbers.
 const MOST_SAMPLES: usize = 10_000_000;
 /// Rows read at a time.
@@ -33,7 +37,7 @@ struct Read {
 pub fn read_recording(mut reader: RowReader, log_level: f64) -> Result<Recording, Faults> {
     let file = reader.name().to_string();
     let first = reader.block(1).map_err(|fault| vec![fault])?;
-    let positions = header(&file, first.rows().next())?;
+    let header = Header::of_columns(&file, first.rows().next(), COLUMNS, &[], |_| Vec::new())?;
     let mut read = Read { recording: Recording::default(), lines: Vec::new() };
     let mut faults = Faults::new();
     loop {
@@ -42,7 +46,7 @@ pub fn read_recording(mut reader: RowReader, log_level: f64) -> Result<Recording
             break;
         }
         for row in block.rows() {
-            if let Err(found) = read.sample(&file, row, &positions) {
+            if let Err(found) = read.sample(Cells { file: &file, header: &header, row }) {
                 faults.extend(found);
             }
         }
@@ -62,70 +66,24 @@ fn fault(file: &str, line: Option<usize>, key: &str, problem: Problem) -> Fault 
     Fault { file: file.into(), line, key: key.into(), value: None, problem }
 }
 
-/// Number of columns, and where each of [`COLUMNS`] stands.
-struct Positions {
-    count: usize,
-    columns: [Option<usize>; 3],
-}
-
-fn header(file: &str, row: Option<Row<'_>>) -> Result<Positions, Faults> {
-    let Some(row) = row else {
-        let wanted = "time_s, velocity_m_per_s and optionally shear_stress_pa".into();
-        return Err(vec![fault(file, None, "", CsvProblem::NoHeader { wanted }.into())]);
-    };
-    let line = Some(row.line);
-    let names = names(row).map_err(|problem| vec![fault(file, line, "header", problem)])?;
-    let columns = COLUMNS.map(|(key, _)| names.iter().position(|name| name == key));
-    let mut faults = column_faults(&names, &[], false);
-    for ((key, stem), position) in COLUMNS.into_iter().zip(columns) {
-        let (name, problem) = absent(key, stem, &names);
-        // Without a stress nothing is missing, but one in another unit is not to be passed over.
-        let is_optional = key == COLUMNS[2].0 && matches!(problem, CsvProblem::MissingColumn { .. });
-        if position.is_none() && !is_optional {
-            faults.push((name, problem));
-        }
-    }
-    if faults.is_empty() {
-        return Ok(Positions { count: names.len(), columns });
-    }
-    let told = |(name, problem): (String, CsvProblem)| {
-        fault(file, line, &format!("header, column {name}"), problem.into())
-    };
-    Err(faults.into_iter().map(told).collect())
-}
-
 impl Read {
-    fn sample(&mut self, file: &str, row: Row<'_>, positions: &Positions) -> Result<(), Faults> {
-        let key = |index: usize| format!("row {}, column {}", row.number, COLUMNS[index].0);
-        let told = |key: String, value: Option<String>, problem| Fault {
-            file: file.into(),
-            line: Some(row.line),
-            key,
-            value,
-            problem,
-        };
-        if row.cell_count() != positions.count {
-            let problem = CsvProblem::CellCount { found: row.cell_count(), wanted: positions.count };
-            return Err(vec![told(format!("row {}", row.number), None, problem.into())]);
-        }
+    fn sample(&mut self, cells: Cells<'_, [Option<usize>; 3]>) -> Result<(), Faults> {
+        cells.check_count()?;
+        let (row, positions) = (cells.row, cells.header.positions);
         let mut faults = Faults::new();
         let mut values = [None; 3];
-        for (index, position) in positions.columns.into_iter().enumerate() {
+        for (index, position) in positions.into_iter().enumerate() {
             let Some(position) = position else { continue };
             match number(row.cell(position), index == 1) {
                 Ok(value) => values[index] = Some(value),
-                Err(problem) => {
-                    let written = String::from_utf8_lossy(row.cell(position)).into_owned();
-                    faults.push(told(key(index), Some(written), problem));
-                }
+                Err(problem) => faults.push(cells.fault(Some(position), problem)),
             }
         }
         if let (Some(time), Some(last)) = (values[0], self.recording.times_s.last())
             && time <= *last
         {
-            let written = String::from_utf8_lossy(row.cell(positions.columns[0].unwrap_or(0))).into_owned();
             let allowed = format!("more than {last:e}, the time of the row before");
-            faults.push(told(key(0), Some(written), CsvProblem::NotIncreasing { allowed }.into()));
+            faults.push(cells.fault(positions[0], CsvProblem::NotIncreasing { allowed }.into()));
         }
         if !faults.is_empty() {
             return Err(faults);

@@ -1,6 +1,6 @@
 //! What a command does with the rows of a points file, apart from reading and writing them.
 
-use crate::scene::{AllowedRange, Fault, Faults, Problem};
+use crate::scene::{AllowedRange, CsvProblem, Fault, Faults, Problem};
 use slipmode_core::friction::Parameters;
 use slipmode_core::number::{Dd, Rational, parse_short_decimal};
 
@@ -49,11 +49,11 @@ pub struct Remark<K = ()> {
 
 /// The cells of a row, found by the header.
 #[derive(Debug, Clone, Copy)]
-pub struct Cells<'r> {
+pub struct Cells<'r, P = [usize; 7]> {
     /// The name of the file, for messages.
     pub file: &'r str,
     /// The columns.
-    pub header: &'r Header,
+    pub header: &'r Header<P>,
     /// The row; its text was checked.
     pub row: Row<'r>,
 }
@@ -87,6 +87,18 @@ impl<'r> Cells<'r> {
             }
             _ => Err(faults),
         }
+    }
+}
+
+impl<'r, P: Copy> Cells<'r, P> {
+    /// Whether the row has a cell for each column.
+    ///
+    /// # Errors
+    /// The fault of the row, when it has not.
+    pub fn check_count(self) -> Result<(), Faults> {
+        let (found, wanted) = (self.row.cell_count(), self.header.names.len());
+        let fault = || vec![self.fault(None, CsvProblem::CellCount { found, wanted }.into())];
+        if found == wanted { Ok(()) } else { Err(fault()) }
     }
 
     /// The text of a cell; the row's text was checked, so that none is lost here.

@@ -83,11 +83,7 @@ impl<W: RowWork> Work<W> {
 
     fn read(&self, row: Row<'_>) -> Result<W::Input, Faults> {
         let cells = Cells { file: &self.file, header: &self.header, row };
-        let wanted = self.header.names.len();
-        if row.cell_count() != wanted {
-            let problem = CsvProblem::CellCount { found: row.cell_count(), wanted };
-            return Err(vec![cells.fault(None, problem.into())]);
-        }
+        cells.check_count()?;
         check_text(cells)?;
         self.command.read(cells)
     }

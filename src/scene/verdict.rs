@@ -52,10 +52,4 @@ impl Verdict {
             Self::NotChecked => "–",
         }
     }
-
-    /// The verdict of this word, if it is one of the four.
-    #[must_use]
-    pub fn from_word(word: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|verdict| verdict.as_str() == word)
-    }
 }
