@@ -1,8 +1,7 @@
 //! Claims B: the boundary max Im(s) = 0, its areas and its asymptotes.
 
 use crate::claims::{Check, Evidence, Finding};
-use crate::experiments::Context;
-use crate::experiments::{Need, SceneOutcome};
+use crate::experiments::{Context, Need, SceneOutcome};
 use slipmode_core::theory::areas::{self, Effects};
 use slipmode_core::theory::{boundary, exchange, inertial, quasi_static};
 

@@ -1,9 +1,8 @@
 //! Claims Q: the frequency of oscillation and its limits.
 
 use crate::claims::{Check, Evidence, Finding};
-use crate::experiments::Context;
-use crate::experiments::Need;
 use crate::experiments::frequency::{FrequencyLine, FrequencyOutcome};
+use crate::experiments::{Context, Need};
 use slipmode_core::number::format::{certain_digits, rational_to_decimal, round_digits};
 use slipmode_core::number::{Ball, Rational, Real};
 use slipmode_core::stability::asymptote;

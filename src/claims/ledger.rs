@@ -4,8 +4,7 @@ use rayon::prelude::*;
 use serde::Serialize;
 
 use crate::claims::{Check, Finding, Verdict};
-use crate::experiments::Context;
-use crate::experiments::Needs;
+use crate::experiments::{Context, Needs};
 use crate::scene::ClaimEntry;
 
 /// One line of the ledger.

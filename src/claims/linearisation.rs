@@ -1,9 +1,8 @@
 //! Claims L: the linearisation, the third-order equation and the cubic.
 
 use crate::claims::{Check, Evidence, Finding};
-use crate::experiments::Context;
 use crate::experiments::linear_regime::ModeRuns;
-use crate::experiments::{Need, Outcome};
+use crate::experiments::{Context, Need, Outcome};
 use slipmode_core::number::format::round_digits;
 use slipmode_core::theory::{characteristic, linearisation, third_order};
 

@@ -7,8 +7,7 @@ use crate::claims::simulated_least_peak::{n7, n8};
 use crate::claims::simulated_onset::n6;
 use crate::claims::simulated_trends::{n3, n5, n10};
 use crate::claims::{Check, Evidence, Finding};
-use crate::experiments::Context;
-use crate::experiments::{Need, Outcome};
+use crate::experiments::{Context, Need, Outcome};
 use slipmode_core::number::format::round_digits;
 use slipmode_core::stability::SlipMode;
 

@@ -1,8 +1,7 @@
 //! The table of planted faults: how many wrong equations the claims notice, and which they do not.
 
 use crate::claims::{PlantedFaults, Survivor, plant_faults};
-use crate::experiments::Context;
-use crate::experiments::TableMaker;
+use crate::experiments::{Context, TableMaker};
 use slipmode_plot::table::{Cell, Table};
 
 pub(crate) const TABLES: &[TableMaker] =

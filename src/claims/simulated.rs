@@ -1,9 +1,8 @@
 //! The simulations as the N claims read them: complete grids, neighbours on them, and error estimates.
 
 use crate::claims::{Evidence, Finding};
-use crate::experiments::Context;
 use crate::experiments::simulations::SimulationsOutcome;
-use crate::experiments::{Outcome, SceneOutcome};
+use crate::experiments::{Context, Outcome, SceneOutcome};
 use slipmode_core::dynamics::{Behaviour, Simulation};
 use slipmode_core::friction::EvolutionLaw;
 use slipmode_core::number::format::round_digits;

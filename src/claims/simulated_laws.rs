@@ -2,11 +2,10 @@
 
 use crate::claims::simulated::{evidence, grids};
 use crate::claims::{Evidence, Finding};
-use crate::experiments::Context;
 use crate::experiments::near_transition::{
     CycleFamilyOutcome, Edge, NearRun, NearTransitionOutcome, place_on_transition,
 };
-use crate::experiments::{Outcome, SceneOutcome};
+use crate::experiments::{Context, Outcome, SceneOutcome};
 use slipmode_core::friction::EvolutionLaw;
 use slipmode_core::number::format::{rational_to_decimal, round_digits};
 use slipmode_core::number::{Rational, nearest_f64};

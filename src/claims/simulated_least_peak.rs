@@ -3,9 +3,8 @@
 use crate::claims::simulated::{Run, Runs, evidence, for_each_law, grids, outcome};
 use crate::claims::simulated_trends::{of, peaks, rises, share, total};
 use crate::claims::{Evidence, Finding};
-use crate::experiments::Context;
-use crate::experiments::Outcome;
 use crate::experiments::simulations::{FLATNESS_LEVELS, LeastPeak, SIDE_WIDTH};
+use crate::experiments::{Context, Outcome};
 use slipmode_core::friction::EvolutionLaw;
 use slipmode_core::number::format::round_digits;
 use slipmode_core::stability::SlipMode;

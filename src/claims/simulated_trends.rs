@@ -2,8 +2,7 @@
 
 use crate::claims::simulated::{Run, Runs, evidence, for_each_law, grids};
 use crate::claims::{Evidence, Finding};
-use crate::experiments::Context;
-use crate::experiments::Outcome;
+use crate::experiments::{Context, Outcome};
 use slipmode_core::number::format::round_digits;
 use slipmode_core::number::nearest_f64;
 use slipmode_core::stability::SlipMode;

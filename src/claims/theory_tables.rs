@@ -1,7 +1,6 @@
 //! Tables of the theory: the paper's equations as read, and the asymptotes' error series.
 
-use crate::experiments::Context;
-use crate::experiments::TableMaker;
+use crate::experiments::{Context, TableMaker};
 use slipmode_core::theory::asymptote_series;
 use slipmode_plot::table::{Cell, Column, Table};
 

@@ -3,9 +3,8 @@
 use std::collections::BTreeSet;
 
 use crate::claims::{Check, Evidence, Finding};
-use crate::experiments::Context;
 use crate::experiments::zones::ZonesOutcome;
-use crate::experiments::{Need, SceneOutcome};
+use crate::experiments::{Context, Need, SceneOutcome};
 use slipmode_core::number::format::{certain_digits, round_digits};
 use slipmode_core::stability::SlipMode;
 use slipmode_core::theory::{asymptote_series, criteria, frequency, inertial, quasi_static, transition};

@@ -1,11 +1,9 @@
 //! `slipmode boundary`: the exact boundary max Im(s) = 0 as CSV, along its arcs or at one velocity or normal stress.
 
-use std::io::Write;
 use std::path::PathBuf;
 
 use clap::Args;
-use slipmode::experiments::boundary::END_ERROR;
-use slipmode::experiments::boundary::{boundary_columns, boundary_row, vanishes};
+use slipmode::experiments::boundary::{END_ERROR, boundary_columns, boundary_row, vanishes};
 use slipmode::scene::{AllowedRange, Limits, Problem};
 use slipmode_core::friction::Slider;
 use slipmode_core::number::{Ball, Rational};
@@ -14,7 +12,7 @@ use slipmode_plot::table::Table;
 
 use crate::cli::failure::Failure;
 use crate::cli::options::{Arguments, MaterialOptions};
-use crate::cli::output::{Output, machine_write};
+use crate::cli::output::Output;
 use crate::cli::roots::MOST_DIGITS;
 use crate::cli::terminal;
 
@@ -72,12 +70,10 @@ struct Request {
 pub fn run(options: &Options) -> Result<(), Failure> {
     let mut arguments = Arguments::default();
     let request = Request::read(options, &mut arguments);
-    arguments.finish()?;
-    let Some(request) = request else { return Ok(()) };
-    let mut output = Output::create(&options.output)?;
+    let request = arguments.finish(request)?;
+    let output = Output::create(&options.output)?;
     let table = request.table();
-    output.write_all(table.to_csv().as_bytes()).map_err(|error| machine_write(&error))?;
-    output.commit()?;
+    output.finish(table.to_csv())?;
     if table.rows.is_empty() {
         terminal::message("the boundary has no point there");
     }

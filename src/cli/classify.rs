@@ -53,19 +53,16 @@ pub fn run(options: &Options, progress: &Progress) -> Result<(), Failure> {
     }
     if options.grid.is_given() {
         let request = options.grid.read(&options.slider, &mut arguments);
-        arguments.finish()?;
-        let (Some(request), Some(threshold)) = (request, threshold) else { return Ok(()) };
+        let (request, threshold) = arguments.finish(request.zip(threshold))?;
         return request.run(&threshold, options.json, *progress);
     }
     let Some(points) = &options.points else {
         let parameters = options.slider.parameters(&mut arguments);
-        arguments.finish()?;
-        let (Some(parameters), Some(threshold)) = (parameters, threshold) else { return Ok(()) };
+        let (parameters, threshold) = arguments.finish(parameters.zip(threshold))?;
         let view = PointView::new(&parameters, &threshold);
         return if options.json { terminal::print_json(&view.json()) } else { terminal::print(&view.text()) };
     };
     options.slider.refuse_beside_points(&mut arguments);
-    arguments.finish()?;
-    let Some(threshold) = threshold else { return Ok(()) };
+    let threshold = arguments.finish(threshold)?;
     points::run(points, &options.rows, ClassifyRows { threshold }, *progress)
 }

@@ -107,13 +107,13 @@ impl Options {
             let file = Problem::Needs("a file: standard output has the object".into());
             arguments.fault::<()>("--output", Some("-"), file);
         }
-        arguments.finish()?;
+        let tolerance = arguments.finish(tolerance)?;
         // Standard input has no folder: trajectories are looked for in the current one.
         let folder = self.runs.parent().filter(|folder| !folder.as_os_str().is_empty());
         Ok(CompareRows {
             folder: folder.unwrap_or(Path::new(".")).to_path_buf(),
             law,
-            tolerance: tolerance.map_or(0.0, |tolerance| nearest_f64(&tolerance)),
+            tolerance: nearest_f64(&tolerance),
             keeps_recordings: self.report.is_some(),
         })
     }

@@ -1,14 +1,12 @@
 //! `slipmode explore`: one page on which b, K and M of a scene's slider can be changed.
 
 use slipmode_core::friction::Slider;
-use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
 use slipmode::archive::sha256_hex;
 use slipmode::experiments::Scene;
-use slipmode::explorer::{Families, NamedPoint};
-use slipmode::explorer::{Window, explorer};
+use slipmode::explorer::{Families, NamedPoint, Window, explorer};
 use slipmode::report::{ExplorerPage, PAGE_BUDGET_BYTES, render_explorer};
 use slipmode::scene::{Limits, ParametersSection};
 use slipmode_core::number::{Rational, nearest_f64};
@@ -16,7 +14,7 @@ use slipmode_core::number::{Rational, nearest_f64};
 use crate::cli::failure::Failure;
 use crate::cli::input::read_small_file;
 use crate::cli::new::Ranges;
-use crate::cli::output::{Output, machine_write};
+use crate::cli::output::Output;
 use crate::cli::terminal;
 
 /// Options of `explore`.
@@ -44,7 +42,7 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     let parameters = scene.parameters.as_ref().ok_or_else(|| refused("has no [parameters] to explore"))?;
     let window = window(&scene, &parameters.slider).map_err(|why| refused(&why))?;
     let place = place(options.output.as_deref(), &scene.name);
-    let mut output = Output::create(&place)?;
+    let output = Output::create(&place)?;
     let (points, marks) = points(&scene, parameters, window);
     let families = Families::of(&parameters.slider, points, &scene.threshold());
     let file = options.scene.file_name().unwrap_or_default().to_string_lossy().into_owned();
@@ -64,8 +62,7 @@ pub fn run(options: &Options) -> Result<(), Failure> {
             html.len()
         )));
     }
-    output.write_all(html.as_bytes()).map_err(|error| machine_write(&error))?;
-    output.commit()?;
+    output.finish(html)?;
     if place.as_os_str() == "-" { Ok(()) } else { terminal::print(&format!("{}\n", place.display())) }
 }
 

@@ -8,8 +8,7 @@ use std::path::{Path, PathBuf};
 
 use slipmode::archive::{Files, sha256_hex};
 use slipmode::claims::known_ids;
-use slipmode::experiments::References;
-use slipmode::experiments::{Scene, check_distinct_scene_names};
+use slipmode::experiments::{References, Scene, check_distinct_scene_names};
 use slipmode::report::{Folder, InputView, formula_faults};
 use slipmode::scene::{Fault, Faults, Limits, Problem, ReportPlan, file_text, read_claims, read_equations};
 use slipmode_core::theory::PaperEquations;

@@ -2,7 +2,6 @@
 
 use std::collections::BTreeSet;
 use std::fs;
-use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
@@ -10,7 +9,7 @@ use slipmode::sweep::{Shard, Summary, array_string};
 
 use crate::cli::failure::Failure;
 use crate::cli::options::Arguments;
-use crate::cli::output::{Output, machine_write};
+use crate::cli::output::Output;
 use crate::cli::sweep::MOST_SHARDS;
 use crate::cli::sweep::block_file::{
     Content, Contents, Heading, OpenBlock, Origin, Unsound, block_name, block_of_name,
@@ -43,7 +42,7 @@ const MOST_FAULTS: usize = 20;
 pub fn run(options: &Options) -> Result<(), Failure> {
     let mut arguments = Arguments::default();
     let shards = arguments.whole("--shards", options.shards.as_deref(), 1..=MOST_SHARDS);
-    arguments.finish()?;
+    let shards = arguments.finish(Some(shards))?;
     let folder = Folder::read(&options.folder)?;
     let shards = shards.unwrap_or(folder.origin.blocks);
     if options.missing {
@@ -276,11 +275,9 @@ impl Whole {
             Self::Checked => Ok(()),
             Self::Rows(output) => output.commit(),
             Self::Summary(summary) => {
-                let SummaryOutput { mut output, whole, .. } = *summary;
+                let SummaryOutput { output, whole, .. } = *summary;
                 let whole = whole.ok_or_else(|| Failure::Refused("there are no blocks".into()))?;
-                let written = output.write_all(&whole.columns()).and(output.write_all(&whole.lines()));
-                written.map_err(|error| machine_write(&error))?;
-                output.commit()
+                output.finish([whole.columns(), whole.lines()].concat())
             }
         }
     }

@@ -139,7 +139,7 @@ const MOST_THREADS: u64 = 1024;
 fn start_threads(threads: Option<&str>) -> Result<(), Failure> {
     let mut arguments = Arguments::default();
     let threads = arguments.whole("--threads", threads, 1..=MOST_THREADS);
-    arguments.finish()?;
+    let threads = arguments.finish(Some(threads))?;
     let builder = rayon::ThreadPoolBuilder::new();
     let builder = match threads {
         Some(threads) => builder.num_threads(usize::try_from(threads).unwrap_or(1)),

@@ -10,7 +10,7 @@ use slipmode_core::number::Rational;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use slipmode::scene::{Fault, Limits, Problem, check_name};
+use slipmode::scene::{Limits, Problem, Quantity, check_name};
 
 use crate::cli::failure::Failure;
 use crate::cli::folder::{Source, read_report_from};
@@ -91,7 +91,7 @@ fn read(options: &Options) -> Result<(Typed, Slider<Rational>), Failure> {
     if let Err(error) = check_name(&options.name).and(check_name(&format!("{}.toml", options.name))) {
         arguments.fault::<()>("NAME", Some(&options.name), Problem::BadName(error));
     }
-    let given = MaterialOptions::QUANTITIES.map(|quantity| options.material.text(quantity));
+    let given = Quantity::OF_THE_SLIDER.map(|quantity| options.material.text(quantity));
     let is_example = given.iter().all(Option::is_none);
     let [a, b, d, k, m] = if is_example { PAPER.map(Some) } else { given };
     let own = |text: Option<&str>| text.map(str::to_string);
@@ -103,10 +103,9 @@ fn read(options: &Options) -> Result<(Typed, Slider<Rational>), Failure> {
         mass_per_area_kg_per_m2: own(m),
     };
     let parameters = material.slider(&mut arguments);
-    arguments.finish()?;
-    let missing = || Failure::Input(Vec::<Fault>::new());
+    let parameters = arguments.finish(parameters)?;
     let typed = Typed { name: options.name.clone(), material, is_example };
-    Ok((typed, parameters.ok_or_else(missing)?))
+    Ok((typed, parameters))
 }
 
 /// A folder's files, complete.

@@ -35,15 +35,6 @@ pub struct MaterialOptions {
 }
 
 impl MaterialOptions {
-    /// The quantities of the material and the machine, in the order of the command line.
-    pub const QUANTITIES: [Quantity; 5] = [
-        Quantity::DirectEffect,
-        Quantity::EvolutionEffect,
-        Quantity::CriticalSlipDistance,
-        Quantity::Stiffness,
-        Quantity::MassPerArea,
-    ];
-
     /// The text given for a quantity; none for those of a point of operation.
     pub fn text(&self, quantity: Quantity) -> Option<&str> {
         match quantity {
@@ -204,15 +195,15 @@ impl Arguments {
         self.number(option, text?, |text| parse_whole(text, &range))
     }
 
-    /// Ends the reading; prints the warnings when there is no fault.
+    /// Ends the reading with what was read; prints the warnings when there is no fault.
     ///
     /// # Errors
     /// All the faults, if there are any.
-    pub fn finish(self) -> Result<(), Failure> {
-        if !self.faults.is_empty() {
+    pub fn finish<T>(self, read: Option<T>) -> Result<T, Failure> {
+        let Some(read) = read.filter(|_| self.faults.is_empty()) else {
             return Err(Failure::Input(self.faults));
-        }
+        };
         self.warnings.iter().for_each(|warning| terminal::message(&format!("warning: {warning}")));
-        Ok(())
+        Ok(read)
     }
 }

@@ -72,6 +72,15 @@ impl Output {
         Ok(Self { target: Target::Spool(BufWriter::with_capacity(BUFFER_BYTES, file)) })
     }
 
+    /// Writes the whole content and puts the file in its place.
+    ///
+    /// # Errors
+    /// When the content cannot be written.
+    pub fn finish(mut self, content: impl AsRef<[u8]>) -> Result<(), Failure> {
+        self.write_all(content.as_ref()).map_err(|error| machine_write(&error))?;
+        self.commit()
+    }
+
     /// Puts the file in its place.
     ///
     /// # Errors

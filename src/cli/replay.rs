@@ -87,8 +87,7 @@ pub fn run(options: &Options, progress: &Progress) -> Result<(), Failure> {
 fn budget(factor: &str) -> Result<Budget, Failure> {
     let mut arguments = Arguments::default();
     let factor = arguments.number("--budget", factor, |text| AllowedRange::BUDGET.parse(text));
-    arguments.finish()?;
-    Ok(Budget::default().times(factor.map_or(1.0, |factor| nearest_f64(&factor))))
+    arguments.finish(factor.map(|factor| Budget::default().times(nearest_f64(&factor))))
 }
 
 fn other_build_text(other: &Facts, this: &Facts, archive: &Path) -> String {

@@ -34,8 +34,7 @@ impl LimitOption {
     pub fn limits(&self) -> Result<Limits, Failure> {
         let mut arguments = Arguments::default();
         let given = arguments.whole("--max-points", self.max_points.as_deref(), 2..=u64::MAX);
-        arguments.finish()?;
-        Ok(given.map_or_else(Limits::default, |max_points| Limits { max_points }))
+        arguments.finish(Some(given.map_or_else(Limits::default, |max_points| Limits { max_points })))
     }
 }
 

@@ -44,8 +44,8 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     let mut arguments = Arguments::default();
     let parameters = options.slider.parameters(&mut arguments);
     let digits = arguments.whole("--digits", Some(&options.digits), 1..=MOST_DIGITS);
-    arguments.finish()?;
-    let (Some(parameters), Some(Ok(digits))) = (parameters, digits.map(u32::try_from)) else { return Ok(()) };
+    let digits = digits.and_then(|digits| u32::try_from(digits).ok());
+    let (parameters, digits) = arguments.finish(parameters.zip(digits))?;
     let roots = print_roots(&parameters, digits);
     if options.json {
         return terminal::print_json(&roots.iter().map(PrintedRoot::json).collect());

@@ -81,8 +81,7 @@ pub fn run(options: &Options, progress: &Progress) -> Result<(), Failure> {
         return options.single(law, settings, arguments, *progress);
     };
     options.slider.refuse_beside_points(&mut arguments);
-    arguments.finish()?;
-    let Some(settings) = settings else { return Ok(()) };
+    let settings = arguments.finish(settings)?;
     points::run(points, &options.rows, SimulateRows { law, settings }, *progress)
 }
 
@@ -113,10 +112,7 @@ impl Options {
             let file = Problem::Needs("a file: standard output has the result".into());
             arguments.fault::<()>("--trajectory", Some(name), file);
         }
-        arguments.finish()?;
-        let (Some(parameters), Some(law), Some(settings)) = (parameters, law, settings) else {
-            return Ok(());
-        };
+        let ((parameters, law), settings) = arguments.finish(parameters.zip(law).zip(settings))?;
         // An output that cannot be written is reported before the work, not after it.
         let output = self.trajectory.as_deref().map(Output::create).transpose()?;
         for warning in range::outside_tested(&parameters) {

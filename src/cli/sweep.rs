@@ -83,8 +83,7 @@ pub fn run(options: &Options, progress: &Progress) -> Result<(), Failure> {
     let needs = "--plan or --slurm: a shard takes as long as it takes";
     arguments.refuse("--minutes", !computes_nothing && options.minutes.is_some(), needs);
     arguments.refuse("--out", options.plan && options.out.is_some(), "no --plan, which writes nothing");
-    arguments.finish()?;
-    let Some(shard) = shard else { return Ok(()) };
+    let shard = arguments.finish(shard)?;
     let loaded = load::load(&options.scene)?;
     match &options.out {
         Some(out) if options.slurm => {

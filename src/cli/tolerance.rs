@@ -1,9 +1,7 @@
 //! `slipmode tolerance`: which formula may be used where, for given relative errors.
 
 use clap::Args;
-use slipmode::experiments::tolerance::ToleranceSection;
-use slipmode::experiments::tolerance::place_of_limit;
-use slipmode::experiments::tolerance::{ToleranceRow, tolerance_limits};
+use slipmode::experiments::tolerance::{ToleranceRow, ToleranceSection, place_of_limit, tolerance_limits};
 use slipmode::scene::AllowedRange;
 use slipmode_core::friction::Slider;
 use slipmode_core::number::format::{certain_digits, rational_to_decimal};
@@ -44,8 +42,7 @@ pub fn run(options: &Options) -> Result<(), Failure> {
             arguments.number("--relative-error", text, |text| AllowedRange::OPEN_UNIT.parse(text))
         })
         .collect();
-    arguments.finish()?;
-    let Some(parameters) = parameters else { return Ok(()) };
+    let parameters = arguments.finish(parameters)?;
     let outcome = tolerance_limits(&parameters, &ToleranceSection { relative });
     let lines = outcome.rows.iter().map(|row| line(&parameters, row));
     let head = columns(["formula", "", "good to", "where", "limit"]);

@@ -3,11 +3,9 @@
 use std::collections::BTreeSet;
 
 use slipmode::archive::sha256_hex;
-use slipmode::experiments::References;
-use slipmode::experiments::Scene;
 use slipmode::experiments::hard_cases::{read_hard_cases, read_hard_returns};
-use slipmode::experiments::swept::SweptEntry;
-use slipmode::experiments::swept::{Swept, read_swept};
+use slipmode::experiments::swept::{Swept, SweptEntry, read_swept};
+use slipmode::experiments::{References, Scene};
 use slipmode::scene::{Measured, file_text, with_rows};
 
 use crate::cli::folder::Reader;

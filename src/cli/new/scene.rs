@@ -83,7 +83,7 @@ fn parameters(typed: &Typed) -> String {
     let line = |(quantity, meaning): (Quantity, &str)| {
         format!("{} = {}  # {meaning}\n", quantity.key(), toml_number(typed.text(quantity)))
     };
-    let lines: String = MaterialOptions::QUANTITIES.into_iter().zip(meaning).map(line).collect();
+    let lines: String = Quantity::OF_THE_SLIDER.into_iter().zip(meaning).map(line).collect();
     format!("{source}[parameters]\n{lines}")
 }
 

@@ -1,7 +1,6 @@
 //! `simulate --trajectory`: the run from its start as CSV, in SI.
 
 use std::fmt;
-use std::io::Write;
 
 use rug::Float;
 use slipmode_core::dynamics::{Control, Model, Radau, Sample, Simulation, trajectory};
@@ -10,7 +9,7 @@ use slipmode_core::number::format::{round_float, shortest};
 use slipmode_core::number::{Rational, nearest_f64};
 
 use crate::cli::failure::Failure;
-use crate::cli::output::{Output, machine_write};
+use crate::cli::output::Output;
 use crate::cli::simulate::run::Settings;
 
 /// The columns; the stress is counted from that of steady sliding at V0, which eq 1 gives up to μ0 only.
@@ -28,7 +27,7 @@ const GUARD_DIGITS: usize = 1;
 
 /// Integrates from the start again, as accurately as the finest run of the simulation, and writes every step.
 pub fn write(
-    mut output: Output,
+    output: Output,
     parameters: &Parameters<Rational>,
     law: EvolutionLaw,
     settings: Settings,
@@ -56,8 +55,7 @@ pub fn write(
             last = time_s;
         }
     }
-    output.write_all(text.as_bytes()).map_err(|error| machine_write(&error))?;
-    output.commit()
+    output.finish(text)
 }
 
 fn failed(reason: &dyn fmt::Display) -> Failure {

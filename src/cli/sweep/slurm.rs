@@ -1,11 +1,10 @@
 //! `sweep --slurm`: a job array and the merge after it, as shell scripts that say what they do.
 
 use std::fs;
-use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use crate::cli::failure::Failure;
-use crate::cli::output::{Output, machine_write};
+use crate::cli::output::Output;
 use crate::cli::sweep::create_folder;
 use crate::cli::sweep::load::{Loaded, Task};
 use crate::cli::sweep::plan::Plan;
@@ -46,9 +45,7 @@ impl Task for WriteScripts<'_> {
         let files =
             [("array.sh", scripts.array()), ("merge.sh", scripts.merge()), ("submit.sh", scripts.submit())];
         for (name, text) in files {
-            let mut output = Output::create(&self.out.join(name))?;
-            output.write_all(text.as_bytes()).map_err(|error| machine_write(&error))?;
-            output.commit()?;
+            Output::create(&self.out.join(name))?.finish(text)?;
         }
         let plural = if shards == 1 { "" } else { "s" };
         terminal::print(&format!("{shards} shard{plural}; submit with: sh {}/submit.sh\n", scripts.out))

@@ -1,7 +1,6 @@
 //! Blocks of a sweep with a summary: their rows are summed up as they are made, and not kept.
 
-use slipmode::sweep::SummarySection;
-use slipmode::sweep::{Blocks, RowPlaces, Summary, SummaryError};
+use slipmode::sweep::{Blocks, RowPlaces, Summary, SummaryError, SummarySection};
 
 use crate::cli::failure::Failure;
 use crate::cli::sweep::block_file::Content;
