@@ -62,12 +62,6 @@ impl<R: Scalar, const S: usize> Collocation<R, S> {
     }
 }
 
-impl<R: Scalar, const S: usize> Default for Collocation<R, S> {
-    fn default() -> Self {
-        Self::new()
-    }
-}
-
 struct Table {
     nodes: Vec<Float>,
     from_modes: Matrix,

@@ -3,7 +3,7 @@
 //! The precision of a result is the larger of its operands'.
 
 use std::cmp::Ordering;
-use std::ops::{Add, Div, Mul, Neg, Sub};
+use std::ops::Neg;
 
 use rug::Float;
 use rug::float::Round;
@@ -11,6 +11,7 @@ use rug::ops::{AddAssignRound, DivAssignRound, MulAssignRound, SubAssignRound};
 
 use super::ball::half_unit;
 use super::magnitude::{MAGNITUDE_BITS, Magnitude};
+use super::operators::implement_operators;
 use super::{Ball, Field, Real};
 
 impl Ball {
@@ -98,25 +99,8 @@ impl Ball {
     }
 }
 
-/// Implements an operator with the right side by value and by reference; the left side's memory is used again.
-macro_rules! implement_in_place {
-    ($($trait:ident :: $operator:ident => $method:ident),+ $(,)?) => {$(
-        impl $trait for Ball {
-            type Output = Ball;
-            fn $operator(self, other: Ball) -> Ball {
-                self.$method(&other)
-            }
-        }
-        impl<'r> $trait<&'r Ball> for Ball {
-            type Output = Ball;
-            fn $operator(self, other: &'r Ball) -> Ball {
-                self.$method(other)
-            }
-        }
-    )+};
-}
-
-implement_in_place!(Add::add => plus, Sub::sub => minus, Mul::mul => times, Div::div => over);
+// The left side's memory is used again.
+implement_operators!(Ball, Add::add => plus, Sub::sub => minus, Mul::mul => times, Div::div => over);
 
 impl Neg for Ball {
     type Output = Self;

@@ -1,20 +1,20 @@
 //! Spells out the by-value and by-reference operator traits of [`Field`](super::Field) from one method each.
 
-/// Implements `+`, `-`, `*` and `/` with the right side by value and by reference, from methods that take references.
+/// Implements `+`, `-`, `*` and `/` with the right side by value and by reference, from methods that take the right one by reference.
 macro_rules! implement_operators {
     ($number:ty, $($trait:ident :: $operator:ident => $method:ident),+ $(,)?) => {$(
         impl std::ops::$trait for $number {
             type Output = $number;
             #[inline(always)]
             fn $operator(self, other: $number) -> $number {
-                <$number>::$method(&self, &other)
+                self.$method(&other)
             }
         }
         impl<'r> std::ops::$trait<&'r $number> for $number {
             type Output = $number;
             #[inline(always)]
             fn $operator(self, other: &'r $number) -> $number {
-                <$number>::$method(&self, other)
+                self.$method(other)
             }
         }
     )+};

@@ -38,35 +38,12 @@ pub(super) const REQUIRED: [(&str, Option<&str>); 28] = [
 ];
 
 /// The variables that may occur, without primes.
-const VARIABLES: [&str; 27] = [
-    "a",
-    "b",
-    "D_c",
-    "K",
-    "M",
-    "sigma",
-    "V",
-    "V_0",
-    "theta",
-    "mu_0",
-    "mu",
-    "t",
-    "s",
-    "i",
-    "pm",
-    "delta",
-    "Delta_delta",
-    "Delta_theta",
-    "K_c",
-    "K_c_qs",
-    "K_c_dyn",
-    "sigma_c",
-    "V_c",
-    "theta_ss",
-    "mu_ss",
-    "omega_n",
-    "eta",
-];
+const VARIABLES: &str = "a b D_c K M sigma V V_0 theta mu_0 mu t s i pm delta Delta_delta Delta_theta \
+                         K_c K_c_qs K_c_dyn sigma_c V_c theta_ss mu_ss omega_n eta";
+
+fn is_variable(name: &str) -> bool {
+    VARIABLES.split(' ').any(|known| known == name)
+}
 
 /// The equations of a paper as text, as a file states them.
 #[derive(Debug, Clone)]
@@ -135,11 +112,11 @@ pub(super) fn read(file: EquationsText) -> Result<(Equations, Vec<String>), Equa
 /// The assumptions that every derivation makes must be among those of the file.
 fn assumption_faults(assumptions: &AssumptionsText) -> Vec<EquationFault> {
     let fault = |message| EquationFault { key: "assumptions.positive".to_owned(), message };
-    let known = |name: &&String| !VARIABLES.contains(&name.as_str());
+    let unknown = |name: &&String| !is_variable(name);
     let unknown = assumptions
         .positive
         .iter()
-        .filter(known)
+        .filter(unknown)
         .map(|name| format!("'{name}' is not a variable of the paper"));
     let needed = ["a", "b", "D_c", "K", "M", "sigma", "V", "V_0", "theta", "mu_0"];
     let absent = needed.iter().filter(|name| !assumptions.positive.iter().any(|known| known == *name));
@@ -182,7 +159,7 @@ fn read_side(text: &str, side: &str, positive: &[String]) -> Result<Expression, 
     let text = text.trim();
     let expression =
         definedness::read(text, positive).map_err(|error| format!("{side} side '{text}', {error}"))?;
-    match expression.variables().iter().find(|name| !VARIABLES.contains(&name.base())) {
+    match expression.variables().iter().find(|name| !is_variable(name.base())) {
         Some(name) => Err(format!("{side} side: '{name}' is not a variable of the paper")),
         None => Ok(expression),
     }
