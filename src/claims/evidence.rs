@@ -4,30 +4,19 @@ use serde::{Deserialize, Serialize};
 
 use slipmode_core::polynomial::Proof;
 
-/// How sure a finding is; a finding is as sure as its weakest evidence.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Strength {
-    /// Decided over the rationals.
-    Exact,
-    /// Enclosed with outward rounding.
-    Certified,
-    /// Refined, with an error estimate.
-    Converged,
-    /// Looked at on finitely many points.
-    Sampled,
-}
-
-impl Strength {
-    /// The word used in `ledger.json` and on pages.
-    #[must_use]
-    pub fn as_str(self) -> &'static str {
-        match self {
-            Strength::Exact => "exact",
-            Strength::Certified => "certified",
-            Strength::Converged => "converged",
-            Strength::Sampled => "sampled",
-        }
+slipmode_core::named! {
+    /// How sure a finding is; a finding is as sure as its weakest evidence.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+    #[serde(rename_all = "kebab-case")]
+    pub enum Strength {
+        /// Decided over the rationals.
+        Exact = "exact",
+        /// Enclosed with outward rounding.
+        Certified = "certified",
+        /// Refined, with an error estimate.
+        Converged = "converged",
+        /// Looked at on finitely many points.
+        Sampled = "sampled",
     }
 }
 

@@ -63,66 +63,38 @@ impl Observable {
     }
 }
 
-/// Where a run's value comes from.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Origin {
-    /// A column of the runs file.
-    Column,
-    /// Its trajectory.
-    Trajectory,
-}
-
-impl Origin {
-    /// `column` or `trajectory`.
-    #[must_use]
-    pub const fn as_str(self) -> &'static str {
-        match self {
-            Self::Column => "column",
-            Self::Trajectory => "trajectory",
-        }
+slipmode_core::named! {
+    /// Where a run's value comes from.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+    pub enum Origin {
+        /// A column of the runs file.
+        Column = "column",
+        /// Its trajectory.
+        Trajectory = "trajectory",
     }
 }
 
-/// What a run is compared with.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Reference {
-    /// The linear theory.
-    Theory,
-    /// Our simulation.
-    Simulation,
-}
-
-impl Reference {
-    /// `theory` or `simulation`.
-    #[must_use]
-    pub const fn as_str(self) -> &'static str {
-        match self {
-            Self::Theory => "theory",
-            Self::Simulation => "simulation",
-        }
+slipmode_core::named! {
+    /// What a run is compared with.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+    pub enum Reference {
+        /// The linear theory.
+        Theory = "theory",
+        /// Our simulation.
+        Simulation = "simulation",
     }
 }
 
-/// A verdict on one quantity or on a run.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Agreement {
-    /// Within the tolerance and both errors.
-    Agrees,
-    /// Beyond them.
-    Differs,
-    /// Nothing follows, for a reason that is given.
-    NotCompared,
-}
-
-impl Agreement {
-    /// `agrees`, `differs` or `not-compared`.
-    #[must_use]
-    pub const fn as_str(self) -> &'static str {
-        match self {
-            Self::Agrees => "agrees",
-            Self::Differs => "differs",
-            Self::NotCompared => "not-compared",
-        }
+slipmode_core::named! {
+    /// A verdict on one quantity or on a run.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+    pub enum Agreement {
+        /// Within the tolerance and both errors.
+        Agrees = "agrees",
+        /// Beyond them.
+        Differs = "differs",
+        /// Nothing follows, for a reason that is given.
+        NotCompared = "not-compared",
     }
 }
 

@@ -3,31 +3,20 @@
 use crate::scene::Problem;
 use crate::scene::section::Entry;
 
-/// What the chapters of a part are about.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Part {
-    /// Whether the formulas and the program are right: decided exactly.
-    CodeVerification,
-    /// How large the numerical error of the report's own runs is.
-    SolutionVerification,
-    /// What the paper says, compared with computation.
-    Validation,
+slipmode_core::named! {
+    /// What the chapters of a part are about.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+    pub enum Part {
+        /// Whether the formulas and the program are right: decided exactly.
+        CodeVerification = "code-verification",
+        /// How large the numerical error of the report's own runs is.
+        SolutionVerification = "solution-verification",
+        /// What the paper says, compared with computation.
+        Validation = "validation",
+    }
 }
 
 impl Part {
-    /// All parts.
-    pub const ALL: [Self; 3] = [Self::CodeVerification, Self::SolutionVerification, Self::Validation];
-
-    /// The word for it in `report.toml`, and its deep link.
-    #[must_use]
-    pub fn as_str(self) -> &'static str {
-        match self {
-            Self::CodeVerification => "code-verification",
-            Self::SolutionVerification => "solution-verification",
-            Self::Validation => "validation",
-        }
-    }
-
     /// Reads the part of a chapter after those of the `earlier` chapters: the chapters of a part follow one another.
     pub(crate) fn read(entry: &Entry<'_>, earlier: &[Option<Self>]) -> Option<Self> {
         let part = entry.word(&Self::ALL, Self::as_str)?;

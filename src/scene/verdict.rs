@@ -2,35 +2,23 @@
 
 use serde::{Deserialize, Serialize};
 
-/// What the program concludes about a claim.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Verdict {
-    /// True as stated.
-    Holds,
-    /// True inside a limit that the finding quantifies.
-    HoldsWithin,
-    /// Refuted: the finding names a counter-example.
-    Fails,
-    /// This report has no evidence that decides the claim.
-    NotChecked,
+slipmode_core::named! {
+    /// What the program concludes about a claim.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+    #[serde(rename_all = "kebab-case")]
+    pub enum Verdict {
+        /// True as stated.
+        Holds = "holds",
+        /// True inside a limit that the finding quantifies.
+        HoldsWithin = "holds-within",
+        /// Refuted: the finding names a counter-example.
+        Fails = "fails",
+        /// This report has no evidence that decides the claim.
+        NotChecked = "not-checked",
+    }
 }
 
 impl Verdict {
-    /// All four, in the order in which pages count them.
-    pub const ALL: [Self; 4] = [Self::Holds, Self::HoldsWithin, Self::Fails, Self::NotChecked];
-
-    /// The word used in `claims.toml` and `ledger.json`, and the class name on pages.
-    #[must_use]
-    pub fn as_str(self) -> &'static str {
-        match self {
-            Self::Holds => "holds",
-            Self::HoldsWithin => "holds-within",
-            Self::Fails => "fails",
-            Self::NotChecked => "not-checked",
-        }
-    }
-
     /// The verdict in plain words.
     #[must_use]
     pub fn word(self) -> &'static str {

@@ -111,7 +111,7 @@ pub fn read_hard_returns(file: &str, text: &str) -> Result<Vec<HardReturn>, Faul
                 fault(line, COLUMNS[column], Some(cells[column]), Problem::NotANumber { reason, allowed })
             })
         };
-        let law = EvolutionLaw::ALL.into_iter().find(|law| law.as_str() == cells[1]);
+        let law = EvolutionLaw::from_word(cells[1]);
         let unknown = || {
             let problem = Problem::UnknownWord { nearest: None, allowed: "aging, slip".into() };
             fault(line, COLUMNS[1], Some(cells[1]), problem)

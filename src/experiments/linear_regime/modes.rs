@@ -17,23 +17,14 @@ pub(crate) const BITS: u32 = 160;
 /// Digits of the roots, for the same reason.
 pub(crate) const ROOT_DIGITS: u32 = 40;
 
-/// Which of the two real directions of a mode a run starts along; a real root has only the first.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Direction {
-    /// The real part of the right eigenvector.
-    RealPart,
-    /// Its imaginary part.
-    ImaginaryPart,
-}
-
-impl Direction {
-    /// The word for tables: `real` or `imaginary`.
-    #[must_use]
-    pub const fn as_str(self) -> &'static str {
-        match self {
-            Self::RealPart => "real",
-            Self::ImaginaryPart => "imaginary",
-        }
+slipmode_core::named! {
+    /// Which of the two real directions of a mode a run starts along; a real root has only the first.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+    pub enum Direction {
+        /// The real part of the right eigenvector.
+        RealPart = "real",
+        /// Its imaginary part.
+        ImaginaryPart = "imaginary",
     }
 }
 

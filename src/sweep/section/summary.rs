@@ -35,32 +35,18 @@ pub struct ColumnStatistics {
     pub statistics: Vec<Statistic>,
 }
 
-/// What is kept of the numbers of a column.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Statistic {
-    /// How many cells hold a finite number.
-    Count,
-    /// The least.
-    Least,
-    /// The greatest.
-    Greatest,
-    /// The sum, in the order of points within blocks and of blocks.
-    Sum,
-}
-
-impl Statistic {
-    /// Every statistic.
-    pub const ALL: [Self; 4] = [Self::Count, Self::Least, Self::Greatest, Self::Sum];
-
-    /// The word of scenes, and the end of a column's name.
-    #[must_use]
-    pub const fn as_str(self) -> &'static str {
-        match self {
-            Self::Count => "count",
-            Self::Least => "least",
-            Self::Greatest => "greatest",
-            Self::Sum => "sum",
-        }
+slipmode_core::named! {
+    /// What is kept of the numbers of a column.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+    pub enum Statistic {
+        /// How many cells hold a finite number.
+        Count = "count",
+        /// The least.
+        Least = "least",
+        /// The greatest.
+        Greatest = "greatest",
+        /// The sum, in the order of points within blocks and of blocks.
+        Sum = "sum",
     }
 }
 
