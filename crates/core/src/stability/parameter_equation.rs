@@ -18,7 +18,7 @@ use crate::number::Ball;
 use crate::polynomial::{enclose_root, horner};
 use crate::stability::cusp::cusp;
 use crate::stability::parameter_coefficients::Given;
-use crate::stability::parameter_quick::{positive_range, quick_root};
+use crate::stability::parameter_quick::quick_roots;
 use crate::stability::{Arc, ArcFrame, Asymptote};
 
 /// An equation for λ on one arc.
@@ -85,26 +85,7 @@ impl ParameterEquation {
             return Some(Vec::new());
         }
         let coefficients = self.given.coefficients(self.arc, frame, frame.root_ratio.precision_bits());
-        let rounded: Vec<f64> = coefficients.iter().map(Ball::to_f64).collect();
-        let (low, high) = positive_range(&rounded)?;
-        if self.arc == Arc::Upper {
-            return quick_root(&coefficients, (low, high), bits).map(|root| vec![root]);
-        }
-        match horner(coefficients.clone(), cusp).sign()? {
-            Ordering::Less => {}
-            // The cusp itself, where both are exact: left to the general way.
-            Ordering::Equal => return None,
-            Ordering::Greater => return Some(Vec::new()),
-        }
-        let middle = cusp.to_f64();
-        let mut roots = Vec::with_capacity(2);
-        if self.quasi_static_branch_has_solution() {
-            let above = quick_root(&coefficients, (middle, high), bits)?;
-            roots.push((above.lower() > cusp.upper()).then_some(above)?);
-        }
-        let below = quick_root(&coefficients, (low, middle), bits)?;
-        roots.push((below.upper() < cusp.lower()).then_some(below)?);
-        Some(roots)
+        quick_roots(self.arc, &coefficients, self.quasi_static_branch_has_solution(), cusp.to_f64(), bits)
     }
 
     /// Eq 15 bounds the upper arc: κ < (√β − 1)², that is 1 + β − κ > 2√β; any velocity occurs.

@@ -7,12 +7,8 @@ use std::cmp::Ordering;
 
 use crate::number::{Ball, Field};
 use crate::stability::parameter_coefficients::StiffnessEquation;
-use crate::stability::parameter_quick::{certified_root, positive_range, root_in_f64};
+use crate::stability::parameter_quick::{order, quick_roots};
 use crate::stability::{Arc, ArcFrame};
-
-/// How far, relative to the terms compared, two 64-bit numbers must lie apart for their order to be certain here: the
-/// roundings before it are some dozens, each of 1.1e-16.
-const MARGIN: f64 = 1e-12;
 
 /// The equation of one arc with what its roots are told apart by.
 #[derive(Debug, Clone)]
@@ -44,36 +40,6 @@ impl StiffnessSection {
             return Some(Vec::new());
         }
         let coefficients = self.equation.coefficients(stiffness_group);
-        let rounded: Vec<f64> = coefficients.iter().map(Ball::to_f64).collect();
-        let (low, high) = positive_range(&rounded)?;
-        let root = |lower, upper| certified_root(&coefficients, root_in_f64(&rounded, lower, upper)?, bits);
-        if self.arc == Arc::Upper {
-            return Some(vec![root(low, high)?]);
-        }
-        let cusp = self.cusp_parameter;
-        if certain_sign(&rounded, cusp)? == Ordering::Greater {
-            return Some(Vec::new());
-        }
-        let mut roots = Vec::with_capacity(2);
-        if from_end == Ordering::Less {
-            let above = root(cusp, high)?;
-            (order(above.to_f64(), cusp)? == Ordering::Greater).then(|| roots.push(above))?;
-        }
-        let below = root(low, cusp)?;
-        (order(below.to_f64(), cusp)? == Ordering::Less).then(|| roots.push(below))?;
-        Some(roots)
+        quick_roots(self.arc, &coefficients, from_end == Ordering::Less, self.cusp_parameter, bits)
     }
-}
-
-/// Which of two positive numbers is larger, when that is clear.
-fn order(one: f64, other: f64) -> Option<Ordering> {
-    // Written so that what is not a number has no order.
-    ((one - other).abs() > MARGIN * (one + other)).then(|| one.total_cmp(&other))
-}
-
-/// The sign of the polynomial at x > 0, when it is beyond the rounding of its terms.
-fn certain_sign(coefficients: &[f64], x: f64) -> Option<Ordering> {
-    let terms = |(value, size): (f64, f64), c: &f64| (value * x + c, size * x + c.abs());
-    let (value, size) = coefficients.iter().rev().fold((0.0, 0.0), terms);
-    (value.abs() > MARGIN * size).then(|| value.total_cmp(&0.0))
 }
