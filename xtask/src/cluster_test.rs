@@ -85,6 +85,7 @@ fn rehearse(cluster: &mut Cluster, place: &Path) -> Result<(), Failure> {
     let began = Instant::now();
     let scene = place.join("scene.toml");
     fs::write(&scene, SCENE).map_err(|error| Failure::bad_input(format!("{}: {error}", scene.display())))?;
+    let text = |path: &Path| path.display().to_string();
     let (scene, out, alone) = (text(&scene), text(&place.join("blocks")), text(&place.join("alone")));
     let shards = SHARDS.to_string();
     slipmode(&["sweep", &scene, "--slurm", "--shards", &shards, "--out", &out])?;
@@ -146,10 +147,6 @@ fn slipmode(arguments: &[&str]) -> Result<String, Failure> {
 fn digest(file: &str) -> Result<String, Failure> {
     let line = process::output(Command::new("sha256sum").arg(file))?;
     Ok(line.split_whitespace().next().unwrap_or_default().to_string())
-}
-
-fn text(path: &Path) -> String {
-    path.to_string_lossy().into_owned()
 }
 
 /// Asks again and again until there is an answer.

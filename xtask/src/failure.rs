@@ -19,4 +19,9 @@ impl Failure {
     pub fn bad_input(message: impl Into<String>) -> Self {
         Self { code: 2, message: message.into() }
     }
+
+    /// Success when an exit code is 0; otherwise a failure with the same code.
+    pub fn of_exit(code: u8, what: &str) -> Result<(), Self> {
+        if code == 0 { Ok(()) } else { Err(Self { code, message: format!("{what} exited with {code}") }) }
+    }
 }

@@ -23,10 +23,7 @@ pub fn run() -> Result<(), Failure> {
         }
         worst = worst.max(code);
     }
-    if worst == 0 {
-        return Ok(());
-    }
-    Err(Failure { code: worst, message: format!("verify exited with {worst} for {}", unverified.join(", ")) })
+    Failure::of_exit(worst, &format!("verify of {}", unverified.join(", ")))
 }
 
 /// Builds the release binary as the lock file says.
