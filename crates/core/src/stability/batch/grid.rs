@@ -27,7 +27,7 @@ const ROW_BITS: u32 = 192;
 /// let kernel = GridKernel::new(&slider, &InertialThreshold::default(), &[1e3, 1e5, 1e7]).unwrap();
 /// let mut row = [GridCell::new(SignPair::new(0, 0), SlipMode::StickSlip); 3];
 /// kernel.classify_row(1e-5, &mut row).unwrap();
-/// assert_eq!(row.map(|cell| cell.signs().transition_sign()), [1, 1, -1]);
+/// assert_eq!(row.map(|cell| cell.signs().transition_sign()), [1, -1, -1]);
 /// ```
 #[derive(Debug, Clone)]
 pub struct GridKernel {
