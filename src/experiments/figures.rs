@@ -19,13 +19,13 @@ pub struct Figure {
 }
 
 impl Figure {
-    /// The figure of a drawing with this caption.
-    pub(crate) fn new(caption: Caption, label: &str, caption_markdown: &str, svg: String) -> Self {
+    /// A drawing with its caption.
+    pub(crate) fn new(caption: &Caption, label: &str, caption_markdown: &str, svg: String) -> Self {
         Self {
-            id: caption.id,
+            id: caption.id.clone(),
             label: label.into(),
             caption_markdown: caption_markdown.into(),
-            description: caption.description,
+            description: caption.description.clone(),
             svg,
         }
     }
@@ -42,4 +42,16 @@ pub struct FigureMaker {
     pub data: &'static [&'static str],
     /// Draws it; `None` when the scenes do not hold what it shows.
     pub make: fn(&Outcome) -> Option<Figure>,
+}
+
+impl FigureMaker {
+    /// How the figure with this id is made.
+    pub(crate) const fn new(
+        id: &'static str,
+        needs: &'static [Need],
+        data: &'static [&'static str],
+        make: fn(&Outcome) -> Option<Figure>,
+    ) -> Self {
+        Self { id, needs, data, make }
+    }
 }

@@ -126,15 +126,8 @@ fn figure(id: &str, label: &str, caption: &str) -> FigureView {
         caption: Caption::new(id, caption, "A straight line."),
         x: Axis::log10("Loading velocity *V*_0", "m/s", 1e-6, 1e-2),
         y: Axis::log10("max Im(*s*)", "1/s", 1e-2, 1e3),
-        series: vec![Series {
-            label: "eq. 23".into(),
-            points: vec![(1e-6, 0.1), (1e-2, 1e3)],
-            marked: false,
-            theory: true,
-        }],
+        series: vec![Series::of_theory("eq. 23", vec![(1e-6, 0.1), (1e-2, 1e3)])],
         references: Vec::new(),
-        bands: Vec::new(),
-        labels: Vec::new(),
     };
     FigureView {
         id: id.into(),

@@ -6,7 +6,7 @@ use slipmode::report::FigureView;
 use slipmode_core::dynamics::{Behaviour, Control, Model, Radau, trajectory};
 use slipmode_core::number::format::round_digits;
 use slipmode_core::number::nearest_f64;
-use slipmode_plot::figure::{Axis, Band, Caption, LineChart, Series};
+use slipmode_plot::figure::{Axis, Caption, LineChart, Reference as Across, Series};
 
 use crate::cli::compare::rows::ComparedRow;
 use crate::cli::simulate::run::Settings;
@@ -49,9 +49,7 @@ fn differences(rows: &[ComparedRow]) -> Option<FigureView> {
         x: Axis::linear("Row", "", first(rows) - 0.5, last(rows) + 0.5),
         y: Axis::signed_log10("Difference / allowed difference", "", SMALLEST, -end, end),
         series,
-        references: Vec::new(),
-        bands: vec![Band { across: true, from: -1.0, to: 1.0, label: "agreement".into() }],
-        labels: Vec::new(),
+        references: vec![Across::Band { from: -1.0, to: 1.0, label: "agreement".into() }],
     };
     Some(FigureView {
         id: "differences".into(),
@@ -80,7 +78,7 @@ fn series(rows: &[ComparedRow], of: Observable) -> Series {
             }
         }
     }
-    Series { label: of.words().into(), points, marked: true, theory: false }
+    Series::marked(of.words(), points)
 }
 
 fn first(rows: &[ComparedRow]) -> f64 {
@@ -113,8 +111,6 @@ fn long_term_cycles(row: &ComparedRow) -> Option<FigureView> {
         y: Axis::log10("Velocity", "m/s", libm::exp10(low), libm::exp10(high.max(low + 1.0))),
         series: vec![line("simulation", ours), line("run", theirs)],
         references: Vec::new(),
-        bands: Vec::new(),
-        labels: Vec::new(),
     };
     let periods = round_digits(PERIODS, 2);
     Some(FigureView {
@@ -131,7 +127,7 @@ fn long_term_cycles(row: &ComparedRow) -> Option<FigureView> {
 }
 
 fn line(label: &str, points: Vec<(f64, f64)>) -> Series {
-    Series { label: label.into(), points, marked: false, theory: false }
+    Series::line(label, points)
 }
 
 /// Time since the last upward crossing but one, s, and velocity, m/s; none without two crossings.

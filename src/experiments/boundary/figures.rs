@@ -7,21 +7,20 @@ use slipmode_core::stability::boundary::ErrorPair;
 use slipmode_core::stability::{ArcFrame, Asymptote};
 use slipmode_plot::figure::{Axis, Caption, LineChart, Reference, Series};
 
-pub(crate) const FIGURES: &[FigureMaker] = &[FigureMaker {
-    id: "deviation",
-    needs: &[Need::Boundary],
-    data: &["boundary"],
-    make: |outcome| along_arcs(outcome.potentially_unstable()?),
-}];
+pub(crate) const FIGURES: &[FigureMaker] =
+    &[FigureMaker::new("deviation", &[Need::Boundary], &["boundary"], |outcome| {
+        along_arcs(outcome.potentially_unstable()?)
+    })];
 
 const ALONG: &str = "Signed relative error of each of the four asymptotes along the exact boundary, against the inertial parameter. Errors of eqs 15 and 16 fall in proportion to the inertial parameter towards low velocity; those of eqs 18 and 20 fall towards the other end of their arcs.";
+const CAPTION: &str = "Signed relative error of each asymptote along its arc, for a < b: error of σ at the same velocity for eqs 15 and 16, error of V0 at the same normal stress for eqs 18 and 20. The lower arc turns back at the cusp.";
 
 fn along_arcs(scene: &SceneOutcome) -> Option<Figure> {
     let outcome = scene.boundary.as_ref()?;
     let beta = scene.slider()?.effect_ratio();
     let caption = Caption::new("deviation", "Relative error of the asymptotes along the boundary", ALONG);
     let chart = LineChart {
-        caption: caption.clone(),
+        caption,
         x: Axis::log10("Inertial parameter *η* on the boundary", "", 1e-6, 1e6),
         y: Axis::signed_log10("exact/asymptote − 1", "", 1e-4, -1.0, 10.0),
         series: Asymptote::ALL.into_iter().map(|asymptote| error_series(outcome, &beta, asymptote)).collect(),
@@ -29,15 +28,8 @@ fn along_arcs(scene: &SceneOutcome) -> Option<Figure> {
             Reference::Horizontal { at: 0.01, label: "1 %".into() },
             Reference::Horizontal { at: -0.01, label: "−1 %".into() },
         ],
-        bands: Vec::new(),
-        labels: Vec::new(),
     };
-    Some(Figure::new(
-        caption,
-        "Figure A1",
-        "Signed relative error of each asymptote along its arc, for a < b: error of σ at the same velocity for eqs 15 and 16, error of V0 at the same normal stress for eqs 18 and 20. The lower arc turns back at the cusp.",
-        chart.svg(),
-    ))
+    Some(Figure::new(&chart.caption, "Figure A1", CAPTION, chart.svg()))
 }
 
 fn error_series(outcome: &BoundaryOutcome, beta: &Rational, asymptote: Asymptote) -> Series {
@@ -52,7 +44,7 @@ fn error_series(outcome: &BoundaryOutcome, beta: &Rational, asymptote: Asymptote
             (point.groups.inertial_parameter.to_f64(), error.to_f64())
         })
         .collect();
-    Series { label: equation_label(asymptote), points, marked: false, theory: false }
+    Series::line(equation_label(asymptote), points)
 }
 
 /// `eq 15` and so on.

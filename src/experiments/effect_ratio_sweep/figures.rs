@@ -6,30 +6,30 @@ use slipmode_core::number::Ball;
 use slipmode_core::number::nearest_f64;
 use slipmode_plot::figure::{Axis, Caption, LineChart, Reference, Series};
 
-pub(crate) const FIGURES: &[FigureMaker] = &[FigureMaker {
-    id: "corners",
-    needs: &[Need::EffectRatioSweep],
-    data: &["corners"],
-    make: |outcome| worst_errors(outcome.scenes.iter().find_map(|scene| scene.effect_ratio_sweep.as_ref())?),
-}];
+pub(crate) const FIGURES: &[FigureMaker] =
+    &[FigureMaker::new("corners", &[Need::EffectRatioSweep], &["corners"], |outcome| {
+        worst_errors(outcome.scenes.iter().find_map(|scene| scene.effect_ratio_sweep.as_ref())?)
+    })];
 
 const WORST: &str = "Largest error of the asymptotes against the ratio of evolution to direct effect: the largest distance in log10 between the exact boundary and the nearer asymptote, for the upper and the lower arc.";
+const CAPTION: &str =
+    "Largest error of the asymptotes, which depends only on b/a. Every point is an enclosure.";
 
 fn worst_errors(sweep: &SweepOutcome) -> Option<Figure> {
     let (first, last) = (sweep.rows.first()?, sweep.rows.last()?);
     let caption = Caption::new("corners", "Largest error of the asymptotes against b/a", WORST);
-    let line = |label: &str, value: &dyn Fn(&SweepRow) -> Option<&Ball>| Series {
-        label: label.into(),
-        points: sweep
-            .rows
-            .iter()
-            .map(|row| (nearest_f64(&row.effect_ratio), value(row).map_or(f64::NAN, Ball::to_f64)))
-            .collect(),
-        marked: false,
-        theory: false,
+    let line = |label: &str, value: &dyn Fn(&SweepRow) -> Option<&Ball>| {
+        Series::line(
+            label,
+            sweep
+                .rows
+                .iter()
+                .map(|row| (nearest_f64(&row.effect_ratio), value(row).map_or(f64::NAN, Ball::to_f64)))
+                .collect(),
+        )
     };
     let chart = LineChart {
-        caption: caption.clone(),
+        caption,
         x: Axis::log10(
             "*β* = *b*/*a*",
             "",
@@ -42,13 +42,6 @@ fn worst_errors(sweep: &SweepOutcome) -> Option<Figure> {
             line("lower arc (eqs 16 and 20)", &|row| Some(&row.errors.lower_worst_log10)),
         ],
         references: vec![Reference::Vertical { at: 1.0, label: "*a* = *b*".into() }],
-        bands: Vec::new(),
-        labels: Vec::new(),
     };
-    Some(Figure::new(
-        caption,
-        "Figure A2",
-        "Largest error of the asymptotes, which depends only on b/a. Every point is an enclosure.",
-        chart.svg(),
-    ))
+    Some(Figure::new(&chart.caption, "Figure A2", CAPTION, chart.svg()))
 }

@@ -8,14 +8,13 @@ use slipmode_core::number::format::rational_to_decimal;
 use slipmode_core::number::{Ball, Rational, nearest_f64};
 use slipmode_plot::figure::{Axis, Caption, LineChart, Reference, Series};
 
-pub(crate) const FIGURES: &[FigureMaker] = &[FigureMaker {
-    id: "fig-2",
-    needs: &[Need::Frequency],
-    data: &["frequency"],
-    make: |outcome| frequency_lines(outcome.potentially_unstable()?),
-}];
+pub(crate) const FIGURES: &[FigureMaker] =
+    &[FigureMaker::new("fig-2", &[Need::Frequency], &["frequency"], |outcome| {
+        frequency_lines(outcome.potentially_unstable()?)
+    })];
 
 const DESCRIPTION: &str = "Largest imaginary part against loading velocity at constant normal stresses, on logarithmic axes. At the critical normal stress it follows eq 23 at low velocity and approaches the natural frequency at high velocity. The frequency is zero in the gaps of a line.";
+const CAPTION: &str = "Largest imaginary part along lines of constant normal stress (compare fig 2 of the paper), with eq 23 and the natural angular frequency. In the gaps of a line all roots are real.";
 
 fn frequency_lines(scene: &SceneOutcome) -> Option<Figure> {
     let (parameters, outcome) = (scene.slider()?, scene.frequency.as_ref()?);
@@ -30,16 +29,8 @@ fn frequency_lines(scene: &SceneOutcome) -> Option<Figure> {
         y: Axis::log10("max Im(*s*)", "1/s", natural * 1e-4, natural * 3.0),
         series,
         references: vec![Reference::Horizontal { at: natural, label: "*ω*_n = √(*K*/*M*)".into() }],
-        bands: Vec::new(),
-        labels: Vec::new(),
     };
-    Some(Figure {
-        id: "fig-2".into(),
-        label: "Figure 2".into(),
-        caption_markdown: "Largest imaginary part along lines of constant normal stress (compare fig 2 of the paper), with eq 23 and the natural angular frequency. In the gaps of a line all roots are real.".into(),
-        description: DESCRIPTION.into(),
-        svg: chart.svg(),
-    })
+    Some(Figure::new(&chart.caption, "Figure 2", CAPTION, chart.svg()))
 }
 
 fn line_series(outcome: &FrequencyOutcome, line: &FrequencyLine) -> Series {
@@ -51,7 +42,7 @@ fn line_series(outcome: &FrequencyOutcome, line: &FrequencyLine) -> Series {
         .zip(&line.max_imaginary_per_s)
         .map(|(velocity, imaginary)| (*velocity, imaginary.to_f64().unwrap_or(0.0)))
         .collect();
-    Series { label: format!("*σ* = {label} *σ*_c"), points, marked: false, theory: false }
+    Series::line(format!("*σ* = {label} *σ*_c"), points)
 }
 
 /// Eq 23, drawn up to three times the natural frequency.
@@ -59,10 +50,5 @@ fn crossing_series(parameters: &Slider<Rational>, natural: f64, first: f64, last
     let enclosed = parameters.map(|value| Ball::from_rational(value, 128));
     let per_metre = enclosed.transition_angular_frequency_over_velocity_per_m().to_f64();
     let end = last.min(natural * 3.0 / per_metre);
-    Series {
-        label: "eq 23".into(),
-        points: vec![(first, first * per_metre), (end, end * per_metre)],
-        marked: false,
-        theory: true,
-    }
+    Series::of_theory("eq 23", vec![(first, first * per_metre), (end, end * per_metre)])
 }

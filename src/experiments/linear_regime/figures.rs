@@ -6,18 +6,19 @@ use crate::experiments::{Need, Outcome, SceneOutcome};
 use slipmode_core::friction::EvolutionLaw;
 use slipmode_plot::figure::{Axis, Caption, LineChart, Reference, Series};
 
-pub(crate) const FIGURES: &[FigureMaker] = &[FigureMaker {
-    id: "small-disturbances",
-    needs: &[Need::LinearRegime],
-    data: &["linear-regime", "linear-regime-extremes"],
-    make: mismatch_chart,
-}];
+pub(crate) const FIGURES: &[FigureMaker] = &[FigureMaker::new(
+    "small-disturbances",
+    &[Need::LinearRegime],
+    &["linear-regime", "linear-regime-extremes"],
+    mismatch_chart,
+)];
 
 pub(crate) fn runs_of(scene: &SceneOutcome) -> impl Iterator<Item = &ModeRuns> {
     scene.linear_regime.iter().flat_map(|outcome| &outcome.runs).filter_map(|run| run.as_ref().ok())
 }
 
 const DESCRIPTION: &str = "Relative mismatch between the rate of a small disturbance and the root of the cubic, against the size of the disturbance, on logarithmic axes. Four series, the starts with the largest and smallest constant under each evolution law, follow straight lines of slope one over eight decades. The largest constants of the two laws nearly coincide. Only the smallest mismatches reach the rounding level of 64-bit runs.";
+const CAPTION: &str = "Relative mismatch between the measured rate of a small disturbance and the certified root, against the size of the disturbance: for each law, the starts with the largest and the smallest predicted constant of all points. The nonlinear runs are in double-double. All lines have slope 1, as the quadratic terms require; the lines of other starts lie between them. The grey line is the largest difference of a 64-bit run at the smallest amplitude.";
 
 fn mismatch_chart(outcome: &Outcome) -> Option<Figure> {
     let all: Vec<&ModeRuns> = outcome.scenes.iter().flat_map(runs_of).collect();
@@ -44,20 +45,12 @@ fn mismatch_chart(outcome: &Outcome) -> Option<Figure> {
         y: Axis::log10("|*p*_m − *p*| / |*p*|", "", decade(lowest, libm::floor), decade(highest, libm::ceil)),
         series,
         references: vec![Reference::Horizontal { at: floor, label: "rounding of 64-bit runs".into() }],
-        bands: Vec::new(),
-        labels: Vec::new(),
     };
-    (least < most && floor > 0.0).then(|| Figure {
-        id: "small-disturbances".into(),
-        label: "Figure L1".into(),
-        caption_markdown: "Relative mismatch between the measured rate of a small disturbance and the certified root, against the size of the disturbance: for each law, the starts with the largest and the smallest predicted constant of all points. The nonlinear runs are in double-double. All lines have slope 1, as the quadratic terms require; the lines of other starts lie between them. The grey line is the largest difference of a 64-bit run at the smallest amplitude.".into(),
-        description: DESCRIPTION.into(),
-        svg: chart.svg(),
-    })
+    (least < most && floor > 0.0).then(|| Figure::new(&chart.caption, "Figure L1", CAPTION, chart.svg()))
 }
 
 fn measured(label: &str, run: &ModeRuns) -> Series {
     let point = |mismatch: &Mismatch| (mismatch.amplitude, mismatch.size());
     let points = run.mismatches.iter().map(point).collect();
-    Series { label: label.into(), points, marked: true, theory: false }
+    Series::marked(label, points)
 }

@@ -12,18 +12,12 @@ use slipmode_core::stability::Arc;
 use slipmode_plot::figure::{Axis, Caption, ColourScale, HeatMap, Line};
 
 pub(crate) const FIGURES: &[FigureMaker] = &[
-    FigureMaker {
-        id: "fig-1",
-        needs: &[Need::Map, Need::Boundary],
-        data: &["boundary"],
-        make: |outcome| frequency_map(outcome.potentially_unstable()?, &FIG_1),
-    },
-    FigureMaker {
-        id: "fig-6a",
-        needs: &[Need::Map, Need::Boundary],
-        data: &["boundary"],
-        make: |outcome| frequency_map(outcome.never_unstable()?, &FIG_6A),
-    },
+    FigureMaker::new("fig-1", &[Need::Map, Need::Boundary], &["boundary"], |outcome| {
+        frequency_map(outcome.potentially_unstable()?, &FIG_1)
+    }),
+    FigureMaker::new("fig-6a", &[Need::Map, Need::Boundary], &["boundary"], |outcome| {
+        frequency_map(outcome.never_unstable()?, &FIG_6A)
+    }),
 ];
 
 /// The words around a map.
@@ -51,20 +45,6 @@ pub(crate) const FIG_6A: Words = Words {
     description: "Map over loading velocity and normal stress for a not below b: areas without colour do not oscillate, at low and, unless a equals b, at high normal stress. Exact lines that join pairs of dashed asymptotes bound them. There is no transition line.",
 };
 
-pub(crate) fn figure(words: &Words, svg: String) -> Figure {
-    Figure {
-        id: words.id.into(),
-        label: words.label.into(),
-        caption_markdown: words.caption.into(),
-        description: words.description.into(),
-        svg,
-    }
-}
-
-pub(crate) fn caption(words: &Words) -> Caption {
-    Caption::new(words.id, words.title, words.description)
-}
-
 pub(crate) fn theory_lines(
     scene: &SceneOutcome,
     boundary: &BoundaryOutcome,
@@ -84,7 +64,7 @@ fn frequency_map(scene: &SceneOutcome, words: &Words) -> Option<Figure> {
     let parameters = scene.slider()?;
     let natural = parameters.map(nearest_f64).natural_angular_frequency_per_s();
     let heat_map = HeatMap {
-        caption: caption(words),
+        caption: Caption::new(words.id, words.title, words.description),
         columns: map.loading_velocity_m_per_s.len(),
         values: frequencies(map),
         colours: ColourScale {
@@ -98,11 +78,15 @@ fn frequency_map(scene: &SceneOutcome, words: &Words) -> Option<Figure> {
         zero_label: "max Im(*s*) = 0 exactly".into(),
         lines: theory_lines(scene, boundary, &x, &y),
         marks: cusp_mark(&boundary.points),
-        labels: Vec::new(),
         x,
         y,
     };
-    Some(figure(words, heat_map.svg_with(Some(&readout(map, boundary)))))
+    Some(Figure::new(
+        &heat_map.caption,
+        words.label,
+        words.caption,
+        heat_map.svg_with(Some(&readout(map, boundary))),
+    ))
 }
 
 fn frequencies(map: &Grid<MapPoint>) -> Vec<f64> {

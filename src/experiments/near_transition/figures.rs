@@ -14,25 +14,20 @@ use slipmode_plot::figure::{
 const NEEDS: &[Need] = &[Need::NearTransition];
 
 pub(crate) const FIGURES: &[FigureMaker] = &[
-    FigureMaker { id: "criticality", needs: &[], data: &["hopf-coefficient"], make: criticality },
-    FigureMaker {
-        id: "bistability-strip",
-        needs: NEEDS,
-        data: &["bistability-edge"],
-        make: |outcome| strip(outcome.potentially_unstable()?),
-    },
-    FigureMaker {
-        id: "cycle-amplitudes",
-        needs: NEEDS,
-        data: &["cycle-families", "near-transition-runs"],
-        make: |outcome| amplitudes(outcome.potentially_unstable()?.near_transition.as_ref()?),
-    },
+    FigureMaker::new("criticality", &[], &["hopf-coefficient"], criticality),
+    FigureMaker::new("bistability-strip", NEEDS, &["bistability-edge"], |outcome| {
+        strip(outcome.potentially_unstable()?)
+    }),
+    FigureMaker::new("cycle-amplitudes", NEEDS, &["cycle-families", "near-transition-runs"], |outcome| {
+        amplitudes(outcome.potentially_unstable()?.near_transition.as_ref()?)
+    }),
 ];
 
 /// Vertices of a curve.
 const VERTICES: u32 = 80;
 
 const CRITICALITY: &str = "Plane of the inertial parameter eta and of b/a minus 1, both logarithmic. A curve divides it; the curve starts upright at eta = 1/7 and bends to smaller eta as b/a grows. Left of it the aging law is subcritical, right of it both laws are supercritical.";
+const CRITICALITY_CAPTION: &str = "Sign of the first Lyapunov coefficient on $K = K_c$ (exact). Where it is negative, the bifurcation is supercritical. Where it is positive, it is subcritical, with a range of bistability. The coefficient of the slip law is negative everywhere.";
 
 fn criticality(outcome: &Outcome) -> Option<Figure> {
     let x = Axis::log10("*η*", "", 1e-3, 1e1);
@@ -66,13 +61,7 @@ fn criticality(outcome: &Outcome) -> Option<Figure> {
         x: x.clone(),
         y: y.clone(),
     };
-    Some(Figure {
-        id: "criticality".into(),
-        label: "Figure T1".into(),
-        caption_markdown: "Sign of the first Lyapunov coefficient on $K = K_c$ (exact). Where it is negative, the bifurcation is supercritical. Where it is positive, it is subcritical, with a range of bistability. The coefficient of the slip law is negative everywhere.".into(),
-        description: CRITICALITY.into(),
-        svg: map.svg(),
-    })
+    Some(Figure::new(&map.caption, "Figure T1", CRITICALITY_CAPTION, map.svg()))
 }
 
 const STRIP: &str = "Relative distance from the critical stiffness against eta, both logarithmic. Below a curve that rises to about 0.006 near eta = 0.025 and then falls steeply to zero at eta = 0.138 lies the strip in which a limit cycle and steady sliding are both stable.";
@@ -82,6 +71,8 @@ fn edges(near: &NearTransitionOutcome) -> Vec<(f64, &Edge)> {
     let families = near.families.iter().filter(|family| family.law == EvolutionLaw::Aging);
     families.filter_map(|family| Some((edge(family), family.edge.as_ref().ok()?.as_ref()?))).collect()
 }
+
+const STRIP_CAPTION: &str = "Values of $K > K_c$ at which a stable limit cycle exists: aging law, $\\beta$ of the simulations. Points: folds of the families of cycles (converged), joined by straight lines. With the slip law no cycle was found at any $K > K_c$.";
 
 fn strip(scene: &SceneOutcome) -> Option<Figure> {
     let edges = edges(scene.near_transition.as_ref()?);
@@ -120,13 +111,7 @@ fn strip(scene: &SceneOutcome) -> Option<Figure> {
         x,
         y,
     };
-    Some(Figure {
-        id: "bistability-strip".into(),
-        label: "Figure T2".into(),
-        caption_markdown: "Values of $K > K_c$ at which a stable limit cycle exists: aging law, $\\beta$ of the simulations. Points: folds of the families of cycles (converged), joined by straight lines. With the slip law no cycle was found at any $K > K_c$.".into(),
-        description: STRIP.into(),
-        svg: map.svg(),
-    })
+    Some(Figure::new(&map.caption, "Figure T2", STRIP_CAPTION, map.svg()))
 }
 
 const AMPLITUDES: &str = "Peak velocity of cycles against K/K_c minus 1 at one small eta. With the slip law a stable branch rises from zero towards smaller stiffness. With the aging law an unstable branch rises from zero towards larger stiffness, turns at the fold, and continues as the stable branch to smaller stiffness. Thin dashed parabolas of the theory touch both at zero.";
@@ -154,36 +139,32 @@ fn amplitudes(near: &NearTransitionOutcome) -> Option<Figure> {
     let lower: Vec<(f64, f64)> = aging.cycles.iter().filter(unstable).map(place).collect();
     let upper: Vec<(f64, f64)> = aging.cycles.iter().filter(|cycle| !unstable(cycle)).map(place).collect();
     let origin = vec![(0.0, 0.0)];
-    let series = |label: &str, points| Series { label: label.into(), points, marked: false, theory: false };
     let x = Axis::linear("*K*/*K*_c − 1", "", -0.01, 0.01);
     let highest = near_peak(&upper, x.min);
     let chart = LineChart {
         caption: Caption::new("cycle-amplitudes", "Amplitudes of cycles close to K = K_c", AMPLITUDES),
         y: Axis::linear("ln(*V*_{peak}/*V*_l)", "", 0.0, 1.1 * highest),
         series: vec![
-            series("aging, stable", [vec![fold], upper].concat()),
-            series("aging, unstable", [origin.clone(), lower, vec![fold]].concat()),
-            series("slip, stable", [origin, slip.cycles.iter().map(place).collect()].concat()),
-            Series { marked: true, ..series("aging, runs from *V*_l/10", run_peaks(near, aging)) },
-            Series { marked: true, ..series("slip, runs from *V*_l/10", run_peaks(near, slip)) },
+            Series::line("aging, stable", [vec![fold], upper].concat()),
+            Series::line("aging, unstable", [origin.clone(), lower, vec![fold]].concat()),
+            Series::line("slip, stable", [origin, slip.cycles.iter().map(place).collect()].concat()),
+            Series::marked("aging, runs from *V*_l/10", run_peaks(near, aging)),
+            Series::marked("slip, runs from *V*_l/10", run_peaks(near, slip)),
             theory(aging, &x),
             Series { label: String::new(), ..theory(slip, &x) },
         ],
         references: vec![Reference::Vertical { at: 0.0, label: "*K* = *K*_c".into() }],
-        bands: Vec::new(),
-        labels: Vec::new(),
         x,
     };
-    Some(Figure {
-        id: "cycle-amplitudes".into(),
-        label: "Figure T3".into(),
-        caption_markdown: format!(
+    Some(Figure::new(
+        &chart.caption,
+        "Figure T3",
+        &format!(
             "Cycles close to $K = K_c$ at $\\eta = {}$, stable and unstable, by Newton's method on the return map, and the limit cycles at which runs from $V_l/10$ end. Thin lines: amplitude $A \\propto \\sqrt{{|1 - K/K_c|}}$ predicted by the first Lyapunov coefficient.",
             rational_to_decimal(inertial, 6)
         ),
-        description: AMPLITUDES.into(),
-        svg: chart.svg(),
-    })
+        chart.svg(),
+    ))
 }
 
 /// The peak of the stable branch where it leaves the chart.
@@ -209,5 +190,5 @@ fn theory(family: &CycleFamilyOutcome, x: &Axis) -> Series {
         .flat_map(|share| [x.min * share * share, x.max * share * share])
         .filter_map(|excess| Some((excess, family.predicted_amplitude(excess)?)))
         .collect();
-    Series { label: "first Lyapunov coefficient".into(), points, marked: false, theory: true }
+    Series::of_theory("first Lyapunov coefficient", points)
 }

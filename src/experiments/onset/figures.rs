@@ -9,18 +9,8 @@ use slipmode_core::stability::Asymptote;
 use slipmode_plot::figure::{Axis, Caption, LineChart, Reference, Series};
 
 pub(crate) const FIGURES: &[FigureMaker] = &[
-    FigureMaker {
-        id: "fig-4a",
-        needs: &[Need::Onset],
-        data: &["onset", "onset-runs"],
-        make: |outcome| runs(outcome, 0, "a"),
-    },
-    FigureMaker {
-        id: "fig-4b",
-        needs: &[Need::Onset],
-        data: &["onset", "onset-runs"],
-        make: |outcome| runs(outcome, 1, "b"),
-    },
+    FigureMaker::new("fig-4a", &[Need::Onset], &["onset", "onset-runs"], |outcome| runs(outcome, 0, "a")),
+    FigureMaker::new("fig-4b", &[Need::Onset], &["onset", "onset-runs"], |outcome| runs(outcome, 1, "b")),
 ];
 
 /// The lowest velocity shown, in units of V_l; the highest is that of the runs.
@@ -54,39 +44,22 @@ fn runs(outcome: &Outcome, index: usize, letter: &str) -> Option<Figure> {
         y: Axis::linear("*V*/*V*_l", "", LOWEST, (5.0 * highest).ceil() / 5.0),
         series: line.shown.iter().map(series).chain(line.at_boundary.as_ref().map(boundary_series)).collect(),
         references: vec![Reference::Horizontal { at: 1.0, label: String::new() }],
-        bands: Vec::new(),
-        labels: Vec::new(),
     };
     let caption = format!(
         "Runs at σ = {stress} Pa with the {law} law on either side of the onset (compare fig 4{letter} of the paper, whose caption must mean Pa). Velocities are in units of that of eq 20. The exact boundary lies at {exact}. From {seen} on, V rises again by {visible} V_l after its first peak. The single rise above V_l below the boundary is no oscillation; it occurs because the spring must shorten."
     );
-    (!line.shown.is_empty()).then(|| Figure {
-        label: format!("Figure 4{letter}"),
-        caption_markdown: caption,
-        svg: chart.svg(),
-        description,
-        id,
-    })
+    (!line.shown.is_empty())
+        .then(|| Figure::new(&chart.caption, &format!("Figure 4{letter}"), &caption, chart.svg()))
 }
 
 fn series(run: &ShownRun) -> Series {
     let ratio = round_digits(run.velocity_over_asymptote, 3);
     let side = if run.oscillates { "complex pair" } else { "real roots" };
-    Series {
-        label: format!("*V*_l = {ratio} *V*_{{20}} ({side})"),
-        points: run.history.clone(),
-        marked: false,
-        theory: false,
-    }
+    Series::line(format!("*V*_l = {ratio} *V*_{{20}} ({side})"), run.history.clone())
 }
 
 /// The run at the boundary as the theory line among the others.
 fn boundary_series(run: &ShownRun) -> Series {
     let ratio = round_digits(run.velocity_over_asymptote, 4);
-    Series {
-        label: format!("exact boundary, *V*_l = {ratio} *V*_{{20}}"),
-        points: run.history.clone(),
-        marked: false,
-        theory: true,
-    }
+    Series::of_theory(format!("exact boundary, *V*_l = {ratio} *V*_{{20}}"), run.history.clone())
 }

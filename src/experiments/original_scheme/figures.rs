@@ -7,17 +7,15 @@ use slipmode_core::number::format::round_digits;
 use slipmode_core::number::nearest_f64;
 use slipmode_plot::figure::{Axis, Caption, LineChart, Reference, Series};
 
-pub(crate) const FIGURES: &[FigureMaker] = &[FigureMaker {
-    id: "scheme-bias",
-    needs: &[Need::OriginalScheme],
-    data: &["scheme-bias"],
-    make: |outcome| bias(outcome),
-}];
+pub(crate) const FIGURES: &[FigureMaker] =
+    &[FigureMaker::new("scheme-bias", &[Need::OriginalScheme], &["scheme-bias"], |outcome| bias(outcome))];
 
 const BIAS: &str = "Size of the relative bias of the long-term peak velocity under the original scheme against its step, on logarithmic axes, at several points and for both laws. Every line falls in proportion to the step.";
 
 /// Lines of one figure: more would repeat a look.
 const MOST_LINES: usize = 6;
+
+const CAPTION: &str = "Relative deviation of the long-term peak velocity of the original scheme from the converged one, against the step. The step is in units of √(M/K); the public form of the scheme advises less than a tenth. Biases are drawn by their absolute value; the table has their signs.";
 
 fn bias(outcome: &Outcome) -> Option<Figure> {
     let found = outcome.scenes.iter().find_map(|scene| scene.original_scheme.as_ref())?;
@@ -30,7 +28,7 @@ fn bias(outcome: &Outcome) -> Option<Figure> {
     let shortest = points().map(|(step, _)| step).fold(f64::INFINITY, f64::min);
     let longest = points().map(|(step, _)| step).fold(0.0, f64::max);
     let chart = LineChart {
-        caption: caption.clone(),
+        caption,
         x: Axis::log10("Step / √(*M*/*K*)", "", 0.8 * shortest, 1.25 * longest),
         y: Axis::log10(
             "Bias of the peak velocity, size",
@@ -40,16 +38,8 @@ fn bias(outcome: &Outcome) -> Option<Figure> {
         ),
         series: lines.clone(),
         references: vec![Reference::Vertical { at: 0.1, label: "advised limit".into() }],
-        bands: Vec::new(),
-        labels: Vec::new(),
     };
-    greatest.is_normal().then(|| Figure {
-        id: caption.id,
-        label: "Figure N1".into(),
-        caption_markdown: "Relative deviation of the long-term peak velocity of the original scheme from the converged one, against the step. The step is in units of √(M/K); the public form of the scheme advises less than a tenth. Biases are drawn by their absolute value; the table has their signs.".into(),
-        description: caption.description,
-        svg: chart.svg(),
-    })
+    greatest.is_normal().then(|| Figure::new(&chart.caption, "Figure N1", CAPTION, chart.svg()))
 }
 
 fn bias_line(series: &SchemeSeries) -> Series {
@@ -67,5 +57,5 @@ fn bias_line(series: &SchemeSeries) -> Series {
         round_digits(stress, 3),
         round_digits(velocity, 3).replace('-', "−")
     );
-    Series { label, points, marked: true, theory: false }
+    Series::marked(label, points)
 }

@@ -16,31 +16,15 @@ use slipmode_plot::figure::{
 };
 
 pub(crate) const FIGURES: &[FigureMaker] = &[
-    FigureMaker {
-        id: "fig-5a",
-        needs: &[Need::Simulations],
-        data: &["simulations", "least-peaks"],
-        make: |outcome| map(outcome.potentially_unstable()?),
-    },
-    FigureMaker {
-        id: "fig-5b",
-        needs: &[Need::Simulations],
-        data: &["simulations", "least-peaks"],
-        make: |outcome| curves(outcome.potentially_unstable()?, EvolutionLaw::Slip, "fig-5b", "Figure 5b"),
-    },
-    FigureMaker {
-        id: "fig-5b-aging",
-        needs: &[Need::Simulations],
-        data: &["simulations", "least-peaks"],
-        make: |outcome| {
-            curves(
-                outcome.potentially_unstable()?,
-                EvolutionLaw::Aging,
-                "fig-5b-aging",
-                "Figure 5b, aging law",
-            )
-        },
-    },
+    FigureMaker::new("fig-5a", &[Need::Simulations], &["simulations", "least-peaks"], |outcome| {
+        map(outcome.potentially_unstable()?)
+    }),
+    FigureMaker::new("fig-5b", &[Need::Simulations], &["simulations", "least-peaks"], |outcome| {
+        curves(outcome.potentially_unstable()?, EvolutionLaw::Slip, "fig-5b", "Figure 5b")
+    }),
+    FigureMaker::new("fig-5b-aging", &[Need::Simulations], &["simulations", "least-peaks"], |outcome| {
+        curves(outcome.potentially_unstable()?, EvolutionLaw::Aging, "fig-5b-aging", "Figure 5b, aging law")
+    }),
 ];
 
 /// The velocity at which the paper normalises, 10^−5.5 m/s.
@@ -106,19 +90,17 @@ fn map(scene: &SceneOutcome) -> Option<Figure> {
         zero_label: String::new(),
         lines: vec![asymptote, least_peak_line(outcome, *law)],
         marks: Vec::new(),
-        labels: Vec::new(),
         x,
         y,
     };
-    Some(Figure {
-        id: "fig-5a".into(),
-        label: "Figure 5a".into(),
-        caption_markdown: format!(
+    Some(Figure::new(
+        &map.caption,
+        "Figure 5a",
+        &format!(
             "Peak velocity of the limit cycle with the {law_word} law, divided by that at 10⁻⁵·⁵ m/s and the same normal stress (compare fig 5a of the paper). The dashed line is eq 18. The dotted line joins the minima found by minimisation."
         ),
-        description: MAP.into(),
-        svg: map.svg_with(said.as_ref()),
-    })
+        map.svg_with(said.as_ref()),
+    ))
 }
 
 /// Normalised peak that takes the brightest colour, with all above it: the valley is what the figure is about.
@@ -146,12 +128,7 @@ fn curves(scene: &SceneOutcome, law: EvolutionLaw, id: &str, label: &str) -> Opt
     let minima = of_law.iter().filter_map(|least| {
         Some((libm::exp10(least.offset_dex), least.least_m_per_s / unit_peak(grid, least.normal_stress_pa)?))
     });
-    series.push(Series {
-        label: "minima at all normal stresses".into(),
-        points: minima.collect(),
-        marked: true,
-        theory: false,
-    });
+    series.push(Series::marked("minima at all normal stresses", minima.collect()));
     let heights = || series.iter().flat_map(|line| &line.points).filter(|p| p.0 > LOWEST && p.0 < HIGHEST);
     let (low, high) =
         (heights().map(|p| p.1).fold(f64::INFINITY, f64::min), heights().map(|p| p.1).fold(0.0, f64::max));
@@ -167,16 +144,12 @@ fn curves(scene: &SceneOutcome, law: EvolutionLaw, id: &str, label: &str) -> Opt
         y: Axis::linear("Peak velocity / that at 10^{−5.5} m/s", "", 0.8 * low, 1.25 * high),
         series,
         references: vec![Reference::Vertical { at: 1.0, label: "eq 18".into() }],
-        bands: Vec::new(),
-        labels: Vec::new(),
     };
-    (!chosen.is_empty()).then(|| Figure {
-        id: id.into(),
-        label: label.into(),
-        caption_markdown: format!("Normalised peak velocity of the limit cycle with the {} law against the loading velocity divided by that of eq 18 (compare fig 5b of the paper), with the minima found by minimisation.", law.as_str()),
-        description,
-        svg: chart.svg(),
-    })
+    let caption = format!(
+        "Normalised peak velocity of the limit cycle with the {} law against the loading velocity divided by that of eq 18 (compare fig 5b of the paper), with the minima found by minimisation.",
+        law.as_str()
+    );
+    (!chosen.is_empty()).then(|| Figure::new(&chart.caption, label, &caption, chart.svg()))
 }
 
 /// The row of the grid at a normal stress.
@@ -207,10 +180,8 @@ fn curve(grid: &Grid<SimulatedPoint>, least: &LeastPeak) -> Option<Series> {
         .map(|(velocity, peak)| (velocity, peak / unit))
         .collect();
     points.sort_by(|one, other| one.0.total_cmp(&other.0));
-    Some(Series {
-        label: format!("*σ* = 10^{{{}}} Pa", round_digits(libm::log10(least.normal_stress_pa), 3)),
+    Some(Series::line(
+        format!("*σ* = 10^{{{}}} Pa", round_digits(libm::log10(least.normal_stress_pa), 3)),
         points,
-        marked: false,
-        theory: false,
-    })
+    ))
 }

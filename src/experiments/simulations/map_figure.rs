@@ -10,12 +10,12 @@ use crate::experiments::{Need, SceneOutcome};
 use slipmode_core::friction::EvolutionLaw;
 use slipmode_plot::figure::{Caption, ColourScale, HeatMap, Line, LineRole, Side};
 
-pub(crate) const FIGURES: &[FigureMaker] = &[FigureMaker {
-    id: "fig-3a",
-    needs: &[Need::Simulations, Need::Boundary],
-    data: &["simulations", "least-peaks"],
-    make: |outcome| peak_map(outcome.potentially_unstable()?),
-}];
+pub(crate) const FIGURES: &[FigureMaker] = &[FigureMaker::new(
+    "fig-3a",
+    &[Need::Simulations, Need::Boundary],
+    &["simulations", "least-peaks"],
+    |outcome| peak_map(outcome.potentially_unstable()?),
+)];
 
 const TITLE: &str = "Peak velocity of the simulated limit cycles, slip law, a < b";
 const DESCRIPTION: &str = "Map over loading velocity and normal stress. Simulations that end in steady sliding fill the lower left, without colour, up to the line of the transition. Beyond it the peak velocity rises with normal stress; from left to right it falls to a minimum near equation 18 and then rises.";
@@ -48,20 +48,16 @@ fn peak_map(scene: &SceneOutcome) -> Option<Figure> {
         zero_label: "ends in steady sliding".into(),
         lines,
         marks: point_marks(scene, "3", |id| format!("**{}**", id.trim_start_matches('3')), Side::Right),
-        labels: Vec::new(),
         x,
         y,
     };
-    highest.is_normal().then(|| Figure {
-        id: "fig-3a".into(),
-        label: "Figure 3a".into(),
-        caption_markdown: if scene.trajectories.is_some() {
-            format!("{CAPTION}{LETTERS}")
-        } else {
-            CAPTION.into()
-        },
-        description: DESCRIPTION.into(),
-        svg: map.svg_with(Some(&simulated_readout(grid, boundary))),
+    highest.is_normal().then(|| {
+        Figure::new(
+            &map.caption,
+            "Figure 3a",
+            &if scene.trajectories.is_some() { format!("{CAPTION}{LETTERS}") } else { CAPTION.into() },
+            map.svg_with(Some(&simulated_readout(grid, boundary))),
+        )
     })
 }
 

@@ -10,12 +10,12 @@ use crate::experiments::{Need, SceneOutcome};
 use slipmode_core::friction::EvolutionLaw;
 use slipmode_plot::figure::{Caption, ColourScale, HeatMap, Side};
 
-pub(crate) const FIGURES: &[FigureMaker] = &[FigureMaker {
-    id: "fig-6a-simulated",
-    needs: &[Need::Simulations, Need::Boundary],
-    data: &["simulations"],
-    make: |outcome| overshoot_map(outcome.never_unstable()?),
-}];
+pub(crate) const FIGURES: &[FigureMaker] = &[FigureMaker::new(
+    "fig-6a-simulated",
+    &[Need::Simulations, Need::Boundary],
+    &["simulations"],
+    |outcome| overshoot_map(outcome.never_unstable()?),
+)];
 
 const TITLE: &str = "Overshoot of the simulated approach to steady sliding, slip law, a ≥ b";
 const DESCRIPTION: &str = "Map over loading velocity and normal stress for a not below b. Unless a equals b, there is an area without colour and without overshoot at high normal stress; its edge follows the exact upper boundary. Everywhere else the velocity exceeds the loading velocity, by more at higher loading velocity. This holds also in the lower area, which the linear theory calls overdamped; the colour continues across the lower boundary without a step.";
@@ -44,17 +44,15 @@ fn overshoot_map(scene: &SceneOutcome) -> Option<Figure> {
         zero_label: "never faster than *V*_l".into(),
         lines: theory_lines(scene, boundary, &x, &y),
         marks: point_marks(scene, "6", first_of_a_panel, Side::Left),
-        labels: Vec::new(),
         x,
         y,
     };
-    Some(Figure {
-        id: "fig-6a-simulated".into(),
-        label: "Figure 6a, simulated".into(),
-        caption_markdown: CAPTION.into(),
-        description: DESCRIPTION.into(),
-        svg: map.svg_with(Some(&simulated_readout(grid, boundary))),
-    })
+    Some(Figure::new(
+        &map.caption,
+        "Figure 6a, simulated",
+        CAPTION,
+        map.svg_with(Some(&simulated_readout(grid, boundary))),
+    ))
 }
 
 /// The panel's letter at its first point: `b` for `6b-1`.

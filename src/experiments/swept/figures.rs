@@ -12,18 +12,12 @@ use slipmode_core::stability::deviation::{CornerErrors, corner_errors};
 use slipmode_plot::figure::{Axis, Caption, ColourScale, HeatMap, LineChart, Reference, Series};
 
 pub(crate) const FIGURES: &[FigureMaker] = &[
-    FigureMaker {
-        id: "swept-laws",
-        needs: &[Need::Swept, Need::Boundary],
-        data: &["swept-modes"],
-        make: |outcome| laws_map(outcome.potentially_unstable()?, simulated(outcome)?),
-    },
-    FigureMaker {
-        id: "swept-errors",
-        needs: &[Need::Swept],
-        data: &["swept-worst"],
-        make: |outcome| worst_errors(&worst_by_effect_ratio(measured(outcome)?)?),
-    },
+    FigureMaker::new("swept-laws", &[Need::Swept, Need::Boundary], &["swept-modes"], |outcome| {
+        laws_map(outcome.potentially_unstable()?, simulated(outcome)?)
+    }),
+    FigureMaker::new("swept-errors", &[Need::Swept], &["swept-worst"], |outcome| {
+        worst_errors(&worst_by_effect_ratio(measured(outcome)?)?)
+    }),
 ];
 
 /// Every sweep.
@@ -90,7 +84,7 @@ fn laws_map(scene: &SceneOutcome, swept: &Swept) -> Option<Figure> {
     let y = axis("Normal stress *σ*", "Pa", &edges[1], rows);
     let caption = Caption::new("swept-laws", LAWS_TITLE, LAWS);
     let map = HeatMap {
-        caption: caption.clone(),
+        caption,
         columns,
         values,
         colours: ColourScale {
@@ -104,11 +98,10 @@ fn laws_map(scene: &SceneOutcome, swept: &Swept) -> Option<Figure> {
         zero_label: "no limit cycles".into(),
         lines: theory_lines(scene, scene.boundary.as_ref()?, &x, &y),
         marks: Vec::new(),
-        labels: Vec::new(),
         x,
         y,
     };
-    Some(Figure::new(caption, "Figure L1", LAWS_CAPTION, map.svg()))
+    Some(Figure::new(&map.caption, "Figure L1", LAWS_CAPTION, map.svg()))
 }
 
 /// The mean peak velocity of limit cycles of either law, cell by cell, σ by σ; 0 where there are none.
@@ -204,29 +197,27 @@ fn worst_errors(worst: &[WorstOfBin]) -> Option<Figure> {
         .flat_map(|bin| within(bin.effect_ratio))
         .map(|beta| (beta, derived_worst(beta)))
         .collect();
-    let line = |arc: usize, label: &str| Series {
-        label: format!("{label}, derived"),
-        points: derived.iter().map(|(beta, worst)| (*beta, worst[arc].unwrap_or(f64::NAN))).collect(),
-        marked: false,
-        theory: true,
+    let line = |arc: usize, label: &str| {
+        Series::of_theory(
+            format!("{label}, derived"),
+            derived.iter().map(|(beta, worst)| (*beta, worst[arc].unwrap_or(f64::NAN))).collect(),
+        )
     };
-    let stairs = |arc: usize, label: &str| Series {
-        label: format!("{label}, largest in the sweep"),
-        points: worst.iter().flat_map(|bin| bin.effect_ratio.map(|end| (end, bin.sampled[arc]))).collect(),
-        marked: false,
-        theory: false,
+    let stairs = |arc: usize, label: &str| {
+        Series::line(
+            format!("{label}, largest in the sweep"),
+            worst.iter().flat_map(|bin| bin.effect_ratio.map(|end| (end, bin.sampled[arc]))).collect(),
+        )
     };
     let names = [(0, "upper arc (eqs 15 and 18)"), (1, "lower arc (eqs 16 and 20)")];
     let chart = LineChart {
-        caption: caption.clone(),
+        caption,
         x: Axis::log10("*β* = *b*/*a*", "", first.effect_ratio[0], last.effect_ratio[1]),
         y: Axis::linear("Largest log10 distance from the nearer asymptote", "", 0.0, 0.5),
         series: names.into_iter().flat_map(|(arc, label)| [line(arc, label), stairs(arc, label)]).collect(),
         references: vec![Reference::Vertical { at: 1.0, label: "*a* = *b*".into() }],
-        bands: Vec::new(),
-        labels: Vec::new(),
     };
-    Some(Figure::new(caption, "Figure L2", WORST_CAPTION, chart.svg()))
+    Some(Figure::new(&chart.caption, "Figure L2", WORST_CAPTION, chart.svg()))
 }
 
 /// Places from one end of a bin to the other, evenly in the logarithm.

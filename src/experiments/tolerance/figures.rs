@@ -9,14 +9,13 @@ use slipmode_core::number::{Rational, nearest_f64};
 use slipmode_core::stability::Asymptote;
 use slipmode_plot::figure::{Axis, Caption, RangeChart, RangeRow, Span};
 
-pub(crate) const FIGURES: &[FigureMaker] = &[FigureMaker {
-    id: "tolerance",
-    needs: &[Need::Tolerance],
-    data: &["tolerance", "convergence"],
-    make: |outcome| good_enough(outcome.potentially_unstable()?),
-}];
+pub(crate) const FIGURES: &[FigureMaker] =
+    &[FigureMaker::new("tolerance", &[Need::Tolerance], &["tolerance", "convergence"], |outcome| {
+        good_enough(outcome.potentially_unstable()?)
+    })];
 
 const ENOUGH: &str = "For each asymptote, the range of velocity in which it agrees with the exact boundary within 10, 1 and 0.1 percent.";
+const CAPTION: &str = "Ranges of velocity in which each asymptote may replace the exact boundary, for a < b.";
 
 fn good_enough(scene: &SceneOutcome) -> Option<Figure> {
     let outcome = scene.tolerance.as_ref()?;
@@ -27,7 +26,7 @@ fn good_enough(scene: &SceneOutcome) -> Option<Figure> {
     let caption = Caption::new("tolerance", "Where each asymptote is accurate enough", ENOUGH);
     let scale = velocity_scale(scene)?;
     let chart = RangeChart {
-        caption: caption.clone(),
+        caption,
         axis: Axis::log10("Loading velocity *V*_0 on the boundary", "m/s", scale * 1e-4, scale * 1e4),
         levels: tolerances
             .iter()
@@ -40,12 +39,7 @@ fn good_enough(scene: &SceneOutcome) -> Option<Figure> {
             .map(|asymptote| range_row(outcome, asymptote, &tolerances, scale))
             .collect(),
     };
-    Some(Figure::new(
-        caption,
-        "Figure A3",
-        "Ranges of velocity in which each asymptote may replace the exact boundary, for a < b.",
-        chart.svg(),
-    ))
+    Some(Figure::new(&chart.caption, "Figure A3", CAPTION, chart.svg()))
 }
 
 /// D_c √(K/M), m/s: the velocity at which η/κ = 1.

@@ -19,7 +19,7 @@ pub(crate) fn runs_of<'s>(
 /// A run as a line; empty where it failed.
 pub(crate) fn series(label: String, run: &TrajectoryRun, place: impl Fn(&Moment) -> (f64, f64)) -> Series {
     let moments = run.course.iter().flat_map(|course| &course.moments);
-    Series { label, points: moments.map(place).collect(), marked: false, theory: false }
+    Series::line(label, moments.map(place).collect())
 }
 
 /// V/V_l; zero, which a logarithmic axis leaves out, below the range of 64-bit numbers.

@@ -11,18 +11,12 @@ use slipmode_core::number::nearest_f64;
 use slipmode_plot::figure::{Axis, Caption, Panel, Panels, Reference};
 
 pub(crate) const FIGURES: &[FigureMaker] = &[
-    FigureMaker {
-        id: "fig-3b-g",
-        needs: &[Need::Trajectories],
-        data: &["trajectory-modes", "trajectories"],
-        make: |outcome| slip_modes(outcome.potentially_unstable()?),
-    },
-    FigureMaker {
-        id: "fig-6b-d",
-        needs: &[Need::Trajectories],
-        data: &["trajectory-modes", "trajectories"],
-        make: |outcome| approaches(outcome.intrinsically_stable()?),
-    },
+    FigureMaker::new("fig-3b-g", &[Need::Trajectories], &["trajectory-modes", "trajectories"], |outcome| {
+        slip_modes(outcome.potentially_unstable()?)
+    }),
+    FigureMaker::new("fig-6b-d", &[Need::Trajectories], &["trajectory-modes", "trajectories"], |outcome| {
+        approaches(outcome.intrinsically_stable()?)
+    }),
 ];
 
 /// The law of the paper's figures.
@@ -42,13 +36,8 @@ fn slip_modes(scene: &SceneOutcome) -> Option<Figure> {
         height: MODE_HEIGHT,
         panels,
     };
-    (!figure.panels.is_empty()).then(|| Figure {
-        id: "fig-3b-g".into(),
-        label: "Figures 3b to 3g".into(),
-        caption_markdown: MODES_CAPTION.into(),
-        description: MODES_DESCRIPTION.into(),
-        svg: figure.svg(),
-    })
+    (!figure.panels.is_empty())
+        .then(|| Figure::new(&figure.caption, "Figures 3b to 3g", MODES_CAPTION, figure.svg()))
 }
 
 fn mode_panel(run: &TrajectoryRun) -> Option<Panel> {
@@ -98,13 +87,8 @@ fn approaches(scene: &SceneOutcome) -> Option<Figure> {
         height: APPROACH_HEIGHT,
         panels: APPROACHES.into_iter().filter_map(panel).collect(),
     };
-    (!figure.panels.is_empty()).then(|| Figure {
-        id: "fig-6b-d".into(),
-        label: "Figures 6b to 6d".into(),
-        caption_markdown: APPROACH_CAPTION.into(),
-        description: APPROACH_DESCRIPTION.into(),
-        svg: figure.svg(),
-    })
+    (!figure.panels.is_empty())
+        .then(|| Figure::new(&figure.caption, "Figures 6b to 6d", APPROACH_CAPTION, figure.svg()))
 }
 
 fn approach_panel(runs: &[&TrajectoryRun], words: &str) -> Option<Panel> {

@@ -12,12 +12,10 @@ use slipmode_core::friction::{EvolutionLaw, Slider};
 use slipmode_core::number::{Rational, nearest_f64};
 use slipmode_plot::figure::{Axis, Caption, Panel, Panels, Series};
 
-pub(crate) const FIGURES: &[FigureMaker] = &[FigureMaker {
-    id: "phase-portraits",
-    needs: &[Need::Trajectories],
-    data: &["trajectories"],
-    make: |outcome| portraits(outcome.potentially_unstable()?),
-}];
+pub(crate) const FIGURES: &[FigureMaker] =
+    &[FigureMaker::new("phase-portraits", &[Need::Trajectories], &["trajectories"], |outcome| {
+        portraits(outcome.potentially_unstable()?)
+    })];
 
 const DESCRIPTION: &str = "Four panels of shear stress against the logarithm of velocity, each with the straight line of steady sliding, which falls to the right. Stick-slip follows a wide loop: right along the line of failure, down at high velocity, left to very low velocity and up while the spring loads. The loop of the aging law reaches much lower velocities. Harmonic vibration is a smaller loop around the point of steady sliding. The underdamped run spirals into that point. The overdamped run passes it once and returns along one direction.";
 const CAPTION: &str = "Shear stress against velocity for four of the points of figs 3b to 3g, both evolution laws: the limit cycle of the two unstable points, and the whole run of the two stable points from its start at V_l/10 on the line of steady sliding. All runs are clockwise. The two laws have the same linear theory but differ far from steady sliding, most of all in the velocity of the stick phase. Converged, drawn to half a pixel.";
@@ -35,13 +33,8 @@ fn portraits(scene: &SceneOutcome) -> Option<Figure> {
         height: HEIGHT,
         panels: POINTS.into_iter().filter_map(|id| portrait(scene, parameters, id)).collect(),
     };
-    (!figure.panels.is_empty()).then(|| Figure {
-        id: "phase-portraits".into(),
-        label: "Phase portraits".into(),
-        caption_markdown: CAPTION.into(),
-        description: DESCRIPTION.into(),
-        svg: figure.svg(),
-    })
+    (!figure.panels.is_empty())
+        .then(|| Figure::new(&figure.caption, "Phase portraits", CAPTION, figure.svg()))
 }
 
 fn portrait(scene: &SceneOutcome, parameters: &Slider<Rational>, id: &str) -> Option<Panel> {
@@ -59,12 +52,7 @@ fn portrait(scene: &SceneOutcome, parameters: &Slider<Rational>, id: &str) -> Op
         .iter()
         .map(|run| {
             let place = |moment: &Moment| (velocity_ratio(moment), moment.stress_change_pa / size);
-            Series {
-                label: format!("{} law", run.law.as_str()),
-                points: shown(run).iter().map(place).collect(),
-                marked: false,
-                theory: false,
-            }
+            Series::line(format!("{} law", run.law.as_str()), shown(run).iter().map(place).collect())
         })
         .collect();
     let (low, high) = (slowest / 1.5, fastest * 1.5);
@@ -93,10 +81,5 @@ fn shown(run: &TrajectoryRun) -> &[Moment] {
 fn steady_line(parameters: &Slider<Rational>, run: &TrajectoryRun, ends: [f64; 2], unit_pa: f64) -> Series {
     let effect = nearest_f64(&parameters.direct_effect) - nearest_f64(&parameters.evolution_effect);
     let stress = |ratio: f64| effect * nearest_f64(&run.point.normal_stress_pa) * libm::log(ratio) / unit_pa;
-    Series {
-        label: "steady sliding".into(),
-        points: ends.map(|ratio| (ratio, stress(ratio))).to_vec(),
-        marked: false,
-        theory: true,
-    }
+    Series::of_theory("steady sliding", ends.map(|ratio| (ratio, stress(ratio))).to_vec())
 }

@@ -7,24 +7,15 @@ use slipmode_core::number::nearest_f64;
 use slipmode_plot::figure::{Axis, Caption, LineChart, Series};
 
 pub(crate) const FIGURES: &[FigureMaker] = &[
-    FigureMaker {
-        id: "work-precision-1",
-        needs: &[Need::WorkPrecision],
-        data: &["work-precision"],
-        make: |outcome| work(outcome, 0),
-    },
-    FigureMaker {
-        id: "work-precision-2",
-        needs: &[Need::WorkPrecision],
-        data: &["work-precision"],
-        make: |outcome| work(outcome, 1),
-    },
-    FigureMaker {
-        id: "work-precision-3",
-        needs: &[Need::WorkPrecision],
-        data: &["work-precision"],
-        make: |outcome| work(outcome, 2),
-    },
+    FigureMaker::new("work-precision-1", &[Need::WorkPrecision], &["work-precision"], |outcome| {
+        work(outcome, 0)
+    }),
+    FigureMaker::new("work-precision-2", &[Need::WorkPrecision], &["work-precision"], |outcome| {
+        work(outcome, 1)
+    }),
+    FigureMaker::new("work-precision-3", &[Need::WorkPrecision], &["work-precision"], |outcome| {
+        work(outcome, 2)
+    }),
 ];
 
 const WORK: &str = "Error of the logarithm of the peak velocity against evaluations of the right-hand side on one period of the limit cycle, on logarithmic axes, one line for each method. From nine digits on, the Radau methods of orders 9 and 13 need the fewest evaluations.";
@@ -42,23 +33,20 @@ fn work(outcome: &Outcome, index: usize) -> Option<Figure> {
     let least = case.points.iter().map(|p| p.evaluations).min()?;
     let most = case.points.iter().map(|p| p.evaluations).max()?;
     let chart = LineChart {
-        caption: caption.clone(),
+        caption,
         x: Axis::log10("Evaluations of the right-hand side", "", 0.7 * least as f64, 1.4 * most as f64),
         y: Axis::log10("Error of ln(*V*_{peak}/*V*_0)", "", LEAST_ERROR, 1e-2),
         series: methods.iter().map(|method| method_line(case, method)).collect(),
         references: Vec::new(),
-        bands: Vec::new(),
-        labels: Vec::new(),
     };
-    Some(Figure {
-        id,
-        label: format!("Figure N{}", index + 2),
-        caption_markdown: format!(
+    Some(Figure::new(
+        &chart.caption,
+        &format!("Figure N{}", index + 2),
+        &format!(
             "Work against error on one period of the limit cycle, {place}, slip law. The reference is Radau IIA of order 13 in double-double at a local tolerance of 1e-20. Errors below 1e-16 are drawn at 1e-16. Missing methods do not finish the period within 100 000 steps. For the original scheme, evaluations are Newton iterations."
         ),
-        description: caption.description,
-        svg: chart.svg(),
-    })
+        chart.svg(),
+    ))
 }
 
 fn words_of(case: &WorkCase) -> String {
@@ -76,5 +64,5 @@ fn method_line(case: &WorkCase, method: &str) -> Series {
         .filter(|point| point.method == method)
         .map(|point| (point.evaluations as f64, point.peak_error.max(LEAST_ERROR)))
         .collect();
-    Series { label: method.into(), points, marked: true, theory: false }
+    Series::marked(method, points)
 }

@@ -1,26 +1,20 @@
 //! Maps of slip modes over the (V, σ) plane (fig 7).
 
 use crate::experiments::map::MapPoint;
-use crate::experiments::map::figures::{FIG_1, FIG_6A, Words, caption, figure, theory_lines};
+use crate::experiments::map::figures::{FIG_1, FIG_6A, Words, theory_lines};
 use crate::experiments::shared::Grid;
 use crate::experiments::shared::axes::{axes, cusp_mark};
 use crate::experiments::{Figure, FigureMaker, Need, SceneOutcome};
 use slipmode_core::stability::SlipMode;
-use slipmode_plot::figure::{Readout, Zone, ZoneMap, zones_of_grid};
+use slipmode_plot::figure::{Caption, Readout, Zone, ZoneMap, zones_of_grid};
 
 pub(crate) const FIGURES: &[FigureMaker] = &[
-    FigureMaker {
-        id: "fig-7a",
-        needs: &[Need::Map, Need::Zones, Need::Boundary],
-        data: &["zones"],
-        make: |outcome| zone_map(outcome.potentially_unstable()?, &FIG_7A, &FIG_1),
-    },
-    FigureMaker {
-        id: "fig-7b",
-        needs: &[Need::Map, Need::Zones, Need::Boundary],
-        data: &["zones"],
-        make: |outcome| zone_map(outcome.never_unstable()?, &FIG_7B, &FIG_6A),
-    },
+    FigureMaker::new("fig-7a", &[Need::Map, Need::Zones, Need::Boundary], &["zones"], |outcome| {
+        zone_map(outcome.potentially_unstable()?, &FIG_7A, &FIG_1)
+    }),
+    FigureMaker::new("fig-7b", &[Need::Map, Need::Zones, Need::Boundary], &["zones"], |outcome| {
+        zone_map(outcome.never_unstable()?, &FIG_7B, &FIG_6A)
+    }),
 ];
 
 const FIG_7A: Words = Words {
@@ -64,7 +58,7 @@ fn zone_map(scene: &SceneOutcome, words: &Words, frequencies: &Words) -> Option<
     let said =
         scene.map.as_ref().filter(|map| same_axes(map)).map(|_| Readout::SameAs(frequencies.id.into()));
     let map = ZoneMap {
-        caption: caption(words),
+        caption: Caption::new(words.id, words.title, words.description),
         zones: present,
         lines,
         marks: cusp_mark(&boundary.points),
@@ -72,5 +66,5 @@ fn zone_map(scene: &SceneOutcome, words: &Words, frequencies: &Words) -> Option<
         x,
         y,
     };
-    Some(figure(words, map.svg_with(said.as_ref())))
+    Some(Figure::new(&map.caption, words.label, words.caption, map.svg_with(said.as_ref())))
 }

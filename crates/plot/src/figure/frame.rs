@@ -96,12 +96,7 @@ impl<'a> Frame<'a> {
 
     /// Draws border, ticks, tick labels and titles of both axes.
     pub fn draw_axes(&self, svg: &mut Svg) {
-        let b = self.bounds;
-        svg.open("g", &[("class", "axis"), ("stroke", palette::FAINT_INK), ("fill", "none")]);
-        svg.rect((b.left, b.top), self.size(), &[]);
-        self.draw_ticks_x(svg);
-        self.draw_ticks_y(svg);
-        svg.close();
+        self.draw_border(svg, true);
         self.label_x(svg);
         self.label_y(svg);
         self.draw_title_x(svg);
@@ -110,13 +105,19 @@ impl<'a> Frame<'a> {
 
     /// Draws border, ticks, tick labels and title of the horizontal axis alone.
     pub fn draw_lower_axis(&self, svg: &mut Svg) {
-        let b = self.bounds;
-        svg.open("g", &[("class", "axis"), ("stroke", palette::FAINT_INK), ("fill", "none")]);
-        svg.rect((b.left, b.top), self.size(), &[]);
-        self.draw_ticks_x(svg);
-        svg.close();
+        self.draw_border(svg, false);
         self.label_x(svg);
         self.draw_title_x(svg);
+    }
+
+    fn draw_border(&self, svg: &mut Svg, upright_ticks: bool) {
+        svg.open("g", &[("class", "axis"), ("stroke", palette::FAINT_INK), ("fill", "none")]);
+        svg.rect((self.bounds.left, self.bounds.top), self.size(), &[]);
+        self.draw_ticks_x(svg);
+        if upright_ticks {
+            self.draw_ticks_y(svg);
+        }
+        svg.close();
     }
 
     fn places<'b>(&self, axis: &'b Axis) -> impl Iterator<Item = (f64, Tick)> + 'b {
@@ -168,8 +169,7 @@ impl<'a> Frame<'a> {
         svg.open("g", &label_attributes("middle"));
         for (u, tick) in self.ticks_x().into_iter().filter(|(_, tick)| tick.is_major()) {
             let (x, y) = self.place_unit((u, 0.0));
-            let at = [number(x), number(y + 21.0)];
-            svg.text(&[("x", &at[0]), ("y", &at[1])], &rich_text::to_svg(&tick.label, SMALL));
+            svg.words((x, y + 21.0), &tick.label, SMALL);
         }
         svg.close();
     }
@@ -178,8 +178,7 @@ impl<'a> Frame<'a> {
         svg.open("g", &label_attributes("end"));
         for (v, tick) in self.ticks_y().into_iter().filter(|(_, tick)| tick.is_major()) {
             let (x, y) = self.place_unit((0.0, v));
-            let at = [number(x - 10.0), number(y + 4.5)];
-            svg.text(&[("x", &at[0]), ("y", &at[1])], &rich_text::to_svg(&tick.label, SMALL));
+            svg.words((x - 10.0, y + 4.5), &tick.label, SMALL);
         }
         svg.close();
     }

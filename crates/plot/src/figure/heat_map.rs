@@ -3,10 +3,10 @@
 use super::contour::outlines;
 use super::frame::{CANVAS_WIDTH, Frame, NORMAL, SMALL};
 use super::legend::{Entry, KEY_WIDTH, Legend};
-use super::overlay::{draw_labels, draw_lines, draw_marks, legend_entries};
+use super::overlay::{draw_lines, draw_marks, legend_entries};
 use super::path::{Point, outline_data, outline_data_in_tenths, simplify};
 use super::svg::{Svg, number};
-use super::{Axis, Caption, Line, PointMark, Readout, RegionLabel, palette, rich_text};
+use super::{Axis, Caption, Line, PointMark, Readout, palette, rich_text};
 
 /// The colour bar of a heat map: logarithmic, in even steps.
 #[derive(Debug, Clone, PartialEq)]
@@ -47,8 +47,6 @@ pub struct HeatMap {
     pub lines: Vec<Line>,
     /// Marked points.
     pub marks: Vec<PointMark>,
-    /// Names of regions.
-    pub labels: Vec<RegionLabel>,
 }
 
 /// Upper left corner of the map on the canvas.
@@ -76,7 +74,6 @@ impl HeatMap {
         self.draw_values(&mut svg, &frame);
         self.draw_zero_areas(&mut svg, &frame);
         draw_lines(&mut svg, &frame, &self.lines);
-        draw_labels(&mut svg, &frame, &self.labels);
         draw_marks(&mut svg, &frame, &self.marks);
         frame.draw_axes(&mut svg);
         if let Some(readout) = readout {
@@ -157,8 +154,7 @@ impl HeatMap {
             ticks.iter().filter_map(|tick| Some((top + height * (1.0 - axis.position(tick.value)?), tick)));
         svg.open("g", &[("class", "ink"), ("fill", palette::INK), ("font-size", "13")]);
         for (y, tick) in places.filter(|(_, tick)| tick.is_major()) {
-            let at = [number(right + 6.0), number(y + 4.5)];
-            svg.text(&[("x", &at[0]), ("y", &at[1])], &rich_text::to_svg(&tick.label, SMALL));
+            svg.words((right + 6.0, y + 4.5), &tick.label, SMALL);
         }
         svg.close();
         let turn = format!("translate({} {}) rotate(-90)", number(right + 52.0), number(top + height / 2.0));

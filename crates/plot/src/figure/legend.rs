@@ -2,7 +2,7 @@
 
 use super::frame::SMALL;
 use super::path::Point;
-use super::svg::{Svg, number};
+use super::svg::Svg;
 use super::{palette, rich_text};
 
 /// Width of the sample before an entry's words.
@@ -70,8 +70,7 @@ impl<'a> Legend<'a> {
             for (left, entry) in row {
                 let x = corner.0 + left;
                 (entry.key)(svg, (x, middle));
-                let at = [number(x + KEY_WIDTH), number(middle + 4.5)];
-                svg.text(&[("x", &at[0]), ("y", &at[1])], &rich_text::to_svg(&entry.label, SMALL));
+                svg.words((x + KEY_WIDTH, middle + 4.5), &entry.label, SMALL);
             }
         }
         svg.close();

@@ -1,12 +1,12 @@
 //! Line charts: several series over linear, logarithmic or signed logarithmic axes.
 
-use super::frame::{CANVAS_WIDTH, Frame, SMALL};
+use super::frame::{CANVAS_WIDTH, Frame};
 use super::legend::{Entry, KEY_WIDTH, Legend};
-use super::overlay::draw_labels;
+use super::overlay::draw_words_on_lines;
 use super::path::{Point, line_data, simplify};
 use super::series_style::{Look, draw_markers, spread};
-use super::svg::{Svg, number};
-use super::{Axis, Caption, RegionLabel, palette, rich_text};
+use super::svg::Svg;
+use super::{Axis, Caption, palette};
 
 /// One line of a chart. Dash, marker and colour follow from its place in the list.
 #[derive(Debug, Clone, PartialEq)]
@@ -21,7 +21,27 @@ pub struct Series {
     pub theory: bool,
 }
 
-/// A straight line across the chart at one value.
+impl Series {
+    /// A line with a few markers along it.
+    #[must_use]
+    pub fn line(label: impl Into<String>, points: Vec<(f64, f64)>) -> Self {
+        Self { label: label.into(), points, marked: false, theory: false }
+    }
+
+    /// A line with a marker at every point.
+    #[must_use]
+    pub fn marked(label: impl Into<String>, points: Vec<(f64, f64)>) -> Self {
+        Self { marked: true, ..Self::line(label, points) }
+    }
+
+    /// A formula that the other series are compared with.
+    #[must_use]
+    pub fn of_theory(label: impl Into<String>, points: Vec<(f64, f64)>) -> Self {
+        Self { theory: true, ..Self::line(label, points) }
+    }
+}
+
+/// What stands across the chart: a straight line at one value, or a shaded strip.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Reference {
     /// Across at a value of the vertical axis.
@@ -38,19 +58,15 @@ pub enum Reference {
         /// Text at its upper end in figure markup.
         label: String,
     },
-}
-
-/// A shaded strip across the chart.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Band {
-    /// Whether `from` and `to` are values of the vertical axis (a lying strip) or of the horizontal one.
-    pub across: bool,
-    /// One edge.
-    pub from: f64,
-    /// The other edge.
-    pub to: f64,
-    /// Legend entry in figure markup; may be empty.
-    pub label: String,
+    /// A strip between two values of the vertical axis.
+    Band {
+        /// One edge.
+        from: f64,
+        /// The other edge.
+        to: f64,
+        /// Legend entry in figure markup; may be empty.
+        label: String,
+    },
 }
 
 /// A chart of lines.
@@ -64,12 +80,8 @@ pub struct LineChart {
     pub y: Axis,
     /// Lines from the lowest to the topmost.
     pub series: Vec<Series>,
-    /// Straight reference lines.
+    /// Reference lines and shaded strips.
     pub references: Vec<Reference>,
-    /// Shaded strips, drawn first.
-    pub bands: Vec<Band>,
-    /// Words inside the chart.
-    pub labels: Vec<RegionLabel>,
 }
 
 /// Upper left corner of the chart on the canvas.
@@ -88,21 +100,28 @@ impl LineChart {
         let below = frame.bounds.bottom + 60.0;
         let mut svg = Svg::new(&self.caption, CANVAS_WIDTH, below + legend.height());
         frame.draw_panel(&mut svg, "panel");
-        for (index, band) in self.bands.iter().enumerate() {
-            draw_band(&mut svg, &frame, index, band);
+        for (index, (edges, _)) in self.bands().enumerate() {
+            draw_band(&mut svg, &frame, index, edges);
         }
         frame.draw_grid(&mut svg);
         let style = LineStyle { tolerance: LINE_TOLERANCE, markers: true };
         draw_lines(&mut svg, &frame, &self.references, &self.series, style);
-        draw_labels(&mut svg, &frame, &self.labels);
         frame.draw_axes(&mut svg);
         legend.draw(&mut svg, (CORNER.0, below));
         svg.finish()
     }
 
+    /// The edges of the strips, and their legend entries.
+    fn bands(&self) -> impl Iterator<Item = ([f64; 2], &String)> {
+        self.references.iter().filter_map(|reference| match reference {
+            Reference::Band { from, to, label } => Some(([*from, *to], label)),
+            _ => None,
+        })
+    }
+
     fn legend_entries(&self) -> Vec<Entry<'_>> {
-        let bands = self.bands.iter().enumerate().map(|(index, band)| Entry {
-            label: band.label.clone(),
+        let bands = self.bands().enumerate().map(|(index, (_, label))| Entry {
+            label: label.clone(),
             key: Box::new(move |svg: &mut Svg, (x, y): Point| {
                 let (class, fill) = band_look(index);
                 svg.rect((x + 3.0, y - 7.0), (KEY_WIDTH - 13.0, 14.0), &[("class", &class), ("fill", fill)]);
@@ -163,7 +182,9 @@ pub(super) fn draw_lines(
     for (look, series) in looks(series) {
         draw_series(svg, frame, look, series, style);
     }
-    places.iter().for_each(|place| draw_reference_words(svg, place));
+    for place in places {
+        draw_words_on_lines(svg, ("ink halo", palette::FAINT_INK), place.words_at, place.anchor, place.label);
+    }
 }
 
 fn draw_series(svg: &mut Svg, frame: &Frame, look: Look, series: &Series, style: LineStyle) {
@@ -204,6 +225,7 @@ fn place_reference<'a>(frame: &Frame, reference: &'a Reference) -> Option<Refere
             let (ends, words_at) = ([(x, b.top), (x, b.bottom)], (x + 6.0, b.top + 17.0));
             Some(ReferencePlace { ends, words_at, anchor: "start", label })
         }
+        Reference::Band { .. } => None,
     }
 }
 
@@ -221,37 +243,16 @@ fn draw_reference_line(svg: &mut Svg, place: &ReferencePlace<'_>) {
     svg.close();
 }
 
-fn draw_reference_words(svg: &mut Svg, place: &ReferencePlace<'_>) {
-    if place.label.is_empty() {
-        return;
-    }
-    let at = [number(place.words_at.0), number(place.words_at.1)];
-    let attributes = [
-        ("class", "ink halo"),
-        ("x", at[0].as_str()),
-        ("y", &at[1]),
-        ("text-anchor", place.anchor),
-        ("font-size", "13"),
-        ("fill", palette::FAINT_INK),
-        ("stroke", palette::PLATE),
-        ("stroke-width", "3.5"),
-        ("paint-order", "stroke"),
-    ];
-    svg.text(&attributes, &rich_text::to_svg(place.label, SMALL));
-}
-
 fn band_look(index: usize) -> (String, &'static str) {
     const FILLS: [&str; 3] = ["#edf3f9", "#d9e7f3", "#c0d8ec"];
     let look = index % FILLS.len();
     (format!("band band-{look}"), FILLS[look])
 }
 
-fn draw_band(svg: &mut Svg, frame: &Frame, index: usize, band: &Band) {
-    let axis = if band.across { frame.y } else { frame.x };
-    let (Some(one), Some(two)) = (axis.position(band.from), axis.position(band.to)) else { return };
+fn draw_band(svg: &mut Svg, frame: &Frame, index: usize, edges: [f64; 2]) {
+    let [Some(one), Some(two)] = edges.map(|edge| frame.y.position(edge)) else { return };
     let (low, high) = (one.min(two).clamp(0.0, 1.0), one.max(two).clamp(0.0, 1.0));
-    let (start, end) = if band.across { ((0.0, high), (1.0, low)) } else { ((low, 1.0), (high, 0.0)) };
-    let (from, to) = (frame.place_unit(start), frame.place_unit(end));
+    let (from, to) = (frame.place_unit((0.0, high)), frame.place_unit((1.0, low)));
     let (class, fill) = band_look(index);
     svg.rect(from, (to.0 - from.0, to.1 - from.1), &[("class", &class), ("fill", fill)]);
 }

@@ -12,20 +12,13 @@
 //! ```
 //! use slipmode_plot::figure::{Axis, Caption, LineChart, Series};
 //!
-//! let decay = Series {
-//!     label: "decay".into(),
-//!     points: (0..50).map(|i| (f64::from(i), 2f64.powi(-i))).collect(),
-//!     marked: false,
-//!     theory: false,
-//! };
+//! let decay = Series::line("decay", (0..50).map(|i| (f64::from(i), 2f64.powi(-i))).collect());
 //! let chart = LineChart {
 //!     caption: Caption::new("decay", "A decay", "The line falls steeply and then flattens."),
 //!     x: Axis::linear("Time", "s", 0.0, 50.0),
 //!     y: Axis::log10("Amplitude", "m", 1e-15, 1.0),
 //!     series: vec![decay],
 //!     references: Vec::new(),
-//!     bands: Vec::new(),
-//!     labels: Vec::new(),
 //! };
 //! assert!(chart.svg().starts_with("<svg"));
 //! ```
@@ -60,7 +53,7 @@ pub use axis::{Axis, Scale};
 pub use family_map::FamilyMap;
 pub use heat_map::{ColourScale, HeatMap};
 pub use layers::{BoxLook, BoxNode, LayeredGraph};
-pub use line_chart::{Band, LineChart, Reference, Series};
+pub use line_chart::{LineChart, Reference, Series};
 pub use overlay::{Line, LineRole, PointMark, RegionLabel, Side};
 pub use panels::{Panel, Panels};
 pub use range_chart::{RangeChart, RangeRow, Span};

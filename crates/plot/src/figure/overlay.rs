@@ -2,7 +2,7 @@
 
 use super::frame::{Frame, SMALL};
 use super::legend::{Entry, KEY_WIDTH};
-use super::path::{line_data, simplify};
+use super::path::{Point, line_data, simplify};
 use super::svg::{Svg, number};
 use super::{palette, rich_text};
 
@@ -79,39 +79,19 @@ struct LineStyle {
 
 impl LineRole {
     fn style(self) -> LineStyle {
+        let style = |class, [colour, casing]: [_; 2], [width, casing_width]: [_; 2], dash| LineStyle {
+            class,
+            colour,
+            width,
+            casing,
+            casing_width,
+            dash,
+        };
         match self {
-            Self::Boundary => LineStyle {
-                class: "boundary",
-                colour: "#111111",
-                width: "2.2",
-                casing: "#ffffff",
-                casing_width: "4.4",
-                dash: "",
-            },
-            Self::Asymptote => LineStyle {
-                class: "asymptote",
-                colour: "#b3261e",
-                width: "1.7",
-                casing: "#ffffff",
-                casing_width: "3.7",
-                dash: "8 5",
-            },
-            Self::Transition => LineStyle {
-                class: "transition",
-                colour: "#ffffff",
-                width: "2.2",
-                casing: "#111111",
-                casing_width: "4.2",
-                dash: "",
-            },
-            Self::Guide => LineStyle {
-                class: "guide",
-                colour: "#444444",
-                width: "1.2",
-                casing: "#ffffff",
-                casing_width: "2.6",
-                dash: "2 3",
-            },
+            Self::Boundary => style("boundary", ["#111111", "#ffffff"], ["2.2", "4.4"], ""),
+            Self::Asymptote => style("asymptote", ["#b3261e", "#ffffff"], ["1.7", "3.7"], "8 5"),
+            Self::Transition => style("transition", ["#ffffff", "#111111"], ["2.2", "4.2"], ""),
+            Self::Guide => style("guide", ["#444444", "#ffffff"], ["1.2", "2.6"], "2 3"),
         }
     }
 }
@@ -228,19 +208,30 @@ pub(crate) fn draw_labels(svg: &mut Svg, frame: &Frame, labels: &[RegionLabel]) 
 /// Distance between lines of a label.
 const LABEL_LEADING: f64 = 17.0;
 
-fn draw_label(svg: &mut Svg, (x, y): (f64, f64), anchor: &str, markup: &str) {
+fn draw_label(svg: &mut Svg, at: Point, anchor: &str, markup: &str) {
+    draw_words_on_lines(svg, ("label", palette::INK), at, anchor, markup);
+}
+
+/// Small words of a class and a colour that stay readable where lines pass behind them.
+pub(crate) fn draw_words_on_lines(
+    svg: &mut Svg,
+    (class, colour): (&str, &str),
+    (x, y): Point,
+    anchor: &str,
+    markup: &str,
+) {
     if markup.is_empty() {
         return;
     }
     let at = [number(x), number(y)];
     svg.text(
         &[
-            ("class", "label"),
+            ("class", class),
             ("x", &at[0]),
             ("y", &at[1]),
             ("text-anchor", anchor),
             ("font-size", "13"),
-            ("fill", palette::INK),
+            ("fill", colour),
             ("stroke", palette::PLATE),
             ("stroke-width", "3.5"),
             ("paint-order", "stroke"),

@@ -108,11 +108,6 @@ pub(crate) fn heat_map(size: usize) -> HeatMap {
         zero_label: "max Im(*s*) = 0 exactly".into(),
         lines: theory_lines(),
         marks: vec![PointMark { label: "cusp".into(), x: 1.5964e-4, y: 5857.9, side: Side::Right }],
-        labels: vec![
-            label(&["**all roots real**", "unstable"], 1e-5, 1e7),
-            label(&["**all roots real**", "stable"], 1e-5, 2.5e3),
-            label(&["*K* < *K*_c"], 1e-2, 3e6),
-        ],
     }
 }
 
@@ -150,8 +145,6 @@ pub(crate) fn frequency_chart() -> LineChart {
             Reference::Horizontal { at: 100.0, label: "*ω*_n = 100 /s".into() },
             Reference::Vertical { at: 1.414e-3, label: "*V*_c".into() },
         ],
-        bands: vec![],
-        labels: vec![],
     }
 }
 
@@ -175,12 +168,10 @@ pub(crate) fn error_chart() -> LineChart {
         x: axes().0,
         y: Axis::signed_log10("*σ*_{exact}/*σ*_{15} − 1", "", 1e-6, -10.0, 10.0),
         series: vec![series("eq. 15", 1.0), series("eq. 18", -0.3)],
-        references: vec![],
-        bands: vec![
-            Band { across: true, from: -0.1, to: 0.1, label: "within 10 %".into() },
-            Band { across: true, from: -0.01, to: 0.01, label: "within 1 %".into() },
+        references: vec![
+            Reference::Band { from: -0.1, to: 0.1, label: "within 10 %".into() },
+            Reference::Band { from: -0.01, to: 0.01, label: "within 1 %".into() },
         ],
-        labels: vec![],
     }
 }
 

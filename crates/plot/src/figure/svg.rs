@@ -1,6 +1,6 @@
 //! A small SVG writer: escaped text, quoted attributes, coordinates in tenths.
 
-use super::{Caption, palette};
+use super::{Caption, palette, rich_text};
 use crate::table::printable;
 
 /// Fonts of all figures; the first that the viewer has is taken.
@@ -83,6 +83,12 @@ impl Svg {
     pub fn text(&mut self, attributes: &[(&str, &str)], markup: &str) {
         self.start("text", attributes);
         self.text += &format!(">{markup}</text>\n");
+    }
+
+    /// Words in figure markup at a place, in the style of the group around them.
+    pub fn words(&mut self, (x, y): (f64, f64), markup: &str, size: f64) {
+        let at = [number(x), number(y)];
+        self.text(&[("x", &at[0]), ("y", &at[1])], &rich_text::to_svg(markup, size));
     }
 
     /// The accessible name of the element opened last.

@@ -39,13 +39,13 @@ fn hostile_words_stay_words_in_every_place() {
     map.zero_label = hostile.into();
     map.lines[0].label = hostile.into();
     map.marks[0].label = hostile.into();
-    map.labels[0].lines = vec![hostile.into()];
     let mut chart = frequency_chart();
     chart.series[0].label = hostile.into();
     chart.references[0] = Reference::Horizontal { at: 1.0, label: hostile.into() };
-    chart.bands.push(Band { across: false, from: 1.0, to: 2.0, label: hostile.into() });
+    chart.references.push(Reference::Band { from: 1.0, to: 2.0, label: hostile.into() });
     let mut zones = zone_map(8);
     zones.zones[0].label = hostile.into();
+    zones.labels[0].lines = vec![hostile.into()];
     let mut ranges = range_chart();
     ranges.rows[0].label = hostile.into();
     ranges.rows[0].detail = hostile.into();
