@@ -1,7 +1,6 @@
 //! Which tables there are, and what each needs.
 
-use crate::experiments::Context;
-use crate::experiments::Need;
+use crate::experiments::{Context, Need};
 use slipmode_plot::table::Table;
 
 /// How a table is made.

@@ -6,10 +6,10 @@ use rayon::prelude::*;
 
 use crate::claims::{self, Ledger};
 use crate::experiments;
-use crate::experiments::Context;
-use crate::experiments::Scene;
-use crate::experiments::{Figure, FigureMaker, TableMaker, figure_makers, table_makers};
-use crate::experiments::{Needs, Outcome, Progress, References};
+use crate::experiments::{
+    Context, Figure, FigureMaker, Needs, Outcome, Progress, References, Scene, TableMaker, figure_makers,
+    table_makers,
+};
 use crate::report::assemble::{Material, assemble};
 use crate::report::blocks::{BlockKind, Piece, pieces};
 use crate::report::{FactView, InputView, ReportError, render_html, render_markdown};

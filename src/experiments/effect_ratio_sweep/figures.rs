@@ -2,8 +2,7 @@
 
 use crate::experiments::effect_ratio_sweep::{SweepOutcome, SweepRow};
 use crate::experiments::{Figure, FigureMaker, Need};
-use slipmode_core::number::Ball;
-use slipmode_core::number::nearest_f64;
+use slipmode_core::number::{Ball, nearest_f64};
 use slipmode_plot::figure::{Axis, Caption, LineChart, Reference, Series};
 
 pub(crate) const FIGURES: &[FigureMaker] =

@@ -1,8 +1,7 @@
 //! Frequencies along lines of constant normal stress (fig 2).
 
 use crate::experiments::frequency::{FrequencyLine, FrequencyOutcome};
-use crate::experiments::{Figure, FigureMaker};
-use crate::experiments::{Need, SceneOutcome};
+use crate::experiments::{Figure, FigureMaker, Need, SceneOutcome};
 use slipmode_core::friction::Slider;
 use slipmode_core::number::format::rational_to_decimal;
 use slipmode_core::number::{Ball, Rational, nearest_f64};

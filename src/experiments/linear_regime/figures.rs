@@ -1,8 +1,7 @@
 //! The figure of the mismatch over the amplitude.
 
 use crate::experiments::linear_regime::{Mismatch, ModeRuns};
-use crate::experiments::{Figure, FigureMaker};
-use crate::experiments::{Need, Outcome, SceneOutcome};
+use crate::experiments::{Figure, FigureMaker, Need, Outcome, SceneOutcome};
 use slipmode_core::friction::EvolutionLaw;
 use slipmode_plot::figure::{Axis, Caption, LineChart, Reference, Series};
 

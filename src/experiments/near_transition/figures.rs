@@ -1,8 +1,7 @@
 //! Figures of what happens close to K = K_c: sign of the coefficient, strip of bistability, amplitudes of cycles.
 
 use crate::experiments::near_transition::{CycleFamilyOutcome, Edge, FamilyCycle, NearTransitionOutcome};
-use crate::experiments::{Figure, FigureMaker};
-use crate::experiments::{Need, Outcome, SceneOutcome};
+use crate::experiments::{Figure, FigureMaker, Need, Outcome, SceneOutcome};
 use slipmode_core::friction::EvolutionLaw;
 use slipmode_core::number::format::rational_to_decimal;
 use slipmode_core::number::{Rational, nearest_f64};

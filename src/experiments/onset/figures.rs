@@ -1,8 +1,7 @@
 //! Runs on either side of the onset of oscillation, with the velocities of theory (fig 4).
 
 use crate::experiments::onset::ShownRun;
-use crate::experiments::{Figure, FigureMaker};
-use crate::experiments::{Need, Outcome};
+use crate::experiments::{Figure, FigureMaker, Need, Outcome};
 use slipmode_core::number::format::round_digits;
 use slipmode_core::number::nearest_f64;
 use slipmode_core::stability::Asymptote;

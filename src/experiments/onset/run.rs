@@ -3,10 +3,9 @@
 use rayon::prelude::*;
 
 use crate::experiments::map::run::exactly;
-use crate::experiments::onset::OnsetSection;
 use crate::experiments::onset::search::Line;
 use crate::experiments::onset::theory::{DIGITS, inertial_velocity, stable_boundary};
-use crate::experiments::onset::{Located, SeenOnset};
+use crate::experiments::onset::{Located, OnsetSection, SeenOnset};
 use crate::experiments::simulations::run::options;
 use slipmode_core::dynamics::{Behaviour, simulate};
 use slipmode_core::friction::Slider;

@@ -1,8 +1,7 @@
 //! The figure of the original scheme's bias.
 
 use crate::experiments::original_scheme::SchemeSeries;
-use crate::experiments::{Figure, FigureMaker};
-use crate::experiments::{Need, Outcome};
+use crate::experiments::{Figure, FigureMaker, Need, Outcome};
 use slipmode_core::number::format::round_digits;
 use slipmode_core::number::nearest_f64;
 use slipmode_plot::figure::{Axis, Caption, LineChart, Reference, Series};

@@ -5,8 +5,7 @@ use crate::experiments::shared::axes::axes;
 use crate::experiments::shared::map_readout::simulated_readout;
 use crate::experiments::simulations::{LeastPeak, SimulatedPoint, SimulationsOutcome};
 use crate::experiments::trajectories::curves::point_marks;
-use crate::experiments::{Figure, FigureMaker};
-use crate::experiments::{Need, SceneOutcome};
+use crate::experiments::{Figure, FigureMaker, Need, SceneOutcome};
 use slipmode_core::friction::EvolutionLaw;
 use slipmode_plot::figure::{Caption, ColourScale, HeatMap, Line, LineRole, Side};
 

@@ -4,8 +4,7 @@ use rayon::prelude::*;
 
 use crate::experiments::map::run::exactly;
 use crate::experiments::shared::Grid;
-use crate::experiments::simulations::SimulationsSection;
-use crate::experiments::simulations::{LeastPeak, least_peaks};
+use crate::experiments::simulations::{LeastPeak, SimulationsSection, least_peaks};
 use slipmode_core::dynamics::{Behaviour, Failure, Options, Simulation, simulate};
 use slipmode_core::friction::{EvolutionLaw, Slider};
 use slipmode_core::number::{Rational, nearest_f64};

@@ -2,8 +2,7 @@
 
 use crate::experiments::map::figures::theory_lines;
 use crate::experiments::swept::Swept;
-use crate::experiments::{Figure, FigureMaker};
-use crate::experiments::{Need, Outcome, SceneOutcome};
+use crate::experiments::{Figure, FigureMaker, Need, Outcome, SceneOutcome};
 use crate::sweep::{SummarySection, SweepWork};
 use slipmode_core::friction::EvolutionLaw;
 use slipmode_core::number::Rational;

@@ -3,9 +3,7 @@
 use crate::experiments::Scene;
 use crate::experiments::swept::SweptEntry;
 use crate::scene::{Fault, Problem};
-use crate::sweep::Coordinate;
-use crate::sweep::Summary;
-use crate::sweep::{SummarySection, SweepPoints, SweepSection, SweepWork};
+use crate::sweep::{Coordinate, Summary, SummarySection, SweepPoints, SweepSection, SweepWork};
 
 /// A sweep whose summary is at hand.
 #[derive(Debug, Clone)]

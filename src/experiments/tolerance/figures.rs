@@ -2,8 +2,7 @@
 
 use crate::experiments::boundary::figures::equation_label;
 use crate::experiments::tolerance::ToleranceOutcome;
-use crate::experiments::{Figure, FigureMaker};
-use crate::experiments::{Need, SceneOutcome};
+use crate::experiments::{Figure, FigureMaker, Need, SceneOutcome};
 use slipmode_core::number::format::rational_to_decimal;
 use slipmode_core::number::{Rational, nearest_f64};
 use slipmode_core::stability::Asymptote;

@@ -4,8 +4,7 @@ use crate::experiments::trajectories::curves::{
     extent, linear_axis, mode_words, power_markup, runs_of, series, stress_unit, velocity_ratio,
 };
 use crate::experiments::trajectories::{Moment, TrajectoryRun};
-use crate::experiments::{Figure, FigureMaker};
-use crate::experiments::{Need, SceneOutcome};
+use crate::experiments::{Figure, FigureMaker, Need, SceneOutcome};
 use slipmode_core::friction::{EvolutionLaw, SlipMode};
 use slipmode_core::number::nearest_f64;
 use slipmode_plot::figure::{Axis, Caption, Panel, Panels, Reference};

@@ -5,8 +5,7 @@ use crate::experiments::trajectories::curves::{
 };
 use crate::experiments::trajectories::figures::place_words;
 use crate::experiments::trajectories::{Moment, TrajectoryRun};
-use crate::experiments::{Figure, FigureMaker};
-use crate::experiments::{Need, SceneOutcome};
+use crate::experiments::{Figure, FigureMaker, Need, SceneOutcome};
 use slipmode_core::dynamics::Behaviour;
 use slipmode_core::friction::{EvolutionLaw, Slider};
 use slipmode_core::number::{Rational, nearest_f64};
