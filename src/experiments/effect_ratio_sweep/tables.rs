@@ -1,6 +1,6 @@
 //! The table of the asymptotes' largest row.errors.
 
-use crate::experiments::shared::cells::{certain, decimal};
+use crate::experiments::shared::cells::{DigitColumns, ERROR_DIGITS};
 use crate::experiments::{Context, Need, TableMaker};
 use slipmode_plot::table::Table;
 
@@ -16,23 +16,23 @@ fn corners(context: &Context) -> Option<Table> {
         sweeps.flat_map(|(_, sweep)| &sweep.rows),
     )
     .note(note)
-    .number("effect_ratio", "β = b/a", "", |row| decimal(&row.effect_ratio, 15))
-    .number("upper_worst_log10", "Upper arc: largest log10 distance", "", |row| {
-        certain(row.errors.upper_worst_log10.as_ref())
+    .digits("effect_ratio", "β = b/a", "", 15, |row| &row.effect_ratio)
+    .digits("upper_worst_log10", "Upper arc: largest log10 distance", "", ERROR_DIGITS, |row| {
+        row.errors.upper_worst_log10.as_ref()
     })
-    .number("upper_eq15_error", "eq 15 at V0 of the corner", "", |row| {
-        certain(row.errors.upper.as_ref().map(|pair| &pair.quasi_static))
+    .digits("upper_eq15_error", "eq 15 at V0 of the corner", "", ERROR_DIGITS, |row| {
+        row.errors.upper.as_ref().map(|pair| &pair.quasi_static)
     })
-    .number("upper_eq18_error", "eq 18 at V0 of the corner", "", |row| {
-        certain(row.errors.upper.as_ref().map(|pair| &pair.inertial))
+    .digits("upper_eq18_error", "eq 18 at V0 of the corner", "", ERROR_DIGITS, |row| {
+        row.errors.upper.as_ref().map(|pair| &pair.inertial)
     })
-    .number("lower_worst_log10", "Lower arc: largest log10 distance", "", |row| {
-        certain(&row.errors.lower_worst_log10)
+    .digits("lower_worst_log10", "Lower arc: largest log10 distance", "", ERROR_DIGITS, |row| {
+        &row.errors.lower_worst_log10
     })
-    .number("cusp_eq16_error", "eq 16 at the cusp", "", |row| certain(&row.errors.cusp.quasi_static))
-    .number("cusp_eq20_error", "eq 20 at the cusp", "", |row| certain(&row.errors.cusp.inertial))
-    .number("lower_eq20_error_at_corner_normal_stress", "eq 20 at σ of eq 16", "", |row| {
-        certain(&row.errors.lower_at_corner_normal_stress)
+    .digits("cusp_eq16_error", "eq 16 at the cusp", "", ERROR_DIGITS, |row| &row.errors.cusp.quasi_static)
+    .digits("cusp_eq20_error", "eq 20 at the cusp", "", ERROR_DIGITS, |row| &row.errors.cusp.inertial)
+    .digits("lower_eq20_error_at_corner_normal_stress", "eq 20 at σ of eq 16", "", ERROR_DIGITS, |row| {
+        &row.errors.lower_at_corner_normal_stress
     })
     .unless_empty()
 }

@@ -1,7 +1,7 @@
 //! Tables of true and estimated errors.
 
 use crate::experiments::error_bound::BoundCheck;
-use crate::experiments::shared::cells::RoundedColumns;
+use crate::experiments::shared::cells::DigitColumns;
 use crate::experiments::{Context, Need, TableMaker};
 use slipmode_plot::table::Table;
 
@@ -28,7 +28,7 @@ fn bound(context: &Context) -> Option<Table> {
     let rows = tolerances.into_iter().flat_map(|tolerance| OBSERVABLES.map(|of| (tolerance, of)));
     Table::of("error-bound", "True errors compared with estimated errors: random sliders, both laws", rows)
         .note(note)
-        .rounded("tolerance", "Tolerance", "", 2, |(tolerance, _)| tolerance)
+        .digits("tolerance", "Tolerance", "", 2, |(tolerance, _)| tolerance)
         .text("observable", "Observable", |(_, (name, _))| name)
         .number("runs", "Runs", "", |(at, (_, ratio))| runs(at).filter_map(ratio).count())
         .number("failed", "Without a result", "", |(at, _)| runs(at).filter(failed).count())
@@ -36,7 +36,7 @@ fn bound(context: &Context) -> Option<Table> {
         .number("above_stated", "True error above the estimated one", "", |row| above(row, 1.0))
         .number("above_tenth", "Above a tenth of it", "", |row| above(row, 0.1))
         .number("above_hundredth", "Above a hundredth of it", "", |row| above(row, 0.01))
-        .rounded("worst_ratio", "Largest true / estimated error", "", 2, |(at, (_, ratio))| {
+        .digits("worst_ratio", "Largest true / estimated error", "", 2, |(at, (_, ratio))| {
             runs(at).filter_map(ratio).reduce(f64::max)
         })
         .unless_empty()
@@ -51,16 +51,16 @@ const OBSERVABLES: [(&str, Ratio); 2] =
 
 fn bound_runs(context: &Context) -> Option<Table> {
     Table::of("error-bound-runs", "Estimated and true errors, run by run", checks(context))
-        .rounded("inertial_parameter", "η", "", 5, |check| check.groups.inertial_parameter)
-        .rounded("stiffness_group", "κ", "", 5, |check| check.groups.stiffness_group)
-        .rounded("effect_ratio", "b/a", "", 5, |check| check.groups.effect_ratio)
+        .digits("inertial_parameter", "η", "", 5, |check| check.groups.inertial_parameter)
+        .digits("stiffness_group", "κ", "", 5, |check| check.groups.stiffness_group)
+        .digits("effect_ratio", "b/a", "", 5, |check| check.groups.effect_ratio)
         .text("law", "Law", |check| check.law.as_str())
-        .rounded("tolerance", "Tolerance", "", 2, |check| check.tolerance)
+        .digits("tolerance", "Tolerance", "", 2, |check| check.tolerance)
         .text("behaviour", "Long-term behaviour", |check| {
             check.periodic.map_or("", |periodic| if periodic { "periodic" } else { "decaying" })
         })
-        .rounded("peak_ratio", "Peak: true / estimated error", "", 2, |check| check.peak_ratio)
-        .rounded("period_ratio", "Period: true / estimated error", "", 2, |check| check.period_ratio)
+        .digits("peak_ratio", "Peak: true / estimated error", "", 2, |check| check.peak_ratio)
+        .digits("period_ratio", "Period: true / estimated error", "", 2, |check| check.period_ratio)
         .text("failure", "Failure", |check| &check.failure)
         .unless_empty()
 }

@@ -1,6 +1,6 @@
 //! The table of frequencies.
 
-use crate::experiments::shared::cells::{RoundedColumns, decimal};
+use crate::experiments::shared::cells::DigitColumns;
 use crate::experiments::{Context, Need, TableMaker};
 use slipmode_core::number::Wide;
 use slipmode_core::number::format::round_digits;
@@ -20,13 +20,11 @@ fn frequency(context: &Context) -> Option<Table> {
     Table::of("frequency", "Largest imaginary part along lines of constant normal stress", rows)
         .note(note)
         .text("scene", "Scene", |(name, ..)| name)
-        .number("normal_stress_over_critical", "σ/σ_c", "", |(_, line, ..)| {
-            decimal(&line.normal_stress_over_critical, 6)
+        .digits("normal_stress_over_critical", "σ/σ_c", "", 6, |(_, line, ..)| {
+            &line.normal_stress_over_critical
         })
-        .number("normal_stress_pa", "Normal stress σ", "Pa", |(_, line, ..)| {
-            decimal(&line.normal_stress_pa, 8)
-        })
-        .rounded("loading_velocity_m_per_s", "Loading velocity V0", "m/s", 8, |(_, _, velocity, _)| velocity)
+        .digits("normal_stress_pa", "Normal stress σ", "Pa", 8, |(_, line, ..)| &line.normal_stress_pa)
+        .digits("loading_velocity_m_per_s", "Loading velocity V0", "m/s", 8, |(_, _, velocity, _)| velocity)
         .number("max_imaginary_per_s", "max Im(s)", "1/s", |(.., imaginary)| shown(imaginary))
         .unless_empty()
 }

@@ -2,7 +2,7 @@
 
 use crate::experiments::linear_regime::ModeRuns;
 use crate::experiments::linear_regime::figures::runs_of;
-use crate::experiments::shared::cells::RoundedColumns;
+use crate::experiments::shared::cells::DigitColumns;
 use crate::experiments::{Context, Need, Outcome, TableMaker};
 use slipmode_core::friction::EvolutionLaw;
 use slipmode_plot::table::Table;
@@ -24,27 +24,25 @@ fn all_runs(context: &Context) -> Option<Table> {
     Table::of("linear-regime", "Small disturbances compared with the roots of eq 8", rows)
         .note(note)
         .text("scene", "Scene", |(name, ..)| name)
-        .rounded("loading_velocity_m_per_s", "V_l", "m/s", 6, |(_, run, ..)| run.loading_velocity_m_per_s)
-        .rounded("normal_stress_pa", "σ", "Pa", 6, |(_, run, ..)| run.normal_stress_pa)
+        .digits("loading_velocity_m_per_s", "V_l", "m/s", 6, |(_, run, ..)| run.loading_velocity_m_per_s)
+        .digits("normal_stress_pa", "σ", "Pa", 6, |(_, run, ..)| run.normal_stress_pa)
         .text("slip_mode", "Slip mode", |(_, run, ..)| run.slip_mode.as_str())
         .text("law", "Law", |(_, run, ..)| run.law.as_str())
-        .rounded("growth_rate", "Re p", "V_l/D_c", 8, |(_, run, ..)| run.growth_rate)
-        .rounded("angular_frequency", "Im p", "V_l/D_c", 8, |(_, run, ..)| run.angular_frequency)
+        .digits("growth_rate", "Re p", "V_l/D_c", 8, |(_, run, ..)| run.growth_rate)
+        .digits("angular_frequency", "Im p", "V_l/D_c", 8, |(_, run, ..)| run.angular_frequency)
         .text("direction", "Start along real or imaginary part of the eigenvector", |(_, run, ..)| {
             run.direction.as_str()
         })
-        .rounded("largest_amplitude", "Largest amplitude", "", 3, |(_, _, first, _)| first.amplitude)
-        .rounded("mismatch_at_largest", "Mismatch there", "", 3, |(_, _, first, _)| first.size())
-        .rounded("smallest_amplitude", "Smallest amplitude", "", 3, |(.., last)| last.amplitude)
-        .rounded("growth_mismatch", "Mismatch of growth there", "", 3, |(.., last)| last.growth.abs())
-        .rounded("frequency_mismatch", "Mismatch of frequency there", "", 3, |(.., last)| {
-            last.frequency.abs()
-        })
-        .rounded("snapshot_mismatch", "Mismatch from snapshots there", "", 3, |(.., last)| last.snapshots)
-        .rounded("order", "Order in the amplitude", "", 5, |(_, run, ..)| run.order())
-        .rounded("coefficient", "Predicted mismatch / amplitude", "", 4, |(_, run, ..)| run.coefficient)
-        .rounded("off_prediction", "Measured / predicted − 1", "", 2, |(_, run, ..)| run.off_prediction())
-        .rounded("difference_of_64_bit", "Difference of a 64-bit run", "", 2, |(_, run, ..)| {
+        .digits("largest_amplitude", "Largest amplitude", "", 3, |(_, _, first, _)| first.amplitude)
+        .digits("mismatch_at_largest", "Mismatch there", "", 3, |(_, _, first, _)| first.size())
+        .digits("smallest_amplitude", "Smallest amplitude", "", 3, |(.., last)| last.amplitude)
+        .digits("growth_mismatch", "Mismatch of growth there", "", 3, |(.., last)| last.growth.abs())
+        .digits("frequency_mismatch", "Mismatch of frequency there", "", 3, |(.., last)| last.frequency.abs())
+        .digits("snapshot_mismatch", "Mismatch from snapshots there", "", 3, |(.., last)| last.snapshots)
+        .digits("order", "Order in the amplitude", "", 5, |(_, run, ..)| run.order())
+        .digits("coefficient", "Predicted mismatch / amplitude", "", 4, |(_, run, ..)| run.coefficient)
+        .digits("off_prediction", "Measured / predicted − 1", "", 2, |(_, run, ..)| run.off_prediction())
+        .digits("difference_of_64_bit", "Difference of a 64-bit run", "", 2, |(_, run, ..)| {
             run.difference_of_64_bit
         })
         .unless_empty()
@@ -109,15 +107,15 @@ fn extremes(context: &Context) -> Option<Table> {
     .text("law", "Law", |group| group.law.as_str())
     .text("root", "Root", |group| group.root())
     .number("starts", "Starts", "", |group| group.runs.len())
-    .rounded("amplitude", "Smallest amplitude", "", 3, |group| group.smallest_amplitude())
-    .rounded("worst_mismatch", "Largest mismatch there, by either method", "", 2, |group| {
+    .digits("amplitude", "Smallest amplitude", "", 3, |group| group.smallest_amplitude())
+    .digits("worst_mismatch", "Largest mismatch there, by either method", "", 2, |group| {
         group.largest(ModeRuns::least_mismatch)
     })
-    .rounded("worst_order", "Order farthest from 1", "", 5, |group| group.order_farthest_from_1())
-    .rounded("off_prediction", "Farthest from the predicted constant", "", 2, |group| {
+    .digits("worst_order", "Order farthest from 1", "", 5, |group| group.order_farthest_from_1())
+    .digits("off_prediction", "Farthest from the predicted constant", "", 2, |group| {
         group.largest(ModeRuns::off_prediction)
     })
-    .rounded("difference_of_64_bit", "Largest difference of a 64-bit run", "", 2, |group| {
+    .digits("difference_of_64_bit", "Largest difference of a 64-bit run", "", 2, |group| {
         group.largest(|run| Some(run.difference_of_64_bit))
     })
     .number("failures", "Starts of the scene without a result", "", |group| group.failures)
@@ -133,14 +131,14 @@ fn steady(context: &Context) -> Option<Table> {
     Table::of("steady-sliding", "Steady sliding over a million D_c/V_l, and the free residual", rows)
         .note(note)
         .text("scene", "Scene", |(name, _)| name)
-        .rounded("loading_velocity_m_per_s", "V_l", "m/s", 6, |(_, run)| run.loading_velocity_m_per_s)
-        .rounded("normal_stress_pa", "σ", "Pa", 6, |(_, run)| run.normal_stress_pa)
+        .digits("loading_velocity_m_per_s", "V_l", "m/s", 6, |(_, run)| run.loading_velocity_m_per_s)
+        .digits("normal_stress_pa", "σ", "Pa", 6, |(_, run)| run.normal_stress_pa)
         .text("law", "Law", |(_, run)| run.law.as_str())
-        .rounded("departure", "Departure from steady sliding", "", 2, |(_, run)| run.departure)
-        .rounded("disturbed_over_disturbance", "Largest / initial disturbance of 2^-52", "", 3, |(_, run)| {
+        .digits("departure", "Departure from steady sliding", "", 2, |(_, run)| run.departure)
+        .digits("disturbed_over_disturbance", "Largest / initial disturbance of 2^-52", "", 3, |(_, run)| {
             run.disturbed_over_disturbance
         })
-        .rounded("free_residual_over_normal_stress", "Free residual / σ", "", 2, |(_, run)| {
+        .digits("free_residual_over_normal_stress", "Free residual / σ", "", 2, |(_, run)| {
             run.free_residual_over_normal_stress
         })
         .unless_empty()

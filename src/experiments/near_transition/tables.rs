@@ -1,9 +1,7 @@
 //! Tables of what happens close to K = K_c: the coefficient, the runs, the cycles and the edge of bistability.
 
-use crate::experiments::near_transition::{
-    CycleFamilyOutcome, Edge, NearRun, NearTransitionOutcome, Threshold,
-};
-use crate::experiments::shared::cells::{RoundedColumns, decimal, rounded};
+use crate::experiments::near_transition::{CycleFamilyOutcome, NearRun, NearTransitionOutcome};
+use crate::experiments::shared::cells::DigitColumns;
 use crate::experiments::{Context, Need, TableMaker};
 use slipmode_core::friction::EvolutionLaw;
 use slipmode_core::number::format::round_digits;
@@ -56,23 +54,23 @@ fn runs(context: &Context) -> Option<Table> {
     )
     .note(note)
     .text("law", "Law", |run| run.law.as_str())
-    .number("inertial_parameter", "η", "", |run| decimal(&run.inertial_parameter, 6))
-    .number("stiffness_over_critical", "K/K_c", "", |run| decimal(&run.stiffness_over_critical, 6))
+    .digits("inertial_parameter", "η", "", 6, |run| &run.inertial_parameter)
+    .digits("stiffness_over_critical", "K/K_c", "", 6, |run| &run.stiffness_over_critical)
     .text("behaviour", "Long-term behaviour", |run| {
         run.outcome.as_ref().ok().map(|_| if ended(run, true) { "periodic" } else { "decaying" })
     })
-    .number("log_peak", "ln(V_peak/V_l)", "", |run| {
+    .digits("log_peak", "ln(V_peak/V_l)", "", 6, |run| {
         let found = run.outcome.as_ref().ok().filter(|_| ended(run, true));
-        rounded(found.map(|found| found.log_peak()), 6)
+        found.map(|found| found.log_peak())
     })
-    .rounded("log_peak_newton", "the same by Newton's method", "", 6, |run| run.newton_log_peak)
-    .rounded("amplitude", "Amplitude of ln(V/V_l)", "", 6, |run| run.amplitude())
-    .rounded("amplitude_predicted", "predicted by the coefficient", "", 6, |run| run.predicted_amplitude)
-    .rounded("growth_over_rate", "Growth rate", "V_l/D_c", 3, |run| run.growth())
-    .rounded("linear_growth_over_rate", "Re(s)", "V_l/D_c", 6, |run| {
+    .digits("log_peak_newton", "the same by Newton's method", "", 6, |run| run.newton_log_peak)
+    .digits("amplitude", "Amplitude of ln(V/V_l)", "", 6, |run| run.amplitude())
+    .digits("amplitude_predicted", "predicted by the coefficient", "", 6, |run| run.predicted_amplitude)
+    .digits("growth_over_rate", "Growth rate", "V_l/D_c", 3, |run| run.growth())
+    .digits("linear_growth_over_rate", "Re(s)", "V_l/D_c", 6, |run| {
         run.linear_growth.filter(|_| ended(run, false))
     })
-    .rounded("laps_per_e_fold", "Cycles per factor e", "", 3, |run| run.returns_per_fold())
+    .digits("laps_per_e_fold", "Cycles per factor e", "", 3, |run| run.returns_per_fold())
     .text("failure", "Failure", |run| run.outcome.as_ref().err().map(ToString::to_string))
     .unless_empty()
 }
@@ -84,14 +82,14 @@ fn families(context: &Context) -> Option<Table> {
     Table::of("cycle-families", "Cycles that leave steady sliding at K = K_c", cycles)
         .note(note)
         .text("law", "Law", |(family, _)| family.law.as_str())
-        .number("inertial_parameter", "η", "", |(family, _)| decimal(&family.inertial_parameter, 6))
-        .rounded("stiffness_excess", "K/K_c − 1", "", 5, |(_, cycle)| cycle.excess)
-        .rounded("stiffness_excess_predicted", "predicted by the coefficient", "", 5, |(_, cycle)| {
+        .digits("inertial_parameter", "η", "", 6, |(family, _)| &family.inertial_parameter)
+        .digits("stiffness_excess", "K/K_c − 1", "", 5, |(_, cycle)| cycle.excess)
+        .digits("stiffness_excess_predicted", "predicted by the coefficient", "", 5, |(_, cycle)| {
             cycle.predicted_excess
         })
-        .rounded("amplitude", "Amplitude of ln(V/V_l)", "", 6, |(_, cycle)| cycle.amplitude)
-        .rounded("log_peak", "ln(V_peak/V_l)", "", 6, |(_, cycle)| cycle.log_peak)
-        .rounded("multiplier", "Leading Floquet multiplier", "", 6, |(_, cycle)| cycle.multiplier)
+        .digits("amplitude", "Amplitude of ln(V/V_l)", "", 6, |(_, cycle)| cycle.amplitude)
+        .digits("log_peak", "ln(V_peak/V_l)", "", 6, |(_, cycle)| cycle.log_peak)
+        .digits("multiplier", "Leading Floquet multiplier", "", 6, |(_, cycle)| cycle.multiplier)
         .unless_empty()
 }
 
@@ -102,11 +100,11 @@ fn agreement(context: &Context) -> Option<Table> {
     Table::of("cycle-agreement", "Integrated cycles compared with the first Lyapunov coefficient", &rows)
         .note(note)
         .text("law", "Law", |(family, _)| family.law.as_str())
-        .number("inertial_parameter", "η", "", |(family, _)| decimal(&family.inertial_parameter, 6))
+        .digits("inertial_parameter", "η", "", 6, |(family, _)| &family.inertial_parameter)
         .text("criticality", "Bifurcation (exact)", |(family, _)| family.criticality().as_str())
-        .rounded("amplitude", "Amplitude of ln(V/V_l)", "", 3, |(_, found)| found.amplitude)
-        .rounded("deviation", "(K/K_c − 1) / predicted − 1", "", 3, |(_, found)| found.deviation)
-        .rounded("order", "Order in the amplitude", "", 3, |(_, found)| found.order)
+        .digits("amplitude", "Amplitude of ln(V/V_l)", "", 3, |(_, found)| found.amplitude)
+        .digits("deviation", "(K/K_c − 1) / predicted − 1", "", 3, |(_, found)| found.deviation)
+        .digits("order", "Order in the amplitude", "", 3, |(_, found)| found.order)
         .unless_empty()
 }
 
@@ -117,25 +115,26 @@ fn edges(context: &Context) -> Option<Table> {
     );
     let edges =
         families_of(context).filter_map(|family| Some((family, family.edge.as_ref().ok()?.as_ref()?)));
-    let threshold = |edge: &Edge, of: fn(&Threshold) -> f64| rounded(edge.threshold.as_ref().map(of), 5);
     Table::of("bistability-edge", "Limit of bistability, aging law", edges)
         .note(&note)
-        .number("inertial_parameter", "η", "", |(family, _)| decimal(&family.inertial_parameter, 6))
-        .rounded("loading_velocity_m_per_s", "V_l on K = K_c", "m/s", 4, |(_, edge)| {
+        .digits("inertial_parameter", "η", "", 6, |(family, _)| &family.inertial_parameter)
+        .digits("loading_velocity_m_per_s", "V_l on K = K_c", "m/s", 4, |(_, edge)| {
             edge.loading_velocity_m_per_s
         })
-        .rounded("normal_stress_pa", "σ on K = K_c", "Pa", 4, |(_, edge)| edge.normal_stress_pa)
-        .rounded("edge_excess", "Fold: K/K_c − 1", "", 5, |(_, edge)| edge.excess)
-        .rounded("edge_error", "± of the continuation", "", 1, |(_, edge)| edge.error)
-        .rounded("bracket_by_runs", "Confirmed by runs to a relative", "", 1, |(_, edge)| edge.bracket)
-        .rounded("edge_log_peak", "ln(V_peak/V_l) at the fold", "", 4, |(_, edge)| edge.log_peak)
-        .rounded("width_dex", "Width in σ", "dex", 3, |(_, edge)| edge.width_dex)
-        .number("half_way_excess", "Half-way: K/K_c − 1", "", |(_, edge)| threshold(edge, |at| at.excess))
-        .number("unstable_log_peak", "ln(V_peak/V_l) of the unstable cycle", "", |(_, edge)| {
-            threshold(edge, |at| at.unstable_log_peak)
+        .digits("normal_stress_pa", "σ on K = K_c", "Pa", 4, |(_, edge)| edge.normal_stress_pa)
+        .digits("edge_excess", "Fold: K/K_c − 1", "", 5, |(_, edge)| edge.excess)
+        .digits("edge_error", "± of the continuation", "", 1, |(_, edge)| edge.error)
+        .digits("bracket_by_runs", "Confirmed by runs to a relative", "", 1, |(_, edge)| edge.bracket)
+        .digits("edge_log_peak", "ln(V_peak/V_l) at the fold", "", 4, |(_, edge)| edge.log_peak)
+        .digits("width_dex", "Width in σ", "dex", 3, |(_, edge)| edge.width_dex)
+        .digits("half_way_excess", "Half-way: K/K_c − 1", "", 5, |(_, edge)| {
+            Some(edge.threshold.as_ref()?.excess)
         })
-        .number("threshold_start_velocity_ratio", "Threshold start V/V_l", "", |(_, edge)| {
-            threshold(edge, |at| at.start_velocity_ratio)
+        .digits("unstable_log_peak", "ln(V_peak/V_l) of the unstable cycle", "", 5, |(_, edge)| {
+            Some(edge.threshold.as_ref()?.unstable_log_peak)
+        })
+        .digits("threshold_start_velocity_ratio", "Threshold start V/V_l", "", 5, |(_, edge)| {
+            Some(edge.threshold.as_ref()?.start_velocity_ratio)
         })
         .text("threshold_confirmed", "Confirmed by runs", |(_, edge)| {
             let confirmed = edge.threshold.as_ref().and_then(|at| at.confirmed);

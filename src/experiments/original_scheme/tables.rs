@@ -1,10 +1,10 @@
 //! Tables of the original scheme: bias, order, transition, and figs 3a and 5 under it.
 
 use crate::experiments::original_scheme::{OriginalSchemeOutcome, SchemeSeries, SchemeStep};
-use crate::experiments::shared::cells::{RoundedColumns, rounded};
+use crate::experiments::shared::cells::DigitColumns;
 use crate::experiments::{Context, Need, TableMaker};
 use slipmode_core::number::nearest_f64;
-use slipmode_plot::table::{Cell, Column, Table};
+use slipmode_plot::table::{Table, TableRows};
 
 pub(crate) const TABLES: &[TableMaker] = &[
     TableMaker { id: "scheme-bias", needs: &[Need::OriginalScheme], make: bias },
@@ -18,17 +18,16 @@ fn scheme<'c>(context: &'c Context) -> Option<&'c OriginalSchemeOutcome> {
     Some(context.outcome.each(|scene| &scene.original_scheme).next()?.1)
 }
 
-fn place_columns() -> [Column; 3] {
-    [
-        Column::text("law", "Law"),
-        Column::number("normal_stress_pa", "Normal stress σ", "Pa"),
-        Column::number("loading_velocity_m_per_s", "Loading velocity V0", "m/s"),
-    ]
-}
-
-fn place_cells(series: &SchemeSeries) -> [Cell; 3] {
-    let [stress, velocity] = [&series.place.normal_stress_pa, &series.place.loading_velocity_m_per_s];
-    [series.law.as_str().into(), rounded(nearest_f64(stress), 4), rounded(nearest_f64(velocity), 4)]
+/// Columns of a run's place, which stand first.
+fn at_places<'s, R: Copy>(rows: TableRows<R>, of: impl Fn(R) -> &'s SchemeSeries) -> TableRows<R> {
+    let place = |row| &of(row).place;
+    rows.text("law", "Law", |row| of(row).law.as_str())
+        .digits("normal_stress_pa", "Normal stress σ", "Pa", 4, |row| {
+            nearest_f64(&place(row).normal_stress_pa)
+        })
+        .digits("loading_velocity_m_per_s", "Loading velocity V0", "m/s", 4, |row| {
+            nearest_f64(&place(row).loading_velocity_m_per_s)
+        })
 }
 
 fn bias(context: &Context) -> Option<Table> {
@@ -38,15 +37,15 @@ fn bias(context: &Context) -> Option<Table> {
     let percent = |(series, step): (&SchemeSeries, &SchemeStep), of: fn((f64, f64)) -> f64| {
         step.bias(series.log_peak).map(|found| 100.0 * of(found))
     };
-    Table::of("scheme-bias", "Bias of the long-term peak velocity under the original scheme", rows)
+    let title = "Bias of the long-term peak velocity under the original scheme";
+    at_places(Table::of("scheme-bias", title, rows), |(series, _)| series)
         .note(note)
-        .columns(place_columns(), |(series, _)| place_cells(series))
-        .rounded("step_over_natural_time", "Step / √(M/K)", "", 4, |(_, step)| step.fraction)
-        .rounded("bias_percent", "Bias of the peak velocity", "%", 3, |row| {
+        .digits("step_over_natural_time", "Step / √(M/K)", "", 4, |(_, step)| step.fraction)
+        .digits("bias_percent", "Bias of the peak velocity", "%", 3, |row| {
             percent(row, |(bias, _)| libm::expm1(bias))
         })
-        .rounded("spread_percent", "Spread", "%", 1, |row| percent(row, |(_, spread)| spread))
-        .rounded("steps", "Steps of the run", "", 3, |(_, step)| step.steps_needed)
+        .digits("spread_percent", "Spread", "%", 1, |row| percent(row, |(_, spread)| spread))
+        .digits("steps", "Steps of the run", "", 3, |(_, step)| step.steps_needed)
         .text("outcome", "Result", |(_, step)| match &step.peak {
             None => "too many steps".to_string(),
             Some(Err(failure)) => failure.to_string(),
@@ -59,11 +58,10 @@ fn order(context: &Context) -> Option<Table> {
     let note = "Computed from the long-term peaks at three steps, each half of the previous one, without our converged value. The error adds the spreads of the peaks and the difference from the order of the next coarser three steps.";
     let series = &scheme(context)?.series;
     let rows = series.iter().filter_map(|series| Some((series, series.order?)));
-    Table::of("scheme-order", "Observed order of the original scheme", rows)
+    at_places(Table::of("scheme-order", "Observed order of the original scheme", rows), |(series, _)| series)
         .note(note)
-        .columns(place_columns(), |(series, _)| place_cells(series))
-        .rounded("order", "Observed order", "", 3, |(_, (order, _))| order)
-        .rounded("order_error", "Its error", "", 1, |(_, (_, error))| error)
+        .digits("order", "Observed order", "", 3, |(_, (order, _))| order)
+        .digits("order_error", "Its error", "", 1, |(_, (_, error))| error)
         .unless_empty()
 }
 
@@ -75,9 +73,9 @@ fn transition(context: &Context) -> Option<Table> {
         &scheme(context)?.transition,
     )
     .note(note)
-    .rounded("loading_velocity_m_per_s", "Loading velocity V0", "m/s", 4, |row| row.loading_velocity_m_per_s)
-    .rounded("step_over_natural_time", "Step / √(M/K)", "", 4, |row| row.fraction)
-    .rounded("shift_percent", "Relative deviation of the scheme's critical stiffness", "%", 3, |row| {
+    .digits("loading_velocity_m_per_s", "Loading velocity V0", "m/s", 4, |row| row.loading_velocity_m_per_s)
+    .digits("step_over_natural_time", "Step / √(M/K)", "", 4, |row| row.fraction)
+    .digits("shift_percent", "Relative deviation of the scheme's critical stiffness", "%", 3, |row| {
         100.0 * row.shift
     })
     .unless_empty()
@@ -89,17 +87,17 @@ fn map(context: &Context) -> Option<Table> {
     Table::of("scheme-map", "Effect of the original scheme on points of fig 3a", &scheme(context)?.map)
         .note(note)
         .text("law", "Law", |row| row.law.as_str())
-        .rounded("step_over_natural_time", "Step / √(M/K)", "", 4, |row| row.fraction)
+        .digits("step_over_natural_time", "Step / √(M/K)", "", 4, |row| row.fraction)
         .number("points", "Points", "", |row| row.points)
         .number("flipped", "Stability changed", "", |row| row.flipped)
         .number("cycles", "Limit cycles run", "", |row| row.cycles)
         .number("left_out", "Left out", "", |row| row.left_out)
         .number("lost", "Lost", "", |row| row.lost)
-        .rounded("median_bias_percent", "Median size of the bias", "%", 2, |row| row.median_bias.map(percent))
-        .rounded("least_bias_percent", "Smallest bias", "%", 2, |row| {
+        .digits("median_bias_percent", "Median size of the bias", "%", 2, |row| row.median_bias.map(percent))
+        .digits("least_bias_percent", "Smallest bias", "%", 2, |row| {
             row.bias_range.map(|[low, _]| percent(low))
         })
-        .rounded("greatest_bias_percent", "Largest bias", "%", 2, |row| {
+        .digits("greatest_bias_percent", "Largest bias", "%", 2, |row| {
             row.bias_range.map(|[_, high]| percent(high))
         })
         .unless_empty()
@@ -114,10 +112,10 @@ fn least_peaks(context: &Context) -> Option<Table> {
     )
     .note(note)
     .text("law", "Law", |least| least.law.as_str())
-    .rounded("normal_stress_pa", "Normal stress σ", "Pa", 4, |least| least.normal_stress_pa)
-    .rounded("step_over_natural_time", "Step / √(M/K)", "", 4, |least| least.fraction)
-    .rounded("offset_dex", "Offset of our minimum from eq 18", "dex", 3, |least| least.offset_dex)
-    .rounded("shift_dex", "Offset of the scheme's minimum from ours", "dex", 2, |least| least.shift_dex)
-    .rounded("shift_error_dex", "Error of the shift", "dex", 1, |least| least.shift_error_dex)
+    .digits("normal_stress_pa", "Normal stress σ", "Pa", 4, |least| least.normal_stress_pa)
+    .digits("step_over_natural_time", "Step / √(M/K)", "", 4, |least| least.fraction)
+    .digits("offset_dex", "Offset of our minimum from eq 18", "dex", 3, |least| least.offset_dex)
+    .digits("shift_dex", "Offset of the scheme's minimum from ours", "dex", 2, |least| least.shift_dex)
+    .digits("shift_error_dex", "Error of the shift", "dex", 1, |least| least.shift_error_dex)
     .unless_empty()
 }

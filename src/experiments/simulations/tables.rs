@@ -1,6 +1,6 @@
 //! Tables of the simulations: the grid, the disagreements with the theory, and the least peaks.
 
-use crate::experiments::shared::cells::{RoundedColumns, rounded};
+use crate::experiments::shared::cells::DigitColumns;
 use crate::experiments::simulations::SimulatedPoint;
 use crate::experiments::{Context, Need, TableMaker};
 use slipmode_core::dynamics::Simulation;
@@ -48,19 +48,19 @@ fn simulations(context: &Context) -> Option<Table> {
         .note(note)
         .text("scene", "Scene", |at| at.scene)
         .text("law", "Law", |at| at.law.as_str())
-        .rounded("normal_stress_pa", "Normal stress σ", "Pa", DIGITS, |at| at.stress)
-        .rounded("loading_velocity_m_per_s", "Loading velocity V_l", "m/s", DIGITS, |at| at.velocity)
-        .rounded("stiffness_over_critical", "K/K_c", "", DIGITS, |at| at.point.stiffness_over_critical)
+        .digits("normal_stress_pa", "Normal stress σ", "Pa", DIGITS, |at| at.stress)
+        .digits("loading_velocity_m_per_s", "Loading velocity V_l", "m/s", DIGITS, |at| at.velocity)
+        .digits("stiffness_over_critical", "K/K_c", "", DIGITS, |at| at.point.stiffness_over_critical)
         .text("slip_mode_theory", "Slip mode, theory", |at| at.point.theory.slip_mode.as_str())
         .text("slip_mode_simulation", "Slip mode, simulation", |at| at.run.map(|run| run.slip_mode.as_str()))
         .text("behaviour", "Long-term behaviour", |at| at.run.map(|run| run.behaviour.as_str()))
-        .rounded("peak_velocity_m_per_s", "Peak velocity", "m/s", DIGITS, |at| {
+        .digits("peak_velocity_m_per_s", "Peak velocity", "m/s", DIGITS, |at| {
             Some(at.run?.peak_velocity_m_per_s)
         })
-        .rounded("period_s", "Period", "s", DIGITS, |at| at.run?.period_s)
-        .rounded("stress_drop_pa", "Stress drop", "Pa", DIGITS, |at| Some(at.run?.stress_drop_pa))
-        .rounded("peak_relative_error", "Error of the peak", "", 2, |at| Some(at.run?.peak_relative_error))
-        .rounded("period_relative_error", "Error of the period", "", 2, |at| at.run?.period_relative_error)
+        .digits("period_s", "Period", "s", DIGITS, |at| at.run?.period_s)
+        .digits("stress_drop_pa", "Stress drop", "Pa", DIGITS, |at| Some(at.run?.stress_drop_pa))
+        .digits("peak_relative_error", "Error of the peak", "", 2, |at| Some(at.run?.peak_relative_error))
+        .digits("period_relative_error", "Error of the period", "", 2, |at| at.run?.period_relative_error)
         .text("failure", "Failure", |at| at.point.simulation.as_ref().err().map(ToString::to_string))
         .unless_empty()
 }
@@ -72,16 +72,15 @@ fn disagreements(context: &Context) -> Option<Table> {
         .note(note)
         .text("scene", "Scene", |at| at.scene)
         .text("law", "Law", |at| at.law.as_str())
-        .rounded("normal_stress_pa", "Normal stress σ", "Pa", 4, |at| at.stress)
-        .rounded("loading_velocity_m_per_s", "Loading velocity V_l", "m/s", 4, |at| at.velocity)
+        .digits("normal_stress_pa", "Normal stress σ", "Pa", 4, |at| at.stress)
+        .digits("loading_velocity_m_per_s", "Loading velocity V_l", "m/s", 4, |at| at.velocity)
         .text("slip_mode_theory", "Theory", |at| at.point.theory.slip_mode.as_str())
         .text("slip_mode_simulation", "Simulation", |at| at.run.map(|run| run.slip_mode.as_str()))
-        .rounded("max_imaginary_per_s", "max Im(s)", "1/s", 5, |at| {
+        .digits("max_imaginary_per_s", "max Im(s)", "1/s", 5, |at| {
             at.point.theory.max_imaginary_per_s.to_f64()
         })
-        .number("angular_frequency_per_s", "Angular frequency of the run", "1/s", |at| {
-            let frequency_hz = at.run.and_then(|run| run.frequency_hz);
-            rounded(frequency_hz.map(|hz| std::f64::consts::TAU * hz), 5)
+        .digits("angular_frequency_per_s", "Angular frequency of the run", "1/s", 5, |at| {
+            Some(std::f64::consts::TAU * at.run?.frequency_hz?)
         })
         .unless_empty()
 }
@@ -93,24 +92,22 @@ fn least_peaks(context: &Context) -> Option<Table> {
     Table::of("least-peaks", "Velocity of the lowest peak, compared with eq 18", least_peaks)
         .note(note)
         .text("law", "Law", |least| least.law.as_str())
-        .rounded("normal_stress_pa", "Normal stress σ", "Pa", 4, |least| least.normal_stress_pa)
-        .rounded("eq18_velocity_m_per_s", "Velocity of eq 18", "m/s", 4, |least| least.eq18_velocity_m_per_s)
-        .rounded("offset_dex", "Offset of the minimum from eq 18", "dex", 4, |least| least.offset_dex)
-        .rounded("offset_error_dex", "Its error", "dex", 1, |least| least.offset_error_dex)
-        .rounded("peak_at_eq18_over_least", "Peak at eq 18 / lowest peak", "", 5, |least| {
+        .digits("normal_stress_pa", "Normal stress σ", "Pa", 4, |least| least.normal_stress_pa)
+        .digits("eq18_velocity_m_per_s", "Velocity of eq 18", "m/s", 4, |least| least.eq18_velocity_m_per_s)
+        .digits("offset_dex", "Offset of the minimum from eq 18", "dex", 4, |least| least.offset_dex)
+        .digits("offset_error_dex", "Its error", "dex", 1, |least| least.offset_error_dex)
+        .digits("peak_at_eq18_over_least", "Peak at eq 18 / lowest peak", "", 5, |least| {
             least.peak_at_eq18_over_least
         })
-        .rounded("curvature_per_dex2", "Curvature of ln(peak)", "1/dex²", 3, |least| {
-            least.curvature_per_dex2
-        })
-        .rounded("one_percent_from_dex", "Within 1 % from", "dex", 3, |least| least.flat[0][0])
-        .rounded("one_percent_to_dex", "to", "dex", 3, |least| least.flat[0][1])
-        .rounded("five_percent_from_dex", "Within 5 % from", "dex", 3, |least| least.flat[1][0])
-        .rounded("five_percent_to_dex", "to", "dex", 3, |least| least.flat[1][1])
-        .rounded("cycle_mode_change_dex", "Mode of the cycle changes", "dex", 3, |least| {
+        .digits("curvature_per_dex2", "Curvature of ln(peak)", "1/dex²", 3, |least| least.curvature_per_dex2)
+        .digits("one_percent_from_dex", "Within 1 % from", "dex", 3, |least| least.flat[0][0])
+        .digits("one_percent_to_dex", "to", "dex", 3, |least| least.flat[0][1])
+        .digits("five_percent_from_dex", "Within 5 % from", "dex", 3, |least| least.flat[1][0])
+        .digits("five_percent_to_dex", "to", "dex", 3, |least| least.flat[1][1])
+        .digits("cycle_mode_change_dex", "Mode of the cycle changes", "dex", 3, |least| {
             least.cycle_mode_change_dex
         })
-        .rounded("theory_mode_change_dex", "Mode by theory changes", "dex", 3, |least| {
+        .digits("theory_mode_change_dex", "Mode by theory changes", "dex", 3, |least| {
             least.theory_mode_change_dex
         })
         .unless_empty()

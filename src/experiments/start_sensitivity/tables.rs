@@ -1,6 +1,6 @@
 //! Tables of what the unstated part of the start decides.
 
-use crate::experiments::shared::cells::{RoundedColumns, rounded};
+use crate::experiments::shared::cells::DigitColumns;
 use crate::experiments::start_sensitivity::{Early, StartGroup, StartRun};
 use crate::experiments::{Context, Need, TableMaker};
 use slipmode_core::dynamics::{Behaviour, Simulation, Start};
@@ -41,31 +41,30 @@ fn starts(context: &Context) -> Option<Table> {
     Table::of("starts", "Four ways to complete the start V_l/10", runs.map(Started::of))
         .note(note)
         .text("scene", "Scene", |at| at.scene)
-        .rounded("loading_velocity_m_per_s", "V_l", "m/s", 6, |at| at.group.loading_velocity_m_per_s)
-        .rounded("normal_stress_pa", "σ", "Pa", 6, |at| at.group.normal_stress_pa)
-        .rounded("stiffness_over_critical", "K/K_c", "", 7, |at| at.group.stiffness_over_critical)
+        .digits("loading_velocity_m_per_s", "V_l", "m/s", 6, |at| at.group.loading_velocity_m_per_s)
+        .digits("normal_stress_pa", "σ", "Pa", 6, |at| at.group.normal_stress_pa)
+        .digits("stiffness_over_critical", "K/K_c", "", 7, |at| at.group.stiffness_over_critical)
         .text("law", "Law", |at| at.group.law.as_str())
         .text("start", "Start", |at| at.run.start.as_str())
-        .rounded("first_peak_over_loading", "First peak / V_l", "", 6, |at| {
-            at.early.and_then(|early| early.0.first_log_peak).map(libm::exp)
+        .digits("first_peak_over_loading", "First peak / V_l", "", 6, |at| {
+            at.early?.0.first_log_peak.map(libm::exp)
         })
-        .number("first_peak_relative_error", "Its error", "", |at| {
-            let seen = at.early.filter(|early| early.0.first_log_peak.is_some());
-            rounded(seen.map(|early| early.1), 2)
+        .digits("first_peak_relative_error", "Its error", "", 2, |at| {
+            at.early?.0.first_log_peak.and(Some(at.early?.1))
         })
-        .rounded("time_back_over_inertial_time", "Time of return to V_l / (η D_c/V_l)", "", 3, |at| {
+        .digits("time_back_over_inertial_time", "Time of return to V_l / (η D_c/V_l)", "", 3, |at| {
             Some(at.early?.0.time_back / at.group.inertial_parameter)
         })
-        .rounded("left_over", "Remaining disturbance", "", 3, |at| Some(at.early?.0.left_over))
+        .digits("left_over", "Remaining disturbance", "", 3, |at| Some(at.early?.0.left_over))
         .text("behaviour", "Long-term behaviour", |at| at.long_term.map(|found| found.behaviour.as_str()))
-        .rounded("late_peak_velocity_m_per_s", "Peak velocity of the cycle", "m/s", 7, |at| {
+        .digits("late_peak_velocity_m_per_s", "Peak velocity of the cycle", "m/s", 7, |at| {
             Some(at.cycle?.peak_velocity_m_per_s)
         })
-        .rounded("late_peak_relative_error", "Its relative error", "", 2, |at| {
+        .digits("late_peak_relative_error", "Its relative error", "", 2, |at| {
             Some(at.cycle?.peak_relative_error)
         })
-        .rounded("late_period_s", "Long-term period", "s", 7, |at| at.long_term?.period_s)
-        .rounded("late_period_relative_error", "Its relative error", "", 2, |at| {
+        .digits("late_period_s", "Long-term period", "s", 7, |at| at.long_term?.period_s)
+        .digits("late_period_relative_error", "Its relative error", "", 2, |at| {
             at.long_term?.period_relative_error
         })
         .text("failure", "Failure", |at| {
@@ -128,17 +127,17 @@ fn spread(context: &Context) -> Option<Table> {
     Table::of("start-spread", "Dependence on the start", &spreads)
         .note(note)
         .text("scene", "Scene", |of| of.scene)
-        .rounded("loading_velocity_m_per_s", "V_l", "m/s", 6, |of| of.group.loading_velocity_m_per_s)
-        .rounded("normal_stress_pa", "σ", "Pa", 6, |of| of.group.normal_stress_pa)
-        .rounded("stiffness_over_critical", "K/K_c", "", 7, |of| of.group.stiffness_over_critical)
+        .digits("loading_velocity_m_per_s", "V_l", "m/s", 6, |of| of.group.loading_velocity_m_per_s)
+        .digits("normal_stress_pa", "σ", "Pa", 6, |of| of.group.normal_stress_pa)
+        .digits("stiffness_over_critical", "K/K_c", "", 7, |of| of.group.stiffness_over_critical)
         .text("slip_mode", "Slip mode by theory", |of| of.group.slip_mode.as_str())
         .text("law", "Law", |of| of.group.law.as_str())
         .text("late_behaviour", "Long-term behaviour, by start", |of| behaviours(of.group))
-        .rounded("late_peak_spread", "Spread of the cycle's peak", "", 2, |of| of.peak)
-        .rounded("late_peak_allowed", "Sum of the two errors", "", 2, |of| of.two_errors)
-        .rounded("late_period_spread", "Spread of the long-term period", "", 2, |of| of.period)
-        .rounded("first_peak_least", "Smallest first peak / V_l", "", 6, |of| of.first_peaks[0])
-        .rounded("first_peak_most", "Largest first peak / V_l", "", 6, |of| of.first_peaks[1])
+        .digits("late_peak_spread", "Spread of the cycle's peak", "", 2, |of| of.peak)
+        .digits("late_peak_allowed", "Sum of the two errors", "", 2, |of| of.two_errors)
+        .digits("late_period_spread", "Spread of the long-term period", "", 2, |of| of.period)
+        .digits("first_peak_least", "Smallest first peak / V_l", "", 6, |of| of.first_peaks[0])
+        .digits("first_peak_most", "Largest first peak / V_l", "", 6, |of| of.first_peaks[1])
         .unless_empty()
 }
 

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::experiments::shared::cells::{RoundedColumns, decimal};
+use crate::experiments::shared::cells::{DigitColumns, Digits};
 use crate::experiments::swept::Swept;
 use crate::experiments::swept::figures::{
     all, bin_place, measured, simulated, value_place, word_place, worst_by_effect_ratio,
@@ -27,22 +27,22 @@ const DIGITS: usize = 4;
 fn sweeps(context: &Context) -> Option<Table> {
     let note = "Wall-clock time on the named machine; predictions are proportional to the number of rows. The scenes and the merged summaries are inputs of this report. Reading them checks that every row is counted once.";
     let per_row = |of: &Swept| of.entry.core_seconds.clone() / Rational::from(of.rows);
-    let hours =
-        |of: &Swept, rows: u64| decimal(&(per_row(of) * Rational::from(rows) / 3600u32), CLOCK_DIGITS);
+    let hours = |of: &Swept, rows: u64| {
+        let hours = per_row(of) * Rational::from(rows) / 3600u32;
+        hours.cell(CLOCK_DIGITS)
+    };
     Table::of("sweeps", "Sweeps that were run separately, and their cost", all(context.outcome))
         .note(note)
         .text("sweep", "Sweep", |of| &of.entry.name)
         .text("title", "Item", |of| &of.title)
         .number("rows", "Rows", "", |of| of.rows)
-        .number("core_seconds", "CPU time", "s", |of| decimal(&of.entry.core_seconds, CLOCK_DIGITS))
+        .digits("core_seconds", "CPU time", "s", CLOCK_DIGITS, |of| &of.entry.core_seconds)
         .number("rows_per_core_second", "Rows per second and core", "1/s", |of| {
-            decimal(&per_row(of).recip(), CLOCK_DIGITS)
+            (&per_row(of).recip()).cell(CLOCK_DIGITS)
         })
         .number("core_hours_for_1e7", "Predicted for 1e7 rows", "core-hours", |of| hours(of, 10_000_000))
         .number("core_hours_for_1e9", "Predicted for 1e9 rows", "core-hours", |of| hours(of, 1_000_000_000))
-        .number("peak_memory_mib", "Peak memory", "MiB", |of| {
-            decimal(&of.entry.peak_memory_mib, CLOCK_DIGITS)
-        })
+        .digits("peak_memory_mib", "Peak memory", "MiB", CLOCK_DIGITS, |of| &of.entry.peak_memory_mib)
         .text("machine", "Machine", |of| &of.entry.machine)
         .text("version", "Program", |of| &of.entry.version)
         .text("scene_sha256", "Scene, SHA-256", |of| &of.entry.scene_sha256)
@@ -71,7 +71,7 @@ fn modes(context: &Context) -> Option<Table> {
         .text("law", "Law", |((law, _), _)| law)
         .text("slip_mode", "Slip mode, simulation", |((_, mode), _)| mode)
         .number("runs", "Runs", "", |(_, runs)| *runs)
-        .rounded("share", "Share of the law's runs", "", DIGITS, |((law, _), runs)| share(law, *runs))
+        .digits("share", "Share of the law's runs", "", DIGITS, |((law, _), runs)| share(law, *runs))
         .unless_empty()
 }
 
@@ -95,14 +95,14 @@ fn errors(context: &Context) -> Option<Table> {
         .text("asymptote", "Nearer asymptote", |(asymptote, _)| asymptote)
         .number("points", "Points", "", |(_, found)| found.points)
         .number("near_points", "Points within a factor of 1.26 of the boundary", "", |(_, found)| found.near)
-        .rounded("share_off_1_percent", "Of these, error of 1 % or more", "", DIGITS, |(_, found)| {
+        .digits("share_off_1_percent", "Of these, error of 1 % or more", "", DIGITS, |(_, found)| {
             share(found, 0)
         })
-        .rounded("share_off_10_percent", "Of these, error of 10 % or more", "", DIGITS, |(_, found)| {
+        .digits("share_off_10_percent", "Of these, error of 10 % or more", "", DIGITS, |(_, found)| {
             share(found, 1)
         })
-        .rounded("least_error", "Smallest exact/asymptote − 1", "", DIGITS, |(_, found)| found.least)
-        .rounded("greatest_error", "Largest exact/asymptote − 1", "", DIGITS, |(_, found)| found.greatest)
+        .digits("least_error", "Smallest exact/asymptote − 1", "", DIGITS, |(_, found)| found.least)
+        .digits("greatest_error", "Largest exact/asymptote − 1", "", DIGITS, |(_, found)| found.greatest)
         .unless_empty()
 }
 
@@ -140,24 +140,20 @@ fn worst(context: &Context) -> Option<Table> {
     let bins = worst_by_effect_ratio(measured(context.outcome)?)?;
     Table::of("swept-worst", "Largest errors by quarter decades of β", &bins)
         .note(note)
-        .rounded("effect_ratio_from", "β from", "", DIGITS, |bin| bin.effect_ratio[0])
-        .rounded("effect_ratio_to", "β to", "", DIGITS, |bin| bin.effect_ratio[1])
-        .rounded("upper_sampled_log10", "Upper arc, largest in the sweep", "dex", DIGITS, |bin| {
-            bin.sampled[0]
-        })
-        .rounded("upper_derived_from_log10", "Upper arc, derived at the first β", "dex", DIGITS, |bin| {
+        .digits("effect_ratio_from", "β from", "", DIGITS, |bin| bin.effect_ratio[0])
+        .digits("effect_ratio_to", "β to", "", DIGITS, |bin| bin.effect_ratio[1])
+        .digits("upper_sampled_log10", "Upper arc, largest in the sweep", "dex", DIGITS, |bin| bin.sampled[0])
+        .digits("upper_derived_from_log10", "Upper arc, derived at the first β", "dex", DIGITS, |bin| {
             bin.derived[0][0]
         })
-        .rounded("upper_derived_to_log10", "Upper arc, derived at the last β", "dex", DIGITS, |bin| {
+        .digits("upper_derived_to_log10", "Upper arc, derived at the last β", "dex", DIGITS, |bin| {
             bin.derived[1][0]
         })
-        .rounded("lower_sampled_log10", "Lower arc, largest in the sweep", "dex", DIGITS, |bin| {
-            bin.sampled[1]
-        })
-        .rounded("lower_derived_from_log10", "Lower arc, derived at the first β", "dex", DIGITS, |bin| {
+        .digits("lower_sampled_log10", "Lower arc, largest in the sweep", "dex", DIGITS, |bin| bin.sampled[1])
+        .digits("lower_derived_from_log10", "Lower arc, derived at the first β", "dex", DIGITS, |bin| {
             bin.derived[0][1]
         })
-        .rounded("lower_derived_to_log10", "Lower arc, derived at the last β", "dex", DIGITS, |bin| {
+        .digits("lower_derived_to_log10", "Lower arc, derived at the last β", "dex", DIGITS, |bin| {
             bin.derived[1][1]
         })
         .unless_empty()

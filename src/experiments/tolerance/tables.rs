@@ -1,6 +1,6 @@
 //! Tables of the asymptotes' errors: limits of use, and convergence.
 
-use crate::experiments::shared::cells::{ERROR_DIGITS, certain, decimal};
+use crate::experiments::shared::cells::{DigitColumns, ERROR_DIGITS};
 use crate::experiments::{Context, Need, TableMaker};
 use slipmode_core::number::Ball;
 use slipmode_core::stability::Asymptote;
@@ -20,12 +20,14 @@ fn tolerance(context: &Context) -> Option<Table> {
         .note(note)
         .text("scene", "Scene", |(name, _)| name)
         .text("asymptote", "Asymptote", |(_, row)| row.limit.asymptote.as_str())
-        .number("relative_error", "Relative error", "", |(_, row)| decimal(&row.tolerance, 6))
+        .digits("relative_error", "Relative error", "", 6, |(_, row)| &row.tolerance)
         .text("where", "Where", |(_, row)| place_of_limit(&row.limit))
-        .number("limit", "Limit", "m/s or Pa", |(_, row)| certain(&row.in_si))
-        .number("group_at_limit", "η or κ at the limit", "", |(_, row)| certain(group(&row.limit)))
-        .number("leading_order", "Leading order", "", |(_, row)| decimal(&row.limit.leading, ERROR_DIGITS))
-        .number("exact_over_leading", "exact/leading", "", |(_, row)| certain(&row.limit.exact_over_leading))
+        .digits("limit", "Limit", "m/s or Pa", ERROR_DIGITS, |(_, row)| &row.in_si)
+        .digits("group_at_limit", "η or κ at the limit", "", ERROR_DIGITS, |(_, row)| group(&row.limit))
+        .digits("leading_order", "Leading order", "", ERROR_DIGITS, |(_, row)| &row.limit.leading)
+        .digits("exact_over_leading", "exact/leading", "", ERROR_DIGITS, |(_, row)| {
+            &row.limit.exact_over_leading
+        })
         .unless_empty()
 }
 
@@ -50,10 +52,10 @@ fn convergence(context: &Context) -> Option<Table> {
     Table::of("convergence", "Measured and derived order of convergence", rows)
         .text("scene", "Scene", |(name, ..)| name)
         .text("asymptote", "Asymptote", |(_, asymptote, _)| asymptote.as_str())
-        .number("leading", "Derived leading term", "", |(.., step)| certain(&step.leading))
-        .number("relative_error", "Relative error", "", |(.., step)| certain(&step.relative_error))
-        .number("ratio", "error/leading", "", |(.., step)| certain(&step.ratio))
-        .number("order", "Measured order (derived: 1)", "", |(.., step)| certain(step.order.as_ref()))
+        .digits("leading", "Derived leading term", "", ERROR_DIGITS, |(.., step)| &step.leading)
+        .digits("relative_error", "Relative error", "", ERROR_DIGITS, |(.., step)| &step.relative_error)
+        .digits("ratio", "error/leading", "", ERROR_DIGITS, |(.., step)| &step.ratio)
+        .digits("order", "Measured order (derived: 1)", "", ERROR_DIGITS, |(.., step)| step.order.as_ref())
         .unless_empty()
 }
 

@@ -1,6 +1,6 @@
 //! Tables of the trajectories: what each run showed, and the samples that the figures draw.
 
-use crate::experiments::shared::cells::{RoundedColumns, decimal, rounded};
+use crate::experiments::shared::cells::{DigitColumns, Digits};
 use crate::experiments::trajectories::TrajectoryRun;
 use crate::experiments::{Context, Need, TableMaker};
 use slipmode_core::dynamics::Simulation;
@@ -27,11 +27,11 @@ fn runs<'c>(context: &'c Context) -> impl Iterator<Item = &'c TrajectoryRun> {
 fn certain(value: f64, relative_error: f64) -> Cell {
     let digits = -libm::log10(relative_error);
     let digits = if digits >= 1.0 { libm::floor(digits) as usize } else { 1 };
-    rounded(value, digits.min(MOST_DIGITS))
+    value.cell(digits.min(MOST_DIGITS))
 }
 
-fn error(relative: Option<f64>) -> Cell {
-    rounded(relative.filter(|relative| relative.is_finite()), 2)
+fn finite(relative: Option<f64>) -> Option<f64> {
+    relative.filter(|relative| relative.is_finite())
 }
 
 fn modes(context: &Context) -> Option<Table> {
@@ -40,35 +40,33 @@ fn modes(context: &Context) -> Option<Table> {
         .note(note)
         .text("point", "Point", |run| &run.point.id)
         .text("law", "Law", |run| run.law.as_str())
-        .number("normal_stress_pa", "Normal stress σ", "Pa", |run| decimal(&run.point.normal_stress_pa, 6))
-        .number("loading_velocity_m_per_s", "Loading velocity V_l", "m/s", |run| {
-            decimal(&run.point.loading_velocity_m_per_s, 6)
+        .digits("normal_stress_pa", "Normal stress σ", "Pa", 6, |run| &run.point.normal_stress_pa)
+        .digits("loading_velocity_m_per_s", "Loading velocity V_l", "m/s", 6, |run| {
+            &run.point.loading_velocity_m_per_s
         })
         .text("slip_mode_theory", "Slip mode, theory", |run| run.theory.slip_mode.as_str())
         .text("slip_mode_simulation", "Slip mode, simulation", |run| {
             found(run).map(|found| found.slip_mode.as_str())
         })
-        .rounded("period_theory_s", "2π/max Im(s), theory", "s", MOST_DIGITS, |run| period_by_theory(run))
+        .digits("period_theory_s", "2π/max Im(s), theory", "s", MOST_DIGITS, |run| period_by_theory(run))
         .number("period_s", "Period, simulation", "s", |run| {
             found(run).and_then(|found| Some(certain(found.period_s?, found.period_relative_error?)))
         })
-        .number("period_relative_error", "Its error", "", |run| {
-            error(found(run).and_then(|found| found.period_relative_error))
-        })
+        .digits("period_relative_error", "Its error", "", 2, |run| finite(found(run)?.period_relative_error))
         .number("peak_over_loading_velocity", "Peak velocity / V_l", "", |run| {
             let velocity = nearest_f64(&run.point.loading_velocity_m_per_s);
             found(run).map(|found| certain(found.peak_velocity_m_per_s / velocity, found.peak_relative_error))
         })
-        .number("peak_relative_error", "Its error", "", |run| {
-            error(found(run).map(|found| found.peak_relative_error))
+        .digits("peak_relative_error", "Its error", "", 2, |run| {
+            finite(Some(found(run)?.peak_relative_error))
         })
         .number("stress_drop_pa", "Stress drop", "Pa", |run| {
             found(run).map(|found| certain(found.stress_drop_pa, found.stress_drop_relative_error))
         })
-        .number("stress_drop_relative_error", "Its error", "", |run| {
-            error(found(run).map(|found| found.stress_drop_relative_error))
+        .digits("stress_drop_relative_error", "Its error", "", 2, |run| {
+            finite(Some(found(run)?.stress_drop_relative_error))
         })
-        .rounded("free_residual_pa", "Free residual", "Pa", 1, |run| {
+        .digits("free_residual_pa", "Free residual", "Pa", 1, |run| {
             run.course.as_ref().ok().map(|course| course.free_residual_pa)
         })
         .text("failure", "Failure", |run| failure(run))
@@ -97,11 +95,11 @@ fn samples(context: &Context) -> Option<Table> {
         .note(note)
         .text("point", "Point", |(run, _)| &run.point.id)
         .text("law", "Law", |(run, _)| run.law.as_str())
-        .rounded("time_s", "Time since the start", "s", TIME_DIGITS, |(_, at)| at.time_s)
-        .rounded("velocity_log10_ratio", "log10 of V/V_l", "", SAMPLE_DIGITS, |(_, at)| {
+        .digits("time_s", "Time since the start", "s", TIME_DIGITS, |(_, at)| at.time_s)
+        .digits("velocity_log10_ratio", "log10 of V/V_l", "", SAMPLE_DIGITS, |(_, at)| {
             at.log_velocity_ratio / std::f64::consts::LN_10
         })
-        .rounded(
+        .digits(
             "shear_stress_change_pa",
             "Shear stress relative to steady sliding",
             "Pa",

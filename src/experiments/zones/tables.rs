@@ -1,7 +1,7 @@
 //! Tables of slip modes.
 
 use crate::experiments::shared::Grid;
-use crate::experiments::shared::cells::RoundedColumns;
+use crate::experiments::shared::cells::DigitColumns;
 use crate::experiments::{Context, Need, TableMaker};
 use slipmode_core::stability::SlipMode;
 use slipmode_plot::table::Table;
@@ -39,7 +39,7 @@ fn thresholds(context: &Context) -> Option<Table> {
     )
     .note(note)
     .text("scene", "Scene", |(name, _)| name)
-    .rounded("frequency_ratio", "Threshold ω/ω_n", "", 4, |(_, share)| share.frequency_ratio)
+    .digits("frequency_ratio", "Threshold ω/ω_n", "", 4, |(_, share)| share.frequency_ratio)
     .number("oscillating", "Oscillating points", "", |(_, share)| share.oscillating)
     .number("inertial", "Of them inertial", "", |(_, share)| share.inertial)
     .number("moved", "Points whose mode differs from the default's", "", |(_, share)| share.moved)
