@@ -16,18 +16,28 @@ pub struct Figure {
     pub description: String,
     /// The drawing.
     pub svg: String,
+    /// Ids of the tables that hold its numbers.
+    pub data: Vec<String>,
 }
 
 impl Figure {
     /// A drawing with its caption.
-    pub(crate) fn new(caption: &Caption, label: &str, caption_markdown: &str, svg: String) -> Self {
+    #[must_use]
+    pub fn new(caption: &Caption, label: &str, caption_markdown: &str, svg: String) -> Self {
         Self {
             id: caption.id.clone(),
             label: label.into(),
             caption_markdown: caption_markdown.into(),
             description: caption.description.clone(),
             svg,
+            data: Vec::new(),
         }
+    }
+
+    /// The same with the ids of the tables that hold its numbers.
+    #[must_use]
+    pub fn with_data(self, data: &[&str]) -> Self {
+        Self { data: data.iter().map(|&id| id.to_owned()).collect(), ..self }
     }
 }
 

@@ -6,8 +6,8 @@ use crate::claims::{Entry, Evidence, Ledger, Verdict};
 use crate::experiments::Figure;
 use crate::report::claims_picture::claims_picture;
 use crate::report::{
-    CardView, ChapterView, ClaimGroupView, ClaimView, EquationView, EvidenceView, FactView, FigureView,
-    FindingView, InputView, ProvenanceView, ReportView,
+    CardView, ChapterView, ClaimGroupView, ClaimView, EquationView, EvidenceView, FactView, FindingView,
+    InputView, ProvenanceView, ReportView,
 };
 use crate::scene::{Chapter, ReportPlan};
 use slipmode_core::theory::PaperEquations;
@@ -27,7 +27,7 @@ pub struct Material<'m> {
     /// The verdicts.
     pub ledger: &'m Ledger,
     /// The figures, each with the ids of the tables that hold its numbers.
-    pub figures: Vec<(Figure, Vec<String>)>,
+    pub figures: Vec<Figure>,
     /// The tables.
     pub tables: Vec<Table>,
     /// The files that went in.
@@ -73,7 +73,7 @@ pub fn assemble(material: Material) -> ReportView {
                 latex: equation.latex(),
             })
             .collect(),
-        figures: figures.into_iter().map(figure_view).collect(),
+        figures,
         tables,
         provenance: ProvenanceView {
             text_markdown: "All numbers on this page are computed from the files below. The command makes the same page again, byte for byte.".into(),
@@ -82,11 +82,6 @@ pub fn assemble(material: Material) -> ReportView {
         },
         environment,
     }
-}
-
-fn figure_view((figure, data): (Figure, Vec<String>)) -> FigureView {
-    let Figure { id, label, caption_markdown, description, svg } = figure;
-    FigureView { id, label, caption_markdown, description, svg, data }
 }
 
 fn chapter_view(chapter: &Chapter, prose: &BTreeMap<String, String>) -> ChapterView {

@@ -13,6 +13,7 @@ const LOOKS: [(Verdict, &str, &str); 4] = [
 ];
 
 const TITLE: &str = "Dependencies between claims";
+const CAPTION: &str = "Each box is a claim and links to it. If a claim fails, all claims joined to it on the right lose a premise.";
 
 /// The picture; `None` when no claim of the ledger rests on another.
 pub(super) fn claims_picture(ledger: &Ledger) -> Option<FigureView> {
@@ -37,21 +38,13 @@ pub(super) fn claims_picture(ledger: &Ledger) -> Option<FigureView> {
         ink: ink.into(),
         words: format!("{} {}", verdict.symbol(), verdict.word()),
     };
-    let description = description(&nodes);
     let graph = LayeredGraph {
-        caption: Caption::new("claims-picture", TITLE, &description),
+        caption: Caption::new("claims-picture", TITLE, &description(&nodes)),
         looks: LOOKS.into_iter().map(look).collect(),
         nodes,
         curve_words: "the claim on the right depends on the one on the left".into(),
     };
-    Some(FigureView {
-        id: "claims-picture".into(),
-        label: TITLE.into(),
-        caption_markdown: "Each box is a claim and links to it. If a claim fails, all claims joined to it on the right lose a premise.".into(),
-        description,
-        svg: graph.svg(),
-        data: Vec::new(),
-    })
+    Some(FigureView::new(&graph.caption, TITLE, CAPTION, graph.svg()))
 }
 
 /// The relations in words, for those who cannot see the picture.

@@ -76,7 +76,7 @@ pub fn produce(
     let ledger = Ledger::decide(&folder.plan.name, &folder.claims, &context);
     let (figures, tables) =
         (wanted.figures(&outcome, &folder.measured)?, wanted.tables(&context, &folder.measured)?);
-    let mut files = figure_and_table_files(figures.iter().map(|(figure, _)| figure), &tables);
+    let mut files = figure_and_table_files(figures.iter(), &tables);
     files.insert("ledger.json".into(), ledger.to_json());
     let view = assemble(Material {
         plan: &folder.plan,
@@ -200,15 +200,9 @@ impl Wanted {
         of_figures.chain(of_tables).copied().collect()
     }
 
-    fn figures(
-        &self,
-        outcome: &Outcome,
-        measured: &Measured,
-    ) -> Result<Vec<(Figure, Vec<String>)>, ReportError> {
-        let made = |maker: &FigureMaker| {
-            let data = maker.data.iter().map(|&id| id.to_owned()).collect();
-            (maker.make)(outcome).map(|figure| (figure, data))
-        };
+    fn figures(&self, outcome: &Outcome, measured: &Measured) -> Result<Vec<Figure>, ReportError> {
+        let made =
+            |maker: &FigureMaker| (maker.make)(outcome).map(|figure| figure.with_data(maker.data));
         let shown = |id: &String| match figure_maker(id) {
             Some(maker) => Some((maker.id, made(maker))),
             None => measured.chart(id).map(|found| (found.chart.caption.id.as_str(), Some(figure_of(found)))),

@@ -5,6 +5,7 @@
 
 use serde::Serialize;
 
+pub use crate::experiments::Figure as FigureView;
 use crate::scene::{Part, Verdict};
 use slipmode_plot::table::Table;
 
@@ -148,23 +149,6 @@ pub struct EquationView {
     pub caption_markdown: String,
     /// The formula in LaTeX, without a number.
     pub latex: String,
-}
-
-/// A figure with its caption.
-#[derive(Debug, Clone, PartialEq)]
-pub struct FigureView {
-    /// Id, which is also the file `figures/<id>.svg`.
-    pub id: String,
-    /// Label such as `Figure 1`.
-    pub label: String,
-    /// What it shows and what to look at.
-    pub caption_markdown: String,
-    /// Description for those who cannot see it: plain text, used in the Markdown report.
-    pub description: String,
-    /// The drawing, made by `plot`.
-    pub svg: String,
-    /// Ids of tables with the figure's numbers; may be empty.
-    pub data: Vec<String>,
 }
 
 /// Inputs and how to repeat the work.

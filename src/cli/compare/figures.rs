@@ -51,14 +51,8 @@ fn differences(rows: &[ComparedRow]) -> Option<FigureView> {
         series,
         references: vec![Across::Band { from: -1.0, to: 1.0, label: "agreement".into() }],
     };
-    Some(FigureView {
-        id: "differences".into(),
-        label: String::new(),
-        caption_markdown: "Relative differences between the runs' numbers and our simulation, in units of what the tolerance and the errors of both sides allow. Inside the strip they agree.".into(),
-        description: description.into(),
-        svg: chart.svg(),
-        data: vec!["findings".into()],
-    })
+    let caption = "Relative differences between the runs' numbers and our simulation, in units of what the tolerance and the errors of both sides allow. Inside the strip they agree.";
+    Some(FigureView::new(&chart.caption, "", caption, chart.svg()).with_data(&["findings"]))
 }
 
 /// Marks without a line between them: a point without a place on the axes interrupts it.
@@ -109,25 +103,15 @@ fn long_term_cycles(row: &ComparedRow) -> Option<FigureView> {
         caption: Caption::new(&id, &format!("Late cycle of row {}", row.number), &description),
         x: Axis::linear("Time since the upward crossing of *V*_0", "s", 0.0, end),
         y: Axis::log10("Velocity", "m/s", libm::exp10(low), libm::exp10(high.max(low + 1.0))),
-        series: vec![line("simulation", ours), line("run", theirs)],
+        series: vec![Series::line("simulation", ours), Series::line("run", theirs)],
         references: Vec::new(),
     };
     let periods = round_digits(PERIODS, 2);
-    Some(FigureView {
-        id,
-        label: String::new(),
-        caption_markdown: format!(
-            "The last cycle of the trajectory of row {}, and the last of {periods} periods of our simulation from its start. Both begin at the upward crossing of the loading velocity.",
-            row.number
-        ),
-        description,
-        svg: chart.svg(),
-        data: Vec::new(),
-    })
-}
-
-fn line(label: &str, points: Vec<(f64, f64)>) -> Series {
-    Series::line(label, points)
+    let caption = format!(
+        "The last cycle of the trajectory of row {}, and the last of {periods} periods of our simulation from its start. Both begin at the upward crossing of the loading velocity.",
+        row.number
+    );
+    Some(FigureView::new(&chart.caption, "", &caption, chart.svg()))
 }
 
 /// Time since the last upward crossing but one, s, and velocity, m/s; none without two crossings.
