@@ -230,12 +230,11 @@ fn mark(point: &NamedPoint, x: &Axis) -> PointMark {
     let velocity = nearest_f64(&point.loading_velocity_m_per_s);
     // Above, where a neighbour at the same normal stress is not in its way; at the edge there is no room for half of it.
     let at_the_edge = x.position(velocity).is_some_and(|at| at > 0.95);
-    PointMark {
-        label: format!("**{}**", point.name),
-        x: velocity,
-        y: nearest_f64(&point.normal_stress_pa),
-        side: if at_the_edge { Side::Left } else { Side::Above },
-    }
+    PointMark::new(
+        format!("**{}**", point.name),
+        (velocity, nearest_f64(&point.normal_stress_pa)),
+        if at_the_edge { Side::Left } else { Side::Above },
+    )
 }
 
 /// The arcs, carried on along their asymptotes, from which their ends differ by less than a billionth.

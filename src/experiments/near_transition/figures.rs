@@ -45,17 +45,12 @@ fn criticality(outcome: &Outcome) -> Option<Figure> {
             zone("aging law subcritical, slip law supercritical", x.min, 2),
             zone("both laws supercritical", x.max, 0),
         ],
-        lines: vec![Line {
-            label: "*l*_1 = 0 with the aging law".into(),
-            role: LineRole::Boundary,
-            points: curve.clone(),
-        }],
-        marks: vec![PointMark {
-            label: "*β* of the simulations".into(),
-            x: degenerate_inertial_parameter(paper),
-            y: paper - 1.0,
-            side: Side::Right,
-        }],
+        lines: vec![Line::new("*l*_1 = 0 with the aging law", LineRole::Boundary, curve.clone())],
+        marks: vec![PointMark::new(
+            "*β* of the simulations",
+            (degenerate_inertial_parameter(paper), paper - 1.0),
+            Side::Right,
+        )],
         labels: Vec::new(),
         x: x.clone(),
         y: y.clone(),
@@ -92,17 +87,10 @@ fn strip(scene: &SceneOutcome) -> Option<Figure> {
             style: 2,
         }],
         lines: vec![
-            Line { label: "limit: fold of cycles".into(), role: LineRole::Boundary, points: points.clone() },
-            Line {
-                label: "*η*_0, where *l*_1 = 0".into(),
-                role: LineRole::Guide,
-                points: vec![(limit, y.min), (limit, y.max)],
-            },
+            Line::new("limit: fold of cycles", LineRole::Boundary, points.clone()),
+            Line::new("*η*_0, where *l*_1 = 0", LineRole::Guide, vec![(limit, y.min), (limit, y.max)]),
         ],
-        marks: points
-            .iter()
-            .map(|&(x, y)| PointMark { label: String::new(), x, y, side: Side::Above })
-            .collect(),
+        marks: points.iter().map(|&(x, y)| PointMark::new("", (x, y), Side::Above)).collect(),
         labels: vec![
             label(&["two long-term behaviours:", "the start decides"], 1e-3, 2e-6),
             label(&["stable sliding only"], 1e-4, 1e-2),

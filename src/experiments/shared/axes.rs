@@ -20,11 +20,7 @@ pub(crate) fn axes<T>(grid: &Grid<T>) -> Option<(Axis, Axis)> {
 pub(crate) fn boundary_lines(points: &[BoundaryPoint]) -> Vec<Line> {
     [Arc::Upper, Arc::Lower]
         .into_iter()
-        .map(|arc| Line {
-            label: "exact boundary max Im(*s*) = 0".into(),
-            role: LineRole::Boundary,
-            points: arc_points(points, arc),
-        })
+        .map(|arc| Line::new("exact boundary max Im(*s*) = 0", LineRole::Boundary, arc_points(points, arc)))
         .filter(|line| !line.points.is_empty())
         .collect()
 }
@@ -42,11 +38,12 @@ pub(crate) fn cusp_mark(points: &[BoundaryPoint]) -> Vec<PointMark> {
     points
         .iter()
         .filter(|point| point.mark == Some(Mark::Cusp))
-        .map(|point| PointMark {
-            label: "cusp".into(),
-            x: point.loading_velocity_m_per_s.to_f64(),
-            y: point.normal_stress_pa.to_f64(),
-            side: Side::Right,
+        .map(|point| {
+            PointMark::new(
+                "cusp",
+                (point.loading_velocity_m_per_s.to_f64(), point.normal_stress_pa.to_f64()),
+                Side::Right,
+            )
         })
         .collect()
 }
@@ -73,7 +70,7 @@ pub(crate) fn asymptote_lines(parameters: &Slider<Rational>, x: &Axis, y: &Axis)
 }
 
 fn asymptote_line(points: Vec<(f64, f64)>) -> Line {
-    Line { label: "asymptotes, eqs 15, 16, 18, 20".into(), role: LineRole::Asymptote, points }
+    Line::new("asymptotes, eqs 15, 16, 18, 20", LineRole::Asymptote, points)
 }
 
 /// How many vertices draw the bend of K = K_c.
@@ -98,5 +95,5 @@ pub(crate) fn transition_line(parameters: &Slider<Rational>, x: &Axis, y: &Axis)
         .chain(std::iter::once((critical_velocity, y.min)))
         .filter(|(_, stress)| *stress > 0.0)
         .collect();
-    Some(Line { label: "transition *K* = *K*_c".into(), role: LineRole::Transition, points })
+    Some(Line::new("transition *K* = *K*_c", LineRole::Transition, points))
 }

@@ -68,22 +68,18 @@ fn map(scene: &SceneOutcome) -> Option<Figure> {
         let slider = scene.slider()?.map(nearest_f64);
         Some(Asymptote::InertialUpper.value(&slider, &stress))
     };
-    let asymptote = Line {
-        label: "eq 18".into(),
-        role: LineRole::Asymptote,
-        points: vec![(eq18(y.min)?, y.min), (eq18(y.max)?, y.max)],
-    };
+    let asymptote =
+        Line::new("eq 18", LineRole::Asymptote, vec![(eq18(y.min)?, y.min), (eq18(y.max)?, y.max)]);
     let title = format!("Peak velocity divided by that at 10^−5.5 m/s, {law_word} law, a < b");
     let map = HeatMap {
         caption: Caption::new("fig-5a", &title, MAP),
         columns,
-        colours: ColourScale {
-            title: "Normalised peak".into(),
-            unit: String::new(),
-            min: libm::exp10((5.0 * libm::log10(low)).floor() / 5.0),
-            max: BRIGHTEST,
-            steps: STEPS,
-        },
+        colours: ColourScale::new(
+            "Normalised peak",
+            "",
+            (libm::exp10((5.0 * libm::log10(low)).floor() / 5.0), BRIGHTEST),
+            STEPS,
+        ),
         values,
         zero_areas: Vec::new(),
         zero_label: String::new(),

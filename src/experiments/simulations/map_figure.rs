@@ -35,13 +35,12 @@ fn peak_map(scene: &SceneOutcome) -> Option<Figure> {
     let map = HeatMap {
         caption: Caption::new("fig-3a", TITLE, DESCRIPTION),
         columns: grid.loading_velocity_m_per_s.len(),
-        colours: ColourScale {
-            title: "Peak velocity".into(),
-            unit: "m/s".into(),
-            min: libm::exp10(libm::log10(lowest).floor()),
-            max: libm::exp10(libm::log10(highest).ceil()),
-            steps: STEPS,
-        },
+        colours: ColourScale::new(
+            "Peak velocity",
+            "m/s",
+            (libm::exp10(libm::log10(lowest).floor()), libm::exp10(libm::log10(highest).ceil())),
+            STEPS,
+        ),
         values,
         zero_areas: Vec::new(),
         zero_label: "ends in steady sliding".into(),
@@ -71,11 +70,11 @@ pub(crate) fn least_peak_line(outcome: &SimulationsOutcome, law: EvolutionLaw) -
     let place = |least: &LeastPeak| {
         (least.eq18_velocity_m_per_s * libm::exp10(least.offset_dex), least.normal_stress_pa)
     };
-    Line {
-        label: "lowest peak velocity at given *σ*".into(),
-        role: LineRole::Guide,
-        points: outcome.least_peaks.iter().filter(|least| least.law == law).map(place).collect(),
-    }
+    Line::new(
+        "lowest peak velocity at given *σ*",
+        LineRole::Guide,
+        outcome.least_peaks.iter().filter(|least| least.law == law).map(place).collect(),
+    )
 }
 
 /// The peak velocity of a limit cycle, m/s; 0, which a map leaves uncoloured, for a decay or a run without a result.

@@ -81,11 +81,12 @@ pub(crate) fn point_marks(
     let points = scene.scene.trajectories.iter().flat_map(|section| &section.points);
     points
         .filter(|point| point.id.starts_with(prefix))
-        .map(|point| PointMark {
-            label: label(&point.id),
-            x: nearest_f64(&point.loading_velocity_m_per_s),
-            y: nearest_f64(&point.normal_stress_pa),
-            side,
+        .map(|point| {
+            PointMark::new(
+                label(&point.id),
+                (nearest_f64(&point.loading_velocity_m_per_s), nearest_f64(&point.normal_stress_pa)),
+                side,
+            )
         })
         .collect()
 }

@@ -23,6 +23,14 @@ pub struct ColourScale {
     pub steps: usize,
 }
 
+impl ColourScale {
+    /// A scale between two values, in equal steps of the logarithm.
+    #[must_use]
+    pub fn new(title: &str, unit: &str, (min, max): (f64, f64), steps: usize) -> Self {
+        Self { title: title.into(), unit: unit.into(), min, max, steps }
+    }
+}
+
 /// A map of a positive quantity over two axes.
 #[derive(Debug, Clone, PartialEq)]
 pub struct HeatMap {

@@ -30,6 +30,14 @@ pub struct Line {
     pub points: Vec<(f64, f64)>,
 }
 
+impl Line {
+    /// A line over a map.
+    #[must_use]
+    pub fn new(label: impl Into<String>, role: LineRole, points: Vec<(f64, f64)>) -> Self {
+        Self { label: label.into(), role, points }
+    }
+}
+
 /// On which side of a point its label stands.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Side {
@@ -54,6 +62,14 @@ pub struct PointMark {
     pub y: f64,
     /// Where the label stands.
     pub side: Side,
+}
+
+impl PointMark {
+    /// A point with its label on one side.
+    #[must_use]
+    pub fn new(label: impl Into<String>, (x, y): (f64, f64), side: Side) -> Self {
+        Self { label: label.into(), x, y, side }
+    }
 }
 
 /// The name of a region or line, centred at a place and set with a halo.
