@@ -26,7 +26,7 @@ pub struct Material<'m> {
     pub equations: &'m PaperEquations,
     /// The verdicts.
     pub ledger: &'m Ledger,
-    /// The figures, each with the ids of the tables that hold its numbers.
+    /// The figures.
     pub figures: Vec<Figure>,
     /// The tables.
     pub tables: Vec<Table>,

@@ -151,9 +151,9 @@ fn table_maker(id: &str) -> Option<&'static TableMaker> {
     all_table_makers().find(|maker| maker.id == id)
 }
 
-fn figure_of(measured: &MeasuredChart) -> (Figure, Vec<String>) {
+fn figure_of(measured: &MeasuredChart) -> Figure {
     let MeasuredChart { label, caption_markdown, data, chart } = measured;
-    (Figure::new(chart.caption.clone(), label, caption_markdown, chart.svg()), data.clone())
+    Figure { data: data.clone(), ..Figure::new(&chart.caption, label, caption_markdown, chart.svg()) }
 }
 
 /// The ids of the figures and tables that prose places, and of the tables with the numbers of its figures.
@@ -201,8 +201,7 @@ impl Wanted {
     }
 
     fn figures(&self, outcome: &Outcome, measured: &Measured) -> Result<Vec<Figure>, ReportError> {
-        let made =
-            |maker: &FigureMaker| (maker.make)(outcome).map(|figure| figure.with_data(maker.data));
+        let made = |maker: &FigureMaker| (maker.make)(outcome).map(|figure| figure.with_data(maker.data));
         let shown = |id: &String| match figure_maker(id) {
             Some(maker) => Some((maker.id, made(maker))),
             None => measured.chart(id).map(|found| (found.chart.caption.id.as_str(), Some(figure_of(found)))),

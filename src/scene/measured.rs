@@ -143,15 +143,12 @@ fn chart(entry: &Entry<'_>, earlier: &mut Vec<String>) -> Option<MeasuredChart> 
         .required("series", "a list of { label = …, points = … }")
         .and_then(|entry| entry.list(series));
     section.finish();
-    let (references, bands, labels) = (Vec::new(), Vec::new(), Vec::new());
     let chart = LineChart {
         caption: Caption::new(&id?, &title?, &description?),
         x: x?,
         y: y?,
         series: series?,
-        references,
-        bands,
-        labels,
+        references: Vec::new(),
     };
     Some(MeasuredChart { label: label?, caption_markdown: caption?, data: data?, chart })
 }
@@ -172,7 +169,7 @@ fn series(entry: &Entry<'_>) -> Option<Series> {
     let label = section.text("label", "a text");
     let points = section.required("points", "a list of [x, y]").and_then(|entry| entry.list(point));
     section.finish();
-    Some(Series { label: label?, points: points?, marked: true, theory: false })
+    Some(Series::marked(label?, points?))
 }
 
 fn point(entry: &Entry<'_>) -> Option<(f64, f64)> {

@@ -46,5 +46,5 @@ pub fn ends(values: impl Iterator<Item = f64>) -> Option<[f64; 2]> {
 
 /// A line with a mark at every point.
 pub(crate) fn marked(label: &str, points: Vec<(f64, f64)>) -> Series {
-    Series { label: label.into(), points, marked: true, theory: false }
+    Series::marked(label, points)
 }
