@@ -36,7 +36,6 @@ pub use registry::{Need, Scene, SceneOutcome, figure_makers, table_makers};
 pub use run::{Needs, Progress, all_needs, run};
 pub use scene::check_distinct_scene_names;
 pub use tables::TableMaker;
-pub(crate) use tables::unless_empty;
 pub use work::Work;
 
 use std::sync::OnceLock;

@@ -13,8 +13,3 @@ pub struct TableMaker {
     /// Fills it; `None` when the scenes do not hold what it lists.
     pub make: fn(&Context) -> Option<Table>,
 }
-
-/// A table, unless it has no rows.
-pub(crate) fn unless_empty(table: Table) -> Option<Table> {
-    (!table.rows.is_empty()).then_some(table)
-}

@@ -1,27 +1,18 @@
 //! Tables of returns where integrators go wrong: a column per method, and every run.
 
-use crate::experiments::Context;
-use crate::experiments::Need;
-use crate::experiments::TableMaker;
-use crate::experiments::hard_cases::{HardReturn, ReturnAnswer, ReturnOutcome, ReturnVerdict};
-use crate::experiments::shared::cells::{count, rounded};
-use crate::experiments::unless_empty;
+use crate::experiments::hard_cases::{ReturnAnswer, ReturnOutcome, ReturnVerdict};
+use crate::experiments::shared::cells::DigitColumns;
+use crate::experiments::{Context, Need, TableMaker};
 use slipmode_core::dynamics::Failure;
 use slipmode_core::number::format::round_digits;
-use slipmode_plot::table::{Cell, Column, Table};
+use slipmode_plot::table::{Column, Table, TableRows};
+
+const NEEDS: &[Need] = &[Need::HardCases];
 
 pub(crate) const TABLES: &[TableMaker] = &[
-    TableMaker {
-        id: "hard-cycles",
-        needs: &[Need::HardCases],
-        make: |context| by_method(context, &ORDINARY),
-    },
-    TableMaker {
-        id: "hard-cycles-below-rounding",
-        needs: &[Need::HardCases],
-        make: |context| by_method(context, &BELOW),
-    },
-    TableMaker { id: "hard-cycles-runs", needs: &[Need::HardCases], make: runs },
+    TableMaker { id: "hard-cycles", needs: NEEDS, make: |context| by_method(context, &ORDINARY) },
+    TableMaker { id: "hard-cycles-below-rounding", needs: NEEDS, make: |context| by_method(context, &BELOW) },
+    TableMaker { id: "hard-cycles-runs", needs: NEEDS, make: runs },
 ];
 
 /// One of the two tables with a column per method.
@@ -45,24 +36,14 @@ const BELOW: Kind = Kind {
 };
 
 fn outcomes<'c>(context: &'c Context<'_>) -> impl Iterator<Item = &'c ReturnOutcome> {
-    context
-        .outcome
-        .scenes
-        .iter()
-        .filter_map(|scene| scene.hard_cases.as_ref())
-        .flat_map(|found| &found.returns)
+    context.outcome.each(|scene| &scene.hard_cases).flat_map(|(_, found)| &found.returns)
 }
 
-fn case_columns() -> Vec<Column> {
-    vec![
-        Column::text("family", "Case"),
-        Column::text("law", "Law"),
-        Column::number("log_minimum_velocity", "ln(V_min/V_l)", ""),
-    ]
-}
-
-fn case_cells(case: &HardReturn) -> Vec<Cell> {
-    vec![Cell::text(&case.family), Cell::text(case.law.as_str()), rounded(case.log_trough, 4)]
+/// Columns of a case, which stand first.
+fn of_cases<'c, R: Copy>(rows: TableRows<R>, of: impl Fn(R) -> &'c ReturnOutcome) -> TableRows<R> {
+    rows.text("family", "Case", |row| &of(row).case.family)
+        .text("law", "Law", |row| of(row).case.law.as_str())
+        .digits("log_minimum_velocity", "ln(V_min/V_l)", "", 4, |row| of(row).case.log_trough)
 }
 
 const METHODS: [(&str, &str); 6] = [
@@ -75,22 +56,16 @@ const METHODS: [(&str, &str); 6] = [
 ];
 
 fn by_method(context: &Context, kind: &Kind) -> Option<Table> {
-    let mut columns = case_columns();
-    columns.extend(METHODS.map(|(name, header)| Column::text(name, header)));
-    let mut table = Table::new(kind.id, kind.title, columns);
     let [least, most] = kind.tolerances;
-    for found in outcomes(context) {
-        let mut row = case_cells(&found.case);
-        row.extend(METHODS.map(|(_, method)| {
-            let said = found
-                .verdicts
-                .iter()
-                .find(|verdict| verdict.method == method && (least..most).contains(&verdict.tolerance));
-            Cell::text(said.map_or_else(|| "not run".into(), short))
-        }));
-        table.push(row);
-    }
-    unless_empty(table)
+    let answer = |found: &ReturnOutcome, method| {
+        let meant = |of: &&ReturnVerdict| of.method == method && (least..most).contains(&of.tolerance);
+        found.verdicts.iter().find(meant).map_or_else(|| "not run".into(), short).into()
+    };
+    of_cases(Table::of(kind.id, kind.title, outcomes(context)), |found| found)
+        .columns(METHODS.map(|(name, header)| Column::text(name, header)), |found| {
+            METHODS.map(|(_, method)| answer(found, method))
+        })
+        .unless_empty()
 }
 
 /// A failure in a word or two.
@@ -117,30 +92,14 @@ fn short(verdict: &ReturnVerdict) -> String {
 }
 
 fn runs(context: &Context) -> Option<Table> {
-    let mut columns = case_columns();
-    columns.extend([
-        Column::text("method", "Method"),
-        Column::number("tolerance", "Tolerance", ""),
-        Column::number("steps", "Steps", ""),
-        Column::number("evaluations", "Right-hand sides", ""),
-        Column::number("error", "Error", ""),
-        Column::text("failure", "Failure"),
-    ]);
-    let mut table = Table::new("hard-cycles-runs", "Hard cycles, run by run", columns);
-    for found in outcomes(context) {
-        for verdict in &found.verdicts {
-            let mut row = case_cells(&found.case);
-            row.extend([Cell::text(verdict.method), rounded(verdict.tolerance, 1)]);
-            row.extend(match &verdict.answer {
-                Ok(answer) => {
-                    [count(answer.steps), count(answer.evaluations), rounded(answer.error, 1), Cell::empty()]
-                }
-                Err(failure) => {
-                    [Cell::empty(), Cell::empty(), Cell::empty(), Cell::text(failure.to_string())]
-                }
-            });
-            table.push(row);
-        }
-    }
-    unless_empty(table)
+    let runs = outcomes(context).flat_map(|found| found.verdicts.iter().map(move |run| (found, run)));
+    let answer = |run: &ReturnVerdict| run.answer.as_ref().ok().copied();
+    of_cases(Table::of("hard-cycles-runs", "Hard cycles, run by run", runs), |(found, _)| found)
+        .text("method", "Method", |(_, run)| run.method)
+        .digits("tolerance", "Tolerance", "", 1, |(_, run)| run.tolerance)
+        .number("steps", "Steps", "", |(_, run)| answer(run).map(|found| found.steps))
+        .number("evaluations", "Right-hand sides", "", |(_, run)| answer(run).map(|found| found.evaluations))
+        .digits("error", "Error", "", 1, |(_, run)| answer(run).map(|found| found.error))
+        .text("failure", "Failure", |(_, run)| run.answer.as_ref().err().map(ToString::to_string))
+        .unless_empty()
 }

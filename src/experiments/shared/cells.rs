@@ -65,13 +65,3 @@ impl<R: Copy> DigitColumns<R> for TableRows<R> {
         self.number(name, header, unit, |row| value(row).cell(digits))
     }
 }
-
-/// How many.
-pub(crate) fn count(number: impl ToString) -> Cell {
-    Cell::number(number.to_string())
-}
-
-/// A rounded number.
-pub(crate) fn rounded(value: f64, digits: usize) -> Cell {
-    value.cell(digits)
-}
