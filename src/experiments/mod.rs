@@ -11,7 +11,6 @@ pub mod linear_regime;
 pub mod map;
 pub mod near_transition;
 pub mod onset;
-pub mod original_scheme;
 mod outcome;
 mod registry;
 mod run;
@@ -26,7 +25,6 @@ pub mod test_experiment;
 pub mod tolerance;
 pub mod trajectories;
 pub mod work;
-pub mod work_precision;
 pub mod zones;
 
 pub use experiment::{Experiment, Requirement, Setting};

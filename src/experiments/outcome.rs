@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use crate::experiments::SceneOutcome;
-use crate::experiments::hard_cases::{HardCase, HardReturn};
+use crate::experiments::hard_cases::HardCase;
 use crate::experiments::swept::Swept;
 use slipmode_core::friction::Slider;
 use slipmode_core::number::Rational;
@@ -60,8 +60,6 @@ impl Outcome {
 pub struct References {
     /// Hard cases by file name.
     pub hard_cases: BTreeMap<String, Vec<HardCase>>,
-    /// Hard returns by file name.
-    pub hard_returns: BTreeMap<String, Vec<HardReturn>>,
     /// Sweeps by name.
     pub swept: BTreeMap<String, Swept>,
 }

@@ -133,7 +133,7 @@ experiments! {
     Tolerance, tolerance: x::tolerance::ToleranceSection;
     /// Slip modes on a (V, σ) grid against the simplified map of the asymptotes.
     Zones, zones: x::zones::ZonesSection;
-    /// Points and returns with references from independent programs.
+    /// Points with references from independent programs.
     HardCases, hard_cases: x::hard_cases::HardCasesSection;
     /// The nonlinear slider on a (V, σ) grid.
     Simulations, simulations: x::simulations::SimulationsSection;
@@ -147,10 +147,6 @@ experiments! {
     Onset, onset: x::onset::OnsetSection;
     /// The nonlinear slider close to K = K_c.
     NearTransition, near_transition: x::near_transition::NearTransitionSection;
-    /// The fixed-step scheme of the original simulations against converged runs.
-    OriginalScheme, original_scheme: x::original_scheme::OriginalSchemeSection;
-    /// Work against error of the integrators.
-    WorkPrecision, work_precision: x::work_precision::WorkPrecisionSection;
     /// Estimated errors against true errors.
     ErrorBound, error_bound: x::error_bound::ErrorBoundSection;
     /// Sweeps that ran elsewhere.

@@ -8,7 +8,7 @@ use crate::scene::section::{Entry, Section};
 use crate::scene::sections::NAME_RULE;
 use crate::scene::{AllowedRange, CsvProblem, Fault, Faults, Limits, Problem};
 use slipmode_core::number::nearest_f64;
-use slipmode_plot::figure::{Axis, Caption, LineChart, Series};
+use slipmode_plot::figure::{Axis, Caption, LineChart, Reference, Series};
 use slipmode_plot::table::{Cell, Column, Kind, Table};
 
 /// What a report's folder of measurements holds.
@@ -142,13 +142,14 @@ fn chart(entry: &Entry<'_>, earlier: &mut Vec<String>) -> Option<MeasuredChart> 
     let series = section
         .required("series", "a list of { label = …, points = … }")
         .and_then(|entry| entry.list(series));
+    let verticals = section.optionally("verticals", |entry| entry.list(vertical));
     section.finish();
     let chart = LineChart {
         caption: Caption::new(&id?, &title?, &description?),
         x: x?,
         y: y?,
         series: series?,
-        references: Vec::new(),
+        references: verticals?.unwrap_or_default(),
     };
     Some(MeasuredChart { label: label?, caption_markdown: caption?, data: data?, chart })
 }
@@ -172,6 +173,14 @@ fn series(entry: &Entry<'_>) -> Option<Series> {
     Some(Series::marked(label?, points?))
 }
 
+fn vertical(entry: &Entry<'_>) -> Option<Reference> {
+    let mut section = entry.section()?;
+    let at = section.decimal("at", AllowedRange::PHYSICAL);
+    let label = section.text("label", "a text");
+    section.finish();
+    Some(Reference::Vertical { at: nearest_f64(&at?), label: label? })
+}
+
 fn point(entry: &Entry<'_>) -> Option<(f64, f64)> {
     match entry.list(|member| member.decimal(AllowedRange::PHYSICAL))?.as_slice() {
         [x, y] => Some((nearest_f64(x), nearest_f64(y))),
@@ -188,7 +197,7 @@ mod tests {
         columns = [{ name = \"what\", header = \"What\" }, { name = \"time_s\", header = \"Time\", unit = \"s\", number = true }]\n\
         [[chart]]\nid = \"c\"\nlabel = \"Figure\"\ntitle = \"C\"\ncaption = \"C.\"\ndescription = \"C\"\ndata = [\"t\"]\n\
         x = { title = \"n\", from = 1, to = 10 }\ny = { title = \"Time\", unit = \"s\", from = 0.1, to = 1e2 }\n\
-        series = [{ label = \"<script>\", points = [[1, 2.5], [10, 50]] }]\n";
+        series = [{ label = \"<script>\", points = [[1, 2.5], [10, 50]] }]\nverticals = [{ at = 2, label = \"limit\" }]\n";
 
     fn read(text: &str) -> Result<Measured, Faults> {
         Measured::parse("contents.toml", text.as_bytes())
@@ -202,7 +211,7 @@ mod tests {
         assert_eq!((table.to_csv().as_str(), table.rows.len(), table.note.as_str()), (text, 2, "N"));
         let found = found.chart("c").unwrap();
         let svg = found.chart.svg();
-        assert!(svg.contains("&lt;script") && !svg.contains("<script"), "{svg}");
+        assert!(svg.contains("&lt;script") && !svg.contains("<script") && svg.contains("limit"), "{svg}");
         assert_eq!(found.data, ["t"]);
     }
 
@@ -214,6 +223,7 @@ mod tests {
             ("from = 1,", "from = 10,", "chart[1].x"),
             ("from = 1,", "from = -1,", "chart[1].x.from"),
             ("[10, 50]", "[10]", "series[1].points[2]"),
+            ("at = 2", "at = \"x\"", "verticals[1].at"),
             ("number = true", "number = 1", "columns[2].number"),
             ("note =", "notes =", "table[1].notes"),
         ] {

@@ -7,8 +7,8 @@
 
 use std::time::Instant;
 
-use slipmode::experiments::work_precision::{MeasuredReturn, reference_return, return_methods};
-use slipmode_core::dynamics::{Model, Options, simulate_model};
+use slipmode_bench::integrators::{METHODS, MeasuredReturn, reference_return};
+use slipmode_core::dynamics::{Control, Model, Options, simulate_model};
 use slipmode_core::friction::{EvolutionLaw, Groups};
 
 /// The paper's values at σ = 10^s Pa and V_l = 10^v m/s.
@@ -52,8 +52,9 @@ fn work_precision() {
             let Some((section, exact)) = reference_return(&model) else { continue };
             println!("sigma 1e{s} Pa, V_l 1e{v} m/s, {} law, ln(V_peak/V_l) = {}", law.as_str(), exact.peak);
             println!("  method       local   steps    evals   time/us   err peak   err dur");
-            for (name, orbit) in return_methods() {
-                measure(name, |tolerance| orbit(&model, &section, tolerance), &exact);
+            for (name, run) in METHODS {
+                let control = |local_tolerance| Control { local_tolerance, most_steps: 100_000 };
+                measure(name, |tolerance| run(&model, &section, control(tolerance)).ok(), &exact);
             }
         }
     }

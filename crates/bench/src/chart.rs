@@ -23,15 +23,34 @@ pub struct Chart {
     pub y: LogAxis,
     /// Lines.
     pub series: Vec<Series>,
+    /// An upright line at a value of the horizontal axis, and its words.
+    pub vertical: Option<(f64, &'static str)>,
 }
 
-/// Title and unit of an axis; its ends follow from the points.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+/// Title, unit and ends of an axis.
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LogAxis {
     /// Title.
     pub title: &'static str,
     /// Unit; empty for pure numbers.
     pub unit: &'static str,
+    /// Where it begins and ends; none to follow from the points.
+    pub ends: Option<[f64; 2]>,
+}
+
+impl LogAxis {
+    /// An axis whose ends follow from the points.
+    #[must_use]
+    pub const fn new(title: &'static str, unit: &'static str) -> Self {
+        Self { title, unit, ends: None }
+    }
+
+    /// The same axis from one value to another.
+    #[must_use]
+    pub const fn between(mut self, from: f64, to: f64) -> Self {
+        self.ends = Some([from, to]);
+        self
+    }
 }
 
 /// The ends of an axis that shows these values with a little room; none without a positive one.

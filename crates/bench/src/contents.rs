@@ -69,6 +69,9 @@ fn write_chart(text: &mut String, chart: &Chart) {
         write_line(text, &format!("  {},", series(line)));
     }
     text.push_str("]\n");
+    if let Some((at, label)) = chart.vertical {
+        write_line(text, &format!("verticals = [{{ at = {at:e}, label = {} }}]", quoted(label)));
+    }
 }
 
 fn axis(axis: LogAxis, values: impl Iterator<Item = f64>) -> String {
@@ -76,7 +79,7 @@ fn axis(axis: LogAxis, values: impl Iterator<Item = f64>) -> String {
     if !axis.unit.is_empty() {
         keys += &format!(", unit = {}", quoted(axis.unit));
     }
-    if let Some([from, to]) = ends(values) {
+    if let Some([from, to]) = axis.ends.or_else(|| ends(values)) {
         keys += &format!(", from = {from:e}, to = {to:e}");
     }
     format!("{{ {keys} }}")

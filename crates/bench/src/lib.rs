@@ -1,8 +1,9 @@
-//! Benchmarks of slipmode: timings, other programs and textbook methods on the same inputs, work against error by counts, costs of
-//! larger problems, and test coverage.
+//! Benchmarks of slipmode: timings, other programs and textbook methods on the same inputs, the fixed-step scheme of the original
+//! simulations, work against error by counts, costs of larger problems, and test coverage.
 //!
 //! Errors of these commands are messages for people.
 
+mod cells;
 pub mod chart;
 pub mod contents;
 pub mod copied;
@@ -11,11 +12,14 @@ pub mod copied;
 pub mod cost;
 pub mod counts;
 pub mod coverage;
+pub mod integrators;
 mod measured_on;
 pub mod methods;
+mod paper;
 pub mod peers;
 pub mod process;
 mod repository;
+pub mod scheme;
 pub mod sweep_cost;
 pub mod tables;
 pub mod textbook;

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use slipmode::archive::sha256_hex;
-use slipmode::experiments::hard_cases::{read_hard_cases, read_hard_returns};
+use slipmode::experiments::hard_cases::read_hard_cases;
 use slipmode::experiments::swept::{Swept, SweptEntry, read_swept};
 use slipmode::experiments::{References, Scene};
 use slipmode::scene::{Measured, file_text, with_rows};
@@ -21,11 +21,6 @@ impl Reader {
         for file in named.map(|section| section.file.clone()).collect::<BTreeSet<_>>() {
             let cases = self.read_text(&format!("{folder}{file}"), read_hard_cases);
             references.hard_cases.extend(cases.map(|cases| (file, cases)));
-        }
-        let named = scenes.iter().filter_map(|scene| scene.hard_cases.as_ref()?.returns.clone());
-        for file in named.collect::<BTreeSet<_>>() {
-            let returns = self.read_text(&format!("{folder}{file}"), read_hard_returns);
-            references.hard_returns.extend(returns.map(|returns| (file, returns)));
         }
         for entry in
             scenes.iter().filter_map(|scene| scene.swept.as_ref()).flat_map(|section| &section.sweeps)

@@ -1,4 +1,4 @@
-//! `[hard_cases]`: files of points and of returns with references from independent programs.
+//! `[hard_cases]`: a file of points with references from independent programs.
 
 use crate::scene::section::{Entry, ReadSection};
 
@@ -7,16 +7,13 @@ use crate::scene::section::{Entry, ReadSection};
 pub struct HardCasesSection {
     /// The file's name, safe by `check_name`; it has no folder.
     pub file: String,
-    /// The name of a file of returns, if any.
-    pub returns: Option<String>,
 }
 
 impl ReadSection for HardCasesSection {
     fn read(entry: &Entry<'_>) -> Option<Self> {
         let mut section = entry.section()?;
         let file = section.name("file", "the name of a file");
-        let returns = section.optionally("cycles", Entry::name);
         section.finish();
-        Some(Self { file: file?, returns: returns? })
+        Some(Self { file: file? })
     }
 }

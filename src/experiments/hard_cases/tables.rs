@@ -8,7 +8,7 @@ pub(crate) const TABLES: &[TableMaker] =
     &[TableMaker { id: "hard-cases", needs: &[Need::HardCases], make: hard_cases }];
 
 fn hard_cases(context: &Context) -> Option<Table> {
-    let families = context.outcome.each(|scene| &scene.hard_cases).flat_map(|(_, found)| &found.families);
+    let families = context.outcome.each(|scene| &scene.hard_cases).flat_map(|(_, families)| families);
     Table::of("hard-cases", "Hard cases compared with independent programs", families)
         .text("family", "Family", |found| &found.family)
         .number("points", "Points", "", |found| found.points)

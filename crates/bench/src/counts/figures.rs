@@ -37,9 +37,10 @@ fn roots(counts: &SpeedCounts) -> Chart {
             title: "Correct digits against bits of the arithmetic, three roots of a cubic".into(),
             caption: "Correct digits in the worst root of a set, against the bits of the arithmetic. Certified roots use as many additional bits as the cubic loses, a number that is known in advance; the other methods lose digits. The two marks of a method are the two sets of the table. A mark at one digit means that no digit is correct.".into(),
             description: "Correct digits in the worst root against bits of the arithmetic, on logarithmic axes. Certified roots lie on a straight line up to ten thousand digits; 64-bit methods lie below it.",
-        x: LogAxis { title: "Bits of the arithmetic", unit: "" },
-        y: LogAxis { title: "Correct digits, worst root", unit: "" },
+        x: LogAxis::new("Bits of the arithmetic", ""),
+        y: LogAxis::new("Correct digits, worst root", ""),
         series,
+        vertical: None,
     }
 }
 
@@ -56,8 +57,9 @@ fn sweep(counts: &SpeedCounts) -> Chart {
             title: "Largest error of a sweep against its work".into(),
             caption: "Largest relative error of peak velocity and period over a sweep of both laws, against steps and right-hand sides per run, one mark per tolerance.".into(),
             description: "Largest relative error of a sweep against steps and evaluations per run, on logarithmic axes. The line of evaluations falls steeply; the line of steps turns back where the method changes.",
-        x: LogAxis { title: "Count per run", unit: "" },
-        y: LogAxis { title: "Largest relative error", unit: "" },
+        x: LogAxis::new("Count per run", ""),
+        y: LogAxis::new("Largest relative error", ""),
         series: vec![line("right-hand sides", |row| row.evaluations), line("steps", |row| row.steps)],
+        vertical: None,
     }
 }

@@ -1,6 +1,6 @@
 //! Work against error by counts that no machine changes: roots of a cubic, classes of many points, a point of the boundary, a sweep.
 //!
-//! The stick-slip cycle, the fifth of the kind, is the section `[work_precision]` of a scene.
+//! The stick-slip cycle, the fifth of the kind, is in `integrators`.
 
 mod boundary_point;
 mod classes;
@@ -17,8 +17,7 @@ pub use figures::figures;
 pub use sweep::SweepCount;
 pub use tables::tables;
 
-use slipmode_core::friction::Slider;
-use slipmode_core::number::{Rational, parse_decimal};
+use crate::paper::paper;
 
 /// How much is counted, and to which errors.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -71,11 +70,4 @@ pub fn speed_counts(sizes: &Sizes) -> SpeedCounts {
         boundary: boundary_point::count(&paper(), sizes.digits),
         sweep: sweep::count(&paper(), sizes),
     }
-}
-
-/// The paper's potentially unstable slider: a, b, D_c in m, K in Pa/m and M in kg/m².
-fn paper() -> Slider<Rational> {
-    let values = ["0.004", "0.006", "10e-6", "10e6", "1000"];
-    // Each of them is a decimal.
-    Slider::from(values.map(|text| parse_decimal(text).unwrap_or_default()))
 }

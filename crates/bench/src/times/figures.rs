@@ -41,9 +41,10 @@ fn roots(rows: &[PeerRow]) -> Chart {
             title: "Time of three roots against digits".into(),
             caption: "CPU time of the three roots of one cubic against the requested digits, for random cubics unless stated otherwise. The table has the errors. FLINT's roots and ours are enclosed, the others are not.".into(),
             description: "CPU time of three roots against requested digits, on logarithmic axes, one line for each program.",
-        x: LogAxis { title: "Digits", unit: "" },
-        y: LogAxis { title: "CPU time", unit: "µs" },
+        x: LogAxis::new("Digits", ""),
+        y: LogAxis::new("CPU time", "µs"),
         series,
+        vertical: None,
     }
 }
 
@@ -90,8 +91,9 @@ fn one_cycle(rows: &[PeerRow]) -> Option<Chart> {
             "CPU time of one cycle of `{case}` (V_l = 10^v m/s, σ = 10^s Pa) against its measured error, the larger of the errors of ln V_peak and of the duration. The reference is Radau IIA of order 13 in double-double. One mark per tolerance, for the six fastest methods at an error of 1e-6. There is no mark at a tolerance where a program does not finish."
         ),
         description: "CPU time of one cycle against its measured error, on logarithmic axes, one line for each method.",
-        x: LogAxis { title: "Error", unit: "" },
-        y: LogAxis { title: "CPU time", unit: "µs" },
+        x: LogAxis::new("Error", ""),
+        y: LogAxis::new("CPU time", "µs"),
         series,
+        vertical: None,
     })
 }

@@ -70,7 +70,6 @@ mod model;
 #[cfg(test)]
 mod multi;
 mod observables;
-mod original_scheme;
 mod outcome;
 mod quick_exp;
 mod radau;
@@ -102,8 +101,6 @@ pub use failure::Failure;
 pub use integrator::{Control, Integrator};
 pub use long_term::{Cycle, Decay, LongTerm, Oscillation, long_term_behaviour};
 pub use model::{Balance, Model, State};
-#[doc(hidden)]
-pub use original_scheme::OriginalScheme;
 pub use outcome::{Behaviour, Outcome, Simulation};
 #[doc(hidden)]
 pub use radau::Radau;

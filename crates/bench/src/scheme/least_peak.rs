@@ -2,10 +2,9 @@
 
 use rayon::prelude::*;
 
-use crate::experiments::map::run::exactly;
-use crate::experiments::original_scheme::scheme::{
-    AFFORDABLE_STEPS, converged_cycle, model_at, scheme_peak, steps_needed,
-};
+use super::long_term::{AFFORDABLE_STEPS, converged_cycle, scheme_peak, steps_needed};
+use crate::paper::{exactly, model_at};
+use slipmode::scene::Place;
 use slipmode_core::friction::{EvolutionLaw, Slider};
 use slipmode_core::number::{Rational, nearest_f64};
 use slipmode_core::stability::asymptote::inertial_upper_velocity_m_per_s;
@@ -37,12 +36,12 @@ const DEGREE: usize = 4;
 /// By law and stress, then by step; a case is left out where a cycle is missing, a run is too long or the minimum lies outside.
 pub(crate) fn least_peaks_of_scheme(
     parameters: &Slider<Rational>,
-    stresses: &[Rational],
+    stresses: &[f64],
     fractions: &[f64],
 ) -> Vec<SchemeLeastPeak> {
     let cases: Vec<(EvolutionLaw, f64)> = EvolutionLaw::ALL
         .into_iter()
-        .flat_map(|law| stresses.iter().map(move |stress| (law, nearest_f64(stress))))
+        .flat_map(|law| stresses.iter().map(move |&stress| (law, stress)))
         .filter(|_| parameters.has_transition())
         .collect();
     let found: Vec<Vec<SchemeLeastPeak>> =
@@ -62,7 +61,9 @@ fn at_stress(
         .par_iter()
         .map(|&offset| {
             let velocity = eq18 * libm::exp10(offset);
-            let model = model_at(parameters, exactly(velocity), exactly(stress), law);
+            let place =
+                Place { loading_velocity_m_per_s: exactly(velocity), normal_stress_pa: exactly(stress) };
+            let model = model_at(parameters, &place, law);
             let cycle = converged_cycle(&model)?;
             Some((model, cycle, std::f64::consts::LN_10 * offset))
         })

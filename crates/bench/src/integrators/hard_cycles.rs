@@ -1,19 +1,17 @@
-//! Returns where integrators go wrong: V down to 1e-79 V_l, K next to K_c, no inertia, tolerances below rounding; every method of ours
+//! Cycles where integrators go wrong, each from a state on V = V_l to the next upward crossing: V down to 1e-79 V_l, K next to K_c, no inertia, tolerances below rounding; every method of ours
 //! against references from an unrelated program, and what a whole simulation says.
 
 use rayon::prelude::*;
 
-use crate::experiments::work_precision::run::{MeasuredReturn, return_within};
-use crate::scene::{CsvProblem, Fault, Faults, Problem};
-use slipmode_core::dynamics::{
-    Behaviour, Failure, Model, Options, Outcome, Radau, Rodas5P, State, Taylor, simulate_model,
-};
+use super::returns::{METHODS, MeasuredReturn};
+use slipmode::scene::{CsvProblem, Fault, Faults, Problem};
+use slipmode_core::dynamics::{Behaviour, Control, Failure, Model, Options, Outcome, State, simulate_model};
 use slipmode_core::friction::{EvolutionLaw, Groups, Parameters};
 use slipmode_core::number::{Rational, nearest_f64, parse_decimal};
 
-/// A return with the answers of an independent program.
+/// A cycle with the answers of an independent program.
 #[derive(Debug, Clone, PartialEq)]
-pub struct HardReturn {
+pub struct HardCycle {
     /// What makes it hard.
     pub family: String,
     /// The evolution law.
@@ -30,37 +28,33 @@ pub struct HardReturn {
     duration: f64,
 }
 
-/// What one method did with a return, or a simulation with the slider.
+/// What one method did with a cycle, or a simulation with the slider.
 #[derive(Debug, Clone, PartialEq)]
-pub struct ReturnVerdict {
+pub struct MethodVerdict {
     /// The method.
     pub method: &'static str,
-    /// The tolerance requested: local for a return, of the answer for a simulation.
+    /// The tolerance requested: local for a cycle, of the answer for a simulation.
     pub tolerance: f64,
-    /// Steps, evaluations, and the larger of the errors of ln V_peak and of the duration, relative; or why there is no answer.
-    pub answer: Result<ReturnAnswer, Failure>,
+    /// The larger of the errors of ln V_peak and of the duration, relative; or why there is no answer.
+    pub answer: Result<MethodAnswer, Failure>,
 }
 
 /// The answer of one method.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct ReturnAnswer {
-    /// Steps, refused ones included.
-    pub steps: u64,
-    /// Evaluations of the right-hand side.
-    pub evaluations: u64,
-    /// Of a return the error, of a simulation the error that it states.
+pub struct MethodAnswer {
+    /// Of a cycle the error, of a simulation the error that it states.
     pub error: f64,
     /// What a simulation ends in.
     pub behaviour: Option<Behaviour>,
 }
 
-/// One return by every method.
+/// One cycle by every method.
 #[derive(Debug, Clone, PartialEq)]
-pub struct ReturnOutcome {
-    /// The return.
-    pub case: HardReturn,
+pub struct HardCycleOutcome {
+    /// The cycle.
+    pub case: HardCycle,
     /// Method by method, tolerance by tolerance.
-    pub verdicts: Vec<ReturnVerdict>,
+    pub verdicts: Vec<MethodVerdict>,
 }
 
 const COLUMNS: [&str; 10] = [
@@ -76,11 +70,11 @@ const COLUMNS: [&str; 10] = [
     "expected_duration",
 ];
 
-/// Reads a file of returns: CSV with these columns in this order, and `#` lines of words.
+/// Reads a file of cycles: CSV with these columns in this order, and `#` lines of words.
 ///
 /// # Errors
 /// A header or a row of other columns, and what is not a number, each with its line.
-pub fn read_hard_returns(file: &str, text: &str) -> Result<Vec<HardReturn>, Faults> {
+pub fn read_hard_cycles(file: &str, text: &str) -> Result<Vec<HardCycle>, Faults> {
     let mut lines = (1..).zip(text.lines()).filter(|(_, line)| !line.starts_with('#'));
     let fault = |line, key: &str, value: Option<&str>, problem| {
         vec![Fault {
@@ -116,7 +110,7 @@ pub fn read_hard_returns(file: &str, text: &str) -> Result<Vec<HardReturn>, Faul
             let problem = Problem::UnknownWord { nearest: None, allowed: "aging, slip".into() };
             fault(line, COLUMNS[1], Some(cells[1]), problem)
         };
-        Ok(HardReturn {
+        Ok(HardCycle {
             family: cells[0].to_owned(),
             law: law.ok_or_else(unknown)?,
             groups: Groups {
@@ -133,40 +127,22 @@ pub fn read_hard_returns(file: &str, text: &str) -> Result<Vec<HardReturn>, Faul
     lines.map(read).collect()
 }
 
-/// Local tolerances of the returns: an ordinary one, and two below what 64 bits can tell.
+/// Local tolerances of the cycles: an ordinary one, and two below what 64 bits can tell.
 const TOLERANCES: [f64; 3] = [1e-9, 1e-16, 1e-20];
 
 /// Tolerances of the simulations: an ordinary one, and one below rounding.
 const ASKED: [f64; 2] = [1e-8, 1e-16];
 
-/// The most steps of a return: ten times what the hardest one takes.
+/// The most steps of a cycle: ten times what the hardest one takes.
 const MOST_STEPS: u64 = 20_000;
 
 /// Every case by every method.
 #[must_use]
-pub fn run_hard_returns(cases: &[HardReturn]) -> Vec<ReturnOutcome> {
-    cases.par_iter().map(|case| ReturnOutcome { case: case.clone(), verdicts: verdicts(case) }).collect()
+pub fn run_hard_cycles(cases: &[HardCycle]) -> Vec<HardCycleOutcome> {
+    cases.par_iter().map(|case| HardCycleOutcome { case: case.clone(), verdicts: verdicts(case) }).collect()
 }
 
-type Run = fn(&Model<f64>, &State<f64>, f64) -> Result<MeasuredReturn<f64>, Failure>;
-
-const METHODS: [(&str, Run); 5] = [
-    ("Rodas5P", |model, start, local| return_within(model, Rodas5P::new(), start, local, MOST_STEPS)),
-    ("Radau IIA 5", |model, start, local| {
-        return_within(model, Radau::<f64, 3>::new(), start, local, MOST_STEPS)
-    }),
-    ("Radau IIA 9", |model, start, local| {
-        return_within(model, Radau::<f64, 5>::new(), start, local, MOST_STEPS)
-    }),
-    ("Radau IIA 13", |model, start, local| {
-        return_within(model, Radau::<f64, 7>::new(), start, local, MOST_STEPS)
-    }),
-    ("Taylor 20", |model, start, local| {
-        return_within(model, Taylor::<f64, 20>::new(), start, local, MOST_STEPS)
-    }),
-];
-
-fn verdicts(case: &HardReturn) -> Vec<ReturnVerdict> {
+fn verdicts(case: &HardCycle) -> Vec<MethodVerdict> {
     let model = Model::new(case.groups.clone(), case.law);
     let returns = METHODS.into_iter().flat_map(|(method, run)| {
         let model = &model;
@@ -176,14 +152,16 @@ fn verdicts(case: &HardReturn) -> Vec<ReturnVerdict> {
             if stopped {
                 return None;
             }
-            let answer = run(model, &case.start, tolerance).map(|orbit| case.assess(&orbit));
+            let answer =
+                run(model, &case.start, Control { local_tolerance: tolerance, most_steps: MOST_STEPS })
+                    .map(|orbit| case.assess(&orbit));
             stopped = answer.is_err();
-            Some(ReturnVerdict { method, tolerance, answer })
+            Some(MethodVerdict { method, tolerance, answer })
         })
     });
     let whole = ASKED.map(|tolerance| {
         let options = Options::at(tolerance).with_most_returns(MOST_RETURNS);
-        ReturnVerdict {
+        MethodVerdict {
             method: "simulation",
             tolerance,
             answer: simulate_model(&model, &options).map(stated),
@@ -195,25 +173,19 @@ fn verdicts(case: &HardReturn) -> Vec<ReturnVerdict> {
 /// Oscillations of a whole simulation before it is called undecided.
 const MOST_RETURNS: u64 = 1_000;
 
-fn stated(outcome: Outcome) -> ReturnAnswer {
+fn stated(outcome: Outcome) -> MethodAnswer {
     // Units in which an outcome is what it is.
     let found = outcome.in_si(&Parameters::from([1.0; 7]));
     let error = found.peak_relative_error.max(found.period_relative_error.unwrap_or(0.0));
-    let (steps, evaluations) = (found.steps, found.evaluations);
-    ReturnAnswer { steps, evaluations, error, behaviour: Some(found.behaviour) }
+    MethodAnswer { error, behaviour: Some(found.behaviour) }
 }
 
-impl HardReturn {
-    fn assess(&self, orbit: &MeasuredReturn<f64>) -> ReturnAnswer {
+impl HardCycle {
+    fn assess(&self, orbit: &MeasuredReturn<f64>) -> MethodAnswer {
         // The peak of a small oscillation is itself the measure of its error.
         let peak = (orbit.peak - self.log_peak).abs() / self.log_peak.abs().min(1.0);
         let duration = (orbit.duration / self.duration - 1.0).abs();
-        ReturnAnswer {
-            steps: orbit.steps,
-            evaluations: orbit.evaluations,
-            error: peak.max(duration),
-            behaviour: None,
-        }
+        MethodAnswer { error: peak.max(duration), behaviour: None }
     }
 }
 
@@ -221,9 +193,9 @@ impl HardReturn {
 mod tests {
     use super::*;
 
-    fn outcomes() -> Vec<ReturnOutcome> {
-        let text = include_str!("../../../reports/im-avouac/vectors/simulation-hard.txt");
-        run_hard_returns(&read_hard_returns("simulation-hard.txt", text).unwrap())
+    fn outcomes() -> Vec<HardCycleOutcome> {
+        let text = include_str!("../../../../reports/im-avouac/timings/simulation-hard.txt");
+        run_hard_cycles(&read_hard_cycles("simulation-hard.txt", text).unwrap())
     }
 
     #[test]
@@ -270,7 +242,7 @@ mod tests {
     }
 
     #[test]
-    fn a_file_that_is_no_list_of_returns_is_refused_with_its_line() {
+    fn a_file_that_is_no_list_of_cycles_is_refused_with_its_line() {
         for (text, named) in [
             ("", "1: empty"),
             ("family,law\n", "1: empty"),
@@ -278,7 +250,7 @@ mod tests {
             (&format!("{}\nf,fast,1,1,1,0,1,1,1,1\n", COLUMNS.join(",")), "2: law = fast"),
             (&format!("{}\nf,slip,x,1,1,0,1,1,1,1\n", COLUMNS.join(",")), "2: inertial_parameter = x"),
         ] {
-            let faults = read_hard_returns("laps.txt", text).unwrap_err();
+            let faults = read_hard_cycles("laps.txt", text).unwrap_err();
             assert!(faults[0].to_string().contains(named), "{}", faults[0]);
         }
     }

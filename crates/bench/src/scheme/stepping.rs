@@ -6,8 +6,8 @@
 //!
 //! In the units of [`Model`] the spring–mass equation is η u' = ζ − φ with ζ' = κ(1 − u), u = V/V_l, natural frequency √(κ/η).
 
-use super::{Failure, Model, State};
-use crate::friction::EvolutionLaw;
+use slipmode_core::dynamics::{Failure, Model, State};
+use slipmode_core::friction::EvolutionLaw;
 
 /// A run of the scheme in progress.
 #[derive(Debug, Clone)]
@@ -146,8 +146,8 @@ impl<'m> OriginalScheme<'m> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::dynamics::{Options, Start, simulate_model};
-    use crate::friction::Groups;
+    use slipmode_core::dynamics::{Options, Start, simulate_model};
+    use slipmode_core::friction::Groups;
 
     /// Harmonic vibration: σ = 10^4.5 Pa, V_l = 10^-2 m/s with the paper's values.
     fn vibration(law: EvolutionLaw) -> Model<f64> {

@@ -9,11 +9,12 @@
 //!
 //! A pair of its eigenvalues leaves the unit circle where 1 − a1 + a0 a2 − a0² = 0, for λ³ + a2 λ² + a1 λ + a0.
 
-use crate::experiments::map::run::exactly;
-use crate::experiments::original_scheme::scheme::{converged_cycle, model_at, scheme_peak, steps_needed};
-use crate::scene::{LogAxis, Rectangle};
 use rayon::prelude::*;
 use rug::Float;
+
+use super::long_term::{converged_cycle, scheme_peak, steps_needed};
+use crate::paper::{exactly, model_at};
+use slipmode::scene::{LogAxis, Place, Rectangle};
 use slipmode_core::friction::{EvolutionLaw, Groups, Slider};
 use slipmode_core::number::{Rational, nearest_f64};
 
@@ -204,7 +205,9 @@ fn map_row(
     let fates: Vec<Fate> = places
         .par_iter()
         .filter_map(|&(velocity, stress)| {
-            let model = model_at(parameters, exactly(velocity), exactly(stress), law);
+            let place =
+                Place { loading_velocity_m_per_s: exactly(velocity), normal_stress_pa: exactly(stress) };
+            let model = model_at(parameters, &place, law);
             let cycle = converged_cycle(&model)?;
             if steps_needed(&model, &cycle, fraction) > MAP_STEPS {
                 return Some(Fate::LeftOut);

@@ -1,10 +1,7 @@
 //! One run of the original scheme that starts on our limit cycle: its own long-term peak, and how sharply it is known.
 
-use slipmode_core::dynamics::{
-    Cycle, Failure, LongTerm, Model, Options, OriginalScheme, Outcome, simulate_model,
-};
-use slipmode_core::friction::{EvolutionLaw, Slider};
-use slipmode_core::number::{Rational, nearest_f64};
+use super::OriginalScheme;
+use slipmode_core::dynamics::{Cycle, Failure, LongTerm, Model, Options, Outcome, simulate_model};
 
 /// The most steps of one run of the scheme; a run that needs more is counted, not made.
 pub const AFFORDABLE_STEPS: f64 = 1e6;
@@ -39,16 +36,6 @@ pub(crate) fn converged_cycle(model: &Model<f64>) -> Option<Cycle<f64>> {
         Ok(LongTerm::Cycle(cycle)) => Some(cycle.clone()),
         _ => None,
     }
-}
-
-/// The slider at a place of the plane.
-pub(crate) fn model_at(
-    parameters: &Slider<Rational>,
-    velocity: Rational,
-    stress: Rational,
-    law: EvolutionLaw,
-) -> Model<f64> {
-    Model::new(parameters.at(stress, velocity).groups().map(nearest_f64), law)
 }
 
 /// Steps of the whole run at a step of `fraction`·√(M/K).
