@@ -4,8 +4,9 @@ use std::fmt::Write as _;
 use std::fs;
 use std::path::Path;
 
+use slipmode_bench::integrators::Rodas5P;
 use slipmode_core::dynamics::{
-    Control, Integrator, LongTerm, Model, Radau, Rodas5P, Scalar, Start, State, Stepper, long_term_behaviour,
+    Control, Integrator, LongTerm, Model, Radau, Scalar, Start, State, Stepper, long_term_behaviour,
     next_return,
 };
 use slipmode_core::friction::{EvolutionLaw, Groups};

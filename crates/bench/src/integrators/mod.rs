@@ -1,9 +1,18 @@
 //! The integrators on single cycles: work against error by counts that no machine changes, and cycles where integrators go wrong.
+//!
+//! [`Rodas5P`] and [`Taylor`] are methods that the library does not use.
 
+#[cfg(test)]
+mod checks;
 mod figures;
 mod hard_cycles;
 mod hard_tables;
+#[cfg(test)]
+mod multi;
 mod returns;
+mod rodas;
+mod taylor;
+mod taylor_series;
 mod work;
 mod work_table;
 
@@ -13,5 +22,7 @@ pub use hard_cycles::{
 };
 pub use hard_tables::tables as hard_tables;
 pub use returns::{METHODS, MeasuredReturn, ReturnMethod, reference_return};
+pub use rodas::Rodas5P;
+pub use taylor::Taylor;
 pub use work::{WorkCase, WorkPoint, work_precision};
 pub use work_table::table as work_table;

@@ -1,8 +1,9 @@
 //! One return of a method: from a state on V = V_l to the next upward crossing of V = V_l.
 
+use super::{Rodas5P, Taylor};
 use slipmode_core::dynamics::{
-    Control, Failure, Integrator, LongTerm, Model, Radau, Rodas5P, Scalar, Start, State, Stepper, Taylor,
-    long_term_behaviour, next_return,
+    Control, Failure, Integrator, LongTerm, Model, Radau, Scalar, Start, State, Stepper, long_term_behaviour,
+    next_return,
 };
 use slipmode_core::number::Dd;
 
@@ -23,7 +24,7 @@ pub struct MeasuredReturn<R> {
 pub type ReturnMethod =
     (&'static str, fn(&Model<f64>, &State<f64>, Control) -> Result<MeasuredReturn<f64>, Failure>);
 
-/// The methods of the library.
+/// The methods, those of the library and two others.
 pub const METHODS: [ReturnMethod; 5] = [
     ("Rodas5P", |model, start, control| return_of(model, Rodas5P::new(), start, control)),
     ("Radau IIA 5", |model, start, control| return_of(model, Radau::<f64, 3>::new(), start, control)),

@@ -188,7 +188,9 @@ impl<'m, R: Scalar, M: Stepper<R>> Integrator<'m, R, M> {
         true
     }
 
-    pub(super) fn weight(&self, state: &State<R>) -> Weight {
+    /// How exact a step from this state must be.
+    #[must_use]
+    pub fn weight(&self, state: &State<R>) -> Weight {
         let size = state.iter().fold(0.0f64, |size, c| size.max(c.to_f64().abs()));
         // Where the state is small the equations keep relative accuracy, and so must the steps.
         let scale = if size == 0.0 { 1.0 } else { size.min(1.0) };

@@ -154,7 +154,7 @@ impl<R: Scalar> Model<R> {
     /// The same with the stiffness ∂x'/∂ζ = e^{−x}/η of the balance of forces.
     #[must_use]
     #[inline]
-    pub(super) fn rate_and_stiffness(&self, state: &State<R>) -> (State<R>, R) {
+    pub fn rate_and_stiffness(&self, state: &State<R>) -> (State<R>, R) {
         let e = self.exponentials(state);
         let state_rate = match self.law {
             EvolutionLaw::Slip => -(e.velocity.clone() * (state[0].clone() + &state[1])),

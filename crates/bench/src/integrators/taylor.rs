@@ -3,9 +3,8 @@
 //! The coefficients are those of `taylor_series`; the length of a step follows from the last two before it is tried.
 //! (Jorba & Zou, *A software package for the numerical integration of ODEs by means of high-order Taylor methods*, 2005.)
 
-use super::stepper::{Stepper, Trial, Weight};
 use super::taylor_series::series;
-use super::{Model, Scalar, State};
+use slipmode_core::dynamics::{Model, Scalar, State, Stepper, Trial, Weight};
 
 /// The series of degree N − 1 of the last step; N is at least 4.
 #[derive(Debug, Clone)]
@@ -112,9 +111,9 @@ impl<R: Scalar, const N: usize> Stepper<R> for Taylor<R, N> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::{Control, Integrator};
     use super::*;
-    use crate::friction::{EvolutionLaw, Groups};
+    use slipmode_core::dynamics::{Control, Integrator};
+    use slipmode_core::friction::{EvolutionLaw, Groups};
 
     #[test]
     fn a_foreseen_step_is_never_refused_and_twice_as_much_would_be() {

@@ -5,8 +5,8 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use rug::Float;
 
-use super::Scalar;
-use crate::number::{Field, Real};
+use slipmode_core::dynamics::Scalar;
+use slipmode_core::number::{Field, Real};
 
 /// A floating-point number with `BITS` bits of significand.
 #[derive(Debug, Clone, PartialEq)]

@@ -4,9 +4,7 @@
 //! Differential Equations package*, BIT 63:27 (2023); the constants are published to double precision, so that this method
 //! is of no use beyond it. One factorisation and eight stages a step, no iteration: the method for loose tolerances.
 
-use super::arrow::Factors;
-use super::stepper::{Stepper, Trial, Weight};
-use super::{Model, Scalar, State};
+use slipmode_core::dynamics::{Factors, Model, Scalar, State, Stepper, Trial, Weight};
 
 const STAGES: usize = 8;
 
@@ -131,8 +129,8 @@ impl<R: Scalar> Stepper<R> for Rodas5P<R> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::dynamics::{Radau, increment};
-    use crate::friction::{EvolutionLaw, Groups};
+    use slipmode_core::dynamics::{Radau, increment};
+    use slipmode_core::friction::{EvolutionLaw, Groups};
 
     fn defect(h: f64) -> (f64, f64) {
         let groups = Groups { inertial_parameter: 3.0, stiffness_group: 2.0, effect_ratio: 1.5 };
