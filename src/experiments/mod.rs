@@ -2,7 +2,6 @@
 
 pub mod boundary;
 pub mod effect_ratio_sweep;
-pub mod error_bound;
 mod experiment;
 mod figures;
 pub mod frequency;

@@ -147,8 +147,6 @@ experiments! {
     Onset, onset: x::onset::OnsetSection;
     /// The nonlinear slider close to K = K_c.
     NearTransition, near_transition: x::near_transition::NearTransitionSection;
-    /// Estimated errors against true errors.
-    ErrorBound, error_bound: x::error_bound::ErrorBoundSection;
     /// Sweeps that ran elsewhere.
     Swept, swept: x::swept::SweptSection;
     /// The critical stiffness at given normal stresses.

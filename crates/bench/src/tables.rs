@@ -16,7 +16,7 @@ use crate::integrators::{read_hard_cycles, run_hard_cycles, work_precision};
 use crate::methods::score_families;
 use crate::scheme::{Asked, original_scheme};
 use crate::times::{FILES, Timings};
-use crate::{counts, integrators, methods, scheme, times};
+use crate::{counts, error_bound, integrators, methods, scheme, times};
 
 /// The folder of a report that has the files.
 const FOLDER: &str = "timings";
@@ -64,6 +64,7 @@ pub fn files(report: &Path) -> Result<BTreeMap<String, String>, String> {
         methods::tables(&score_families(&cases)),
         integrators::hard_tables(&run_hard_cycles(&cycles)),
         vec![integrators::work_table(&worked)],
+        error_bound::tables(&error_bound::error_bound(error_bound::REPORTED)),
         scheme::tables(&schemed),
         counts::tables(&counted),
         times::tables(&timings),

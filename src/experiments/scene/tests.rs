@@ -50,7 +50,6 @@ fn every_section_is_read() {
          laws = [\"slip\"]\ntolerance = 1e-8\nvisible = 0.01\nother_unit_pa = 1e6\n\
          [near_transition]\ninertial_parameter = [0.01]\nstiffness_over_critical = [1.002]\n\
          edge_inertial_parameter = [0.02]\ntolerance = 1e-6\n\
-         [error_bound]\ngroups = 20\ntolerances = [1e-4]\n\
          [trajectories]\ntolerance = 1e-8\n{POINT}"
     );
     let scene = parse(&text).unwrap();
@@ -79,7 +78,6 @@ fn every_section_is_read() {
     assert_eq!((onset.normal_stress_pa.len(), onset.velocity_over_asymptote.len()), (2, 2));
     assert_eq!(onset.other_unit_pa, Some(Rational::from(1_000_000)));
     assert_eq!(scene.near_transition.unwrap().stiffness_over_critical, [Rational::from((501, 500))]);
-    assert_eq!(scene.error_bound.unwrap().groups, 20);
     assert!(scene.parameters.unwrap().point().is_some());
 }
 

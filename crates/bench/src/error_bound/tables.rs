@@ -1,25 +1,21 @@
 //! Tables of true and estimated errors.
 
-use crate::experiments::error_bound::BoundCheck;
-use crate::experiments::shared::cells::DigitColumns;
-use crate::experiments::{Context, Need, TableMaker};
+use super::BoundCheck;
+use crate::cells::DigitColumns;
 use slipmode_plot::table::Table;
 
-pub(crate) const TABLES: &[TableMaker] = &[
-    TableMaker { id: "error-bound", needs: &[Need::ErrorBound], make: bound },
-    TableMaker { id: "error-bound-runs", needs: &[Need::ErrorBound], make: bound_runs },
-];
-
-fn checks<'c>(context: &'c Context) -> impl Iterator<Item = &'c BoundCheck> {
-    context.outcome.each(|scene| &scene.error_bound).flat_map(|(_, checks)| checks)
+/// The two tables: by tolerance, and run by run.
+#[must_use]
+pub fn tables(checks: &[BoundCheck]) -> Vec<Table> {
+    vec![bound(checks), bound_runs(checks)]
 }
 
-fn bound(context: &Context) -> Option<Table> {
+fn bound(checks: &[BoundCheck]) -> Table {
     let note = "η from 1e-6 to 1e4, b/a from 0.4 to 3.4, K/K_c from 1e-3 to 10, from a fixed sequence. References: Radau IIA of order 13 in double-double at a local tolerance of 1e-18. Sampled, not proved.";
-    let mut tolerances: Vec<f64> = checks(context).map(|check| check.tolerance).collect();
+    let mut tolerances: Vec<f64> = checks.iter().map(|check| check.tolerance).collect();
     tolerances.sort_by(|a, b| b.total_cmp(a));
     tolerances.dedup();
-    let runs = |tolerance| checks(context).filter(move |check| check.tolerance == tolerance);
+    let runs = |tolerance| checks.iter().filter(move |check| check.tolerance == tolerance);
     let failed = |check: &&BoundCheck| check.periodic.is_none();
     let unreferenced = |check: &&BoundCheck| check.periodic.is_some() && check.peak_ratio.is_none();
     let above = |(tolerance, (_, ratio)): (f64, (_, Ratio)), limit: f64| {
@@ -39,7 +35,7 @@ fn bound(context: &Context) -> Option<Table> {
         .digits("worst_ratio", "Largest true / estimated error", "", 2, |(at, (_, ratio))| {
             runs(at).filter_map(ratio).reduce(f64::max)
         })
-        .unless_empty()
+        .table()
 }
 
 /// Ratio of true to estimated error of one observable.
@@ -49,8 +45,8 @@ type Ratio = fn(&BoundCheck) -> Option<f64>;
 const OBSERVABLES: [(&str, Ratio); 2] =
     [("peak velocity", |check| check.peak_ratio), ("period", |check| check.period_ratio)];
 
-fn bound_runs(context: &Context) -> Option<Table> {
-    Table::of("error-bound-runs", "Estimated and true errors, run by run", checks(context))
+fn bound_runs(checks: &[BoundCheck]) -> Table {
+    Table::of("error-bound-runs", "Estimated and true errors, run by run", checks)
         .digits("inertial_parameter", "η", "", 5, |check| check.groups.inertial_parameter)
         .digits("stiffness_group", "κ", "", 5, |check| check.groups.stiffness_group)
         .digits("effect_ratio", "b/a", "", 5, |check| check.groups.effect_ratio)
@@ -62,5 +58,5 @@ fn bound_runs(context: &Context) -> Option<Table> {
         .digits("peak_ratio", "Peak: true / estimated error", "", 2, |check| check.peak_ratio)
         .digits("period_ratio", "Period: true / estimated error", "", 2, |check| check.period_ratio)
         .text("failure", "Failure", |check| &check.failure)
-        .unless_empty()
+        .table()
 }
