@@ -179,11 +179,6 @@ impl Reader {
         self.kept.insert(path.to_string(), bytes);
         parsed.map_err(|faults| self.faults.extend(faults)).ok()
     }
-
-    /// Reads a file as text.
-    fn read_text<T>(&mut self, path: &str, parse: fn(&str, &str) -> Result<T, Faults>) -> Option<T> {
-        self.read(path, |name, bytes, _| parse(name, file_text(name, bytes).map_err(|fault| vec![fault])?))
-    }
 }
 
 fn read_prose(file: &str, bytes: &[u8]) -> Result<String, Faults> {

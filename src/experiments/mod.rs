@@ -5,7 +5,6 @@ pub mod effect_ratio_sweep;
 mod experiment;
 mod figures;
 pub mod frequency;
-pub mod hard_cases;
 pub mod linear_regime;
 pub mod map;
 pub mod near_transition;

@@ -3,7 +3,6 @@
 use std::collections::BTreeMap;
 
 use crate::experiments::SceneOutcome;
-use crate::experiments::hard_cases::HardCase;
 use crate::experiments::swept::Swept;
 use slipmode_core::friction::Slider;
 use slipmode_core::number::Rational;
@@ -58,8 +57,6 @@ impl Outcome {
 /// What scenes refer to by file name and `cli` has read: nothing here opens a file.
 #[derive(Debug, Clone, Default)]
 pub struct References {
-    /// Hard cases by file name.
-    pub hard_cases: BTreeMap<String, Vec<HardCase>>,
     /// Sweeps by name.
     pub swept: BTreeMap<String, Swept>,
 }

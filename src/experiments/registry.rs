@@ -133,8 +133,6 @@ experiments! {
     Tolerance, tolerance: x::tolerance::ToleranceSection;
     /// Slip modes on a (V, σ) grid against the simplified map of the asymptotes.
     Zones, zones: x::zones::ZonesSection;
-    /// Points with references from independent programs.
-    HardCases, hard_cases: x::hard_cases::HardCasesSection;
     /// The nonlinear slider on a (V, σ) grid.
     Simulations, simulations: x::simulations::SimulationsSection;
     /// The nonlinear slider over time at named points.

@@ -85,11 +85,9 @@ fn files_that_are_no_scenes_are_refused() {
     refuse(vec![b' '; (1 << 20) + 1], &["1048577 bytes (allowed: at most 1048576)"]);
     refuse(b"\xff\xfen\0", &["s.toml:1: not UTF-8 text (byte 1)"]);
     refuse(format!("a = {}", "[".repeat(100_000)), &["s.toml:1: not valid TOML"]);
-    refuse(
-        "[hard_cases]\nfile = \"none.txt\"\nname = \"s\"\ntitle = \"S\"",
-        &["s.toml:3: hard_cases.name: unknown key"],
-    );
-    refuse("name = \"s\"\ntitle = \"S\"\n[hard_cases]\nfile = \"none.txt\"", &["none.txt: cannot be read"]);
+    let sweep = "name = \"s\"\ntitle = \"S\"\n[[swept.sweep]]\nname = \"none\"\nversion = \"1\"\nmachine = \"m\"\n\
+        core_seconds = 1\npeak_memory_mib = 1\n";
+    refuse(format!("{sweep}scene_sha256 = \"{}\"\n", "0".repeat(64)), &["none.toml: cannot be read"]);
 }
 
 #[test]

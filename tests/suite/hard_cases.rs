@@ -6,7 +6,7 @@ use slipmode_core::roots::certified_roots;
 use slipmode_core::stability::{InertialThreshold, classify};
 
 const GROUPS: &str = include_str!("../vectors/groups-hard.txt");
-pub const PARAMETERS: &str = include_str!("../../reports/im-avouac/vectors/classification-hard.txt");
+pub const PARAMETERS: &str = include_str!("../../reports/im-avouac/timings/classification-hard.txt");
 const ROOTS: &str = include_str!("../vectors/roots-1000-digits.txt");
 
 /// What `classify` promises: max Im relative to itself, max Re relative to its root's modulus.

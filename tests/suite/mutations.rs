@@ -16,7 +16,6 @@ fn changed_scenes_are_refused_or_read_as_written() {
     let scenes = [
         include_str!("../../reports/im-avouac/scenes/potentially-unstable.toml"),
         include_str!("../../reports/im-avouac/scenes/effect-ratio-sweep.toml"),
-        include_str!("../../reports/im-avouac/scenes/numerical-error.toml"),
     ];
     hold(promises::scene, &scenes.map(str::as_bytes), 400);
 }

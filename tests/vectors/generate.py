@@ -147,7 +147,7 @@ def main():
     inputs = cases.parameter_families()
     points = [point for _, family in inputs for point in family]
     write(
-        "../../reports/im-avouac/vectors/classification-hard.txt",
+        "../../reports/im-avouac/timings/classification-hard.txt",
         cases.ABOUT_PARAMETERS,
         [*cases.PARAMETERS, *cases.EXPECTED_PARAMETERS],
         [(title, len(family)) for title, family in inputs],

@@ -7,13 +7,12 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
 
-use slipmode::experiments::hard_cases::read_hard_cases;
 use slipmode::scene::Faults;
 
 use crate::contents::contents;
 use crate::counts::{Sizes, speed_counts};
 use crate::integrators::{read_hard_cycles, run_hard_cycles, work_precision};
-use crate::methods::score_families;
+use crate::methods::{compare_hard_cases, read_hard_cases, score_families};
 use crate::scheme::{Asked, original_scheme};
 use crate::times::{FILES, Timings};
 use crate::{counts, error_bound, integrators, methods, scheme, times};
@@ -21,8 +20,8 @@ use crate::{counts, error_bound, integrators, methods, scheme, times};
 /// The folder of a report that has the files.
 const FOLDER: &str = "timings";
 
-/// The points on which methods are compared.
-const HARD_CASES: &str = "vectors/classification-hard.txt";
+/// The points on which methods are compared, with their references; in the folder of the files.
+const HARD_CASES: &str = "classification-hard.txt";
 
 /// The cycles on which integrators are compared, with their references; in the folder of the files.
 const HARD_CYCLES: &str = "simulation-hard.txt";
@@ -54,13 +53,14 @@ pub fn files(report: &Path) -> Result<BTreeMap<String, String>, String> {
     let [peers, cost, coverage, machine] = FILES.map(|name| read(&format!("{FOLDER}/{name}")));
     let texts = [peers?, cost?, coverage?, machine?];
     let timings = Timings::read(texts.each_ref().map(String::as_str)).map_err(message)?;
-    let cases = read_hard_cases(HARD_CASES, &read(HARD_CASES)?).map_err(message)?;
+    let cases = read_hard_cases(HARD_CASES, &read(&format!("{FOLDER}/{HARD_CASES}"))?).map_err(message)?;
     let cycles_file = format!("{FOLDER}/{HARD_CYCLES}");
     let cycles = read_hard_cycles(&cycles_file, &read(&cycles_file)?).map_err(message)?;
     let counted = speed_counts(&Sizes::REPORTED);
     let worked = work_precision();
     let schemed = original_scheme(&Asked::REPORTED);
     let tables = [
+        vec![methods::case_table(&compare_hard_cases(&cases))],
         methods::tables(&score_families(&cases)),
         integrators::hard_tables(&run_hard_cycles(&cycles)),
         vec![integrators::work_table(&worked)],
@@ -77,7 +77,7 @@ pub fn files(report: &Path) -> Result<BTreeMap<String, String>, String> {
         times::figures(&timings),
     ]
     .concat();
-    let sources = [&FILES[..], &[HARD_CYCLES]].concat();
+    let sources = [&FILES[..], &[HARD_CASES, HARD_CYCLES]].concat();
     let rows = tables.iter().map(|table| (format!("tables/{}.csv", table.id), table.to_csv()));
     let words = ("contents.toml".to_string(), contents(&sources, &tables, &charts));
     Ok(rows.chain([words]).collect())

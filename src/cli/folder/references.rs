@@ -1,9 +1,6 @@
-//! The files that scenes and reports name: hard cases, what sweeps that ran elsewhere came to, and what was measured apart.
-
-use std::collections::BTreeSet;
+//! The files that scenes and reports name: what sweeps that ran elsewhere came to, and what was measured apart.
 
 use slipmode::archive::sha256_hex;
-use slipmode::experiments::hard_cases::read_hard_cases;
 use slipmode::experiments::swept::{Swept, SweptEntry, read_swept};
 use slipmode::experiments::{References, Scene};
 use slipmode::scene::{Measured, file_text, with_rows};
@@ -17,11 +14,6 @@ impl Reader {
     /// Reads all files that `scenes` name, in this folder; their faults are kept.
     pub fn references(&mut self, scenes: &[Scene], folder: &str) -> References {
         let mut references = References::default();
-        let named = scenes.iter().filter_map(|scene| scene.hard_cases.as_ref());
-        for file in named.map(|section| section.file.clone()).collect::<BTreeSet<_>>() {
-            let cases = self.read_text(&format!("{folder}{file}"), read_hard_cases);
-            references.hard_cases.extend(cases.map(|cases| (file, cases)));
-        }
         for entry in
             scenes.iter().filter_map(|scene| scene.swept.as_ref()).flat_map(|section| &section.sweeps)
         {

@@ -42,7 +42,7 @@ fn every_section_is_read() {
          [frequency]\nnormal_stress_over_critical = [\"1/3\", 1, 3.5]\n\
          loading_velocity_m_per_s = {{ from = 1e-6, to = 1e-1, points = 5 }}\n\
          [effect_ratio_sweep]\neffect_ratio = {{ from = 1e-3, to = 1e3, points = 9 }}\nnear_equal = [1e-3]\n\
-         [tolerance]\nrelative = [0.1, 0.01]\n[hard_cases]\nfile = \"hard.txt\"\n\
+         [tolerance]\nrelative = [0.1, 0.01]\n\
          [simulations]\n{axes}laws = [\"slip\", \"aging\"]\ntolerance = 1e-8\n\
          [linear_regime]\n{points}laws = [\"aging\"]\namplitudes = [1e-3, 1e-9]\n\
          [start_sensitivity]\n{points}laws = [\"slip\"]\ntolerance = 1e-8\n\
@@ -58,7 +58,6 @@ fn every_section_is_read() {
     assert_eq!(scene.boundary, Some(BoundarySection { points: 400, digits: 50 }));
     let ratios = [(1, 3), (1, 1), (7, 2)].map(Rational::from);
     assert_eq!(scene.frequency.unwrap().normal_stress_over_critical, ratios);
-    assert_eq!(scene.hard_cases.unwrap().file, "hard.txt");
     let simulations = scene.simulations.unwrap();
     assert_eq!(simulations.laws, [EvolutionLaw::Slip, EvolutionLaw::Aging]);
     assert_eq!(simulations.tolerance, Rational::from((1, 100_000_000)));

@@ -6,7 +6,7 @@
 use std::hint::black_box;
 use std::path::Path;
 
-use slipmode::experiments::hard_cases::{HardCase, compare_hard_cases, read_hard_cases};
+use slipmode_bench::methods::{HardCase, compare_hard_cases, read_hard_cases};
 use slipmode_bench::methods::{Method, score_families};
 use slipmode_bench::textbook::{Three, aberth, cardano, companion, newton, viete};
 use slipmode_core::number::{Dd, Rational, nearest_f64};
@@ -16,7 +16,7 @@ use slipmode_core::stability::{InertialThreshold, classify};
 use super::clock::best_of;
 use super::row::{Row, scientific};
 
-const CASES: &str = include_str!("../../../../reports/im-avouac/vectors/classification-hard.txt");
+const CASES: &str = include_str!("../../../../reports/im-avouac/timings/classification-hard.txt");
 const REPETITIONS: usize = 3;
 /// How often the suite is gone through in one repetition.
 const ROUNDS: usize = 20;

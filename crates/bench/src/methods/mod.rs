@@ -1,9 +1,13 @@
 //! Every way to the roots of eq 8 on the hard cases: textbook methods, and each precision level alone.
 
+mod case_tables;
+mod cases;
 mod score;
 mod signs;
 mod tables;
 
+pub use case_tables::case_table;
+pub use cases::{Expected, FamilyOutcome, HardCase, compare_hard_cases, read_hard_cases};
 pub use score::{FamilyScores, Method, MethodScore, score_families, wide};
 pub use signs::{TEXTBOOK, Textbook, signs_of};
 pub use tables::tables;

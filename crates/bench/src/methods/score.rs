@@ -8,9 +8,9 @@ use num_complex::Complex;
 use rayon::prelude::*;
 use rug::Float;
 
+use super::HardCase;
 use super::signs::signs_of;
 use crate::textbook::{Three, aberth, cardano, companion, newton, viete};
-use slipmode::experiments::hard_cases::HardCase;
 use slipmode_core::friction::Groups;
 use slipmode_core::number::{Dd, Rational, Real, nearest_f64};
 use slipmode_core::roots::{Bounded, BoundedCubic, Pair, Working, certified_roots};
@@ -279,11 +279,11 @@ fn certified(groups: &Groups<Rational>, rate_per_s: &Rational) -> Said {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use slipmode::experiments::hard_cases::read_hard_cases;
+    use crate::methods::read_hard_cases;
 
     /// The vectors of the report, and every method's score over all of them.
     fn totals() -> (usize, Vec<MethodScore>) {
-        let text = include_str!("../../../../reports/im-avouac/vectors/classification-hard.txt");
+        let text = include_str!("../../../../reports/im-avouac/timings/classification-hard.txt");
         let cases = read_hard_cases("classification-hard.txt", text).unwrap();
         let mut totals = Method::ALL.map(MethodScore::none).to_vec();
         for family in score_families(&cases) {

@@ -2,7 +2,7 @@
 
 use rayon::prelude::*;
 
-use crate::scene::{Fault, Faults, Problem, Quantity};
+use slipmode::scene::{Fault, Faults, Problem, Quantity};
 use slipmode_core::friction::Parameters;
 use slipmode_core::number::{Rational, Wide, nearest_f64, parse_decimal};
 use slipmode_core::roots::PrecisionLevel;

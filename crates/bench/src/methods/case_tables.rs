@@ -1,14 +1,12 @@
-//! Tables of hard cases by family.
+//! The table of hard cases by family.
 
-use crate::experiments::shared::cells::DigitColumns;
-use crate::experiments::{Context, Need, TableMaker};
+use super::FamilyOutcome;
+use crate::cells::DigitColumns;
 use slipmode_plot::table::Table;
 
-pub(crate) const TABLES: &[TableMaker] =
-    &[TableMaker { id: "hard-cases", needs: &[Need::HardCases], make: hard_cases }];
-
-fn hard_cases(context: &Context) -> Option<Table> {
-    let families = context.outcome.each(|scene| &scene.hard_cases).flat_map(|(_, families)| families);
+/// The table.
+#[must_use]
+pub fn case_table(families: &[FamilyOutcome]) -> Table {
     Table::of("hard-cases", "Hard cases compared with independent programs", families)
         .text("family", "Family", |found| &found.family)
         .number("points", "Points", "", |found| found.points)
@@ -20,5 +18,5 @@ fn hard_cases(context: &Context) -> Option<Table> {
             found.worst_imaginary_error
         })
         .text("highest_rung", "Highest precision level", |found| found.highest_precision_level.as_str())
-        .unless_empty()
+        .table()
 }
