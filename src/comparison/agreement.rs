@@ -1,5 +1,7 @@
 //! One quantity of a run against one reference: how far apart, how far apart they may be, and the verdict.
 
+use serde::{Serialize, Serializer};
+
 use crate::comparison::recording::Measured;
 
 /// What is compared.
@@ -63,9 +65,16 @@ impl Observable {
     }
 }
 
+impl Serialize for Observable {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_str(self.key())
+    }
+}
+
 slipmode_core::named! {
     /// Where a run's value comes from.
-    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+    #[serde(rename_all = "kebab-case")]
     pub enum Origin {
         /// A column of the runs file.
         Column = "column",
@@ -76,7 +85,8 @@ slipmode_core::named! {
 
 slipmode_core::named! {
     /// What a run is compared with.
-    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+    #[serde(rename_all = "kebab-case")]
     pub enum Reference {
         /// The linear theory.
         Theory = "theory",
@@ -87,7 +97,8 @@ slipmode_core::named! {
 
 slipmode_core::named! {
     /// A verdict on one quantity or on a run.
-    #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+    #[serde(rename_all = "kebab-case")]
     pub enum Agreement {
         /// Within the tolerance and both errors.
         Agrees = "agrees",
@@ -99,7 +110,8 @@ slipmode_core::named! {
 }
 
 /// A value of either side.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[serde(untagged)]
 pub enum Value {
     /// A number with its error.
     Number(Measured),
@@ -110,7 +122,7 @@ pub enum Value {
 }
 
 /// One quantity of a run against one reference.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Finding {
     /// What is compared.
     pub observable: Observable,
@@ -129,6 +141,7 @@ pub struct Finding {
     /// The verdict.
     pub verdict: Agreement,
     /// Why it could not be compared, or what a difference means; empty when the numbers say it all.
+    #[serde(rename = "reason")]
     pub why: String,
 }
 

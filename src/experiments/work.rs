@@ -1,7 +1,6 @@
 //! What an experiment asks of the machine, estimated from its section before anything is computed.
 
 use crate::scene::Rectangle;
-use slipmode_core::number::{Rational, nearest_f64};
 
 /// What a section asks for. Measured costs, rounded up.
 #[derive(Debug, Clone, PartialEq)]
@@ -65,15 +64,6 @@ impl Work {
         let core_seconds = runs * RUN_S * libm::pow(tolerance / 1e-8, -0.1);
         let what = format!("{runs} simulations at tolerance {tolerance:e}");
         Self { what, core_seconds, memory_mib: runs * POINT_MIB, digits: 0.0 }
-    }
-
-    /// Runs of the nonlinear slider at each of these tolerances.
-    #[must_use]
-    pub fn simulations_at_each(runs: f64, tolerances: &[Rational]) -> Self {
-        let each = tolerances.iter().map(|tolerance| Self::simulations(runs, nearest_f64(tolerance)));
-        let core_seconds = each.map(|work| work.core_seconds).sum();
-        let runs = runs * tolerances.len() as f64;
-        Self { what: format!("{runs} simulations"), core_seconds, memory_mib: runs * POINT_MIB, digits: 0.0 }
     }
 }
 

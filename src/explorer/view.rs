@@ -10,7 +10,6 @@ use slipmode_core::number::format::{rational_to_decimal, round_digits};
 use slipmode_core::number::{Rational, nearest_f64};
 use slipmode_core::stability::boundary::BoundaryPoint;
 use slipmode_plot::figure::{Axis, Caption, FamilyMap, Line, LineRole, PointMark, Side, packed};
-
 use slipmode_plot::table::Table;
 
 /// Everything that the explorer's page shows.
@@ -179,20 +178,13 @@ fn controls(families: &Families) -> Vec<Control> {
         .zip(&effects.values)
         .map(|(text, times)| format!("{text}, β = b/a = {}", beta(times)))
         .collect();
+    let control = |id, name, steps, factors: &Factors| Control { id, name, steps, base: factors.base };
+    let stiffness_steps = step(stiffnesses, &own.stiffness_pa_per_m, " Pa/m");
+    let mass_steps = step(masses, &own.mass_per_area_kg_per_m2, " kg/m²");
     vec![
-        Control { id: "b", name: "Evolution effect b", steps: effect_steps, base: effects.base },
-        Control {
-            id: "K",
-            name: "Stiffness K",
-            steps: step(stiffnesses, &own.stiffness_pa_per_m, " Pa/m"),
-            base: stiffnesses.base,
-        },
-        Control {
-            id: "M",
-            name: "Mass per area M",
-            steps: step(masses, &own.mass_per_area_kg_per_m2, " kg/m²"),
-            base: masses.base,
-        },
+        control("b", "Evolution effect b", effect_steps, effects),
+        control("K", "Stiffness K", stiffness_steps, stiffnesses),
+        control("M", "Mass per area M", mass_steps, masses),
     ]
 }
 

@@ -15,7 +15,7 @@ use super::view::{
     InputView, ReportView,
 };
 use super::{MAX_SHOWN_ROWS, ReportError, cut_note};
-use slipmode_plot::table::{Table, escape_cell, escape_markdown, first_rows_to_markdown};
+use slipmode_plot::table::{Table, escape_cell, escape_markdown};
 
 /// Renders the report as Markdown, one document that links to `figures/*.svg` and `tables/*.csv` next to it.
 ///
@@ -145,7 +145,7 @@ impl<'a> Report<'a> {
     }
 
     fn table(&self, table: &Table) -> String {
-        let rows = first_rows_to_markdown(table, MAX_SHOWN_ROWS);
+        let rows = table.first_rows_to_markdown(MAX_SHOWN_ROWS);
         let title = escape_markdown(&table.title);
         let cut = escape_markdown(&cut_note(table));
         let note = self.prose(&table.note, 3);

@@ -125,31 +125,6 @@ fn row_object(row: &ComparedRow) -> Json {
             "growth_rate_per_s": theory.growth_rate_per_s,
         },
         "simulation": view::json(&found.simulation),
-        "findings": found.findings.iter().map(finding_object).collect::<Vec<_>>(),
+        "findings": found.findings,
     })
-}
-
-fn finding_object(finding: &Finding) -> Json {
-    json!({
-        "observable": finding.observable.key(),
-        "origin": finding.origin.as_str(),
-        "reference": finding.reference.as_str(),
-        "run": value_object(finding.run),
-        "ours": value_object(finding.ours),
-        "difference": finding.difference,
-        "allowed": finding.allowed,
-        "verdict": finding.verdict.as_str(),
-        "reason": finding.why,
-    })
-}
-
-/// A number, a word or null; the error of a number stands next to it.
-fn value_object(value: Value) -> Json {
-    match value {
-        Value::Number(Measured { value, relative_error }) => {
-            json!({ "value": value, "relative_error": relative_error })
-        }
-        Value::Word(word) => json!(word),
-        Value::None => Json::Null,
-    }
 }

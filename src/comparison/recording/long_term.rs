@@ -1,11 +1,13 @@
 //! The long-term behaviour of a recording: a cycle, a decay, or neither yet.
 
+use serde::Serialize;
+
 use super::decay::{decay_of_returns, decay_without_returns};
 use super::returns::{Return, returns};
 use super::{LEAST_SAMPLES, Recording};
 
 /// A value with the error that the recording leaves.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Measured {
     /// The value.
     pub value: f64,

@@ -18,12 +18,6 @@ impl<T> Grid<T> {
         self.values.len()
     }
 
-    /// Whether the grid has no point.
-    #[must_use]
-    pub fn is_empty(&self) -> bool {
-        self.values.is_empty()
-    }
-
     /// The points in storage order as (V, σ, value).
     pub fn points(&self) -> impl Iterator<Item = (f64, f64, &T)> {
         let columns = self.loading_velocity_m_per_s.len();

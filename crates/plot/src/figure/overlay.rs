@@ -47,8 +47,6 @@ pub enum Side {
     Right,
     /// Centred above.
     Above,
-    /// Centred below.
-    Below,
 }
 
 /// A marked point, such as the cusp.
@@ -202,7 +200,6 @@ pub(crate) fn draw_marks(svg: &mut Svg, frame: &Frame, marks: &[PointMark]) {
             Side::Left => (-10.0, 4.5, "end"),
             Side::Right => (10.0, 4.5, "start"),
             Side::Above => (0.0, -11.0, "middle"),
-            Side::Below => (0.0, 20.0, "middle"),
         };
         draw_label(svg, (x + dx, y + dy), anchor, &mark.label);
     }

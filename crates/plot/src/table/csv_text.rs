@@ -2,21 +2,23 @@
 
 use super::{Cell, Kind, Table};
 
-/// The table as CSV with `\n` line ends and one header row of [`super::Column::name`]s.
-///
-/// A text cell that starts with `=`, `+`, `-`, `@`, a tab or a carriage return gets a leading `'`, so that no
-/// spreadsheet takes it for a formula. Numbers are written as they are; a cell declared a number that is not spelled like one is guarded as text.
-#[must_use]
-pub fn to_csv(table: &Table) -> String {
-    let mut writer = csv::WriterBuilder::new().flexible(true).from_writer(Vec::new());
-    let header = table.columns.iter().map(|column| guarded(&column.name));
-    let rows = table.rows.iter().map(|row| row.iter().map(field).collect::<Vec<_>>());
-    for record in std::iter::once(header.collect::<Vec<_>>()).chain(rows) {
-        // A flexible writer into memory has no way to fail.
-        let _ = writer.write_record(&record);
+impl Table {
+    /// The table as CSV with `\n` line ends and one header row of [`super::Column::name`]s.
+    ///
+    /// A text cell that starts with `=`, `+`, `-`, `@`, a tab or a carriage return gets a leading `'`, so that no
+    /// spreadsheet takes it for a formula. Numbers are written as they are; a cell declared a number that is not spelled like one is guarded as text.
+    #[must_use]
+    pub fn to_csv(&self) -> String {
+        let mut writer = csv::WriterBuilder::new().flexible(true).from_writer(Vec::new());
+        let header = self.columns.iter().map(|column| guarded(&column.name));
+        let rows = self.rows.iter().map(|row| row.iter().map(field).collect::<Vec<_>>());
+        for record in std::iter::once(header.collect::<Vec<_>>()).chain(rows) {
+            // A flexible writer into memory has no way to fail.
+            let _ = writer.write_record(&record);
+        }
+        let bytes = writer.into_inner().unwrap_or_default();
+        String::from_utf8(bytes).unwrap_or_default()
     }
-    let bytes = writer.into_inner().unwrap_or_default();
-    String::from_utf8(bytes).unwrap_or_default()
 }
 
 fn field(cell: &Cell) -> String {

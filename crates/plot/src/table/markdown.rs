@@ -2,22 +2,25 @@
 
 use super::{Kind, Table, escape_cell};
 
-/// The table as a pipe table, numbers flush right; without its title and note.
-#[must_use]
-pub fn to_markdown(table: &Table) -> String {
-    first_rows_to_markdown(table, table.rows.len())
-}
-
-/// The first `count` rows of the table as a pipe table.
-#[must_use]
-pub fn first_rows_to_markdown(table: &Table, count: usize) -> String {
-    let headings: Vec<String> = table.columns.iter().map(|column| escape_cell(&column.heading())).collect();
-    let rules: Vec<String> = table.columns.iter().map(|column| rule(column.kind).into()).collect();
-    let mut text = line(&headings) + &line(&rules);
-    for row in table.rows.iter().take(count) {
-        text += &line(&row.iter().map(|cell| escape_cell(&cell.text)).collect::<Vec<_>>());
+impl Table {
+    /// The table as a Markdown pipe table, numbers flush right; without its title and note.
+    #[must_use]
+    pub fn to_markdown(&self) -> String {
+        self.first_rows_to_markdown(self.rows.len())
     }
-    text
+
+    /// The first `count` rows of the table as a pipe table.
+    #[must_use]
+    pub fn first_rows_to_markdown(&self, count: usize) -> String {
+        let headings: Vec<String> =
+            self.columns.iter().map(|column| escape_cell(&column.heading())).collect();
+        let rules: Vec<String> = self.columns.iter().map(|column| rule(column.kind).into()).collect();
+        let mut text = line(&headings) + &line(&rules);
+        for row in self.rows.iter().take(count) {
+            text += &line(&row.iter().map(|cell| escape_cell(&cell.text)).collect::<Vec<_>>());
+        }
+        text
+    }
 }
 
 fn line(cells: &[String]) -> String {

@@ -4,10 +4,10 @@
 //! computed, so that no writer can add or lose one.
 //!
 //! ```
-//! use slipmode_plot::table::{Column, Table, escape_markdown, to_csv};
+//! use slipmode_plot::table::{Column, Table, escape_markdown};
 //!
 //! let empty = Table::new("empty", "No rows", vec![Column::number("period_s", "Period", "s")]);
-//! assert_eq!(to_csv(&empty), "period_s\n");
+//! assert_eq!(empty.to_csv(), "period_s\n");
 //! assert!(escape_markdown("a*b").contains('\\'));
 //! ```
 
@@ -16,9 +16,7 @@ mod escape;
 mod markdown;
 mod rows;
 
-pub use csv_text::to_csv;
 pub use escape::{escape_cell, escape_markdown, printable};
-pub use markdown::{first_rows_to_markdown, to_markdown};
 pub use rows::TableRows;
 
 use serde::Serialize;
@@ -91,18 +89,6 @@ impl Table {
     pub fn push(&mut self, row: Vec<Cell>) {
         assert_eq!(row.len(), self.columns.len(), "table {}: one cell per column", self.id);
         self.rows.push(row);
-    }
-
-    /// The table as CSV text: see [`to_csv`].
-    #[must_use]
-    pub fn to_csv(&self) -> String {
-        to_csv(self)
-    }
-
-    /// The table as a Markdown pipe table: see [`to_markdown`].
-    #[must_use]
-    pub fn to_markdown(&self) -> String {
-        to_markdown(self)
     }
 }
 
