@@ -20,8 +20,8 @@ use crate::cli::points::{self, RowsOptions};
 use crate::cli::progress::Progress;
 use crate::cli::terminal;
 use crate::cli::words::{LAWS, law_of_word, start_of_word};
-use rows::SimulateRows;
-use run::{Found, Settings, simulate_point};
+use rows::{Answer, SimulateRows};
+use run::{Settings, simulate_point};
 
 /// Options of `simulate`.
 #[derive(Debug, Args)]
@@ -61,7 +61,8 @@ pub struct Options {
     /// Simulate every row of a CSV file; `-` reads standard input
     ///
     /// The header is that of `classify --points`, with an optional column `law`. If the simulation of a row
-    /// fails, its column `status` has the reason, and the other rows continue.
+    /// fails, its column `status` has the reason, and the other rows continue. `outside_tested_range` is `true`
+    /// if eta, kappa or beta lies outside the ranges over which simulations were tested.
     #[arg(long, value_name = "FILE.csv")]
     points: Option<PathBuf>,
     #[command(flatten)]
@@ -125,16 +126,17 @@ impl Options {
             });
             (found, history.transpose())
         });
-        self.print_remarks(&found, law, settings)?;
+        let answer = Answer::new(found, &parameters);
+        self.print_remarks(&answer, law, settings)?;
         written.map(drop)
     }
 
     /// Prints what was found; a failure is an object for programs, and a message in any case.
-    fn print_remarks(&self, found: &Found, law: EvolutionLaw, settings: Settings) -> Result<(), Failure> {
+    fn print_remarks(&self, answer: &Answer, law: EvolutionLaw, settings: Settings) -> Result<(), Failure> {
         if self.json {
-            terminal::print_json(&view::json(found))?;
+            terminal::print_json(&view::json(answer))?;
         }
-        match found {
+        match &answer.found {
             Ok(_) if self.json => Ok(()),
             Ok(simulation) => terminal::print(&view::text(simulation, law, settings)),
             Err(reason) => Err(Failure::Check(format!("error: the simulation failed: {reason}"))),

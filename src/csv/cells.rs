@@ -41,6 +41,8 @@ pub enum Datum {
     Number(Option<f64>),
     /// A whole number.
     Count(u64),
+    /// `true` or `false`.
+    Flag(bool),
 }
 
 impl Datum {
@@ -51,6 +53,7 @@ impl Datum {
             Self::Text(text) => text.into(),
             Self::Number(number) => number.into(),
             Self::Count(count) => count.into(),
+            Self::Flag(flag) => flag.into(),
         }
     }
 }
@@ -78,6 +81,7 @@ pub fn push_cells<T>(columns: &[Column<T>], result: &T, out: &mut Vec<u8>) {
             Datum::Text(text) => push_cell(out, text.as_bytes()),
             Datum::Number(number) => out.extend(number.map(shortest).unwrap_or_default().bytes()),
             Datum::Count(count) => out.extend(count.to_string().bytes()),
+            Datum::Flag(flag) => out.extend(flag.to_string().bytes()),
         }
     }
 }

@@ -17,6 +17,7 @@ mod compare;
 mod compare_bad;
 mod csv_promises;
 mod digit_for_digit;
+mod estimated_errors;
 mod explore;
 mod full_disk;
 mod grid;

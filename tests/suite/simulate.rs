@@ -23,7 +23,7 @@ fn number(value: &Value, name: &str) -> f64 {
 const STICK_SLIP: [&str; 2] = ["3162277.6601683793", "3.1622776601683793e-6"];
 
 /// The names of the object and of the appended columns.
-pub const NAMES: [&str; 12] = [
+pub const NAMES: [&str; 13] = [
     "mode",
     "slip_mode",
     "peak_velocity_m_per_s",
@@ -35,6 +35,7 @@ pub const NAMES: [&str; 12] = [
     "period_relative_error",
     "steps",
     "evaluations",
+    "outside_tested_range",
     "status",
 ];
 
@@ -229,4 +230,14 @@ fn suspicious_values_get_a_warning() {
     assert!(ended.stderr.contains("warning: normal_stress_pa = 5: looks like MPa"));
     assert!(ended.stderr.contains("kappa = K D_c/(a sigma) is 5000, outside the tested range 0.0005 to 80"));
     assert!(ended.stdout.starts_with("mode "));
+}
+
+#[test]
+fn a_slider_outside_the_tested_ranges_carries_a_mark() {
+    for (stress, outside) in [("1e5", false), ("5", true)] {
+        // The warning stands on standard error.
+        let ended = run(&Workplace::new(), stress, "1e-3", &["--law", "slip", "--json"]);
+        let found: Value = serde_json::from_str(&ended.stdout).unwrap();
+        assert_eq!(found["outside_tested_range"], outside, "{stress}");
+    }
 }

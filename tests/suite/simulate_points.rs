@@ -69,9 +69,10 @@ fn a_row_that_fails_says_so_and_the_others_go_on() {
     let mut reader = csv::ReaderBuilder::new().flexible(false).from_reader(ended.stdout.as_bytes());
     let rows: Vec<_> = reader.records().map(Result::unwrap).collect();
     assert_eq!(rows[0].iter().collect::<Vec<_>>(), rows[2].iter().collect::<Vec<_>>());
-    assert_eq!((&rows[0][7], &rows[0][18]), ("periodic", "ok"));
+    assert_eq!((&rows[0][7], &rows[0][18], &rows[0][19]), ("periodic", "false", "ok"));
     assert!(rows[1].iter().skip(7).take(11).all(str::is_empty));
-    assert_eq!(&rows[1][18], "the start or a group is not a finite, admissible number");
+    assert_eq!(&rows[1][18], "true");
+    assert_eq!(&rows[1][19], "the start or a group is not a finite, admissible number");
 }
 
 #[test]
@@ -126,6 +127,6 @@ fn keep_going_gives_every_row_and_says_which_are_faulty() {
     );
     let mut reader = csv::ReaderBuilder::new().flexible(false).from_reader(ended.stdout.as_bytes());
     let rows: Vec<_> = reader.records().map(Result::unwrap).collect();
-    assert_eq!((&rows[0][19], &rows[0][20]), ("ok", ""));
-    assert!(rows[1][20].contains("column law = none: unknown"), "{}", &rows[1][20]);
+    assert_eq!((&rows[0][20], &rows[0][21]), ("ok", ""));
+    assert!(rows[1][21].contains("column law = none: unknown"), "{}", &rows[1][21]);
 }

@@ -7,6 +7,7 @@ use slipmode_core::number::format::round_digits;
 
 use crate::cli::compare::cells::reason;
 use crate::cli::compare::rows::{ComparedRow, counts};
+use crate::cli::simulate::rows::Answer;
 use crate::cli::simulate::view;
 use crate::cli::terminal;
 
@@ -124,7 +125,7 @@ fn row_object(row: &ComparedRow) -> Json {
             "frequency_hz": theory.frequency_hz,
             "growth_rate_per_s": theory.growth_rate_per_s,
         },
-        "simulation": view::json(&found.simulation),
+        "simulation": view::json(&Answer::new(found.simulation.clone(), &row.run.parameters)),
         "findings": found.findings,
     })
 }

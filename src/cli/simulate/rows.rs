@@ -19,35 +19,54 @@ pub struct SimulateRows {
     pub settings: Settings,
 }
 
-/// The appended columns, which are also the keys of the object of one point; without a result all but the last are empty.
-pub const COLUMNS: [Column<Found>; 12] = [
-    ("mode", |found| word(found, |found| found.behaviour.as_str())),
-    ("slip_mode", |found| word(found, |found| found.slip_mode.as_str())),
-    ("peak_velocity_m_per_s", |found| number(found, |found| Some(found.peak_velocity_m_per_s))),
-    ("minimum_velocity_log10_ratio", |found| number(found, |found| Some(found.minimum_velocity_log10_ratio))),
-    ("period_s", |found| number(found, |found| found.period_s)),
-    ("stress_drop_pa", |found| number(found, |found| Some(found.stress_drop_pa))),
-    ("frequency_hz", |found| number(found, |found| found.frequency_hz)),
-    ("peak_relative_error", |found| number(found, |found| Some(found.peak_relative_error))),
-    ("period_relative_error", |found| number(found, |found| found.period_relative_error)),
-    ("steps", |found| count(found, |found| found.steps)),
-    ("evaluations", |found| count(found, |found| found.evaluations)),
-    ("status", |found| Datum::Text(found.as_ref().err().map_or(ANSWERED, String::as_str).into())),
+/// What is reported of a point.
+#[derive(Debug)]
+pub struct Answer {
+    /// The simulation, or why there is none.
+    pub found: Found,
+    /// Whether a group lies outside the ranges over which simulations were tested.
+    pub outside_tested_range: bool,
+}
+
+impl Answer {
+    /// What is reported of a simulation with these parameters.
+    pub fn new(found: Found, parameters: &Parameters<Rational>) -> Self {
+        Self { found, outside_tested_range: !range::outside_tested(parameters).is_empty() }
+    }
+}
+
+/// The appended columns, which are also the keys of the object of one point; without a result all but the last two are empty.
+pub const COLUMNS: [Column<Answer>; 13] = [
+    ("mode", |answer| word(answer, |found| found.behaviour.as_str())),
+    ("slip_mode", |answer| word(answer, |found| found.slip_mode.as_str())),
+    ("peak_velocity_m_per_s", |answer| number(answer, |found| Some(found.peak_velocity_m_per_s))),
+    ("minimum_velocity_log10_ratio", |answer| {
+        number(answer, |found| Some(found.minimum_velocity_log10_ratio))
+    }),
+    ("period_s", |answer| number(answer, |found| found.period_s)),
+    ("stress_drop_pa", |answer| number(answer, |found| Some(found.stress_drop_pa))),
+    ("frequency_hz", |answer| number(answer, |found| found.frequency_hz)),
+    ("peak_relative_error", |answer| number(answer, |found| Some(found.peak_relative_error))),
+    ("period_relative_error", |answer| number(answer, |found| found.period_relative_error)),
+    ("steps", |answer| count(answer, |found| found.steps)),
+    ("evaluations", |answer| count(answer, |found| found.evaluations)),
+    ("outside_tested_range", |answer| Datum::Flag(answer.outside_tested_range)),
+    ("status", |answer| Datum::Text(answer.found.as_ref().err().map_or(ANSWERED, String::as_str).into())),
 ];
 
 /// The status of a simulation that has an answer.
 const ANSWERED: &str = "ok";
 
-fn word(found: &Found, of: fn(&Simulation) -> &'static str) -> Datum {
-    found.as_ref().map_or(Datum::Number(None), |found| Datum::Text(of(found).into()))
+fn word(answer: &Answer, of: fn(&Simulation) -> &'static str) -> Datum {
+    answer.found.as_ref().map_or(Datum::Number(None), |found| Datum::Text(of(found).into()))
 }
 
-fn number(found: &Found, of: fn(&Simulation) -> Option<f64>) -> Datum {
-    Datum::Number(found.as_ref().ok().and_then(of))
+fn number(answer: &Answer, of: fn(&Simulation) -> Option<f64>) -> Datum {
+    Datum::Number(answer.found.as_ref().ok().and_then(of))
 }
 
-fn count(found: &Found, of: fn(&Simulation) -> u64) -> Datum {
-    found.as_ref().map_or(Datum::Number(None), |found| Datum::Count(of(found)))
+fn count(answer: &Answer, of: fn(&Simulation) -> u64) -> Datum {
+    answer.found.as_ref().map_or(Datum::Number(None), |found| Datum::Count(of(found)))
 }
 
 impl RowWork for SimulateRows {
@@ -85,8 +104,8 @@ impl RowWork for SimulateRows {
 
     fn append(&self, (parameters, law): &Self::Input, out: &mut Vec<u8>) -> Remark {
         let warning = range::row_warning(parameters);
-        let found = simulate_point(parameters, *law, self.settings);
-        push_cells(&COLUMNS, &found, out);
-        Remark { is_unanswered: found.is_err(), warning, kept: () }
+        let answer = Answer::new(simulate_point(parameters, *law, self.settings), parameters);
+        push_cells(&COLUMNS, &answer, out);
+        Remark { is_unanswered: answer.found.is_err(), warning, kept: () }
     }
 }

@@ -8,8 +8,8 @@ use slipmode_core::friction::EvolutionLaw;
 use slipmode_core::number::Ball;
 use slipmode_core::number::format::{certain_digits, round_digits};
 
-use crate::cli::simulate::rows::COLUMNS;
-use crate::cli::simulate::run::{Found, Settings};
+use crate::cli::simulate::rows::{Answer, COLUMNS};
+use crate::cli::simulate::run::Settings;
 use crate::cli::terminal;
 
 /// The most significant digits in the text for people: those of a 64-bit number.
@@ -18,8 +18,8 @@ const MOST_DIGITS: usize = 17;
 const ERROR_DIGITS: usize = 2;
 
 /// One object with the names of the CSV columns; null where there is no value.
-pub fn json(found: &Found) -> Value {
-    COLUMNS.iter().map(|(name, cell)| (name.to_string(), cell(found).json())).collect()
+pub fn json(answer: &Answer) -> Value {
+    COLUMNS.iter().map(|(name, cell)| (name.to_string(), cell(answer).json())).collect()
 }
 
 /// Lines of name, value and meaning, with only the digits that the estimated errors support.
