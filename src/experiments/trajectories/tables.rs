@@ -48,7 +48,7 @@ fn modes(context: &Context) -> Option<Table> {
         .text("slip_mode_simulation", "Slip mode, simulation", |run| {
             found(run).map(|found| found.slip_mode.as_str())
         })
-        .digits("period_theory_s", "2π/max Im(s), theory", "s", MOST_DIGITS, |run| period_by_theory(run))
+        .digits("period_theory_s", "2π/max Im(s), theory", "s", MOST_DIGITS, period_by_theory)
         .number("period_s", "Period, simulation", "s", |run| {
             found(run).and_then(|found| Some(certain(found.period_s?, found.period_relative_error?)))
         })
@@ -69,7 +69,7 @@ fn modes(context: &Context) -> Option<Table> {
         .digits("free_residual_pa", "Free residual", "Pa", 1, |run| {
             run.course.as_ref().ok().map(|course| course.free_residual_pa)
         })
-        .text("failure", "Failure", |run| failure(run))
+        .text("failure", "Failure", failure)
         .unless_empty()
 }
 
