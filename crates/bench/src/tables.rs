@@ -64,7 +64,7 @@ pub fn files(report: &Path) -> Result<BTreeMap<String, String>, String> {
         methods::tables(&score_families(&cases)),
         integrators::hard_tables(&run_hard_cycles(&cycles)),
         vec![integrators::work_table(&worked)],
-        error_bound::tables(&error_bound::error_bound(error_bound::REPORTED)),
+        vec![error_bound::table(&error_bound::error_bound(error_bound::REPORTED))],
         scheme::tables(&schemed),
         counts::tables(&counted),
         times::tables(&timings),

@@ -1,16 +1,12 @@
-//! Tables of true and estimated errors.
+//! The table of true and estimated errors.
 
 use super::BoundCheck;
 use crate::cells::DigitColumns;
 use slipmode_plot::table::Table;
 
-/// The two tables: by tolerance, and run by run.
+/// The table, by tolerance and observable.
 #[must_use]
-pub fn tables(checks: &[BoundCheck]) -> Vec<Table> {
-    vec![bound(checks), bound_runs(checks)]
-}
-
-fn bound(checks: &[BoundCheck]) -> Table {
+pub fn table(checks: &[BoundCheck]) -> Table {
     let note = "η from 1e-6 to 1e4, b/a from 0.4 to 3.4, K/K_c from 1e-3 to 10, from a fixed sequence. References: Radau IIA of order 13 in double-double at a local tolerance of 1e-18. Sampled, not proved.";
     let mut tolerances: Vec<f64> = checks.iter().map(|check| check.tolerance).collect();
     tolerances.sort_by(|a, b| b.total_cmp(a));
@@ -44,19 +40,3 @@ type Ratio = fn(&BoundCheck) -> Option<f64>;
 /// The observables with the ratio of each.
 const OBSERVABLES: [(&str, Ratio); 2] =
     [("peak velocity", |check| check.peak_ratio), ("period", |check| check.period_ratio)];
-
-fn bound_runs(checks: &[BoundCheck]) -> Table {
-    Table::of("error-bound-runs", "Estimated and true errors, run by run", checks)
-        .digits("inertial_parameter", "η", "", 5, |check| check.groups.inertial_parameter)
-        .digits("stiffness_group", "κ", "", 5, |check| check.groups.stiffness_group)
-        .digits("effect_ratio", "b/a", "", 5, |check| check.groups.effect_ratio)
-        .text("law", "Law", |check| check.law.as_str())
-        .digits("tolerance", "Tolerance", "", 2, |check| check.tolerance)
-        .text("behaviour", "Long-term behaviour", |check| {
-            check.periodic.map_or("", |periodic| if periodic { "periodic" } else { "decaying" })
-        })
-        .digits("peak_ratio", "Peak: true / estimated error", "", 2, |check| check.peak_ratio)
-        .digits("period_ratio", "Period: true / estimated error", "", 2, |check| check.period_ratio)
-        .text("failure", "Failure", |check| &check.failure)
-        .table()
-}
