@@ -115,7 +115,7 @@ fn areas_on_map(scene: &SceneOutcome) -> Option<Evidence> {
     Some(Evidence::Sample {
         quantity: "Connected areas with max Im(s) = 0 on the grid of the map".into(),
         value: real.areas_of(&true).to_string(),
-        points: map.len(),
+        points: map.values.len(),
     })
 }
 
@@ -181,7 +181,7 @@ fn largest_frequency_change(context: &Context) -> Option<Evidence> {
     Some(Evidence::Sample {
         quantity: "Grid points that oscillate in one map and not in the other".into(),
         value: differing.to_string(),
-        points: one.len(),
+        points: one.values.len(),
     })
 }
 

@@ -82,12 +82,12 @@ fn z1(context: &Context) -> Finding {
         );
         limits.push(format!(
             "{} % of the points for {case}",
-            percent(zones.disagreeing_areas, zones.exact.len())
+            percent(zones.disagreeing_areas, zones.exact.values.len())
         ));
         finding = finding.with_evidence(Evidence::Sample {
             quantity: format!("Points where fig 7's zones and the exact slip modes differ, {case} (stability or oscillation; slip mode)"),
             value: format!("{}; {}", zones.disagreeing_areas, zones.disagreeing_modes),
-            points: zones.exact.len(),
+            points: zones.exact.values.len(),
         });
     }
     finding
@@ -109,7 +109,7 @@ fn modes_evidence(zones: &ZonesOutcome, modes: &BTreeSet<&str>, case: &str) -> E
     Evidence::Sample {
         quantity: format!("Slip modes on the exact map for {case}, each with its number of connected areas"),
         value: areas.join(", "),
-        points: zones.exact.len(),
+        points: zones.exact.values.len(),
     }
 }
 

@@ -12,12 +12,6 @@ pub struct Grid<T> {
 }
 
 impl<T> Grid<T> {
-    /// The number of points.
-    #[must_use]
-    pub fn len(&self) -> usize {
-        self.values.len()
-    }
-
     /// The points in storage order as (V, σ, value).
     pub fn points(&self) -> impl Iterator<Item = (f64, f64, &T)> {
         let columns = self.loading_velocity_m_per_s.len();
