@@ -56,7 +56,9 @@ mod tests {
     fn a_limit_counts_the_runs_that_pass_the_loading_velocity() {
         let overshoots = Overshoots { upper: -0.5, lower: 0.37, counts: [64, 60] };
         assert!(
-            overshoots.limit().contains("of the 64 runs below the lower boundary"),
+            overshoots
+                .limit()
+                .contains("the 64 runs below the lower boundary do not oscillate, but 60 of them"),
             "{}",
             overshoots.limit()
         );

@@ -35,10 +35,10 @@ fn a_full_disk_leaves_nothing_half_written() {
     let place = workplace();
     place.write("kept.csv", "earlier");
     let points = ["classify", "--points", "in.csv", "-o", "kept.csv"];
-    run_on_a_full_disk(&place, &points).expect_refusal(&["kept.csv: File too large"]);
+    run_on_a_full_disk(&place, &points).expect_refusal(&["kept.csv: cannot be written: File too large"]);
     let boundary: Vec<&str> =
         ["boundary"].iter().chain(&SLIDER).copied().chain(["-o", "curve.csv"]).collect();
-    run_on_a_full_disk(&place, &boundary).expect_refusal(&["curve.csv: File too large"]);
+    run_on_a_full_disk(&place, &boundary).expect_refusal(&["curve.csv: cannot be written: File too large"]);
     run_on_a_full_disk(&place, &["run", "s.toml", "-o", "out"])
         .expect_refusal(&["out/", "cannot be written"]);
     assert_eq!(place.names(), ["in.csv", "kept.csv", "s.toml"]);
