@@ -29,7 +29,7 @@ pub fn decimal(text: &str) -> Rational {
 pub fn assert_within(found: &Rational, expected: &str, measure: &str, tolerance: &str, what: &str) {
     let error = (found - decimal(expected)).abs();
     let allowed = decimal(measure).abs() * decimal(tolerance);
-    assert!(error <= allowed, "{what}: found {}, expected {expected}", nearest_f64(&found));
+    assert!(error <= allowed, "{what}: found {}, expected {expected}", nearest_f64(found));
 }
 
 /// Inputs with these groups: every unit is 1.
