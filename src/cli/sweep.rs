@@ -51,8 +51,8 @@ pub struct Options {
     /// With --plan or --slurm: target time of a shard on one core, minutes [default: 30]
     #[arg(long, value_name = "M", allow_hyphen_values = true)]
     minutes: Option<String>,
-    /// Shards of the job array [default: computed from --minutes]
-    #[arg(long, value_name = "N", requires = "slurm", allow_hyphen_values = true)]
+    /// With --plan or --slurm: the number of shards [default: computed from --minutes]
+    #[arg(long, value_name = "N", allow_hyphen_values = true)]
     shards: Option<String>,
 }
 
@@ -82,6 +82,13 @@ pub fn run(options: &Options, progress: &Progress) -> Result<(), Failure> {
     arguments.refuse("--shard", computes_nothing && options.shard.is_some(), needs);
     let needs = "--plan or --slurm: a shard takes as long as it takes";
     arguments.refuse("--minutes", !computes_nothing && options.minutes.is_some(), needs);
+    arguments.refuse(
+        "--shards",
+        !computes_nothing && shards.is_some(),
+        "--plan or --slurm; `--shard I/N` computes one of N",
+    );
+    let needs = "no --shards: their number says how long each takes";
+    arguments.refuse("--minutes", options.plan && shards.is_some() && options.minutes.is_some(), needs);
     arguments.refuse("--out", options.plan && options.out.is_some(), "no --plan, which writes nothing");
     let shard = arguments.finish(shard)?;
     let loaded = load::load(&options.scene)?;
@@ -90,7 +97,7 @@ pub fn run(options: &Options, progress: &Progress) -> Result<(), Failure> {
             loaded.perform(slurm::WriteScripts { scene: &options.scene, out, minutes, shards })
         }
         Some(out) if !options.plan => loaded.perform(ComputeShard { shard, out, progress: *progress }),
-        _ => loaded.perform(plan::PrintPlan { minutes }),
+        _ => loaded.perform(plan::PrintPlan { minutes, shards }),
     }
 }
 

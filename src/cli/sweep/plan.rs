@@ -76,9 +76,8 @@ impl Plan {
         self.blocks.count()
     }
 
-    fn text(&self, minutes: u64) -> String {
+    fn text(&self, shards: u64) -> String {
         let block_seconds = self.seconds_per_point * self.blocks.points.min(self.blocks.block_points) as f64;
-        let shards = self.shards(minutes);
         let shard_minutes = self.core_seconds() / 60.0 / shards as f64;
         let digits = |value| round_digits(value, 3);
         terminal::named_values(&[
@@ -105,10 +104,15 @@ impl Plan {
 pub struct PrintPlan {
     /// How long a shard should take, minutes.
     pub minutes: u64,
+    /// Shards, when given.
+    pub shards: Option<u64>,
 }
 
 impl Task for PrintPlan {
     fn perform<W: PointWork>(self, loaded: &Loaded, points: &Points<W>) -> Result<(), Failure> {
-        terminal::print(&Plan::measure(loaded, points)?.text(self.minutes))
+        let plan = Plan::measure(loaded, points)?;
+        let shards =
+            self.shards.map_or_else(|| plan.shards(self.minutes), |shards| shards.min(plan.blocks()));
+        terminal::print(&plan.text(shards))
     }
 }
