@@ -73,7 +73,7 @@ fn impossible_values_leave_gaps_and_no_nonsense() {
 
 #[test]
 fn figures_are_written_for_looking_at() {
-    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("target/sample-figures");
+    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../target/sample-figures");
     std::fs::create_dir_all(&folder).unwrap();
     let figures = [
         ("fig-1", heat_map(160).svg()),
