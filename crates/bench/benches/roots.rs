@@ -3,14 +3,11 @@
 //!
 //! Times depend on the machine and on its load: read the ratios. Alternatives are run in turn, medians are printed.
 
-#[path = "peers/clock.rs"]
-mod clock;
-
 use std::hint::black_box;
 use std::time::Instant;
 
-use clock::best_of;
 use rug::{Assign, Float, Integer};
+use slipmode_bench::cpu_clock::best_of;
 use slipmode_core::number::{Rational, bits_for_digits, nearest_f64, parse_decimal};
 use slipmode_core::roots::{Pair, bounded_roots, certified_roots};
 

@@ -12,6 +12,7 @@ pub mod copied;
 pub mod cost;
 pub mod counts;
 pub mod coverage;
+pub mod cpu_clock;
 pub mod error_bound;
 pub mod integrators;
 mod measured_on;

@@ -28,8 +28,12 @@ enum Command {
         #[arg(trailing_var_arg = true, allow_hyphen_values = true)]
         words: Vec<String>,
     },
-    /// Measure how time and memory grow with points, digits, tolerance and threads
-    Cost,
+    /// Measure how time and memory grow with points, digits, tolerance and threads; fail where neighbours differ too much
+    Cost {
+        /// Only the sweeps whose neighbours are compared
+        #[arg(long)]
+        sweeps: bool,
+    },
     /// Count the lines of each module that the tests run
     Coverage,
     /// Measure memory, scaling and overhead of sweeps
@@ -48,7 +52,7 @@ fn main() -> ExitCode {
     let done = match CommandLine::parse().command {
         Command::Bench { peers: true, once, words } => peers::compare(&words, once),
         Command::Bench { peers: false, words, .. } => peers::bench(&words),
-        Command::Cost => cost::run(),
+        Command::Cost { sweeps } => cost::run(!sweeps),
         Command::Coverage => coverage::run(),
         Command::SweepCost => sweep_cost::run(),
         Command::Tables { report } => tables::run(&report),

@@ -8,8 +8,8 @@ use slipmode_core::friction::{OperatingPoint, Slider};
 use slipmode_core::number::{Ball, Rational, parse_decimal};
 use slipmode_core::stability::boundary::{BoundaryCurve, Section};
 
-use super::clock::best_of;
 use super::row::{Row, scientific};
+use slipmode_bench::cpu_clock::best_of;
 
 const DIGITS: u32 = 50;
 const REPETITIONS: usize = 5;

@@ -7,11 +7,11 @@ use slipmode_core::number::{Dd, Rational};
 use slipmode_core::stability::batch::{GridCell, GridKernel, PrecisionCounts, SignPair, classify_points};
 use slipmode_core::stability::{InertialThreshold, SlipMode, classify, classify_quickly};
 
-use super::clock::best_of;
 use super::columns::Columns;
 use super::hard;
 use super::random::Random;
 use super::row::{Row, scientific};
+use slipmode_bench::cpu_clock::best_of;
 
 const RANDOM_POINTS: usize = 1_000_000;
 const HARD_POINTS: usize = 60_000;

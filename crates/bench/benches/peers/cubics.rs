@@ -8,10 +8,10 @@ use rug::{Float, Integer, Rational};
 use slipmode_core::number::parse_decimal;
 use slipmode_core::roots::{CertifiedRoot, CertifiedRoots, certified_roots};
 
-use super::clock::best_of;
 use super::hard;
 use super::random::Random;
 use super::row::Row;
+use slipmode_bench::cpu_clock::best_of;
 
 /// Digits, and how many cubics are solved at them.
 const SIZES: [(u32, usize); 4] = [(50, 100), (100, 100), (1_000, 40), (10_000, 4)];

@@ -12,8 +12,8 @@ use slipmode_core::dynamics::{
 use slipmode_core::friction::{EvolutionLaw, Groups};
 use slipmode_core::number::Dd;
 
-use super::clock::best_of;
 use super::row::{Row, scientific};
+use slipmode_bench::cpu_clock::best_of;
 
 const REPETITIONS: usize = 3;
 

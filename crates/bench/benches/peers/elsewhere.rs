@@ -6,9 +6,9 @@ use differential_equations::prelude::*;
 use slipmode_core::dynamics::Model;
 use slipmode_core::friction::EvolutionLaw;
 
-use super::clock::best_of;
 use super::cycles::read_lines;
 use super::row::{Row, scientific};
+use slipmode_bench::cpu_clock::best_of;
 
 const REPETITIONS: usize = 3;
 const MOST_STEPS: usize = 200_000;

@@ -6,7 +6,6 @@
 
 mod boundary;
 mod classes;
-mod clock;
 mod columns;
 mod cubics;
 mod cycles;

@@ -9,9 +9,9 @@ use slipmode_core::dynamics::{Control, Integrator, Model, Radau, Scalar, Start, 
 use slipmode_core::friction::EvolutionLaw;
 use slipmode_core::number::Dd;
 
-use super::clock::best_of;
 use super::cycles::{Line, line_start, paper, read_lines};
 use super::row::{Row, scientific};
+use slipmode_bench::cpu_clock::best_of;
 
 const SAMPLES: usize = 200;
 const PERIODS: f64 = 10.0;

@@ -13,8 +13,8 @@ use slipmode_core::number::{Dd, Rational, nearest_f64};
 use slipmode_core::roots::{bounded_roots, certified_roots};
 use slipmode_core::stability::{InertialThreshold, classify};
 
-use super::clock::best_of;
 use super::row::{Row, scientific};
+use slipmode_bench::cpu_clock::best_of;
 
 const CASES: &str = include_str!("../../../../reports/im-avouac/timings/classification-hard.txt");
 const REPETITIONS: usize = 3;

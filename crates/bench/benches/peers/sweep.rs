@@ -7,9 +7,9 @@ use std::path::Path;
 use slipmode_core::dynamics::{LongTerm, Model, Options, simulate_model};
 use slipmode_core::friction::EvolutionLaw;
 
-use super::clock::best_of;
 use super::cycles::{line_start, paper, read_lines};
 use super::row::{Row, scientific};
+use slipmode_bench::cpu_clock::best_of;
 
 const SIDE: usize = 20;
 

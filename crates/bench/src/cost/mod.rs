@@ -1,113 +1,127 @@
 //! `cargo xtask cost`: how time and memory grow with points, rows, digits, tolerance, runs and threads.
 //!
 //! Every number is measured on the profile `dist` of the command line, one process at a time. A law is fitted to the CPU
-//! times of each ladder but its top rung (wall times tell of the machine's other work too); what it says of the top is printed
-//! beside what was measured there. The result is a CSV and a
-//! Markdown file under `crates/bench/results/`, which enter a report only by `cargo xtask timings`.
+//! times of each series but its last (wall times include the machine's other work); what it predicts for the last is printed
+//! next to what was measured there. Then come the sweeps, whose neighbours may not differ by more than a stated ratio.
+//! The results are CSV and Markdown files under `crates/bench/results/`, which enter a report only by `cargo xtask timings`.
 
 mod fit;
-mod ladders;
 pub mod measure;
+mod series;
+mod sweeps;
 
 use std::fmt::Write as _;
 use std::fs;
 
 use crate::{measured_on, process, repository};
 use fit::{Form, Law};
-use ladders::Ladder;
 use measure::Measured;
+use series::Series;
 
-/// A ladder with what was measured on its rungs.
-struct Climbed {
-    ladder: Ladder,
+/// A series with what each of its commands costs.
+struct MeasuredSeries {
+    series: Series,
     measured: Vec<Measured>,
 }
 
-/// Measures every ladder, writes both files and prints the Markdown.
+/// Measures every sweep, and with `series` every series before; writes the files and prints the Markdown.
 ///
 /// # Errors
-/// When the build or a measured command fails, or a file cannot be written.
-pub fn run() -> Result<(), String> {
+/// When the build or a measured command fails, a file cannot be written, or a sweep has a ratio outside its bounds.
+pub fn run(with_series: bool) -> Result<(), String> {
+    if with_series {
+        run_series()?;
+    }
+    sweeps::run()
+}
+
+fn run_series() -> Result<(), String> {
     let program = process::build_dist()?;
     let root = repository::root();
     let folder = root.join("target/cost");
     fs::create_dir_all(&folder).map_err(|error| cannot_write(&error))?;
-    let mut climbed = Vec::new();
-    for ladder in ladders::all(&folder).map_err(|error| cannot_write(&error))? {
-        eprintln!("cost: {}", ladder.name);
+    let mut measured_series = Vec::new();
+    for series in series::all(&folder).map_err(|error| cannot_write(&error))? {
+        eprintln!("cost: {}", series.name);
         let mut measured = Vec::new();
-        for rung in &ladder.rungs {
-            measured.push(measure::run(&program, &rung.arguments, &folder)?);
+        for command in &series.commands {
+            measured.push(measure::run(&program, &command.arguments, &folder)?);
         }
-        climbed.push(Climbed { ladder, measured });
+        measured_series.push(MeasuredSeries { series, measured });
     }
-    let report = markdown(&climbed);
-    let results = measured_on::folder();
-    fs::create_dir_all(&results).map_err(|error| cannot_write(&error))?;
-    for (name, text) in [("cost.csv", csv(&climbed)), ("cost.md", format!("{}\n", report.trim_end()))] {
-        fs::write(results.join(name), text).map_err(|error| cannot_write(&error))?;
-    }
-    measured_on::write("cost.csv", &measured_on::facts())?;
+    let report = markdown(&measured_series);
+    write("cost", &csv(&measured_series), &report)?;
     print!("{report}");
     Ok(())
+}
+
+/// Writes `NAME.csv` and `NAME.md`, and on which machine they were measured.
+fn write(name: &str, csv: &str, markdown: &str) -> Result<(), String> {
+    let folder = measured_on::folder();
+    fs::create_dir_all(&folder).map_err(|error| cannot_write(&error))?;
+    let table = format!("{name}.csv");
+    for (file, text) in [(&table, csv), (&format!("{name}.md"), &format!("{}\n", markdown.trim_end()))] {
+        fs::write(folder.join(file), text).map_err(|error| cannot_write(&error))?;
+    }
+    measured_on::write(&table, &measured_on::facts())
 }
 
 fn cannot_write(error: &std::io::Error) -> String {
     format!("target/cost or crates/bench/results: {error}")
 }
 
-fn csv(climbed: &[Climbed]) -> String {
-    let mut text = String::from("ladder,variable,size,wall_s,cpu_s,peak_memory_kib,form,asked,command\n");
-    for Climbed { ladder, measured } in climbed {
-        let form = ladder.form.map_or_else(String::new, Form::words);
-        let asked = ladder.asked.map_or_else(String::new, |size| format!("{size:e}"));
-        for (rung, found) in ladder.rungs.iter().zip(measured) {
+fn csv(measured_series: &[MeasuredSeries]) -> String {
+    let mut text = String::from("series,variable,size,wall_s,cpu_s,peak_memory_kib,form,asked,command\n");
+    for MeasuredSeries { series, measured } in measured_series {
+        let form = series.form.map_or_else(String::new, Form::words);
+        let asked = series.asked.map_or_else(String::new, |size| format!("{size:e}"));
+        for (command, found) in series.commands.iter().zip(measured) {
             let _ = writeln!(
                 text,
                 "{},{},{},{:.4},{:.4},{},{form},{asked},slipmode {}",
                 // No cell has a comma or a quote.
-                ladder.name.replace(',', ";"),
-                ladder.variable,
-                rung.size,
+                series.name.replace(',', ";"),
+                series.variable,
+                command.size,
                 found.wall_s,
                 found.cpu_s,
                 found.peak_kib,
-                rung.arguments.join(" ")
+                command.arguments.join(" ")
             );
         }
     }
     text
 }
 
-fn markdown(climbed: &[Climbed]) -> String {
+fn markdown(measured_series: &[MeasuredSeries]) -> String {
     let mut text = String::from("# Cost\n\n");
     let facts: Vec<String> =
         measured_on::facts().into_iter().map(|(key, value)| format!("{key} {value}")).collect();
     let _ = writeln!(text, "Command: `cargo xtask cost`. Release build; {}.\n", facts.join(", "));
-    for one in climbed {
+    for one in measured_series {
         text += &section(one);
     }
     text
 }
 
-fn section(Climbed { ladder, measured }: &Climbed) -> String {
-    let mut text = format!("## {}\n\nCommand: `slipmode {}`\n\n", ladder.name, ladder.template);
-    let _ = writeln!(text, "| {} | wall s | CPU s | peak memory MiB |\n|---|---|---|---|", ladder.variable);
-    for (rung, found) in ladder.rungs.iter().zip(measured) {
+fn section(MeasuredSeries { series, measured }: &MeasuredSeries) -> String {
+    let mut text = format!("## {}\n\nCommand: `slipmode {}`\n\n", series.name, series.template);
+    let _ = writeln!(text, "| {} | wall s | CPU s | peak memory MiB |\n|---|---|---|---|", series.variable);
+    for (command, found) in series.commands.iter().zip(measured) {
         let mib = found.peak_kib as f64 / 1024.0;
-        let _ = writeln!(text, "| {} | {:.3} | {:.3} | {mib:.1} |", rung.size, found.wall_s, found.cpu_s);
+        let _ = writeln!(text, "| {} | {:.3} | {:.3} | {mib:.1} |", command.size, found.wall_s, found.cpu_s);
     }
     text.push('\n');
     let seconds: Vec<(f64, f64)> =
-        ladder.rungs.iter().zip(measured).map(|(rung, found)| (rung.size, found.cpu_s)).collect();
-    if let Some(form) = ladder.form {
-        text += &fitted(ladder, form, &seconds);
+        series.commands.iter().zip(measured).map(|(command, found)| (command.size, found.cpu_s)).collect();
+    if let Some(form) = series.form {
+        text += &fitted(series, form, &seconds);
     }
     text
 }
 
-/// The law of all rungs but the last, and what it says of the last; the law of all, and what it says of the size asked about.
-fn fitted(ladder: &Ladder, form: Form, seconds: &[(f64, f64)]) -> String {
+/// The law of all commands but the last, and its prediction for the last; the law of all, and its prediction for a size that was not measured.
+fn fitted(series: &Series, form: Form, seconds: &[(f64, f64)]) -> String {
     let Some(((top, found), below)) = seconds.split_last() else { return String::new() };
     let (Some(law), Some(all)) = (Law::fit(form, below), Law::fit(form, seconds)) else {
         return String::new();
@@ -121,8 +135,8 @@ fn fitted(ladder: &Ladder, form: Form, seconds: &[(f64, f64)]) -> String {
         all.text(),
         all.worst_residual(seconds),
     );
-    if let Some(asked) = ladder.asked {
-        let _ = writeln!(text, "{asked:e} {} would take {:.3e} s.", ladder.variable, all.at(asked));
+    if let Some(asked) = series.asked {
+        let _ = writeln!(text, "{asked:e} {} would take {:.3e} s.", series.variable, all.at(asked));
     }
     text.push('\n');
     text

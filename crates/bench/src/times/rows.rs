@@ -110,7 +110,7 @@ pub fn read_peers(file: &str, text: &str) -> Result<Vec<PeerRow>, Faults> {
 /// Those of [`read_peers`].
 pub fn read_cost(file: &str, text: &str) -> Result<Vec<CostRow>, Faults> {
     const COLUMNS: [&str; 8] =
-        ["ladder", "variable", "size", "cpu_s", "peak_memory_kib", "form", "asked", "command"];
+        ["series", "variable", "size", "cpu_s", "peak_memory_kib", "form", "asked", "command"];
     let read = |row: &SheetRow<'_>| {
         Ok(CostRow {
             line: row.line,
@@ -170,7 +170,7 @@ mod tests {
 
     #[test]
     fn a_series_states_its_form_and_the_requested_size() {
-        let header = "ladder,variable,size,wall_s,cpu_s,peak_memory_kib,form,asked,command\n";
+        let header = "series,variable,size,wall_s,cpu_s,peak_memory_kib,form,asked,command\n";
         let rows = read_cost("cost.csv", &format!("{header}grid,points,1e6,1,0.5,900,beside 0.5,1e9,slipmode x\nt,threads,2,1,1,9,,,slipmode y\n")).unwrap();
         assert_eq!((rows[0].form, rows[0].requested), (Some(Form::Beside(0.5)), Some(1e9)));
         assert_eq!((rows[1].form, rows[1].requested), (None, None));

@@ -1,4 +1,4 @@
-//! CPU time of this process: on a shared machine the time on the wall is somebody else's.
+//! CPU time of this process. Wall-clock time would include the work of other programs.
 
 use std::hint::black_box;
 

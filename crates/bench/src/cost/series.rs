@@ -8,13 +8,13 @@ use std::path::Path;
 use super::fit::Form;
 
 /// Commands that differ in one number, from small to large.
-pub struct Ladder {
+pub struct Series {
     pub name: &'static str,
     /// What the number counts.
     pub variable: &'static str,
     /// The command with `N` in place of the number.
     pub template: String,
-    pub rungs: Vec<Rung>,
+    pub commands: Vec<SizedCommand>,
     /// The form of the law that is expected, if any.
     pub form: Option<Form>,
     /// A size that is asked about and not measured.
@@ -22,7 +22,7 @@ pub struct Ladder {
 }
 
 /// One command.
-pub struct Rung {
+pub struct SizedCommand {
     pub size: f64,
     pub arguments: Vec<String>,
 }
@@ -31,11 +31,11 @@ const SLIDER: &str = "-a 0.004 -b 0.006 -d 1e-5 -k 1e7 -m 1000";
 const HEADER: &str = "direct_effect,evolution_effect,critical_slip_distance_m,stiffness_pa_per_m,\
     mass_per_area_kg_per_m2,normal_stress_pa,loading_velocity_m_per_s";
 
-/// Every ladder; the files that the commands read are written into the folder.
+/// Every series; the files that the commands read are written into the folder.
 ///
 /// # Errors
 /// When a file cannot be written.
-pub fn all(folder: &Path) -> io::Result<Vec<Ladder>> {
+pub fn all(folder: &Path) -> io::Result<Vec<Series>> {
     for rows in ROWS {
         fs::write(folder.join(format!("rows-{rows}.csv")), rows_of(rows, [-9.0, 1.0], [2.0, 9.0]))?;
     }
@@ -48,18 +48,18 @@ pub fn all(folder: &Path) -> io::Result<Vec<Ladder>> {
         )
     };
     Ok(vec![
-        Ladder {
+        Series {
             asked: Some(1e12),
             ..squares("points of a grid, 1 thread", grid("1", "N"), &[1000, 3163, 10_000, 31_623])
         },
-        ladder("points of a grid of 10^8, threads", "threads", grid("N", "10000"), &[1, 2], None),
-        Ladder {
+        series("points of a grid of 10^8, threads", "threads", grid("N", "10000"), &[1, 2], None),
+        Series {
             asked: Some(1e9),
-            ..ladder("rows of a file classified", "rows", files("classify", "rows"), &ROWS, START)
+            ..series("rows of a file classified", "rows", files("classify", "rows"), &ROWS, START)
         },
-        Ladder {
+        Series {
             asked: Some(1e7),
-            ..ladder(
+            ..series(
                 "rows of a file simulated",
                 "runs",
                 files("simulate --law slip", "runs") + " --tolerance 1e-2",
@@ -67,14 +67,14 @@ pub fn all(folder: &Path) -> io::Result<Vec<Ladder>> {
                 START,
             )
         },
-        ladder(
+        series(
             "tolerance of 1024 simulations",
             "1/tolerance",
             "simulate --law slip --points runs-1024.csv --threads 1 --tolerance 1/N".into(),
             &[100, 10_000, 1_000_000, 100_000_000, 10_000_000_000],
             Some(Form::Power),
         ),
-        ladder(
+        series(
             "certified digits of the roots",
             "digits",
             format!("roots {SLIDER} -s 1e5 -v 1e-3 --digits N"),
@@ -98,22 +98,22 @@ fn files(command: &str, name: &str) -> String {
     format!("{command} --points {name}-N.csv --threads 1")
 }
 
-fn ladder(
+fn series(
     name: &'static str,
     variable: &'static str,
     template: String,
     sizes: &[u64],
     form: Option<Form>,
-) -> Ladder {
-    let rung = |size: &u64| Rung { size: *size as f64, arguments: words(&template, *size) };
-    Ladder { name, variable, rungs: sizes.iter().map(rung).collect(), template, form, asked: None }
+) -> Series {
+    let command = |size: &u64| SizedCommand { size: *size as f64, arguments: words(&template, *size) };
+    Series { name, variable, commands: sizes.iter().map(command).collect(), template, form, asked: None }
 }
 
-/// A ladder whose number is the side of a square of points.
-fn squares(name: &'static str, template: String, sides: &[u64]) -> Ladder {
-    let mut ladder = ladder(name, "points", template, sides, ROWS_OF_A_GRID);
-    ladder.rungs.iter_mut().for_each(|rung| rung.size *= rung.size);
-    ladder
+/// A series whose number is the side of a square of points.
+fn squares(name: &'static str, template: String, sides: &[u64]) -> Series {
+    let mut series = series(name, "points", template, sides, ROWS_OF_A_GRID);
+    series.commands.iter_mut().for_each(|command| command.size *= command.size);
+    series
 }
 
 /// The words of a command; `N` becomes the number, and `1/N` its inverse.
@@ -151,7 +151,7 @@ mod tests {
 
     #[test]
     fn sizes_of_squares_are_points_and_rows_stay_in_their_rectangle() {
-        assert_eq!(squares("a", "N".into(), &[10, 20]).rungs[1].size, 400.0);
+        assert_eq!(squares("a", "N".into(), &[10, 20]).commands[1].size, 400.0);
         let text = rows_of(50, [-2.0, -1.0], [3.0, 4.0]);
         for row in text.lines().skip(1) {
             let cells: Vec<f64> = row.split(',').map(|cell| cell.parse().unwrap()).collect();
