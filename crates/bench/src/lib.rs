@@ -3,18 +3,16 @@
 //!
 //! Errors of these commands are messages for people.
 
-mod cells;
 pub mod chart;
 pub mod contents;
 pub mod copied;
-// The last bit of a law that is fitted to measured times differs from machine to machine anyway.
-#[allow(clippy::disallowed_methods)]
 pub mod cost;
 pub mod counts;
 pub mod coverage;
 pub mod cpu_clock;
 pub mod error_bound;
 pub mod integrators;
+mod least_squares;
 mod measured_on;
 pub mod methods;
 mod paper;
@@ -22,6 +20,7 @@ pub mod peers;
 pub mod process;
 mod repository;
 pub mod scheme;
+pub mod split_mix;
 pub mod sweep_cost;
 pub mod tables;
 pub mod textbook;

@@ -1,12 +1,11 @@
 //! The paper's slider, and places in its plane of velocity and stress.
 
+use slipmode::experiments::shared::cells::Digits;
 use slipmode::scene::Place;
 use slipmode_core::dynamics::Model;
 use slipmode_core::friction::{EvolutionLaw, Slider};
 use slipmode_core::number::{Rational, nearest_f64, parse_decimal};
 use slipmode_plot::table::{Cell, Column};
-
-use crate::cells::rounded;
 
 /// The paper's potentially unstable slider: a, b, D_c in m, K in Pa/m and M in kg/m².
 pub(crate) fn paper() -> Slider<Rational> {
@@ -48,5 +47,5 @@ pub(crate) fn place_columns() -> [Column; 2] {
 
 /// Their cells.
 pub(crate) fn place_cells(place: &Place) -> [Cell; 2] {
-    [&place.normal_stress_pa, &place.loading_velocity_m_per_s].map(|value| rounded(nearest_f64(value), 4))
+    [&place.normal_stress_pa, &place.loading_velocity_m_per_s].map(|value| nearest_f64(value).cell(4))
 }

@@ -5,7 +5,7 @@ use slipmode_core::number::{Ball, Rational};
 use slipmode_plot::table::{Cell, TableRows};
 
 /// A value that is shown with some significant digits.
-pub(crate) trait Digits {
+pub trait Digits {
     /// Its cell.
     fn cell(self, digits: usize) -> Cell;
 }
@@ -40,7 +40,7 @@ impl<D: Digits> Digits for Option<D> {
 pub(crate) const ERROR_DIGITS: usize = 6;
 
 /// Columns of numbers with the same digits in every row.
-pub(crate) trait DigitColumns<R>: Sized {
+pub trait DigitColumns<R>: Sized {
     /// One more column, with its unit and its significant digits.
     #[must_use]
     fn digits<D: Digits>(

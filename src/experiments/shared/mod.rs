@@ -1,7 +1,7 @@
 //! What several experiments use: grids, searches for zeros, and the (V, σ) plane of the maps.
 
 pub(crate) mod axes;
-pub(crate) mod cells;
+pub mod cells;
 #[cfg(test)]
 pub(crate) mod fixtures;
 pub(crate) mod grid;

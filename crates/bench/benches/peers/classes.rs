@@ -37,7 +37,7 @@ fn grid_axes() -> (Vec<f64>, Vec<f64>) {
 
 /// Writes the points with their references, unless an earlier run did.
 pub fn prepare(folder: &Path) {
-    let mut random = Random(5);
+    let mut random = Random::new(5);
     write(folder, "random", || (0..RANDOM_POINTS).map(|_| random.parameters()).collect());
     for family in ["disc", "hopf", "cusp"] {
         write(folder, family, || hard::points(family, HARD_POINTS));

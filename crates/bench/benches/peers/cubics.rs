@@ -29,7 +29,7 @@ fn integers(cubic: &[Rational; 4]) -> [Integer; 4] {
 
 /// Random points with four significant digits, as a person would write them.
 fn random_cubics(count: usize) -> Vec<[Integer; 4]> {
-    let mut random = Random(11);
+    let mut random = Random::new(11);
     let written = |value: &f64| parse_decimal(&format!("{value:.3e}")).unwrap();
     let mut cubic = || integers(&random.parameters().map(written).groups().characteristic_cubic());
     (0..count).map(|_| cubic()).collect()

@@ -47,6 +47,6 @@ pub fn points(family: &str, count: usize) -> Vec<Parameters<f64>> {
         "hopf" => transition,
         _ => triple_root,
     };
-    let mut random = Random(family.len() as u64 + u64::from(family.as_bytes()[0]));
+    let mut random = Random::new(family.len() as u64 + u64::from(family.as_bytes()[0]));
     (0..count).map(|number| place(&mut random, distance(number))).collect()
 }

@@ -1,32 +1,25 @@
 //! The random set: parameters as wide as laboratories, faults and theory go, uniform in the logarithm, from a fixed seed.
 
+use slipmode_bench::split_mix::SplitMix64;
 use slipmode_core::friction::Parameters;
 
-/// A small generator of 64-bit numbers (Steele, Lea and Flood's SplitMix).
-pub struct Random(pub u64);
+/// Random sliders and numbers.
+pub struct Random(SplitMix64);
 
 impl Random {
-    fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
-    }
-
-    /// Uniform in [0, 1).
-    pub fn unit(&mut self) -> f64 {
-        (self.next() >> 11) as f64 / (1u64 << 53) as f64
+    /// From a seed.
+    pub fn new(seed: u64) -> Self {
+        Self(SplitMix64(seed))
     }
 
     /// Uniform in the logarithm between two powers of ten.
     pub fn decades(&mut self, low: f64, high: f64) -> f64 {
-        libm::exp10(low + (high - low) * self.unit())
+        libm::exp10(self.0.between(low, high))
     }
 
     /// A multiple of 1/64 in [low, high).
     pub fn sixty_fourths(&mut self, low: f64, high: f64) -> f64 {
-        (64.0 * (low + (high - low) * self.unit())).floor() / 64.0
+        (64.0 * self.0.between(low, high)).floor() / 64.0
     }
 
     /// One slider: V0 1e-9…10, σ 1e2…1e9, a 1e-4…3e-2, b/a 0.05…20, D_c 1e-7…1e-2, K 1e4…1e12, M 1e-2…1e7.

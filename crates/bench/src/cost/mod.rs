@@ -5,7 +5,6 @@
 //! next to what was measured there. Then come the sweeps, whose neighbours may not differ by more than a stated ratio.
 //! The results are CSV and Markdown files under `crates/bench/results/`, which enter a report only by `cargo xtask timings`.
 
-mod fit;
 pub mod measure;
 mod series;
 mod sweeps;
@@ -13,8 +12,8 @@ mod sweeps;
 use std::fmt::Write as _;
 use std::fs;
 
+use crate::least_squares::{Form, Law};
 use crate::{measured_on, process, repository};
-use fit::{Form, Law};
 use measure::Measured;
 use series::Series;
 

@@ -5,7 +5,7 @@ use std::fs;
 use std::io;
 use std::path::Path;
 
-use super::fit::Form;
+use crate::least_squares::Form;
 
 /// Commands that differ in one number, from small to large.
 pub struct Series {
@@ -133,7 +133,7 @@ fn rows_of(count: u64, [v0, v1]: [f64; 2], [s0, s1]: [f64; 2]) -> String {
     const STEPS: [f64; 2] = [0.754_877_666_246_692_7, 0.569_840_290_998_053_2];
     for index in 0..count {
         let [x, y] = STEPS.map(|step| (step * index as f64).fract());
-        let (velocity, stress) = (10f64.powf(v0 + (v1 - v0) * x), 10f64.powf(s0 + (s1 - s0) * y));
+        let (velocity, stress) = (libm::exp10(v0 + (v1 - v0) * x), libm::exp10(s0 + (s1 - s0) * y));
         let _ = writeln!(text, "0.004,0.006,1e-5,1e7,1000,{stress:.6e},{velocity:.6e}");
     }
     text

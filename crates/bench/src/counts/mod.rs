@@ -11,7 +11,7 @@ mod sweep;
 mod tables;
 
 pub use boundary_point::BoundaryCount;
-pub use classes::{ClassCounts, MethodCount};
+pub use classes::ClassCount;
 pub use cubics::RootCount;
 pub use figures::figures;
 pub use sweep::SweepCount;
@@ -53,8 +53,8 @@ impl Sizes {
 pub struct SpeedCounts {
     /// Roots of two sets of cubics, method by method.
     pub roots: Vec<RootCount>,
-    /// Classes of random points.
-    pub classes: ClassCounts,
+    /// Signs of random points, by precision level and by method.
+    pub classes: Vec<ClassCount>,
     /// One point of the boundary by each route.
     pub boundary: Vec<BoundaryCount>,
     /// A sweep of simulations.

@@ -9,6 +9,7 @@ pub use tables::table;
 
 use rayon::prelude::*;
 
+use crate::split_mix::SplitMix64;
 use slipmode_core::dynamics::{
     Control, Integrator, LongTerm, Model, Options, Outcome, Radau, Scalar, Start, State, long_term_behaviour,
     simulate_model,
@@ -40,27 +41,8 @@ const TARGET: f64 = 1e-16;
 /// The most returns of a reference.
 const MOST_RETURNS: u64 = 4_000;
 
-/// Uniform numbers in [0, 1) by the SplitMix64 sequence.
-struct Sequence(u64);
-
-impl Sequence {
-    fn next(&mut self) -> f64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut mixed = self.0;
-        mixed = (mixed ^ (mixed >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        mixed = (mixed ^ (mixed >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        mixed ^= mixed >> 31;
-        // The upper 53 bits are a number of f64 without rounding.
-        (mixed >> 11) as f64 * libm::exp2(-53.0)
-    }
-
-    fn between(&mut self, low: f64, high: f64) -> f64 {
-        low + (high - low) * self.next()
-    }
-}
-
 /// η over ten decades, b/a from 0.4 to 3.4, K/K_c over four decades around 1 (κ itself for a ≥ b).
-fn random_groups(sequence: &mut Sequence) -> Groups<f64> {
+fn random_groups(sequence: &mut SplitMix64) -> Groups<f64> {
     let inertial_parameter = libm::exp10(sequence.between(-6.0, 4.0));
     let effect_ratio = sequence.between(0.4, 3.4);
     let ratio = libm::exp10(sequence.between(-3.0, 1.0));
@@ -75,7 +57,7 @@ pub const REPORTED: (usize, [f64; 3]) = (12, [1e-4, 1e-6, 1e-8]);
 /// Runs so many random sliders at every tolerance, by slider, law and tolerance.
 #[must_use]
 pub fn error_bound((count, tolerances): (usize, [f64; 3])) -> Vec<BoundCheck> {
-    let mut sequence = Sequence(0);
+    let mut sequence = SplitMix64(0);
     let groups: Vec<Groups<f64>> = (0..count).map(|_| random_groups(&mut sequence)).collect();
     let cases: Vec<(&Groups<f64>, EvolutionLaw)> = groups
         .iter()
@@ -175,13 +157,6 @@ fn compared_with(run: &Outcome, truth: Option<&Truth>, empty: BoundCheck) -> Bou
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn the_sequence_is_that_of_splitmix64() {
-        // First output for seed 0: 0xe220a8397b1dcdaf.
-        let expected = (0xe220_a839_7b1d_cdaf_u64 >> 11) as f64 * libm::exp2(-53.0);
-        assert_eq!(Sequence(0).next(), expected);
-    }
 
     #[test]
     fn a_bound_that_is_stated_too_small_would_be_seen() {

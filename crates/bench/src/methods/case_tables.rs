@@ -1,7 +1,7 @@
 //! The table of hard cases by family.
 
 use super::FamilyOutcome;
-use crate::cells::DigitColumns;
+use slipmode::experiments::shared::cells::DigitColumns;
 use slipmode_plot::table::Table;
 
 /// The table.

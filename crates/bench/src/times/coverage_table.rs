@@ -1,24 +1,22 @@
 //! The table of coverage: how many lines of each module the tests ran, and where most are left.
 
 use super::{COVERAGE_FILE, CoverageRow, Timings};
-use slipmode_plot::table::{Cell, Column, Table};
+use slipmode_plot::table::{Cell, Table};
 
 /// One row a module, and one for all.
 pub(super) fn coverage(timings: &Timings) -> Table {
-    let columns = vec![
-        Column::text("module", "Module"),
-        Column::number("lines", "Lines", ""),
-        Column::number("by_tests", "Run by tests", ""),
-        Column::number("by_tests_percent", "Share", "%"),
-        Column::number("with_verify", "Run by tests or verify", ""),
-        Column::number("with_verify_percent", "Share", "%"),
-        Column::text("most_left_in", "Most lines not run in"),
-    ];
-    let mut table = Table::new("coverage", "Lines of the program that the tests run", columns)
-        .with_note(&measured(timings));
-    timings.coverage.iter().for_each(|one| table.push(row(one)));
-    table.push(row(&sum(&timings.coverage)));
-    table
+    let all = sum(&timings.coverage);
+    let rows = timings.coverage.iter().chain([&all]);
+    Table::of("coverage", "Lines of the program that the tests run", rows)
+        .note(&measured(timings))
+        .text("module", "Module", |row| &row.module)
+        .number("lines", "Lines", "", |row| row.lines)
+        .number("by_tests", "Run by tests", "", |row| row.by_tests)
+        .number("by_tests_percent", "Share", "%", |row| share(row, row.by_tests))
+        .number("with_verify", "Run by tests or verify", "", |row| row.with_verify)
+        .number("with_verify_percent", "Share", "%", |row| share(row, row.with_verify))
+        .text("most_left_in", "Most lines not run in", |row| &row.most_left_in)
+        .table()
 }
 
 fn sum(rows: &[CoverageRow]) -> CoverageRow {
@@ -41,19 +39,7 @@ fn measured(timings: &Timings) -> String {
     )
 }
 
-fn row(row: &CoverageRow) -> Vec<Cell> {
-    let count = |count: u64| Cell::number(count.to_string());
-    let share = |run: u64| {
-        let share = row.per_mille(run);
-        Cell::number(share.map_or(String::new(), |share| format!("{}.{}", share / 10, share % 10)))
-    };
-    vec![
-        Cell::text(&row.module),
-        count(row.lines),
-        count(row.by_tests),
-        share(row.by_tests),
-        count(row.with_verify),
-        share(row.with_verify),
-        Cell::text(&row.most_left_in),
-    ]
+fn share(row: &CoverageRow, run: u64) -> Option<Cell> {
+    let share = row.per_mille(run)?;
+    Some(Cell::number(format!("{}.{}", share / 10, share % 10)))
 }

@@ -4,10 +4,10 @@
 
 mod aims;
 mod compare;
+mod cost_series;
 mod coverage;
 mod coverage_table;
 mod figures;
-mod law;
 mod lookup;
 mod rows;
 mod sheet;
@@ -15,9 +15,9 @@ mod tables;
 
 pub use aims::{Aim, Bound, aims};
 pub use compare::{PeerGroup, Reached, cycle_groups, micro, work_groups};
+pub use cost_series::{CostSeries, cost_series};
 pub use coverage::{CoverageRow, read_coverage};
 pub use figures::figures;
-pub use law::{CostSeries, Form, Law, cost_series};
 pub use rows::{CostRow, MachineRow, PeerRow, read_cost, read_machine, read_peers};
 pub use tables::tables;
 

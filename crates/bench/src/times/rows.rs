@@ -1,7 +1,7 @@
 //! The rows of the files of times, as they are read.
 
-use super::law::Form;
 use super::sheet::{SheetRow, rows};
+use crate::least_squares::Form;
 use slipmode::scene::Faults;
 
 /// One method on one piece of work, measured by `cargo xtask bench --peers`.

@@ -4,11 +4,13 @@
 
 use super::coverage_table::coverage;
 use super::{
-    Aim, Bound, COST_FILE, CostRow, CostSeries, Law, PEERS_FILE, PeerGroup, PeerRow, Reached, Timings, aims,
-    cost_series, cycle_groups, micro, work_groups,
+    Aim, Bound, COST_FILE, CostSeries, PEERS_FILE, PeerRow, Reached, Timings, aims, cost_series,
+    cycle_groups, micro, work_groups,
 };
+use crate::least_squares::Law;
+use slipmode::experiments::shared::cells::DigitColumns;
 use slipmode_core::number::format::round_digits;
-use slipmode_plot::table::{Cell, Column, Table};
+use slipmode_plot::table::{Cell, Table};
 
 /// The tables of times, of the machine and of coverage.
 #[must_use]
@@ -27,64 +29,44 @@ pub fn tables(timings: &Timings) -> Vec<Table> {
 const CLASSES: [&str; 2] = ["peers-classes", "Classes, hard cases, boundary and sweep: ours and others"];
 const ROOTS: [&str; 2] = ["peers-roots", "Roots of a cubic: ours and others"];
 
-fn number(value: f64) -> Cell {
-    Cell::number(round_digits(value, 3))
-}
+/// Digits of times and ratios.
+const DIGITS: usize = 3;
 
-fn optional(value: Option<f64>) -> Cell {
-    value.map_or_else(Cell::empty, number)
-}
-
-fn lines(lines: impl IntoIterator<Item = usize>) -> Cell {
-    Cell::text(lines.into_iter().map(|line| line.to_string()).collect::<Vec<_>>().join(" "))
+fn lines<'l>(lines: impl IntoIterator<Item = &'l usize>) -> String {
+    lines.into_iter().map(ToString::to_string).collect::<Vec<_>>().join(" ")
 }
 
 fn wanted(timings: &Timings) -> Table {
-    let columns = vec![
-        Column::text("work", "Work"),
-        Column::text("quantity", "Quantity"),
-        Column::text("outcome", "Result"),
-        Column::number("measured", "Measured", ""),
-        Column::text("must", "Required"),
-        Column::text("aim", "Target"),
-        Column::text("rows", "Rows"),
-        Column::text("command", "Command"),
-    ];
     let note = format!(
         "Rows are lines of `timings/{}`. The bounds were set before the measurements. The results are computed from the rows.",
         PEERS_FILE
     );
-    let mut table = Table::new("aims", "Targets and measurements", columns).with_note(&note);
-    for aim in aims(&timings.peers) {
-        let (value, found) = match &aim.measured {
-            Ok((value, lines)) => (number(*value), lines.clone()),
-            Err(_) => (Cell::empty(), Vec::new()),
-        };
-        table.push(vec![
-            Cell::text(&aim.work),
-            Cell::text(aim.quantity),
-            Cell::text(outcome(&aim)),
-            value,
-            bound(aim.must),
-            bound(aim.aim),
-            if found.is_empty() && aim.measured.is_ok() {
-                Cell::text(format!("all of {}", aim.bench))
-            } else {
-                lines(found)
-            },
-            Cell::text(format!("cargo xtask bench --peers {}", aim.bench)),
-        ]);
-    }
-    table
+    let aims = aims(&timings.peers);
+    let rows = |aim: &Aim| match &aim.measured {
+        Ok((_, rows)) if rows.is_empty() => format!("all of {}", aim.bench),
+        Ok((_, rows)) => lines(rows),
+        Err(_) => String::new(),
+    };
+    Table::of("aims", "Targets and measurements", &aims)
+        .note(&note)
+        .text("work", "Work", |aim| &aim.work)
+        .text("quantity", "Quantity", |aim| aim.quantity)
+        .text("outcome", "Result", outcome)
+        .digits("measured", "Measured", "", DIGITS, |aim| aim.measured.as_ref().ok().map(|(value, _)| *value))
+        .text("must", "Required", |aim| bound(aim.must))
+        .text("aim", "Target", |aim| bound(aim.aim))
+        .text("rows", "Rows", rows)
+        .text("command", "Command", |aim| format!("cargo xtask bench --peers {}", aim.bench))
+        .table()
 }
 
-fn bound(bound: Option<Bound>) -> Cell {
-    Cell::text(match bound {
+fn bound(bound: Option<Bound>) -> String {
+    match bound {
         None => String::new(),
         Some(Bound::AtMost(0.0)) => "0".into(),
         Some(Bound::AtLeast(least)) => format!("≥ {}", round_digits(least, 2)),
         Some(Bound::AtMost(most)) => format!("≤ {}", round_digits(most, 2)),
-    })
+    }
 }
 
 fn outcome(aim: &Aim) -> String {
@@ -105,37 +87,22 @@ fn outcome(aim: &Aim) -> String {
 }
 
 fn peers(timings: &Timings, [id, title]: [&str; 2], wanted: fn(&str) -> bool) -> Table {
-    let columns = vec![
-        Column::text("work", "Work"),
-        Column::text("method", "Method"),
-        Column::number("tolerance", "Tolerance", ""),
-        Column::number("cpu_us", "CPU time per item", "µs"),
-        Column::number("over_ours", "Ratio to our fastest", ""),
-        Column::number("worst_error", "Largest error", ""),
-        Column::text("wrong", "Wrong or failed"),
-        Column::number("row", "Row", ""),
-    ];
     let note = format!(
         "Printed by `cargo xtask bench --peers`; the lines of `timings/{}` have the command of each row. Wrong answers are not included in the errors.",
         PEERS_FILE
     );
-    let mut table = Table::new(id, title, columns).with_note(&note);
-    for PeerGroup { row, over_ours } in work_groups(&timings.peers) {
-        if !wanted(&row.work) {
-            continue;
-        }
-        table.push(vec![
-            Cell::text(&row.work),
-            Cell::text(&row.method),
-            optional(row.tolerance),
-            number(micro(row)),
-            optional(over_ours),
-            Cell::number(error_text(row)),
-            Cell::text(format!("{} of {}", row.wrong, row.items)),
-            Cell::number(row.line.to_string()),
-        ]);
-    }
-    table
+    let groups = work_groups(&timings.peers);
+    Table::of(id, title, groups.iter().filter(|group| wanted(&group.row.work)))
+        .note(&note)
+        .text("work", "Work", |group| &group.row.work)
+        .text("method", "Method", |group| &group.row.method)
+        .digits("tolerance", "Tolerance", "", DIGITS, |group| group.row.tolerance)
+        .digits("cpu_us", "CPU time per item", "µs", DIGITS, |group| micro(group.row))
+        .digits("over_ours", "Ratio to our fastest", "", DIGITS, |group| group.over_ours)
+        .number("worst_error", "Largest error", "", |group| Cell::number(error_text(group.row)))
+        .text("wrong", "Wrong or failed", |group| format!("{} of {}", group.row.wrong, group.row.items))
+        .number("row", "Row", "", |group| group.row.line)
+        .table()
 }
 
 /// The error as printed where 64 bits do not hold it, in two digits elsewhere.
@@ -147,83 +114,61 @@ fn error_text(row: &PeerRow) -> String {
 }
 
 fn cycles(timings: &Timings) -> Table {
-    let columns = vec![
-        Column::text("kind", "Kind"),
-        Column::number("error", "Required error", ""),
-        Column::text("method", "Method"),
-        Column::text("cases", "Cases"),
-        Column::number("mean_over_ours", "Ratio to our fastest, mean", ""),
-        Column::text("range_over_ours", "Smallest and largest"),
-        Column::text("rows", "Rows"),
-    ];
     let note = format!(
         "Printed by `cargo xtask bench --peers cycles` and `… smooth`. For each case and method, the fastest tolerance whose measured error is at most the required error. Ratios are to our fastest method on the same case at the same error; their mean is geometric. Rows are lines of `timings/{}`.",
         PEERS_FILE
     );
-    let mut table =
-        Table::new("peers-cycles", "Cycles and smooth regimes at equal error: ours and others", columns)
-            .with_note(&note);
-    for reached in cycle_groups(&timings.peers) {
-        table.push(cycle_row(&reached));
-    }
-    table
+    let groups = cycle_groups(&timings.peers);
+    Table::of("peers-cycles", "Cycles and smooth regimes at equal error: ours and others", &groups)
+        .note(&note)
+        .text("kind", "Kind", |reached| reached.kind)
+        .digits("error", "Required error", "", 1, |reached| reached.error)
+        .text("method", "Method", |reached| reached.method)
+        .text("cases", "Cases", |reached| format!("{} of {}", reached.rows.len(), reached.cases))
+        .digits("mean_over_ours", "Ratio to our fastest, mean", "", DIGITS, Reached::mean_over_ours)
+        .text("range_over_ours", "Smallest and largest", range_text)
+        .text("rows", "Rows", |reached| lines(reached.rows.iter().map(|row| &row.line)))
+        .table()
 }
 
-fn cycle_row(reached: &Reached<'_>) -> Vec<Cell> {
+fn range_text(reached: &Reached<'_>) -> String {
     let range = reached.range_over_ours();
-    let range = range.map(|(least, most)| format!("{} to {}", round_digits(least, 2), round_digits(most, 2)));
-    vec![
-        Cell::text(reached.kind),
-        Cell::number(round_digits(reached.error, 1)),
-        Cell::text(reached.method),
-        Cell::text(format!("{} of {}", reached.rows.len(), reached.cases)),
-        optional(reached.mean_over_ours()),
-        Cell::text(range.unwrap_or_default()),
-        lines(reached.rows.iter().map(|row| row.line)),
-    ]
+    let words = |(least, most)| format!("{} to {}", round_digits(least, 2), round_digits(most, 2));
+    range.map(words).unwrap_or_default()
 }
 
 fn laws(timings: &Timings) -> Table {
-    let columns = vec![
-        Column::text("what", "Varied quantity"),
-        Column::text("law", "CPU time, s, by its size n"),
-        Column::number("residual", "Largest residual, factor", ""),
-        Column::number("top_size", "Largest size measured", ""),
-        Column::number("top_cpu_s", "CPU time there", "s"),
-        Column::number("top_predicted_cpu_s", "Predicted by the law without it", "s"),
-        Column::number("peak_memory_mib", "Peak memory there", "MiB"),
-        Column::number("asked_size", "Predicted size", ""),
-        Column::number("asked_cpu_s", "Predicted CPU time", "s"),
-        Column::text("rows", "Rows"),
-        Column::text("command", "Command of the largest"),
-    ];
     let note = format!(
         "Printed by `cargo xtask cost`; rows are lines of `timings/{}`, which has every command. Times are for one thread unless the number of threads varies. Laws are least-squares fits to the rows.",
         COST_FILE
     );
-    let mut table = Table::new("cost-laws", "Growth of CPU time and memory", columns).with_note(&note);
-    for series in cost_series(&timings.cost) {
-        table.rows.extend(series.rows.last().map(|top| law_row(top, &series)));
-    }
-    table
-}
-
-fn law_row(top: &CostRow, series: &CostSeries<'_>) -> Vec<Cell> {
-    let at = |law: &Option<Law>, size: f64| law.as_ref().map(|law| law.at(size));
-    let residual = series.law.as_ref().map(|law| law.worst_residual(&series.points()));
-    vec![
-        Cell::text(&top.series),
-        Cell::text(series.law.as_ref().map(law_text).unwrap_or_default()),
-        optional(residual),
-        number(top.size),
-        number(top.cpu_s),
-        optional(at(&series.law_below_top, top.size)),
-        number(top.peak_memory_kib / 1024.0),
-        optional(top.requested),
-        optional(top.requested.and_then(|size| at(&series.law, size))),
-        lines(series.rows.iter().map(|row| row.line)),
-        Cell::text(&top.command),
-    ]
+    let at = |law: &Option<Law>, size: Option<f64>| Some(law.as_ref()?.at(size?));
+    let residual =
+        |series: &CostSeries<'_>| series.law.as_ref().map(|law| law.worst_residual(&series.points()));
+    let all = cost_series(&timings.cost);
+    let tops = all.iter().filter_map(|series| Some((*series.rows.last()?, series)));
+    Table::of("cost-laws", "Growth of CPU time and memory", tops)
+        .note(&note)
+        .text("what", "Varied quantity", |(top, _)| &top.series)
+        .text("law", "CPU time, s, by its size n", |(_, series)| {
+            series.law.as_ref().map(law_text).unwrap_or_default()
+        })
+        .digits("residual", "Largest residual, factor", "", DIGITS, |(_, series)| residual(series))
+        .digits("top_size", "Largest size measured", "", DIGITS, |(top, _)| top.size)
+        .digits("top_cpu_s", "CPU time there", "s", DIGITS, |(top, _)| top.cpu_s)
+        .digits("top_predicted_cpu_s", "Predicted by the law without it", "s", DIGITS, |(top, series)| {
+            at(&series.law_below_top, Some(top.size))
+        })
+        .digits("peak_memory_mib", "Peak memory there", "MiB", DIGITS, |(top, _)| {
+            top.peak_memory_kib / 1024.0
+        })
+        .digits("asked_size", "Predicted size", "", DIGITS, |(top, _)| top.requested)
+        .digits("asked_cpu_s", "Predicted CPU time", "s", DIGITS, |(top, series)| {
+            at(&series.law, top.requested)
+        })
+        .text("rows", "Rows", |(_, series)| lines(series.rows.iter().map(|row| &row.line)))
+        .text("command", "Command of the largest", |(top, _)| &top.command)
+        .table()
 }
 
 fn law_text(law: &Law) -> String {
@@ -239,11 +184,9 @@ fn law_text(law: &Law) -> String {
 }
 
 fn machine(timings: &Timings) -> Table {
-    let columns =
-        vec![Column::text("file", "File"), Column::text("key", "Item"), Column::text("value", "Value")];
-    let mut table = Table::new("timings-machine", "Machine and date of the measurements", columns);
-    for row in &timings.machine {
-        table.push(vec![Cell::text(&row.file), Cell::text(&row.key), Cell::text(&row.value)]);
-    }
-    table
+    Table::of("timings-machine", "Machine and date of the measurements", &timings.machine)
+        .text("file", "File", |row| &row.file)
+        .text("key", "Item", |row| &row.key)
+        .text("value", "Value", |row| &row.value)
+        .table()
 }

@@ -1,6 +1,4 @@
-//! Laws of cost by least squares, and what they say of sizes that were not measured.
-
-use super::CostRow;
+//! Laws of cost by least squares: a power of the size, or the sum of two powers.
 
 /// The form of a law.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -21,6 +19,15 @@ impl Form {
                 power.parse().ok().filter(|power: &f64| power.is_finite()).map(Self::Beside)
             }
             _ => None,
+        }
+    }
+
+    /// The words that [`Self::read`] reads.
+    #[must_use]
+    pub fn words(self) -> String {
+        match self {
+            Self::Power => "power".into(),
+            Self::Beside(exponent) => format!("beside {exponent}"),
         }
     }
 }
@@ -58,6 +65,17 @@ impl Law {
     pub fn worst_residual(&self, points: &[(f64, f64)]) -> f64 {
         points.iter().map(|(x, y)| libm::exp(libm::log(y / self.at(*x)).abs())).fold(1.0, f64::max)
     }
+
+    /// The law as text.
+    #[must_use]
+    pub fn text(&self) -> String {
+        let term = |(factor, exponent): &(f64, f64)| match exponent {
+            0.0 => format!("{factor:.3e} s"),
+            1.0 => format!("{factor:.3e} s · size"),
+            _ => format!("{factor:.3e} s · size^{exponent:.3}"),
+        };
+        self.terms.iter().map(term).collect::<Vec<_>>().join(" + ")
+    }
 }
 
 fn power(points: &[(f64, f64)]) -> (f64, f64) {
@@ -81,40 +99,6 @@ fn beside(points: &[(f64, f64)], exponent: f64) -> Vec<(f64, f64)> {
     vec![((a * bb - b * ab) / determinant, exponent), ((b * aa - a * ab) / determinant, 1.0)]
 }
 
-/// The rows of one series, from small to large, and the laws fitted to them.
-#[derive(Debug, Clone, PartialEq)]
-pub struct CostSeries<'r> {
-    /// Its rows.
-    pub rows: Vec<&'r CostRow>,
-    /// The law of all rows; none without a form.
-    pub law: Option<Law>,
-    /// The law of all rows but the last: what it says of the last is a test of it.
-    pub law_below_top: Option<Law>,
-}
-
-impl CostSeries<'_> {
-    /// (size, CPU seconds) of each row.
-    #[must_use]
-    pub fn points(&self) -> Vec<(f64, f64)> {
-        self.rows.iter().map(|row| (row.size, row.cpu_s)).collect()
-    }
-}
-
-/// The series of a file, in its order.
-#[must_use]
-pub fn cost_series(rows: &[CostRow]) -> Vec<CostSeries<'_>> {
-    let parts = rows.chunk_by(|one, next| one.series == next.series);
-    parts
-        .map(|rows| {
-            let points: Vec<(f64, f64)> = rows.iter().map(|row| (row.size, row.cpu_s)).collect();
-            let form = rows.first().and_then(|row| row.form);
-            let fit = |points: &[(f64, f64)]| form.and_then(|form| Law::fit(form, points));
-            let below = points.split_last().and_then(|(_, below)| fit(below));
-            CostSeries { rows: rows.iter().collect(), law: fit(&points), law_below_top: below }
-        })
-        .collect()
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -134,6 +118,7 @@ mod tests {
         let exact = [1.0, 100.0, 1e4].map(|x: f64| (x, 5.0 * x.sqrt() + 0.25 * x));
         let law = Law::fit(Form::Beside(0.5), &exact).unwrap();
         assert!((law.terms[0].0 - 5.0).abs() < 1e-9 && (law.at(1e6) - 255_000.0).abs() < 1e-3);
+        assert_eq!(law.text(), "5.000e0 s · size^0.500 + 2.500e-1 s · size");
         for points in [&[][..], &[(1.0, 1.0)], &[(2.0, 1.0), (2.0, 3.0)], &[(1.0, 0.0), (2.0, 1.0)]] {
             assert_eq!(Law::fit(Form::Power, points), None);
             assert_eq!(Law::fit(Form::Beside(0.0), points), None);
@@ -144,6 +129,9 @@ mod tests {
     fn words_name_a_form() {
         assert_eq!(Form::read("power"), Some(Form::Power));
         assert_eq!(Form::read("beside 0.5"), Some(Form::Beside(0.5)));
+        for form in [Form::Power, Form::Beside(0.5)] {
+            assert_eq!(Form::read(&form.words()), Some(form));
+        }
         assert!(["", "beside", "beside x", "cubic 3"].iter().all(|words| Form::read(words).is_none()));
     }
 }
