@@ -2,7 +2,7 @@
 
 use crate::comparison::recording::{LEAST_SAMPLES, Recording};
 use crate::scene::{AllowedRange, CsvProblem, Fault, Faults, Problem};
-use slipmode_core::number::{Rational, nearest_f64, parse_decimal, parse_short_decimal};
+use slipmode_core::number::{Dd, Rational, nearest_f64, parse_decimal, parse_decimal_to_dd};
 
 use crate::csv::header::{Header, Wanted};
 use crate::csv::row_work::Cells;
@@ -117,8 +117,10 @@ fn number(cell: &[u8], must_be_positive: bool) -> Result<f64, Problem> {
         return Err(problem);
     }
     let text = std::str::from_utf8(cell).unwrap_or_default();
-    if let Some(short) = parse_short_decimal(text) {
-        return Ok(short.hi());
+    if let Some(value) = parse_decimal_to_dd(text)
+        && value.rounds_surely(Dd::UNIT * value.hi())
+    {
+        return Ok(value.hi());
     }
     if must_be_positive {
         return AllowedRange::PHYSICAL.parse(text).map(|value| nearest_f64(&value));

@@ -2,7 +2,7 @@
 
 use crate::scene::{AllowedRange, CsvProblem, Fault, Faults, Problem};
 use slipmode_core::friction::Parameters;
-use slipmode_core::number::{Dd, Rational, parse_short_decimal};
+use slipmode_core::number::{Dd, Rational, parse_decimal_to_dd};
 
 use crate::csv::header::Header;
 use crate::csv::rows::Row;
@@ -32,6 +32,11 @@ pub trait RowWork: Sync {
     /// All faults of the row.
     fn read(&self, cells: Cells<'_>) -> Result<Self::Input, Faults>;
 
+    /// Reads several rows; a result for each, in their order. What is faster for many rows at once is done here.
+    fn read_rows(&self, cells: &[Cells<'_>]) -> Vec<Result<Self::Input, Faults>> {
+        cells.iter().map(|cells| self.read(*cells)).collect()
+    }
+
     /// Does the work and appends one cell for each of [`Self::APPENDED`], each behind a comma.
     fn append(&self, input: &Self::Input, out: &mut Vec<u8>) -> Remark<Self::Kept>;
 }
@@ -59,11 +64,11 @@ pub struct Cells<'r, P = [usize; 7]> {
 }
 
 impl<'r> Cells<'r> {
-    /// The seven numbers when all are short and positive, as nearly all are.
-    pub fn short_parameters(self) -> Option<Parameters<Dd>> {
+    /// The seven numbers to within a relative [`Dd::UNIT`], when all are positive and of ordinary size, as nearly all are.
+    pub fn dd_parameters(self) -> Option<Parameters<Dd>> {
         let mut values = [Dd::from(0.0); 7];
         for (value, position) in values.iter_mut().zip(self.header.positions) {
-            *value = parse_short_decimal(self.text(position))?;
+            *value = parse_decimal_to_dd(self.text(position))?;
         }
         Some(Parameters::from(values))
     }

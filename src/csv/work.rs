@@ -1,11 +1,14 @@
 //! What is done with a block of rows: check the text, let the command read and work, keep what was read, append what was found.
 
-use crate::scene::{CsvProblem, Fault, Faults, Problem, forbidden_character};
+use crate::scene::{CsvProblem, Fault, Faults, Problem, is_forbidden};
 
 use crate::csv::cells::push_cell;
 use crate::csv::header::{ERROR_COLUMN, Header};
 use crate::csv::row_work::{Cells, RowWork};
 use crate::csv::rows::{Block, LONGEST_CELL, Row};
+
+/// Rows that a command reads together: enough to fill vector units, few enough to stay in the cache.
+const ROWS_TOGETHER: usize = 256;
 
 /// What stays the same from row to row.
 #[derive(Debug)]
@@ -64,28 +67,40 @@ impl<W: RowWork> Work<W> {
     pub fn block(&self, block: &Block, only_read: bool) -> Worked<W::Kept> {
         let (text, faults, kept) = (Vec::new(), Faults::new(), Vec::new());
         let mut worked = Worked { text, faults, kept, counts: Counts::default() };
-        for row in block.rows() {
+        let rows: Vec<Row<'_>> = block.rows().collect();
+        for rows in rows.chunks(ROWS_TOGETHER) {
+            self.rows(rows, only_read, &mut worked);
+        }
+        worked
+    }
+
+    /// Reads rows together, and appends them one after the other.
+    fn rows(&self, rows: &[Row<'_>], only_read: bool, worked: &mut Worked<W::Kept>) {
+        let checked: Vec<Result<Cells<'_>, Faults>> = rows.iter().map(|row| self.checked(*row)).collect();
+        let sound: Vec<Cells<'_>> = checked.iter().flatten().copied().collect();
+        let mut inputs = self.command.read_rows(&sound).into_iter();
+        for (row, cells) in rows.iter().zip(checked) {
             worked.counts.rows += 1;
-            match self.read(row) {
-                Ok(_) if only_read => {}
-                Ok(input) => self.append(row, &input, &mut worked),
+            match cells.map(|_| inputs.next()).and_then(Option::transpose) {
+                Ok(Some(input)) if !only_read => self.append(*row, &input, worked),
+                Ok(_) => {}
                 Err(faults) => {
                     if self.keep_going {
-                        self.append_faults(row, &faults, &mut worked.text);
+                        self.append_faults(*row, &faults, &mut worked.text);
                     }
                     worked.counts.faulty += 1;
                     worked.faults.extend(faults);
                 }
             }
         }
-        worked
     }
 
-    fn read(&self, row: Row<'_>) -> Result<W::Input, Faults> {
+    /// The cells of a row whose number and text are sound.
+    fn checked<'r>(&'r self, row: Row<'r>) -> Result<Cells<'r>, Faults> {
         let cells = Cells { file: &self.file, header: &self.header, row };
         cells.check_count()?;
         check_text(cells)?;
-        self.command.read(cells)
+        Ok(cells)
     }
 
     fn append(&self, row: Row<'_>, input: &W::Input, worked: &mut Worked<W::Kept>) {
@@ -163,7 +178,10 @@ pub fn cell_problem(cell: &[u8]) -> Option<Problem> {
     }
     match std::str::from_utf8(cell) {
         Err(error) => Some(Problem::NotUtf8(error.valid_up_to() + 1)),
-        Ok(text) => forbidden_character(text),
+        Ok(text) => text
+            .chars()
+            .find(|character| is_forbidden(*character))
+            .map(|character| Problem::ForbiddenCharacter(u32::from(character))),
     }
 }
 

@@ -16,6 +16,7 @@ mod classify;
 mod compare;
 mod compare_bad;
 mod csv_promises;
+mod decimal_layouts;
 mod digit_for_digit;
 mod estimated_errors;
 mod explore;

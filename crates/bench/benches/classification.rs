@@ -7,7 +7,7 @@ use std::time::Instant;
 
 use slipmode_core::friction::{Parameters, Slider};
 use slipmode_core::number::{Rational, nearest_f64, parse_decimal};
-use slipmode_core::stability::batch::{GridCell, GridKernel, PrecisionCounts, SignPair, classify_points};
+use slipmode_core::stability::batch::{GridCell, GridKernel, PrecisionCounts, SignPair, signs_of_points};
 use slipmode_core::stability::{InertialThreshold, SlipMode, classify};
 
 const SIDE: usize = 4096;
@@ -107,7 +107,7 @@ fn points_case() {
     let mut counts = PrecisionCounts::default();
     let times = (0..REPETITIONS)
         .map(|_| {
-            let (seconds, found) = timed(|| classify_points(&points).unwrap());
+            let (seconds, found) = timed(|| signs_of_points(&points).unwrap());
             counts = found.1;
             seconds
         })

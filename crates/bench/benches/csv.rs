@@ -14,7 +14,7 @@ use csv_core::{ReadRecordResult, Reader};
 use slipmode::scene::Quantity;
 use slipmode_bench::process::build_dist;
 use slipmode_core::friction::Parameters;
-use slipmode_core::number::{Dd, parse_short_decimal};
+use slipmode_core::number::{Dd, parse_decimal_to_dd};
 use slipmode_core::stability::{Classification, InertialThreshold, classify_quickly};
 
 const ROWS: usize = 1_000_000;
@@ -77,7 +77,7 @@ fn parse(cells: &[u8], rows: &[[usize; 7]]) -> Vec<Parameters<Dd>> {
         Parameters::from(ends.map(|end| {
             let text = std::str::from_utf8(&cells[start..end]).unwrap();
             start = end;
-            parse_short_decimal(text).unwrap()
+            parse_decimal_to_dd(text).unwrap()
         }))
     };
     rows.iter().map(row).collect()

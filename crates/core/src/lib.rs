@@ -24,7 +24,9 @@
 //! | question | item |
 //! |---|---|
 //! | Is steady sliding stable, does it oscillate, how fast does a disturbance grow? | [`classify`] |
-//! | What are the three exponents s of a small disturbance? | [`certified_roots`] of [`Parameters::characteristic_cubic_per_s`] |
+//! | What are the three exponents s of a small disturbance, in 64-bit numbers? | [`three_roots`], [`stability::batch::three_roots_of_points`] |
+//! | The same to any number of digits? | [`certified_roots`] of [`Parameters::characteristic_cubic_per_s`] |
+//! | The classes of many points? | [`stability::batch`] |
 //! | Where does oscillation begin in the (V_0, σ) plane? | [`BoundaryCurve`], [`Asymptote`] |
 //! | What does the slider do when it is far from steady sliding? | [`simulate`] |
 //!
@@ -56,5 +58,6 @@ pub use friction::{EvolutionLaw, Groups, OperatingPoint, Parameters, Slider, Sli
 pub use number::{Ball, DecimalError, Rational, parse_decimal};
 pub use roots::{CertifiedRoot, CertifiedRoots, PrecisionLevel, certified_roots};
 pub use stability::{
-    Arc, Asymptote, BoundaryCurve, BoundaryPoint, Classification, InertialThreshold, SpectralClass, classify,
+    Arc, Asymptote, BoundaryCurve, BoundaryPoint, Classification, InertialThreshold, RootsError,
+    SpectralClass, ThreeRoots, classify, three_roots,
 };

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use slipmode_core::friction::{Parameters, Slider};
 use slipmode_core::number::{Dd, Rational};
-use slipmode_core::stability::batch::{GridCell, GridKernel, PrecisionCounts, SignPair, classify_points};
+use slipmode_core::stability::batch::{GridCell, GridKernel, PrecisionCounts, SignPair, signs_of_points};
 use slipmode_core::stability::{InertialThreshold, SlipMode, classify, classify_quickly};
 
 use super::columns::Columns;
@@ -69,7 +69,7 @@ pub fn play(family: &str, folder: &Path) {
         return;
     }
     let inputs = columns.inputs();
-    let (seconds, (signs, _)) = best_of(REPETITIONS, || classify_points(&inputs).unwrap());
+    let (seconds, (signs, _)) = best_of(REPETITIONS, || signs_of_points(&inputs).unwrap());
     let wrong =
         signs.iter().enumerate().filter(|(i, pair)| signs_differ(**pair, columns.answers(*i))).count();
     let row = Row { work: format!("classes-{family}"), items: columns.len(), ..Row::default() };

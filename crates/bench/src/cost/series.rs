@@ -28,7 +28,7 @@ pub struct SizedCommand {
 }
 
 const SLIDER: &str = "-a 0.004 -b 0.006 -d 1e-5 -k 1e7 -m 1000";
-const HEADER: &str = "direct_effect,evolution_effect,critical_slip_distance_m,stiffness_pa_per_m,\
+pub(super) const HEADER: &str = "direct_effect,evolution_effect,critical_slip_distance_m,stiffness_pa_per_m,\
     mass_per_area_kg_per_m2,normal_stress_pa,loading_velocity_m_per_s";
 
 /// Every series; the files that the commands read are written into the folder.

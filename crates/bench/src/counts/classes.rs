@@ -8,7 +8,7 @@ use super::sets::Sliders;
 use crate::methods::{TEXTBOOK, Textbook, signs_of};
 use crate::paper::exactly;
 use slipmode_core::friction::Parameters;
-use slipmode_core::stability::batch::{PrecisionCounts, SignPair, classify_points};
+use slipmode_core::stability::batch::{PrecisionCounts, SignPair, signs_of_points};
 use slipmode_core::stability::{boundary_sign, transition_sign};
 
 /// One precision level or textbook method on random points.
@@ -43,7 +43,7 @@ fn classify(rows: &[Parameters<f64>]) -> (Vec<SignPair>, PrecisionCounts) {
     let columns: [Vec<f64>; 7] =
         std::array::from_fn(|input| rows.iter().map(|row| <[f64; 7]>::from(row.clone())[input]).collect());
     // No point is decided when a value is not finite.
-    classify_points(&Parameters::from(columns.each_ref().map(Vec::as_slice))).unwrap_or_default()
+    signs_of_points(&Parameters::from(columns.each_ref().map(Vec::as_slice))).unwrap_or_default()
 }
 
 fn exact_signs(row: &Parameters<f64>) -> SignPair {

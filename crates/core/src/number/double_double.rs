@@ -53,6 +53,12 @@ impl Dd {
         Self { hi, lo }
     }
 
+    /// The number of which these are the leading and the trailing part.
+    #[inline(always)]
+    pub(crate) const fn from_parts(hi: f64, lo: f64) -> Self {
+        Self { hi, lo }
+    }
+
     /// The exact product of two f64, unless it over- or underflows.
     #[must_use]
     #[inline(always)]
@@ -103,6 +109,21 @@ impl Dd {
     #[inline(always)]
     pub const fn is_finite(&self) -> bool {
         self.hi.is_finite() && self.lo.is_finite()
+    }
+
+    /// One of two numbers, without a branch.
+    #[inline(always)]
+    pub(crate) fn select(condition: bool, yes: Self, no: Self) -> Self {
+        let (hi, lo) = if condition { (yes.hi, yes.lo) } else { (no.hi, no.lo) };
+        Self { hi, lo }
+    }
+
+    /// Whether every number within `error` of this one rounds to its leading part; the error is at least [`Dd::UNIT`] of it.
+    #[must_use]
+    #[inline(always)]
+    pub fn rounds_surely(self, error: f64) -> bool {
+        // Twice the error covers the rounding of both sums, which is below 2^-106 of the number.
+        (self.hi + (self.lo + 2.0 * error) == self.hi) & (self.hi + (self.lo - 2.0 * error) == self.hi)
     }
 
     #[inline(always)]
@@ -184,6 +205,7 @@ impl Real for Dd {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::number::nearest_f64;
     use proptest::prelude::*;
 
     fn exactly(value: Dd) -> Rational {
@@ -229,6 +251,21 @@ mod tests {
             let square = exactly(x.sqrt()).square();
             let bound = Rational::from_f64(2.0 * Dd::UNIT).unwrap() * exactly(x);
             prop_assert!((square - exactly(x)).abs() <= bound);
+        }
+
+        #[test]
+        fn what_rounds_surely_rounds_alike_at_both_ends(x in any_double_double(), depth in 40i32..103) {
+            let error = x.hi.abs() * libm::exp2(f64::from(-depth));
+            let away = Rational::from_f64(error).unwrap();
+            let ends = [exactly(x) - &away, exactly(x) + &away];
+            if x.rounds_surely(error) {
+                prop_assert!(ends.iter().all(|end| nearest_f64(end) == x.hi));
+            } else {
+                // Wider by four errors and the rounding of the sums, it does not: the test refuses nothing else.
+                let wide = away * 4u32 + exactly(x).abs() * Rational::from_f64(libm::exp2(-105.0)).unwrap();
+                let ends = [exactly(x) - &wide, exactly(x) + &wide];
+                prop_assert!(ends.iter().any(|end| nearest_f64(end) != x.hi));
+            }
         }
 
         #[test]

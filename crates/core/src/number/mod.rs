@@ -10,6 +10,7 @@
 
 mod ball;
 mod ball_arithmetic;
+mod dd_decimal;
 mod decimal;
 mod double_double;
 mod field;
@@ -17,14 +18,13 @@ mod field;
 pub mod format;
 mod magnitude;
 mod operators;
-mod short_decimal;
 mod wide;
 
 pub use ball::{Ball, bits_for_digits};
+#[doc(hidden)]
+pub use dd_decimal::parse_decimal_to_dd;
 pub use decimal::{DecimalError, MAX_DIGITS, MAX_EXPONENT, nearest_f64, parse_decimal};
 pub use double_double::Dd;
 pub use field::{Field, Real};
 pub use rug::Rational;
-#[doc(hidden)]
-pub use short_decimal::parse_short_decimal;
 pub use wide::Wide;

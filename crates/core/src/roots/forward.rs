@@ -6,6 +6,8 @@
 //!
 //! Bounds are evaluated in 64-bit; their own rounding (some dozens of operations, 1e-14) is covered by [`SLACK`].
 
+mod branchless;
+
 use super::discriminant::{discriminant, discriminant_of_magnitudes};
 use super::kahan::kahan_root;
 use crate::number::{Dd, Real};
@@ -75,6 +77,8 @@ pub struct Spectrum<R> {
     pub pair: Pair<R>,
 }
 
+pub use branchless::BranchlessRoots;
+
 /// A cubic whose coefficients are known to `relative_error` of the given magnitudes (which are ≥ |coefficient|).
 #[derive(Debug, Clone, Copy)]
 pub struct BoundedCubic<R> {
@@ -116,17 +120,20 @@ impl<R: Working> BoundedCubic<R> {
         Bounded { value, error: self.real_root_error(value, self.slope(value)) }
     }
 
+    #[inline(always)]
     fn value(&self, x: R) -> R {
         let [c0, c1, c2, c3] = self.coefficients;
         ((c3 * x + c2) * x + c1) * x + c0
     }
 
+    #[inline(always)]
     fn slope(&self, x: R) -> R {
         let [_, c1, c2, c3] = self.coefficients;
         (c3 * x * R::from(3) + c2 * R::from(2)) * x + c1
     }
 
     /// Bounds of the errors of F(x) and F'(x), and of |F''| within `reach` of x, by the sums of the terms' magnitudes.
+    #[inline(always)]
     fn evaluation_errors(&self, x: f64, reach: f64) -> [f64; 3] {
         let [m0, m1, m2, m3] = self.magnitudes;
         let x = x.abs();
@@ -228,6 +235,7 @@ impl<R: Working> BoundedCubic<R> {
     }
 
     /// u and w of F(x) = (x − t)(c3x² + ux + w): w = −c0/t; u = c2 + c3t or (w − c1)/t, whichever is better.
+    #[inline(always)]
     fn deflate(&self, t: R, t_relative: f64) -> (Bounded<R>, Bounded<R>) {
         let [c0, c1, c2, c3] = self.coefficients;
         let [m0, m1, m2, m3] = self.magnitudes;

@@ -27,5 +27,5 @@ pub use certified::{CertifiedRoot, CertifiedRoots, certified_roots};
 pub(crate) use depressed::Depressed;
 pub use discriminant::discriminant;
 #[doc(hidden)]
-pub use forward::{Bounded, BoundedCubic, Pair, Spectrum, Working, bounded_roots};
+pub use forward::{Bounded, BoundedCubic, BranchlessRoots, Pair, Spectrum, Working, bounded_roots};
 pub use precision_level::PrecisionLevel;

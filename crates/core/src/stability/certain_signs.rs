@@ -25,6 +25,26 @@ pub(super) struct BoundedGroups<R> {
     relative_error: f64,
 }
 
+/// How well the inputs are known.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum InputError {
+    /// Exactly.
+    None,
+    /// To a relative [`Dd::UNIT`].
+    Unit,
+}
+
+impl InputError {
+    /// The relative error of the groups. η takes four products (5·2^-106 each) and a quotient (15·2^-106) of six inputs, which is
+    /// below 3 [`Dd::UNIT`] = 48·2^-106; the inputs' own errors come on top.
+    const fn of_groups(self) -> f64 {
+        match self {
+            Self::None => 3.0 * Dd::UNIT,
+            Self::Unit => 12.0 * Dd::UNIT,
+        }
+    }
+}
+
 /// The two signs and the precision level that gave the less easy one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Signs {
@@ -42,9 +62,16 @@ impl BoundedGroups<Dd> {
 
     /// The groups of parameters that are each known to [`Dd::UNIT`]: η takes five operations on six of them.
     pub(super) fn of_parameters(parameters: &Parameters<Dd>) -> Option<Self> {
+        let (groups, usable) = Self::with_range(parameters, InputError::Unit);
+        usable.then_some(groups)
+    }
+
+    /// The groups, and whether they and the parameters lie in the range where the error bounds hold. Without branches.
+    #[inline(always)]
+    pub(super) fn with_range(parameters: &Parameters<Dd>, input_error: InputError) -> (Self, bool) {
         let groups = parameters.groups();
-        let usable = inputs_in_range(&parameters.map(Dd::hi)) && groups_in_range(&groups.map(Dd::hi));
-        usable.then_some(Self { groups, relative_error: 12.0 * Dd::UNIT })
+        let usable = inputs_in_range(&parameters.map(Dd::hi)) & groups_in_range(&groups.map(Dd::hi));
+        (Self { groups, relative_error: input_error.of_groups() }, usable)
     }
 
     /// Both signs when 64-bit, or else double-double, is certain of both.
@@ -53,19 +80,21 @@ impl BoundedGroups<Dd> {
     }
 
     /// The groups themselves.
+    #[inline(always)]
     pub(super) fn groups(&self) -> &Groups<Dd> {
         &self.groups
     }
 
     /// The leading parts.
-    fn leading(&self) -> BoundedGroups<f64> {
+    #[inline(always)]
+    pub(super) fn leading(&self) -> BoundedGroups<f64> {
         BoundedGroups { groups: self.groups.map(Dd::hi), relative_error: 2.0 * f64::UNIT }
     }
 }
 
 impl<R: Working> BoundedGroups<R> {
     /// Eq 8 with its coefficients' errors: at most two operations on groups, so three relative errors of the terms.
-    #[inline]
+    #[inline(always)]
     pub(super) fn cubic(&self) -> BoundedCubic<R> {
         let Groups { inertial_parameter: eta, stiffness_group: kappa, effect_ratio: beta } =
             self.groups.map(|group| group.leading());
@@ -77,7 +106,7 @@ impl<R: Working> BoundedGroups<R> {
     }
 
     /// κ − κ_c with its bound: a product of two sums, added to the third group.
-    #[inline]
+    #[inline(always)]
     fn transition_margin(&self) -> Bounded<R> {
         let Groups { inertial_parameter: eta, stiffness_group: kappa, effect_ratio: beta } =
             self.groups.map(|group| group.leading());
@@ -125,10 +154,18 @@ pub(super) fn signs_above_f64(exact: &Groups<Rational>, approximate: Option<&Bou
 pub(super) fn filter(point: &Parameters<f64>) -> (bool, bool, bool) {
     let groups = point.groups();
     let usable = inputs_in_range(point) & groups_in_range(&groups);
-    let bounded = BoundedGroups { groups, relative_error: 6.0 * f64::UNIT };
-    let (transition, boundary) = (bounded.transition_margin(), bounded.cubic().discriminant());
-    let certain = (transition.value.abs() > transition.error) & (boundary.value.abs() > boundary.error);
-    (usable & certain, transition.value > 0.0, boundary.value > 0.0)
+    let (certain, stable, real) = BoundedGroups { groups, relative_error: 6.0 * f64::UNIT }.filter();
+    (usable & certain, stable, real)
+}
+
+impl BoundedGroups<f64> {
+    /// The same for groups in the range: (both signs certain?, stable, all roots real).
+    #[inline(always)]
+    pub(super) fn filter(&self) -> (bool, bool, bool) {
+        let (transition, boundary) = (self.transition_margin(), self.cubic().discriminant());
+        let certain = (transition.value.abs() > transition.error) & (boundary.value.abs() > boundary.error);
+        (certain, transition.value > 0.0, boundary.value > 0.0)
+    }
 }
 
 /// Whether every input lies within 2^±200, so that products and quotients of five of them stay normal numbers.

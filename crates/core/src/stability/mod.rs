@@ -37,10 +37,12 @@ mod parameter_coefficients;
 mod parameter_equation;
 mod parameter_quick;
 mod parameter_section;
+mod point_values;
 mod quick;
 mod slip_mode;
 mod spectral_class;
 mod spectrum;
+mod three_roots;
 #[doc(hidden)]
 pub mod tolerance;
 
@@ -56,3 +58,4 @@ pub use quick::classify_quickly;
 pub use slip_mode::{InertialThreshold, slip_mode};
 pub use spectral_class::SpectralClass;
 pub use spectrum::{Classification, classify};
+pub use three_roots::{ExactInput, ROOT_ERROR, RootsError, ThreeRoots, three_roots};

@@ -109,7 +109,12 @@ pub(super) fn clearly_inertial(
     natural_squared: f64,
     threshold: &InertialThreshold,
 ) -> Option<bool> {
-    let ratio = omega * omega / (natural_squared * nearest_f64(threshold.squared_ratio()));
+    clearly_inertial_beyond(omega, natural_squared, nearest_f64(threshold.squared_ratio()))
+}
+
+/// [`clearly_inertial`] for a threshold that was rounded before.
+pub(super) fn clearly_inertial_beyond(omega: f64, natural_squared: f64, squared_ratio: f64) -> Option<bool> {
+    let ratio = omega * omega / (natural_squared * squared_ratio);
     ((ratio - 1.0).abs() > 1e-12).then_some(ratio > 1.0)
 }
 

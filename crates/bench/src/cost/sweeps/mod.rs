@@ -4,6 +4,8 @@
 //! A count (steps, evaluations, a share of rows) is preferred: it is the same on every machine. Where only a time tells, it is CPU
 //! time of one thread, best of several rounds in which all points of the sweep take turns.
 
+mod decimals;
+
 use std::fmt::Write as _;
 use std::ops::RangeInclusive;
 
@@ -46,7 +48,7 @@ impl Sweep {
 /// A family of sweeps: its name, and how it is measured.
 type Family = (&'static str, fn() -> Result<Vec<Sweep>, String>);
 
-const FAMILIES: [Family; 0] = [];
+const FAMILIES: [Family; 1] = [("layouts of decimals", decimals::sweeps)];
 
 /// Measures every sweep, writes `sweeps.csv` and `sweeps.md` and prints the Markdown.
 ///

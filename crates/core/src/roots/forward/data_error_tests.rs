@@ -5,7 +5,7 @@
 
 use proptest::prelude::*;
 
-use super::{Bounded, BoundedCubic, Pair, Spectrum, Working};
+use super::{Bounded, BoundedCubic, BranchlessRoots, Pair, Spectrum, Working};
 use crate::number::Dd;
 
 /// So much larger than rounding that each part of a bound is due to it, so small that its square is not seen.
@@ -65,6 +65,24 @@ fn hold<R: Working>(found: &Spectrum<R>, roots: True) -> Option<bool> {
     Some(all)
 }
 
+/// The same roots as an enumeration.
+fn spectrum(found: BranchlessRoots) -> Spectrum<Dd> {
+    let BranchlessRoots { real, first, second, sign } = found;
+    let pair = if sign > 0.0 {
+        Pair::Real([first, second])
+    } else if sign < 0.0 {
+        Pair::Complex { re: first, im: second }
+    } else {
+        Pair::NotSeparated
+    };
+    Spectrum { real, pair }
+}
+
+/// By division and by the depressed cubic.
+fn branchless(cubic: &BoundedCubic<Dd>) -> [Spectrum<Dd>; 2] {
+    [cubic.roots_by_deflation(), cubic.roots_by_shift()].map(spectrum)
+}
+
 fn size() -> impl Strategy<Value = f64> {
     (1.0f64..10.0, -4i32..5, prop::bool::ANY).prop_map(
         |(digits, power, minus)| if minus { -digits } else { digits } * libm::exp10(f64::from(power)),
@@ -89,6 +107,9 @@ proptest! {
             let in_64_bits = hold(&disturbed::<f64>(cubic, signs).spectrum(), roots);
             let in_double_double = hold(&disturbed::<Dd>(cubic, signs).spectrum(), roots);
             prop_assert!(in_64_bits != Some(false) && in_double_double != Some(false), "signs {signs:04b}");
+            for found in branchless(&disturbed(cubic, signs)) {
+                prop_assert!(hold(&found, roots) != Some(false), "signs {signs:04b} {found:?}");
+            }
         }
     }
 }
@@ -99,6 +120,10 @@ fn roots_a_decade_apart_are_told_apart_in_spite_of_the_errors() {
         for signs in 0..16 {
             assert_eq!(hold(&disturbed::<f64>(roots.cubic(-2.0), signs).spectrum(), roots), Some(true));
             assert_eq!(hold(&disturbed::<Dd>(roots.cubic(2.0), signs).spectrum(), roots), Some(true));
+            for found in branchless(&disturbed(roots.cubic(2.0), signs)) {
+                assert_eq!(hold(&found, roots), Some(true));
+                assert!(found.real.error < 1e-5 * found.real.value.hi().abs(), "{found:?}");
+            }
         }
     }
 }

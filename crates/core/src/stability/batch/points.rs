@@ -12,11 +12,11 @@ use crate::stability::certain_signs::{self, BoundedGroups};
 /// Points handled at a time: their columns stay in the first-level cache.
 const BLOCK: usize = 1024;
 
-/// Classifies the points whose seven inputs (SI) stand in seven columns of equal length.
+/// Both signs of the points whose seven inputs (SI) stand in seven columns of equal length.
 ///
 /// `None` when the columns differ in length or hold a value that is not positive and finite.
 #[must_use]
-pub fn classify_points(columns: &Parameters<&[f64]>) -> Option<(Vec<SignPair>, PrecisionCounts)> {
+pub fn signs_of_points(columns: &Parameters<&[f64]>) -> Option<(Vec<SignPair>, PrecisionCounts)> {
     let count = joint_length(columns)?;
     let mut cells = vec![SignPair::UNDECIDED; count];
     let blocks = cells.chunks_mut(BLOCK).enumerate().collect();
@@ -111,7 +111,7 @@ mod tests {
             let column = |k: usize| exponents.iter().map(|e| libm::exp10(e[k])).collect::<Vec<f64>>();
             let columns: Vec<Vec<f64>> = (0..7).map(column).collect();
             let points = Parameters::from([&columns[0][..], &columns[1][..], &columns[2][..], &columns[3][..], &columns[4][..], &columns[5][..], &columns[6][..]]);
-            let (cells, counts) = classify_points(&points).unwrap();
+            let (cells, counts) = signs_of_points(&points).unwrap();
             prop_assert_eq!(counts.f64 + counts.double_double + counts.exact, cells.len() as u64);
             for (index, cell) in cells.iter().enumerate() {
                 let groups = points.map(|column| exact(column[index])).groups();
@@ -132,7 +132,7 @@ mod tests {
 
     #[test]
     fn columns_of_unequal_length_and_values_out_of_range_are_refused() {
-        let classify = |stress: &[f64]| classify_points(&all_one_but_stress(&[1.0], stress));
+        let classify = |stress: &[f64]| signs_of_points(&all_one_but_stress(&[1.0], stress));
         assert!(classify(&[1.0]).is_some());
         assert!(classify(&[1.0, 2.0]).is_none());
         for bad in [0.0, -1.0, f64::NAN, f64::INFINITY] {
