@@ -1,6 +1,6 @@
 //! The header of a points file: a contract on names and units.
 
-use crate::scene::{CsvProblem, Fault, Faults, Problem, Quantity, is_forbidden, nearest};
+use crate::scene::{CsvProblem, Fault, Faults, Problem, Quantity, forbidden_character, nearest};
 
 use crate::csv::row_work::RowWork;
 use crate::csv::rows::Row;
@@ -109,10 +109,7 @@ fn names(row: Row<'_>) -> Result<Vec<String>, Problem> {
     let text = |index| {
         let text = std::str::from_utf8(row.cell(index))
             .map_err(|error| Problem::NotUtf8(error.valid_up_to() + 1))?;
-        match text.chars().find(|character| is_forbidden(*character)) {
-            Some(character) => Err(Problem::ForbiddenCharacter(u32::from(character))),
-            None => Ok(text.to_string()),
-        }
+        forbidden_character(text).map_or_else(|| Ok(text.to_string()), Err)
     };
     (0..row.cell_count()).map(text).collect()
 }

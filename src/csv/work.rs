@@ -1,6 +1,6 @@
 //! What is done with a block of rows: check the text, let the command read and work, keep what was read, append what was found.
 
-use crate::scene::{CsvProblem, Fault, Faults, Problem, is_forbidden};
+use crate::scene::{CsvProblem, Fault, Faults, Problem, forbidden_character};
 
 use crate::csv::cells::push_cell;
 use crate::csv::header::{ERROR_COLUMN, Header};
@@ -178,10 +178,7 @@ pub fn cell_problem(cell: &[u8]) -> Option<Problem> {
     }
     match std::str::from_utf8(cell) {
         Err(error) => Some(Problem::NotUtf8(error.valid_up_to() + 1)),
-        Ok(text) => text
-            .chars()
-            .find(|character| is_forbidden(*character))
-            .map(|character| Problem::ForbiddenCharacter(u32::from(character))),
+        Ok(text) => forbidden_character(text),
     }
 }
 

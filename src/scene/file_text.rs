@@ -36,6 +36,12 @@ pub(crate) fn line_at(bytes: &[u8], offset: usize) -> usize {
     bytes[..offset.min(bytes.len())].iter().filter(|byte| **byte == b'\n').count() + 1
 }
 
+/// What is wrong with a text that holds a character that no input may hold.
+pub(crate) fn forbidden_character(text: &str) -> Option<Problem> {
+    let forbidden = text.chars().find(|character| is_forbidden(*character))?;
+    Some(Problem::ForbiddenCharacter(u32::from(forbidden)))
+}
+
 /// Characters that no input file may hold: they hide text or reorder what a reader sees.
 #[must_use]
 pub fn is_forbidden(character: char) -> bool {

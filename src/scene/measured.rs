@@ -68,7 +68,8 @@ impl Measured {
 /// The table with the rows of its CSV text.
 ///
 /// # Errors
-/// When the header has other columns, or a row another number of cells.
+/// When the header has other columns, a row has another number of cells, or a cell of a column of numbers is neither a number
+/// nor empty.
 pub fn with_rows(mut table: Table, file: &str, text: &str) -> Result<Table, Faults> {
     let fault = |line, key: &str, problem: CsvProblem| {
         vec![Fault { file: file.into(), line, key: key.into(), value: None, problem: problem.into() }]
@@ -92,10 +93,31 @@ pub fn with_rows(mut table: Table, file: &str, text: &str) -> Result<Table, Faul
     checked(header)?;
     for record in records {
         let record = checked(record)?;
-        let cells = record.iter().zip(&table.columns);
-        table.rows.push(cells.map(|(text, column)| Cell { text: text.into(), kind: column.kind }).collect());
+        let line = record.position().and_then(|position| usize::try_from(position.line()).ok());
+        let cells = record.iter().zip(&table.columns).map(|(text, column)| {
+            cell(text, column).map_err(|problem| {
+                vec![Fault {
+                    file: file.into(),
+                    line,
+                    key: column.name.clone(),
+                    value: Some(text.into()),
+                    problem,
+                }]
+            })
+        });
+        table.rows.push(cells.collect::<Result<_, Faults>>()?);
     }
     Ok(table)
+}
+
+/// The cell of a column: any text, or a number where the column holds numbers. It may be missing, and an error may be infinite.
+fn cell(text: &str, column: &Column) -> Result<Cell, Problem> {
+    // Errors of thousands of digits round to zero here, which only asks for the form.
+    let is_number = || text.parse().is_ok_and(|number: f64| !number.is_nan());
+    let is_sound = column.kind != Kind::Number || text.is_empty() || is_number();
+    is_sound
+        .then(|| Cell { text: text.into(), kind: column.kind })
+        .ok_or_else(|| Problem::OutOfRange { allowed: "a number, `inf`, or an empty cell".into() })
 }
 
 fn names(section: &mut Section<'_>, key: &'static str) -> Option<Vec<String>> {
@@ -117,14 +139,16 @@ fn table(entry: &Entry<'_>, earlier: &mut Vec<String>) -> Option<Table> {
     let title = section.text("title", "a text");
     let note = optional_words(&mut section, "note");
     let columns = section.required("columns", "a list of { name = …, header = … }");
-    let columns = columns.and_then(|entry| entry.list(column));
+    let mut names = Vec::new();
+    let columns = columns.and_then(|entry| entry.list(|member| column(member, &mut names)));
     section.finish();
     Some(Table::new(&id?, &title?, columns?).with_note(&note?))
 }
 
-fn column(entry: &Entry<'_>) -> Option<Column> {
+fn column(entry: &Entry<'_>, earlier: &mut Vec<String>) -> Option<Column> {
     let mut section = entry.section()?;
-    let [name, header] = ["name", "header"].map(|key| section.text(key, "a text"));
+    let name = section.required("name", NAME_RULE).and_then(|entry| distinct_name(&entry, earlier));
+    let header = section.text("header", "a text");
     let unit = optional_words(&mut section, "unit");
     let is_number = section.optionally("number", Entry::truth);
     section.finish();
@@ -226,6 +250,8 @@ mod tests {
             ("at = 2", "at = \"x\"", "verticals[1].at"),
             ("number = true", "number = 1", "columns[2].number"),
             ("note =", "notes =", "table[1].notes"),
+            ("name = \"time_s\"", "name = \"what\"", "table[1].columns[2].name"),
+            ("header = \"Time\"", "header = \"\\u202e\"", "table[1].columns[2].header"),
         ] {
             assert!(CONTENTS.contains(from));
             let faults = read(&CONTENTS.replace(from, to)).unwrap_err();
@@ -246,6 +272,8 @@ mod tests {
             ("what,time\na,1\n", "t.csv:1: time_s: missing column"),
             ("what,time_s,more\n", "t.csv:1: 3 cells"),
             ("what,time_s\na,1\nb\n", "t.csv:3: 1 cells"),
+            ("what,time_s\na,NaN\n", "t.csv:2: time_s = NaN"),
+            ("what,time_s\na,1\nb,<b>\n", "t.csv:3: time_s = "),
         ] {
             let faults = with_rows(table.clone(), "t.csv", text).unwrap_err();
             assert!(faults[0].to_string().contains(named), "{}", faults[0]);

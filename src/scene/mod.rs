@@ -26,6 +26,7 @@ pub use claim_list::{ClaimEntry, read_claims};
 pub use csv_problem::CsvProblem;
 pub use equations_file::read_equations;
 pub use fault::{Fault, Faults, Problem, visible};
+pub(crate) use file_text::forbidden_character;
 pub use file_text::{MAX_FILE_BYTES, file_text, is_forbidden};
 pub use measured::{Measured, MeasuredChart, with_rows};
 pub use name::{NameError, check_name, nearest, of_word, same_name};

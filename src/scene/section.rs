@@ -7,7 +7,9 @@ use toml::de::{DeString, DeTable, DeValue};
 
 use crate::scene::document::Source;
 use crate::scene::range::whole_range_text;
-use crate::scene::{AllowedRange, Limits, Problem, check_name, nearest, of_word, parse_whole};
+use crate::scene::{
+    AllowedRange, Limits, Problem, check_name, forbidden_character, nearest, of_word, parse_whole,
+};
 use slipmode_core::number::Rational;
 
 /// The most unknown keys that are reported of one table: each is compared with every known one.
@@ -205,7 +207,11 @@ impl<'t> Entry<'t> {
             DeValue::String(text) if text.trim().is_empty() => {
                 self.refuse(Problem::Empty { allowed: "a text".into() })
             }
-            DeValue::String(text) => Some(text.to_string()),
+            DeValue::String(text) => match forbidden_character(text) {
+                // TOML can write it as an escape, which the check of the file does not see.
+                Some(problem) => self.refuse(problem),
+                None => Some(text.to_string()),
+            },
             _ => self.wrong_type("a text in quotes"),
         }
     }

@@ -14,6 +14,7 @@
 //! | byte order mark, CRLF, UTF-16, NUL, U+202E, zero width | `bad_inputs::only_plain_text_is_read` |
 //! | names of outputs, equal names | `bad_inputs::names_that_could_leave_their_folder_are_refused`, `reports::doubled_scenes_are_refused_by_file_and_by_name` |
 //! | folders that are links, files, read-only or full | `outputs::links_and_devices_are_left_alone`, `outputs::a_folder_replaces_an_earlier_output_and_nothing_else`, `full_disk` |
+//! | measured tables and charts: names, axes, cells, links | `bad_inputs::measurements_that_cannot_be_shown_are_refused` |
 //! | markup in any text | `bad_inputs::markup_in_titles_and_prose_stays_text`, `report::hostile_tests` |
 //! | attributes, scripts, styles, `javascript:` | the same |
 //! | Markdown: raw HTML, schemes, heading attributes, remote images | the same, `report::markdown::tests` |
@@ -89,6 +90,49 @@ fn files_beyond_the_cap_are_refused_before_they_are_parsed() {
         format!("a = \"{}\"", "x".repeat(50_000_000)),
         &["s.toml: 50000006 bytes (allowed: at most 1048576)"],
     );
+}
+
+/// A report that shows measurements of `contents` with these rows.
+fn with_measurements(contents: &str, rows: &str) -> Workplace {
+    let place = report("R", "[[figure:c]]\n\n[[table:t]]\n");
+    place.write("r/report.toml", place.read("r/report.toml") + "[measured]\nfolder = \"m\"\n");
+    place.write("r/m/raw.csv", "x\n");
+    place.write("r/m/contents.toml", contents);
+    place.write("r/m/tables/t.csv", rows);
+    place
+}
+
+#[test]
+fn measurements_that_cannot_be_shown_are_refused() {
+    const CONTENTS: &str = "sources = [\"raw.csv\"]\n[[table]]\nid = \"t\"\ntitle = \"T\"\n\
+        columns = [{ name = \"a\", header = \"A\" }, { name = \"b\", header = \"B\", unit = \"s\", number = true }]\n\
+        [[chart]]\nid = \"c\"\nlabel = \"Figure 1\"\ntitle = \"C\"\ncaption = \"C\"\ndescription = \"C\"\ndata = [\"t\"]\n\
+        x = { title = \"n\", from = 1, to = 1000 }\ny = { title = \"t\", from = 1e-3, to = 1e2 }\n\
+        series = [{ label = \"s\", points = [[1, 2.5], [10, 50]] }]\n";
+    const ROWS: &str = "a,b\nx,1.5\ny,\n";
+    in_time(&with_measurements(CONTENTS, ROWS), ["report", "r", "-o", "out"]).expect_success();
+    for (from, to, part) in [
+        ("\"raw.csv\"", "\"../raw.csv\"", "contents.toml:1: sources[1]"),
+        ("id = \"t\"", "id = \"../t\"", "contents.toml:3: table[1].id"),
+        ("name = \"b\"", "name = \"a\"", "contents.toml:5: table[1].columns[2].name"),
+        ("header = \"B\"", "header = \"\\u202e\"", "character U+202E is not allowed"),
+        ("from = 1,", "from = 1e-400,", "contents.toml:13: chart[1].x.from"),
+        ("[10, 50]", "[10, 1e400]", "series[1].points[2][2]"),
+        ("data = [\"t\"]", "data = [\"other\"]", "there is no table `other`"),
+    ] {
+        assert!(CONTENTS.contains(from));
+        let place = with_measurements(&CONTENTS.replace(from, to), ROWS);
+        in_time(&place, ["report", "r", "-o", "out"]).expect_refusal(&[part]);
+        assert_eq!(place.names(), ["r"]);
+    }
+    for (rows, part) in [
+        ("a,b\nx,NaN\n", "t.csv:2: b = NaN: out of range (allowed: a number, `inf`, or an empty cell)"),
+        ("a,b\nx,<script>\n", "t.csv:2: b = "),
+        ("a,b\nx,1,2\n", "t.csv:2: 3 cells"),
+        ("b,a\n", "t.csv:1: a: missing column"),
+    ] {
+        in_time(&with_measurements(CONTENTS, rows), ["report", "r", "-o", "out"]).expect_refusal(&[part]);
+    }
 }
 
 #[test]

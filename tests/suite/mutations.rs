@@ -42,6 +42,16 @@ fn changed_claims_and_plans_are_refused_or_read_as_written() {
 }
 
 #[test]
+fn changed_measurements_are_refused_or_shown_as_read() {
+    let contents = "sources = [\"raw.csv\"]\n[[table]]\nid = \"t\"\ntitle = \"T\"\n\
+        columns = [{ name = \"a\", header = \"A\" }, { name = \"b\", header = \"B\", unit = \"s\", number = true }]\n\
+        [[chart]]\nid = \"c\"\nlabel = \"Figure 1\"\ntitle = \"C\"\ncaption = \"C\"\ndescription = \"C\"\ndata = [\"t\"]\n\
+        x = { title = \"n\", from = 1, to = 1000 }\ny = { title = \"t\", unit = \"s\", from = 1e-3, to = 1e2 }\n\
+        series = [{ label = \"s\", points = [[1, 2.5], [10, 50]] }]\nverticals = [{ at = 2, label = \"v\" }]\n";
+    hold(promises::measured, &[format!("{contents}\0a,b\nx,1.5e-3\n\"y, z\",\n").as_bytes()], 2_000);
+}
+
+#[test]
 fn changed_prose_stays_prose() {
     let prose = [
         "# A *heading* {onclick=x}\n\n[a](https://example.org) <b>raw</b> ![i](x.png) `code`\n\n- one\n- two\n",
@@ -53,7 +63,7 @@ fn changed_prose_stays_prose() {
 
 /// Found by fuzzing: a short text that had a table of proofs made, for longer than a reader may take.
 #[test]
-fn prose_that_places_proofs_is_not_held_against_a_readers_patience() {
+fn prose_that_places_proofs_has_no_time_limit() {
     let prose: [&[u8]; 4] = [
         b"[[table:planted-faults]]\n",
         b"with the aging law\n\n [[ table : hopf-coefficient]]\n\nWith the slip law $l_1 < 0$\n",

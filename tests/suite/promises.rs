@@ -14,7 +14,7 @@ use slipmode::experiments::Scene;
 use slipmode::experiments::{figure_makers, table_makers};
 use slipmode::report::{Folder, produce};
 use slipmode::scene::{
-    Chapter, Faults, Limits, Measured, ReportPlan, check_name, read_claims, read_equations,
+    Chapter, Faults, Limits, Measured, ReportPlan, check_name, read_claims, read_equations, with_rows,
 };
 use slipmode_core::number::{MAX_EXPONENT, Rational, parse_decimal};
 use slipmode_core::polynomial::Expression;
@@ -61,6 +61,27 @@ pub fn ledger(bytes: &[u8]) {
     if let Some(plan) = document(bytes, |bytes| ReportPlan::parse(FILE, bytes)) {
         let names = plan.scenes.iter().chain(plan.chapters.iter().map(|chapter| &chapter.id));
         assert!(names.chain([&plan.name]).all(|name| check_name(name).is_ok()));
+    }
+}
+
+/// Measured tables and charts that are accepted are drawn with finite coordinates, and written with the rows that were read.
+///
+/// The bytes before the first NUL are `contents.toml`, those after it the rows of each table.
+pub fn measured(bytes: &[u8]) {
+    let end = bytes.iter().position(|byte| *byte == 0).unwrap_or(bytes.len());
+    let (contents, rows) = (&bytes[..end], String::from_utf8_lossy(bytes.get(end + 1..).unwrap_or_default()));
+    let Ok(found) = Measured::parse(FILE, contents) else { return };
+    let words = String::from_utf8_lossy(contents);
+    for measured in &found.charts {
+        let svg = measured.chart.svg();
+        for none in ["NaN", "inf"].into_iter().filter(|none| !words.contains(none)) {
+            assert!(!svg.contains(none), "{none} in {svg}");
+        }
+    }
+    for table in found.tables {
+        if let Ok(read) = with_rows(table.clone(), FILE, &rows) {
+            assert_eq!(with_rows(table, FILE, &read.to_csv()).map(|again| again.rows), Ok(read.rows));
+        }
     }
 }
 

@@ -203,6 +203,14 @@ mod tests {
     }
 
     #[test]
+    fn two_constants_that_differ_have_no_place() {
+        let domain = Domain::positive("");
+        let proof = Proof::new("constants", "One is zero.");
+        let refutation = proof.identity("one", &["0"], &parse("1"), &parse("0"), &domain).unwrap_err();
+        assert!(refutation.to_string().ends_with("; 1 instead of 0"), "{refutation}");
+    }
+
+    #[test]
     fn forged_certificate_fails_the_recheck() {
         let mut proof = binomial("x^2 + 2*x*y + y^2").expect("true");
         assert_eq!(proof.recheck(), Ok(()));

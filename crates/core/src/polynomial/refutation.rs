@@ -44,7 +44,9 @@ impl fmt::Display for Refutation {
         if let Some(example) = &self.counter_example {
             let point: Vec<String> =
                 example.point.iter().map(|(name, value)| format!("{name} = {value}")).collect();
-            write!(formatter, "; at {}: {} against {}", point.join(", "), example.left, example.right)?;
+            // Two constants differ everywhere: there is no point to name.
+            let place = if point.is_empty() { String::new() } else { format!("at {}: ", point.join(", ")) };
+            write!(formatter, "; {place}{} instead of {}", example.left, example.right)?;
         }
         Ok(())
     }
