@@ -4,8 +4,9 @@ use std::fmt::Write as _;
 use std::fs;
 use std::path::Path;
 
-use slipmode_bench::integrators::Taylor;
-use slipmode_core::dynamics::{Control, Integrator, Model, Radau, Scalar, Start, State, Stepper, increment};
+use slipmode_core::dynamics::{
+    Control, Integrator, Model, Radau, Scalar, Start, State, Stepper, Taylor, increment,
+};
 use slipmode_core::friction::EvolutionLaw;
 use slipmode_core::number::Dd;
 

@@ -1,9 +1,10 @@
 //! Every method against references in more digits.
 
+use super::Rodas5P;
 use super::multi::Multi;
-use super::{Rodas5P, Taylor};
 use slipmode_core::dynamics::{
-    Control, Integrator, Model, Radau, Scalar, Start, State, Stepper, long_term_behaviour, next_return,
+    Control, Integrator, Model, Radau, Scalar, Start, State, Stepper, Taylor, long_term_behaviour,
+    next_return,
 };
 use slipmode_core::friction::{EvolutionLaw, Groups};
 use slipmode_core::number::Dd;

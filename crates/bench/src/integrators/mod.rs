@@ -1,6 +1,6 @@
 //! The integrators on single cycles: work against error by counts that no machine changes, and cycles where integrators go wrong.
 //!
-//! [`Rodas5P`] and [`Taylor`] are methods that the library does not use.
+//! [`Rodas5P`] is a method that the library does not use.
 
 #[cfg(test)]
 mod checks;
@@ -11,8 +11,6 @@ mod hard_tables;
 mod multi;
 mod returns;
 mod rodas;
-mod taylor;
-mod taylor_series;
 mod work;
 mod work_table;
 
@@ -23,6 +21,5 @@ pub use hard_cycles::{
 pub use hard_tables::tables as hard_tables;
 pub use returns::{METHODS, MeasuredReturn, ReturnMethod, reference_return};
 pub use rodas::Rodas5P;
-pub use taylor::Taylor;
 pub use work::{WorkCase, WorkPoint, work_precision};
 pub use work_table::table as work_table;

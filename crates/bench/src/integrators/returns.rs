@@ -1,9 +1,9 @@
 //! One return of a method: from a state on V = V_l to the next upward crossing of V = V_l.
 
-use super::{Rodas5P, Taylor};
+use super::Rodas5P;
 use slipmode_core::dynamics::{
-    Control, Failure, Integrator, LongTerm, Model, Radau, Scalar, Start, State, Stepper, long_term_behaviour,
-    next_return,
+    Control, Failure, Integrator, LongTerm, Model, Radau, Scalar, Start, State, Stepper, Taylor,
+    long_term_behaviour, next_return,
 };
 use slipmode_core::number::Dd;
 

@@ -4,13 +4,19 @@
 //! the propagator, whose eigenvalues e^{pΔ} show a pair with its period and growth rate if there is one, however fast it
 //! dies. No linear theory enters: the equations are the nonlinear ones, with errors of the order of the deviation.
 
-use super::integrator::{Control, Integrator};
+use super::integrator::{Control, Integrator, Work};
 use super::long_term::Oscillation;
 use super::{Failure, Model, Radau, Scalar, Stepper};
 use crate::number::Dd;
 
 /// Size of the deviations over the root of the rounding error: the equations are linear to this relative accuracy.
 const SIZE_IN_ROOTS: f64 = 1e-3;
+
+/// Size of deviations that leaves nothing nonlinear in f64; no power of it that matters underflows.
+const LEAST_SIZE: f64 = 1e-40;
+
+/// The first time at which the propagator of inertial modes is examined, in units of √(M/K).
+const FIRST_PHASE: f64 = 0.75;
 
 /// Factor between the times at which the propagator is examined.
 const RATIO: f64 = 1.5;
@@ -31,7 +37,8 @@ pub fn oscillation_of_small_deviations(
     model: &Model<f64>,
     local_tolerance: f64,
 ) -> Result<Option<Oscillation<f64>>, Failure> {
-    oscillation(model, Radau::<f64, 5>::new(), local_tolerance)
+    Ok(modes(model, &Radau::<f64, 5>::new(), Sampling::of(model, local_tolerance))?
+        .map(|seen| seen.oscillation))
 }
 
 /// The same in double-double, where a pair next to a double root keeps its digits.
@@ -44,24 +51,81 @@ pub(super) fn oscillation_in_double_double(
         model.law(),
         model.balance().map(|&group| Dd::from(group)),
     );
-    oscillation(&fine, Radau::<Dd, 7>::new(), local_tolerance)
+    Ok(modes(&fine, &Radau::<Dd, 7>::new(), Sampling::of(&fine, local_tolerance))?
+        .map(|seen| seen.oscillation))
 }
 
-fn oscillation<R: Scalar, M: Stepper<R> + Clone>(
-    model: &Model<R>,
-    method: M,
+/// The modes of small deviations in units of the spring and the mass, for steady sliding whose forces balance slowly; none when all modes
+/// are real.
+///
+/// # Errors
+/// Those of the integrator.
+pub(super) fn inertial_modes<M: Stepper<f64> + Clone>(
+    model: &Model<f64>,
+    method: &M,
     local_tolerance: f64,
-) -> Result<Option<Oscillation<f64>>, Failure> {
+) -> Result<Option<Modes>, Failure> {
+    let groups = model.groups();
+    let sampling = Sampling {
+        local_tolerance,
+        size: LEAST_SIZE,
+        first_time: FIRST_PHASE * (groups.inertial_parameter / groups.stiffness_group).sqrt(),
+        stress_unit: (groups.inertial_parameter * groups.stiffness_group).sqrt(),
+    };
+    modes(model, method, sampling)
+}
+
+/// What small deviations show.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Modes {
+    /// Of the pair.
+    pub oscillation: Oscillation<f64>,
+    /// Rate of the real mode; minus infinity where it is too small to be seen.
+    pub real_rate: f64,
+    /// What the runs cost.
+    pub work: Work,
+}
+
+/// How a propagator is measured.
+struct Sampling<R> {
+    local_tolerance: f64,
+    /// Of the deviations.
+    size: R,
+    /// When the propagator is examined first.
+    first_time: f64,
+    /// The unit of ζ, which balances the propagator's entries.
+    stress_unit: R,
+}
+
+impl<R: Scalar> Sampling<R> {
+    /// From the fastest rate on, in the model's own units.
+    fn of(model: &Model<R>, local_tolerance: f64) -> Self {
+        let zero: [R; 3] = std::array::from_fn(|_| R::from(0));
+        let jacobian = model.jacobian(&zero);
+        let entries = [jacobian.xx, jacobian.xy, jacobian.xz, jacobian.yx, jacobian.yy, jacobian.zx];
+        let fastest = entries.iter().fold(0.0f64, |largest, entry| largest.max(entry.to_f64().abs()));
+        Self {
+            local_tolerance,
+            size: R::from_f64(SIZE_IN_ROOTS * R::UNIT_ROUNDOFF.sqrt()),
+            first_time: 0.1 / fastest,
+            stress_unit: R::from(1),
+        }
+    }
+}
+
+fn modes<R: Scalar, M: Stepper<R> + Clone>(
+    model: &Model<R>,
+    method: &M,
+    sampling: Sampling<R>,
+) -> Result<Option<Modes>, Failure> {
+    let Sampling { local_tolerance, size, first_time: mut time, stress_unit } = sampling;
     let control = Control { local_tolerance, most_steps: 1_000_000 };
-    let size = R::from_f64(SIZE_IN_ROOTS * R::UNIT_ROUNDOFF.sqrt());
-    let start = |axis: usize| std::array::from_fn(|i| if i == axis { size.clone() } else { R::from(0) });
+    let units = [R::from(1), R::from(1), stress_unit];
+    let start = |axis: usize| {
+        std::array::from_fn(|i| if i == axis { size.clone() * &units[axis] } else { R::from(0) })
+    };
     let run = |axis| Integrator::new(model, method.clone(), start(axis), control);
     let mut runs = [run(0)?, run(1)?, run(2)?];
-    let zero: [R; 3] = std::array::from_fn(|_| R::from(0));
-    let jacobian = model.jacobian(&zero);
-    let entries = [jacobian.xx, jacobian.xy, jacobian.xz, jacobian.yx, jacobian.yy, jacobian.zx];
-    let fastest = entries.iter().fold(0.0f64, |largest, entry| largest.max(entry.to_f64().abs()));
-    let mut time = 0.1 / fastest;
     loop {
         for run in &mut runs {
             loop {
@@ -73,11 +137,18 @@ fn oscillation<R: Scalar, M: Stepper<R> + Clone>(
             }
         }
         // Row i, column j: component i of run j.
-        let propagator = std::array::from_fn(|i| std::array::from_fn(|j| runs[j].state()[i].clone() / &size));
+        let propagator =
+            std::array::from_fn(|i| std::array::from_fn(|j| runs[j].state()[i].clone() / &size / &units[i]));
         match pair_of(&propagator) {
-            PairSeen::Pair { ln_modulus, phase } if PHASES.contains(&phase) => {
+            PairSeen::Pair { ln_modulus, phase, ln_real } if PHASES.contains(&phase) => {
                 let period = std::f64::consts::TAU * time / phase;
-                return Ok(Some(Oscillation { period, growth_rate: ln_modulus / time }));
+                let mut work = Work::default();
+                runs.iter().for_each(|run| work += run.work());
+                return Ok(Some(Modes {
+                    oscillation: Oscillation { period, growth_rate: ln_modulus / time },
+                    real_rate: ln_real / time,
+                    work,
+                }));
             }
             PairSeen::Lost => return Ok(None),
             _ => time *= RATIO,
@@ -87,8 +158,8 @@ fn oscillation<R: Scalar, M: Stepper<R> + Clone>(
 
 /// What the eigenvalues of a propagator show.
 enum PairSeen {
-    /// A complex pair.
-    Pair { ln_modulus: f64, phase: f64 },
+    /// A complex pair, and the logarithm of the real eigenvalue's modulus.
+    Pair { ln_modulus: f64, phase: f64, ln_real: f64 },
     /// Real eigenvalues, the second of them still measurable.
     Real,
     /// At most one eigenvalue is above the resolution, or one has grown out of the linear range.
@@ -110,6 +181,7 @@ fn pair_of<R: Scalar>(m: &[[R; 3]; 3]) -> PairSeen {
     // z³ − trace z² + second z − determinant: the real zero by bisection and Newton, the pair from the quotient.
     let real = real_zero(&trace, &second, &determinant);
     let sum = trace - &real;
+    let ln_real = libm::log(real.to_f64().abs());
     let product = second - real * &sum;
     let discriminant = sum.square() / R::from(4) - &product;
     let product_size = product.to_f64();
@@ -118,6 +190,7 @@ fn pair_of<R: Scalar>(m: &[[R; 3]; 3]) -> PairSeen {
         return PairSeen::Pair {
             ln_modulus: 0.5 * libm::log(product_size),
             phase: libm::atan2((-discriminant).sqrt().to_f64(), 0.5 * sum.to_f64()),
+            ln_real,
         };
     }
     PairSeen::Real

@@ -62,7 +62,7 @@ impl<R: Scalar> History<R> {
     }
 
     /// The slow multiplier and the last change, when the last three crossings lie on a line.
-    fn slow_direction(&self) -> Option<(f64, Crossing)> {
+    pub fn slow_direction(&self) -> Option<(f64, Crossing)> {
         let (a, b, c) = (self.back(2)?, self.back(1)?, self.back(0)?);
         let (first, second) = (difference(b, a), difference(c, b));
         let norm = first[0] * first[0] + first[1] * first[1];

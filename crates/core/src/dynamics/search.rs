@@ -299,7 +299,7 @@ fn in_double_double<M>(
 }
 
 /// Errors of a decay from two runs, a factor ten apart in tolerance.
-fn decay_errors(coarse: &LongTerm<f64>, fine: &LongTerm<f64>, start: f64, floor: f64) -> Errors {
+pub(super) fn decay_errors(coarse: &LongTerm<f64>, fine: &LongTerm<f64>, start: f64, floor: f64) -> Errors {
     let (coarse_peak, coarse_period) = peak_and_period(coarse, start);
     let (peak, period) = peak_and_period(fine, start);
     let (rough, orbit): (&Return<f64>, &Return<f64>) = (extremes(coarse), extremes(fine));

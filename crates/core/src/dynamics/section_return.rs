@@ -11,7 +11,7 @@ pub const QUIET: f64 = 1e-150;
 
 /// Below this size the equations are linear beyond all digits, and the extremes of the trajectory lie far behind: what is left to be
 /// seen is how the end goes, and a pair of modes that dies as fast as to have hidden until here is sought among small deviations.
-const FAINT: f64 = 1e-30;
+pub(super) const FAINT: f64 = 1e-30;
 
 /// The local tolerance that is enough there.
 const FAINT_TOLERANCE: f64 = 1e-2;
@@ -53,6 +53,22 @@ pub enum ReturnEnd {
 pub fn next_return<R: Scalar, M: Stepper<R> + Clone>(
     run: &mut Integrator<'_, R, M>,
 ) -> Result<(Return<R>, ReturnEnd), Failure> {
+    let (orbit, end) = return_above(run, FAINT)?;
+    if end == ReturnEnd::Crossing {
+        return Ok((orbit, end));
+    }
+    fade(run)?;
+    Ok((orbit.finish(run, end), end))
+}
+
+/// The same, but a trajectory whose x, y and ζ fall below a size without a crossing ends there.
+///
+/// # Errors
+/// Those of the integrator.
+pub(super) fn return_above<R: Scalar, M: Stepper<R> + Clone>(
+    run: &mut Integrator<'_, R, M>,
+    least_size: f64,
+) -> Result<(Return<R>, ReturnEnd), Failure> {
     let start = run.state().clone();
     let mut orbit = Return {
         duration: R::from(0),
@@ -79,9 +95,7 @@ pub fn next_return<R: Scalar, M: Stepper<R> + Clone>(
             run.take_back();
             break;
         }
-        let size = size_of(run.state());
-        if size < FAINT {
-            fade(run)?;
+        if size_of(run.state()) < least_size {
             return Ok((orbit.finish(run, ReturnEnd::AtRest), ReturnEnd::AtRest));
         }
     }
@@ -138,6 +152,15 @@ impl<R: Scalar> Return<R> {
             run.begin_cycle();
         }
         self.end = run.state().clone();
+        self
+    }
+
+    /// The same, and what follows without a crossing: the stress of steady sliding, ζ = 0.
+    #[must_use]
+    pub(super) fn and_steady_sliding(mut self) -> Self {
+        let steady = [R::from(0), R::from(0), R::from(0)];
+        self.note(Mark::Rise, &steady);
+        self.note(Mark::Fall, &steady);
         self
     }
 

@@ -5,6 +5,7 @@
 
 use super::outcome::{Outcome, Simulation};
 use super::search::{LOOSE, Levels, Search};
+use super::smooth_decay::smooth_decay;
 use super::{Balance, Failure, Model, Radau, Start};
 use crate::friction::{EvolutionLaw, Parameters};
 use crate::number::{Rational, nearest_f64};
@@ -108,6 +109,9 @@ pub fn simulate(
 /// # Errors
 /// Those of [`simulate`].
 pub fn simulate_model(model: &Model<f64>, options: &Options) -> Result<Outcome, Failure> {
+    if let Some(outcome) = smooth_decay(model, options) {
+        return Ok(outcome);
+    }
     if options.tolerance >= LOOSE
         && let Ok(outcome) = Search::new(model, Radau::<f64, 3>::new(), options, Levels::loose()).answer()
     {

@@ -4,7 +4,7 @@
 //! (Jorba & Zou, *A software package for the numerical integration of ODEs by means of high-order Taylor methods*, 2005.)
 
 use super::taylor_series::series;
-use slipmode_core::dynamics::{Model, Scalar, State, Stepper, Trial, Weight};
+use super::{Model, Scalar, State, Stepper, Trial, Weight};
 
 /// The series of degree N − 1 of the last step; N is at least 4.
 #[derive(Debug, Clone)]
@@ -112,8 +112,8 @@ impl<R: Scalar, const N: usize> Stepper<R> for Taylor<R, N> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use slipmode_core::dynamics::{Control, Integrator};
-    use slipmode_core::friction::{EvolutionLaw, Groups};
+    use crate::dynamics::{Control, Integrator};
+    use crate::friction::{EvolutionLaw, Groups};
 
     #[test]
     fn a_foreseen_step_is_never_refused_and_twice_as_much_would_be() {

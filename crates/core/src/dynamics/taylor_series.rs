@@ -4,8 +4,8 @@
 //! Cauchy products. V itself obeys a linear equation, u' = q/η, so that two products are enough: U x' = U' = q/(ηu_0), solved for the
 //! newest coefficient of x' because U_0 = 1, and y' = −u_0 U(x + y), or y' = v − u_0 U with v' = −y'v; ζ' = κ(1 − u_0 U).
 
-use slipmode_core::dynamics::{Balance, Model, Scalar, State};
-use slipmode_core::friction::EvolutionLaw;
+use super::{Balance, Model, Scalar, State};
+use crate::friction::EvolutionLaw;
 
 /// The recurrences of at most so many coefficients are written out.
 const WRITTEN_OUT: usize = 24;
@@ -126,7 +126,7 @@ pub(super) fn series<R: Scalar, const N: usize>(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use slipmode_core::friction::Groups;
+    use crate::friction::Groups;
 
     #[test]
     fn the_series_solves_the_equations_to_its_order() {
