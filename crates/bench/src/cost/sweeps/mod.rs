@@ -5,6 +5,7 @@
 //! time of one thread, best of several rounds in which all points of the sweep take turns.
 
 mod decimals;
+mod velocities;
 
 use std::fmt::Write as _;
 use std::ops::RangeInclusive;
@@ -48,7 +49,8 @@ impl Sweep {
 /// A family of sweeps: its name, and how it is measured.
 type Family = (&'static str, fn() -> Result<Vec<Sweep>, String>);
 
-const FAMILIES: [Family; 1] = [("layouts of decimals", decimals::sweeps)];
+const FAMILIES: [Family; 2] =
+    [("layouts of decimals", decimals::sweeps), ("loading velocities of decays", velocities::sweeps)];
 
 /// Measures every sweep, writes `sweeps.csv` and `sweeps.md` and prints the Markdown.
 ///
