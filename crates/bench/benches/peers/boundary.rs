@@ -1,9 +1,10 @@
-//! Points of the boundary at 50 digits, enclosed: at given normal stress, and anywhere on the rational curve.
+//! Points of the boundary at 20, 50 and 200 digits, enclosed: at given normal stress, and anywhere on the rational curve.
 
 use std::fmt::Write as _;
 use std::fs;
 use std::path::Path;
 
+use rug::Integer;
 use slipmode_core::friction::{OperatingPoint, Slider};
 use slipmode_core::number::{Ball, Rational, parse_decimal};
 use slipmode_core::stability::boundary::{BoundaryCurve, Section};
@@ -11,7 +12,11 @@ use slipmode_core::stability::boundary::{BoundaryCurve, Section};
 use super::row::{Row, scientific};
 use slipmode_bench::cpu_clock::best_of;
 
-const DIGITS: u32 = 50;
+const DIGITS: [u32; 3] = [20, 50, 200];
+
+/// Digits of the references beyond those requested.
+const MORE_DIGITS: u32 = 12;
+
 const REPETITIONS: usize = 5;
 
 /// Leading digits and exponents of σ: above the upper arc's corner and below the lower one's, where one V0 belongs to each σ.
@@ -27,23 +32,45 @@ fn stresses() -> impl Iterator<Item = String> {
     EXPONENTS.into_iter().flat_map(|exponent| LEADING.map(|leading| format!("{leading}e{exponent}")))
 }
 
-/// Writes `boundary.txt`: σ and the V0 that belongs to it, to 60 digits.
+/// The discriminant of eq 8 as an integer polynomial in η at these κ and β, from the constant term.
+fn discriminant_in_inertia(stiffness_group: &Rational, effect_ratio: &Rational) -> [Integer; 4] {
+    let kappa = || stiffness_group.clone();
+    let c = || -> Rational { kappa() + 1 - effect_ratio };
+    let coefficients: [Rational; 4] = [
+        c().square() - kappa() * 4,
+        c().square() * 2 + kappa() * c() * 18 - c().square() * c() * 4 - kappa() * 12,
+        c().square() + kappa() * c() * 18 - kappa() * 12 - kappa().square() * 27,
+        kappa() * -4,
+    ];
+    let scale = coefficients.iter().fold(Integer::from(1), |scale, one| scale.lcm(one.denom()));
+    coefficients.map(|one| (one * &scale).into_numer_denom().0)
+}
+
+/// Writes for each number of digits a file with σ, the discriminant in η, V0²/η, and the V0 that belongs to σ.
 pub fn prepare(folder: &Path) {
-    let curve = BoundaryCurve::new(&paper(), DIGITS + 12);
-    let mut text = String::new();
-    for stress in stresses() {
-        for (crossing, _) in curve.crossings(&Section::AtNormalStress(parse_decimal(&stress).unwrap())) {
-            let velocity = crossing.position.loading_velocity_m_per_s.centre().to_string_radix(10, Some(60));
-            writeln!(text, "{stress} {velocity}").unwrap();
+    for digits in DIGITS {
+        let curve = BoundaryCurve::new(&paper(), digits + MORE_DIGITS);
+        let mut text = String::new();
+        for stress in stresses() {
+            let exact = parse_decimal(&stress).unwrap();
+            // At V0 = 1 m/s η is M / (a σ D_c), which is η/V0² anywhere.
+            let groups = paper().at(exact.clone(), Rational::from(1)).groups();
+            let [c0, c1, c2, c3] = discriminant_in_inertia(&groups.stiffness_group, &groups.effect_ratio);
+            let scale = groups.inertial_parameter.recip();
+            for (crossing, _) in curve.crossings(&Section::AtNormalStress(exact)) {
+                let centre = crossing.position.loading_velocity_m_per_s.centre().clone();
+                let velocity = centre.to_string_radix(10, Some((digits + MORE_DIGITS - 2) as usize));
+                writeln!(text, "{stress} {c0} {c1} {c2} {c3} {scale} {velocity}").unwrap();
+            }
         }
+        fs::write(folder.join(format!("boundary-{digits}.txt")), text).unwrap();
     }
-    fs::write(folder.join("boundary.txt"), text).unwrap();
 }
 
 /// Both ways to the boundary.
-pub fn play(folder: &Path) {
-    let text = fs::read_to_string(folder.join("boundary.txt")).unwrap();
-    let curve = BoundaryCurve::new(&paper(), DIGITS);
+pub fn play(digits: &str, folder: &Path) {
+    let text = fs::read_to_string(folder.join(format!("boundary-{digits}.txt"))).unwrap();
+    let curve = BoundaryCurve::new(&paper(), digits.parse().unwrap());
     let sections: Vec<Section> = text
         .lines()
         .map(|line| line.split(' ').next().unwrap())
@@ -59,10 +86,18 @@ pub fn play(folder: &Path) {
         }
         widest
     });
-    let row = Row { work: "boundary-section".into(), ..Row::default() };
+    let row = Row { work: format!("boundary-{digits}"), ..Row::default() };
     let items = rounds * sections.len();
-    Row { method: "slipmode-section", items, seconds, error: Some(scientific(widest)), ..row.clone() }
-        .print();
+    let options = "BoundaryCurve::crossings;curve~ready";
+    Row {
+        method: "slipmode-section",
+        options,
+        items,
+        seconds,
+        error: Some(scientific(widest)),
+        ..row.clone()
+    }
+    .print();
     let places = curve.sample_parameters(100, 1e-6);
     let (seconds, widest) = best_of(REPETITIONS, || {
         let mut widest = 0.0f64;
@@ -75,7 +110,8 @@ pub fn play(folder: &Path) {
         widest
     });
     let items = places.len() * curve.arcs().len();
-    Row { method: "slipmode-curve", items, seconds, error: Some(scientific(widest)), ..row }.print();
+    let options = "BoundaryCurve::position;anywhere~on~the~curve";
+    Row { method: "slipmode-curve", options, items, seconds, error: Some(scientific(widest)), ..row }.print();
 }
 
 fn relative_radius(ball: &Ball) -> f64 {

@@ -1,13 +1,19 @@
-//! Exact class of random points, of a (V0, σ) grid and of the hard families; growth rate and frequency of single points.
+//! What a user calls for points in 64 bits: the signs of many at once, and signs with max Re(s) and max Im(s), three roots.
+//!
+//! The points are random ones, the hard families, and for the signs a (V0, σ) grid. Other programs compute three roots for each of these.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use slipmode_core::friction::{Parameters, Slider};
-use slipmode_core::number::{Dd, Rational};
-use slipmode_core::stability::batch::{GridCell, GridKernel, PrecisionCounts, SignPair, signs_of_points};
-use slipmode_core::stability::{InertialThreshold, SlipMode, classify, classify_quickly};
+use slipmode_core::number::{Dd, Rational, Wide};
+use slipmode_core::stability::batch::{
+    GridCell, GridKernel, PrecisionCounts, SignPair, classify_points, signs_of_points, three_roots_of_points,
+};
+use slipmode_core::stability::{
+    Classification, InertialThreshold, SlipMode, ThreeRoots, classify, classify_quickly, three_roots,
+};
 
-use super::columns::Columns;
+use super::columns::{Answers, Columns};
 use super::hard;
 use super::random::Random;
 use super::row::{Row, scientific};
@@ -51,19 +57,24 @@ pub fn prepare(folder: &Path) {
 }
 
 fn write(folder: &Path, family: &str, points: impl FnOnce() -> Vec<Parameters<f64>>) {
-    let path = folder.join(format!("{family}.f64"));
+    let path = file(folder, family);
     if !path.exists() {
         Columns::of(&points()).write(&path);
     }
 }
 
-fn signs_differ(pair: SignPair, answers: [f64; 5]) -> bool {
-    f64::from(pair.transition_sign()) != answers[0] || f64::from(pair.boundary_sign()) != answers[1]
+fn file(folder: &Path, family: &str) -> PathBuf {
+    folder.join(format!("points-{family}.f64"))
 }
 
-/// One family of points: signs of all by the batch, values of single points.
-pub fn play(family: &str, folder: &Path) {
-    let columns = Columns::read(&folder.join(format!("{family}.f64")));
+fn signs_differ(pair: SignPair, answers: &Answers) -> bool {
+    f64::from(pair.transition_sign()) != answers.transition_sign
+        || f64::from(pair.boundary_sign()) != answers.boundary_sign
+}
+
+/// The signs of one family of points, or of the grid.
+pub fn play_signs(family: &str, folder: &Path) {
+    let columns = Columns::read(&file(folder, family));
     if family == "grid" {
         play_grid(&columns);
         return;
@@ -71,36 +82,111 @@ pub fn play(family: &str, folder: &Path) {
     let inputs = columns.inputs();
     let (seconds, (signs, _)) = best_of(REPETITIONS, || signs_of_points(&inputs).unwrap());
     let wrong =
-        signs.iter().enumerate().filter(|(i, pair)| signs_differ(**pair, columns.answers(*i))).count();
-    let row = Row { work: format!("classes-{family}"), items: columns.len(), ..Row::default() };
-    Row { method: "slipmode-signs", seconds, wrong, ..row.clone() }.print();
-    let some = columns.len().min(HARD_POINTS);
-    let (seconds, found) = best_of(2, || (0..some).map(|i| values(&columns.point(i))).collect::<Vec<_>>());
-    let (mut wrong, mut error) = (0, 0.0f64);
-    for (i, [transition, boundary, real, imaginary]) in found.into_iter().enumerate() {
-        let answers = columns.answers(i);
-        wrong += usize::from(transition != answers[0] || boundary != answers[1]);
-        error = error.max((real - answers[2]).abs() / answers[3]);
-        if answers[4] > 0.0 {
-            error = error.max((imaginary / answers[4] - 1.0).abs());
-        }
+        signs.iter().enumerate().filter(|(i, pair)| signs_differ(**pair, &columns.answers(*i))).count();
+    Row {
+        work: format!("signs-{family}"),
+        method: "slipmode-signs",
+        options: "signs_of_points;one~call~for~all~points",
+        items: columns.len(),
+        seconds,
+        wrong,
+        ..Row::default()
     }
-    let one = Row { method: "slipmode-values", items: some, seconds, wrong, ..row };
-    Row { error: Some(scientific(error)), ..one }.print();
+    .print();
 }
 
-/// Both signs, max Re and max Im.
-fn values(point: &Parameters<f64>) -> [f64; 4] {
+/// Both signs, max Re(s) and max Im(s) of all points at once, and of one point after the other.
+pub fn play_extremes(family: &str, folder: &Path) {
+    let columns = Columns::read(&file(folder, family));
+    let points: Vec<Parameters<f64>> =
+        (0..columns.len().min(HARD_POINTS)).map(|i| columns.point(i)).collect();
     let threshold = InertialThreshold::default();
-    let found = classify_quickly(&point.map(|value| Dd::from(*value)), &threshold)
-        .unwrap_or_else(|| classify(&point.map(|value| Rational::from_f64(*value).unwrap()), &threshold));
-    let part = |value: slipmode_core::number::Wide| value.to_f64().unwrap_or(f64::NAN);
-    [
-        f64::from(found.transition_sign),
-        f64::from(found.boundary_sign),
-        part(found.max_real_per_s),
-        part(found.max_imaginary_per_s),
-    ]
+    let exactly = |point: &Parameters<f64>| {
+        classify(&point.map(|value| Rational::from_f64(*value).unwrap()), &threshold)
+    };
+    let doubled = |point: &Parameters<f64>| point.map(|value| Dd::from(*value));
+    let all = || {
+        let found = classify_points(&points.iter().map(doubled).collect::<Vec<_>>(), &threshold);
+        let or_exactly =
+            |(found, point): (Option<Classification>, _)| found.unwrap_or_else(|| exactly(point));
+        found.into_iter().zip(&points).map(or_exactly).collect()
+    };
+    let options = "classify_points~or~classify;one~call~for~all~points";
+    print_extremes(family, "slipmode-extremes", options, &columns, best_of(REPETITIONS, all));
+    let one = |point| classify_quickly(&doubled(point), &threshold).unwrap_or_else(|| exactly(point));
+    let one_by_one = || points.iter().map(one).collect();
+    let options = "classify_quickly~or~classify;one~call~for~each~point";
+    print_extremes(family, "slipmode-extremes-single", options, &columns, best_of(REPETITIONS, one_by_one));
+}
+
+fn print_extremes(
+    family: &str,
+    method: &'static str,
+    options: &'static str,
+    columns: &Columns,
+    (seconds, found): (f64, Vec<Classification>),
+) {
+    let (mut wrong, mut error) = (0, 0.0f64);
+    for (i, found) in found.iter().enumerate() {
+        let answers = columns.answers(i);
+        let part = |value: &Wide| value.to_f64().unwrap_or(f64::INFINITY);
+        wrong += usize::from(
+            f64::from(found.transition_sign) != answers.transition_sign
+                || f64::from(found.boundary_sign) != answers.boundary_sign,
+        );
+        error = error.max((part(&found.max_real_per_s) - answers.max_real).abs() / answers.modulus);
+        if answers.max_imaginary > 0.0 {
+            error = error.max((part(&found.max_imaginary_per_s) / answers.max_imaginary - 1.0).abs());
+        }
+    }
+    Row {
+        work: format!("extremes-{family}"),
+        method,
+        options,
+        items: found.len(),
+        seconds,
+        error: Some(scientific(error)),
+        wrong,
+        ..Row::default()
+    }
+    .print();
+}
+
+/// Three roots of all points at once, and of one point after the other.
+pub fn play_cubic(family: &str, folder: &Path) {
+    let columns = Columns::read(&file(folder, family));
+    let some = columns.len().min(HARD_POINTS);
+    let inputs = columns.inputs().map(|column| &column[..some]);
+    let all = || three_roots_of_points(&inputs).unwrap();
+    let options = "three_roots_of_points;one~call~for~all~points";
+    print_roots(family, "slipmode-three-roots", options, &columns, best_of(REPETITIONS, all));
+    let one_by_one = || (0..some).map(|i| three_roots(&columns.point(i)).unwrap()).collect();
+    let options = "three_roots;one~call~for~each~point";
+    print_roots(family, "slipmode-three-roots-single", options, &columns, best_of(REPETITIONS, one_by_one));
+}
+
+fn print_roots(
+    family: &str,
+    method: &'static str,
+    options: &'static str,
+    columns: &Columns,
+    (seconds, found): (f64, Vec<ThreeRoots>),
+) {
+    let is_pair = |found: &ThreeRoots| found.roots[2].im > 0.0;
+    let kind_differs =
+        |(i, found): &(usize, &ThreeRoots)| is_pair(found) != (columns.answers(*i).boundary_sign < 0.0);
+    let errors = found.iter().enumerate().map(|(i, found)| columns.root_error(i, &found.roots));
+    Row {
+        work: format!("cubic-{family}"),
+        method,
+        options,
+        items: found.len(),
+        seconds,
+        error: Some(scientific(errors.fold(0.0, f64::max))),
+        wrong: found.iter().enumerate().filter(kind_differs).count(),
+        ..Row::default()
+    }
+    .print();
 }
 
 fn play_grid(some: &Columns) {
@@ -118,9 +204,17 @@ fn play_grid(some: &Columns) {
     let side = SIDE / STRIDE;
     let wrong = (0..some.len())
         .filter(|i| {
-            signs_differ(cells[(i / side) * STRIDE * SIDE + (i % side) * STRIDE].signs(), some.answers(*i))
+            signs_differ(cells[(i / side) * STRIDE * SIDE + (i % side) * STRIDE].signs(), &some.answers(*i))
         })
         .count();
-    let work = "classes-grid".to_string();
-    Row { work, method: "slipmode-signs", items: SIDE * SIDE, seconds, wrong, ..Row::default() }.print();
+    Row {
+        work: "signs-grid".into(),
+        method: "slipmode-signs",
+        options: "GridKernel;one~call~for~each~grid~row",
+        items: SIDE * SIDE,
+        seconds,
+        wrong,
+        ..Row::default()
+    }
+    .print();
 }

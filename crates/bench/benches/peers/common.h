@@ -12,16 +12,17 @@ static double cpu_seconds(void)
     return now.tv_sec + 1e-9 * now.tv_nsec;
 }
 
-static inline void print_row(const char *work, const char *method, double tolerance, long items, double seconds,
-                             double error, long wrong)
+/* One row; options are words joined by `;`, with `~` for a blank, a tolerance of 0 and a negative error are none. */
+static inline void print_row(const char *work, const char *method, const char *options, double tolerance, long items,
+                             double seconds, double error, long wrong)
 {
     char asked[32] = "-", found[32] = "-";
     if (tolerance > 0)
         snprintf(asked, sizeof asked, "%.2e", tolerance);
     if (error >= 0)
         snprintf(found, sizeof found, "%.2e", error);
-    printf("row work=%s method=%s tolerance=%s items=%ld seconds=%.6e error=%s wrong=%ld steps=- evaluations=-\n",
-           work, method, asked, items, seconds, found, wrong);
+    printf("row work=%s method=%s options=%s tolerance=%s items=%ld seconds=%.6e error=%s wrong=%ld steps=- evaluations=-\n",
+           work, method, options, asked, items, seconds, found, wrong);
     fflush(stdout);
 }
 

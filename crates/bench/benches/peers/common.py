@@ -17,14 +17,18 @@ def best_of(repetitions, work):
     return best, made
 
 
-def row(work, method, items, seconds, error=None, wrong=0, tolerance=None, steps="-", evaluations="-"):
-    """Prints one measurement; an error below the range of a float comes as text."""
+# Tolerances of every method with one: 10^-1.5, 10^-2 ... 10^-12.
+TOLERANCES = [10.0 ** (-0.5 * halves) for halves in range(3, 25)]
+
+
+def row(work, method, options, items, seconds, error=None, wrong=0, tolerance=None, steps="-", evaluations="-"):
+    """Prints one measurement; options are words joined by `;` with `~` for a blank, an error below the range of a float comes as text."""
 
     def number(value):
         return "-" if value is None else value if isinstance(value, str) else f"{value:.2e}"
 
     print(
-        f"row work={work} method={method} tolerance={number(tolerance)} items={items} seconds={seconds:.6e}"
+        f"row work={work} method={method} options={options} tolerance={number(tolerance)} items={items} seconds={seconds:.6e}"
         f" error={number(error)} wrong={wrong} steps={steps} evaluations={evaluations}",
         flush=True,
     )

@@ -102,6 +102,7 @@ pub fn play(which: &str, folder: &Path) {
     Row {
         work: format!("roots-{which}"),
         method: "slipmode-certified",
+        options: "certified_roots;cubics~ready",
         items: rounds * count,
         seconds,
         error: Some(worst_radius(&found)),

@@ -12,7 +12,7 @@ use slipmode_core::dynamics::{
 use slipmode_core::friction::{EvolutionLaw, Groups};
 use slipmode_core::number::Dd;
 
-use super::row::{Row, scientific};
+use super::row::{Row, scientific, tolerances};
 use slipmode_bench::cpu_clock::best_of;
 
 const REPETITIONS: usize = 3;
@@ -106,8 +106,7 @@ pub fn prepare(folder: &Path) {
 }
 
 fn measure<M: Stepper<f64> + Clone>(name: &'static str, line: &Line, method: &M) {
-    for halves in 3..=22 {
-        let tolerance = libm::exp10(-0.5 * f64::from(halves));
+    for tolerance in tolerances() {
         let (seconds, found) =
             best_of(REPETITIONS, || run_cycle(&line.model, method.clone(), &line.rest, tolerance));
         let error = found.as_ref().map(|found| {
@@ -117,6 +116,7 @@ fn measure<M: Stepper<f64> + Clone>(name: &'static str, line: &Line, method: &M)
         Row {
             work: format!("cycles-{}", line.name),
             method: name,
+            options: "analytic~Jacobian",
             tolerance: Some(tolerance),
             items: 1,
             seconds,

@@ -7,7 +7,7 @@ use slipmode_core::dynamics::Model;
 use slipmode_core::friction::EvolutionLaw;
 
 use super::cycles::read_lines;
-use super::row::{Row, scientific};
+use super::row::{Row, scientific, tolerances};
 use slipmode_bench::cpu_clock::best_of;
 
 const REPETITIONS: usize = 3;
@@ -118,8 +118,7 @@ fn cycle(model: &Model<f64>, start: [f64; 3], longest: f64, tolerance: f64) -> O
 pub fn play(folder: &std::path::Path) {
     for line in read_lines(&folder.join("cycles.txt")) {
         let start = [line.rest[0], line.rest[1], line.rest[2]];
-        for exponent in 3..=13 {
-            let tolerance = libm::exp10(-f64::from(exponent));
+        for tolerance in tolerances() {
             let (seconds, found) =
                 best_of(REPETITIONS, || cycle(&line.model, start, 10.0 * line.rest[4], tolerance));
             let error = found.map(|[peak, duration]| {
@@ -128,6 +127,7 @@ pub fn play(folder: &std::path::Path) {
             Row {
                 work: format!("cycles-{}", line.name),
                 method: "differential-equations-radau5",
+                options: "analytic~Jacobian;rtol=atol",
                 tolerance: Some(tolerance),
                 items: 1,
                 seconds,

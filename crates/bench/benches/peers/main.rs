@@ -16,6 +16,7 @@ mod row;
 mod smooth;
 mod suite;
 mod sweep;
+mod throughput;
 
 use std::path::Path;
 use std::process::ExitCode;
@@ -25,14 +26,15 @@ const USAGE: &str =
 
 fn play(work: &str, folder: &Path) -> bool {
     match work.split_once('-').unwrap_or((work, "")) {
-        ("classes", family) => classes::play(family, folder),
+        ("signs", family) => classes::play_signs(family, folder),
+        ("extremes", family) => classes::play_extremes(family, folder),
+        ("cubic", family) => classes::play_cubic(family, folder),
         ("roots", which) => cubics::play(which, folder),
-        ("boundary", _) => boundary::play(folder),
-        ("cycles", _) => {
-            cycles::play(folder);
-            elsewhere::play(folder);
-        }
+        ("boundary", digits) => boundary::play(digits, folder),
+        ("cycles", "") => cycles::play(folder),
+        ("cycles", "differential-equations") => elsewhere::play(folder),
         ("smooth", _) => smooth::play(folder),
+        ("throughput", _) => throughput::play(folder),
         ("sweep", _) => sweep::play(folder),
         ("hard", _) => suite::play(folder),
         _ => return false,
@@ -47,10 +49,16 @@ fn prepare(folder: &Path) {
     boundary::prepare(folder);
     cycles::prepare(folder);
     smooth::prepare(folder);
+    throughput::prepare(folder);
     sweep::prepare(folder);
 }
 
 fn main() -> ExitCode {
+    // Cargo starts a benchmark in its package's folder; paths count from the repository's root, as for the other programs.
+    if let Err(error) = std::env::set_current_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/../..")) {
+        eprintln!("peers: the repository's root: {error}");
+        return ExitCode::FAILURE;
+    }
     let words: Vec<String> = std::env::args().skip(1).filter(|word| word != "--bench").collect();
     let words: Vec<&str> = words.iter().map(String::as_str).collect();
     match words[..] {

@@ -34,7 +34,7 @@ def roots(which):
         expected = reference[3 * index : 3 * index + 3]
         for root in solved:
             worst = max(worst, min(abs(root - other) / abs(other) for other in expected))
-    row(f"roots-{which}", "mpmath-polyroots", count, seconds, mpmath.nstr(worst, 3), wrong)
+    row(f"roots-{which}", "mpmath-polyroots", "maxsteps=200;extraprec=4*digits", count, seconds, mpmath.nstr(worst, 3), wrong)
 
 
 main({"roots": roots}, f"mpmath {mpmath.__version__}")

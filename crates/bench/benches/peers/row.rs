@@ -7,6 +7,8 @@ pub struct Row {
     pub work: String,
     /// How it was done.
     pub method: &'static str,
+    /// The settings that matter, joined by `;`, with `~` for a blank.
+    pub options: &'static str,
     /// The tolerance asked for, where the method has one.
     pub tolerance: Option<f64>,
     /// How many items were done in the time.
@@ -22,6 +24,11 @@ pub struct Row {
     pub counts: Option<(u64, u64)>,
 }
 
+/// The tolerances of every method with one: 10^-1.5, 10^-2 … 10^-12.
+pub fn tolerances() -> impl Iterator<Item = f64> {
+    (3..=24).map(|halves| libm::exp10(-0.5 * f64::from(halves)))
+}
+
 /// Three digits of a number.
 pub fn scientific(value: f64) -> String {
     format!("{value:.2e}")
@@ -34,9 +41,10 @@ impl Row {
         let count =
             |part: fn((u64, u64)) -> u64| self.counts.map_or_else(absent, |counts| part(counts).to_string());
         println!(
-            "row work={} method={} tolerance={} items={} seconds={:.6e} error={} wrong={} steps={} evaluations={}",
+            "row work={} method={} options={} tolerance={} items={} seconds={:.6e} error={} wrong={} steps={} evaluations={}",
             self.work,
             self.method,
+            if self.options.is_empty() { "-" } else { self.options },
             self.tolerance.map_or_else(absent, scientific),
             self.items,
             self.seconds,

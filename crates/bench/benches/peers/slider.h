@@ -7,6 +7,11 @@ struct slider {
     double eta, kappa, beta;
 };
 
+/* Tolerances of every method: 10^-1.5, 10^-2 ... 10^-12. */
+enum { FIRST_HALF_DECADE = 3, LAST_HALF_DECADE = 24 };
+
+static inline double tolerance_of(int half_decades) { return pow(10, -0.5 * half_decades); }
+
 /* Reads name, law and groups; the caller reads what follows. */
 static inline int read_slider(FILE *file, struct slider *model)
 {

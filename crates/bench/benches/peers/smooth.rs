@@ -11,7 +11,7 @@ use slipmode_core::friction::EvolutionLaw;
 use slipmode_core::number::Dd;
 
 use super::cycles::{Line, line_start, paper, read_lines};
-use super::row::{Row, scientific};
+use super::row::{Row, scientific, tolerances};
 use slipmode_bench::cpu_clock::best_of;
 
 const SAMPLES: usize = 200;
@@ -23,7 +23,7 @@ const PLACES: [(&str, f64, f64, f64, f64); 2] =
     [("harmonic", -1.5, 4.0, 0.004, 0.006), ("underdamped", -1.5, 4.0, 0.006, 0.004)];
 
 /// The samples, and how many steps and evaluations they took; none when the run fails.
-fn samples<R: Scalar, M: Stepper<R>>(
+pub fn samples<R: Scalar, M: Stepper<R>>(
     model: &Model<R>,
     method: M,
     start: State<R>,
@@ -54,22 +54,27 @@ fn samples<R: Scalar, M: Stepper<R>>(
     Some((found, run.step_counts().0 + run.step_counts().1, run.method().evaluations()))
 }
 
-/// Writes `smooth.txt`: name, law, groups, start, the time to run, and the state at its end by Radau IIA 13 in double-double.
+/// Name, law, groups, start, the time to run, and the state at its end by Radau IIA 13 in double-double; none when that fails.
+pub fn line_with_reference(name: &str, model: &Model<f64>) -> Option<String> {
+    let [x, y, z] = Start::default().at_a_tenth(model);
+    let g = model.groups();
+    let until = PERIODS * std::f64::consts::TAU * (g.inertial_parameter / g.stiffness_group).sqrt();
+    let fine = Model::new(g.map(|&g| Dd::from(g)), model.law());
+    let start = [x, y, z].map(Dd::from);
+    let (found, ..) = samples(&fine, Radau::<Dd, 7>::new(), start, &Dd::from(until), 1e-20)?;
+    let [xe, ye, ze] = found[SAMPLES - 1].map(|part| part.to_f64());
+    let head = line_start(name, model);
+    Some(format!("{head} {x:e} {y:e} {z:e} {until:e} {xe:e} {ye:e} {ze:e}"))
+}
+
+/// Writes `smooth.txt`.
 pub fn prepare(folder: &Path) {
     let mut text = String::new();
     for (name, v, s, a, b) in PLACES {
         for law in EvolutionLaw::ALL {
             let model = Model::new(paper(v, s, a, b), law);
-            let [x, y, z] = Start::default().at_a_tenth(&model);
-            let g = model.groups();
-            let until = PERIODS * std::f64::consts::TAU * (g.inertial_parameter / g.stiffness_group).sqrt();
-            let fine = Model::new(g.map(|&g| Dd::from(g)), law);
-            let start = [x, y, z].map(Dd::from);
-            let found = samples(&fine, Radau::<Dd, 7>::new(), start, &Dd::from(until), 1e-20);
-            let Some((found, ..)) = found else { continue };
-            let [xe, ye, ze] = found[SAMPLES - 1].map(|part| part.to_f64());
-            let head = line_start(&format!("{name}-{}", law.as_str()), &model);
-            writeln!(text, "{head} {x:e} {y:e} {z:e} {until:e} {xe:e} {ye:e} {ze:e}").unwrap();
+            let line = line_with_reference(&format!("{name}-{}", law.as_str()), &model);
+            line.into_iter().for_each(|line| writeln!(text, "{line}").unwrap());
         }
     }
     fs::write(folder.join("smooth.txt"), text).unwrap();
@@ -77,8 +82,7 @@ pub fn prepare(folder: &Path) {
 
 fn measure<M: Stepper<f64> + Clone>(name: &'static str, line: &Line, method: &M) {
     let start = [line.rest[0], line.rest[1], line.rest[2]];
-    for exponent in [2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12] {
-        let tolerance = libm::exp10(-f64::from(exponent));
+    for tolerance in tolerances() {
         let (seconds, found) =
             best_of(REPETITIONS, || samples(&line.model, method.clone(), start, &line.rest[3], tolerance));
         let distance =
@@ -86,6 +90,7 @@ fn measure<M: Stepper<f64> + Clone>(name: &'static str, line: &Line, method: &M)
         Row {
             work: format!("smooth-{}", line.name),
             method: name,
+            options: "one~run~at~a~time",
             tolerance: Some(tolerance),
             items: 1,
             seconds,

@@ -111,6 +111,7 @@ pub fn play(_folder: &Path) {
         Row {
             work: "hard-cases".into(),
             method: name,
+            options: "one~call~for~each~point",
             items: points.len(),
             seconds: seconds / ROUNDS as f64,
             error: Some(scientific(worst * f64::EPSILON)),

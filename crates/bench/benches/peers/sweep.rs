@@ -59,6 +59,7 @@ pub fn play(folder: &Path) {
     Row {
         work: "sweep".into(),
         method: "slipmode-simulate",
+        options: "simulate_model;one~thread",
         tolerance: Some(ERROR),
         items: lines.len(),
         seconds,

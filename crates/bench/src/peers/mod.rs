@@ -10,12 +10,20 @@ use crate::process;
 use players::Player;
 
 /// Everything that `--peers` does, in the order of the table.
-const WORKS: [&str; 18] = [
-    "classes-random",
-    "classes-grid",
-    "classes-disc",
-    "classes-hopf",
-    "classes-cusp",
+const WORKS: [&str; 29] = [
+    "signs-random",
+    "signs-grid",
+    "signs-disc",
+    "signs-hopf",
+    "signs-cusp",
+    "extremes-random",
+    "extremes-disc",
+    "extremes-hopf",
+    "extremes-cusp",
+    "cubic-random",
+    "cubic-disc",
+    "cubic-hopf",
+    "cubic-cusp",
     "hard-cases",
     "roots-50-random",
     "roots-50-hard",
@@ -25,9 +33,12 @@ const WORKS: [&str; 18] = [
     "roots-1000-hard",
     "roots-10000-random",
     "roots-10000-hard",
-    "boundary-section",
+    "boundary-20",
+    "boundary-50",
+    "boundary-200",
     "cycles",
     "smooth",
+    "throughput",
     "sweep",
 ];
 
@@ -46,9 +57,9 @@ pub fn bench(arguments: &[String]) -> Result<(), String> {
 
 /// Cycles by SciPy's Radau, LSODA and BDF, and by us, in one run.
 fn beside_scipy() -> Result<(), String> {
-    let players = players::find(|player: &Player| matches!(player.name, "slipmode" | "SciPy"))?;
+    let found = players::find(|player: &Player| matches!(player.name, "slipmode" | "SciPy"))?;
     schedule::prepare()?;
-    let measured = schedule::run(&players, &["cycles"], 1)?;
+    let measured = schedule::run(&found.players, &["cycles"], 1)?;
     for line in ratios::lines(&measured) {
         println!("{line}");
     }
@@ -66,11 +77,11 @@ pub fn compare(words: &[String], once: bool) -> Result<(), String> {
     if works.is_empty() {
         return Err(format!("--peers takes the beginnings of: {}", WORKS.join(", ")));
     }
-    let players = players::find(|_| true)?;
+    let found = players::find(|_| true)?;
     schedule::prepare()?;
-    let measured = schedule::run(&players, &works, rounds)?;
+    let measured = schedule::run(&found.players, &works, rounds)?;
     for line in ratios::lines(&measured) {
         println!("{line}");
     }
-    if words.is_empty() { write::results(&players, &measured) } else { Ok(()) }
+    if words.is_empty() { write::results(&found, &measured) } else { Ok(()) }
 }

@@ -9,8 +9,8 @@ use crate::{process, repository};
 /// How a player is started.
 #[derive(Debug, Clone, Copy)]
 enum Program {
-    /// Our own benchmark.
-    Ours,
+    /// This package's benchmark; the text follows the work's name.
+    Bench(&'static str),
     /// A Python script.
     Python(&'static str),
     /// A PARI/GP script.
@@ -45,17 +45,34 @@ const fn compiled(
     Program::Compiled { compiler, source, libraries }
 }
 
-fn all() -> [Player; 10] {
+fn all() -> [Player; 14] {
     let roots = &["roots"];
+    let points = &["signs", "extremes", "cubic"];
     [
         player(
             "slipmode",
-            &["classes", "roots", "boundary", "hard-cases", "cycles", "smooth", "sweep"],
-            Program::Ours,
+            &[
+                "signs",
+                "extremes",
+                "cubic",
+                "roots",
+                "boundary",
+                "hard-cases",
+                "cycles",
+                "smooth",
+                "throughput",
+                "sweep",
+            ],
+            Program::Bench(""),
         ),
-        player("NumPy", &["classes"], Program::Python("numpy_classes.py")),
-        player("GSL", &["classes"], compiled("cc", "gsl_classes.c", &["gsl", "gslcblas", "m"])),
-        player("FLINT", &["roots", "boundary"], Program::Python("flint_roots.py")),
+        player("NumPy", points, Program::Python("numpy_classes.py")),
+        player("GSL", points, compiled("cc", "gsl_classes.c", &["gsl", "gslcblas", "m"])),
+        player(
+            "FLINT",
+            &["roots", "boundary"],
+            compiled("cc", "flint_roots.c", &["flint-arb", "flint", "m"]),
+        ),
+        player("python-flint", &["roots", "boundary"], Program::Python("flint_roots.py")),
         player("PARI/GP", roots, Program::Gp("pari_roots.gp")),
         player("MPSolve", roots, compiled("cc", "mpsolve_roots.c", &["mps", "gmp", "m"])),
         // Ten thousand digits take minutes.
@@ -66,12 +83,32 @@ fn all() -> [Player; 10] {
             compiled("cc", "cvode_cycles.c", &["sundials_cvode", "sundials_nvecserial", "m"]),
         ),
         player("boost.odeint", &["cycles", "sweep"], compiled("c++", "rosenbrock4.cpp", &[])),
-        player("heyoka", &["smooth"], Program::Python("heyoka_smooth.py")),
+        player("static Rosenbrock", &["cycles", "sweep"], compiled("c++", "static_rosenbrock.cpp", &[])),
+        player(DIFFERENTIAL_EQUATIONS, &["cycles"], Program::Bench("-differential-equations")),
+        player("heyoka", &["smooth", "throughput"], Program::Python("heyoka_smooth.py")),
+        Player { is_slow: true, ..player("SciPy", &["cycles"], Program::Python("scipy_cycles.py")) },
     ]
 }
 
-fn scipy() -> Player {
-    Player { is_slow: true, ..player("SciPy", &["cycles"], Program::Python("scipy_cycles.py")) }
+/// The crate that is linked into this package's benchmark.
+const DIFFERENTIAL_EQUATIONS: &str = "differential-equations";
+
+/// The version of a crate in the lock file.
+fn locked_version(name: &str) -> Result<String, String> {
+    let path = repository::root().join("Cargo.lock");
+    let lock = fs::read_to_string(path).map_err(|error| format!("Cargo.lock: {error}"))?;
+    let package = format!("name = \"{name}\"\nversion = \"");
+    let version = lock.split_once(&package).and_then(|(_, rest)| rest.split('"').next());
+    version.map(str::to_string).ok_or_else(|| format!("Cargo.lock has no {name}"))
+}
+
+/// The players that are there, and the others with the reason why they are not.
+#[derive(Debug, Default)]
+pub struct Found {
+    /// Those that play.
+    pub players: Vec<Player>,
+    /// Name and reason of those that are skipped.
+    pub skipped: Vec<(&'static str, String)>,
 }
 
 /// Where inputs and compiled players lie.
@@ -83,17 +120,20 @@ pub fn folder() -> PathBuf {
 ///
 /// # Errors
 /// When a folder cannot be made.
-pub fn find(wanted: impl Fn(&Player) -> bool) -> Result<Vec<Player>, String> {
+pub fn find(wanted: impl Fn(&Player) -> bool) -> Result<Found, String> {
     fs::create_dir_all(folder()).map_err(|error| format!("target/peers: {error}"))?;
-    let mut found = Vec::new();
-    for mut player in all().into_iter().chain([scipy()]).filter(|player| wanted(player)) {
+    let mut found = Found::default();
+    for mut player in all().into_iter().filter(|player| wanted(player)) {
         match player.look() {
             Ok(version) => {
                 println!("peer {}: {version}", player.name);
                 player.version = version;
-                found.push(player);
+                found.players.push(player);
             }
-            Err(reason) => println!("peer {} skipped: {reason}", player.name),
+            Err(reason) => {
+                println!("peer {} skipped: {reason}", player.name);
+                found.skipped.push((player.name, reason));
+            }
         }
     }
     Ok(found)
@@ -105,10 +145,16 @@ impl Player {
         self.works.iter().any(|beginning| work.starts_with(beginning))
     }
 
+    /// What the program says of itself, with its name in front where that is missing.
+    pub fn program_and_version(&self) -> String {
+        let is_named = self.version.starts_with(|first: char| first.is_alphabetic());
+        if is_named { self.version.clone() } else { format!("{} {}", self.name, self.version) }
+    }
+
     /// The command that does a piece of work, in the repository's root, on one thread.
     pub fn command(&self, work: &str) -> Command {
         let mut command = match self.program {
-            Program::Ours => process::cargo(&[
+            Program::Bench(_) => process::cargo(&[
                 "bench",
                 "--quiet",
                 "--locked",
@@ -123,10 +169,17 @@ impl Player {
             Program::Gp(script) => program("gp", &["-q", "-f", "-s", "1000000000", &path_of(script)]),
             Program::Compiled { source, .. } => program(&executable(source), &[]),
         };
-        if let Program::Gp(_) = self.program {
-            command.env("PEERS_WORK", work).env("PEERS_FOLDER", "target/peers/inputs").stdin(Stdio::null());
-        } else {
-            command.args([work, "target/peers/inputs"]);
+        match self.program {
+            Program::Gp(_) => {
+                let folder = ("PEERS_FOLDER", "target/peers/inputs");
+                command.envs([("PEERS_WORK", work), folder]).stdin(Stdio::null());
+            }
+            Program::Bench(suffix) => {
+                command.args([&format!("{work}{suffix}"), "target/peers/inputs"]);
+            }
+            Program::Python(_) | Program::Compiled { .. } => {
+                command.args([work, "target/peers/inputs"]);
+            }
         }
         for variable in ["RAYON_NUM_THREADS", "OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "MKL_NUM_THREADS"] {
             command.env(variable, "1");
@@ -138,7 +191,8 @@ impl Player {
     /// Its version, after compiling it where that is needed; or why it cannot play.
     fn look(&self) -> Result<String, String> {
         let mut command = match self.program {
-            Program::Ours => return Ok(env!("CARGO_PKG_VERSION").to_string()),
+            Program::Bench("") => return Ok(env!("CARGO_PKG_VERSION").to_string()),
+            Program::Bench(_) => return locked_version(self.name),
             Program::Python(script) => program("python3", &[&path_of(script), "version"]),
             Program::Gp(_) => program("gp", &["--version-short"]),
             Program::Compiled { compiler, source, libraries } => {
@@ -157,8 +211,10 @@ impl Player {
 
 fn compile(compiler: &str, source: &str, libraries: &[&str]) -> Result<(), String> {
     let output = executable(source);
-    let mut command =
-        program(compiler, &["-O3", "-DNDEBUG", "-march=native", "-w", "-o", &output, &path_of(source)]);
+    let mut command = program(
+        compiler,
+        &["-O3", "-DNDEBUG", "-march=native", "-fno-math-errno", "-w", "-o", &output, &path_of(source)],
+    );
     command.args(libraries.iter().map(|library| format!("-l{library}")));
     match command.stderr(Stdio::null()).status() {
         Ok(status) if status.success() => Ok(()),
@@ -187,9 +243,9 @@ mod tests {
 
     #[test]
     fn every_players_script_is_there_and_every_work_has_a_player_beside_ours() {
-        for player in all().into_iter().chain([scipy()]) {
+        for player in all() {
             let script = match player.program {
-                Program::Ours => "main.rs",
+                Program::Bench(_) => "main.rs",
                 Program::Python(script) | Program::Gp(script) => script,
                 Program::Compiled { source, .. } => source,
             };
@@ -199,6 +255,17 @@ mod tests {
         for work in super::super::WORKS.into_iter().filter(|work| *work != "hard-cases") {
             assert!(all().iter().filter(|player| player.does(work)).count() >= 2, "{work}");
         }
+    }
+
+    #[test]
+    fn a_program_is_named_with_its_version() {
+        let program = |version: &str| {
+            Player { version: version.into(), ..player("PARI/GP", &[], Program::Bench("")) }
+                .program_and_version()
+        };
+        assert_eq!((program("2.15.2"), program("GSL 2.7")), ("PARI/GP 2.15.2".into(), "GSL 2.7".into()));
+        assert!(locked_version(DIFFERENTIAL_EQUATIONS).unwrap().split('.').count() == 3);
+        assert!(locked_version("no-such-crate").is_err());
     }
 
     #[test]

@@ -3,9 +3,7 @@
 use std::collections::BTreeSet;
 
 use super::row::Row;
-
-/// The errors at which methods with tolerances are compared.
-const ERRORS: [f64; 5] = [1e-2, 1e-4, 1e-6, 1e-8, 1e-10];
+use crate::times::{ERRORS, KINDS};
 
 /// One comparison.
 #[derive(Debug)]
@@ -28,7 +26,7 @@ pub fn ratios(rows: &[Row]) -> Vec<Ratio<'_>> {
 }
 
 fn of_work<'r>(work: &str, rows: Vec<&'r Row>) -> Vec<Ratio<'r>> {
-    let has_tolerances = work.starts_with("cycles") || work.starts_with("smooth");
+    let has_tolerances = KINDS.iter().any(|kind| work.starts_with(kind));
     if !has_tolerances {
         return compare(
             work.to_string(),
@@ -37,8 +35,8 @@ fn of_work<'r>(work: &str, rows: Vec<&'r Row>) -> Vec<Ratio<'r>> {
     }
     let methods: BTreeSet<&str> = rows.iter().map(|row| row.method.as_str()).collect();
     let best = |method: &str, most: f64| {
-        let meets =
-            |row: &&&Row| row.method == method && row.error_value().is_some_and(|error| error <= most);
+        let is_right = |row: &Row| row.wrong == 0 && row.error_value().is_some_and(|error| error <= most);
+        let meets = |row: &&&Row| row.method == method && is_right(row);
         rows.iter().filter(meets).copied().min_by(|a, b| a.seconds.total_cmp(&b.seconds))
     };
     ERRORS
@@ -96,9 +94,9 @@ mod tests {
 
     fn row(work: &str, method: &str, tolerance: &str, seconds: f64, error: &str) -> Row {
         let line = format!(
-            "row work={work} method={method} tolerance={tolerance} items=1 seconds={seconds} error={error} wrong=0 steps=- evaluations=-"
+            "row work={work} method={method} options=- tolerance={tolerance} items=1 seconds={seconds} error={error} wrong=0 steps=- evaluations=-"
         );
-        Row::parse(&line, "").unwrap()
+        Row::parse(&line, "", "").unwrap()
     }
 
     #[test]

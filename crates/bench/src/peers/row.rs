@@ -7,6 +7,8 @@ pub struct Row {
     pub work: String,
     /// How it was done.
     pub method: String,
+    /// The settings that matter, separated by `; `, or `-`.
+    pub options: String,
     /// The tolerance asked for, or `-`.
     pub tolerance: String,
     /// How many items were done.
@@ -21,13 +23,15 @@ pub struct Row {
     pub steps: String,
     /// Evaluations of the right-hand side, or `-`.
     pub evaluations: String,
+    /// The program that did it, with its version.
+    pub program: String,
     /// The command that printed it.
     pub command: String,
 }
 
 impl Row {
-    /// Reads a line `row key=value …`; any other line is none.
-    pub fn parse(line: &str, command: &str) -> Option<Self> {
+    /// Reads a line `row key=value …` that a command of a program printed; any other line is none.
+    pub fn parse(line: &str, program: &str, command: &str) -> Option<Self> {
         let cells = line.strip_prefix("row ")?;
         let value = |key: &str| {
             cells.split(' ').find_map(|cell| cell.strip_prefix(key)?.strip_prefix('=')).map(str::to_string)
@@ -35,6 +39,7 @@ impl Row {
         Some(Self {
             work: value("work")?,
             method: value("method")?,
+            options: value("options")?.replace(';', "; ").replace('~', " "),
             tolerance: value("tolerance")?,
             items: value("items")?.parse().ok()?,
             seconds: value("seconds")?.parse().ok()?,
@@ -42,6 +47,7 @@ impl Row {
             wrong: value("wrong")?.parse().ok()?,
             steps: value("steps")?,
             evaluations: value("evaluations")?,
+            program: program.to_string(),
             command: command.to_string(),
         })
     }
@@ -79,19 +85,20 @@ pub fn keep_best(rows: &mut Vec<Row>, row: Row) {
 mod tests {
     use super::*;
 
-    const LINE: &str = "row work=roots-50-hard method=x tolerance=- items=4 seconds=2.0e0 error=1.2e-400 wrong=1 steps=- evaluations=-";
+    const LINE: &str = "row work=roots-50-hard method=x options=a=1;b~c tolerance=- items=4 seconds=2.0e0 error=1.2e-400 wrong=1 steps=- evaluations=-";
 
     #[test]
     fn a_row_is_read_and_anything_else_is_not() {
-        let row = Row::parse(LINE, "x").unwrap();
+        let row = Row::parse(LINE, "p 1.0", "x").unwrap();
         assert_eq!((row.seconds_per_item(), row.wrong, row.error_value()), (0.5, 1, Some(0.0)));
-        assert_eq!(Row::parse("warning: row", ""), None);
-        assert_eq!(Row::parse("row work=a", ""), None);
+        assert_eq!((row.options.as_str(), row.program.as_str()), ("a=1; b c", "p 1.0"));
+        assert_eq!(Row::parse("warning: row", "", ""), None);
+        assert_eq!(Row::parse("row work=a", "", ""), None);
     }
 
     #[test]
     fn of_two_measurements_the_faster_stays() {
-        let row = Row::parse(LINE, "x").unwrap();
+        let row = Row::parse(LINE, "p 1.0", "x").unwrap();
         let mut rows = vec![row.clone()];
         keep_best(&mut rows, Row { seconds: 1.0, ..row.clone() });
         keep_best(&mut rows, Row { seconds: 3.0, ..row.clone() });

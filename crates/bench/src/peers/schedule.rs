@@ -51,7 +51,7 @@ fn play(player: &Player, work: &str, rows: &mut Vec<Row>) -> Result<(), String> 
     match done {
         Ok(done) if done.status.success() => {
             for line in String::from_utf8_lossy(&done.stdout).lines() {
-                if let Some(row) = Row::parse(line, &words) {
+                if let Some(row) = Row::parse(line, &player.program_and_version(), &words) {
                     keep_best(rows, row);
                 }
             }

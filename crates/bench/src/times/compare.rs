@@ -16,7 +16,7 @@ pub struct PeerGroup<'r> {
 /// One method at one error over all cases of a kind.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Reached<'r> {
-    /// The kind: `cycles` or `smooth`.
+    /// The kind, one of [`KINDS`].
     pub kind: &'r str,
     /// The error to be met.
     pub error: f64,
@@ -44,16 +44,28 @@ impl Reached<'_> {
         let ratios = || self.over_ours.iter().copied();
         Some((ratios().reduce(f64::min)?, ratios().reduce(f64::max)?))
     }
+
+    /// A text of the first row: all rows of a method have the same; empty without a row.
+    pub(crate) fn of_first(&self, text: impl Fn(&PeerRow) -> &String) -> &str {
+        self.rows.first().map_or("", |row| text(row))
+    }
+
+    /// In how many cases it is faster than our fastest method.
+    #[must_use]
+    pub fn faster_cases(&self) -> usize {
+        self.over_ours.iter().filter(|ratio| **ratio < 1.0).count()
+    }
 }
 
 /// The errors at which methods with tolerances are compared.
-pub(crate) const ERRORS: [f64; 4] = [1e-4, 1e-6, 1e-8, 1e-10];
+pub(crate) const ERRORS: [f64; 7] = [1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-8, 1e-10];
+
+/// The works whose methods have tolerances, one or more cases each.
+pub(crate) const KINDS: [&str; 3] = ["cycles", "smooth", "throughput"];
 
 /// What a work is a case of, when its methods have tolerances.
 fn kind(work: &str) -> Option<&'static str> {
-    ["cycles", "smooth"]
-        .into_iter()
-        .find(|kind| work.strip_prefix(kind).is_some_and(|rest| rest.starts_with('-')))
+    KINDS.into_iter().find(|kind| work.strip_prefix(kind).is_some_and(|rest| rest.starts_with('-')))
 }
 
 /// Microseconds of one item.
@@ -106,7 +118,7 @@ pub(crate) fn cases<'r>(rows: &'r [PeerRow], wanted: &str) -> BTreeMap<&'r str, 
 #[must_use]
 pub fn cycle_groups(rows: &[PeerRow]) -> Vec<Reached<'_>> {
     let mut found = Vec::new();
-    for kind in ["cycles", "smooth"] {
+    for kind in KINDS {
         let cases = cases(rows, kind);
         let methods: BTreeSet<&str> = cases.values().flatten().map(|row| row.method.as_str()).collect();
         for error in ERRORS {
@@ -139,26 +151,29 @@ mod tests {
     use crate::times::read_peers;
 
     fn rows(lines: &str) -> Vec<PeerRow> {
-        let header = "work,method,tolerance,items,cpu_s,error,wrong,command\n";
+        let header = "work,method,tolerance,items,cpu_s,error,wrong,program,options,command\n";
         read_peers("peers.csv", &format!("{header}{lines}")).unwrap()
     }
 
     #[test]
     fn a_tolerance_counts_by_the_error_it_gave() {
         let rows = rows(
-            "cycles-a,slipmode-x,1e-3,1,1.0,1e-5,0,c\ncycles-a,slipmode-x,1e-9,1,4.0,1e-11,0,c\n\
-             cycles-a,peer,1e-9,1,10.0,5e-5,0,c\ncycles-b,peer,1e-9,1,1.0,,1,c\n",
+            "cycles-a,slipmode-x,1e-3,1,1.0,1e-5,0,p,o,c\ncycles-a,slipmode-x,1e-9,1,4.0,1e-11,0,p,o,c\n\
+             cycles-a,peer,1e-9,1,10.0,5e-5,0,p,o,c\ncycles-b,peer,1e-9,1,1.0,,1,p,o,c\n",
         );
         let groups = cycle_groups(&rows);
         let peer = |error: f64| groups.iter().find(|g| g.method == "peer" && g.error == error).unwrap();
         assert_eq!((peer(1e-4).over_ours.clone(), peer(1e-4).cases), (vec![10.0], 2));
+        assert_eq!(peer(1e-4).faster_cases(), 0);
+        let ours = groups.iter().find(|g| g.method == "slipmode-x" && g.error == 1e-4).unwrap();
+        assert_eq!((ours.range_over_ours(), ours.faster_cases()), (Some((1.0, 1.0)), 0));
         assert!(peer(1e-6).rows.is_empty() && peer(1e-6).mean_over_ours().is_none());
     }
 
     #[test]
     fn without_tolerances_every_row_is_over_our_fastest_and_a_work_without_ours_has_no_ratio() {
         let rows = rows(
-            "roots,slipmode-a,,1,2.0,,0,c\nroots,slipmode-b,,1,1.0,,0,c\nroots,peer,,1,3.0,,0,c\nother,peer,,1,3.0,,0,c\n",
+            "roots,slipmode-a,,1,2.0,,0,p,o,c\nroots,slipmode-b,,1,1.0,,0,p,o,c\nroots,peer,,1,3.0,,0,p,o,c\nother,peer,,1,3.0,,0,p,o,c\n",
         );
         let ratios: Vec<_> = work_groups(&rows).iter().map(|group| group.over_ours).collect();
         assert_eq!(ratios, [Some(2.0), Some(1.0), Some(3.0), None]);

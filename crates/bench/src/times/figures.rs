@@ -21,16 +21,34 @@ fn by_method<'r>(rows: impl Iterator<Item = &'r PeerRow>) -> Vec<(&'r str, Vec<&
     methods.into_iter().map(|((_, method), rows)| (method, rows)).collect()
 }
 
+/// The program of a method: the first word of its name. FLINT is the same program from C and from Python.
+fn program(method: &str) -> &str {
+    method.trim_start_matches("python-").split('-').next().unwrap_or(method)
+}
+
 fn roots(rows: &[PeerRow]) -> Chart {
     let digits = |row: &PeerRow, set: &str| -> Option<f64> {
         row.work.strip_prefix("roots-")?.strip_suffix(set)?.strip_suffix('-')?.parse().ok()
     };
+    let mut programs: BTreeMap<(bool, &str), Vec<&PeerRow>> = BTreeMap::new();
+    for row in rows.iter().filter(|row| row.work.starts_with("roots-")) {
+        programs.entry((!row.is_ours(), program(&row.method))).or_default().push(row);
+    }
     let mut series = Vec::new();
-    for (method, rows) in by_method(rows.iter()) {
-        let line = |set: &str| rows.iter().filter_map(|row| Some((digits(row, set)?, micro(row)))).collect();
-        series.push(marked(&escaped(method), line("random")));
-        if rows.first().is_some_and(|row| row.is_ours()) {
-            series.push(marked(&format!("{method}, hard cubics"), line("hard")));
+    for ((is_peer, name), rows) in programs {
+        let line = |set: &str| {
+            let mut fastest: Vec<(f64, f64)> = Vec::new();
+            for (digits, time) in rows.iter().filter_map(|row| Some((digits(row, set)?, micro(row)))) {
+                match fastest.iter_mut().find(|point| point.0 == digits) {
+                    Some(point) => point.1 = point.1.min(time),
+                    None => fastest.push((digits, time)),
+                }
+            }
+            fastest
+        };
+        series.push(marked(name, line("random")));
+        if !is_peer {
+            series.push(marked(&format!("{name}, hard cubics"), line("hard")));
         }
     }
     series.retain(|line| !line.points.is_empty());
@@ -39,7 +57,7 @@ fn roots(rows: &[PeerRow]) -> Chart {
         data: &["peers-roots"],
             label: "Figure P4",
             title: "Time of three roots against digits".into(),
-            caption: "CPU time of the three roots of one cubic against the requested digits, for random cubics unless stated otherwise. The table has the errors. FLINT's roots and ours are enclosed, the others are not.".into(),
+            caption: "CPU time of the three roots of one cubic against the requested digits, for random cubics unless stated otherwise, by the fastest method of each program. The table has the errors. FLINT's roots and ours are enclosed, the others are not.".into(),
             description: "CPU time of three roots against requested digits, on logarithmic axes, one line for each program.",
         x: LogAxis::new("Digits", ""),
         y: LogAxis::new("CPU time", "µs"),

@@ -3,8 +3,19 @@
 use super::PeerRow;
 use super::compare::{ERRORS, cases, fastest};
 
-/// A number with the lines of the file that it follows from; or which row is missing.
-pub(crate) type Measured = Result<(f64, Vec<usize>), String>;
+/// A number that follows from rows.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Found {
+    /// The number that a bound is compared with: of several, the least favourable one.
+    pub value: f64,
+    /// The smallest and the largest of several.
+    pub range: Option<(f64, f64)>,
+    /// Lines of the file; none where they are all of a work.
+    pub lines: Vec<usize>,
+}
+
+/// A number; or which row is missing.
+pub(crate) type Measured = Result<Found, String>;
 
 /// Looks up rows.
 #[derive(Debug, Clone, Copy)]
@@ -15,88 +26,93 @@ pub(crate) fn error(row: &PeerRow) -> f64 {
     row.error_value().unwrap_or(f64::INFINITY)
 }
 
+/// The tolerances that ours are expected to meet within a factor of ten.
+const TOLERANCES: [f64; 4] = [1e-4, 1e-6, 1e-8, 1e-10];
+
+/// One number for each of several lines; of several, the value is the one that `pick` prefers.
+fn found(values: &[(f64, Vec<usize>)], pick: fn(f64, f64) -> f64) -> Measured {
+    let numbers = || values.iter().map(|(value, _)| *value);
+    let value = numbers().reduce(pick).ok_or("no row of any of its works")?;
+    let range = numbers().reduce(f64::min).zip(numbers().reduce(f64::max));
+    let lines = values.iter().flat_map(|(_, lines)| lines).copied().collect();
+    Ok(Found { value, range: range.filter(|_| values.len() > 1), lines })
+}
+
 impl<'r> Rows<'r> {
     pub(crate) fn find(&self, work: &str, method: &str) -> Result<&'r PeerRow, String> {
         let found = self.0.iter().find(|row| row.work == work && row.method == method);
         found.ok_or_else(|| format!("no row `{work}, {method}`"))
     }
 
-    pub(crate) fn works(&self, work: &str) -> Vec<&'r PeerRow> {
-        self.0.iter().filter(|row| row.work == work).collect()
-    }
-
-    pub(crate) fn of(&self, work: &str, method: &str, quantity: fn(&PeerRow) -> f64) -> Measured {
-        self.find(work, method).map(|row| (quantity(row), vec![row.line]))
-    }
-
-    /// The worst of a quantity over several rows, all of which must be there.
-    pub(crate) fn reduce<'n>(
+    /// A quantity of a method on several works, all of which must be there.
+    pub(crate) fn of(
         &self,
-        wanted: impl IntoIterator<Item = (&'n str, &'n str)>,
+        works: &[&str],
+        method: &str,
         quantity: fn(&PeerRow) -> f64,
         pick: fn(f64, f64) -> f64,
     ) -> Measured {
-        let rows = wanted.into_iter().map(|(work, method)| self.find(work, method));
-        let rows = rows.collect::<Result<Vec<_>, _>>()?;
-        let value = rows.iter().map(|row| quantity(row)).reduce(pick).ok_or("no target")?;
-        Ok((value, rows.iter().map(|row| row.line).collect()))
+        let row = |work: &&str| self.find(work, method).map(|row| (quantity(row), vec![row.line]));
+        found(&works.iter().map(row).collect::<Result<Vec<_>, _>>()?, pick)
     }
 
-    /// The time of one item of the first over that of the second.
-    pub(crate) fn ratio(&self, over: (&str, &str), under: (&str, &str)) -> Measured {
-        let (over, under) = (self.find(over.0, over.1)?, self.find(under.0, under.1)?);
-        Ok((over.seconds_per_item() / under.seconds_per_item(), vec![over.line, under.line]))
+    /// On each of several works the time of a peer's fastest method over ours; the value is the least.
+    pub(crate) fn over_ours(&self, works: &[&str], peers: &[&str], ours: &str) -> Measured {
+        let ratio = |work: &&str| {
+            let mine = self.find(work, ours)?;
+            let rows = peers.iter().filter_map(|peer| self.find(work, peer).ok());
+            let peer = rows.min_by(|one, other| one.seconds_per_item().total_cmp(&other.seconds_per_item()));
+            let peer = peer.ok_or_else(|| format!("no row `{work}, {}`", peers.join(" or ")))?;
+            Ok::<_, String>((peer.seconds_per_item() / mine.seconds_per_item(), vec![peer.line, mine.line]))
+        };
+        found(&works.iter().map(ratio).collect::<Result<Vec<_>, _>>()?, f64::min)
     }
 
-    pub(crate) fn least_ratio<'n>(
-        &self,
-        works: impl IntoIterator<Item = &'n (impl AsRef<str> + ?Sized + 'n)>,
-        peer: &str,
-        ours: &str,
-    ) -> Measured {
-        let mut least: Measured = Err("no target".into());
-        for work in works {
-            let (ratio, lines) = self.ratio((work.as_ref(), peer), (work.as_ref(), ours))?;
-            if !least.as_ref().is_ok_and(|(known, _)| *known <= ratio) {
-                least = Ok((ratio, lines));
-            }
-        }
-        least
+    /// Of one method, its time on the first of two works over that on the second; the value is the largest.
+    pub(crate) fn between_works(&self, pairs: &[[&str; 2]], method: &str) -> Measured {
+        let ratio = |[over, under]: &[&str; 2]| {
+            let (over, under) = (self.find(over, method)?, self.find(under, method)?);
+            Ok::<_, String>((over.seconds_per_item() / under.seconds_per_item(), vec![over.line, under.line]))
+        };
+        found(&pairs.iter().map(ratio).collect::<Result<Vec<_>, _>>()?, f64::max)
     }
 
-    /// The largest of several ratios, each of a first work and method over a second.
-    pub(crate) fn most_ratio<const N: usize>(&self, pairs: [[(String, &str); 2]; N]) -> Measured {
-        let mut most: Measured = Err("no target".into());
-        for [over, under] in &pairs {
-            let (ratio, lines) = self.ratio((&over.0, over.1), (&under.0, under.1))?;
-            if !most.as_ref().is_ok_and(|(known, _)| *known >= ratio) {
-                most = Ok((ratio, lines));
-            }
-        }
-        most
+    /// On one work the time of a peer's fastest tolerance without a wrong item over our row, at an error of at most this.
+    pub(crate) fn over_ours_within(&self, work: &str, error: f64, peer: &str, ours: &str) -> Measured {
+        let mine = self.find(work, ours)?;
+        let rows: Vec<&PeerRow> = self.0.iter().filter(|row| row.work == work).collect();
+        let row = fastest(&rows, error, |row| row.method == peer)
+            .ok_or_else(|| format!("no row `{work}, {peer}` without a wrong run"))?;
+        let ratio = row.seconds_per_item() / mine.seconds_per_item();
+        Ok(Found { value: ratio, range: None, lines: vec![row.line, mine.line] })
     }
 
-    /// Over all cases of a kind and all errors, the least of the best peer's time over ours; a peer that does not reach an error is
-    /// no peer there, and an error that none of ours reaches counts as infinitely slow.
-    pub(crate) fn least_over_peers(&self, kind: &str) -> Measured {
-        let mut least: Measured = Err(format!("no case of `{kind}` that a competitor finishes"));
+    /// Over all cases of a kind and all errors, the time of the fastest peer over ours. The value is the least ratio; its two lines
+    /// are named. A peer that does not reach an error is no peer there, and an error that none of ours reaches counts as infinitely
+    /// slow.
+    pub(crate) fn over_ours_at_equal_error(&self, kind: &str, is_peer: fn(&PeerRow) -> bool) -> Measured {
+        let mut ratios: Vec<(f64, Vec<usize>)> = Vec::new();
         for (rows, most) in cases(self.0, kind).values().flat_map(|rows| ERRORS.map(|most| (rows, most))) {
-            let Some(peer) = fastest(rows, most, |row| !row.is_ours()) else { continue };
+            let Some(peer) = fastest(rows, most, is_peer) else { continue };
             let ours = fastest(rows, most, PeerRow::is_ours);
             let ratio = ours.map_or(0.0, |ours| peer.seconds_per_item() / ours.seconds_per_item());
-            if !least.as_ref().is_ok_and(|(known, _)| *known <= ratio) {
-                let lines = [Some(peer), ours].into_iter().flatten().map(|row| row.line).collect();
-                least = Ok((ratio, lines));
-            }
+            let lines = [Some(peer), ours].into_iter().flatten().map(|row| row.line).collect();
+            ratios.push((ratio, lines));
         }
-        least
+        let all = found(&ratios, f64::min)
+            .map_err(|_| format!("no case of `{kind}` that such a program finishes"))?;
+        let least = ratios.into_iter().find(|(ratio, _)| *ratio == all.value);
+        Ok(Found { lines: least.map(|(_, lines)| lines).unwrap_or_default(), ..all })
     }
 
     /// Cases and tolerances from 1e-4 to 1e-10 at which no method of ours ended with an error of at most ten tolerances.
     pub(crate) fn unmet(&self, kind: &str) -> Measured {
+        let cases = cases(self.0, kind);
+        if cases.is_empty() {
+            return Err(format!("no row of `{kind}`"));
+        }
         let (mut unmet, mut lines) = (0, Vec::new());
-        for (rows, tolerance) in cases(self.0, kind).values().flat_map(|rows| ERRORS.map(|most| (rows, most)))
-        {
+        for (rows, tolerance) in cases.values().flat_map(|rows| TOLERANCES.map(|most| (rows, most))) {
             let requested = |row: &&&PeerRow| {
                 row.is_ours()
                     && row.tolerance.is_some_and(|requested| (requested / tolerance - 1.0).abs() < 1e-3)
@@ -107,10 +123,6 @@ impl<'r> Rows<'r> {
                 lines.extend(ours.iter().map(|row| row.line));
             }
         }
-        if cases(self.0, kind).is_empty() {
-            Err(format!("no row of `{kind}`"))
-        } else {
-            Ok((f64::from(unmet), lines))
-        }
+        Ok(Found { value: f64::from(unmet), range: None, lines })
     }
 }

@@ -23,6 +23,10 @@ pub struct PeerRow {
     pub error: String,
     /// Wrong answers and failures.
     pub wrong: u64,
+    /// The program, with its version.
+    pub program: String,
+    /// The settings that matter.
+    pub options: String,
     /// The command that prints the row.
     pub command: String,
 }
@@ -90,7 +94,9 @@ impl PeerRow {
             seconds: row.positive(4)?,
             error: row.text(5),
             wrong: row.whole(6)?,
-            command: row.text(7),
+            program: row.text(7),
+            options: row.text(8),
+            command: row.text(9),
         })
     }
 }
@@ -100,7 +106,8 @@ impl PeerRow {
 /// # Errors
 /// Every fault of the header, or the first of a row.
 pub fn read_peers(file: &str, text: &str) -> Result<Vec<PeerRow>, Faults> {
-    const COLUMNS: [&str; 8] = ["work", "method", "tolerance", "items", "cpu_s", "error", "wrong", "command"];
+    const COLUMNS: [&str; 10] =
+        ["work", "method", "tolerance", "items", "cpu_s", "error", "wrong", "program", "options", "command"];
     rows(file, text, &COLUMNS)?.iter().map(PeerRow::read).collect()
 }
 
@@ -143,23 +150,28 @@ pub fn read_machine(file: &str, text: &str) -> Result<Vec<MachineRow>, Faults> {
 mod tests {
     use super::*;
 
-    const HEADER: &str = "work,method,tolerance,items,cpu_s,error,wrong,steps,evaluations,command\n";
+    const HEADER: &str =
+        "work,method,tolerance,items,cpu_s,error,wrong,steps,evaluations,program,options,command\n";
 
     #[test]
     fn a_row_keeps_its_line_and_an_error_below_the_range_of_64_bits_is_zero() {
-        let rows = read_peers("peers.csv", &format!("{HEADER}w,slipmode-x,,4,2e0,1e-400,0,,,cargo bench\n"))
-            .unwrap();
+        let rows = read_peers(
+            "peers.csv",
+            &format!("{HEADER}w,slipmode-x,,4,2e0,1e-400,0,,,p 1,a; b,cargo bench\n"),
+        )
+        .unwrap();
         assert_eq!((rows[0].line, rows[0].seconds_per_item(), rows[0].error_value()), (2, 0.5, Some(0.0)));
+        assert_eq!((rows[0].program.as_str(), rows[0].options.as_str()), ("p 1", "a; b"));
         assert!(rows[0].is_ours() && rows[0].tolerance.is_none());
     }
 
     #[test]
     fn a_cell_that_is_no_number_is_named_with_its_line_and_column() {
         for (row, named) in [
-            ("w,m,,0,1,,0,,,c", "2: items = 0"),
-            ("w,m,,1,nan,,0,,,c", "2: cpu_s = nan"),
-            ("w,m,x,1,1,,0,,,c", "2: tolerance = x"),
-            ("w,m,,1,1,,-1,,,c", "2: wrong = -1"),
+            ("w,m,,0,1,,0,,,p,o,c", "2: items = 0"),
+            ("w,m,,1,nan,,0,,,p,o,c", "2: cpu_s = nan"),
+            ("w,m,x,1,1,,0,,,p,o,c", "2: tolerance = x"),
+            ("w,m,,1,1,,-1,,,p,o,c", "2: wrong = -1"),
             ("w,m", "2: 2 cells"),
         ] {
             let faults = read_peers("peers.csv", &format!("{HEADER}{row}\n")).unwrap_err();

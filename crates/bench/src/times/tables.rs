@@ -26,7 +26,8 @@ pub fn tables(timings: &Timings) -> Vec<Table> {
     ]
 }
 
-const CLASSES: [&str; 2] = ["peers-classes", "Classes, hard cases, boundary and sweep: ours and others"];
+const CLASSES: [&str; 2] =
+    ["peers-classes", "Signs, extremes, roots in 64 bits, boundary and sweep: ours and others"];
 const ROOTS: [&str; 2] = ["peers-roots", "Roots of a cubic: ours and others"];
 
 /// Digits of times and ratios.
@@ -38,21 +39,24 @@ fn lines<'l>(lines: impl IntoIterator<Item = &'l usize>) -> String {
 
 fn wanted(timings: &Timings) -> Table {
     let note = format!(
-        "Rows are lines of `timings/{}`. The bounds were set before the measurements. The results are computed from the rows.",
+        "Rows are lines of `timings/{}`. The results are computed from the rows. Where a set of works is compared, the least favourable of them decides. A ratio below 1 means that the other program is faster.",
         PEERS_FILE
     );
     let aims = aims(&timings.peers);
     let rows = |aim: &Aim| match &aim.measured {
-        Ok((_, rows)) if rows.is_empty() => format!("all of {}", aim.bench),
-        Ok((_, rows)) => lines(rows),
+        Ok(found) if found.lines.is_empty() => format!("all of {}", aim.bench),
+        Ok(found) => lines(&found.lines),
         Err(_) => String::new(),
     };
+    let measured = |aim: &Aim| aim.measured.as_ref().ok().map(|found| found.value);
+    let range = |aim: &Aim| range_text(aim.measured.as_ref().ok().and_then(|found| found.range));
     Table::of("aims", "Targets and measurements", &aims)
         .note(&note)
         .text("work", "Work", |aim| &aim.work)
         .text("quantity", "Quantity", |aim| aim.quantity)
         .text("outcome", "Result", outcome)
-        .digits("measured", "Measured", "", DIGITS, |aim| aim.measured.as_ref().ok().map(|(value, _)| *value))
+        .digits("measured", "Measured", "", DIGITS, measured)
+        .text("range", "Smallest and largest", range)
         .text("must", "Required", |aim| bound(aim.must))
         .text("aim", "Target", |aim| bound(aim.aim))
         .text("rows", "Rows", rows)
@@ -70,11 +74,11 @@ fn bound(bound: Option<Bound>) -> String {
 }
 
 fn outcome(aim: &Aim) -> String {
-    let (value, _) = match &aim.measured {
-        Ok(measured) => measured,
+    let value = match &aim.measured {
+        Ok(found) => found.value,
         Err(missing) => return format!("not measured: {missing}"),
     };
-    let met = |bound: Option<Bound>| bound.map(|bound| bound.is_met(*value));
+    let met = |bound: Option<Bound>| bound.map(|bound| bound.is_met(value));
     match (met(aim.must), met(aim.aim)) {
         (Some(false), _) => "required value missed",
         (_, Some(true)) => "target met",
@@ -88,7 +92,7 @@ fn outcome(aim: &Aim) -> String {
 
 fn peers(timings: &Timings, [id, title]: [&str; 2], wanted: fn(&str) -> bool) -> Table {
     let note = format!(
-        "Printed by `cargo xtask bench --peers`; the lines of `timings/{}` have the command of each row. Wrong answers are not included in the errors.",
+        "Printed by `cargo xtask bench --peers`. Rows are lines of `timings/{}`. A ratio below 1 means faster than ours. Wrong answers are not included in the errors.",
         PEERS_FILE
     );
     let groups = work_groups(&timings.peers);
@@ -101,6 +105,9 @@ fn peers(timings: &Timings, [id, title]: [&str; 2], wanted: fn(&str) -> bool) ->
         .digits("over_ours", "Ratio to our fastest", "", DIGITS, |group| group.over_ours)
         .number("worst_error", "Largest error", "", |group| Cell::number(error_text(group.row)))
         .text("wrong", "Wrong or failed", |group| format!("{} of {}", group.row.wrong, group.row.items))
+        .text("program", "Program", |group| &group.row.program)
+        .text("options", "Options", |group| &group.row.options)
+        .text("command", "Command", |group| &group.row.command)
         .number("row", "Row", "", |group| group.row.line)
         .table()
 }
@@ -115,24 +122,31 @@ fn error_text(row: &PeerRow) -> String {
 
 fn cycles(timings: &Timings) -> Table {
     let note = format!(
-        "Printed by `cargo xtask bench --peers cycles` and `… smooth`. For each case and method, the fastest tolerance whose measured error is at most the required error. Ratios are to our fastest method on the same case at the same error; their mean is geometric. Rows are lines of `timings/{}`.",
+        "Printed by `cargo xtask bench --peers cycles`, `… smooth` and `… throughput`. All methods have the same tolerances, two a decade. For each case and method, the fastest tolerance whose measured error is at most the required error. Ratios are to our fastest method on the same case at the same error; their mean is geometric. A ratio below 1 means faster than ours. Rows are lines of `timings/{}`.",
         PEERS_FILE
     );
     let groups = cycle_groups(&timings.peers);
-    Table::of("peers-cycles", "Cycles and smooth regimes at equal error: ours and others", &groups)
-        .note(&note)
-        .text("kind", "Kind", |reached| reached.kind)
-        .digits("error", "Required error", "", 1, |reached| reached.error)
-        .text("method", "Method", |reached| reached.method)
-        .text("cases", "Cases", |reached| format!("{} of {}", reached.rows.len(), reached.cases))
-        .digits("mean_over_ours", "Ratio to our fastest, mean", "", DIGITS, Reached::mean_over_ours)
-        .text("range_over_ours", "Smallest and largest", range_text)
-        .text("rows", "Rows", |reached| lines(reached.rows.iter().map(|row| &row.line)))
-        .table()
+    Table::of(
+        "peers-cycles",
+        "Cycles, smooth regimes and sets of smooth runs at equal error: ours and others",
+        &groups,
+    )
+    .note(&note)
+    .text("kind", "Kind", |reached| reached.kind)
+    .digits("error", "Required error", "", 1, |reached| reached.error)
+    .text("method", "Method", |reached| reached.method)
+    .text("cases", "Cases", |reached| format!("{} of {}", reached.rows.len(), reached.cases))
+    .digits("mean_over_ours", "Ratio to our fastest, mean", "", DIGITS, Reached::mean_over_ours)
+    .text("range_over_ours", "Smallest and largest", |reached| range_text(reached.range_over_ours()))
+    .number("faster_cases", "Cases faster than ours", "", Reached::faster_cases)
+    .text("program", "Program", |reached| reached.of_first(|row| &row.program))
+    .text("options", "Options", |reached| reached.of_first(|row| &row.options))
+    .text("command", "Command", |reached| reached.of_first(|row| &row.command))
+    .text("rows", "Rows", |reached| lines(reached.rows.iter().map(|row| &row.line)))
+    .table()
 }
 
-fn range_text(reached: &Reached<'_>) -> String {
-    let range = reached.range_over_ours();
+fn range_text(range: Option<(f64, f64)>) -> String {
     let words = |(least, most)| format!("{} to {}", round_digits(least, 2), round_digits(most, 2));
     range.map(words).unwrap_or_default()
 }
