@@ -16,7 +16,7 @@ pub(crate) fn stable_boundary(parameters: &Slider<Rational>, stress: &Rational) 
     BoundaryCurve::new(parameters, DIGITS)
         .crossings(&Section::AtNormalStress(stress.clone()))
         .into_iter()
-        .map(|(crossing, _)| (crossing.arc, crossing.position.loading_velocity_m_per_s))
+        .map(|crossing| (crossing.arc, crossing.position.loading_velocity_m_per_s))
         .filter(|(arc, _)| *arc == Arc::Lower || upper_is_stable)
         .max_by(|(_, one), (_, other)| one.to_f64().total_cmp(&other.to_f64()))
 }

@@ -57,7 +57,7 @@ pub fn prepare(folder: &Path) {
             let groups = paper().at(exact.clone(), Rational::from(1)).groups();
             let [c0, c1, c2, c3] = discriminant_in_inertia(&groups.stiffness_group, &groups.effect_ratio);
             let scale = groups.inertial_parameter.recip();
-            for (crossing, _) in curve.crossings(&Section::AtNormalStress(exact)) {
+            for crossing in curve.crossings(&Section::AtNormalStress(exact)) {
                 let centre = crossing.position.loading_velocity_m_per_s.centre().clone();
                 let velocity = centre.to_string_radix(10, Some((digits + MORE_DIGITS - 2) as usize));
                 writeln!(text, "{stress} {c0} {c1} {c2} {c3} {scale} {velocity}").unwrap();
@@ -80,7 +80,7 @@ pub fn play(digits: &str, folder: &Path) {
     let (seconds, widest) = best_of(REPETITIONS, || {
         let mut widest = 0.0f64;
         for section in (0..rounds).flat_map(|_| &sections) {
-            for (crossing, _) in curve.crossings(section) {
+            for crossing in curve.crossings(section) {
                 widest = widest.max(relative_radius(&crossing.position.loading_velocity_m_per_s));
             }
         }

@@ -41,9 +41,9 @@ pub(crate) fn count(parameters: &Slider<Rational>, digits: &[u32]) -> Vec<Bounda
 
 fn at(slider: &Slider<Rational>, digits: u32) -> Option<Vec<BoundaryCount>> {
     let section = Section::AtNormalStress(Rational::from(NORMAL_STRESS_PA));
-    let fine = BoundaryCurve::new(slider, digits + MORE_DIGITS).crossings(&section);
-    let [(reference, parameter)] = fine.as_slice() else { return None };
-    let velocity = &reference.position.loading_velocity_m_per_s;
+    let fine = BoundaryCurve::new(slider, digits + MORE_DIGITS).on_section(&section);
+    let [reference] = fine.as_slice() else { return None };
+    let velocity = &reference.loading_velocity_m_per_s;
     let curve = BoundaryCurve::new(slider, digits);
     let row = |route, counted, count, found: &Ball| BoundaryCount {
         route,
@@ -53,9 +53,9 @@ fn at(slider: &Slider<Rational>, digits: u32) -> Option<Vec<BoundaryCount>> {
         digits_right: digits_right(found, velocity),
         agrees: found.overlaps(velocity),
     };
-    let on_curve = curve.position(reference.arc, parameter).loading_velocity_m_per_s;
+    let on_curve = curve.position(reference.arc, &reference.parameter).loading_velocity_m_per_s;
     let mut rows = vec![row("curve", "evaluations of the curve", Some(1), &on_curve)];
-    for (crossing, _) in &curve.crossings(&section) {
+    for crossing in &curve.crossings(&section) {
         rows.push(row("section", "not counted", None, &crossing.position.loading_velocity_m_per_s));
     }
     for crossing in &by_discriminant(slider, &section, digits) {

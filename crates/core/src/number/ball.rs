@@ -178,6 +178,27 @@ impl Ball {
         self.radius.binary_logarithm() - log2(&self.centre)
     }
 
+    /// k such that every point is at most 2^k in magnitude; very large for the ball of infinite radius.
+    pub(crate) fn exponent_above(&self) -> i64 {
+        Magnitude::above(&self.centre).plus(self.radius).exponent()
+    }
+
+    /// k such that every point is at least 2^k in magnitude; none when zero lies in the ball.
+    pub(crate) fn exponent_below(&self) -> Option<i64> {
+        let least = Magnitude::below(&self.centre).minus_down(self.radius);
+        (!least.is_zero() && self.is_bounded()).then(|| least.exponent() - 1)
+    }
+
+    /// k such that the radius is at most 2^k; very small for an exact ball.
+    pub(crate) fn radius_exponent(&self) -> i64 {
+        self.radius.exponent()
+    }
+
+    /// The ball with a radius that is larger by 2^exponent.
+    pub(crate) fn widened(self, exponent: i64) -> Self {
+        Self { radius: self.radius.plus(Magnitude::power_of_two(exponent)), ..self }.made_valid()
+    }
+
     /// The same set with the centre rounded to another precision; the rounding error goes into the radius.
     #[must_use]
     pub fn with_precision(&self, precision_bits: u32) -> Self {

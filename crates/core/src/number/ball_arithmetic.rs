@@ -58,6 +58,13 @@ impl Ball {
         Self::rounded(centre, rounding, radius)
     }
 
+    /// The product with a small whole number, without memory for it.
+    pub(crate) fn times_small(self, factor: u32) -> Self {
+        let Self { mut centre, radius } = self;
+        let rounding = centre.mul_assign_round(factor, Round::Nearest);
+        Self::rounded(centre, rounding, radius.times(Magnitude::of_whole(factor)))
+    }
+
     /// |x/y − x'/y'| ≤ (r_x + |x/y|·r_y)/(|y| − r_y).
     fn over(self, other: &Self) -> Self {
         let (precision, own_radius) = (self.joint_precision(other), self.radius);

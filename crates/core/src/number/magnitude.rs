@@ -34,6 +34,11 @@ impl Magnitude {
         Self { mantissa: 1 << 31, exponent: exponent + 1 }
     }
 
+    /// A whole number.
+    pub(super) fn of_whole(value: u32) -> Self {
+        if value == 0 { Self::ZERO } else { Self::rounded_up(u64::from(value), false, 64) }
+    }
+
     /// |value| rounded up; infinite for what is not finite.
     pub(super) fn above(value: &Float) -> Self {
         match significant(value) {
@@ -51,6 +56,11 @@ impl Magnitude {
     /// √|value| rounded down.
     pub(super) fn root_below(value: &Float) -> Self {
         significant(value).map_or(Self::ZERO, |(head, _, exponent)| root_down(head, exponent))
+    }
+
+    /// The magnitude is below 2^exponent, and at least half of it unless it is zero.
+    pub(super) const fn exponent(self) -> i64 {
+        self.exponent
     }
 
     pub(super) const fn is_zero(self) -> bool {

@@ -67,8 +67,8 @@ pub fn enclose_root(polynomial: &impl Coefficients, lower: &Rational, upper: &Ra
     }
 }
 
-/// Newton steps at doubling precision from a ball on which the method contracts.
-fn polish(polynomial: &impl Coefficients, start: Ball, first_precision: u32, bits: u32) -> Ball {
+/// Newton steps at doubling precision from a ball that contains a root and on which the method contracts.
+pub(crate) fn polish(polynomial: &impl Coefficients, start: Ball, first_precision: u32, bits: u32) -> Ball {
     let (mut root, mut precision) = (start, first_precision);
     let goal = -f64::from(bits);
     let limit = bits.saturating_add(GUARD_BITS).saturating_mul(64).max(1 << 16);
@@ -87,15 +87,21 @@ fn polish(polynomial: &impl Coefficients, start: Ball, first_precision: u32, bit
 }
 
 /// m − p(m)/p′(X): contains every root of p in the ball X around m.
-pub(crate) fn newton(coefficients: &[Ball], enclosure: &Ball) -> Ball {
+fn newton(coefficients: &[Ball], enclosure: &Ball) -> Ball {
     let middle = Ball::exact(enclosure.centre().clone());
     let value = horner(coefficients.to_vec(), &middle);
-    let slope = horner(derivative(coefficients), enclosure);
+    let slope = horner(derivative(coefficients.to_vec()), enclosure);
     middle - value / slope
 }
 
-fn derivative(coefficients: &[Ball]) -> Vec<Ball> {
-    coefficients.iter().zip(0..).skip(1).map(|(c, power)| c.clone() * Ball::from(power)).collect()
+/// The coefficients of the derivative.
+pub(crate) fn derivative(coefficients: Vec<Ball>) -> Vec<Ball> {
+    coefficients
+        .into_iter()
+        .zip(0..)
+        .skip(1)
+        .map(|(coefficient, power)| coefficient.times_small(power))
+        .collect()
 }
 
 /// The value at x of the polynomial with these coefficients, by ascending power.

@@ -39,7 +39,7 @@ pub use condition::{Condition, Relation};
 pub use conversion::ConversionError;
 pub use domain::{Domain, DomainError};
 pub use enclose::{Coefficients, enclose_root};
-pub(crate) use enclose::{horner, newton};
+pub(crate) use enclose::{derivative, horner, polish};
 pub use expression::{Expression, Function};
 pub use matrix::{determinant, discriminant, resultant};
 pub use monomial::Monomial;

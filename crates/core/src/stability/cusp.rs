@@ -1,10 +1,12 @@
 //! The cusp of the boundary: the one point of the lower arc where all three roots of eq 8 coincide.
 
-use rug::Rational;
+use std::cmp::Ordering;
+
+use rug::{Float, Rational};
 
 use crate::friction::Groups;
 use crate::number::{Ball, Field};
-use crate::polynomial::UnivariatePolynomial;
+use crate::polynomial::{horner, polish};
 
 /// κ of the cusp at η: κ = (1+η)³/(27η²).
 #[must_use]
@@ -19,29 +21,66 @@ pub fn triple_root<R: Field>(inertial_parameter: &R) -> R {
     -((R::from(1) + inertial_parameter) / (R::from(3) * inertial_parameter))
 }
 
+/// x = −1 − r of the cusp of a given β: the only positive root of x³ = β(3x + 2). The relative radius is at most 2^−bits.
+#[must_use]
+pub fn cusp_abscissa(effect_ratio: &Rational, bits: u32) -> Ball {
+    let coefficients = |precision: u32| {
+        let ratio = Ball::from_rational(effect_ratio, precision);
+        vec![-(Ball::from(2) * &ratio), -(Ball::from(3) * ratio), Ball::from(0), Ball::from(1)]
+    };
+    let start = approximate_abscissa(effect_ratio);
+    let radius = Float::with_val(START_BITS, &start) >> CERTAIN_START_BITS;
+    let sign = |x: Float| horner(coefficients(2 * START_BITS), &Ball::exact(x)).sign();
+    let (below, above) =
+        (Float::with_val(START_BITS, &start - &radius), Float::with_val(START_BITS, &start + &radius));
+    if sign(below) != Some(Ordering::Less) || sign(above) != Some(Ordering::Greater) {
+        return Ball::unbounded(bits);
+    }
+    polish(&coefficients, Ball::new(start, radius * 2_u32), 2 * START_BITS, bits)
+}
+
+/// Precision of the start, in MPFR for its range of exponents.
+const START_BITS: u32 = 64;
+
+/// Relative bits of the start whose sign is certain.
+const CERTAIN_START_BITS: u32 = 48;
+
+/// Newton steps from above, which descend to the root and converge quadratically.
+const MOST_STEPS: u32 = 16;
+
+fn approximate_abscissa(effect_ratio: &Rational) -> Float {
+    let ratio = Float::with_val(START_BITS, effect_ratio);
+    // With c³ = 2β and x = √(3β) + c, x(x² − 3β) is at least c³: x is above the root.
+    let mut x = Float::with_val(START_BITS, &ratio * 3_u32).sqrt()
+        + Float::with_val(START_BITS, &ratio * 2_u32).cbrt();
+    for _ in 0..MOST_STEPS {
+        let square = Float::with_val(START_BITS, x.square_ref());
+        let slope = Float::with_val(START_BITS, &square - &ratio) * 3_u32;
+        let value = square * &x - (Float::with_val(START_BITS, &x * 3_u32) + 2_u32) * &ratio;
+        let step = value / slope;
+        let is_small = step.clone().abs() <= Float::with_val(START_BITS, &x) >> (START_BITS / 2);
+        x -= step;
+        if is_small {
+            break;
+        }
+    }
+    x
+}
+
 /// The cusp of a given β, enclosed: the groups and the triple root.
 ///
-/// η is the only positive root of (1−2η)³ = 27βη²: the left side falls, the right side rises. The relative radius of
-/// each number is at most 2^−bits.
+/// With x of [`cusp_abscissa`] η = 1/(3x + 2), which solves (1−2η)³ = 27βη². The relative radius of each number is at most 2^−bits.
 #[must_use]
 pub fn cusp(effect_ratio: &Rational, bits: u32) -> (Groups<Ball>, Ball) {
     let bits = bits.saturating_add(8);
-    let difference = UnivariatePolynomial::new(vec![
-        Rational::from(1),
-        Rational::from(-6),
-        Rational::from(12) - Rational::from(27) * effect_ratio,
-        Rational::from(-8),
-    ]);
-    let roots = difference.isolate_positive_roots();
-    let inertial_parameter =
-        roots.first().map_or_else(|| Ball::unbounded(bits), |root| difference.refine(root, bits));
+    let abscissa = cusp_abscissa(effect_ratio, bits);
+    let inertial_parameter = Ball::from(1) / (Ball::from(3) * &abscissa + Ball::from(2));
     let groups = Groups {
         stiffness_group: stiffness_group(&inertial_parameter),
         effect_ratio: Ball::from_rational(effect_ratio, bits),
-        inertial_parameter: inertial_parameter.clone(),
+        inertial_parameter,
     };
-    let root = triple_root(&inertial_parameter);
-    (groups, root)
+    (groups, -(abscissa + Ball::from(1)))
 }
 
 #[cfg(test)]

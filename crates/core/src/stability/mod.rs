@@ -29,14 +29,13 @@ mod decision;
 #[doc(hidden)]
 pub mod deviation;
 mod distance;
+mod double_root;
 #[cfg(test)]
 mod fixtures;
 mod logarithm;
 mod nearest_place;
 mod parameter_coefficients;
 mod parameter_equation;
-mod parameter_quick;
-mod parameter_section;
 mod point_values;
 mod quick;
 mod slip_mode;

@@ -41,7 +41,7 @@ impl Given {
                 };
                 velocity_coefficients(arc, q, sum, &scaled)
             }
-            Self::StiffnessGroup(kappa) => StiffnessEquation::new(arc, frame).coefficients(&rational(kappa)),
+            Self::StiffnessGroup(kappa) => stiffness_coefficients(arc, frame, &rational(kappa)),
             Self::QuasiStaticError(tolerance) => {
                 quasi_static_error_coefficients(arc, q, sum, &rational(tolerance))
             }
@@ -80,40 +80,24 @@ fn velocity_coefficients(arc: Arc, q: &Ball, sum: &Ball, scaled: &Ball) -> Vec<B
     }
 }
 
-/// The equation for λ at given κ, d²λP − 2κ(1+λ)(1+qλ)² on the upper arc and A²(1+λ)P − 2κλ(A+qλ)² on the lower one,
-/// as two polynomials of which κ multiplies the second.
-#[derive(Debug, Clone)]
-pub(crate) struct StiffnessEquation {
-    free: [Ball; 4],
-    weight: [Ball; 4],
-}
-
-impl StiffnessEquation {
-    /// The equation of an arc of one β.
-    pub(crate) fn new(arc: Arc, frame: &ArcFrame<Ball>) -> Self {
-        let int = |value: i32| Ball::from(value);
-        let (q, sum) = (&frame.root_ratio, &frame.sum);
-        let end = if arc == Arc::Upper { frame.difference.square() } else { sum.square() };
-        let cubic = [sum.clone(), int(2) * q * sum, int(2) * q.square()];
-        let [p0, p1, p2] = cubic.map(|coefficient| coefficient * &end);
-        let twice_square = int(2) * q.square();
-        match arc {
-            Arc::Upper => Self {
-                free: [int(0), p0, p1, p2],
-                weight: [int(2), int(2) + int(4) * q, int(4) * q + &twice_square, twice_square],
-            },
-            Arc::Lower => Self {
-                free: [p0.clone(), p0 + &p1, p1 + &p2, p2],
-                weight: [int(0), int(2) * sum.square(), int(4) * q * sum, twice_square],
-            },
+/// The equation for λ at given κ: d²λP − 2κ(1+λ)(1+qλ)² on the upper arc and A²(1+λ)P − 2κλ(A+qλ)² on the lower one.
+fn stiffness_coefficients(arc: Arc, frame: &ArcFrame<Ball>, stiffness_group: &Ball) -> Vec<Ball> {
+    let int = |value: i32| Ball::from(value);
+    let (q, sum) = (&frame.root_ratio, &frame.sum);
+    let end = if arc == Arc::Upper { frame.difference.square() } else { sum.square() };
+    let cubic = [sum.clone(), int(2) * q * sum, int(2) * q.square()];
+    let [p0, p1, p2] = cubic.map(|coefficient| coefficient * &end);
+    let twice_square = int(2) * q.square();
+    let (free, weight) = match arc {
+        Arc::Upper => {
+            ([int(0), p0, p1, p2], [int(2), int(2) + int(4) * q, int(4) * q + &twice_square, twice_square])
         }
-    }
-
-    /// The coefficients in λ at this κ, by ascending power.
-    pub(crate) fn coefficients(&self, stiffness_group: &Ball) -> Vec<Ball> {
-        let terms = self.free.iter().zip(&self.weight);
-        terms.map(|(free, weight)| free.clone() - stiffness_group.clone() * weight).collect()
-    }
+        Arc::Lower => (
+            [p0.clone(), p0 + &p1, p1 + &p2, p2],
+            [int(0), int(2) * sum.square(), int(4) * q * sum, twice_square],
+        ),
+    };
+    free.into_iter().zip(weight).map(|(free, weight)| free - stiffness_group.clone() * weight).collect()
 }
 
 /// εD − N of σ_exact/σ_15,16 − 1 = N/D (`arc_point`); `tolerance` is ε.

@@ -16,9 +16,8 @@ use rug::Rational;
 
 use crate::number::Ball;
 use crate::polynomial::{enclose_root, horner};
-use crate::stability::cusp::cusp;
+use crate::stability::cusp::cusp_abscissa;
 use crate::stability::parameter_coefficients::Given;
-use crate::stability::parameter_quick::quick_roots;
 use crate::stability::{Arc, ArcFrame, Asymptote};
 
 /// An equation for λ on one arc.
@@ -75,17 +74,6 @@ impl ParameterEquation {
             }
             Arc::Lower => self.roots_beside_the_cusp(bits),
         }
-    }
-
-    /// The same as [`Self::roots`], in microseconds, for one root on each branch that is well separated; none otherwise.
-    ///
-    /// The frame must be that of this equation's β, the cusp its λ on the lower arc.
-    pub(crate) fn roots_quickly(&self, frame: &ArcFrame<Ball>, cusp: &Ball, bits: u32) -> Option<Vec<Ball>> {
-        if self.arc == Arc::Upper && (self.effect_ratio == 1 || !self.upper_has_solution()) {
-            return Some(Vec::new());
-        }
-        let coefficients = self.given.coefficients(self.arc, frame, frame.root_ratio.precision_bits());
-        quick_roots(self.arc, &coefficients, self.quasi_static_branch_has_solution(), cusp.to_f64(), bits)
     }
 
     /// Eq 15 bounds the upper arc: κ < (√β − 1)², that is 1 + β − κ > 2√β; any velocity occurs.
@@ -181,12 +169,11 @@ impl ParameterEquation {
     }
 }
 
-/// λ of the cusp: r = −A(1+λ)/λ gives λ = A/(−r − A).
+/// λ of the cusp: x = −1 − r = √β + A/λ.
 pub(crate) fn cusp_parameter(effect_ratio: &Rational, bits: u32) -> Ball {
     let bits = bits + 8;
-    let sum = ArcFrame::of_rational(effect_ratio, bits).sum;
-    let (_, triple_root) = cusp(effect_ratio, bits);
-    sum.clone() / (-triple_root - sum)
+    let frame = ArcFrame::of_rational(effect_ratio, bits);
+    frame.sum / (cusp_abscissa(effect_ratio, bits) - frame.root_ratio)
 }
 
 /// value·2^exponent.

@@ -44,8 +44,7 @@ pub fn compare_routes(slider: &Slider<Rational>, count: usize, digits: u32) -> R
 
 impl RouteComparison {
     fn add(&mut self, slider: &Slider<Rational>, curve: &BoundaryCurve, section: Section, digits: u32) {
-        let along_curve = curve.crossings(&section).into_iter().map(|(crossing, _)| crossing);
-        let along_curve = in_order(along_curve, &section);
+        let along_curve = in_order(curve.crossings(&section), &section);
         let of_discriminant = in_order(by_discriminant(slider, &section, digits), &section);
         let separators = separators(&along_curve);
         let mut agree = along_curve.len() == of_discriminant.len();
@@ -177,7 +176,7 @@ mod tests {
                 let stress = crossing_stress(&slider, kappa);
                 let section = Section::AtNormalStress(stress);
                 let crossings = BoundaryCurve::new(&slider, digits).crossings(&section);
-                let curve = in_order(crossings.into_iter().map(|(crossing, _)| crossing), &section);
+                let curve = in_order(crossings, &section);
                 let isolated = in_order(by_discriminant(&slider, &section, digits), &section);
                 assert_eq!(curve.len(), isolated.len(), "{distance} {digits} {kappa}");
                 for (one, other) in curve.iter().zip(&isolated) {

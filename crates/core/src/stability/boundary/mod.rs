@@ -1,7 +1,7 @@
 //! The boundary max Im(s) = 0 in SI: certified points on it, by three routes that share nothing but eq 8.
 //!
 //! * [`BoundaryCurve`]: the rational curve in its positive parameter (`arc_point`), any number of points at the cost of
-//!   a dozen multiplications each, and single points at given V0 or σ by solving for the parameter;
+//!   a dozen multiplications each, and single points at given V0 or σ from their double root (`double_root`);
 //! * `by_discriminant`: isolated real roots of the discriminant over ℚ, refined;
 //! * `by_bisection`: halving between two points of different exact class.
 //!
@@ -12,9 +12,12 @@ mod by_curve;
 mod by_discriminant;
 mod comparison;
 mod crossing;
+pub mod hard_sections;
 mod point;
 mod sampling;
+mod section_line;
 
+pub use crate::stability::double_root::Work;
 pub use by_bisection::by_bisection;
 pub use by_curve::BoundaryCurve;
 pub use by_discriminant::by_discriminant;
