@@ -1,13 +1,15 @@
-//! Boundary points at 50 digits: the rational curve against the discriminant and against bisection.
+//! Boundary points at 50 digits: the rational curve against the discriminant and against bisection; then crossings by digits.
 //!
 //! Times depend on the machine and on its load: read the ratios. Alternatives are run in turn, medians are printed.
 
 use std::hint::black_box;
 use std::time::Instant;
 
+use slipmode_bench::cpu_clock::best_of;
 use slipmode_core::friction::Slider;
 use slipmode_core::number::{Ball, Rational, parse_decimal};
 use slipmode_core::stability::Arc;
+use slipmode_core::stability::boundary::hard_sections::{DIGITS as DIGITS_COMPARED, HardSections};
 use slipmode_core::stability::boundary::{BoundaryCurve, Section, by_bisection, by_discriminant};
 
 const REPETITIONS: usize = 7;
@@ -96,8 +98,38 @@ fn points_at_given_normal_stress(slider: &Slider<Rational>) {
     );
 }
 
+/// CPU time of a crossing at given σ and at given V0, and of building the curve, over the sections that are hard.
+fn crossings_by_digits() {
+    let all = HardSections::all();
+    for digits in DIGITS_COMPARED {
+        let curves: Vec<BoundaryCurve> =
+            all.iter().map(|one| BoundaryCurve::new(&one.slider, digits)).collect();
+        let (building, _) = best_of(REPETITIONS, || {
+            all.iter()
+                .map(|one| black_box(BoundaryCurve::new(&one.slider, digits)).arcs().len())
+                .sum::<usize>()
+        });
+        let crossings = |of: fn(&HardSections) -> &Vec<Section>| {
+            let (seconds, found) = best_of(REPETITIONS, || {
+                let pairs = all.iter().zip(&curves);
+                let sections =
+                    pairs.flat_map(|(one, curve)| of(one).iter().map(move |section| (curve, section)));
+                sections.map(|(curve, section)| curve.crossings(section).len()).sum::<usize>()
+            });
+            seconds * 1e6 / found as f64
+        };
+        println!(
+            "boundary, {digits:3} digits: crossing at given sigma {:6.2} us, at given V0 {:6.2} us, curve built in {:6.2} us (CPU)",
+            crossings(|one| &one.at_normal_stress),
+            crossings(|one| &one.at_velocity),
+            building * 1e6 / all.len() as f64
+        );
+    }
+}
+
 fn main() {
     let slider = slider();
     points_of_the_curve(&slider);
     points_at_given_normal_stress(&slider);
+    crossings_by_digits();
 }

@@ -4,6 +4,7 @@
 //! A count (steps, evaluations, a share of rows) is preferred: it is the same on every machine. Where only a time tells, it is CPU
 //! time of one thread, best of several rounds in which all points of the sweep take turns.
 
+mod boundary_digits;
 mod decimals;
 mod velocities;
 
@@ -49,8 +50,11 @@ impl Sweep {
 /// A family of sweeps: its name, and how it is measured.
 type Family = (&'static str, fn() -> Result<Vec<Sweep>, String>);
 
-const FAMILIES: [Family; 2] =
-    [("layouts of decimals", decimals::sweeps), ("loading velocities of decays", velocities::sweeps)];
+const FAMILIES: [Family; 3] = [
+    ("digits of the boundary", boundary_digits::sweeps),
+    ("layouts of decimals", decimals::sweeps),
+    ("loading velocities of decays", velocities::sweeps),
+];
 
 /// Measures every sweep, writes `sweeps.csv` and `sweeps.md` and prints the Markdown.
 ///
