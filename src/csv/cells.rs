@@ -9,12 +9,17 @@ use slipmode_core::number::parse_decimal;
 /// Numbers stay as written, their signs included.
 pub fn push_cell(out: &mut Vec<u8>, cell: &[u8]) {
     let guarded = starts_a_formula(cell);
-    let quoted = cell.iter().any(|byte| matches!(byte, b',' | b'"' | b'\n' | b'\r'));
+    // All bytes are looked at, so that the loop runs in vector units.
+    let quoted = cell.iter().fold(false, |found, byte| found | matches!(byte, b',' | b'"' | b'\n' | b'\r'));
     if quoted {
         out.push(b'"');
     }
     if guarded {
         out.push(b'\'');
+    }
+    if !quoted {
+        out.extend_from_slice(cell);
+        return;
     }
     for byte in cell {
         if *byte == b'"' {
@@ -22,9 +27,7 @@ pub fn push_cell(out: &mut Vec<u8>, cell: &[u8]) {
         }
         out.push(*byte);
     }
-    if quoted {
-        out.push(b'"');
-    }
+    out.push(b'"');
 }
 
 fn starts_a_formula(cell: &[u8]) -> bool {

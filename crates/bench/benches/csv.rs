@@ -15,7 +15,8 @@ use slipmode::scene::Quantity;
 use slipmode_bench::process::build_dist;
 use slipmode_core::friction::Parameters;
 use slipmode_core::number::{Dd, parse_decimal_to_dd};
-use slipmode_core::stability::{Classification, InertialThreshold, classify_quickly};
+use slipmode_core::stability::batch::classify_points;
+use slipmode_core::stability::{Classification, InertialThreshold};
 
 const ROWS: usize = 1_000_000;
 const REPETITIONS: usize = 3;
@@ -108,8 +109,10 @@ fn main() {
     let (splitting, (cells, rows)) = timed(|| split(&bytes));
     let (parsing, points) = timed(|| parse(&cells, &rows));
     let threshold = InertialThreshold::default();
-    let (computing, found) =
-        timed(|| points.iter().map(|point| classify_quickly(point, &threshold).unwrap()).collect::<Vec<_>>());
+    let (computing, found) = timed(|| {
+        let found = classify_points(&points, &threshold);
+        found.into_iter().collect::<Option<Vec<Classification>>>().unwrap()
+    });
     let (formatting, text) = timed(|| {
         let mut text = String::with_capacity(2 * bytes.len());
         found.iter().for_each(|found| format_row(found, &mut text));

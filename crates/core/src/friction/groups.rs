@@ -27,6 +27,7 @@ pub struct Groups<R> {
 /// κ_c = (β−1)(1+η), the κ of K = K_c (eq 9) at these β and η.
 #[doc(alias = "eq. 9")]
 #[must_use]
+#[inline(always)]
 pub fn critical_stiffness_group<R: Field>(effect_ratio: &R, inertial_parameter: &R) -> R {
     let one = R::from(1);
     (effect_ratio.clone() - &one) * (one + inertial_parameter)
@@ -35,6 +36,7 @@ pub fn critical_stiffness_group<R: Field>(effect_ratio: &R, inertial_parameter: 
 impl<R: Field> Groups<R> {
     /// Eq 8 in p = s·D_c/V0, by ascending power of p: κ, κ+1−β, 1+η, η.
     #[must_use]
+    #[inline(always)]
     pub fn characteristic_cubic(&self) -> [R; 4] {
         let one = R::from(1);
         [
@@ -53,6 +55,7 @@ impl<R: Field> Groups<R> {
 
     /// κ − κ_c = (K − K_c)/(aσ/D_c): its sign is that of K − K_c (eq 9), positive when linearly stable.
     #[must_use]
+    #[inline(always)]
     pub fn transition_margin(&self) -> R {
         self.stiffness_group.clone() - self.critical_stiffness_group()
     }
@@ -65,6 +68,7 @@ impl<R: Field> Groups<R> {
 
     /// The same groups in another number type.
     #[must_use]
+    #[inline(always)]
     pub fn map<S>(&self, mut convert: impl FnMut(&R) -> S) -> Groups<S> {
         Groups {
             inertial_parameter: convert(&self.inertial_parameter),

@@ -65,6 +65,7 @@ impl<R> From<Parameters<R>> for [R; 7] {
 impl<R> Parameters<R> {
     /// The same parameters in another number type.
     #[must_use]
+    #[inline(always)]
     pub fn map<S>(&self, mut convert: impl FnMut(&R) -> S) -> Parameters<S> {
         Parameters {
             slider: self.slider.map(&mut convert),
@@ -79,12 +80,14 @@ impl<R> Parameters<R> {
 impl<R: Field> Parameters<R> {
     /// aσ, Pa: the unit of stress of the dimensionless slider.
     #[must_use]
+    #[inline(always)]
     pub fn direct_stress_pa(&self) -> R {
         self.slider.direct_effect.clone() * &self.point.normal_stress_pa
     }
 
     /// The dimensionless groups η, κ, β of these parameters.
     #[must_use]
+    #[inline(always)]
     pub fn groups(&self) -> Groups<R> {
         let Self { slider, point } = self;
         let direct_stress_pa = self.direct_stress_pa();
@@ -99,6 +102,7 @@ impl<R: Field> Parameters<R> {
 
     /// V0/D_c, 1/s: the rate that turns a dimensionless exponent p into s = p·V0/D_c.
     #[must_use]
+    #[inline(always)]
     pub fn rate_per_s(&self) -> R {
         self.point.loading_velocity_m_per_s.clone() / &self.slider.critical_slip_distance_m
     }

@@ -61,6 +61,7 @@ impl<R: Clone> Slider<R> {
 impl<R> Slider<R> {
     /// The same slider in another number type.
     #[must_use]
+    #[inline(always)]
     pub fn map<S>(&self, mut convert: impl FnMut(&R) -> S) -> Slider<S> {
         Slider {
             direct_effect: convert(&self.direct_effect),
@@ -83,6 +84,7 @@ impl<R: PartialOrd> Slider<R> {
 impl<R: Field> Slider<R> {
     /// β = b/a.
     #[must_use]
+    #[inline(always)]
     pub fn effect_ratio(&self) -> R {
         self.evolution_effect.clone() / &self.direct_effect
     }
@@ -101,6 +103,7 @@ impl<R: Field> Slider<R> {
 
     /// K D_c, Pa.
     #[must_use]
+    #[inline(always)]
     pub fn stiffness_stress_pa(&self) -> R {
         self.stiffness_pa_per_m.clone() * &self.critical_slip_distance_m
     }

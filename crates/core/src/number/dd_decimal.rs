@@ -55,7 +55,25 @@ pub fn parse_decimal_to_dd(text: &str) -> Option<Dd> {
 }
 
 fn split_digits(bytes: &[u8]) -> (&[u8], &[u8]) {
-    bytes.split_at(bytes.iter().take_while(|byte| byte.is_ascii_digit()).count())
+    let (eights, _) = bytes.as_chunks::<8>();
+    let most = 8 * eights.iter().take_while(|eight| are_digits(**eight)).count();
+    let more = bytes[most..].iter().take_while(|byte| byte.is_ascii_digit()).count();
+    bytes.split_at(most + more)
+}
+
+/// Whether all eight are digits: the upper half of each byte is 3, also after 6 is added.
+fn are_digits(eight: [u8; 8]) -> bool {
+    let word = u64::from_le_bytes(eight);
+    let upper = |word: u64| word & 0xf0f0_f0f0_f0f0_f0f0;
+    upper(word) == 0x3030_3030_3030_3030 && upper(word + 0x0606_0606_0606_0606) == 0x3030_3030_3030_3030
+}
+
+/// The number of eight digits: pairs, then fours, then all eight, each in its own part of the word.
+fn number_of(eight: [u8; 8]) -> u64 {
+    let digits = u64::from_le_bytes(eight) & 0x0f0f_0f0f_0f0f_0f0f;
+    let pairs = (digits * 10 + (digits >> 8)) & 0x00ff_00ff_00ff_00ff;
+    let fours = (pairs * 100 + (pairs >> 16)) & 0x0000_ffff_0000_ffff;
+    (fours * 10_000 + (fours >> 32)) & 0xffff_ffff
 }
 
 /// The significant digits before the point, and behind it with the number of places that the fraction has.
@@ -67,7 +85,9 @@ fn without_leading_zeros<'t>(whole: &'t [u8], fraction: &'t [u8]) -> (&'t [u8], 
 }
 
 fn word(start: u64, digits: &[u8]) -> u64 {
-    digits.iter().fold(start, |value, digit| value * 10 + u64::from(digit - b'0'))
+    let (eights, rest) = digits.as_chunks::<8>();
+    let value = eights.iter().fold(start, |value, eight| value * 100_000_000 + number_of(*eight));
+    rest.iter().fold(value, |value, digit| value * 10 + u64::from(digit - b'0'))
 }
 
 /// An exponent of one to three digits with an optional sign.
@@ -152,6 +172,20 @@ mod tests {
                 prop_assert_eq!(found.unwrap().hi(), nearest);
             }
         }
+    }
+
+    #[test]
+    fn eight_bytes_are_digits_when_each_is() {
+        assert!(are_digits(*b"09182736"));
+        for byte in 0..=u8::MAX {
+            for place in 0..8 {
+                let mut eight = *b"01234567";
+                eight[place] = byte;
+                assert_eq!(are_digits(eight), byte.is_ascii_digit(), "{eight:?}");
+            }
+        }
+        assert_eq!(number_of(*b"12345678"), 12_345_678);
+        assert_eq!(number_of(*b"99999999"), 99_999_999);
     }
 
     #[test]

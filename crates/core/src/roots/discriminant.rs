@@ -6,6 +6,7 @@ use crate::number::Field;
 ///
 /// Positive when the three roots are real and distinct, negative for a complex pair, zero for a multiple root.
 #[must_use]
+#[inline(always)]
 pub fn discriminant<R: Field>([c0, c1, c2, c3]: &[R; 4]) -> R {
     let outer = c0.clone() * c3;
     let inner = c1.clone() * c2;
@@ -16,6 +17,7 @@ pub fn discriminant<R: Field>([c0, c1, c2, c3]: &[R; 4]) -> R {
 }
 
 /// The sum of the magnitudes of Δ's terms, which bounds its rounding error.
+#[inline(always)]
 pub(super) fn discriminant_of_magnitudes([m0, m1, m2, m3]: &[f64; 4]) -> f64 {
     let (outer, inner) = (m0 * m3, m1 * m2);
     (18.0 * outer * inner + inner * inner)

@@ -100,6 +100,7 @@ impl<R: Working> BoundedCubic<R> {
     /// Δ with its error bound.
     ///
     /// Each of its five terms is a product of four coefficients, with at most 12 operations on the way of any of them.
+    #[inline(always)]
     pub fn discriminant(&self) -> Bounded<R> {
         let terms = discriminant_of_magnitudes(&self.magnitudes);
         let error = terms * (4.0 * self.relative_error + 12.0 * R::UNIT) * SLACK;
@@ -260,6 +261,7 @@ impl<R: Working> BoundedCubic<R> {
 }
 
 /// Whether a relative error is small enough for first-order bounds; what is not a number is not.
+#[inline(always)]
 fn is_small(relative: f64) -> bool {
     relative < 0.01
 }
