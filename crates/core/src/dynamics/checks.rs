@@ -232,3 +232,21 @@ fn velocities_below_the_range_of_f64_do_not_stop_a_run() {
         assert!(seen.minimum_velocity_log10_ratio < -308.0, "{}", seen.minimum_velocity_log10_ratio);
     }
 }
+
+#[test]
+fn two_returns_that_differ_by_the_errors_of_a_rough_run_are_not_one_cycle() {
+    // At a local tolerance of 1e-3 the steps of successive returns take turns; this cycle was reported with twice its period.
+    let groups = Groups {
+        inertial_parameter: 2.209_493_948_795_439_3e-7,
+        stiffness_group: 1.579_186_219_893_293_6e-2,
+        effect_ratio: 3.0,
+    };
+    let model = Model::new(groups, EvolutionLaw::Slip);
+    let [loose, tight] = [1e-4, 1e-8].map(|tolerance| {
+        let found = simulate_model(&model, &Options::at(tolerance)).unwrap();
+        let LongTerm::Cycle(cycle) = found.long_term() else { unreachable!("K < K_c") };
+        (cycle.orbit.duration, cycle.returns_per_cycle)
+    });
+    assert_eq!((loose.1, tight.1), (1, 1));
+    assert!((loose.0 / tight.0 - 1.0).abs() < 1e-4, "{loose:?} {tight:?}");
+}

@@ -2,7 +2,7 @@
 
 use super::integrator::{Control, Integrator};
 use super::long_term::LongTerm;
-use super::search::{Levels, Search};
+use super::search::{Leftover, Search};
 use super::section_return::{Return, ReturnEnd, next_return};
 use super::smooth_decay::smooth_decay;
 use super::{Model, Options, Radau, Start};
@@ -102,8 +102,7 @@ fn no_cycle_is_taken_for_a_decay() {
                 let model = Model::new(groups_of([1.5, eta, ratio]), law);
                 let options = Options::at(1e-5);
                 if smooth_decay(&model, &options).is_some() {
-                    let search =
-                        Search::new(&model, Radau::<f64, 5>::new(), &options, Levels::for_error(1e-5));
+                    let search = Search::new(&model, Radau::<f64, 5>::new(), &options, Leftover::default());
                     let found = search.answer().unwrap();
                     assert!(matches!(found.long_term(), LongTerm::Decay(_)), "{eta} {ratio} {law:?}");
                     decays += 1;

@@ -20,7 +20,7 @@
 //! and is useless one stick phase later, also for η ≫ 1, because the limit cycle of vibration itself sticks: V falls
 //! to 1e-65 V_l and below, where e^{−x}/η is not small. [`simulate`] uses it for decays in which nothing is stiff (`smooth_decay`): a run to 1e-8
 //! takes 40 to 140 µs. The library uses Rodas5P nowhere; it is in `crates/bench`.
-//! [`simulate`] takes Radau IIA of order 5 for errors of a thousandth and more: at a local tolerance of 1e-2 a stick-slip return is twice as
+//! [`simulate`] takes Radau IIA of order 5 for limit cycles to errors of 3e-4 and more: at a local tolerance of 1e-2 a stick-slip return is twice as
 //! fast as with order 9 at 1e-3, where its 1e-8 is of no use. Neither Rodas5P (at 1e-1 a return of the aging law lost its peak) nor
 //! order 13 (five times slower at loose tolerances, half of its steps refused) won anywhere in a sweep.
 //! Three things took most of the steps of deep stick-slip and are gone. In a stick phase the stiffness e^{−x}/η changes by many
@@ -69,6 +69,7 @@ mod floquet;
 mod history;
 mod integrator;
 mod long_term;
+mod loose_cycle;
 mod model;
 mod observables;
 mod outcome;

@@ -11,6 +11,7 @@
 use super::history::{difference, size};
 use super::long_term::SLOW;
 use super::observables::Observables;
+use super::outcome::Errors;
 use super::return_errors::{OF_DIFFERENCE, return_errors, rounding, rounding_shown, with_inertia};
 use super::return_map::{Derivative, MappedReturn, ReturnMap, shifted};
 use super::stepper::Stepper;
@@ -52,6 +53,21 @@ pub(super) struct Refined<R> {
     pub distance: f64,
     /// Part of the momentum of the crossing over which its contraction was measured.
     pub measured_over: f64,
+}
+
+impl Refined<f64> {
+    /// The limit cycle and the errors of what it shows.
+    pub fn cycle(self, returns_per_cycle: usize, contraction: Option<f64>) -> (Cycle<f64>, Errors) {
+        let Self { mapped, errors, distance, .. } = self;
+        let errors = Errors {
+            peak: errors.log_peak,
+            period: Some(errors.log_duration),
+            trough: errors.log_trough,
+            drop: errors.highest_stress + errors.lowest_stress,
+        };
+        let from = [0.0, mapped.from[0], mapped.from[1]];
+        (Cycle { orbit: mapped.orbit, returns_per_cycle, contraction, distance, from }, errors)
+    }
 }
 
 impl<R: Scalar> Refined<R> {

@@ -39,28 +39,31 @@ impl<'m, R: Scalar, M: Stepper<R> + Clone> ReturnMap<'m, R, M> {
         let control = Control { local_tolerance, most_steps: self.most_steps };
         let state = [R::from(0), from[0].clone(), from[1].clone()];
         let mut run = Integrator::new(self.model, self.method.clone(), state, control)?;
-        let mut whole: Option<Return<R>> = None;
-        for done in 1..=self.returns {
-            let (orbit, end) = next_return(&mut run)?;
-            if end != ReturnEnd::Crossing {
-                return Err(Failure::Undecided { cycles: done as u64, change: 1.0 });
-            }
-            whole = Some(match whole {
-                Some(so_far) => so_far.joined(orbit),
-                None => orbit,
-            });
-        }
+        let whole = whole_cycle(&mut run, self.returns);
         self.work += run.work();
         let (accepted, _) = run.step_counts();
         let [_, y, zeta] = run.state().clone();
-        let undecided = Failure::Undecided { cycles: 0, change: 1.0 };
-        Ok(MappedReturn {
-            from: from.clone(),
-            image: [y, zeta],
-            orbit: whole.ok_or(undecided)?,
-            steps: accepted,
-        })
+        Ok(MappedReturn { from: from.clone(), image: [y, zeta], orbit: whole?, steps: accepted })
     }
+}
+
+/// So many returns as one.
+fn whole_cycle<R: Scalar, M: Stepper<R> + Clone>(
+    run: &mut Integrator<'_, R, M>,
+    returns: usize,
+) -> Result<Return<R>, Failure> {
+    let mut whole: Option<Return<R>> = None;
+    for done in 1..=returns {
+        let (orbit, end) = next_return(run)?;
+        if end != ReturnEnd::Crossing {
+            return Err(Failure::Undecided { cycles: done as u64, change: 1.0 });
+        }
+        whole = Some(match whole {
+            Some(so_far) => so_far.joined(orbit),
+            None => orbit,
+        });
+    }
+    whole.ok_or(Failure::Undecided { cycles: 0, change: 1.0 })
 }
 
 impl<R: Scalar> MappedReturn<R> {

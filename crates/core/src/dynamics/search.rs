@@ -7,6 +7,7 @@
 
 use super::barely_stops::{Confirmed, confirm, may_stop_or_not};
 use super::deviations::{oscillation_in_double_double, oscillation_of_small_deviations};
+use super::history::size;
 use super::integrator::{Control, Integrator, Work};
 use super::long_term::{Cycle, Decay, LongTerm, PermittedDistance, SLOW, long_term_within};
 use super::observables::Observables;
@@ -18,55 +19,46 @@ use super::stepper::Stepper;
 use super::{Failure, Model, Options, Radau, Return};
 use crate::number::Dd;
 
-/// The least requested error that the method of order 5 is used for.
-pub(super) const LOOSE: f64 = 1e-3;
-
 /// The tightest local tolerance in f64.
 const TIGHTEST: f64 = 2e-13;
 
 /// The tolerance of the finer of two runs over that of the coarser.
-const FINER: f64 = 0.01;
+pub(super) const FINER: f64 = 0.01;
 
 /// The tolerances of an attempt over those of one that came out larger than requested; [`FINER`] where it decided nothing.
 const TIGHTER: f64 = 0.1;
+
+/// The requested error from which on a run that is not cut short comes no less near to its cycle: a slow decay changes by as little in a return.
+const LOOSEST_FOLLOWED: f64 = 1e-3;
 
 /// Crossings from which Newton's iteration is tried.
 const MOST_CROSSINGS: usize = 3;
 
 /// How near to a slowly contracting cycle the rough run has to come before Newton's iteration takes over.
-const NEWTON_FROM: f64 = 1e-2;
+pub(super) const NEWTON_FROM: f64 = 1e-2;
 
 /// The same for one that contracts fast, over the requested error: true returns follow, and their errors are measured.
-const FOLLOW_FROM: f64 = 0.3;
+pub(super) const FOLLOW_FROM: f64 = 0.3;
+
+/// Change of a second return over that of the first, when the cycle closes in one.
+const CLOSED: f64 = 0.3;
 
 /// Local tolerances of one attempt.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Levels {
+struct Levels {
     /// Of the run that finds the long-term behaviour.
     rough: f64,
     /// Of the two returns that are compared.
     coarse: f64,
     /// The tightest in use.
     tightest: f64,
-    /// Steps of a return whose errors are as large as their estimates.
-    bad_steps: f64,
-    /// Returns after which the method is called unsuited: many of them are cheaper with one of higher order.
-    most_returns: u64,
-    /// Whether a cycle that may stop or not is compared with others: returns as accurate as this needs are cheaper with higher order.
-    confirms: bool,
 }
 
 impl Levels {
-    /// For the method of order 5.
-    pub const fn loose() -> Self {
-        Self { rough: 1e-2, coarse: 1e-2, tightest: 1e-3, bad_steps: 20.0, most_returns: 40, confirms: false }
-    }
-
     /// For the method of order 9: its global error is about the 3/2nd power of the local tolerance.
-    pub fn for_error(requested: f64) -> Self {
+    fn for_error(requested: f64) -> Self {
         let coarse = (30.0 * requested).clamp(TIGHTEST / FINER, 1e-3);
-        let (rough, tightest) = (coarse.max(1e-4), TIGHTEST / FINER);
-        Self { rough, coarse, tightest, bad_steps: 1.0, most_returns: u64::MAX, confirms: true }
+        Self { rough: coarse.max(1e-4), coarse, tightest: TIGHTEST / FINER }
     }
 
     fn tighter(self, by: f64) -> Option<Self> {
@@ -74,6 +66,15 @@ impl Levels {
         let finer = Self { rough: by * self.rough, coarse: by * self.coarse, ..self };
         (by <= 1.01 * TIGHTER).then_some(finer)
     }
+}
+
+/// What a search with a cheaper method leaves to the next one.
+#[derive(Debug, Default)]
+pub(super) struct Leftover {
+    /// The cycle that it found, and the local tolerance that it was found with.
+    pub known: Option<(Cycle<f64>, f64)>,
+    /// What it cost.
+    pub work: Work,
 }
 
 /// A search with one method.
@@ -91,8 +92,14 @@ pub(super) struct Search<'m, 'o, M> {
 type Found = (LongTerm<f64>, Errors);
 
 impl<'m, 'o, M: Stepper<f64> + Clone> Search<'m, 'o, M> {
-    pub fn new(model: &'m Model<f64>, method: M, options: &'o Options, levels: Levels) -> Self {
-        Self { model, method, options, levels, known: None, work: Work::default() }
+    /// A search that goes on from what a cheaper method left.
+    pub fn new(
+        model: &'m Model<f64>,
+        method: M,
+        options: &'o Options,
+        Leftover { known, work }: Leftover,
+    ) -> Self {
+        Self { model, method, options, levels: Levels::for_error(options.tolerance), known, work }
     }
 
     /// Tightens until the stated errors of peak and period are no larger than requested.
@@ -135,7 +142,12 @@ impl<'m, 'o, M: Stepper<f64> + Clone> Search<'m, 'o, M> {
 
     fn attempt(&mut self) -> Result<Found, Failure> {
         if let Some((cycle, tolerance)) = self.known.clone() {
-            return self.refined(cycle, tolerance);
+            match self.refined(cycle, tolerance) {
+                // A cycle that another method found need not be one of this method's map.
+                Err(Failure::Undecided { .. } | Failure::StepVanished { .. })
+                    if tolerance > self.levels.coarse => {}
+                found => return found,
+            }
         }
         let rough = self.levels.rough;
         let fast = FOLLOW_FROM * self.options.tolerance.max(1e-2);
@@ -160,7 +172,8 @@ impl<'m, 'o, M: Stepper<f64> + Clone> Search<'m, 'o, M> {
     }
 
     fn long_term_at(&mut self, local_tolerance: f64) -> Result<LongTerm<f64>, Failure> {
-        let permitted = PermittedDistance { fast: 0.01 * self.options.tolerance, slow: 0.0 };
+        let fast = 0.01 * self.options.tolerance.min(LOOSEST_FOLLOWED);
+        let permitted = PermittedDistance { fast, slow: 0.0 };
         self.run(local_tolerance, |run, returns| long_term_within(run, permitted, returns))
     }
 
@@ -173,8 +186,7 @@ impl<'m, 'o, M: Stepper<f64> + Clone> Search<'m, 'o, M> {
         let start = self.options.start.state(self.model, &libm::log(self.options.velocity_ratio));
         let control = Control { local_tolerance, most_steps: self.options.most_steps };
         let mut run = Integrator::new(self.model, self.method.clone(), start, control)?;
-        let long_term =
-            long_term_behaviour(&mut run, self.options.most_returns.min(self.levels.most_returns));
+        let long_term = long_term_behaviour(&mut run, self.options.most_returns);
         self.work += run.work();
         long_term
     }
@@ -205,15 +217,16 @@ impl<'m, 'o, M: Stepper<f64> + Clone> Search<'m, 'o, M> {
         }
         let start = libm::log(self.options.velocity_ratio);
         let (coarse, fine) = (LongTerm::Decay(coarse), LongTerm::Decay(fine));
-        let errors = decay_errors(&coarse, &fine, start, self.levels.bad_steps * finer);
+        let errors = decay_errors(&coarse, &fine, start, finer);
         Ok((fine, errors))
     }
 
     /// A cycle brought to its accuracy.
     fn refined(&mut self, found: Cycle<f64>, tolerance: f64) -> Result<Found, Failure> {
-        let Levels { coarse, bad_steps, .. } = self.levels;
+        let coarse = self.levels.coarse;
         let fine = FINER * coarse;
-        let accuracy = Accuracy { coarse, fine, floor: bad_steps * fine, requested: self.options.tolerance };
+        let accuracy = Accuracy { coarse, fine, floor: fine, requested: self.options.tolerance };
+        let (found, tolerance) = self.with_fewest_returns(found, tolerance, fine)?;
         let returns = found.returns_per_cycle;
         let mut map = ReturnMap::new(self.model, self.method.clone(), returns, self.options.most_steps);
         let mut refined = None;
@@ -229,9 +242,6 @@ impl<'m, 'o, M: Stepper<f64> + Clone> Search<'m, 'o, M> {
                 refined = self.by_newton(&mut map, &derivative, rough, accuracy)?;
             }
             let Some(cycle) = refined.as_ref().filter(|&cycle| may_stop_or_not(cycle, &map)) else { break };
-            if !self.levels.confirms {
-                return Err(Failure::UnreachableTolerance { requested: accuracy.requested, reached: 1.0 });
-            }
             match confirm(&mut map, cycle)? {
                 Confirmed::Cycle => break,
                 Confirmed::Elsewhere(other) => (crossing, refined) = (other, None),
@@ -242,19 +252,42 @@ impl<'m, 'o, M: Stepper<f64> + Clone> Search<'m, 'o, M> {
             }
         }
         self.work += map.work;
-        let Some(Refined { mapped, errors, distance, .. }) = refined else {
+        let Some(refined) = refined else {
             return Err(Failure::Undecided { cycles: 0, change: found.distance });
         };
-        let errors = Errors {
-            peak: errors.log_peak,
-            period: Some(errors.log_duration),
-            trough: errors.log_trough,
-            drop: errors.highest_stress + errors.lowest_stress,
-        };
-        let from = [0.0, mapped.from[0], mapped.from[1]];
-        let cycle = Cycle { orbit: mapped.orbit, returns_per_cycle: returns, contraction, distance, from };
-        self.known = Some((cycle.clone(), FINER * coarse));
+        let (cycle, errors) = refined.cycle(returns, contraction);
+        self.known = Some((cycle.clone(), fine));
         Ok((LongTerm::Cycle(cycle), errors))
+    }
+
+    /// A cycle of several returns that the finer map closes in fewer: then the errors of the rough run took it from one return to the next.
+    fn with_fewest_returns(
+        &mut self,
+        found: Cycle<f64>,
+        tolerance: f64,
+        fine: f64,
+    ) -> Result<(Cycle<f64>, f64), Failure> {
+        let several = found.returns_per_cycle;
+        for returns in (1..several).filter(|returns| several.is_multiple_of(*returns)) {
+            let mut map = ReturnMap::new(self.model, self.method.clone(), returns, self.options.most_steps);
+            let first = map.apply(&[found.orbit.end[1], found.orbit.end[2]], fine)?;
+            let second = map.apply(&first.image, fine)?;
+            self.work += map.work;
+            let [before, after] = [&first, &second].map(|mapped| size(mapped.residual()));
+            if after < CLOSED * before {
+                let from = [0.0, second.from[0], second.from[1]];
+                let distance = after / second.size();
+                let cycle = Cycle {
+                    orbit: second.orbit,
+                    returns_per_cycle: returns,
+                    contraction: Some(after / before),
+                    distance,
+                    from,
+                };
+                return Ok((cycle, fine));
+            }
+        }
+        Ok((found, tolerance))
     }
 
     /// Newton's iteration, in double-double where f64 allows no tighter run.

@@ -1,10 +1,11 @@
 //! One simulation from parameters in SI to observables in SI, each with an error estimate.
 //!
-//! Radau IIA of order 5 is the cheapest method that meets a hundredth, order 9 serves from there down to rounding. What is
-//! then required of a search, and how its errors are known, is in the module of the search.
+//! Radau IIA of order 5 takes the least work for limit cycles to a hundredth or a thousandth (`loose_cycle`), order 9 for everything else
+//! down to rounding. What is required of a search, and how its errors are known, is in the module of the search.
 
+use super::loose_cycle::loose_cycle;
 use super::outcome::{Outcome, Simulation};
-use super::search::{LOOSE, Levels, Search};
+use super::search::Search;
 use super::smooth_decay::smooth_decay;
 use super::{Balance, Failure, Model, Radau, Start};
 use crate::friction::{EvolutionLaw, Parameters};
@@ -112,11 +113,6 @@ pub fn simulate_model(model: &Model<f64>, options: &Options) -> Result<Outcome, 
     if let Some(outcome) = smooth_decay(model, options) {
         return Ok(outcome);
     }
-    if options.tolerance >= LOOSE
-        && let Ok(outcome) = Search::new(model, Radau::<f64, 3>::new(), options, Levels::loose()).answer()
-    {
-        return Ok(outcome);
-    }
-    let levels = Levels::for_error(options.tolerance);
-    Search::new(model, Radau::<f64, 5>::new(), options, levels).answer()
+    loose_cycle(model, options)
+        .or_else(|leftover| Search::new(model, Radau::<f64, 5>::new(), options, leftover).answer())
 }
