@@ -126,17 +126,22 @@ fn words(template: &str, number: u64) -> Vec<String> {
     template.split_whitespace().map(word).collect()
 }
 
-/// Rows over a rectangle of log10 V0 and log10 σ: a deterministic sequence that fills it evenly, written with seven digits.
-fn rows_of(count: u64, [v0, v1]: [f64; 2], [s0, s1]: [f64; 2]) -> String {
+/// Rows over a rectangle of log10 V0 and log10 σ, written with seven digits.
+fn rows_of(count: u64, velocity: [f64; 2], stress: [f64; 2]) -> String {
     let mut text = format!("{HEADER}\n");
-    // Steps by the plastic number, the two-dimensional companion of the golden ratio.
-    const STEPS: [f64; 2] = [0.754_877_666_246_692_7, 0.569_840_290_998_053_2];
     for index in 0..count {
-        let [x, y] = STEPS.map(|step| (step * index as f64).fract());
-        let (velocity, stress) = (libm::exp10(v0 + (v1 - v0) * x), libm::exp10(s0 + (s1 - s0) * y));
+        let (velocity, stress) = place(index, velocity, stress);
         let _ = writeln!(text, "0.004,0.006,1e-5,1e7,1000,{stress:.6e},{velocity:.6e}");
     }
     text
+}
+
+/// V0 and σ at a place of a rectangle of their logarithms: a deterministic sequence that fills it evenly.
+pub(super) fn place(index: u64, [v0, v1]: [f64; 2], [s0, s1]: [f64; 2]) -> (f64, f64) {
+    // Steps by the plastic number, the two-dimensional companion of the golden ratio.
+    const STEPS: [f64; 2] = [0.754_877_666_246_692_7, 0.569_840_290_998_053_2];
+    let [x, y] = STEPS.map(|step| (step * index as f64).fract());
+    (libm::exp10(v0 + (v1 - v0) * x), libm::exp10(s0 + (s1 - s0) * y))
 }
 
 #[cfg(test)]

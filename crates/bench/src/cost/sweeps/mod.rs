@@ -6,6 +6,7 @@
 
 mod boundary_digits;
 mod decimals;
+mod tolerances;
 mod velocities;
 
 use std::fmt::Write as _;
@@ -50,9 +51,10 @@ impl Sweep {
 /// A family of sweeps: its name, and how it is measured.
 type Family = (&'static str, fn() -> Result<Vec<Sweep>, String>);
 
-const FAMILIES: [Family; 3] = [
+const FAMILIES: [Family; 4] = [
     ("digits of the boundary", boundary_digits::sweeps),
     ("layouts of decimals", decimals::sweeps),
+    ("tolerances", tolerances::sweeps),
     ("loading velocities of decays", velocities::sweeps),
 ];
 
