@@ -1,9 +1,11 @@
 //! Claims B: the boundary max Im(s) = 0, its areas and its asymptotes.
 
+use crate::claims::reading::{Draft, of_readings};
 use crate::claims::{Check, Evidence, Finding};
 use crate::experiments::{Context, Need, SceneOutcome};
 use slipmode_core::theory::areas::{self, Effects};
-use slipmode_core::theory::{boundary, exchange, inertial, quasi_static};
+use slipmode_core::theory::exchange::{self, Exchange};
+use slipmode_core::theory::{boundary, inertial, quasi_static};
 
 pub(super) const CHECKS: &[Check] = &[
     Check {
@@ -124,32 +126,25 @@ fn b6(context: &Context) -> Finding {
         Ok(exchanges) => exchanges,
         Err(refutation) => return Finding::from_proofs([Err(refutation)]),
     };
-    let list = |invariant: bool| {
-        let numbers: Vec<&str> =
-            exchanges.iter().filter(|e| e.invariant == invariant).map(|e| e.equation).collect();
-        numbers.join(", ")
+    let part = |draft: Draft, exchange: &Exchange| {
+        let finding = Finding::from_proofs([Ok(exchange.proof.clone())]);
+        let changed =
+            || format!("when a and b are exchanged, its solution is multiplied by {}", exchange.factor);
+        draft.part(format!("eq {}", exchange.equation), finding.require(exchange.invariant, changed))
     };
-    let (kept, moved) = (list(true), list(false));
-    let factors: Vec<String> = exchanges
-        .iter()
-        .filter(|e| !e.invariant)
-        .map(|e| format!("the solution of eq {} is multiplied by {}", e.equation, e.factor))
-        .collect();
+    let exchanged = Draft::new("no equation changes when a and b are exchanged, as the paper concludes");
+    let exchanged = exchanges.iter().fold(exchanged, part);
+    let one_formula =
+        Draft::new("each equation is one formula for a < b and for a > b, without separate cases");
+    let one_formula = exchanges.iter().fold(one_formula, |draft, exchange| {
+        // The proof has the same formula on both domains, where it is defined.
+        draft.part(format!("eq {}", exchange.equation), Finding::from_proofs([Ok(exchange.proof.clone())]))
+    });
     let fixed_a: Vec<&str> = exchanges.iter().filter(|e| !e.contains_b).map(|e| e.equation).collect();
-    let finding = Finding::from_proofs(exchanges.iter().map(|exchange| Ok(exchange.proof.clone())));
-    if moved.is_empty() {
-        return finding;
-    }
-    let finding = finding.outside(format!("When a and b are exchanged, {}.", factors.join(", "))).remark(format!(
-        "The claim has two readings. First: no formula depends on the sign of a − b. This holds for all four; eq {} \
-            does not contain b at all. Second: exchanging a and b changes nothing, as the paper concludes. This holds \
-            for eqs {kept} only.",
-        fixed_a.join(", "),
-    ));
-    if kept.is_empty() {
-        finding.refuted("no equation is unchanged")
-    } else {
-        finding.within(format!("eqs {kept}; not eq {moved}"))
+    let finding = of_readings([exchanged, one_formula]);
+    match fixed_a.is_empty() {
+        true => finding,
+        false => finding.remark(format!("Eq {} does not contain b at all.", fixed_a.join(", "))),
     }
 }
 

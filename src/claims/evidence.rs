@@ -65,6 +65,21 @@ impl Evidence {
         matches!(self, Evidence::Simulation { runs: 0, .. } | Evidence::Sample { points: 0, .. })
     }
 
+    /// Whether both are the same proof, or the same value of the same quantity.
+    #[must_use]
+    pub fn is_same(&self, other: &Self) -> bool {
+        self.name_and_value() == other.name_and_value()
+    }
+
+    fn name_and_value(&self) -> (&str, &str) {
+        match self {
+            Evidence::Proof { proof } => (&proof.id, &proof.statement),
+            Evidence::Enclosure { quantity, value }
+            | Evidence::Simulation { quantity, value, .. }
+            | Evidence::Sample { quantity, value, .. } => (quantity, value),
+        }
+    }
+
     /// How sure this piece is.
     #[must_use]
     pub fn strength(&self) -> Strength {

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use crate::claims::{Evidence, Strength, Verdict};
+use crate::claims::{Evidence, Reading, Strength, Verdict};
 use slipmode_core::polynomial::{Proof, Refutation};
 
 /// What a check concluded, why, and where it stops.
@@ -14,6 +14,9 @@ pub struct Finding {
     pub strength: Strength,
     /// Everything the verdict rests on.
     pub evidence: Vec<Evidence>,
+    /// The ways to read the claim, that as written first; empty where it has one reading of one part.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub readings: Vec<Reading>,
     /// The limit within which the claim holds, quantified.
     pub limit: Option<String>,
     /// Why the claim fails, or where it does outside its limit.
@@ -87,6 +90,7 @@ impl Finding {
             verdict,
             strength,
             evidence: Vec::new(),
+            readings: Vec::new(),
             limit: None,
             counter_example: None,
             remarks: Vec::new(),
@@ -147,6 +151,13 @@ impl Finding {
             self.verdict = Verdict::HoldsWithin;
         }
         self.limit = Some(limit.into());
+        self
+    }
+
+    /// The points that a universal statement was looked at on; the verdict stays, and says so.
+    #[must_use]
+    pub fn on(mut self, points: impl Into<String>) -> Self {
+        self.limit = Some(points.into());
         self
     }
 

@@ -1,7 +1,9 @@
 //! Claims Q: the frequency of oscillation and its limits.
 
+use crate::claims::reading::{Draft, of_readings};
 use crate::claims::{Check, Evidence, Finding};
 use crate::experiments::frequency::{FrequencyLine, FrequencyOutcome};
+use crate::experiments::map::MapPoint;
 use crate::experiments::{Context, Need};
 use slipmode_core::number::format::{certain_digits, rational_to_decimal, round_digits};
 use slipmode_core::number::{Ball, Rational, Real};
@@ -32,15 +34,15 @@ pub(super) const CHECKS: &[Check] = &[
     },
     Check {
         id: "Q3",
-        criterion: "At σ = σ_c the ratio of max Im(s) to eq 23 tends to 1 as V0 → 0, and max Im(s) rises strictly with V0.",
-        not_established: "Monotonic behaviour along other lines of constant normal stress.",
-        needs: &[Need::Frequency],
+        criterion: "At σ = σ_c the ratio of max Im(s) to eq 23 tends to 1 as V0 → 0, max Im(s) rises strictly with V0, and it reaches ω_n.",
+        not_established: "Monotonic behaviour between the grid points of the map, at normal stresses other than σ_c.",
+        needs: &[Need::Frequency, Need::Map],
         rests_on: &["S6", "Q1"],
         decide: q3,
     },
     Check {
         id: "Q4",
-        criterion: "Below ω_n the frequency depends neither on M nor on K.",
+        criterion: "Without inertia and at fixed σ the frequency depends neither on M nor on K.",
         not_established: "Whether the dependence is visible in fig 2, where K is fixed.",
         needs: &[],
         rests_on: &["B2", "S6"],
@@ -70,26 +72,75 @@ fn printed_period_s() -> Rational {
 }
 
 fn q3(context: &Context) -> Finding {
-    let finding = Finding::from_proofs([non_inertial::at_critical_stress(context.equations)]).within(
-        "eq 23 is the limit V0 → 0 and ω_n is the limit V0 → ∞; the frequency is strictly below both at every velocity",
-    );
-    let Some(scene) = context.outcome.potentially_unstable() else { return finding };
-    let (Some(parameters), Some(outcome)) = (scene.slider(), &scene.frequency) else { return finding };
+    let proved = || Finding::from_proofs([non_inertial::at_critical_stress(context.equations)]);
+    let near = near_the_limits(context).into_iter().fold(proved(), Finding::with_supporting);
+    let written = Draft::new("on the line σ = σ_c, which is K = K_c without inertia")
+        .part("at low velocity the frequency is eq 23", near.within("the limit V0 → 0"))
+        .part("the frequency rises with velocity", proved())
+        .part(
+            "it reaches ω_n",
+            proved().within("the limit V0 → ∞; it is strictly below ω_n at every velocity"),
+        );
+    let area = Draft::new("in the whole area of low frequency, between eqs 16 and 15")
+        .part("at every normal stress the frequency rises with velocity", rises_in_the_area(context));
+    of_readings([written, area])
+}
+
+/// How far eq 23 and ω_n are from the computed line at σ = σ_c.
+fn near_the_limits(context: &Context) -> Vec<Evidence> {
+    let Some(scene) = context.outcome.potentially_unstable() else { return Vec::new() };
+    let (Some(parameters), Some(outcome)) = (scene.slider(), &scene.frequency) else { return Vec::new() };
     let one = Rational::from(1);
     let Some(line) = outcome.lines.iter().find(|line| line.normal_stress_over_critical == one) else {
-        return finding;
+        return Vec::new();
     };
     let enclosed = parameters.map(|value| Ball::from_rational(value, 128));
     let per_metre = enclosed.transition_angular_frequency_over_velocity_per_m().to_f64();
     let natural = enclosed.natural_angular_frequency_per_s().to_f64();
-    finding.with_supporting(last_velocity_near(outcome, line, per_metre)).with_supporting(Evidence::Sample {
+    let highest = Evidence::Sample {
         quantity: "max Im(s)/ω_n at the highest velocity of the line".into(),
         value: round_digits(
             line.max_imaginary_per_s.last().and_then(|w| w.to_f64()).unwrap_or(0.0) / natural,
             6,
         ),
         points: outcome.loading_velocity_m_per_s.len(),
-    })
+    };
+    vec![last_velocity_near(outcome, line, per_metre), highest]
+}
+
+/// Whether max Im(s) rises between all neighbours of the map at the normal stresses between eqs 16 and 15.
+fn rises_in_the_area(context: &Context) -> Finding {
+    let scene = context.outcome.potentially_unstable();
+    let Some((slider, map)) = scene.and_then(|scene| Some((scene.slider()?, scene.map.as_ref()?))) else {
+        return Finding::not_checked("The report has no map of a slider with a < b.");
+    };
+    let slider = slider.map(|value| Ball::from_rational(value, 128));
+    let lowest = asymptote::quasi_static_lower_normal_stress_pa(&slider).to_f64();
+    let highest = asymptote::quasi_static_upper_normal_stress_pa(&slider).to_f64();
+    let between = |stress: f64| lowest < stress && stress < highest;
+    let points: Vec<_> = map.points().filter(|(_, stress, _)| between(*stress)).collect();
+    let neighbours = || {
+        let pairs = points.windows(2).filter(|pair| pair[0].1 == pair[1].1);
+        pairs.filter(|pair| pair.iter().all(|(_, _, point)| !point.max_imaginary_per_s.is_zero()))
+    };
+    let falls = |pair: &&[(f64, f64, &MapPoint)]| {
+        pair[1].2.max_imaginary_per_s.to_f64() <= pair[0].2.max_imaginary_per_s.to_f64()
+    };
+    let (all, falling) = (neighbours().count(), neighbours().filter(falls).count());
+    let finding = Finding::from_evidence(Evidence::Sample {
+        quantity: "Neighbouring oscillating points of the map, at the same σ between eqs 16 and 15, whose max Im(s) rises with V0".into(),
+        value: format!("{} of {all}", all - falling),
+        points: points.len(),
+    });
+    match neighbours().find(falls) {
+        None => finding.on("neighbours on the grid of the map"),
+        Some(pair) => finding.refuted(format!(
+            "{falling} of {all} neighbours; at σ = {} Pa it falls from V0 = {} to {} m/s",
+            round_digits(pair[0].1, 4),
+            round_digits(pair[0].0, 4),
+            round_digits(pair[1].0, 4)
+        )),
+    }
 }
 
 /// The highest velocity up to which eq 23 is within 1 %.
@@ -111,12 +162,26 @@ fn last_velocity_near(outcome: &FrequencyOutcome, line: &FrequencyLine, eq23_per
 }
 
 fn q4(context: &Context) -> Finding {
-    Finding::from_disproof(
-        non_inertial::mass_and_stiffness(context.equations),
-        "Stiffness: without inertia, K dω²/dK = ω² at K = K_c,qs, so the frequency grows as √K.",
+    let no_inertia =
+        "without inertia (eq 14); with inertia the frequency depends on it, to the relative order η";
+    let at_ratio =
+        || Finding::from_proofs([non_inertial::at_stress_ratio(context.equations)]).within(no_inertia);
+    let stiffness = Finding::from_disproof(
+        non_inertial::stiffness(context.equations),
+        "without inertia K dω²/dK = ω² at K = K_c,qs, so the frequency grows as √K",
+    );
+    let written = Draft::new("at fixed normal stress")
+        .part(
+            "the frequency does not depend on mass",
+            Finding::from_proofs([non_inertial::mass(context.equations)]).within(no_inertia),
+        )
+        .part("the frequency does not depend on stiffness", stiffness);
+    let ratio = Draft::new("at fixed σ/σ_c, as in fig 2")
+        .part("the frequency does not depend on mass", at_ratio())
+        .part("the frequency does not depend on stiffness", at_ratio());
+    of_readings([written, ratio]).remark(
+        "Eq 23 does not contain K because K was replaced by K_c; there the other parameters determine K.",
     )
-    .remark("Mass: without inertia (eq 14) the frequency does not depend on mass; with inertia it depends on mass only to the relative order η. This half of the claim holds.")
-    .remark("Eq 23 does not contain K because K was replaced by K_c; there the other parameters determine K.")
 }
 
 fn q5(context: &Context) -> Finding {

@@ -15,6 +15,7 @@ mod numerical;
 mod overshoot;
 mod planted_fault_tables;
 mod planted_faults;
+mod reading;
 mod simulated;
 mod simulated_laws;
 mod simulated_least_peak;
@@ -28,6 +29,7 @@ pub use evidence::{Evidence, Strength};
 pub use finding::Finding;
 pub use ledger::{Entry, Ledger, find, known_ids, needs};
 pub use planted_faults::{PlantedFaults, Survivor, plant_faults};
+pub use reading::{Part, Reading, verdict_of_parts};
 
 use crate::experiments::{Context, Need, TableMaker};
 pub use crate::scene::Verdict;

@@ -1,13 +1,17 @@
 //! Claims N on which slip mode a simulation ends in: transition, six modes, both laws, critical damping.
 
+use std::slice;
+
 use crate::claims::overshoot::Overshoots;
+use crate::claims::reading::{Draft, of_readings};
 use crate::claims::simulated::{Run, Runs, evidence, for_each_law, grids};
-use crate::claims::simulated_laws::n4;
+use crate::claims::simulated_laws::{ends_next_to_transition, n4};
 use crate::claims::simulated_least_peak::{n7, n8};
 use crate::claims::simulated_onset::n6;
 use crate::claims::simulated_trends::{n3, n5, n10};
 use crate::claims::{Check, Evidence, Finding};
 use crate::experiments::{Context, Need, Outcome};
+use slipmode_core::friction::EvolutionLaw;
 use slipmode_core::number::format::round_digits;
 use slipmode_core::stability::SlipMode;
 
@@ -18,7 +22,7 @@ pub(super) const CHECKS: &[Check] = &[
         id: "N1",
         criterion: "Every run of the grid with K < K_c ends on a limit cycle and every run with K > K_c decays.",
         not_established: "The behaviour between the grid's points and closer to K = K_c than the grid: see N4.",
-        needs: NEEDS,
+        needs: &[Need::Simulations, Need::NearTransition],
         rests_on: &["S1"],
         decide: |context| n1(context).unwrap_or_else(|undecided| undecided),
     },
@@ -98,24 +102,41 @@ pub(super) const CHECKS: &[Check] = &[
 
 fn n1(context: &Context) -> Result<Finding, Finding> {
     let grids = grids(context, Outcome::potentially_unstable)?;
-    let all = || grids.iter().flat_map(|grid| &grid.runs);
-    let wrong: Vec<_> = all().filter(|run| run.periodic() != (run.theory.transition_sign < 0)).collect();
-    let ratios = || all().filter_map(|run| run.stiffness_over_critical);
+    let words = |law: EvolutionLaw| {
+        format!("with the {} law K < K_c gives a limit cycle and K > K_c a decay", law.as_str())
+    };
+    let on_the_grid = Draft::new("the simulations on the grid of fig 3a");
+    let on_the_grid =
+        grids.iter().fold(on_the_grid, |draft, grid| draft.part(words(grid.law), ends_by_stiffness(grid)));
+    let everywhere = Draft::new("every simulation, at any distance from K = K_c");
+    let near = context.outcome.potentially_unstable().and_then(|scene| scene.near_transition.as_ref());
+    let everywhere = grids.iter().fold(everywhere, |draft, grid| {
+        let none = || Finding::not_checked("The report has no runs next to K = K_c.");
+        draft.part(words(grid.law), near.map_or_else(none, |near| ends_next_to_transition(near, grid.law)))
+    });
+    Ok(of_readings([on_the_grid, everywhere]))
+}
+
+/// Whether every run of one law's grid ends as the sign of K − K_c says.
+fn ends_by_stiffness(grid: &Runs) -> Finding {
+    let ratios = || grid.runs.iter().filter_map(|run| run.stiffness_over_critical);
     let below = ratios().filter(|ratio| *ratio < 1.0).fold(0.0, f64::max);
     let above = ratios().filter(|ratio| *ratio > 1.0).fold(f64::INFINITY, f64::min);
-    let value = for_each_law(&grids, |grid| {
-        let cycles = grid.runs.iter().filter(|run| run.periodic()).count();
-        format!("{cycles} limit cycles, {} decays", grid.runs.len() - cycles)
-    });
-    Ok(Finding::from_evidence(evidence(&grids, "Long-term behaviour", value))
+    let cycles = grid.runs.iter().filter(|run| run.periodic()).count();
+    let value = format!("{cycles} limit cycles, {} decays", grid.runs.len() - cycles);
+    let quantity = format!("Long-term behaviour, {} law", grid.law.as_str());
+    let wrong: Vec<_> =
+        grid.runs.iter().filter(|run| run.periodic() != (run.theory.transition_sign < 0)).collect();
+    Finding::from_evidence(evidence(slice::from_ref(grid), &quantity, value))
         .require(wrong.is_empty(), || {
             format!("{} runs contradict the sign of K − K_c: {}", wrong.len(), wrong[0].place())
         })
-        .remark(format!(
-            "The grid points closest to K = K_c have K/K_c = {} and {}.",
+        .on(format!(
+            "{} runs from steady state at V_l/10, K/K_c up to {} and from {}",
+            grid.runs.len(),
             round_digits(below, 4),
             round_digits(above, 4)
-        )))
+        ))
 }
 
 fn n2(context: &Context) -> Result<Finding, Finding> {
@@ -137,7 +158,7 @@ fn n2(context: &Context) -> Result<Finding, Finding> {
         SlipMode::ALL.iter().filter_map(named).collect::<Vec<_>>().join(", ")
     };
     let finding = Finding::from_evidence(evidence(&grids, "Slip modes by simulation", counts(true)))
-        .with_supporting(Evidence::Sample {
+        .with_evidence(Evidence::Sample {
             quantity: "Slip modes by the exact linear theory".into(),
             value: counts(false),
             points: all.len(),

@@ -95,6 +95,16 @@ impl<'c> Runs<'c> {
         let above = self.runs.iter().skip(self.columns);
         self.runs.iter().zip(above).filter(|(lower, upper)| lower.periodic() && upper.periodic())
     }
+
+    /// Neighbouring limit cycles on diagonals: the second has the higher velocity and the higher normal stress.
+    pub(super) fn along_both(&self) -> impl Iterator<Item = (&Run<'c>, &Run<'c>)> {
+        let is_last = |index: usize| (index + 1).is_multiple_of(self.columns);
+        let beyond = self.runs.iter().skip(self.columns + 1);
+        let pairs = self.runs.iter().zip(beyond).enumerate();
+        pairs
+            .filter(move |(index, (one, other))| !is_last(*index) && one.periodic() && other.periodic())
+            .map(|(_, pair)| pair)
+    }
 }
 
 fn both_periodic<'r, 'c>(pair: &'r [Run<'c>]) -> Option<(&'r Run<'c>, &'r Run<'c>)> {

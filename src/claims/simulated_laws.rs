@@ -69,6 +69,28 @@ fn consistent(near: &NearTransitionOutcome) -> Result<(), Finding> {
     }
 }
 
+/// Whether every run of a law next to K = K_c ends as the sign of K − K_c says (claim N1).
+pub(super) fn ends_next_to_transition(near: &NearTransitionOutcome, law: EvolutionLaw) -> Finding {
+    let runs = || near.runs.iter().filter(|run| run.law == law);
+    let contradicts = |run: &&NearRun| run.periodic() == Some(run.stiffness_over_critical > 1);
+    let (wrong, open): (Vec<_>, usize) =
+        (runs().filter(contradicts).collect(), runs().filter(|run| run.periodic().is_none()).count());
+    let finding = Finding::from_evidence(Evidence::Simulation {
+        quantity: format!(
+            "Runs next to K = K_c, {} law: as the sign of K − K_c, against it, without a result",
+            law.as_str()
+        ),
+        value: format!("{}, {}, {open}", runs().count() - wrong.len() - open, wrong.len()),
+        error: "each result is the same at two tolerances".into(),
+        runs: runs().count(),
+    });
+    match (wrong.is_empty(), open) {
+        (false, _) => finding.refuted(format!("{} runs: {}", wrong.len(), names(&wrong))),
+        (true, 0) => finding.on(format!("{} runs next to K = K_c", runs().count())),
+        (true, _) => Finding::not_checked(format!("{open} runs next to K = K_c have no result.")),
+    }
+}
+
 /// Where K < K_c no run may end in sliding.
 fn below(near: &NearTransitionOutcome, finding: Finding) -> Finding {
     let decays: Vec<&NearRun> = near

@@ -1,5 +1,6 @@
 //! Claims N7 and N8: where the peak velocity turns from falling to rising, against eq 18 and against the change of mode.
 
+use crate::claims::reading::{Draft, of_readings};
 use crate::claims::simulated::{Run, Runs, evidence, for_each_law, grids, outcome};
 use crate::claims::simulated_trends::{of, peaks, rises, share, total};
 use crate::claims::{Evidence, Finding};
@@ -103,38 +104,42 @@ pub(super) fn n8(context: &Context) -> Result<Finding, Finding> {
         .iter()
         .flat_map(Runs::along_velocity)
         .find(|pair| both_are(SlipMode::StickSlip)(pair) && rises(pair));
-    let finding = Finding::from_evidence(evidence(
+    let in_stick_slip = Finding::from_evidence(evidence(
         &grids,
         "Neighbouring stick-slip points at the same σ whose peak velocity falls with V_l",
         for_each_law(&grids, |grid| of(stick_slip(grid))),
-    ))
-    .with_evidence(evidence(
+    ));
+    let in_stick_slip = match stray {
+        None => in_stick_slip.on(format!("all {} neighbours of the grid", falls.1)),
+        Some(pair) => {
+            in_stick_slip.refuted(format!("it falls between {} neighbours only; {}", of(falls), peaks(pair)))
+        }
+    };
+    let in_vibration = Finding::from_evidence(evidence(
         &grids,
         "Neighbouring points of harmonic vibration at the same σ whose peak velocity rises with V_l",
         for_each_law(&grids, |grid| of(vibration(grid))),
     ))
-    .require(grows.0 == grows.1, || {
-        format!("in vibration the peak velocity rises for {} neighbours only", of(grows))
-    });
+    .require(grows.0 == grows.1, || format!("it rises between {} neighbours only", of(grows)))
+    .on(format!("{} neighbours of the grid", grows.1));
+    let written = Draft::new("the modes by the period of the cycle")
+        .part("in stick-slip the peak velocity falls with V_l", in_stick_slip)
+        .part("in harmonic vibration the peak velocity rises with V_l", in_vibration);
     let least = &outcome(context, Outcome::potentially_unstable)?.least_peaks;
     let after = |change: fn(&LeastPeak) -> Option<f64>| {
         extent(least.iter().filter_map(|found| Some(change(found)? - found.offset_dex)))
     };
     let (cycle, theory) =
         (after(|found| found.cycle_mode_change_dex), after(|found| found.theory_mode_change_dex));
-    let finding = finding.with_evidence(Evidence::Simulation {
-        quantity: "log10 of the ratio of two velocities, where the mode changes and where the peak is lowest: for the mode of the cycle; for the mode of small deviations by the exact theory".into(),
-        value: format!("{} dex; {} dex", range(cycle, 3), range(theory, 3)),
-        error: format!("{SIDE_WIDTH} dex"),
-        runs: least.len(),
-    });
-    let Some(pair) = stray else { return Ok(finding) };
-    Ok(finding
-        .within(format!(
-            "{} stick-slip neighbours, and all {} of harmonic vibration; the cycle's frequency passes the threshold {} dex above the velocity of the lowest peak",
-            of(falls),
-            grows.1,
+    Ok(of_readings([written])
+        .with_supporting(Evidence::Simulation {
+            quantity: "log10 of the ratio of two velocities, where the mode changes and where the peak is lowest: for the mode of the cycle; for the mode of small deviations by the exact theory".into(),
+            value: format!("{} dex; {} dex", range(cycle, 3), range(theory, 3)),
+            error: format!("{SIDE_WIDTH} dex"),
+            runs: least.len(),
+        })
+        .remark(format!(
+            "The peak is lowest while the cycle is still stick-slip: its frequency passes the threshold {} dex above the velocity of the lowest peak.",
             range(cycle, 3)
-        ))
-        .outside(peaks(pair)))
+        )))
 }

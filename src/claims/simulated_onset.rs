@@ -1,5 +1,6 @@
 //! Claim N6: at which velocity inertial vibration first appears in the runs of fig 4, and in which unit its caption speaks.
 
+use crate::claims::reading::{Draft, of_readings};
 use crate::claims::{Evidence, Finding};
 use crate::experiments::Context;
 use crate::experiments::onset::{Located, Onset, OnsetOutcome, OtherUnit, SeenOnset};
@@ -38,11 +39,21 @@ pub(super) fn n6(context: &Context) -> Result<Finding, Finding> {
     let lower = outcome.lines.iter().filter(|line| line.asymptote == Asymptote::InertialLower);
     let compared: Option<Vec<Compared>> = lower.map(|line| compare(context, parameters, line)).collect();
     let compared = compared.ok_or_else(|| Finding::failing("Eq 20 as stated gives no velocity."))?;
-    let finding = compared.iter().fold(None, |finding, line| Some(assess(finding, line)));
-    let none = || Finding::not_checked("No line of constant normal stress crosses the lower boundary.");
-    let finding = finding.ok_or_else(none)?;
-    Ok(unit(finding, &outcome.other_unit)
-        .within(limit(outcome, &compared))
+    if compared.is_empty() {
+        return Err(Finding::not_checked("No line of constant normal stress crosses the lower boundary."));
+    }
+    let begins = Draft::new("where small deviations begin to oscillate");
+    let begins = compared.iter().fold(begins, |draft, line| {
+        let stress = line.stress();
+        draft
+            .part(format!("at σ = {stress} Pa the exact boundary is at eq 20"), on_the_boundary(line))
+            .part(format!("at σ = {stress} Pa simulations begin to oscillate there"), in_simulations(line))
+    });
+    let seen = Draft::new("where the recorded velocity first shows an oscillation");
+    let seen = compared.iter().fold(seen, |draft, line| {
+        draft.part(format!("at σ = {} Pa it is visible from eq 20 on", line.stress()), visible(line, outcome))
+    });
+    Ok(unit(of_readings([begins, seen]), &outcome.other_unit)
         .remark(first_peak(&compared))
         .remark("The text states no velocity for fig 4. The report's runs use five of fig 3a's quarter decades, two below eq 20 and three above it, consistent with the text on the colours."))
 }
@@ -88,8 +99,8 @@ impl Compared<'_> {
     }
 }
 
-fn assess(before: Option<Finding>, compared: &Compared) -> Finding {
-    let line = compared.line;
+/// Whether the exact boundary is at eq 20, but for the error that its own series states.
+fn on_the_boundary(compared: &Compared) -> Finding {
     let stress = compared.stress();
     let excess = certain_digits(&compared.excess, 5);
     let velocities = Evidence::Enclosure {
@@ -97,41 +108,84 @@ fn assess(before: Option<Finding>, compared: &Compared) -> Finding {
         value: format!(
             "{} m/s; {} m/s; {excess}",
             certain_digits(&compared.eq20_m_per_s, 6),
-            certain_digits(&line.boundary_velocity_m_per_s, 6)
+            certain_digits(&compared.line.boundary_velocity_m_per_s, 6)
         ),
     };
-    let finding = match before {
-        Some(finding) => finding.with_evidence(velocities),
-        None => Finding::from_evidence(velocities),
-    };
-    let finding = finding.require(compared.is_near(), || {
-            format!(
-                "at σ = {stress} Pa oscillation begins at {} times the velocity of eq 20, although its series allows at most {} %",
-                round_digits(1.0 + compared.excess.to_f64(), 4),
-                round_digits(100.0 * nearest_f64(&compared.leading) * f64::from(LEADING_ERRORS), 3)
-            )
-        });
-    line.seen.iter().fold(finding, |finding, seen| {
+    let percent = round_digits(100.0 * compared.excess.to_f64(), 3);
+    let allowed = round_digits(100.0 * nearest_f64(&compared.leading) * f64::from(LEADING_ERRORS), 3);
+    let inertial = compared.line.inertial.as_ref().map_or("no velocity".into(), |found| {
+        format!("{} dex above eq 20", round_digits(compared.dex(found), 3))
+    });
+    Finding::from_evidence(velocities)
+        .require(compared.is_near(), || {
+            format!("it is {percent} % above eq 20, although its series allows at most {allowed} %")
+        })
+        .within(format!(
+            "{percent} % above eq 20; by the frequency threshold the oscillation is inertial from {inertial}"
+        ))
+}
+
+/// Whether simulations begin to oscillate where the exact boundary is.
+fn in_simulations(compared: &Compared) -> Finding {
+    let finding = compared.line.seen.iter().fold(None, |finding: Option<Finding>, seen| {
+        let evidence = seen_evidence(compared, seen);
+        let finding = match finding {
+            None => Finding::from_evidence(evidence),
+            Some(finding) => finding.with_evidence(evidence),
+        };
         let law = seen.law.as_str();
         let Some(exists) = &seen.exists else {
-            return finding.refuted(format!("{law} law, σ = {stress} Pa: no oscillation was found"));
+            return Some(finding.refuted(format!("{law} law: no oscillation was found")));
         };
         let distance = compared.dex_over_boundary(exists);
-        let dex = |found: Option<Located>| {
-            found.map_or("none".into(), |found| format!("{} dex", round_digits(compared.dex(&found), 4)))
-        };
-        let errors = [seen.exists, seen.second_rise, seen.undershoot].map(|found| found.map_or(0.0, |found| found.error_dex));
-        finding
-            .with_evidence(Evidence::Simulation {
-                quantity: format!("σ = {stress} Pa, {law} law: log10 of the velocity divided by that of eq 20, where small deviations begin to oscillate; where a second rise is visible; where an undershoot is visible"),
-                value: format!("{}; {}; {}", dex(seen.exists), dex(seen.second_rise), dex(seen.undershoot)),
-                error: format!("{} dex", round_digits(errors.into_iter().fold(0.0, f64::max), 2)),
-                runs: 3,
-            })
-            .require(distance.abs() <= exists.error_dex, || {
-                format!("{law} law, σ = {stress} Pa: simulated oscillation begins {} dex from the exact boundary", round_digits(distance, 2))
-            })
+        Some(finding.require(distance.abs() <= exists.error_dex, || {
+            format!("{law} law: it begins {} dex from the exact boundary", round_digits(distance, 2))
+        }))
+    });
+    finding.unwrap_or_else(|| Finding::not_checked("No law was simulated on this line."))
+}
+
+/// Whether a second rise or an undershoot is visible from the velocity of eq 20 on, within the error that its series states.
+fn visible(compared: &Compared, outcome: &OnsetOutcome) -> Finding {
+    let places = |seen: &SeenOnset| [seen.second_rise, seen.undershoot].into_iter().flatten().collect();
+    let shown: Vec<Located> =
+        compared.line.seen.iter().flat_map(|seen| -> Vec<Located> { places(seen) }).collect();
+    let evidence = compared.line.seen.iter().map(|seen| seen_evidence(compared, seen));
+    let finding = evidence.fold(None, |finding: Option<Finding>, evidence| {
+        Some(match finding {
+            None => Finding::from_evidence(evidence),
+            Some(finding) => finding.with_evidence(evidence),
+        })
+    });
+    let Some(finding) = finding else { return Finding::not_checked("No law was simulated on this line.") };
+    let allowed = libm::log10(1.0 + f64::from(LEADING_ERRORS) * nearest_f64(&compared.leading));
+    let is_near = |found: &Located| compared.dex(found).abs() <= allowed + found.error_dex;
+    let part = round_digits(100.0 * nearest_f64(&outcome.visible), 3);
+    finding.require(!shown.is_empty() && shown.iter().all(is_near), || {
+        format!(
+            "a second rise by {part} % of V_l is visible from {}, and an undershoot by {part} % of V_l from {}, above eq 20, depending on the law",
+            compared.laws(|seen| seen.second_rise),
+            compared.laws(|seen| seen.undershoot)
+        )
     })
+}
+
+/// What one law's runs on a line show.
+fn seen_evidence(compared: &Compared, seen: &SeenOnset) -> Evidence {
+    let (stress, law) = (compared.stress(), seen.law.as_str());
+    let dex = |found: Option<Located>| {
+        found.map_or("none".into(), |found| format!("{} dex", round_digits(compared.dex(&found), 4)))
+    };
+    let errors = [seen.exists, seen.second_rise, seen.undershoot]
+        .map(|found| found.map_or(0.0, |found| found.error_dex));
+    Evidence::Simulation {
+        quantity: format!(
+            "σ = {stress} Pa, {law} law: log10 of the velocity divided by that of eq 20, where small deviations begin to oscillate; where a second rise is visible; where an undershoot is visible"
+        ),
+        value: format!("{}; {}; {}", dex(seen.exists), dex(seen.second_rise), dex(seen.undershoot)),
+        error: format!("{} dex", round_digits(errors.into_iter().fold(0.0, f64::max), 2)),
+        runs: 3,
+    }
 }
 
 /// The caption's unit: Pa, if in it the lines cross the boundary and in the other none does.
@@ -147,33 +201,13 @@ fn unit(finding: Finding, others: &[OtherUnit]) -> Finding {
         return finding.remark(format!("At {stresses} Pa, the normal stresses in the caption's unit, there is an onset too, so the unit is undecided."));
     }
     finding
-        .with_evidence(Evidence::Simulation {
+        .with_supporting(Evidence::Simulation {
             quantity: format!("Long-term behaviour at {stresses} Pa (the caption's unit, MPa) and the velocity of eq 20 there"),
             value: "limit cycle".into(),
             error: "the same at two tolerances".into(),
             runs: others.len(),
         })
         .remark(format!("The unit MPa in the caption of fig 4 must be Pa. At {stresses} Pa, σ exceeds σ_c: steady sliding is unstable at every velocity, there is no boundary in the stable zone, and the runs end on limit cycles instead of decaying. In Pa, the runs agree with everything that the section states about the figure."))
-}
-
-fn limit(outcome: &OnsetOutcome, compared: &[Compared]) -> String {
-    let percent = |value: f64| round_digits(100.0 * value, 3);
-    let visible = percent(nearest_f64(&outcome.visible));
-    let each = |one: &Compared| {
-        let inertial = one
-            .line
-            .inertial
-            .as_ref()
-            .map_or("no velocity".into(), |found| format!("{} dex", round_digits(one.dex(found), 3)));
-        format!(
-            "at σ = {} Pa oscillation begins {} % above eq 20; by the frequency threshold it is inertial from {inertial} above eq 20; a second rise by {visible} % of V_l is visible from {}, and an undershoot by {visible} % of V_l from {}, depending on the law",
-            one.stress(),
-            percent(one.excess.to_f64()),
-            one.laws(|seen| seen.second_rise),
-            one.laws(|seen| seen.undershoot)
-        )
-    };
-    compared.iter().map(each).collect::<Vec<_>>().join("; ")
 }
 
 /// What the single peak of the blue runs shows.

@@ -1,5 +1,6 @@
 //! Claims N on peak velocity, stress drop and period across the grid.
 
+use crate::claims::reading::{Draft, of_readings};
 use crate::claims::simulated::{Run, Runs, evidence, for_each_law, grids};
 use crate::claims::{Evidence, Finding};
 use crate::experiments::{Context, Outcome};
@@ -29,9 +30,9 @@ pub(super) fn total(grids: &[Runs], count: impl Fn(&Runs) -> (usize, usize)) -> 
 
 pub(super) fn peaks(pair: (&Run, &Run)) -> String {
     format!(
-        "from {} to V_l = {} m/s the peak velocity goes from {} to {} m/s",
+        "from {} to {} the peak velocity goes from {} to {} m/s",
         pair.0.place(),
-        round_digits(pair.1.velocity_m_per_s, 4),
+        pair.1.place(),
         round_digits(pair.0.simulation.peak_velocity_m_per_s, 4),
         round_digits(pair.1.simulation.peak_velocity_m_per_s, 4)
     )
@@ -39,34 +40,40 @@ pub(super) fn peaks(pair: (&Run, &Run)) -> String {
 
 pub(super) fn n3(context: &Context) -> Result<Finding, Finding> {
     let grids = grids(context, Outcome::potentially_unstable)?;
-    let with_stress = total(&grids, |grid| share(grid.along_stress(), rises));
-    let with_velocity = |grid: &Runs| share(grid.along_velocity(), rises);
-    let all_velocity = total(&grids, with_velocity);
-    if with_stress.1 == 0 || all_velocity.1 == 0 {
-        return Err(Finding::not_checked("No two neighbours of the grid are both limit cycles."));
+    let with_stress = risen(&grids, "at the same V_l", |grid| Box::new(grid.along_stress()));
+    let with_velocity = risen(&grids, "at the same σ", |grid| Box::new(grid.along_velocity()));
+    let jointly = risen(&grids, "on diagonals of the grid", |grid| Box::new(grid.along_both()));
+    let written = Draft::new("along each axis: σ at the same V_l, and V_l at the same σ")
+        .part("the peak velocity is lowest next to K = K_c", with_stress.clone())
+        .part("the peak velocity grows with normal stress", with_stress)
+        .part("the peak velocity grows with loading velocity", with_velocity);
+    let joint = Draft::new("along lines on which σ and V_l increase together")
+        .part("the peak velocity grows with σ and V_l", jointly);
+    Ok(of_readings([written, joint]).remark(
+        "For stick-slip, claim N8 from the same section states the opposite of the part that fails here.",
+    ))
+}
+
+/// Neighbouring limit cycles, the one with the smaller coordinates first.
+type Pairs<'r, 'c> = Box<dyn Iterator<Item = (&'r Run<'c>, &'r Run<'c>)> + 'r>;
+
+/// Whether the peak velocity rises between all neighbours of a kind.
+fn risen(grids: &[Runs], which: &str, pairs: for<'r, 'c> fn(&'r Runs<'c>) -> Pairs<'r, 'c>) -> Finding {
+    let count = |grid: &Runs| share(pairs(grid), rises);
+    let (passed, all) = total(grids, count);
+    if all == 0 {
+        return Finding::not_checked(format!("No two neighbours {which} are both limit cycles."));
     }
-    let falling = grids.iter().flat_map(Runs::along_velocity).find(|pair| !rises(pair));
-    let finding = Finding::from_evidence(evidence(
-        &grids,
-        "Neighbouring points at the same V_l whose peak velocity rises with σ",
-        of(with_stress),
-    ))
-    .with_evidence(evidence(
-        &grids,
-        "Neighbouring points at the same σ whose peak velocity rises with V_l",
-        for_each_law(&grids, |grid| of(with_velocity(grid))),
-    ))
-    .require(with_stress.0 == with_stress.1, || {
-        format!("along σ the peak velocity rises for {} neighbours only", of(with_stress))
-    });
-    let Some(pair) = falling else { return Ok(finding) };
-    Ok(finding
-        .within(format!(
-            "the peak velocity rises with σ at every V_l, so it is lowest next to K = K_c; with V_l it rises between {} neighbours only",
-            of(all_velocity)
-        ))
-        .outside(peaks(pair))
-        .remark("For stick-slip, claim N8 from the same section states the opposite of the half that fails here."))
+    let quantity = format!("Neighbouring limit cycles {which} whose peak velocity rises");
+    let finding =
+        Finding::from_evidence(evidence(grids, &quantity, for_each_law(grids, |grid| of(count(grid)))));
+    let falling = grids.iter().find_map(|grid| pairs(grid).find(|pair| !rises(pair)).map(peaks));
+    match falling {
+        None => finding.on(format!("all {all} neighbours of the grid {which}")),
+        Some(pair) => {
+            finding.refuted(format!("it rises between {} neighbours only; {pair}", of((passed, all))))
+        }
+    }
 }
 
 pub(super) fn n5(context: &Context) -> Result<Finding, Finding> {
@@ -113,7 +120,7 @@ pub(super) fn n10(context: &Context) -> Result<Finding, Finding> {
             "Excess of the period over 2π/√(K/M): minimum, maximum",
             format!("{}, {}", excess(*shortest), excess(*longest)),
         ))
-        .with_supporting(Evidence::Sample {
+        .with_evidence(Evidence::Sample {
             quantity: "Vibrations within 0.1 %, 1 % and 10 % of the natural period".into(),
             value: format!("{}, {}, {}", within(0.1), within(1.0), within(10.0)),
             points: ratios.len(),

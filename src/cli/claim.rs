@@ -2,7 +2,7 @@
 
 use std::slice;
 
-use slipmode::claims::{Entry, Evidence, known_ids};
+use slipmode::claims::{Entry, Evidence, Part, Verdict, known_ids};
 use slipmode::report::{Folder, decide};
 use slipmode::scene::{ClaimEntry, nearest};
 
@@ -47,10 +47,28 @@ fn account(entry: &Entry) -> String {
     ];
     lines.extend(finding.limit.iter().map(|limit| ("limit", limit.clone())));
     lines.extend(finding.counter_example.iter().map(|example| ("counter-example", example.clone())));
+    for (number, reading) in (1..).zip(&finding.readings) {
+        lines.push((
+            "reading",
+            format!(
+                "{number}. {}: {}, {}",
+                reading.words,
+                reading.verdict.as_str(),
+                reading.strength.as_str()
+            ),
+        ));
+        lines.extend(reading.parts.iter().map(|part| ("  part", part_line(part))));
+    }
     lines.extend(finding.evidence.iter().map(|evidence| ("evidence", one_line(evidence))));
     lines.extend(finding.remarks.iter().map(|remark| ("remark", remark.clone())));
     lines.push(("not established", entry.not_established.to_string()));
     lines.iter().map(|(name, value)| format!("{name:<16} {value}\n")).collect()
+}
+
+fn part_line(part: &Part) -> String {
+    let result = if part.verdict == Verdict::Fails { &part.counter_example } else { &part.limit };
+    let result = result.as_ref().map(|text| format!(": {text}")).unwrap_or_default();
+    format!("{}: {}, {}{result}", part.words, part.verdict.as_str(), part.strength.as_str())
 }
 
 fn one_line(evidence: &Evidence) -> String {

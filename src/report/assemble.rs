@@ -2,12 +2,12 @@
 
 use std::collections::BTreeMap;
 
-use crate::claims::{Entry, Evidence, Ledger, Verdict};
+use crate::claims::{Entry, Evidence, Ledger, Part, Reading, Strength, Verdict};
 use crate::experiments::Figure;
 use crate::report::claims_picture::claims_picture;
 use crate::report::{
     CardView, ChapterView, ClaimGroupView, ClaimView, EquationView, EvidenceView, FactView, FindingView,
-    InputView, ProvenanceView, ReportView,
+    InputView, PartView, ProvenanceView, ReadingView, ReportView,
 };
 use crate::scene::{Chapter, ReportPlan};
 use slipmode_core::theory::PaperEquations;
@@ -155,17 +155,42 @@ fn claim_view(entry: &Entry, ledger: &Ledger, folder: &str) -> ClaimView {
         acceptance_markdown: plain(entry.criterion),
         verdict: finding.verdict,
         verdict_markdown: plain(finding.limit.as_deref().unwrap_or_default()),
-        strength: if finding.verdict == Verdict::NotChecked {
-            String::new()
-        } else {
-            finding.strength.as_str().into()
-        },
+        strength: strength_of(finding.verdict, finding.strength),
+        readings: finding.readings.iter().map(reading_view).collect(),
         evidence: finding.evidence.iter().map(evidence_view).collect(),
         counter_example_markdown: plain(finding.counter_example.as_deref().unwrap_or_default()),
         not_established_markdown: plain(entry.not_established),
         remark_markdown: finding.remarks.iter().map(|remark| plain(remark)).collect::<Vec<_>>().join("\n\n"),
         rests_on: entry.rests_on.iter().filter(|id| listed(id)).map(|&id| id.to_owned()).collect(),
         command: format!("slipmode verify {folder} --claim {}", entry.id),
+    }
+}
+
+/// The word for a strength; empty for what was not checked.
+fn strength_of(verdict: Verdict, strength: Strength) -> String {
+    if verdict == Verdict::NotChecked { String::new() } else { strength.as_str().into() }
+}
+
+fn reading_view(reading: &Reading) -> ReadingView {
+    ReadingView {
+        words_markdown: plain(&reading.words),
+        verdict: reading.verdict,
+        strength: strength_of(reading.verdict, reading.strength),
+        parts: reading.parts.iter().map(part_view).collect(),
+    }
+}
+
+fn part_view(part: &Part) -> PartView {
+    let result = match part.verdict {
+        Verdict::Fails => part.counter_example.as_ref(),
+        _ => part.limit.as_ref(),
+    };
+    PartView {
+        words_markdown: plain(&part.words),
+        verdict: part.verdict,
+        strength: strength_of(part.verdict, part.strength),
+        result_markdown: plain(result.map_or("", String::as_str)),
+        evidence: part.evidence.iter().map(usize::to_string).collect::<Vec<_>>().join(", "),
     }
 }
 

@@ -4,7 +4,7 @@ use serde_json::{Value, json};
 
 use super::catalogue::Catalogue;
 use super::markdown::Prose;
-use super::view::{ClaimView, EvidenceView};
+use super::view::{ClaimView, EvidenceView, PartView, ReadingView};
 use crate::scene::Verdict;
 
 /// The claim's verdict with a link.
@@ -50,9 +50,33 @@ pub(crate) fn claim_page(claim: &ClaimView, catalogue: &Catalogue<'_>, prose: &m
         "counter_example_html": html(&claim.counter_example_markdown, "counter-example"),
         "not_established_html": html(&claim.not_established_markdown, "not established"),
         "remark_html": html(&claim.remark_markdown, "remark"),
+        "readings": claim.readings.iter().map(|item| reading(item, &mut html)).collect::<Vec<_>>(),
         "evidence": claim.evidence.iter().map(|item| evidence(item, &mut html)).collect::<Vec<_>>(),
         "rests_on": chips(&claim.rests_on, catalogue),
         "command": claim.command,
+    })
+}
+
+fn reading(item: &ReadingView, html: &mut dyn FnMut(&str, &str) -> String) -> Value {
+    let mut part = |part: &PartView| {
+        json!({
+            "words_html": html(&part.words_markdown, "part"),
+            "class": part.verdict.as_str(),
+            "symbol": part.verdict.symbol(),
+            "word": part.verdict.word(),
+            "strength": part.strength,
+            "result_html": html(&part.result_markdown, "part"),
+            "evidence": part.evidence,
+        })
+    };
+    let parts: Vec<Value> = item.parts.iter().map(&mut part).collect();
+    json!({
+        "words_html": html(&item.words_markdown, "reading"),
+        "class": item.verdict.as_str(),
+        "symbol": item.verdict.symbol(),
+        "word": item.verdict.word(),
+        "strength": item.strength,
+        "parts": parts,
     })
 }
 

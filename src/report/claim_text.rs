@@ -3,7 +3,7 @@
 use serde_json::{Value, json};
 
 use super::markdown::slug;
-use super::view::{ClaimView, EvidenceView, FactView};
+use super::view::{ClaimView, EvidenceView, FactView, PartView, ReadingView};
 use slipmode_plot::table::{escape_cell, escape_markdown, printable};
 
 /// What the templates show of a claim; its prose goes through `prose`.
@@ -19,12 +19,33 @@ pub(crate) fn claim_text(claim: &ClaimView, rests_on: String, prose: &dyn Fn(&st
         "statement_md": item(&claim.statement_markdown),
         "acceptance_md": item(&claim.acceptance_markdown),
         "verdict_md": item(&claim.verdict_markdown),
+        "readings": claim.readings.iter().map(|one| reading(one, &item)).collect::<Vec<_>>(),
         "evidence": claim.evidence.iter().map(|one| evidence(one, &item)).collect::<Vec<_>>(),
         "counter_example_md": item(&claim.counter_example_markdown),
         "not_established_md": item(&claim.not_established_markdown),
         "remark_md": item(&claim.remark_markdown),
         "rests_on_md": rests_on,
         "command_md": code_span(&claim.command),
+    })
+}
+
+fn reading(reading: &ReadingView, item: &dyn Fn(&str) -> String) -> Value {
+    let part = |part: &PartView| {
+        json!({
+            "words_md": item(&part.words_markdown),
+            "symbol": part.verdict.symbol(),
+            "word": part.verdict.word(),
+            "strength": part.strength,
+            "result_md": item(&part.result_markdown),
+            "evidence": part.evidence,
+        })
+    };
+    json!({
+        "words_md": item(&reading.words_markdown),
+        "symbol": reading.verdict.symbol(),
+        "word": reading.verdict.word(),
+        "strength": reading.strength,
+        "parts": reading.parts.iter().map(part).collect::<Vec<_>>(),
     })
 }
 

@@ -31,6 +31,13 @@ fn hostile_view() -> ReportView {
                 (text(), text(), text());
             (claim.counter_example_markdown, claim.remark_markdown) = (text(), text());
             claim.not_established_markdown = text();
+            for reading in &mut claim.readings {
+                (reading.words_markdown, reading.strength) = (text(), text());
+                for part in &mut reading.parts {
+                    (part.words_markdown, part.result_markdown) = (text(), text());
+                    (part.strength, part.evidence) = (text(), text());
+                }
+            }
             for item in &mut claim.evidence {
                 (item.kind, item.strength, item.text_markdown) = (text(), text(), text());
                 (item.numbers, item.certificate) = (vec![fact()], text());

@@ -37,7 +37,7 @@ pub use produce::{Folder, Product, decide, produce, produce_scene};
 pub use text::render_markdown;
 pub use view::{
     CardView, ChapterView, ClaimGroupView, ClaimView, EquationView, EvidenceView, FactView, FigureView,
-    FindingView, InputView, ProvenanceView, ReportView,
+    FindingView, InputView, PartView, ProvenanceView, ReadingView, ReportView,
 };
 
 use slipmode_plot::table::Table;

@@ -14,6 +14,7 @@ fn claim(id: &str, verdict: Verdict, statement: &str) -> ClaimView {
         verdict,
         verdict_markdown: String::new(),
         strength: "exact".into(),
+        readings: Vec::new(),
         evidence: vec![EvidenceView {
             kind: "Proof".into(),
             strength: "exact".into(),
@@ -47,6 +48,27 @@ fn ledger() -> Vec<ClaimGroupView> {
         Fails,
         "The system is unstable whenever $V > V_c$ **or** $\\sigma > \\sigma_c$, and both are asymptotes of $K = K_c$.",
     );
+    failed.readings = vec![ReadingView {
+        words_markdown: "above $V_c$ **or** above $\\sigma_c$".into(),
+        verdict: Fails,
+        strength: "exact".into(),
+        parts: vec![
+            PartView {
+                words_markdown: "the slope changes its sign".into(),
+                verdict: Verdict::HoldsWithin,
+                strength: "exact".into(),
+                result_markdown: "the limit $V \\to 0$".into(),
+                evidence: "1".into(),
+            },
+            PartView {
+                words_markdown: "both are asymptotes".into(),
+                verdict: Fails,
+                strength: "exact".into(),
+                result_markdown: "at $V = 3/1000$ m/s".into(),
+                evidence: String::new(),
+            },
+        ],
+    }];
     failed.verdict_markdown = "the first half holds, the caption contradicts eq. 9".into();
     failed.counter_example_markdown =
         "$V = 3/1000$ m/s, $\\sigma = 10^{5}$ Pa: $K - K_c = -1.75\\times 10^{7}$ Pa/m exactly.".into();

@@ -102,6 +102,8 @@ pub struct ClaimView {
     pub verdict_markdown: String,
     /// exact, certified, converged or sampled; empty when not checked.
     pub strength: String,
+    /// The ways to read the claim, each with its parts; empty where it has one reading of one part.
+    pub readings: Vec<ReadingView>,
     /// What the verdict rests on.
     pub evidence: Vec<EvidenceView>,
     /// The counter-example, exact where it can be; empty when there is none.
@@ -114,6 +116,34 @@ pub struct ClaimView {
     pub rests_on: Vec<String>,
     /// The command that decides this claim again.
     pub command: String,
+}
+
+/// One way to read a claim.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ReadingView {
+    /// What the claim says in this reading.
+    pub words_markdown: String,
+    /// The verdict in this reading.
+    pub verdict: Verdict,
+    /// The strength of its weakest part.
+    pub strength: String,
+    /// Its parts.
+    pub parts: Vec<PartView>,
+}
+
+/// A part of a reading.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PartView {
+    /// The statement.
+    pub words_markdown: String,
+    /// Its verdict.
+    pub verdict: Verdict,
+    /// The strength of its weakest evidence.
+    pub strength: String,
+    /// Its limit or its counter-example; may be empty.
+    pub result_markdown: String,
+    /// Positions of its evidence in the claim's list, such as `1, 3`.
+    pub evidence: String,
 }
 
 /// One piece of evidence.

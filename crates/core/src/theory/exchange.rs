@@ -1,7 +1,8 @@
 //! What exchanging a and b leaves unchanged.
 
 use super::PaperEquations;
-use super::notation::{any, coefficients, discriminant_of_cubic, formula, strengthening, weakening};
+use super::non_inertial::frequency_squared_of_eq_14;
+use super::notation::{any, discriminant_of_cubic, formula, strengthening, weakening};
 use crate::polynomial::{Certificate, Expression, Proof, Refutation, Symbol};
 
 /// What becomes of one equation when a and b are exchanged.
@@ -74,8 +75,7 @@ pub fn frequency_contours(equations: &PaperEquations) -> Result<Proof, Refutatio
              frequency is multiplied by a/b, so only the contour of frequency zero stays; with \
              inertia that one moves as well. Both maps tend to ω_n at high velocity.",
     );
-    let [c0, c1, c2]: [Expression; 3] = coefficients(&proof, &["14"], &equations.residual("14"), "s")?;
-    let square = (formula("4") * c2.clone() * c0 - c1.power(2)) / (formula("4") * c2.power(2));
+    let square = frequency_squared_of_eq_14(equations, &proof)?;
     let other = exchanged(&square);
     let cubic = equations.residual("8") * formula("sigma");
     let point = boundary_point();

@@ -2,7 +2,8 @@
 
 use super::PaperEquations;
 use super::notation::{
-    any, below, coefficients, crossing, formula, given_positive, in_parameters, weakening_by_square,
+    any, below, coefficients, crossing, formula, given_positive, in_parameters, weakening,
+    weakening_by_square,
 };
 use crate::polynomial::{Domain, Expression, Proof, Refutation, Symbol, Toward};
 
@@ -48,32 +49,49 @@ pub fn at_critical_stress(equations: &PaperEquations) -> Result<Proof, Refutatio
     ))
 }
 
-/// What "independent of mass and stiffness" means below ω_n: true of mass without inertia, false of stiffness (claim Q4).
+/// Without inertia (eq 14) the frequency does not depend on mass; with inertia it does (claim Q4).
 ///
 /// # Errors
-/// When eq 14's frequency depends otherwise on M and K.
-pub fn mass_and_stiffness(equations: &PaperEquations) -> Result<Proof, Refutation> {
+/// When eq 14's frequency depends on M, or that of eq 8 at σ_c does not fall with M.
+pub fn mass(equations: &PaperEquations) -> Result<Proof, Refutation> {
     let proof = Proof::new(
-        "mass-and-stiffness",
-        "Without inertia (eq 14) the frequency does not depend on M; with inertia it falls \
-             strictly with M at σ = σ_c. It does depend on K: at K = K_c,qs it grows as √K. Eq 23 \
-             contains no K only because K was replaced by K_c.",
+        "frequency-and-mass",
+        "Without inertia (eq 14) the frequency does not depend on M; with inertia it falls strictly \
+             with M at σ = σ_c.",
     );
-    let [c0, c1, c2]: [Expression; 3] = coefficients(&proof, &["14"], &equations.residual("14"), "s")?;
-    let square = (formula("4") * c2.clone() * c0 - c1.power(2)) / (formula("4") * c2.power(2));
+    let square = frequency_squared_of_eq_14(equations, &proof)?;
+    let per_velocity = frequency_squared() / formula("v^2");
+    let falls = Expression::integer(-1) * slope_at_critical_stress(&per_velocity);
+    let proof = proof.identity(
+        "ω² of eq 14 with another mass",
+        &["14"],
+        &square,
+        &square.with("M", &formula("M_1")),
+        &any(),
+    )?;
+    critical_stress_lemma(equations, proof)?.positive(
+        "(ω D_c/V0)² falls with v = V0/(ω_n D_c) at fixed g, so with M at fixed K, V0, D_c",
+        &[],
+        &falls,
+        &critical_stress_domain(),
+    )
+}
+
+/// At given normal stress the frequency without inertia depends on stiffness (claim Q4).
+///
+/// # Errors
+/// When eq 14's frequency depends otherwise on K.
+pub fn stiffness(equations: &PaperEquations) -> Result<Proof, Refutation> {
+    let proof = Proof::new(
+        "frequency-and-stiffness",
+        "Without inertia (eq 14) and at fixed σ the frequency depends on K: at K = K_c,qs it grows as \
+             √K. Eq 23 contains no K only because K was replaced by K_c.",
+    );
+    let square = frequency_squared_of_eq_14(equations, &proof)?;
     let elasticity = formula("K") * square.derivative(&Symbol::new("K"));
     let critical = equations.right("10");
     let pair = Expression::integer(-1) * equations.right("23").power(2);
-    let per_velocity = frequency_squared() / formula("v^2");
-    let falls = Expression::integer(-1) * slope_at_critical_stress(&per_velocity);
-    let proof = proof
-        .identity(
-            "ω² of eq 14 with another mass",
-            &["14"],
-            &square,
-            &square.with("M", &formula("M_1")),
-            &any(),
-        )?
+    proof
         .identity(
             "ω² of eq 14 at K = K_c,qs against eq 23",
             &["10", "14", "23"],
@@ -87,13 +105,48 @@ pub fn mass_and_stiffness(equations: &PaperEquations) -> Result<Proof, Refutatio
             &elasticity.with("K", &critical),
             &square.with("K", &critical),
             &any(),
-        )?;
-    critical_stress_lemma(equations, proof)?.positive(
-        "(ω D_c/V0)² falls with v = V0/(ω_n D_c) at fixed g, so with M at fixed K, V0, D_c",
-        &[],
-        &falls,
-        &critical_stress_domain(),
-    )
+        )
+}
+
+/// At given σ/σ_c the frequency without inertia depends neither on stiffness nor on mass (claim Q4).
+///
+/// # Errors
+/// When eq 14's frequency at σ = r σ_c depends on K or M.
+pub fn at_stress_ratio(equations: &PaperEquations) -> Result<Proof, Refutation> {
+    let proof = Proof::new(
+        "frequency-at-stress-ratio",
+        "Without inertia (eq 14) and at fixed r = σ/σ_c the frequency depends neither on K nor on M.",
+    );
+    let stress = formula("r") * equations.right("12");
+    let square = frequency_squared_of_eq_14(equations, &proof)?.with("sigma", &stress);
+    let domain = weakening().and_positive("r K_1 M_1");
+    proof
+        .identity(
+            "ω² of eq 14 at σ = r σ_c with another stiffness",
+            &["12", "14"],
+            &square,
+            &square.with("K", &formula("K_1")),
+            &domain,
+        )?
+        .identity(
+            "the same with another mass",
+            &["12", "14"],
+            &square,
+            &square.with("M", &formula("M_1")),
+            &domain,
+        )
+}
+
+/// ω² = (4 c2 c0 − c1²)/(4 c2²) of eq 14, without inertia.
+///
+/// # Errors
+/// When eq 14 is not quadratic in s.
+pub(super) fn frequency_squared_of_eq_14(
+    equations: &PaperEquations,
+    proof: &Proof,
+) -> Result<Expression, Refutation> {
+    let [c0, c1, c2]: [Expression; 3] = coefficients(proof, &["14"], &equations.residual("14"), "s")?;
+    Ok((formula("4") * c2.clone() * c0 - c1.power(2)) / (formula("4") * c2.power(2)))
 }
 
 /// Eq 8 at σ = σ_c, s = p V0/D_c.

@@ -9,7 +9,7 @@ use crate::polynomial::{Expression, Proof, Refutation, Symbol, UnivariatePolynom
 type Prover = fn(&PaperEquations) -> Result<Proof, Refutation>;
 
 /// Every proof of this module, by the path of its function.
-const PROVERS: [(&str, Prover); 31] = [
+const PROVERS: [(&str, Prover); 33] = [
     ("steady_state::prove", steady_state::prove),
     ("steady_state::laws_differ_at_rest", steady_state::laws_differ_at_rest),
     ("regularised::linearisation", regularised::linearisation),
@@ -33,7 +33,9 @@ const PROVERS: [(&str, Prover); 31] = [
     ("frequency::limits", frequency::limits),
     ("frequency::low_frequency_zone", frequency::low_frequency_zone),
     ("non_inertial::at_critical_stress", non_inertial::at_critical_stress),
-    ("non_inertial::mass_and_stiffness", non_inertial::mass_and_stiffness),
+    ("non_inertial::mass", non_inertial::mass),
+    ("non_inertial::stiffness", non_inertial::stiffness),
+    ("non_inertial::at_stress_ratio", non_inertial::at_stress_ratio),
     ("exchange::frequency_contours", exchange::frequency_contours),
     ("boundary::prove", boundary::prove),
     ("boundary::cusp", boundary::cusp),

@@ -1,0 +1,211 @@
+//! Readings of a claim and their parts, and the one rule by which they decide it.
+//!
+//! A claim is read as it is written first, and then in every other way that a fair reader could mean. A reading is the conjunction
+//! of its parts. Each part is decided on its own evidence.
+
+use serde::Serialize;
+
+use crate::claims::{Evidence, Finding, Strength, Verdict};
+
+/// A statement that a reading consists of, decided on its own.
+#[derive(Debug, Clone, Serialize)]
+pub struct Part {
+    /// The statement.
+    pub words: String,
+    /// Its verdict.
+    pub verdict: Verdict,
+    /// The strength of its weakest evidence.
+    pub strength: Strength,
+    /// The limit within which it holds, or the points that it was looked at on.
+    pub limit: Option<String>,
+    /// Why it fails, or where it does outside its limit.
+    pub counter_example: Option<String>,
+    /// The evidence that decides it, as positions in the claim's list, from 1.
+    pub evidence: Vec<usize>,
+}
+
+/// One way to read a claim.
+#[derive(Debug, Clone, Serialize)]
+pub struct Reading {
+    /// What the claim says in this reading.
+    pub words: String,
+    /// The verdict on the claim in this reading.
+    pub verdict: Verdict,
+    /// The strength of its weakest part.
+    pub strength: Strength,
+    /// What has to be true, all of it.
+    pub parts: Vec<Part>,
+}
+
+/// The verdict on a conjunction: one false part makes it fail, else one undecided part leaves it undecided, else one part with a
+/// limit limits it. Without parts there is nothing to hold.
+#[must_use]
+pub fn verdict_of_parts(parts: &[Verdict]) -> Verdict {
+    let weight = |verdict: &Verdict| match verdict {
+        Verdict::Holds => 0,
+        Verdict::HoldsWithin => 1,
+        Verdict::NotChecked => 2,
+        Verdict::Fails => 3,
+    };
+    parts.iter().copied().max_by_key(weight).unwrap_or(Verdict::NotChecked)
+}
+
+/// A reading and the findings on its parts, before they are joined.
+pub(super) struct Draft {
+    words: String,
+    parts: Vec<(String, Finding)>,
+}
+
+impl Draft {
+    /// A reading without parts yet.
+    pub(super) fn new(words: &str) -> Self {
+        Self { words: words.into(), parts: Vec::new() }
+    }
+
+    /// Adds a part with the finding on it.
+    pub(super) fn part(mut self, words: impl Into<String>, finding: Finding) -> Self {
+        self.parts.push((words.into(), finding));
+        self
+    }
+}
+
+/// The finding on a claim with these readings: the first is the claim as it is written, and decides.
+///
+/// The parts keep their evidence in one list, where evidence that several parts rest on stands once.
+pub(super) fn of_readings(drafts: impl IntoIterator<Item = Draft>) -> Finding {
+    let (mut evidence, mut remarks) = (Vec::new(), Vec::new());
+    let mut reading = |Draft { words, parts }: Draft| {
+        let mut part = |(words, finding): (String, Finding)| {
+            remarks.extend(finding.remarks);
+            let evidence = finding.evidence.into_iter().map(|one| position(&mut evidence, one)).collect();
+            let Finding { verdict, strength, limit, counter_example, .. } = finding;
+            Part { words, verdict, strength, limit, counter_example, evidence }
+        };
+        let parts: Vec<Part> = parts.into_iter().map(&mut part).collect();
+        let verdicts: Vec<Verdict> = parts.iter().map(|part| part.verdict).collect();
+        let strength = parts.iter().map(|part| part.strength).max().unwrap_or(Strength::Sampled);
+        Reading { words, verdict: verdict_of_parts(&verdicts), strength, parts }
+    };
+    let readings: Vec<Reading> = drafts.into_iter().map(&mut reading).collect();
+    let Some(written) = readings.first() else { return Finding::not_checked("The claim has no reading.") };
+    Finding {
+        verdict: written.verdict,
+        strength: written.strength,
+        limit: limit(written),
+        counter_example: counter_example(written),
+        evidence,
+        readings,
+        remarks,
+    }
+}
+
+/// Where evidence stands in the list, from 1; it is added where it does not stand yet.
+fn position(evidence: &mut Vec<Evidence>, one: Evidence) -> usize {
+    let known = evidence.iter().position(|other| other.is_same(&one));
+    known.unwrap_or_else(|| {
+        evidence.push(one);
+        evidence.len() - 1
+    }) + 1
+}
+
+/// The limits of the parts, or for a claim that fails its parts that are true.
+fn limit(reading: &Reading) -> Option<String> {
+    let named = |part: &Part| part.limit.as_ref().map(|limit| format!("{}: {limit}", part.words));
+    let list: Vec<String> = match reading.verdict {
+        Verdict::Fails => {
+            let is_true = |part: &&Part| matches!(part.verdict, Verdict::Holds | Verdict::HoldsWithin);
+            let part = |part: &Part| named(part).unwrap_or_else(|| part.words.clone());
+            reading.parts.iter().filter(is_true).map(part).collect()
+        }
+        _ => reading.parts.iter().filter_map(named).collect(),
+    };
+    let list = (!list.is_empty()).then(|| list.join("; "))?;
+    Some(if reading.verdict == Verdict::Fails { format!("true only: {list}") } else { list })
+}
+
+/// The counter-examples of the parts that fail, or else those outside the parts' limits.
+fn counter_example(reading: &Reading) -> Option<String> {
+    let deciding = |part: &&Part| (part.verdict == Verdict::Fails) == (reading.verdict == Verdict::Fails);
+    let named = |part: &Part| Some(format!("{}: {}", part.words, part.counter_example.as_ref()?));
+    let list: Vec<String> = reading.parts.iter().filter(deciding).filter_map(named).collect();
+    (!list.is_empty()).then(|| list.join("; "))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const VERDICTS: [Verdict; 4] =
+        [Verdict::Holds, Verdict::HoldsWithin, Verdict::Fails, Verdict::NotChecked];
+
+    /// Every list of up to four verdicts.
+    fn combinations() -> Vec<Vec<Verdict>> {
+        let mut all = vec![Vec::new()];
+        let mut longest = all.clone();
+        for _ in 0..4 {
+            let longer = |list: &Vec<Verdict>| VERDICTS.map(|next| [list.as_slice(), &[next]].concat());
+            longest = longest.iter().flat_map(longer).collect();
+            all.extend(longest.clone());
+        }
+        all
+    }
+
+    #[test]
+    fn the_rule_holds_for_all_combinations_of_parts() {
+        let all = combinations();
+        assert_eq!(all.len(), 1 + 4 + 16 + 64 + 256);
+        for parts in all {
+            let any = |verdict| parts.contains(&verdict);
+            let expected = if any(Verdict::Fails) {
+                Verdict::Fails
+            } else if any(Verdict::NotChecked) || parts.is_empty() {
+                Verdict::NotChecked
+            } else if any(Verdict::HoldsWithin) {
+                Verdict::HoldsWithin
+            } else {
+                Verdict::Holds
+            };
+            assert_eq!(verdict_of_parts(&parts), expected, "{parts:?}");
+        }
+    }
+
+    fn sample(quantity: &str) -> Finding {
+        let value = String::from("1");
+        Finding::from_evidence(Evidence::Sample { quantity: quantity.into(), value, points: 3 })
+    }
+
+    fn enclosed(quantity: &str) -> Finding {
+        let value = String::from("1");
+        Finding::from_evidence(Evidence::Enclosure { quantity: quantity.into(), value })
+    }
+
+    #[test]
+    fn the_reading_as_written_decides_and_true_parts_are_named() {
+        let written = Draft::new("both")
+            .part("it rises with σ", enclosed("σ"))
+            .part("it rises with V", sample("V").refuted("it falls at V = 1"));
+        let other = Draft::new("along σ").part("it rises with σ", enclosed("σ"));
+        let found = of_readings([written, other]);
+        assert_eq!((found.verdict, found.strength), (Verdict::Fails, Strength::Sampled));
+        assert_eq!(found.limit.as_deref(), Some("true only: it rises with σ"));
+        assert_eq!(found.counter_example.as_deref(), Some("it rises with V: it falls at V = 1"));
+        let [_, other] = &found.readings[..] else { panic!("two readings") };
+        assert_eq!((other.verdict, other.strength), (Verdict::Holds, Strength::Certified));
+        // Both readings rest on the same evidence, which stands once.
+        assert_eq!((found.evidence.len(), &other.parts[0].evidence[..]), (2, &[1][..]));
+    }
+
+    #[test]
+    fn limits_are_named_by_part_and_no_part_is_stronger_than_its_evidence() {
+        let limited = enclosed("a").with_evidence(Evidence::Sample {
+            quantity: "b".into(),
+            value: "2".into(),
+            points: 1,
+        });
+        let found =
+            of_readings([Draft::new("r").part("p", limited.within("x < 1")).part("q", enclosed("a"))]);
+        assert_eq!((found.verdict, found.strength), (Verdict::HoldsWithin, Strength::Sampled));
+        assert_eq!(found.limit.as_deref(), Some("p: x < 1"));
+        assert_eq!(of_readings([]).verdict, Verdict::NotChecked);
+    }
+}
