@@ -11,6 +11,8 @@ slipmode_core::named! {
     pub enum Strength {
         /// Decided over the rationals.
         Exact = "exact",
+        /// Proved, but for a step that is argued in words and carries no certificate.
+        Argued = "argued",
         /// Enclosed with outward rounding.
         Certified = "certified",
         /// Refined, with an error estimate.
@@ -84,7 +86,8 @@ impl Evidence {
     #[must_use]
     pub fn strength(&self) -> Strength {
         match self {
-            Evidence::Proof { .. } => Strength::Exact,
+            Evidence::Proof { proof } if proof.is_certified() => Strength::Exact,
+            Evidence::Proof { .. } => Strength::Argued,
             Evidence::Enclosure { .. } => Strength::Certified,
             Evidence::Simulation { .. } => Strength::Converged,
             Evidence::Sample { .. } => Strength::Sampled,

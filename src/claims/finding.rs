@@ -107,7 +107,7 @@ impl Finding {
     #[must_use]
     pub fn with_proof(mut self, attempt: Result<Proof, Refutation>) -> Self {
         match rechecked(attempt) {
-            Ok(proof) => self.evidence.push(Evidence::Proof { proof }),
+            Ok(proof) => return self.with_evidence(Evidence::Proof { proof }),
             Err(refutation) => self.refute(refutation.to_string()),
         }
         self
@@ -183,6 +183,7 @@ fn rechecked(attempt: Result<Proof, Refutation>) -> Result<Proof, Refutation> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use slipmode_core::polynomial::Domain;
 
     fn sample(points: usize) -> Evidence {
         Evidence::Sample { quantity: "q".into(), value: "1".into(), points }
@@ -196,6 +197,21 @@ mod tests {
         assert_eq!(Finding::from_proof(Ok(proof)).verdict, Verdict::Fails);
         let undecided = Finding::from_proofs([]).with_evidence(sample(1)).within("a limit");
         assert_eq!(undecided.verdict, Verdict::NotChecked);
+    }
+
+    #[test]
+    fn a_proof_with_a_step_in_words_is_argued() {
+        let domain = Domain::positive("x");
+        let expression = |text: &str| text.parse().unwrap();
+        let proof = Proof::new("p", "A statement.")
+            .identity("a step", &[], &expression("x + x"), &expression("2*x"), &domain)
+            .unwrap();
+        assert_eq!(Finding::from_proof(Ok(proof.clone())).strength, Strength::Exact);
+        let argued = proof.reason("Because.");
+        assert!(argued.to_string().ends_with("  2. Because. [argued]\n"), "{argued}");
+        assert_eq!(Finding::from_proof(Ok(argued.clone())).strength, Strength::Argued);
+        let both = Finding::from_evidence(sample(1)).with_proof(Ok(argued));
+        assert_eq!(both.strength, Strength::Sampled);
     }
 
     #[test]

@@ -16,12 +16,21 @@ pub struct Part {
     pub verdict: Verdict,
     /// The strength of its weakest evidence.
     pub strength: Strength,
-    /// The limit within which it holds, or the points that it was looked at on.
+    /// The limit within which it holds, the points that it was looked at on, or why it was not checked.
     pub limit: Option<String>,
     /// Why it fails, or where it does outside its limit.
     pub counter_example: Option<String>,
     /// The evidence that decides it, as positions in the claim's list, from 1.
     pub evidence: Vec<usize>,
+}
+
+impl Part {
+    /// Why it fails, within which limit it holds, or why it was not checked; may be empty.
+    #[must_use]
+    pub fn result(&self) -> &str {
+        let result = if self.verdict == Verdict::Fails { &self.counter_example } else { &self.limit };
+        result.as_deref().unwrap_or_default()
+    }
 }
 
 /// One way to read a claim.
@@ -76,9 +85,12 @@ pub(super) fn of_readings(drafts: impl IntoIterator<Item = Draft>) -> Finding {
     let (mut evidence, mut remarks) = (Vec::new(), Vec::new());
     let mut reading = |Draft { words, parts }: Draft| {
         let mut part = |(words, finding): (String, Finding)| {
-            remarks.extend(finding.remarks);
+            let Finding { verdict, strength, mut limit, counter_example, remarks: own, .. } = finding;
+            match verdict {
+                Verdict::NotChecked => limit = Some(own.join(" ")),
+                _ => own.into_iter().for_each(|remark| add(&mut remarks, remark)),
+            }
             let evidence = finding.evidence.into_iter().map(|one| position(&mut evidence, one)).collect();
-            let Finding { verdict, strength, limit, counter_example, .. } = finding;
             Part { words, verdict, strength, limit, counter_example, evidence }
         };
         let parts: Vec<Part> = parts.into_iter().map(&mut part).collect();
@@ -88,6 +100,10 @@ pub(super) fn of_readings(drafts: impl IntoIterator<Item = Draft>) -> Finding {
     };
     let readings: Vec<Reading> = drafts.into_iter().map(&mut reading).collect();
     let Some(written) = readings.first() else { return Finding::not_checked("The claim has no reading.") };
+    if written.verdict == Verdict::NotChecked {
+        let open = written.parts.iter().filter(|part| part.verdict == Verdict::NotChecked);
+        open.for_each(|part| add(&mut remarks, part.result().into()));
+    }
     Finding {
         verdict: written.verdict,
         strength: written.strength,
@@ -96,6 +112,13 @@ pub(super) fn of_readings(drafts: impl IntoIterator<Item = Draft>) -> Finding {
         evidence,
         readings,
         remarks,
+    }
+}
+
+/// Adds a remark that is not there yet.
+fn add(remarks: &mut Vec<String>, remark: String) {
+    if !remarks.contains(&remark) {
+        remarks.push(remark);
     }
 }
 
@@ -108,7 +131,7 @@ fn position(evidence: &mut Vec<Evidence>, one: Evidence) -> usize {
     }) + 1
 }
 
-/// The limits of the parts, or for a claim that fails its parts that are true.
+/// The limits of the parts, or for a claim that fails its parts that are true; none for a claim that is not checked.
 fn limit(reading: &Reading) -> Option<String> {
     let named = |part: &Part| part.limit.as_ref().map(|limit| format!("{}: {limit}", part.words));
     let list: Vec<String> = match reading.verdict {
@@ -117,7 +140,8 @@ fn limit(reading: &Reading) -> Option<String> {
             let part = |part: &Part| named(part).unwrap_or_else(|| part.words.clone());
             reading.parts.iter().filter(is_true).map(part).collect()
         }
-        _ => reading.parts.iter().filter_map(named).collect(),
+        Verdict::NotChecked => Vec::new(),
+        Verdict::Holds | Verdict::HoldsWithin => reading.parts.iter().filter_map(named).collect(),
     };
     let list = (!list.is_empty()).then(|| list.join("; "))?;
     Some(if reading.verdict == Verdict::Fails { format!("true only: {list}") } else { list })
@@ -207,5 +231,14 @@ mod tests {
         assert_eq!((found.verdict, found.strength), (Verdict::HoldsWithin, Strength::Sampled));
         assert_eq!(found.limit.as_deref(), Some("p: x < 1"));
         assert_eq!(of_readings([]).verdict, Verdict::NotChecked);
+    }
+
+    #[test]
+    fn a_claim_with_an_open_part_says_why_it_is_open() {
+        let open = || Finding::not_checked("no runs");
+        let found =
+            of_readings([Draft::new("r").part("p", open()).part("q", open()).part("s", enclosed("a"))]);
+        assert_eq!((found.verdict, found.limit), (Verdict::NotChecked, None));
+        assert_eq!(found.remarks, ["no runs"]);
     }
 }

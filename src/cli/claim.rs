@@ -2,7 +2,7 @@
 
 use std::slice;
 
-use slipmode::claims::{Entry, Evidence, Part, Verdict, known_ids};
+use slipmode::claims::{Entry, Evidence, Part, Strength, Verdict, known_ids};
 use slipmode::report::{Folder, decide};
 use slipmode::scene::{ClaimEntry, nearest};
 
@@ -43,20 +43,13 @@ fn account(entry: &Entry) -> String {
     let mut lines = vec![
         ("claim", format!("{} ({}): {}", entry.id, entry.place, entry.words)),
         ("holds if", entry.criterion.to_string()),
-        ("verdict", format!("{}, {}", finding.verdict.as_str(), finding.strength.as_str())),
+        ("verdict", verdict_line(finding.verdict, finding.strength)),
     ];
     lines.extend(finding.limit.iter().map(|limit| ("limit", limit.clone())));
     lines.extend(finding.counter_example.iter().map(|example| ("counter-example", example.clone())));
     for (number, reading) in (1..).zip(&finding.readings) {
-        lines.push((
-            "reading",
-            format!(
-                "{number}. {}: {}, {}",
-                reading.words,
-                reading.verdict.as_str(),
-                reading.strength.as_str()
-            ),
-        ));
+        let verdict = verdict_line(reading.verdict, reading.strength);
+        lines.push(("reading", format!("{number}. {}: {verdict}", reading.words)));
         lines.extend(reading.parts.iter().map(|part| ("  part", part_line(part))));
     }
     lines.extend(finding.evidence.iter().map(|evidence| ("evidence", one_line(evidence))));
@@ -65,10 +58,18 @@ fn account(entry: &Entry) -> String {
     lines.iter().map(|(name, value)| format!("{name:<16} {value}\n")).collect()
 }
 
+/// Verdict and strength; what was not checked has none.
+fn verdict_line(verdict: Verdict, strength: Strength) -> String {
+    match verdict {
+        Verdict::NotChecked => verdict.as_str().into(),
+        _ => format!("{}, {}", verdict.as_str(), strength.as_str()),
+    }
+}
+
 fn part_line(part: &Part) -> String {
-    let result = if part.verdict == Verdict::Fails { &part.counter_example } else { &part.limit };
-    let result = result.as_ref().map(|text| format!(": {text}")).unwrap_or_default();
-    format!("{}: {}, {}{result}", part.words, part.verdict.as_str(), part.strength.as_str())
+    let verdict = verdict_line(part.verdict, part.strength);
+    let separator = if part.result().is_empty() { "" } else { ": " };
+    format!("{}: {verdict}{separator}{}", part.words, part.result())
 }
 
 fn one_line(evidence: &Evidence) -> String {

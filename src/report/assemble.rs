@@ -181,15 +181,11 @@ fn reading_view(reading: &Reading) -> ReadingView {
 }
 
 fn part_view(part: &Part) -> PartView {
-    let result = match part.verdict {
-        Verdict::Fails => part.counter_example.as_ref(),
-        _ => part.limit.as_ref(),
-    };
     PartView {
         words_markdown: plain(&part.words),
         verdict: part.verdict,
         strength: strength_of(part.verdict, part.strength),
-        result_markdown: plain(result.map_or("", String::as_str)),
+        result_markdown: plain(part.result()),
         evidence: part.evidence.iter().map(usize::to_string).collect::<Vec<_>>().join(", "),
     }
 }

@@ -66,7 +66,7 @@ fn every_way_to_get_a_scene_wrong_is_named() {
         ),
         ("name = \"s\"", "name = \"-rf\"", "a name does not start with `.` or `-`"),
         ("name = \"s\"", "name = \"CON\"", "reserved by Windows"),
-        ("name = \"s\"", "name = \"a\\u0000b\"", "a name consists of"),
+        ("name = \"s\"", "name = \"a\\u0000b\"", "character U+0000 is not allowed"),
         ("name = \"s\"", "name = 3", "name = 3: must be a text in quotes, not a number"),
         ("title = \"S\"", "name = \"t\"", "not valid TOML: duplicate key"),
         ("title = \"S\"", "title = \"\u{202e}S\"", "s.toml:2: character U+202E is not allowed"),

@@ -16,7 +16,7 @@ pub struct PeerGroup<'r> {
 /// One method at one error over all cases of a kind.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Reached<'r> {
-    /// The kind, one of [`KINDS`].
+    /// The kind, one of `KINDS`.
     pub kind: &'r str,
     /// The error to be met.
     pub error: f64,

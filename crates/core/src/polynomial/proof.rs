@@ -29,6 +29,12 @@ pub struct Proof {
 }
 
 impl Proof {
+    /// Whether every step carries a certificate; a step without one is argued in words.
+    #[must_use]
+    pub fn is_certified(&self) -> bool {
+        self.steps.iter().all(|step| step.certificate.is_some())
+    }
+
     /// The beginning of a proof of this statement.
     #[must_use]
     pub fn new(id: &str, statement: impl Into<String>) -> Self {
@@ -165,7 +171,8 @@ impl fmt::Display for Proof {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         writeln!(formatter, "{}: {}", self.id, self.statement)?;
         for (index, step) in self.steps.iter().enumerate() {
-            writeln!(formatter, "  {}. {}", index + 1, step.says)?;
+            let mark = if step.certificate.is_some() { "" } else { " [argued]" };
+            writeln!(formatter, "  {}. {}{mark}", index + 1, step.says)?;
             if let Some(certificate) = &step.certificate {
                 writeln!(formatter, "     {certificate}")?;
             }
