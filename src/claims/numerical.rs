@@ -102,9 +102,7 @@ pub(super) const CHECKS: &[Check] = &[
 
 fn n1(context: &Context) -> Result<Finding, Finding> {
     let grids = grids(context, Outcome::potentially_unstable)?;
-    let words = |law: EvolutionLaw| {
-        format!("with the {} law K < K_c gives a limit cycle and K > K_c a decay", law.as_str())
-    };
+    let words = |law: EvolutionLaw| format!("{} law", law.as_str());
     let on_the_grid = Draft::new("the simulations on the grid of fig 3a");
     let on_the_grid =
         grids.iter().fold(on_the_grid, |draft, grid| draft.part(words(grid.law), ends_by_stiffness(grid)));
