@@ -39,7 +39,8 @@ pub fn sweeps() -> Result<Vec<Sweep>, String> {
     let mut sweeps = Vec::new();
     for law in EvolutionLaw::ALL {
         sweeps.push(sweep(law, "evaluations", evaluations(law)?, 0.5..=1.5));
-        sweeps.push(sweep(law, "CPU µs", cpu_times(law)?, 0.5..=1.7));
+        // Where Radau IIA takes over from the series it does less work, and a step of it takes longer: a factor of 1.8 in all.
+        sweeps.push(sweep(law, "CPU µs", cpu_times(law)?, 0.5..=2.0));
     }
     Ok(sweeps)
 }
