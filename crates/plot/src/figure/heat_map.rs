@@ -4,7 +4,7 @@ use super::contour::outlines;
 use super::frame::{CANVAS_WIDTH, Frame, NORMAL, SMALL};
 use super::legend::{Entry, KEY_WIDTH, Legend};
 use super::overlay::{draw_lines, draw_marks, legend_entries};
-use super::path::{Point, outline_data, outline_data_in_tenths, simplify};
+use super::path::{Point, line_data, outline_data, outline_data_in_tenths, simplify};
 use super::svg::{Svg, number};
 use super::{Axis, Caption, Line, PointMark, Readout, palette, rich_text};
 
@@ -21,13 +21,24 @@ pub struct ColourScale {
     pub max: f64,
     /// Number of colour steps between `min` and `max`, 2 to 64.
     pub steps: usize,
+    /// Values at which a thin line is drawn, for differences that one colour covers.
+    pub contours: Vec<f64>,
+    /// Legend entry of these lines in figure markup.
+    pub contour_label: String,
 }
 
 impl ColourScale {
     /// A scale between two values, in equal steps of the logarithm.
     #[must_use]
     pub fn new(title: &str, unit: &str, (min, max): (f64, f64), steps: usize) -> Self {
-        Self { title: title.into(), unit: unit.into(), min, max, steps }
+        let (title, unit) = (title.into(), unit.into());
+        Self { title, unit, min, max, steps, contours: Vec::new(), contour_label: String::new() }
+    }
+
+    /// The same with thin lines at these values.
+    #[must_use]
+    pub fn with_contours(self, label: &str, contours: Vec<f64>) -> Self {
+        Self { contours, contour_label: label.into(), ..self }
     }
 }
 
@@ -63,6 +74,9 @@ const CORNER: Point = (80.0, 14.0);
 const SIZE: Point = (452.0, 420.0);
 /// How far a drawn contour may lie from the interpolated one, in canvas units.
 const CONTOUR_TOLERANCE: f64 = 0.25;
+
+/// Colour of a contour line, and its width in tenths.
+const CONTOUR: [&str; 2] = ["#4a4a00", "10"];
 
 impl HeatMap {
     /// The map as SVG text.
@@ -106,14 +120,27 @@ impl HeatMap {
     fn draw_values(&self, svg: &mut Svg, frame: &Frame) {
         svg.open("g", &[("class", "values"), ("transform", "scale(.1)")]);
         for step in 0..self.steps() {
-            let level = self.level(step);
-            let inside = |value: f64| value > 0.0 && value >= level;
-            let crossing = |outside: f64, inside: f64| self.crossing(level, outside, inside);
-            let areas = outlines(&self.values, self.columns, &inside, &crossing);
-            let data: String = areas.iter().map(|area| outline_in_tenths(frame, area)).collect();
+            let data = self.outlines_in_tenths(frame, self.level(step));
             svg.leaf("path", &[("d", &data), ("fill", &palette::value_colour(step, self.steps()))]);
         }
+        let contours: String =
+            self.colours.contours.iter().map(|level| self.outlines_in_tenths(frame, *level)).collect();
+        if !contours.is_empty() {
+            let [colour, width] = CONTOUR;
+            svg.leaf(
+                "path",
+                &[("d", &contours), ("fill", "none"), ("stroke", colour), ("stroke-width", width)],
+            );
+        }
         svg.close();
+    }
+
+    /// The outlines of the area above a level.
+    fn outlines_in_tenths(&self, frame: &Frame, level: f64) -> String {
+        let inside = |value: f64| value > 0.0 && value >= level;
+        let crossing = |outside: f64, inside: f64| self.crossing(level, outside, inside);
+        let areas = outlines(&self.values, self.columns, &inside, &crossing);
+        areas.iter().map(|area| outline_in_tenths(frame, area)).collect()
     }
 
     /// Where between two grid points the level is crossed.
@@ -177,6 +204,15 @@ impl HeatMap {
 
     fn legend_entries(&self) -> Vec<Entry<'_>> {
         let mut entries = legend_entries(&self.lines);
+        entries.push(Entry {
+            label: self.colours.contour_label.clone(),
+            key: Box::new(|svg, (x, y)| {
+                let brightest = palette::value_colour(self.steps() - 1, self.steps());
+                svg.rect((x - 1.0, y - 7.0), (KEY_WIDTH - 5.0, 14.0), &[("fill", brightest.as_str())]);
+                let data = line_data(&[(x, y), (x + KEY_WIDTH - 7.0, y)]);
+                svg.leaf("path", &[("d", data.as_str()), ("stroke", CONTOUR[0]), ("stroke-width", "1")]);
+            }),
+        });
         entries.push(Entry {
             label: self.zero_label.clone(),
             key: Box::new(|svg, (x, y)| {

@@ -1,6 +1,7 @@
 //! Line charts: several series over linear, logarithmic or signed logarithmic axes.
 
 use super::frame::{CANVAS_WIDTH, Frame};
+use super::inset::Inset;
 use super::legend::{Entry, KEY_WIDTH, Legend};
 use super::overlay::draw_words_on_lines;
 use super::path::{Point, line_data, simplify};
@@ -17,7 +18,9 @@ pub struct Series {
     pub points: Vec<(f64, f64)>,
     /// Whether every point carries a marker; otherwise a few are spread along the line.
     pub marked: bool,
-    /// Drawn thin, dashed and grey: a formula that the other series are compared with.
+    /// Whether a line joins the points; without one the markers stand alone, for points between which nothing is known.
+    pub joined: bool,
+    /// Drawn thin and grey: a formula that the other series are compared with.
     pub theory: bool,
 }
 
@@ -25,13 +28,19 @@ impl Series {
     /// A line with a few markers along it.
     #[must_use]
     pub fn line(label: impl Into<String>, points: Vec<(f64, f64)>) -> Self {
-        Self { label: label.into(), points, marked: false, theory: false }
+        Self { label: label.into(), points, marked: false, joined: true, theory: false }
     }
 
     /// A line with a marker at every point.
     #[must_use]
     pub fn marked(label: impl Into<String>, points: Vec<(f64, f64)>) -> Self {
         Self { marked: true, ..Self::line(label, points) }
+    }
+
+    /// Markers without a line between them.
+    #[must_use]
+    pub fn points(label: impl Into<String>, points: Vec<(f64, f64)>) -> Self {
+        Self { joined: false, ..Self::marked(label, points) }
     }
 
     /// A formula that the other series are compared with.
@@ -95,6 +104,12 @@ impl LineChart {
     /// The chart as SVG text.
     #[must_use]
     pub fn svg(&self) -> String {
+        self.svg_with(None)
+    }
+
+    /// The chart as SVG text, with a small map in its lower right corner.
+    #[must_use]
+    pub fn svg_with(&self, inset: Option<&Inset>) -> String {
         let frame = Frame::new(&self.x, &self.y, CORNER, SIZE);
         let legend = Legend::new(self.legend_entries(), CANVAS_WIDTH - CORNER.0);
         let below = frame.bounds.bottom + 60.0;
@@ -107,6 +122,9 @@ impl LineChart {
         let style = LineStyle { tolerance: LINE_TOLERANCE, markers: true };
         draw_lines(&mut svg, &frame, &self.references, &self.series, style);
         frame.draw_axes(&mut svg);
+        if let Some(inset) = inset {
+            inset.draw(&mut svg, (frame.bounds.right, frame.bounds.bottom));
+        }
         legend.draw(&mut svg, (CORNER.0, below));
         svg.finish()
     }
@@ -160,7 +178,9 @@ pub(super) fn series_entries(all: &[Series]) -> Vec<Entry<'_>> {
             key: Box::new(move |svg: &mut Svg, (x, y): Point| {
                 let end = x + KEY_WIDTH - 7.0;
                 look.open(svg);
-                look.stroke(svg, &line_data(&[(x, y), (end, y)]));
+                if series.joined {
+                    look.stroke(svg, &line_data(&[(x, y), (end, y)]));
+                }
                 draw_markers(svg, look, &[((x + end) / 2.0, y)]);
                 svg.close();
             }),
@@ -191,7 +211,9 @@ fn draw_series(svg: &mut Svg, frame: &Frame, look: Look, series: &Series, style:
     look.open(svg);
     let parts = frame.visible_line(&series.points);
     let data: String = parts.iter().map(|part| line_data(&simplify(part, style.tolerance))).collect();
-    look.stroke(svg, &data);
+    if series.joined {
+        look.stroke(svg, &data);
+    }
     if series.marked {
         let placed = series.points.iter().filter_map(|&point| frame.place(point));
         draw_markers(svg, look, &placed.filter(|&point| frame.contains(point)).collect::<Vec<_>>());

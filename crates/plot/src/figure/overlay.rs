@@ -15,6 +15,8 @@ pub enum LineRole {
     Asymptote,
     /// The transition K = K_c: solid, white on a dark casing.
     Transition,
+    /// A line along which another figure shows values: thin and solid.
+    Section,
     /// A line that only helps the eye: thin and dotted.
     Guide,
 }
@@ -105,6 +107,7 @@ impl LineRole {
             Self::Boundary => style("boundary", ["#111111", "#ffffff"], ["2.2", "4.4"], ""),
             Self::Asymptote => style("asymptote", ["#b3261e", "#ffffff"], ["1.7", "3.7"], "8 5"),
             Self::Transition => style("transition", ["#ffffff", "#111111"], ["2.2", "4.2"], ""),
+            Self::Section => style("section", ["#6b2f8f", "#ffffff"], ["1.6", "3.0"], ""),
             Self::Guide => style("guide", ["#444444", "#ffffff"], ["1.2", "2.6"], "2 3"),
         }
     }
@@ -117,7 +120,9 @@ pub(crate) fn draw_lines(svg: &mut Svg, frame: &Frame, lines: &[Line]) {
 
 /// The same for one of several sets of lines in a figure: the names of their paths begin with `set`.
 pub(crate) fn draw_named_lines(svg: &mut Svg, frame: &Frame, lines: &[Line], set: &str) {
-    for role in [LineRole::Guide, LineRole::Boundary, LineRole::Transition, LineRole::Asymptote] {
+    for role in
+        [LineRole::Section, LineRole::Guide, LineRole::Boundary, LineRole::Transition, LineRole::Asymptote]
+    {
         let parts =
             lines.iter().filter(|line| line.role == role).flat_map(|line| frame.visible_line(&line.points));
         let data: String = parts.map(|part| line_data(&simplify(&part, LINE_TOLERANCE))).collect();

@@ -147,6 +147,7 @@ mod tests {
                     label,
                     points: vec![(0.0, 0.0), (1000.0, 0.5)],
                     marked: false,
+                    joined: true,
                     theory: false,
                 })
                 .to_vec(),

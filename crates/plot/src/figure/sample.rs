@@ -97,13 +97,8 @@ pub(crate) fn heat_map(size: usize) -> HeatMap {
         y,
         columns: size,
         values,
-        colours: ColourScale {
-            title: "max Im(*s*)".into(),
-            unit: "1/s".into(),
-            min: 0.01,
-            max: 100.0,
-            steps: 20,
-        },
+        colours: ColourScale::new("max Im(*s*)", "1/s", (0.01, 100.0), 20)
+            .with_contours("80 and 95 /s", vec![80.0, 95.0]),
         zero_areas: vec![upper, lower],
         zero_label: "max Im(*s*) = 0 exactly".into(),
         lines: theory_lines(),
@@ -120,6 +115,7 @@ pub(crate) fn frequency_chart() -> LineChart {
             .map(|v| (v, max_imaginary_per_s(v, stress)))
             .collect(),
         marked: false,
+        joined: true,
         theory: false,
     };
     LineChart {
@@ -138,6 +134,7 @@ pub(crate) fn frequency_chart() -> LineChart {
                 label: "eq. 23".into(),
                 points: vec![(1e-6, 0.5_f64.sqrt() * 0.1), (1e-2, 0.5_f64.sqrt() * 1e3)],
                 marked: false,
+                joined: true,
                 theory: true,
             },
         ],
@@ -152,6 +149,7 @@ pub(crate) fn frequency_chart() -> LineChart {
 pub(crate) fn error_chart() -> LineChart {
     let series = |label: &str, factor: f64| Series {
         label: label.into(),
+        joined: true,
         points: (0..=40)
             .map(|i| libm::exp10(-6.0 + f64::from(i) / 10.0))
             .map(|v| (v, factor * v * v * 1e5))
@@ -238,5 +236,15 @@ pub(crate) fn range_chart() -> RangeChart {
             row("eq. 16", "quasi-static, lower", [4.5e-5, 1.4e-5, 4.5e-6]),
             row("eq. 18", "inertial, upper", [9e-2, 3e-2, 3e-3]),
         ],
+    }
+}
+
+pub(crate) fn inset() -> Inset {
+    let chart = frequency_chart();
+    Inset {
+        lines: heat_map(8).lines,
+        series: chart.series,
+        x: chart.x,
+        y: Axis::log10("*σ*", "Pa", 1e2, 1e8),
     }
 }

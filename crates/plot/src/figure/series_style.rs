@@ -39,7 +39,8 @@ impl Look {
 
     /// Draws the line inside such a group.
     pub fn stroke(self, svg: &mut Svg, data: &str) {
-        let (width, dash) = self.index.map_or(("1.4", "6 4"), |index| ("2.2", palette::DASHES[index]));
+        // A formula is a thin solid line: no dash of a series is taken for it.
+        let (width, dash) = self.index.map_or(("1.3", ""), |index| ("2.2", palette::DASHES[index]));
         if !data.is_empty() {
             svg.leaf(
                 "path",

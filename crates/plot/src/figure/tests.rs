@@ -17,6 +17,7 @@ fn every_figure_is_well_named_and_has_no_bad_number() {
         heat_map(24).svg(),
         frequency_chart().svg(),
         error_chart().svg(),
+        frequency_chart().svg_with(Some(&inset())),
         zone_map(24).svg(),
         range_chart().svg(),
     ];
@@ -37,6 +38,7 @@ fn hostile_words_stay_words_in_every_place() {
     map.x.title = hostile.into();
     map.colours.title = hostile.into();
     map.zero_label = hostile.into();
+    map.colours.contour_label = hostile.into();
     map.lines[0].label = hostile.into();
     map.marks[0].label = hostile.into();
     let mut chart = frequency_chart();
@@ -50,7 +52,9 @@ fn hostile_words_stay_words_in_every_place() {
     ranges.rows[0].label = hostile.into();
     ranges.rows[0].detail = hostile.into();
     ranges.levels[0] = hostile.into();
-    for svg in [map.svg(), chart.svg(), zones.svg(), ranges.svg()] {
+    let mut inset = inset();
+    inset.x.title = hostile.into();
+    for svg in [map.svg(), chart.svg_with(Some(&inset)), zones.svg(), ranges.svg()] {
         assert!(!svg.contains("<script") && !svg.contains("<a "), "{svg}");
         assert!(svg.contains("&lt;script&gt;"));
     }
@@ -85,4 +89,30 @@ fn figures_are_written_for_looking_at() {
     for (name, svg) in figures {
         std::fs::write(folder.join(name).with_extension("svg"), svg).unwrap();
     }
+}
+
+#[test]
+fn points_have_markers_and_no_line() {
+    let line_of = |series: Series| {
+        let mut chart = frequency_chart();
+        (chart.references, chart.series) = (Vec::new(), vec![series]);
+        chart.svg()
+    };
+    let points = vec![(1e-5, 1.0), (1e-4, 10.0)];
+    let (joined, alone) =
+        (line_of(Series::marked("x", points.clone())), line_of(Series::points("x", points)));
+    let circles = |svg: &str| svg.matches("<circle").count();
+    assert_eq!(circles(&joined), circles(&alone));
+    let lines = |svg: &str| svg.matches("stroke-width=\"2.2\"").count();
+    assert_eq!((lines(&joined), lines(&alone)), (2, 0));
+}
+
+#[test]
+fn contours_divide_the_brightest_colour() {
+    let mut map = heat_map(24);
+    let contour = |svg: &str| svg.contains("80 and 95 /s") && svg.contains("stroke-width=\"10\"");
+    assert!(contour(&map.svg()));
+    map.colours.contours.clear();
+    map.colours.contour_label.clear();
+    assert!(!contour(&map.svg()));
 }
