@@ -32,7 +32,7 @@
   };
 
   // A table that shows only its first rows cannot be sorted correctly: it stays as it is, with a note.
-  for (const note of document.querySelectorAll("figure.table:not(.whole) > .cut")) {
+  for (const note of document.querySelectorAll("figure.table:not(.whole) .cut")) {
     note.append(make("span", { "data-extra": "" }, " Only complete tables can be sorted on this page."));
   }
   for (const table of document.querySelectorAll("figure.whole table")) {
@@ -44,6 +44,7 @@
     });
   }
 
+  let reset = () => {};
   const ledger = document.getElementById("ledger");
   const claims = [...document.querySelectorAll("details.claim")];
   if (ledger && claims.length > 5) {
@@ -75,21 +76,23 @@
       make("label", { for: "find-claims" }, "Find"), field, make("label", { for: "find-verdicts" }, "Verdict"), kinds, count);
     ledger.querySelector(".group").before(finder);
 
-    // A link to a claim shows the claim even if it is closed or filtered out.
-    const arrive = () => {
-      const target = document.getElementById(decodeURIComponent(location.hash.slice(1)));
-      const claim = target && target.closest("details.claim");
-      if (!claim) return;
-      if (claim.hidden) {
-        field.value = kinds.value = "";
-        find();
-      }
-      claim.open = true;
-      target.scrollIntoView();
+    reset = () => {
+      field.value = kinds.value = "";
+      find();
     };
-    addEventListener("hashchange", arrive);
-    arrive();
   }
+
+  // A link to something that is closed or filtered out shows it.
+  const arrive = () => {
+    const target = document.getElementById(decodeURIComponent(location.hash.slice(1)));
+    if (!target) return;
+    if (target.closest("details.claim[hidden]")) reset();
+    const inside = target.querySelector(":scope > details.fold");
+    for (let part = inside || target.closest("details"); part; part = part.parentElement.closest("details")) part.open = true;
+    target.scrollIntoView();
+  };
+  addEventListener("hashchange", arrive);
+  arrive();
 
   // Maps show their values at the pointer or at a point chosen with the arrow keys; the values are stored in the drawing.
   // A field is its list of different words and a code per point: "." repeats the previous word, "!" takes the next new one, two digits take an earlier one.

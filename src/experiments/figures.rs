@@ -8,7 +8,7 @@ use slipmode_plot::figure::Caption;
 pub struct Figure {
     /// The id by which prose places it, and the name of its file.
     pub id: String,
-    /// Label such as `Figure 1`.
+    /// Label such as `Figure 1`, the number that the paper gives it. The report gives numbers to all others.
     pub label: String,
     /// What it shows and what to look at, in Markdown.
     pub caption_markdown: String,
@@ -32,6 +32,19 @@ impl Figure {
             svg,
             data: Vec::new(),
         }
+    }
+
+    /// A drawing that the paper does not have: the report numbers it.
+    #[must_use]
+    pub fn own(caption: &Caption, caption_markdown: &str, svg: String) -> Self {
+        Self::new(caption, "", caption_markdown, svg)
+    }
+
+    /// Whether the paper has such a figure.
+    #[must_use]
+    pub fn is_of_the_paper(&self) -> bool {
+        let number = self.label.split_once(' ').map_or("", |(_, number)| number);
+        number.starts_with(|first: char| first.is_ascii_digit())
     }
 
     /// The same with the ids of the tables that hold its numbers.

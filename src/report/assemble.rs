@@ -3,11 +3,14 @@
 use std::collections::BTreeMap;
 
 use crate::claims::{Entry, Evidence, Ledger, Part, Reading, Strength, Verdict};
-use crate::experiments::Figure;
+use crate::experiments::{Figure, Outcome};
+use crate::report::answer::{GROUPS, answer};
+use crate::report::blocks::{BlockKind, Piece, pieces};
+use crate::report::certificates::Certificates;
 use crate::report::claims_picture::claims_picture;
 use crate::report::{
-    CardView, ChapterView, ClaimGroupView, ClaimView, EquationView, EvidenceView, FactView, FindingView,
-    InputView, PartView, ProvenanceView, ReadingView, ReportView,
+    CardView, ChapterView, ClaimGroupView, ClaimView, EquationView, EvidenceView, FactView, InputView,
+    PartView, ProvenanceView, ReadingView, ReportView,
 };
 use crate::scene::{Chapter, ReportPlan};
 use slipmode_core::theory::PaperEquations;
@@ -24,6 +27,8 @@ pub struct Material<'m> {
     pub prose: &'m BTreeMap<String, String>,
     /// The paper's equations.
     pub equations: &'m PaperEquations,
+    /// What was computed.
+    pub outcome: &'m Outcome,
     /// The verdicts.
     pub ledger: &'m Ledger,
     /// The figures.
@@ -36,32 +41,19 @@ pub struct Material<'m> {
     pub environment: Vec<FactView>,
 }
 
-/// The groups of the ledger, by the letter of the claims' ids.
-const GROUPS: [(char, &str); 7] = [
-    ('F', "Friction law (F)"),
-    ('L', "Linearisation (L)"),
-    ('S', "Stability transition (S)"),
-    ('B', "Boundary of oscillation (B)"),
-    ('Q', "Frequency (Q)"),
-    ('N', "Numerical runs (N)"),
-    ('Z', "Maps and criteria (Z)"),
-];
-
-/// How many findings stand on the first screen.
-const SHOWN_FINDINGS: usize = 3;
-
 /// The view of a report.
 #[must_use]
 pub fn assemble(material: Material) -> ReportView {
-    let Material { plan, place, prose, equations, ledger, figures, tables, inputs, environment } = material;
+    let Material { plan, place, prose, equations, outcome, ledger, figures, tables, inputs, environment } =
+        material;
     let mut chapters = plan.chapters.iter();
     let introduction = chapters.next();
     ReportView {
         title: plan.title.clone(),
         subtitle: introduction.map_or_else(String::new, |chapter| chapter.title.clone()),
+        answer: answer(plan.question, ledger, outcome),
         summary_markdown: introduction.map_or_else(String::new, |chapter| chapter_text(chapter, prose)),
         cards: cards(ledger),
-        findings: findings(ledger),
         chapters: chapters.map(|chapter| chapter_view(chapter, prose)).collect(),
         ledger: groups(ledger, place),
         claims_picture: claims_picture(ledger),
@@ -73,7 +65,7 @@ pub fn assemble(material: Material) -> ReportView {
                 latex: equation.latex(),
             })
             .collect(),
-        figures,
+        figures: numbered(figures, plan, prose),
         tables,
         provenance: ProvenanceView {
             text_markdown: "All numbers on this page are computed from the files below. The command makes the same page again, byte for byte.".into(),
@@ -82,6 +74,22 @@ pub fn assemble(material: Material) -> ReportView {
         },
         environment,
     }
+}
+
+/// The figures in the order in which prose places them. A figure of the paper keeps the paper's number; the others are numbered R1,
+/// R2 and so on.
+fn numbered(mut figures: Vec<Figure>, plan: &ReportPlan, prose: &BTreeMap<String, String>) -> Vec<Figure> {
+    let texts: Vec<String> = plan.chapters.iter().map(|chapter| chapter_text(chapter, prose)).collect();
+    let placed: Vec<Piece> = texts.iter().flat_map(|text| pieces(text)).collect();
+    let place = |figure: &Figure| {
+        placed
+            .iter()
+            .position(|piece| matches!(piece, Piece::Block(BlockKind::Figure, id) if *id == figure.id))
+    };
+    figures.sort_by_key(place);
+    let own = figures.iter_mut().filter(|figure| !figure.is_of_the_paper());
+    own.zip(1_usize..).for_each(|(figure, number)| figure.label = format!("Figure R{number}"));
+    figures
 }
 
 fn chapter_view(chapter: &Chapter, prose: &BTreeMap<String, String>) -> ChapterView {
@@ -109,43 +117,24 @@ fn cards(ledger: &Ledger) -> Vec<CardView> {
     .collect()
 }
 
-/// The claims that fail, then those with a counter-example outside their limit, in the order of the ledger.
-fn findings(ledger: &Ledger) -> Vec<FindingView> {
-    let with = |verdict: Verdict| ledger.claims.iter().filter(move |entry| entry.finding.verdict == verdict);
-    with(Verdict::Fails)
-        .chain(with(Verdict::HoldsWithin))
-        .filter(|entry| entry.finding.counter_example.is_some())
-        .take(SHOWN_FINDINGS)
-        .map(|entry| FindingView {
-            headline: format!(
-                "{} {}: {}",
-                entry.id,
-                entry.finding.verdict.word(),
-                entry.words.trim_end_matches('.')
-            ),
-            text_markdown: plain(entry.finding.counter_example.as_deref().unwrap_or_default()),
-            claims: vec![entry.id.clone()],
-        })
-        .collect()
-}
-
 fn groups(ledger: &Ledger, place: &str) -> Vec<ClaimGroupView> {
+    let certificates = Certificates::of(ledger);
     GROUPS
         .iter()
-        .map(|(letter, title)| ClaimGroupView {
+        .map(|(letter, title, _)| ClaimGroupView {
             title: (*title).into(),
             claims: ledger
                 .claims
                 .iter()
                 .filter(|entry| entry.id.starts_with(*letter))
-                .map(|entry| claim_view(entry, ledger, place))
+                .map(|entry| claim_view(entry, ledger, &certificates, place))
                 .collect(),
         })
         .filter(|group| !group.claims.is_empty())
         .collect()
 }
 
-fn claim_view(entry: &Entry, ledger: &Ledger, folder: &str) -> ClaimView {
+fn claim_view(entry: &Entry, ledger: &Ledger, certificates: &Certificates<'_>, folder: &str) -> ClaimView {
     let finding = &entry.finding;
     let listed = |id: &&str| ledger.claims.iter().any(|other| other.id == *id);
     ClaimView {
@@ -157,7 +146,7 @@ fn claim_view(entry: &Entry, ledger: &Ledger, folder: &str) -> ClaimView {
         verdict_markdown: plain(finding.limit.as_deref().unwrap_or_default()),
         strength: strength_of(finding.verdict, finding.strength),
         readings: finding.readings.iter().map(reading_view).collect(),
-        evidence: finding.evidence.iter().map(evidence_view).collect(),
+        evidence: finding.evidence.iter().map(|one| evidence_view(one, &entry.id, certificates)).collect(),
         counter_example_markdown: plain(finding.counter_example.as_deref().unwrap_or_default()),
         not_established_markdown: plain(entry.not_established),
         remark_markdown: finding.remarks.iter().map(|remark| plain(remark)).collect::<Vec<_>>().join("\n\n"),
@@ -190,46 +179,79 @@ fn part_view(part: &Part) -> PartView {
     }
 }
 
-fn evidence_view(evidence: &Evidence) -> EvidenceView {
-    let strength = evidence.strength().as_str().to_owned();
+fn evidence_view(evidence: &Evidence, claim: &str, certificates: &Certificates<'_>) -> EvidenceView {
     let fact = |name: &str, value: &str| FactView { name: name.into(), value: value.into() };
+    let numbers = |kind: &str, numbers: Vec<FactView>| EvidenceView {
+        kind: kind.into(),
+        strength: evidence.strength().as_str().into(),
+        text_markdown: String::new(),
+        numbers,
+        certificate: String::new(),
+        certificate_at: String::new(),
+    };
     match evidence {
-        Evidence::Proof { proof } => EvidenceView {
-            kind: "Proof".into(),
-            strength,
-            text_markdown: plain(&proof.statement),
-            numbers: Vec::new(),
-            certificate: proof.to_string(),
-        },
-        Evidence::Enclosure { quantity, value } => EvidenceView {
-            kind: "Enclosure".into(),
-            strength,
-            text_markdown: String::new(),
-            numbers: vec![fact(quantity, value)],
-            certificate: String::new(),
-        },
-        Evidence::Simulation { quantity, value, error, runs } => EvidenceView {
-            kind: "Simulation".into(),
-            strength,
-            text_markdown: String::new(),
-            numbers: vec![
+        Evidence::Proof { proof } => {
+            let home = certificates.home(proof);
+            let (certificate, certificate_at) =
+                if home == claim { (certificates.text(proof), "") } else { (String::new(), home) };
+            EvidenceView {
+                text_markdown: plain(&proof.statement),
+                certificate,
+                certificate_at: certificate_at.into(),
+                ..numbers("Proof", Vec::new())
+            }
+        }
+        Evidence::Enclosure { quantity, value } => numbers("Enclosure", vec![fact(quantity, value)]),
+        Evidence::Simulation { quantity, value, error, runs } => numbers(
+            "Simulation",
+            vec![
                 fact(quantity, value),
                 fact("largest error estimate", error),
                 fact("runs", &runs.to_string()),
             ],
-            certificate: String::new(),
-        },
-        Evidence::Sample { quantity, value, points } => EvidenceView {
-            kind: "Sample".into(),
-            strength,
-            text_markdown: String::new(),
-            numbers: vec![fact(quantity, value), fact("points checked", &points.to_string())],
-            certificate: String::new(),
-        },
+        ),
+        Evidence::Sample { quantity, value, points } => {
+            numbers("Sample", vec![fact(quantity, value), fact("points checked", &points.to_string())])
+        }
     }
 }
 
 /// Plain words as Markdown: characters that Markdown or mathematics would take as markup are escaped.
 fn plain(text: &str) -> String {
     slipmode_plot::table::escape_markdown(text)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn figures_of_our_own_are_numbered_in_the_order_of_the_prose() {
+        let figure = |id: &str, label: &str| Figure {
+            id: id.into(),
+            label: label.into(),
+            caption_markdown: String::new(),
+            description: String::new(),
+            svg: String::new(),
+            data: Vec::new(),
+        };
+        let chapter =
+            |file: &str| Chapter { id: file.into(), title: String::new(), prose: file.into(), part: None };
+        let plan = ReportPlan {
+            name: String::new(),
+            title: String::new(),
+            publish_page: true,
+            question: crate::scene::Question::Claims,
+            scenes: Vec::new(),
+            measured: None,
+            chapters: vec![chapter("one"), chapter("two")],
+        };
+        let prose = [("one", "[[figure:x]]\n[[figure:fig-3a]]"), ("two", "[[figure:times]]\n")];
+        let prose = prose.map(|(file, text)| (file.to_owned(), text.to_owned())).into();
+        let made = vec![figure("times", "Figure N1"), figure("fig-3a", "Figure 3a"), figure("x", "")];
+        let labels: Vec<(String, String)> =
+            numbered(made, &plan, &prose).into_iter().map(|figure| (figure.id, figure.label)).collect();
+        let expected = [("x", "Figure R1"), ("fig-3a", "Figure 3a"), ("times", "Figure R2")];
+        assert_eq!(labels, expected.map(|(id, label)| (id.to_owned(), label.to_owned())));
+    }
 }

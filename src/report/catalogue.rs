@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::blocks::{BlockKind, Piece, pieces};
-use super::parts::runs;
+use super::parts::{anchor, runs};
 use super::view::{ClaimView, EquationView, FigureView, ReportView};
 use slipmode_plot::table::Table;
 
@@ -44,7 +44,7 @@ impl<'a> Catalogue<'a> {
 }
 
 /// Sections that every page has.
-const SECTIONS: [&str; 6] = ["overview", "findings", "ledger", "appendix", "provenance", "inputs"];
+const SECTIONS: [&str; 6] = ["overview", "claims-by-verdict", "ledger", "appendix", "provenance", "inputs"];
 
 /// Deep links of the page, in the order of the view; a link that occurs twice is a fault.
 pub(crate) fn anchors(view: &ReportView) -> Vec<String> {
@@ -53,7 +53,7 @@ pub(crate) fn anchors(view: &ReportView) -> Vec<String> {
     all.extend(view.chapters.iter().map(|chapter| chapter.id.clone()));
     all.extend(claims.map(|claim| format!("claim-{}", claim.id)));
     all.extend(view.figures.iter().chain(&view.claims_picture).map(|figure| figure.id.clone()));
-    all.extend(runs(&view.chapters).into_iter().filter_map(|run| Some(run[0].part?.as_str().to_owned())));
+    all.extend(runs(&view.chapters).into_iter().flatten().filter_map(|run| Some(anchor(run[0].part?))));
     all.extend(view.tables.iter().map(|table| format!("table-{}", table.id)));
     all.extend(view.equations.iter().map(|equation| format!("eq-{}", equation.id)));
     all.extend((1..=view.ledger.len()).map(group_anchor));
@@ -65,25 +65,30 @@ pub(crate) fn group_anchor(number: usize) -> String {
     format!("ledger-{number}")
 }
 
+/// The summary and the chapters, each with its name.
+pub(crate) fn texts(view: &ReportView) -> impl Iterator<Item = (&str, &str)> {
+    let chapters = view.chapters.iter().map(|chapter| (chapter.id.as_str(), chapter.text_markdown.as_str()));
+    std::iter::once(("summary", view.summary_markdown.as_str())).chain(chapters)
+}
+
 /// Faults of ids and references: every one, in the order of the view.
 pub(crate) fn faults(view: &ReportView) -> Vec<String> {
     let catalogue = Catalogue::of(view);
     let mut found = id_faults(view);
     let mut placed = BTreeSet::new();
-    for chapter in &view.chapters {
-        for piece in pieces(&chapter.text_markdown) {
+    for (chapter, text) in texts(view) {
+        for piece in pieces(text) {
             match piece {
                 Piece::Block(kind, id) if !catalogue.has(kind, &id) => {
-                    found.push(format!("chapter {}: there is no {} `{id}`", chapter.id, word(kind)));
+                    found.push(format!("chapter {chapter}: there is no {} `{id}`", word(kind)));
                 }
                 Piece::Block(kind @ (BlockKind::Figure | BlockKind::Table | BlockKind::Equation), id)
                     if !placed.insert((word(kind), id.clone())) =>
                 {
-                    found.push(format!("chapter {}: `{id}` is placed a second time", chapter.id));
+                    found.push(format!("chapter {chapter}: `{id}` is placed a second time"));
                 }
                 Piece::Unknown(line) => found.push(format!(
-                    "chapter {}: `{line}` names no block; known are figure, table, equation, claim",
-                    chapter.id
+                    "chapter {chapter}: `{line}` names no block; known are figure, table, equation, claim"
                 )),
                 _ => {}
             }
@@ -123,9 +128,9 @@ fn id_faults(view: &ReportView) -> Vec<String> {
 
 fn reference_faults(view: &ReportView, catalogue: &Catalogue<'_>) -> Vec<String> {
     let mut found = Vec::new();
-    for finding in &view.findings {
-        let unknown = finding.claims.iter().filter(|id| !catalogue.claims.contains_key(id.as_str()));
-        found.extend(unknown.map(|id| format!("finding `{}`: there is no claim `{id}`", finding.headline)));
+    for claims in view.answer.iter().map(|sentence| &sentence.claims) {
+        let unknown = claims.iter().filter(|id| !catalogue.claims.contains_key(id.as_str()));
+        found.extend(unknown.map(|id| format!("answer: there is no claim `{id}`")));
     }
     for claim in catalogue.claims.values() {
         let unknown = claim.rests_on.iter().filter(|id| !catalogue.claims.contains_key(id.as_str()));

@@ -5,7 +5,6 @@ use serde_json::{Value, json};
 use super::catalogue::Catalogue;
 use super::markdown::Prose;
 use super::view::{ClaimView, EvidenceView, PartView, ReadingView};
-use crate::scene::Verdict;
 
 /// The claim's verdict with a link.
 pub(crate) fn chip(claim: &ClaimView) -> Value {
@@ -14,7 +13,7 @@ pub(crate) fn chip(claim: &ClaimView) -> Value {
 }
 
 /// The verdicts of listed claims.
-pub(crate) fn chips(ids: &[String], catalogue: &Catalogue<'_>) -> Vec<Value> {
+fn chips(ids: &[String], catalogue: &Catalogue<'_>) -> Vec<Value> {
     ids.iter().filter_map(|id| catalogue.claims.get(id.as_str()).copied()).map(chip).collect()
 }
 
@@ -42,7 +41,6 @@ pub(crate) fn claim_page(claim: &ClaimView, catalogue: &Catalogue<'_>, prose: &m
         "class": claim.verdict.as_str(),
         "symbol": claim.verdict.symbol(),
         "word": claim.verdict.word(),
-        "open": claim.verdict != Verdict::Holds,
         "strength": claim.strength,
         "statement_html": html(&claim.statement_markdown, "statement"),
         "acceptance_html": html(&claim.acceptance_markdown, "acceptance"),
@@ -89,6 +87,7 @@ fn evidence(item: &EvidenceView, html: &mut dyn FnMut(&str, &str) -> String) -> 
         "numbers": item.numbers,
         "certificate": certificate,
         "certificate_cut": certificate_cut,
+        "certificate_at": item.certificate_at,
     })
 }
 

@@ -11,7 +11,8 @@ pub(crate) fn claim_text(claim: &ClaimView, rests_on: String, prose: &dyn Fn(&st
     let item = |markdown: &str| line(&prose(markdown));
     json!({
         "id_md": escape_markdown(&claim.id),
-        "link_md": format!("[{}](#{})", escape_cell(&claim.id), slug(&claim.id)),
+        "link_md": claim_link(&claim.id),
+        "cell_md": item(&claim.statement_markdown).replace('|', "\\|"),
         "place_md": escape_cell(&claim.place),
         "symbol": claim.verdict.symbol(),
         "word": claim.verdict.word(),
@@ -27,6 +28,11 @@ pub(crate) fn claim_text(claim: &ClaimView, rests_on: String, prose: &dyn Fn(&st
         "rests_on_md": rests_on,
         "command_md": code_span(&claim.command),
     })
+}
+
+/// A link to a claim's heading; empty for no claim.
+pub(crate) fn claim_link(id: &str) -> String {
+    if id.is_empty() { String::new() } else { format!("[{}](#{})", escape_cell(id), slug(id)) }
 }
 
 fn reading(reading: &ReadingView, item: &dyn Fn(&str) -> String) -> Value {
@@ -58,6 +64,7 @@ fn evidence(evidence: &EvidenceView, item: &dyn Fn(&str) -> String) -> Value {
         "text_md": item(&evidence.text_markdown),
         "numbers_md": if numbers.is_empty() { numbers } else { format!("({numbers})") },
         "certificate_md": code_block(&evidence.certificate),
+        "certificate_at_md": claim_link(&evidence.certificate_at),
     })
 }
 

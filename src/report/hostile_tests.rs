@@ -17,8 +17,8 @@ fn hostile_view() -> ReportView {
     for card in &mut view.cards {
         (card.count, card.note) = (text(), text());
     }
-    for finding in &mut view.findings {
-        (finding.headline, finding.text_markdown) = (text(), text());
+    for sentence in &mut view.answer {
+        sentence.text_markdown = text();
     }
     view.chapters[0].title = text();
     view.chapters[0].text_markdown =

@@ -6,12 +6,12 @@ use serde_json::{Value, json};
 
 use super::blocks::{BlockKind, Piece, pieces};
 use super::catalogue::{Catalogue, anchors, faults, group_anchor};
-use super::claim_html::{chip, chips, claim_page};
+use super::claim_html::{chip, claim_page};
 use super::markdown::Prose;
 use super::page_style::{SCRIPT, content_policy, style_sheet};
-use super::parts::{lead, runs, title};
+use super::parts::{anchor, lead, runs, title};
 use super::templates::Templates;
-use super::view::{CardView, ChapterView, EquationView, FigureView, ReportView};
+use super::view::{AnswerView, CardView, ChapterView, ClaimView, EquationView, FigureView, ReportView};
 use super::{MAX_SHOWN_ROWS, ReportError, cut_note};
 use crate::scene::Part;
 use slipmode_plot::figure::within_html;
@@ -51,19 +51,13 @@ impl<'a> Page<'a> {
     /// What the template of the page shows.
     fn context(&mut self) -> Result<Value, ReportError> {
         let view = self.view;
-        let summary_html = self.prose.blocks(&view.summary_markdown, 2, "summary");
-        let findings = view.findings.iter().map(|finding| {
-            json!({
-                "headline": finding.headline,
-                "text_html":
-                    self.prose.blocks(&finding.text_markdown, 3, &format!("finding {}", finding.headline)),
-                "chips": chips(&finding.claims, &self.catalogue),
-            })
-        });
-        let findings: Vec<Value> = findings.collect();
+        let (summary_html, figure_html) = self.summary()?;
+        let answer: Vec<Value> = view.answer.iter().map(|sentence| self.sentence(sentence)).collect();
+        let verdicts: Vec<Value> = view.cards.iter().map(|card| self.tiles(card)).collect();
+        let [before, after] = runs(&view.chapters);
+        let (parts, later_parts) = (self.parts(before)?, self.parts(after)?);
         let groups = self.groups()?;
         let picture_html = self.picture()?;
-        let parts = self.parts()?;
         let appendix_html = self.appendix()?;
         let provenance = json!({
             "text_html": self.prose.blocks(&view.provenance.text_markdown, 2, "provenance"),
@@ -76,17 +70,65 @@ impl<'a> Page<'a> {
             "subtitle": view.subtitle,
             "policy": content_policy(&style_css, SCRIPT),
             "style_css": style_css,
+            "answer": answer,
+            "figure_html": figure_html,
+            "verdicts": verdicts,
             "summary_html": summary_html,
-            "cards": cards(view),
-            "findings": findings,
+            "parts": parts,
             "groups": groups,
             "picture_html": picture_html,
-            "parts": parts,
+            "later_parts": later_parts,
             "script_js": SCRIPT,
             "appendix_html": appendix_html,
             "provenance": provenance,
             "environment_html": self.environment()?,
         }))
+    }
+
+    /// The prose of the summary, and the figures that it places: they stand beside the answer.
+    fn summary(&mut self) -> Result<(String, String), ReportError> {
+        let (mut prose, mut figures) = (String::new(), String::new());
+        for piece in pieces(&self.view.summary_markdown) {
+            match piece {
+                Piece::Prose(text) => prose += &self.prose.blocks(&text, 2, "summary"),
+                Piece::Block(BlockKind::Figure, id) => figures += &self.block(BlockKind::Figure, &id)?,
+                Piece::Block(kind, id) => prose += &self.block(kind, &id)?,
+                Piece::Unknown(_) => {}
+            }
+        }
+        Ok((prose, figures))
+    }
+
+    fn sentence(&mut self, sentence: &AnswerView) -> Value {
+        json!({
+            "text_html": self.prose.inline(&sentence.text_markdown, "answer"),
+            "is_list": sentence.is_list,
+            "claims": self.with_words(sentence.claims.iter().map(String::as_str)),
+        })
+    }
+
+    /// The claims of one verdict, each with its words.
+    fn tiles(&mut self, card: &CardView) -> Value {
+        let verdict = card.verdict;
+        let claims = self.view.ledger.iter().flat_map(|group| &group.claims);
+        let ids = claims.filter(|claim| claim.verdict == verdict).map(|claim| claim.id.as_str());
+        json!({
+            "class": verdict.as_str(),
+            "symbol": verdict.symbol(),
+            "word": verdict.word(),
+            "count": card.count,
+            "note": card.note,
+            "claims": self.with_words(ids),
+        })
+    }
+
+    fn with_words<'i>(&mut self, ids: impl Iterator<Item = &'i str>) -> Vec<Value> {
+        let claims: Vec<&ClaimView> = ids.filter_map(|id| self.catalogue.claims.get(id).copied()).collect();
+        let one = |claim: &ClaimView| {
+            let words = self.prose.inline(&claim.statement_markdown, &format!("claim {}", claim.id));
+            json!({ "chip": chip(claim), "words_html": words })
+        };
+        claims.into_iter().map(one).collect()
     }
 
     fn groups(&mut self) -> Result<Vec<Value>, ReportError> {
@@ -111,9 +153,9 @@ impl<'a> Page<'a> {
         self.view.claims_picture.as_ref().map_or_else(|| Ok(String::new()), |picture| self.figure(picture))
     }
 
-    fn parts(&mut self) -> Result<Vec<Value>, ReportError> {
+    fn parts(&mut self, runs: Vec<&'a [ChapterView]>) -> Result<Vec<Value>, ReportError> {
         let mut parts = Vec::new();
-        for run in runs(&self.view.chapters) {
+        for run in runs {
             let part = run[0].part;
             // Below the heading of a part, those of its chapters stand one level lower.
             let level = if part.is_some() { 3 } else { 2 };
@@ -123,9 +165,10 @@ impl<'a> Page<'a> {
                 chapters.push(json!({ "id": chapter.id, "title": chapter.title, "body_html": body_html }));
             }
             parts.push(json!({
-                "anchor": part.map_or("", Part::as_str),
+                "anchor": part.map_or_else(String::new, anchor),
                 "title": part.map_or("", title),
                 "lead": part.map_or("", lead),
+                "is_folded": part.is_some_and(Part::follows_ledger),
                 "chapters": chapters,
             }));
         }
@@ -239,10 +282,15 @@ pub(super) fn table_html(
         "columns": table.columns,
         "rows": table.rows[..table.rows.len().min(MAX_SHOWN_ROWS)],
         "cut": cut_note(table),
+        "is_folded": !file.is_empty() && table.rows.len() > OPEN_ROWS,
+        "count": table.rows.len(),
         "note_html": note_html,
     });
     templates.render("table.html", &context)
 }
+
+/// Rows of a table that the page shows without being asked.
+const OPEN_ROWS: usize = 6;
 
 /// A class for each column of words, by its place from 1: `t1 w4`, where the words of column 4 take several lines.
 fn text_columns(table: &Table) -> String {
@@ -258,17 +306,3 @@ fn text_columns(table: &Table) -> String {
 
 /// Characters of a cell of words that are kept on one line.
 const LINE_OF_WORDS: usize = 24;
-
-fn cards(view: &ReportView) -> Vec<Value> {
-    let card = |card: &CardView| {
-        let verdict = card.verdict;
-        json!({
-            "class": verdict.as_str(),
-            "symbol": verdict.symbol(),
-            "word": verdict.word(),
-            "count": card.count,
-            "note": card.note,
-        })
-    };
-    view.cards.iter().map(card).collect()
-}

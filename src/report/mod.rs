@@ -4,9 +4,11 @@
 //! are part of the program. The page makes no network requests; its one script
 //! adds sorting, finding and reading out, and everything is readable without it.
 
+mod answer;
 mod assemble;
 mod blocks;
 mod catalogue;
+mod certificates;
 mod claim_html;
 mod claim_text;
 mod claims_picture;
@@ -36,8 +38,8 @@ pub use markdown::formula_faults;
 pub use produce::{Folder, Product, decide, produce, produce_scene};
 pub use text::render_markdown;
 pub use view::{
-    CardView, ChapterView, ClaimGroupView, ClaimView, EquationView, EvidenceView, FactView, FigureView,
-    FindingView, InputView, PartView, ProvenanceView, ReadingView, ReportView,
+    AnswerView, CardView, ChapterView, ClaimGroupView, ClaimView, EquationView, EvidenceView, FactView,
+    FigureView, InputView, PartView, ProvenanceView, ReadingView, ReportView,
 };
 
 use slipmode_plot::table::Table;

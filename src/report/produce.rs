@@ -83,6 +83,7 @@ pub fn produce(
         place,
         prose: &folder.prose,
         equations: &folder.equations,
+        outcome: &outcome,
         ledger: &ledger,
         figures,
         tables,

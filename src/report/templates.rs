@@ -10,8 +10,11 @@ use super::symbols::set_symbols;
 use slipmode_plot::table::{escape_markdown, printable};
 
 /// Templates of the page. Every one is escaped for HTML, whatever its name.
-const HTML: [(&str, &str); 8] = [
+const HTML: [(&str, &str); 11] = [
     ("report.html", include_str!("../../templates/report.html")),
+    ("part.html", include_str!("../../templates/part.html")),
+    ("contents.html", include_str!("../../templates/contents.html")),
+    ("chip.html", include_str!("../../templates/chip.html")),
     ("claim.html", include_str!("../../templates/claim.html")),
     ("figure.html", include_str!("../../templates/figure.html")),
     ("table.html", include_str!("../../templates/table.html")),
@@ -22,8 +25,9 @@ const HTML: [(&str, &str); 8] = [
 ];
 
 /// Templates of the Markdown report. Every one is escaped for Markdown.
-const MARKDOWN: [(&str, &str); 2] = [
+const MARKDOWN: [(&str, &str); 3] = [
     ("report.md", include_str!("../../templates/report.md")),
+    ("part.md", include_str!("../../templates/part.md")),
     ("claim.md", include_str!("../../templates/claim.md")),
 ];
 

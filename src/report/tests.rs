@@ -48,12 +48,19 @@ fn ids_on_the_page_are_unique_and_every_deep_link_arrives() {
 }
 
 #[test]
-fn what_holds_is_closed_and_all_else_is_open() {
-    let page = render_html(&view()).unwrap();
-    assert!(page.contains("<details class=\"claim holds\">"));
-    for class in ["holds-within", "fails", "not-checked"] {
-        assert!(page.contains(&format!("<details class=\"claim {class}\" open>")));
+fn the_answer_and_all_verdicts_with_their_words_stand_before_everything_else() {
+    let (page, text) = (render_html(&view()).unwrap(), render_markdown(&view()).unwrap());
+    let words = "is the cubic of eq. 8";
+    for (report, marks) in [
+        (&page, ["One claim is wrong as stated:", words, "id=\"ledger\"", "id=\"theory\"", "id=\"inputs\""]),
+        (&text, ["One claim is wrong as stated:", words, "## Ledger", "### The linear theory", "### Inputs"]),
+    ] {
+        let places = marks.map(|mark| report.find(mark).expect(mark));
+        assert!(places.is_sorted(), "{places:?}");
     }
+    // The claim of a sentence that lists its claims stands below it with its words.
+    let listed = page.split("One claim is wrong as stated:").nth(1).unwrap();
+    assert!(listed.find("The system is unstable whenever").unwrap() < listed.find("</ul>").unwrap());
 }
 
 #[test]
@@ -82,7 +89,7 @@ fn all_faults_of_a_view_are_told_at_once() {
         "[[figure:nowhere]]\n[[figur:x]]\n[[table:corners]]\n[[table:corners]]\n".into();
     view.figures[0].id = "../evil".into();
     view.figures[1].id = "FIG-7A".into();
-    view.findings[0].claims = vec!["Z9".into()];
+    view.answer[1].claims = vec!["Z9".into()];
     let Err(ReportError::Faults(faults)) = render_html(&view) else { panic!("accepted") };
     for part in ["no figure `nowhere`", "[[figur:x]]", "second time", "../evil", "occurs twice", "`Z9`"] {
         assert!(faults.iter().any(|fault| fault.contains(part)), "{part}: {faults:?}");

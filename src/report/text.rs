@@ -5,13 +5,13 @@ use std::collections::BTreeSet;
 use serde_json::{Value, json};
 
 use super::blocks::{BlockKind, Piece, pieces};
-use super::catalogue::{Catalogue, faults};
-use super::claim_text::{claim_text, code_span, line};
+use super::catalogue::{Catalogue, faults, texts};
+use super::claim_text::{claim_link, claim_text, code_span, line};
 use super::markdown::{harmless, slug};
 use super::parts::{lead, runs, title};
 use super::templates::Templates;
 use super::view::{
-    CardView, ChapterView, ClaimGroupView, ClaimView, EquationView, FactView, FigureView, FindingView,
+    AnswerView, CardView, ChapterView, ClaimGroupView, ClaimView, EquationView, FactView, FigureView,
     InputView, ReportView,
 };
 use super::{MAX_SHOWN_ROWS, ReportError, cut_note};
@@ -42,16 +42,18 @@ struct Report<'a> {
 impl<'a> Report<'a> {
     fn context(&self) -> Result<Value, ReportError> {
         let view = self.view;
+        let [before, after] = runs(&view.chapters);
         Ok(json!({
             "title": view.title,
             "subtitle": view.subtitle,
-            "summary_md": self.prose(&view.summary_markdown, 1),
+            "answer": view.answer.iter().map(|sentence| self.sentence(sentence)).collect::<Vec<_>>(),
+            "summary_md": self.body(&view.summary_markdown, 1),
             "cards": view.cards.iter().map(card).collect::<Vec<_>>(),
-            "findings": view.findings.iter().map(|finding| self.finding(finding)).collect::<Vec<_>>(),
+            "parts": before.into_iter().map(|run| self.part(run)).collect::<Vec<_>>(),
             "groups": self.groups()?,
             "picture_md":
                 view.claims_picture.as_ref().map_or_else(String::new, |picture| self.figure(picture)),
-            "parts": runs(&view.chapters).into_iter().map(|run| self.part(run)).collect::<Vec<_>>(),
+            "later_parts": after.into_iter().map(|run| self.part(run)).collect::<Vec<_>>(),
             "appendix_md": self.appendix(),
             "provenance": self.provenance(),
             "environment": view.environment.iter().map(fact).collect::<Vec<_>>(),
@@ -69,22 +71,28 @@ impl<'a> Report<'a> {
         }
         let chapter = self.view.chapters.iter().find(|chapter| chapter.id == anchor);
         let fixed =
-            [("ledger", "ledger-of-claims"), ("provenance", "provenance"), ("findings", "what-matters-most")];
+            [("ledger", "ledger-of-claims"), ("provenance", "provenance"), ("claims-by-verdict", "verdicts")];
         let section = fixed.iter().find(|(name, _)| *name == anchor).map(|(_, heading)| (*heading).into());
         chapter.map(|chapter| slug(&chapter.title)).or(section)
     }
 
-    fn finding(&self, finding: &FindingView) -> Value {
+    fn sentence(&self, sentence: &AnswerView) -> Value {
+        let words = |id: &String| {
+            let claim = self.catalogue.claims.get(id.as_str())?;
+            Some(
+                json!({ "link_md": claim_link(id), "words_md": line(&self.prose(&claim.statement_markdown, 1)) }),
+            )
+        };
+        let listed = sentence.claims.iter().filter(|_| sentence.is_list).filter_map(words);
         json!({
-            "headline": finding.headline,
-            "text_md": self.prose(&finding.text_markdown, 3),
-            "claims_md": self.claim_links(&finding.claims),
+            "text_md": line(&self.prose(&sentence.text_markdown, 1)),
+            "claims_md": if sentence.is_list { String::new() } else { self.claim_links(&sentence.claims) },
+            "listed": listed.collect::<Vec<_>>(),
         })
     }
 
     fn claim_links(&self, ids: &[String]) -> String {
-        let links = ids.iter().map(|id| format!("[{}](#{})", escape_markdown(id), slug(id)));
-        links.collect::<Vec<_>>().join(", ")
+        ids.iter().map(|id| claim_link(id)).collect::<Vec<_>>().join(", ")
     }
 
     fn groups(&self) -> Result<Vec<Value>, ReportError> {
@@ -159,8 +167,8 @@ impl<'a> Report<'a> {
     }
 
     fn appendix(&self) -> String {
-        let chapters = self.view.chapters.iter().flat_map(|chapter| pieces(&chapter.text_markdown));
-        let placed: BTreeSet<String> = chapters
+        let placed: BTreeSet<String> = texts(self.view)
+            .flat_map(|(_, text)| pieces(text))
             .filter_map(|piece| match piece {
                 Piece::Block(_, id) => Some(id),
                 _ => None,

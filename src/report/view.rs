@@ -16,12 +16,12 @@ pub struct ReportView {
     pub title: String,
     /// One line below the title: what was checked, against what.
     pub subtitle: String,
-    /// What was checked, how, and how to read the answer.
+    /// The answer, sentence by sentence.
+    pub answer: Vec<AnswerView>,
+    /// What was checked, how, and how to read the answer. A figure that it places stands beside the answer.
     pub summary_markdown: String,
     /// Counts of verdicts, in the order in which they are shown.
     pub cards: Vec<CardView>,
-    /// The findings that matter most, first things first.
-    pub findings: Vec<FindingView>,
     /// Chapters; their prose places equations, figures and tables.
     pub chapters: Vec<ChapterView>,
     /// Groups of claims in the order of the ledger.
@@ -51,15 +51,23 @@ pub struct CardView {
     pub note: String,
 }
 
-/// A finding on the first screen.
-#[derive(Debug, Clone, PartialEq)]
-pub struct FindingView {
-    /// The finding in one line.
-    pub headline: String,
-    /// Two or three sentences.
+/// A sentence of the answer.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct AnswerView {
+    /// The sentence.
     pub text_markdown: String,
     /// Ids of the claims it rests on; each must be in the ledger.
     pub claims: Vec<String>,
+    /// Whether the claims stand below the sentence with their words.
+    pub is_list: bool,
+}
+
+impl AnswerView {
+    /// A sentence that rests on these claims.
+    pub fn new<'i>(text_markdown: impl Into<String>, claims: impl IntoIterator<Item = &'i String>) -> Self {
+        let claims = claims.into_iter().cloned().collect();
+        Self { text_markdown: text_markdown.into(), claims, is_list: false }
+    }
 }
 
 /// A chapter of prose.
@@ -157,8 +165,10 @@ pub struct EvidenceView {
     pub text_markdown: String,
     /// Named numbers: error bounds, counts, digits.
     pub numbers: Vec<FactView>,
-    /// A certificate or a series as plain text, set in a fixed-width block; may be empty.
+    /// A certificate or a series as plain text, set in a fixed-width block; empty where there is none, or where another claim has it.
     pub certificate: String,
+    /// The other claim that has the certificate; may be empty.
+    pub certificate_at: String,
 }
 
 /// A name and its value.

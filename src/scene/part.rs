@@ -7,16 +7,28 @@ slipmode_core::named! {
     /// What the chapters of a part are about.
     #[derive(Debug, Clone, Copy, PartialEq, Eq)]
     pub enum Part {
+        /// What the paper says, compared with computation.
+        Validation = "validation",
+        /// Results that the paper does not have.
+        NewResults = "new-results",
         /// Whether the formulas and the program are right: decided exactly.
         CodeVerification = "code-verification",
         /// How large the numerical error of the report's own runs is.
         SolutionVerification = "solution-verification",
-        /// What the paper says, compared with computation.
-        Validation = "validation",
+        /// What the results cost.
+        Speed = "speed",
+        /// What supports the report.
+        Appendix = "appendix",
     }
 }
 
 impl Part {
+    /// Whether the ledger stands before the part: it follows the comparison with the paper and the new results.
+    #[must_use]
+    pub const fn follows_ledger(self) -> bool {
+        !matches!(self, Self::Validation | Self::NewResults)
+    }
+
     /// Reads the part of a chapter after those of the `earlier` chapters: the chapters of a part follow one another.
     pub(crate) fn read(entry: &Entry<'_>, earlier: &[Option<Self>]) -> Option<Self> {
         let part = entry.word(&Self::ALL, Self::as_str)?;

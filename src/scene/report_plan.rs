@@ -2,6 +2,7 @@
 
 use crate::scene::document::read_document;
 use crate::scene::part::Part;
+use crate::scene::question::Question;
 use crate::scene::section::Entry;
 use crate::scene::sections::NAME_RULE;
 use crate::scene::{Faults, Limits, Problem, same_name};
@@ -15,6 +16,8 @@ pub struct ReportPlan {
     pub title: String,
     /// Whether the published copy contains the page, besides ledger, Markdown, tables and figures; true by default.
     pub publish_page: bool,
+    /// What the first sentence of its answer is about: claims by default.
+    pub question: Question,
     /// The names of the scenes, each in `scenes/NAME.toml`.
     pub scenes: Vec<String>,
     /// The folder of tables and charts that were measured apart, if any.
@@ -47,6 +50,7 @@ impl ReportPlan {
             let name = top.name("name", NAME_RULE);
             let title = top.text("title", "a text");
             let publish_page = top.optionally("publish_page", Entry::truth);
+            let question = top.optionally("question", |entry| entry.word(&Question::ALL, Question::as_str));
             let scenes = top.required("scenes", "a list of scene names").and_then(|entry| {
                 let mut names = Vec::new();
                 entry.list(|member| distinct_name(member, &mut names))
@@ -58,6 +62,7 @@ impl ReportPlan {
                 name: name?,
                 title: title?,
                 publish_page: publish_page?.unwrap_or(true),
+                question: question?.unwrap_or_default(),
                 scenes: scenes?,
                 measured: measured?,
                 chapters: chapters?,
@@ -153,6 +158,18 @@ mod tests {
         assert!(!plan("false").unwrap().publish_page);
         let fault = plan("\"no\"").unwrap_err()[0].to_string();
         assert!(fault.contains("report.toml:3: publish_page") && fault.contains("true or false"), "{fault}");
+    }
+
+    #[test]
+    fn a_report_can_begin_with_the_formulas() {
+        let plan = |value: &str| {
+            let text = format!("name = \"r\"\ntitle = \"R\"\n{value}scenes = [\"one\"]\n{CHAPTER}");
+            ReportPlan::parse("report.toml", text.as_bytes())
+        };
+        assert_eq!(plan("").unwrap().question, Question::Claims);
+        assert_eq!(plan("question = \"formulas\"\n").unwrap().question, Question::Formulas);
+        let fault = plan("question = \"formula\"\n").unwrap_err()[0].to_string();
+        assert!(fault.contains("report.toml:3: question") && fault.contains("`formulas`"), "{fault}");
     }
 
     #[test]

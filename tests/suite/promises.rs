@@ -180,6 +180,7 @@ fn page(prose: &str) -> Option<String> {
         name: "p".into(),
         title: "P".into(),
         publish_page: true,
+        question: slipmode::scene::Question::Claims,
         scenes: Vec::new(),
         measured: None,
         chapters: vec![chapter],

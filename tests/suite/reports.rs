@@ -171,3 +171,25 @@ fn a_folder_that_is_no_report_is_refused() {
     small.write("small/equations.toml", "x = 1");
     small.run(["report", "small"]).expect_refusal(&["small/equations.toml:1: unknown field `x`"]);
 }
+
+/// The numbers of the paper's figures that a report places, in the order of its chapters.
+fn figures_placed(report: &str) -> Vec<String> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("reports").join(report);
+    let plan = fs::read_to_string(folder.join("report.toml")).unwrap();
+    let files = plan.lines().filter_map(|line| line.strip_prefix("prose = \"")?.strip_suffix('"'));
+    let texts = files.map(|file| fs::read_to_string(folder.join("prose").join(file)).unwrap());
+    let placed = |text: String| -> Vec<String> {
+        let ids = text.lines().filter_map(|line| line.strip_prefix("[[figure:fig-")?.strip_suffix("]]"));
+        ids.map(str::to_owned).collect()
+    };
+    texts.flat_map(placed).collect()
+}
+
+#[test]
+fn the_figures_of_the_paper_come_in_the_order_of_the_paper() {
+    for (report, least) in [("im-avouac", 14), ("paper-on-paper", 4), ("rock-friction", 4)] {
+        let placed = figures_placed(report);
+        assert!(placed.len() >= least && placed.is_sorted(), "{report}: {placed:?}");
+        assert_eq!(placed[0], "1", "{report}: the first figure stands beside the answer");
+    }
+}

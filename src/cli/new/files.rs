@@ -24,33 +24,29 @@ const INTRODUCTION: Chapter = Chapter {
 /// For a < b.
 const WEAKENING: &[Chapter] = &[
     INTRODUCTION,
-    Chapter {
-        id: "map",
-        title: "Where sliding is stable, and where it oscillates",
-        prose: include_str!("../../../templates/new/map-weakening.md"),
-    },
+    formulas(include_str!("../../../templates/new/formulas-weakening.md")),
+    map(include_str!("../../../templates/new/map-weakening.md")),
     Chapter {
         id: "frequency",
         title: "Frequency",
         prose: include_str!("../../../templates/new/frequency.md"),
     },
-    formulas(include_str!("../../../templates/new/formulas-weakening.md")),
-    slip_modes(include_str!("../../../templates/new/slip-modes-weakening.md")),
     simulations(include_str!("../../../templates/new/simulations-weakening.md")),
+    slip_modes(include_str!("../../../templates/new/slip-modes-weakening.md")),
 ];
 
 /// For a ≥ b: nothing that needs a critical normal stress.
 const NEVER_UNSTABLE: &[Chapter] = &[
     INTRODUCTION,
-    Chapter {
-        id: "map",
-        title: "Where the approach to steady sliding oscillates",
-        prose: include_str!("../../../templates/new/map-stable.md"),
-    },
     formulas(include_str!("../../../templates/new/formulas-stable.md")),
-    slip_modes(include_str!("../../../templates/new/slip-modes-stable.md")),
+    map(include_str!("../../../templates/new/map-stable.md")),
     simulations(include_str!("../../../templates/new/simulations-stable.md")),
+    slip_modes(include_str!("../../../templates/new/slip-modes-stable.md")),
 ];
+
+const fn map(prose: &'static str) -> Chapter {
+    Chapter { id: "map", title: "Where sliding is stable, and where it oscillates", prose }
+}
 
 const fn formulas(prose: &'static str) -> Chapter {
     Chapter { id: "formulas", title: "Where each formula may be used, and with which error", prose }
@@ -81,9 +77,9 @@ pub fn folder_files(typed: &Typed, effects: Effects, ranges: &Ranges) -> Files {
 
 fn report_text(name: &str, chapters: &[Chapter]) -> String {
     let head = format!(
-        "# Name, title, scenes and chapters of the report; the first chapter is the summary.\n# To add a scene, write \
+        "# Name, title, scenes and chapters of the report; the first chapter is the summary, and its figure stands beside the answer.\n# To add a scene, write \
             scenes/OTHER.toml and list it. To add a chapter, write prose/OTHER.md and list it.\nname = \
-            \"{name}\"\ntitle = \"{name}\"\nscenes = [\"{name}\"]\n"
+            \"{name}\"\ntitle = \"{name}\"\nquestion = \"formulas\"  # what the first sentence answers: formulas or claims\nscenes = [\"{name}\"]\n"
     );
     let section = |chapter: &Chapter| {
         let Chapter { id, title, .. } = chapter;
@@ -94,14 +90,15 @@ fn report_text(name: &str, chapters: &[Chapter]) -> String {
 
 /// The prose with the slider's name and numbers in place.
 fn filled(prose: &str, typed: &Typed, effects: Effects) -> String {
-    let comparison = match effects {
-        Effects::Weakening => "a < b",
-        Effects::Neutral => "a = b",
-        Effects::Strengthening => "a > b",
+    let (comparison, map) = match effects {
+        Effects::Weakening => ("a < b", "fig-1"),
+        Effects::Neutral => ("a = b", "fig-6a"),
+        Effects::Strengthening => ("a > b", "fig-6a"),
     };
     let values = [
         ("{name}", typed.name.as_str()),
         ("{comparison}", comparison),
+        ("{map}", map),
         ("{a}", typed.text(Quantity::DirectEffect)),
         ("{b}", typed.text(Quantity::EvolutionEffect)),
         ("{d}", typed.text(Quantity::CriticalSlipDistance)),

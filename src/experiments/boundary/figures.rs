@@ -29,7 +29,7 @@ fn along_arcs(scene: &SceneOutcome) -> Option<Figure> {
             Reference::Horizontal { at: -0.01, label: "−1 %".into() },
         ],
     };
-    Some(Figure::new(&chart.caption, "Figure A1", CAPTION, chart.svg()))
+    Some(Figure::own(&chart.caption, CAPTION, chart.svg()))
 }
 
 fn error_series(outcome: &BoundaryOutcome, beta: &Rational, asymptote: Asymptote) -> Series {

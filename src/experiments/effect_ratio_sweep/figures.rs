@@ -42,5 +42,5 @@ fn worst_errors(sweep: &SweepOutcome) -> Option<Figure> {
         ],
         references: vec![Reference::Vertical { at: 1.0, label: "*a* = *b*".into() }],
     };
-    Some(Figure::new(&chart.caption, "Figure A2", CAPTION, chart.svg()))
+    Some(Figure::own(&chart.caption, CAPTION, chart.svg()))
 }

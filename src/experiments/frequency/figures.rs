@@ -1,26 +1,30 @@
 //! Frequencies along lines of constant normal stress (fig 2).
 
 use crate::experiments::frequency::{FrequencyLine, FrequencyOutcome};
+use crate::experiments::shared::axes::{axes, boundary_lines, transition_line};
 use crate::experiments::{Figure, FigureMaker, Need, SceneOutcome};
+use std::cmp::Ordering;
+
 use slipmode_core::friction::Slider;
 use slipmode_core::number::format::rational_to_decimal;
 use slipmode_core::number::{Ball, Rational, nearest_f64};
-use slipmode_plot::figure::{Axis, Caption, LineChart, Reference, Series};
+use slipmode_plot::figure::{Axis, Caption, Inset, LineChart, Reference, Series};
 
 pub(crate) const FIGURES: &[FigureMaker] =
-    &[FigureMaker::new("fig-2", &[Need::Frequency], &["frequency"], |outcome| {
+    &[FigureMaker::new("fig-2", &[Need::Frequency, Need::Map, Need::Boundary], &["frequency"], |outcome| {
         frequency_lines(outcome.potentially_unstable()?)
     })];
 
 const DESCRIPTION: &str = "Largest imaginary part against loading velocity at constant normal stresses, on logarithmic axes. At the critical normal stress it follows eq 23 at low velocity and approaches the natural frequency at high velocity. The frequency is zero in the gaps of a line.";
-const CAPTION: &str = "Largest imaginary part along lines of constant normal stress (compare fig 2 of the paper), with eq 23 and the natural angular frequency. In the gaps of a line all roots are real.";
+const CAPTION: &str = "Largest imaginary part along lines of constant normal stress (compare fig 2 of the paper), with eq 23 and the natural angular frequency. In the gaps of a line all roots are real. The inset shows where the lines lie, with the exact boundary and the transition. The inset of the paper is its coloured fig 1; the reference line at the natural frequency is added here.";
 
 fn frequency_lines(scene: &SceneOutcome) -> Option<Figure> {
     let (parameters, outcome) = (scene.slider()?, scene.frequency.as_ref()?);
     let velocities = &outcome.loading_velocity_m_per_s;
     let (first, last) = (*velocities.first()?, *velocities.last()?);
     let natural = parameters.map(nearest_f64).natural_angular_frequency_per_s();
-    let mut series: Vec<Series> = outcome.lines.iter().map(|line| line_series(outcome, line)).collect();
+    let lines = in_the_order_of_the_paper(outcome);
+    let mut series: Vec<Series> = lines.iter().map(|line| line_series(outcome, line)).collect();
     series.push(crossing_series(parameters, natural, first, last));
     let chart = LineChart {
         caption: Caption::new("fig-2", "Largest imaginary part at constant normal stress", DESCRIPTION),
@@ -29,19 +33,49 @@ fn frequency_lines(scene: &SceneOutcome) -> Option<Figure> {
         series,
         references: vec![Reference::Horizontal { at: natural, label: "*ω*_n = √(*K*/*M*)".into() }],
     };
-    Some(Figure::new(&chart.caption, "Figure 2", CAPTION, chart.svg()))
+    let inset = inset(scene, &lines);
+    Some(Figure::new(&chart.caption, "Figure 2", CAPTION, chart.svg_with(inset.as_ref())))
+}
+
+/// Normal stresses above the critical one, those below it, and the critical one: solid, dashed and dotted, as in the paper.
+fn in_the_order_of_the_paper(outcome: &FrequencyOutcome) -> Vec<&FrequencyLine> {
+    let mut lines: Vec<&FrequencyLine> = outcome.lines.iter().collect();
+    lines.sort_by_key(|line| {
+        [Ordering::Greater, Ordering::Less, Ordering::Equal]
+            .iter()
+            .position(|order| line.normal_stress_over_critical.cmp(&Rational::from(1)) == *order)
+    });
+    lines
+}
+
+/// Where the lines lie in the plane of velocity and normal stress, with the boundary and the transition.
+fn inset(scene: &SceneOutcome, lines: &[&FrequencyLine]) -> Option<Inset> {
+    let (x, y) = axes(scene.map.as_ref()?)?;
+    let across = |line: &&FrequencyLine| {
+        let stress = nearest_f64(&line.normal_stress_pa);
+        Series::line("", vec![(x.min, stress), (x.max, stress)])
+    };
+    let series = lines.iter().map(across).collect();
+    let mut curves = boundary_lines(&scene.boundary.as_ref()?.points);
+    curves.extend(transition_line(scene.slider()?, &x, &y));
+    Some(Inset { series, lines: curves, x, y })
 }
 
 fn line_series(outcome: &FrequencyOutcome, line: &FrequencyLine) -> Series {
     let ratio = &line.normal_stress_over_critical;
-    let label = if *ratio.denom() == 1 { ratio.numer().to_string() } else { rational_to_decimal(ratio, 4) };
+    let label = match (ratio.numer().to_u32(), ratio.denom().to_u32()) {
+        (Some(1), Some(1)) => "*σ*_c".into(),
+        (Some(1), Some(n)) => format!("*σ*_c/{n}"),
+        (Some(n), Some(1)) => format!("{n} *σ*_c"),
+        _ => format!("{} *σ*_c", rational_to_decimal(ratio, 4)),
+    };
     let points = outcome
         .loading_velocity_m_per_s
         .iter()
         .zip(&line.max_imaginary_per_s)
         .map(|(velocity, imaginary)| (*velocity, imaginary.to_f64().unwrap_or(0.0)))
         .collect();
-    Series::line(format!("*σ* = {label} *σ*_c"), points)
+    Series::line(format!("*σ* = {label}"), points)
 }
 
 /// Eq 23, drawn up to three times the natural frequency.

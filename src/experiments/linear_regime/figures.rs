@@ -45,7 +45,7 @@ fn mismatch_chart(outcome: &Outcome) -> Option<Figure> {
         series,
         references: vec![Reference::Horizontal { at: floor, label: "rounding of 64-bit runs".into() }],
     };
-    (least < most && floor > 0.0).then(|| Figure::new(&chart.caption, "Figure L1", CAPTION, chart.svg()))
+    (least < most && floor > 0.0).then(|| Figure::own(&chart.caption, CAPTION, chart.svg()))
 }
 
 fn measured(label: &str, run: &ModeRuns) -> Series {

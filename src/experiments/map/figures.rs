@@ -32,7 +32,7 @@ pub(crate) const FIG_1: Words = Words {
     id: "fig-1",
     label: "Figure 1",
     title: "Largest imaginary part of the roots of eq 8, a < b",
-    caption: "Largest imaginary part of the three roots for a < b (compare fig 1 of the paper). Every point was classified exactly. Solid line: exact boundary. Dashed lines: its four asymptotes. White line: transition.",
+    caption: "Largest imaginary part of the three roots for a < b (compare fig 1 of the paper). Every point was classified exactly. Solid line: exact boundary. Dashed lines: its four asymptotes. White line: transition. Thin lines divide the brightest colour. The paper shows the asymptotes and the colours; the exact boundary and the cusp are added here.",
     description: "Map over loading velocity and normal stress. Two areas without colour do not oscillate, one at high and one at low normal stress. Exact lines that join pairs of dashed asymptotes bound them. The lower area ends in a cusp to the right of the asymptotes' corner. The frequency rises from left to right and saturates at the natural frequency.",
 };
 
@@ -40,7 +40,7 @@ pub(crate) const FIG_6A: Words = Words {
     id: "fig-6a",
     label: "Figure 6a",
     title: "Largest imaginary part of the roots of eq 8, a ≥ b",
-    caption: "Largest imaginary part of the three roots for a ≥ b (compare fig 6a of the paper). Every point was classified exactly. There is no transition. With a and b exchanged, the line of eq 20 and the contours would lie at other velocities.",
+    caption: "Largest imaginary part of the three roots for a ≥ b (compare fig 6a of the paper). Every point was classified exactly. There is no transition. The paper draws the asymptotes of fig 3a here; the line of eq 20 and the contours of this slider lie at other velocities, because they depend on a and not on b.",
     description: "Map over loading velocity and normal stress for a not below b: areas without colour do not oscillate, at low and, unless a equals b, at high normal stress. Exact lines that join pairs of dashed asymptotes bound them. There is no transition line.",
 };
 
@@ -66,7 +66,10 @@ fn frequency_map(scene: &SceneOutcome, words: &Words) -> Option<Figure> {
         caption: Caption::new(words.id, words.title, words.description),
         columns: map.loading_velocity_m_per_s.len(),
         values: frequencies(map),
-        colours: ColourScale::new("max Im(*s*)", "1/s", (natural * 1e-4, natural), 24),
+        colours: ColourScale::new("max Im(*s*)", "1/s", (natural * 1e-4, natural), STEPS).with_contours(
+            "79, 90 and 99 % of √(*K*/*M*)",
+            NEARLY_NATURAL.map(|share| share * natural).to_vec(),
+        ),
         zero_areas: zero_areas(boundary, &x, &y),
         zero_label: "max Im(*s*) = 0 exactly".into(),
         lines: theory_lines(scene, boundary, &x, &y),
@@ -81,6 +84,12 @@ fn frequency_map(scene: &SceneOutcome, words: &Words) -> Option<Figure> {
         heat_map.svg_with(Some(&readout(map, boundary))),
     ))
 }
+
+/// Colour steps of the map: ten a decade.
+const STEPS: usize = 40;
+
+/// Shares of the natural angular frequency at which the map has a line: the lower end of the brightest colour, and two above it.
+const NEARLY_NATURAL: [f64; 3] = [0.79, 0.9, 0.99];
 
 fn frequencies(map: &Grid<MapPoint>) -> Vec<f64> {
     map.values.iter().map(|point| point.max_imaginary_per_s.to_f64().unwrap_or(0.0)).collect()

@@ -55,7 +55,7 @@ fn criticality(outcome: &Outcome) -> Option<Figure> {
         x: x.clone(),
         y: y.clone(),
     };
-    Some(Figure::new(&map.caption, "Figure T1", CRITICALITY_CAPTION, map.svg()))
+    Some(Figure::own(&map.caption, CRITICALITY_CAPTION, map.svg()))
 }
 
 const STRIP: &str = "Relative distance from the critical stiffness against eta, both logarithmic. Below a curve that rises to about 0.006 near eta = 0.025 and then falls steeply to zero at eta = 0.138 lies the strip in which a limit cycle and steady sliding are both stable.";
@@ -98,10 +98,10 @@ fn strip(scene: &SceneOutcome) -> Option<Figure> {
         x,
         y,
     };
-    Some(Figure::new(&map.caption, "Figure T2", STRIP_CAPTION, map.svg()))
+    Some(Figure::own(&map.caption, STRIP_CAPTION, map.svg()))
 }
 
-const AMPLITUDES: &str = "Peak velocity of cycles against K/K_c minus 1 at one small eta. With the slip law a stable branch rises from zero towards smaller stiffness. With the aging law an unstable branch rises from zero towards larger stiffness, turns at the fold, and continues as the stable branch to smaller stiffness. Thin dashed parabolas of the theory touch both at zero.";
+const AMPLITUDES: &str = "Peak velocity of cycles against K/K_c minus 1 at one small eta. With the slip law a stable branch rises from zero towards smaller stiffness. With the aging law an unstable branch rises from zero towards larger stiffness, turns at the fold, and continues as the stable branch to smaller stiffness. Thin parabolas of the theory touch both at zero.";
 
 /// The family of the law at the smallest η of the runs at which the aging law has an edge.
 fn family<'c>(
@@ -125,27 +125,25 @@ fn amplitudes(near: &NearTransitionOutcome) -> Option<Figure> {
     let place = |cycle: &FamilyCycle| (cycle.excess, cycle.log_peak);
     let lower: Vec<(f64, f64)> = aging.cycles.iter().filter(unstable).map(place).collect();
     let upper: Vec<(f64, f64)> = aging.cycles.iter().filter(|cycle| !unstable(cycle)).map(place).collect();
-    let origin = vec![(0.0, 0.0)];
     let x = Axis::linear("*K*/*K*_c − 1", "", -0.01, 0.01);
     let highest = near_peak(&upper, x.min);
     let chart = LineChart {
         caption: Caption::new("cycle-amplitudes", "Amplitudes of cycles close to K = K_c", AMPLITUDES),
         y: Axis::linear("ln(*V*_{peak}/*V*_l)", "", 0.0, 1.1 * highest),
         series: vec![
-            Series::line("aging, stable", [vec![fold], upper].concat()),
-            Series::line("aging, unstable", [origin.clone(), lower, vec![fold]].concat()),
-            Series::line("slip, stable", [origin, slip.cycles.iter().map(place).collect()].concat()),
-            Series::marked("aging, runs from *V*_l/10", run_peaks(near, aging)),
-            Series::marked("slip, runs from *V*_l/10", run_peaks(near, slip)),
+            Series::points("aging, stable", [vec![fold], upper].concat()),
+            Series::points("aging, unstable", lower),
+            Series::points("slip, stable", slip.cycles.iter().map(place).collect()),
+            Series::points("aging, runs from *V*_l/10", run_peaks(near, aging)),
+            Series::points("slip, runs from *V*_l/10", run_peaks(near, slip)),
             theory(aging, &x),
             Series { label: String::new(), ..theory(slip, &x) },
         ],
         references: vec![Reference::Vertical { at: 0.0, label: "*K* = *K*_c".into() }],
         x,
     };
-    Some(Figure::new(
+    Some(Figure::own(
         &chart.caption,
-        "Figure T3",
         &format!(
             "Cycles close to $K = K_c$ at $\\eta = {}$, stable and unstable, by Newton's method on the return map, and the limit cycles at which runs from $V_l/10$ end. Thin lines: amplitude $A \\propto \\sqrt{{|1 - K/K_c|}}$ predicted by the first Lyapunov coefficient.",
             rational_to_decimal(inertial, 6)

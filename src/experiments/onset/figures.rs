@@ -45,7 +45,7 @@ fn runs(outcome: &Outcome, index: usize, letter: &str) -> Option<Figure> {
         references: vec![Reference::Horizontal { at: 1.0, label: String::new() }],
     };
     let caption = format!(
-        "Runs at σ = {stress} Pa with the {law} law on either side of the onset (compare fig 4{letter} of the paper, whose caption must mean Pa). Velocities are in units of that of eq 20. The exact boundary lies at {exact}. From {seen} on, V rises again by {visible} V_l after its first peak. The single rise above V_l below the boundary is no oscillation; it occurs because the spring must shorten."
+        "Runs at σ = {stress} Pa with the {law} law on either side of the onset (compare fig 4{letter} of the paper, whose caption must mean Pa). Velocities are in units of that of eq 20. The exact boundary lies at {exact}. From {seen} on, V rises again by {visible} V_l after its first peak. The single rise above V_l below the boundary is no oscillation; it occurs because the spring must shorten. The run at the exact boundary is added to those of the paper."
     );
     (!line.shown.is_empty())
         .then(|| Figure::new(&chart.caption, &format!("Figure 4{letter}"), &caption, chart.svg()))

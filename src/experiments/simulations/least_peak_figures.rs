@@ -70,6 +70,11 @@ fn map(scene: &SceneOutcome) -> Option<Figure> {
     };
     let asymptote =
         Line::new("eq 18", LineRole::Asymptote, vec![(eq18(y.min)?, y.min), (eq18(y.max)?, y.max)]);
+    let (from, to) = (x.min, x.max);
+    let sections = chosen(&outcome.least_peaks, *law).into_iter().map(|least| {
+        let stress = least.normal_stress_pa;
+        Line::new("normal stresses of fig 5b", LineRole::Section, vec![(from, stress), (to, stress)])
+    });
     let title = format!("Peak velocity divided by that at 10^−5.5 m/s, {law_word} law, a < b");
     let map = HeatMap {
         caption: Caption::new("fig-5a", &title, MAP),
@@ -83,7 +88,7 @@ fn map(scene: &SceneOutcome) -> Option<Figure> {
         values,
         zero_areas: Vec::new(),
         zero_label: String::new(),
-        lines: vec![asymptote, least_peak_line(outcome, *law)],
+        lines: sections.chain([asymptote, least_peak_line(outcome, *law)]).collect(),
         marks: Vec::new(),
         x,
         y,
@@ -92,7 +97,7 @@ fn map(scene: &SceneOutcome) -> Option<Figure> {
         &map.caption,
         "Figure 5a",
         &format!(
-            "Peak velocity of the limit cycle with the {law_word} law, divided by that at 10⁻⁵·⁵ m/s and the same normal stress (compare fig 5a of the paper). The dashed line is eq 18. The dotted line joins the minima found by minimisation."
+            "Peak velocity of the limit cycle with the {law_word} law, divided by that at 10⁻⁵·⁵ m/s and the same normal stress (compare fig 5a of the paper). The dashed line is eq 18. The dotted line joins the minima found by minimisation, which the paper does not have: it reads the minimum off the colours. The paper colours its lines of constant normal stress one by one."
         ),
         map.svg_with(said.as_ref()),
     ))
@@ -118,12 +123,12 @@ fn curves(scene: &SceneOutcome, law: EvolutionLaw, id: &str, label: &str) -> Opt
     let outcome = scene.simulations.as_ref()?;
     let (_, grid) = outcome.grids.iter().find(|(of, _)| *of == law)?;
     let of_law: Vec<&LeastPeak> = outcome.least_peaks.iter().filter(|least| least.law == law).collect();
-    let chosen: Vec<&LeastPeak> = of_law.iter().rev().skip(1).step_by(EVERY).take(CURVES).copied().collect();
+    let chosen = chosen(&outcome.least_peaks, law);
     let mut series: Vec<Series> = chosen.iter().filter_map(|least| curve(grid, least)).collect();
     let minima = of_law.iter().filter_map(|least| {
         Some((libm::exp10(least.offset_dex), least.least_m_per_s / unit_peak(grid, least.normal_stress_pa)?))
     });
-    series.push(Series::marked("minima at all normal stresses", minima.collect()));
+    series.push(Series::points("minima at all normal stresses", minima.collect()));
     let heights = || series.iter().flat_map(|line| &line.points).filter(|p| p.0 > LOWEST && p.0 < HIGHEST);
     let (low, high) =
         (heights().map(|p| p.1).fold(f64::INFINITY, f64::min), heights().map(|p| p.1).fold(0.0, f64::max));
@@ -141,10 +146,15 @@ fn curves(scene: &SceneOutcome, law: EvolutionLaw, id: &str, label: &str) -> Opt
         references: vec![Reference::Vertical { at: 1.0, label: "eq 18".into() }],
     };
     let caption = format!(
-        "Normalised peak velocity of the limit cycle with the {} law against the loading velocity divided by that of eq 18 (compare fig 5b of the paper), with the minima found by minimisation.",
+        "Normalised peak velocity of the limit cycle with the {} law against the loading velocity divided by that of eq 18 (compare fig 5b of the paper), with the minima found by minimisation. Every marker is a converged run. The paper joins the runs of its grid by lines and has no minima between them.",
         law.as_str()
     );
     (!chosen.is_empty()).then(|| Figure::new(&chart.caption, label, &caption, chart.svg()))
+}
+
+/// The normal stresses whose curves are drawn.
+fn chosen(least_peaks: &[LeastPeak], law: EvolutionLaw) -> Vec<&LeastPeak> {
+    least_peaks.iter().filter(|least| least.law == law).rev().skip(1).step_by(EVERY).take(CURVES).collect()
 }
 
 /// The row of the grid at a normal stress.
@@ -175,7 +185,7 @@ fn curve(grid: &Grid<SimulatedPoint>, least: &LeastPeak) -> Option<Series> {
         .map(|(velocity, peak)| (velocity, peak / unit))
         .collect();
     points.sort_by(|one, other| one.0.total_cmp(&other.0));
-    Some(Series::line(
+    Some(Series::points(
         format!("*σ* = 10^{{{}}} Pa", round_digits(libm::log10(least.normal_stress_pa), 3)),
         points,
     ))

@@ -1,13 +1,16 @@
 //! The map of simulated peak velocities with the theory's lines over it (fig 3a).
 
 use crate::experiments::map::figures::theory_lines;
+use crate::experiments::onset::{Onset, ShownRun};
 use crate::experiments::shared::axes::axes;
 use crate::experiments::shared::map_readout::simulated_readout;
 use crate::experiments::simulations::{LeastPeak, SimulatedPoint, SimulationsOutcome};
 use crate::experiments::trajectories::curves::point_marks;
 use crate::experiments::{Figure, FigureMaker, Need, SceneOutcome};
 use slipmode_core::friction::EvolutionLaw;
-use slipmode_plot::figure::{Caption, ColourScale, HeatMap, Line, LineRole, Side};
+use slipmode_core::number::nearest_f64;
+use slipmode_core::stability::Asymptote;
+use slipmode_plot::figure::{Caption, ColourScale, HeatMap, Line, LineRole, PointMark, Side};
 
 pub(crate) const FIGURES: &[FigureMaker] = &[FigureMaker::new(
     "fig-3a",
@@ -18,8 +21,8 @@ pub(crate) const FIGURES: &[FigureMaker] = &[FigureMaker::new(
 
 const TITLE: &str = "Peak velocity of the simulated limit cycles, slip law, a < b";
 const DESCRIPTION: &str = "Map over loading velocity and normal stress. Simulations that end in steady sliding fill the lower left, without colour, up to the line of the transition. Beyond it the peak velocity rises with normal stress; from left to right it falls to a minimum near equation 18 and then rises.";
-const LETTERS: &str = " Letters mark the points of figs 3b to 3g.";
-const CAPTION: &str = "Peak velocity of the limit cycle, simulated on a grid with the slip law (compare fig 3a of the paper), with the exact boundary, its asymptotes and the transition of the linear theory. Points that end in steady sliding have no colour. The dotted line joins the lowest peak velocities at given normal stress (compare fig 5). The edge of the colour lies half-way between grid points.";
+const LETTERS: &str = " Letters mark the points of figs 3b to 3g, and 4a and 4b their runs.";
+const CAPTION: &str = "Peak velocity of the limit cycle, simulated on a grid with the slip law (compare fig 3a of the paper), with the exact boundary, its asymptotes and the transition of the linear theory. Points that end in steady sliding have no colour. The dotted line joins the lowest peak velocities at given normal stress (compare fig 5). The edge of the colour lies half-way between grid points. The paper has one circle a simulation and an approximate line between fast and slow oscillation; the exact boundary and the line of lowest peaks are added here.";
 
 fn peak_map(scene: &SceneOutcome) -> Option<Figure> {
     let outcome = scene.simulations.as_ref()?;
@@ -45,7 +48,11 @@ fn peak_map(scene: &SceneOutcome) -> Option<Figure> {
         zero_areas: Vec::new(),
         zero_label: "ends in steady sliding".into(),
         lines,
-        marks: point_marks(scene, "3", |id| format!("**{}**", id.trim_start_matches('3')), Side::Right),
+        marks: [
+            point_marks(scene, "3", |id| format!("**{}**", id.trim_start_matches('3')), Side::Right),
+            onset_marks(scene),
+        ]
+        .concat(),
         x,
         y,
     };
@@ -57,6 +64,21 @@ fn peak_map(scene: &SceneOutcome) -> Option<Figure> {
             map.svg_with(Some(&simulated_readout(grid, boundary))),
         )
     })
+}
+
+/// The runs of figs 4a and 4b; the fastest of each has the name of its figure.
+fn onset_marks(scene: &SceneOutcome) -> Vec<PointMark> {
+    let mark = |(line, letter): (&Onset, char)| {
+        let stress = nearest_f64(&line.normal_stress_pa);
+        let last = line.shown.len().saturating_sub(1);
+        let one = |(index, run): (usize, &ShownRun)| {
+            let label = if index == last { format!("**4{letter}**") } else { String::new() };
+            PointMark::new(label, (run.loading_velocity_m_per_s, stress), Side::Right)
+        };
+        line.shown.iter().enumerate().map(one).collect::<Vec<_>>()
+    };
+    let lines = scene.onset.iter().flat_map(|onset| &onset.lines);
+    lines.filter(|line| line.asymptote == Asymptote::InertialLower).zip('a'..).flat_map(mark).collect()
 }
 
 /// The law of the paper's figure.

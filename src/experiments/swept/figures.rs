@@ -99,7 +99,7 @@ fn laws_map(scene: &SceneOutcome, swept: &Swept) -> Option<Figure> {
         x,
         y,
     };
-    Some(Figure::new(&map.caption, "Figure L1", LAWS_CAPTION, map.svg()))
+    Some(Figure::own(&map.caption, LAWS_CAPTION, map.svg()))
 }
 
 /// The mean peak velocity of limit cycles of either law, cell by cell, σ by σ; 0 where there are none.
@@ -215,7 +215,7 @@ fn worst_errors(worst: &[WorstOfBin]) -> Option<Figure> {
         series: names.into_iter().flat_map(|(arc, label)| [line(arc, label), stairs(arc, label)]).collect(),
         references: vec![Reference::Vertical { at: 1.0, label: "*a* = *b*".into() }],
     };
-    Some(Figure::new(&chart.caption, "Figure L2", WORST_CAPTION, chart.svg()))
+    Some(Figure::own(&chart.caption, WORST_CAPTION, chart.svg()))
 }
 
 /// Places from one end of a bin to the other, evenly in the logarithm.

@@ -38,7 +38,7 @@ fn good_enough(scene: &SceneOutcome) -> Option<Figure> {
             .map(|asymptote| range_row(outcome, asymptote, &tolerances, scale))
             .collect(),
     };
-    Some(Figure::new(&chart.caption, "Figure A3", CAPTION, chart.svg()))
+    Some(Figure::own(&chart.caption, CAPTION, chart.svg()))
 }
 
 /// D_c √(K/M), m/s: the velocity at which η/κ = 1.

@@ -4,10 +4,12 @@ pub(crate) mod figures;
 pub(crate) mod run;
 pub(crate) mod section;
 pub(crate) mod tables;
+mod words;
 
 pub use run::{ToleranceOutcome, ToleranceRow, tolerance_limits};
 pub use section::ToleranceSection;
 pub use tables::place_of_limit;
+pub use words::accuracy_of_asymptotes;
 
 use crate::experiments::work::certified_point_s;
 use crate::experiments::{Experiment, FigureMaker, Setting, TableMaker, Work};

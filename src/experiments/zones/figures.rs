@@ -21,7 +21,7 @@ const FIG_7A: Words = Words {
     id: "fig-7a",
     label: "Figure 7a",
     title: "Slip modes, a < b",
-    caption: "Slip modes, decided exactly at every point (compare fig 7a of the paper), with the exact boundary, the asymptotes and the transition.",
+    caption: "Slip modes, decided exactly at every point (compare fig 7a of the paper), with the exact boundary, the asymptotes and the transition. The paper draws the zones with straight lines instead.",
     description: "Map of the slip modes over loading velocity and normal stress: overdamped stable sliding at low stress and low velocity, non-inertial and inertial underdamped oscillation around it, stick-slip at high stress, harmonic vibration at high velocity.",
 };
 
@@ -29,7 +29,7 @@ const FIG_7B: Words = Words {
     id: "fig-7b",
     label: "Figure 7b",
     title: "Slip modes, a ≥ b",
-    caption: "Slip modes for a ≥ b, decided exactly at every point (compare fig 7b of the paper). All modes are stable. The upper area is an overdamped oscillation.",
+    caption: "Slip modes for a ≥ b, decided exactly at every point (compare fig 7b of the paper). All modes are stable. The upper area is an overdamped oscillation. The paper draws the zones with straight lines instead.",
     description: "Map of the slip modes over loading velocity and normal stress: overdamped stable sliding, non-inertial and inertial underdamped oscillation, and overdamped oscillation at high stress.",
 };
 

@@ -141,6 +141,32 @@ impl Proof {
         self
     }
 
+    /// The proof as text. `elsewhere` is asked with the steps from each one on: it says how many of them are written
+    /// elsewhere, and where; they become one line.
+    #[must_use]
+    pub fn text_without(&self, elsewhere: impl Fn(&[Step]) -> Option<(usize, String)>) -> String {
+        let mut text = format!("{}: {}\n", self.id, self.statement);
+        let mut at = 0;
+        while let Some(step) = self.steps.get(at) {
+            let first = at + 1;
+            let (numbers, mark) = match elsewhere(&self.steps[at..]) {
+                Some((count, place)) if count > 1 => {
+                    at += count;
+                    (format!("{first}-{at}"), format!(" [{place}]"))
+                }
+                _ => {
+                    at += 1;
+                    (first.to_string(), if step.certificate.is_some() { "" } else { " [argued]" }.to_owned())
+                }
+            };
+            text += &format!("  {numbers}. {}{mark}\n", step.says);
+            if let Some(certificate) = step.certificate.as_ref().filter(|_| at == first) {
+                text += &format!("     {certificate}\n");
+            }
+        }
+        text
+    }
+
     /// Checks every certificate again.
     ///
     /// # Errors
@@ -169,15 +195,7 @@ impl Proof {
 
 impl fmt::Display for Proof {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        writeln!(formatter, "{}: {}", self.id, self.statement)?;
-        for (index, step) in self.steps.iter().enumerate() {
-            let mark = if step.certificate.is_some() { "" } else { " [argued]" };
-            writeln!(formatter, "  {}. {}{mark}", index + 1, step.says)?;
-            if let Some(certificate) = &step.certificate {
-                writeln!(formatter, "     {certificate}")?;
-            }
-        }
-        Ok(())
+        formatter.write_str(&self.text_without(|_| None))
     }
 }
 

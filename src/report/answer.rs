@@ -1,0 +1,211 @@
+//! The answer of a report in a few sentences, made of verdicts and outcomes: nothing in it is typed in.
+
+use crate::claims::{Entry, Ledger, Verdict};
+use crate::experiments::Outcome;
+use crate::experiments::tolerance::accuracy_of_asymptotes;
+use crate::report::AnswerView;
+use crate::scene::Question;
+use slipmode_plot::table::escape_markdown;
+
+/// Letters of the claims' ids: heading of the group, and what its claims are about. Those of `X` are our own.
+pub(super) const GROUPS: [(char, &str, &str); 8] = [
+    ('F', "Friction law (F)", "the friction law"),
+    ('L', "Linearisation (L)", "the linearisation"),
+    ('S', "Stability transition (S)", "the stability transition"),
+    ('B', "Boundary of oscillation (B)", "the boundary of oscillation"),
+    ('Q', "Frequency (Q)", "the frequency"),
+    ('N', "Numerical runs (N)", "numerical runs"),
+    ('Z', "Maps and criteria (Z)", "maps and criteria"),
+    ('X', "New results (X)", "new results"),
+];
+
+/// Claims of simulations that say most about the theory: stability, slip modes, and the other evolution law.
+const SIMULATED: [&str; 3] = ["N1", "N2", "N4"];
+
+/// What the report finds, the question of the report first.
+pub(super) fn answer(question: Question, ledger: &Ledger, outcome: &Outcome) -> Vec<AnswerView> {
+    let (own, paper): (Vec<&Entry>, Vec<&Entry>) =
+        ledger.claims.iter().partition(|entry| entry.id.starts_with('X'));
+    let formulas = accuracy_of_asymptotes(outcome).map(|text| AnswerView::new(text, []));
+    let claims = [counts(&paper), right(&paper)];
+    let rest = [wrong(&paper), simulations(&paper), new_results(&own)];
+    let ordered: Vec<Option<AnswerView>> = match question {
+        Question::Claims => claims.into_iter().chain([formulas]).chain(rest).collect(),
+        Question::Formulas => [formulas].into_iter().chain(claims).chain(rest).collect(),
+    };
+    ordered.into_iter().flatten().collect()
+}
+
+fn with<'e>(claims: &'e [&'e Entry], verdict: Verdict) -> impl Iterator<Item = &'e &'e Entry> {
+    claims.iter().filter(move |entry| entry.finding.verdict == verdict)
+}
+
+/// A number of claims with a verb that agrees with it.
+fn counted(claims: &[&Entry], verdict: Verdict, [one, several]: [&str; 2]) -> String {
+    let count = with(claims, verdict).count();
+    format!("{count} {}", if count == 1 { one } else { several })
+}
+
+fn counts(claims: &[&Entry]) -> Option<AnswerView> {
+    let held = counted(claims, Verdict::Holds, ["holds as stated", "hold as stated"]);
+    let limited = counted(claims, Verdict::HoldsWithin, ["holds within a limit", "hold within a limit"]);
+    let failed = counted(claims, Verdict::Fails, ["fails", "fail"]);
+    let open = match with(claims, Verdict::NotChecked).count() {
+        0 => String::new(),
+        count => format!("; {count} could not be checked here"),
+    };
+    let of = match claims.len() {
+        0 => return None,
+        1 => "the one claim of the paper in this report".to_owned(),
+        count => format!("the {count} claims of the paper in this report"),
+    };
+    Some(AnswerView::new(format!("Of {of}, {held}, {limited}, and {failed}{open}."), []))
+}
+
+/// The subjects on which nothing is wrong.
+fn right(claims: &[&Entry]) -> Option<AnswerView> {
+    let verdicts = |letter: char| {
+        let of_letter = claims.iter().filter(move |entry| entry.id.starts_with(letter));
+        of_letter.map(|entry| entry.finding.verdict).collect::<Vec<_>>()
+    };
+    let subjects = |fits: &dyn Fn(&[Verdict]) -> bool| {
+        let fitting = GROUPS.iter().filter(|(letter, ..)| {
+            let verdicts = verdicts(*letter);
+            !verdicts.is_empty() && fits(&verdicts)
+        });
+        listed(&fitting.map(|(.., subject)| *subject).collect::<Vec<_>>())
+    };
+    let held = |verdicts: &[Verdict]| verdicts.iter().all(|it| *it == Verdict::Holds);
+    let right = |verdicts: &[Verdict]| {
+        verdicts.iter().all(|it| matches!(it, Verdict::Holds | Verdict::HoldsWithin)) && !held(verdicts)
+    };
+    let text = match (subjects(&held), subjects(&right)) {
+        (None, None) => return None,
+        (Some(whole), None) => format!("Right: all claims about {whole} hold as stated."),
+        (None, Some(limited)) => format!("Right within stated limits: the claims about {limited}."),
+        (Some(whole), Some(limited)) => {
+            format!(
+                "Right: all claims about {whole} hold as stated, and those about {limited} at least within a limit."
+            )
+        }
+    };
+    Some(AnswerView::new(text, []))
+}
+
+/// `one`, `one and two`, `one, two and three`.
+fn listed(words: &[&str]) -> Option<String> {
+    let (last, before) = words.split_last()?;
+    Some(if before.is_empty() { (*last).into() } else { format!("{} and {last}", before.join(", ")) })
+}
+
+/// Every claim that fails, in its own words.
+fn wrong(claims: &[&Entry]) -> Option<AnswerView> {
+    let failed: Vec<&Entry> = with(claims, Verdict::Fails).copied().collect();
+    let text = match failed.len() {
+        0 => return None,
+        1 => "One claim is wrong as stated, with a counter-example:".to_owned(),
+        count => format!("Wrong as stated are {count} claims, each with a counter-example:"),
+    };
+    Some(AnswerView { is_list: true, ..AnswerView::new(text, failed.iter().map(|entry| &entry.id)) })
+}
+
+/// What simulations of the full equations say of stability, slip modes and the other law.
+fn simulations(claims: &[&Entry]) -> Option<AnswerView> {
+    let decided = SIMULATED.iter().filter_map(|id| {
+        let entry = claims.iter().find(|entry| entry.id == *id)?;
+        Some((&entry.id, said(entry)?))
+    });
+    let (ids, said): (Vec<&String>, Vec<String>) = decided.unzip();
+    (!ids.is_empty()).then(|| AnswerView::new(format!("In simulations: {}.", said.join("; ")), ids))
+}
+
+fn new_results(own: &[&Entry]) -> Option<AnswerView> {
+    let ids = || own.iter().map(|entry| &entry.id);
+    let said: Vec<String> = own.iter().filter_map(|entry| said(entry)).collect();
+    (!said.is_empty()).then(|| AnswerView::new(format!("Beyond the paper: {}.", said.join("; ")), ids()))
+}
+
+/// The words of a claim with what was found, up to the first semicolon of its limit; `None` for what was not checked.
+fn said(entry: &Entry) -> Option<String> {
+    let words = escape_markdown(entry.words.trim_end_matches('.'));
+    let first = |found: &Option<String>| {
+        let found = found.as_deref().unwrap_or_default();
+        escape_markdown(found.split(';').next().unwrap_or_default().trim_end_matches('.'))
+    };
+    match entry.finding.verdict {
+        Verdict::Holds => Some(format!("“{words}” holds")),
+        Verdict::HoldsWithin => Some(format!("“{words}” holds within {}", first(&entry.finding.limit))),
+        Verdict::Fails => Some(format!("“{words}” fails: {}", first(&entry.finding.counter_example))),
+        Verdict::NotChecked => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::claims::{Evidence, Finding};
+
+    fn entry(id: &str, finding: Finding) -> Entry {
+        Entry {
+            id: id.into(),
+            place: String::new(),
+            words: format!("Words of {id}."),
+            criterion: "",
+            expected: finding.verdict,
+            finding,
+            not_established: "",
+            rests_on: &[],
+        }
+    }
+
+    fn held() -> Finding {
+        Finding::from_evidence(Evidence::Sample { quantity: "q".into(), value: "v".into(), points: 1 })
+    }
+
+    fn sentences(claims: Vec<Entry>) -> Vec<AnswerView> {
+        let ledger = Ledger { report: "r".into(), claims };
+        answer(Question::Claims, &ledger, &Outcome::default())
+    }
+
+    #[test]
+    fn every_sentence_follows_from_verdicts() {
+        let limited = held().within("a first limit; a second one");
+        let found = sentences(vec![
+            entry("L1", held()),
+            entry("S1", held()),
+            entry("S3", limited.clone()),
+            entry("B6", Finding::failing("a point")),
+            entry("N1", held()),
+            entry("N2", limited),
+            entry("N3", Finding::not_checked("no runs")),
+            entry("X1", held()),
+        ]);
+        let texts: Vec<&str> = found.iter().map(|sentence| sentence.text_markdown.as_str()).collect();
+        assert_eq!(
+            texts,
+            [
+                "Of the 7 claims of the paper in this report, 3 hold as stated, 2 hold within a limit, and 1 fails; 1 could not be checked here.",
+                "Right: all claims about the linearisation hold as stated, and those about the stability transition at least within a limit.",
+                "One claim is wrong as stated, with a counter-example:",
+                "In simulations: “Words of N1” holds; “Words of N2” holds within a first limit.",
+                "Beyond the paper: “Words of X1” holds.",
+            ]
+        );
+        assert!(found[2].is_list && found[2].claims == ["B6"]);
+        assert_eq!(found[3].claims, ["N1", "N2"]);
+    }
+
+    #[test]
+    fn a_verdict_that_changes_changes_the_answer() {
+        let of = |finding: Finding| sentences(vec![entry("S1", finding)]);
+        assert!(of(held())[1].text_markdown.contains("all claims about the stability transition hold"));
+        let failed = of(Finding::failing("a point"));
+        assert!(failed[0].text_markdown.contains("0 hold as stated") && failed[1].claims == ["S1"]);
+    }
+
+    #[test]
+    fn a_report_without_claims_has_no_answer() {
+        assert!(sentences(Vec::new()).is_empty());
+        assert_eq!(sentences(vec![entry("S1", Finding::not_checked("no scene"))]).len(), 1);
+    }
+}

@@ -1,0 +1,13 @@
+//! What the first sentence of a report answers.
+
+slipmode_core::named! {
+    /// What a report is for.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+    pub enum Question {
+        /// Which claims of the paper hold.
+        #[default]
+        Claims = "claims",
+        /// Which formula may be used for this slider.
+        Formulas = "formulas",
+    }
+}
