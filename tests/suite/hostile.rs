@@ -251,9 +251,12 @@ fn send(signal: &str, child: &Child) {
     assert!(sent.success());
 }
 
-/// A command that waits for the end of its standard input with its output begun.
-fn begun(place: &Workplace, arguments: &str, signal_mask: &str) -> Child {
-    let script = format!("{signal_mask} exec \"$0\" \"$@\"");
+/// Starts a program with no signal ignored, whatever the caller of the tests ignores (`nohup` ignores HUP).
+const NOTHING_IGNORED: &str = "exec env --default-signal";
+
+/// A command that waits for the end of its standard input with its output begun; `start` is how a shell starts it.
+fn begun(place: &Workplace, arguments: &str, start: &str) -> Child {
+    let script = format!("{start} \"$0\" \"$@\"");
     let mut child = Command::new("sh")
         .args(["-c", &script, env!("CARGO_BIN_EXE_slipmode")])
         .args(arguments.split(' '))
@@ -289,7 +292,7 @@ fn a_signal_leaves_the_earlier_output_and_nothing_hidden() {
     ] {
         for (signal, number) in [("INT", 2), ("TERM", 15), ("HUP", 1)] {
             place.write("kept.csv", kept);
-            let child = begun(&place, arguments, "");
+            let child = begun(&place, arguments, NOTHING_IGNORED);
             send(signal, &child);
             let mut child = child;
             let status = child.wait().unwrap();
@@ -299,7 +302,7 @@ fn a_signal_leaves_the_earlier_output_and_nothing_hidden() {
             assert!(!place.path("kept").exists());
         }
         // What cannot be caught leaves a hidden file, in the way of nobody.
-        let mut child = begun(&place, arguments, "");
+        let mut child = begun(&place, arguments, NOTHING_IGNORED);
         child.kill().unwrap();
         child.wait().unwrap();
         assert_eq!(hidden(&place).len(), 1, "{arguments}");
@@ -315,7 +318,7 @@ fn a_signal_leaves_the_earlier_output_and_nothing_hidden() {
 #[test]
 fn a_signal_that_the_caller_has_ignored_stays_ignored() {
     let place = workplace();
-    let child = begun(&place, "classify --points - -o out.csv", "trap '' HUP;");
+    let child = begun(&place, "classify --points - -o out.csv", "trap '' HUP; exec");
     send("HUP", &child);
     assert_eq!(end_of(child).code(), Some(0));
     assert_eq!(place.read("out.csv").lines().count(), 2);
