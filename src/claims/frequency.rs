@@ -1,9 +1,8 @@
 //! Claims Q: the frequency of oscillation and its limits.
 
 use crate::claims::reading::{Draft, of_readings};
-use crate::claims::{Check, Evidence, Finding};
+use crate::claims::{Check, Evidence, Finding, frequency_turns};
 use crate::experiments::frequency::{FrequencyLine, FrequencyOutcome};
-use crate::experiments::map::MapPoint;
 use crate::experiments::{Context, Need};
 use slipmode_core::number::format::{certain_digits, rational_to_decimal, round_digits};
 use slipmode_core::number::{Ball, Rational, Real};
@@ -35,8 +34,8 @@ pub(super) const CHECKS: &[Check] = &[
     Check {
         id: "Q3",
         criterion: "At σ = σ_c the ratio of max Im(s) to eq 23 tends to 1 as V0 → 0, max Im(s) rises strictly with V0, and it reaches ω_n.",
-        not_established: "Monotonic behaviour between the grid points of the map, at normal stresses other than σ_c.",
-        needs: &[Need::Frequency, Need::Map],
+        not_established: "By how much the frequency falls at normal stresses close to eq 16.",
+        needs: &[Need::Frequency],
         rests_on: &["S6", "Q1"],
         decide: q3,
     },
@@ -81,8 +80,10 @@ fn q3(context: &Context) -> Finding {
             "it reaches ω_n",
             proved().within("the limit V0 → ∞; it is strictly below ω_n at every velocity"),
         );
-    let area = Draft::new("in the whole area of low frequency, between eqs 16 and 15")
-        .part("at every normal stress the frequency rises with velocity", rises_in_the_area(context));
+    let area = Draft::new("in the whole area of low frequency, between eqs 16 and 15").part(
+        "at every normal stress the frequency rises with velocity",
+        frequency_turns::rises_in_the_area(context),
+    );
     of_readings([written, area])
 }
 
@@ -106,41 +107,6 @@ fn near_the_limits(context: &Context) -> Vec<Evidence> {
         points: outcome.loading_velocity_m_per_s.len(),
     };
     vec![last_velocity_near(outcome, line, per_metre), highest]
-}
-
-/// Whether max Im(s) rises between all neighbours of the map at the normal stresses between eqs 16 and 15.
-fn rises_in_the_area(context: &Context) -> Finding {
-    let scene = context.outcome.potentially_unstable();
-    let Some((slider, map)) = scene.and_then(|scene| Some((scene.slider()?, scene.map.as_ref()?))) else {
-        return Finding::not_checked("The report has no map of a slider with a < b.");
-    };
-    let slider = slider.map(|value| Ball::from_rational(value, 128));
-    let lowest = asymptote::quasi_static_lower_normal_stress_pa(&slider).to_f64();
-    let highest = asymptote::quasi_static_upper_normal_stress_pa(&slider).to_f64();
-    let between = |stress: f64| lowest < stress && stress < highest;
-    let points: Vec<_> = map.points().filter(|(_, stress, _)| between(*stress)).collect();
-    let neighbours = || {
-        let pairs = points.windows(2).filter(|pair| pair[0].1 == pair[1].1);
-        pairs.filter(|pair| pair.iter().all(|(_, _, point)| !point.max_imaginary_per_s.is_zero()))
-    };
-    let falls = |pair: &&[(f64, f64, &MapPoint)]| {
-        pair[1].2.max_imaginary_per_s.to_f64() <= pair[0].2.max_imaginary_per_s.to_f64()
-    };
-    let (all, falling) = (neighbours().count(), neighbours().filter(falls).count());
-    let finding = Finding::from_evidence(Evidence::Sample {
-        quantity: "Neighbouring oscillating points of the map, at the same σ between eqs 16 and 15, whose max Im(s) rises with V0".into(),
-        value: format!("{} of {all}", all - falling),
-        points: points.len(),
-    });
-    match neighbours().find(falls) {
-        None => finding.on("neighbours on the grid of the map"),
-        Some(pair) => finding.refuted(format!(
-            "{falling} of {all} neighbours; at σ = {} Pa it falls from V0 = {} to {} m/s",
-            round_digits(pair[0].1, 4),
-            round_digits(pair[0].0, 4),
-            round_digits(pair[1].0, 4)
-        )),
-    }
 }
 
 /// The highest velocity up to which eq 23 is within 1 %.

@@ -38,6 +38,25 @@ pub(super) const CHECKS: &[Check] = &[
         rests_on: &["L3"],
         decide: f4,
     },
+    Check {
+        id: "F5",
+        criterion: "Without slip, by eq 2 and for b > 0, the friction of eq 1 grows with time in proportion to ln t.",
+        not_established: "Healing of a real contact.",
+        needs: &[],
+        rests_on: &["F3"],
+        decide: |context| {
+            Finding::from_proofs([steady_state::healing(context.equations)])
+                .within("the state's part of eq 1; at V = 0 eq 1 itself has no value, because of ln V")
+        },
+    },
+    Check {
+        id: "F6",
+        criterion: "Another reference velocity in eq 1 changes μ0 only, and eq 8 does not contain μ0.",
+        not_established: "Nothing beyond the two equations.",
+        needs: &[],
+        rests_on: &["L3"],
+        decide: |context| Finding::from_proofs([steady_state::reference_velocity(context.equations)]),
+    },
 ];
 
 /// μ0 of the comparison, as the claim states it: 3/5.

@@ -8,6 +8,7 @@ mod boundary;
 mod evidence;
 mod finding;
 mod frequency;
+mod frequency_turns;
 mod friction_law;
 mod ledger;
 mod linearisation;
@@ -59,6 +60,7 @@ pub fn checks() -> impl Iterator<Item = &'static Check> {
         transition::CHECKS,
         boundary::CHECKS,
         frequency::CHECKS,
+        frequency_turns::CHECKS,
         zones::CHECKS,
         numerical::CHECKS,
     ]

@@ -14,7 +14,7 @@ pub struct PlantedFaults {
     pub equation: String,
     /// How many wrong versions were planted.
     pub planted: usize,
-    /// How many of them changed the verdict of a claim, or were refused when they were read.
+    /// How many of them changed the verdict on a claim or on a part of it, or were refused when they were read.
     pub noticed: usize,
     /// How many versions say the same in other words, and are no faults.
     pub harmless: usize,
@@ -39,14 +39,25 @@ pub struct Survivor {
 #[must_use]
 pub fn plant_faults(context: &Context) -> Vec<PlantedFaults> {
     let theory: Vec<&'static Check> = checks().filter(|check| !check.id.starts_with('N')).collect();
-    let sound: Vec<(&'static Check, Verdict)> =
-        theory.into_par_iter().map(|check| (check, (check.decide)(context).verdict)).collect();
+    let sound: Vec<(&'static Check, Vec<Verdict>)> =
+        theory.into_par_iter().map(|check| (check, verdicts(check, context))).collect();
     let numbered: Vec<&Equation> =
         context.equations.iter().filter(|equation| equation.number.parse::<u32>().is_ok()).collect();
     numbered.into_par_iter().map(|equation| plant(equation, context, sound.clone())).collect()
 }
 
-fn plant(equation: &Equation, context: &Context, mut sound: Vec<(&'static Check, Verdict)>) -> PlantedFaults {
+/// The verdict on a claim and those on its parts.
+fn verdicts(check: &Check, context: &Context) -> Vec<Verdict> {
+    let finding = (check.decide)(context);
+    let parts = finding.readings.iter().flat_map(|reading| &reading.parts).map(|part| part.verdict);
+    std::iter::once(finding.verdict).chain(parts).collect()
+}
+
+fn plant(
+    equation: &Equation,
+    context: &Context,
+    mut sound: Vec<(&'static Check, Vec<Verdict>)>,
+) -> PlantedFaults {
     let mut found = PlantedFaults { equation: equation.number.clone(), ..PlantedFaults::default() };
     for Alteration { kind, text, says_the_same } in alterations(equation) {
         if says_the_same {
@@ -60,7 +71,7 @@ fn plant(equation: &Equation, context: &Context, mut sound: Vec<(&'static Check,
             continue;
         };
         let altered = Context::new(&equations, context.outcome);
-        let notices = |(check, verdict): &(&Check, Verdict)| (check.decide)(&altered).verdict != *verdict;
+        let notices = |(check, sound): &(&Check, Vec<Verdict>)| verdicts(check, &altered) != *sound;
         match sound.iter().position(notices) {
             Some(at) => {
                 found.noticed += 1;
@@ -77,7 +88,10 @@ fn plant(equation: &Equation, context: &Context, mut sound: Vec<(&'static Check,
 
 #[cfg(test)]
 mod tests {
+    use std::collections::BTreeSet;
+
     use super::*;
+    use crate::claims::{Evidence, Finding};
     use crate::experiments::Outcome;
     use crate::scene::read_equations;
 
@@ -104,5 +118,41 @@ mod tests {
             .map(|one| (one.equation.as_str(), one.harmless))
             .collect();
         assert_eq!(harmless, [("15", 1), ("16", 1), ("18", 1), ("23", 1)]);
+    }
+
+    fn equations_of(finding: Finding) -> BTreeSet<String> {
+        let steps = finding.evidence.into_iter().flat_map(|evidence| match evidence {
+            Evidence::Proof { proof } => proof.steps,
+            _ => Vec::new(),
+        });
+        steps.flat_map(|step| step.equations).collect()
+    }
+
+    #[test]
+    fn every_claim_that_the_equations_decide_notices_a_fault_of_its_own() {
+        let text = include_str!("../../reports/im-avouac/equations.toml");
+        let equations = read_equations("equations.toml", text.as_bytes()).unwrap();
+        let nothing = Outcome::default();
+        let context = Context::new(&equations, &nothing);
+        let altered: Vec<_> = equations
+            .iter()
+            .flat_map(|one| alterations(one).into_iter().map(|change| (one.number.as_str(), change)))
+            .filter(|(_, change)| !change.says_the_same)
+            .filter_map(|(number, change)| Some((number, equations.altered(number, &change.text).ok()?)))
+            .collect();
+        let decided: Vec<_> = checks()
+            .map(|check| (check, verdicts(check, &context)))
+            .filter(|(_, sound)| sound[0] != Verdict::NotChecked)
+            .collect();
+        assert!(decided.len() > 30, "{}", decided.len());
+        let blind = decided.into_par_iter().filter(|(check, sound)| {
+            // The equations that the claim's proofs name come first: one of their faults is noticed.
+            let named = equations_of((check.decide)(&context));
+            let (likely, other): (Vec<_>, Vec<_>) =
+                altered.iter().partition(|(number, _)| named.contains(*number));
+            let unseen = |(_, altered): &&_| verdicts(check, &Context::new(altered, &nothing)) == *sound;
+            likely.iter().all(unseen) && other.iter().all(unseen)
+        });
+        assert_eq!(blind.map(|(check, _)| check.id).collect::<Vec<_>>(), Vec::<&str>::new());
     }
 }

@@ -2,8 +2,9 @@
 
 use std::collections::BTreeSet;
 
+use crate::claims::reading::{Draft, of_readings};
 use crate::claims::{Check, Evidence, Finding};
-use crate::experiments::zones::ZonesOutcome;
+use crate::experiments::zones::{InertialLine, LineCount, ZonesOutcome};
 use crate::experiments::{Context, Need, SceneOutcome};
 use slipmode_core::number::format::{certain_digits, round_digits};
 use slipmode_core::stability::SlipMode;
@@ -53,6 +54,32 @@ pub(super) const CHECKS: &[Check] = &[
         rests_on: &["B2", "B4", "B5", "S1", "S6"],
         decide: z5,
     },
+    Check {
+        id: "Z6",
+        criterion: "The ratio of eq 20 and η contain M and V0 as M V0² only, rise with it, and fall with σ and with a.",
+        not_established: "Where vibration emerges on the exact boundary, which b and D_c move too: see Z4.",
+        needs: &[],
+        rests_on: &["Z3"],
+        decide: |context| {
+            Finding::from_proofs([criteria::energy_stress_and_direct_effect(context.equations)])
+        },
+    },
+    Check {
+        id: "Z7",
+        criterion: "Each boundary between slip modes has an equation of the paper that it tends to or that draws it on the map.",
+        not_established: "Whether simulated motion changes at the same place: see the N claims.",
+        needs: &[Need::Map, Need::Zones],
+        rests_on: &["S4", "B10"],
+        decide: z7,
+    },
+    Check {
+        id: "Z8",
+        criterion: "The map of eqs 9, 15, 16, 18 and 20 and a straight line between the corners of the asymptotes puts every point into its exact slip mode.",
+        not_established: "The line that fig 7 shows: the text does not define it, and the straight line is an assumption.",
+        needs: &[Need::Map, Need::Zones],
+        rests_on: &["Z1"],
+        decide: z8,
+    },
 ];
 
 fn z1(context: &Context) -> Finding {
@@ -93,6 +120,89 @@ fn z1(context: &Context) -> Finding {
     finding
         .within(format!("the lines give the wrong stability or oscillation on {} of the map", limits.join(" and ")))
         .remark("The line between inertial and non-inertial oscillation follows from none of the five equations. It needs a threshold on ω/ω_n, or another line such as V0 = V_c.")
+}
+
+/// The best of the lines that could divide inertial from non-inertial oscillation.
+fn best_line(zones: &ZonesOutcome) -> Option<&LineCount> {
+    zones.inertial_lines.iter().min_by_key(|count| count.misplaced)
+}
+
+fn z7(context: &Context) -> Finding {
+    let series = match asymptote_series::derive(context.equations, 1) {
+        Ok(series) => series,
+        Err(refutation) => return Finding::from_proofs([Err(refutation)]),
+    };
+    let tends = |numbers: [&str; 2]| {
+        let named = series.iter().filter(|series| numbers.contains(&series.equation));
+        Finding::from_proofs(named.map(|series| Ok(series.proof.clone())))
+            .within("the limits that Z5 quantifies")
+    };
+    let zones = context.outcome.potentially_unstable().and_then(|scene| scene.zones.as_ref());
+    let inertial = match zones.and_then(|zones| Some((zones, best_line(zones)?))) {
+        None => Finding::not_checked("The report has no zones for a < b."),
+        Some((zones, best)) => {
+            let points = zones.exact.values.len();
+            let finding = Finding::from_evidence(Evidence::Sample {
+                quantity: format!(
+                    "Points that the best of {} lines ({}) leaves in another slip mode",
+                    zones.inertial_lines.len(),
+                    best.line.as_str()
+                ),
+                value: best.misplaced.to_string(),
+                points,
+            });
+            finding.require(best.misplaced == 0, || format!("the paper has no equation for it, and the best of {} lines leaves {} % of the points in another slip mode", zones.inertial_lines.len(), percent(best.misplaced, points)))
+        }
+    };
+    of_readings([Draft::new("every boundary between slip modes has an asymptotic equation")
+        .part("overdamped and underdamped: eqs 16 and 20", tends(["16", "20"]))
+        .part("stick-slip with real roots and with a complex pair: eqs 15 and 18", tends(["15", "18"]))
+        .part(
+            "stable and unstable: eqs 12 and 13",
+            Finding::from_proofs([transition::critical_stress_and_velocity(context.equations)]),
+        )
+        .part("inertial and non-inertial", inertial)])
+}
+
+fn z8(context: &Context) -> Finding {
+    let scenes = [
+        (context.outcome.potentially_unstable(), "a < b"),
+        (context.outcome.intrinsically_stable(), "a > b"),
+    ];
+    let part = |draft: Draft, (scene, case): (Option<&SceneOutcome>, &str)| {
+        let zones = scene.and_then(|scene| scene.zones.as_ref());
+        let straight = zones
+            .and_then(|zones| zones.inertial_lines.iter().find(|count| count.line == InertialLine::Corners));
+        draft.part(
+            case,
+            match zones.zip(straight) {
+                None => Finding::not_checked(format!("The report has no zones for {case}.")),
+                Some((zones, straight)) => drawn_map(zones, straight),
+            },
+        )
+    };
+    of_readings([scenes
+        .into_iter()
+        .fold(Draft::new("the lines divide the plane into the zones of fig 7"), part)])
+}
+
+/// The map with the straight line between the corners: how often it is wrong, next to the other lines.
+fn drawn_map(zones: &ZonesOutcome, straight: &LineCount) -> Finding {
+    let points = zones.exact.values.len();
+    let counts =
+        zones.inertial_lines.iter().map(|count| format!("{}: {}", count.line.as_str(), count.misplaced));
+    let finding = Finding::from_evidence(Evidence::Sample {
+        quantity: "Points in another slip mode than the exact one, for each line".into(),
+        value: counts.collect::<Vec<_>>().join("; "),
+        points,
+    });
+    match straight.misplaced {
+        0 => finding.on("the grid of the map"),
+        misplaced => finding.within(format!(
+            "{} % of the points of the map are in another slip mode",
+            percent(misplaced, points)
+        )),
+    }
 }
 
 fn percent(part: usize, whole: usize) -> String {

@@ -1,5 +1,6 @@
 //! `report` and `verify`: a folder read whole, verdicts compared with the record, files against the published copy.
 
+use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 
@@ -191,5 +192,22 @@ fn the_figures_of_the_paper_come_in_the_order_of_the_paper() {
         let placed = figures_placed(report);
         assert!(placed.len() >= least && placed.is_sorted(), "{report}: {placed:?}");
         assert_eq!(placed[0], "1", "{report}: the first figure stands beside the answer");
+    }
+}
+
+/// The table of the paper's statements names every claim about the paper, and no claim that the report does not decide.
+#[test]
+fn every_statement_of_the_paper_has_a_claim_or_a_reason_and_every_claim_a_statement() {
+    let statements = include_str!("../../reports/im-avouac/prose/statements.md");
+    let claims = include_str!("../../reports/im-avouac/claims.toml");
+    let linked: BTreeSet<&str> =
+        statements.split("(#claim-").skip(1).filter_map(|rest| rest.split(')').next()).collect();
+    let ids = claims.split("id = \"").skip(1).filter_map(|rest| rest.split('"').next());
+    // Claims X are results of this report, not statements of the paper.
+    let of_paper: BTreeSet<&str> = ids.filter(|id| !id.starts_with('X')).collect();
+    assert_eq!(linked, of_paper);
+    let rows = statements.lines().filter(|line| line.starts_with("| ")).skip(2);
+    for row in rows {
+        assert!(row.contains("(#claim-") || row.contains("| not decided: "), "{row}");
     }
 }

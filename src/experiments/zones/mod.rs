@@ -5,7 +5,7 @@ pub(crate) mod run;
 pub(crate) mod section;
 pub(crate) mod tables;
 
-pub use run::{ThresholdShare, ZonesOutcome, compare_zones};
+pub use run::{InertialLine, LineCount, ThresholdShare, ZonesOutcome, compare_zones};
 pub use section::ZonesSection;
 
 use crate::experiments::map::classify_rectangle;

@@ -1,4 +1,4 @@
-//! The simplified map of fig 7, drawn from the paper's equations, against exact slip modes (claim Z1).
+//! The simplified map of fig 7, drawn from the paper's equations, against exact slip modes (claims Z1 and Z8).
 
 use crate::experiments::map::MapPoint;
 use crate::experiments::shared::Grid;
@@ -8,6 +8,32 @@ use slipmode_core::stability::{Asymptote, SlipMode, SpectralClass};
 
 /// ω/ω_n of the thresholds whose effect on the map is reported, besides the default √(1/2).
 const FREQUENCY_RATIOS: [f64; 7] = [0.1, 0.3, 0.5, std::f64::consts::FRAC_1_SQRT_2, 0.9, 0.95, 0.99];
+
+slipmode_core::named! {
+    /// A line that could divide inertial from non-inertial oscillation in fig 7. The paper's text gives no equation for it.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+    pub enum InertialLine {
+        /// V0² = |V_c²| (eq 13), where eq 23 equals ω_n.
+        CriticalVelocity = "V0 = V_c",
+        /// η = 1, where K = K_c has ω = ω_n/√2.
+        InertialParameter = "η = 1",
+        /// The straight line, on logarithmic axes, from the corner of eqs 15 and 18 to that of eqs 16 and 20.
+        Corners = "line between the corners",
+        /// Eq 18, continued below eq 15.
+        InertialUpper = "eq 18",
+        /// Eq 20, continued above eq 16.
+        InertialLower = "eq 20",
+    }
+}
+
+/// How many points a map with one of these lines puts into another slip mode than the exact one.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct LineCount {
+    /// The line.
+    pub line: InertialLine,
+    /// The points.
+    pub misplaced: usize,
+}
 
 /// Exact slip modes next to those the simplified map assigns.
 #[derive(Debug, Clone, PartialEq)]
@@ -20,6 +46,8 @@ pub struct ZonesOutcome {
     pub disagreeing_areas: usize,
     /// Points where they disagree on the slip mode (also on inertial against non-inertial).
     pub disagreeing_modes: usize,
+    /// How often the simplified map is wrong with each line between inertial and non-inertial, in the order of the list.
+    pub inertial_lines: Vec<LineCount>,
     /// How the map depends on the threshold between inertial and non-inertial.
     pub thresholds: Vec<ThresholdShare>,
 }
@@ -37,25 +65,31 @@ pub struct ThresholdShare {
     pub moved: usize,
 }
 
-/// Holds the exact slip modes of a map against the simplified map of fig 7 on the same points.
+/// Compares the exact slip modes of a map with the simplified map of fig 7 on the same points.
 #[must_use]
 pub fn compare_zones(parameters: &Slider<Rational>, map: &Grid<MapPoint>) -> ZonesOutcome {
-    let simplified = Grid {
+    let lines = Lines::new(&parameters.map(nearest_f64));
+    let zones = |line| Grid {
         loading_velocity_m_per_s: map.loading_velocity_m_per_s.clone(),
         normal_stress_pa: map.normal_stress_pa.clone(),
-        values: map
-            .points()
-            .map(|(velocity, stress, _)| simplified_zone(parameters, velocity, stress))
-            .collect(),
+        values: map.points().map(|(velocity, stress, _)| lines.zone(line, velocity, stress)).collect(),
     };
-    let pairs = || map.values.iter().zip(&simplified.values);
-    let disagreeing_areas = pairs().filter(|(point, zone)| area(point.spectral_class) != zone.area()).count();
-    let disagreeing_modes = pairs().filter(|(point, zone)| point.slip_mode != zone.slip_mode()).count();
+    let misplaced = |zones: &Grid<Zone>| {
+        let pairs = map.values.iter().zip(&zones.values);
+        pairs.filter(|(point, zone)| point.slip_mode != zone.slip_mode()).count()
+    };
+    // For a = b eqs 15 and 18 are infinite, and there is no corner between them.
+    let drawn =
+        InertialLine::ALL.into_iter().filter(|line| *line != InertialLine::Corners || lines.has_corners());
+    let inertial_lines = drawn.map(|line| LineCount { line, misplaced: misplaced(&zones(line)) }).collect();
+    let simplified = zones(InertialLine::CriticalVelocity);
+    let pairs = map.values.iter().zip(&simplified.values);
     ZonesOutcome {
         exact: map.map(|point| point.slip_mode),
+        disagreeing_areas: pairs.filter(|(point, zone)| area(point.spectral_class) != zone.area()).count(),
+        disagreeing_modes: misplaced(&simplified),
         simplified: simplified.map(Zone::slip_mode),
-        disagreeing_areas,
-        disagreeing_modes,
+        inertial_lines,
         thresholds: threshold_shares(parameters, map),
     }
 }
@@ -98,15 +132,56 @@ impl Zone {
 }
 
 /// The lines of fig 7 in 64 bits: a rounding error could only move a point that lies on a line.
-fn simplified_zone(parameters: &Slider<Rational>, velocity: f64, stress: f64) -> Zone {
-    let slider = parameters.map(nearest_f64);
-    let value = |asymptote: Asymptote| asymptote.value(&slider, &stress);
-    Zone {
-        stable: slider.stiffness_pa_per_m > slider.at(stress, velocity).critical_stiffness(),
-        upper: stress > value(Asymptote::QuasiStaticUpper) && velocity < value(Asymptote::InertialUpper),
-        lower: stress < value(Asymptote::QuasiStaticLower) && velocity < value(Asymptote::InertialLower),
-        // Eq 23 meets ω_n at V_c; for a > b the same line with |b − a|.
-        inertial: velocity * velocity > slider.critical_velocity_squared().abs(),
+struct Lines {
+    slider: Slider<f64>,
+    /// Eqs 15 and 16, Pa.
+    upper_pa: f64,
+    lower_pa: f64,
+}
+
+impl Lines {
+    fn new(slider: &Slider<f64>) -> Self {
+        let stress = |asymptote: Asymptote| asymptote.value(slider, &1.0);
+        Self {
+            slider: slider.clone(),
+            upper_pa: stress(Asymptote::QuasiStaticUpper),
+            lower_pa: stress(Asymptote::QuasiStaticLower),
+        }
+    }
+
+    fn has_corners(&self) -> bool {
+        self.upper_pa.is_finite()
+    }
+
+    fn zone(&self, line: InertialLine, velocity: f64, stress: f64) -> Zone {
+        let velocity_of = |asymptote: Asymptote| asymptote.value(&self.slider, &stress);
+        let point = self.slider.at(stress, velocity);
+        let inertial = match line {
+            // Eq 23 meets ω_n at V_c; for a > b the same line with |b − a|.
+            InertialLine::CriticalVelocity => {
+                velocity * velocity > self.slider.critical_velocity_squared().abs()
+            }
+            InertialLine::InertialParameter => point.groups().inertial_parameter > 1.0,
+            InertialLine::Corners => velocity > self.velocity_between_corners(stress),
+            InertialLine::InertialUpper => velocity > velocity_of(Asymptote::InertialUpper),
+            InertialLine::InertialLower => velocity > velocity_of(Asymptote::InertialLower),
+        };
+        Zone {
+            stable: self.slider.stiffness_pa_per_m > point.critical_stiffness(),
+            upper: stress > self.upper_pa && velocity < velocity_of(Asymptote::InertialUpper),
+            lower: stress < self.lower_pa && velocity < velocity_of(Asymptote::InertialLower),
+            inertial,
+        }
+    }
+
+    /// Eq 18 above the upper corner, eq 20 below the lower one, the straight line between them on logarithmic axes, m/s.
+    fn velocity_between_corners(&self, stress: f64) -> f64 {
+        let low = stress.min(self.lower_pa);
+        let high = stress.max(self.upper_pa);
+        let [from, to] = [(Asymptote::InertialLower, low), (Asymptote::InertialUpper, high)]
+            .map(|(asymptote, stress)| asymptote.value(&self.slider, &stress));
+        let share = libm::log(stress / low) / libm::log(high / low);
+        from * libm::pow(to / from, share)
     }
 }
 

@@ -8,6 +8,7 @@ use slipmode_plot::table::Table;
 
 pub(crate) const TABLES: &[TableMaker] = &[
     TableMaker { id: "zones", needs: &[Need::Map, Need::Zones], make: zones },
+    TableMaker { id: "inertial-lines", needs: &[Need::Map, Need::Zones], make: inertial_lines },
     TableMaker { id: "thresholds", needs: &[Need::Map, Need::Zones], make: thresholds },
 ];
 
@@ -26,6 +27,23 @@ fn zones(context: &Context) -> Option<Table> {
         .number("points_simplified", "Points, simplified map", "", |(.., [_, simplified])| simplified)
         .number("areas", "Connected areas, exact", "", |(_, zones, mode, _)| zones.exact.areas_of(&mode))
         .unless_empty()
+}
+
+fn inertial_lines(context: &Context) -> Option<Table> {
+    let zoned = context.outcome.each(|scene| &scene.zones);
+    let counts =
+        zoned.flat_map(|(name, zones)| zones.inertial_lines.iter().map(move |count| (name, zones, count)));
+    Table::of(
+        "inertial-lines",
+        "The simplified map of fig 7 with each line between inertial and non-inertial",
+        counts,
+    )
+    .note("The paper gives no equation of this line. Eqs 9, 15, 16, 18 and 20 draw all other lines.")
+    .text("scene", "Scene", |(name, ..)| name)
+    .text("line", "Line", |(.., count)| count.line.as_str())
+    .number("misplaced", "Points in another slip mode than the exact one", "", |(.., count)| count.misplaced)
+    .number("points", "Points", "", |(_, zones, _)| zones.exact.values.len())
+    .unless_empty()
 }
 
 fn thresholds(context: &Context) -> Option<Table> {

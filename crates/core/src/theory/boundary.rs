@@ -28,20 +28,35 @@ pub fn curve(equations: &PaperEquations) -> Result<Curve, Refutation> {
     let proof = Proof::new("boundary-curve", "");
     let value = cubic(equations).with("p", &formula("r"));
     let slope = value.derivative(&Symbol::new("r"));
-    let [first, second] = [linear_parts(&proof, &value)?, linear_parts(&proof, &slope)?];
-    let minor =
-        |left: usize, right: usize| &(&first[left] * &second[right]) - &(&first[right] * &second[left]);
-    let [determinant, eta, kappa] = [minor(0, 1), minor(1, 2), minor(2, 0)];
-    let solved = eta.checked_div(&determinant).zip(kappa.checked_div(&determinant));
-    let (inertial_parameter, stiffness_group) = solved.ok_or_else(|| {
-        proof.refute("η and κ of a double root are determined", &["8"], "the determinant vanishes")
-    })?;
+    let [inertial_parameter, stiffness_group] = solve_for_groups(&proof, [&value, &slope])?;
     let [_, _, c2, c3]: [Expression; 4] = coefficients(&proof, &["8"], &cubic(equations), "p")?;
     let sum = (Expression::integer(-1) * c2 / c3 - formula("2*r"))
         .with("eta", &Expression::from(&inertial_parameter))
         .with("kappa", &Expression::from(&stiffness_group));
     let third_root = rational(&proof, &["8"], &sum, &at_double_root())?;
     Ok(Curve { inertial_parameter, stiffness_group, third_root })
+}
+
+/// η and κ at which two expressions that are linear in both are zero.
+///
+/// # Errors
+/// When an expression is not linear, or the two do not determine η and κ.
+pub(super) fn solve_for_groups(
+    proof: &Proof,
+    zeros: [&Expression; 2],
+) -> Result<[RationalFunction; 2], Refutation> {
+    let [first, second] = [linear_parts(proof, zeros[0])?, linear_parts(proof, zeros[1])?];
+    let minor =
+        |left: usize, right: usize| &(&first[left] * &second[right]) - &(&first[right] * &second[left]);
+    let [determinant, eta, kappa] = [minor(0, 1), minor(1, 2), minor(2, 0)];
+    let solved = eta.checked_div(&determinant).zip(kappa.checked_div(&determinant));
+    solved.map(|(eta, kappa)| [eta, kappa]).ok_or_else(|| {
+        proof.refute(
+            "η and κ of two equal roots or a pair are determined",
+            &["8"],
+            "the determinant vanishes",
+        )
+    })
 }
 
 /// The coefficients of η and of κ, and the rest, of an expression linear in both.

@@ -32,6 +32,8 @@ pub mod exchange;
 #[doc(hidden)]
 pub mod frequency;
 #[doc(hidden)]
+pub mod frequency_turns;
+#[doc(hidden)]
 pub mod hopf;
 #[doc(hidden)]
 pub mod inertial;

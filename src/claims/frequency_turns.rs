@@ -1,0 +1,80 @@
+//! Claim Q7: whether the frequency rises with velocity in the whole area of low frequency.
+
+use crate::claims::reading::{Draft, of_readings};
+use crate::claims::{Check, Evidence, Finding};
+use crate::experiments::Context;
+use slipmode_core::number::format::certain_digits;
+use slipmode_core::number::{Ball, Rational};
+use slipmode_core::stability::asymptote;
+use slipmode_core::theory::frequency_turns::{self, TurningInterval};
+
+pub(super) const CHECKS: &[Check] = &[Check {
+    id: "Q7",
+    criterion: "At every σ between eqs 16 and 15, max Im(s) has no turning point in V0.",
+    not_established: "How far the frequency falls where it does. The count is for the scene's b/a.",
+    needs: &[],
+    rests_on: &["B2", "L3"],
+    decide: rises_in_the_area,
+}];
+
+/// Digits of the ratios of normal stresses.
+const DIGITS: usize = 10;
+
+/// Bits that give these digits.
+const BITS: u32 = 128;
+
+/// Where between eqs 16 and 15 max Im(s) rises with velocity, from the number of its turning points at each normal stress.
+pub(super) fn rises_in_the_area(context: &Context) -> Finding {
+    let strip = match turns_in_strip(context) {
+        Ok(strip) => strip,
+        Err(undecided) => return undecided,
+    };
+    let counts: Vec<String> = strip.iter().map(|(turns, _)| turns.to_string()).collect();
+    let counts = || {
+        Finding::from_evidence(enclosure(
+            "Turning points of max Im(s) in V0, from eq 15 down to eq 16",
+            &counts.join(", "),
+        ))
+    };
+    let [(0, _), (2, falls), (1, stops)] = &strip[..] else {
+        return counts()
+            .require(strip.iter().all(|(turns, _)| *turns == 0), || "max Im(s) has turning points".into());
+    };
+    let rising =
+        counts().with_evidence(enclosure("σ/σ₁₆ below which max Im(s) falls with V0 somewhere", falls));
+    let falling = counts()
+        .with_evidence(enclosure("σ/σ₁₆ below which max Im(s) falls to zero and rises again, at the cusp", stops))
+        .refuted(format!("the frequency falls in a range of velocities; below {stops} times the stress of eq 16 it falls to zero, so that the oscillation ends and starts again"));
+    of_readings([Draft::new("in the whole area between eqs 16 and 15")
+        .part(format!("it rises with velocity from {falls} times the stress of eq 16 up to eq 15"), rising)
+        .part(format!("it rises with velocity from eq 16 up to {falls} times its stress"), falling)])
+}
+
+fn enclosure(quantity: &str, value: &str) -> Evidence {
+    Evidence::Enclosure { quantity: quantity.into(), value: value.into() }
+}
+
+/// The numbers of turning points of max Im(s) from eq 15 down to eq 16, each with the σ/σ₁₆ at which it begins.
+fn turns_in_strip(context: &Context) -> Result<Vec<(usize, String)>, Finding> {
+    let slider = context.outcome.potentially_unstable().and_then(|scene| scene.slider());
+    let slider =
+        slider.ok_or_else(|| Finding::not_checked("No scene of the report has a < b, so b/a is unknown."))?;
+    let beta = Rational::from(&slider.evolution_effect / &slider.direct_effect);
+    let intervals = frequency_turns::intervals(context.equations, &beta)
+        .map_err(|refutation| Finding::not_checked(refutation.to_string()))?;
+    let slider = slider.map(|value| Ball::from_rational(value, BITS));
+    let scale = slider.stiffness_pa_per_m.clone() * &slider.critical_slip_distance_m / &slider.direct_effect;
+    // κ on eqs 15 and 16.
+    let first = scale.clone() / asymptote::quasi_static_upper_normal_stress_pa(&slider);
+    let last = scale / asymptote::quasi_static_lower_normal_stress_pa(&slider);
+    let is_between = |one: &&TurningInterval| {
+        let begins = one.from.upper() < last.lower();
+        begins && one.to.as_ref().is_none_or(|to| to.lower() > first.upper())
+    };
+    let stress_over_eq_16 = |kappa: &Ball| match kappa.contains_zero() {
+        true => "∞".into(),
+        false => certain_digits(&(last.clone() / kappa), DIGITS),
+    };
+    let between = intervals.iter().filter(is_between);
+    Ok(between.map(|one| (one.turning_points, stress_over_eq_16(&one.from))).collect())
+}
