@@ -34,16 +34,17 @@ impl<'l> Certificates<'l> {
         proof.text_without(|steps| {
             let lemmas = self.proofs.iter().filter(|(lemma, _)| *lemma != proof && begins_with(steps, lemma));
             let (lemma, claim) = lemmas.max_by_key(|(lemma, _)| lemma.steps.len())?;
-            Some((lemma.steps.len() + 1, format!("certificate {} of claim {claim}", lemma.id)))
+            let place = format!("{} [certificate {} of claim {claim}]", lemma.statement, lemma.id);
+            Some((lemma.steps.len(), place))
         })
     }
 }
 
-/// Whether the steps begin with a lemma as [`Proof::using`] adds it: its statement, and then its steps.
+/// Whether the steps begin with a lemma as [`Proof::using`] adds it: its statement, and its steps.
 fn begins_with(steps: &[Step], lemma: &Proof) -> bool {
-    steps
-        .split_first()
-        .is_some_and(|(first, rest)| first.says == lemma.statement && rest.starts_with(&lemma.steps))
+    steps.first().is_some_and(|first| first.begins.contains(&lemma.statement))
+        && steps.len() >= lemma.steps.len()
+        && steps.iter().zip(&lemma.steps).all(|(step, of_lemma)| step.is_same(of_lemma))
 }
 
 #[cfg(test)]
@@ -83,6 +84,6 @@ mod tests {
         assert_eq!(certificates.text(&lemma), lemma.to_string());
         let text = certificates.text(&whole);
         assert!(text.contains("x*x = x^2") && !text.contains("x + x = 2*x"), "{text}");
-        assert!(text.contains("2-3. Statement of lemma. [certificate lemma of claim S1]"), "{text}");
+        assert!(text.contains("2. Statement of lemma. [certificate lemma of claim S1]"), "{text}");
     }
 }

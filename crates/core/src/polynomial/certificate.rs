@@ -84,6 +84,37 @@ pub enum Certificate {
         /// Assumptions and substitutions.
         domain: Domain,
     },
+    /// A polynomial in one variable has opposite signs at two ends, so that it has a root between them.
+    Root {
+        /// The polynomial.
+        polynomial: Expression,
+        /// Its variable.
+        variable: String,
+        /// The lower and the upper end; none for minus and plus infinity.
+        between: [Option<Expression>; 2],
+        /// Assumptions and substitutions.
+        domain: Domain,
+    },
+    /// All points with these coordinates, for positive values of the variables, are one connected set: the continuous
+    /// image of an orthant.
+    Connected {
+        /// Names and coordinates.
+        image: Vec<(String, Expression)>,
+        /// The positive variables, without further assumptions.
+        domain: Domain,
+    },
+    /// The expression and its first `order` − 1 derivatives vanish at 0 and the next one is positive, so that the
+    /// expression is positive for every positive value of the variable.
+    Growth {
+        /// What is positive.
+        expression: Expression,
+        /// The variable.
+        variable: String,
+        /// The order of the positive derivative.
+        order: u32,
+        /// Assumptions and substitutions.
+        domain: Domain,
+    },
 }
 
 impl Certificate {
@@ -94,7 +125,10 @@ impl Certificate {
             Self::Identity { domain, .. }
             | Self::Sign { domain, .. }
             | Self::Limit { domain, .. }
-            | Self::Series { domain, .. } => Some(domain),
+            | Self::Series { domain, .. }
+            | Self::Root { domain, .. }
+            | Self::Connected { domain, .. }
+            | Self::Growth { domain, .. } => Some(domain),
             Self::Difference { .. } | Self::Value { .. } => None,
         }
     }
@@ -123,6 +157,27 @@ impl fmt::Display for Certificate {
                     formatter,
                     "{unknown} = {series} + O({variable}^{}) solves {relation} = 0{}",
                     coefficients.len(),
+                    Given(domain)
+                )
+            }
+            Self::Root { polynomial, variable, between: [low, high], domain } => {
+                let end = |end: &Option<Expression>, infinity: &str| {
+                    end.as_ref().map_or_else(|| infinity.to_owned(), ToString::to_string)
+                };
+                let (low, high) = (end(low, "-infinity"), end(high, "infinity"));
+                write!(
+                    formatter,
+                    "{polynomial} = 0 for a {variable} between {low} and {high}{}",
+                    Given(domain)
+                )
+            }
+            Self::Connected { image, domain } => {
+                write!(formatter, "connected: all {}{}", Point(image), Given(domain))
+            }
+            Self::Growth { expression, variable, order, domain } => {
+                write!(
+                    formatter,
+                    "{expression} > 0, zero of order {order} at {variable} = 0{}",
                     Given(domain)
                 )
             }

@@ -59,6 +59,13 @@ impl Certificate {
             Self::Series { relation, variable, unknown, coefficients, domain } => {
                 check_series(relation, variable, unknown, coefficients, domain)
             }
+            Self::Root { polynomial, variable, between, domain } => {
+                check_root(polynomial, variable, between, domain)
+            }
+            Self::Connected { image, domain } => check_connected(image, domain),
+            Self::Growth { expression, variable, order, domain } => {
+                check_growth(expression, variable, *order, domain)
+            }
         }
     }
 }
@@ -162,4 +169,74 @@ fn check_series(
         Some(rest) if rest.is_zero() => Ok(()),
         Some(rest) => Err(Failure::remainder(Expression::from(&rest).to_string())),
     }
+}
+
+/// A polynomial is continuous: between two ends at which it has opposite signs it has a root.
+fn check_root(
+    polynomial: &Expression,
+    variable: &str,
+    between: &[Option<Expression>; 2],
+    domain: &Domain,
+) -> Result<(), Failure> {
+    let function = domain.rational_function(polynomial)?;
+    let name = Symbol::new(variable);
+    no_hidden(&function, &name)?;
+    if function.denominator().degree(&name) > 0 || !domain.is_unbound(&name) {
+        return Err(Failure::remainder(format!("no polynomial in a {variable} that may have any value")));
+    }
+    let degree = function.numerator().degree(&name);
+    let leading = || {
+        let leading = function.numerator().coefficients(&name).into_iter().nth(degree as usize);
+        leading.and_then(|leading| RationalFunction::new(leading, function.denominator().clone()))
+    };
+    let at_infinity = |below: bool| {
+        let sign = domain.sign_of(&leading()?)?;
+        Some(if below && degree % 2 == 1 { -sign } else { sign })
+    };
+    let at = |end: &Option<Expression>, below: bool| match end {
+        Some(end) => domain.sign(&polynomial.with(variable, end)),
+        None => Ok(at_infinity(below)),
+    };
+    let [low, high] = between;
+    let signs = [at(low, true)?, at(high, false)?];
+    let ordered = match between {
+        [Some(low), Some(high)] => domain.sign(&(high.clone() - low.clone()))? == Some(1),
+        _ => true,
+    };
+    match signs {
+        [Some(one), Some(other)] if one * other < 0 && ordered => Ok(()),
+        _ => Err(Failure::remainder(format!("{polynomial} has no certified change of sign in {variable}"))),
+    }
+}
+
+/// An orthant is connected, and so is its image under continuous functions.
+fn check_connected(image: &[(String, Expression)], domain: &Domain) -> Result<(), Failure> {
+    if !domain.is_orthant() {
+        return Err(Failure::remainder("the variables have assumptions other than being positive"));
+    }
+    image.iter().try_for_each(|(_, coordinate)| {
+        // A divisor that may be zero is refused here.
+        domain.rational_function(coordinate)?;
+        let free = coordinate.variables().into_iter().find(|name| !domain.is_positive(name));
+        free.map_or(Ok(()), |name| Err(Failure::remainder(format!("{name} is not positive"))))
+    })
+}
+
+/// What vanishes at 0 and has a positive slope is positive; so is what has such a slope and vanishes there, and so on.
+fn check_growth(expression: &Expression, variable: &str, order: u32, domain: &Domain) -> Result<(), Failure> {
+    let name = Symbol::new(variable);
+    if !domain.leaves_free(&name) {
+        return Err(Failure::remainder(format!("{variable} is not free to be any positive number")));
+    }
+    let zero = Expression::integer(0);
+    let mut derivative = expression.clone();
+    for _ in 0..order {
+        compare(
+            &domain.rational_function(&derivative.with(variable, &zero))?,
+            &RationalFunction::from(0),
+            domain,
+        )?;
+        derivative = derivative.derivative(&name);
+    }
+    check_sign(&derivative, 1, domain)
 }

@@ -307,6 +307,20 @@ impl Domain {
         number.unwrap_or_else(|| Rational::from(i32::from(self.is_positive(name))))
     }
 
+    /// Are positive variables all there is?
+    pub(super) fn is_orthant(&self) -> bool {
+        let rest = self.squares.len() + self.substitutions.len() + self.parameters.len() + self.given.len();
+        rest == 0
+    }
+
+    /// Does no assumption, substitution or parameter speak of this variable?
+    pub(super) fn is_unbound(&self, name: &Symbol) -> bool {
+        let values = self.substitutions.iter().chain(&self.parameters);
+        let mut values =
+            values.filter(|(known, value)| known == name.as_str() || value.variables().contains(name));
+        values.next().is_none() && !self.is_assumed(name.as_str())
+    }
+
     /// Does a limit in this variable leave every assumption and every other quantity as it is?
     pub(super) fn leaves_free(&self, name: &Symbol) -> bool {
         let listed = self.positive.iter().any(|known| known == name.as_str());

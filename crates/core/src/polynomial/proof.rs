@@ -12,8 +12,25 @@ pub struct Step {
     pub says: String,
     /// The equations of the paper that enter it.
     pub equations: Vec<String>,
-    /// What can be computed again; a step of plain reasoning (an intermediate value, a count) has none.
+    /// What can be computed again; a step of plain reasoning has none.
     pub certificate: Option<Certificate>,
+    /// The statements of the lemmas whose proofs begin with this step.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
+    pub begins: Vec<String>,
+}
+
+impl Step {
+    fn new(says: impl Into<String>, equations: &[&str], certificate: Option<Certificate>) -> Self {
+        let equations = equations.iter().map(|&number| number.to_owned()).collect();
+        Self { says: says.into(), equations, certificate, begins: Vec::new() }
+    }
+
+    /// Whether both say and certify the same.
+    #[must_use]
+    pub fn is_same(&self, other: &Self) -> bool {
+        (&self.says, &self.equations, &self.certificate)
+            == (&other.says, &other.equations, &other.certificate)
+    }
 }
 
 /// A proved statement. It was checked when it was made, and [`Proof::recheck`] checks it again from its certificates.
@@ -44,7 +61,7 @@ impl Proof {
     /// Adds a step of plain reasoning, which rests on the steps before it.
     #[must_use]
     pub fn reason(mut self, says: impl Into<String>) -> Self {
-        self.steps.push(Step { says: says.into(), equations: Vec::new(), certificate: None });
+        self.steps.push(Step::new(says, &[], None));
         self
     }
 
@@ -58,8 +75,7 @@ impl Proof {
         equations: &[&str],
         certificate: Certificate,
     ) -> Result<Self, Refutation> {
-        let equations = equations.iter().map(|&number| number.to_owned()).collect();
-        let step = Step { says: says.to_owned(), equations, certificate: Some(certificate) };
+        let step = Step::new(says, equations, Some(certificate));
         self.check(&step)?;
         self.steps.push(step);
         Ok(self)
@@ -95,6 +111,59 @@ impl Proof {
     ) -> Result<Self, Refutation> {
         let certificate =
             Certificate::Sign { expression: expression.clone(), sign: 1, domain: domain.clone() };
+        self.certify(says, equations, certificate)
+    }
+
+    /// Adds the step that an expression is negative everywhere in the domain.
+    ///
+    /// # Errors
+    /// When coefficients of one sign do not show it.
+    pub fn negative(
+        self,
+        says: &str,
+        equations: &[&str],
+        expression: &Expression,
+        domain: &Domain,
+    ) -> Result<Self, Refutation> {
+        let certificate =
+            Certificate::Sign { expression: expression.clone(), sign: -1, domain: domain.clone() };
+        self.certify(says, equations, certificate)
+    }
+
+    /// Adds the step that a polynomial in `variable` has a root between two ends; none for the infinite ones.
+    ///
+    /// # Errors
+    /// When the signs at the ends are not opposite.
+    pub fn root(
+        self,
+        says: &str,
+        equations: &[&str],
+        (polynomial, variable): (&Expression, &str),
+        between: [Option<&Expression>; 2],
+        domain: &Domain,
+    ) -> Result<Self, Refutation> {
+        let certificate = Certificate::Root {
+            polynomial: polynomial.clone(),
+            variable: variable.to_owned(),
+            between: between.map(|end| end.cloned()),
+            domain: domain.clone(),
+        };
+        self.certify(says, equations, certificate)
+    }
+
+    /// Adds the step that an expression is positive because it vanishes to this order at 0 and then grows.
+    ///
+    /// # Errors
+    /// When a lower derivative does not vanish at 0, or the last one has no certified sign.
+    pub fn growth(
+        self,
+        says: &str,
+        equations: &[&str],
+        (expression, variable, order): (&Expression, &str, u32),
+        domain: &Domain,
+    ) -> Result<Self, Refutation> {
+        let (expression, variable) = (expression.clone(), variable.to_owned());
+        let certificate = Certificate::Growth { expression, variable, order, domain: domain.clone() };
         self.certify(says, equations, certificate)
     }
 
@@ -135,32 +204,36 @@ impl Proof {
 
     /// Adds all steps of another proof, which this one rests on.
     #[must_use]
-    pub fn using(mut self, lemma: Self) -> Self {
-        self.steps.push(Step { says: lemma.statement, equations: Vec::new(), certificate: None });
+    pub fn using(mut self, mut lemma: Self) -> Self {
+        if let Some(first) = lemma.steps.first_mut() {
+            first.begins.insert(0, lemma.statement);
+        }
         self.steps.extend(lemma.steps);
         self
     }
 
     /// The proof as text. `elsewhere` is asked with the steps from each one on: it says how many of them are written
-    /// elsewhere, and where; they become one line.
+    /// elsewhere, and what stands in their place, a lemma's statement first.
     #[must_use]
     pub fn text_without(&self, elsewhere: impl Fn(&[Step]) -> Option<(usize, String)>) -> String {
         let mut text = format!("{}: {}\n", self.id, self.statement);
         let mut at = 0;
         while let Some(step) = self.steps.get(at) {
             let first = at + 1;
-            let (numbers, mark) = match elsewhere(&self.steps[at..]) {
-                Some((count, place)) if count > 1 => {
-                    at += count;
-                    (format!("{first}-{at}"), format!(" [{place}]"))
-                }
-                _ => {
-                    at += 1;
-                    (first.to_string(), if step.certificate.is_some() { "" } else { " [argued]" }.to_owned())
-                }
-            };
-            text += &format!("  {numbers}. {}{mark}\n", step.says);
-            if let Some(certificate) = step.certificate.as_ref().filter(|_| at == first) {
+            let replaced = elsewhere(&self.steps[at..]);
+            let words = replaced.as_ref().map_or("", |(_, words)| words.as_str());
+            for lemma in step.begins.iter().take_while(|lemma| !words.starts_with(lemma.as_str())) {
+                text += &format!("  Lemma: {lemma}\n");
+            }
+            at += replaced.as_ref().map_or(1, |(count, _)| (*count).max(1));
+            if replaced.is_some() {
+                let numbers = if at > first { format!("{first}-{at}") } else { first.to_string() };
+                text += &format!("  {numbers}. {words}\n");
+                continue;
+            }
+            let mark = if step.certificate.is_some() { "" } else { " [argued]" };
+            text += &format!("  {first}. {}{mark}\n", step.says);
+            if let Some(certificate) = &step.certificate {
                 text += &format!("     {certificate}\n");
             }
         }
@@ -351,6 +424,63 @@ mod tests {
         );
         let ambiguous = r#"{"positive": ["a"], "substitutions": [["x", "y"], ["y", "-x"]]}"#;
         assert!(sign("a", ambiguous).expect_err("circular").contains("stands for two things"));
+    }
+
+    #[test]
+    fn forged_root_without_a_change_of_sign_is_refused() {
+        let root = |polynomial: &str, between: &str, positive: &str| {
+            checked(&format!(
+                r#"{{"kind": "root", "polynomial": "{polynomial}", "variable": "s", "between": {between},
+                "domain": {{"positive": [{positive}], "substitutions": []}}}}"#
+            ))
+        };
+        let left = r#"[null, "0"]"#;
+        assert_eq!(root("c*s^3 + k*s + d", left, r#""c", "d""#), Ok(()));
+        assert_eq!(root("s^2 - c", r#"["0", null]"#, r#""c""#), Ok(()));
+        let even = root("c*s^2 + d", left, r#""c", "d""#).expect_err("no root");
+        assert!(even.contains("no certified change of sign"), "{even}");
+        assert!(root("c*s^3 - d", left, r#""c", "d""#).is_err(), "the root is right of 0");
+        assert!(root("c*s^3 + k*s + d", left, r#""c""#).is_err(), "d may be negative");
+        // 1/s changes its sign without a root, and from 1 to -1 nothing lies between.
+        assert!(root("1/s", r#"["-1", "1"]"#, "").is_err());
+        assert!(root("s", r#"["1", "-1"]"#, "").is_err());
+        assert!(root("s + c", left, r#""c", "s""#).is_err(), "a positive s is never −c");
+    }
+
+    #[test]
+    fn forged_connected_set_with_a_gap_is_refused() {
+        let connected = |image: &str, domain: &str| {
+            checked(&format!(r#"{{"kind": "connected", "image": [["X", "{image}"]], "domain": {domain}}}"#))
+        };
+        let orthant = r#"{"positive": ["s", "t"], "substitutions": []}"#;
+        assert_eq!(connected("s/(1 + t)", orthant), Ok(()));
+        assert!(connected("s/(1 - t)", orthant).expect_err("a pole at t = 1").contains("may be zero"));
+        assert!(connected("s/q", orthant).is_err() && connected("s*q", orthant).is_err());
+        let cut = r#"{"positive": ["s", "t"], "given": ["1 - s != 0"], "substitutions": [],
+            "example": [["s", "2"]]}"#;
+        assert!(connected("s", cut).expect_err("two parts").contains("other than being positive"));
+    }
+
+    #[test]
+    fn forged_growth_of_what_does_not_grow_from_zero_is_refused() {
+        let growth = |expression: &str, order: u32| {
+            checked(&format!(
+                r#"{{"kind": "growth", "expression": "{expression}", "variable": "y", "order": {order},
+                "domain": {{"positive": ["y"], "substitutions": []}}}}"#
+            ))
+        };
+        assert_eq!(growth("exp(y) - 1 - y - y^2/2", 3), Ok(()));
+        assert!(growth("exp(y) - 2 - y", 2).is_err(), "negative at 0");
+        assert!(growth("exp(y) - 1 - y - y^2", 3).is_err(), "its second derivative is negative at 0");
+        assert!(growth("exp(y) - 1 - y", 1).is_err(), "its first derivative has no certified sign");
+    }
+
+    #[test]
+    fn a_lemma_is_named_where_its_proof_begins_and_adds_no_step() {
+        let lemma = binomial("x^2 + 2*x*y + y^2").expect("true");
+        let whole = Proof::new("whole", "More.").using(Proof::new("part", "A part.").using(lemma.clone()));
+        assert!(whole.steps[0].is_same(&lemma.steps[0]) && whole.steps.len() == 1 && whole.is_certified());
+        assert!(whole.to_string().contains("Lemma: A part.\n  Lemma: The binomial formula.\n  1. "));
     }
 
     #[test]

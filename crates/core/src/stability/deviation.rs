@@ -216,6 +216,33 @@ mod tests {
     }
 
     #[test]
+    fn no_sample_of_an_asymptotes_arc_has_a_larger_error_than_at_the_cusp_or_the_corner() {
+        for text in ["1e-3", "0.5", "1", "1.5", "10"] {
+            let beta = number(text);
+            let errors = corner_errors(&beta, 20);
+            let frame = ArcFrame::of_rational(&beta, 100);
+            let cusp = cusp_parameter(&beta, 100);
+            let corner = ParameterEquation::at_corner_velocity(&beta, Arc::Upper).roots(100).pop();
+            let size = |error: &Ball| libm::fabs(error.to_f64());
+            for step in -400..=400 {
+                let parameter = Ball::from(libm::exp2(f64::from(step) / 20.0)).with_precision(100);
+                // The quasi-static end of either arc has the large parameters.
+                let checked = |arc: Arc, place: &Ball, worst: &ErrorPair| {
+                    let found = ErrorPair::at(&frame, arc, &parameter);
+                    match parameter.centre() > place.centre() {
+                        true => size(&found.quasi_static) <= size(&worst.quasi_static) * (1.0 + 1e-12),
+                        false => size(&found.inertial) <= size(&worst.inertial) * (1.0 + 1e-12),
+                    }
+                };
+                assert!(checked(Arc::Lower, &cusp, &errors.cusp), "{text} {step}");
+                if let (Some(corner), Some(worst)) = (&corner, &errors.upper) {
+                    assert!(checked(Arc::Upper, corner, worst), "{text} {step}");
+                }
+            }
+        }
+    }
+
+    #[test]
     fn the_worst_cases_of_the_papers_ratio() {
         let errors = corner_errors(&number("1.5"), 20);
         // From a plain scan of both arcs with mpmath (4 000 steps of λ): 0.2241…0.2245 and 0.0744…0.0750.

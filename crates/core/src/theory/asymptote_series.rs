@@ -201,13 +201,12 @@ fn finish(
         domain,
     };
     let proof = proof
-        .reason(format!(
-            "y is the error of \"{}\", derived along the boundary's parametrisation by its double \
-             root.",
-            equations.equation(number)
-        ))
         .certify(
-            "the same series makes the discriminant of eq 8 vanish, to every power given",
+            &format!(
+                "the error y of \"{}\", derived along the boundary's parametrisation by its double root, makes the \
+                 discriminant of eq 8 vanish to every power given",
+                equations.equation(number)
+            ),
             &["8", number],
             certificate,
         )?;

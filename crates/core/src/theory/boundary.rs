@@ -106,10 +106,13 @@ pub fn prove(equations: &PaperEquations) -> Result<Proof, Refutation> {
         &formula("-2*r*(r + 1)^2"),
         &free,
     )?
-    .reason(
-        "With β, κ > 0 no root is −1 or 0, so the determinant is not zero: r determines η and \
-             κ.",
-    )
+    .identity(
+        "its quotient by itself: it is not zero, because r is neither −1 nor 0, so that r determines η and κ",
+        &[],
+        &(determinant.clone() / determinant.clone()),
+        &formula("1"),
+        &given_nonzero(Domain::default(), &["r", "r + 1"], &[("r", "1")]),
+    )?
     .identity("F on the curve", &["8"], &f, &product, &on_curve)?
     .identity("dκ/dr = −r² dη/dr", &[], &envelope, &zero, &at_root)?
     .identity(
@@ -159,7 +162,10 @@ pub fn cusp(equations: &PaperEquations) -> Result<Proof, Refutation> {
         &(eta_slope.clone() / condition.clone()),
         &at_root.clone().given(condition.clone(), Relation::NonZero),
     )?;
-    let proof = Proof::new(
+    let triple = formula("eta*(p - r)^3");
+    let triple_curvature = triple.derivative(&Symbol::new("p")).derivative(&Symbol::new("p"));
+    let minus_one = formula("-1");
+    Proof::new(
         "cusp",
         "The boundary has exactly one cusp for each β > 0: the triple root r = −1 − x with β \
              = x³/(3x + 2), η = 1/(3x + 2) < 1/2, κ = (1 + x)³/(3x + 2). At a = b: r = −3, η = \
@@ -182,11 +188,28 @@ pub fn cusp(equations: &PaperEquations) -> Result<Proof, Refutation> {
     )?
     .positive("β rises with x, from 0 without limit: one x for each β", &[], &slope, &Domain::positive("x"))?
     .positive("1/2 − η", &[], &formula("1/2 - 1/(3*x + 2)"), &Domain::positive("x"))?
-    .identity("β at x = 2", &[], &ratio.with("x", &formula("2")), &formula("1"), &Domain::default())?;
-    Ok(proof.reason(
-        "Conversely a triple root r has the sum 3r = −(1 + η)/η, so 3r + 1 = −1/η < 0; it is \
-             a double root at which dη/dr vanishes, and (r + 1)³ = β (3r + 1) < 0 makes r < −1.",
-    ))
+    .identity("β at x = 2", &[], &ratio.with("x", &formula("2")), &formula("1"), &Domain::default())?
+    .identity(
+        "conversely with a triple root r = −1 − x F is η (p − r)³: F(−1) = β = η x³, so x > 0",
+        &[],
+        &triple.with("p", &minus_one).with("r", &formula("-1 - x")),
+        &formula("eta*x^3"),
+        &Domain::default(),
+    )?
+    .identity(
+        "and F''(−1)/2 = 1 − 2η",
+        &["8"],
+        &(second.with("p", &minus_one) / formula("2")),
+        &formula("1 - 2*eta"),
+        &Domain::default(),
+    )?
+    .identity(
+        "is 3ηx, so η = 1/(3x + 2) and β = x³/(3x + 2)",
+        &[],
+        &(triple_curvature.with("p", &minus_one).with("r", &formula("-1 - x")) / formula("2")),
+        &formula("3*eta*x"),
+        &Domain::default(),
+    )
 }
 
 /// For a < b the transition never meets the boundary: the discriminant is negative all along K = K_c.

@@ -4,6 +4,7 @@ use super::boundary::cubic_discriminant;
 use super::notation::{
     SQUARE_MASS, SQUARE_STIFFNESS, any, discriminant_of_cubic, formula, in_groups, in_parameters,
 };
+use super::sufficient_inertia::sharp_bound;
 use super::{PaperEquations, transition};
 use crate::polynomial::{Certificate, Domain, Expression, Proof, Refutation, Symbol};
 
@@ -16,20 +17,15 @@ pub fn inertial_parameter(equations: &PaperEquations) -> Result<Proof, Refutatio
     let oscillates_without = [("beta", "3/2"), ("eta", "1/10"), ("kappa", "1")];
     let real_though_above = [("beta", "1/2"), ("eta", "2"), ("kappa", "1/50")];
     let real_unstable = [("beta", "3/2"), ("eta", "2"), ("kappa", "1/100")];
-    let threshold = formula("1/2 - (1 - beta/x^2)/(2*(1 + x))");
     let proof = Proof::new(
         "inertial-parameter-criterion",
-        "η > 1 (indeed η ≥ 1/2) excludes the lower real area: in the stable zone of a < b it \
-             is sufficient for a complex pair. It is not necessary there, and not sufficient in \
-             the upper real area, which exists at every η for a ≠ b.",
+        "In the stable zone of a < b all roots are real for some κ exactly for η ≤ η_c: η > η_c is sufficient for a \
+             complex pair, and no smaller bound is. η_c is the root of (1 − 2η)³ = 27βη², which is \
+             1/(2 + 6√β cos(arccos(1/√β)/3)) for β = b/a > 1. It is less than 1/8 and tends to 1/8 as b/a → 1, so η ≥ 1/8 is \
+             sufficient for all a < b. η > 1 is not sufficient in the upper real area, which exists at every η for a ≠ b.",
     )
-    .using(transition::stability(equations)?)
-    .positive(
-        "three roots left of −1 need η ≤ e(x) = (1 − β/x²)/(2(1 + x)) < 1/2 for some x > 0",
-        &[],
-        &threshold,
-        &Domain::positive("beta x"),
-    )?;
+    .using(transition::stability(equations)?);
+    let proof = sharp_bound(proof, equations)?;
     let proof = at_point(
         proof,
         "K − K_c (in units of aσ/D_c) at a stable point with η = 1/10",

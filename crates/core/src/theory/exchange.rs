@@ -2,8 +2,11 @@
 
 use super::PaperEquations;
 use super::non_inertial::frequency_squared_of_eq_14;
-use super::notation::{any, discriminant_of_cubic, formula, strengthening, weakening};
-use crate::polynomial::{Certificate, Expression, Proof, Refutation, Symbol};
+use super::notation::{
+    SQUARE_MASS, SQUARE_STIFFNESS, any, below, discriminant_of_cubic, formula, in_parameters, strengthening,
+    weakening,
+};
+use crate::polynomial::{Certificate, Expression, Proof, Refutation, Relation, Symbol};
 
 /// What becomes of one equation when a and b are exchanged.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -56,9 +59,47 @@ fn exchange(equations: &PaperEquations, number: &'static str) -> Result<Exchange
         )?
         .identity("the same for a > b", &[number], &ratio, &scaled, &strengthening())?;
     if !invariant {
-        proof = proof.reason("The factor is not 1 for a ≠ b.");
+        let excess = factor.clone() - formula("1");
+        proof = proof
+            .positive("the factor is greater than 1 for a < b", &[number], &excess, &weakening())?
+            .negative("and less than 1 for a > b", &[number], &excess, &strengthening())?;
     }
     Ok(Exchange { equation: number, invariant, contains_b, factor, proof })
+}
+
+/// No a' > b' gives the lines of eqs 15, 16, 18 and 20 that a < b has: eqs 16 and 20 exclude each other (claim B6).
+///
+/// # Errors
+/// When eq 20 or 16 depends otherwise on a and b.
+pub fn no_other_choice(equations: &PaperEquations) -> Result<Proof, Refutation> {
+    let ratio =
+        |number: &str| equations.equation(number).left.clone() / equations.equation(number).right.clone();
+    let (inertial, weakest) = (ratio("20"), equations.right("16"));
+    let other = inertial.with("a", &formula("a_1"));
+    let squares = in_parameters(any().and_positive("a_1"), &[SQUARE_STIFFNESS, SQUARE_MASS]);
+    let ordered = below().and_positive("b_1").given(formula("a - b_1"), Relation::Positive);
+    let ordered = in_parameters(
+        ordered.example("b_1", formula("1/2")),
+        &[
+            ("b_1", "delta^2", "delta", "sqrt(b_1)"),
+            ("a", "(delta + epsilon)^2", "epsilon", "sqrt(a) - sqrt(b_1)"),
+            ("b", "(delta + epsilon + gamma)^2", "gamma", "sqrt(b) - sqrt(a)"),
+        ],
+    );
+    let mirrored = ratio("18").with("b", &formula("2*a - b"));
+    Proof::new(
+        "no-other-choice-of-a-and-b",
+        "No pair a' > b' keeps eqs 16 and 20 of a pair a < b, so none keeps all four. Eq 20 stays for a' = a only; \
+             then eq 16 lies higher for every b' < a. Eqs 18 and 20 alone stay for b' = 2a − b.",
+    )
+    .identity("eq 20 with a' for a: V0 is multiplied by a'/a", &["20"], &inertial, &(other * formula("a_1/a")), &squares)?
+    .positive(
+        "eq 16 with b' < a in place of b > a, less eq 16",
+        &["16"],
+        &(weakest.with("b", &formula("b_1")) - weakest),
+        &ordered,
+    )?
+    .identity("eq 18 with b' = 2a − b", &["18"], &mirrored, &ratio("18"), &weakening())
 }
 
 /// The frequency maps for (a, b) and for (b, a) differ (claim B7).

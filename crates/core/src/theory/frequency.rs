@@ -2,7 +2,7 @@
 
 use super::PaperEquations;
 use super::notation::{
-    any, coefficients, crossing, cubic, formula, given_positive, in_groups, in_parameters,
+    any, coefficients, crossing, cubic, formula, given_nonzero, given_positive, in_groups, in_parameters,
     weakening_by_square,
 };
 use crate::polynomial::{Domain, Expression, Proof, Refutation, Toward};
@@ -28,12 +28,15 @@ pub fn bounded(equations: &PaperEquations) -> Result<Proof, Refutation> {
     let [c0, _, _, c3]: [Expression; 4] = coefficients(&proof, &["8"], &eq8, "s")?;
     let proof = proof
         .positive("its leading coefficient", &["8"], &c3, &any())?
-        .reason(
-            "Positive there and negative far to the left, it has a real root −u V0/D_c with u > \
-             1; let T and Q be the sum and product of the other two.",
-        )
+        .root(
+            "so it has a real root −u V0/D_c with u > 1",
+            &["8"],
+            (&eq8, "s"),
+            [None, Some(&formula("-V_0/D_c"))],
+            &any(),
+        )?
         .identity(
-            "constant coefficient of the product of factors",
+            "constant coefficient of the product of factors, T and Q the sum and product of the other two",
             &[],
             &roots.with("s", &formula("0")),
             &formula("M*u*V_0*Q/(sigma*D_c)"),
@@ -53,7 +56,7 @@ pub fn bounded(equations: &PaperEquations) -> Result<Proof, Refutation> {
             &formula("1 - 1/u"),
             &in_parameters(left, &[("u", "1 + w", "w", "u - 1")]),
         )?;
-    Ok(proof.reason("A complex pair has |s|² = Q, and Im(s)² ≤ |s|²."))
+    complex_pair(proof)
 }
 
 /// V0 → ∞ and σ → 0 both lead to s = ±i ω_n (claim Q2).
@@ -139,8 +142,39 @@ pub fn low_frequency_zone(equations: &PaperEquations) -> Result<Proof, Refutatio
         &probe,
         &left_of_eq20,
     )?;
-    Ok(proof.reason(
-        "With a complex pair t is the only real root, and F is negative to its left: so t < \
-             −1/(2η), and |s|² = ω_n²/|t| < 2η ω_n².",
-    ))
+    let root = formula("-(1 + w)/(2*eta)");
+    let factors = formula("eta*(p - t)*(p^2 - T*p + Q)");
+    let proof = proof
+        .root(
+            "F has a root t < −1/(2η), the only real one besides a complex pair",
+            &["8"],
+            (&cubic(equations), "p"),
+            [None, Some(&formula("-1/(2*eta)"))],
+            &left_of_eq20,
+        )?
+        .identity(
+            "with Q = −κ/(ηt) the product of the factors has F's constant coefficient",
+            &[],
+            &factors.with("p", &formula("0")).with("Q", &formula("-kappa/(eta*t)")),
+            &formula("kappa"),
+            &given_nonzero(Domain::positive("eta kappa"), &["t"], &[("t", "-1")]),
+        )?
+        .positive(
+            "2η − Q/(κ/η) for t = −(1 + w)/(2η), w > 0, where κ/η = (ω_n D_c/V0)²",
+            &[],
+            &(formula("2*eta + 1/t").with("t", &root)),
+            &Domain::positive("eta w"),
+        )?;
+    complex_pair(proof)
+}
+
+/// A pair x ± iy of sum T and product Q has Q = x² + y², at least y².
+fn complex_pair(proof: Proof) -> Result<Proof, Refutation> {
+    proof.identity(
+        "a complex pair x ± iy has |s|² = Q = x² + y², and Im(s)² = y² is not larger",
+        &[],
+        &formula("(s - x - i*y)*(s - x + i*y)"),
+        &formula("s^2 - 2*x*s + (x^2 + y^2)"),
+        &Domain::default(),
+    )
 }

@@ -47,14 +47,19 @@ pub mod period;
 #[doc(hidden)]
 pub mod quasi_static;
 mod reading;
+mod real_roots;
 #[doc(hidden)]
 pub mod regularised;
 #[doc(hidden)]
 pub mod steady_state;
 #[doc(hidden)]
+pub mod sufficient_inertia;
+#[doc(hidden)]
 pub mod third_order;
 #[doc(hidden)]
 pub mod transition;
+#[doc(hidden)]
+pub mod worst_error;
 
 pub use equations::{Equation, EquationFault, EquationsError, PaperEquations};
 pub use reading::{AssumptionsText, EquationText, EquationsText};

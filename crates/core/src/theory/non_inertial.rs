@@ -43,10 +43,30 @@ pub fn at_critical_stress(equations: &PaperEquations) -> Result<Proof, Refutatio
         &formula("0"),
         &weakening_by_square(),
     )?;
-    Ok(proof.reason(
-        "As V0 → ∞ eq 8 tends to eq 21, whose roots are ±i ω_n; the bound |s| < ω_n holds at \
-             every velocity.",
-    ))
+    let fast = equations.residual("8") * formula("sigma*D_c/V_0");
+    let natural = formula("pm*i") * equations.right("natural-frequency");
+    proof
+        .limit(
+            "high velocity: eq 8 times σ D_c/V0 tends to eq 21",
+            &["8", "21"],
+            &fast.with("sigma", &equations.right("12")),
+            ("V_0", Toward::Infinity),
+            &equations.residual("21"),
+            &below(),
+        )?
+        .identity(
+            "whose roots are ±i ω_n",
+            &["21", "natural-frequency"],
+            &equations.residual("21").with("s", &natural),
+            &formula("0"),
+            &any(),
+        )?
+        .positive(
+            "1 − ω²/ω_n²: ω_n is not reached at any velocity",
+            &[],
+            &(formula("1") - frequency_squared()),
+            &critical_stress_domain(),
+        )
 }
 
 /// Without inertia (eq 14) the frequency does not depend on mass; with inertia it does (claim Q4).
@@ -199,11 +219,13 @@ fn critical_stress_lemma(equations: &PaperEquations, proof: Proof) -> Result<Pro
             &(formula("M*omega^3") * cubic.clone()),
             &units,
         )?
-        .reason(
-            "It is positive for z ≥ 0, so it has a root −u < 0; −z²(z + g/v + v) = v has one \
-             negative solution only, because its left side is negative right of −(g/v + v) and \
-             falls from +∞ to 0 left of it.",
-        )
+        .root(
+            "it has a root −u < 0",
+            &[],
+            (&cubic, "z"),
+            [None, Some(&formula("0"))],
+            &Domain::positive("g v"),
+        )?
         .identity(
             "factors with g = u v − v²/u² − v²",
             &[],

@@ -4,7 +4,7 @@ use rug::Rational;
 
 use super::PaperEquations;
 use super::notation::formula;
-use crate::polynomial::{Domain, Expression, Proof, Refutation};
+use crate::polynomial::{Domain, Expression, Proof, Refutation, Symbol};
 
 /// ω_n for given K and M, and rational bounds of the natural period.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -44,12 +44,14 @@ pub fn natural(
     let squared = formula("K/M")
         .with("K", &Expression::Number(stiffness.clone()))
         .with("M", &Expression::Number(mass.clone()));
-    let arctangents = formula("(5 + i)^4*(239 - i)");
+    let [low, high] = pi_bounds().map(Expression::Number);
     let statement = format!(
         "ω_n = {natural} /s, and the natural period lies between {} and {} s.",
         Expression::Number(period_s[0].clone()),
         Expression::Number(period_s[1].clone())
     );
+    let slope = |terms| formula("1/(1 + x^2)") - partial_sum(terms).derivative(&Symbol::new("x"));
+    let positive = Domain::positive("x");
     let proof = proof
         .identity(
             "ω_n² = K/M",
@@ -61,11 +63,19 @@ pub fn natural(
         .identity(
             "π/4 = 4 arctan(1/5) − arctan(1/239), from the arguments of complex numbers",
             &[],
-            &arctangents,
+            &formula("(5 + i)^4*(239 - i)"),
             &formula("114244*(1 + i)"),
             &Domain::default(),
         )?
-        .reason("Partial sums of the alternating series of both arctangents enclose π.");
+        .positive(
+            "arctan x minus 8 terms of its series is zero at 0 and has this slope",
+            &[],
+            &slope(8),
+            &positive,
+        )?
+        .negative("minus 7 terms: this slope, so that both sums enclose arctan x", &[], &slope(7), &positive)?
+        .positive("lower bound of π less its own bound", &[], &(machin(8, 7) - low), &Domain::default())?
+        .positive("bound of π less its upper bound", &[], &(high - machin(7, 8)), &Domain::default())?;
     Ok(NaturalPeriod {
         natural_angular_frequency_per_s: natural,
         period_s,
@@ -75,29 +85,25 @@ pub fn natural(
 
 /// Rational bounds of π by Machin's formula, rounded outward to nine decimals.
 fn pi_bounds() -> [Rational; 2] {
-    let [low_5, high_5] = arctangent_bounds(5);
-    let [low_239, high_239] = arctangent_bounds(239);
     let scale = Rational::from(1_000_000_000);
-    let low: Rational = low_5 * 16 - high_239 * 4;
-    let high: Rational = high_5 * 16 - low_239 * 4;
-    [(low * &scale).floor() / &scale, (high * &scale).ceil() / &scale]
+    let value = |sum: Expression| Domain::default().rational_function(&sum).ok()?.as_constant();
+    // A sum of numbers has a value; the certificates of both bounds would refuse any other.
+    let [low, high] = [machin(8, 7), machin(7, 8)].map(|sum| value(sum).unwrap_or_default() * &scale);
+    [low.floor() / &scale, high.ceil() / &scale]
 }
 
-/// Bounds of arctan(1/n) from two neighbouring partial sums of Σ (−1)^k/((2k+1) n^(2k+1)).
-fn arctangent_bounds(n: i32) -> [Rational; 2] {
-    let square = Rational::from(n) * n;
-    let mut power = Rational::from((1, n));
-    let mut sums = [Rational::new(), Rational::new()];
-    for k in 0..8 {
-        let term = Rational::from(&power / (2 * k + 1));
-        let next =
-            if k % 2 == 0 { Rational::from(&sums[1] + &term) } else { Rational::from(&sums[1] - &term) };
-        sums = [sums[1].clone(), next];
-        power /= &square;
-    }
-    let [before, last] = sums;
-    // The last term was subtracted, so the last sum is the lower one.
-    [last, before]
+/// 16 arctan(1/5) − 4 arctan(1/239), each by so many terms of its series.
+fn machin(terms_of_first: i32, terms_of_second: i32) -> Expression {
+    let at = |terms, place: &str| partial_sum(terms).with("x", &formula(place));
+    formula("16") * at(terms_of_first, "1/5") - formula("4") * at(terms_of_second, "1/239")
+}
+
+/// The first terms of arctan x = Σ (−1)^k x^(2k+1)/(2k+1): an even number of them is a lower bound for x > 0.
+fn partial_sum(terms: i32) -> Expression {
+    (0..terms).fold(formula("0"), |sum, k| {
+        let term = Expression::variable("x").power(2 * k + 1) / Expression::integer(2 * k + 1);
+        if k % 2 == 0 { sum + term } else { sum - term }
+    })
 }
 
 #[cfg(test)]

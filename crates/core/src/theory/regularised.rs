@@ -86,11 +86,27 @@ pub fn bound(
     let bound = Rational::from(2) / Rational::from((2_718, 1_000)).pow(whole);
     let log10_bound = power_of_ten_above(&bound);
     let margin = Expression::Number(Rational::from(10).pow(log10_bound) - bound);
-    let e = formula("1 + 1 + 1/2 + 1/6 + 1/24 + 1/120 + 1/720 - 2718/1000");
+    let terms = formula("1 + y + y^2/2 + y^3/6 + y^4/24 + y^5/120 + y^6/720");
+    let e = terms.with("y", &formula("1")) - formula("2718/1000");
+    let rest = formula("exp(y)") - terms;
     let proof = linearisation(equations)?
-        .reason("φ = 1/√(1 + z) with z = 1/u² = 4 e^(−2μ0/a).")
+        .identity(
+            "φ² = 1/(1 + z) with z = 1/u²",
+            &[],
+            &formula("(u/sqrt(1 + u^2))^2"),
+            &formula("1/(1 + 1/u^2)"),
+            &Domain::positive("u"),
+        )?
+        .identity(
+            "z = 4 e^(−2μ0/a) at u = e^(μ0/a)/2",
+            &[],
+            &formula("1/u^2").with("u", &formula("exp(mu_0/a)/2")),
+            &formula("4/exp(mu_0/a)^2"),
+            &any(),
+        )?
         .positive("1/√(1 + z) > 1 − z/2 for 0 < z < 3, squared: 1 − (1 − z/2)²(1 + z)", &[], &gap, &domain)?
-        .positive("e − 2.718, from the first terms of e", &[], &e, &Domain::default())?
+        .growth("e^y exceeds its first seven terms for y > 0", &[], (&rest, "y", 7), &Domain::positive("y"))?
+        .positive("these terms at y = 1 exceed 2.718: so e does", &[], &e, &Domain::default())?
         .certify(
             &format!(
                 "10^{log10_bound} exceeds 2/2.718^{whole} > 2 e^(−2μ0/a) for μ0 = \

@@ -73,12 +73,14 @@ pub fn laws_differ_at_rest(equations: &PaperEquations) -> Result<Proof, Refutati
     )
     .limit("aging law at V → 0", &["2"], &equations.right("2"), ("V", Toward::Zero), &formula("1"), &any())?
     .identity("slip law in x = Vθ/D_c", &["3"], &in_ratio("3"), &formula("-x*ln(x)"), &with_ratio())?
-    .reason(
-        "With x = e^(−y) the slip law's rate is y e^(−y), and e^y > 1 + y + y²/2 for y > 0 \
-             because every term of its series is positive.",
-    )
+    .growth(
+        "e^y − 1 − y − y²/2 is positive for y > 0",
+        &[],
+        (&formula("exp(y) - 1 - y - y^2/2"), "y", 3),
+        &Domain::positive("y"),
+    )?
     .limit(
-        "so the slip law's rate is below a bound that vanishes as x → 0",
+        "with y = −ln x the slip law's rate y e^(−y) is below a bound that vanishes as x → 0",
         &[],
         &slip,
         ("y", Toward::Infinity),

@@ -9,7 +9,7 @@ use crate::polynomial::{Expression, Proof, Refutation, Symbol, UnivariatePolynom
 type Prover = fn(&PaperEquations) -> Result<Proof, Refutation>;
 
 /// Every proof of this module, by the path of its function.
-const PROVERS: [(&str, Prover); 33] = [
+const PROVERS: [(&str, Prover); 35] = [
     ("steady_state::prove", steady_state::prove),
     ("steady_state::laws_differ_at_rest", steady_state::laws_differ_at_rest),
     ("regularised::linearisation", regularised::linearisation),
@@ -36,10 +36,12 @@ const PROVERS: [(&str, Prover); 33] = [
     ("non_inertial::mass", non_inertial::mass),
     ("non_inertial::stiffness", non_inertial::stiffness),
     ("non_inertial::at_stress_ratio", non_inertial::at_stress_ratio),
+    ("exchange::no_other_choice", exchange::no_other_choice),
     ("exchange::frequency_contours", exchange::frequency_contours),
     ("boundary::prove", boundary::prove),
     ("boundary::cusp", boundary::cusp),
     ("boundary::transition_avoids", boundary::transition_avoids),
+    ("worst_error::prove", worst_error::prove),
     ("criteria::inertial_parameter", criteria::inertial_parameter),
     ("criteria::slip_distance_and_stiffness", criteria::slip_distance_and_stiffness),
     ("criteria::all_parameters", criteria::all_parameters),
@@ -223,6 +225,31 @@ fn sturm_sequences_count_the_same_areas_on_lines_of_fixed_inertial_parameter() {
     }
 }
 
+/// The same bound by another way: below η_c the discriminant has three positive roots in κ, above it one.
+#[test]
+fn the_sufficient_inertial_parameter_is_where_sturm_sequences_lose_two_roots() {
+    let discriminant = boundary::cubic_discriminant(&paper()).expect("eq 8");
+    for beta in [(3, 2), (11, 10), (5, 1), (1, 2)].map(Rational::from) {
+        let bound = sufficient_inertia::sufficient_inertial_parameter(&beta, 100).expect("one root");
+        let near = bound.centre().to_rational().expect("finite");
+        let ends = |eta: Rational| {
+            let number = |value: &Rational| crate::polynomial::Polynomial::constant(value.clone());
+            let line = discriminant.substitute(&Symbol::new("beta"), &number(&beta));
+            let line = line.substitute(&Symbol::new("eta"), &number(&eta));
+            let coefficients = line.coefficients(&Symbol::new("kappa"));
+            let values = coefficients.iter().filter_map(crate::polynomial::Polynomial::as_constant);
+            UnivariatePolynomial::new(values.collect()).isolate_positive_roots().len()
+        };
+        let step = Rational::from((1, 1_000_000_000));
+        assert_eq!((ends(near.clone() - &step), ends(near.clone() + &step)), (3, 1), "{beta}");
+        assert_eq!(beta > 1, near < Rational::from((1, 8)));
+        // 1/(2 + 6√β cos(arccos(1/√β)/3)) for β > 1.
+        let root = crate::number::nearest_f64(&beta).sqrt();
+        let closed = 1.0 / (2.0 + 6.0 * root * libm::cos(libm::acos(1.0 / root) / 3.0));
+        assert!(beta < 1 || (closed - bound.to_f64()).abs() < 1e-14, "{beta}: {closed}");
+    }
+}
+
 #[test]
 fn exchange_changes_equation_20_only() {
     let exchanges = exchange::asymptotes(&paper()).expect("definite factors");
@@ -256,4 +283,31 @@ fn seventh_equation_as_printed_has_other_orders_and_is_refuted() {
     let orders = third_order::orders(&paper());
     assert_eq!((orders.derived, orders.printed), (vec![3, 2, 1, 0], Some(vec![2, 2, 1, 1])));
     assert!(third_order::refute_printed(&paper()).is_some());
+}
+
+#[test]
+fn every_step_of_every_proof_has_a_certificate() {
+    use crate::friction::EvolutionLaw;
+    let paper = paper();
+    let mut proofs: Vec<Proof> = PROVERS.iter().map(|(_, prover)| prover(&paper).unwrap()).collect();
+    proofs.extend(areas::Effects::ALL.map(|effects| areas::count(&paper, effects).unwrap().proof));
+    proofs.extend(exchange::asymptotes(&paper).unwrap().into_iter().map(|exchange| exchange.proof));
+    proofs.extend(asymptote_series::derive(&paper, 2).unwrap().into_iter().map(|series| series.proof));
+    for law in EvolutionLaw::ALL {
+        proofs.push(hopf::coefficient(&paper, law).unwrap().proof);
+        proofs.push(hopf::quasi_static_centre(&paper, law).unwrap());
+    }
+    let (stiffness, mass) = (Rational::from(10_000_000), Rational::from(1_000));
+    proofs.push(period::natural(&paper, &stiffness, &mass).unwrap().proof);
+    let friction = regularised::bound(&paper, &Rational::from((3, 5)), &Rational::from((4, 1_000)));
+    proofs.push(friction.unwrap().proof);
+    for proof in proofs {
+        let argued: Vec<&str> = proof
+            .steps
+            .iter()
+            .filter(|step| step.certificate.is_none())
+            .map(|step| step.says.as_str())
+            .collect();
+        assert!(argued.is_empty(), "{}: {argued:?}", proof.id);
+    }
 }

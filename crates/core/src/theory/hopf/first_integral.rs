@@ -71,11 +71,19 @@ fn no_cycle(
     let divergence = slope(&rates[0], "x") + slope(&rates[1], "y") + exponent * rates[1].clone();
     let says =
         "divergence of the weighted rates of x and y over the weight, e^y (aging law) or e^(βy) (slip law)";
-    let proof =
-        proof.identity(says, used, &divergence, &formula("(beta - 1 - kappa)*exp(x)"), &by_groups())?;
-    Ok(proof.reason(
-        "For κ ≠ β − 1 it has one sign in the whole plane, so that no closed orbit exists (Bendixson and Dulac).",
-    ))
+    let stated = formula("(beta - 1 - kappa)*exp(x)");
+    let groups = Domain::positive("beta kappa");
+    let below = given_positive(groups.clone(), "beta - 1 - kappa", &[("beta", "3")]);
+    let above = given_positive(groups, "kappa - (beta - 1)", &[]);
+    proof
+        .identity(says, used, &divergence, &stated, &by_groups())?
+        .positive(
+            "it is positive in the whole plane for κ < β − 1: no closed orbit (Bendixson and Dulac)",
+            &[],
+            &stated,
+            &below,
+        )?
+        .negative("and negative for κ > β − 1: no closed orbit", &[], &stated, &above)
 }
 
 /// H itself (aging), or H without its exponential factor and the factor's exponent (slip).

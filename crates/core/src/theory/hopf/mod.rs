@@ -20,7 +20,7 @@ pub use first_integral::prove as quasi_static_centre;
 use super::PaperEquations;
 use super::notation::{formula, given_nonzero, simplified};
 use crate::friction::EvolutionLaw;
-use crate::polynomial::{Expression, Proof, Refutation};
+use crate::polynomial::{Domain, Expression, Proof, Refutation};
 
 /// The cubic coefficient on K = K_c and what follows from it, as functions of `eta` and `omega` = √(β − 1).
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -88,11 +88,7 @@ fn compare(
         EvolutionLaw::Slip => domain.clone(),
         EvolutionLaw::Aging => given_nonzero(domain.clone(), &["eta^2*(7 + 4*omega^2) + 6*eta - 1"], &[]),
     };
-    proof
-        .reason(
-            "By the normal form a cycle has |w|² = −Re(dp/dκ)(κ − κ_c)/Re c_1 and Ω = ω + Im(dp/dκ)(κ − κ_c) + \
-             Im(c_1)|w|², and the amplitude of ln(V/V_l) is A = 2|w|, that of V/V_l − 1 the same to leading order.",
-        )
+    of_normal_form(proof)?
         .identity(
             "(κ − κ_c)/A²: both routes agree",
             used,
@@ -120,6 +116,35 @@ fn compare(
             &(formula("kappa") * cycle.frequency.clone() / cycle.stiffness.clone()),
             &closed_form::frequency_slope(law),
             &hyperbolic,
+        )
+}
+
+/// A cycle w = r e^(iΩt) of w' = (iω + (P + iS) k) w + (C + iD) w |w|², k = κ − κ_c and P + iS = dp/dκ.
+fn of_normal_form(proof: Proof) -> Result<Proof, Refutation> {
+    let domain = given_nonzero(Domain::default(), &["C", "P", "k"], &[("C", "1"), ("P", "1"), ("k", "1")]);
+    let on_cycle = |text: &str| formula(text).with("R", &formula("-P*k/C"));
+    proof
+        .identity(
+            "normal form, c_1 = C + iD and dp/dκ = P + iS: |w| is constant at R = |w|² = −P (κ − κ_c)/C",
+            &[],
+            &on_cycle("P*k + C*R"),
+            &formula("0"),
+            &domain,
+        )?
+        .identity(
+            "the amplitude of ln(V/V_l) = w + w̄ with w = r e^(iφ) is A = 2r",
+            &[],
+            &formula("r*(c + i*s) + r*(c - i*s)"),
+            &formula("2*r*c"),
+            &Domain::default(),
+        )?
+        .identity("(κ − κ_c)/A²", &[], &on_cycle("k/(4*R)"), &formula("-C/(4*P)"), &domain)?
+        .identity(
+            "(Ω − ω)/A², Ω − ω = S (κ − κ_c) + D |w|²",
+            &[],
+            &on_cycle("(S*k + D*R)/(4*R)"),
+            &formula("S*(-C/(4*P)) + D/4"),
+            &domain,
         )
 }
 
