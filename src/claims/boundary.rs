@@ -1,11 +1,15 @@
 //! Claims B: the boundary max Im(s) = 0, its areas and its asymptotes.
 
+use crate::claims::exchange::{b6, b7, b8};
 use crate::claims::reading::{Draft, of_readings};
 use crate::claims::{Check, Evidence, Finding};
 use crate::experiments::{Context, Need, SceneOutcome};
+use slipmode_core::polynomial::{Proof, Refutation};
 use slipmode_core::theory::areas::{self, Effects};
-use slipmode_core::theory::exchange::{self, Exchange};
 use slipmode_core::theory::{asymptote_series, boundary, inertial, quasi_static};
+
+/// The order to which the error series of the asymptotes are evidence.
+pub(super) const SERIES_ORDER: usize = 2;
 
 pub(super) const CHECKS: &[Check] = &[
     Check {
@@ -43,7 +47,15 @@ pub(super) const CHECKS: &[Check] = &[
         not_established: "The distance between boundary and eq 18 at a given D_c: see the chapter on the asymptotes.",
         needs: &[],
         rests_on: &["L3"],
-        decide: |context| Finding::from_proofs([inertial::small_slip_distance(context.equations)]),
+        decide: |context| {
+            let limit = inertial::small_slip_distance(context.equations);
+            inertial_asymptote(
+                context,
+                limit,
+                "18",
+                "D_c → 0 in eq 8 gives eq 17, whose roots are real up to eq 18",
+            )
+        },
     },
     Check {
         id: "B5",
@@ -52,7 +64,9 @@ pub(super) const CHECKS: &[Check] = &[
         needs: &[],
         rests_on: &["L3"],
         decide: |context| {
-            Finding::from_proofs([inertial::large_slip_distance(context.equations)]).remark(
+            let limit = inertial::large_slip_distance(context.equations);
+            let words = "D_c → ∞ in eq 8 gives eq 19, whose roots are real up to eq 20";
+            inertial_asymptote(context, limit, "20", words).remark(
                 "The paper describes eq 19 as eq 17 with a − b in place of a. The reverse is true: eq 17 has a − b where eq 19 has a.",
             )
         },
@@ -121,7 +135,7 @@ fn b1(context: &Context) -> Finding {
 /// Two ends for each connected area's boundary, which is one curve, and one series for each end.
 fn b10(context: &Context) -> Finding {
     let found = areas::count(context.equations, Effects::Weakening)
-        .and_then(|areas| Ok((areas, asymptote_series::derive(context.equations, 1)?)));
+        .and_then(|areas| Ok((areas, asymptote_series::derive(context.equations, SERIES_ORDER)?)));
     let (areas, series) = match found {
         Ok(found) => found,
         Err(refutation) => return Finding::from_proofs([Err(refutation)]),
@@ -144,74 +158,25 @@ fn areas_on_map(scene: &SceneOutcome) -> Option<Evidence> {
     })
 }
 
-fn b6(context: &Context) -> Finding {
-    let exchanges = match exchange::asymptotes(context.equations) {
-        Ok(exchanges) => exchanges,
-        Err(refutation) => return Finding::from_proofs([Err(refutation)]),
-    };
-    let exchanged =
-        unchanged("no equation changes when a and b are exchanged, as the paper concludes", &exchanges);
-    let one_formula =
-        Draft::new("each equation is one formula for a < b and for a > b, without separate cases");
-    let one_formula = exchanges.iter().fold(one_formula, |draft, exchange| {
-        // The proof has the same formula on both domains, where it is defined.
-        draft.part(format!("eq {}", exchange.equation), Finding::from_proofs([Ok(exchange.proof.clone())]))
+/// B4 and B5: the equation of a limit of eq 8, and that the boundary tends to it.
+fn inertial_asymptote(
+    context: &Context,
+    limit: Result<Proof, Refutation>,
+    number: &'static str,
+    words: &str,
+) -> Finding {
+    let tends = asymptote_series::derive(context.equations, SERIES_ORDER).map(|series| {
+        series.into_iter().filter(|series| series.equation == number).map(|series| series.proof).collect()
     });
-    let fixed_a: Vec<&str> = exchanges.iter().filter(|e| !e.contains_b).map(|e| e.equation).collect();
-    let finding = of_readings([exchanged, one_formula]);
-    match fixed_a.is_empty() {
-        true => finding,
-        false => finding.remark(format!("Eq {} does not contain b at all.", fixed_a.join(", "))),
-    }
-}
-
-/// Each of the four equations as a part: whether it is the same after the exchange of a and b.
-fn unchanged(words: &str, exchanges: &[Exchange]) -> Draft {
-    exchanges.iter().fold(Draft::new(words), |draft, exchange| {
-        let finding = Finding::from_proofs([Ok(exchange.proof.clone())]);
-        let changed =
-            || format!("when a and b are exchanged, its solution is multiplied by {}", exchange.factor);
-        draft.part(format!("eq {}", exchange.equation), finding.require(exchange.invariant, changed))
-    })
-}
-
-fn b7(context: &Context) -> Finding {
-    let finding = Finding::from_disproof(
-        exchange::frequency_contours(context.equations),
-        "Without inertia the exchange multiplies every frequency by a/b. With inertia the contour of zero frequency moves too.",
+    let tends = tends.map_or_else(
+        |refutation| vec![Err(refutation)],
+        |proofs: Vec<Proof>| proofs.into_iter().map(Ok).collect(),
     );
-    match largest_frequency_change(context) {
-        Some(evidence) => finding.with_supporting(evidence),
-        None => finding,
-    }
-}
-
-/// The largest ratio of max Im(s) between the scenes with a < b and a > b, where both oscillate.
-fn largest_frequency_change(context: &Context) -> Option<Evidence> {
-    let (one, other) = (context.outcome.potentially_unstable()?, context.outcome.intrinsically_stable()?);
-    let (one, other) = (one.map.as_ref()?, other.map.as_ref()?);
-    if one.loading_velocity_m_per_s != other.loading_velocity_m_per_s
-        || one.normal_stress_pa != other.normal_stress_pa
-    {
-        return None;
-    }
-    let mut differing = 0;
-    for (point, exchanged) in one.values.iter().zip(&other.values) {
-        differing +=
-            usize::from(point.max_imaginary_per_s.is_zero() != exchanged.max_imaginary_per_s.is_zero());
-    }
-    Some(Evidence::Sample {
-        quantity: "Grid points that oscillate in one map and not in the other".into(),
-        value: differing.to_string(),
-        points: one.values.len(),
-    })
-}
-
-fn b8(context: &Context) -> Finding {
-    match exchange::asymptotes(context.equations) {
-        Err(refutation) => Finding::from_proofs([Err(refutation)]),
-        Ok(exchanges) => of_readings([unchanged("each asymptote stays where it is", &exchanges)]),
-    }
+    let small = if number == "18" { "κ" } else { "1/κ" };
+    of_readings([Draft::new("the limit of eq 8, and the boundary near it").part(words, Finding::from_proof(limit)).part(
+        format!("the boundary tends to eq {number}: the relative error in V0 at the same σ is a series in {small} without constant term"),
+        Finding::from_proofs(tends),
+    )])
 }
 
 fn b9(context: &Context) -> Finding {

@@ -82,6 +82,15 @@ impl Evidence {
         }
     }
 
+    /// The proof, if it is one.
+    #[must_use]
+    pub fn proof(&self) -> Option<&Proof> {
+        match self {
+            Evidence::Proof { proof } => Some(proof),
+            _ => None,
+        }
+    }
+
     /// How sure this piece is.
     #[must_use]
     pub fn strength(&self) -> Strength {

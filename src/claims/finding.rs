@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use crate::claims::{Evidence, Reading, Strength, Verdict};
+use crate::claims::{Evidence, Part, Reading, Strength, Verdict};
 use slipmode_core::polynomial::{Proof, Refutation};
 
 /// What a check concluded, why, and where it stops.
@@ -12,8 +12,11 @@ pub struct Finding {
     pub verdict: Verdict,
     /// The strength of the weakest evidence.
     pub strength: Strength,
-    /// Everything the verdict rests on.
+    /// Everything the verdict rests on, and what illustrates it.
     pub evidence: Vec<Evidence>,
+    /// The evidence that only illustrates what other evidence decided, as positions in the list, from 1.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub supporting: Vec<usize>,
     /// The ways to read the claim, that as written first; empty where it has one reading of one part.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub readings: Vec<Reading>,
@@ -90,6 +93,7 @@ impl Finding {
             verdict,
             strength,
             evidence: Vec::new(),
+            supporting: Vec::new(),
             readings: Vec::new(),
             limit: None,
             counter_example: None,
@@ -125,7 +129,26 @@ impl Finding {
     #[must_use]
     pub fn with_supporting(mut self, evidence: Evidence) -> Self {
         self.evidence.push(evidence);
+        self.supporting.push(self.evidence.len());
         self
+    }
+
+    /// Is it stated to be surer than its weakest reading, part or evidence?
+    #[must_use]
+    pub fn is_overstated(&self) -> bool {
+        let all: Vec<usize> = (1..=self.evidence.len()).collect();
+        let weaker = |strength: Strength, list: &[usize], supporting: &[usize]| {
+            let deciding = list.iter().filter(|position| !supporting.contains(position));
+            let mut evidence = deciding.filter_map(|position| self.evidence.get(position - 1));
+            evidence.any(|evidence| evidence.strength() > strength)
+        };
+        let part = |part: &Part| weaker(part.strength, &part.evidence, &part.supporting);
+        let reading =
+            |reading: &Reading| reading.parts.iter().any(|one| one.strength > reading.strength || part(one));
+        match self.readings.first() {
+            None => weaker(self.strength, &all, &self.supporting),
+            Some(written) => written.strength > self.strength || self.readings.iter().any(reading),
+        }
     }
 
     /// A claim that the evidence refutes.
@@ -212,6 +235,27 @@ mod tests {
         assert_eq!(Finding::from_proof(Ok(argued.clone())).strength, Strength::Argued);
         let both = Finding::from_evidence(sample(1)).with_proof(Ok(argued));
         assert_eq!(both.strength, Strength::Sampled);
+    }
+
+    #[test]
+    fn a_strength_above_that_of_a_part_or_of_evidence_is_overstated() {
+        use crate::claims::reading::{Draft, of_readings};
+        let strong = Evidence::Enclosure { quantity: "e".into(), value: "1".into() };
+        let plain = Finding::from_evidence(strong).with_evidence(sample(1));
+        let illustrated = Finding::from_evidence(plain.evidence[0].clone()).with_supporting(sample(1));
+        let parts = || of_readings([Draft::new("r").part("p", plain.clone()).part("q", illustrated.clone())]);
+        for honest in [plain.clone(), illustrated.clone(), parts()] {
+            assert!(!honest.is_overstated(), "{honest:?}");
+        }
+        let stated = Finding { strength: Strength::Certified, ..plain.clone() };
+        let hidden = Finding { supporting: Vec::new(), ..illustrated.clone() };
+        let whole = Finding { strength: Strength::Certified, ..parts() };
+        let (mut reading, mut part) = (parts(), parts());
+        reading.readings[0].strength = Strength::Exact;
+        part.readings[0].parts[0].strength = Strength::Exact;
+        for overstated in [stated, hidden, whole, reading, part] {
+            assert!(overstated.is_overstated(), "{overstated:?}");
+        }
     }
 
     #[test]

@@ -3,9 +3,10 @@
 use rayon::prelude::*;
 use serde::Serialize;
 
-use crate::claims::{Check, Finding, Verdict};
+use crate::claims::{Check, Evidence, Finding, Verdict};
 use crate::experiments::{Context, Needs};
 use crate::scene::ClaimEntry;
+use slipmode_core::polynomial::Step;
 
 /// One line of the ledger.
 #[derive(Debug, Clone, Serialize)]
@@ -59,6 +60,25 @@ impl Ledger {
         self.claims.iter().filter(|entry| !entry.is_as_recorded())
     }
 
+    /// The claims that are stated to be surer than their weakest reading, part or evidence.
+    pub fn overstated(&self) -> impl Iterator<Item = &Entry> {
+        self.claims.iter().filter(|entry| entry.finding.is_overstated())
+    }
+
+    /// How many distinct steps the proofs of all claims have, and how many of them carry no certificate.
+    #[must_use]
+    pub fn proof_steps(&self) -> (usize, usize) {
+        let proofs = self.claims.iter().flat_map(|entry| &entry.finding.evidence).filter_map(Evidence::proof);
+        let mut distinct: Vec<&Step> = Vec::new();
+        for step in proofs.flat_map(|proof| &proof.steps) {
+            if !distinct.iter().any(|known| known.is_same(step)) {
+                distinct.push(step);
+            }
+        }
+        let argued = distinct.iter().filter(|step| step.certificate.is_none()).count();
+        (distinct.len(), argued)
+    }
+
     /// The ledger as pretty JSON with a final newline.
     #[must_use]
     pub fn to_json(&self) -> String {
@@ -107,4 +127,43 @@ pub fn known_ids() -> Vec<&'static str> {
 #[must_use]
 pub fn needs(claims: &[ClaimEntry]) -> Needs {
     claims.iter().filter_map(|claim| find(&claim.id)).flat_map(|check| check.needs.iter().copied()).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::experiments::{Need, References, Scene, run};
+    use crate::scene::{Limits, read_equations};
+
+    /// The paper's ledger without simulations: what rests on them is not checked, and `verify` computes it.
+    fn paper() -> Ledger {
+        let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/reports/im-avouac");
+        let read = |name: &str| std::fs::read(format!("{folder}/{name}")).unwrap();
+        let equations = read_equations("equations.toml", &read("equations.toml")).unwrap();
+        let parse = |entry: std::io::Result<std::fs::DirEntry>| {
+            let bytes = std::fs::read(entry.unwrap().path()).unwrap();
+            Scene::parse("a.toml", &bytes, &Limits::default()).unwrap()
+        };
+        let scenes: Vec<Scene> = std::fs::read_dir(format!("{folder}/scenes")).unwrap().map(parse).collect();
+        let needs = [Need::Map, Need::Zones, Need::Frequency, Need::Tolerance].into();
+        let outcome = run(&scenes, &needs, &References::default(), &|_, _, _| {});
+        let entry = |check: &Check| ClaimEntry {
+            id: check.id.into(),
+            place: String::new(),
+            words: String::new(),
+            expected: Verdict::Holds,
+        };
+        let texts: Vec<ClaimEntry> = crate::claims::checks().map(entry).collect();
+        Ledger::decide("paper", &texts, &Context::new(&equations, &outcome))
+    }
+
+    #[test]
+    fn no_claim_of_the_paper_is_overstated_and_under_three_percent_of_all_proof_steps_are_argued() {
+        let ledger = paper();
+        assert!(ledger.claims.len() - ledger.count(Verdict::NotChecked) >= 30);
+        let overstated: Vec<&str> = ledger.overstated().map(|entry| entry.id.as_str()).collect();
+        assert!(overstated.is_empty(), "{overstated:?}");
+        let (steps, argued) = ledger.proof_steps();
+        assert!(steps > 200 && 100 * argued < 3 * steps, "{argued} of {steps}");
+    }
 }

@@ -5,7 +5,9 @@
 
 mod alterations;
 mod boundary;
+mod criteria;
 mod evidence;
+mod exchange;
 mod finding;
 mod frequency;
 mod frequency_turns;
@@ -34,6 +36,9 @@ pub use reading::{Part, Reading, verdict_of_parts};
 
 use crate::experiments::{Context, Need, TableMaker};
 pub use crate::scene::Verdict;
+
+/// Bits of the certified numbers in limits: more than the digits shown.
+const BITS: u32 = 64;
 
 /// How one claim is decided.
 #[derive(Debug)]

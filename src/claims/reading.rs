@@ -20,8 +20,11 @@ pub struct Part {
     pub limit: Option<String>,
     /// Why it fails, or where it does outside its limit.
     pub counter_example: Option<String>,
-    /// The evidence that decides it, as positions in the claim's list, from 1.
+    /// Its evidence, as positions in the claim's list, from 1.
     pub evidence: Vec<usize>,
+    /// Those of them that only illustrate what the others decided.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub supporting: Vec<usize>,
 }
 
 impl Part {
@@ -90,8 +93,10 @@ pub(super) fn of_readings(drafts: impl IntoIterator<Item = Draft>) -> Finding {
                 Verdict::NotChecked => limit = Some(own.join(" ")),
                 _ => own.into_iter().for_each(|remark| add(&mut remarks, remark)),
             }
-            let evidence = finding.evidence.into_iter().map(|one| position(&mut evidence, one)).collect();
-            Part { words, verdict, strength, limit, counter_example, evidence }
+            let own: Vec<usize> =
+                finding.evidence.into_iter().map(|one| position(&mut evidence, one)).collect();
+            let supporting = finding.supporting.iter().filter_map(|at| own.get(at - 1).copied()).collect();
+            Part { words, verdict, strength, limit, counter_example, evidence: own, supporting }
         };
         let parts: Vec<Part> = parts.into_iter().map(&mut part).collect();
         let verdicts: Vec<Verdict> = parts.iter().map(|part| part.verdict).collect();
@@ -104,7 +109,13 @@ pub(super) fn of_readings(drafts: impl IntoIterator<Item = Draft>) -> Finding {
         let open = written.parts.iter().filter(|part| part.verdict == Verdict::NotChecked);
         open.for_each(|part| add(&mut remarks, part.result().into()));
     }
+    let deciding = |at: &usize| {
+        let mut parts = readings.iter().flat_map(|reading| &reading.parts);
+        parts.any(|part| part.evidence.contains(at) && !part.supporting.contains(at))
+    };
+    let supporting = (1..=evidence.len()).filter(|at| !deciding(at)).collect();
     Finding {
+        supporting,
         verdict: written.verdict,
         strength: written.strength,
         limit: limit(written),

@@ -2,13 +2,14 @@
 
 use std::collections::BTreeSet;
 
+use crate::claims::criteria::{z2, z5};
 use crate::claims::reading::{Draft, of_readings};
 use crate::claims::{Check, Evidence, Finding};
 use crate::experiments::zones::{InertialLine, LineCount, ZonesOutcome};
 use crate::experiments::{Context, Need, SceneOutcome};
-use slipmode_core::number::format::{certain_digits, round_digits};
+use slipmode_core::number::format::round_digits;
 use slipmode_core::stability::SlipMode;
-use slipmode_core::theory::{asymptote_series, criteria, frequency, inertial, quasi_static, transition};
+use slipmode_core::theory::{asymptote_series, criteria, frequency, transition};
 
 pub(super) const CHECKS: &[Check] = &[
     Check {
@@ -220,41 +221,5 @@ fn modes_evidence(zones: &ZonesOutcome, modes: &BTreeSet<&str>, case: &str) -> E
         quantity: format!("Slip modes on the exact map for {case}, each with its number of connected areas"),
         value: areas.join(", "),
         points: zones.exact.values.len(),
-    }
-}
-
-fn z2(context: &Context) -> Finding {
-    Finding::from_proofs([criteria::inertial_parameter(context.equations)])
-        .within("the upper area, which has real roots at every η; in the stable zone of a < b, η ≥ 1/2 already suffices, so η > 1 is not necessary")
-        .outside("For a < b and K > K_c every point with η > 1 is underdamped, so there the criterion is sufficient.")
-}
-
-fn z5(context: &Context) -> Finding {
-    let series = match asymptote_series::derive(context.equations, 2) {
-        Ok(series) => series,
-        Err(refutation) => return Finding::from_proofs([Err(refutation)]),
-    };
-    let proofs = series.into_iter().map(|series| Ok(series.proof));
-    let finding = Finding::from_proofs(proofs)
-        .with_proof(quasi_static::vanishing_frequency(context.equations))
-        .with_proof(inertial::small_slip_distance(context.equations))
-        .with_proof(inertial::large_slip_distance(context.equations))
-        .with_proof(transition::stability(context.equations))
-        .with_proof(transition::crossing_frequency(context.equations))
-        .remark("Exact: eqs 9-13 and 23. Exact without inertia: eqs 15 and 16. Asymptotic: eqs 15, 16, 18 and 20 on the boundary of eq 8.")
-        .remark("Oscillation can start across eq 16 (at low velocity), across eq 20, or near their corner, where neither equation is the boundary.");
-    let tolerance = context.outcome.potentially_unstable().and_then(|scene| scene.tolerance.as_ref());
-    match tolerance {
-        None => finding.within("the relative errors of the series"),
-        Some(tolerance) => {
-            let at_corner = certain_digits(&tolerance.corners.lower_at_corner_normal_stress, 6);
-            let worst = certain_digits(&tolerance.corners.lower_worst_log10, 6);
-            let enclosure =
-                |quantity: &str, value: String| Evidence::Enclosure { quantity: quantity.into(), value };
-            finding
-                .within(format!("the relative error of eq 20 in velocity is {at_corner} at its corner with eq 16, and bσ/(2KD_c) to leading order far from the corner"))
-                .with_evidence(enclosure("V_exact/V_20 − 1 at the corner of eqs 16 and 20", at_corner))
-                .with_evidence(enclosure("Largest log10 distance between the lower arc and the nearer of eqs 16 and 20", worst))
-        }
     }
 }

@@ -123,9 +123,14 @@ pub fn verify(options: &VerifyOptions, progress: &Progress) -> Result<(), Failur
         Vec::new()
     };
     moved.extend(product.files.get(PAGE).and_then(|page| over_budget(page.len())));
-    let drift = drift(&product.ledger);
+    let mut drift = drift(&product.ledger);
+    drift.extend(product.ledger.overstated().map(|entry| {
+        format!("{}: the strength {} is above its weakest part's", entry.id, entry.finding.strength.as_str())
+    }));
     let mut text: String = product.ledger.claims.iter().map(claim_line).collect();
     text += &summary(&product.ledger);
+    let (steps, argued) = product.ledger.proof_steps();
+    text += &format!("{}, {argued} of them without a certificate\n", count_of(steps, "distinct proof step"));
     text += &format!("{}\n", place.join(PAGE).display());
     if !published.exists() {
         text += "there is no published copy: only the verdicts were compared\n";

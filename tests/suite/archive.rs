@@ -178,7 +178,7 @@ fn two_ledgers_are_compared_by_verdict() {
 fn one_claim_is_decided_alone() {
     let place = small_report();
     let said = place.run(["verify", "small", "--claim", "B8"]).expect_success();
-    assert!(said.contains("verdict          fails, argued") && said.contains("counter-example"), "{said}");
+    assert!(said.contains("verdict          fails, exact") && said.contains("counter-example"), "{said}");
     assert_eq!(place.names(), ["small"], "nothing is written");
     place
         .run(["verify", "small", "--claim", "b8"])

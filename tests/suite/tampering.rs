@@ -81,7 +81,7 @@ const KINDS: &[Kind] = &[
     (
         "a strength",
         |f| in_ledger(f, |l| l["claims"][0]["strength"] = "kernel".into()),
-        "S1: strength: kernel -> argued",
+        "S1: strength: kernel -> exact",
     ),
     (
         "the words of a claim",

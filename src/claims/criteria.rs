@@ -1,0 +1,81 @@
+//! Claims Z2 and Z5: how good the criteria for oscillation are.
+
+use crate::claims::boundary::SERIES_ORDER;
+use crate::claims::{BITS, Evidence, Finding};
+use crate::experiments::Context;
+use slipmode_core::number::Ball;
+use slipmode_core::number::format::certain_digits;
+use slipmode_core::theory::sufficient_inertia::sufficient_inertial_parameter;
+use slipmode_core::theory::{asymptote_series, criteria, inertial, quasi_static, transition, worst_error};
+
+pub(super) fn z2(context: &Context) -> Finding {
+    let finding = Finding::from_proofs([criteria::inertial_parameter(context.equations)]);
+    let bound = "η > η_c suffices, with (1 − 2η_c)³ = 27 (b/a) η_c², that is η_c = 1/(2 + 6√(b/a) cos(⅓ arccos √(a/b)))";
+    let all = "η ≥ 1/8 suffices for all a < b; no smaller bound does";
+    let slider = context.outcome.potentially_unstable().and_then(|scene| scene.slider());
+    let sharp = slider.and_then(|slider| sufficient_inertial_parameter(&slider.effect_ratio(), BITS));
+    let value = sharp.map(|sharp| certain_digits(&sharp, 6));
+    let of_scene = value.as_ref().map(|value| format!(" = {value} at the scene's b/a")).unwrap_or_default();
+    let finding = finding
+        .within(format!("the upper area, which has real roots at every η. In the stable zone of a < b {bound}{of_scene}; {all}"))
+        .outside("For a < b and K > K_c every point with η > 1 is underdamped, so there the criterion is sufficient.");
+    match value {
+        None => finding,
+        Some(value) => {
+            finding.with_evidence(Evidence::Enclosure { quantity: "η_c at the scene's b/a".into(), value })
+        }
+    }
+}
+
+pub(super) fn z5(context: &Context) -> Finding {
+    let series = match asymptote_series::derive(context.equations, SERIES_ORDER) {
+        Ok(series) => series,
+        Err(refutation) => return Finding::from_proofs([Err(refutation)]),
+    };
+    let proofs = series.into_iter().map(|series| Ok(series.proof));
+    let finding = Finding::from_proofs(proofs)
+        .with_proof(worst_error::prove(context.equations))
+        .with_proof(quasi_static::vanishing_frequency(context.equations))
+        .with_proof(inertial::small_slip_distance(context.equations))
+        .with_proof(inertial::large_slip_distance(context.equations))
+        .with_proof(transition::stability(context.equations))
+        .with_proof(transition::crossing_frequency(context.equations))
+        .remark("Exact: eqs 9-13 and 23. Exact without inertia: eqs 15 and 16. Asymptotic: eqs 15, 16, 18 and 20 on the boundary of eq 8.")
+        .remark("Errors are exact/asymptote − 1, of σ at the same V0 (eqs 15 and 16) and of V0 at the same σ (eqs 18 and 20). The arc of eq 16 ends and that of eq 20 begins at the cusp; those of eqs 15 and 18 meet at the V0 of their corner.")
+        .remark("Oscillation can start across eq 16 (at low velocity), across eq 20, or near their corner, where neither equation is the boundary.");
+    let tolerance = context.outcome.potentially_unstable().and_then(|scene| scene.tolerance.as_ref());
+    let Some(corners) = tolerance.map(|tolerance| &tolerance.corners) else {
+        return finding.within("the relative errors of the series");
+    };
+    let enclosure = |quantity: &str, value: &Ball| Evidence::Enclosure {
+        quantity: quantity.into(),
+        value: certain_digits(value, 6),
+    };
+    let upper = corners.upper.as_ref();
+    let worst = [
+        ("15", "at the V0 of the corner of eqs 15 and 18", upper.map(|errors| &errors.quasi_static)),
+        ("16", "at the cusp", Some(&corners.cusp.quasi_static)),
+        ("18", "at the V0 of the corner of eqs 15 and 18", upper.map(|errors| &errors.inertial)),
+        ("20", "at the cusp", Some(&corners.cusp.inertial)),
+    ];
+    let worst = || worst.iter().filter_map(|(number, place, error)| Some((number, place, (*error)?)));
+    let listed: Vec<String> = worst()
+        .map(|(number, place, error)| format!("{} (eq {number}, {place})", certain_digits(error, 6)))
+        .collect();
+    let finding = worst().fold(finding, |finding, (number, place, error)| {
+        finding.with_evidence(enclosure(
+            &format!("Largest relative error of eq {number} on its arc, {place}"),
+            error,
+        ))
+    });
+    finding
+        .within(format!("the largest relative errors on the arcs of the boundary: {}", listed.join(", ")))
+        .with_evidence(enclosure(
+            "V_exact/V_20 − 1 at the σ of the corner of eqs 16 and 20",
+            &corners.lower_at_corner_normal_stress,
+        ))
+        .with_evidence(enclosure(
+            "Largest log10 distance between the lower arc and the nearer of eqs 16 and 20",
+            &corners.lower_worst_log10,
+        ))
+}
