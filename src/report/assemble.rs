@@ -107,9 +107,9 @@ fn chapter_text(chapter: &Chapter, prose: &BTreeMap<String, String>) -> String {
 
 fn cards(ledger: &Ledger) -> Vec<CardView> {
     [
-        (Verdict::Holds, "as stated"),
-        (Verdict::HoldsWithin, "inside a quantified limit"),
         (Verdict::Fails, "with a counter-example"),
+        (Verdict::HoldsWithin, "inside a quantified limit"),
+        (Verdict::Holds, "as stated"),
         (Verdict::NotChecked, "in this report"),
     ]
     .into_iter()

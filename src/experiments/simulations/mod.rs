@@ -7,10 +7,12 @@ pub(crate) mod overshoot_figure;
 pub(crate) mod run;
 pub(crate) mod section;
 pub(crate) mod tables;
+mod words;
 
 pub use least_peak::{FLATNESS_LEVELS, LeastPeak, SIDE_WIDTH, least_peaks};
 pub use run::{SimulatedPoint, SimulationsOutcome, simulations};
 pub use section::SimulationsSection;
+pub use words::range_of_velocities;
 
 use crate::experiments::work::rectangle_points;
 use crate::experiments::{Experiment, FigureMaker, Setting, TableMaker, Work};

@@ -3,10 +3,10 @@
 use crate::experiments::map::MapPoint;
 use crate::experiments::map::figures::{FIG_1, FIG_6A, Words, theory_lines};
 use crate::experiments::shared::Grid;
-use crate::experiments::shared::axes::{axes, cusp_mark};
+use crate::experiments::shared::axes::{asymptote_lines, axes, cusp_mark, transition_line};
 use crate::experiments::{Figure, FigureMaker, Need, SceneOutcome};
 use slipmode_core::stability::SlipMode;
-use slipmode_plot::figure::{Caption, Readout, Zone, ZoneMap, zones_of_grid};
+use slipmode_plot::figure::{Axis, Caption, Line, PointMark, Readout, Zone, ZoneMap, zones_of_grid};
 
 pub(crate) const FIGURES: &[FigureMaker] = &[
     FigureMaker::new("fig-7a", &[Need::Map, Need::Zones, Need::Boundary], &["zones"], |outcome| {
@@ -21,7 +21,7 @@ const FIG_7A: Words = Words {
     id: "fig-7a",
     label: "Figure 7a",
     title: "Slip modes, a < b",
-    caption: "Slip modes, decided exactly at every point (compare fig 7a of the paper), with the exact boundary, the asymptotes and the transition. The paper draws the zones with straight lines instead.",
+    caption: "Left: slip modes, decided exactly at every point (compare fig 7a of the paper), with the exact boundary, the asymptotes and the transition. Right: the slip modes of the same points by the lines of the paper: the asymptotes, the transition, and the velocity of eq 13 between slow and fast oscillation. The paper shows the right one only.",
     description: "Map of the slip modes over loading velocity and normal stress: overdamped stable sliding at low stress and low velocity, non-inertial and inertial underdamped oscillation around it, stick-slip at high stress, harmonic vibration at high velocity.",
 };
 
@@ -29,7 +29,7 @@ const FIG_7B: Words = Words {
     id: "fig-7b",
     label: "Figure 7b",
     title: "Slip modes, a ≥ b",
-    caption: "Slip modes for a ≥ b, decided exactly at every point (compare fig 7b of the paper). All modes are stable. The upper area is an overdamped oscillation. The paper draws the zones with straight lines instead.",
+    caption: "Left: slip modes for a ≥ b, decided exactly at every point (compare fig 7b of the paper). All modes are stable. The upper area is an overdamped oscillation. Right: the slip modes of the same points by the lines of the paper: the asymptotes, the transition, and the velocity of eq 13 between slow and fast oscillation. The paper shows the right one only.",
     description: "Map of the slip modes over loading velocity and normal stress: overdamped stable sliding, non-inertial and inertial underdamped oscillation, and overdamped oscillation at high stress.",
 };
 
@@ -37,34 +37,41 @@ const FIG_7B: Words = Words {
 fn zone_map(scene: &SceneOutcome, words: &Words, frequencies: &Words) -> Option<Figure> {
     let (zones, boundary) = (scene.zones.as_ref()?, scene.boundary.as_ref()?);
     let (x, y) = axes(&zones.exact)?;
-    let classes: Vec<usize> = zones
-        .exact
-        .values
-        .iter()
-        .map(|mode| SlipMode::ALL.iter().position(|known| known == mode).unwrap_or(0))
-        .collect();
-    let columns = zones.exact.loading_velocity_m_per_s.len();
-    let outlines = zones_of_grid(&x, &y, columns, &classes, SlipMode::ALL.len());
-    let present = SlipMode::ALL
-        .iter()
-        .zip(outlines)
-        .enumerate()
-        .filter(|(_, (_, outlines))| !outlines.is_empty())
-        .map(|(style, (mode, outlines))| Zone { label: mode.words().into(), outlines, style })
-        .collect();
-    let lines = theory_lines(scene, boundary, &x, &y);
     let same_axes =
         |map: &Grid<MapPoint>| axes(map).is_some_and(|(other_x, other_y)| (&other_x, &other_y) == (&x, &y));
     let said =
         scene.map.as_ref().filter(|map| same_axes(map)).map(|_| Readout::SameAs(frequencies.id.into()));
-    let map = ZoneMap {
+    let map = |grid: &Grid<SlipMode>, lines: Vec<Line>, marks: Vec<PointMark>| ZoneMap {
         caption: Caption::new(words.id, words.title, words.description),
-        zones: present,
+        zones: present_zones(grid.values.iter().copied(), grid.loading_velocity_m_per_s.len(), &x, &y),
         lines,
-        marks: cusp_mark(&boundary.points),
+        marks,
         labels: Vec::new(),
-        x,
-        y,
+        x: x.clone(),
+        y: y.clone(),
     };
-    Some(Figure::new(&map.caption, words.label, words.caption, map.svg_with(said.as_ref())))
+    let parameters = scene.slider()?;
+    let straight = asymptote_lines(parameters, &x, &y).into_iter().chain(transition_line(parameters, &x, &y));
+    let exact = map(&zones.exact, theory_lines(scene, boundary, &x, &y), cusp_mark(&boundary.points));
+    let of_the_paper = map(&zones.simplified, straight.collect(), Vec::new());
+    let headings = ["exact", "by the lines of the paper"];
+    let svg = exact.svg_beside(&of_the_paper, headings, said.as_ref());
+    Some(Figure::new(&exact.caption, words.label, words.caption, svg))
+}
+
+/// The slip modes that occur on a grid with rows of so many columns.
+pub(crate) fn present_zones(
+    modes: impl Iterator<Item = SlipMode>,
+    columns: usize,
+    x: &Axis,
+    y: &Axis,
+) -> Vec<Zone> {
+    let class = |mode: SlipMode| SlipMode::ALL.iter().position(|known| *known == mode).unwrap_or(0);
+    let classes: Vec<usize> = modes.map(class).collect();
+    let outlines = zones_of_grid(x, y, columns, &classes, SlipMode::ALL.len());
+    let zones = SlipMode::ALL.iter().zip(outlines).enumerate();
+    zones
+        .filter(|(_, (_, outlines))| !outlines.is_empty())
+        .map(|(style, (mode, outlines))| Zone { label: mode.words().into(), outlines, style })
+        .collect()
 }

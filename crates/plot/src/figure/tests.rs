@@ -19,6 +19,7 @@ fn every_figure_is_well_named_and_has_no_bad_number() {
         error_chart().svg(),
         frequency_chart().svg_with(Some(&inset())),
         zone_map(24).svg(),
+        zone_map(24).svg_beside(&zone_map(24), ["one", "other"], None),
         range_chart().svg(),
     ];
     for svg in figures {
@@ -54,7 +55,13 @@ fn hostile_words_stay_words_in_every_place() {
     ranges.levels[0] = hostile.into();
     let mut inset = inset();
     inset.x.title = hostile.into();
-    for svg in [map.svg(), chart.svg_with(Some(&inset)), zones.svg(), ranges.svg()] {
+    for svg in [
+        map.svg(),
+        chart.svg_with(Some(&inset)),
+        zones.svg(),
+        zones.svg_beside(&zones, [hostile; 2], None),
+        ranges.svg(),
+    ] {
         assert!(!svg.contains("<script") && !svg.contains("<a "), "{svg}");
         assert!(svg.contains("&lt;script&gt;"));
     }

@@ -1,8 +1,8 @@
 //! Zone maps: a plane divided into named regions with pattern, colour and name.
 
-use super::frame::{CANVAS_WIDTH, Frame};
+use super::frame::{CANVAS_WIDTH, Frame, SMALL};
 use super::legend::{Entry, KEY_WIDTH, Legend};
-use super::overlay::{draw_labels, draw_lines, draw_marks, legend_entries};
+use super::overlay::{draw_labels, draw_lines, draw_marks, draw_named_lines, legend_entries};
 use super::path::{Point, outline_data, simplify};
 use super::svg::Svg;
 use super::{Axis, Caption, Line, PointMark, Readout, RegionLabel, palette};
@@ -41,6 +41,10 @@ pub struct ZoneMap {
 const CORNER: Point = (80.0, 14.0);
 /// Width and height of the map.
 const SIZE: Point = (544.0, 440.0);
+/// Left edges of two maps side by side, their upper edge and their size.
+const PAIR_LEFT: [f64; 2] = [66.0, 388.0];
+const PAIR_TOP: f64 = 30.0;
+const PAIR_SIZE: Point = (236.0, 236.0);
 /// How far a drawn edge may lie from the given one, in canvas units: less than a grid step of a fine map.
 const EDGE_TOLERANCE: f64 = 0.7;
 
@@ -58,7 +62,7 @@ impl ZoneMap {
         let legend = Legend::new(self.legend_entries(), CANVAS_WIDTH - CORNER.0);
         let below = frame.bounds.bottom + 60.0;
         let mut svg = Svg::new(&self.caption, CANVAS_WIDTH, below + legend.height());
-        self.define_patterns(&mut svg);
+        define_patterns(&mut svg, self.zones.iter());
         frame.draw_panel(&mut svg, "panel-map");
         for zone in &self.zones {
             draw_zone(&mut svg, &frame, zone);
@@ -74,13 +78,33 @@ impl ZoneMap {
         svg.finish()
     }
 
-    fn define_patterns(&self, svg: &mut Svg) {
-        let mut styles: Vec<usize> = self.zones.iter().map(|zone| look(zone.style)).collect();
-        styles.sort_unstable();
-        styles.dedup();
-        svg.open("defs", &[]);
-        styles.into_iter().for_each(|style| define_pattern(svg, style));
-        svg.close();
+    /// This map and another with the same axes side by side, each under its heading, with one legend, as SVG text; the words to be
+    /// read out are this map's.
+    #[must_use]
+    pub fn svg_beside(&self, other: &Self, headings: [&str; 2], readout: Option<&Readout>) -> String {
+        let height = PAIR_TOP + PAIR_SIZE.1 + 60.0;
+        let entries = self.legend_entries().into_iter().chain(other.legend_entries()).collect();
+        let legend = Legend::new(entries, CANVAS_WIDTH - PAIR_LEFT[0]);
+        let mut svg = Svg::new(&self.caption, CANVAS_WIDTH, height + legend.height());
+        define_patterns(&mut svg, self.zones.iter().chain(&other.zones));
+        for (index, map) in [self, other].into_iter().enumerate() {
+            let corner = (PAIR_LEFT[index], PAIR_TOP);
+            let frame = Frame::new(&map.x, &map.y, corner, PAIR_SIZE);
+            frame.draw_panel(&mut svg, "panel-map");
+            map.zones.iter().for_each(|zone| draw_zone(&mut svg, &frame, zone));
+            draw_named_lines(&mut svg, &frame, &map.lines, ["left-", "right-"][index]);
+            draw_marks(&mut svg, &frame, &map.marks);
+            frame.draw_axes(&mut svg);
+            let attributes = [("class", "ink"), ("fill", palette::INK), ("font-size", "13")];
+            svg.open("g", &attributes);
+            svg.words((corner.0, PAIR_TOP - 9.0), headings[index], SMALL);
+            svg.close();
+            if let Some(readout) = readout.filter(|_| index == 0) {
+                readout.draw(&mut svg, &frame);
+            }
+        }
+        legend.draw(&mut svg, (PAIR_LEFT[0], height));
+        svg.finish()
     }
 
     fn legend_entries(&self) -> Vec<Entry<'_>> {
@@ -95,6 +119,15 @@ impl ZoneMap {
         });
         zones.chain(legend_entries(&self.lines)).collect()
     }
+}
+
+fn define_patterns<'z>(svg: &mut Svg, zones: impl Iterator<Item = &'z Zone>) {
+    let mut styles: Vec<usize> = zones.map(|zone| look(zone.style)).collect();
+    styles.sort_unstable();
+    styles.dedup();
+    svg.open("defs", &[]);
+    styles.into_iter().for_each(|style| define_pattern(svg, style));
+    svg.close();
 }
 
 fn look(style: usize) -> usize {
