@@ -10,6 +10,7 @@ pub mod map;
 pub mod near_transition;
 pub mod onset;
 mod outcome;
+pub mod own_weight;
 mod registry;
 mod run;
 mod scene;

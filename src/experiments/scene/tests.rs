@@ -44,6 +44,8 @@ fn every_section_is_read() {
          [effect_ratio_sweep]\neffect_ratio = {{ from = 1e-3, to = 1e3, points = 9 }}\nnear_equal = [1e-3]\n\
          [tolerance]\nrelative = [0.1, 0.01]\n\
          [simulations]\n{axes}laws = [\"slip\", \"aging\"]\ntolerance = 1e-8\n\
+         [own_weight]\ngravity_m_per_s2 = 9.81\nloading_velocity_m_per_s = {{ from = 1e-6, to = 1e-1, points = 5 }}\n\
+         stiffness_over_mass_per_s2 = {{ from = 1e3, to = 1e6, points = 3 }}\n\
          [linear_regime]\n{points}laws = [\"aging\"]\namplitudes = [1e-3, 1e-9]\n\
          [start_sensitivity]\n{points}laws = [\"slip\"]\ntolerance = 1e-8\n\
          [onset]\nnormal_stress_pa = [1778.28, 562.34]\nvelocity_over_asymptote = [0.5, 5]\n\
@@ -72,6 +74,7 @@ fn every_section_is_read() {
     };
     assert_eq!(linear.points, [place]);
     assert_eq!(linear.amplitudes.len(), 2);
+    assert_eq!(scene.own_weight.unwrap().gravity_m_per_s2, Rational::from((981, 100)));
     assert_eq!(scene.start_sensitivity.unwrap().laws, [EvolutionLaw::Slip]);
     let onset = scene.onset.unwrap();
     assert_eq!((onset.normal_stress_pa.len(), onset.velocity_over_asymptote.len()), (2, 2));

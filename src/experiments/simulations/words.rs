@@ -27,7 +27,7 @@ pub fn range_of_velocities(outcome: &Outcome) -> Option<String> {
     let [least, most] = MEASURED_M_PER_S.map(|velocity| round_digits(velocity, DIGITS));
     (outside > 0).then(|| {
         format!(
-            "Validity: the simulated limit cycles slip as slowly as {low} m/s and as fast as {high} m/s. In {outside} of {} the law of eq 1 is extrapolated beyond {least} to {most} m/s, where laboratories measure it.",
+            "Validity: the simulated limit cycles slip as slowly as {low} m/s and as fast as {high} m/s. In {outside} of {} cycles the law of eq 1 is extrapolated beyond {least} to {most} m/s, where laboratories measure it.",
             extremes.len()
         )
     })

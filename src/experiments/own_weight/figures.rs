@@ -1,0 +1,67 @@
+//! The slip modes of a slider under its own weight, in the plane of loading velocity and K/M.
+
+use crate::experiments::boundary::BoundaryOutcome;
+use crate::experiments::zones::figures::present_zones;
+use crate::experiments::{Figure, FigureMaker, Need, SceneOutcome};
+use slipmode_core::number::nearest_f64;
+use slipmode_core::stability::Arc;
+use slipmode_plot::figure::{Axis, Caption, Line, LineRole, ZoneMap};
+
+pub(crate) const FIGURES: &[FigureMaker] =
+    &[FigureMaker::new("own-weight", &[Need::OwnWeight, Need::Boundary], &[], |outcome| {
+        outcome.scenes.iter().find_map(plane)
+    })];
+
+const TITLE: &str = "Slip modes of a slider under its own weight";
+const DESCRIPTION: &str = "Map of the slip modes over loading velocity and stiffness over mass. Below and to the right of the transition sliding is unstable. At low velocity the transition is level, at high velocity it rises with the square of the velocity.";
+const CAPTION: &str = "Slip modes of a slider whose weight is its normal stress, σ = M g, decided exactly at every point, over loading velocity and K/M. The slip modes depend on K and M through K/M only. Dotted line: K/M of this report.";
+
+fn plane(scene: &SceneOutcome) -> Option<Figure> {
+    let (found, boundary) = (scene.own_weight.as_ref()?, scene.boundary.as_ref()?);
+    let (velocities, ratios) = (&found.loading_velocity_m_per_s, &found.stiffness_over_mass_per_s2);
+    let x = Axis::log10("Loading velocity *V*_0", "m/s", *velocities.first()?, *velocities.last()?);
+    let y = Axis::log10("*K*/*M*", "1/s²", *ratios.first()?, *ratios.last()?);
+    let map = ZoneMap {
+        caption: Caption::new("own-weight", TITLE, DESCRIPTION),
+        zones: present_zones(found.slip_modes.iter().copied(), velocities.len(), &x, &y),
+        lines: lines(scene, boundary, [x.min, x.max])?,
+        marks: Vec::new(),
+        labels: Vec::new(),
+        x,
+        y,
+    };
+    Some(Figure::own(&map.caption, CAPTION, map.svg()))
+}
+
+/// Vertices of the transition.
+const VERTICES: u32 = 100;
+
+/// The boundary and the transition: η = V²/(g a D_c) and κ = (K/M)·D_c/(g a).
+fn lines(scene: &SceneOutcome, boundary: &BoundaryOutcome, [from, to]: [f64; 2]) -> Option<Vec<Line>> {
+    let gravity = nearest_f64(&scene.scene.own_weight.as_ref()?.gravity_m_per_s2);
+    let slider = scene.slider()?.map(nearest_f64);
+    let distance = slider.critical_slip_distance_m;
+    let effect = slider.direct_effect * gravity;
+    let arc = |arc: Arc| {
+        let points = boundary.points.iter().filter(|point| point.arc == arc);
+        let place = |inertial: f64, stiffness: f64| {
+            ((inertial * effect * distance).sqrt(), stiffness * effect / distance)
+        };
+        let points = points.map(|point| {
+            place(point.groups.inertial_parameter.to_f64(), point.groups.stiffness_group.to_f64())
+        });
+        Line::new("exact boundary max Im(*s*) = 0", LineRole::Boundary, points.collect())
+    };
+    let level = (slider.evolution_effect - slider.direct_effect) * gravity / distance;
+    let transition = (0..=VERTICES).map(|index| {
+        let velocity = from * libm::pow(to / from, f64::from(index) / f64::from(VERTICES));
+        (velocity, level * (1.0 + velocity * velocity / (effect * distance)))
+    });
+    let here = slider.stiffness_pa_per_m / slider.mass_per_area_kg_per_m2;
+    let mut lines = vec![arc(Arc::Upper), arc(Arc::Lower)];
+    if level > 0.0 {
+        lines.push(Line::new("transition *K* = *K*_c", LineRole::Transition, transition.collect()));
+    }
+    lines.push(Line::new("*K*/*M* of this report", LineRole::Guide, vec![(from, here), (to, here)]));
+    Some(lines)
+}
