@@ -12,7 +12,7 @@ use super::page_style::{SCRIPT, content_policy, style_sheet};
 use super::parts::{anchor, lead, runs, title};
 use super::templates::Templates;
 use super::view::{AnswerView, CardView, ChapterView, ClaimView, EquationView, FigureView, ReportView};
-use super::{MAX_SHOWN_ROWS, ReportError, cut_note};
+use super::{ReportError, cut_note, shown_rows};
 use crate::scene::Part;
 use slipmode_plot::figure::within_html;
 use slipmode_plot::table::{Cell, Kind, Table};
@@ -280,10 +280,10 @@ pub(super) fn table_html(
         "file": file,
         "texts": text_columns(table),
         "columns": table.columns,
-        "rows": table.rows[..table.rows.len().min(MAX_SHOWN_ROWS)],
+        "rows": table.rows[..shown_rows(table)],
         "cut": cut_note(table),
-        "is_folded": !file.is_empty() && table.rows.len() > OPEN_ROWS,
-        "count": table.rows.len(),
+        "is_folded": !file.is_empty() && shown_rows(table) > OPEN_ROWS,
+        "count": shown_rows(table),
         "note_html": note_html,
     });
     templates.render("table.html", &context)
@@ -297,7 +297,7 @@ fn text_columns(table: &Table) -> String {
     let texts = table.columns.iter().enumerate().filter(|(_, column)| column.kind == Kind::Text);
     let class = |index: usize| {
         let length = |row: &Vec<Cell>| row.get(index).map_or(0, |cell| cell.text.chars().count());
-        let longest = table.rows.iter().take(MAX_SHOWN_ROWS).map(length).max();
+        let longest = table.rows.iter().take(shown_rows(table)).map(length).max();
         let letter = if longest.unwrap_or(0) > LINE_OF_WORDS { 'w' } else { 't' };
         format!("{letter}{}", index + 1)
     };

@@ -44,8 +44,11 @@ pub use view::{
 
 use slipmode_plot::table::Table;
 
-/// Rows of a table shown on the page and in the Markdown report; the CSV file has all.
+/// A table with more rows is shown on the page and in the Markdown report by its first [`EXCERPT_ROWS`]; the CSV file has all.
 pub const MAX_SHOWN_ROWS: usize = 24;
+
+/// Rows shown of a table that is not shown whole.
+pub const EXCERPT_ROWS: usize = 8;
 
 /// Size to which the paper's page is held, in bytes.
 pub const PAGE_BUDGET_BYTES: usize = 1 << 20;
@@ -61,6 +64,12 @@ pub fn without_environment(text: &str) -> String {
     format!("{}\n{}", before.trim_end(), after.trim_start())
 }
 
+/// How many rows of a table are shown.
+fn shown_rows(table: &Table) -> usize {
+    let rows = table.rows.len();
+    if rows <= MAX_SHOWN_ROWS { rows } else { EXCERPT_ROWS }
+}
+
 /// What is written below a table that is not shown whole; empty for one that is.
 fn cut_note(table: &Table) -> String {
     let rows = table.rows.len();
@@ -68,7 +77,7 @@ fn cut_note(table: &Table) -> String {
         return String::new();
     }
     format!(
-        "The first {MAX_SHOWN_ROWS} of {rows} rows, in the order of tables/{}.csv, which has all of them.",
+        "The first {EXCERPT_ROWS} of {rows} rows, in the order of tables/{}.csv, which has all of them.",
         table.id
     )
 }

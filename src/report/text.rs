@@ -14,7 +14,7 @@ use super::view::{
     AnswerView, CardView, ChapterView, ClaimGroupView, ClaimView, EquationView, FactView, FigureView,
     InputView, ReportView,
 };
-use super::{MAX_SHOWN_ROWS, ReportError, cut_note};
+use super::{ReportError, cut_note, shown_rows};
 use slipmode_plot::table::{Table, escape_cell, escape_markdown};
 
 /// Renders the report as Markdown, one document that links to `figures/*.svg` and `tables/*.csv` next to it.
@@ -153,7 +153,7 @@ impl<'a> Report<'a> {
     }
 
     fn table(&self, table: &Table) -> String {
-        let rows = table.first_rows_to_markdown(MAX_SHOWN_ROWS);
+        let rows = table.first_rows_to_markdown(shown_rows(table));
         let title = escape_markdown(&table.title);
         let cut = escape_markdown(&cut_note(table));
         let note = self.prose(&table.note, 3);

@@ -32,7 +32,7 @@ pub(crate) const FIG_1: Words = Words {
     id: "fig-1",
     label: "Figure 1",
     title: "Largest imaginary part of the roots of eq 8, a < b",
-    caption: "Largest imaginary part of the three roots for a < b (compare fig 1 of the paper). Every point was classified exactly. Solid line: exact boundary. Dashed lines: its four asymptotes. White line: transition. Thin lines divide the brightest colour. The paper shows the asymptotes and the colours; the exact boundary and the cusp are added here.",
+    caption: "Largest imaginary part of the three roots for a < b (compare fig 1 of the paper). Every point was classified exactly. Solid line: exact boundary. Dashed lines: its four asymptotes. White line: transition. Thin lines divide the brightest colours. The paper shows the asymptotes and the colours; the exact boundary and the cusp are added here.",
     description: "Map over loading velocity and normal stress. Two areas without colour do not oscillate, one at high and one at low normal stress. Exact lines that join pairs of dashed asymptotes bound them. The lower area ends in a cusp to the right of the asymptotes' corner. The frequency rises from left to right and saturates at the natural frequency.",
 };
 
@@ -85,10 +85,10 @@ fn frequency_map(scene: &SceneOutcome, words: &Words) -> Option<Figure> {
     ))
 }
 
-/// Colour steps of the map: ten a decade.
-const STEPS: usize = 40;
+/// Colour steps of the map: six a decade.
+const STEPS: usize = 24;
 
-/// Shares of the natural angular frequency at which the map has a line: the lower end of the brightest colour, and two above it.
+/// Shares of the natural angular frequency at which the map has a line: all of the brightest colour or close to it.
 const NEARLY_NATURAL: [f64; 3] = [0.79, 0.9, 0.99];
 
 fn frequencies(map: &Grid<MapPoint>) -> Vec<f64> {
