@@ -5,8 +5,11 @@ use crate::experiments::map::figures::{FIG_1, FIG_6A, Words, theory_lines};
 use crate::experiments::shared::Grid;
 use crate::experiments::shared::axes::{asymptote_lines, axes, cusp_mark, transition_line};
 use crate::experiments::{Figure, FigureMaker, Need, SceneOutcome};
-use slipmode_core::stability::SlipMode;
-use slipmode_plot::figure::{Axis, Caption, Line, PointMark, Readout, Zone, ZoneMap, zones_of_grid};
+use slipmode_core::number::nearest_f64;
+use slipmode_core::stability::{Arc, SlipMode, asymptote};
+use slipmode_plot::figure::{
+    Axis, Caption, Line, LineRole, PointMark, Readout, Zone, ZoneMap, zones_of_grid,
+};
 
 pub(crate) const FIGURES: &[FigureMaker] = &[
     FigureMaker::new("fig-7a", &[Need::Map, Need::Zones, Need::Boundary], &["zones"], |outcome| {
@@ -21,7 +24,7 @@ const FIG_7A: Words = Words {
     id: "fig-7a",
     label: "Figure 7a",
     title: "Slip modes, a < b",
-    caption: "Left: slip modes, decided exactly at every point (compare fig 7a of the paper), with the exact boundary, the asymptotes and the transition. Right: the slip modes of the same points by the lines of the paper: the asymptotes, the transition, and the velocity of eq 13 between slow and fast oscillation. The paper shows the right one only.",
+    caption: "Left: slip modes, decided exactly at every point (compare fig 7a of the paper), with the exact boundary, the asymptotes and the transition. Right: the slip modes of the same points by the lines of the paper: the asymptotes, the transition, and a straight line between the corners of the asymptotes, which divides slow from fast oscillation. The text of the paper does not define this line. The paper shows the right map only.",
     description: "Map of the slip modes over loading velocity and normal stress: overdamped stable sliding at low stress and low velocity, non-inertial and inertial underdamped oscillation around it, stick-slip at high stress, harmonic vibration at high velocity.",
 };
 
@@ -29,7 +32,7 @@ const FIG_7B: Words = Words {
     id: "fig-7b",
     label: "Figure 7b",
     title: "Slip modes, a ≥ b",
-    caption: "Left: slip modes for a ≥ b, decided exactly at every point (compare fig 7b of the paper). All modes are stable. The upper area is an overdamped oscillation. Right: the slip modes of the same points by the lines of the paper: the asymptotes, the transition, and the velocity of eq 13 between slow and fast oscillation. The paper shows the right one only.",
+    caption: "Left: slip modes for a ≥ b, decided exactly at every point (compare fig 7b of the paper). All modes are stable. The upper area is an overdamped oscillation. Right: the slip modes of the same points by the lines of the paper: the asymptotes, the transition, and a straight line between the corners of the asymptotes, which divides slow from fast oscillation. The text of the paper does not define this line. The paper shows the right map only.",
     description: "Map of the slip modes over loading velocity and normal stress: overdamped stable sliding, non-inertial and inertial underdamped oscillation, and overdamped oscillation at high stress.",
 };
 
@@ -52,8 +55,12 @@ fn zone_map(scene: &SceneOutcome, words: &Words, frequencies: &Words) -> Option<
     };
     let parameters = scene.slider()?;
     let straight = asymptote_lines(parameters, &x, &y).into_iter().chain(transition_line(parameters, &x, &y));
+    let corners = [Arc::Upper, Arc::Lower].map(|arc| asymptote::corner(arc, &parameters.map(nearest_f64)));
+    let ends = corners.map(|corner| (corner.loading_velocity_m_per_s, corner.normal_stress_pa));
+    let between =
+        ends[0].1.is_finite().then(|| Line::new("line between the corners", LineRole::Guide, ends.to_vec()));
     let exact = map(&zones.exact, theory_lines(scene, boundary, &x, &y), cusp_mark(&boundary.points));
-    let of_the_paper = map(&zones.simplified, straight.collect(), Vec::new());
+    let of_the_paper = map(&zones.between_corners, straight.chain(between).collect(), Vec::new());
     let headings = ["exact", "by the lines of the paper"];
     let svg = exact.svg_beside(&of_the_paper, headings, said.as_ref());
     Some(Figure::new(&exact.caption, words.label, words.caption, svg))

@@ -42,7 +42,10 @@ pub struct ZonesOutcome {
     pub exact: Grid<SlipMode>,
     /// The slip mode that eqs 9, 15, 16, 18, 20 and the line V0² = |V_c²| assign.
     pub simplified: Grid<SlipMode>,
-    /// Points where the two disagree on stability or on whether roots are complex.
+    /// The same with the straight line between the corners of the asymptotes, as fig 7 seems to draw it; for a = b, where eqs 15 and
+    /// 18 have no corner, as `simplified`.
+    pub between_corners: Grid<SlipMode>,
+    /// Points where the first two disagree on stability or on whether roots are complex.
     pub disagreeing_areas: usize,
     /// Points where they disagree on the slip mode (also on inertial against non-inertial).
     pub disagreeing_modes: usize,
@@ -88,6 +91,10 @@ pub fn compare_zones(parameters: &Slider<Rational>, map: &Grid<MapPoint>) -> Zon
         exact: map.map(|point| point.slip_mode),
         disagreeing_areas: pairs.filter(|(point, zone)| area(point.spectral_class) != zone.area()).count(),
         disagreeing_modes: misplaced(&simplified),
+        between_corners: match lines.has_corners() {
+            true => zones(InertialLine::Corners).map(Zone::slip_mode),
+            false => simplified.map(Zone::slip_mode),
+        },
         simplified: simplified.map(Zone::slip_mode),
         inertial_lines,
         thresholds: threshold_shares(parameters, map),

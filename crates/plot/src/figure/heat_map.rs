@@ -73,7 +73,7 @@ const CORNER: Point = (80.0, 14.0);
 /// Width and height of the map.
 const SIZE: Point = (452.0, 420.0);
 /// How far a drawn contour may lie from the interpolated one, in canvas units.
-const CONTOUR_TOLERANCE: f64 = 0.25;
+const CONTOUR_TOLERANCE: f64 = 0.4;
 
 /// Colour of a contour line, and its width in tenths.
 const CONTOUR: [&str; 2] = ["#4a4a00", "10"];

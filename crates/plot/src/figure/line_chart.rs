@@ -98,7 +98,7 @@ const CORNER: Point = (80.0, 14.0);
 /// Width and height of the chart.
 const SIZE: Point = (544.0, 360.0);
 /// How far a drawn line may lie from the given one, in canvas units.
-const LINE_TOLERANCE: f64 = 0.06;
+const LINE_TOLERANCE: f64 = 0.15;
 
 impl LineChart {
     /// The chart as SVG text.

@@ -133,7 +133,7 @@ pub(crate) fn draw_named_lines(svg: &mut Svg, frame: &Frame, lines: &[Line], set
 }
 
 /// How far a drawn line may lie from the given one, in canvas units.
-const LINE_TOLERANCE: f64 = 0.06;
+const LINE_TOLERANCE: f64 = 0.15;
 
 /// A line of the map: its path is written once and drawn twice, as casing and as line.
 fn draw_line(svg: &mut Svg, role: LineRole, data: &str, set: &str) {

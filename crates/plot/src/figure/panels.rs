@@ -40,7 +40,7 @@ const LEFT: f64 = 76.0;
 /// Room right of a chart.
 const RIGHT: f64 = 18.0;
 /// How far a drawn line may lie from the given one, in canvas units: panels are many and looked at as a whole.
-const LINE_TOLERANCE: f64 = 0.2;
+const LINE_TOLERANCE: f64 = 0.3;
 /// Height of one line of a heading.
 const LINE: f64 = 18.0;
 /// Room above a heading.
