@@ -63,3 +63,26 @@ fn vibrations_that_die_in_a_hundred_million_returns_are_no_cycles() {
         }
     }
 }
+
+/// Next to the unstable cycle of the aging law, a return moves a run by a part in 10^5 and Newton's iteration would find that cycle.
+#[test]
+fn no_run_ends_on_an_unstable_cycle() {
+    // η, K/K_c − 1, and ln(V_l/V) of the start from which a run stays next to the unstable cycle.
+    for [eta, distance, threshold] in
+        [[1e-5, 3.1257e-5, 1.50982], [0.12, 1.5398e-4, 0.192_408], [0.13, 3.2139e-5, 0.128_54]]
+    {
+        let groups = Groups {
+            inertial_parameter: eta,
+            stiffness_group: (1.0 + distance) * 0.5 * (1.0 + eta),
+            effect_ratio: 1.5,
+        };
+        let model = Model::new(groups, EvolutionLaw::Aging);
+        for (part, periodic) in [(0.98, false), (1.02, true)] {
+            let options = Options::at(1e-6).with_velocity_ratio(libm::exp(-part * threshold));
+            let outcome = simulate_model(&model, &options).unwrap();
+            let on_cycle = matches!(outcome.long_term(), LongTerm::Cycle(_));
+            assert_eq!(on_cycle, periodic, "η = {eta}, {part}: {:?}", outcome.contraction());
+            assert!(outcome.contraction().is_none_or(|known| known < 1.0), "{outcome:?}");
+        }
+    }
+}

@@ -68,6 +68,9 @@ impl Levels {
     }
 }
 
+/// Leading multiplier, but for the error of the differences, from which on a cycle repels.
+const REPELLING: f64 = 1.0 + 1e-7;
+
 /// What a search with a cheaper method leaves to the next one.
 #[derive(Debug, Default)]
 pub(super) struct Leftover {
@@ -237,9 +240,17 @@ impl<'m, 'o, M: Stepper<f64> + Clone> Search<'m, 'o, M> {
         let mut crossing = [found.orbit.end[1], found.orbit.end[2]];
         for _ in 0..MOST_CROSSINGS {
             if refined.is_none() {
-                let (derivative, rough) = derivative(&mut map, crossing)?;
-                contraction = Some(derivative.multiplier());
-                refined = self.by_newton(&mut map, &derivative, rough, accuracy)?;
+                let (there, rough) = derivative(&mut map, crossing)?;
+                contraction = Some(there.multiplier());
+                refined = self.by_newton(&mut map, &there, rough, accuracy)?;
+                if there.multiplier() > REPELLING
+                    && let Some(cycle) = &refined
+                    && derivative(&mut map, cycle.mapped.from)?.0.multiplier() > REPELLING
+                {
+                    // Newton's iteration finds cycles that no run ends on, too.
+                    refined = None;
+                    break;
+                }
             }
             let Some(cycle) = refined.as_ref().filter(|&cycle| may_stop_or_not(cycle, &map)) else { break };
             match confirm(&mut map, cycle)? {
