@@ -20,9 +20,13 @@ mod planted_fault_tables;
 mod planted_faults;
 mod reading;
 mod simulated;
+mod simulated_courses;
+mod simulated_damping;
+mod simulated_friction;
 mod simulated_laws;
 mod simulated_least_peak;
 mod simulated_onset;
+mod simulated_transition;
 mod simulated_trends;
 mod theory_tables;
 mod transition;
@@ -68,6 +72,7 @@ pub fn checks() -> impl Iterator<Item = &'static Check> {
         frequency_turns::CHECKS,
         zones::CHECKS,
         numerical::CHECKS,
+        simulated_friction::CHECKS,
     ]
     .into_iter()
     .flatten()

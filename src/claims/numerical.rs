@@ -5,9 +5,12 @@ use std::slice;
 use crate::claims::overshoot::Overshoots;
 use crate::claims::reading::{Draft, of_readings};
 use crate::claims::simulated::{Run, Runs, evidence, for_each_law, grids};
+use crate::claims::simulated_courses::n15;
+use crate::claims::simulated_damping::{n11, n14};
 use crate::claims::simulated_laws::{ends_next_to_transition, n4};
 use crate::claims::simulated_least_peak::{n7, n8};
 use crate::claims::simulated_onset::n6;
+use crate::claims::simulated_transition::{n12, n13, n16};
 use crate::claims::simulated_trends::{n3, n5, n10};
 use crate::claims::{Check, Evidence, Finding};
 use crate::experiments::{Context, Need, Outcome};
@@ -97,6 +100,54 @@ pub(super) const CHECKS: &[Check] = &[
         needs: NEEDS,
         rests_on: &["Q1"],
         decide: |context| n10(context).unwrap_or_else(|undecided| undecided),
+    },
+    Check {
+        id: "N11",
+        criterion: "At each V_l, small deviations in simulations begin to oscillate at the normal stress of the exact boundary, and eq 16 differs from it by at most twice its own leading relative error η.",
+        not_established: "Other starts than steady state at V_l/10; velocities next to the corner of eqs 16 and 20.",
+        needs: &[Need::Onset],
+        rests_on: &["B2"],
+        decide: |context| n11(context).unwrap_or_else(|undecided| undecided),
+    },
+    Check {
+        id: "N12",
+        criterion: "At every σ above σ_c and with both laws, the period of the limit cycle falls below √2 natural periods, and its peak velocity is lowest, at the velocity of eq 18 within the errors of the search.",
+        not_established: "Normal stresses below σ_c, where eq 18 lies in the stable zone.",
+        needs: NEEDS,
+        rests_on: &["B4"],
+        decide: |context| n12(context).unwrap_or_else(|undecided| undecided),
+    },
+    Check {
+        id: "N13",
+        criterion: "The total harmonic distortion of V on every limit cycle of harmonic vibration is at most 0.1.",
+        not_established: "Cycles between the grid's points. Another limit of the distortion gives another range.",
+        needs: NEEDS,
+        rests_on: &["N2"],
+        decide: |context| n13(context).unwrap_or_else(|undecided| undecided),
+    },
+    Check {
+        id: "N14",
+        criterion: "At both normal stresses of fig 4, the two slowest of five runs show no second rise and no undershoot, the third only a single visible peak, and the two fastest vibrate visibly and are inertial.",
+        not_established: "The paper's own velocities: the text states none, so quarter decades around eq 20 are assumed, with two of them below it. The slip law only.",
+        needs: &[Need::Onset],
+        rests_on: &["N6"],
+        decide: |context| n14(context).unwrap_or_else(|undecided| undecided),
+    },
+    Check {
+        id: "N15",
+        criterion: "In the runs of fig 6c, V has at most one visible peak and one visible trough where the oscillation is non-inertial, and more where it is inertial.",
+        not_established: "The paper's own points: the text states none, so the points are assumed. The slip law only.",
+        needs: &[Need::Trajectories],
+        rests_on: &["N9"],
+        decide: |context| n15(context).unwrap_or_else(|undecided| undecided),
+    },
+    Check {
+        id: "N16",
+        criterion: "At every normal stress of fig 3a, the run at 10^-5.5 m/s ends on a limit cycle.",
+        not_established: "The normal stresses of the paper's fig 5, whose axis range the text does not state: those of fig 3a are assumed.",
+        needs: NEEDS,
+        rests_on: &["N1"],
+        decide: |context| n16(context).unwrap_or_else(|undecided| undecided),
     },
 ];
 

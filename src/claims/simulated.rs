@@ -1,7 +1,7 @@
 //! The simulations as the N claims read them: complete grids, neighbours on them, and error estimates.
 
 use crate::claims::{Evidence, Finding};
-use crate::experiments::simulations::SimulationsOutcome;
+use crate::experiments::simulations::{RunCourse, SimulatedPoint, SimulationsOutcome};
 use crate::experiments::{Context, Outcome, SceneOutcome};
 use slipmode_core::dynamics::{Behaviour, Simulation};
 use slipmode_core::friction::EvolutionLaw;
@@ -13,8 +13,11 @@ pub(super) struct Run<'c> {
     pub(super) velocity_m_per_s: f64,
     pub(super) normal_stress_pa: f64,
     pub(super) simulation: &'c Simulation,
+    pub(super) course: Option<&'c RunCourse>,
     pub(super) theory: &'c Classification,
     pub(super) stiffness_over_critical: Option<f64>,
+    /// η.
+    pub(super) inertial_parameter: f64,
 }
 
 /// The complete grid of one law, row by row of constant normal stress.
@@ -40,25 +43,24 @@ pub(super) fn grids<'c>(context: &'c Context, pick: Pick) -> Result<Vec<Runs<'c>
         .grids
         .iter()
         .map(|(law, grid)| {
-            let run = |(velocity_m_per_s, normal_stress_pa, point): (
-                f64,
-                f64,
-                &'c crate::experiments::simulations::SimulatedPoint,
-            )| {
-                match &point.simulation {
+            let run =
+                |(velocity_m_per_s, normal_stress_pa, point): (f64, f64, &'c SimulatedPoint)| match &point
+                    .simulation
+                {
                     Ok(simulation) => Ok(Run {
                         velocity_m_per_s,
                         normal_stress_pa,
                         simulation,
+                        course: point.course.as_ref(),
                         theory: &point.theory,
                         stiffness_over_critical: point.stiffness_over_critical,
+                        inertial_parameter: point.inertial_parameter,
                     }),
                     Err(failure) => Err(Finding::not_checked(format!(
                         "A run with the {} law has no result: {failure}",
                         law.as_str()
                     ))),
-                }
-            };
+                };
             let runs = grid.points().map(run).collect::<Result<Vec<_>, _>>()?;
             Ok(Runs { law: *law, runs, columns: grid.loading_velocity_m_per_s.len() })
         })

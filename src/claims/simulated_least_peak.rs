@@ -14,11 +14,11 @@ use slipmode_core::stability::SlipMode;
 const FEWEST_STRESSES: usize = 10;
 
 /// Least and greatest of some numbers.
-fn extent(values: impl Iterator<Item = f64>) -> (f64, f64) {
+pub(super) fn extent(values: impl Iterator<Item = f64>) -> (f64, f64) {
     values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(value), high.max(value)))
 }
 
-fn range((low, high): (f64, f64), digits: usize) -> String {
+pub(super) fn range((low, high): (f64, f64), digits: usize) -> String {
     format!("{} to {}", round_digits(low, digits), round_digits(high, digits))
 }
 

@@ -79,12 +79,12 @@ impl Compared<'_> {
 
     /// log10 of a velocity over that of eq 20.
     fn dex(&self, located: &Located) -> f64 {
-        libm::log10(located.velocity_m_per_s / self.eq20_m_per_s.to_f64())
+        libm::log10(located.value / self.eq20_m_per_s.to_f64())
     }
 
     /// log10 of a velocity over that of the exact boundary.
     fn dex_over_boundary(&self, located: &Located) -> f64 {
-        libm::log10(located.velocity_m_per_s / self.line.boundary_velocity_m_per_s.to_f64())
+        libm::log10(located.value / self.line.boundary_velocity_m_per_s.to_f64())
     }
 
     /// Least and greatest log10 over eq 20 of what the laws show, for people.

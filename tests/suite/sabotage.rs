@@ -32,6 +32,7 @@ mass_per_area_kg_per_m2 = 1000
 
 [onset]
 normal_stress_pa = [562.34]
+loading_velocity_m_per_s = [1e-5]
 velocity_over_asymptote = [1]
 laws = ["slip"]
 tolerance = 1e-8
@@ -84,11 +85,11 @@ impl Drop for Report {
     }
 }
 
-/// Z1, Z7 and Z8 need maps, and all claims N but N6 a grid of simulations, which this small report does not compute.
+/// Z1, Z7 and Z8 need maps, and F4 and all claims N but N6 and N11 a grid of simulations, which this small report does not compute.
 fn claims_of(letter: char) -> String {
     let wanted = |block: &&str| {
-        let needs_maps = ["\"Z1\"", "\"Z7\"", "\"Z8\""].iter().any(|id| block.contains(id));
-        let computed = if letter == 'N' { block.contains("\"N6\"") } else { !needs_maps };
+        let listed = |ids: &[&str]| ids.iter().any(|id| block.contains(&format!("id = \"{id}\"")));
+        let computed = if letter == 'N' { listed(&["N6", "N11"]) } else { !listed(&["F4", "Z1", "Z7", "Z8"]) };
         block.contains(&format!("id = \"{letter}")) && computed
     };
     CLAIMS.split("[[claim]]").filter(wanted).map(|block| format!("[[claim]]{block}")).collect()
@@ -161,4 +162,9 @@ fn a_criterion_that_contains_the_slip_distance_is_caught() {
 #[test]
 fn an_emergence_velocity_with_b_in_place_of_a_is_caught_by_the_simulated_onset() {
     sabotage('N', "2*V_0*sqrt(M*K)/(a*sigma) = 1", "2*V_0*sqrt(M*K)/(b*sigma) = 1", &["N6"]);
+}
+
+#[test]
+fn a_critical_damping_stress_with_the_wrong_sign_is_caught_by_the_simulated_onset() {
+    sabotage('N', "sigma = K*D_c/(sqrt(b) + sqrt(a))^2", "sigma = K*D_c/(sqrt(b) - sqrt(a))^2", &["N11"]);
 }

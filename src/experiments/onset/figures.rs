@@ -26,7 +26,7 @@ fn runs(outcome: &Outcome, index: usize, letter: &str) -> Option<Figure> {
         round_digits(line.boundary_velocity_m_per_s.to_f64() / line.asymptote_velocity_m_per_s.to_f64(), 5);
     let highest = line.shown.iter().flat_map(|run| &run.history).map(|sample| sample.1).fold(1.0, f64::max);
     let seen = line.seen.first().and_then(|seen| seen.second_rise).map_or("never".into(), |found| {
-        round_digits(found.velocity_m_per_s / line.asymptote_velocity_m_per_s.to_f64(), 4)
+        round_digits(found.value / line.asymptote_velocity_m_per_s.to_f64(), 4)
     });
     let law = line.seen.first().map_or("", |seen| seen.law.as_str());
     let visible = round_digits(nearest_f64(&found.visible), 3);

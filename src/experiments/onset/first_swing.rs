@@ -5,7 +5,7 @@ use slipmode_core::dynamics::{Control, Failure, Integrator, Model, Radau, Start}
 
 /// What is seen of one run, in units of V_l; 0 for what does not happen.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub(crate) struct Swing {
+pub struct Swing {
     /// How far V exceeds V_l at its first peak above it.
     pub overshoot: f64,
     /// How far V falls below V_l after that peak.
@@ -21,8 +21,18 @@ const OVER: f64 = 1e-5;
 const EXTREMES: usize = 12;
 
 impl Swing {
+    /// The largest difference of the three.
+    pub(crate) fn largest_difference(&self, other: &Self) -> f64 {
+        let differences = [
+            self.overshoot - other.overshoot,
+            self.undershoot - other.undershoot,
+            self.second_rise - other.second_rise,
+        ];
+        differences.into_iter().fold(0.0, |largest, difference| largest.max(difference.abs()))
+    }
+
     /// Follows the run until nothing more can be seen.
-    pub fn of(model: &Model<f64>, local_tolerance: f64) -> Result<Self, Failure> {
+    pub(crate) fn of(model: &Model<f64>, local_tolerance: f64) -> Result<Self, Failure> {
         let control = Control { local_tolerance, most_steps: 1_000_000 };
         let start = Start::default().at_a_tenth(model);
         let mut run = Integrator::new(model, Radau::<f64, 5>::new(), start, control)?;

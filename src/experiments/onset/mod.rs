@@ -8,7 +8,8 @@ pub(crate) mod section;
 pub(crate) mod tables;
 pub(crate) mod theory;
 
-pub use run::{Onset, OnsetOutcome, OtherUnit, ShownRun, onset};
+pub use first_swing::Swing;
+pub use run::{Onset, OnsetOutcome, OtherUnit, ShownRun, StressOnset, onset};
 pub use search::{Located, SeenOnset};
 pub use section::OnsetSection;
 
@@ -23,7 +24,9 @@ impl Experiment for OnsetSection {
 
     fn work(&self) -> Work {
         let runs = SEARCH_RUNS * self.laws.len() as f64 + self.velocity_over_asymptote.len() as f64;
-        Work::simulations(runs * self.normal_stress_pa.len() as f64, nearest_f64(&self.tolerance))
+        let stress_runs = SEARCH_RUNS * (self.laws.len() * self.loading_velocity_m_per_s.len()) as f64;
+        let runs = runs * self.normal_stress_pa.len() as f64 + stress_runs;
+        Work::simulations(runs, nearest_f64(&self.tolerance))
     }
 
     fn run(&self, setting: &Setting<'_>) -> Option<Self::Outcome> {

@@ -3,15 +3,17 @@
 use rayon::prelude::*;
 
 use crate::experiments::map::run::exactly;
-use crate::experiments::onset::search::Line;
-use crate::experiments::onset::theory::{DIGITS, inertial_velocity, stable_boundary};
-use crate::experiments::onset::{Located, OnsetSection, SeenOnset};
+use crate::experiments::onset::search::{Given, Line};
+use crate::experiments::onset::theory::{DIGITS, inertial_velocity, stable_boundary, stable_boundary_stress};
+use crate::experiments::onset::{Located, OnsetSection, SeenOnset, Swing};
 use crate::experiments::simulations::run::options;
 use slipmode_core::dynamics::{Behaviour, simulate};
 use slipmode_core::friction::Slider;
 use slipmode_core::number::{Ball, Rational, bits_for_digits, nearest_f64};
-use slipmode_core::stability::asymptote::inertial_lower_velocity_m_per_s;
-use slipmode_core::stability::{Asymptote, InertialThreshold, classify};
+use slipmode_core::stability::asymptote::{
+    inertial_lower_velocity_m_per_s, quasi_static_lower_normal_stress_pa,
+};
+use slipmode_core::stability::{Asymptote, InertialThreshold, SlipMode, classify};
 
 /// One line of constant normal stress that crosses the boundary in the stable zone.
 #[derive(Debug, Clone)]
@@ -43,6 +45,10 @@ pub struct ShownRun {
     pub loading_velocity_m_per_s: f64,
     /// Whether a complex pair exists there, decided exactly.
     pub oscillates: bool,
+    /// The slip mode, decided exactly.
+    pub slip_mode: SlipMode,
+    /// What is seen of the run, with the estimated error; none when it failed.
+    pub swing: Option<(Swing, f64)>,
     /// (time in D_c/V_l, V/V_l), evenly in time; empty when the run failed.
     pub history: Vec<(f64, f64)>,
 }
@@ -60,11 +66,24 @@ pub struct OtherUnit {
     pub behaviour: Option<Behaviour>,
 }
 
+/// Where oscillation begins along a line of constant loading velocity, across eq 16.
+#[derive(Debug, Clone)]
+pub struct StressOnset {
+    /// V_l, m/s.
+    pub loading_velocity_m_per_s: Rational,
+    /// σ of the exact boundary, Pa.
+    pub boundary_pa: Ball,
+    /// σ by simulation, law by law.
+    pub seen: Vec<SeenOnset>,
+}
+
 /// Where oscillation begins on each line of a scene.
 #[derive(Debug, Clone)]
 pub struct OnsetOutcome {
     /// The lines that cross the boundary in the stable zone, in the order of the scene.
     pub lines: Vec<Onset>,
+    /// The lines of constant loading velocity that cross the boundary in the stable zone, in the order of the scene.
+    pub stress_lines: Vec<StressOnset>,
     /// The normal stresses in the other unit that the scene names.
     pub other_unit: Vec<OtherUnit>,
     /// The visible depth, as in the scene.
@@ -83,12 +102,14 @@ pub fn onset(
     threshold: &InertialThreshold,
 ) -> OnsetOutcome {
     let line = |stress: &Rational| onset_at(parameters, section, threshold, stress);
+    let stress_line = |velocity: &Rational| stress_onset(parameters, section, velocity);
     let other = section
         .other_unit_pa
         .iter()
         .flat_map(|unit| section.normal_stress_pa.iter().map(move |stress| stress.clone() * unit));
     OnsetOutcome {
         lines: section.normal_stress_pa.par_iter().filter_map(line).collect(),
+        stress_lines: section.loading_velocity_m_per_s.par_iter().filter_map(stress_line).collect(),
         other_unit: other.map(|stress| in_other_unit(parameters, section, stress)).collect(),
         visible: section.visible.clone(),
     }
@@ -105,14 +126,14 @@ fn onset_at(
     let bits = bits_for_digits(DIGITS);
     let ball = |value: &Rational| Ball::from_rational(value, bits);
     let asymptote_velocity = asymptote.value(&parameters.map(ball), &ball(stress));
-    let line =
-        |law| Line { parameters, normal_stress_pa: stress, law, tolerance: nearest_f64(&section.tolerance) };
+    let tolerance = nearest_f64(&section.tolerance);
+    let line = |law| Line { parameters, given: Given::NormalStress(stress), law, tolerance };
     let (from, at) = (asymptote_velocity.to_f64(), boundary.to_f64());
     let visible = nearest_f64(&section.visible);
     let first = section.laws.first().map(|&law| line(law));
     let fastest = section.velocity_over_asymptote.iter().map(nearest_f64).fold(0.0, f64::max);
     let until = SHOWN_PERIODS * natural_period(parameters, from * fastest);
-    let run = |ratio: f64| Some(shown_run(first.as_ref()?, threshold, from, ratio, until));
+    let run = |ratio: f64| Some(shown_run(first.as_ref()?, (stress, threshold), from, ratio, until));
     Some(Onset {
         normal_stress_pa: stress.clone(),
         asymptote,
@@ -132,13 +153,38 @@ fn natural_period(parameters: &Slider<Rational>, velocity: f64) -> f64 {
     period_s * velocity / slider.critical_slip_distance_m
 }
 
-fn shown_run(line: &Line, threshold: &InertialThreshold, asymptote: f64, ratio: f64, until: f64) -> ShownRun {
+fn stress_onset(
+    parameters: &Slider<Rational>,
+    section: &OnsetSection,
+    velocity: &Rational,
+) -> Option<StressOnset> {
+    let boundary_pa = stable_boundary_stress(parameters, velocity)?;
+    let at = boundary_pa.to_f64();
+    let from = quasi_static_lower_normal_stress_pa(&parameters.map(nearest_f64));
+    let (tolerance, visible) = (nearest_f64(&section.tolerance), nearest_f64(&section.visible));
+    let line = |law| Line { parameters, given: Given::LoadingVelocity(velocity), law, tolerance };
+    Some(StressOnset {
+        loading_velocity_m_per_s: velocity.clone(),
+        seen: section.laws.par_iter().map(|&law| line(law).search(from, at, visible)).collect(),
+        boundary_pa,
+    })
+}
+
+fn shown_run(
+    line: &Line,
+    (stress, threshold): (&Rational, &InertialThreshold),
+    asymptote: f64,
+    ratio: f64,
+    until: f64,
+) -> ShownRun {
     let velocity = asymptote * ratio;
-    let point = line.parameters.at(line.normal_stress_pa.clone(), exactly(velocity));
+    let theory = classify(&line.parameters.at(stress.clone(), exactly(velocity)), threshold);
     ShownRun {
         velocity_over_asymptote: ratio,
         loading_velocity_m_per_s: velocity,
-        oscillates: classify(&point, threshold).boundary_sign < 0,
+        oscillates: theory.boundary_sign < 0,
+        slip_mode: theory.slip_mode,
+        swing: line.swing(libm::log(velocity)).ok(),
         history: line.history(libm::log(velocity), until, SHOWN_SAMPLES).unwrap_or_default(),
     }
 }
@@ -170,6 +216,7 @@ mod tests {
             tolerance: parse_decimal("1e-8").unwrap(),
             visible: parse_decimal("0.01").unwrap(),
             other_unit_pa: Some(Rational::from(1_000_000)),
+            loading_velocity_m_per_s: vec![parse_decimal("1e-5").unwrap()],
         }
     }
 
@@ -182,15 +229,30 @@ mod tests {
         let off = libm::log10(exact / line.asymptote_velocity_m_per_s.to_f64());
         for seen in &line.seen {
             let exists = seen.exists.unwrap();
-            let distance = libm::log10(exists.velocity_m_per_s / exact).abs();
+            let distance = libm::log10(exists.value / exact).abs();
             assert!(distance <= exists.error_dex, "{distance:e} {seen:?}");
             assert!(exists.error_dex < 1e-3 * off, "{off} {seen:?}");
             // What is seen comes later than what exists.
             let (rise, undershoot) = (seen.second_rise.unwrap(), seen.undershoot.unwrap());
-            assert!(rise.velocity_m_per_s > 1.1 * exact && undershoot.error_dex < 1e-5, "{seen:?}");
-            assert!(undershoot.velocity_m_per_s > rise.velocity_m_per_s && rise.error_dex < 1e-5, "{seen:?}");
+            assert!(rise.value > 1.1 * exact && undershoot.error_dex < 1e-5, "{seen:?}");
+            assert!(undershoot.value > rise.value && rise.error_dex < 1e-5, "{seen:?}");
         }
         assert!(!line.shown[0].oscillates && line.shown[1].oscillates);
+    }
+
+    #[test]
+    fn across_eq_16_oscillation_begins_in_simulations_on_the_exact_boundary() {
+        let found = onset(&with_effects("0.004", "0.006"), &section(&[]), &InertialThreshold::default());
+        let [line] = &found.stress_lines[..] else { panic!("one line") };
+        let exact = line.boundary_pa.to_f64();
+        // Eq 16: K D_c/(√b + √a)² = 100/0.0197980 Pa.
+        assert!((exact / 5051.03 - 1.0).abs() < 0.05, "{exact}");
+        for seen in &line.seen {
+            let exists = seen.exists.unwrap();
+            let distance = libm::log10(exists.value / exact).abs();
+            assert!(distance <= exists.error_dex && exists.error_dex < 1e-3, "{distance:e} {seen:?}");
+            assert!(seen.undershoot.unwrap().value > exact, "{seen:?}");
+        }
     }
 
     #[test]

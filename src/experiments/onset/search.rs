@@ -13,11 +13,11 @@ use slipmode_core::dynamics::{
 use slipmode_core::friction::{EvolutionLaw, Slider};
 use slipmode_core::number::{Rational, nearest_f64};
 
-/// A velocity with its error.
+/// A loading velocity in m/s, or on a line of constant velocity a normal stress in Pa, with its error.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Located {
-    /// Loading velocity, m/s.
-    pub velocity_m_per_s: f64,
+    /// The value.
+    pub value: f64,
     /// Estimated error of its log10.
     pub error_dex: f64,
 }
@@ -37,11 +37,18 @@ pub struct SeenOnset {
     pub peak_excess_at_boundary: Option<f64>,
 }
 
-/// A line of constant normal stress under one law.
+/// What is given on a line; the other of the two varies along it, and its logarithm is the place on the line.
+#[derive(Debug, Clone, Copy)]
+pub(crate) enum Given<'p> {
+    NormalStress(&'p Rational),
+    LoadingVelocity(&'p Rational),
+}
+
+/// A line of constant normal stress or loading velocity under one law.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Line<'p> {
     pub parameters: &'p Slider<Rational>,
-    pub normal_stress_pa: &'p Rational,
+    pub given: Given<'p>,
     pub law: EvolutionLaw,
     pub tolerance: f64,
 }
@@ -70,16 +77,26 @@ const SCAN_STEPS: usize = 70;
 const VISIBLE_WIDTH: f64 = 1e-8;
 
 impl Line<'_> {
-    fn model(&self, log_velocity: f64) -> Model<f64> {
-        let velocity = exactly(libm::exp(log_velocity));
-        let groups = self.parameters.at(self.normal_stress_pa.clone(), velocity).groups();
-        Model::new(groups.map(nearest_f64), self.law)
+    fn model(&self, place: f64) -> Model<f64> {
+        let value = exactly(libm::exp(place));
+        let point = match self.given {
+            Given::NormalStress(stress) => self.parameters.at(stress.clone(), value),
+            Given::LoadingVelocity(velocity) => self.parameters.at(value, velocity.clone()),
+        };
+        Model::new(point.groups().map(nearest_f64), self.law)
     }
 
-    /// Searches along the line; the asymptote's velocity only says where to begin, the boundary's where to look at a run.
-    pub fn search(&self, asymptote_m_per_s: f64, boundary_m_per_s: f64, visible: f64) -> SeenOnset {
-        let centre = libm::log(asymptote_m_per_s);
-        let at_boundary = Swing::of(&self.model(libm::log(boundary_m_per_s)), self.tolerance);
+    /// What is seen of the run at a place, and twice its change from a tenth of the tolerance.
+    pub fn swing(&self, place: f64) -> Result<(Swing, f64), Failure> {
+        let model = self.model(place);
+        let (coarse, fine) = (Swing::of(&model, self.tolerance)?, Swing::of(&model, 0.1 * self.tolerance)?);
+        Ok((fine, 2.0 * fine.largest_difference(&coarse)))
+    }
+
+    /// Searches along the line; the asymptote only says where to begin, the boundary where to look at a run.
+    pub fn search(&self, asymptote: f64, boundary: f64, visible: f64) -> SeenOnset {
+        let centre = libm::log(asymptote);
+        let at_boundary = Swing::of(&self.model(libm::log(boundary)), self.tolerance);
         let from = centre - REACH;
         SeenOnset {
             law: self.law,
@@ -153,5 +170,5 @@ impl Line<'_> {
 }
 
 fn located(log_velocity: f64, error: f64) -> Located {
-    Located { velocity_m_per_s: libm::exp(log_velocity), error_dex: error / std::f64::consts::LN_10 }
+    Located { value: libm::exp(log_velocity), error_dex: error / std::f64::consts::LN_10 }
 }

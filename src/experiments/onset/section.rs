@@ -10,6 +10,8 @@ use slipmode_core::number::Rational;
 pub struct OnsetSection {
     /// Normal stresses, Pa.
     pub normal_stress_pa: Vec<Rational>,
+    /// Loading velocities of the lines across eq 16, m/s; may be absent.
+    pub loading_velocity_m_per_s: Vec<Rational>,
     /// Velocities of the runs to show, in units of the asymptote's velocity (eq 20, or eq 18 on the upper arc).
     pub velocity_over_asymptote: Vec<Rational>,
     /// The evolution laws, each once; the runs to show take the first.
@@ -31,18 +33,22 @@ impl ReadSection for OnsetSection {
         let physical = AllowedRange::PHYSICAL;
         let stresses = section.decimals("normal_stress_pa", "a list of normal stresses in Pa", physical);
         let velocities = section.decimals("velocity_over_asymptote", "a list of ratios > 0", physical);
+        let across = section
+            .optionally("loading_velocity_m_per_s", |entry| entry.list(|member| member.decimal(physical)));
         let laws = section.laws();
         let tolerance = section.decimal("tolerance", AllowedRange::SIMULATION_TOLERANCE);
         let visible = section.decimal("visible", AllowedRange::OPEN_UNIT);
         let other_unit = section.optionally("other_unit_pa", |entry| entry.decimal(physical));
         section.finish();
         let (stresses, velocities, laws) = (stresses?, velocities?, laws?);
+        let across = across?.unwrap_or_default();
         let runs = (RUNS_OF_A_SEARCH.saturating_mul(laws.len() as u64))
             .saturating_add(velocities.len() as u64)
-            .saturating_mul(stresses.len() as u64);
+            .saturating_mul((stresses.len() + across.len()) as u64);
         entry.check_points(runs)?;
         Some(Self {
             normal_stress_pa: stresses,
+            loading_velocity_m_per_s: across,
             velocity_over_asymptote: velocities,
             laws,
             tolerance: tolerance?,

@@ -23,7 +23,7 @@ fn dex(line: &Onset, velocity: f64) -> f64 {
 fn onset(context: &Context) -> Option<Table> {
     let note = "Velocities in dex are log10 of the ratio to that of the asymptote (eq 20; eq 18 on the upper arc). The exact boundary is enclosed and the threshold is decided exactly. Simulated oscillation begins where the squared frequency of small deviations extrapolates to zero. Oscillation is visible if V, after its first peak above V_l in the run from V_l/10, rises again, or falls below V_l, by the scene's visible fraction of V_l.";
     let rows = lines(context).flat_map(|(name, line)| line.seen.iter().map(move |seen| (name, line, seen)));
-    let located = |line, found: Option<&Located>| found.map(|found| dex(line, found.velocity_m_per_s));
+    let located = |line, found: Option<&Located>| found.map(|found| dex(line, found.value));
     let error = |found: Option<&Located>| found.map(|found| found.error_dex);
     Table::of("onset", "Onset of oscillation at given normal stress", rows)
         .note(note)

@@ -21,6 +21,17 @@ pub(crate) fn stable_boundary(parameters: &Slider<Rational>, stress: &Rational) 
         .max_by(|(_, one), (_, other)| one.to_f64().total_cmp(&other.to_f64()))
 }
 
+/// The normal stress at which a line of constant velocity leaves the overdamped area of stable sliding upwards: eq 16 but for
+/// inertia.
+pub(crate) fn stable_boundary_stress(parameters: &Slider<Rational>, velocity: &Rational) -> Option<Ball> {
+    BoundaryCurve::new(parameters, DIGITS)
+        .crossings(&Section::AtVelocity(velocity.clone()))
+        .into_iter()
+        .filter(|crossing| crossing.arc == Arc::Lower)
+        .map(|crossing| crossing.position.normal_stress_pa)
+        .max_by(|one, other| one.to_f64().total_cmp(&other.to_f64()))
+}
+
 /// Largest factor above the boundary at which the threshold is sought, and the width in ln V to which it is located.
 const INERTIAL_REACH: f64 = 1e3;
 const INERTIAL_WIDTH: f64 = 1e-12;
@@ -41,5 +52,5 @@ pub(crate) fn inertial_velocity(
     let mut upper = (1..=64).map(|index| ends.0 + (ends.1 - ends.0) * f64::from(index) / 64.0);
     let upper = upper.find(|&place| is_inertial(place) == Some(true))?;
     let (low, high) = border_between(is_inertial, (ends.0, upper), INERTIAL_WIDTH)?;
-    Some(Located { velocity_m_per_s: libm::exp(high), error_dex: (high - low) / std::f64::consts::LN_10 })
+    Some(Located { value: libm::exp(high), error_dex: (high - low) / std::f64::consts::LN_10 })
 }

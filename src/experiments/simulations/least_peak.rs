@@ -35,7 +35,12 @@ pub struct LeastPeak {
     pub flat: [[Option<f64>; 2]; 2],
     /// log10 of the velocity at which the limit cycle turns from stick-slip to harmonic vibration over that of eq 18.
     pub cycle_mode_change_dex: Option<f64>,
-    /// The same for the oscillation of small deviations, decided by the exact theory.
+    /// log10 of the velocities from which on the period is below [`PERIOD_LEVELS`] times the natural one, over that of eq 18, to
+    /// [`SIDE_WIDTH`].
+    pub period_change_dex: [Option<f64>; 2],
+    /// Period over the natural one at eq 18 and at the least peak, each with its relative error.
+    pub periods_over_natural: [(f64, f64); 2],
+    /// The change of mode of small deviations, decided by the exact theory.
     pub theory_mode_change_dex: Option<f64>,
     /// (offset from eq 18, dex; peak velocity, m/s) of the samples that bracket the minimum.
     pub samples: Vec<(f64, f64)>,
@@ -43,6 +48,9 @@ pub struct LeastPeak {
 
 /// Relative excess over the least peak between whose sides the minimum counts as flat.
 pub const FLATNESS_LEVELS: [f64; 2] = [0.01, 0.05];
+
+/// Periods in units of the natural one between which a cycle turns from stick-slip into vibration, besides √2 of the modes' names.
+pub const PERIOD_LEVELS: [f64; 2] = [2.0, 1.1];
 
 /// Half of the width that is searched around eq 18, dex.
 const REACH_DEX: f64 = 1.0;
@@ -124,7 +132,8 @@ impl Line<'_> {
         let ends = (samples[least - 1].0, samples[least + 1].0);
         let noise = self.options.tolerance;
         let minimum = minimum_between(|offset| self.log_peak(offset), ends, STENCIL_DEX, noise)?;
-        let log_least = self.log_peak(minimum.at)?;
+        let (at_least, at_eq18) = (self.cycle(minimum.at)?, self.cycle(0.0)?);
+        let log_least = libm::log(at_least.peak_velocity_m_per_s);
         let peaks: Vec<(f64, f64)> =
             samples.iter().map(|(offset, found)| (*offset, found.peak_velocity_m_per_s)).collect();
         Some(LeastPeak {
@@ -134,7 +143,12 @@ impl Line<'_> {
             offset_dex: minimum.at,
             offset_error_dex: minimum.error,
             least_m_per_s: libm::exp(log_least),
-            peak_at_eq18_over_least: libm::exp(self.log_peak(0.0)? - log_least),
+            peak_at_eq18_over_least: libm::exp(libm::log(at_eq18.peak_velocity_m_per_s) - log_least),
+            period_change_dex: PERIOD_LEVELS.map(|level| self.period_change(&samples, level)),
+            periods_over_natural: [
+                (self.period_over_natural(&at_eq18)?, at_eq18.period_relative_error?),
+                (self.period_over_natural(&at_least)?, at_least.period_relative_error?),
+            ],
             curvature_per_dex2: minimum.curvature,
             flat: FLATNESS_LEVELS.map(|level| self.flat_part(&peaks, (minimum.at, log_least), level)),
             cycle_mode_change_dex: self.cycle_mode_change(&samples),
@@ -171,6 +185,31 @@ impl Line<'_> {
                 return border_between(holds, (without, offset), SIDE_WIDTH).map(|(_, with)| with);
             }
             without = offset;
+        }
+        None
+    }
+
+    fn period_over_natural(&self, cycle: &Simulation) -> Option<f64> {
+        let natural = self.parameters.map(nearest_f64).natural_angular_frequency_per_s();
+        Some(cycle.period_s? * natural / std::f64::consts::TAU)
+    }
+
+    /// Where the period falls below a multiple of the natural one, among the samples and twice as far beyond them.
+    fn period_change(&self, samples: &[(f64, Simulation)], level: f64) -> Option<f64> {
+        let excess = |found: &Simulation| Some(libm::log(self.period_over_natural(found)? / level));
+        let at = |offset: f64| excess(&self.cycle(offset)?);
+        let known = samples.iter().map(|(offset, found)| (*offset, excess(found)));
+        let last = samples.last()?.0;
+        let beyond = (1..2 * SAMPLES).map(|index| f64::from(index).mul_add(SAMPLE_STEP_DEX, last));
+        let mut places = known.chain(beyond.map(|offset| (offset, at(offset))));
+        let first = places.next()?;
+        let mut before = (first.0, first.1.filter(|excess| *excess > 0.0)?);
+        for (offset, excess) in places {
+            let here = (offset, excess?);
+            if here.1 <= 0.0 {
+                return zero_between(at, [before, here], SIDE_WIDTH);
+            }
+            before = here;
         }
         None
     }

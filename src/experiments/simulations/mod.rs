@@ -7,11 +7,13 @@ pub(crate) mod overshoot_figure;
 pub(crate) mod run;
 pub(crate) mod section;
 pub(crate) mod tables;
+pub(crate) mod vibration_limit;
 mod words;
 
-pub use least_peak::{FLATNESS_LEVELS, LeastPeak, SIDE_WIDTH, least_peaks};
-pub use run::{SimulatedPoint, SimulationsOutcome, simulations};
+pub use least_peak::{FLATNESS_LEVELS, LeastPeak, PERIOD_LEVELS, SIDE_WIDTH, least_peaks};
+pub use run::{RunCourse, SimulatedPoint, SimulationsOutcome, simulations};
 pub use section::SimulationsSection;
+pub use vibration_limit::{STEP as VIBRATION_STEP, StrongVibration, strong_vibrations};
 pub use words::range_of_velocities;
 
 use crate::experiments::work::rectangle_points;

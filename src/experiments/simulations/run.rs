@@ -4,8 +4,12 @@ use rayon::prelude::*;
 
 use crate::experiments::map::run::exactly;
 use crate::experiments::shared::Grid;
-use crate::experiments::simulations::{LeastPeak, SimulationsSection, least_peaks};
-use slipmode_core::dynamics::{Behaviour, Failure, Options, Simulation, simulate};
+use crate::experiments::simulations::{
+    LeastPeak, SimulationsSection, StrongVibration, least_peaks, strong_vibrations,
+};
+use slipmode_core::dynamics::{
+    Behaviour, Estimate, Failure, LongTerm, Model, Options, Outcome, Profile, Simulation, simulate_model,
+};
 use slipmode_core::friction::{EvolutionLaw, Slider};
 use slipmode_core::number::{Rational, nearest_f64};
 use slipmode_core::stability::{Classification, InertialThreshold, classify};
@@ -15,10 +19,59 @@ use slipmode_core::stability::{Classification, InertialThreshold, classify};
 pub struct SimulatedPoint {
     /// What the simulation showed, or why it has no result.
     pub simulation: Result<Simulation, Failure>,
+    /// Friction and harmonics along the run of a slider with a transition; none where a pass has no result.
+    pub course: Option<RunCourse>,
     /// The exact classification.
     pub theory: Classification,
     /// K/K_c; none where there is no transition (a ≥ b).
     pub stiffness_over_critical: Option<f64>,
+    /// η.
+    pub inertial_parameter: f64,
+}
+
+/// What a run shows along its way.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct RunCourse {
+    /// From the start on: over two periods of the limit cycle, or over the transient of a decay.
+    pub from_start: Profile,
+    /// Over the limit cycle; none for a decay.
+    pub on_cycle: Option<Profile>,
+}
+
+/// Local tolerances of the passes from the start and along the cycle.
+const START_TOLERANCE: f64 = 1e-7;
+pub(crate) const CYCLE_TOLERANCE: f64 = 1e-9;
+
+impl RunCourse {
+    fn of(model: &Model<f64>, long_term: &LongTerm<f64>, options: &Options) -> Result<Self, Failure> {
+        let start = options.start.state(model, &libm::log(options.velocity_ratio));
+        let from_start = |duration: f64| Profile::of(model, start, duration, START_TOLERANCE);
+        match long_term {
+            LongTerm::Decay(decay) => {
+                Ok(Self { from_start: from_start(decay.transient.duration)?, on_cycle: None })
+            }
+            LongTerm::Cycle(cycle) => {
+                let period = cycle.orbit.duration;
+                let on_cycle = Profile::of(model, cycle.from, period, CYCLE_TOLERANCE)?;
+                Ok(Self { from_start: from_start(2.0 * period)?, on_cycle: Some(on_cycle) })
+            }
+        }
+    }
+
+    /// Least (μ − μ0)/a by eq 1 from the start on and on the cycle.
+    #[must_use]
+    pub fn least_friction(&self) -> Estimate {
+        let passes = [Some(self.from_start), self.on_cycle].into_iter().flatten();
+        let least = passes.map(|pass| pass.least_friction).min_by(|a, b| a.value.total_cmp(&b.value));
+        least.unwrap_or(self.from_start.least_friction)
+    }
+
+    /// Largest x − 2φ from the start on and on the cycle.
+    #[must_use]
+    pub fn regularisation(&self) -> f64 {
+        let on_cycle = self.on_cycle.map_or(f64::NEG_INFINITY, |pass| pass.regularisation.value);
+        self.from_start.regularisation.value.max(on_cycle)
+    }
 }
 
 /// The simulations of a scene.
@@ -28,6 +81,8 @@ pub struct SimulationsOutcome {
     pub grids: Vec<(EvolutionLaw, Grid<SimulatedPoint>)>,
     /// The velocity of the least peak at each normal stress of the grid that is unstable at every velocity.
     pub least_peaks: Vec<LeastPeak>,
+    /// Limit cycles of strong vibration; none where there is no transition.
+    pub strong_vibrations: Vec<StrongVibration>,
 }
 
 impl SimulatedPoint {
@@ -61,6 +116,10 @@ pub fn simulations(
     SimulationsOutcome {
         grids: section.laws.iter().map(grid).collect(),
         least_peaks: least_peaks(parameters, section, threshold, &options),
+        strong_vibrations: match parameters.has_transition() {
+            true => strong_vibrations(nearest_f64(&parameters.effect_ratio()), &section.laws),
+            false => Vec::new(),
+        },
     }
 }
 
@@ -83,10 +142,17 @@ fn simulate_grid(
             let point = parameters.at(exactly(stress), exactly(velocity));
             let ratio =
                 || nearest_f64(&(point.slider.stiffness_pa_per_m.clone() / point.critical_stiffness()));
+            let groups = point.groups().map(nearest_f64);
+            let inertial_parameter = groups.inertial_parameter;
+            let model = Model::new(groups, law);
+            let outcome = simulate_model(&model, options);
+            let course = |found: &Outcome| RunCourse::of(&model, found.long_term(), options).ok();
             SimulatedPoint {
-                simulation: simulate(&point, law, options),
+                course: outcome.as_ref().ok().filter(|_| parameters.has_transition()).and_then(course),
+                simulation: outcome.map(|found| found.in_si(&point.map(nearest_f64))),
                 theory: classify(&point, threshold),
                 stiffness_over_critical: parameters.has_transition().then(ratio),
+                inertial_parameter,
             }
         })
         .collect();

@@ -73,6 +73,7 @@ mod loose_cycle;
 mod model;
 mod observables;
 mod outcome;
+mod profile;
 mod quick_exp;
 mod radau;
 mod refine;
@@ -104,6 +105,8 @@ pub use integrator::{Control, Integrator};
 pub use long_term::{Cycle, Decay, LongTerm, Oscillation, long_term_behaviour};
 pub use model::{Balance, Model, State};
 pub use outcome::{Behaviour, Outcome, Simulation};
+#[doc(hidden)]
+pub use profile::{Estimate, Profile};
 #[doc(hidden)]
 pub use radau::Radau;
 #[doc(hidden)]

@@ -26,7 +26,7 @@ pub struct Trajectory {
 }
 
 /// Abscissae in [0, 1] and weights of the eight-point Gauss-Legendre rule.
-const GAUSS: [[f64; 2]; 8] = [
+pub(super) const GAUSS: [[f64; 2]; 8] = [
     [0.019855071751231884, 0.05061426814518813],
     [0.10166676129318664, 0.11119051722668724],
     [0.2372337950418355, 0.15685332293894363],

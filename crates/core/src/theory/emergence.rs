@@ -1,4 +1,6 @@
-//! The velocity of eq 20 in numbers, from the equation as the report states it.
+//! The velocity of eq 20 and the normal stress of eq 16 in numbers, from the equations as the report states them.
+
+use std::collections::BTreeMap;
 
 use super::PaperEquations;
 use crate::friction::Slider;
@@ -17,16 +19,8 @@ pub fn velocity_of_eq_20(
 ) -> Option<Ball> {
     let ball = |value: &Rational| Ball::from_rational(value, precision_bits);
     let ratio_at = |velocity: Ball| {
-        let values = [
-            ("a", ball(&slider.direct_effect)),
-            ("b", ball(&slider.evolution_effect)),
-            ("D_c", ball(&slider.critical_slip_distance_m)),
-            ("K", ball(&slider.stiffness_pa_per_m)),
-            ("M", ball(&slider.mass_per_area_kg_per_m2)),
-            ("sigma", ball(normal_stress_pa)),
-            ("V_0", velocity),
-        ];
-        let values = values.map(|(name, value)| (Symbol::new(name), value)).into();
+        let mut values = of_slider(slider, precision_bits);
+        values.extend([("sigma", ball(normal_stress_pa)), ("V_0", velocity)].map(named));
         let equation = equations.equation("20");
         let left = equation.left.enclosed(&values, precision_bits)?;
         Some(left / equation.right.enclosed(&values, precision_bits)?)
@@ -35,6 +29,32 @@ pub fn velocity_of_eq_20(
     let velocity = one() / ratio_at(one())?;
     let met = ratio_at(velocity.clone())?;
     (met.overlaps(&one()) && velocity.lower() > 0).then_some(velocity)
+}
+
+/// σ in Pa that eq 16 gives for a slider, evaluated as the report states the equation; none when it contains other quantities.
+#[must_use]
+pub fn normal_stress_of_eq_16(
+    equations: &PaperEquations,
+    slider: &Slider<Rational>,
+    precision_bits: u32,
+) -> Option<Ball> {
+    equations.right("16").enclosed(&of_slider(slider, precision_bits), precision_bits)
+}
+
+/// The slider's quantities by their symbols.
+fn of_slider(slider: &Slider<Rational>, precision_bits: u32) -> BTreeMap<Symbol, Ball> {
+    let quantities = [
+        ("a", &slider.direct_effect),
+        ("b", &slider.evolution_effect),
+        ("D_c", &slider.critical_slip_distance_m),
+        ("K", &slider.stiffness_pa_per_m),
+        ("M", &slider.mass_per_area_kg_per_m2),
+    ];
+    quantities.map(|(name, value)| named((name, Ball::from_rational(value, precision_bits)))).into()
+}
+
+fn named((name, value): (&str, Ball)) -> (Symbol, Ball) {
+    (Symbol::new(name), value)
 }
 
 #[cfg(test)]

@@ -1,0 +1,232 @@
+//! Claims N12, N13 and N16: where stick-slip turns into vibration, how harmonic the vibration is, and what fig 5 divides by.
+
+use crate::claims::reading::{Draft, of_readings};
+use crate::claims::simulated::{Run, Runs, evidence, for_each_law, grids, outcome};
+use crate::claims::simulated_least_peak::{extent, n7, range};
+use crate::claims::simulated_trends::{of, rises, share, total};
+use crate::claims::{Evidence, Finding};
+use crate::experiments::simulations::{LeastPeak, PERIOD_LEVELS, SIDE_WIDTH};
+use crate::experiments::{Context, Outcome};
+use slipmode_core::friction::{EvolutionLaw, Slider};
+use slipmode_core::number::format::round_digits;
+use slipmode_core::number::nearest_f64;
+use slipmode_core::stability::SlipMode;
+use slipmode_core::stability::asymptote::inertial_upper_velocity_m_per_s;
+
+pub(super) fn n12(context: &Context) -> Result<Finding, Finding> {
+    let least = &outcome(context, Outcome::potentially_unstable)?.least_peaks;
+    let by_peak = n7(context)?;
+    let written =
+        Draft::new("the cycle turns from stick-slip to vibration, and its peak is lowest, at eq 18");
+    let written = EvolutionLaw::ALL.into_iter().fold(written, |draft, law| {
+        let found: Vec<&LeastPeak> = least.iter().filter(|found| found.law == law).collect();
+        draft.part(
+            format!("{} law: the period becomes that of vibration at eq 18", law.as_str()),
+            period_at_eq18(law, &found),
+        )
+    });
+    let written = written.part("the peak velocity is lowest at eq 18", by_peak.clone());
+    let peak = Draft::new("the transition is the minimum of the peak velocity, whatever the period")
+        .part("the peak velocity is lowest at eq 18", by_peak);
+    let [slow, fast] = PERIOD_LEVELS;
+    let width = |found: &LeastPeak| Some(found.period_change_dex[1]? - found.period_change_dex[0]?);
+    let width = extent(least.iter().filter_map(width));
+    let theory = extent(least.iter().filter_map(|found| found.theory_mode_change_dex));
+    Ok(of_readings([written, peak]).with_supporting(Evidence::Simulation {
+        quantity: "log10 of the velocity divided by that of eq 18 where the frequency of small deviations passes √½ ω_n by the exact theory".into(),
+        value: format!("{} dex", range(theory, 3)),
+        error: format!("{SIDE_WIDTH} dex"),
+        runs: least.len(),
+    })
+    .remark(format!("The transition has a width: the period falls from {slow} to {fast} natural periods over {} dex of velocity.", range(width, 3))))
+}
+
+/// Whether the period of the cycles falls below √2 natural periods, the border of the two modes' names, at eq 18.
+fn period_at_eq18(law: EvolutionLaw, least: &[&LeastPeak]) -> Finding {
+    let periods = |index: usize| extent(least.iter().map(|found| found.periods_over_natural[index].0));
+    let error = least.iter().flat_map(|found| found.periods_over_natural).map(|period| period.1);
+    let change = extent(least.iter().filter_map(|found| found.cycle_mode_change_dex));
+    let level = |index: usize| extent(least.iter().filter_map(|found| found.period_change_dex[index]));
+    let found_all = least.iter().all(|found| found.cycle_mode_change_dex.is_some());
+    let [slow, fast] = PERIOD_LEVELS;
+    Finding::from_evidence(Evidence::Simulation {
+        quantity: format!(
+            "{} law: period over 2π/ω_n at eq 18; at the lowest peak; log10 of the velocity divided by that of eq 18 where the period is {slow}, √2 and {fast} times 2π/ω_n",
+            law.as_str()
+        ),
+        value: format!(
+            "{}; {}; {} dex, {} dex, {} dex",
+            range(periods(0), 3),
+            range(periods(1), 3),
+            range(level(0), 3),
+            range(change, 3),
+            range(level(1), 3)
+        ),
+        error: format!("{} of the period, {SIDE_WIDTH} dex", round_digits(error.fold(0.0, f64::max), 1)),
+        runs: least.len(),
+    })
+    .require(found_all, || "at one normal stress no change of mode was found".into())
+    .require(change.0.abs() <= SIDE_WIDTH && change.1.abs() <= SIDE_WIDTH, || {
+        format!(
+            "the period falls below √2 natural periods {} dex above eq 18; at eq 18 it is {} natural periods",
+            range(change, 3),
+            range(periods(0), 3)
+        )
+    })
+}
+
+/// Distortion up to which a vibration is called harmonic here.
+const HARMONIC: f64 = 0.1;
+
+pub(super) fn n13(context: &Context) -> Result<Finding, Finding> {
+    let grids = grids(context, Outcome::potentially_unstable)?;
+    let slider = slider(context)?;
+    let draft = Draft::new("V of every limit cycle named harmonic vibration is sinusoidal");
+    let written = grids.iter().map(|grid| (grid, distortion(grid, &slider)));
+    let written = written.fold(draft, |draft, (grid, finding)| {
+        draft.part(
+            format!("{} law: the overtones are at most a tenth of the fundamental", grid.law.as_str()),
+            finding,
+        )
+    });
+    Ok(of_readings([written]).remark("For V_l far above eq 18 the friction of one cycle is that of steady state, with a short pulse where the slider nearly stops. The overtone n of V then has the amplitude 2(β − 1)/((n + 1)√(κη)), so that the distortion tends to 4√(π²/6 − 5/4) V_18/V_l = 2.514 V_18/V_l: the velocity of eq 18 sets how harmonic the vibration is."))
+}
+
+/// The slider of the simulations in 64 bits.
+pub(super) fn slider(context: &Context) -> Result<Slider<f64>, Finding> {
+    let scene = context.outcome.potentially_unstable().and_then(|scene| scene.slider());
+    scene
+        .map(|slider| slider.map(nearest_f64))
+        .ok_or_else(|| Finding::not_checked("The scene has no parameters."))
+}
+
+fn distortion(grid: &Runs, slider: &Slider<f64>) -> Finding {
+    let vibrations = grid.runs.iter().filter(|run| run.is(SlipMode::HarmonicVibration));
+    let measured = vibrations.map(|run| {
+        let over_eq18 = run.velocity_m_per_s / inertial_upper_velocity_m_per_s(slider, &run.normal_stress_pa);
+        Some((over_eq18, run.course?.on_cycle?.distortion))
+    });
+    let Some(mut measured) = measured.collect::<Option<Vec<_>>>() else {
+        return Finding::not_checked("The harmonics of a limit cycle could not be computed.");
+    };
+    measured.sort_by(|one, other| one.0.total_cmp(&other.0));
+    let Some((fastest, last)) = measured.last().copied() else {
+        return Finding::not_checked("No run of the grid is a harmonic vibration.");
+    };
+    let values = extent(measured.iter().map(|(_, distortion)| distortion.value));
+    let error =
+        measured.iter().map(|(_, distortion)| distortion.error / distortion.value).fold(0.0, f64::max);
+    let good = measured.iter().filter(|(_, distortion)| distortion.value <= HARMONIC).count();
+    let finding = Finding::from_evidence(Evidence::Simulation {
+        quantity: format!(
+            "{} law: total harmonic distortion of V, least and largest; the same times V_l/V_18 at the largest V_l/V_18, {}",
+            grid.law.as_str(),
+            round_digits(fastest, 3)
+        ),
+        value: format!("{}; {}", range(values, 3), round_digits(last.value * fastest, 4)),
+        error: format!("{} of the distortion", round_digits(error, 1)),
+        runs: measured.len(),
+    });
+    let worst = measured.iter().filter(|(_, distortion)| distortion.value > HARMONIC);
+    let Some(end) = worst.map(|(over_eq18, _)| *over_eq18).reduce(f64::max) else { return finding };
+    finding
+        .require(end < fastest, || format!("the distortion is {} and more", round_digits(values.0, 3)))
+        .within(format!(
+            "in {good} of {} vibrations; in all of them with V_l above {} V_18, the velocity of eq 18",
+            measured.len(),
+            round_digits(end, 3)
+        ))
+        .outside(format!("near the change of mode the distortion is up to {}", round_digits(values.1, 3)))
+}
+
+/// log10 of the velocity in m/s by whose peak fig 5 divides, and how far a column of the grid may be from it.
+const DIVISOR_LOG10: f64 = -5.5;
+const SAME_COLUMN: f64 = 1e-6;
+
+pub(super) fn n16(context: &Context) -> Result<Finding, Finding> {
+    let grids = grids(context, Outcome::potentially_unstable)?;
+    let critical_pa = slider(context)?.critical_normal_stress_pa();
+    let side = |above: bool| divisors(&grids, move |stress| (stress > critical_pa) == above);
+    let below = side(false)?;
+    let rising = |grid: &Runs| {
+        share(grid.along_velocity().filter(|(run, _)| run.normal_stress_pa < critical_pa), rises)
+    };
+    let below = below.with_evidence(evidence(
+        &grids,
+        "Neighbouring limit cycles at the same σ < σ_c whose peak velocity rises with V_l",
+        for_each_law(&grids, |grid| of(rising(grid))),
+    ));
+    let words = "the peak at 10^-5.5 m/s, by which fig 5 divides, is that of a limit cycle";
+    let written = Draft::new("at every normal stress of fig 3a")
+        .part(format!("above σ_c {words}"), side(true)?)
+        .part(format!("below σ_c {words}"), below);
+    let (up, all) = total(&grids, rising);
+    Ok(of_readings([written]).remark(format!("Below σ_c, fig 5 divides the peak of a limit cycle by that of a transient, which the start V_l/10 decides. There the peak of the cycles rises between {up} of {all} neighbours, so the lowest peak is where they begin, at K = K_c, and not at eq 18.")))
+}
+
+/// Whether the runs at the velocity of the divisor end on a limit cycle, at the chosen normal stresses.
+fn divisors(grids: &[Runs], chosen: impl Fn(f64) -> bool) -> Result<Finding, Finding> {
+    let is_divisor = |run: &&Run| (libm::log10(run.velocity_m_per_s) - DIVISOR_LOG10).abs() < SAME_COLUMN;
+    let runs = || grids.iter().flat_map(|grid| &grid.runs).filter(is_divisor);
+    let runs: Vec<&Run> = runs().filter(|run| chosen(run.normal_stress_pa)).collect();
+    let decaying: Vec<&&Run> = runs.iter().filter(|run| !run.periodic()).collect();
+    let ratios = extent(runs.iter().map(|run| run.simulation.peak_velocity_m_per_s / run.velocity_m_per_s));
+    let error = runs.iter().map(|run| run.simulation.peak_relative_error).fold(0.0, f64::max);
+    let [Some(first), Some(last)] = [runs.first(), runs.last()] else {
+        return Err(Finding::not_checked("The grid has no run at 10^-5.5 m/s."));
+    };
+    let stresses = extent([first, last].into_iter().map(|run| run.normal_stress_pa));
+    Ok(Finding::from_evidence(Evidence::Simulation {
+        quantity: format!(
+            "Runs at V_l = 10^-5.5 m/s, σ from {} Pa: limit cycles, decays; V_peak/V_l",
+            range(stresses, 4)
+        ),
+        value: format!("{}, {}; {}", runs.len() - decaying.len(), decaying.len(), range(ratios, 4)),
+        error: format!("{} of the peak", round_digits(error, 1)),
+        runs: runs.len(),
+    })
+    .require(decaying.is_empty(), || {
+        format!(
+            "{} of {} runs decay; their V_peak/V_l of {} is that of the transient",
+            decaying.len(),
+            runs.len(),
+            range(ratios, 4)
+        )
+    }))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::claims::Verdict;
+    use slipmode_core::friction::EvolutionLaw::Slip;
+
+    fn least(cycle_mode_change_dex: f64) -> LeastPeak {
+        LeastPeak {
+            law: Slip,
+            normal_stress_pa: 1e6,
+            eq18_velocity_m_per_s: 1e-2,
+            offset_dex: 0.0,
+            offset_error_dex: 1e-3,
+            least_m_per_s: 1.0,
+            peak_at_eq18_over_least: 1.0,
+            curvature_per_dex2: 1.0,
+            flat: [[None; 2]; 2],
+            cycle_mode_change_dex: Some(cycle_mode_change_dex),
+            period_change_dex: [Some(-0.1), Some(0.1)],
+            periods_over_natural: [(1.4, 1e-9); 2],
+            theory_mode_change_dex: Some(0.0),
+            samples: Vec::new(),
+        }
+    }
+
+    #[test]
+    fn a_transition_at_eq_18_would_be_found_there_and_one_elsewhere_is_refuted() {
+        let (there, elsewhere) = (least(0.5 * SIDE_WIDTH), least(0.7));
+        assert_eq!(period_at_eq18(Slip, &[&there]).verdict, Verdict::Holds);
+        let found = period_at_eq18(Slip, &[&there, &elsewhere]);
+        assert_eq!(found.verdict, Verdict::Fails);
+        assert!(found.counter_example.unwrap().contains("0.0005 to 0.7 dex above eq 18"));
+        assert_eq!(period_at_eq18(Slip, &[]).verdict, Verdict::NotChecked);
+    }
+}
