@@ -96,7 +96,7 @@ impl<'c> Crossed<'c> {
 
     fn in_simulations(&self) -> Finding {
         let boundary = self.line.boundary_pa.to_f64();
-        self.line.seen.iter().fold(self.from_seen(), |finding, seen| {
+        self.line.seen.iter().fold(self.with_seen(), |finding, seen| {
             let law = seen.law.as_str();
             let Some(exists) = &seen.exists else {
                 return finding.refuted(format!("{law} law: no oscillation was found"));
@@ -122,7 +122,7 @@ impl<'c> Crossed<'c> {
             };
             self.line.seen.iter().map(place).collect::<Vec<_>>().join(", ")
         };
-        self.from_seen().require(shown().all(is_near), || {
+        self.with_seen().require(shown().all(is_near), || {
             format!(
                 "a second rise is visible from {} and an undershoot from {} above eq 16",
                 places(|seen| seen.second_rise),
@@ -137,7 +137,7 @@ impl<'c> Crossed<'c> {
     }
 
     /// A finding that starts from what all laws show on the line.
-    fn from_seen(&self) -> Finding {
+    fn with_seen(&self) -> Finding {
         let finding = self.line.seen.iter().fold(None, |finding: Option<Finding>, seen| {
             let evidence = self.evidence(seen);
             Some(match finding {

@@ -43,6 +43,9 @@ pub(super) fn n12(context: &Context) -> Result<Finding, Finding> {
 
 /// Whether the period of the cycles falls below √2 natural periods, the border of the two modes' names, at eq 18.
 fn period_at_eq18(law: EvolutionLaw, least: &[&LeastPeak]) -> Finding {
+    if least.is_empty() {
+        return Finding::not_checked(format!("The report has no lowest peak of the {} law.", law.as_str()));
+    }
     let periods = |index: usize| extent(least.iter().map(|found| found.periods_over_natural[index].0));
     let error = least.iter().flat_map(|found| found.periods_over_natural).map(|period| period.1);
     let change = extent(least.iter().filter_map(|found| found.cycle_mode_change_dex));

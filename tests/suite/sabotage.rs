@@ -89,7 +89,8 @@ impl Drop for Report {
 fn claims_of(letter: char) -> String {
     let wanted = |block: &&str| {
         let listed = |ids: &[&str]| ids.iter().any(|id| block.contains(&format!("id = \"{id}\"")));
-        let computed = if letter == 'N' { listed(&["N6", "N11"]) } else { !listed(&["F4", "Z1", "Z7", "Z8"]) };
+        let computed =
+            if letter == 'N' { listed(&["N6", "N11"]) } else { !listed(&["F4", "Z1", "Z7", "Z8"]) };
         block.contains(&format!("id = \"{letter}")) && computed
     };
     CLAIMS.split("[[claim]]").filter(wanted).map(|block| format!("[[claim]]{block}")).collect()
