@@ -1,6 +1,6 @@
 //! The ledger: one function per claim, every verdict computed.
 //!
-//! One file per letter of the claims' ids; each has a list of checks, and a check says what must be found, what it
+//! Letter X: statements of this project; all others are statements of the paper. One file per letter of the claims' ids; each has a list of checks, and a check says what must be found, what it
 //! needs computed, and what its verdict does not establish.
 
 mod alterations;
@@ -14,6 +14,9 @@ mod frequency_turns;
 mod friction_law;
 mod ledger;
 mod linearisation;
+mod new_edge;
+mod new_peak;
+mod new_results;
 mod numerical;
 mod overshoot;
 mod planted_fault_tables;
@@ -61,7 +64,7 @@ pub struct Check {
     pub decide: fn(&Context) -> Finding,
 }
 
-/// All checks, in the order of the letters F, L, S, B, Q, Z, N.
+/// All checks, in the order of the letters F, L, S, B, Q, Z, N, X.
 pub fn checks() -> impl Iterator<Item = &'static Check> {
     [
         friction_law::CHECKS,
@@ -72,6 +75,7 @@ pub fn checks() -> impl Iterator<Item = &'static Check> {
         frequency_turns::CHECKS,
         zones::CHECKS,
         numerical::CHECKS,
+        new_results::CHECKS,
         simulated_friction::CHECKS,
     ]
     .into_iter()

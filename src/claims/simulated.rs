@@ -87,9 +87,14 @@ impl Run<'_> {
 }
 
 impl<'c> Runs<'c> {
+    /// The rows of constant normal stress.
+    pub(super) fn rows(&self) -> impl Iterator<Item = &[Run<'c>]> {
+        self.runs.chunks(self.columns)
+    }
+
     /// Neighbouring limit cycles at the same normal stress, the slower loading first.
     pub(super) fn along_velocity(&self) -> impl Iterator<Item = (&Run<'c>, &Run<'c>)> {
-        self.runs.chunks(self.columns).flat_map(|row| row.windows(2)).filter_map(both_periodic)
+        self.rows().flat_map(|row| row.windows(2)).filter_map(both_periodic)
     }
 
     /// Neighbouring limit cycles at the same loading velocity, the lower normal stress first.

@@ -60,7 +60,7 @@ pub(super) fn n6(context: &Context) -> Result<Finding, Finding> {
 
 fn compare<'c>(context: &Context, slider: &Slider<Rational>, line: &'c Onset) -> Option<Compared<'c>> {
     let stress = &line.normal_stress_pa;
-    let eq20_m_per_s = emergence::velocity_of_eq_20(context.equations, slider, stress, BITS)?;
+    let eq20_m_per_s = emergence::velocity_of(context.equations, "20", slider, stress, BITS)?;
     let excess = line.boundary_velocity_m_per_s.clone() / &eq20_m_per_s - Ball::from(1);
     let leading = slider.evolution_effect.clone() * stress / (slider.stiffness_stress_pa() * 2u32);
     Some(Compared { line, eq20_m_per_s, excess, leading })

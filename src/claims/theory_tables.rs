@@ -1,12 +1,16 @@
-//! Tables of the theory: the paper's equations as read, and the asymptotes' error series.
+//! Tables of the theory: the paper's equations as read, the asymptotes' error series, and the constants of the peak velocity.
 
+use crate::experiments::shared::cells::DigitColumns;
 use crate::experiments::{Context, TableMaker};
+use slipmode_core::dynamics::PeakLaw;
+use slipmode_core::friction::EvolutionLaw;
 use slipmode_core::theory::asymptote_series;
 use slipmode_plot::table::{Cell, Column, Table};
 
 pub(crate) const TABLES: &[TableMaker] = &[
     TableMaker { id: "equations", needs: &[], make: equations },
     TableMaker { id: "series", needs: &[], make: series },
+    TableMaker { id: "peak-constants", needs: &[], make: peak_constants },
 ];
 
 fn equations(context: &Context) -> Option<Table> {
@@ -32,5 +36,22 @@ fn series(context: &Context) -> Option<Table> {
                 Cell::text(coefficient(order).map_or_else(String::new, ToString::to_string))
             })
         })
+        .unless_empty()
+}
+
+/// b/a of the table of constants.
+const EFFECT_RATIOS: [f64; 9] = [1.01, 1.1, 1.25, 1.5, 2.0, 3.0, 5.0, 10.0, 20.0];
+
+fn peak_constants(_: &Context) -> Option<Table> {
+    let note = "Slip law: V_peak = 2 V_18 [ln(V_peak/V_l) + ln(1/κ) + c]. Aging law: the bracket also has s ln(V_peak/V_18), and c is in closed form. The error is the change of c when the step of its integration is doubled.";
+    let rows = EFFECT_RATIOS
+        .map(|beta| (beta, PeakLaw::new(EvolutionLaw::Slip, beta), PeakLaw::new(EvolutionLaw::Aging, beta)));
+    Table::of("peak-constants", "Constants of the peak velocity in deep stick-slip", &rows)
+        .note(note)
+        .digits("effect_ratio", "b/a", "", 4, |(beta, ..)| *beta)
+        .digits("slip_constant", "c, slip law", "", 7, |(_, slip, _)| slip.constant()[0])
+        .digits("slip_error", "± of its integration", "", 1, |(_, slip, _)| slip.constant()[1])
+        .digits("aging_constant", "c, aging law", "", 7, |(.., aging)| aging.constant()[0])
+        .digits("aging_healing", "s, aging law", "", 7, |(.., aging)| aging.healing())
         .unless_empty()
 }

@@ -17,7 +17,7 @@ pub(super) const GROUPS: [(char, &str, &str); 8] = [
     ('Q', "Frequency (Q)", "the frequency"),
     ('N', "Numerical runs (N)", "numerical runs"),
     ('Z', "Maps and criteria (Z)", "maps and criteria"),
-    ('X', "New results (X)", "new results"),
+    ('X', "New results of this project (X)", "new results"),
 ];
 
 /// Claims of simulations that say most about the theory: stability, slip modes, and the other evolution law.

@@ -18,7 +18,8 @@ title = "Introduction"
 prose = "introduction.md"
 "#;
 
-/// The paper's parameters, which is what the proofs need, and one search for the onset of oscillation, which is computed for claims N only.
+/// The paper's parameters, which is what the proofs need, one search for the onset of oscillation, which is computed for claims N only,
+/// and a few cycles of deep stick-slip, which are computed for claims X only.
 const SCENE: &str = r#"
 name = "paper"
 title = "The paper's parameters"
@@ -37,6 +38,12 @@ velocity_over_asymptote = [1]
 laws = ["slip"]
 tolerance = 1e-8
 visible = 0.01
+
+[simulations]
+loading_velocity_m_per_s = { from = 1e-6, to = 1e-5, points = 3 }
+normal_stress_pa = { from = 1e6, to = 1e7, points = 4 }
+laws = ["slip", "aging"]
+tolerance = 1e-6
 "#;
 
 /// A report folder in a scratch place, removed at the end.
@@ -85,12 +92,16 @@ impl Drop for Report {
     }
 }
 
-/// Z1, Z7 and Z8 need maps, and F4 and all claims N but N6 and N11 a grid of simulations, which this small report does not compute.
+/// Z1, Z7 and Z8 need maps, F4 and all claims N but N6 and N11 a grid of simulations on both sides of K = K_c, and X3 to X5 families of cycles
+/// or such a grid: this small report has none of them.
 fn claims_of(letter: char) -> String {
     let wanted = |block: &&str| {
         let listed = |ids: &[&str]| ids.iter().any(|id| block.contains(&format!("id = \"{id}\"")));
-        let computed =
-            if letter == 'N' { listed(&["N6", "N11"]) } else { !listed(&["F4", "Z1", "Z7", "Z8"]) };
+        let computed = match letter {
+            'N' => listed(&["N6", "N11"]),
+            'X' => listed(&["X1", "X2"]),
+            _ => !listed(&["F4", "Z1", "Z7", "Z8"]),
+        };
         block.contains(&format!("id = \"{letter}")) && computed
     };
     CLAIMS.split("[[claim]]").filter(wanted).map(|block| format!("[[claim]]{block}")).collect()
@@ -168,4 +179,10 @@ fn an_emergence_velocity_with_b_in_place_of_a_is_caught_by_the_simulated_onset()
 #[test]
 fn a_critical_damping_stress_with_the_wrong_sign_is_caught_by_the_simulated_onset() {
     sabotage('N', "sigma = K*D_c/(sqrt(b) + sqrt(a))^2", "sigma = K*D_c/(sqrt(b) - sqrt(a))^2", &["N11"]);
+}
+
+#[test]
+fn a_velocity_of_eq_18_with_b_in_place_of_the_difference_is_caught_by_the_simulated_peaks() {
+    let altered = "2*V_0*sqrt(M*K)/(b*sigma) = 1";
+    sabotage('X', "2*V_0*sqrt(M*K)/(abs(a - b)*sigma) = 1", altered, &["X1", "X2"]);
 }

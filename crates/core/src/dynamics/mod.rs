@@ -62,6 +62,7 @@ mod decay;
 mod dense_matrix;
 mod deviations;
 mod double_double_exp;
+mod edge_law;
 #[doc(hidden)]
 pub mod events;
 mod failure;
@@ -73,6 +74,7 @@ mod loose_cycle;
 mod model;
 mod observables;
 mod outcome;
+mod peak_law;
 mod profile;
 mod quick_exp;
 mod radau;
@@ -99,12 +101,14 @@ pub use cycle_family::{CycleFamily, Member};
 pub use cycle_fold::Fold;
 #[doc(hidden)]
 pub use deviations::oscillation_of_small_deviations;
+pub use edge_law::{EdgeOrbit, edge_orbit};
 pub use failure::Failure;
 #[doc(hidden)]
 pub use integrator::{Control, Integrator};
 pub use long_term::{Cycle, Decay, LongTerm, Oscillation, long_term_behaviour};
 pub use model::{Balance, Model, State};
 pub use outcome::{Behaviour, Outcome, Simulation};
+pub use peak_law::{DeepCycle, PeakLaw, drop_over_impedance};
 #[doc(hidden)]
 pub use profile::{Estimate, Profile};
 #[doc(hidden)]

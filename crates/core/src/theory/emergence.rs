@@ -1,4 +1,4 @@
-//! The velocity of eq 20 and the normal stress of eq 16 in numbers, from the equations as the report states them.
+//! The velocity of eq 18 or 20 and the normal stress of eq 16 in numbers, from the equations as the report states them.
 
 use std::collections::BTreeMap;
 
@@ -7,12 +7,13 @@ use crate::friction::Slider;
 use crate::number::{Ball, Rational};
 use crate::polynomial::Symbol;
 
-/// The velocity at which eq 20 is met at this σ, m/s, enclosed.
+/// The velocity at which an equation is met at this σ, m/s, enclosed.
 ///
 /// None when the equation contains other quantities or its left side over its right is not in proportion to V_0.
 #[must_use]
-pub fn velocity_of_eq_20(
+pub fn velocity_of(
     equations: &PaperEquations,
+    number: &str,
     slider: &Slider<Rational>,
     normal_stress_pa: &Rational,
     precision_bits: u32,
@@ -21,7 +22,7 @@ pub fn velocity_of_eq_20(
     let ratio_at = |velocity: Ball| {
         let mut values = of_slider(slider, precision_bits);
         values.extend([("sigma", ball(normal_stress_pa)), ("V_0", velocity)].map(named));
-        let equation = equations.equation("20");
+        let equation = equations.equation(number);
         let left = equation.left.enclosed(&values, precision_bits)?;
         Some(left / equation.right.enclosed(&values, precision_bits)?)
     };
@@ -71,7 +72,7 @@ mod tests {
             Rational::from(10_000_000),
             Rational::from(1000),
         ]);
-        velocity_of_eq_20(&equations, &slider, &Rational::from(1000), 128)
+        velocity_of(&equations, "20", &slider, &Rational::from(1000), 128)
     }
 
     #[test]
