@@ -1,13 +1,12 @@
 //! Claims Q: the frequency of oscillation and its limits.
 
 use crate::claims::reading::{Draft, of_readings};
-use crate::claims::{Check, Evidence, Finding, frequency_turns};
+use crate::claims::{BITS, Check, Evidence, Finding, Verdict, frequency_turns};
 use crate::experiments::frequency::{FrequencyLine, FrequencyOutcome};
 use crate::experiments::{Context, Need};
 use slipmode_core::number::format::{certain_digits, rational_to_decimal, round_digits};
 use slipmode_core::number::{Ball, Rational, Real};
-use slipmode_core::stability::asymptote;
-use slipmode_core::theory::{frequency, non_inertial, period};
+use slipmode_core::theory::{frequency, non_inertial, period, strip_frequency};
 
 pub(super) const CHECKS: &[Check] = &[
     Check {
@@ -57,7 +56,7 @@ pub(super) const CHECKS: &[Check] = &[
     },
     Check {
         id: "Q6",
-        criterion: "Between eqs 16 and 15, an upper bound of max Im(s)/ω_n tends to 0 with the velocity.",
+        criterion: "Between eqs 16 and 15, the largest max Im(s)/ω_n tends to 0 with the velocity.",
         not_established: "The equation of the dashed line of fig 3a.",
         needs: &[],
         rests_on: &["B2", "Q1"],
@@ -183,23 +182,43 @@ fn q5(context: &Context) -> Finding {
     }
 }
 
+/// The share of ω_n below which a frequency is called far below it.
+const FAR_BELOW: (i32, i32) = (1, 10);
+
 fn q6(context: &Context) -> Finding {
-    let finding = Finding::from_proofs([frequency::low_frequency_zone(context.equations)]);
-    let Some(parameters) = context.outcome.potentially_unstable().and_then(|scene| scene.slider()) else {
-        return finding.within("η ≪ 1: the proof bounds (ω/ω_n)² by 2η");
+    let finding = Finding::from_proofs([
+        strip_frequency::prove(context.equations),
+        frequency::low_frequency_zone(context.equations),
+    ])
+    .remark("The paper gives no equation for the dashed line of fig 3a. Two candidates: the line η = 1, on which K = K_c has ω = ω_n/√2, and the line V0 = V_c, where eq 23 equals ω_n. The two cross on σ = σ_c.");
+    let law = "without inertia the largest frequency is √(b/a) V0/D_c, at σ = K D_c/(a + b)";
+    let slider = context.outcome.potentially_unstable().and_then(|scene| scene.slider());
+    let reach = slider.filter(|_| finding.verdict == Verdict::Holds).and_then(|slider| {
+        let square = Rational::from(FAR_BELOW) * Rational::from(FAR_BELOW);
+        Some((
+            slider,
+            strip_frequency::first_reach(context.equations, &slider.effect_ratio(), &square, BITS)?,
+        ))
+    });
+    let Some((slider, reach)) = reach else {
+        return finding.within(format!("η ≪ 1: {law}; with inertia (ω/ω_n)² < 2η"));
     };
-    // Everywhere above eq 16 η is below its value on eq 16, so that one velocity serves the whole strip.
-    let slider = parameters.map(|value| Ball::from_rational(value, 128));
-    let lowest_stress = asymptote::quasi_static_lower_normal_stress_pa(&slider);
-    let velocity_squared = lowest_stress * &slider.direct_effect * &slider.critical_slip_distance_m
-        / &slider.mass_per_area_kg_per_m2
-        / Ball::from(200);
-    let velocity = certain_digits(&velocity_squared.sqrt(), 6);
+    let slider = slider.map(|value| Ball::from_rational(value, 2 * BITS));
+    let length_per_time = slider.natural_angular_frequency_per_s() * &slider.critical_slip_distance_m;
+    let velocity = certain_digits(&(reach.velocity_squared.sqrt() * length_per_time), 6);
+    let stress = reach.stiffness_group.map(|kappa| {
+        let stress = slider.stiffness_pa_per_m.clone() * &slider.critical_slip_distance_m
+            / &slider.direct_effect
+            / kappa;
+        format!("{} Pa", certain_digits(&stress, 6))
+    });
+    let place = stress.as_ref().map_or_else(|| " on eq 16".into(), |stress| format!(" at σ = {stress}"));
     finding
-        .within(format!("ω < ω_n/10 everywhere between eqs 16 and 15 for V0 below {velocity} m/s, because (ω/ω_n)² < 2η"))
+        .within(format!(
+            "ω < ω_n/10 everywhere between eqs 16 and 15 exactly for V0 below {velocity} m/s, where ω_n/10 is reached{place}; {law}"
+        ))
         .with_evidence(Evidence::Enclosure {
-            quantity: "Velocity with η = 1/200 on eq 16".into(),
+            quantity: "Least V0 with a frequency of ω_n/10 between eqs 16 and 15".into(),
             value: format!("{velocity} m/s"),
         })
-        .remark("The paper gives no equation for the dashed line of fig 3a. Two candidates: the line η = 1, on which K = K_c has ω = ω_n/√2, and the line V0 = V_c, where eq 23 equals ω_n. The two cross on σ = σ_c.")
 }

@@ -53,6 +53,8 @@ pub mod regularised;
 #[doc(hidden)]
 pub mod steady_state;
 #[doc(hidden)]
+pub mod strip_frequency;
+#[doc(hidden)]
 pub mod sufficient_inertia;
 #[doc(hidden)]
 pub mod third_order;

@@ -9,7 +9,7 @@ use crate::polynomial::{Expression, Proof, Refutation, Symbol, UnivariatePolynom
 type Prover = fn(&PaperEquations) -> Result<Proof, Refutation>;
 
 /// Every proof of this module, by the path of its function.
-const PROVERS: [(&str, Prover); 35] = [
+const PROVERS: [(&str, Prover); 36] = [
     ("steady_state::prove", steady_state::prove),
     ("steady_state::laws_differ_at_rest", steady_state::laws_differ_at_rest),
     ("regularised::linearisation", regularised::linearisation),
@@ -42,6 +42,7 @@ const PROVERS: [(&str, Prover); 35] = [
     ("boundary::cusp", boundary::cusp),
     ("boundary::transition_avoids", boundary::transition_avoids),
     ("worst_error::prove", worst_error::prove),
+    ("strip_frequency::prove", strip_frequency::prove),
     ("criteria::inertial_parameter", criteria::inertial_parameter),
     ("criteria::slip_distance_and_stiffness", criteria::slip_distance_and_stiffness),
     ("criteria::all_parameters", criteria::all_parameters),
