@@ -3,7 +3,7 @@
 use rayon::prelude::*;
 use serde::Serialize;
 
-use crate::claims::{Check, Evidence, Finding, Verdict};
+use crate::claims::{Check, Evidence, Finding, Verdict, formula};
 use crate::experiments::{Context, Needs};
 use crate::scene::ClaimEntry;
 use slipmode_core::polynomial::Step;
@@ -18,12 +18,12 @@ pub struct Entry {
     /// The claim in our words.
     pub words: String,
     /// What had to be found for it to hold.
-    pub criterion: &'static str,
+    pub criterion: String,
     /// What the check concluded.
     #[serde(flatten)]
     pub finding: Finding,
     /// What the verdict does not establish.
-    pub not_established: &'static str,
+    pub not_established: String,
     /// Claims whose truth this one presupposes.
     pub rests_on: &'static [&'static str],
     /// The recorded verdict.
@@ -95,17 +95,23 @@ impl Ledger {
 
 fn decide_one(text: &ClaimEntry, context: &Context) -> Entry {
     let check = find(&text.id);
-    let finding = check.map_or_else(
-        || Finding::not_checked("The program has no check with this id."),
-        |check| (check.decide)(context),
-    );
+    let finding = match (&text.stated, check) {
+        (Some(stated), _) => formula::decide(&text.id, stated, context.equations),
+        (None, Some(check)) => (check.decide)(context),
+        (None, None) => Finding::not_checked("The program has no check with this id."),
+    };
+    let (criterion, not_established) = match (&text.stated, check) {
+        (Some(stated), _) => (formula::criterion(stated), stated.leaves_out.clone()),
+        (None, Some(check)) => (check.criterion.into(), check.not_established.into()),
+        (None, None) => Default::default(),
+    };
     Entry {
         id: text.id.clone(),
         place: text.place.clone(),
         words: text.words.clone(),
-        criterion: check.map_or("", |check| check.criterion),
+        criterion,
         finding,
-        not_established: check.map_or("", |check| check.not_established),
+        not_established,
         rests_on: check.map_or(&[], |check| check.rests_on),
         expected: text.expected,
     }
@@ -152,6 +158,7 @@ mod tests {
             place: String::new(),
             words: String::new(),
             expected: Verdict::Holds,
+            stated: None,
         };
         let texts: Vec<ClaimEntry> = crate::claims::checks().map(entry).collect();
         Ledger::decide("paper", &texts, &Context::new(&equations, &outcome))

@@ -9,6 +9,7 @@ mod criteria;
 mod evidence;
 mod exchange;
 mod finding;
+mod formula;
 mod frequency;
 mod frequency_turns;
 mod friction_law;

@@ -85,8 +85,9 @@ pub fn read_report_from(source: Source, limits: Limits) -> Result<(Folder, Files
     }
     let mut reader = Reader::new(source, limits);
     let plan = reader.read("report.toml", |file, bytes, _| ReportPlan::parse(file, bytes));
-    let claims = reader.read("claims.toml", |file, bytes, _| read_claims(file, bytes, &known_ids()));
     let equations = reader.read("equations.toml", |file, bytes, _| read_equations(file, bytes));
+    let claims = reader
+        .read("claims.toml", |file, bytes, _| read_claims(file, bytes, &known_ids(), equations.as_ref()));
     let (names, chapters) = plan.as_ref().map_or((&[][..], &[][..]), |plan| (&plan.scenes, &plan.chapters));
     let scenes: Vec<(String, Scene)> = names
         .iter()

@@ -152,10 +152,10 @@ mod tests {
             id: id.into(),
             place: String::new(),
             words: format!("Words of {id}."),
-            criterion: "",
+            criterion: String::new(),
             expected: finding.verdict,
             finding,
-            not_established: "",
+            not_established: String::new(),
             rests_on: &[],
         }
     }

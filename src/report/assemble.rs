@@ -119,19 +119,20 @@ fn cards(ledger: &Ledger) -> Vec<CardView> {
 
 fn groups(ledger: &Ledger, place: &str) -> Vec<ClaimGroupView> {
     let certificates = Certificates::of(ledger);
-    GROUPS
-        .iter()
-        .map(|(letter, title, _)| ClaimGroupView {
-            title: (*title).into(),
-            claims: ledger
-                .claims
-                .iter()
-                .filter(|entry| entry.id.starts_with(*letter))
-                .map(|entry| claim_view(entry, ledger, &certificates, place))
-                .collect(),
-        })
-        .filter(|group| !group.claims.is_empty())
-        .collect()
+    let known = |id: &str| GROUPS.iter().any(|(letter, ..)| id.starts_with(*letter));
+    let group = |title: &str, belongs: &dyn Fn(&str) -> bool| ClaimGroupView {
+        title: title.into(),
+        claims: ledger
+            .claims
+            .iter()
+            .filter(|entry| belongs(&entry.id))
+            .map(|entry| claim_view(entry, ledger, &certificates, place))
+            .collect(),
+    };
+    // Claims that a report states as formulas may have any letter.
+    let own = group("Claims stated as formulas", &|id| !known(id));
+    let known = GROUPS.iter().map(|(letter, title, _)| group(title, &|id| id.starts_with(*letter)));
+    known.chain([own]).filter(|group| !group.claims.is_empty()).collect()
 }
 
 fn claim_view(entry: &Entry, ledger: &Ledger, certificates: &Certificates<'_>, folder: &str) -> ClaimView {
@@ -141,14 +142,14 @@ fn claim_view(entry: &Entry, ledger: &Ledger, certificates: &Certificates<'_>, f
         id: entry.id.clone(),
         place: entry.place.clone(),
         statement_markdown: plain(&entry.words),
-        acceptance_markdown: plain(entry.criterion),
+        acceptance_markdown: plain(&entry.criterion),
         verdict: finding.verdict,
         verdict_markdown: plain(finding.limit.as_deref().unwrap_or_default()),
         strength: strength_of(finding.verdict, finding.strength),
         readings: finding.readings.iter().map(reading_view).collect(),
         evidence: finding.evidence.iter().map(|one| evidence_view(one, &entry.id, certificates)).collect(),
         counter_example_markdown: plain(finding.counter_example.as_deref().unwrap_or_default()),
-        not_established_markdown: plain(entry.not_established),
+        not_established_markdown: plain(&entry.not_established),
         remark_markdown: finding.remarks.iter().map(|remark| plain(remark)).collect::<Vec<_>>().join("\n\n"),
         rests_on: entry.rests_on.iter().filter(|id| listed(id)).map(|&id| id.to_owned()).collect(),
         command: format!("slipmode verify {folder} --claim {}", entry.id),

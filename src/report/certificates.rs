@@ -65,9 +65,9 @@ mod tests {
             id: id.into(),
             place: String::new(),
             words: String::new(),
-            criterion: "",
+            criterion: String::new(),
             finding: Finding::from_proofs(proofs.iter().map(|&proof| Ok(proof.clone()))),
-            not_established: "",
+            not_established: String::new(),
             rests_on: &[],
             expected: Verdict::Holds,
         }

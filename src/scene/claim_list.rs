@@ -1,7 +1,10 @@
 //! `claims.toml`: the claims that a report decides, with the verdict recorded when they were last reviewed.
 
+use slipmode_core::theory::PaperEquations;
+
+use crate::scene::claim_formula::{ClaimFormula, FormulaCondition};
 use crate::scene::document::read_document;
-use crate::scene::section::Section;
+use crate::scene::section::{Entry, Section};
 use crate::scene::{Faults, Limits, Problem, Verdict, of_word, same_name};
 
 /// One claim of the paper, in our words.
@@ -15,29 +18,117 @@ pub struct ClaimEntry {
     pub words: String,
     /// The recorded verdict; the verdict itself is always computed.
     pub expected: Verdict,
+    /// What the claim says as formulas; none for a claim that the program has a check for.
+    pub stated: Option<StatedClaim>,
 }
 
-/// Reads `claims.toml`; `known_ids` are the ids for which a check exists.
+/// A claim as formulas, all of which have to be true.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct StatedClaim {
+    /// What of the words the formulas leave out.
+    pub leaves_out: String,
+    /// The formulas with their words; one part has the words of the claim.
+    pub parts: Vec<(String, ClaimFormula)>,
+}
+
+/// Reads `claims.toml`; `known_ids` are the ids for which a check exists. Formulas are read in the names of the equations; where the
+/// equations are at fault themselves (none), formulas are not read.
 ///
 /// # Errors
 /// All the faults at once: among them unknown ids (with the nearest known one) and ids given twice.
-pub fn read_claims(file: &str, bytes: &[u8], known_ids: &[&str]) -> Result<Vec<ClaimEntry>, Faults> {
+pub fn read_claims(
+    file: &str,
+    bytes: &[u8],
+    known_ids: &[&str],
+    equations: Option<&PaperEquations>,
+) -> Result<Vec<ClaimEntry>, Faults> {
     read_document(file, bytes, Limits::default(), |top| {
         let mut seen: Vec<String> = Vec::new();
         top.required("claim", "[[claim]] sections")?.list(|member| {
             let mut section = member.section()?;
-            let id = read_id(&mut section, known_ids, &mut seen);
+            let stated = read_stated(&mut section, equations);
+            let is_stated = !matches!(stated, Some(None));
+            let id = read_id(&mut section, known_ids, is_stated, &mut seen);
             let [place, words] = ["place", "words"].map(|key| section.text(key, "a text"));
             let allowed = Verdict::ALL.map(Verdict::as_str).join(", ");
             let expected = section.required("expected", &allowed);
             let expected = expected.and_then(|entry| entry.word(&Verdict::ALL, Verdict::as_str));
             section.finish();
-            Some(ClaimEntry { id: id?, place: place?, words: words?, expected: expected? })
+            let mut stated = stated?;
+            let words = words?;
+            // One formula without parts says what the claim's words say.
+            let unnamed =
+                stated.iter_mut().flat_map(|stated| &mut stated.parts).filter(|(own, _)| own.is_empty());
+            unnamed.for_each(|(own, _)| own.clone_from(&words));
+            Some(ClaimEntry { id: id?, place: place?, words, expected: expected?, stated })
         })
     })
 }
 
-fn read_id(section: &mut Section<'_>, known_ids: &[&str], seen: &mut Vec<String>) -> Option<String> {
+/// The formulas of a claim; the inner none for a claim without any.
+fn read_stated(section: &mut Section<'_>, equations: Option<&PaperEquations>) -> Option<Option<StatedClaim>> {
+    let formula = section.optional("formula");
+    let given = section.optional("given");
+    let parts = section.optional("part");
+    let leaves_out = section.optional("leaves_out");
+    if formula.is_none() && parts.is_none() {
+        let stray = given.as_ref().or(leaves_out.as_ref());
+        return match stray {
+            None => Some(None),
+            Some(entry) => entry.refuse(Problem::Needs("`formula` or [[claim.part]]".into())),
+        };
+    }
+    let leaves_out = match leaves_out {
+        Some(entry) => entry.text(),
+        None => {
+            let allowed = "what of the words the formulas leave out, or \"nothing\"".into();
+            section.fault("leaves_out", Problem::Missing { allowed });
+            None
+        }
+    };
+    let parts = match (formula, parts) {
+        (Some(_), Some(parts)) => {
+            parts.refuse(Problem::Needs("no `formula` beside it: a claim has one or the other".into()))
+        }
+        (Some(formula), None) => {
+            read_formula(&formula, given.as_ref(), equations).map(|formula| vec![(String::new(), formula)])
+        }
+        (None, parts) => parts?.list(|part| {
+            let mut part = part.section()?;
+            let words = part.text("words", "a text");
+            let formula = part.required("formula", "a formula");
+            let given = part.optional("given");
+            part.finish();
+            Some((words?, read_formula(&formula?, given.as_ref(), equations)?))
+        }),
+    };
+    Some(Some(StatedClaim { leaves_out: leaves_out?, parts: parts? }))
+}
+
+fn read_formula(
+    formula: &Entry<'_>,
+    given: Option<&Entry<'_>>,
+    equations: Option<&PaperEquations>,
+) -> Option<ClaimFormula> {
+    let text = formula.text()?;
+    let equations = equations?;
+    let condition = |entry: &Entry<'_>| {
+        let read = FormulaCondition::read(&entry.text()?, equations);
+        entry.sound(read.map_err(Problem::Equation))
+    };
+    let given = match given {
+        None => Vec::new(),
+        Some(given) => given.list(condition)?,
+    };
+    formula.sound(ClaimFormula::read(&text, given, equations).map_err(Problem::Equation))
+}
+
+fn read_id(
+    section: &mut Section<'_>,
+    known_ids: &[&str],
+    is_stated: bool,
+    seen: &mut Vec<String>,
+) -> Option<String> {
     let entry = section.required("id", "the id of a claim")?;
     let id = entry.text()?;
     if let Some(first) = seen.iter().find(|first| same_name(first, &id)) {
@@ -45,7 +136,20 @@ fn read_id(section: &mut Section<'_>, known_ids: &[&str], seen: &mut Vec<String>
         return entry.refuse(Problem::Duplicate { of: format!("an earlier claim `{first}`"), folded });
     }
     seen.push(id.clone());
-    entry.sound(of_word(&id, known_ids, |known| known))?;
+    if !is_stated {
+        entry.sound(of_word(&id, known_ids, |known| known))?;
+    } else if known_ids.contains(&id.as_str()) {
+        return entry.refuse(Problem::Needs("another id: the program has a check of this one".into()));
+    } else {
+        let is_letter = |first: char| first.is_ascii_uppercase();
+        let well_formed =
+            id.starts_with(is_letter) && id[1..].chars().all(|c| c.is_ascii_digit()) && id.len() > 1;
+        if !well_formed {
+            return entry.refuse(Problem::Needs(
+                "the form of an id: a capital letter and a number, such as `R2`".into(),
+            ));
+        }
+    }
     Some(id)
 }
 
@@ -60,7 +164,7 @@ mod tests {
     #[test]
     fn claims_are_read_in_order() {
         let text = claim("B8", "holds-within") + &claim("B1", "fails");
-        let claims = read_claims("claims.toml", text.as_bytes(), &["B1", "B8"]).unwrap();
+        let claims = read_claims("claims.toml", text.as_bytes(), &["B1", "B8"], None).unwrap();
         assert_eq!(claims.iter().map(|claim| claim.id.as_str()).collect::<Vec<_>>(), ["B8", "B1"]);
         assert_eq!(claims[0].expected, Verdict::HoldsWithin);
     }
@@ -68,7 +172,7 @@ mod tests {
     #[test]
     fn doubled_and_unknown_ids_and_unknown_verdicts_are_all_reported() {
         let text = claim("B8", "holds") + &claim("B8", "holds") + &claim("X9", "hold");
-        let faults = read_claims("claims.toml", text.as_bytes(), &["B1", "B8"]).unwrap_err();
+        let faults = read_claims("claims.toml", text.as_bytes(), &["B1", "B8"], None).unwrap_err();
         let lines: Vec<_> = faults.iter().filter_map(|fault| fault.line).collect();
         assert_eq!(lines, [7, 12, 15]);
         assert!(matches!(faults[0].problem, Problem::Duplicate { folded: false, .. }));

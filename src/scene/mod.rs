@@ -5,6 +5,7 @@
 //! Decimals are taken from their text ([`slipmode_core::number::parse_decimal`]); no number passes through binary.
 
 mod axis;
+mod claim_formula;
 mod claim_list;
 mod csv_problem;
 pub(crate) mod document;
@@ -23,7 +24,8 @@ pub(crate) mod sections;
 mod verdict;
 
 pub use axis::{Limits, LogAxis, LogCoordinates};
-pub use claim_list::{ClaimEntry, read_claims};
+pub use claim_formula::{ClaimFormula, Comparison, FormulaCondition, Names, Statement};
+pub use claim_list::{ClaimEntry, StatedClaim, read_claims};
 pub use csv_problem::CsvProblem;
 pub use equations_file::read_equations;
 pub use fault::{Fault, Faults, Problem, visible};

@@ -12,6 +12,7 @@ mod bad_points;
 mod bad_scenes;
 mod boundary;
 mod boundary_command;
+mod claim_formulas;
 mod classify;
 mod compare;
 mod compare_bad;

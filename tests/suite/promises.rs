@@ -57,7 +57,7 @@ pub fn scene(bytes: &[u8]) {
 
 /// A list of claims and the plan of a report that are accepted are the same with another system's line ends.
 pub fn ledger(bytes: &[u8]) {
-    let _ = document(bytes, |bytes| read_claims(FILE, bytes, &known_ids()));
+    let _ = document(bytes, |bytes| read_claims(FILE, bytes, &known_ids(), Some(&EQUATIONS)));
     if let Some(plan) = document(bytes, |bytes| ReportPlan::parse(FILE, bytes)) {
         let names = plan.scenes.iter().chain(plan.chapters.iter().map(|chapter| &chapter.id));
         assert!(names.chain([&plan.name]).all(|name| check_name(name).is_ok()));

@@ -49,7 +49,7 @@ pub fn candidates(effects: Effects) -> Result<Vec<ClaimEntry>, Faults> {
         Effects::Neutral => &[],
         Effects::Strengthening => STRENGTHENING,
     };
-    let mut entries = read_claims("claims.toml", PAPER.as_bytes(), &known_ids())?;
+    let mut entries = read_claims("claims.toml", PAPER.as_bytes(), &known_ids(), None)?;
     let kept = with_premises(GENERAL.iter().chain(special).copied());
     entries.retain(|entry| kept.contains(entry.id.as_str()));
     Ok(entries)

@@ -36,7 +36,7 @@ pub enum ConversionError {
 }
 
 /// What a numerator or denominator may come to when it is multiplied out.
-const LARGEST: Extent = Extent { terms: 20_000, degree: 256 };
+const LARGEST: Extent = Extent { terms: 20_000, degree: 256, bits: 1 << 20 };
 
 /// Converts expressions to rational functions and decides their signs, under the assumptions of a domain.
 pub(super) struct Converter<'d> {

@@ -121,7 +121,8 @@ impl Domain {
     }
 
     /// The conditions.
-    pub(super) fn conditions(&self) -> &[Condition] {
+    #[must_use]
+    pub fn conditions(&self) -> &[Condition] {
         &self.given
     }
 

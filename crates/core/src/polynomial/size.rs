@@ -1,29 +1,43 @@
 //! How large an expression becomes when it is multiplied out, estimated from above before that is done.
 
+use rug::{Integer, Rational};
 use thiserror::Error;
 
 use super::{Expression, Function, Polynomial};
 
-/// An upper bound on a polynomial's number of terms and total degree.
+/// An upper bound on a polynomial's number of terms, total degree, and the length of its numbers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Extent {
     /// The number of terms.
     pub terms: u64,
     /// The total degree.
     pub degree: u64,
+    /// The bits of the numbers that are written in it, multiplied out: `((2^64)^64)^64` has 262 144.
+    pub bits: u64,
 }
 
 /// An expression that would become too large.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
-#[error(
-    "multiplied out it may have {terms} terms and degree {degree} (allowed: {} terms, degree {})",
-    largest.terms, largest.degree, terms = Count(found.terms), degree = Count(found.degree)
-)]
+#[error("multiplied out it may have {}", self.excess())]
 pub struct TooLarge {
     /// The bound on what it becomes.
     pub found: Extent,
     /// What is allowed.
     pub largest: Extent,
+}
+
+impl TooLarge {
+    fn excess(&self) -> String {
+        let Self { found, largest } = self;
+        if found.bits > largest.bits {
+            return format!("numbers of {} bits (allowed: {} bits)", Count(found.bits), largest.bits);
+        }
+        let (terms, degree) = (Count(found.terms), Count(found.degree));
+        format!(
+            "{terms} terms and degree {degree} (allowed: {} terms, degree {})",
+            largest.terms, largest.degree
+        )
+    }
 }
 
 /// A number that may have been too large to count.
@@ -39,18 +53,28 @@ impl std::fmt::Display for Count {
 }
 
 impl Extent {
-    const ONE: Self = Self { terms: 1, degree: 0 };
+    const ONE: Self = Self { terms: 1, degree: 0, bits: 0 };
 
     /// Of a polynomial as it is.
     #[must_use]
     pub fn of(polynomial: &Polynomial) -> Self {
-        Self { terms: polynomial.term_count() as u64, degree: polynomial.total_degree().into() }
+        let bits = |number: &Integer| u64::from(number.significant_bits());
+        let of = |coefficient: &Rational| bits(coefficient.numer()) + bits(coefficient.denom());
+        Self {
+            terms: polynomial.term_count() as u64,
+            degree: polynomial.total_degree().into(),
+            bits: polynomial.terms().map(|(_, coefficient)| of(coefficient)).max().unwrap_or_default(),
+        }
     }
 
     /// Of the sum of two such polynomials.
     #[must_use]
     pub fn plus(self, other: Self) -> Self {
-        Self { terms: self.terms.saturating_add(other.terms), degree: self.degree.max(other.degree) }
+        Self {
+            terms: self.terms.saturating_add(other.terms),
+            degree: self.degree.max(other.degree),
+            bits: self.bits.saturating_add(other.bits),
+        }
     }
 
     /// Of their product.
@@ -59,6 +83,7 @@ impl Extent {
         Self {
             terms: self.terms.saturating_mul(other.terms),
             degree: self.degree.saturating_add(other.degree),
+            bits: self.bits.saturating_add(other.bits),
         }
     }
 
@@ -68,13 +93,17 @@ impl Extent {
         let others = self.terms.saturating_sub(1);
         let terms = (1..=u64::from(exponent))
             .try_fold(1_u64, |count, step| Some(count.checked_mul(others.checked_add(step)?)? / step));
-        Self { terms: terms.unwrap_or(u64::MAX), degree: self.degree.saturating_mul(exponent.into()) }
+        Self {
+            terms: terms.unwrap_or(u64::MAX),
+            degree: self.degree.saturating_mul(exponent.into()),
+            bits: self.bits.saturating_mul(exponent.into()),
+        }
     }
 
     /// # Errors
     /// When it is larger than allowed.
     pub fn within(self, largest: Self) -> Result<(), TooLarge> {
-        if self.terms > largest.terms || self.degree > largest.degree {
+        if self.terms > largest.terms || self.degree > largest.degree || self.bits > largest.bits {
             return Err(TooLarge { found: self, largest });
         }
         Ok(())
@@ -94,8 +123,9 @@ impl Expression {
     fn extents(&self, largest: Extent) -> Result<[Extent; 2], TooLarge> {
         let go = |inner: &Self| inner.extents(largest);
         let found = match self {
-            Self::Number(_) => [Extent::ONE, Extent::ONE],
-            Self::Variable(_) => [Extent { terms: 1, degree: 1 }, Extent::ONE],
+            Self::Number(value) => [value.numer(), value.denom()]
+                .map(|part| Extent { bits: part.significant_bits().into(), ..Extent::ONE }),
+            Self::Variable(_) => [Extent { degree: 1, ..Extent::ONE }, Extent::ONE],
             Self::Sum(parts) => parts
                 .iter()
                 .try_fold(None, |sum: Option<[Extent; 2]>, part| {
@@ -123,7 +153,7 @@ impl Expression {
                 let inside = if *function == Function::Abs { above.terms } else { 1 };
                 // Each function is one more level of the chain rule.
                 let degree = above.degree.max(below.degree).saturating_add(1);
-                [Extent { terms: inside, degree }, Extent::ONE]
+                [Extent { terms: inside, degree, bits: above.bits.saturating_add(below.bits) }, Extent::ONE]
             }
         };
         found.into_iter().try_for_each(|side| side.within(largest))?;
@@ -136,7 +166,7 @@ mod tests {
     use super::*;
 
     fn error(text: &str) -> Option<String> {
-        let largest = Extent { terms: 100, degree: 12 };
+        let largest = Extent { terms: 100, degree: 12, bits: 1000 };
         text.parse::<Expression>()
             .expect("in the grammar")
             .check_extent(largest)
@@ -158,6 +188,14 @@ mod tests {
         assert_eq!(error("1/(a + b) + 1/(c + d)"), None);
         let many: Vec<String> = (0..12).map(|n| format!("1/(a{n} + b{n})")).collect();
         assert!(error(&many.join(" + ")).is_some());
+    }
+
+    #[test]
+    fn a_tower_of_numbers_is_refused_before_it_is_computed() {
+        assert_eq!(error("(2^64)^4*a"), None);
+        let refused = error("((((2^64)^64)^64)^64)^64").unwrap();
+        assert!(refused.ends_with("numbers of 8192 bits (allowed: 1000 bits)"), "{refused}");
+        assert!(error("a + (1e-64)^64").is_some());
     }
 
     #[test]

@@ -101,6 +101,12 @@ impl PaperEquations {
         reading::REQUIRED.iter().map(|(number, _)| self.equation(number))
     }
 
+    /// The variables that are assumed to be positive.
+    #[must_use]
+    pub fn positive(&self) -> &[String] {
+        &self.positive
+    }
+
     /// The right side of the equation of this number.
     pub(super) fn right(&self, number: &str) -> Expression {
         self.equation(number).right.clone()
