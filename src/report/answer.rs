@@ -27,7 +27,8 @@ const SIMULATED: [&str; 3] = ["N1", "N2", "N4"];
 pub(super) fn answer(question: Question, ledger: &Ledger, outcome: &Outcome) -> Vec<AnswerView> {
     let (own, paper): (Vec<&Entry>, Vec<&Entry>) =
         ledger.claims.iter().partition(|entry| entry.id.starts_with('X'));
-    let formulas = accuracy_of_asymptotes(outcome).map(|text| AnswerView::new(text, []));
+    let worst = paper.iter().filter(|entry| entry.id == "Z5").map(|entry| &entry.id);
+    let formulas = accuracy_of_asymptotes(outcome).map(|text| AnswerView::new(text, worst));
     let validity = range_of_velocities(outcome).map(|text| AnswerView::new(text, []));
     let claims = [counts(&paper), right(&paper)];
     let rest = [wrong(&paper), simulations(&paper), new_results(&own)];

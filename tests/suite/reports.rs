@@ -212,3 +212,36 @@ fn every_statement_of_the_paper_has_a_claim_or_a_reason_and_every_claim_a_statem
         assert!(row.contains("(#claim-") || row.contains("| not decided: "), "{row}");
     }
 }
+
+#[test]
+fn a_certificate_is_printed_once_and_linked_elsewhere() {
+    let place = small_report();
+    place.write("small/claims.toml", format!("{CLAIMS}{}", CLAIMS.replace("S1", "S5")));
+    place.run(["report", "small", "-o", "out"]).expect_success();
+    let (page, text) = (place.read("out/index.html"), place.read("out/report.md"));
+    assert_eq!(text.matches("  stability-transition: ").count(), 1, "{text}");
+    assert!(text.contains("[certificate stability-transition of claim S1]"), "{text}");
+    let linked = text.matches("Certificate: see claim [S1](#s1).").count();
+    assert_eq!(page.matches("The certificate is in claim <a href=\"#claim-S1\">S1</a>").count(), linked);
+}
+
+#[test]
+fn the_answer_stands_first_and_follows_the_verdicts() {
+    let place = small_report();
+    for (words, expected) in [
+        ("1 holds as stated", "all claims about the stability transition hold"),
+        ("1 fails", "One claim is wrong as stated"),
+    ] {
+        place.run(["report", "small", "-o", "out"]).expect_success();
+        for file in ["out/index.html", "out/report.md"] {
+            let report = place.read(file);
+            let answer = report.find(words).expect(words);
+            assert!(
+                report.contains(expected) && answer < report.find("Ledger of claims").unwrap(),
+                "{report}"
+            );
+        }
+        let wrong = EQUATIONS.replacen("(b-a)", "(b+a)", 1).replacen("(b - a)", "(b + a)", 1);
+        place.write("small/equations.toml", wrong);
+    }
+}

@@ -6,12 +6,13 @@ use crate::experiments::tolerance::tables::place_of_limit;
 use crate::experiments::tolerance::{ToleranceOutcome, ToleranceRow};
 use slipmode_core::number::format::{rational_to_decimal, round_digits};
 use slipmode_core::number::{Ball, Rational};
+use slipmode_core::stability::boundary::ErrorPair;
 
 /// Digits of a limit in the sentence; the table has more.
 const DIGITS: usize = 2;
 
 /// Where each asymptote of the first slider is accurate to one per cent, or to the best that the scene asks for above it, and how far
-/// off the nearer asymptote is at worst: Markdown; `None` when no scene asks for it.
+/// off each is at worst: Markdown; `None` when no scene asks for it.
 #[must_use]
 pub fn accuracy_of_asymptotes(outcome: &Outcome) -> Option<String> {
     let (_, found) = outcome.each(|scene| &scene.tolerance).next()?;
@@ -22,7 +23,7 @@ pub fn accuracy_of_asymptotes(outcome: &Outcome) -> Option<String> {
     let per_cent = rational_to_decimal(&Rational::from(tolerance * 100u32), DIGITS);
     let list: Vec<String> = rows.map(row_words).collect();
     Some(format!(
-        "The asymptotes equal the exact boundary within {per_cent} % only far from their corners: {}{}.",
+        "The asymptotes equal the exact boundary within {per_cent} % only far from their corners: {}. Up to the corner or the cusp, where another one takes over, their errors reach {}.",
         list.join(", "),
         worst_words(found)
     ))
@@ -38,14 +39,22 @@ fn row_words(row: &ToleranceRow) -> String {
     format!("{equation} for {} {} {unit}", place_of_limit(limit), scientific(&row.in_si))
 }
 
-/// Where two asymptotes meet, the nearer of the two is farthest from the boundary.
+/// The largest error of each asymptote: of eqs 15 and 18 at the V0 of their corner, of eqs 16 and 20 at the cusp.
 fn worst_words(found: &ToleranceOutcome) -> String {
-    let factor = |log10: &Ball| round_digits(libm::exp10(log10.to_f64()), DIGITS + 1);
-    let lower = factor(&found.corners.lower_worst_log10);
-    let upper = found.corners.upper_worst_log10.as_ref();
-    let upper =
-        upper.map_or_else(String::new, |upper| format!("a factor {} at eqs 15 and 18, and ", factor(upper)));
-    format!(". The error is largest where two of them meet: {upper}a factor {lower} at eqs 16 and 20")
+    let per_cent = |error: &Ball, equation: u32| {
+        format!("{} % (eq {equation})", round_digits(100.0 * error.to_f64(), DIGITS).replace('-', "−"))
+    };
+    let upper = found.corners.upper.as_ref();
+    let (cusp, upper) = (&found.corners.cusp, |of: fn(&ErrorPair) -> &Ball, equation| {
+        upper.map(|pair| per_cent(of(pair), equation))
+    });
+    let errors = [
+        upper(|pair| &pair.quasi_static, 15),
+        Some(per_cent(&cusp.quasi_static, 16)),
+        upper(|pair| &pair.inertial, 18),
+        Some(per_cent(&cusp.inertial, 20)),
+    ];
+    errors.into_iter().flatten().collect::<Vec<_>>().join(", ")
 }
 
 /// The value as `$6.2\times10^{-5}$`, or as it is between a hundredth and ten thousand.
