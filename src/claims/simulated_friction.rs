@@ -54,7 +54,12 @@ fn regularised(grid: &Runs, direct_effect: f64, reference: f64) -> Finding {
     });
     finding
         .require(log_difference < libm::log(UNRESOLVED), || {
-            format!("at {} the velocities differ by up to {difference} V_l", run.place())
+            format!(
+                "eq 1's friction coefficient falls to {} ({}) and is negative in {negative} of {} runs; there the velocities of the two laws differ by up to {difference} V_l",
+                round_digits(friction(course), 4),
+                run.place(),
+                courses.len()
+            )
         })
         .within(format!(
             "V differs by less than {difference} V_l at the same friction and state, so that no digit of a peak velocity or period changes; eq 1's friction coefficient is as low as {} ({}) and negative in {negative} of {} runs",
