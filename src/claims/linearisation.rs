@@ -1,5 +1,6 @@
 //! Claims L: the linearisation, the third-order equation and the cubic.
 
+use crate::claims::reading::{Draft, of_readings};
 use crate::claims::{Check, Evidence, Finding};
 use crate::experiments::linear_regime::ModeRuns;
 use crate::experiments::{Context, Need, Outcome};
@@ -25,7 +26,7 @@ pub(super) const CHECKS: &[Check] = &[
     },
     Check {
         id: "L3",
-        criterion: "The characteristic polynomial of eqs 5 and 6 is the left side of eq 8. If a report simulates small disturbances of the nonlinear equations, their rates are its roots.",
+        criterion: "The characteristic polynomial of eqs 5 and 6 is the left side of eq 8.",
         not_established: "The behaviour of solutions that are not of the form exp(st).",
         needs: &[Need::LinearRegime],
         rests_on: &["L1", "L2"],
@@ -60,10 +61,12 @@ fn l3(context: &Context) -> Finding {
         characteristic::prove(context.equations),
         characteristic::dimensionless(context.equations),
     ]);
-    match SmallDisturbances::of(context.outcome) {
-        Some(seen) => seen.added_to(finding),
-        None => finding,
-    }
+    let Some(seen) = SmallDisturbances::of(context.outcome) else { return finding };
+    let linear =
+        Draft::new("of the linearised equations").part("eq 8 is their characteristic equation", finding);
+    let nonlinear = Draft::new("of small disturbances of the nonlinear equations, in simulations")
+        .part("their rates tend to the roots of eq 8", seen.finding());
+    of_readings([linear, nonlinear])
 }
 
 /// How far a measured mismatch may be from what the quadratic terms predict at the smallest amplitude: terms of third order change
@@ -89,25 +92,25 @@ impl<'o> SmallDisturbances<'o> {
         self.runs.iter().filter_map(|run| value(run)).fold(0.0, f64::max)
     }
 
-    fn added_to(&self, finding: Finding) -> Finding {
+    fn finding(&self) -> Finding {
         let amplitude = self.largest(|run| run.mismatches.last().map(|last| last.amplitude));
         let unexplained = self.largest(ModeRuns::off_prediction);
         let of_64_bit = self.largest(|run| Some(run.difference_of_64_bit));
-        finding
-            .with_supporting(Evidence::Simulation {
-                quantity: "Largest |p_measured − p|/|p| of small disturbances of the nonlinear slider, all roots, both laws".into(),
-                value: format!(
-                    "{} at amplitude {}; the quadratic terms do not explain {} of it",
-                    round_digits(self.largest(ModeRuns::least_mismatch), 2),
-                    round_digits(amplitude, 2),
-                    round_digits(unexplained, 1)
-                ),
-                error: format!("{} between 64-bit and double-double runs", round_digits(of_64_bit, 1)),
-                runs: self.runs.len(),
-            })
-            .require(self.failures == 0, || format!("{} small disturbances have no result", self.failures))
-            .require(unexplained < UNEXPLAINED, || {
-                "the rate of a small disturbance of the nonlinear slider does not tend to the root of eq 8".into()
-            })
+        let quantity = "Largest |p_measured − p|/|p| of small disturbances of the nonlinear slider, all roots, both laws";
+        Finding::from_evidence(Evidence::Simulation {
+            quantity: quantity.into(),
+            value: format!(
+                "{} at amplitude {}; the quadratic terms do not explain {} of it",
+                round_digits(self.largest(ModeRuns::least_mismatch), 2),
+                round_digits(amplitude, 2),
+                round_digits(unexplained, 1)
+            ),
+            error: format!("{} between 64-bit and double-double runs", round_digits(of_64_bit, 1)),
+            runs: self.runs.len(),
+        })
+        .require(self.failures == 0, || format!("{} small disturbances have no result", self.failures))
+        .require(unexplained < UNEXPLAINED, || {
+            "the rate of a small disturbance of the nonlinear slider does not tend to the root of eq 8".into()
+        })
     }
 }
