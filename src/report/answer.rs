@@ -122,10 +122,16 @@ fn simulations(claims: &[&Entry]) -> Option<AnswerView> {
     (!ids.is_empty()).then(|| AnswerView::new(format!("In simulations: {}.", said.join("; ")), ids))
 }
 
+/// The claims of this report's own, in their own words.
 fn new_results(own: &[&Entry]) -> Option<AnswerView> {
-    let ids = || own.iter().map(|entry| &entry.id);
-    let said: Vec<String> = own.iter().filter_map(|entry| said(entry)).collect();
-    (!said.is_empty()).then(|| AnswerView::new(format!("Beyond the paper: {}.", said.join("; ")), ids()))
+    let found = [
+        counted(own, Verdict::Holds, ["result of our own holds", "results of our own hold"]),
+        counted(own, Verdict::HoldsWithin, ["holds within a limit", "hold within a limit"]),
+        counted(own, Verdict::Fails, ["fails", "fail"]),
+    ];
+    let found: Vec<&str> = found.iter().map(String::as_str).filter(|part| !part.starts_with("0 ")).collect();
+    let text = format!("Beyond the paper, {}:", listed(&found)?);
+    Some(AnswerView { is_list: true, ..AnswerView::new(text, own.iter().map(|entry| &entry.id)) })
 }
 
 /// The words of a claim with what was found, up to the first semicolon of its limit; `None` for what was not checked.
@@ -191,7 +197,7 @@ mod tests {
                 "Right: all claims about the linearisation hold as stated, and those about the stability transition at least within a limit.",
                 "One claim is wrong as stated, with a counter-example:",
                 "In simulations: “Words of N1” holds; “Words of N2” holds within a first limit.",
-                "Beyond the paper: “Words of X1” holds.",
+                "Beyond the paper, 1 result of our own holds:",
             ]
         );
         assert!(found[2].is_list && found[2].claims == ["B6"]);

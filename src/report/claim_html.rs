@@ -18,7 +18,7 @@ fn chips(ids: &[String], catalogue: &Catalogue<'_>) -> Vec<Value> {
 }
 
 /// Length of a certificate that the page shows whole; of a longer one it shows the beginning.
-const SHOWN_CERTIFICATE_BYTES: usize = 600;
+const SHOWN_CERTIFICATE_BYTES: usize = 300;
 
 /// The beginning of a certificate, whole lines where it has lines, and what is written below it when something is missing.
 fn excerpt(certificate: &str) -> (&str, String) {
@@ -101,7 +101,7 @@ mod tests {
         let long = "é = 1\n".repeat(1000);
         let (shown, cut) = excerpt(&long);
         assert!(shown.len() <= SHOWN_CERTIFICATE_BYTES && shown.ends_with("é = 1"));
-        assert!(cut.starts_with("The first 509 of 6000 characters"), "{cut}");
+        assert!(cut.starts_with("The first 251 of 6000 characters"), "{cut}");
         assert!(excerpt(&"é".repeat(2000)).0.chars().all(|c| c == 'é'));
     }
 }
