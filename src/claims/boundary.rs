@@ -6,7 +6,8 @@ use crate::claims::{Check, Evidence, Finding};
 use crate::experiments::{Context, Need, SceneOutcome};
 use slipmode_core::polynomial::{Proof, Refutation};
 use slipmode_core::theory::areas::{self, Effects};
-use slipmode_core::theory::{asymptote_series, boundary, inertial, quasi_static};
+use slipmode_core::theory::asymptote_series::{self, AsymptoteSeries};
+use slipmode_core::theory::{boundary, inertial, quasi_static};
 
 /// The order to which the error series of the asymptotes are evidence.
 pub(super) const SERIES_ORDER: usize = 2;
@@ -140,10 +141,15 @@ fn b10(context: &Context) -> Finding {
         Ok(found) => found,
         Err(refutation) => return Finding::from_proofs([Err(refutation)]),
     };
-    let (ends, known) = (2 * areas.real_areas, series.len());
+    // Two equations for one end have the same series.
+    let is_new = |at: &usize| {
+        let of = |one: &AsymptoteSeries| (one.quantity, one.coefficients.clone());
+        series[..*at].iter().all(|earlier| of(earlier) != of(&series[*at]))
+    };
+    let (ends, known) = (2 * areas.real_areas, (0..series.len()).filter(is_new).count());
     let proofs = series.into_iter().map(|series| Ok(series.proof));
     Finding::from_proofs([Ok(areas.proof), boundary::prove(context.equations)].into_iter().chain(proofs))
-        .require(ends == known, || format!("{ends} ends and {known} asymptotes"))
+        .require(ends == known, || format!("{ends} ends and {known} different asymptotes"))
         .remark("\"Four different asymptotes can be identified\" is read as: there are no others.")
 }
 
