@@ -1,9 +1,11 @@
 //! Wrong equations planted on purpose, and the claims that notice: how much a verdict of this ledger is worth.
 
+use std::collections::BTreeSet;
+
 use rayon::prelude::*;
 
 use super::alterations::{Alteration, alterations};
-use crate::claims::{Check, Verdict, checks};
+use crate::claims::{Check, Evidence, Finding, Verdict, checks};
 use crate::experiments::Context;
 use slipmode_core::theory::Equation;
 
@@ -40,25 +42,46 @@ pub struct Survivor {
 #[must_use]
 pub fn plant_faults(context: &Context) -> Vec<PlantedFaults> {
     let theory: Vec<&'static Check> = checks().filter(|check| !check.id.starts_with(['N', 'X'])).collect();
-    let sound: Vec<(&'static Check, Vec<Verdict>)> =
-        theory.into_par_iter().map(|check| (check, verdicts(check, context))).collect();
+    let sound: Vec<Sound> = theory.into_par_iter().map(|check| Sound::of(check, context)).collect();
     let numbered: Vec<&Equation> =
         context.equations.iter().filter(|equation| equation.number.parse::<u32>().is_ok()).collect();
     numbered.into_par_iter().map(|equation| plant(equation, context, sound.clone())).collect()
 }
 
+/// A claim as the paper's own equations decide it.
+#[derive(Clone)]
+struct Sound {
+    check: &'static Check,
+    verdicts: Vec<Verdict>,
+    /// The equations that its proofs name.
+    equations: BTreeSet<String>,
+}
+
+impl Sound {
+    fn of(check: &'static Check, context: &Context) -> Self {
+        let finding = (check.decide)(context);
+        let verdicts = verdicts(&finding);
+        let steps = finding.evidence.into_iter().flat_map(|evidence| match evidence {
+            Evidence::Proof { proof, .. } => proof.steps,
+            _ => Vec::new(),
+        });
+        Self { check, verdicts, equations: steps.flat_map(|step| step.equations).collect() }
+    }
+
+    fn notices(&self, altered: &Context) -> bool {
+        verdicts(&(self.check.decide)(altered)) != self.verdicts
+    }
+}
+
 /// The verdict on a claim and those on its parts.
-fn verdicts(check: &Check, context: &Context) -> Vec<Verdict> {
-    let finding = (check.decide)(context);
+fn verdicts(finding: &Finding) -> Vec<Verdict> {
     let parts = finding.readings.iter().flat_map(|reading| &reading.parts).map(|part| part.verdict);
     std::iter::once(finding.verdict).chain(parts).collect()
 }
 
-fn plant(
-    equation: &Equation,
-    context: &Context,
-    mut sound: Vec<(&'static Check, Vec<Verdict>)>,
-) -> PlantedFaults {
+fn plant(equation: &Equation, context: &Context, mut sound: Vec<Sound>) -> PlantedFaults {
+    // The claims whose proofs name the equation come first: one of them notices.
+    sound.sort_by_key(|sound| !sound.equations.contains(&equation.number));
     let mut found = PlantedFaults { equation: equation.number.clone(), ..PlantedFaults::default() };
     for Alteration { kind, text, says_the_same } in alterations(equation) {
         if says_the_same {
@@ -72,13 +95,12 @@ fn plant(
             continue;
         };
         let altered = Context::new(&equations, context.outcome);
-        let notices = |(check, sound): &(&Check, Vec<Verdict>)| verdicts(check, &altered) != *sound;
-        match sound.iter().position(notices) {
+        match sound.iter().position(|sound| sound.notices(&altered)) {
             Some(at) => {
                 found.noticed += 1;
                 // A claim that noticed one fault of an equation is tried on the next one first.
                 sound[..=at].rotate_right(1);
-                found.noticed_by.push(sound[0].0.id);
+                found.noticed_by.push(sound[0].check.id);
             }
             None => found.survivors.push(Survivor { kind, text }),
         }
@@ -89,10 +111,7 @@ fn plant(
 
 #[cfg(test)]
 mod tests {
-    use std::collections::BTreeSet;
-
     use super::*;
-    use crate::claims::{Evidence, Finding};
     use crate::experiments::Outcome;
     use crate::scene::read_equations;
 
@@ -121,14 +140,6 @@ mod tests {
         assert_eq!(harmless, [("15", 1), ("16", 1), ("18", 1), ("23", 1)]);
     }
 
-    fn equations_of(finding: Finding) -> BTreeSet<String> {
-        let steps = finding.evidence.into_iter().flat_map(|evidence| match evidence {
-            Evidence::Proof { proof } => proof.steps,
-            _ => Vec::new(),
-        });
-        steps.flat_map(|step| step.equations).collect()
-    }
-
     #[test]
     fn every_claim_that_the_equations_decide_notices_a_fault_of_its_own() {
         let text = include_str!("../../reports/im-avouac/equations.toml");
@@ -141,19 +152,17 @@ mod tests {
             .filter(|(_, change)| !change.says_the_same)
             .filter_map(|(number, change)| Some((number, equations.altered(number, &change.text).ok()?)))
             .collect();
-        let decided: Vec<_> = checks()
-            .map(|check| (check, verdicts(check, &context)))
-            .filter(|(_, sound)| sound[0] != Verdict::NotChecked)
+        let decided: Vec<Sound> = checks()
+            .map(|check| Sound::of(check, &context))
+            .filter(|sound| sound.verdicts[0] != Verdict::NotChecked)
             .collect();
         assert!(decided.len() > 30, "{}", decided.len());
-        let blind = decided.into_par_iter().filter(|(check, sound)| {
-            // The equations that the claim's proofs name come first: one of their faults is noticed.
-            let named = equations_of((check.decide)(&context));
-            let (likely, other): (Vec<_>, Vec<_>) =
-                altered.iter().partition(|(number, _)| named.contains(*number));
-            let unseen = |(_, altered): &&_| verdicts(check, &Context::new(altered, &nothing)) == *sound;
+        let blind = decided.into_par_iter().filter(|sound| {
+            let is_named = |(number, _): &&(&str, _)| sound.equations.contains(*number);
+            let (likely, other): (Vec<_>, Vec<_>) = altered.iter().partition(is_named);
+            let unseen = |(_, altered): &&_| !sound.notices(&Context::new(altered, &nothing));
             likely.iter().all(unseen) && other.iter().all(unseen)
         });
-        assert_eq!(blind.map(|(check, _)| check.id).collect::<Vec<_>>(), Vec::<&str>::new());
+        assert_eq!(blind.map(|sound| sound.check.id).collect::<Vec<_>>(), Vec::<&str>::new());
     }
 }

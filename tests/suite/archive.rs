@@ -166,7 +166,9 @@ fn two_ledgers_are_compared_by_verdict() {
     assert_eq!(place.run(["diff", "small.zip", "small.zip"]).expect_success(), "no differences\n");
     place.run(["report", "small", "-o", "out"]).expect_success();
     place.run(["diff", "small.zip", "out/ledger.json"]).expect_success();
-    let altered = place.read("out/ledger.json").replace("\"verdict\": \"fails\"", "\"verdict\": \"holds\"");
+    let altered = place.read("out/ledger.json");
+    // The first one is the claim's, the next ones are those of its parts.
+    let altered = altered.replacen("\"verdict\": \"fails\"", "\"verdict\": \"holds\"", 1);
     place.write("altered.json", altered);
     let ended = place.run(["diff", "out/ledger.json", "altered.json"]);
     assert_eq!((ended.code, ended.stdout.as_str()), (1, "B8: verdict: fails -> holds\n"));
