@@ -3,6 +3,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 const EQUATIONS: &str = include_str!("../../reports/im-avouac/equations.toml");
 const CLAIMS: &str = include_str!("../../reports/im-avouac/claims.toml");
@@ -52,7 +53,11 @@ struct Report(PathBuf);
 impl Report {
     /// All claims of one letter but those that need maps computed.
     fn new(letter: char) -> Self {
-        let root = std::env::temp_dir().join(format!("slipmode-sabotage-{}-{letter}", std::process::id()));
+        // Several faults may be planted for one letter at the same time.
+        static MADE: AtomicUsize = AtomicUsize::new(0);
+        let number = MADE.fetch_add(1, Ordering::Relaxed);
+        let name = format!("slipmode-sabotage-{}-{letter}{number}", std::process::id());
+        let root = std::env::temp_dir().join(name);
         let _ = fs::remove_dir_all(&root);
         for folder in ["scenes", "prose"] {
             fs::create_dir_all(root.join(folder)).unwrap();
@@ -157,11 +162,11 @@ fn a_wrong_sign_in_eq_16_is_caught() {
 }
 
 #[test]
-fn a_stiffness_term_with_the_wrong_sign_is_caught_by_the_count_of_turning_points() {
+fn a_last_term_of_eq_8_with_a_factor_is_caught_by_the_count_of_turning_points() {
     sabotage(
         'Q',
-        "(sigma*D_c))*s^2 + (K/sigma + (a - b)/D_c)*s",
-        "(sigma*D_c))*s^2 + (K/sigma - (a - b)/D_c)*s",
+        "(sigma*D_c))*s^2 + (K/sigma + (a - b)/D_c)*s + K*V_0",
+        "(sigma*D_c))*s^2 + (K/sigma + (a - b)/D_c)*s + 2*K*V_0",
         &["Q1", "Q7"],
     );
 }
