@@ -270,3 +270,45 @@ fn vibrate(runs: &[&Coloured], visible: f64) -> Finding {
         .require(slow.is_none(), || format!("{} is not inertial", names(slow)))
         .require(still.is_none(), || format!("{} shows no second rise", names(still)))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::claims::Verdict;
+
+    fn shown(oscillates: bool, slip_mode: SlipMode) -> ShownRun {
+        ShownRun {
+            velocity_over_asymptote: 1.0,
+            loading_velocity_m_per_s: 1e-3,
+            oscillates,
+            slip_mode,
+            swing: None,
+            history: Vec::new(),
+        }
+    }
+
+    fn coloured(run: &ShownRun, second_rise: f64) -> Coloured<'_> {
+        Coloured {
+            colour: "blue",
+            run,
+            swing: Swing { overshoot: 0.2, undershoot: 0.0, second_rise },
+            error: 1e-6,
+        }
+    }
+
+    #[test]
+    fn each_colour_of_fig_4_is_refuted_by_a_run_of_another_kind() {
+        let (visible, inertial) = (0.01, SlipMode::InertialUnderdampedOscillation);
+        let [below, above] = [(false, SlipMode::OverdampedStableSliding), (true, inertial)]
+            .map(|(oscillates, mode)| shown(oscillates, mode));
+        let quiet = coloured(&below, 0.0);
+        assert_eq!(no_vibration(&[&quiet]).verdict, Verdict::Holds);
+        assert_eq!(no_vibration(&[&coloured(&below, 0.1)]).verdict, Verdict::Fails);
+        assert_eq!(one_peak(&coloured(&above, 1e-3), visible).verdict, Verdict::Holds);
+        assert_eq!(one_peak(&quiet, visible).verdict, Verdict::Fails);
+        assert_eq!(one_peak(&coloured(&above, 0.1), visible).verdict, Verdict::Fails);
+        assert_eq!(vibrate(&[&coloured(&above, 0.1)], visible).verdict, Verdict::Holds);
+        assert_eq!(vibrate(&[&coloured(&above, 1e-3)], visible).verdict, Verdict::Fails);
+        assert_eq!(vibrate(&[&coloured(&below, 0.1)], visible).verdict, Verdict::Fails);
+    }
+}

@@ -202,6 +202,10 @@ fn divisors(grids: &[Runs], chosen: impl Fn(f64) -> bool) -> Result<Finding, Fin
 mod tests {
     use super::*;
     use crate::claims::Verdict;
+    use crate::experiments::simulations::SimulatedPoint;
+    use crate::experiments::{Need, References, Scene, run};
+    use crate::scene::{Limits, read_equations};
+    use slipmode_core::dynamics::Behaviour;
     use slipmode_core::friction::EvolutionLaw::Slip;
 
     fn least(cycle_mode_change_dex: f64) -> LeastPeak {
@@ -231,5 +235,46 @@ mod tests {
         assert_eq!(found.verdict, Verdict::Fails);
         assert!(found.counter_example.unwrap().contains("0.0005 to 0.7 dex above eq 18"));
         assert_eq!(period_at_eq18(Slip, &[]).verdict, Verdict::NotChecked);
+    }
+
+    /// A small grid of the paper's slider, with the slip law: σ below and above σ_c, V_l from 10^-5.5 m/s.
+    fn small_grid() -> Outcome {
+        let text = include_str!("../../reports/im-avouac/scenes/potentially-unstable.toml");
+        let (head, _) = text.split_once("[simulations]").unwrap();
+        let slider = format!(
+            "{}[simulations]\nloading_velocity_m_per_s = {{ from = 3.1622776601683795e-6, to = 3.1622776601683795e-2, points = 3 }}\n\
+             normal_stress_pa = {{ from = 1e4, to = 1e6, points = 2 }}\nlaws = [\"slip\"]\ntolerance = 1e-6\n",
+            &head[..head.find("[map]").unwrap_or(head.len())]
+        );
+        let scene = Scene::parse("s.toml", slider.as_bytes(), &Limits::default()).unwrap();
+        run(&[scene], &[Need::Simulations].into(), &References::default(), &|_, _, _| {})
+    }
+
+    fn verdict(outcome: &Outcome, decide: fn(&Context) -> Result<Finding, Finding>) -> Verdict {
+        let text = include_bytes!("../../reports/im-avouac/equations.toml");
+        let equations = read_equations("equations.toml", text).unwrap();
+        decide(&Context::new(&equations, outcome)).unwrap_or_else(|undecided| undecided).verdict
+    }
+
+    fn points(outcome: &mut Outcome) -> impl Iterator<Item = &mut SimulatedPoint> {
+        let simulations = outcome.scenes.iter_mut().filter_map(|scene| scene.simulations.as_mut());
+        simulations.flat_map(|simulations| &mut simulations.grids).flat_map(|(_, grid)| &mut grid.values)
+    }
+
+    #[test]
+    fn runs_that_were_altered_change_the_verdicts_on_harmonics_and_on_the_divisors_of_fig_5() {
+        let mut outcome = small_grid();
+        assert_eq!(verdict(&outcome, n16), Verdict::Fails);
+        for point in points(&mut outcome) {
+            point.simulation.as_mut().unwrap().behaviour = Behaviour::Periodic;
+        }
+        assert_eq!(verdict(&outcome, n16), Verdict::Holds);
+        let mut with_distortion = |value| {
+            let cycles = points(&mut outcome).filter_map(|point| point.course.as_mut()?.on_cycle.as_mut());
+            cycles.for_each(|cycle| cycle.distortion.value = value);
+            verdict(&outcome, n13)
+        };
+        assert_eq!(with_distortion(0.01), Verdict::Holds);
+        assert_eq!(with_distortion(0.9), Verdict::Fails);
     }
 }
