@@ -5,7 +5,9 @@ mod substitutions;
 
 use std::collections::BTreeMap;
 
-use slipmode_core::polynomial::{Certificate, Domain, Expression, Proof, Refutation, Symbol, Toward};
+use slipmode_core::polynomial::{
+    Certificate, Domain, Expression, Proof, RationalFunction, Refutation, Relation, Symbol, Toward,
+};
 use slipmode_core::theory::PaperEquations;
 
 use crate::claims::Finding;
@@ -65,6 +67,11 @@ fn decide_formula(id: &str, words: &str, formula: &ClaimFormula, equations: &Pap
         Statement::Compare(left, comparison, right) => {
             attempt.compare(&resolved(left), *comparison, &resolved(right))
         }
+        Statement::Monotone(_, _, variable) if !one_interval(&domain, variable) => {
+            Finding::not_checked(format!(
+                "Not decided: a condition that is not linear in {variable} may allow separate ranges of it, between which a slope says nothing."
+            ))
+        }
         Statement::Monotone(expression, comparison, variable) => {
             let slope = resolved(expression).derivative(&Symbol::new(variable));
             attempt.sign(&slope, *comparison, Strictness::OppositeOnly, &format!("its slope in {variable}"))
@@ -80,6 +87,18 @@ fn decide_formula(id: &str, words: &str, formula: &ClaimFormula, equations: &Pap
 
 /// Of how many points each is compared with each other one.
 const FIRST_POINTS: usize = 64;
+
+/// Whether the conditions allow one interval of a variable: each that contains it is linear in it, and no inequality of the kind ≠.
+fn one_interval(domain: &Domain, variable: &str) -> bool {
+    let name = Symbol::new(variable);
+    domain.conditions().iter().filter(|condition| condition.expression.variables().contains(&name)).all(
+        |condition| {
+            let slope = domain.rational_function(&condition.expression.derivative(&name));
+            let is_constant = |slope: RationalFunction| !Expression::from(&slope).variables().contains(&name);
+            condition.relation == Relation::Positive && slope.is_ok_and(is_constant)
+        },
+    )
+}
 
 /// What the decision of one formula works with.
 struct Attempt<'a> {
