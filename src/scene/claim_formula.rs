@@ -9,12 +9,10 @@
 //! A side is an expression of `equations.toml`. A name that stands alone on the left of exactly one equation, such as `K_c`, means
 //! the right side of that equation; `left_8`, `right_15` and `residual_8` mean the sides of an equation and their difference.
 
-use std::collections::{BTreeMap, BTreeSet};
-
 use slipmode_core::polynomial::{ConversionError, Domain, Expression, Extent, Relation, Symbol, Toward};
 use slipmode_core::theory::PaperEquations;
 
-use crate::scene::nearest;
+use crate::scene::claim_names::Names;
 
 /// What a side may come to when it is multiplied out: it bounds the work of a decision.
 const LARGEST: Extent = Extent { terms: 1000, degree: 64, bits: 4096 };
@@ -204,68 +202,5 @@ fn read_variable(text: &str, equations: &PaperEquations) -> Result<String, Strin
     match known.variables.contains(&Symbol::new(text)) {
         true => Ok(text.to_owned()),
         false => Err(known.refusal(text)),
-    }
-}
-
-/// The names that formulas may use.
-pub struct Names {
-    variables: BTreeSet<Symbol>,
-    /// What a defined name means, and the number of its equation.
-    definitions: BTreeMap<Symbol, (Expression, String)>,
-}
-
-impl Names {
-    /// The variables of the equations, and what the defined names mean.
-    #[must_use]
-    pub fn of(equations: &PaperEquations) -> Self {
-        let mut definitions = BTreeMap::new();
-        let mut doubled = BTreeSet::new();
-        let mut variables: BTreeSet<Symbol> =
-            equations.positive().iter().map(|name| Symbol::new(name)).collect();
-        let assumed = variables.clone();
-        for equation in equations.iter() {
-            variables.extend(&equation.left.variables() | &equation.right.variables());
-            let meaning = |side: Expression| (side, equation.number.clone());
-            // A positive variable keeps its meaning where an equation solves for it, as eqs 15 and 16 do for σ.
-            if let Expression::Variable(name) = &equation.left
-                && !assumed.contains(name)
-                && definitions.insert(name.clone(), meaning(equation.right.clone())).is_some()
-            {
-                doubled.insert(name.clone());
-            }
-            let place = |side: &str| Symbol::new(&format!("{side}_{}", equation.number.replace('-', "_")));
-            definitions.insert(place("left"), meaning(equation.left.clone()));
-            definitions.insert(place("right"), meaning(equation.right.clone()));
-            definitions.insert(place("residual"), meaning(equation.residual()));
-        }
-        definitions.retain(|name, _| !doubled.contains(name));
-        variables.retain(|name| !definitions.contains_key(name));
-        Self { variables, definitions }
-    }
-
-    fn has(&self, name: &Symbol) -> bool {
-        self.variables.contains(name) || self.definitions.contains_key(name)
-    }
-
-    fn refusal(&self, unknown: &str) -> String {
-        let names = self.variables.iter().chain(self.definitions.keys()).map(Symbol::as_str);
-        let near = nearest(unknown, names).map(|near| format!("; did you mean `{near}`?"));
-        let near = near.unwrap_or_default();
-        format!("'{unknown}' is no variable and no defined name of equations.toml{near}")
-    }
-
-    /// The expression with the definitions in place of their names.
-    #[must_use]
-    pub fn resolved(&self, expression: &Expression) -> Expression {
-        let meaning =
-            |(name, (meaning, _)): (&Symbol, &(Expression, String))| (name.clone(), meaning.clone());
-        expression.substitute(&self.definitions.iter().map(meaning).collect())
-    }
-
-    /// The numbers of the equations that an expression names.
-    pub fn equations_of(&self, expression: &Expression) -> impl Iterator<Item = &str> {
-        let named = expression.variables();
-        let of = self.definitions.iter().filter(move |(name, _)| named.contains(*name));
-        of.map(|(_, (_, number))| number.as_str())
     }
 }

@@ -7,6 +7,7 @@
 mod axis;
 mod claim_formula;
 mod claim_list;
+mod claim_names;
 mod csv_problem;
 pub(crate) mod document;
 mod equations_file;
@@ -24,8 +25,9 @@ pub(crate) mod sections;
 mod verdict;
 
 pub use axis::{Limits, LogAxis, LogCoordinates};
-pub use claim_formula::{ClaimFormula, Comparison, FormulaCondition, Names, Statement};
+pub use claim_formula::{ClaimFormula, Comparison, FormulaCondition, Statement};
 pub use claim_list::{ClaimEntry, StatedClaim, read_claims};
+pub use claim_names::Names;
 pub use csv_problem::CsvProblem;
 pub use equations_file::read_equations;
 pub use fault::{Fault, Faults, Problem, visible};
