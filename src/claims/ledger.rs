@@ -36,6 +36,11 @@ impl Entry {
     pub fn is_as_recorded(&self) -> bool {
         self.finding.verdict == self.expected
     }
+
+    /// Whether a function of this program decided it.
+    fn has_check(&self) -> bool {
+        find(&self.id).is_some_and(|check| check.criterion == self.criterion)
+    }
 }
 
 /// All claims of a report, in the order in which the report lists them.
@@ -63,6 +68,12 @@ impl Ledger {
     /// The claims that are stated to be surer than their weakest reading, part or evidence.
     pub fn overstated(&self) -> impl Iterator<Item = &Entry> {
         self.claims.iter().filter(|entry| entry.finding.is_overstated())
+    }
+
+    /// Whether it is about the paper that the checks of this program are about: the letters of its ids then name its subjects.
+    #[must_use]
+    pub fn is_of_the_paper(&self) -> bool {
+        self.claims.iter().any(Entry::has_check)
     }
 
     /// How many distinct steps the proofs of all claims have, and how many of them carry no certificate.
@@ -94,11 +105,15 @@ impl Ledger {
 }
 
 fn decide_one(text: &ClaimEntry, context: &Context) -> Entry {
-    let check = find(&text.id);
-    let finding = match (&text.stated, check) {
-        (Some(stated), _) => formula::decide(&text.id, stated, context.equations),
-        (None, Some(check)) => (check.decide)(context),
-        (None, None) => Finding::not_checked("The program has no check with this id."),
+    let check = check_of(text);
+    let finding = match (&text.stated, &text.reason, check) {
+        (Some(stated), ..) => formula::decide(&text.id, stated, context.equations),
+        (None, Some(reason), _) => Finding::not_checked(reason),
+        (None, None, Some(check)) => match context.equations.demand_paper() {
+            Ok(()) => (check.decide)(context),
+            Err(missing) => Finding::not_checked(missing.to_string()),
+        },
+        (None, None, None) => Finding::not_checked("The program has no check with this id."),
     };
     let (criterion, not_established) = match (&text.stated, check) {
         (Some(stated), _) => (formula::criterion(stated), stated.leaves_out.clone()),
@@ -117,6 +132,11 @@ fn decide_one(text: &ClaimEntry, context: &Context) -> Entry {
     }
 }
 
+/// The check of a listed claim, if one decides it.
+fn check_of(claim: &ClaimEntry) -> Option<&'static Check> {
+    find(&claim.id).filter(|_| claim.has_check())
+}
+
 /// The check of a claim, by id.
 #[must_use]
 pub fn find(id: &str) -> Option<&'static Check> {
@@ -132,7 +152,7 @@ pub fn known_ids() -> Vec<&'static str> {
 /// What the listed claims need computed.
 #[must_use]
 pub fn needs(claims: &[ClaimEntry]) -> Needs {
-    claims.iter().filter_map(|claim| find(&claim.id)).flat_map(|check| check.needs.iter().copied()).collect()
+    claims.iter().filter_map(check_of).flat_map(|check| check.needs.iter().copied()).collect()
 }
 
 #[cfg(test)]
@@ -159,6 +179,7 @@ mod tests {
             words: String::new(),
             expected: Verdict::Holds,
             stated: None,
+            reason: None,
         };
         let texts: Vec<ClaimEntry> = crate::claims::checks().map(entry).collect();
         Ledger::decide("paper", &texts, &Context::new(&equations, &outcome))

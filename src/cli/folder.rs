@@ -10,8 +10,11 @@ use slipmode::archive::{Files, sha256_hex};
 use slipmode::claims::known_ids;
 use slipmode::experiments::{References, Scene, check_distinct_scene_names};
 use slipmode::report::{Folder, InputView, formula_faults};
-use slipmode::scene::{Fault, Faults, Limits, Problem, ReportPlan, file_text, read_claims, read_equations};
-use slipmode_core::theory::PaperEquations;
+use slipmode::scene::{
+    ClaimEntry, Fault, Faults, Limits, Problem, ReportPlan, file_text, paper_faults, read_claims,
+    read_equations, read_equations_partly,
+};
+use slipmode_core::theory::Equations;
 
 use crate::cli::input::{fault_of, place_inside, read_small_file, unreadable};
 use references::VECTORS;
@@ -85,9 +88,17 @@ pub fn read_report_from(source: Source, limits: Limits) -> Result<(Folder, Files
     }
     let mut reader = Reader::new(source, limits);
     let plan = reader.read("report.toml", |file, bytes, _| ReportPlan::parse(file, bytes));
-    let equations = reader.read("equations.toml", |file, bytes, _| read_equations(file, bytes));
-    let claims = reader
-        .read("claims.toml", |file, bytes, _| read_claims(file, bytes, &known_ids(), equations.as_ref()));
+    let (equations, mut faults) = reader
+        .read("equations.toml", |file, bytes, _| read_equations_partly(file, bytes))
+        .map_or((None, Faults::new()), |(equations, faults)| (Some(equations), faults));
+    let sound = equations.as_ref().filter(|_| faults.is_empty());
+    let claims = reader.read("claims.toml", |file, bytes, _| read_claims(file, bytes, &known_ids(), sound));
+    if let (Some(equations), Some(claims)) = (&equations, &claims)
+        && claims.iter().any(ClaimEntry::has_check)
+    {
+        faults.extend(paper_faults(&reader.name("equations.toml"), equations, &faults));
+    }
+    reader.faults.extend(faults);
     let (names, chapters) = plan.as_ref().map_or((&[][..], &[][..]), |plan| (&plan.scenes, &plan.chapters));
     let scenes: Vec<(String, Scene)> = names
         .iter()
@@ -124,7 +135,7 @@ pub struct LoneScene {
     /// The scene.
     pub scene: Scene,
     /// The paper's equations.
-    pub equations: PaperEquations,
+    pub equations: Equations,
     /// Files that the scene names: next to it, or in the folders of its report.
     pub references: References,
 }

@@ -39,14 +39,14 @@ use std::sync::OnceLock;
 
 use slipmode_core::friction::EvolutionLaw;
 use slipmode_core::polynomial::Refutation;
-use slipmode_core::theory::PaperEquations;
+use slipmode_core::theory::Equations;
 use slipmode_core::theory::hopf::{HopfCoefficient, coefficient};
 
 /// What a table or a check may look at.
 #[derive(Debug)]
 pub struct Context<'c> {
     /// The paper's equations as the report states them: the thing under test.
-    pub equations: &'c PaperEquations,
+    pub equations: &'c Equations,
     /// What was computed for the report's scenes.
     pub outcome: &'c Outcome,
     hopf: [OnceLock<Result<HopfCoefficient, Refutation>>; 2],
@@ -55,7 +55,7 @@ pub struct Context<'c> {
 impl<'c> Context<'c> {
     /// Nothing is derived from the equations yet.
     #[must_use]
-    pub fn new(equations: &'c PaperEquations, outcome: &'c Outcome) -> Self {
+    pub fn new(equations: &'c Equations, outcome: &'c Outcome) -> Self {
         Self { equations, outcome, hopf: [OnceLock::new(), OnceLock::new()] }
     }
 

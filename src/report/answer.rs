@@ -25,6 +25,10 @@ const SIMULATED: [&str; 3] = ["N1", "N2", "N4"];
 
 /// What the report finds, the question of the report first.
 pub(super) fn answer(question: Question, ledger: &Ledger, outcome: &Outcome) -> Vec<AnswerView> {
+    if !ledger.is_of_the_paper() {
+        let all: Vec<&Entry> = ledger.claims.iter().collect();
+        return [counts(&all), wrong(&all)].into_iter().flatten().collect();
+    }
     let (own, paper): (Vec<&Entry>, Vec<&Entry>) =
         ledger.claims.iter().partition(|entry| entry.id.starts_with('X'));
     let worst = paper.iter().filter(|entry| entry.id == "Z5").map(|entry| &entry.id);
@@ -152,14 +156,14 @@ fn said(entry: &Entry) -> Option<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::claims::{Evidence, Finding};
+    use crate::claims::{Evidence, Finding, find};
 
     fn entry(id: &str, finding: Finding) -> Entry {
         Entry {
             id: id.into(),
             place: String::new(),
             words: format!("Words of {id}."),
-            criterion: String::new(),
+            criterion: find(id).map_or(String::new(), |check| check.criterion.into()),
             expected: finding.verdict,
             finding,
             not_established: String::new(),
@@ -174,6 +178,19 @@ mod tests {
     fn sentences(claims: Vec<Entry>) -> Vec<AnswerView> {
         let ledger = Ledger { report: "r".into(), claims };
         answer(Question::Claims, &ledger, &Outcome::default())
+    }
+
+    #[test]
+    fn the_letters_of_another_papers_claims_name_no_subject() {
+        let mut claims = vec![entry("Q1", held()), entry("X2", held())];
+        claims.iter_mut().for_each(|claim| claim.criterion = "a formula".into());
+        let found = sentences(claims);
+        assert_eq!(found.len(), 1);
+        assert!(
+            found[0]
+                .text_markdown
+                .starts_with("Of the 2 claims of the paper in this report, 2 hold as stated")
+        );
     }
 
     #[test]

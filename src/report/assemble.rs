@@ -13,7 +13,7 @@ use crate::report::{
     PartView, ProvenanceView, ReadingView, ReportView,
 };
 use crate::scene::{Chapter, ReportPlan};
-use slipmode_core::theory::PaperEquations;
+use slipmode_core::theory::Equations;
 use slipmode_plot::table::Table;
 
 /// Everything that a report puts before its reader.
@@ -26,7 +26,7 @@ pub struct Material<'m> {
     /// Prose by file name.
     pub prose: &'m BTreeMap<String, String>,
     /// The paper's equations.
-    pub equations: &'m PaperEquations,
+    pub equations: &'m Equations,
     /// What was computed.
     pub outcome: &'m Outcome,
     /// The verdicts.
@@ -119,7 +119,9 @@ fn cards(ledger: &Ledger) -> Vec<CardView> {
 
 fn groups(ledger: &Ledger, place: &str) -> Vec<ClaimGroupView> {
     let certificates = Certificates::of(ledger);
-    let known = |id: &str| GROUPS.iter().any(|(letter, ..)| id.starts_with(*letter));
+    // The letters are those of one paper: claims of another one are one group.
+    let subjects = if ledger.is_of_the_paper() { &GROUPS[..] } else { &[] };
+    let known = |id: &str| subjects.iter().any(|(letter, ..)| id.starts_with(*letter));
     let group = |title: &str, belongs: &dyn Fn(&str) -> bool| ClaimGroupView {
         title: title.into(),
         claims: ledger
@@ -130,8 +132,9 @@ fn groups(ledger: &Ledger, place: &str) -> Vec<ClaimGroupView> {
             .collect(),
     };
     // Claims that a report states as formulas may have any letter.
-    let own = group("Claims stated as formulas", &|id| !known(id));
-    let known = GROUPS.iter().map(|(letter, title, _)| group(title, &|id| id.starts_with(*letter)));
+    let title = if subjects.is_empty() { "Claims" } else { "Claims stated as formulas" };
+    let own = group(title, &|id| !known(id));
+    let known = subjects.iter().map(|(letter, title, _)| group(title, &|id| id.starts_with(*letter)));
     known.chain([own]).filter(|group| !group.claims.is_empty()).collect()
 }
 

@@ -14,7 +14,7 @@ use crate::report::assemble::{Material, assemble};
 use crate::report::blocks::{BlockKind, Piece, pieces};
 use crate::report::{FactView, InputView, ReportError, render_html, render_markdown};
 use crate::scene::{ClaimEntry, Measured, MeasuredChart, ReportPlan};
-use slipmode_core::theory::PaperEquations;
+use slipmode_core::theory::Equations;
 use slipmode_plot::table::Table;
 
 /// The contents of a report folder, read and valid.
@@ -25,7 +25,7 @@ pub struct Folder {
     /// `claims.toml`.
     pub claims: Vec<ClaimEntry>,
     /// `equations.toml`.
-    pub equations: PaperEquations,
+    pub equations: Equations,
     /// `scenes/*.toml`, in the plan's order.
     pub scenes: Vec<Scene>,
     /// `prose/*.md` by file name.
@@ -102,7 +102,7 @@ pub fn produce(
 #[must_use]
 pub fn produce_scene(
     scene: &Scene,
-    equations: &PaperEquations,
+    equations: &Equations,
     references: &References,
     progress: Progress,
 ) -> BTreeMap<String, String> {
@@ -208,7 +208,7 @@ impl Wanted {
             None => measured.chart(id).map(|found| (found.chart.caption.id.as_str(), Some(figure_of(found)))),
         };
         let made: Vec<_> = self.figures.par_iter().filter_map(shown).collect();
-        collect("figure", made.into_iter())
+        collect("figure", made.into_iter(), |_| None)
     }
 
     fn tables(&self, context: &Context, measured: &Measured) -> Result<Vec<Table>, ReportError> {
@@ -217,7 +217,13 @@ impl Wanted {
             None => measured.table(id).map(|found| (found.id.as_str(), Some(found.clone()))),
         };
         let made: Vec<_> = self.tables.par_iter().filter_map(shown).collect();
-        collect("table", made.into_iter())
+        // A table that needs nothing computed is made of the paper's equations.
+        let of_equations = |id: &str| {
+            table_maker(id).filter(|maker| maker.needs.is_empty())?;
+            let missing = context.equations.demand_paper().err()?.to_string().replace('\n', "; ");
+            Some(format!("equations.toml: the table `{id}` needs the equations of the paper: {missing}"))
+        };
+        collect("table", made.into_iter(), of_equations)
     }
 }
 
@@ -225,14 +231,16 @@ impl Wanted {
 fn collect<'i, T>(
     kind: &str,
     made: impl Iterator<Item = (&'i str, Option<T>)>,
+    other_reason: impl Fn(&str) -> Option<String>,
 ) -> Result<Vec<T>, ReportError> {
     let mut faults = Vec::new();
     let mut all = Vec::new();
     for (id, one) in made {
         match one {
             Some(one) => all.push(one),
-            None => faults
-                .push(format!("report.toml: no scene of the report computes what the {kind} `{id}` shows")),
+            None => faults.push(other_reason(id).unwrap_or_else(|| {
+                format!("report.toml: no scene of the report computes what the {kind} `{id}` shows")
+            })),
         }
     }
     if faults.is_empty() { Ok(all) } else { Err(ReportError::Faults(faults)) }

@@ -10,7 +10,7 @@
 //! the right side of that equation; `left_8`, `right_15` and `residual_8` mean the sides of an equation and their difference.
 
 use slipmode_core::polynomial::{ConversionError, Domain, Expression, Extent, Relation, Symbol, Toward};
-use slipmode_core::theory::PaperEquations;
+use slipmode_core::theory::Equations;
 
 use crate::scene::claim_names::Names;
 
@@ -72,11 +72,7 @@ impl ClaimFormula {
     ///
     /// # Errors
     /// What is wrong with the formula: its grammar, an unknown name, or that both sides are the same text.
-    pub fn read(
-        text: &str,
-        given: Vec<FormulaCondition>,
-        equations: &PaperEquations,
-    ) -> Result<Self, String> {
+    pub fn read(text: &str, given: Vec<FormulaCondition>, equations: &Equations) -> Result<Self, String> {
         let statement = read_statement(text, equations)?;
         let formula = Self { text: text.trim().to_owned(), statement, given };
         let (names, domain) = (Names::of(equations), formula.domain(equations));
@@ -98,7 +94,7 @@ impl ClaimFormula {
 
     /// The positive variables of the equations and the conditions, with the definitions in place of their names.
     #[must_use]
-    pub fn domain(&self, equations: &PaperEquations) -> Domain {
+    pub fn domain(&self, equations: &Equations) -> Domain {
         let names = Names::of(equations);
         let all = Domain::positive(&equations.positive().join(" "));
         let given = |domain: Domain, condition: &FormulaCondition| {
@@ -124,7 +120,7 @@ impl FormulaCondition {
     ///
     /// # Errors
     /// As [`ClaimFormula::read`].
-    pub fn read(text: &str, equations: &PaperEquations) -> Result<Self, String> {
+    pub fn read(text: &str, equations: &Equations) -> Result<Self, String> {
         let (left, comparison, right) =
             compared(text, equations)?.ok_or("a condition has one '<', '>' or '!=' between two sides")?;
         let (expression, relation) = match comparison {
@@ -137,7 +133,7 @@ impl FormulaCondition {
     }
 }
 
-fn read_statement(text: &str, equations: &PaperEquations) -> Result<Statement, String> {
+fn read_statement(text: &str, equations: &Equations) -> Result<Statement, String> {
     let side = |text: &str| read_side(text, equations);
     let name = |text: &str| read_variable(text, equations);
     if let Some((left, rest)) = text.split_once("->") {
@@ -173,7 +169,7 @@ fn read_statement(text: &str, equations: &PaperEquations) -> Result<Statement, S
 /// The two sides of the one comparison in a text, if there is one.
 fn compared(
     text: &str,
-    equations: &PaperEquations,
+    equations: &Equations,
 ) -> Result<Option<(Expression, Comparison, Expression)>, String> {
     let marks = text.matches(['=', '<', '>']).count();
     let found = Comparison::ALL
@@ -187,7 +183,7 @@ fn compared(
     }
 }
 
-fn read_side(text: &str, equations: &PaperEquations) -> Result<Expression, String> {
+fn read_side(text: &str, equations: &Equations) -> Result<Expression, String> {
     let (expression, _) =
         Expression::read(text.trim()).map_err(|error| format!("'{}', {error}", text.trim()))?;
     let known = Names::of(equations);
@@ -197,7 +193,7 @@ fn read_side(text: &str, equations: &PaperEquations) -> Result<Expression, Strin
     }
 }
 
-fn read_variable(text: &str, equations: &PaperEquations) -> Result<String, String> {
+fn read_variable(text: &str, equations: &Equations) -> Result<String, String> {
     let (text, known) = (text.trim(), Names::of(equations));
     match known.variables.contains(&Symbol::new(text)) {
         true => Ok(text.to_owned()),

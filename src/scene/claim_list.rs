@@ -1,6 +1,6 @@
 //! `claims.toml`: the claims that a report decides, with the verdict recorded when they were last reviewed.
 
-use slipmode_core::theory::PaperEquations;
+use slipmode_core::theory::Equations;
 
 use crate::scene::claim_formula::{ClaimFormula, FormulaCondition};
 use crate::scene::document::read_document;
@@ -18,8 +18,18 @@ pub struct ClaimEntry {
     pub words: String,
     /// The recorded verdict; the verdict itself is always computed.
     pub expected: Verdict,
-    /// What the claim says as formulas; none for a claim that the program has a check for.
+    /// What the claim says as formulas.
     pub stated: Option<StatedClaim>,
+    /// Why the claim is out of reach.
+    pub reason: Option<String>,
+}
+
+impl ClaimEntry {
+    /// Whether a function of this program decides the claim, by its id: it has neither formulas nor a reason.
+    #[must_use]
+    pub fn has_check(&self) -> bool {
+        self.stated.is_none() && self.reason.is_none()
+    }
 }
 
 /// A claim as formulas, all of which have to be true.
@@ -31,7 +41,8 @@ pub struct StatedClaim {
     pub parts: Vec<(String, ClaimFormula)>,
 }
 
-/// Reads `claims.toml`; `known_ids` are the ids for which a check exists. Formulas are read in the names of the equations; where the
+/// Reads `claims.toml`; `known_ids` are the ids for which a check exists: a claim without formulas and without a reason has one of
+/// them. A claim with formulas may have any id, and they decide it. Formulas are read in the names of the equations; where the
 /// equations are at fault themselves (none), formulas are not read.
 ///
 /// # Errors
@@ -40,19 +51,24 @@ pub fn read_claims(
     file: &str,
     bytes: &[u8],
     known_ids: &[&str],
-    equations: Option<&PaperEquations>,
+    equations: Option<&Equations>,
 ) -> Result<Vec<ClaimEntry>, Faults> {
     read_document(file, bytes, Limits::default(), |top| {
         let mut seen: Vec<String> = Vec::new();
         top.required("claim", "[[claim]] sections")?.list(|member| {
             let mut section = member.section()?;
             let stated = read_stated(&mut section, equations);
-            let is_stated = !matches!(stated, Some(None));
+            let reason = section.optional("reason");
+            let is_stated = !matches!(stated, Some(None)) || reason.is_some();
             let id = read_id(&mut section, known_ids, is_stated, &mut seen);
             let [place, words] = ["place", "words"].map(|key| section.text(key, "a text"));
             let allowed = Verdict::ALL.map(Verdict::as_str).join(", ");
             let expected = section.required("expected", &allowed);
             let expected = expected.and_then(|entry| entry.word(&Verdict::ALL, Verdict::as_str));
+            let reason = match reason {
+                None => Some(None),
+                Some(entry) => read_reason(&entry, &stated, expected).map(Some),
+            };
             section.finish();
             let mut stated = stated?;
             let words = words?;
@@ -60,13 +76,13 @@ pub fn read_claims(
             let unnamed =
                 stated.iter_mut().flat_map(|stated| &mut stated.parts).filter(|(own, _)| own.is_empty());
             unnamed.for_each(|(own, _)| own.clone_from(&words));
-            Some(ClaimEntry { id: id?, place: place?, words, expected: expected?, stated })
+            Some(ClaimEntry { id: id?, place: place?, words, expected: expected?, stated, reason: reason? })
         })
     })
 }
 
 /// The formulas of a claim; the inner none for a claim without any.
-fn read_stated(section: &mut Section<'_>, equations: Option<&PaperEquations>) -> Option<Option<StatedClaim>> {
+fn read_stated(section: &mut Section<'_>, equations: Option<&Equations>) -> Option<Option<StatedClaim>> {
     let formula = section.optional("formula");
     let given = section.optional("given");
     let parts = section.optional("part");
@@ -105,10 +121,29 @@ fn read_stated(section: &mut Section<'_>, equations: Option<&PaperEquations>) ->
     Some(Some(StatedClaim { leaves_out: leaves_out?, parts: parts? }))
 }
 
+/// Why a claim is out of reach: it has no formula, and is recorded as not checked.
+fn read_reason(
+    entry: &Entry<'_>,
+    stated: &Option<Option<StatedClaim>>,
+    expected: Option<Verdict>,
+) -> Option<String> {
+    let text = entry.text()?;
+    if matches!(stated, Some(Some(_))) {
+        return entry
+            .refuse(Problem::Needs("no formula beside it: a claim with a reason is out of reach".into()));
+    }
+    match expected {
+        Some(Verdict::NotChecked) | None => Some(text),
+        Some(_) => {
+            entry.refuse(Problem::Needs("`expected = \"not-checked\"`: the claim is out of reach".into()))
+        }
+    }
+}
+
 fn read_formula(
     formula: &Entry<'_>,
     given: Option<&Entry<'_>>,
-    equations: Option<&PaperEquations>,
+    equations: Option<&Equations>,
 ) -> Option<ClaimFormula> {
     let text = formula.text()?;
     let equations = equations?;
@@ -138,8 +173,6 @@ fn read_id(
     seen.push(id.clone());
     if !is_stated {
         entry.sound(of_word(&id, known_ids, |known| known))?;
-    } else if known_ids.contains(&id.as_str()) {
-        return entry.refuse(Problem::Needs("another id: the program has a check of this one".into()));
     } else {
         let is_letter = |first: char| first.is_ascii_uppercase();
         let well_formed =

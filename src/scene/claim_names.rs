@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use slipmode_core::polynomial::{Expression, Symbol};
-use slipmode_core::theory::PaperEquations;
+use slipmode_core::theory::Equations;
 
 use crate::scene::nearest;
 
@@ -17,7 +17,7 @@ pub struct Names {
 impl Names {
     /// The variables of the equations, and what the defined names mean.
     #[must_use]
-    pub fn of(equations: &PaperEquations) -> Self {
+    pub fn of(equations: &Equations) -> Self {
         let mut definitions = BTreeMap::new();
         let mut doubled = BTreeSet::new();
         let mut variables: BTreeSet<Symbol> =
@@ -33,7 +33,7 @@ impl Names {
             {
                 doubled.insert(name.clone());
             }
-            let place = |side: &str| Symbol::new(&format!("{side}_{}", equation.number.replace('-', "_")));
+            let place = |side: &str| Symbol::new(&format!("{side}_{}", equation.word()));
             definitions.insert(place("left"), meaning(equation.left.clone()));
             definitions.insert(place("right"), meaning(equation.right.clone()));
             definitions.insert(place("residual"), meaning(equation.residual()));

@@ -1,6 +1,6 @@
-//! `equations.toml`: the paper's equations, the thing under test.
+//! `equations.toml`: a paper's equations, the thing under test.
 
-use slipmode_core::theory::{EquationFault, EquationsText, PaperEquations};
+use slipmode_core::theory::{EquationFault, Equations, EquationsText};
 
 use crate::scene::file_text::line_at;
 use crate::scene::{Fault, Faults, Problem, file_text};
@@ -8,23 +8,37 @@ use crate::scene::{Fault, Faults, Problem, file_text};
 /// Reads `equations.toml`.
 ///
 /// # Errors
-/// All the faults at once: TOML that does not parse, unknown keys, and what [`PaperEquations::read`] refuses.
-pub fn read_equations(file: &str, bytes: &[u8]) -> Result<PaperEquations, Faults> {
+/// All the faults at once: TOML that does not parse, unknown keys, and what [`Equations::read`] refuses.
+pub fn read_equations(file: &str, bytes: &[u8]) -> Result<Equations, Faults> {
+    let (equations, faults) = read_equations_partly(file, bytes)?;
+    if faults.is_empty() { Ok(equations) } else { Err(faults) }
+}
+
+/// The equations of the file that can be read, and the faults of the others.
+///
+/// # Errors
+/// TOML that does not parse, and unknown keys.
+pub fn read_equations_partly(file: &str, bytes: &[u8]) -> Result<(Equations, Faults), Faults> {
     let text = file_text(file, bytes).map_err(|fault| vec![fault])?;
-    let fault = |line, key: &str, message: &str| Fault {
-        file: file.to_string(),
-        line,
-        key: key.to_string(),
-        value: None,
-        problem: Problem::Equation(message.trim_end().replace('\n', "; ")),
-    };
     let equations: EquationsText = toml::from_str(text).map_err(|error| {
         let line = error.span().map(|span| line_at(text.as_bytes(), span.start));
-        vec![fault(line, "", error.message())]
+        vec![Fault { line, ..equation_fault(file, "", error.message()) }]
     })?;
-    PaperEquations::read(equations).map_err(|error| {
-        error.faults.iter().map(|EquationFault { key, message }| fault(None, key, message)).collect()
-    })
+    let (equations, faults) = Equations::read_partly(equations);
+    Ok((equations, faults.iter().map(|fault| equation_fault(file, &fault.key, &fault.message)).collect()))
+}
+
+/// What the claims that a function of this program decides miss in the equations, but for the keys of known faults.
+#[must_use]
+pub fn paper_faults(file: &str, equations: &Equations, known: &Faults) -> Faults {
+    let missing = equations.demand_paper().err().map_or(Vec::new(), |error| error.faults);
+    let is_new = |fault: &&EquationFault| !known.iter().any(|known| known.key == fault.key);
+    missing.iter().filter(is_new).map(|fault| equation_fault(file, &fault.key, &fault.message)).collect()
+}
+
+fn equation_fault(file: &str, key: &str, message: &str) -> Fault {
+    let problem = Problem::Equation(message.trim_end().replace('\n', "; "));
+    Fault { file: file.to_string(), line: None, key: key.to_string(), value: None, problem }
 }
 
 #[cfg(test)]
@@ -48,8 +62,12 @@ mod tests {
     }
 
     #[test]
-    fn a_wrong_equation_is_named_with_its_file() {
-        let message = faults(&FILE.replace("number = \"16\"", "number = \"61\""));
-        assert!(message.contains("equation 61") && message.contains("equation 16"), "{message}");
+    fn an_equation_that_a_claim_needs_is_named_once_with_its_file() {
+        let text = FILE.replace("number = \"16\"", "number = \"61\"").replace("sqrt(K/M)", "sqrt(K/M");
+        let (equations, known) = read_equations_partly("e.toml", text.as_bytes()).unwrap();
+        let missing = paper_faults("e.toml", &equations, &known);
+        let keys: Vec<&str> = known.iter().chain(&missing).map(|fault| fault.key.as_str()).collect();
+        assert_eq!(keys, ["equation natural-frequency", "equation 61", "equation 16"]);
+        assert!(missing[1].to_string().starts_with("e.toml: equation 16: is missing"), "{missing:?}");
     }
 }

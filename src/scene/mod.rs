@@ -29,7 +29,7 @@ pub use claim_formula::{ClaimFormula, Comparison, FormulaCondition, Statement};
 pub use claim_list::{ClaimEntry, StatedClaim, read_claims};
 pub use claim_names::Names;
 pub use csv_problem::CsvProblem;
-pub use equations_file::read_equations;
+pub use equations_file::{paper_faults, read_equations, read_equations_partly};
 pub use fault::{Fault, Faults, Problem, visible};
 pub(crate) use file_text::forbidden_character;
 pub use file_text::{MAX_FILE_BYTES, file_text, is_forbidden};

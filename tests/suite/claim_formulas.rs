@@ -145,6 +145,6 @@ fn formulas_at_fault_are_refused_all_at_once_with_file_and_key() {
     let bare = "[[claim]]\nid = \"S1\"\nplace = \"p\"\nwords = \"w\"\nexpected = \"holds\"\n";
     report(&format!("{bare}formula = \"K_c > 0\"\n"))
         .run(["report", "r"])
-        .expect_refusal(&["leaves_out: missing", "needs another id: the program has a check of this one"]);
+        .expect_refusal(&["leaves_out: missing"]);
     report(&format!("{bare}given = [\"a < b\"]\n")).run(["report", "r"]).expect_refusal(&["needs `formula`"]);
 }

@@ -13,6 +13,7 @@ mod bad_scenes;
 mod boundary;
 mod boundary_command;
 mod claim_formulas;
+mod claim_names;
 mod classify;
 mod compare;
 mod compare_bad;

@@ -18,7 +18,7 @@ use slipmode::scene::{
 };
 use slipmode_core::number::{MAX_EXPONENT, Rational, parse_decimal};
 use slipmode_core::polynomial::Expression;
-use slipmode_core::theory::PaperEquations;
+use slipmode_core::theory::Equations;
 
 /// A number that is accepted is the same when it is printed in full and read again.
 pub fn number(bytes: &[u8]) {
@@ -168,7 +168,7 @@ fn places_proofs(text: &str) -> bool {
 
 static PLAIN_PAGE: LazyLock<String> = LazyLock::new(|| page("Plain.").expect("plain prose is rendered"));
 
-static EQUATIONS: LazyLock<PaperEquations> = LazyLock::new(|| {
+static EQUATIONS: LazyLock<Equations> = LazyLock::new(|| {
     read_equations("equations.toml", include_bytes!("../../reports/im-avouac/equations.toml"))
         .expect("the paper's equations")
 });

@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 use slipmode_core::polynomial::{
     Certificate, Domain, Expression, Proof, RationalFunction, Refutation, Relation, Symbol, Toward,
 };
-use slipmode_core::theory::PaperEquations;
+use slipmode_core::theory::Equations;
 
 use crate::claims::Finding;
 use crate::claims::reading::{Draft, of_readings};
@@ -17,7 +17,7 @@ use points::{Point, Points};
 use substitutions::domains;
 
 /// The finding on a claim: one formula decides it, or all its parts.
-pub(super) fn decide(id: &str, stated: &StatedClaim, equations: &PaperEquations) -> Finding {
+pub(super) fn decide(id: &str, stated: &StatedClaim, equations: &Equations) -> Finding {
     match &stated.parts[..] {
         [(words, formula)] => decide_formula(id, words, formula, equations),
         parts => {
@@ -40,7 +40,7 @@ pub(super) fn criterion(stated: &StatedClaim) -> String {
     format!("{}.", stated.parts.iter().map(one).collect::<Vec<_>>().join("; and "))
 }
 
-fn decide_formula(id: &str, words: &str, formula: &ClaimFormula, equations: &PaperEquations) -> Finding {
+fn decide_formula(id: &str, words: &str, formula: &ClaimFormula, equations: &Equations) -> Finding {
     let names = Names::of(equations);
     let points = Points::new(formula, &names, equations);
     let Some(example) = points.iter().next() else {

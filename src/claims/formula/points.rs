@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use slipmode_core::number::Rational;
 use slipmode_core::polynomial::{Domain, Expression, Relation, Symbol};
-use slipmode_core::theory::PaperEquations;
+use slipmode_core::theory::Equations;
 
 use crate::scene::{ClaimFormula, Names};
 
@@ -39,7 +39,7 @@ impl Points {
     /// How many points are looked at.
     pub const MOST: usize = 4096;
 
-    pub fn new(formula: &ClaimFormula, names: &Names, equations: &PaperEquations) -> Self {
+    pub fn new(formula: &ClaimFormula, names: &Names, equations: &Equations) -> Self {
         let conditions: Vec<(Expression, Relation)> = formula
             .given
             .iter()

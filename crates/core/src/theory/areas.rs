@@ -3,7 +3,7 @@
 use super::boundary::cubic_discriminant;
 use super::notation::{any, formula, in_groups};
 use super::real_roots::{by_roots, case, lower_area, upper_area};
-use super::{PaperEquations, boundary, transition};
+use super::{Equations, boundary, transition};
 use crate::polynomial::{Domain, Expression, Proof, Refutation};
 
 crate::named! {
@@ -38,7 +38,7 @@ pub struct Areas {
 ///
 /// # Errors
 /// When eq 8 does not have the form that the count rests on.
-pub fn count(equations: &PaperEquations, effects: Effects) -> Result<Areas, Refutation> {
+pub fn count(equations: &Equations, effects: Effects) -> Result<Areas, Refutation> {
     let id = format!("areas-for-{}", format!("{effects:?}").to_lowercase());
     let proof = by_roots(Proof::new(&id, ""), equations)?;
     let proof = upper_area(lower_area(proof, equations)?, equations, effects)?;
@@ -114,7 +114,7 @@ fn plane(proof: Proof) -> Result<Proof, Refutation> {
 }
 
 /// Points with a complex pair: a stable one always, an unstable one for a < b. Transition and discriminant.
-fn complex_points(proof: Proof, equations: &PaperEquations, effects: Effects) -> Result<Proof, Refutation> {
+fn complex_points(proof: Proof, equations: &Equations, effects: Effects) -> Result<Proof, Refutation> {
     let discriminant = Expression::from(&cubic_discriminant(equations)?).with("eta", &formula("1"));
     let domain = case(effects);
     let complex = |proof: Proof, says: &str, kappa: &str| {

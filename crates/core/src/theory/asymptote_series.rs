@@ -3,7 +3,7 @@
 //! Two ways that share only eq 8: along the boundary's parametrisation by its double root, and by checking that the
 //! series makes the discriminant of eq 8 vanish to the same order (the proof's certificate).
 
-use super::PaperEquations;
+use super::Equations;
 use super::boundary::{Curve, cubic_discriminant, curve};
 use super::inertial::velocity_ratio;
 use super::notation::{formula, given_nonzero, in_groups, rational};
@@ -31,7 +31,7 @@ pub struct AsymptoteSeries {
 ///
 /// # Errors
 /// When an equation is no asymptote of the boundary of eq 8.
-pub fn derive(equations: &PaperEquations, order: usize) -> Result<Vec<AsymptoteSeries>, Refutation> {
+pub fn derive(equations: &Equations, order: usize) -> Result<Vec<AsymptoteSeries>, Refutation> {
     let curve = curve(equations)?;
     let length = order + 1;
     let quasi_static = |number| quasi_static(equations, &curve, number, length);
@@ -41,7 +41,7 @@ pub fn derive(equations: &PaperEquations, order: usize) -> Result<Vec<AsymptoteS
 
 /// Eqs 15 and 16: σ_exact/σ_asymptote − 1 in η, at the same V0; β = w².
 fn quasi_static(
-    equations: &PaperEquations,
+    equations: &Equations,
     curve: &Curve,
     number: &'static str,
     length: usize,
@@ -76,7 +76,7 @@ fn quasi_static(
 
 /// Eqs 18 and 20: V_exact/V_asymptote − 1 in κ or 1/κ, at the same σ.
 fn inertial(
-    equations: &PaperEquations,
+    equations: &Equations,
     curve: &Curve,
     number: &'static str,
     length: usize,
@@ -122,7 +122,7 @@ fn inertial(
 /// (V0/V_asymptote)² in groups, the same for a < b and a > b.
 fn ratio_squared(
     proof: &Proof,
-    equations: &PaperEquations,
+    equations: &Equations,
     number: &'static str,
 ) -> Result<Expression, Refutation> {
     let ratio = in_groups(&velocity_ratio(equations.equation(number)).power(2));
@@ -182,7 +182,7 @@ fn minus_one(length: usize) -> Series {
 
 fn finish(
     proof: Proof,
-    equations: &PaperEquations,
+    equations: &Equations,
     number: &'static str,
     (quantity, variable): (&'static str, &'static str),
     relation: &Expression,

@@ -1,6 +1,6 @@
 //! The exact boundary max Im(s) = 0: a rational curve with one cusp.
 
-use super::PaperEquations;
+use super::Equations;
 use super::notation::{
     coefficients, cubic, discriminant_of_cubic, formula, given_nonzero, given_positive, in_parameters,
     rational, simplified,
@@ -24,7 +24,7 @@ pub struct Curve {
 ///
 /// # Errors
 /// When eq 8 is no cubic that is linear in η and κ.
-pub fn curve(equations: &PaperEquations) -> Result<Curve, Refutation> {
+pub fn curve(equations: &Equations) -> Result<Curve, Refutation> {
     let proof = Proof::new("boundary-curve", "");
     let value = cubic(equations).with("p", &formula("r"));
     let slope = value.derivative(&Symbol::new("r"));
@@ -76,7 +76,7 @@ fn linear_parts(proof: &Proof, expression: &Expression) -> Result<[RationalFunct
 ///
 /// # Errors
 /// When a relation does not follow from eq 8.
-pub fn prove(equations: &PaperEquations) -> Result<Proof, Refutation> {
+pub fn prove(equations: &Equations) -> Result<Proof, Refutation> {
     let curve = curve(equations)?;
     let (eta, kappa) =
         (Expression::from(&curve.inertial_parameter), Expression::from(&curve.stiffness_group));
@@ -133,7 +133,7 @@ fn at_double_root() -> Domain {
 ///
 /// # Errors
 /// When eq 8 is no polynomial.
-pub fn cubic_discriminant(equations: &PaperEquations) -> Result<Polynomial, Refutation> {
+pub fn cubic_discriminant(equations: &Equations) -> Result<Polynomial, Refutation> {
     let proof = Proof::new("discriminant", "");
     discriminant_of_cubic(&proof, &cubic(equations), "p", &Domain::default())
 }
@@ -142,7 +142,7 @@ pub fn cubic_discriminant(equations: &PaperEquations) -> Result<Polynomial, Refu
 ///
 /// # Errors
 /// When the triple root of eq 8 is another one.
-pub fn cusp(equations: &PaperEquations) -> Result<Proof, Refutation> {
+pub fn cusp(equations: &Equations) -> Result<Proof, Refutation> {
     let f = cubic(equations);
     // With r = −1 − x, x > 0, everything at the cusp is a quotient of polynomials with positive coefficients.
     let ratio = formula("x^3/(3*x + 2)");
@@ -216,7 +216,7 @@ pub fn cusp(equations: &PaperEquations) -> Result<Proof, Refutation> {
 ///
 /// # Errors
 /// When eq 9 meets the boundary of eq 8.
-pub fn transition_avoids(equations: &PaperEquations) -> Result<Proof, Refutation> {
+pub fn transition_avoids(equations: &Equations) -> Result<Proof, Refutation> {
     let critical = super::notation::in_groups(&equations.right("9"));
     let discriminant = Expression::from(&cubic_discriminant(equations)?).with("kappa", &critical);
     let weakening = given_positive(Domain::positive("eta beta"), "beta - 1", &[("beta", "2")]);

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::PaperEquations;
+use super::Equations;
 use super::linearisation::{evolution, linearised, motion};
 use super::notation::{any, formula};
 use super::steady_state;
@@ -16,7 +16,7 @@ use crate::polynomial::{Expression, Proof, RationalFunction, Refutation, Symbol}
 ///
 /// # Errors
 /// When a derivation gives another polynomial.
-pub fn prove(equations: &PaperEquations) -> Result<Proof, Refutation> {
+pub fn prove(equations: &Equations) -> Result<Proof, Refutation> {
     let eq8 = equations.residual("8");
     let motion = linearised(equations, &motion(equations, &equations.right("1")));
     let proof = Proof::new(
@@ -53,7 +53,7 @@ pub fn prove(equations: &PaperEquations) -> Result<Proof, Refutation> {
 ///
 /// # Errors
 /// When eq 8 is another polynomial.
-pub fn dimensionless(equations: &PaperEquations) -> Result<Proof, Refutation> {
+pub fn dimensionless(equations: &Equations) -> Result<Proof, Refutation> {
     let parameters = symbolic_parameters();
     let scaled = equations.residual("8").with("s", &formula("p*V_0/D_c")) * formula("D_c^2/(a*V_0)");
     let groups = parameters.groups();

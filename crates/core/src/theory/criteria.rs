@@ -5,14 +5,14 @@ use super::notation::{
     SQUARE_MASS, SQUARE_STIFFNESS, any, discriminant_of_cubic, formula, in_groups, in_parameters,
 };
 use super::sufficient_inertia::sharp_bound;
-use super::{PaperEquations, transition};
+use super::{Equations, transition};
 use crate::polynomial::{Certificate, Domain, Expression, Proof, Refutation, Symbol};
 
 /// η > 1 as a criterion of underdamped oscillation: where it is sufficient, and that it is not necessary (claim Z2).
 ///
 /// # Errors
 /// When eq 8 has another discriminant.
-pub fn inertial_parameter(equations: &PaperEquations) -> Result<Proof, Refutation> {
+pub fn inertial_parameter(equations: &Equations) -> Result<Proof, Refutation> {
     let margin = formula("kappa") - in_groups(&equations.right("9"));
     let oscillates_without = [("beta", "3/2"), ("eta", "1/10"), ("kappa", "1")];
     let real_though_above = [("beta", "1/2"), ("eta", "2"), ("kappa", "1/50")];
@@ -78,7 +78,7 @@ fn at_point(
 ///
 /// # Errors
 /// When eq 20 or η contains other quantities.
-pub fn slip_distance_and_stiffness(equations: &PaperEquations) -> Result<Proof, Refutation> {
+pub fn slip_distance_and_stiffness(equations: &Equations) -> Result<Proof, Refutation> {
     let ratio = equations.equation("20").left.clone() / equations.right("20");
     let velocity = formula("V_0") / ratio;
     let eta = equations.right("inertial-parameter");
@@ -113,7 +113,7 @@ pub fn slip_distance_and_stiffness(equations: &PaperEquations) -> Result<Proof, 
 ///
 /// # Errors
 /// When eq 20 or η depends otherwise on one of them.
-pub fn energy_stress_and_direct_effect(equations: &PaperEquations) -> Result<Proof, Refutation> {
+pub fn energy_stress_and_direct_effect(equations: &Equations) -> Result<Proof, Refutation> {
     let eq20 = equations.equation("20");
     let criteria = [
         ("20", (eq20.left.clone() / eq20.right.clone()).power(2)),
@@ -145,7 +145,7 @@ pub fn energy_stress_and_direct_effect(equations: &PaperEquations) -> Result<Pro
 ///
 /// # Errors
 /// When the discriminant stays zero.
-pub fn all_parameters(equations: &PaperEquations) -> Result<Proof, Refutation> {
+pub fn all_parameters(equations: &Equations) -> Result<Proof, Refutation> {
     // In units σ = K = V0 = 1 the mass is what remains of inertia; the point has η = 5/48, κ = 69/16, β = 3/2.
     let point = [
         ("a", "1"),

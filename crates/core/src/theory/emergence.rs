@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::PaperEquations;
+use super::Equations;
 use crate::friction::Slider;
 use crate::number::{Ball, Rational};
 use crate::polynomial::Symbol;
@@ -12,7 +12,7 @@ use crate::polynomial::Symbol;
 /// None when the equation contains other quantities or its left side over its right is not in proportion to V_0.
 #[must_use]
 pub fn velocity_of(
-    equations: &PaperEquations,
+    equations: &Equations,
     number: &str,
     slider: &Slider<Rational>,
     normal_stress_pa: &Rational,
@@ -35,7 +35,7 @@ pub fn velocity_of(
 /// σ in Pa that eq 16 gives for a slider, evaluated as the report states the equation; none when it contains other quantities.
 #[must_use]
 pub fn normal_stress_of_eq_16(
-    equations: &PaperEquations,
+    equations: &Equations,
     slider: &Slider<Rational>,
     precision_bits: u32,
 ) -> Option<Ball> {

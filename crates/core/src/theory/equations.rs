@@ -1,12 +1,12 @@
-//! The paper's equations as input data.
+//! A paper's equations as input data.
 
-use std::collections::BTreeMap;
 use std::fmt;
+use std::sync::LazyLock;
 
 use super::reading::{self, EquationsText};
 use crate::polynomial::Expression;
 
-/// One equation of the paper.
+/// One equation of a paper.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Equation {
     /// Its number in the paper, or a name where the paper gives none.
@@ -26,6 +26,12 @@ impl Equation {
     #[must_use]
     pub fn residual(&self) -> Expression {
         self.left.clone() - self.right.clone()
+    }
+
+    /// Its number as a part of a name, as in `left_steady_state`.
+    #[must_use]
+    pub fn word(&self) -> String {
+        self.number.replace(['-', '.'], "_")
     }
 
     /// The equation in LaTeX.
@@ -69,36 +75,49 @@ impl fmt::Display for EquationsError {
 
 impl std::error::Error for EquationsError {}
 
-/// The equations of the paper, complete: each required one is there once, in known variables.
+/// The equations of a paper, in the order of the file: any numbers, any variables.
+///
+/// The derivations of this module are those of one paper. They can start from equations that meet [`Equations::demand_paper`].
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct PaperEquations {
-    equations: BTreeMap<String, Equation>,
+pub struct Equations {
+    equations: Vec<Equation>,
     positive: Vec<String>,
 }
 
-impl PaperEquations {
+/// What stands for an equation that is not there: it has no value, so that every step of a proof with it is refused.
+static MISSING: LazyLock<Equation> = LazyLock::new(|| {
+    let nothing = || Expression::Quotient(Box::new(Expression::integer(0)), Box::new(Expression::integer(0)));
+    let note = "the equation is missing".to_owned();
+    Equation { number: String::new(), left: nothing(), right: nothing(), printed: None, note }
+});
+
+impl Equations {
     /// Reads the equations of a paper from their texts.
     ///
     /// # Errors
-    /// All faults at once: missing, repeated or unknown numbers, text outside the grammar, unknown variables, a left
-    /// side that should be one name and is not.
+    /// All faults at once: repeated numbers, text outside the grammar, sides without a value.
     pub fn read(text: EquationsText) -> Result<Self, EquationsError> {
-        let (equations, positive) = reading::read(text)?;
-        Ok(Self { equations, positive })
+        let (equations, faults) = Self::read_partly(text);
+        if faults.is_empty() { Ok(equations) } else { Err(EquationsError { faults }) }
     }
 
-    /// The equation of this number.
-    ///
-    /// # Panics
-    /// For a number that is not required of every file of equations.
+    /// The equations that can be read, and all faults.
+    #[must_use]
+    pub fn read_partly(text: EquationsText) -> (Self, Vec<EquationFault>) {
+        let positive = text.assumptions.positive;
+        let (equations, faults) = reading::read(text.equation, &positive);
+        (Self { equations, positive }, faults)
+    }
+
+    /// The equation of this number. One that is not there has no value: no step of a proof with it succeeds.
     #[must_use]
     pub fn equation(&self, number: &str) -> &Equation {
-        &self.equations[number]
+        self.iter().find(|equation| equation.number == number).unwrap_or_else(|| &MISSING)
     }
 
-    /// All equations: the numbered ones in order, then the named ones.
+    /// All equations, in the order of the file.
     pub fn iter(&self) -> impl Iterator<Item = &Equation> {
-        reading::REQUIRED.iter().map(|(number, _)| self.equation(number))
+        self.equations.iter()
     }
 
     /// The variables that are assumed to be positive.
@@ -120,17 +139,16 @@ impl PaperEquations {
     /// The same equations with one of them replaced: what a sabotaged claim is tested with.
     ///
     /// # Errors
-    /// As [`PaperEquations::read`], and for a number that is not there.
+    /// As [`Equations::read`], and for a number that is not there.
     pub fn altered(&self, number: &str, text: &str) -> Result<Self, EquationsError> {
         let fault = |message| EquationsError {
             faults: vec![EquationFault { key: format!("equation {number}"), message }],
         };
-        let known =
-            self.equations.get(number).ok_or_else(|| fault("there is no such equation".to_owned()))?;
-        let mut changed = reading::read_equation(number, text, &self.positive).map_err(fault)?;
-        changed.printed.clone_from(&known.printed);
         let mut altered = self.clone();
-        altered.equations.insert(number.to_owned(), changed);
+        let known = altered.equations.iter_mut().find(|equation| equation.number == number);
+        let known = known.ok_or_else(|| fault("there is no such equation".to_owned()))?;
+        let changed = reading::read_equation(number, text, &self.positive).map_err(fault)?;
+        *known = Equation { printed: known.printed.take(), ..changed };
         Ok(altered)
     }
 }
@@ -141,11 +159,11 @@ pub(super) mod tests {
 
     const FILE: &str = include_str!("../../../../reports/im-avouac/equations.toml");
 
-    fn read(text: &str) -> Result<PaperEquations, EquationsError> {
-        PaperEquations::read(toml::from_str(text).expect("TOML with known keys"))
+    fn read(text: &str) -> Result<Equations, EquationsError> {
+        Equations::read(toml::from_str(text).expect("TOML with known keys"))
     }
 
-    pub(in crate::theory) fn paper() -> PaperEquations {
+    pub(in crate::theory) fn paper() -> Equations {
         read(FILE).expect("the report's own equations")
     }
 
@@ -156,6 +174,21 @@ pub(super) mod tests {
     }
 
     #[test]
+    fn any_numbers_and_names_are_read_and_a_missing_equation_has_no_value() {
+        let text = "[assumptions]\npositive = [\"A\", \"L\"]\n[[equation]]\nnumber = \"3.1\"\nequation = \"Q = A/L\"\n";
+        let equations = read(text).expect("another paper's equation");
+        assert_eq!(equations.equation("3.1").to_string(), "Q = A/L");
+        let refused = crate::theory::transition::stability(&equations).expect_err("eq 8 is missing");
+        assert!(refused.remainder.contains("division by zero in 0/0"), "{refused}");
+        let missing = equations.demand_paper().expect_err("nothing of the paper is there").to_string();
+        for part in
+            ["equation 8: is missing", "'theta' must be positive", "'L' is not a variable of the paper"]
+        {
+            assert!(missing.contains(part), "{part} is not in:\n{missing}");
+        }
+    }
+
+    #[test]
     fn all_faults_are_told_at_once() {
         let text = FILE
             .replace("number = \"3\"", "number = \"2\"")
@@ -163,7 +196,9 @@ pub(super) mod tests {
             .replace("number = \"16\"", "number = \"61\"")
             .replace("sigma_c = K*D_c", "sigma = K*D_c")
             .replace("omega_n = sqrt(K/M)", "omega_n = sqrt(K/M");
-        let error = read(&text).expect_err("five faults").to_string();
+        let (equations, mut faults) = Equations::read_partly(toml::from_str(&text).expect("TOML"));
+        faults.extend(equations.demand_paper().expect_err("faults of the paper").faults);
+        let error = EquationsError { faults }.to_string();
         for part in [
             "equation 2: occurs twice",
             "equation 3: is missing",

@@ -1,6 +1,6 @@
 //! What exchanging a and b leaves unchanged.
 
-use super::PaperEquations;
+use super::Equations;
 use super::non_inertial::frequency_squared_of_eq_14;
 use super::notation::{
     SQUARE_MASS, SQUARE_STIFFNESS, any, below, discriminant_of_cubic, formula, in_parameters, strengthening,
@@ -27,11 +27,11 @@ pub struct Exchange {
 ///
 /// # Errors
 /// When an equation has no definite factor under the exchange.
-pub fn asymptotes(equations: &PaperEquations) -> Result<Vec<Exchange>, Refutation> {
+pub fn asymptotes(equations: &Equations) -> Result<Vec<Exchange>, Refutation> {
     ["15", "16", "18", "20"].into_iter().map(|number| exchange(equations, number)).collect()
 }
 
-fn exchange(equations: &PaperEquations, number: &'static str) -> Result<Exchange, Refutation> {
+fn exchange(equations: &Equations, number: &'static str) -> Result<Exchange, Refutation> {
     let equation = equations.equation(number);
     // Each of the four says "ratio = 1" with a ratio proportional to V0 or inversely proportional to σ.
     let ratio = equation.left.clone() / equation.right.clone();
@@ -71,7 +71,7 @@ fn exchange(equations: &PaperEquations, number: &'static str) -> Result<Exchange
 ///
 /// # Errors
 /// When eq 20 or 16 depends otherwise on a and b.
-pub fn no_other_choice(equations: &PaperEquations) -> Result<Proof, Refutation> {
+pub fn no_other_choice(equations: &Equations) -> Result<Proof, Refutation> {
     let ratio =
         |number: &str| equations.equation(number).left.clone() / equations.equation(number).right.clone();
     let (inertial, weakest) = (ratio("20"), equations.right("16"));
@@ -109,7 +109,7 @@ pub fn no_other_choice(equations: &PaperEquations) -> Result<Proof, Refutation> 
 ///
 /// # Errors
 /// When eq 8 or 14 behaves otherwise.
-pub fn frequency_contours(equations: &PaperEquations) -> Result<Proof, Refutation> {
+pub fn frequency_contours(equations: &Equations) -> Result<Proof, Refutation> {
     let proof = Proof::new(
         "frequency-contours-under-exchange",
         "Exchanging a and b changes the frequency contours. Without inertia each angular \

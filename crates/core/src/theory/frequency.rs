@@ -1,6 +1,6 @@
 //! How the frequency compares with ω_n = √(K/M): eqs 21-23, and the zone of low frequencies.
 
-use super::PaperEquations;
+use super::Equations;
 use super::notation::{
     any, coefficients, crossing, cubic, formula, given_nonzero, given_positive, in_groups, in_parameters,
     weakening_by_square,
@@ -11,7 +11,7 @@ use crate::polynomial::{Domain, Expression, Proof, Refutation, Toward};
 ///
 /// # Errors
 /// When eq 8 is not of that form.
-pub fn bounded(equations: &PaperEquations) -> Result<Proof, Refutation> {
+pub fn bounded(equations: &Equations) -> Result<Proof, Refutation> {
     let eq8 = equations.residual("8");
     let at_rate = eq8.with("s", &formula("-V_0/D_c"));
     let roots = formula("M/sigma*(s + u*V_0/D_c)*(s^2 - T*s + Q)");
@@ -63,7 +63,7 @@ pub fn bounded(equations: &PaperEquations) -> Result<Proof, Refutation> {
 ///
 /// # Errors
 /// When a limit is not eq 21 or 22, or ±i ω_n is no root.
-pub fn limits(equations: &PaperEquations) -> Result<Proof, Refutation> {
+pub fn limits(equations: &Equations) -> Result<Proof, Refutation> {
     let eq8 = equations.residual("8");
     let fast = eq8.clone() * formula("sigma*D_c/V_0");
     let light = eq8 * formula("sigma");
@@ -88,7 +88,7 @@ pub fn limits(equations: &PaperEquations) -> Result<Proof, Refutation> {
 ///
 /// # Errors
 /// When eqs 9, 12, 13 and 23 do not fit together so.
-pub fn low_frequency_zone(equations: &PaperEquations) -> Result<Proof, Refutation> {
+pub fn low_frequency_zone(equations: &Equations) -> Result<Proof, Refutation> {
     let natural = equations.right("natural-frequency");
     let pair = Expression::integer(-1) * equations.right("23").power(2);
     let ratio = pair.clone() / natural.clone().power(2).with("K", &equations.right("9"));

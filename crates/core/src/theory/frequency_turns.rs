@@ -9,7 +9,7 @@ use std::collections::BTreeMap;
 
 use rug::Rational;
 
-use super::PaperEquations;
+use super::Equations;
 use super::boundary::solve_for_groups;
 use super::notation::{coefficients, cubic, formula, rational};
 use crate::number::{Ball, Field};
@@ -36,7 +36,7 @@ pub struct TurningInterval {
 ///
 /// # Errors
 /// When eq 8 is no cubic that is linear in η and κ, or a root cannot be told from a limit of the physical range.
-pub fn intervals(equations: &PaperEquations, beta: &Rational) -> Result<Vec<TurningInterval>, Refutation> {
+pub fn intervals(equations: &Equations, beta: &Rational) -> Result<Vec<TurningInterval>, Refutation> {
     let turns = Turns::new(equations, beta)?;
     let (ends, samples) = turns.intervals_of_equal_count()?;
     let mut found: Vec<TurningInterval> = Vec::new();
@@ -69,7 +69,7 @@ struct Turns {
 }
 
 impl Turns {
-    fn new(equations: &PaperEquations, beta: &Rational) -> Result<Self, Refutation> {
+    fn new(equations: &Equations, beta: &Rational) -> Result<Self, Refutation> {
         let proof = Proof::new("frequency-turns", "");
         let [x, u, kappa] = ["x", "u", "kappa"].map(Symbol::new);
         let [eta_at, kappa_at] = groups_of_pair(equations, &proof, beta)?;
@@ -182,7 +182,7 @@ impl Turns {
 
 /// η and κ as functions of x and u, from the real and the imaginary part of eq 8 at p = x + i√w.
 fn groups_of_pair(
-    equations: &PaperEquations,
+    equations: &Equations,
     proof: &Proof,
     beta: &Rational,
 ) -> Result<[RationalFunction; 2], Refutation> {

@@ -3,14 +3,14 @@
 use super::notation::{
     SQUARE_MASS, SQUARE_STIFFNESS, any, coefficients, formula, in_parameters, strengthening, weakening,
 };
-use super::{Equation, PaperEquations};
+use super::{Equation, Equations};
 use crate::polynomial::{Domain, Expression, Proof, Refutation, Toward};
 
 /// D_c → 0 turns eq 8 into eq 17, whose roots are complex exactly for velocities above eq 18 (claim B4).
 ///
 /// # Errors
 /// When the limit or the velocity is another one.
-pub fn small_slip_distance(equations: &PaperEquations) -> Result<Proof, Refutation> {
+pub fn small_slip_distance(equations: &Equations) -> Result<Proof, Refutation> {
     let scaled = equations.residual("8") * formula("sigma*D_c/V_0");
     let toward = ("D_c", Toward::Zero);
     let proof = Proof::new(
@@ -35,7 +35,7 @@ pub fn small_slip_distance(equations: &PaperEquations) -> Result<Proof, Refutati
 ///
 /// # Errors
 /// When the limit or the velocity is another one.
-pub fn large_slip_distance(equations: &PaperEquations) -> Result<Proof, Refutation> {
+pub fn large_slip_distance(equations: &Equations) -> Result<Proof, Refutation> {
     let scaled = equations.residual("8") * formula("sigma");
     let value = formula("s") * equations.residual("19");
     let toward = ("D_c", Toward::Infinity);
@@ -53,7 +53,7 @@ pub fn large_slip_distance(equations: &PaperEquations) -> Result<Proof, Refutati
 /// The discriminant of a quadratic is a positive factor times 1 − L², where L = 1 is the equation of its boundary.
 fn critical_damping(
     proof: Proof,
-    equations: &PaperEquations,
+    equations: &Equations,
     (quadratic, boundary): (&str, &str),
     factor: &str,
     domain: &Domain,

@@ -1,13 +1,13 @@
 //! The linearisation of eqs 1-4 about steady sliding (eqs 5 and 6).
 
-use super::PaperEquations;
+use super::Equations;
 use super::notation::{any, formula};
 use super::steady_state;
 use crate::friction::EvolutionLaw;
 use crate::polynomial::{Expression, Proof, Refutation, Symbol};
 
 /// The moving variables, their steady values, and the names of their perturbations.
-fn perturbations(equations: &PaperEquations) -> [(&'static str, Expression, &'static str); 5] {
+fn perturbations(equations: &Equations) -> [(&'static str, Expression, &'static str); 5] {
     let steady = equations.right("steady-state").with("V", &formula("V_0"));
     [
         ("delta", formula("V_0*t + delta_0"), "Delta_delta"),
@@ -19,7 +19,7 @@ fn perturbations(equations: &PaperEquations) -> [(&'static str, Expression, &'st
 }
 
 /// The part of a residual that is linear in the perturbations of steady sliding at velocity V_0.
-pub(super) fn linearised(equations: &PaperEquations, residual: &Expression) -> Expression {
+pub(super) fn linearised(equations: &Equations, residual: &Expression) -> Expression {
     let moving = perturbations(equations);
     let steady = moving.iter().map(|(name, value, _)| (Symbol::new(name), value.clone())).collect();
     let term = |(name, _, perturbation): &(&str, Expression, &str)| {
@@ -29,19 +29,19 @@ pub(super) fn linearised(equations: &PaperEquations, residual: &Expression) -> E
 }
 
 /// Eq 4 with a friction law put in, as left − right in δ and θ.
-pub(super) fn motion(equations: &PaperEquations, friction: &Expression) -> Expression {
+pub(super) fn motion(equations: &Equations, friction: &Expression) -> Expression {
     let velocity = formula("delta'");
     equations.residual("4").with("mu", &friction.with("V", &velocity))
 }
 
 /// Eq 2 or 3 as left − right in δ and θ.
-pub(super) fn evolution(equations: &PaperEquations, law: EvolutionLaw) -> Expression {
+pub(super) fn evolution(equations: &Equations, law: EvolutionLaw) -> Expression {
     equations.residual(law.equation()).with("V", &formula("delta'"))
 }
 
 /// How fast the residual of eq 4 grows along δ = V_0 t + δ_0 at constant friction; its linear part is silent on where the load
 /// point goes.
-fn pull_along_steady_sliding(equations: &PaperEquations) -> Expression {
+fn pull_along_steady_sliding(equations: &Equations) -> Expression {
     let sliding = equations.residual("4").with("delta", &formula("V_0*t + delta_0"));
     sliding.with("delta''", &formula("0")).derivative(&Symbol::new("t"))
 }
@@ -50,7 +50,7 @@ fn pull_along_steady_sliding(equations: &PaperEquations) -> Expression {
 ///
 /// # Errors
 /// When they differ.
-pub fn laws_agree(equations: &PaperEquations) -> Result<Proof, Refutation> {
+pub fn laws_agree(equations: &Equations) -> Result<Proof, Refutation> {
     let [aging, slip] = EvolutionLaw::ALL.map(|law| linearised(equations, &evolution(equations, law)));
     let proof = Proof::new(
         "laws-agree-near-steady-state",
@@ -69,7 +69,7 @@ pub fn laws_agree(equations: &PaperEquations) -> Result<Proof, Refutation> {
 ///
 /// # Errors
 /// When a linear part is another one.
-pub fn prove(equations: &PaperEquations) -> Result<Proof, Refutation> {
+pub fn prove(equations: &Equations) -> Result<Proof, Refutation> {
     let motion = linearised(equations, &motion(equations, &equations.right("1")));
     let proof = Proof::new(
         "linearisation",

@@ -1,15 +1,15 @@
 //! The paper's derivations as proofs over ℚ.
 //!
-//! The numbered equations are input data ([`PaperEquations`]). Each function derives its result from eqs 1-4 (or from
+//! The numbered equations are input data ([`Equations`]). Each function derives its result from eqs 1-4 (or from
 //! what was derived from them), compares it with what the paper states, and returns the proof or the refutation:
 //! an equation with a wrong sign is refuted by name, with the exact remainder.
 //!
 //! ```
-//! use slipmode_core::theory::{AssumptionsText, EquationText, EquationsText, PaperEquations};
+//! use slipmode_core::theory::{AssumptionsText, EquationText, EquationsText, Equations};
 //!
-//! // The equations are input: a list without eq 1 is refused, and every fault is named.
+//! // The equations are input. A list without eq 1 is one of another paper: the derivations here cannot start from it.
 //! let text = EquationsText { assumptions: AssumptionsText { positive: vec!["K".into()] }, equation: Vec::<EquationText>::new() };
-//! let error = PaperEquations::read(text).unwrap_err();
+//! let error = Equations::read(text).unwrap().demand_paper().unwrap_err();
 //! assert!(error.faults.iter().any(|fault| fault.key == "equation 1"), "{error}");
 //! ```
 
@@ -42,6 +42,7 @@ pub mod linearisation;
 #[doc(hidden)]
 pub mod non_inertial;
 mod notation;
+mod paper;
 #[doc(hidden)]
 pub mod period;
 #[doc(hidden)]
@@ -63,7 +64,7 @@ pub mod transition;
 #[doc(hidden)]
 pub mod worst_error;
 
-pub use equations::{Equation, EquationFault, EquationsError, PaperEquations};
+pub use equations::{Equation, EquationFault, Equations, EquationsError};
 pub use reading::{AssumptionsText, EquationText, EquationsText};
 
 #[cfg(test)]

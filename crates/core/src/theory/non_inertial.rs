@@ -1,6 +1,6 @@
 //! Non-inertial frequencies: along σ = σ_c (eqs 12 and 23), and how they depend on mass and stiffness (eq 14).
 
-use super::PaperEquations;
+use super::Equations;
 use super::notation::{
     any, below, coefficients, crossing, formula, given_positive, in_parameters, weakening,
     weakening_by_square,
@@ -11,7 +11,7 @@ use crate::polynomial::{Domain, Expression, Proof, Refutation, Symbol, Toward};
 ///
 /// # Errors
 /// When the cubic at σ_c is another one, or the slope has no certified sign.
-pub fn at_critical_stress(equations: &PaperEquations) -> Result<Proof, Refutation> {
+pub fn at_critical_stress(equations: &Equations) -> Result<Proof, Refutation> {
     let slope = slope_at_critical_stress(&frequency_squared());
     let proof = critical_stress_lemma(
         equations,
@@ -73,7 +73,7 @@ pub fn at_critical_stress(equations: &PaperEquations) -> Result<Proof, Refutatio
 ///
 /// # Errors
 /// When eq 14's frequency depends on M, or that of eq 8 at σ_c does not fall with M.
-pub fn mass(equations: &PaperEquations) -> Result<Proof, Refutation> {
+pub fn mass(equations: &Equations) -> Result<Proof, Refutation> {
     let proof = Proof::new(
         "frequency-and-mass",
         "Without inertia (eq 14) the frequency does not depend on M; with inertia it falls strictly \
@@ -101,7 +101,7 @@ pub fn mass(equations: &PaperEquations) -> Result<Proof, Refutation> {
 ///
 /// # Errors
 /// When eq 14's frequency depends otherwise on K.
-pub fn stiffness(equations: &PaperEquations) -> Result<Proof, Refutation> {
+pub fn stiffness(equations: &Equations) -> Result<Proof, Refutation> {
     let proof = Proof::new(
         "frequency-and-stiffness",
         "Without inertia (eq 14) and at fixed σ the frequency depends on K: at K = K_c,qs it grows as \
@@ -132,7 +132,7 @@ pub fn stiffness(equations: &PaperEquations) -> Result<Proof, Refutation> {
 ///
 /// # Errors
 /// When eq 14's frequency at σ = r σ_c depends on K or M.
-pub fn at_stress_ratio(equations: &PaperEquations) -> Result<Proof, Refutation> {
+pub fn at_stress_ratio(equations: &Equations) -> Result<Proof, Refutation> {
     let proof = Proof::new(
         "frequency-at-stress-ratio",
         "Without inertia (eq 14) and at fixed r = σ/σ_c the frequency depends neither on K nor on M.",
@@ -162,7 +162,7 @@ pub fn at_stress_ratio(equations: &PaperEquations) -> Result<Proof, Refutation> 
 /// # Errors
 /// When eq 14 is not quadratic in s.
 pub(super) fn frequency_squared_of_eq_14(
-    equations: &PaperEquations,
+    equations: &Equations,
     proof: &Proof,
 ) -> Result<Expression, Refutation> {
     let [c0, c1, c2]: [Expression; 3] = coefficients(proof, &["14"], &equations.residual("14"), "s")?;
@@ -170,7 +170,7 @@ pub(super) fn frequency_squared_of_eq_14(
 }
 
 /// Eq 8 at σ = σ_c, s = p V0/D_c.
-fn low_velocity(equations: &PaperEquations) -> Expression {
+fn low_velocity(equations: &Equations) -> Expression {
     let scaled = equations.residual("8").with("s", &formula("p*V_0/D_c")) * formula("D_c^2/(a*V_0)");
     scaled.with("sigma", &equations.right("12"))
 }
@@ -199,7 +199,7 @@ fn critical_stress_domain() -> Domain {
 }
 
 /// At σ = σ_c: the cubic in z = s/ω_n, its factors, and the quantities u, v, g.
-fn critical_stress_lemma(equations: &PaperEquations, proof: Proof) -> Result<Proof, Refutation> {
+fn critical_stress_lemma(equations: &Equations, proof: Proof) -> Result<Proof, Refutation> {
     let at_stress = (equations.residual("8") * formula("sigma")).with("sigma", &equations.right("12"));
     let units = [
         ("K", "M*omega^2", "omega", "sqrt(K/M)"),

@@ -1,6 +1,6 @@
 //! Formulas and assumptions that the proofs share.
 
-use super::PaperEquations;
+use super::Equations;
 use crate::polynomial::{
     Domain, Expression, Polynomial, Proof, RationalFunction, Refutation, Relation, Symbol, discriminant,
 };
@@ -119,7 +119,7 @@ pub(super) fn in_groups(expression: &Expression) -> Expression {
 }
 
 /// Eq 8 in groups: F(p) = η p³ + (1 + η) p² + (κ + 1 − β) p + κ when eq 8 is right.
-pub(super) fn cubic(equations: &PaperEquations) -> Expression {
+pub(super) fn cubic(equations: &Equations) -> Expression {
     in_groups(&equations.residual("8"))
 }
 

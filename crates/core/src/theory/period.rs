@@ -2,7 +2,7 @@
 
 use rug::Rational;
 
-use super::PaperEquations;
+use super::Equations;
 use super::notation::formula;
 use crate::polynomial::{Domain, Expression, Proof, Refutation, Symbol};
 
@@ -22,7 +22,7 @@ pub struct NaturalPeriod {
 /// # Errors
 /// When √(K/M) is not rational, or the text's ω_n is another expression.
 pub fn natural(
-    equations: &PaperEquations,
+    equations: &Equations,
     stiffness: &Rational,
     mass: &Rational,
 ) -> Result<NaturalPeriod, Refutation> {

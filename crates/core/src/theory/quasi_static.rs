@@ -1,6 +1,6 @@
 //! The slider without inertia: eqs 12 and 14-16.
 
-use super::PaperEquations;
+use super::Equations;
 use super::notation::{any, coefficients, formula, neutral, strengthening, weakening, weaker_direct_effect};
 use crate::polynomial::{Expression, Proof, Refutation};
 
@@ -8,7 +8,7 @@ use crate::polynomial::{Expression, Proof, Refutation};
 ///
 /// # Errors
 /// When eq 14 is another equation.
-pub fn reduced_equation(equations: &PaperEquations) -> Result<Proof, Refutation> {
+pub fn reduced_equation(equations: &Equations) -> Result<Proof, Refutation> {
     let massless = equations.residual("8").with("M", &formula("0"));
     let proof = Proof::new(
         "quasi-static-equation",
@@ -24,7 +24,7 @@ pub fn reduced_equation(equations: &PaperEquations) -> Result<Proof, Refutation>
 ///
 /// # Errors
 /// When the discriminant vanishes elsewhere.
-pub fn vanishing_frequency(equations: &PaperEquations) -> Result<Proof, Refutation> {
+pub fn vanishing_frequency(equations: &Equations) -> Result<Proof, Refutation> {
     let (upper, lower) = (equations.right("15"), equations.right("16"));
     let proof = Proof::new(
         "quasi-static-boundary",
@@ -59,7 +59,7 @@ pub fn vanishing_frequency(equations: &PaperEquations) -> Result<Proof, Refutati
 ///
 /// # Errors
 /// When the product is not σ_c².
-pub fn geometric_mean(equations: &PaperEquations) -> Result<Proof, Refutation> {
+pub fn geometric_mean(equations: &Equations) -> Result<Proof, Refutation> {
     let product = equations.right("15") * equations.right("16");
     let stress = equations.right("12");
     let used = ["12", "15", "16"];

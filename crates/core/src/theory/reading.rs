@@ -1,49 +1,13 @@
 //! Reading a file of equations: all faults at once.
 
-use std::collections::BTreeMap;
-
-use super::{Equation, EquationFault, EquationsError, definedness};
+use super::{Equation, EquationFault, definedness};
 use crate::polynomial::Expression;
 
-/// Every equation that must be there, with the name that stands alone on its left side, if one does.
-pub(super) const REQUIRED: [(&str, Option<&str>); 28] = [
-    ("1", Some("mu")),
-    ("2", Some("theta'")),
-    ("3", Some("theta'")),
-    ("4", None),
-    ("5", None),
-    ("6", None),
-    ("7", None),
-    ("8", None),
-    ("9", Some("K_c")),
-    ("10", Some("K_c_qs")),
-    ("11", Some("K_c_dyn")),
-    ("12", Some("sigma_c")),
-    ("13", Some("V_c")),
-    ("14", None),
-    ("15", Some("sigma")),
-    ("16", Some("sigma")),
-    ("17", None),
-    ("18", None),
-    ("19", None),
-    ("20", None),
-    ("21", None),
-    ("22", None),
-    ("23", Some("s")),
-    ("steady-state", Some("theta_ss")),
-    ("steady-friction", Some("mu_ss")),
-    ("natural-frequency", Some("omega_n")),
-    ("inertial-parameter", Some("eta")),
-    ("regularised", Some("mu")),
-];
+/// The most equations of a file: each costs a proof that it has a value.
+const MOST: usize = 500;
 
-/// The variables that may occur, without primes.
-const VARIABLES: &str = "a b D_c K M sigma V V_0 theta mu_0 mu t s i pm delta Delta_delta Delta_theta \
-                         K_c K_c_qs K_c_dyn sigma_c V_c theta_ss mu_ss omega_n eta";
-
-fn is_variable(name: &str) -> bool {
-    VARIABLES.split(' ').any(|known| known == name)
-}
+/// The longest number or name of an equation: it is part of a page's links.
+const LONGEST_NUMBER: usize = 40;
 
 /// The equations of a paper as text, as a file states them.
 #[derive(Debug, Clone)]
@@ -82,45 +46,36 @@ pub struct EquationText {
     pub note: String,
 }
 
-/// Equations by number.
-pub(super) type Equations = BTreeMap<String, Equation>;
-
-/// The equations and the positive variables of a file.
-pub(super) fn read(file: EquationsText) -> Result<(Equations, Vec<String>), EquationsError> {
-    let mut faults = assumption_faults(&file.assumptions);
-    let mut equations = BTreeMap::new();
-    for entry in file.equation {
+/// The equations of a file that can be read, in its order, and all faults.
+pub(super) fn read(file: Vec<EquationText>, positive: &[String]) -> (Vec<Equation>, Vec<EquationFault>) {
+    let mut faults: Vec<EquationFault> = positive.iter().filter_map(|name| not_positive(name)).collect();
+    if file.len() > MOST {
+        let message = format!("{} equations (allowed: at most {MOST})", file.len());
+        faults.push(EquationFault { key: "equation".to_owned(), message });
+    }
+    let mut equations: Vec<Equation> = Vec::new();
+    for entry in file.into_iter().take(MOST) {
         let key = format!("equation {}", entry.number);
-        match read_entry(entry, &file.assumptions.positive) {
-            Ok(equation) if equations.contains_key(&equation.number) => {
+        match read_entry(entry, positive) {
+            Ok(equation) if equations.iter().any(|known| known.word() == equation.word()) => {
                 faults.push(EquationFault { key, message: "occurs twice".to_owned() });
             }
-            Ok(equation) => {
-                equations.insert(equation.number.clone(), equation);
-            }
+            Ok(equation) => equations.push(equation),
             Err(message) => faults.push(EquationFault { key, message }),
         }
     }
-    faults.extend(missing(&equations, &faults));
-    if faults.is_empty() {
-        Ok((equations, file.assumptions.positive))
-    } else {
-        Err(EquationsError { faults })
-    }
+    (equations, faults)
 }
 
-/// The assumptions that every derivation makes must be among those of the file.
-fn assumption_faults(assumptions: &AssumptionsText) -> Vec<EquationFault> {
-    let fault = |message| EquationFault { key: "assumptions.positive".to_owned(), message };
-    let unknown = |name: &&String| !is_variable(name);
-    let unknown = assumptions
-        .positive
-        .iter()
-        .filter(unknown)
-        .map(|name| format!("'{name}' is not a variable of the paper"));
-    let needed = ["a", "b", "D_c", "K", "M", "sigma", "V", "V_0", "theta", "mu_0"];
-    let absent = needed.iter().filter(|name| !assumptions.positive.iter().any(|known| known == *name));
-    unknown.chain(absent.map(|name| format!("'{name}' must be positive"))).map(fault).collect()
+/// Why this cannot be the name of a positive variable.
+fn not_positive(name: &str) -> Option<EquationFault> {
+    let is_name = matches!(name.parse(), Ok(Expression::Variable(read)) if read.derivative_order() == 0);
+    let message = match name {
+        "i" | "pm" => format!("'{name}' is no variable: i^2 = -1 and pm^2 = 1"),
+        _ if is_name => return None,
+        _ => format!("'{name}' is not a name (a letter, then letters, digits and _)"),
+    };
+    Some(EquationFault { key: "assumptions.positive".to_owned(), message })
 }
 
 /// One equation of this number from its text.
@@ -135,13 +90,12 @@ pub(super) fn read_equation(number: &str, text: &str, positive: &[String]) -> Re
 }
 
 fn read_entry(entry: EquationText, positive: &[String]) -> Result<Equation, String> {
-    let Some((_, name)) = REQUIRED.iter().find(|(number, _)| *number == entry.number) else {
-        return Err("is not an equation of the paper (1 to 23, or one of its named ones)".to_owned());
-    };
-    let (left, right) = read_sides(&entry.equation, positive)?;
-    if let Some(name) = name.filter(|name| left != Expression::variable(name)) {
-        return Err(format!("the left side must be {name}, not {left}"));
+    let number = &entry.number;
+    let is_plain = |character: char| character.is_ascii_alphanumeric() || "._-".contains(character);
+    if number.is_empty() || number.len() > LONGEST_NUMBER || !number.chars().all(is_plain) {
+        return Err(format!("a number has 1 to {LONGEST_NUMBER} characters of A-Z a-z 0-9 . _ -"));
     }
+    let (left, right) = read_sides(&entry.equation, positive)?;
     let printed = entry.printed.as_deref().map(|text| read_sides(text, positive)).transpose();
     let printed = printed.map_err(|error| format!("printed: {error}"))?;
     Ok(Equation { number: entry.number, left, right, printed, note: entry.note })
@@ -157,20 +111,5 @@ fn read_sides(text: &str, positive: &[String]) -> Result<(Expression, Expression
 
 fn read_side(text: &str, side: &str, positive: &[String]) -> Result<Expression, String> {
     let text = text.trim();
-    let expression =
-        definedness::read(text, positive).map_err(|error| format!("{side} side '{text}', {error}"))?;
-    match expression.variables().iter().find(|name| !is_variable(name.base())) {
-        Some(name) => Err(format!("{side} side: '{name}' is not a variable of the paper")),
-        None => Ok(expression),
-    }
-}
-
-fn missing(equations: &BTreeMap<String, Equation>, faults: &[EquationFault]) -> Vec<EquationFault> {
-    let keys = REQUIRED
-        .iter()
-        .filter(|(number, _)| !equations.contains_key(*number))
-        .map(|(number, _)| format!("equation {number}"));
-    keys.filter(|key| !faults.iter().any(|fault| fault.key == *key))
-        .map(|key| EquationFault { key, message: "is missing".to_owned() })
-        .collect()
+    definedness::read(text, positive).map_err(|error| format!("{side} side '{text}', {error}"))
 }

@@ -3,7 +3,7 @@
 //! All x_i are positive (the lower area, all roots left of −1), or two are negative (the upper area). Each solution set is the
 //! image of an orthant, so each area is connected.
 
-use super::PaperEquations;
+use super::Equations;
 use super::areas::Effects;
 use super::notation::{cubic, formula, given_nonzero, given_positive, in_parameters};
 use crate::polynomial::{Certificate, Domain, Expression, Proof, Refutation, Symbol};
@@ -12,7 +12,7 @@ use crate::polynomial::{Certificate, Domain, Expression, Proof, Refutation, Symb
 ///
 /// # Errors
 /// When eq 8 does not have that form.
-pub(super) fn by_roots(proof: Proof, equations: &PaperEquations) -> Result<Proof, Refutation> {
+pub(super) fn by_roots(proof: Proof, equations: &Equations) -> Result<Proof, Refutation> {
     let f = cubic(equations);
     let p = Symbol::new("p");
     let product = formula("eta*(p + 1 + x_1)*(p + 1 + x_2)*(p + 1 + x_3)");
@@ -62,7 +62,7 @@ pub(super) fn by_roots(proof: Proof, equations: &PaperEquations) -> Result<Proof
 ///
 /// # Errors
 /// When eq 8 does not have that form.
-pub(super) fn lower_area(proof: Proof, equations: &PaperEquations) -> Result<Proof, Refutation> {
+pub(super) fn lower_area(proof: Proof, equations: &Equations) -> Result<Proof, Refutation> {
     let roots = ["s", "beta*(1 + t)/s", "(s + beta*(1 + t)/s + 2)/t"].map(formula);
     let parametrised = Domain::positive("s t beta");
     let solutions = below_minus_one();
@@ -90,11 +90,7 @@ pub(super) fn below_minus_one() -> Domain {
 ///
 /// # Errors
 /// When eq 8 does not have that form.
-pub(super) fn upper_area(
-    proof: Proof,
-    equations: &PaperEquations,
-    effects: Effects,
-) -> Result<Proof, Refutation> {
+pub(super) fn upper_area(proof: Proof, equations: &Equations, effects: Effects) -> Result<Proof, Refutation> {
     let (right, left) = ("1 + e", "1/(1 + e)");
     let relation = formula("x_3*(y_1*y_2 - beta) - beta*(2 - y_1 - y_2)");
     let side = |domain: Domain, [one, other]: [&str; 2]| {
@@ -141,7 +137,7 @@ pub(super) fn upper_area(
 /// y_1 = (β + s)/(1 + s) and y_2 = (β/y_1 + t)/(1 + t) for s, t > 0.
 fn upper_image(
     proof: Proof,
-    equations: &PaperEquations,
+    equations: &Equations,
     effects: Effects,
     solutions: Domain,
 ) -> Result<Proof, Refutation> {
@@ -176,7 +172,7 @@ fn upper_image(
 /// The area as the image of all s, t > 0: its roots, and that it is connected for each β.
 fn image(
     proof: Proof,
-    equations: &PaperEquations,
+    equations: &Equations,
     name: &str,
     roots: &[Expression; 3],
     parametrised: &Domain,

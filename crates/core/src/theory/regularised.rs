@@ -3,7 +3,7 @@
 use rug::Rational;
 use rug::ops::Pow;
 
-use super::PaperEquations;
+use super::Equations;
 use super::notation::{any, formula, given_positive, in_parameters};
 use crate::polynomial::{Certificate, Domain, Expression, Proof, Refutation, Symbol};
 
@@ -22,7 +22,7 @@ pub struct RegularisedDifference {
 ///
 /// # Errors
 /// When the derivatives of the two laws are not in that ratio.
-pub fn linearisation(equations: &PaperEquations) -> Result<Proof, Refutation> {
+pub fn linearisation(equations: &Equations) -> Result<Proof, Refutation> {
     let u = formula("V/(2*V_0)*exp((mu_0 + b*ln(V_0*theta/D_c))/a)");
     let factor = u.clone() / (formula("1") + u.clone().power(2)).call(crate::polynomial::Function::Sqrt);
     let slope = |number: &str, name: &str| equations.right(number).derivative(&Symbol::new(name));
@@ -73,7 +73,7 @@ pub fn linearisation(equations: &PaperEquations) -> Result<Proof, Refutation> {
 /// # Errors
 /// As [`linearisation`].
 pub fn bound(
-    equations: &PaperEquations,
+    equations: &Equations,
     reference_friction: &Rational,
     direct_effect: &Rational,
 ) -> Result<RegularisedDifference, Refutation> {

@@ -1,6 +1,6 @@
 //! Steady sliding: θ = D_c/V for both evolution laws, with friction μ0 + (a − b)·ln(V/V0).
 
-use super::PaperEquations;
+use super::Equations;
 use super::notation::{any, formula};
 use crate::friction::EvolutionLaw;
 use crate::polynomial::{Domain, Proof, Refutation, Toward};
@@ -9,7 +9,7 @@ use crate::polynomial::{Domain, Proof, Refutation, Toward};
 ///
 /// # Errors
 /// When a law does not vanish there, or eq 1 gives another friction.
-pub fn prove(equations: &PaperEquations) -> Result<Proof, Refutation> {
+pub fn prove(equations: &Equations) -> Result<Proof, Refutation> {
     let friction = equations.right("1").with("theta", &equations.right("steady-state"));
     let ratio = |number: &str| equations.right(number).with("theta", &formula("x*D_c/V"));
     let proof = Proof::new(
@@ -45,7 +45,7 @@ pub fn prove(equations: &PaperEquations) -> Result<Proof, Refutation> {
 ///
 /// # Errors
 /// When θ_ss is not positive, or a law has another rate there than zero.
-pub(super) fn laws_rest(proof: Proof, equations: &PaperEquations) -> Result<Proof, Refutation> {
+pub(super) fn laws_rest(proof: Proof, equations: &Equations) -> Result<Proof, Refutation> {
     let steady = equations.right("steady-state");
     let mut proof = proof.positive("θ_ss is positive", &["steady-state"], &steady, &any())?;
     for law in EvolutionLaw::ALL {
@@ -61,7 +61,7 @@ pub(super) fn laws_rest(proof: Proof, equations: &PaperEquations) -> Result<Proo
 ///
 /// # Errors
 /// When eq 2 or 3 has another limit.
-pub fn laws_differ_at_rest(equations: &PaperEquations) -> Result<Proof, Refutation> {
+pub fn laws_differ_at_rest(equations: &Equations) -> Result<Proof, Refutation> {
     let in_ratio = |number: &str| equations.right(number).with("theta", &formula("x*D_c/V"));
     let difference = in_ratio("2") - in_ratio("3");
     let slip = formula("y/(1 + y + y^2/2)");
@@ -109,7 +109,7 @@ pub fn laws_differ_at_rest(equations: &PaperEquations) -> Result<Proof, Refutati
 ///
 /// # Errors
 /// When eq 1 or 2 gives another rate.
-pub fn healing(equations: &PaperEquations) -> Result<Proof, Refutation> {
+pub fn healing(equations: &Equations) -> Result<Proof, Refutation> {
     let domain = any().and_positive("t theta_0 z");
     let friction = equations.right("1");
     let rate = formula("t") * friction.with("theta", &formula("theta_0 + t")).derivative(&"t".into());
@@ -131,7 +131,7 @@ pub fn healing(equations: &PaperEquations) -> Result<Proof, Refutation> {
 ///
 /// # Errors
 /// When eq 1 changes otherwise, or eq 8 contains μ0.
-pub fn reference_velocity(equations: &PaperEquations) -> Result<Proof, Refutation> {
+pub fn reference_velocity(equations: &Equations) -> Result<Proof, Refutation> {
     let domain = any().and_positive("V_1 mu_1");
     let friction = equations.right("1");
     let shifted = equations.right("steady-friction").with("V", &formula("V_1"));

@@ -3,7 +3,7 @@
 //! At given V0 the groups are κ and η = λκ with λ = (V0/(ω_n D_c))². A pair x ± iy of eq 8 has ω²/ω_n² = λy². For a given value
 //! of this ratio both equations for x and y are linear in κ, which leaves one polynomial in x and λ.
 
-use super::PaperEquations;
+use super::Equations;
 use super::non_inertial::frequency_squared_of_eq_14;
 use super::notation::{
     any, coefficients, cubic, formula, given_nonzero, in_groups, rational, strengthening, weakening,
@@ -19,7 +19,7 @@ use rug::Float;
 ///
 /// # Errors
 /// When eq 14 or 8 gives another frequency.
-pub fn prove(equations: &PaperEquations) -> Result<Proof, Refutation> {
+pub fn prove(equations: &Equations) -> Result<Proof, Refutation> {
     let proof = Proof::new(
         "largest-frequency-between-eqs-16-and-15",
         "Without inertia (eq 14) the largest frequency at given V0 is √(b/a) V0/D_c, at σ = K D_c/(a + b) between eqs 16 \
@@ -49,7 +49,7 @@ pub fn prove(equations: &PaperEquations) -> Result<Proof, Refutation> {
 }
 
 /// The bound by the real root: F is η (p + u)((p − x)² + y²).
-fn with_inertia(proof: Proof, equations: &PaperEquations) -> Result<Proof, Refutation> {
+fn with_inertia(proof: Proof, equations: &Equations) -> Result<Proof, Refutation> {
     let f = cubic(equations);
     let p = Symbol::new("p");
     let factors = formula("eta*(p + u)*((p - x)^2 + Y)");
@@ -100,7 +100,7 @@ pub struct FirstReach {
 /// None when it is not reached, or the equations have another form.
 #[must_use]
 pub fn first_reach(
-    equations: &PaperEquations,
+    equations: &Equations,
     effect_ratio: &Rational,
     square_ratio: &Rational,
     bits: u32,
@@ -150,7 +150,7 @@ struct Level {
 
 impl Level {
     /// From eq 8 at p = x + iy with λy² = ratio, and from the discriminant of eq 14.
-    fn of(equations: &PaperEquations, effect_ratio: &Rational, square_ratio: &Rational) -> Option<Self> {
+    fn of(equations: &Equations, effect_ratio: &Rational, square_ratio: &Rational) -> Option<Self> {
         let proof = Proof::new("strip-frequency", "");
         let beta = Expression::Number(effect_ratio.clone());
         let p = Symbol::new("p");

@@ -1,6 +1,6 @@
 //! The least η that excludes real roots left of −1, and with them every stable point without oscillation for a < b.
 
-use super::PaperEquations;
+use super::Equations;
 use super::areas::Effects;
 use super::notation::{cubic, formula, given_positive, in_parameters};
 use super::real_roots::{below_minus_one, by_roots, case};
@@ -14,7 +14,7 @@ const THRESHOLD: &str = "(1 - 2*eta)^3 - 27*beta*eta^2";
 ///
 /// # Errors
 /// When eq 8 does not have the form that the bound rests on.
-pub(super) fn sharp_bound(proof: Proof, equations: &PaperEquations) -> Result<Proof, Refutation> {
+pub(super) fn sharp_bound(proof: Proof, equations: &Equations) -> Result<Proof, Refutation> {
     let threshold = formula(THRESHOLD);
     let between = cubic(equations).with("p", &formula("-1/(1 + e)"));
     let excess = formula("(x_1 + x_2 + x_3)^3 - 27*x_1*x_2*x_3");

@@ -6,7 +6,7 @@ use super::equations::tests::paper;
 use super::*;
 use crate::polynomial::{Expression, Proof, Refutation, Symbol, UnivariatePolynomial};
 
-type Prover = fn(&PaperEquations) -> Result<Proof, Refutation>;
+type Prover = fn(&Equations) -> Result<Proof, Refutation>;
 
 /// Every proof of this module, by the path of its function.
 const PROVERS: [(&str, Prover); 36] = [
@@ -49,7 +49,7 @@ const PROVERS: [(&str, Prover); 36] = [
 ];
 
 /// Is there a proof whose refutation names this equation?
-fn refuted_by_name(equations: &PaperEquations, number: &str) -> bool {
+fn refuted_by_name(equations: &Equations, number: &str) -> bool {
     let names = |refutation: Refutation| refutation.equations.iter().any(|equation| equation == number);
     PROVERS.iter().any(|(_, prover)| prover(equations).err().is_some_and(names))
         || exchange::asymptotes(equations).err().is_some_and(names)

@@ -1,7 +1,7 @@
 //! Eqs 5 and 6 combined into one equation of third order (eq 7).
 
 use super::notation::{any, formula, rational};
-use super::{Equation, PaperEquations};
+use super::{Equation, Equations};
 use crate::polynomial::{Expression, Proof, Refutation, Symbol};
 
 /// The order of the derivative of Δθ in each term, first term first, and whether the equation follows from eqs 5 and 6.
@@ -17,7 +17,7 @@ pub struct DerivativeOrders {
 ///
 /// # Errors
 /// When the elimination gives another equation.
-pub fn prove(equations: &PaperEquations) -> Result<Proof, Refutation> {
+pub fn prove(equations: &Equations) -> Result<Proof, Refutation> {
     let eq7 = &equations.equation("7").residual();
     combine(
         equations,
@@ -29,7 +29,7 @@ pub fn prove(equations: &PaperEquations) -> Result<Proof, Refutation> {
 
 /// The refutation of eq 7 as the page at hand shows it; `None` when the file records no other reading.
 #[must_use]
-pub fn refute_printed(equations: &PaperEquations) -> Option<Refutation> {
+pub fn refute_printed(equations: &Equations) -> Option<Refutation> {
     let (left, right) = equations.equation("7").printed.clone()?;
     combine(
         equations,
@@ -42,7 +42,7 @@ pub fn refute_printed(equations: &PaperEquations) -> Option<Refutation> {
 
 /// The orders of eq 7's terms, as meant and as printed.
 #[must_use]
-pub fn orders(equations: &PaperEquations) -> DerivativeOrders {
+pub fn orders(equations: &Equations) -> DerivativeOrders {
     let Equation { left, printed, .. } = equations.equation("7");
     DerivativeOrders {
         derived: term_orders(left),
@@ -56,12 +56,7 @@ fn term_orders(left: &Expression) -> Vec<usize> {
     terms.iter().map(order).collect()
 }
 
-fn combine(
-    equations: &PaperEquations,
-    eq7: &Expression,
-    id: &str,
-    statement: &str,
-) -> Result<Proof, Refutation> {
+fn combine(equations: &Equations, eq7: &Expression, id: &str, statement: &str) -> Result<Proof, Refutation> {
     let proof = Proof::new(id, statement);
     let moving = ["Delta_delta", "Delta_theta"];
     let velocity = slip_rate(equations, &proof)?;
@@ -91,7 +86,7 @@ fn combine(
 }
 
 /// Eq 6 solved for Δδ'.
-fn slip_rate(equations: &PaperEquations, proof: &Proof) -> Result<Expression, Refutation> {
+fn slip_rate(equations: &Equations, proof: &Proof) -> Result<Expression, Refutation> {
     let name = Symbol::new("Delta_delta'");
     let residual = rational(proof, &["6"], &equations.residual("6"), &any())?;
     let slope = residual.derivative(&name);

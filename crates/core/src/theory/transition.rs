@@ -1,6 +1,6 @@
 //! The stability transition K = K_c: eqs 9-13 and 23.
 
-use super::PaperEquations;
+use super::Equations;
 use super::notation::{
     any, coefficients, crossing, formula, given_positive, in_parameters, rational, stronger_direct_effect,
     weakening_by_square, weaker_direct_effect,
@@ -11,7 +11,7 @@ use crate::polynomial::{Domain, Expression, Proof, Refutation, Relation, Symbol,
 ///
 /// # Errors
 /// When eq 9 is not where eq 8's Hurwitz determinant vanishes.
-pub fn stability(equations: &PaperEquations) -> Result<Proof, Refutation> {
+pub fn stability(equations: &Equations) -> Result<Proof, Refutation> {
     let proof = Proof::new(
         "stability-transition",
         "All roots of eq 8 have negative real parts exactly when K > K_c (eq 9), two have \
@@ -124,7 +124,7 @@ fn hurwitz_lemma(proof: Proof) -> Result<Proof, Refutation> {
 ///
 /// # Errors
 /// When a part is another one or depends on more.
-pub fn parts(equations: &PaperEquations) -> Result<Proof, Refutation> {
+pub fn parts(equations: &Equations) -> Result<Proof, Refutation> {
     let (total, quasi_static, dynamic) = (equations.right("9"), equations.right("10"), equations.right("11"));
     let with_others = any().and_positive("M_1 V_1 sigma_1 E");
     let other_machine = quasi_static.with("M", &formula("M_1")).with("V_0", &formula("V_1"));
@@ -153,7 +153,7 @@ pub fn parts(equations: &PaperEquations) -> Result<Proof, Refutation> {
 ///
 /// # Errors
 /// When K_c does not grow.
-pub fn velocity_destabilises(equations: &PaperEquations) -> Result<Proof, Refutation> {
+pub fn velocity_destabilises(equations: &Equations) -> Result<Proof, Refutation> {
     let critical = equations.right("9");
     let slope = critical.derivative(&Symbol::new("V_0"));
     let inverse = formula("1") / critical;
@@ -180,7 +180,7 @@ pub fn velocity_destabilises(equations: &PaperEquations) -> Result<Proof, Refuta
 ///
 /// # Errors
 /// When K_c/K is not σ/σ_c + (V0/V_c)².
-pub fn critical_stress_and_velocity(equations: &PaperEquations) -> Result<Proof, Refutation> {
+pub fn critical_stress_and_velocity(equations: &Equations) -> Result<Proof, Refutation> {
     let domain = weakening_by_square();
     let (stress, velocity) = (equations.right("12"), equations.right("13"));
     let shares = formula("sigma") / stress.clone() + (formula("V_0") / velocity.clone()).power(2);
@@ -215,7 +215,7 @@ pub fn critical_stress_and_velocity(equations: &PaperEquations) -> Result<Proof,
 ///
 /// # Errors
 /// When σ_c, V_c or K_c behaves otherwise.
-pub fn small_slip_distance(equations: &PaperEquations) -> Result<Proof, Refutation> {
+pub fn small_slip_distance(equations: &Equations) -> Result<Proof, Refutation> {
     let [stress, velocity, stiffness] = ["12", "13", "9"].map(|number| equations.right(number));
     let domain = weakening_by_square();
     let at_least = stiffness.clone() - formula("(b - a)*sigma/D_c");
@@ -235,7 +235,7 @@ pub fn small_slip_distance(equations: &PaperEquations) -> Result<Proof, Refutati
 ///
 /// # Errors
 /// When K_c can be positive.
-pub fn intrinsically_stable(equations: &PaperEquations) -> Result<Proof, Refutation> {
+pub fn intrinsically_stable(equations: &Equations) -> Result<Proof, Refutation> {
     let critical = equations.right("9");
     let proof = Proof::new(
         "intrinsically-stable",
@@ -256,7 +256,7 @@ pub fn intrinsically_stable(equations: &PaperEquations) -> Result<Proof, Refutat
 ///
 /// # Errors
 /// When eq 8 does not factor so, or eq 23 is no root.
-pub fn crossing_frequency(equations: &PaperEquations) -> Result<Proof, Refutation> {
+pub fn crossing_frequency(equations: &Equations) -> Result<Proof, Refutation> {
     let on_transition = equations.residual("8").with("K", &equations.right("9"));
     let factors = formula("(s^2 + (b - a)/a*V_0^2/D_c^2)*(M*s/sigma + a/V_0 + M*V_0/(sigma*D_c))");
     let at_crossing = on_transition.with("s", &equations.right("23"));

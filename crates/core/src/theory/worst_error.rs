@@ -1,6 +1,6 @@
 //! Where the relative errors of eqs 15, 16, 18 and 20 are largest on the arcs of the boundary.
 
-use super::PaperEquations;
+use super::Equations;
 use super::boundary::curve;
 use super::inertial::velocity_ratio;
 use super::notation::{formula, given_nonzero, in_groups};
@@ -10,7 +10,7 @@ use crate::polynomial::{Domain, Expression, Proof, Refutation, Symbol};
 ///
 /// # Errors
 /// When an equation has another error, or one is not monotonic along its arc.
-pub fn prove(equations: &PaperEquations) -> Result<Proof, Refutation> {
+pub fn prove(equations: &Equations) -> Result<Proof, Refutation> {
     let proof = Proof::new(
         "worst-errors-of-the-asymptotes",
         "Along the boundary κ falls and ηκ rises with η. On the lower boundary eq 16 (error of σ at the same V0, up to the \
@@ -23,7 +23,7 @@ pub fn prove(equations: &PaperEquations) -> Result<Proof, Refutation> {
 }
 
 /// The errors in groups: of κ alone (eqs 15, 16) and of ηκ alone (eqs 18, 20).
-fn errors(proof: Proof, equations: &PaperEquations) -> Result<Proof, Refutation> {
+fn errors(proof: Proof, equations: &Equations) -> Result<Proof, Refutation> {
     let stress = |number: &str| in_groups(&equations.right(number));
     let square = |number: &str| in_groups(&velocity_ratio(equations.equation(number)).power(2));
     let root =
@@ -51,7 +51,7 @@ fn errors(proof: Proof, equations: &PaperEquations) -> Result<Proof, Refutation>
 }
 
 /// Both monotonic relations between κ, ηκ and η on the boundary, by its double root r and its third root t.
-fn along_the_boundary(proof: Proof, equations: &PaperEquations) -> Result<Proof, Refutation> {
+fn along_the_boundary(proof: Proof, equations: &Equations) -> Result<Proof, Refutation> {
     let curve = curve(equations)?;
     let [eta, kappa, third] =
         [&curve.inertial_parameter, &curve.stiffness_group, &curve.third_root].map(Expression::from);
@@ -84,7 +84,7 @@ fn arcs() -> [Domain; 3] {
 }
 
 /// Where η turns: at the cusp x³ = β (3x + 2) of the lower boundary, nowhere on the upper one.
-fn turns(proof: Proof, equations: &PaperEquations) -> Result<Proof, Refutation> {
+fn turns(proof: Proof, equations: &Equations) -> Result<Proof, Refutation> {
     let slope = Expression::from(&curve(equations)?.inertial_parameter).derivative(&Symbol::new("r"));
     let before = Domain::positive("x h")
         .with("r", formula("-1 - x"))

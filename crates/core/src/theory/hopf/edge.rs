@@ -3,14 +3,14 @@
 use super::slider::{by_groups, derive};
 use crate::friction::EvolutionLaw;
 use crate::polynomial::{Domain, Proof, Refutation, Symbol};
-use crate::theory::PaperEquations;
+use crate::theory::Equations;
 use crate::theory::notation::formula;
 
 /// The change of H by a force φ on the mass and by K ≠ K_c, and how Ω = Vθ/D_c moves along the closed orbits, both with the aging law.
 ///
 /// # Errors
 /// When eqs 1, 2 and 4 give another slider.
-pub fn change_of_integral(equations: &PaperEquations) -> Result<Proof, Refutation> {
+pub fn change_of_integral(equations: &Equations) -> Result<Proof, Refutation> {
     let law = EvolutionLaw::Aging;
     let proof = Proof::new(
         "first-integral-with-inertia",

@@ -4,7 +4,7 @@
 use super::slider::{by_groups, derive};
 use crate::friction::EvolutionLaw;
 use crate::polynomial::{Domain, Expression, Proof, Refutation, Symbol};
-use crate::theory::PaperEquations;
+use crate::theory::Equations;
 use crate::theory::notation::{formula, given_positive, in_parameters};
 
 /// In the limit η → 0 every orbit near steady sliding is closed at K = K_c, and for K ≠ K_c none is, of whatever size.
@@ -13,7 +13,7 @@ use crate::theory::notation::{formula, given_positive, in_parameters};
 ///
 /// # Errors
 /// When eqs 1-4 give another slider.
-pub fn prove(equations: &PaperEquations, law: EvolutionLaw) -> Result<Proof, Refutation> {
+pub fn prove(equations: &Equations, law: EvolutionLaw) -> Result<Proof, Refutation> {
     let id = format!("quasi-static-centre-{}-law", law.as_str());
     let proof = Proof::new(
         &id,

@@ -6,7 +6,7 @@ use super::expansion::{Conditions, solve, taylor_part};
 use super::slider::{by_groups, on_transition};
 use crate::friction::EvolutionLaw;
 use crate::polynomial::{Domain, Expression, Proof, Refutation, Symbol};
-use crate::theory::PaperEquations;
+use crate::theory::Equations;
 use crate::theory::linearisation::{evolution, motion};
 use crate::theory::notation::{formula, simplified};
 
@@ -36,7 +36,7 @@ pub(super) struct Cycle {
 /// When no periodic motion of this form solves the equations to third order.
 pub(super) fn cycle(
     proof: Proof,
-    equations: &PaperEquations,
+    equations: &Equations,
     law: EvolutionLaw,
 ) -> Result<(Proof, Cycle), Refutation> {
     let used = ["1", law.equation(), "4", "steady-state"];
@@ -95,7 +95,7 @@ fn on_circle() -> Domain {
 }
 
 /// Both equations in X = V/V_0, Y = V_0 θ/D_c and rates per D_c/V_0, as eqs 1, 4 and the law give them.
-fn physical(equations: &PaperEquations, law: EvolutionLaw) -> Pair {
+fn physical(equations: &Equations, law: EvolutionLaw) -> Pair {
     let balance = motion(equations, &equations.right("1")).time_derivative(&["t", "delta", "theta"]);
     let values = [
         ("t'", formula("1")),
@@ -114,7 +114,7 @@ fn physical(equations: &PaperEquations, law: EvolutionLaw) -> Pair {
 fn taylor_parts(
     mut proof: Proof,
     used: &[&str],
-    equations: &PaperEquations,
+    equations: &Equations,
     law: EvolutionLaw,
 ) -> Result<(Proof, [Pair; 3]), Refutation> {
     let mut parts = [0; 3].map(|_| [formula("0"), formula("0")]);

@@ -21,7 +21,7 @@ pub use evaluate::{degenerate_inertial_parameter, square_amplitude};
 pub use first_integral::prove as quasi_static_centre;
 pub use path::along_velocity;
 
-use super::PaperEquations;
+use super::Equations;
 use super::notation::{formula, given_nonzero, simplified};
 use crate::friction::EvolutionLaw;
 use crate::polynomial::{Domain, Expression, Proof, Refutation};
@@ -51,7 +51,7 @@ pub struct HopfCoefficient {
 /// # Errors
 /// When a step of the derivation fails or the coefficient is not the one stated; the refutation names the equations and
 /// gives the exact difference.
-pub fn coefficient(equations: &PaperEquations, law: EvolutionLaw) -> Result<HopfCoefficient, Refutation> {
+pub fn coefficient(equations: &Equations, law: EvolutionLaw) -> Result<HopfCoefficient, Refutation> {
     let used = ["1", law.equation(), "4", "steady-state"];
     let id = format!("hopf-coefficient-{}-law", law.as_str());
     let statement = format!(

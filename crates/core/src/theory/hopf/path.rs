@@ -1,14 +1,14 @@
 //! How η changes along K = K_c with rising velocity: the order in which the kinds of transition follow each other.
 
 use crate::polynomial::{Domain, Proof, Refutation, Symbol};
-use crate::theory::PaperEquations;
+use crate::theory::Equations;
 use crate::theory::notation::{formula, weaker_direct_effect};
 
 /// Along K = K_c η rises with V_0: where the normal stress is the weight M g and K/M is set, and where K and M are given and σ is set.
 ///
 /// # Errors
 /// When eq 9 gives another line.
-pub fn along_velocity(equations: &PaperEquations) -> Result<Proof, Refutation> {
+pub fn along_velocity(equations: &Equations) -> Result<Proof, Refutation> {
     let critical = equations.right("9");
     let eta = formula("M*V_0^2/(sigma*a*D_c)");
     let weight = formula("M*g");

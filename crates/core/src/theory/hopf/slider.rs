@@ -3,7 +3,7 @@
 use super::expansion::in_basis;
 use crate::friction::EvolutionLaw;
 use crate::polynomial::{Domain, Expression, Proof, Refutation, Symbol};
-use crate::theory::PaperEquations;
+use crate::theory::Equations;
 use crate::theory::notation::{any, cubic, formula, in_parameters, simplified};
 
 /// x = ln(V/V_0), y = ln(V_0 θ/D_c) and ζ = (spring stress/σ − μ_0)/a.
@@ -39,7 +39,7 @@ pub(super) fn by_groups() -> Domain {
 /// When eq 4 has no spring or no mass of that form, or steady sliding is no rest.
 pub(super) fn derive(
     proof: Proof,
-    equations: &PaperEquations,
+    equations: &Equations,
     law: EvolutionLaw,
 ) -> Result<(Proof, Slider), Refutation> {
     let derived = physical_rates(equations, law);
@@ -69,7 +69,7 @@ pub(super) fn derive(
 }
 
 /// The part of eq 4's right side that neither mass nor friction has: the spring stress per normal stress.
-fn spring(equations: &PaperEquations) -> Expression {
+fn spring(equations: &Equations) -> Expression {
     -equations.residual("4").with("delta''", &formula("0")).with("mu", &formula("0"))
 }
 
@@ -79,7 +79,7 @@ fn displacement() -> Expression {
 }
 
 /// The rates in X = V/V_0, Y = V_0 θ/D_c and ζ from eqs 1, 4 and the law.
-fn physical_rates(equations: &PaperEquations, law: EvolutionLaw) -> [Expression; 3] {
+fn physical_rates(equations: &Equations, law: EvolutionLaw) -> [Expression; 3] {
     let state = |expression: &Expression| {
         let theta = equations.right("steady-state").with("V", &formula("V_0")) * formula("Y");
         expression.with("theta", &theta).with("V", &formula("V_0*X"))
@@ -107,7 +107,7 @@ fn in_logarithms(rate: &Expression) -> Expression {
 ///
 /// # Errors
 /// When eq 8 depends otherwise on κ.
-pub(super) fn crossing_speed(proof: Proof, equations: &PaperEquations) -> Result<Proof, Refutation> {
+pub(super) fn crossing_speed(proof: Proof, equations: &Equations) -> Result<Proof, Refutation> {
     let cubic = cubic(equations);
     let slope = |name: &str| cubic.derivative(&Symbol::new(name)).with("p", &formula("i*omega"));
     let speed = -slope("kappa") / slope("p");
