@@ -45,6 +45,7 @@ mod notation;
 mod paper;
 #[doc(hidden)]
 pub mod period;
+pub mod planar;
 #[doc(hidden)]
 pub mod quasi_static;
 mod reading;
