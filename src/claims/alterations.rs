@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use slipmode_core::number::{Ball, Rational};
 use slipmode_core::polynomial::{Expression, Function, Symbol};
-use slipmode_core::theory::Equation;
+use slipmode_core::theory::{Equation, Equations};
 
 /// One altered equation.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -17,17 +17,68 @@ pub(super) struct Alteration {
     pub says_the_same: bool,
 }
 
+/// The pairs of variables that a slip may exchange: some equation has both as terms of one sum, as in b − a or √b − √a, so that
+/// they are of one kind.
+pub(super) fn alike(equations: &Equations) -> Vec<[Symbol; 2]> {
+    let mut found = BTreeSet::new();
+    for equation in equations.iter() {
+        sums(&equation.left, &mut found);
+        sums(&equation.right, &mut found);
+    }
+    found.into_iter().collect()
+}
+
+/// The pairs in the sums of an expression, each in alphabetical order.
+fn sums(expression: &Expression, found: &mut BTreeSet<[Symbol; 2]>) {
+    match expression {
+        Expression::Number(_) | Expression::Variable(_) => {}
+        Expression::Sum(parts) => {
+            let names: BTreeSet<(String, Symbol)> = parts.iter().filter_map(lone).collect();
+            let pairs =
+                names.iter().flat_map(|one| names.range(one..).skip(1).map(move |other| (one, other)));
+            found.extend(
+                pairs
+                    .filter(|(one, other)| one.0 == other.0)
+                    .map(|(one, other)| [one.1.clone(), other.1.clone()]),
+            );
+            parts.iter().for_each(|part| sums(part, found));
+        }
+        Expression::Product(parts) => parts.iter().for_each(|part| sums(part, found)),
+        Expression::Quotient(above, below) => [above, below].into_iter().for_each(|part| sums(part, found)),
+        Expression::Negation(inner) | Expression::Power(inner, _) | Expression::Call(_, inner) => {
+            sums(inner, found)
+        }
+    }
+}
+
+/// The variable of a term that is one variable, its power or its root, and which of these.
+fn lone(term: &Expression) -> Option<(String, Symbol)> {
+    match term {
+        Expression::Variable(name) => Some((String::new(), name.clone())),
+        Expression::Negation(inner) => lone(inner),
+        Expression::Power(inner, exponent) => {
+            lone(inner).map(|(form, name)| (format!("{form}^{exponent}"), name))
+        }
+        Expression::Call(Function::Sqrt, inner) => {
+            lone(inner).map(|(form, name)| (format!("{form}^1/2"), name))
+        }
+        _ => None,
+    }
+}
+
 /// Every alteration of an equation, each text once: the sign of each term, a factor 2 on each term of a side, each exponent and
-/// root, and a and b exchanged.
-pub(super) fn alterations(equation: &Equation) -> Vec<Alteration> {
+/// root, and two variables of one kind exchanged.
+pub(super) fn alterations(equation: &Equation, alike: &[[Symbol; 2]]) -> Vec<Alteration> {
     let mut texts = BTreeSet::from([equation.to_string()]);
     let is_name = matches!(equation.left, Expression::Variable(_));
     let left = if is_name { Vec::new() } else { of_side(&equation.left) };
     let with_left = left.into_iter().map(|(kind, left)| (kind, left, equation.right.clone()));
     let right = of_side(&equation.right).into_iter();
     let with_right = right.map(|(kind, right)| (kind, equation.left.clone(), right));
-    let exchanged = ("exchange", exchanged(&equation.left), exchanged(&equation.right));
-    let all = with_left.chain(with_right).chain([exchanged]);
+    let with_exchange = alike
+        .iter()
+        .map(|pair| ("exchange", exchanged(&equation.left, pair), exchanged(&equation.right, pair)));
+    let all = with_left.chain(with_right).chain(with_exchange);
     let mut found = Vec::new();
     for (kind, left, right) in all {
         let text = format!("{left} = {right}");
@@ -120,10 +171,9 @@ fn one_within(parts: &[Expression], join: fn(Vec<Expression>) -> Expression) -> 
     found
 }
 
-fn exchanged(side: &Expression) -> Expression {
-    let [a, b] = ["a", "b"].map(Symbol::new);
-    let values = BTreeMap::from([(a.clone(), Expression::Variable(b.clone())), (b, Expression::Variable(a))]);
-    side.substitute(&values)
+fn exchanged(side: &Expression, [one, other]: &[Symbol; 2]) -> Expression {
+    let to = |from: &Symbol, to: &Symbol| (from.clone(), Expression::Variable(to.clone()));
+    side.substitute(&BTreeMap::from([to(one, other), to(other, one)]))
 }
 
 /// Bits for the comparison of two equations: a chance agreement of different ones to so many is out of the question.
@@ -169,7 +219,7 @@ mod tests {
             note: String::new(),
         };
         let parts = |found: Alteration| (found.kind, found.text, found.says_the_same);
-        alterations(&equation).into_iter().map(parts).collect()
+        alterations(&equation, &[["a", "b"].map(Symbol::new)]).into_iter().map(parts).collect()
     }
 
     #[test]
@@ -186,6 +236,18 @@ mod tests {
         }
         assert!(found.iter().any(|(kind, text, _)| *kind == "factor" && text.starts_with("sigma = 2*")));
         assert!(found.iter().all(|(_, _, same)| !same), "{found:#?}");
+    }
+
+    #[test]
+    fn variables_that_an_equation_adds_or_subtracts_are_of_one_kind() {
+        let pairs = |text: &str| {
+            let mut found = BTreeSet::new();
+            sums(&text.parse().unwrap(), &mut found);
+            found.into_iter().map(|[one, other]| format!("{one} {other}")).collect::<Vec<_>>()
+        };
+        assert_eq!(pairs("K*D/(b - a)*sqrt(M*(V_1 + 2*V_0))"), ["a b"]);
+        assert_eq!(pairs("ln((sqrt(b) - sqrt(a))^2 + x^2 - y^2 - z)"), ["a b", "x y"]);
+        assert_eq!(pairs("mu + a*ln(V/W) - x^2 + sqrt(y)"), Vec::<String>::new());
     }
 
     #[test]

@@ -5,7 +5,7 @@ use serde::Serialize;
 
 use crate::claims::{Check, Evidence, Finding, Verdict, formula};
 use crate::experiments::{Context, Needs};
-use crate::scene::ClaimEntry;
+use crate::scene::{ClaimEntry, StatedClaim};
 use slipmode_core::polynomial::Step;
 
 /// One line of the ledger.
@@ -28,6 +28,9 @@ pub struct Entry {
     pub rests_on: &'static [&'static str],
     /// The recorded verdict.
     pub expected: Verdict,
+    /// What the claim says as formulas, where formulas decide it.
+    #[serde(skip)]
+    pub stated: Option<StatedClaim>,
 }
 
 impl Entry {
@@ -104,17 +107,22 @@ impl Ledger {
     }
 }
 
-fn decide_one(text: &ClaimEntry, context: &Context) -> Entry {
-    let check = check_of(text);
-    let finding = match (&text.stated, &text.reason, check) {
-        (Some(stated), ..) => formula::decide(&text.id, stated, context.equations),
+/// What decides a claim: its formulas, the reason why it is out of reach, or else the check of its id.
+pub(super) fn finding_on(claim: &ClaimEntry, context: &Context) -> Finding {
+    match (&claim.stated, &claim.reason, check_of(claim)) {
+        (Some(stated), ..) => formula::decide(&claim.id, stated, context.equations),
         (None, Some(reason), _) => Finding::not_checked(reason),
         (None, None, Some(check)) => match context.equations.demand_paper() {
             Ok(()) => (check.decide)(context),
             Err(missing) => Finding::not_checked(missing.to_string()),
         },
         (None, None, None) => Finding::not_checked("The program has no check with this id."),
-    };
+    }
+}
+
+fn decide_one(text: &ClaimEntry, context: &Context) -> Entry {
+    let check = check_of(text);
+    let finding = finding_on(text, context);
     let (criterion, not_established) = match (&text.stated, check) {
         (Some(stated), _) => (formula::criterion(stated), stated.leaves_out.clone()),
         (None, Some(check)) => (check.criterion.into(), check.not_established.into()),
@@ -129,6 +137,7 @@ fn decide_one(text: &ClaimEntry, context: &Context) -> Entry {
         not_established,
         rests_on: check.map_or(&[], |check| check.rests_on),
         expected: text.expected,
+        stated: text.stated.clone(),
     }
 }
 

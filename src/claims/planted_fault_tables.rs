@@ -8,7 +8,7 @@ pub(crate) const TABLES: &[TableMaker] =
     &[TableMaker { id: "planted-faults", needs: &[], make: planted_faults }];
 
 fn planted_faults(context: &Context) -> Option<Table> {
-    let note = "Each numbered equation with one sign reversed, one term doubled, one exponent or root changed, or a and b exchanged. Equivalent forms are not counted as wrong. For each wrong version, the code of the ledger decides the claims of linear theory again until a verdict changes; the version then counts as detected.";
+    let note = "Each equation with one sign reversed, one term doubled, one exponent or root changed, or two variables exchanged that some equation adds or subtracts, such as a and b. Equivalent forms are not counted as wrong. For each wrong version, the claims about the equations are decided again until a verdict changes; the version then counts as detected.";
     let found = plant_faults(context);
     let sum = |count: fn(&PlantedFaults) -> usize| found.iter().map(count).sum::<usize>();
     let all = PlantedFaults {
@@ -21,7 +21,7 @@ fn planted_faults(context: &Context) -> Option<Table> {
     Table::of(
         "planted-faults",
         "Deliberately wrong equations, and the claims that detect them",
-        found.iter().chain([&all]),
+        [&all].into_iter().chain(&found),
     )
     .note(note)
     .text("equation", "Eq", |one| &one.equation)

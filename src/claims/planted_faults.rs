@@ -4,15 +4,18 @@ use std::collections::BTreeSet;
 
 use rayon::prelude::*;
 
-use super::alterations::{Alteration, alterations};
-use crate::claims::{Check, Evidence, Finding, Verdict, checks};
+use super::alterations::{Alteration, alike, alterations};
+use super::ledger::finding_on;
+use crate::claims::{Evidence, Finding, Verdict};
 use crate::experiments::Context;
+use crate::scene::ClaimEntry;
+use slipmode_core::polynomial::Symbol;
 use slipmode_core::theory::Equation;
 
 /// What became of the wrong versions of one equation.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct PlantedFaults {
-    /// The equation's number.
+    /// The equation's number or name.
     pub equation: String,
     /// How many wrong versions were planted.
     pub planted: usize,
@@ -20,8 +23,8 @@ pub struct PlantedFaults {
     pub noticed: usize,
     /// How many versions say the same in other words, and are no faults.
     pub harmless: usize,
-    /// The claims that noticed first, in the order of the ledger.
-    pub noticed_by: Vec<&'static str>,
+    /// The claims that noticed first, in the order of the report.
+    pub noticed_by: Vec<String>,
     /// The wrong versions that no claim noticed.
     pub survivors: Vec<Survivor>,
 }
@@ -35,41 +38,42 @@ pub struct Survivor {
     pub text: String,
 }
 
-/// Plants faults in every numbered equation, one at a time, and decides the claims of linear theory again each time.
+/// Plants faults in every equation of a report, one at a time, and decides the report's claims about the equations again each time.
 ///
-/// Claims about simulations stay out: what they rest on was computed without the paper's equations. So do our own, which are not the
+/// Claims about simulations stay out: what they rest on was computed without the equations. So do the program's own, which are not the
 /// paper's.
 #[must_use]
 pub fn plant_faults(context: &Context) -> Vec<PlantedFaults> {
-    let theory: Vec<&'static Check> = checks().filter(|check| !check.id.starts_with(['N', 'X'])).collect();
-    let sound: Vec<Sound> = theory.into_par_iter().map(|check| Sound::of(check, context)).collect();
-    let numbered: Vec<&Equation> =
-        context.equations.iter().filter(|equation| equation.number.parse::<u32>().is_ok()).collect();
-    numbered.into_par_iter().map(|equation| plant(equation, context, sound.clone())).collect()
+    let about_equations = |claim: &&ClaimEntry| claim.stated.is_some() || !claim.id.starts_with(['N', 'X']);
+    let claims: Vec<&ClaimEntry> = context.claims.iter().filter(about_equations).collect();
+    let sound: Vec<Sound> = claims.into_par_iter().map(|claim| Sound::of(claim, context)).collect();
+    let pairs = alike(context.equations);
+    let all: Vec<&Equation> = context.equations.iter().collect();
+    all.into_par_iter().map(|equation| plant(equation, &pairs, context, sound.clone())).collect()
 }
 
-/// A claim as the paper's own equations decide it.
+/// A claim as the report's own equations decide it.
 #[derive(Clone)]
-struct Sound {
-    check: &'static Check,
+struct Sound<'c> {
+    claim: &'c ClaimEntry,
     verdicts: Vec<Verdict>,
     /// The equations that its proofs name.
     equations: BTreeSet<String>,
 }
 
-impl Sound {
-    fn of(check: &'static Check, context: &Context) -> Self {
-        let finding = (check.decide)(context);
+impl<'c> Sound<'c> {
+    fn of(claim: &'c ClaimEntry, context: &Context) -> Self {
+        let finding = finding_on(claim, context);
         let verdicts = verdicts(&finding);
         let steps = finding.evidence.into_iter().flat_map(|evidence| match evidence {
             Evidence::Proof { proof, .. } => proof.steps,
             _ => Vec::new(),
         });
-        Self { check, verdicts, equations: steps.flat_map(|step| step.equations).collect() }
+        Self { claim, verdicts, equations: steps.flat_map(|step| step.equations).collect() }
     }
 
     fn notices(&self, altered: &Context) -> bool {
-        verdicts(&(self.check.decide)(altered)) != self.verdicts
+        verdicts(&finding_on(self.claim, altered)) != self.verdicts
     }
 }
 
@@ -79,11 +83,17 @@ fn verdicts(finding: &Finding) -> Vec<Verdict> {
     std::iter::once(finding.verdict).chain(parts).collect()
 }
 
-fn plant(equation: &Equation, context: &Context, mut sound: Vec<Sound>) -> PlantedFaults {
+fn plant(
+    equation: &Equation,
+    pairs: &[[Symbol; 2]],
+    context: &Context,
+    mut sound: Vec<Sound>,
+) -> PlantedFaults {
     // The claims whose proofs name the equation come first: one of them notices.
     sound.sort_by_key(|sound| !sound.equations.contains(&equation.number));
     let mut found = PlantedFaults { equation: equation.number.clone(), ..PlantedFaults::default() };
-    for Alteration { kind, text, says_the_same } in alterations(equation) {
+    let mut first = BTreeSet::new();
+    for Alteration { kind, text, says_the_same } in alterations(equation, pairs) {
         if says_the_same {
             found.harmless += 1;
             continue;
@@ -100,37 +110,51 @@ fn plant(equation: &Equation, context: &Context, mut sound: Vec<Sound>) -> Plant
                 found.noticed += 1;
                 // A claim that noticed one fault of an equation is tried on the next one first.
                 sound[..=at].rotate_right(1);
-                found.noticed_by.push(sound[0].check.id);
+                first.insert(sound[0].claim.id.as_str());
             }
             None => found.survivors.push(Survivor { kind, text }),
         }
     }
-    found.noticed_by = checks().map(|check| check.id).filter(|id| found.noticed_by.contains(id)).collect();
+    let ids = context.claims.iter().map(|claim| claim.id.as_str());
+    found.noticed_by = ids.filter(|id| first.contains(id)).map(str::to_owned).collect();
     found
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::experiments::Outcome;
-    use crate::scene::read_equations;
+    use crate::claims::known_ids;
+    use crate::experiments::{Outcome, Scene, SceneOutcome};
+    use crate::scene::{Limits, read_claims, read_equations};
+    use slipmode_core::theory::Equations;
+
+    /// The first paper's equations, claims and slider, without anything computed.
+    fn paper() -> (Equations, Vec<ClaimEntry>, Outcome) {
+        let equations = include_str!("../../reports/im-avouac/equations.toml");
+        let equations = read_equations("equations.toml", equations.as_bytes()).unwrap();
+        let claims = include_str!("../../reports/im-avouac/claims.toml");
+        let claims = read_claims("claims.toml", claims.as_bytes(), &known_ids(), Some(&equations)).unwrap();
+        let scene = include_bytes!("../../reports/im-avouac/scenes/potentially-unstable.toml");
+        let scene = Scene::parse("scene.toml", scene, &Limits::default()).unwrap();
+        (equations, claims, Outcome { scenes: vec![SceneOutcome::new(scene)] })
+    }
 
     #[test]
     fn wrong_equations_are_noticed_by_the_claims_that_rest_on_them() {
-        let text = include_str!("../../reports/im-avouac/equations.toml");
-        let equations = read_equations("equations.toml", text.as_bytes()).unwrap();
-        let nothing = Outcome::default();
-        let context = Context::new(&equations, &nothing);
-        let found = plant_faults(&context);
-        assert_eq!(found.len(), 23);
+        let (equations, claims, nothing) = paper();
+        let found = plant_faults(&Context::new(&equations, &nothing).with_claims(&claims));
+        assert_eq!(found.len(), 28);
         for one in &found {
             assert!(one.noticed > 0, "{one:#?}");
             assert_eq!(one.planted, one.noticed + one.survivors.len());
         }
-        let sum = |count: fn(&PlantedFaults) -> usize| found.iter().map(count).sum::<usize>();
-        assert_eq!((sum(|one| one.planted), sum(|one| one.noticed)), (209, 209));
+        let numbered = found.iter().filter(|one| one.equation.parse::<u32>().is_ok());
+        let sum = |(planted, noticed), one: &PlantedFaults| (planted + one.planted, noticed + one.noticed);
+        assert_eq!(numbered.fold((0, 0), sum), (209, 209));
+        assert_eq!(found.iter().fold((0, 0), sum), (235, 235));
         let of = |number: &str| found.iter().find(|one| one.equation == number).unwrap();
-        assert!(of("9").noticed_by.contains(&"S1") && of("16").noticed_by.contains(&"B2"), "{found:#?}");
+        let noticed = |number: &str, id: &str| of(number).noticed_by.iter().any(|by| by == id);
+        assert!(noticed("9", "S1") && noticed("16", "B2"), "{found:#?}");
         // Eqs 15, 16 and 18 are symmetric in a and b, and the ± of eq 23 has no first sign; eq 13 has no such freedom.
         let harmless: Vec<(&str, usize)> = found
             .iter()
@@ -142,18 +166,18 @@ mod tests {
 
     #[test]
     fn every_claim_that_the_equations_decide_notices_a_fault_of_its_own() {
-        let text = include_str!("../../reports/im-avouac/equations.toml");
-        let equations = read_equations("equations.toml", text.as_bytes()).unwrap();
-        let nothing = Outcome::default();
+        let (equations, claims, nothing) = paper();
         let context = Context::new(&equations, &nothing);
+        let pairs = alike(&equations);
         let altered: Vec<_> = equations
             .iter()
-            .flat_map(|one| alterations(one).into_iter().map(|change| (one.number.as_str(), change)))
+            .flat_map(|one| alterations(one, &pairs).into_iter().map(|change| (one.number.as_str(), change)))
             .filter(|(_, change)| !change.says_the_same)
             .filter_map(|(number, change)| Some((number, equations.altered(number, &change.text).ok()?)))
             .collect();
-        let decided: Vec<Sound> = checks()
-            .map(|check| Sound::of(check, &context))
+        let decided: Vec<Sound> = claims
+            .iter()
+            .map(|claim| Sound::of(claim, &context))
             .filter(|sound| sound.verdicts[0] != Verdict::NotChecked)
             .collect();
         assert!(decided.len() > 30, "{}", decided.len());
@@ -163,6 +187,6 @@ mod tests {
             let unseen = |(_, altered): &&_| !sound.notices(&Context::new(altered, &nothing));
             likely.iter().all(unseen) && other.iter().all(unseen)
         });
-        assert_eq!(blind.map(|sound| sound.check.id).collect::<Vec<_>>(), Vec::<&str>::new());
+        assert_eq!(blind.map(|sound| sound.claim.id.as_str()).collect::<Vec<_>>(), Vec::<&str>::new());
     }
 }

@@ -15,6 +15,7 @@ mod merge;
 mod new;
 mod options;
 mod output;
+mod planted_faults;
 mod points;
 mod progress;
 mod replay;

@@ -15,6 +15,8 @@ use crate::cli::failure::Failure;
 use crate::cli::folder::{read_report, read_scene};
 use crate::cli::options::Arguments;
 use crate::cli::output::{OutputFolder, note_input_folder};
+
+use crate::cli::planted_faults::verify_planted_faults;
 use crate::cli::progress::Progress;
 use crate::cli::terminal::{self, count_of};
 use crate::cli::tree::{Files, differences};
@@ -75,6 +77,9 @@ pub struct VerifyOptions {
     /// Decides only this claim, writes nothing, and prints the evidence
     #[arg(long, value_name = "ID", conflicts_with_all = ["output", "for_publication"])]
     claim: Option<String>,
+    /// Alters the equations one place at a time, writes nothing, and prints which claims notice
+    #[arg(long, conflicts_with_all = ["output", "for_publication", "claim"])]
+    planted_faults: bool,
 }
 
 /// Computes all that a scene states, and writes its tables and figures.
@@ -109,7 +114,10 @@ pub fn report(options: &ReportOptions, progress: &Progress) -> Result<(), Failur
 /// # Errors
 /// When a verdict is not the recorded one or a published byte moved; and as [`report`].
 pub fn verify(options: &VerifyOptions, progress: &Progress) -> Result<(), Failure> {
-    let VerifyOptions { report: options, claim } = options;
+    let VerifyOptions { report: options, claim, planted_faults } = options;
+    if *planted_faults {
+        return verify_planted_faults(&read_report(&options.folder, options.limit.limits()?)?, progress);
+    }
     if let Some(id) = claim {
         let folder = read_report(&options.folder, options.limit.limits()?)?;
         return verify_claim(&folder, id, progress);

@@ -37,6 +37,7 @@ pub use work::Work;
 
 use std::sync::OnceLock;
 
+use crate::scene::ClaimEntry;
 use slipmode_core::friction::EvolutionLaw;
 use slipmode_core::polynomial::Refutation;
 use slipmode_core::theory::Equations;
@@ -49,6 +50,8 @@ pub struct Context<'c> {
     pub equations: &'c Equations,
     /// What was computed for the report's scenes.
     pub outcome: &'c Outcome,
+    /// The claims of the report.
+    pub claims: &'c [ClaimEntry],
     hopf: [OnceLock<Result<HopfCoefficient, Refutation>>; 2],
 }
 
@@ -56,7 +59,13 @@ impl<'c> Context<'c> {
     /// Nothing is derived from the equations yet.
     #[must_use]
     pub fn new(equations: &'c Equations, outcome: &'c Outcome) -> Self {
-        Self { equations, outcome, hopf: [OnceLock::new(), OnceLock::new()] }
+        Self { equations, outcome, claims: &[], hopf: [OnceLock::new(), OnceLock::new()] }
+    }
+
+    /// With the claims of the report, for the tables about them.
+    #[must_use]
+    pub fn with_claims(self, claims: &'c [ClaimEntry]) -> Self {
+        Self { claims, ..self }
     }
 
     /// The first Lyapunov coefficient. A claim and a table show it; it takes seconds, so it is derived once.

@@ -168,6 +168,7 @@ mod tests {
             finding,
             not_established: String::new(),
             rests_on: &[],
+            stated: None,
         }
     }
 

@@ -145,11 +145,11 @@ fn claim_view(entry: &Entry, ledger: &Ledger, certificates: &Certificates<'_>, f
         id: entry.id.clone(),
         place: entry.place.clone(),
         statement_markdown: plain(&entry.words),
-        acceptance_markdown: plain(&entry.criterion),
+        acceptance_markdown: acceptance(entry),
         verdict: finding.verdict,
         verdict_markdown: plain(finding.limit.as_deref().unwrap_or_default()),
         strength: strength_of(finding.verdict, finding.strength),
-        readings: finding.readings.iter().map(reading_view).collect(),
+        readings: readings(entry),
         evidence: finding.evidence.iter().map(|one| evidence_view(one, &entry.id, certificates)).collect(),
         counter_example_markdown: plain(finding.counter_example.as_deref().unwrap_or_default()),
         not_established_markdown: plain(&entry.not_established),
@@ -164,23 +164,33 @@ fn strength_of(verdict: Verdict, strength: Strength) -> String {
     if verdict == Verdict::NotChecked { String::new() } else { strength.as_str().into() }
 }
 
-fn reading_view(reading: &Reading) -> ReadingView {
-    ReadingView {
-        words_markdown: plain(&reading.words),
-        verdict: reading.verdict,
-        strength: strength_of(reading.verdict, reading.strength),
-        parts: reading.parts.iter().map(part_view).collect(),
+/// What has to be found: the formulas with their conditions, where formulas decide; several stand with their parts.
+fn acceptance(entry: &Entry) -> String {
+    match entry.stated.as_ref().map(|stated| &stated.parts[..]) {
+        None => plain(&entry.criterion),
+        Some([(_, formula)]) => formula.markdown(),
+        Some(_) => "all parts below hold".into(),
     }
 }
 
-fn part_view(part: &Part) -> PartView {
-    PartView {
+fn readings(entry: &Entry) -> Vec<ReadingView> {
+    let formulas = entry.stated.iter().flat_map(|stated| &stated.parts);
+    let mut formulas = formulas.map(|(_, formula)| formula.markdown());
+    let mut part = |part: &Part| PartView {
         words_markdown: plain(&part.words),
+        formula_markdown: formulas.next().unwrap_or_default(),
         verdict: part.verdict,
         strength: strength_of(part.verdict, part.strength),
         result_markdown: plain(part.result()),
         evidence: part.evidence.iter().map(usize::to_string).collect::<Vec<_>>().join(", "),
-    }
+    };
+    let mut reading = |reading: &Reading| ReadingView {
+        words_markdown: plain(&reading.words),
+        verdict: reading.verdict,
+        strength: strength_of(reading.verdict, reading.strength),
+        parts: reading.parts.iter().map(&mut part).collect(),
+    };
+    entry.finding.readings.iter().map(&mut reading).collect()
 }
 
 fn evidence_view(evidence: &Evidence, claim: &str, certificates: &Certificates<'_>) -> EvidenceView {

@@ -70,6 +70,7 @@ mod tests {
             not_established: String::new(),
             rests_on: &[],
             expected: Verdict::Holds,
+            stated: None,
         }
     }
 

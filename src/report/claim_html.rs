@@ -59,6 +59,7 @@ fn reading(item: &ReadingView, html: &mut dyn FnMut(&str, &str) -> String) -> Va
     let mut part = |part: &PartView| {
         json!({
             "words_html": html(&part.words_markdown, "part"),
+            "formula_html": html(&part.formula_markdown, "part"),
             "class": part.verdict.as_str(),
             "symbol": part.verdict.symbol(),
             "word": part.verdict.word(),

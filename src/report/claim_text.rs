@@ -39,6 +39,7 @@ fn reading(reading: &ReadingView, item: &dyn Fn(&str) -> String) -> Value {
     let part = |part: &PartView| {
         json!({
             "words_md": item(&part.words_markdown),
+            "formula_md": item(&part.formula_markdown),
             "symbol": part.verdict.symbol(),
             "word": part.verdict.word(),
             "strength": part.strength,

@@ -72,7 +72,7 @@ pub fn produce(
     let mut needs = claims::needs(&folder.claims);
     needs.extend(wanted.needs());
     let outcome = experiments::run(&folder.scenes, &needs, &folder.references, progress);
-    let context = Context::new(&folder.equations, &outcome);
+    let context = Context::new(&folder.equations, &outcome).with_claims(&folder.claims);
     let ledger = Ledger::decide(&folder.plan.name, &folder.claims, &context);
     let (figures, tables) =
         (wanted.figures(&outcome, &folder.measured)?, wanted.tables(&context, &folder.measured)?);

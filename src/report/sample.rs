@@ -56,6 +56,7 @@ fn ledger() -> Vec<ClaimGroupView> {
         parts: vec![
             PartView {
                 words_markdown: "the slope changes its sign".into(),
+                formula_markdown: "$K_{c} > 0$ for all $a < b$".into(),
                 verdict: Verdict::HoldsWithin,
                 strength: "exact".into(),
                 result_markdown: "the limit $V \\to 0$".into(),
@@ -63,6 +64,7 @@ fn ledger() -> Vec<ClaimGroupView> {
             },
             PartView {
                 words_markdown: "both are asymptotes".into(),
+                formula_markdown: String::new(),
                 verdict: Fails,
                 strength: "exact".into(),
                 result_markdown: "at $V = 3/1000$ m/s".into(),

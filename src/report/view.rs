@@ -144,6 +144,8 @@ pub struct ReadingView {
 pub struct PartView {
     /// The statement.
     pub words_markdown: String,
+    /// The statement as a formula with its conditions; may be empty.
+    pub formula_markdown: String,
     /// Its verdict.
     pub verdict: Verdict,
     /// The strength of its weakest evidence.

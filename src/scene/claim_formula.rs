@@ -56,11 +56,19 @@ slipmode_core::named! {
     }
 }
 
+impl Comparison {
+    fn latex(self) -> &'static str {
+        if self == Self::Unequal { "\\ne" } else { self.as_str() }
+    }
+}
+
 /// A condition: left minus right compares so with zero.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct FormulaCondition {
     /// As written.
     pub text: String,
+    /// In LaTeX.
+    pub latex: String,
     /// What is compared with zero.
     pub expression: Expression,
     /// How.
@@ -104,7 +112,41 @@ impl ClaimFormula {
     }
 }
 
+impl ClaimFormula {
+    /// The formula and its conditions in words and LaTeX between `$`.
+    #[must_use]
+    pub fn markdown(&self) -> String {
+        let given: Vec<String> =
+            self.given.iter().map(|condition| format!("${}$", condition.latex)).collect();
+        let given = if given.is_empty() { given.concat() } else { format!(" for all {}", given.join(", ")) };
+        self.statement.markdown() + &given
+    }
+}
+
 impl Statement {
+    fn markdown(&self) -> String {
+        let set = Expression::latex;
+        let variable = |name: &str| Expression::variable(name).latex();
+        match self {
+            Self::Compare(left, comparison, right) => {
+                format!("${} {} {}$", set(left), comparison.latex(), set(right))
+            }
+            Self::Limit(left, value, name, toward) => {
+                let toward = if *toward == Toward::Zero { "0" } else { "\\infty" };
+                let name = variable(name);
+                format!("${} \\to {}$ as ${name} \\to {toward}$", set(left), set(value))
+            }
+            Self::Monotone(expression, comparison, name) => {
+                let word = if *comparison == Comparison::Greater { "rises" } else { "falls" };
+                format!("${}$ {word} with ${}$", set(expression), variable(name))
+            }
+            Self::Depends(expression, depends, name) => {
+                let words = if *depends { "depends on" } else { "does not depend on" };
+                format!("${}$ {words} ${}$", set(expression), variable(name))
+            }
+        }
+    }
+
     /// The expressions in it.
     #[must_use]
     pub fn sides(&self) -> Vec<&Expression> {
@@ -123,13 +165,14 @@ impl FormulaCondition {
     pub fn read(text: &str, equations: &Equations) -> Result<Self, String> {
         let (left, comparison, right) =
             compared(text, equations)?.ok_or("a condition has one '<', '>' or '!=' between two sides")?;
+        let latex = format!("{} {} {}", left.latex(), comparison.latex(), right.latex());
         let (expression, relation) = match comparison {
             Comparison::Greater => (left - right, Relation::Positive),
             Comparison::Less => (right - left, Relation::Positive),
             Comparison::Unequal => (left - right, Relation::NonZero),
             Comparison::Equal => return Err("a condition has one '<', '>' or '!=', not '='".into()),
         };
-        Ok(Self { text: text.trim().to_owned(), expression, relation })
+        Ok(Self { text: text.trim().to_owned(), latex, expression, relation })
     }
 }
 

@@ -63,7 +63,7 @@ const ROWS: &[Row] = &[
     ("-1/(a - b) rises with a", &["a != b"], "not-checked", None),
 ];
 
-fn claim(id: usize, formula: &str, given: &[&str], verdict: &str) -> String {
+pub fn claim(id: usize, formula: &str, given: &[&str], verdict: &str) -> String {
     let given = if given.is_empty() { String::new() } else { format!("given = {given:?}\n") };
     format!(
         "[[claim]]\nid = \"C{id}\"\nplace = \"p\"\nwords = \"Claim {id}.\"\nexpected = \"{verdict}\"\nleaves_out = \"nothing\"\n\
@@ -71,7 +71,7 @@ fn claim(id: usize, formula: &str, given: &[&str], verdict: &str) -> String {
     )
 }
 
-fn report(claims: &str) -> Workplace {
+pub fn report(claims: &str) -> Workplace {
     let place = Workplace::new();
     place.write(
         "r/report.toml",

@@ -35,6 +35,7 @@ mod near_transition;
 mod new;
 mod option_pairs;
 mod outputs;
+mod planted_faults;
 mod points;
 mod promises;
 mod readme;
