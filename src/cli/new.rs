@@ -1,7 +1,9 @@
-//! `slipmode new`: a report folder for one's own slider, commented, checked by reading it back, with verdicts computed.
+//! `slipmode new`: a report folder for one's own slider, commented, checked by reading it back, with verdicts computed; or one for the
+//! claims of another paper.
 
 mod claims;
 mod files;
+mod paper;
 mod ranges;
 mod scene;
 
@@ -32,6 +34,9 @@ pub struct Options {
     name: String,
     #[command(flatten)]
     material: MaterialOptions,
+    /// A folder for the claims of another paper instead: its equations and its claims, with one example of each
+    #[arg(long, conflicts_with = "MaterialOptions")]
+    paper: bool,
     /// The folder to write; it must not exist [default: NAME]
     #[arg(short, long, value_name = "DIR")]
     output: Option<PathBuf>,
@@ -56,11 +61,15 @@ pub enum Effects {
 /// # Errors
 /// When the arguments are at fault, the place is taken, or the slider's corners lie beyond what a scene can hold.
 pub fn run(options: &Options, progress: &Progress) -> Result<(), Failure> {
-    let (typed, parameters) = read(options)?;
-    let place = options.output.clone().unwrap_or_else(|| PathBuf::from(&options.name));
-    if place.symlink_metadata().is_ok() {
-        return Err(Failure::Refused(format!("{}: already exists; choose another folder", place.display())));
+    if options.paper {
+        let mut arguments = Arguments::default();
+        check_report_name(&options.name, &mut arguments);
+        arguments.finish(Some(()))?;
+        let place = free_place(options)?;
+        return write(OutputFolder::create(&place)?, &paper::files(&options.name), "verify", &place);
     }
+    let (typed, parameters) = read(options)?;
+    let place = free_place(options)?;
     let effects = Effects::of(&parameters);
     let mut ranges = Ranges::around(&parameters).map_err(Failure::Refused)?;
     let output = OutputFolder::create(&place)?;
@@ -68,10 +77,30 @@ pub fn run(options: &Options, progress: &Progress) -> Result<(), Failure> {
     while draft.has_gaps && ranges.coarsen() {
         draft = complete(&typed, effects, &ranges, &place, *progress)?;
     }
-    let files = draft.files;
-    output.commit(&files)?;
+    write(output, &draft.files, "report", &place)
+}
+
+/// Where the folder is to be; nothing may be there.
+fn free_place(options: &Options) -> Result<PathBuf, Failure> {
+    let place = options.output.clone().unwrap_or_else(|| PathBuf::from(&options.name));
+    match place.symlink_metadata() {
+        Ok(_) => Err(Failure::Refused(format!("{}: already exists; choose another folder", place.display()))),
+        Err(_) => Ok(place),
+    }
+}
+
+/// Writes the files, lists them, and names the command to run next.
+fn write(output: OutputFolder, files: &Files, next: &str, place: &Path) -> Result<(), Failure> {
+    output.commit(files)?;
     let listing: String = files.keys().map(|name| format!("{}\n", place.join(name).display())).collect();
-    terminal::print(&format!("{listing}next: slipmode report {}\n", place.display()))
+    terminal::print(&format!("{listing}next: slipmode {next} {}\n", place.display()))
+}
+
+/// The scene's file is called NAME.toml.
+fn check_report_name(name: &str, arguments: &mut Arguments) {
+    if let Err(error) = check_name(name).and(check_name(&format!("{name}.toml"))) {
+        arguments.fault::<()>("NAME", Some(name), Problem::BadName(error));
+    }
 }
 
 impl Effects {
@@ -87,10 +116,7 @@ impl Effects {
 /// The name and the numbers as typed, and the numbers as exact values.
 fn read(options: &Options) -> Result<(Typed, Slider<Rational>), Failure> {
     let mut arguments = Arguments::default();
-    // The scene's file is called NAME.toml.
-    if let Err(error) = check_name(&options.name).and(check_name(&format!("{}.toml", options.name))) {
-        arguments.fault::<()>("NAME", Some(&options.name), Problem::BadName(error));
-    }
+    check_report_name(&options.name, &mut arguments);
     let given = Quantity::OF_THE_SLIDER.map(|quantity| options.material.text(quantity));
     let is_example = given.iter().all(Option::is_none);
     let [a, b, d, k, m] = if is_example { PAPER.map(Some) } else { given };

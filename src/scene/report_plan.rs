@@ -18,7 +18,7 @@ pub struct ReportPlan {
     pub publish_page: bool,
     /// What the first sentence of its answer is about: claims by default.
     pub question: Question,
-    /// The names of the scenes, each in `scenes/NAME.toml`.
+    /// The names of the scenes, each in `scenes/NAME.toml`; none for a report about equations alone.
     pub scenes: Vec<String>,
     /// The folder of tables and charts that were measured apart, if any.
     pub measured: Option<String>,
@@ -51,7 +51,7 @@ impl ReportPlan {
             let title = top.text("title", "a text");
             let publish_page = top.optionally("publish_page", Entry::truth);
             let question = top.optionally("question", |entry| entry.word(&Question::ALL, Question::as_str));
-            let scenes = top.required("scenes", "a list of scene names").and_then(|entry| {
+            let scenes = top.optionally("scenes", |entry| {
                 let mut names = Vec::new();
                 entry.list(|member| distinct_name(member, &mut names))
             });
@@ -63,7 +63,7 @@ impl ReportPlan {
                 title: title?,
                 publish_page: publish_page?.unwrap_or(true),
                 question: question?.unwrap_or_default(),
-                scenes: scenes?,
+                scenes: scenes?.unwrap_or_default(),
                 measured: measured?,
                 chapters: chapters?,
             })

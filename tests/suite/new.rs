@@ -123,6 +123,28 @@ fn every_number_that_is_missing_or_faulty_is_told_at_once() {
 }
 
 #[test]
+fn a_report_on_another_paper_is_decided_as_it_is_written() {
+    let place = Workplace::new();
+    let said = place.run(["new", "--paper", "other"]).expect_success();
+    assert!(said.ends_with("other/report.toml\nnext: slipmode verify other\n"), "{said}");
+    let verified = place.run(["verify", "other"]).expect_success();
+    assert!(verified.contains("1 claim: 1 hold, ") && verified.contains("no published copy"), "{verified}");
+    // The example is decided by its formula: another formula has another verdict.
+    let claims = place.read("other/claims.toml");
+    fs::write(place.path("other/claims.toml"), claims.replace("falls with L", "rises with L")).unwrap();
+    let ended = place.run(["verify", "other"]);
+    assert_eq!(ended.code, 1);
+    assert!(ended.stderr.contains("C1: recorded holds, now fails"), "{}", ended.stderr);
+    // An archive of a report without scenes is computed again from its inputs.
+    fs::write(place.path("other/claims.toml"), claims).unwrap();
+    place.run(["archive", "other", "-o", "other.zip"]).expect_success();
+    place.run(["replay", "other.zip"]).expect_success();
+    place.run(["new", "--paper", "other"]).expect_refusal(&["other: already exists; choose another folder"]);
+    place.run(["new", "--paper", "a b"]).expect_refusal(&["NAME = "]);
+    place.run(["new", "--paper", "slider", "-a", "0.01"]).expect_refusal(&["--paper", "--direct-effect"]);
+}
+
+#[test]
 fn units_of_a_lab_book_get_a_warning_and_the_folder_is_written() {
     let place = Workplace::new();
     let ended = place.run(["new", "um", "-a", "0.009", "-b", "0.0126", "-d", "8", "-k", "2e9", "-m", "2400"]);
