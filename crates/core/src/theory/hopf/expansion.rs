@@ -5,7 +5,7 @@ use crate::theory::notation::{formula, rational};
 
 /// The homogeneous part of this degree of the Taylor series about zero, as derived: Euler's relation
 /// k T_k(f) = Σ x_j T_(k−1)(∂f/∂x_j) gives it from derivatives.
-pub(super) fn taylor_part(expression: &Expression, variables: &[&str], degree: i32) -> Expression {
+pub(in crate::theory) fn taylor_part(expression: &Expression, variables: &[&str], degree: i32) -> Expression {
     if degree == 0 {
         let origin = variables.iter().map(|name| (Symbol::new(name), Expression::integer(0))).collect();
         return expression.substitute(&origin);
@@ -19,13 +19,13 @@ pub(super) fn taylor_part(expression: &Expression, variables: &[&str], degree: i
 }
 
 /// Σ e_n·vector[n]: one equation between such sums with free symbols e_n says that the vectors agree.
-pub(super) fn in_basis(vector: &[Expression]) -> Expression {
+pub(in crate::theory) fn in_basis(vector: &[Expression]) -> Expression {
     let term = |(index, part): (usize, &Expression)| formula(&format!("e_{}", index + 1)) * part.clone();
     vector.iter().enumerate().map(term).fold(Expression::integer(0), |sum, part| sum + part)
 }
 
 /// Conditions that determine unknown coefficients.
-pub(super) struct Conditions<'c> {
+pub(in crate::theory) struct Conditions<'c> {
     /// What must vanish; linear in the unknowns.
     pub vanishing: &'c [Expression],
     /// The symbols in which it must vanish identically.
@@ -38,7 +38,7 @@ pub(super) struct Conditions<'c> {
 ///
 /// # Errors
 /// A refutation with the condition that no values meet, or the unknown that stays open.
-pub(super) fn solve(
+pub(in crate::theory) fn solve(
     proof: &Proof,
     equations: &[&str],
     conditions: &Conditions,

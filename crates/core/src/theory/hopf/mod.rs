@@ -8,11 +8,11 @@
 mod closed_form;
 mod edge;
 mod evaluate;
-mod expansion;
+pub(super) mod expansion;
 mod first_integral;
 mod lindstedt;
 mod path;
-mod projection;
+pub(super) mod projection;
 mod slider;
 
 pub use closed_form::Criticality;
@@ -60,7 +60,7 @@ pub fn coefficient(equations: &Equations, law: EvolutionLaw) -> Result<HopfCoeff
         closed_form::sign_statement(law)
     );
     let (proof, slider) = slider::derive(Proof::new(&id, statement), equations, law)?;
-    let (proof, derived) = projection::coefficient(proof, &used, &slider)?;
+    let (proof, derived) = projection::coefficient(proof, &used, &slider.critical())?;
     let [real, imaginary] = [closed_form::real(law), closed_form::imaginary(law)];
     let stated = real.clone() + formula("i") * imaginary.clone();
     let proof = proof.identity("c_1 in closed form", &used, &derived, &stated, &slider::on_transition())?;

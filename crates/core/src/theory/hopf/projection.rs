@@ -1,41 +1,60 @@
-//! The cubic coefficient of the normal form by projection on the critical eigenvectors (Kuznetsov's formula), in x, y, ζ.
+//! The cubic coefficient of the normal form of three equations by projection on the critical eigenvectors (Kuznetsov's formula).
 
 use super::expansion::{Conditions, in_basis, solve, taylor_part};
-use super::slider::{STATE, Slider, on_transition};
 use crate::polynomial::{Domain, Expression, Proof, Refutation, Symbol};
 use crate::theory::notation::{formula, simplified};
 
-type Vector = [Expression; 3];
+pub(in crate::theory) type Vector = [Expression; 3];
 
-/// The Taylor parts of the slider's rates: linear, quadratic (half of B) and cubic (a sixth of C) forms in x, y, ζ.
+/// The Taylor parts of the rates: linear, quadratic (half of B) and cubic (a sixth of C) forms in the state.
 struct Forms {
     linear: Vector,
     quadratic: Vector,
     cubic: Vector,
 }
 
-/// Derives c_1 of w' = iω w + c_1 w |w|², where x = w + w̄ + … (the eigenvector's x-component is 1).
+/// Three equations of first order that rest at the origin, with a pair of roots on the imaginary axis.
+pub(in crate::theory) struct Critical<'c> {
+    /// The state variables.
+    pub state: [&'c str; 3],
+    /// Their rates.
+    pub rates: Vector,
+    /// The state in words, and where the pair is on the axis.
+    pub names: &'c str,
+    /// The angular frequency of the pair.
+    pub frequency: Expression,
+    /// The assumptions.
+    pub domain: Domain,
+    /// An eigenvector of the pair, and one of the adjoint matrix of any length.
+    pub eigenvectors: [Vector; 2],
+    /// The second one in words, once its product with the first one is 1.
+    pub adjoint_says: &'c str,
+}
+
+/// Derives c_1 of w' = iω w + c_1 w |w|², where a state variable is w + w̄ + … if its component of the eigenvector is 1.
 ///
 /// # Errors
-/// When the pair ±iω is not that of K = K_c.
-pub(super) fn coefficient(
+/// When ±iω is no pair of roots with these eigenvectors.
+pub(in crate::theory) fn coefficient(
     proof: Proof,
     used: &[&str],
-    slider: &Slider,
+    critical: &Critical<'_>,
 ) -> Result<(Proof, Expression), Refutation> {
-    let (proof, forms) = forms(proof, used, slider)?;
-    let (proof, [q, p], domain) = eigenvectors(proof, used, &forms)?;
+    let (proof, forms) = forms(proof, used, critical)?;
+    let (proof, [q, p], domain) = eigenvectors(proof, used, critical, &forms)?;
     let conjugate = each(|n| q[n].with("i", &formula("-i")));
-    let source = polar(&forms.quadratic, &q, &conjugate);
-    let mean = Resolvent { name: "h11", rate: "0", source, says: "h_11: 0 = A h_11 + B(q, q̄)" };
+    let source = critical.polar(&forms.quadratic, &q, &conjugate);
+    let zero = formula("0");
+    let mean = Resolvent { name: "h11", rate: &zero, source, says: "h_11: 0 = A h_11 + B(q, q̄)", critical };
     let (proof, h11, domain) = mean.solve(proof, used, &forms, domain)?;
-    let source = each(|n| formula("2") * at(&forms.quadratic[n], &q));
+    let source = each(|n| formula("2") * critical.at(&forms.quadratic[n], &q));
     let says = "h_20: 2iω h_20 = A h_20 + B(q, q)";
-    let double = Resolvent { name: "h20", rate: "2*i*omega", source, says };
+    let twice = formula("2*i") * critical.frequency.clone();
+    let double = Resolvent { name: "h20", rate: &twice, source, says, critical };
     let (proof, h20, domain) = double.solve(proof, used, &forms, domain)?;
-    let cubic = third(&forms.cubic, &q, &conjugate);
-    let direct = polar(&forms.quadratic, &q, &h11);
-    let harmonic = polar(&forms.quadratic, &conjugate, &h20);
+    let cubic = critical.third(&forms.cubic, &q, &conjugate);
+    let direct = critical.polar(&forms.quadratic, &q, &h11);
+    let harmonic = critical.polar(&forms.quadratic, &conjugate, &h20);
     let sum = each(|n| cubic[n].clone() + formula("2") * direct[n].clone() + harmonic[n].clone());
     let (proof, sum) = simplify(proof, used, "C(q, q, q̄) + 2 B(q, h_11) + B(q̄, h_20)", &sum, &domain)?;
     let value = dot(&p, &sum) / formula("2");
@@ -60,16 +79,11 @@ fn simplify(
 }
 
 /// The Taylor parts, each with its certificate.
-fn forms(proof: Proof, used: &[&str], slider: &Slider) -> Result<(Proof, Forms), Refutation> {
+fn forms(proof: Proof, used: &[&str], critical: &Critical<'_>) -> Result<(Proof, Forms), Refutation> {
     let part = |proof: Proof, degree: i32, name: &str| {
-        let derived = each(|n| taylor_part(&slider.rates[n], &STATE, degree));
-        simplify(
-            proof,
-            used,
-            &format!("{name} part of the rates of x, y, ζ on K = K_c"),
-            &derived,
-            &on_transition(),
-        )
+        let derived = each(|n| taylor_part(&critical.rates[n], &critical.state, degree));
+        let says = format!("{name} part of the rates of {}", critical.names);
+        simplify(proof, used, &says, &derived, &critical.domain)
     };
     let (proof, linear) = part(proof, 1, "linear")?;
     let (proof, quadratic) = part(proof, 2, "quadratic")?;
@@ -77,30 +91,30 @@ fn forms(proof: Proof, used: &[&str], slider: &Slider) -> Result<(Proof, Forms),
     Ok((proof, Forms { linear, quadratic, cubic }))
 }
 
-/// q and p of the pair ±iω with q_x = 1 and ⟨p, q⟩ = 1, certified; the domain gains the values of p.
+/// q, and p with ⟨p, q⟩ = 1, certified; the domain gains the values of p.
 ///
 /// Real denominators keep the arithmetic small.
 fn eigenvectors(
     proof: Proof,
     used: &[&str],
+    critical: &Critical<'_>,
     forms: &Forms,
 ) -> Result<(Proof, [Vector; 2], Domain), Refutation> {
-    let q = ["1", "-(1 - i*omega)/(1 + omega^2)", "i*omega*(1 + eta)"].map(formula);
-    let adjoint = ["1", "-(1 - i*omega)/eta", "-i/(omega*eta)"].map(formula);
-    let length = dot(&adjoint, &q);
+    let [q, adjoint] = &critical.eigenvectors;
+    let length = dot(adjoint, q);
     let scaled = each(|n| adjoint[n].clone() / length.clone());
-    let says = "p = (1, −(1 − iω)/η, −i/(ωη))/l with l its product with q, so that ⟨p, q⟩ = 1";
-    let (proof, values) = simplify(proof, used, says, &scaled, &on_transition())?;
-    let (p, domain) = named("p", &values, on_transition());
-    let image = each(|n| at(&forms.linear[n], &q));
-    let rotated = each(|n| formula("i*omega") * q[n].clone());
+    let (proof, values) = simplify(proof, used, critical.adjoint_says, &scaled, &critical.domain)?;
+    let (p, domain) = named("p", &values, critical.domain.clone());
+    let rate = || formula("i") * critical.frequency.clone();
+    let image = each(|n| critical.at(&forms.linear[n], q));
+    let rotated = each(|n| rate() * q[n].clone());
     let row = dot(&p, &forms.linear);
-    let row = each(|n| row.derivative(&Symbol::new(STATE[n])));
-    let turned = each(|n| formula("i*omega") * p[n].clone());
+    let row = each(|n| row.derivative(&Symbol::new(critical.state[n])));
+    let turned = each(|n| rate() * p[n].clone());
     let proof = proof
         .identity("critical eigenvector: A q = iω q", used, &in_basis(&image), &in_basis(&rotated), &domain)?
         .identity("its adjoint: pᵀA = iω pᵀ", used, &in_basis(&row), &in_basis(&turned), &domain)?;
-    Ok((proof, [q, p], domain))
+    Ok((proof, [q.clone(), p], domain))
 }
 
 /// The names of a vector's components, with their values in the domain: what follows stays short.
@@ -114,9 +128,10 @@ fn named(name: &str, values: &Vector, domain: Domain) -> (Vector, Domain) {
 /// The equation (rate − A) h = source.
 struct Resolvent<'r> {
     name: &'r str,
-    rate: &'r str,
+    rate: &'r Expression,
     source: Vector,
     says: &'r str,
+    critical: &'r Critical<'r>,
 }
 
 impl Resolvent<'_> {
@@ -134,14 +149,15 @@ impl Resolvent<'_> {
             identically_in: &["i"],
             unknowns: &["f_1", "g_1", "f_2", "g_2", "f_3", "g_3"],
         };
-        let parts = solve(&proof, used, &conditions, on_transition())?;
+        let parts = solve(&proof, used, &conditions, self.critical.domain.clone())?;
         let (h, domain) = named(self.name, &each(|n| parts.substituted(&unknown[n])), domain);
         let rest = in_basis(&self.rest(forms, &h));
         Ok((proof.identity(self.says, used, &rest, &formula("0"), &domain)?, h, domain))
     }
 
     fn rest(&self, forms: &Forms, h: &Vector) -> Vector {
-        each(|n| formula(self.rate) * h[n].clone() - at(&forms.linear[n], h) - self.source[n].clone())
+        let image = |n: usize| self.critical.at(&forms.linear[n], h);
+        each(|n| self.rate.clone() * h[n].clone() - image(n) - self.source[n].clone())
     }
 }
 
@@ -149,24 +165,27 @@ fn each(part: impl Fn(usize) -> Expression) -> Vector {
     [0, 1, 2].map(part)
 }
 
-/// A form at a vector.
-fn at(form: &Expression, vector: &Vector) -> Expression {
-    form.substitute(
-        &STATE.iter().zip(vector).map(|(name, value)| (Symbol::new(name), value.clone())).collect(),
-    )
-}
+impl Critical<'_> {
+    /// A form at a vector.
+    fn at(&self, form: &Expression, vector: &Vector) -> Expression {
+        let values = self.state.iter().zip(vector).map(|(name, value)| (Symbol::new(name), value.clone()));
+        form.substitute(&values.collect())
+    }
 
-/// The bilinear form B(v, w) of the quadratic part B(v, v)/2.
-fn polar(quadratic: &Vector, v: &Vector, w: &Vector) -> Vector {
-    let sum = each(|n| v[n].clone() + w[n].clone());
-    each(|n| at(&quadratic[n], &sum) - at(&quadratic[n], v) - at(&quadratic[n], w))
-}
+    /// The bilinear form B(v, w) of the quadratic part B(v, v)/2.
+    fn polar(&self, quadratic: &Vector, v: &Vector, w: &Vector) -> Vector {
+        let sum = each(|n| v[n].clone() + w[n].clone());
+        let at = |n: usize, vector| self.at(&quadratic[n], vector);
+        each(|n| at(n, &sum) - at(n, v) - at(n, w))
+    }
 
-/// The trilinear form C(v, v, w) of the cubic part C(v, v, v)/6: T(v + w) − T(v − w) − 2T(w).
-fn third(cubic: &Vector, v: &Vector, w: &Vector) -> Vector {
-    let sum = each(|n| v[n].clone() + w[n].clone());
-    let difference = each(|n| v[n].clone() - w[n].clone());
-    each(|n| at(&cubic[n], &sum) - at(&cubic[n], &difference) - formula("2") * at(&cubic[n], w))
+    /// The trilinear form C(v, v, w) of the cubic part C(v, v, v)/6: T(v + w) − T(v − w) − 2T(w).
+    fn third(&self, cubic: &Vector, v: &Vector, w: &Vector) -> Vector {
+        let sum = each(|n| v[n].clone() + w[n].clone());
+        let difference = each(|n| v[n].clone() - w[n].clone());
+        let at = |n: usize, vector| self.at(&cubic[n], vector);
+        each(|n| at(n, &sum) - at(n, &difference) - formula("2") * at(n, w))
+    }
 }
 
 fn dot(left: &Vector, right: &Vector) -> Expression {

@@ -1,6 +1,7 @@
 //! The nonlinear slider in logarithms, derived from eqs 1-4: three variables, three groups.
 
 use super::expansion::in_basis;
+use super::projection::Critical;
 use crate::friction::EvolutionLaw;
 use crate::polynomial::{Domain, Expression, Proof, Refutation, Symbol};
 use crate::theory::Equations;
@@ -31,6 +32,23 @@ pub(super) fn by_groups() -> Domain {
         ("b", "beta*a", "beta", "b/a"),
     ];
     in_parameters(any().and_positive("X Y"), &groups)
+}
+
+impl Slider {
+    /// The slider on K = K_c with the eigenvectors of its pair ±iω; the x-component is 1.
+    pub fn critical(&self) -> Critical<'static> {
+        let q = ["1", "-(1 - i*omega)/(1 + omega^2)", "i*omega*(1 + eta)"].map(formula);
+        let adjoint = ["1", "-(1 - i*omega)/eta", "-i/(omega*eta)"].map(formula);
+        Critical {
+            state: STATE,
+            rates: self.rates.clone(),
+            names: "x, y, ζ on K = K_c",
+            frequency: formula("omega"),
+            domain: on_transition(),
+            eigenvectors: [q, adjoint],
+            adjoint_says: "p = (1, −(1 − iω)/η, −i/(ωη))/l with l its product with q, so that ⟨p, q⟩ = 1",
+        }
+    }
 }
 
 /// Derives the slider and shows that it rests at the origin.

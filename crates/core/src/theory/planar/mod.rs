@@ -11,8 +11,6 @@ mod ratio;
 mod region;
 mod steps;
 
-use std::collections::BTreeMap;
-
 use crate::polynomial::{Domain, Expression, Proof, Refutation, Symbol};
 use steps::Steps;
 
@@ -90,14 +88,14 @@ impl PlanarSystem {
             .fold(Expression::integer(0), |sum, (slope, rate)| sum + slope * rate.clone())
     }
 
-    /// The system with values in place of names.
+    /// The system with each of its expressions changed.
     #[must_use]
-    pub fn with(&self, values: &BTreeMap<Symbol, Expression>) -> Self {
-        let replaced = |both: &[Expression; 2]| [0, 1].map(|index| both[index].substitute(values));
+    pub fn map(&self, change: impl Fn(&Expression) -> Expression) -> Self {
+        let changed = |both: &[Expression; 2]| both.each_ref().map(&change);
         Self {
             state: self.state.clone(),
-            rates: replaced(&self.rates),
-            steady: self.steady.as_ref().map(replaced),
+            rates: changed(&self.rates),
+            steady: self.steady.as_ref().map(changed),
         }
     }
 
@@ -122,19 +120,61 @@ impl MotionLemma {
         }
     }
 
-    /// Proves the hypotheses and concludes. `domains` are forms of one domain, each of which reaches every point of it; a step is
+    /// The expressions that state it, each with its word.
+    #[must_use]
+    pub fn expressions(&self) -> Vec<(&'static str, &Expression)> {
+        match self {
+            Self::Periodic { quantity } | Self::LateDeceleration { quantity, .. } => {
+                vec![("quantity", quantity)]
+            }
+            Self::Attraction { quantity, zero } => vec![("quantity", quantity), ("zero", zero)],
+            Self::Escape { quantity, zero, threshold, growth, .. } => {
+                vec![("quantity", quantity), ("zero", zero), ("threshold", threshold), ("growth", growth)]
+            }
+            Self::Runaway { region, growth, .. } => vec![("region", region), ("growth", growth)],
+            Self::Deceleration { region, .. } => vec![("region", region)],
+        }
+    }
+
+    /// The lemma with each of its expressions changed.
+    #[must_use]
+    pub fn map(&self, change: impl Fn(&Expression) -> Expression) -> Self {
+        match self {
+            Self::Periodic { quantity } => Self::Periodic { quantity: change(quantity) },
+            Self::Attraction { quantity, zero } => {
+                Self::Attraction { quantity: change(quantity), zero: change(zero) }
+            }
+            Self::Escape { quantity, zero, grows, threshold, growth } => Self::Escape {
+                quantity: change(quantity),
+                zero: change(zero),
+                grows: *grows,
+                threshold: change(threshold),
+                growth: change(growth),
+            },
+            Self::Runaway { region, grows, growth } => {
+                Self::Runaway { region: change(region), grows: *grows, growth: change(growth) }
+            }
+            Self::Deceleration { region, falls } => {
+                Self::Deceleration { region: change(region), falls: *falls }
+            }
+            Self::LateDeceleration { quantity, falls } => {
+                Self::LateDeceleration { quantity: change(quantity), falls: *falls }
+            }
+        }
+    }
+
+    /// Adds the hypotheses and the conclusion to a proof. `domains` are forms of one domain, each of which reaches every point of it; a step is
     /// certified in the first form that allows it. The example of the domains lies in the lemma's region.
     ///
     /// # Errors
     /// The hypothesis that is refused, with what remains of it. The claim may be true for another reason.
     pub fn prove(
         &self,
-        id: &str,
-        statement: &str,
+        start: Proof,
         system: &PlanarSystem,
         domains: &[Domain],
     ) -> Result<Proof, Refutation> {
-        let mut steps = Steps::new(Proof::new(id, statement), system, domains);
+        let mut steps = Steps::new(start, system, domains);
         match self {
             Self::Periodic { quantity } => hill::periodic(&mut steps, quantity)?,
             Self::Attraction { quantity, zero } => hill::attraction(&mut steps, quantity, zero)?,

@@ -53,14 +53,14 @@ fn soft(example: &[(&str, &str)]) -> Vec<Domain> {
 }
 
 fn prove(lemma: &MotionLemma, system: &PlanarSystem, domains: &[Domain]) -> Result<Proof, Refutation> {
-    let proof = lemma.prove("motion", "How it moves.", system, domains)?;
+    let proof = lemma.prove(Proof::new("motion", "How it moves."), system, domains)?;
     assert_eq!(proof.recheck(), Ok(()));
     assert!(!proof.is_certified(), "the conclusion is argued");
     Ok(proof)
 }
 
 fn critical(system: &PlanarSystem) -> PlanarSystem {
-    system.with(&BTreeMap::from([(Symbol::new("B"), formula("A + K*L"))]))
+    system.map(|expression| expression.with("B", &formula("A + K*L")))
 }
 
 fn attraction(quantity: &str, zero: &str) -> MotionLemma {
@@ -84,7 +84,7 @@ fn at_the_critical_stiffness_every_motion_is_periodic() {
     // Minus the quantity is convex and serves as well.
     prove(&periodic(&format!("-({HILL})")), &critical(&loaded()), &domains).unwrap();
     // Another stiffness, and a wrong sign, coefficient or factor.
-    let other = loaded().with(&BTreeMap::from([(Symbol::new("B"), formula("A + 2*K*L"))]));
+    let other = loaded().map(|expression| expression.with("B", &formula("A + 2*K*L")));
     let refused = prove(&periodic(HILL), &other, &domains).unwrap_err();
     assert!(
         refused.statement.contains("rate of the quantity") && refused.remainder.contains('K'),
