@@ -178,10 +178,24 @@ impl<'d> Converter<'d> {
         Some(signs[0]? * signs[1]? * self.sign_of(&norm)?)
     }
 
-    /// The sign that coefficients of one sign give a polynomial in positive variables.
+    /// The sign that coefficients of one sign give a polynomial in variables that are not negative, one of its terms in positive ones.
     fn coefficient_sign(&self, polynomial: &Polynomial) -> Option<i8> {
+        let sign = self.weak_sign(polynomial)?;
+        let positive =
+            |(monomial, _): (&Monomial, _)| monomial.factors().all(|(name, _)| self.is_positive(name));
+        polynomial.terms().any(positive).then_some(sign)
+    }
+
+    /// The sign that a polynomial has unless it is zero.
+    fn weak_sign(&self, polynomial: &Polynomial) -> Option<i8> {
         let sign = polynomial.coefficient_sign()?;
-        polynomial.variables().iter().all(|name| self.is_positive(name)).then_some(sign)
+        let not_negative = |name: &Symbol| {
+            let says = |(known, relation): &(Polynomial, Relation)| {
+                *relation != Relation::NonZero && *known == Polynomial::variable(name.as_str())
+            };
+            self.is_positive(name) || self.conditions.iter().any(says)
+        };
+        polynomial.variables().iter().all(not_negative).then_some(sign)
     }
 
     /// The polynomial divided by the factors that a condition speaks of, as often as it goes, and whether one did.
@@ -307,7 +321,7 @@ impl<'d> Converter<'d> {
     /// Do the assumptions exclude that the function is negative?
     fn never_negative(&self, function: &RationalFunction) -> bool {
         let (rest, _) = self.without_factors(function.numerator(), |relation| relation != Relation::NonZero);
-        let signs = self.coefficient_sign(&rest).zip(self.polynomial_sign(function.denominator()));
+        let signs = self.weak_sign(&rest).zip(self.polynomial_sign(function.denominator()));
         signs.is_some_and(|(upper, lower)| upper * lower > 0)
     }
 }

@@ -1,11 +1,46 @@
-//! The value of an expression at given numbers, enclosed.
+//! The value of an expression at given numbers: exact where it is rational, or enclosed.
 
 use std::collections::BTreeMap;
 
 use super::{Expression, Function, Symbol};
-use crate::number::{Ball, Field, Real};
+use crate::number::{Ball, Field, Rational, Real};
 
 impl Expression {
+    /// The exact value with these numbers for the variables; none when a variable has no number, when the value does not exist, and
+    /// when a step of it is not rational.
+    #[must_use]
+    pub fn rational_value(&self, values: &BTreeMap<Symbol, Rational>) -> Option<Rational> {
+        let go = |inner: &Self| inner.rational_value(values);
+        Some(match self {
+            Self::Number(value) => value.clone(),
+            Self::Variable(name) => values.get(name)?.clone(),
+            Self::Sum(parts) => parts.iter().try_fold(Rational::new(), |sum, part| Some(sum + go(part)?))?,
+            Self::Product(parts) => {
+                parts.iter().try_fold(Rational::from(1), |product, part| Some(product * go(part)?))?
+            }
+            Self::Quotient(left, right) => go(left)? / Some(go(right)?).filter(|below| !below.is_zero())?,
+            Self::Negation(inner) => -go(inner)?,
+            Self::Power(inner, exponent) => {
+                let base = Some(go(inner)?).filter(|base| *exponent > 0 || !base.is_zero())?;
+                rug::ops::Pow::pow(base, *exponent)
+            }
+            Self::Call(Function::Abs, inner) => go(inner)?.abs(),
+            Self::Call(Function::Sqrt, inner) => {
+                let square = go(inner)?;
+                let is_square = square.numer().is_perfect_square() && square.denom().is_perfect_square();
+                let (above, below) = Some(square).filter(|_| is_square)?.into_numer_denom();
+                Rational::from((above.sqrt(), below.sqrt()))
+            }
+            Self::Call(Function::Ln, inner) => {
+                Some(Rational::new()).filter(|_| go(inner).is_some_and(|one| one == 1))?
+            }
+            Self::Call(Function::Exp, inner) => {
+                Some(Rational::from(1)).filter(|_| go(inner).is_some_and(|zero| zero.is_zero()))?
+            }
+            Self::Call(Function::Asinh, inner) => go(inner).filter(Rational::is_zero)?,
+        })
+    }
+
     /// The value with these numbers for the variables; none when a variable has no number, or for a logarithm, an
     /// exponential or an inverse hyperbolic sine.
     #[must_use]
@@ -38,7 +73,6 @@ impl Expression {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::number::Rational;
 
     fn value(text: &str) -> Option<Ball> {
         let numbers = [("x", 3), ("y", -4)];

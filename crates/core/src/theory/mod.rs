@@ -52,6 +52,7 @@ mod reading;
 mod real_roots;
 #[doc(hidden)]
 pub mod regularised;
+pub mod root_location;
 #[doc(hidden)]
 pub mod steady_state;
 #[doc(hidden)]

@@ -1,6 +1,7 @@
 //! Formulas and assumptions that the proofs share.
 
 use super::Equations;
+use super::root_location::polynomial_coefficients;
 use crate::polynomial::{
     Domain, Expression, Polynomial, Proof, RationalFunction, Refutation, Relation, Symbol, discriminant,
 };
@@ -134,20 +135,12 @@ pub(super) fn coefficients<const COUNT: usize>(
     variable: &str,
 ) -> Result<[Expression; COUNT], Refutation> {
     let function = rational(proof, equation, expression, &any())?;
-    let name = Symbol::new(variable);
-    let says = format!("a polynomial of degree {} in {variable}", COUNT - 1);
-    if function.denominator().degree(&name) > 0 || function.hides(&name).is_some() {
-        return Err(proof.refute(&says, equation, expression.to_string()));
-    }
-    let parts = function.numerator().coefficients(&name).into_iter();
-    let quotient = |part: Polynomial| {
-        RationalFunction::new(part, function.denominator().clone())
-            .map(|quotient| Expression::from(&quotient))
-    };
-    let parts: Option<Vec<Expression>> = parts.map(quotient).collect();
-    parts
+    polynomial_coefficients(&function, &Symbol::new(variable))
         .and_then(|parts| <[Expression; COUNT]>::try_from(parts).ok())
-        .ok_or_else(|| proof.refute(&says, equation, expression.to_string()))
+        .ok_or_else(|| {
+            let says = format!("a polynomial of degree {} in {variable}", COUNT - 1);
+            proof.refute(&says, equation, expression.to_string())
+        })
 }
 
 /// The most terms of a coefficient of eq 8 whose discriminant is multiplied out: it has five terms of degree 4 in them.

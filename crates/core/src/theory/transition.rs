@@ -2,10 +2,11 @@
 
 use super::Equations;
 use super::notation::{
-    any, coefficients, crossing, formula, given_positive, in_parameters, rational, stronger_direct_effect,
-    weakening_by_square, weaker_direct_effect,
+    any, coefficients, crossing, formula, rational, stronger_direct_effect, weakening_by_square,
+    weaker_direct_effect,
 };
-use crate::polynomial::{Domain, Expression, Proof, Refutation, Relation, Symbol, Toward};
+use super::root_location::positive_coefficients;
+use crate::polynomial::{Expression, Proof, Refutation, Relation, Symbol, Toward};
 
 /// The system is stable exactly when K > K_c of eq 9, and a pair is imaginary exactly when K = K_c (claim S1).
 ///
@@ -22,7 +23,7 @@ pub fn stability(equations: &Equations) -> Result<Proof, Refutation> {
     let hurwitz = c2.clone() * c1 - c3.clone() * c0.clone();
     let margin = formula("a/(V_0*sigma)") * (formula("K") - equations.right("9"));
     let critical = critical_stiffness(&proof, &hurwitz)?;
-    hurwitz_lemma(proof)?
+    positive_coefficients(proof)?
         .positive("the cubic coefficient of eq 8", &["8"], &c3, &any())?
         .positive("the quadratic coefficient of eq 8", &["8"], &c2, &any())?
         .positive("the constant coefficient of eq 8", &["8"], &c0, &any())?
@@ -45,79 +46,6 @@ fn critical_stiffness(proof: &Proof, hurwitz: &Expression) -> Result<Expression,
         .checked_div(&slope)
         .map(|critical| Expression::from(&critical))
         .ok_or_else(|| proof.refute("the Hurwitz determinant depends on K", &["8"], hurwitz.to_string()))
-}
-
-/// Routh and Hurwitz for a cubic with c3, c2, c0 > 0: the sign of c2 c1 − c3 c0 is minus that of the pair's real part.
-fn hurwitz_lemma(proof: Proof) -> Result<Proof, Refutation> {
-    let falling_or_zero = Domain::positive("u Q");
-    let falling = given_positive(falling_or_zero.clone(), "-T", &[("T", "-1")]);
-    let rising = given_positive(Domain::positive("u Q T"), "u - T", &[("u", "2")]);
-    let determinant = formula("(u - T)*(Q - u*T) - u*Q");
-    let factor = formula("u^2 - u*T + Q");
-    let zero = formula("0");
-    let cubic = formula("c_3*s^3 + c_2*s^2 + c_1*s + c_0");
-    let positive = Domain::positive("c_3 c_2 c_0");
-    // −u is a root when c_1 is this; the other two have the sum T = u − c_2/c_3 and the product Q = c_0/(c_3 u).
-    let with_root = positive.clone().and_positive("u").with("c_1", formula("c_0/u + c_2*u - c_3*u^2"));
-    let factors = formula("c_3*(s + u)*(s^2 - T*s + Q)");
-    let factors = factors.with("T", &formula("u - c_2/c_3")).with("Q", &formula("c_0/(c_3*u)"));
-    proof
-        .root(
-            "a cubic with c3, c2, c0 > 0 has a root −u < 0",
-            &[],
-            (&cubic, "s"),
-            [None, Some(&zero)],
-            &positive,
-        )?
-        .identity("it is c3 (s + u)(s² − T s + Q)", &[], &cubic, &factors, &with_root)?
-        .positive("Q = c0/(c3 u)", &[], &formula("c_0/(c_3*u)"), &with_root)?
-        .positive("u − T = c2/c3", &[], &formula("c_2/c_3"), &with_root)?
-        .identity(
-            "(c2 c1 − c3 c0)/c3², with c2/c3 = u − T, c1/c3 = Q − u T, c0/c3 = u Q",
-            &[],
-            &determinant,
-            &(formula("-T") * factor.clone()),
-            &Domain::default(),
-        )?
-        .positive(
-            "the second factor for T = −w < 0",
-            &[],
-            &factor,
-            &in_parameters(falling, &[("T", "-w", "w", "-T")]),
-        )?
-        .positive(
-            "the second factor for T > 0, where u − T = w > 0",
-            &[],
-            &factor,
-            &in_parameters(rising, &[("u", "T + w", "w", "u - T")]),
-        )?
-        .positive(
-            "and for T = 0: c2 c1 − c3 c0 has the sign of −T",
-            &[],
-            &factor.with("T", &zero),
-            &falling_or_zero,
-        )?
-        .identity(
-            "a complex pair x ± iy has T = 2x: its real part has the sign of T",
-            &[],
-            &formula("(s - x - i*y)*(s - x + i*y)"),
-            &formula("s^2 - 2*x*s + x^2 + y^2"),
-            &Domain::default(),
-        )?
-        .identity(
-            "a real pair r, q has T = r + q and rT = r² + Q > 0: both have the sign of T",
-            &[],
-            &formula("r*(r + q)"),
-            &formula("r^2 + Q").with("Q", &formula("r*q")),
-            &Domain::default(),
-        )?
-        .identity(
-            "for T = 0 the pair is ±i√Q",
-            &[],
-            &formula("(s - i*sqrt(Q))*(s + i*sqrt(Q))"),
-            &formula("s^2 + Q"),
-            &Domain::positive("Q"),
-        )
 }
 
 /// K_c is the sum of eqs 10 and 11; the first depends on σ alone, the second on M·V0² alone (claim S2).

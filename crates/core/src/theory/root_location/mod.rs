@@ -1,0 +1,118 @@
+//! Where the roots of a polynomial of degree 1 to 3 lie, as signs of its coefficients, with the proofs of the general lemmas.
+//!
+//! The leading coefficient may have either sign and may vanish: then the statement is that on the polynomial of lower degree.
+//! The polynomial zero has every number as a root.
+
+mod crossing;
+mod half_plane;
+mod real;
+
+pub use crossing::pair_crosses;
+pub(super) use half_plane::positive_coefficients;
+
+use crate::polynomial::{
+    Domain, Expression, Polynomial, Proof, RationalFunction, Refutation, Sign, SignFormula, Symbol,
+};
+
+/// The largest degree of a polynomial whose roots are located.
+pub const MOST_DEGREE: usize = 3;
+
+crate::named! {
+    /// What is said of the roots of a polynomial.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+    pub enum RootStatement {
+        /// Every root has a negative real part.
+        Stable = "stable",
+        /// A root has a positive real part.
+        Unstable = "unstable",
+        /// Every root is real.
+        AllReal = "all_real",
+    }
+}
+
+/// The coefficients of a polynomial in a variable by ascending power; none when it is no polynomial in it of degree 1 to 3.
+#[must_use]
+pub fn coefficients(function: &RationalFunction, variable: &str) -> Option<Vec<Expression>> {
+    let parts = polynomial_coefficients(function, &Symbol::new(variable))?;
+    (2..=MOST_DEGREE + 1).contains(&parts.len()).then_some(parts)
+}
+
+/// The coefficients by ascending power; none where the variable occurs in the denominator or inside a function.
+pub(super) fn polynomial_coefficients(function: &RationalFunction, name: &Symbol) -> Option<Vec<Expression>> {
+    if function.denominator().degree(name) > 0 || function.hides(name).is_some() {
+        return None;
+    }
+    let quotient = |part: Polynomial| {
+        RationalFunction::new(part, function.denominator().clone())
+            .map(|quotient| Expression::from(&quotient))
+    };
+    function.numerator().coefficients(name).into_iter().map(quotient).collect()
+}
+
+/// The polynomial with these coefficients, by ascending power.
+#[must_use]
+pub fn polynomial(coefficients: &[Expression], variable: &str) -> Expression {
+    let term = |(coefficient, power): (&Expression, i32)| match power {
+        0 => coefficient.clone(),
+        _ => coefficient.clone() * Expression::variable(variable).power(power),
+    };
+    coefficients.iter().zip(0..).map(term).fold(Expression::integer(0), |sum, term| term + sum)
+}
+
+impl RootStatement {
+    /// The statement on the polynomial with these coefficients, by ascending power, as signs of expressions in them.
+    #[must_use]
+    pub fn signs(self, coefficients: &[Expression]) -> SignFormula {
+        let Some((leading, lower)) = coefficients.split_last() else {
+            // The polynomial zero.
+            return match self {
+                Self::Unstable => SignFormula::All(Vec::new()),
+                Self::Stable | Self::AllReal => SignFormula::Any(Vec::new()),
+            };
+        };
+        let vanishing = SignFormula::All(vec![SignFormula::sign(leading, Sign::Zero), self.signs(lower)]);
+        let with_leading = match self {
+            Self::AllReal => vec![SignFormula::All(vec![
+                SignFormula::sign(leading, Sign::NonZero),
+                real::signs(coefficients),
+            ])],
+            _ => {
+                let negated: Vec<Expression> = coefficients.iter().map(|one| -one.clone()).collect();
+                vec![self.for_positive_leading(coefficients), self.for_positive_leading(&negated)]
+            }
+        };
+        SignFormula::Any(with_leading.into_iter().chain([vanishing]).collect())
+    }
+
+    /// The leading coefficient is positive, and the statement holds.
+    fn for_positive_leading(self, coefficients: &[Expression]) -> SignFormula {
+        let (leading, lower) = (coefficients.last(), half_plane::conditions(coefficients));
+        let leading = leading.map(|leading| SignFormula::sign(leading, Sign::Positive));
+        let lower = match self {
+            Self::Unstable => SignFormula::Any(
+                lower.iter().map(|one| SignFormula::sign(&-one.clone(), Sign::Positive)).collect(),
+            ),
+            _ => SignFormula::All(lower.iter().map(|one| SignFormula::sign(one, Sign::Positive)).collect()),
+        };
+        SignFormula::All(leading.into_iter().chain([lower]).collect())
+    }
+
+    /// The general lemma behind [`Self::signs`] for polynomials of this degree, which has to be 1 to 3.
+    ///
+    /// # Errors
+    /// Never, unless a step is at fault; the tests prove all of them.
+    pub fn lemma(self, degree: usize) -> Result<Proof, Refutation> {
+        match self {
+            Self::AllReal => real::lemma(degree),
+            Self::Stable | Self::Unstable => half_plane::lemma(degree),
+        }
+    }
+}
+
+/// No assumption at all.
+fn free() -> Domain {
+    Domain::default()
+}
+
+#[cfg(test)]
+mod tests;
