@@ -12,7 +12,7 @@ use crate::report::{
     CardView, ChapterView, ClaimGroupView, ClaimView, EquationView, EvidenceView, FactView, InputView,
     PartView, ProvenanceView, ReadingView, ReportView,
 };
-use crate::scene::{Chapter, ReportPlan};
+use crate::scene::{Chapter, ReportPlan, StatedClaim};
 use slipmode_core::theory::Equations;
 use slipmode_plot::table::Table;
 
@@ -166,15 +166,16 @@ fn strength_of(verdict: Verdict, strength: Strength) -> String {
 
 /// What has to be found: the formulas with their conditions, where formulas decide; several stand with their parts.
 fn acceptance(entry: &Entry) -> String {
-    match entry.stated.as_ref().map(|stated| &stated.parts[..]) {
-        None => plain(&entry.criterion),
-        Some([(_, formula)]) => formula.markdown(),
-        Some(_) => "all parts below hold".into(),
+    let mut parts = entry.stated.iter().flat_map(StatedClaim::parts);
+    match (parts.next(), parts.next()) {
+        (None, _) => plain(&entry.criterion),
+        (Some((_, formula)), None) => formula.markdown(),
+        _ => "all parts below hold".into(),
     }
 }
 
 fn readings(entry: &Entry) -> Vec<ReadingView> {
-    let formulas = entry.stated.iter().flat_map(|stated| &stated.parts);
+    let formulas = entry.stated.iter().flat_map(StatedClaim::parts);
     let mut formulas = formulas.map(|(_, formula)| formula.markdown());
     let mut part = |part: &Part| PartView {
         words_markdown: plain(&part.words),

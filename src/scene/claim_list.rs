@@ -2,7 +2,8 @@
 
 use slipmode_core::theory::Equations;
 
-use crate::scene::claim_formula::{ClaimFormula, FormulaCondition};
+use crate::scene::claim_formula::ClaimFormula;
+use crate::scene::claim_scope::FormulaEntries;
 use crate::scene::document::read_document;
 use crate::scene::section::{Entry, Section};
 use crate::scene::{Faults, Limits, Problem, Verdict, of_word, same_name};
@@ -32,12 +33,28 @@ impl ClaimEntry {
     }
 }
 
-/// A claim as formulas, all of which have to be true.
+/// A claim as formulas.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct StatedClaim {
     /// What of the words the formulas leave out.
     pub leaves_out: String,
-    /// The formulas with their words; one part has the words of the claim.
+    /// The ways to read the claim; the first is the claim as it is written, and decides.
+    pub readings: Vec<StatedReading>,
+}
+
+impl StatedClaim {
+    /// All parts of all readings, in order.
+    pub fn parts(&self) -> impl Iterator<Item = &(String, ClaimFormula)> {
+        self.readings.iter().flat_map(|reading| &reading.parts)
+    }
+}
+
+/// One way to read a claim: formulas, all of which have to be true.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct StatedReading {
+    /// What the claim says in this reading.
+    pub words: String,
+    /// The formulas with their words.
     pub parts: Vec<(String, ClaimFormula)>,
 }
 
@@ -70,12 +87,12 @@ pub fn read_claims(
                 Some(entry) => read_reason(&entry, &stated, expected).map(Some),
             };
             section.finish();
-            let mut stated = stated?;
-            let words = words?;
-            // One formula without parts says what the claim's words say.
-            let unnamed =
-                stated.iter_mut().flat_map(|stated| &mut stated.parts).filter(|(own, _)| own.is_empty());
-            unnamed.for_each(|(own, _)| own.clone_from(&words));
+            let (mut stated, words) = (stated?, words?);
+            // A formula or a list of parts without words of its own says what the claim's words say.
+            for reading in stated.iter_mut().flat_map(|stated| &mut stated.readings) {
+                let own = reading.parts.iter_mut().map(|(own, _)| own).chain([&mut reading.words]);
+                own.filter(|own| own.is_empty()).for_each(|own| own.clone_from(&words));
+            }
             Some(ClaimEntry { id: id?, place: place?, words, expected: expected?, stated, reason: reason? })
         })
     })
@@ -83,15 +100,15 @@ pub fn read_claims(
 
 /// The formulas of a claim; the inner none for a claim without any.
 fn read_stated(section: &mut Section<'_>, equations: Option<&Equations>) -> Option<Option<StatedClaim>> {
-    let formula = section.optional("formula");
-    let given = section.optional("given");
-    let parts = section.optional("part");
-    let leaves_out = section.optional("leaves_out");
-    if formula.is_none() && parts.is_none() {
-        let stray = given.as_ref().or(leaves_out.as_ref());
+    let formula = FormulaEntries::of(section);
+    let [parts, readings, leaves_out] = ["part", "reading", "leaves_out"].map(|key| section.optional(key));
+    if formula.formula.is_none() && parts.is_none() && readings.is_none() {
+        let stray = formula.scope().chain(&leaves_out).next();
         return match stray {
             None => Some(None),
-            Some(entry) => entry.refuse(Problem::Needs("`formula` or [[claim.part]]".into())),
+            Some(entry) => {
+                entry.refuse(Problem::Needs("`formula`, [[claim.part]] or [[claim.reading]]".into()))
+            }
         };
     }
     let leaves_out = match leaves_out {
@@ -102,23 +119,26 @@ fn read_stated(section: &mut Section<'_>, equations: Option<&Equations>) -> Opti
             None
         }
     };
-    let parts = match (formula, parts) {
-        (Some(_), Some(parts)) => {
-            parts.refuse(Problem::Needs("no `formula` beside it: a claim has one or the other".into()))
+    let alone = |parts| vec![StatedReading { words: String::new(), parts }];
+    let readings = match (formula.formula.is_some(), parts, readings) {
+        (true, None, None) => formula.read(equations).map(|formula| alone(vec![(String::new(), formula)])),
+        (false, Some(parts), None) => {
+            formula.no_scope().and_then(|()| read_parts(&parts, equations)).map(alone)
         }
-        (Some(formula), None) => {
-            read_formula(&formula, given.as_ref(), equations).map(|formula| vec![(String::new(), formula)])
-        }
-        (None, parts) => parts?.list(|part| {
-            let mut part = part.section()?;
-            let words = part.text("words", "a text");
-            let formula = part.required("formula", "a formula");
-            let given = part.optional("given");
-            part.finish();
-            Some((words?, read_formula(&formula?, given.as_ref(), equations)?))
+        (false, None, Some(readings)) => formula.no_scope().and_then(|()| {
+            readings.list(|reading| {
+                let mut reading = reading.section()?;
+                let words = reading.text("words", "a text");
+                let parts = reading.required("part", "[[claim.reading.part]] sections");
+                reading.finish();
+                Some(StatedReading { words: words?, parts: read_parts(&parts?, equations)? })
+            })
         }),
+        (_, parts, readings) => readings.or(parts)?.refuse(Problem::Needs(
+            "nothing else beside it: a claim has `formula`, [[claim.part]] or [[claim.reading]]".into(),
+        )),
     };
-    Some(Some(StatedClaim { leaves_out: leaves_out?, parts: parts? }))
+    Some(Some(StatedClaim { leaves_out: leaves_out?, readings: readings? }))
 }
 
 /// Why a claim is out of reach: it has no formula, and is recorded as not checked.
@@ -140,22 +160,17 @@ fn read_reason(
     }
 }
 
-fn read_formula(
-    formula: &Entry<'_>,
-    given: Option<&Entry<'_>>,
-    equations: Option<&Equations>,
-) -> Option<ClaimFormula> {
-    let text = formula.text()?;
-    let equations = equations?;
-    let condition = |entry: &Entry<'_>| {
-        let read = FormulaCondition::read(&entry.text()?, equations);
-        entry.sound(read.map_err(Problem::Equation))
-    };
-    let given = match given {
-        None => Vec::new(),
-        Some(given) => given.list(condition)?,
-    };
-    formula.sound(ClaimFormula::read(&text, given, equations).map_err(Problem::Equation))
+fn read_parts(parts: &Entry<'_>, equations: Option<&Equations>) -> Option<Vec<(String, ClaimFormula)>> {
+    parts.list(|part| {
+        let mut part = part.section()?;
+        let words = part.text("words", "a text");
+        let formula = FormulaEntries::of(&mut part);
+        if formula.formula.is_none() {
+            part.fault("formula", Problem::Missing { allowed: "a formula".into() });
+        }
+        part.finish();
+        Some((words?, formula.read(equations)?))
+    })
 }
 
 fn read_id(

@@ -10,6 +10,7 @@ use crate::scene::nearest;
 /// The names that formulas may use.
 pub struct Names {
     pub(super) variables: BTreeSet<Symbol>,
+    positive: BTreeSet<Symbol>,
     /// What a defined name means, and the number of its equation.
     definitions: BTreeMap<Symbol, (Expression, String)>,
 }
@@ -40,11 +41,17 @@ impl Names {
         }
         definitions.retain(|name, _| !doubled.contains(name));
         variables.retain(|name| !definitions.contains_key(name));
-        Self { variables, definitions }
+        Self { variables, positive: assumed, definitions }
     }
 
     pub(super) fn has(&self, name: &Symbol) -> bool {
         self.variables.contains(name) || self.definitions.contains_key(name)
+    }
+
+    /// Whether a variable is positive by assumption.
+    #[must_use]
+    pub fn is_positive(&self, name: &str) -> bool {
+        self.positive.contains(&Symbol::new(name))
     }
 
     pub(super) fn refusal(&self, unknown: &str) -> String {
@@ -60,6 +67,14 @@ impl Names {
         let meaning =
             |(name, (meaning, _)): (&Symbol, &(Expression, String))| (name.clone(), meaning.clone());
         expression.substitute(&self.definitions.iter().map(meaning).collect())
+    }
+
+    /// The expression with the definitions in place of their names, but for one name, which stands for the roots of a polynomial.
+    #[must_use]
+    pub fn resolved_but(&self, expression: &Expression, name: &str) -> Expression {
+        let own = "root_of_polynomial";
+        self.resolved(&expression.with(name, &Expression::variable(own)))
+            .with(own, &Expression::variable(name))
     }
 
     /// The numbers of the equations that an expression names.

@@ -8,6 +8,7 @@ mod axis;
 mod claim_formula;
 mod claim_list;
 mod claim_names;
+mod claim_scope;
 mod csv_problem;
 pub(crate) mod document;
 mod equations_file;
@@ -25,8 +26,11 @@ pub(crate) mod sections;
 mod verdict;
 
 pub use axis::{Limits, LogAxis, LogCoordinates};
-pub use claim_formula::{ClaimFormula, Comparison, FormulaCondition, Statement};
-pub use claim_list::{ClaimEntry, StatedClaim, read_claims};
+pub use claim_formula::{
+    ClaimFormula, Comparison, Crossing, Formula, FormulaCondition, MOST_CLAUSES, Premises, Scope, Solved,
+    Statement,
+};
+pub use claim_list::{ClaimEntry, StatedClaim, StatedReading, read_claims};
 pub use claim_names::Names;
 pub use csv_problem::CsvProblem;
 pub use equations_file::{paper_faults, read_equations, read_equations_partly};

@@ -265,6 +265,17 @@ impl<'t> Entry<'t> {
         values.into_iter().collect()
     }
 
+    /// A table with any keys, of which every member is read by `read`; `None` when any of them is faulty.
+    pub fn members<T>(&self, mut read: impl FnMut(&str, &Entry<'t>) -> Option<T>) -> Option<Vec<T>> {
+        let section = self.section()?;
+        let member = |(key, value): (&Spanned<DeString<'t>>, &'t Spanned<DeValue<'t>>)| {
+            let entry = Entry { source: self.source, key: section.full_key(key.get_ref()), value };
+            read(key.get_ref(), &entry)
+        };
+        let members: Vec<Option<T>> = section.table.iter().map(member).collect();
+        members.into_iter().collect()
+    }
+
     /// A list of which no member occurs twice; `earlier` names the member that is doubled.
     pub fn distinct<T: PartialEq + Clone>(
         &self,

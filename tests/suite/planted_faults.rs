@@ -4,8 +4,8 @@ use crate::claim_formulas::{claim, report};
 
 #[test]
 fn faults_in_any_equation_are_noticed_by_the_formulas_that_rest_on_it() {
-    let claims = claim(1, "sqrt(right_15*right_16) = sigma_c", &["a < b"], "holds")
-        + &claim(2, "omega_n*eta = sqrt(K*M)*V_0^2/(sigma*a*D_c)", &[], "holds");
+    let claims = claim(1, "sqrt(right_15*right_16) = sigma_c", "given = ['a < b']", "holds")
+        + &claim(2, "omega_n*eta = sqrt(K*M)*V_0^2/(sigma*a*D_c)", "", "holds");
     let place = report(&claims);
     let said = place.run(["verify", "r", "--planted-faults"]).expect_success();
     let line = |equation: &str| said.lines().find(|line| line.starts_with(equation)).unwrap();
@@ -33,7 +33,7 @@ fn formulas_and_their_conditions_stand_typeset_beside_the_words() {
     let part = |words: &str, formula: &str| {
         format!("[[claim.part]]\nwords = \"{words}\"\nformula = \"{formula}\"\ngiven = [\"a < b\"]\n")
     };
-    let claims = claim(1, "K_c > K_c_qs", &["a < b", "K != M"], "holds")
+    let claims = claim(1, "K_c > K_c_qs", "given = ['a < b', 'K != M']", "holds")
         + "[[claim]]\nid = \"C2\"\nplace = \"p\"\nwords = \"Both.\"\nexpected = \"holds\"\nleaves_out = \"a = b\"\n"
         + &part("it rises", "K_c rises with M")
         + &part("it tends", "K_c -> K_c_qs as M -> 0");

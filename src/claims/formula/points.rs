@@ -3,10 +3,9 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use slipmode_core::number::Rational;
-use slipmode_core::polynomial::{Domain, Expression, Relation, Symbol};
-use slipmode_core::theory::Equations;
+use slipmode_core::polynomial::{Expression, Literal, Symbol};
 
-use crate::scene::{ClaimFormula, Names};
+use crate::scene::Premises;
 
 /// A value for each variable.
 pub(super) type Point = BTreeMap<Symbol, Rational>;
@@ -29,53 +28,92 @@ const VALUES: [(u32, u32); 14] = [
     (3, 1),
 ];
 
-/// The points of a fixed sequence that meet the conditions of a formula.
+/// How often a point is moved towards the literals that it does not meet.
+const REPAIRS: usize = 3;
+
+/// The points of a fixed sequence.
 pub(super) struct Points {
+    /// The variables, and whether each is positive.
     variables: Vec<(Symbol, bool)>,
-    conditions: Vec<(Expression, Relation)>,
+    /// The ends of those that have some.
+    within: BTreeMap<Symbol, [Rational; 2]>,
 }
 
 impl Points {
     /// How many points are looked at.
     pub const MOST: usize = 4096;
 
-    pub fn new(formula: &ClaimFormula, names: &Names, equations: &Equations) -> Self {
-        let conditions: Vec<(Expression, Relation)> = formula
-            .given
-            .iter()
-            .map(|condition| (names.resolved(&condition.expression), condition.relation))
-            .collect();
-        let sides = formula.statement.sides().into_iter().map(|side| names.resolved(side));
-        let variables: BTreeSet<Symbol> = sides
-            .chain(conditions.iter().map(|(expression, _)| expression.clone()))
-            .flat_map(|expression| expression.variables())
-            .collect();
-        let is_positive =
-            |name: &Symbol| equations.positive().iter().any(|positive| positive == name.as_str());
-        let variables = variables
-            .into_iter()
-            .map(|name| {
-                let positive = is_positive(&name);
-                (name, positive)
-            })
-            .collect();
-        Self { variables, conditions }
+    /// Points in the variables of these expressions and of the conditions.
+    pub fn new<'e>(
+        premises: &'e Premises,
+        within: &[(String, [Rational; 2])],
+        expressions: impl IntoIterator<Item = &'e Expression>,
+    ) -> Self {
+        let conditions = premises.conditions.iter().map(|condition| &condition.expression);
+        let names: BTreeSet<Symbol> =
+            expressions.into_iter().chain(conditions).flat_map(Expression::variables).collect();
+        let is_variable = |name: &Symbol| !["i", "pm"].contains(&name.as_str());
+        let variables = names.into_iter().filter(is_variable).map(|name| {
+            let positive = premises.positive.contains(&name);
+            (name, positive)
+        });
+        let within = within.iter().map(|(name, ends)| (Symbol::new(name), ends.clone())).collect();
+        Self { variables: variables.collect(), within }
     }
 
-    /// The points in order.
-    pub fn iter(&self) -> impl Iterator<Item = Point> {
-        (0..Self::MOST).map(|index| self.point(index)).filter(|point| self.meets(point))
+    /// The first so many points, each moved so that it meets the literals, where that succeeds.
+    pub fn meeting<'p>(&'p self, literals: &'p [Literal], count: usize) -> impl Iterator<Item = Point> + 'p {
+        (0..count).filter_map(move |index| self.repaired(self.point(index), literals, index))
     }
 
-    /// Whether a point meets the conditions.
-    pub fn meets(&self, point: &Point) -> bool {
-        self.conditions.iter().all(|(expression, relation)| {
-            value(expression, point).is_some_and(|value| match relation {
-                Relation::Positive => value > 0,
-                Relation::NonNegative => value >= 0,
-                Relation::NonZero => value != 0,
+    /// The point moved onto the zeros of expressions, one variable at a time.
+    pub fn edges<'p>(
+        &'p self,
+        point: &'p Point,
+        expressions: &'p [Expression],
+    ) -> impl Iterator<Item = Point> + 'p {
+        let moved = move |expression: &'p Expression| {
+            self.variables.iter().filter_map(move |(name, _)| {
+                let zero = zero(expression, name, point)?;
+                let mut moved = point.clone();
+                moved.insert(name.clone(), zero);
+                self.allows(&moved).then_some(moved)
             })
-        })
+        };
+        expressions.iter().flat_map(moved)
+    }
+
+    /// Whether each positive variable is, and each lies between its ends.
+    fn allows(&self, point: &Point) -> bool {
+        let positive = self.variables.iter().all(|(name, positive)| !positive || point[name] > 0);
+        let inside = |(name, [low, high]): (&Symbol, &[Rational; 2])| {
+            point.get(name).is_none_or(|value| low <= value && value <= high)
+        };
+        positive && self.within.iter().all(inside)
+    }
+
+    fn repaired(&self, mut point: Point, literals: &[Literal], turn: usize) -> Option<Point> {
+        let unmet = |point: &Point| literals.iter().find(|literal| meets(literal, point) != Some(true));
+        for _ in 0..REPAIRS {
+            let Some(literal) = unmet(&point) else { break };
+            let count = self.variables.len().max(1);
+            let names = self.variables.iter().cycle().skip(turn % count).take(count);
+            point = names.filter_map(|(name, _)| self.moved(&point, literal, name)).next()?;
+        }
+        (unmet(&point).is_none() && self.allows(&point)).then_some(point)
+    }
+
+    /// The point with another value of one variable, so that it meets a literal.
+    fn moved(&self, point: &Point, literal: &Literal, name: &Symbol) -> Option<Point> {
+        let zero = zero(&literal.expression, name, point)?;
+        let ends = self.within.get(name).into_iter().flatten().map(|end| Rational::from(end + &zero) / 2);
+        let near = [zero.clone(), zero.clone() + 1, zero.clone() - 1, zero.clone() * 2, zero.clone() / 2];
+        let mut candidates = near.into_iter().chain(ends).map(|value| {
+            let mut moved = point.clone();
+            moved.insert(name.clone(), value);
+            moved
+        });
+        candidates.find(|moved| self.allows(moved) && meets(literal, moved) == Some(true))
     }
 
     /// Point number `index`: the first has 1 everywhere, the others are spread by a linear congruential generator.
@@ -89,10 +127,11 @@ impl Points {
             let place = if index == 0 { 0 } else { next() };
             let value = Rational::from(VALUES[place % VALUES.len()]);
             let sign = if *positive || index == 0 { 0 } else { next() % 3 };
-            let value = match sign {
-                0 => value,
-                1 => -value,
-                _ => Rational::new(),
+            let value = match (self.within.get(name), sign) {
+                (Some([low, high]), _) => low + Rational::from(high - low) * (place % 9) as u32 / 8_u32,
+                (None, 0) => value,
+                (None, 1) => -value,
+                (None, _) => Rational::new(),
             };
             (name.clone(), value)
         });
@@ -100,10 +139,21 @@ impl Points {
     }
 }
 
-/// The exact value of an expression at a point; none where it is not rational or does not exist.
-pub(super) fn value(expression: &Expression, point: &Point) -> Option<Rational> {
-    let at_point = expression.substitute(&super::expressions(point));
-    Domain::default().rational_function(&at_point).ok()?.as_constant()
+/// Whether a literal is true at a point; none where its expression has no rational value.
+pub(super) fn meets(literal: &Literal, point: &Point) -> Option<bool> {
+    Some(literal.sign.admits(literal.expression.rational_value(point)?.cmp0()))
+}
+
+/// The zero of an expression that is linear in a variable, the others as at a point.
+fn zero(expression: &Expression, name: &Symbol, point: &Point) -> Option<Rational> {
+    let at = |value: u32| {
+        let mut point = point.clone();
+        point.insert(name.clone(), Rational::from(value));
+        expression.rational_value(&point)
+    };
+    let [one, two, three] = [at(1)?, at(2)?, at(3)?];
+    let slope = Rational::from(&two - &one);
+    (slope != 0 && Rational::from(&three - &two) == slope).then(|| 1 - one / &slope)
 }
 
 /// A point in words.

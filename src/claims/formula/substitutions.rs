@@ -1,88 +1,176 @@
 //! Forms of the same conditions in which more expressions are quotients of polynomials with coefficients of one sign.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
-use slipmode_core::polynomial::{Domain, Expression, Function, Relation, Symbol};
+use slipmode_core::polynomial::{
+    Domain, Expression, Function, Polynomial, RationalFunction, Relation, Symbol,
+};
 
 /// The domain as it is, and with substitutions that reach every point of its conditions.
 ///
-/// A condition x − r > 0 gives x = r + g with a parameter g > 0, and a variable x under a root x = k² with k > 0. Both under a
-/// root, and the difference of two, give squares of sums and sums of squares.
+/// A condition h x − r > 0 with h > 0 gives x = r/h + g with a parameter g > 0, one with h < 0 gives x = r/h − g, or r/(h (1 + g)) for
+/// a positive x. A variable x under a root becomes x = k² with k > 0. Two variables under roots, and the difference of two, give
+/// squares of sums and sums of squares.
 pub(super) fn domains(domain: &Domain, sides: &[Expression]) -> Vec<Domain> {
-    let rooted: BTreeSet<Symbol> =
-        sides.iter().flat_map(under_roots).flat_map(|inner| inner.variables()).collect();
-    let linear: Vec<(Symbol, Expression, Expression)> = domain
-        .conditions()
-        .iter()
-        .filter(|condition| condition.relation == Relation::Positive)
-        .filter_map(|condition| solved(domain, &condition.expression))
-        .collect();
-    let mut found = vec![domain.clone(), with_squares(domain.clone(), &rooted, &[])];
-    let shifted = linear.iter().zip(0..).fold(domain.clone(), |domain, ((name, rest, condition), number)| {
-        let gap = format!("gap_{number}");
-        domain
-            .with(name.as_str(), rest.clone() + Expression::variable(&gap))
-            .parameter(&gap, condition.clone())
-    });
-    let taken: Vec<Symbol> = linear
-        .iter()
-        .flat_map(|(name, rest, _)| rest.variables().into_iter().chain([name.clone()]))
-        .collect();
-    found.push(shifted.clone());
-    found.push(with_squares(shifted, &rooted, &taken));
-    for (name, rest, condition) in &linear {
-        if let Expression::Variable(smaller) = rest {
-            found.extend(squares_of_pair(domain, &rooted, name, smaller, condition));
+    let form = Form { given: domain, values: BTreeMap::new(), parameters: BTreeMap::new() };
+    let gaps = [false, true].map(|last| form.with_gaps(last));
+    let pairs =
+        form.pairs().into_iter().flat_map(|(larger, smaller)| form.squares_of_pair(&larger, &smaller, sides));
+    let mut found: Vec<Domain> = Vec::new();
+    let plain = [form.clone()].into_iter().chain(gaps);
+    let plain = plain.flat_map(|form| [form.clone(), form.with_squares(sides)]);
+    for form in plain.chain(pairs) {
+        let form = form.domain();
+        if !found.contains(&form) {
+            found.push(form);
         }
     }
     found
 }
 
-/// x = k² for the variables under roots, but for some.
-fn with_squares(domain: Domain, rooted: &BTreeSet<Symbol>, but: &[Symbol]) -> Domain {
-    rooted.iter().filter(|name| domain.is_positive(name) && !but.contains(name)).fold(
-        domain.clone(),
-        |domain, name| {
+/// Variables expressed by positive parameters.
+#[derive(Clone)]
+struct Form<'d> {
+    given: &'d Domain,
+    /// Values of variables in the names that are left.
+    values: BTreeMap<Symbol, Expression>,
+    /// The parameters, in the variables.
+    parameters: BTreeMap<Symbol, Expression>,
+}
+
+impl Form<'_> {
+    fn domain(&self) -> Domain {
+        let with =
+            |domain: Domain, (name, value): (&Symbol, &Expression)| domain.with(name.as_str(), value.clone());
+        let parameter = |domain: Domain, (name, value): (&Symbol, &Expression)| {
+            domain.parameter(name.as_str(), value.clone())
+        };
+        let domain = self.values.iter().fold(self.given.clone(), with);
+        self.parameters.iter().fold(domain, parameter)
+    }
+
+    /// Puts a value in a new parameter in the place of a name; `of_names` is the parameter in the names so far.
+    fn put(&mut self, name: &Symbol, value: &Expression, parameter: &str, of_names: &Expression) {
+        let of_variables = of_names.substitute(&self.parameters);
+        for known in self.values.values_mut() {
+            *known = known.with(name.as_str(), value);
+        }
+        if self.parameters.remove(name).is_none() {
+            self.values.insert(name.clone(), value.clone());
+        }
+        self.parameters.insert(Symbol::new(parameter), of_variables);
+    }
+
+    /// Every condition that a name solves used so; `last` takes the last such name instead of the first.
+    fn with_gaps(&self, last: bool) -> Self {
+        let positive =
+            self.given.conditions().iter().filter(|condition| condition.relation == Relation::Positive);
+        positive.zip(0..).fold(self.clone(), |form, (condition, number)| {
+            form.with_gap(&condition.expression, &format!("gap_{number}"), last).unwrap_or(form)
+        })
+    }
+
+    /// A condition solved for a name in which it is linear.
+    fn with_gap(&self, condition: &Expression, gap: &str, last: bool) -> Option<Self> {
+        let domain = self.domain();
+        let function = domain.rational_function(condition).ok()?;
+        let sign = |polynomial: &Polynomial| domain.sign(&Expression::from(polynomial)).ok().flatten();
+        let mut candidates: Vec<(u8, Symbol, Polynomial, Polynomial, i8)> = function
+            .numerator()
+            .variables()
+            .into_iter()
+            .filter(|name| function.numerator().degree(name) == 1 && function.hides(name).is_none())
+            .filter(|name| !name.as_str().contains('(') && !["i", "pm"].contains(&name.as_str()))
+            .filter_map(|name| {
+                let mut parts = function.numerator().coefficients(&name);
+                let (slope, rest) = (parts.pop()?, parts.pop()?);
+                let upward = sign(&slope)? * sign(function.denominator())?;
+                let rank = u8::from(upward < 0) * 2 + u8::from(slope.as_constant().is_none());
+                Some((rank, name, slope, rest, upward))
+            })
+            .collect();
+        if last {
+            candidates.reverse();
+        }
+        candidates.sort_by_key(|(rank, ..)| *rank);
+        let (_, name, slope, rest, upward) = candidates.into_iter().next()?;
+        let end = Expression::from(&RationalFunction::new(-&rest, slope)?);
+        let (x, g) = (Expression::Variable(name.clone()), Expression::variable(gap));
+        let (value, of_names) = match upward {
+            1 => (end.clone() + g, x - end),
+            _ if domain.is_positive(&name) => {
+                let one = || Expression::integer(1);
+                (end.clone() / (one() + g), end / x - one())
+            }
+            _ => (end.clone() - g, end - x),
+        };
+        let mut form = self.clone();
+        form.put(&name, &value, gap, &of_names);
+        Some(form)
+    }
+
+    /// x = k² for the names under roots.
+    fn with_squares(&self, sides: &[Expression]) -> Self {
+        let domain = self.domain();
+        let open = |inner: &Expression| {
+            let root = domain.rational_function(&inner.clone().call(Function::Sqrt));
+            let is_root = |name: &Symbol| name.as_str().starts_with("sqrt(");
+            root.map_or(true, |root| {
+                root.numerator().variables().iter().chain(&root.denominator().variables()).any(is_root)
+            })
+        };
+        let under = |inner: Expression| {
+            Some(inner).filter(open).and_then(|inner| domain.rational_function(&inner).ok())
+        };
+        let rooted: BTreeSet<Symbol> = sides
+            .iter()
+            .flat_map(under_roots)
+            .filter_map(under)
+            .flat_map(|inner| &inner.numerator().variables() | &inner.denominator().variables())
+            .filter(|name| domain.is_positive(name) && !name.as_str().contains('('))
+            .collect();
+        rooted.into_iter().fold(self.clone(), |mut form, name| {
             let root = format!("root_{name}");
             let square = Expression::variable(&root).power(2);
-            let inverse = Expression::Variable(name.clone()).call(Function::Sqrt);
-            domain.with(name.as_str(), square).parameter(&root, inverse)
-        },
-    )
-}
+            form.put(&name, &square, &root, &Expression::Variable(name.clone()).call(Function::Sqrt));
+            form
+        })
+    }
 
-/// For larger > smaller: smaller = k², and larger = (k + g)² or k² + g².
-fn squares_of_pair(
-    domain: &Domain,
-    rooted: &BTreeSet<Symbol>,
-    larger: &Symbol,
-    smaller: &Symbol,
-    difference: &Expression,
-) -> [Domain; 2] {
-    let [root, gap] = ["root_smaller", "gap_of_roots"];
-    let [k, g] = [root, gap].map(Expression::variable);
-    let square_root = |name: &Symbol| Expression::Variable(name.clone()).call(Function::Sqrt);
-    let start = with_squares(domain.clone(), rooted, &[larger.clone(), smaller.clone()])
-        .with(smaller.as_str(), k.clone().power(2))
-        .parameter(root, square_root(smaller));
-    let of_sum = start
-        .clone()
-        .with(larger.as_str(), (k.clone() + g.clone()).power(2))
-        .parameter(gap, square_root(larger) - square_root(smaller));
-    let of_squares = start
-        .with(larger.as_str(), k.power(2) + g.power(2))
-        .parameter(gap, difference.clone().call(Function::Sqrt));
-    [of_sum, of_squares]
-}
+    /// The conditions larger > smaller between two positive variables.
+    fn pairs(&self) -> Vec<(Symbol, Symbol)> {
+        let conditions =
+            self.given.conditions().iter().filter(|condition| condition.relation == Relation::Positive);
+        let pair = |expression: &Expression| {
+            let function = self.given.rational_function(expression).ok()?;
+            let names: Vec<Symbol> = function.numerator().variables().into_iter().collect();
+            let [one, other] = &names[..] else { return None };
+            let is = |larger: &Symbol, smaller: &Symbol| {
+                let difference = Expression::Variable(larger.clone()) - Expression::Variable(smaller.clone());
+                self.given.difference(expression, &difference).is_ok_and(|rest| rest.is_zero())
+            };
+            let found =
+                [(one, other), (other, one)].into_iter().find(|(larger, smaller)| is(larger, smaller))?;
+            (self.given.is_positive(one) && self.given.is_positive(other))
+                .then(|| (found.0.clone(), found.1.clone()))
+        };
+        conditions.filter_map(|condition| pair(&condition.expression)).collect()
+    }
 
-/// A condition c > 0 as x − r > 0: a positive variable x with slope 1, r = x − c, and c.
-fn solved(domain: &Domain, condition: &Expression) -> Option<(Symbol, Expression, Expression)> {
-    condition.variables().into_iter().filter(|name| domain.is_positive(name)).find_map(|name| {
-        let slope = domain.rational_function(&condition.derivative(&name)).ok()?.as_constant()?;
-        let rest =
-            domain.rational_function(&(Expression::Variable(name.clone()) - condition.clone())).ok()?;
-        (slope == 1).then(|| (name, Expression::from(&rest), condition.clone()))
-    })
+    /// For larger > smaller: smaller = k², and larger = (k + g)² or k² + g².
+    fn squares_of_pair(&self, larger: &Symbol, smaller: &Symbol, sides: &[Expression]) -> [Self; 2] {
+        let [k, g] = ["root_smaller", "gap_of_roots"].map(Expression::variable);
+        let root = |name: &Symbol| Expression::Variable(name.clone()).call(Function::Sqrt);
+        let difference = Expression::Variable(larger.clone()) - Expression::Variable(smaller.clone());
+        let of_sum = ((k.clone() + g.clone()).power(2), root(larger) - root(smaller));
+        let of_squares = (k.clone().power(2) + g.power(2), difference.call(Function::Sqrt));
+        [of_sum, of_squares].map(|(value, gap)| {
+            let mut form = self.clone();
+            form.put(smaller, &k.clone().power(2), "root_smaller", &root(smaller));
+            form.put(larger, &value, "gap_of_roots", &gap);
+            form.with_squares(sides)
+        })
+    }
 }
 
 /// The arguments of the square roots in an expression.

@@ -1,0 +1,335 @@
+//! Certificates that literals contradict each other under the premises of a formula.
+
+use std::cell::Cell;
+
+use slipmode_core::polynomial::{
+    Certificate, Domain, Expression, Extent, Function, Literal, Proof, Relation, Sign, Symbol,
+};
+
+use super::points::Points;
+use super::substitutions::domains;
+use crate::scene::Premises;
+
+/// A step of a proof: its words and its certificate.
+pub(super) type Draft = (String, Certificate);
+
+/// What an expression may come to in a form of the conditions.
+const LARGEST: Extent = Extent { terms: 4000, degree: 200, bits: 1 << 16 };
+
+/// The longest expression that stands in the words of a step; its certificate has it in full.
+const LONGEST_WORDS: usize = 60;
+
+/// How often a case is divided into two.
+const MOST_DIVISIONS: usize = 8;
+
+/// Points among which an example of the assumptions is sought.
+const EXAMPLES: usize = 256;
+
+/// Looks for certificates, with a bound on the work.
+pub(super) struct Prover<'p> {
+    points: &'p Points,
+    attempts: Cell<usize>,
+}
+
+impl<'p> Prover<'p> {
+    /// The most expressions in forms of the conditions of which the sign is looked at.
+    pub const MOST: usize = 400;
+
+    pub fn new(points: &'p Points) -> Self {
+        Self { points, attempts: Cell::new(0) }
+    }
+
+    /// How many expressions were looked at.
+    pub fn attempts(&self) -> usize {
+        self.attempts.get()
+    }
+
+    /// That a clause is true: the negations of its literals contradict each other.
+    pub fn clause(&self, premises: &Premises, clause: &[Literal]) -> Option<Vec<Draft>> {
+        let negated: Vec<Literal> = clause.iter().map(Literal::negated).collect();
+        self.contradiction(premises, negated, MOST_DIVISIONS)
+    }
+
+    /// That no point meets the premises and the literals.
+    pub fn contradiction(
+        &self,
+        premises: &Premises,
+        literals: Vec<Literal>,
+        divisions: usize,
+    ) -> Option<Vec<Draft>> {
+        let (mut premises, mut steps) = (premises.clone(), Vec::new());
+        let Some(literals) = self.solved(&mut premises, literals, &mut steps)? else { return Some(steps) };
+        let found = self.negated(&premises, &literals);
+        if let Some(found) = found {
+            steps.extend(found);
+            return Some(steps);
+        }
+        let all = || literals.iter().chain(&premises.conditions);
+        let open = all().find(|literal| matches!(literal.sign, Sign::NonNegative | Sign::NonZero))?;
+        let divided = [
+            Literal::new(open.expression.clone(), Sign::Positive),
+            match open.sign {
+                Sign::NonNegative => Literal::new(open.expression.clone(), Sign::Zero),
+                _ => Literal::new(-open.expression.clone(), Sign::Positive),
+            },
+        ];
+        let left = divisions.checked_sub(1)?;
+        for case in divided {
+            let mut premises = premises.clone();
+            premises.conditions.retain(|known| known != open);
+            let others = literals.iter().filter(|known| *known != open).cloned().chain([case]).collect();
+            steps.extend(self.contradiction(&premises, others, left)?);
+        }
+        Some(steps)
+    }
+
+    /// The literals with every equation solved and put in. None without a proof of a step; an inner none when one is false.
+    #[allow(clippy::option_option)]
+    fn solved(
+        &self,
+        premises: &mut Premises,
+        literals: Vec<Literal>,
+        steps: &mut Vec<Draft>,
+    ) -> Option<Option<Vec<Literal>>> {
+        let mut rest = literals;
+        loop {
+            let equation = rest.iter().enumerate().filter(|(_, literal)| literal.sign == Sign::Zero);
+            let found = equation.into_iter().find_map(|(at, literal)| {
+                let names = literal.expression.variables().into_iter();
+                let solved = names.filter_map(|name| premises.solve(&literal.expression, &name)).next()?;
+                Some((at, solved))
+            });
+            let Some((at, solved)) = found else { break };
+            rest.remove(at);
+            let domain = self.domain(premises, &[])?;
+            let (name, value) = (Expression::Variable(solved.variable.clone()), solved.value.clone());
+            let left = solved.expression.clone() / solved.slope.clone();
+            let says =
+                format!("{} is zero exactly for {name} = {}", short(&solved.expression), short(&value));
+            steps.push((says, self.certified(Certificate::Identity { left, right: name - value, domain })?));
+            let replaced = |literal: &Literal| {
+                Literal::new(literal.expression.with(solved.variable.as_str(), &solved.value), literal.sign)
+            };
+            rest = rest.iter().map(replaced).collect();
+            let assumed = premises.conditions.iter().map(replaced);
+            let positive = premises.positive.contains(&solved.variable);
+            let own = positive.then(|| Literal::new(solved.value.clone(), Sign::Positive));
+            let all: Vec<Literal> = assumed.chain(own).collect();
+            let constant =
+                all.iter().find_map(|literal| self.impossible(premises, literal, &solved.variable));
+            if let Some(step) = constant {
+                steps.push(step);
+                return Some(None);
+            }
+            premises.put(solved).ok()?;
+        }
+        if let Some(step) =
+            rest.iter().find_map(|literal| self.impossible(premises, literal, &Symbol::new("")))
+        {
+            steps.push(step);
+            return Some(None);
+        }
+        let constant =
+            |literal: &Literal| premises.domain().rational_function(&literal.expression).ok()?.as_constant();
+        rest.retain(|literal| constant(literal).is_none());
+        Some(Some(rest))
+    }
+
+    /// The step that a literal compares a number with zero, and is false.
+    fn impossible(&self, premises: &Premises, literal: &Literal, without: &Symbol) -> Option<Draft> {
+        let mut premises = premises.clone();
+        premises.positive.remove(without);
+        premises.conditions.retain(|condition| !condition.expression.variables().contains(without));
+        let value = premises.domain().rational_function(&literal.expression).ok()?.as_constant()?;
+        if literal.sign.admits(value.cmp0()) {
+            return None;
+        }
+        let right = Expression::Number(value);
+        let says = format!("{} is {right} there: this case does not occur", short(&literal.expression));
+        let domain = self.domain(&premises, &[])?;
+        let certificate = Certificate::Identity { left: literal.expression.clone(), right, domain };
+        Some((says, self.certified(certificate)?))
+    }
+
+    /// The negation of one literal from the others and the premises, or that of a premise.
+    fn negated(&self, premises: &Premises, literals: &[Literal]) -> Option<Vec<Draft>> {
+        let others = |at: usize| -> Vec<Literal> {
+            literals
+                .iter()
+                .enumerate()
+                .filter(|(other, _)| *other != at)
+                .map(|(_, one)| one.clone())
+                .collect()
+        };
+        let goals = literals
+            .iter()
+            .enumerate()
+            .find_map(|(at, literal)| self.shown_by_some(&literal.negated(), premises, &others(at)));
+        goals.or_else(|| {
+            premises.conditions.iter().enumerate().find_map(|(at, condition)| {
+                let mut premises = premises.clone();
+                premises.conditions.remove(at);
+                self.shown_by_some(&condition.negated(), &premises, literals)
+            })
+        })
+    }
+
+    /// The goal from the premises and all of the literals, or from as many of them as have an example.
+    fn shown_by_some(&self, goal: &Literal, premises: &Premises, literals: &[Literal]) -> Option<Vec<Draft>> {
+        if let Some(domain) = self.domain(premises, literals) {
+            return self.goal(goal, &domain, literals);
+        }
+        let alone = self.domain(premises, &[]);
+        alone.and_then(|domain| self.goal(goal, &domain, &[])).or_else(|| {
+            literals.iter().find_map(|one| {
+                let one = std::slice::from_ref(one);
+                self.goal(goal, &self.domain(premises, one)?, one)
+            })
+        })
+    }
+
+    /// The premises and literals as a domain with an example; none where no example is found.
+    pub fn domain(&self, premises: &Premises, literals: &[Literal]) -> Option<Domain> {
+        let mut assumed = premises.clone();
+        assumed.conditions.extend(literals.iter().filter(|literal| literal.sign != Sign::Zero).cloned());
+        let point = self.points.meeting(&assumed.conditions, EXAMPLES).next()?;
+        let named = assumed.conditions.iter().flat_map(|literal| literal.expression.variables());
+        let named: std::collections::BTreeSet<Symbol> = named.collect();
+        let values = point.into_iter().filter(|(name, _)| named.contains(name));
+        Some(values.fold(assumed.domain(), |domain, (name, value)| {
+            domain.example(name.as_str(), Expression::Number(value))
+        }))
+    }
+
+    /// A literal under the assumptions of a domain; `from` is named in the words of the steps.
+    fn goal(&self, goal: &Literal, domain: &Domain, from: &[Literal]) -> Option<Vec<Draft>> {
+        let given: Vec<String> = from.iter().map(words).collect();
+        let given = if given.is_empty() { String::new() } else { format!(", where {}", given.join(" and ")) };
+        let says = format!("{}{given}", words(goal));
+        self.shown(goal, domain, 2).map(|steps| {
+            let count = steps.len();
+            let named = |(at, (own, certificate)): (usize, Draft)| {
+                (if at + 1 == count { says.clone() } else { own }, certificate)
+            };
+            steps.into_iter().enumerate().map(named).collect()
+        })
+    }
+
+    fn shown(&self, goal: &Literal, domain: &Domain, depth: usize) -> Option<Vec<Draft>> {
+        let Literal { expression, sign } = goal;
+        let forms = domains(domain, std::slice::from_ref(expression));
+        let opposite = -expression.clone();
+        let identity = |left: Expression, right: Expression| {
+            forms.iter().find_map(|form| {
+                let equal = self.counted(&left, form)
+                    && form.difference(&left, &right).is_ok_and(|rest| rest.is_zero());
+                let certificate = || Certificate::Identity {
+                    left: left.clone(),
+                    right: right.clone(),
+                    domain: form.clone(),
+                };
+                equal.then(|| self.certified(certificate())).flatten()
+            })
+        };
+        let positive = |expression: &Expression| {
+            forms
+                .iter()
+                .find_map(|form| self.positive(expression, form))
+                .or_else(|| self.by_quotient(expression, domain))
+        };
+        let single = |certificate: Certificate| vec![(words(goal), certificate)];
+        let zero = Expression::integer(0);
+        match sign {
+            Sign::Zero => identity(expression.clone(), zero).map(single),
+            Sign::Positive => {
+                positive(expression).map(single).or_else(|| self.by_squares(goal, domain, depth))
+            }
+            Sign::NonNegative => {
+                let root = expression.clone().call(Function::Sqrt).power(2);
+                let direct = positive(expression).or_else(|| identity(root, expression.clone()));
+                direct.map(single).or_else(|| self.by_squares(goal, domain, depth))
+            }
+            Sign::NonZero => {
+                let inverse = expression.clone() * expression.clone().power(-1);
+                let direct = positive(expression).or_else(|| positive(&opposite));
+                direct.or_else(|| identity(inverse, Expression::integer(1))).map(single)
+            }
+        }
+    }
+
+    /// Whether the work allows one more expression, and it is not too large in a form of the conditions.
+    fn counted(&self, expression: &Expression, form: &Domain) -> bool {
+        self.attempts.set(self.attempts.get() + 1);
+        self.attempts.get() <= Self::MOST && form.substituted(expression).check_extent(LARGEST).is_ok()
+    }
+
+    fn positive(&self, expression: &Expression, form: &Domain) -> Option<Certificate> {
+        let is_positive = self.counted(expression, form) && form.sign(expression) == Ok(Some(1));
+        let certificate =
+            || Certificate::Sign { expression: expression.clone(), sign: 1, domain: form.clone() };
+        is_positive.then(|| self.certified(certificate())).flatten()
+    }
+
+    /// The quotient by a condition that is positive has the sign of the expression.
+    fn by_quotient(&self, expression: &Expression, domain: &Domain) -> Option<Certificate> {
+        let positive =
+            domain.conditions().iter().filter(|condition| condition.relation == Relation::Positive);
+        let mut quotients = positive.map(|condition| expression.clone() / condition.expression.clone());
+        quotients.find_map(|quotient| self.positive(&quotient, domain))
+    }
+
+    /// 4A(A x² + B x + C) = (2A x + B)² + 4AC − B², where A and 4AC − B² are positive.
+    fn by_squares(&self, goal: &Literal, domain: &Domain, depth: usize) -> Option<Vec<Draft>> {
+        let depth = depth.checked_sub(1)?;
+        let function = domain.rational_function(&goal.expression).ok()?;
+        function
+            .numerator()
+            .variables()
+            .into_iter()
+            .filter(|name| function.numerator().degree(name) == 2)
+            .find_map(|name| {
+                if function.denominator().degree(&name) > 0
+                    || function.hides(&name).is_some()
+                    || name.as_str().contains('(')
+                {
+                    return None;
+                }
+                let below = Expression::from(function.denominator());
+                let [c, b, a]: [Expression; 3] = function
+                    .numerator()
+                    .coefficients(&name)
+                    .iter()
+                    .map(|one| Expression::from(one) / below.clone())
+                    .collect::<Vec<_>>()
+                    .try_into()
+                    .ok()?;
+                let four = || Expression::integer(4);
+                let rest = four() * a.clone() * c - b.clone().power(2);
+                let square =
+                    (Expression::integer(2) * a.clone() * Expression::Variable(name.clone()) + b).power(2);
+                let mut steps = self.shown(&Literal::new(a.clone(), Sign::Positive), domain, depth)?;
+                steps.extend(self.shown(&Literal::new(rest.clone(), goal.sign), domain, depth)?);
+                let (left, right) = (four() * a * goal.expression.clone(), square + rest);
+                let certificate = Certificate::Identity { left, right, domain: domain.clone() };
+                steps.push((words(goal), self.certified(certificate)?));
+                Some(steps)
+            })
+    }
+
+    /// The certificate, if its check succeeds.
+    pub fn certified(&self, certificate: Certificate) -> Option<Certificate> {
+        let proof = Proof::new("attempt", "").certify("", &[], certificate).ok()?;
+        proof.steps.into_iter().next()?.certificate
+    }
+}
+
+/// An expression for the words of a step.
+fn short(expression: &Expression) -> String {
+    let text = expression.to_string();
+    if text.chars().count() > LONGEST_WORDS { "the expression".into() } else { text }
+}
+
+/// A literal in words.
+fn words(literal: &Literal) -> String {
+    format!("{}{}", short(&literal.expression), literal.sign.as_str())
+}

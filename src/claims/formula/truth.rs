@@ -1,0 +1,185 @@
+//! Formulas that are true or false at each point.
+
+use std::cell::RefCell;
+
+use slipmode_core::polynomial::{Certificate, Domain, Expression, Literal, Proof, Sign, SignFormula};
+
+use super::Problem;
+use super::lowering::{Lowered, words};
+use super::points::{self, Point, Points};
+use super::prover::{Draft, Prover};
+use crate::claims::Finding;
+use crate::scene::{Comparison, Formula, MOST_CLAUSES, Premises};
+
+/// Points that are looked at before a proof is sought, and whose neighbours on the edges of the literals are looked at too.
+const FIRST_POINTS: usize = 64;
+
+impl Problem<'_> {
+    /// The finding on a formula for all points that meet the conditions.
+    pub(super) fn for_all(&self, formula: &Formula, lowered: &Lowered) -> Finding {
+        let expressions = lowered.expressions();
+        let points = self.points(&expressions);
+        let prover = Prover::new(&points);
+        if prover.domain(&self.premises, &[]).is_none() {
+            return Finding::not_checked(format!(
+                "None of {} points meets the conditions, so that they may be impossible.",
+                Points::MOST
+            ));
+        }
+        if let Some(found) = self.refuted(formula, lowered, &points, FIRST_POINTS) {
+            return found;
+        }
+        let tried = match self.proved(formula, lowered, &prover) {
+            Ok(proof) => return Finding::from_proof(Ok(proof)),
+            Err(tried) => tried,
+        };
+        self.refuted(formula, lowered, &points, Points::MOST).unwrap_or_else(|| {
+            let points = Points::MOST;
+            Finding::not_checked(format!("Not decided: {tried}, and {points} points do not refute it."))
+        })
+    }
+
+    fn proved(&self, formula: &Formula, lowered: &Lowered, prover: &Prover<'_>) -> Result<Proof, String> {
+        let start = self.start(prover)?;
+        let domain = prover.domain(&self.premises, &[]).unwrap_or_default();
+        if let Formula::Compare(left, Comparison::Equal, right) = formula {
+            let [left, right] = [left, right].map(|side| self.put_in(side));
+            let same = start.clone().identity("both sides", &self.numbers(), &left, &right, &domain);
+            if let Ok(proof) = same {
+                return Ok(proof);
+            }
+        }
+        let start = self.with_lemmas(start, lowered, &domain)?;
+        self.with_signs(start, &lowered.signs, &self.premises, prover)
+    }
+
+    /// The general lemmas that the predicates rest on, and the coefficients of their polynomials.
+    pub(super) fn with_lemmas(
+        &self,
+        start: Proof,
+        lowered: &Lowered,
+        domain: &Domain,
+    ) -> Result<Proof, String> {
+        let start = lowered.lemmas.iter().cloned().fold(start, Proof::using);
+        let polynomials = lowered.polynomials.iter().try_fold(start, |proof, (says, left, right)| {
+            proof.identity(says, &self.numbers(), left, right, domain)
+        });
+        polynomials.map_err(|error| error.to_string())
+    }
+
+    /// Adds the steps that signs are true everywhere under the premises.
+    pub(super) fn with_signs(
+        &self,
+        start: Proof,
+        signs: &SignFormula,
+        premises: &Premises,
+        prover: &Prover<'_>,
+    ) -> Result<Proof, String> {
+        let domain = prover.domain(premises, &[]).ok_or("no point meets the conditions")?;
+        let known: RefCell<Vec<Draft>> = RefCell::default();
+        let is_known = |literal: &Literal| {
+            let (truth, says, certificate) = certain(literal, &domain)?;
+            let mut known = known.borrow_mut();
+            if !known.iter().any(|(_, other)| *other == certificate) {
+                known.push((says.into(), certificate));
+            }
+            Some(truth)
+        };
+        let single = matches!(signs, SignFormula::Literal(_));
+        let clauses = if single {
+            signs.clauses(&|_| None, MOST_CLAUSES)
+        } else {
+            signs.clauses(&is_known, MOST_CLAUSES)
+        };
+        let clauses = clauses.ok_or_else(|| format!("it has more than {MOST_CLAUSES} clauses"))?;
+        let count = clauses.len();
+        let mut steps = known.into_inner();
+        for (clause, number) in clauses.iter().zip(1..) {
+            let found = prover.clause(premises, clause);
+            steps.extend(found.ok_or_else(|| {
+                let words =
+                    if count == 1 { String::new() } else { format!(" for clause {number} of {count}") };
+                let (attempts, most) = (prover.attempts(), Prover::MOST);
+                format!(
+                    "no certificate was found{words} in {} of at most {most} attempts",
+                    attempts.min(most)
+                )
+            })?);
+        }
+        let step =
+            |proof: Proof, (says, certificate): Draft| proof.certify(&says, &self.numbers(), certificate);
+        steps.into_iter().try_fold(start, step).map_err(|error| error.to_string())
+    }
+
+    /// A point at which the formula is false.
+    fn refuted(
+        &self,
+        formula: &Formula,
+        lowered: &Lowered,
+        points: &Points,
+        count: usize,
+    ) -> Option<Finding> {
+        let point = found(points, &self.premises.conditions, &lowered.signs.negated(), count)?;
+        let full = self.full(&point);
+        let place = format!("at {}", points::text(&full));
+        let side = |side: &Expression| self.put_in(side).rational_value(&point);
+        let words = match formula {
+            Formula::Compare(left, Comparison::Equal, right) => {
+                format!("{place}: {} on the left, {} on the right", side(left)?, side(right)?)
+            }
+            Formula::Compare(left, _, right) => {
+                format!("{place}: left minus right is {}", side(left)? - side(right)?)
+            }
+            _ => format!("{place}: {}", truths(lowered, &point)),
+        };
+        self.is_allowed(&full).then(|| Finding::failing(words))
+    }
+}
+
+/// Which comparisons and predicates are true at a point.
+pub(super) fn truths(lowered: &Lowered, point: &Point) -> String {
+    let atoms = lowered.atoms.iter().map(|(atom, signs)| {
+        let truth = signs.truth(&|literal| points::meets(literal, point));
+        let truth = truth.map_or("open", |truth| if truth { "true" } else { "false" });
+        format!("{} is {truth}", words(atom))
+    });
+    atoms.collect::<Vec<_>>().join(", ")
+}
+
+/// A point that meets the conditions and at which the signs are true, among so many points and on the edges next to the first ones.
+pub(super) fn found(
+    points: &Points,
+    conditions: &[Literal],
+    signs: &SignFormula,
+    count: usize,
+) -> Option<Point> {
+    let expressions: Vec<Expression> =
+        signs.literals().into_iter().map(|literal| literal.expression.clone()).collect();
+    let is_found = |point: &Point| {
+        signs.truth(&|literal| points::meets(literal, point)) == Some(true)
+            && conditions.iter().all(|one| points::meets(one, point) == Some(true))
+    };
+    let mut first = points.meeting(conditions, count.min(FIRST_POINTS));
+    points
+        .meeting(conditions, count)
+        .find(is_found)
+        .or_else(|| first.find_map(|point| points.edges(&point, &expressions).find(is_found)))
+}
+
+/// Whether the conditions fix the truth of a literal, with the certificate.
+fn certain(literal: &Literal, domain: &Domain) -> Option<(bool, &'static str, Certificate)> {
+    let Literal { expression, sign } = literal;
+    let left = expression.clone();
+    if let Some(value) = domain.rational_function(expression).ok()?.as_constant() {
+        let (truth, right, domain) = (sign.admits(value.cmp0()), Expression::Number(value), domain.clone());
+        return Some((truth, "a number", Certificate::Identity { left, right, domain }));
+    }
+    let found = domain.sign(expression).ok()??;
+    let truth = match sign {
+        Sign::Positive | Sign::NonNegative => found > 0,
+        Sign::Zero => false,
+        Sign::NonZero => true,
+    };
+    let certificate = Certificate::Sign { expression: left, sign: found, domain: domain.clone() };
+    Some((truth, "a sign that the conditions fix", certificate))
+}

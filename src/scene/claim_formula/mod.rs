@@ -1,0 +1,341 @@
+//! A claim stated as a formula: what the user writes beside the claim's words.
+//!
+//! ```text
+//! statement := formula                                           for all values that the conditions allow
+//!            | side '->' side 'as' name '->' ('0' | 'infinity')   a limit, the other variables fixed
+//!            | side ('rises' | 'falls') 'with' name               strictly, the other variables fixed
+//!            | side ['does not'] 'depend' 'on' name
+//! formula   := implied ['iff' implied]
+//! implied   := either ['implies' either]
+//! either    := both ('or' both)*
+//! both      := negated ('and' negated)*
+//! negated   := 'not' negated | '[' formula ']' | atom
+//! atom      := side ('=' | '!=' | '<' | '>' | '<=' | '>=') side | predicate
+//! predicate := ('stable' | 'unstable' | 'all_real') '(' side ',' name ')'
+//!            | 'pair_crosses' '(' side ',' name ',' name ',' side ',' side ')'
+//! ```
+//! A side is an expression of `equations.toml`. A name that stands alone on the left of exactly one equation, such as `K_c`, means
+//! the right side of that equation; `left_8`, `right_15` and `residual_8` mean the sides of an equation and their difference.
+
+mod grammar;
+mod markdown;
+mod premises;
+
+use slipmode_core::number::Rational;
+use slipmode_core::polynomial::{ConversionError, Expression, Extent, Literal, Sign, SignFormula, Toward};
+use slipmode_core::theory::Equations;
+use slipmode_core::theory::root_location::{MOST_DEGREE, RootStatement, coefficients};
+
+use crate::scene::claim_names::Names;
+pub(super) use grammar::{side as read_side, variable as read_variable};
+pub use premises::{Premises, Solved};
+
+/// What a side may come to when it is multiplied out: it bounds the work of a decision.
+const LARGEST: Extent = Extent { terms: 1000, degree: 64, bits: 4096 };
+
+/// The most clauses of a formula, and the most comparisons of a clause.
+pub const MOST_CLAUSES: usize = 64;
+
+/// A formula, what its variables range over, and the conditions under which it is claimed, as written and parsed.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct ClaimFormula {
+    /// The formula as written.
+    pub text: String,
+    /// What it says.
+    pub statement: Statement,
+    /// Over what it is said.
+    pub scope: Scope,
+}
+
+/// Over what a formula is said, besides the assumptions of `equations.toml`.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct Scope {
+    /// The conditions.
+    pub given: Vec<FormulaCondition>,
+    /// The variables of which there is a value for all values of the others.
+    pub there_is: Vec<String>,
+    /// Values for them.
+    pub witness: Vec<(String, Expression)>,
+    /// Variables between two values, both included.
+    pub within: Vec<(String, [Rational; 2])>,
+    /// Variables with one value.
+    pub at: Vec<(String, Rational)>,
+}
+
+/// What a formula says, in the names of the file.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Statement {
+    /// The formula is true everywhere.
+    True(Formula),
+    /// The first expression tends to the second as the variable goes there.
+    Limit(Expression, Expression, String, Toward),
+    /// The expression rises (or falls) strictly with the variable.
+    Monotone(Expression, Comparison, String),
+    /// Whether the variable changes the expression.
+    Depends(Expression, bool, String),
+}
+
+impl Default for Statement {
+    fn default() -> Self {
+        Self::True(Formula::All(Vec::new()))
+    }
+}
+
+/// Something that is true or false at a point.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Formula {
+    /// Both sides compare so.
+    Compare(Expression, Comparison, Expression),
+    /// A statement on the roots of a polynomial in a variable.
+    Roots(RootStatement, Expression, String),
+    /// A pair of roots crosses the imaginary axis.
+    Crossing(Box<Crossing>),
+    /// The opposite.
+    Not(Box<Formula>),
+    /// All of them.
+    All(Vec<Formula>),
+    /// At least one of them.
+    Any(Vec<Formula>),
+    /// The second, where the first is true.
+    Implies(Box<[Formula; 2]>),
+    /// Both or neither.
+    Iff(Box<[Formula; 2]>),
+}
+
+/// `pair_crosses(polynomial, variable, parameter, critical, frequency)`.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Crossing {
+    /// Whose roots.
+    pub polynomial: Expression,
+    /// Its variable.
+    pub variable: String,
+    /// What is changed.
+    pub parameter: String,
+    /// Its value at which the pair is on the axis.
+    pub critical: Expression,
+    /// The pair's frequency there.
+    pub frequency: Expression,
+}
+
+slipmode_core::named! {
+    /// How two sides compare.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+    pub enum Comparison {
+        /// The left side is not larger.
+        AtMost = "<=",
+        /// The left side is not smaller.
+        AtLeast = ">=",
+        /// Not equal.
+        Unequal = "!=",
+        /// Equal.
+        Equal = "=",
+        /// The left side is smaller.
+        Less = "<",
+        /// The left side is larger.
+        Greater = ">",
+    }
+}
+
+impl Comparison {
+    /// The comparison of two sides as one of their difference with zero.
+    #[must_use]
+    pub fn literal(self, left: Expression, right: Expression) -> Literal {
+        match self {
+            Self::Greater => Literal::new(left - right, Sign::Positive),
+            Self::AtLeast => Literal::new(left - right, Sign::NonNegative),
+            Self::Less => Literal::new(right - left, Sign::Positive),
+            Self::AtMost => Literal::new(right - left, Sign::NonNegative),
+            Self::Equal => Literal::new(left - right, Sign::Zero),
+            Self::Unequal => Literal::new(left - right, Sign::NonZero),
+        }
+    }
+}
+
+/// A condition: two sides that compare so.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct FormulaCondition {
+    /// As written.
+    pub text: String,
+    /// Both sides.
+    pub sides: [Expression; 2],
+    /// How they compare.
+    pub comparison: Comparison,
+}
+
+impl FormulaCondition {
+    /// Reads a condition: two sides with one comparison between them.
+    ///
+    /// # Errors
+    /// As [`ClaimFormula::read`].
+    pub fn read(text: &str, names: &Names) -> Result<Self, String> {
+        let (left, comparison, right) = grammar::compared(text, names)?;
+        Ok(Self { text: text.trim().to_owned(), sides: [left, right], comparison })
+    }
+
+    /// Left minus right, compared with zero.
+    #[must_use]
+    pub fn literal(&self) -> Literal {
+        let [left, right] = self.sides.clone();
+        self.comparison.literal(left, right)
+    }
+}
+
+impl ClaimFormula {
+    /// Reads a formula that is said over a scope.
+    ///
+    /// # Errors
+    /// What is wrong with the formula, with its column: its grammar, an unknown name, a side without a value, a statement that is
+    /// true by construction.
+    pub fn read(text: &str, scope: Scope, equations: &Equations) -> Result<Self, String> {
+        let names = Names::of(equations);
+        let statement = grammar::statement(text, &names)?;
+        let formula = Self { text: text.trim().to_owned(), statement, scope };
+        let premises = formula.premises(equations)?;
+        let domain = premises.domain();
+        let faults = |(side, own): (&Expression, Option<&str>)| {
+            let resolved = own.map_or_else(|| names.resolved(side), |own| names.resolved_but(side, own));
+            let resolved = premises.put_in(&resolved);
+            if let Err(error) = resolved.check_extent(LARGEST) {
+                return Some(format!("'{side}' is too large: {error}"));
+            }
+            match domain.rational_function(&resolved) {
+                // A logarithm or an open sign may still be decided with a substitution.
+                Err(ConversionError::Logarithm(_) | ConversionError::OpenSign(_)) | Ok(_) => None,
+                Err(error) => Some(format!("'{side}' has no value under the conditions: {error}")),
+            }
+        };
+        let conditions = formula.scope.given.iter().flat_map(|condition| &condition.sides);
+        let conditions = conditions.map(|side| (side, None));
+        let fault = formula.statement.sides_with_roots().into_iter().chain(conditions).find_map(faults);
+        fault.map_or(Ok(()), Err)?;
+        formula.statement.atoms().into_iter().try_for_each(|atom| check_atom(atom, &names, &premises))?;
+        match &formula.statement {
+            Statement::True(said)
+                if said.signs(&Formula::opaque).clauses(&|_| None, MOST_CLAUSES) == Some(Vec::new()) =>
+            {
+                Err("true by construction, whatever its comparisons say".into())
+            }
+            _ => Ok(formula),
+        }
+    }
+
+    /// What is assumed: the positive variables of the equations and the scope, with the definitions in place of their names.
+    ///
+    /// # Errors
+    /// When an equation among the conditions cannot be solved for a variable, or values do not meet the assumptions.
+    pub fn premises(&self, equations: &Equations) -> Result<Premises, String> {
+        Premises::new(&self.scope, self.statement.variable(), equations)
+    }
+}
+
+/// Refuses an atom that is true by construction, and a predicate of what is no polynomial.
+fn check_atom(atom: &Formula, names: &Names, premises: &Premises) -> Result<(), String> {
+    let polynomial = |side: &Expression, variable: &str| {
+        let resolved = premises.put_in(&names.resolved_but(side, variable));
+        let found = premises.domain().rational_function(&resolved).ok();
+        let found = found.and_then(|function| coefficients(&function, variable));
+        let imaginary =
+            |one: &Expression| one.variables().iter().any(|name| ["i", "pm"].contains(&name.as_str()));
+        match found {
+            Some(found) if !found.iter().any(imaginary) => Ok(()),
+            _ => Err(format!("'{side}' is no real polynomial of degree 1 to {MOST_DEGREE} in {variable}")),
+        }
+    };
+    match atom {
+        Formula::Compare(left, _, right) if left == right => {
+            Err("both sides are the same by construction".into())
+        }
+        Formula::Roots(_, side, variable) => polynomial(side, variable),
+        Formula::Crossing(crossing) => polynomial(&crossing.polynomial, &crossing.variable),
+        _ => Ok(()),
+    }
+}
+
+impl Statement {
+    /// The expressions in it.
+    #[must_use]
+    pub fn sides(&self) -> Vec<&Expression> {
+        self.sides_with_roots().into_iter().map(|(side, _)| side).collect()
+    }
+
+    /// The expressions in it, each with the name that stands for its roots.
+    fn sides_with_roots(&self) -> Vec<(&Expression, Option<&str>)> {
+        match self {
+            Self::True(formula) => formula.sides(),
+            Self::Limit(left, right, ..) => vec![(left, None), (right, None)],
+            Self::Monotone(expression, ..) | Self::Depends(expression, ..) => vec![(expression, None)],
+        }
+    }
+
+    /// The variable that moves in a limit or a dependence.
+    fn variable(&self) -> Option<&str> {
+        match self {
+            Self::True(_) => None,
+            Self::Limit(_, _, variable, _)
+            | Self::Monotone(_, _, variable)
+            | Self::Depends(_, _, variable) => Some(variable),
+        }
+    }
+
+    fn atoms(&self) -> Vec<&Formula> {
+        match self {
+            Self::True(formula) => formula.atoms(),
+            _ => Vec::new(),
+        }
+    }
+}
+
+impl Formula {
+    /// The comparisons and predicates in it.
+    #[must_use]
+    pub fn atoms(&self) -> Vec<&Self> {
+        match self {
+            Self::Compare(..) | Self::Roots(..) | Self::Crossing(_) => vec![self],
+            Self::Not(inner) => inner.atoms(),
+            Self::All(parts) | Self::Any(parts) => parts.iter().flat_map(Self::atoms).collect(),
+            Self::Implies(both) | Self::Iff(both) => both.iter().flat_map(Self::atoms).collect(),
+        }
+    }
+
+    /// The formula with its comparisons and predicates as signs.
+    pub fn signs(&self, of: &impl Fn(&Self) -> SignFormula) -> SignFormula {
+        let all = |parts: &[Self]| parts.iter().map(|part| part.signs(of)).collect();
+        let implies =
+            |one: &Self, other: &Self| SignFormula::Any(vec![one.signs(of).negated(), other.signs(of)]);
+        match self {
+            Self::Compare(..) | Self::Roots(..) | Self::Crossing(_) => of(self),
+            Self::Not(inner) => inner.signs(of).negated(),
+            Self::All(parts) => SignFormula::All(all(parts)),
+            Self::Any(parts) => SignFormula::Any(all(parts)),
+            Self::Implies(both) => implies(&both[0], &both[1]),
+            Self::Iff(both) => {
+                SignFormula::All(vec![implies(&both[0], &both[1]), implies(&both[1], &both[0])])
+            }
+        }
+    }
+
+    /// A comparison as it is written, and a predicate as a name of its own.
+    fn opaque(&self) -> SignFormula {
+        SignFormula::Literal(match self {
+            Self::Compare(left, comparison, right) => comparison.literal(left.clone(), right.clone()),
+            other => Literal::new(Expression::variable(&format!("{other:?}")), Sign::Positive),
+        })
+    }
+
+    fn sides(&self) -> Vec<(&Expression, Option<&str>)> {
+        let mut sides: Vec<(&Expression, Option<&str>)> = Vec::new();
+        for atom in self.atoms() {
+            match atom {
+                Self::Compare(left, _, right) => sides.extend([(left, None), (right, None)]),
+                Self::Roots(_, polynomial, own) => sides.push((polynomial, Some(own))),
+                Self::Crossing(crossing) => sides.extend([
+                    (&crossing.polynomial, Some(crossing.variable.as_str())),
+                    (&crossing.critical, None),
+                    (&crossing.frequency, None),
+                ]),
+                _ => {}
+            }
+        }
+        sides
+    }
+}

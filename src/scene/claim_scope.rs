@@ -1,0 +1,114 @@
+//! The keys of a claim, a part or a reading's part that state a formula and over what it is said.
+
+use slipmode_core::number::{Rational, parse_decimal};
+use slipmode_core::theory::Equations;
+
+use crate::scene::Problem;
+use crate::scene::claim_formula::{ClaimFormula, FormulaCondition, Scope, read_side, read_variable};
+use crate::scene::claim_names::Names;
+use crate::scene::section::{Entry, Section};
+
+/// The entries that state one formula.
+pub(super) struct FormulaEntries<'t> {
+    pub formula: Option<Entry<'t>>,
+    given: Option<Entry<'t>>,
+    there_is: Option<Entry<'t>>,
+    witness: Option<Entry<'t>>,
+    within: Option<Entry<'t>>,
+    at: Option<Entry<'t>>,
+}
+
+impl<'t> FormulaEntries<'t> {
+    pub fn of(section: &mut Section<'t>) -> Self {
+        let [formula, given, there_is, witness, within, at] =
+            ["formula", "given", "there_is", "witness", "box", "at"].map(|key| section.optional(key));
+        Self { formula, given, there_is, witness, within, at }
+    }
+
+    /// What says over what the formula is said.
+    pub fn scope(&self) -> impl Iterator<Item = &Entry<'t>> {
+        [&self.given, &self.there_is, &self.witness, &self.within, &self.at].into_iter().flatten()
+    }
+
+    /// Refuses a scope without a formula beside it.
+    pub fn no_scope(&self) -> Option<()> {
+        match self.scope().next() {
+            None => Some(()),
+            Some(entry) => entry.refuse(Problem::Needs("`formula` beside it: each part has its own".into())),
+        }
+    }
+
+    /// The formula over its scope; all faults of the scope are found first.
+    pub fn read(&self, equations: Option<&Equations>) -> Option<ClaimFormula> {
+        let formula = self.formula.as_ref()?;
+        let text = formula.text()?;
+        let equations = equations?;
+        let scope = self.read_scope(&Names::of(equations));
+        formula.sound(ClaimFormula::read(&text, scope?, equations).map_err(Problem::Equation))
+    }
+
+    fn read_scope(&self, names: &Names) -> Option<Scope> {
+        fn all<'e, 't, T>(
+            entry: &'e Option<Entry<'t>>,
+            read: impl Fn(&'e Entry<'t>) -> Option<Vec<T>>,
+        ) -> Option<Vec<T>> {
+            entry.as_ref().map_or(Some(Vec::new()), read)
+        }
+        let variable = |name: &str, entry: &Entry<'_>| {
+            entry.sound(read_variable(name, names).map_err(Problem::Equation))
+        };
+        let given = all(&self.given, |entry| {
+            entry.list(|member| {
+                member.sound(FormulaCondition::read(&member.text()?, names).map_err(Problem::Equation))
+            })
+        });
+        let there_is = all(&self.there_is, |entry| {
+            entry.distinct(|name: &String| format!("`{name}`"), |member| variable(&member.text()?, member))
+        });
+        let witness = all(&self.witness, |entry| {
+            entry.members(|name, member| {
+                let value = member.sound(read_side(&member.text()?, names).map_err(Problem::Equation));
+                if !there_is.iter().flatten().any(|known| known == name) {
+                    return member.refuse(Problem::Needs(format!("`{name}` in `there_is`")));
+                }
+                Some((name.to_owned(), value?))
+            })
+        });
+        let within = all(&self.within, |entry| {
+            entry.members(|name, member| {
+                let name = variable(name, member);
+                match <[Rational; 2]>::try_from(member.list(number)?) {
+                    Ok([low, high]) if low < high => Some((name?, [low, high])),
+                    _ => member.refuse(Problem::Needs("two numbers, the smaller one first".into())),
+                }
+            })
+        });
+        let at = all(&self.at, |entry| {
+            entry.members(|name, member| {
+                let value = (variable(name, member)?, number(member)?);
+                let elsewhere =
+                    within.iter().flatten().map(|(name, _)| name).chain(there_is.iter().flatten());
+                match elsewhere.into_iter().any(|known| known == name) {
+                    true => member
+                        .refuse(Problem::Needs("no `box` and no `there_is` for the same variable".into())),
+                    false => Some(value),
+                }
+            })
+        });
+        Some(Scope { given: given?, there_is: there_is?, witness: witness?, within: within?, at: at? })
+    }
+}
+
+/// An exact number, written as a decimal or as a quotient of two.
+fn number(entry: &Entry<'_>) -> Option<Rational> {
+    let decimal = |text: &str| {
+        parse_decimal(text.trim()).map_err(|error| Problem::Equation(format!("'{}' is {error}", text.trim())))
+    };
+    entry.number(|text| match text.split_once('/') {
+        None => decimal(text),
+        Some((above, below)) => match (decimal(above)?, decimal(below)?) {
+            (_, below) if below == 0 => Err(Problem::Equation("a division by zero".into())),
+            (above, below) => Ok(above / below),
+        },
+    })
+}
