@@ -63,7 +63,9 @@ mod tests {
 
     #[test]
     fn an_equation_that_a_claim_needs_is_named_once_with_its_file() {
-        let text = FILE.replace("number = \"16\"", "number = \"61\"").replace("sqrt(K/M)", "sqrt(K/M");
+        let text = FILE
+            .replace("number = \"16\"", "number = \"61\"")
+            .replace("omega_n = sqrt(K/M)", "omega_n = sqrt(K/M");
         let (equations, known) = read_equations_partly("e.toml", text.as_bytes()).unwrap();
         let missing = paper_faults("e.toml", &equations, &known);
         let keys: Vec<&str> = known.iter().chain(&missing).map(|fault| fault.key.as_str()).collect();
