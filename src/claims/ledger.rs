@@ -3,9 +3,9 @@
 use rayon::prelude::*;
 use serde::Serialize;
 
-use crate::claims::{Check, Evidence, Finding, Verdict, formula};
+use crate::claims::{Check, Evidence, Finding, Verdict, formula, over_rows};
 use crate::experiments::{Context, Needs};
-use crate::scene::{ClaimEntry, StatedClaim};
+use crate::scene::{ClaimEntry, StatedClaim, library_ids};
 use slipmode_core::polynomial::Step;
 
 /// One line of the ledger.
@@ -25,7 +25,7 @@ pub struct Entry {
     /// What the verdict does not establish.
     pub not_established: String,
     /// Claims whose truth this one presupposes.
-    pub rests_on: &'static [&'static str],
+    pub rests_on: Vec<String>,
     /// The recorded verdict.
     pub expected: Verdict,
     /// What the claim says as formulas, where formulas decide it.
@@ -110,7 +110,7 @@ impl Ledger {
 /// What decides a claim: its formulas, the reason why it is out of reach, or else the check of its id.
 pub(super) fn finding_on(claim: &ClaimEntry, context: &Context) -> Finding {
     match (&claim.stated, &claim.reason, check_of(claim)) {
-        (Some(stated), ..) => formula::decide(&claim.id, stated, context.equations),
+        (Some(stated), ..) => formula::decide(&claim.id, stated, context),
         (None, Some(reason), _) => Finding::not_checked(reason),
         (None, None, Some(check)) => match context.equations.demand_paper() {
             Ok(()) => (check.decide)(context),
@@ -135,10 +135,17 @@ fn decide_one(text: &ClaimEntry, context: &Context) -> Entry {
         criterion,
         finding,
         not_established,
-        rests_on: check.map_or(&[], |check| check.rests_on),
+        rests_on: premises(text),
         expected: text.expected,
         stated: text.stated.clone(),
     }
+}
+
+/// The claims whose truth a claim presupposes.
+#[must_use]
+pub fn premises(claim: &ClaimEntry) -> Vec<String> {
+    let of_check = check_of(claim).into_iter().flat_map(|check| check.rests_on);
+    of_check.map(|&id| id.to_owned()).chain(claim.rests_on.iter().cloned()).collect()
 }
 
 /// The check of a listed claim, if one decides it.
@@ -152,16 +159,20 @@ pub fn find(id: &str) -> Option<&'static Check> {
     super::checks().find(|check| check.id == id)
 }
 
-/// The ids of all claims that have a check.
+/// The ids of all claims that the program can decide by their id alone: those that have a check, and those of the first paper that are
+/// stated as formulas.
 #[must_use]
 pub fn known_ids() -> Vec<&'static str> {
-    super::checks().map(|check| check.id).collect()
+    super::checks().map(|check| check.id).chain(library_ids()).collect()
 }
 
 /// What the listed claims need computed.
 #[must_use]
 pub fn needs(claims: &[ClaimEntry]) -> Needs {
-    claims.iter().filter_map(check_of).flat_map(|check| check.needs.iter().copied()).collect()
+    let of_checks = claims.iter().filter_map(check_of).flat_map(|check| check.needs);
+    let stated = claims.iter().filter_map(|claim| claim.stated.as_ref()).flat_map(StatedClaim::parts);
+    let of_rows = stated.filter_map(|(_, formula)| formula.rows.as_deref()).flat_map(over_rows::needs);
+    of_checks.chain(of_rows).copied().collect()
 }
 
 #[cfg(test)]
@@ -189,6 +200,7 @@ mod tests {
             expected: Verdict::Holds,
             stated: None,
             reason: None,
+            rests_on: Vec::new(),
         };
         let texts: Vec<ClaimEntry> = crate::claims::checks().map(entry).collect();
         Ledger::decide("paper", &texts, &Context::new(&equations, &outcome))

@@ -19,6 +19,7 @@ mod new_edge;
 mod new_peak;
 mod new_results;
 mod numerical;
+mod over_rows;
 mod overshoot;
 mod planted_fault_tables;
 mod planted_faults;
@@ -38,7 +39,8 @@ mod zones;
 
 pub use evidence::{Evidence, Strength};
 pub use finding::Finding;
-pub use ledger::{Entry, Ledger, find, known_ids, needs};
+pub use ledger::{Entry, Ledger, find, known_ids, needs, premises};
+pub use over_rows::row_faults;
 pub use planted_faults::{PlantedFaults, Survivor, plant_faults};
 pub use reading::{Part, Reading, verdict_of_parts};
 

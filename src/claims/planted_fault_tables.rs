@@ -34,7 +34,8 @@ fn planted_faults(context: &Context) -> Option<Table> {
         let survivor = |survivor: &Survivor| format!("{}: {}", survivor.kind, survivor.text);
         one.survivors.iter().map(survivor).collect::<Vec<_>>().join("; ")
     })
-    .unless_empty()
+    .table()
+    .into()
 }
 
 /// Rounded down, so that 100 % means all of them.

@@ -44,7 +44,10 @@ pub struct Survivor {
 /// paper's.
 #[must_use]
 pub fn plant_faults(context: &Context) -> Vec<PlantedFaults> {
-    let about_equations = |claim: &&ClaimEntry| claim.stated.is_some() || !claim.id.starts_with(['N', 'X']);
+    let about_equations = |claim: &&ClaimEntry| match &claim.stated {
+        Some(stated) => stated.parts().any(|(_, formula)| formula.rows.is_none()),
+        None => !claim.id.starts_with(['N', 'X']),
+    };
     let claims: Vec<&ClaimEntry> = context.claims.iter().filter(about_equations).collect();
     let sound: Vec<Sound> = claims.into_par_iter().map(|claim| Sound::of(claim, context)).collect();
     let pairs = alike(context.equations);

@@ -18,7 +18,8 @@ fn equations(context: &Context) -> Option<Table> {
         .text("equation", "Eq", |equation| &equation.number)
         .text("text", "As read", |equation| format!("{} = {}", equation.left, equation.right))
         .text("note", "Note", |equation| &equation.note)
-        .unless_empty()
+        .table()
+        .into()
 }
 
 fn series(context: &Context) -> Option<Table> {
@@ -36,7 +37,8 @@ fn series(context: &Context) -> Option<Table> {
                 Cell::text(coefficient(order).map_or_else(String::new, ToString::to_string))
             })
         })
-        .unless_empty()
+        .table()
+        .into()
 }
 
 /// b/a of the table of constants.
@@ -53,5 +55,6 @@ fn peak_constants(_: &Context) -> Option<Table> {
         .digits("slip_error", "± of its integration", "", 1, |(_, slip, _)| slip.constant()[1])
         .digits("aging_constant", "c, aging law", "", 7, |(.., aging)| aging.constant()[0])
         .digits("aging_healing", "s, aging law", "", 7, |(.., aging)| aging.healing())
-        .unless_empty()
+        .table()
+        .into()
 }

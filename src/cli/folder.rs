@@ -7,7 +7,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use slipmode::archive::{Files, sha256_hex};
-use slipmode::claims::known_ids;
+use slipmode::claims::{known_ids, row_faults};
 use slipmode::experiments::{References, Scene, check_distinct_scene_names};
 use slipmode::report::{Folder, InputView, formula_faults};
 use slipmode::scene::{
@@ -99,6 +99,9 @@ pub fn read_report_from(source: Source, limits: Limits) -> Result<(Folder, Files
         faults.extend(paper_faults(&reader.name("equations.toml"), equations, &faults));
     }
     reader.faults.extend(faults);
+    let of_rows =
+        claims.as_ref().map_or_else(Faults::new, |claims| row_faults(&reader.name("claims.toml"), claims));
+    reader.faults.extend(of_rows);
     let (names, chapters) = plan.as_ref().map_or((&[][..], &[][..]), |plan| (&plan.scenes, &plan.chapters));
     let scenes: Vec<(String, Scene)> = names
         .iter()

@@ -10,6 +10,14 @@ pub struct TableMaker {
     pub id: &'static str,
     /// What must have been computed.
     pub needs: &'static [Need],
-    /// Fills it; `None` when the scenes do not hold what it lists.
+    /// Fills it; `None` or no rows when the scenes do not hold what it lists.
     pub make: fn(&Context) -> Option<Table>,
+}
+
+impl TableMaker {
+    /// The table, unless it has no rows.
+    #[must_use]
+    pub fn table(&self, context: &Context) -> Option<Table> {
+        (self.make)(context).filter(|table| !table.rows.is_empty())
+    }
 }

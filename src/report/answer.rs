@@ -167,7 +167,7 @@ mod tests {
             expected: finding.verdict,
             finding,
             not_established: String::new(),
-            rests_on: &[],
+            rests_on: Vec::new(),
             stated: None,
         }
     }

@@ -140,7 +140,7 @@ fn groups(ledger: &Ledger, place: &str) -> Vec<ClaimGroupView> {
 
 fn claim_view(entry: &Entry, ledger: &Ledger, certificates: &Certificates<'_>, folder: &str) -> ClaimView {
     let finding = &entry.finding;
-    let listed = |id: &&str| ledger.claims.iter().any(|other| other.id == *id);
+    let listed = |id: &&String| ledger.claims.iter().any(|other| other.id == **id);
     ClaimView {
         id: entry.id.clone(),
         place: entry.place.clone(),
@@ -154,7 +154,7 @@ fn claim_view(entry: &Entry, ledger: &Ledger, certificates: &Certificates<'_>, f
         counter_example_markdown: plain(finding.counter_example.as_deref().unwrap_or_default()),
         not_established_markdown: plain(&entry.not_established),
         remark_markdown: finding.remarks.iter().map(|remark| plain(remark)).collect::<Vec<_>>().join("\n\n"),
-        rests_on: entry.rests_on.iter().filter(|id| listed(id)).map(|&id| id.to_owned()).collect(),
+        rests_on: entry.rests_on.iter().filter(|id| listed(id)).cloned().collect(),
         command: format!("slipmode verify {folder} --claim {}", entry.id),
     }
 }

@@ -68,7 +68,7 @@ mod tests {
             criterion: String::new(),
             finding: Finding::from_proofs(proofs.iter().map(|&proof| Ok(proof.clone()))),
             not_established: String::new(),
-            rests_on: &[],
+            rests_on: Vec::new(),
             expected: Verdict::Holds,
             stated: None,
         }

@@ -17,7 +17,7 @@ const CAPTION: &str = "Each box is a claim and links to it. If a claim fails, al
 
 /// The picture; `None` when no claim of the ledger rests on another.
 pub(super) fn claims_picture(ledger: &Ledger) -> Option<FigureView> {
-    let place = |id: &&str| ledger.claims.iter().position(|entry| entry.id == *id);
+    let place = |id: &String| ledger.claims.iter().position(|entry| entry.id == *id);
     let node = |entry: &crate::claims::Entry| {
         let verdict = entry.finding.verdict;
         BoxNode {

@@ -53,7 +53,7 @@ fn hostile_view() -> ReportView {
     let table = &mut view.tables[0];
     (table.title, table.note) = (text(), text());
     (table.columns[1].header, table.columns[1].unit) = (text(), text());
-    table.rows[0] = table.rows[0].iter().map(|cell| Cell { text: text(), kind: cell.kind }).collect();
+    table.rows[0] = table.rows[0].iter().map(|cell| Cell { text: text(), ..cell.clone() }).collect();
     let provenance = &mut view.provenance;
     (provenance.text_markdown, provenance.command) = (text(), text());
     provenance.inputs = vec![InputView { path: text(), bytes: text(), sha256: text() }];

@@ -113,7 +113,7 @@ pub fn produce_scene(
     // Tables that need nothing computed are about the paper, not about the scene.
     let tables: Vec<Table> = all_table_makers()
         .filter(|maker| !maker.needs.is_empty())
-        .filter_map(|maker| (maker.make)(&context))
+        .filter_map(|maker| maker.table(&context))
         .collect();
     figure_and_table_files(figures.iter(), &tables)
 }
@@ -213,7 +213,7 @@ impl Wanted {
 
     fn tables(&self, context: &Context, measured: &Measured) -> Result<Vec<Table>, ReportError> {
         let shown = |id: &String| match table_maker(id) {
-            Some(maker) => Some((maker.id, (maker.make)(context))),
+            Some(maker) => Some((maker.id, maker.table(context))),
             None => measured.table(id).map(|found| (found.id.as_str(), Some(found.clone()))),
         };
         let made: Vec<_> = self.tables.par_iter().filter_map(shown).collect();

@@ -3,6 +3,7 @@
 use slipmode_core::theory::Equations;
 
 use crate::scene::claim_formula::ClaimFormula;
+use crate::scene::claim_library::library_claim;
 use crate::scene::claim_scope::FormulaEntries;
 use crate::scene::document::read_document;
 use crate::scene::section::{Entry, Section};
@@ -23,6 +24,8 @@ pub struct ClaimEntry {
     pub stated: Option<StatedClaim>,
     /// Why the claim is out of reach.
     pub reason: Option<String>,
+    /// Claims whose truth this one presupposes; those of a check are known besides.
+    pub rests_on: Vec<String>,
 }
 
 impl ClaimEntry {
@@ -33,11 +36,24 @@ impl ClaimEntry {
     }
 }
 
+impl ClaimEntry {
+    /// A claim that is listed by its id alone, with the formulas of the first paper's claim of this id, where that has formulas.
+    fn with_library(self, equations: &Equations) -> Self {
+        match library_claim(&self.id, equations) {
+            None => self,
+            Some(Ok(ClaimEntry { stated, rests_on, .. })) => Self { stated, rests_on, ..self },
+            Some(Err(reason)) => Self { reason: Some(reason), ..self },
+        }
+    }
+}
+
 /// A claim as formulas.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct StatedClaim {
     /// What of the words the formulas leave out.
     pub leaves_out: String,
+    /// What a reader should know besides.
+    pub remarks: Vec<String>,
     /// The ways to read the claim; the first is the claim as it is written, and decides.
     pub readings: Vec<StatedReading>,
 }
@@ -86,6 +102,8 @@ pub fn read_claims(
                 None => Some(None),
                 Some(entry) => read_reason(&entry, &stated, expected).map(Some),
             };
+            let rests_on =
+                section.optional("rests_on").map_or(Some(Vec::new()), |list| list.list(Entry::text));
             section.finish();
             let (mut stated, words) = (stated?, words?);
             // A formula or a list of parts without words of its own says what the claim's words say.
@@ -93,7 +111,19 @@ pub fn read_claims(
                 let own = reading.parts.iter_mut().map(|(own, _)| own).chain([&mut reading.words]);
                 own.filter(|own| own.is_empty()).for_each(|own| own.clone_from(&words));
             }
-            Some(ClaimEntry { id: id?, place: place?, words, expected: expected?, stated, reason: reason? })
+            let entry = ClaimEntry {
+                id: id?,
+                place: place?,
+                words,
+                expected: expected?,
+                stated,
+                reason: reason?,
+                rests_on: rests_on?,
+            };
+            Some(match equations.filter(|_| entry.has_check()) {
+                Some(equations) => entry.with_library(equations),
+                None => entry,
+            })
         })
     })
 }
@@ -101,9 +131,10 @@ pub fn read_claims(
 /// The formulas of a claim; the inner none for a claim without any.
 fn read_stated(section: &mut Section<'_>, equations: Option<&Equations>) -> Option<Option<StatedClaim>> {
     let formula = FormulaEntries::of(section);
-    let [parts, readings, leaves_out] = ["part", "reading", "leaves_out"].map(|key| section.optional(key));
+    let [parts, readings, leaves_out, remarks] =
+        ["part", "reading", "leaves_out", "remarks"].map(|key| section.optional(key));
     if formula.formula.is_none() && parts.is_none() && readings.is_none() {
-        let stray = formula.scope().chain(&leaves_out).next();
+        let stray = formula.scope().chain(&leaves_out).chain(&remarks).next();
         return match stray {
             None => Some(None),
             Some(entry) => {
@@ -138,7 +169,8 @@ fn read_stated(section: &mut Section<'_>, equations: Option<&Equations>) -> Opti
             "nothing else beside it: a claim has `formula`, [[claim.part]] or [[claim.reading]]".into(),
         )),
     };
-    Some(Some(StatedClaim { leaves_out: leaves_out?, readings: readings? }))
+    let remarks = remarks.map_or(Some(Vec::new()), |list| list.list(Entry::text));
+    Some(Some(StatedClaim { leaves_out: leaves_out?, remarks: remarks?, readings: readings? }))
 }
 
 /// Why a claim is out of reach: it has no formula, and is recorded as not checked.

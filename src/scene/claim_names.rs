@@ -44,6 +44,13 @@ impl Names {
         Self { variables, positive: assumed, definitions }
     }
 
+    /// These variables, without an assumption about them.
+    #[must_use]
+    pub fn plain<'n>(names: impl Iterator<Item = &'n str>) -> Self {
+        let variables = names.map(Symbol::new).collect();
+        Self { variables, positive: BTreeSet::new(), definitions: BTreeMap::new() }
+    }
+
     pub(super) fn has(&self, name: &Symbol) -> bool {
         self.variables.contains(name) || self.definitions.contains_key(name)
     }

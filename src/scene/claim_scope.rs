@@ -4,13 +4,18 @@ use slipmode_core::number::{Rational, parse_decimal};
 use slipmode_core::theory::Equations;
 
 use crate::scene::Problem;
-use crate::scene::claim_formula::{ClaimFormula, FormulaCondition, Scope, read_side, read_variable};
+use crate::scene::claim_formula::{
+    ClaimFormula, FormulaCondition, FormulaLimit, Scope, read_side, read_variable,
+};
 use crate::scene::claim_names::Names;
 use crate::scene::section::{Entry, Section};
 
 /// The entries that state one formula.
 pub(super) struct FormulaEntries<'t> {
     pub formula: Option<Entry<'t>>,
+    rows: Option<Entry<'t>>,
+    limit: Option<Entry<'t>>,
+    outside: Option<Entry<'t>>,
     given: Option<Entry<'t>>,
     there_is: Option<Entry<'t>>,
     witness: Option<Entry<'t>>,
@@ -20,14 +25,26 @@ pub(super) struct FormulaEntries<'t> {
 
 impl<'t> FormulaEntries<'t> {
     pub fn of(section: &mut Section<'t>) -> Self {
-        let [formula, given, there_is, witness, within, at] =
-            ["formula", "given", "there_is", "witness", "box", "at"].map(|key| section.optional(key));
-        Self { formula, given, there_is, witness, within, at }
+        let [formula, rows, limit, outside, given, there_is, witness, within, at] =
+            ["formula", "rows", "limit", "outside", "given", "there_is", "witness", "box", "at"]
+                .map(|key| section.optional(key));
+        Self { formula, rows, limit, outside, given, there_is, witness, within, at }
     }
 
     /// What says over what the formula is said.
     pub fn scope(&self) -> impl Iterator<Item = &Entry<'t>> {
-        [&self.given, &self.there_is, &self.witness, &self.within, &self.at].into_iter().flatten()
+        [
+            &self.rows,
+            &self.limit,
+            &self.outside,
+            &self.given,
+            &self.there_is,
+            &self.witness,
+            &self.within,
+            &self.at,
+        ]
+        .into_iter()
+        .flatten()
     }
 
     /// Refuses a scope without a formula beside it.
@@ -38,10 +55,44 @@ impl<'t> FormulaEntries<'t> {
         }
     }
 
-    /// The formula over its scope; all faults of the scope are found first.
+    /// The formula over its scope, with its limit.
     pub fn read(&self, equations: Option<&Equations>) -> Option<ClaimFormula> {
+        let limit = match (&self.limit, &self.outside) {
+            (None, None) => None,
+            (Some(limit), Some(outside)) => {
+                let mut outside = outside.section()?;
+                let (words, formula) = (outside.text("words", "a text"), Self::of(&mut outside));
+                outside.finish();
+                Some(Box::new(FormulaLimit {
+                    words: limit.text()?,
+                    outside: (words?, formula.read(equations)?),
+                }))
+            }
+            (limit, outside) => {
+                let lone = limit.as_ref().or(outside.as_ref())?;
+                return lone.refuse(Problem::Needs("`limit` and `outside` beside each other".into()));
+            }
+        };
+        Some(ClaimFormula { limit, ..self.read_alone(equations)? })
+    }
+
+    /// The formula over its scope; all faults of the scope are found first.
+    fn read_alone(&self, equations: Option<&Equations>) -> Option<ClaimFormula> {
         let formula = self.formula.as_ref()?;
         let text = formula.text()?;
+        if let Some(rows) = &self.rows {
+            let table = rows.text()?;
+            let others = [&self.given, &self.there_is, &self.witness, &self.within, &self.at];
+            return match others.into_iter().flatten().next() {
+                Some(entry) => entry
+                    .refuse(Problem::Needs("no `rows` beside it: write the condition after `where`".into())),
+                None => Some(ClaimFormula {
+                    text: text.trim().into(),
+                    rows: Some(table),
+                    ..ClaimFormula::default()
+                }),
+            };
+        }
         let equations = equations?;
         let scope = self.read_scope(&Names::of(equations));
         formula.sound(ClaimFormula::read(&text, scope?, equations).map_err(Problem::Equation))

@@ -116,7 +116,7 @@ fn cell(text: &str, column: &Column) -> Result<Cell, Problem> {
     let is_number = || text.parse().is_ok_and(|number: f64| !number.is_nan());
     let is_sound = column.kind != Kind::Number || text.is_empty() || is_number();
     is_sound
-        .then(|| Cell { text: text.into(), kind: column.kind })
+        .then(|| Cell { kind: column.kind, ..Cell::text(text) })
         .ok_or_else(|| Problem::OutOfRange { allowed: "a number, `inf`, or an empty cell".into() })
 }
 

@@ -6,6 +6,7 @@
 
 mod axis;
 mod claim_formula;
+mod claim_library;
 mod claim_list;
 mod claim_names;
 mod claim_scope;
@@ -30,6 +31,7 @@ pub use claim_formula::{
     ClaimFormula, Comparison, Crossing, Formula, FormulaCondition, MOST_CLAUSES, Premises, Scope, Solved,
     Statement,
 };
+pub use claim_library::library_ids;
 pub use claim_list::{ClaimEntry, StatedClaim, StatedReading, read_claims};
 pub use claim_names::Names;
 pub use csv_problem::CsvProblem;

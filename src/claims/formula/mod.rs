@@ -11,22 +11,27 @@ mod truth;
 use std::collections::BTreeMap;
 
 use slipmode_core::polynomial::{Certificate, Expression, Proof, Symbol};
-use slipmode_core::theory::Equations;
 
-use crate::claims::Finding;
+use crate::claims::over_rows;
 use crate::claims::reading::{Draft, of_readings};
+use crate::claims::{Finding, Verdict};
+use crate::experiments::Context;
 use crate::scene::{ClaimFormula, Names, Premises, StatedClaim, Statement};
 use lowering::Lowered;
 use points::{Point, Points};
 use prover::Prover;
 
 /// The finding on a claim: one formula decides it, or all parts of its first reading.
-pub(super) fn decide(id: &str, stated: &StatedClaim, equations: &Equations) -> Finding {
+pub(super) fn decide(id: &str, stated: &StatedClaim, context: &Context) -> Finding {
+    stated.remarks.iter().fold(decide_readings(id, stated, context), Finding::remark)
+}
+
+fn decide_readings(id: &str, stated: &StatedClaim, context: &Context) -> Finding {
     let id = id.to_lowercase();
     if let [reading] = &stated.readings[..]
         && let [(words, formula)] = &reading.parts[..]
     {
-        return decide_formula(&format!("formula-{id}"), words, formula, equations);
+        return decide_part(&format!("formula-{id}"), words, formula, context);
     }
     let one = stated.readings.len() == 1;
     of_readings(stated.readings.iter().zip(1..).map(|(reading, which)| {
@@ -34,7 +39,7 @@ pub(super) fn decide(id: &str, stated: &StatedClaim, equations: &Equations) -> F
         reading.parts.iter().zip(1..).fold(Draft::new(words), |draft, ((words, formula), number)| {
             let which = if one { String::new() } else { format!("-{which}") };
             let id = format!("formula-{id}{which}-{number}");
-            draft.part(words, decide_formula(&id, words, formula, equations))
+            draft.part(words, decide_part(&id, words, formula, context))
         })
     }))
 }
@@ -60,7 +65,28 @@ pub(super) fn criterion(stated: &StatedClaim) -> String {
     format!("{}.", readings.collect::<Vec<_>>().join("; or, read otherwise, "))
 }
 
-fn decide_formula(id: &str, words: &str, formula: &ClaimFormula, equations: &Equations) -> Finding {
+/// The finding on a formula: with a limit, it holds within the limit where what is said of the outside is true too.
+fn decide_part(id: &str, words: &str, formula: &ClaimFormula, context: &Context) -> Finding {
+    let found = decide_formula(id, words, formula, context);
+    let Some(limit) = formula.limit.as_ref().filter(|_| found.verdict == Verdict::Holds) else {
+        return found;
+    };
+    let (words, outside) = &limit.outside;
+    let outside = decide_formula(&format!("{id}-outside"), words, outside, context);
+    match outside.verdict {
+        Verdict::Holds => {
+            let found = outside.evidence.into_iter().fold(found, Finding::with_evidence);
+            found.within(&limit.words).outside(words)
+        }
+        _ => Finding::not_checked(format!("Not decided whether it holds outside its limit: {words}")),
+    }
+}
+
+fn decide_formula(id: &str, words: &str, formula: &ClaimFormula, context: &Context) -> Finding {
+    if let Some(table) = &formula.rows {
+        return over_rows::decide(table, &formula.text, context);
+    }
+    let equations = context.equations;
     let names = Names::of(equations);
     let premises = match formula.premises(equations) {
         Ok(premises) => premises,

@@ -2,10 +2,11 @@
 
 use std::collections::BTreeSet;
 
-use slipmode::claims::{self, Verdict, known_ids};
+use slipmode::claims::{Verdict, known_ids, premises};
 use slipmode::report::{self, Folder};
-use slipmode::scene::{ClaimEntry, Faults, read_claims};
+use slipmode::scene::{ClaimEntry, Faults, read_claims, read_equations};
 
+use crate::cli::folder::EQUATIONS;
 use crate::cli::new::Effects;
 use crate::cli::progress::Progress;
 
@@ -49,19 +50,20 @@ pub fn candidates(effects: Effects) -> Result<Vec<ClaimEntry>, Faults> {
         Effects::Neutral => &[],
         Effects::Strengthening => STRENGTHENING,
     };
-    let mut entries = read_claims("claims.toml", PAPER.as_bytes(), &known_ids(), None)?;
-    let kept = with_premises(GENERAL.iter().chain(special).copied());
+    let equations = read_equations("equations.toml", EQUATIONS.as_bytes())?;
+    let mut entries = read_claims("claims.toml", PAPER.as_bytes(), &known_ids(), Some(&equations))?;
+    let kept = with_premises(GENERAL.iter().chain(special).copied(), &entries);
     entries.retain(|entry| kept.contains(entry.id.as_str()));
     Ok(entries)
 }
 
 /// These claims with all that they rest on: a claim whose premise is not checked would hold of changed equations too.
-fn with_premises(ids: impl Iterator<Item = &'static str>) -> BTreeSet<&'static str> {
-    let mut open: Vec<&str> = ids.collect();
+fn with_premises(ids: impl Iterator<Item = &'static str>, entries: &[ClaimEntry]) -> BTreeSet<String> {
+    let mut open: Vec<String> = ids.map(str::to_owned).collect();
     let mut kept = BTreeSet::new();
     while let Some(id) = open.pop() {
-        if kept.insert(id) {
-            open.extend(claims::find(id).into_iter().flat_map(|check| check.rests_on));
+        if kept.insert(id.clone()) {
+            open.extend(entries.iter().filter(|entry| entry.id == id).flat_map(premises));
         }
     }
     kept

@@ -76,7 +76,8 @@ fn point_table(
     Table::of(id, title, points.filter(|(_, point)| wanted(point)))
         .text("scene", "Scene", |(name, _)| name)
         .columns(boundary_columns(), |(_, point)| boundary_row(point, SHOWN_DIGITS))
-        .unless_empty()
+        .table()
+        .into()
 }
 
 fn all_points(context: &Context) -> Option<Table> {
@@ -98,5 +99,6 @@ fn routes(context: &Context) -> Option<Table> {
         .number("largest_relative_difference", "Largest possible relative difference", "", |(_, found)| {
             Cell::number(round_float(&found.comparison.largest_difference, 2))
         })
-        .unless_empty()
+        .table()
+        .into()
 }

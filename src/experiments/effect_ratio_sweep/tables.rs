@@ -34,5 +34,6 @@ fn corners(context: &Context) -> Option<Table> {
     .digits("lower_eq20_error_at_corner_normal_stress", "eq 20 at σ of eq 16", "", ERROR_DIGITS, |row| {
         &row.errors.lower_at_corner_normal_stress
     })
-    .unless_empty()
+    .table()
+    .into()
 }

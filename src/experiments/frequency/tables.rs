@@ -26,7 +26,8 @@ fn frequency(context: &Context) -> Option<Table> {
         .digits("normal_stress_pa", "Normal stress σ", "Pa", 8, |(_, line, ..)| &line.normal_stress_pa)
         .digits("loading_velocity_m_per_s", "Loading velocity V0", "m/s", 8, |(_, _, velocity, _)| velocity)
         .number("max_imaginary_per_s", "max Im(s)", "1/s", |(.., imaginary)| shown(imaginary))
-        .unless_empty()
+        .table()
+        .into()
 }
 
 /// Twelve digits: two fewer than the error allows, so that no rounding shows.

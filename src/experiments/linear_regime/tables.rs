@@ -45,7 +45,8 @@ fn all_runs(context: &Context) -> Option<Table> {
         .digits("difference_of_64_bit", "Difference of a 64-bit run", "", 2, |(_, run, ..)| {
             run.difference_of_64_bit
         })
-        .unless_empty()
+        .table()
+        .into()
 }
 
 /// A real root or a pair, by one law, in one scene.
@@ -119,7 +120,8 @@ fn extremes(context: &Context) -> Option<Table> {
         group.largest(|run| Some(run.difference_of_64_bit))
     })
     .number("failures", "Starts of the scene without a result", "", |group| group.failures)
-    .unless_empty()
+    .table()
+    .into()
 }
 
 fn steady(context: &Context) -> Option<Table> {
@@ -141,5 +143,6 @@ fn steady(context: &Context) -> Option<Table> {
         .digits("free_residual_over_normal_stress", "Free residual / σ", "", 2, |(_, run)| {
             run.free_residual_over_normal_stress
         })
-        .unless_empty()
+        .table()
+        .into()
 }

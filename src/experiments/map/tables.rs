@@ -18,5 +18,6 @@ fn precision_levels(context: &Context) -> Option<Table> {
         .number("points", "Points decided", "", |(_, map, level)| {
             map.values.iter().filter(|point| point.precision_level == level).count()
         })
-        .unless_empty()
+        .table()
+        .into()
 }

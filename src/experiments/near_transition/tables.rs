@@ -41,7 +41,8 @@ fn coefficients(context: &Context) -> Option<Table> {
             hopf.square_amplitude.to_string()
         })
         .text("sign", "Sign over all parameters", |(_, hopf)| hopf.sign_statement)
-        .unless_empty()
+        .table()
+        .into()
 }
 
 fn runs(context: &Context) -> Option<Table> {
@@ -72,7 +73,8 @@ fn runs(context: &Context) -> Option<Table> {
     })
     .digits("laps_per_e_fold", "Cycles per factor e", "", 3, |run| run.returns_per_fold())
     .text("failure", "Failure", |run| run.outcome.as_ref().err().map(ToString::to_string))
-    .unless_empty()
+    .table()
+    .into()
 }
 
 fn families(context: &Context) -> Option<Table> {
@@ -90,7 +92,8 @@ fn families(context: &Context) -> Option<Table> {
         .digits("amplitude", "Amplitude of ln(V/V_l)", "", 6, |(_, cycle)| cycle.amplitude)
         .digits("log_peak", "ln(V_peak/V_l)", "", 6, |(_, cycle)| cycle.log_peak)
         .digits("multiplier", "Leading Floquet multiplier", "", 6, |(_, cycle)| cycle.multiplier)
-        .unless_empty()
+        .table()
+        .into()
 }
 
 fn agreement(context: &Context) -> Option<Table> {
@@ -105,7 +108,8 @@ fn agreement(context: &Context) -> Option<Table> {
         .digits("amplitude", "Amplitude of ln(V/V_l)", "", 3, |(_, found)| found.amplitude)
         .digits("deviation", "(K/K_c − 1) / predicted − 1", "", 3, |(_, found)| found.deviation)
         .digits("order", "Order in the amplitude", "", 3, |(_, found)| found.order)
-        .unless_empty()
+        .table()
+        .into()
 }
 
 fn edges(context: &Context) -> Option<Table> {
@@ -140,7 +144,8 @@ fn edges(context: &Context) -> Option<Table> {
             let confirmed = edge.threshold.as_ref().and_then(|at| at.confirmed);
             confirmed.map(|confirmed| if confirmed { "yes" } else { "no" })
         })
-        .unless_empty()
+        .table()
+        .into()
 }
 
 /// How the edge vanishes at both ends of the strip, from the two outermost rows there.

@@ -59,7 +59,8 @@ fn onset(context: &Context) -> Option<Table> {
         .digits("peak_excess_at_boundary", "V_peak/V_l − 1 at the boundary", "", 3, |(.., seen)| {
             seen.peak_excess_at_boundary
         })
-        .unless_empty()
+        .table()
+        .into()
 }
 
 fn runs(context: &Context) -> Option<Table> {
@@ -75,5 +76,6 @@ fn runs(context: &Context) -> Option<Table> {
         })
         .digits("loaded_distance_over_slip_distance", "V_l t/D_c", "", 4, |(.., at)| at.0)
         .digits("velocity_over_loading_velocity", "V/V_l", "", 5, |(.., at)| at.1)
-        .unless_empty()
+        .table()
+        .into()
 }

@@ -12,20 +12,33 @@ pub trait Digits {
 
 impl Digits for f64 {
     fn cell(self, digits: usize) -> Cell {
-        Cell::number(round_digits(self, digits))
+        Cell::rounded(round_digits(self, digits), digits)
     }
 }
 
 impl Digits for &Rational {
     fn cell(self, digits: usize) -> Cell {
-        Cell::number(rational_to_decimal(self, digits))
+        Cell::rounded(rational_to_decimal(self, digits), digits).certain()
+    }
+}
+
+/// A number that was rounded from an exact one.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Rounded(pub f64);
+
+impl Digits for Rounded {
+    fn cell(self, digits: usize) -> Cell {
+        self.0.cell(digits).certain()
     }
 }
 
 /// Only digits that are certain.
 impl Digits for &Ball {
     fn cell(self, digits: usize) -> Cell {
-        Cell::number(certain_digits(self, digits))
+        let text = certain_digits(self, digits);
+        let shown = text.split('e').next().unwrap_or_default().trim_start_matches(['-', '0', '.']);
+        let shown = shown.bytes().filter(u8::is_ascii_digit).count();
+        Cell::rounded(text, shown).certain()
     }
 }
 

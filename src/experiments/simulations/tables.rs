@@ -1,6 +1,6 @@
 //! Tables of the simulations: the grid, the disagreements with the theory, and the least peaks.
 
-use crate::experiments::shared::cells::DigitColumns;
+use crate::experiments::shared::cells::{DigitColumns, Rounded};
 use crate::experiments::simulations::SimulatedPoint;
 use crate::experiments::{Context, Need, TableMaker};
 use slipmode_core::dynamics::Simulation;
@@ -48,9 +48,11 @@ fn simulations(context: &Context) -> Option<Table> {
         .note(note)
         .text("scene", "Scene", |at| at.scene)
         .text("law", "Law", |at| at.law.as_str())
-        .digits("normal_stress_pa", "Normal stress σ", "Pa", DIGITS, |at| at.stress)
-        .digits("loading_velocity_m_per_s", "Loading velocity V_l", "m/s", DIGITS, |at| at.velocity)
-        .digits("stiffness_over_critical", "K/K_c", "", DIGITS, |at| at.point.stiffness_over_critical)
+        .digits("normal_stress_pa", "Normal stress σ", "Pa", DIGITS, |at| Rounded(at.stress))
+        .digits("loading_velocity_m_per_s", "Loading velocity V_l", "m/s", DIGITS, |at| Rounded(at.velocity))
+        .digits("stiffness_over_critical", "K/K_c", "", DIGITS, |at| {
+            at.point.stiffness_over_critical.map(Rounded)
+        })
         .text("slip_mode_theory", "Slip mode, theory", |at| at.point.theory.slip_mode.as_str())
         .text("slip_mode_simulation", "Slip mode, simulation", |at| at.run.map(|run| run.slip_mode.as_str()))
         .text("behaviour", "Long-term behaviour", |at| at.run.map(|run| run.behaviour.as_str()))
@@ -62,7 +64,8 @@ fn simulations(context: &Context) -> Option<Table> {
         .digits("peak_relative_error", "Error of the peak", "", 2, |at| Some(at.run?.peak_relative_error))
         .digits("period_relative_error", "Error of the period", "", 2, |at| at.run?.period_relative_error)
         .text("failure", "Failure", |at| at.point.simulation.as_ref().err().map(ToString::to_string))
-        .unless_empty()
+        .table()
+        .into()
 }
 
 fn disagreements(context: &Context) -> Option<Table> {
@@ -82,7 +85,8 @@ fn disagreements(context: &Context) -> Option<Table> {
         .digits("angular_frequency_per_s", "Angular frequency of the run", "1/s", 5, |at| {
             Some(std::f64::consts::TAU * at.run?.frequency_hz?)
         })
-        .unless_empty()
+        .table()
+        .into()
 }
 
 fn least_peaks(context: &Context) -> Option<Table> {
@@ -110,5 +114,6 @@ fn least_peaks(context: &Context) -> Option<Table> {
         .digits("theory_mode_change_dex", "Mode by theory changes", "dex", 3, |least| {
             least.theory_mode_change_dex
         })
-        .unless_empty()
+        .table()
+        .into()
 }

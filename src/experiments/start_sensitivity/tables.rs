@@ -70,7 +70,8 @@ fn starts(context: &Context) -> Option<Table> {
         .text("failure", "Failure", |at| {
             at.run.long_term.as_ref().err().or(at.run.early.as_ref().err()).map(ToString::to_string)
         })
-        .unless_empty()
+        .table()
+        .into()
 }
 
 /// Largest over least of positive values, less 1; none when one is missing or there are fewer than two.
@@ -138,7 +139,8 @@ fn spread(context: &Context) -> Option<Table> {
         .digits("late_period_spread", "Spread of the long-term period", "", 2, |of| of.period)
         .digits("first_peak_least", "Smallest first peak / V_l", "", 6, |of| of.first_peaks[0])
         .digits("first_peak_most", "Largest first peak / V_l", "", 6, |of| of.first_peaks[1])
-        .unless_empty()
+        .table()
+        .into()
 }
 
 /// `all periodic`, or which starts end otherwise than the first.

@@ -49,7 +49,8 @@ fn sweeps(context: &Context) -> Option<Table> {
         .text("command", "Command", |of| {
             format!("slipmode sweep {}.toml --out blocks; slipmode merge blocks", of.entry.name)
         })
-        .unless_empty()
+        .table()
+        .into()
 }
 
 fn modes(context: &Context) -> Option<Table> {
@@ -72,7 +73,8 @@ fn modes(context: &Context) -> Option<Table> {
         .text("slip_mode", "Slip mode, simulation", |((_, mode), _)| mode)
         .number("runs", "Runs", "", |(_, runs)| *runs)
         .digits("share", "Share of the law's runs", "", DIGITS, |((law, _), runs)| share(law, *runs))
-        .unless_empty()
+        .table()
+        .into()
 }
 
 /// What a sweep says of one asymptote.
@@ -103,7 +105,8 @@ fn errors(context: &Context) -> Option<Table> {
         })
         .digits("least_error", "Smallest exact/asymptote − 1", "", DIGITS, |(_, found)| found.least)
         .digits("greatest_error", "Largest exact/asymptote − 1", "", DIGITS, |(_, found)| found.greatest)
-        .unless_empty()
+        .table()
+        .into()
 }
 
 fn by_asymptote(swept: &Swept, kept: &SummarySection) -> Option<BTreeMap<String, OfAsymptote>> {
@@ -156,5 +159,6 @@ fn worst(context: &Context) -> Option<Table> {
         .digits("lower_derived_to_log10", "Lower arc, derived at the last β", "dex", DIGITS, |bin| {
             bin.derived[1][1]
         })
-        .unless_empty()
+        .table()
+        .into()
 }

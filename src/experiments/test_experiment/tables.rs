@@ -14,5 +14,6 @@ fn stiffnesses(context: &Context) -> Option<Table> {
     let stiffnesses = context.outcome.each(|scene| &scene.test_experiment).flat_map(|(_, found)| found);
     Table::of("test-experiment", "Critical stiffness", stiffnesses)
         .digits("critical_stiffness_pa_per_m", "Critical stiffness", "Pa/m", 6, |stiffness| stiffness)
-        .unless_empty()
+        .table()
+        .into()
 }

@@ -28,7 +28,8 @@ fn tolerance(context: &Context) -> Option<Table> {
         .digits("exact_over_leading", "exact/leading", "", ERROR_DIGITS, |(_, row)| {
             &row.limit.exact_over_leading
         })
-        .unless_empty()
+        .table()
+        .into()
 }
 
 /// On which side of its limit an asymptote is good: of V0 for eqs 15 and 16, of σ for eqs 18 and 20.
@@ -56,7 +57,8 @@ fn convergence(context: &Context) -> Option<Table> {
         .digits("relative_error", "Relative error", "", ERROR_DIGITS, |(.., step)| &step.relative_error)
         .digits("ratio", "error/leading", "", ERROR_DIGITS, |(.., step)| &step.ratio)
         .digits("order", "Measured order (derived: 1)", "", ERROR_DIGITS, |(.., step)| step.order.as_ref())
-        .unless_empty()
+        .table()
+        .into()
 }
 
 /// The group that the limit bounds.

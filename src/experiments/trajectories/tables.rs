@@ -70,7 +70,8 @@ fn modes(context: &Context) -> Option<Table> {
             run.course.as_ref().ok().map(|course| course.free_residual_pa)
         })
         .text("failure", "Failure", failure)
-        .unless_empty()
+        .table()
+        .into()
 }
 
 fn found(run: &TrajectoryRun) -> Option<&Simulation> {
@@ -106,5 +107,6 @@ fn samples(context: &Context) -> Option<Table> {
             SAMPLE_DIGITS,
             |(_, at)| at.stress_change_pa,
         )
-        .unless_empty()
+        .table()
+        .into()
 }

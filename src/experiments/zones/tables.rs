@@ -26,7 +26,8 @@ fn zones(context: &Context) -> Option<Table> {
         .number("points_exact", "Points, exact", "", |(.., [exact, _])| exact)
         .number("points_simplified", "Points, simplified map", "", |(.., [_, simplified])| simplified)
         .number("areas", "Connected areas, exact", "", |(_, zones, mode, _)| zones.exact.areas_of(&mode))
-        .unless_empty()
+        .table()
+        .into()
 }
 
 fn inertial_lines(context: &Context) -> Option<Table> {
@@ -43,7 +44,8 @@ fn inertial_lines(context: &Context) -> Option<Table> {
     .text("line", "Line", |(.., count)| count.line.as_str())
     .number("misplaced", "Points in another slip mode than the exact one", "", |(.., count)| count.misplaced)
     .number("points", "Points", "", |(_, zones, _)| zones.exact.values.len())
-    .unless_empty()
+    .table()
+    .into()
 }
 
 fn thresholds(context: &Context) -> Option<Table> {
@@ -61,5 +63,6 @@ fn thresholds(context: &Context) -> Option<Table> {
     .number("oscillating", "Oscillating points", "", |(_, share)| share.oscillating)
     .number("inertial", "Of them inertial", "", |(_, share)| share.inertial)
     .number("moved", "Points whose mode differs from the default's", "", |(_, share)| share.moved)
-    .unless_empty()
+    .table()
+    .into()
 }

@@ -8,6 +8,9 @@ impl ClaimFormula {
     /// The formula and over what it is said, in words and LaTeX between `$`.
     #[must_use]
     pub fn markdown(&self) -> String {
+        if let Some(table) = &self.rows {
+            return format!("over the rows of the table `{table}`, `{}`", self.text);
+        }
         let scope = &self.scope;
         let mut given: Vec<String> = scope.given.iter().map(FormulaCondition::markdown).collect();
         let ends = |(name, [low, high]): &(String, [_; 2])| {

@@ -21,6 +21,8 @@ mod grammar;
 mod markdown;
 mod premises;
 
+use std::cmp::Ordering;
+
 use slipmode_core::number::Rational;
 use slipmode_core::polynomial::{ConversionError, Expression, Extent, Literal, Sign, SignFormula, Toward};
 use slipmode_core::theory::Equations;
@@ -45,6 +47,19 @@ pub struct ClaimFormula {
     pub statement: Statement,
     /// Over what it is said.
     pub scope: Scope,
+    /// The table over whose rows the text is said; then the statement and the scope are empty.
+    pub rows: Option<String>,
+    /// The limit within which it holds, and where it does not.
+    pub limit: Option<Box<FormulaLimit>>,
+}
+
+/// A limit of a formula: the words of the limit, and what is true outside it.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct FormulaLimit {
+    /// The limit.
+    pub words: String,
+    /// What is true outside, in words and as a formula, which is decided too.
+    pub outside: (String, ClaimFormula),
 }
 
 /// Over what a formula is said, besides the assumptions of `equations.toml`.
@@ -136,7 +151,33 @@ slipmode_core::named! {
     }
 }
 
+impl Formula {
+    /// Reads a formula in the names of something else than equations, such as the columns of a table.
+    ///
+    /// # Errors
+    /// What is wrong with it, with its column.
+    pub fn read(text: &str, names: &Names) -> Result<Self, String> {
+        match grammar::statement(text, names)? {
+            Statement::True(formula) => Ok(formula),
+            _ => Err(format!("'{text}' is no condition that is true or false in a row")),
+        }
+    }
+}
+
 impl Comparison {
+    /// Whether two numbers in this order compare so.
+    #[must_use]
+    pub fn holds(self, order: Ordering) -> bool {
+        match self {
+            Self::AtMost => order.is_le(),
+            Self::AtLeast => order.is_ge(),
+            Self::Unequal => order.is_ne(),
+            Self::Equal => order.is_eq(),
+            Self::Less => order.is_lt(),
+            Self::Greater => order.is_gt(),
+        }
+    }
+
     /// The comparison of two sides as one of their difference with zero.
     #[must_use]
     pub fn literal(self, left: Expression, right: Expression) -> Literal {
@@ -189,7 +230,7 @@ impl ClaimFormula {
     pub fn read(text: &str, scope: Scope, equations: &Equations) -> Result<Self, String> {
         let names = Names::of(equations);
         let statement = grammar::statement(text, &names)?;
-        let formula = Self { text: text.trim().to_owned(), statement, scope };
+        let formula = Self { text: text.trim().to_owned(), statement, scope, ..Self::default() };
         let premises = formula.premises(equations)?;
         let domain = premises.domain();
         let faults = |(side, own): (&Expression, Option<&str>)| {

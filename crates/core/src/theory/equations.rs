@@ -78,7 +78,7 @@ impl std::error::Error for EquationsError {}
 /// The equations of a paper, in the order of the file: any numbers, any variables.
 ///
 /// The derivations of this module are those of one paper. They can start from equations that meet [`Equations::demand_paper`].
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Equations {
     equations: Vec<Equation>,
     positive: Vec<String>,

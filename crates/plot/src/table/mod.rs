@@ -66,6 +66,12 @@ pub struct Cell {
     pub text: String,
     /// Number or words; decides alignment and CSV quoting.
     pub kind: Kind,
+    /// The significant digits that a number was rounded to, where it was.
+    #[serde(skip)]
+    pub digits: Option<u32>,
+    /// Whether every digit shown is certain.
+    #[serde(skip)]
+    pub is_certain: bool,
 }
 
 impl Table {
@@ -116,13 +122,25 @@ impl Cell {
     /// A number that was formatted where it was computed.
     #[must_use]
     pub fn number(text: impl Into<String>) -> Self {
-        Self { text: text.into(), kind: Kind::Number }
+        Self { text: text.into(), kind: Kind::Number, digits: None, is_certain: false }
+    }
+
+    /// A number that was rounded to some significant digits.
+    #[must_use]
+    pub fn rounded(text: impl Into<String>, digits: usize) -> Self {
+        Self { digits: u32::try_from(digits).ok(), ..Self::number(text) }
+    }
+
+    /// The same with digits that are all certain.
+    #[must_use]
+    pub fn certain(self) -> Self {
+        Self { is_certain: true, ..self }
     }
 
     /// Words.
     #[must_use]
     pub fn text(text: impl Into<String>) -> Self {
-        Self { text: text.into(), kind: Kind::Text }
+        Self { text: text.into(), kind: Kind::Text, digits: None, is_certain: false }
     }
 
     /// Nothing to say here.

@@ -18,7 +18,7 @@ impl Table {
     /// let table = Table::of("squares", "Squares", [1u64, 2])
     ///     .text("parity", "Parity", |n| if n % 2 == 0 { "even" } else { "odd" })
     ///     .number("square", "n²", "", |n| n * n);
-    /// assert_eq!(table.unless_empty().unwrap().to_csv(), "parity,square\nodd,1\neven,4\n");
+    /// assert_eq!(table.table().to_csv(), "parity,square\nodd,1\neven,4\n");
     /// ```
     #[must_use]
     pub fn of<R: Copy>(id: &str, title: &str, values: impl IntoIterator<Item = R>) -> TableRows<R> {
@@ -70,12 +70,6 @@ impl<R: Copy> TableRows<R> {
     #[must_use]
     pub fn table(self) -> Table {
         self.table
-    }
-
-    /// The table; nothing without rows.
-    #[must_use]
-    pub fn unless_empty(self) -> Option<Table> {
-        (!self.values.is_empty()).then_some(self.table)
     }
 }
 

@@ -1,0 +1,66 @@
+//! Comparisons of numbers with errors, and their correlation.
+
+use std::cmp::Ordering;
+
+use slipmode_core::number::{Ball, Rational, Real};
+
+use crate::scene::Comparison;
+
+/// Bits of the values.
+pub(super) const BITS: u32 = 96;
+
+/// How a difference compares with zero. Without an estimated error, values that agree in all digits shown are equal.
+pub(super) fn compared(difference: &Ball, comparison: Comparison, is_estimated: bool) -> Option<bool> {
+    if let Some(sign) = difference.sign() {
+        return Some(comparison.holds(sign));
+    }
+    match comparison {
+        Comparison::Equal | Comparison::Unequal if !is_estimated && difference.is_bounded() => {
+            Some(comparison == Comparison::Equal)
+        }
+        Comparison::AtMost | Comparison::Greater if difference.upper() <= 0 => {
+            Some(comparison == Comparison::AtMost)
+        }
+        Comparison::AtLeast | Comparison::Less if difference.lower() >= 0 => {
+            Some(comparison == Comparison::AtLeast)
+        }
+        _ => None,
+    }
+}
+
+/// The absolute value.
+pub(super) fn magnitude(value: &Ball) -> Ball {
+    match value.sign() {
+        Some(Ordering::Less) => -value.clone(),
+        Some(_) => value.clone(),
+        None => {
+            let [low, high] = [value.lower().abs(), value.upper().abs()];
+            let half = Ball::exact(if low > high { low } else { high }) / Ball::from(2);
+            Ball::new(half.centre().clone(), half.upper())
+        }
+    }
+}
+
+/// Pearson's correlation; none for fewer than three values, or without spread.
+pub(super) fn correlation(x: &[Ball], y: &[Ball]) -> Option<Ball> {
+    let number = |count: usize| Ball::from_rational(&Rational::from(count), BITS);
+    let centred = |values: &[Ball]| -> Vec<Ball> {
+        let mean = values.iter().fold(number(0), |sum, value| sum + value) / number(values.len());
+        values.iter().map(|value| value.clone() - &mean).collect()
+    };
+    let product = |one: &[Ball], other: &[Ball]| {
+        one.iter().zip(other).fold(number(0), |sum, (one, other)| sum + one.clone() * other)
+    };
+    if x.len() < 3 {
+        return None;
+    }
+    let (x, y) = (centred(x), centred(y));
+    let spread = product(&x, &x) * product(&y, &y);
+    (spread.sign() == Some(Ordering::Greater)).then(|| product(&x, &y) / spread.sqrt())
+}
+
+/// The ball around a value with at least this radius.
+pub(super) fn around(value: &Rational, width: &Rational) -> Ball {
+    let [zero, radius] = [&Rational::new(), width].map(|one| Ball::from_rational(one, BITS).upper());
+    Ball::from_rational(value, BITS) + Ball::new(zero, radius)
+}

@@ -1,0 +1,173 @@
+//! Claims over the rows of a table of simulations: true, false, about no row, open within the estimated errors, and at fault.
+
+use crate::claim_formulas::report;
+use crate::harness::Workplace;
+
+const SCENE: &str = r#"
+name = "a"
+title = "A"
+[parameters]
+direct_effect = 0.004
+evolution_effect = 0.006
+critical_slip_distance_m = 10e-6
+stiffness_pa_per_m = 10e6
+mass_per_area_kg_per_m2 = 1000
+[simulations]
+loading_velocity_m_per_s = { from = 1e-5, to = 1e-2, points = 4 }
+normal_stress_pa = { from = 1e2, to = 1e6, points = 3 }
+laws = ["slip"]
+tolerance = 1e-6
+"#;
+
+fn claim(id: usize, rows: &str, statement: &str, verdict: &str) -> String {
+    format!(
+        "[[claim]]\nid = \"R{id}\"\nplace = \"p\"\nwords = \"Claim {id}.\"\nexpected = \"{verdict}\"\nleaves_out = \"nothing\"\n\
+         rows = \"{rows}\"\nformula = \"{statement}\"\n\n"
+    )
+}
+
+fn with_runs(claims: &str) -> Workplace {
+    let place = report(claims);
+    place.write("r/scenes/a.toml", SCENE);
+    place
+}
+
+/// A statement over the table of simulations, its verdict, its strength, and a part of what is said about it.
+const ROWS: &[(&str, &str, &str, &str)] = &[
+    (
+        "for every row: behaviour = 'periodic' iff stiffness_over_critical < 1",
+        "holds",
+        "converged",
+        "true in 12 of 12 rows",
+    ),
+    (
+        "for every row where stiffness_over_critical > 1: period_s = ''",
+        "fails",
+        "converged",
+        "the first: scene = a, law = slip",
+    ),
+    ("for every row where stress_drop_pa > 1: law = 'slip'", "holds", "sampled", "rows"),
+    (
+        "for every row where law = 'aging': period_s > 0",
+        "not-checked",
+        "",
+        "No row of the table `simulations`",
+    ),
+    ("count where behaviour = 'periodic' >= 1", "holds", "converged", "of 12 rows"),
+    ("count where law = 'aging' = 0", "holds", "converged", "0 of 12 rows"),
+    ("count = 11", "fails", "sampled", "there are 12"),
+    // The error of a peak is far above a part in 10^15.
+    (
+        "peak_velocity_m_per_s agrees with peak_velocity_m_per_s*(1 + 1/10^15) within 1e-16",
+        "not-checked",
+        "",
+        "a estimated error leaves it open",
+    ),
+    (
+        "peak_velocity_m_per_s agrees with 2*peak_velocity_m_per_s within 0.4",
+        "fails",
+        "converged",
+        "in 12 of 12 rows",
+    ),
+    (
+        "loading_velocity_m_per_s agrees with loading_velocity_m_per_s*1.01 within 0.02",
+        "holds",
+        "certified",
+        "12 of 12",
+    ),
+    ("for every row: 1/(period_s - period_s) > 0", "not-checked", "", "a missing value"),
+    (
+        "correlation of loading_velocity_m_per_s with normal_stress_pa < 0.5",
+        "holds",
+        "certified",
+        "true in 1 of 1",
+    ),
+    (
+        "correlation of peak_velocity_m_per_s with normal_stress_pa at each loading_velocity_m_per_s > 0.99999",
+        "fails",
+        "converged",
+        "in 4 of 4 groups of rows; the first: ",
+    ),
+    ("correlation of normal_stress_pa with 1 > 0", "not-checked", "", "different values"),
+    ("least normal_stress_pa at normal_stress_pa = 1e2 within 1", "holds", "certified", "at 100"),
+    (
+        "largest normal_stress_pa at normal_stress_pa = 1e4 within 1 at each loading_velocity_m_per_s",
+        "fails",
+        "certified",
+        "at 1e6",
+    ),
+    ("normal_stress_pa rises with normal_stress_pa at each law", "not-checked", "", "leaves it open"),
+    (
+        "normal_stress_pa^2 rises with normal_stress_pa at each loading_velocity_m_per_s",
+        "holds",
+        "certified",
+        "2 of 2 neighbours",
+    ),
+    (
+        "stiffness_over_critical rises with normal_stress_pa at each loading_velocity_m_per_s",
+        "fails",
+        "certified",
+        "0 of 2 neighbours",
+    ),
+];
+
+#[test]
+fn statements_over_rows_get_the_verdict_and_the_strength_that_they_deserve() {
+    let claims = ROWS
+        .iter()
+        .zip(1..)
+        .map(|((statement, verdict, ..), id)| claim(id, "simulations", statement, verdict));
+    let place = with_runs(&claims.collect::<String>());
+    place.run(["report", "r", "-o", "out"]).expect_success();
+    let ledger: serde_json::Value = serde_json::from_str(&place.read("out/ledger.json")).unwrap();
+    for ((statement, verdict, strength, part), found) in ROWS.iter().zip(ledger["claims"].as_array().unwrap())
+    {
+        assert_eq!(found["verdict"], *verdict, "{statement}: {found:#}");
+        assert!(*verdict == "not-checked" || found["strength"] == *strength, "{statement}: {found:#}");
+        let told = format!("{} {} {}", found["evidence"], found["counter_example"], found["remarks"]);
+        assert!(told.contains(part), "{statement}: {found:#}");
+    }
+    let text = place.read("out/report.md");
+    assert!(text.contains("over the rows of the table `simulations`, `count = 11`"), "{text}");
+}
+
+#[test]
+fn a_statement_over_rows_computes_only_its_own_table() {
+    let claims =
+        claim(1, "simulations", "count = 12", "holds") + &claim(2, "frequency", "count > 0", "not-checked");
+    let place = with_runs(&claims);
+    let said = place.run(["verify", "r", "--claim", "R1"]).expect_success();
+    assert!(said.contains("simulations: count = 12: 12 of 12 rows"), "{said}");
+    let said = place.run(["verify", "r", "--claim", "R2"]).expect_success();
+    assert!(said.contains("No scene of the report computes the table."), "{said}");
+}
+
+#[test]
+fn statements_over_rows_at_fault_are_refused_all_at_once() {
+    let rows = [
+        (
+            "simulation",
+            "count = 12",
+            "there is no table `simulation` of computed values; did you mean `simulations`?",
+        ),
+        ("simulations", "for every row: peak_velocity > 0", "'peak_velocity' is no column of the table"),
+        ("simulations", "for every row: perod_s > 0", "did you mean `period_s`?"),
+        ("simulations", "for every row: law > 1", "`law` is a column of words"),
+        (
+            "simulations",
+            "for every row: period_s = 'long'",
+            "a word in quotes is compared with a column of words",
+        ),
+        ("simulations", "for every row period_s > 0", "needs a ':'"),
+        ("simulations", "count where period_s > 0", "column 1: a formula has"),
+        ("simulations", "period_s rises with law", "`law` is a column of words"),
+        ("simulations", "period_s rises with normal_stress_pa at each lwa", "did you mean `law`?"),
+        ("simulations", "period_s", "a statement over rows is `for every row: …`"),
+        ("simulations", "for every row: law = 'slip", "a quote ' is not closed"),
+    ];
+    let claims = rows.iter().zip(1..).map(|((table, statement, _), id)| claim(id, table, statement, "holds"));
+    let parts: Vec<&str> = rows.iter().map(|(.., part)| *part).collect();
+    with_runs(&claims.collect::<String>()).run(["report", "r"]).expect_refusal(&parts);
+    let both = claim(1, "simulations", "count = 12", "holds") + "given = [\"a < b\"]\n";
+    with_runs(&both).run(["report", "r"]).expect_refusal(&["needs no `rows` beside it"]);
+}
