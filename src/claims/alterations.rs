@@ -217,6 +217,7 @@ mod tests {
             right: side(right),
             printed: None,
             note: String::new(),
+            given: Vec::new(),
         };
         let parts = |found: Alteration| (found.kind, found.text, found.says_the_same);
         alterations(&equation, &[["a", "b"].map(Symbol::new)]).into_iter().map(parts).collect()

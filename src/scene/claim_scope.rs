@@ -94,8 +94,13 @@ impl<'t> FormulaEntries<'t> {
             };
         }
         let equations = equations?;
-        let scope = self.read_scope(&Names::of(equations));
-        formula.sound(ClaimFormula::read(&text, scope?, equations).map_err(Problem::Equation))
+        let names = Names::of(equations);
+        let mut scope = self.read_scope(&names)?;
+        // The conditions of the file hold for every claim; they were read with it.
+        let of_file = equations.conditions().iter();
+        let of_file = of_file.filter_map(|text| FormulaCondition::read(text, &names).ok());
+        scope.given = of_file.chain(scope.given).collect();
+        formula.sound(ClaimFormula::read(&text, scope, equations).map_err(Problem::Equation))
     }
 
     fn read_scope(&self, names: &Names) -> Option<Scope> {

@@ -3,6 +3,7 @@
 use thiserror::Error;
 
 use crate::scene::Problem;
+pub use slipmode_core::nearest;
 
 /// The longest name, in characters.
 const LONGEST: usize = 100;
@@ -54,23 +55,6 @@ fn is_device(name: &str) -> bool {
 #[must_use]
 pub fn same_name(one: &str, other: &str) -> bool {
     one.eq_ignore_ascii_case(other)
-}
-
-/// The known word nearest to a misspelt one, if any is near enough to be meant.
-///
-/// Near is an edit distance of at most a third of the length (swapped neighbours count once).
-#[must_use]
-pub fn nearest<'k>(written: &str, known: impl IntoIterator<Item = &'k str>) -> Option<&'k str> {
-    // A long text is no misspelling, and the distance costs the product of both lengths.
-    if written.len() > 2 * LONGEST {
-        return None;
-    }
-    known
-        .into_iter()
-        .map(|word| (strsim::damerau_levenshtein(&written.to_lowercase(), &word.to_lowercase()), word))
-        .filter(|(distance, word)| *distance <= (word.chars().count() / 3).max(1))
-        .min_by_key(|(distance, _)| *distance)
-        .map(|(_, word)| word)
 }
 
 /// The one of `all` that has a word.

@@ -96,3 +96,109 @@ fn equations_with_faults_are_refused_all_at_once() {
             "equation 5: needs one '='",
         ]);
 }
+
+/// The slider with mass and a general law of one state, and what is derived of it.
+const SLIDER: &str = r#"
+[assumptions]
+positive = ["A", "B", "L", "K", "M", "V", "v", "theta", "omega"]
+free = ["x", "mu_0"]
+[[system]]
+name = "aging"
+state = ["x", "v", "theta"]
+rates = ["V - v", "(K*x - mu_0 - A*ln(v/V) - B*ln(V*theta/L))/M", "1 - v*theta/L"]
+steady = ["mu_0/K", "V", "L/V"]
+[[system]]
+name = "slip"
+state = ["x", "v", "theta"]
+rates = ["V - v", "(K*x - mu_0 - A*ln(v/V) - B*ln(V*theta/L))/M", "-v*theta/L*ln(v*theta/L)"]
+steady = ["mu_0/K", "V", "L/V"]
+[[definition]]
+name = "P"
+is = "characteristic(aging, s)"
+[[definition]]
+name = "P_slip"
+is = "characteristic(slip, s)"
+[[definition]]
+name = "H"
+is = "hurwitz(P, s, 2)"
+[[definition]]
+name = "K_cr"
+is = "solve(H, K)"
+[[definition]]
+name = "K_qs"
+is = "limit(K_cr, M, 0)"
+[[definition]]
+name = "square"
+is = "at(coefficient_1, K = K_cr)"
+given = ["A < B"]
+[[definition]]
+name = "coefficient_1"
+is = "coefficient(P, s, 1)"
+[[definition]]
+name = "w"
+is = "solve(omega^2 - square, omega)"
+[[definition]]
+name = "rapid"
+is = "limit(K_per_square, V, infinity)"
+[[definition]]
+name = "K_per_square"
+is = "K_cr/V^2"
+"#;
+
+#[test]
+fn claims_about_derived_names_are_decided_with_the_proofs_of_their_definitions() {
+    let given = |condition: &str| format!("\ngiven = [\"{condition}\"]");
+    let stated = |id: &str, verdict: &str, text: &str, given: &str| {
+        claim(id, verdict, &format!("leaves_out = \"nothing\"\nformula = {text:?}{given}"))
+    };
+    let weakening = given("A < B");
+    let claims = stated("R2", "holds", "K_qs = (B - A)/L", "")
+        + &stated("R3", "holds", "w = V/L*sqrt((B - A)/A)", &weakening)
+        + &stated("R4", "holds", "K_cr rises with M", &weakening)
+        + &stated("R5", "fails", "square depends on M", &weakening)
+        + &stated("R7", "holds", "P = P_slip", "")
+        + &stated("R8", "fails", "K_cr = K_qs", &weakening)
+        + &stated("R9", "holds", "rapid = M*(B - A)/(A*L^2)", "");
+    let place = report(SLIDER, &claims, "Words.\n");
+    place.run(["report", "r", "-o", "out"]).expect_success();
+    let ledger: serde_json::Value = serde_json::from_str(&place.read("out/ledger.json")).unwrap();
+    for found in ledger["claims"].as_array().unwrap() {
+        assert_eq!(found["verdict"], found["expected"], "{found:#}");
+    }
+    let proof = serde_json::to_string(&ledger["claims"][0]["evidence"][0]["proof"]).unwrap();
+    for step in [
+        "the rate of theta is zero at the steady state of aging",
+        "determinant of s − J with the slopes J of aging",
+        "put back for K, it gives zero",
+        "its limit as M -> 0",
+        "system aging",
+    ] {
+        assert!(proof.contains(step), "{step} is not in {proof}");
+    }
+}
+
+#[test]
+fn a_claim_states_what_its_definitions_are_given_for_and_the_conditions_of_the_file_hold_for_all() {
+    let claims = formula("R3", "holds", "w > 0");
+    report(SLIDER, &claims, "Words.\n")
+        .run(["verify", "r"])
+        .expect_refusal(&["'w' is defined for B - A > 0 only: add this to `given`"]);
+    let of_file = SLIDER.replace("free =", "conditions = [\"A < B\"]\nfree =");
+    let place = report(&of_file, &claims, "Words.\n");
+    place.run(["verify", "r"]).expect_success();
+    let said = place.run(["verify", "r", "--claim", "R3"]).expect_success();
+    assert!(said.contains("A < B"), "{said}");
+}
+
+#[test]
+fn definitions_and_systems_at_fault_are_named_by_file_and_key() {
+    let more = "[[definition]]\nname = \"c\"\nis = \"2*c\"\n[[definition]]\nname = \"d\"\nis = \"solve(PP, K)\"\n\
+        [[definition]]\nname = \"e\"\nis = \"coefficient(P, s)\"\n";
+    let faulty = SLIDER.replace("\"1 - v*theta/L\"", "\"2 - v*theta/L\"") + more;
+    report(&faulty, &formula("R1", "holds", "K > 0"), "Words.\n").run(["verify", "r"]).expect_refusal(&[
+        "r/equations.toml: definition c: is defined by itself: c -> c",
+        "r/equations.toml: definition d: 'PP' is no variable and no defined name of equations.toml; did you mean `P`?",
+        "r/equations.toml: definition e: `coefficient(P, s, n)` has 3 arguments, not 2",
+        "r/equations.toml: system aging: the rate of theta is not zero at the steady state: 1",
+    ]);
+}

@@ -55,6 +55,7 @@ pub mod theory;
 
 pub use dynamics::{Options as SimulationOptions, Simulation, simulate};
 pub use friction::{EvolutionLaw, Groups, OperatingPoint, Parameters, Slider, SlipMode};
+pub use named::nearest;
 pub use number::{Ball, DecimalError, Rational, parse_decimal};
 pub use roots::{CertifiedRoot, CertifiedRoots, PrecisionLevel, certified_roots};
 pub use stability::{

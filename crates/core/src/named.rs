@@ -1,4 +1,5 @@
-//! Enumerations whose variants have a word each: the list, the words and the search by word come from one place.
+//! Enumerations whose variants have a word each: the list, the words and the search by word come from one place. And the nearest word
+//! to a misspelt one.
 
 /// Declares an enumeration of words: `Variant = "word"`.
 ///
@@ -32,4 +33,23 @@ macro_rules! named {
             }
         }
     };
+}
+
+/// The longest text that may be a misspelt word, in bytes: the distance costs the product of both lengths.
+const LONGEST: usize = 200;
+
+/// The known word nearest to a misspelt one, if any is near enough to be meant.
+///
+/// Near is an edit distance of at most a third of the length (swapped neighbours count once).
+#[must_use]
+pub fn nearest<'k>(written: &str, known: impl IntoIterator<Item = &'k str>) -> Option<&'k str> {
+    if written.len() > LONGEST {
+        return None;
+    }
+    known
+        .into_iter()
+        .map(|word| (strsim::damerau_levenshtein(&written.to_lowercase(), &word.to_lowercase()), word))
+        .filter(|(distance, word)| *distance <= (word.chars().count() / 3).max(1))
+        .min_by_key(|(distance, _)| *distance)
+        .map(|(_, word)| word)
 }

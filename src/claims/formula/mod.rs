@@ -97,7 +97,11 @@ fn decide_formula(id: &str, words: &str, formula: &ClaimFormula, context: &Conte
         sides.iter().flat_map(|side| names.equations_of(side)).map(str::to_owned).collect();
     numbers.sort_unstable();
     numbers.dedup();
-    let problem = Problem { proof: Proof::new(id, words), numbers, premises, names, formula };
+    let conditions = formula.scope.given.iter().flat_map(|condition| &condition.sides);
+    let behind = sides.iter().copied().chain(conditions).cloned().collect();
+    let lemmas = names.proofs_of(&Expression::Sum(behind)).into_iter().cloned();
+    let proof = lemmas.fold(Proof::new(id, words), Proof::using);
+    let problem = Problem { proof, numbers, premises, names, formula };
     match &formula.statement {
         Statement::True(said) => match Lowered::new(said, &problem.names, &problem.premises) {
             Err(reason) => Finding::not_checked(format!("Not decided: {reason}.")),

@@ -266,7 +266,7 @@ impl Reader<'_> {
 
     fn variable(&self, part: &str) -> Result<String, String> {
         let part = part.trim();
-        match self.names.variables.contains(&Symbol::new(part)) {
+        match self.names.variables().contains(&Symbol::new(part)) {
             true => Ok(part.to_owned()),
             false => Err(self.fault(part, self.names.refusal(part))),
         }

@@ -239,6 +239,9 @@ impl ClaimFormula {
             if let Err(error) = resolved.check_extent(LARGEST) {
                 return Some(format!("'{side}' is too large: {error}"));
             }
+            if let Some(missing) = names.missing_condition(side, &domain, |one| premises.put_in(one)) {
+                return Some(missing);
+            }
             match domain.rational_function(&resolved) {
                 // A logarithm or an open sign may still be decided with a substitution.
                 Err(ConversionError::Logarithm(_) | ConversionError::OpenSign(_)) | Ok(_) => None,

@@ -95,6 +95,22 @@ fn check_sign(expression: &Expression, sign: i8, domain: &Domain) -> Result<(), 
     Err(Failure::remainder(format!("{} has no certified sign {sign:+}", Expression::from(&function))))
 }
 
+impl Domain {
+    /// The limit of an expression as a variable goes to an end, the others fixed.
+    ///
+    /// # Errors
+    /// When the variable is not free to go there alone, or there is no finite limit for all values of the others.
+    pub fn limit(
+        &self,
+        expression: &Expression,
+        variable: &Symbol,
+        toward: Toward,
+    ) -> Result<RationalFunction, String> {
+        let function = self.rational_function(expression).map_err(|error| error.to_string())?;
+        limit(&function, variable.as_str(), toward, self).map_err(|failure| failure.remainder)
+    }
+}
+
 fn limit(
     function: &RationalFunction,
     variable: &str,

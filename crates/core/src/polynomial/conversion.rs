@@ -35,6 +35,14 @@ pub enum ConversionError {
     TooLarge(#[from] TooLarge),
 }
 
+impl ConversionError {
+    /// Whether another form of the assumptions may decide it: the expression may still have a value.
+    #[must_use]
+    pub fn is_open(&self) -> bool {
+        matches!(self, Self::Logarithm(_) | Self::OpenSign(_))
+    }
+}
+
 /// What a numerator or denominator may come to when it is multiplied out.
 const LARGEST: Extent = Extent { terms: 20_000, degree: 256, bits: 1 << 20 };
 

@@ -113,6 +113,13 @@ impl Domain {
         self
     }
 
+    /// The same domain without values at which all assumptions hold.
+    #[must_use]
+    pub fn without_example(mut self) -> Self {
+        self.example.clear();
+        self
+    }
+
     /// Is this variable positive? Values of the exponential always are.
     #[must_use]
     pub fn is_positive(&self, name: &Symbol) -> bool {

@@ -1,34 +1,57 @@
 //! Whether both sides of an equation have a value.
 //!
-//! An equation may speak of a < b or of a > b only, as eqs 12 and 13 do: it must have a value for all positive quantities of one
-//! of the two cases at least. The proofs state which case they are about.
+//! An equation in positive a and b may speak of a < b or of a > b only, as eqs 12 and 13 do: it must have a value for all positive
+//! quantities of one of the two cases at least. The proofs state which case they are about. Other conditions are written beside it.
 
 use super::notation::formula;
-use crate::polynomial::{Demand, Domain, Expression, Extent, Relation};
+use crate::polynomial::{Condition, Demand, Domain, Expression, Extent, Relation, Symbol};
 
 /// What a side of an equation may come to when it is multiplied out. The largest side of the paper has 8 terms and degree 14.
 const LARGEST: Extent = Extent { terms: 16, degree: 24, bits: 4096 };
 
-/// Reads one side of an equation whose variables in the list are positive.
+/// Reads one side of an equation that is stated for some conditions, besides those of the domain.
 ///
 /// # Errors
 /// With the column: text outside the grammar, what has no value, and what is too large.
-pub(super) fn read(text: &str, positive: &[String]) -> Result<Expression, String> {
+pub(super) fn read(text: &str, given: &[Condition], domain: &Domain) -> Result<Expression, String> {
     let (expression, demands) = Expression::read(text).map_err(|error| error.to_string())?;
     expression.check_extent(LARGEST).map_err(|error| format!("column 1: {error}"))?;
-    let all = Domain::positive(&positive.join(" "));
+    let add = |domain: Domain, one: &Condition| domain.given(one.expression.clone(), one.relation);
+    let all = given.iter().fold(domain.clone(), add);
     let case = |text: &str| all.clone().given(formula(text), Relation::Positive);
-    let cases = [all.clone(), case("b - a"), case("a - b")];
+    let has_effects = ["a", "b"].iter().all(|name| domain.is_positive(&Symbol::new(name)));
+    let mut cases = vec![all.clone()];
+    cases.extend(has_effects.then(|| ["b - a", "a - b"].map(case)).into_iter().flatten());
     let met = |demand: &Demand, case: &Domain| case.proves(&demand.condition) == Ok(true);
     if cases.iter().any(|case| demands.iter().all(|demand| met(demand, case))) {
         return Ok(expression);
     }
     let never = demands.iter().find(|demand| !cases.iter().any(|case| met(demand, case)));
     let unmet = never.or_else(|| demands.iter().find(|demand| !met(demand, &all)));
-    unmet.map_or(Ok(expression), |demand| Err(message(demand, &all)))
+    let tried = if has_effects { ", and a < b or a > b" } else { "" };
+    unmet.map_or(Ok(expression), |demand| Err(message(demand, &all, tried)))
 }
 
-fn message(Demand { column, condition }: &Demand, domain: &Domain) -> String {
+/// What of the demands of a definition is not met: it uses names, which are resolved. A logarithm or an absolute value that stays
+/// open here may be decided in a claim.
+pub(super) fn unmet(
+    demands: &[Demand],
+    domain: &Domain,
+    resolve: &dyn Fn(&Expression) -> Expression,
+) -> Option<String> {
+    let resolved = demands.iter().map(|Demand { column, condition }| {
+        let condition =
+            Condition { expression: resolve(&condition.expression), relation: condition.relation };
+        Demand { column: *column, condition }
+    });
+    let mut resolved = resolved.filter(|demand| match domain.proves(&demand.condition) {
+        Ok(proved) => !proved,
+        Err(error) => !error.is_open(),
+    });
+    resolved.next().map(|demand| message(&demand, domain, ""))
+}
+
+fn message(Demand { column, condition }: &Demand, domain: &Domain, tried: &str) -> String {
     let part = &condition.expression;
     if let Err(error) = domain.proves(condition) {
         return format!("column {column}: {error}");
@@ -43,7 +66,7 @@ fn message(Demand { column, condition }: &Demand, domain: &Domain) -> String {
         Relation::NonNegative => format!("'{part}' may be negative: its square root may have no value"),
         Relation::Positive => format!("'{part}' may be zero or negative: its logarithm may have no value"),
     };
-    format!("column {column}: {fault} (assumed: {domain}, and a < b or a > b)")
+    format!("column {column}: {fault} (assumed: {domain}{tried})")
 }
 
 #[cfg(test)]

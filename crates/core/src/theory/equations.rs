@@ -1,10 +1,12 @@
 //! A paper's equations as input data.
 
 use std::fmt;
-use std::sync::LazyLock;
+use std::sync::{Arc, LazyLock};
 
-use super::reading::{self, EquationsText};
-use crate::polynomial::Expression;
+use super::definitions::{self, Rest};
+use super::names::Names;
+use super::reading::{self, DefinitionText, EquationsText};
+use crate::polynomial::{Condition, Domain, Expression};
 
 /// One equation of a paper.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -19,6 +21,8 @@ pub struct Equation {
     pub printed: Option<(Expression, Expression)>,
     /// Why it differs, or what it is.
     pub note: String,
+    /// What it is stated for, besides the assumptions of the file.
+    pub given: Vec<Condition>,
 }
 
 impl Equation {
@@ -81,14 +85,23 @@ impl std::error::Error for EquationsError {}
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Equations {
     equations: Vec<Equation>,
-    positive: Vec<String>,
+    rest: Rest,
+    domain: Domain,
+    names: Arc<Names>,
 }
 
 /// What stands for an equation that is not there: it has no value, so that every step of a proof with it is refused.
 static MISSING: LazyLock<Equation> = LazyLock::new(|| {
     let nothing = || Expression::Quotient(Box::new(Expression::integer(0)), Box::new(Expression::integer(0)));
     let note = "the equation is missing".to_owned();
-    Equation { number: String::new(), left: nothing(), right: nothing(), printed: None, note }
+    Equation {
+        number: String::new(),
+        left: nothing(),
+        right: nothing(),
+        printed: None,
+        note,
+        given: Vec::new(),
+    }
 });
 
 impl Equations {
@@ -104,9 +117,35 @@ impl Equations {
     /// The equations that can be read, and all faults.
     #[must_use]
     pub fn read_partly(text: EquationsText) -> (Self, Vec<EquationFault>) {
-        let positive = text.assumptions.positive;
-        let (equations, faults) = reading::read(text.equation, &positive);
-        (Self { equations, positive }, faults)
+        let EquationsText { assumptions, equation, system, definition } = text;
+        let mut faults = Vec::new();
+        let domain = definitions::assumed(&assumptions).unwrap_or_else(|fault| {
+            faults.push(fault);
+            Domain::positive(&assumptions.positive.join(" "))
+        });
+        let (equations, of_equations) = reading::read(equation, &assumptions.positive, &domain);
+        let rest = Rest { assumptions, systems: system, definitions: definition };
+        let (names, of_names) = definitions::names(&rest, &equations, &domain);
+        faults.extend(of_equations.into_iter().chain(of_names));
+        (Self { equations, rest, domain, names: Arc::new(names) }, faults)
+    }
+
+    /// What the names of the file mean.
+    #[must_use]
+    pub fn names(&self) -> &Arc<Names> {
+        &self.names
+    }
+
+    /// The conditions for everything in the file, as written.
+    #[must_use]
+    pub fn conditions(&self) -> &[String] {
+        &self.rest.assumptions.conditions
+    }
+
+    /// The definitions as the file states them.
+    #[must_use]
+    pub fn definitions(&self) -> &[DefinitionText] {
+        &self.rest.definitions
     }
 
     /// The equation of this number. One that is not there has no value: no step of a proof with it succeeds.
@@ -123,7 +162,7 @@ impl Equations {
     /// The variables that are assumed to be positive.
     #[must_use]
     pub fn positive(&self) -> &[String] {
-        &self.positive
+        &self.rest.assumptions.positive
     }
 
     /// The right side of the equation of this number.
@@ -147,8 +186,12 @@ impl Equations {
         let mut altered = self.clone();
         let known = altered.equations.iter_mut().find(|equation| equation.number == number);
         let known = known.ok_or_else(|| fault("there is no such equation".to_owned()))?;
-        let changed = reading::read_equation(number, text, &self.positive).map_err(fault)?;
-        *known = Equation { printed: known.printed.take(), ..changed };
+        *known = reading::read_again(known, text, &self.domain).map_err(fault)?;
+        let (names, faults) = definitions::names(&self.rest, &altered.equations, &self.domain);
+        if !faults.is_empty() {
+            return Err(EquationsError { faults });
+        }
+        altered.names = Arc::new(names);
         Ok(altered)
     }
 }

@@ -5,10 +5,10 @@
 //! an equation with a wrong sign is refuted by name, with the exact remainder.
 //!
 //! ```
-//! use slipmode_core::theory::{AssumptionsText, EquationText, EquationsText, Equations};
+//! use slipmode_core::theory::{AssumptionsText, EquationsText, Equations};
 //!
 //! // The equations are input. A list without eq 1 is one of another paper: the derivations here cannot start from it.
-//! let text = EquationsText { assumptions: AssumptionsText { positive: vec!["K".into()] }, equation: Vec::<EquationText>::new() };
+//! let text = EquationsText { assumptions: AssumptionsText { positive: vec!["K".into()], ..Default::default() }, ..Default::default() };
 //! let error = Equations::read(text).unwrap().demand_paper().unwrap_err();
 //! assert!(error.faults.iter().any(|fault| fault.key == "equation 1"), "{error}");
 //! ```
@@ -24,6 +24,9 @@ pub mod characteristic;
 #[doc(hidden)]
 pub mod criteria;
 mod definedness;
+mod definitions;
+#[doc(hidden)]
+pub mod derivation;
 #[doc(hidden)]
 pub mod emergence;
 mod equations;
@@ -39,6 +42,7 @@ pub mod hopf;
 pub mod inertial;
 #[doc(hidden)]
 pub mod linearisation;
+mod names;
 #[doc(hidden)]
 pub mod non_inertial;
 mod notation;
@@ -68,7 +72,8 @@ pub mod weak_instability;
 pub mod worst_error;
 
 pub use equations::{Equation, EquationFault, Equations, EquationsError};
-pub use reading::{AssumptionsText, EquationText, EquationsText};
+pub use names::{Meaning, Names};
+pub use reading::{AssumptionsText, DefinitionText, EquationText, EquationsText, SystemText};
 
 #[cfg(test)]
 mod tests;

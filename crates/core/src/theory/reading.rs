@@ -1,7 +1,8 @@
 //! Reading a file of equations: all faults at once.
 
+use super::derivation::{is_name, read_condition};
 use super::{Equation, EquationFault, definedness};
-use crate::polynomial::Expression;
+use crate::polynomial::{Condition, Domain, Expression};
 
 /// The most equations of a file: each costs a proof that it has a value.
 const MOST: usize = 500;
@@ -10,7 +11,7 @@ const MOST: usize = 500;
 const LONGEST_NUMBER: usize = 40;
 
 /// The equations of a paper as text, as a file states them.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(deny_unknown_fields))]
 pub struct EquationsText {
@@ -19,15 +20,59 @@ pub struct EquationsText {
     /// The equations in any order.
     #[cfg_attr(feature = "serde", serde(default))]
     pub equation: Vec<EquationText>,
+    /// Systems of differential equations.
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub system: Vec<SystemText>,
+    /// Names that stand for an expression or a derivation.
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub definition: Vec<DefinitionText>,
 }
 
 /// What the equations assume of their variables.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(deny_unknown_fields))]
 pub struct AssumptionsText {
     /// Names of the variables that are positive.
     pub positive: Vec<String>,
+    /// Names of variables of either sign.
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub free: Vec<String>,
+    /// Conditions for everything in the file, such as `A < B`.
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub conditions: Vec<String>,
+}
+
+/// An autonomous system of differential equations of first order, as text.
+#[derive(Debug, Clone, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(deny_unknown_fields))]
+pub struct SystemText {
+    /// Its name.
+    pub name: String,
+    /// The variables that move.
+    pub state: Vec<String>,
+    /// Their rates.
+    pub rates: Vec<String>,
+    /// Their values at which all rates are zero.
+    pub steady: Vec<String>,
+}
+
+/// A definition as text.
+#[derive(Debug, Clone, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(deny_unknown_fields))]
+pub struct DefinitionText {
+    /// The name.
+    pub name: String,
+    /// An expression, or a derivation such as `characteristic(aging, s)`.
+    pub is: String,
+    /// What it is defined for, besides the assumptions of the file.
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub given: Vec<String>,
+    /// What it is.
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub note: String,
 }
 
 /// One equation as text.
@@ -44,10 +89,17 @@ pub struct EquationText {
     /// Why it differs, or what it is.
     #[cfg_attr(feature = "serde", serde(default))]
     pub note: String,
+    /// What it is stated for, besides the assumptions of the file.
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub given: Vec<String>,
 }
 
 /// The equations of a file that can be read, in its order, and all faults.
-pub(super) fn read(file: Vec<EquationText>, positive: &[String]) -> (Vec<Equation>, Vec<EquationFault>) {
+pub(super) fn read(
+    file: Vec<EquationText>,
+    positive: &[String],
+    domain: &Domain,
+) -> (Vec<Equation>, Vec<EquationFault>) {
     let mut faults: Vec<EquationFault> = positive.iter().filter_map(|name| not_positive(name)).collect();
     if file.len() > MOST {
         let message = format!("{} equations (allowed: at most {MOST})", file.len());
@@ -56,7 +108,7 @@ pub(super) fn read(file: Vec<EquationText>, positive: &[String]) -> (Vec<Equatio
     let mut equations: Vec<Equation> = Vec::new();
     for entry in file.into_iter().take(MOST) {
         let key = format!("equation {}", entry.number);
-        match read_entry(entry, positive) {
+        match read_entry(entry, domain) {
             Ok(equation) if equations.iter().any(|known| known.word() == equation.word()) => {
                 faults.push(EquationFault { key, message: "occurs twice".to_owned() });
             }
@@ -69,47 +121,42 @@ pub(super) fn read(file: Vec<EquationText>, positive: &[String]) -> (Vec<Equatio
 
 /// Why this cannot be the name of a positive variable.
 fn not_positive(name: &str) -> Option<EquationFault> {
-    let is_name = matches!(name.parse(), Ok(Expression::Variable(read)) if read.derivative_order() == 0);
     let message = match name {
         "i" | "pm" => format!("'{name}' is no variable: i^2 = -1 and pm^2 = 1"),
-        _ if is_name => return None,
-        _ => format!("'{name}' is not a name (a letter, then letters, digits and _)"),
+        _ if is_name(name) => return None,
+        _ => format!("'{name}' is not a name (1 to 40 characters: a letter, then letters, digits and _)"),
     };
     Some(EquationFault { key: "assumptions.positive".to_owned(), message })
 }
 
-/// One equation of this number from its text.
-pub(super) fn read_equation(number: &str, text: &str, positive: &[String]) -> Result<Equation, String> {
-    let entry = EquationText {
-        number: number.to_owned(),
-        equation: text.to_owned(),
-        printed: None,
-        note: String::new(),
-    };
-    read_entry(entry, positive)
+/// An equation with other sides.
+pub(super) fn read_again(known: &Equation, text: &str, domain: &Domain) -> Result<Equation, String> {
+    let (left, right) = read_sides(text, &known.given, domain)?;
+    Ok(Equation { left, right, ..known.clone() })
 }
 
-fn read_entry(entry: EquationText, positive: &[String]) -> Result<Equation, String> {
+fn read_entry(entry: EquationText, domain: &Domain) -> Result<Equation, String> {
     let number = &entry.number;
     let is_plain = |character: char| character.is_ascii_alphanumeric() || "._-".contains(character);
     if number.is_empty() || number.len() > LONGEST_NUMBER || !number.chars().all(is_plain) {
         return Err(format!("a number has 1 to {LONGEST_NUMBER} characters of A-Z a-z 0-9 . _ -"));
     }
-    let (left, right) = read_sides(&entry.equation, positive)?;
-    let printed = entry.printed.as_deref().map(|text| read_sides(text, positive)).transpose();
+    let given = entry.given.iter().map(|text| read_condition(text)).collect::<Result<Vec<_>, _>>()?;
+    let (left, right) = read_sides(&entry.equation, &given, domain)?;
+    let printed = entry.printed.as_deref().map(|text| read_sides(text, &given, domain)).transpose();
     let printed = printed.map_err(|error| format!("printed: {error}"))?;
-    Ok(Equation { number: entry.number, left, right, printed, note: entry.note })
+    Ok(Equation { number: entry.number, left, right, printed, note: entry.note, given })
 }
 
-fn read_sides(text: &str, positive: &[String]) -> Result<(Expression, Expression), String> {
+fn read_sides(text: &str, given: &[Condition], domain: &Domain) -> Result<(Expression, Expression), String> {
     let sides: Vec<&str> = text.split('=').collect();
     let [left, right] = sides[..] else {
         return Err(format!("needs one '=' but has {}: {text}", sides.len() - 1));
     };
-    Ok((read_side(left, "left", positive)?, read_side(right, "right", positive)?))
-}
-
-fn read_side(text: &str, side: &str, positive: &[String]) -> Result<Expression, String> {
-    let text = text.trim();
-    definedness::read(text, positive).map_err(|error| format!("{side} side '{text}', {error}"))
+    let side = |text: &str, side: &str| {
+        let text = text.trim();
+        let read = definedness::read(text, given, domain);
+        read.map_err(|error| format!("{side} side '{text}', {error}"))
+    };
+    Ok((side(left, "left")?, side(right, "right")?))
 }

@@ -1,0 +1,297 @@
+//! Reading what a file defines besides its equations: conditions, systems, definitions.
+
+mod assumptions;
+mod systems;
+
+use std::collections::{BTreeMap, BTreeSet};
+
+pub(super) use assumptions::assumed;
+use assumptions::with_conditions;
+
+use super::definedness;
+use super::derivation::{Form, Operation, System, Work, derive, is_name, read_condition};
+use super::names::{Names, circle, defined_by_equations};
+use super::reading::{AssumptionsText, DefinitionText, SystemText};
+use super::{Equation, EquationFault};
+use crate::named::nearest;
+use crate::polynomial::{Condition, Domain, Expression, Function, Proof, Symbol};
+
+/// The most definitions of a file, and the most systems.
+const MOST: usize = 200;
+
+/// The rest of a file of equations.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub(super) struct Rest {
+    pub assumptions: AssumptionsText,
+    pub systems: Vec<SystemText>,
+    pub definitions: Vec<DefinitionText>,
+}
+
+/// All faults of the definitions so far.
+struct Reader<'r> {
+    rest: &'r Rest,
+    names: Names,
+    faults: Vec<EquationFault>,
+}
+
+/// The names of a file, and all faults of its definitions.
+pub(super) fn names(rest: &Rest, equations: &[Equation], domain: &Domain) -> (Names, Vec<EquationFault>) {
+    let mut reader = Reader { rest, names: Names::default(), faults: Vec::new() };
+    reader.read(equations, domain);
+    (reader.names, reader.faults)
+}
+
+impl Reader<'_> {
+    fn fault(&mut self, key: &str, message: impl Into<String>) {
+        self.faults.push(EquationFault { key: key.to_owned(), message: message.into() });
+    }
+
+    fn read(&mut self, equations: &[Equation], domain: &Domain) {
+        let rest = self.rest;
+        for (what, count) in [("system", rest.systems.len()), ("definition", rest.definitions.len())] {
+            if count > MOST {
+                return self.fault(what, format!("{count} of them (allowed: at most {MOST})"));
+            }
+        }
+        let mut forms: BTreeMap<Symbol, (&DefinitionText, Form, Vec<Condition>)> = BTreeMap::new();
+        for text in &rest.definitions {
+            let given: Result<Vec<_>, _> = text.given.iter().map(|one| read_condition(one)).collect();
+            match (Form::read(&text.is), given) {
+                (Ok(form), Ok(given)) => {
+                    if forms.insert(Symbol::new(&text.name), (text, form, given)).is_some() {
+                        self.fault(&key_of(text), "occurs twice");
+                    }
+                }
+                (Err(message), _) | (_, Err(message)) => self.fault(&key_of(text), message),
+            }
+        }
+        let assumptions = rest.assumptions.positive.iter().chain(&rest.assumptions.free);
+        let states = rest.systems.iter().flat_map(|system| &system.state);
+        let mut assumed: BTreeSet<Symbol> = assumptions.chain(states).map(|name| Symbol::new(name)).collect();
+        assumed.extend(forms.values().filter_map(|(_, form, _)| form.new_variable()).cloned());
+        let defined = defined_by_equations(equations, &assumed);
+        for text in &rest.definitions {
+            let name = Symbol::new(&text.name);
+            let by_equation = defined.get(&name).map(|one| format!("equation {}", one.number));
+            let taken = match by_equation {
+                Some(equation) => Some(equation),
+                None => assumed.contains(&name).then(|| "an assumption, a state or a derivation".to_owned()),
+            };
+            let is_reserved = ["i", "pm"].contains(&text.name.as_str())
+                || Function::from_word(&text.name).is_some()
+                || Operation::from_word(&text.name).is_some();
+            if let Some(taken) = taken {
+                self.fault(&key_of(text), format!("the name has a meaning by {taken}"));
+            } else if is_reserved || !is_name(&text.name) {
+                self.fault(&key_of(text), "the name has 1 to 40 characters: a letter, then letters, digits and _; no word of the grammar");
+            }
+        }
+        let in_equations = equations.iter().flat_map(|one| &one.left.variables() | &one.right.variables());
+        let is_defined = |name: &Symbol| {
+            defined.contains_key(name) || rest.definitions.iter().any(|text| text.name == name.as_str())
+        };
+        self.names.positive = rest.assumptions.positive.iter().map(|name| Symbol::new(name)).collect();
+        self.names.variables = in_equations.filter(|name| !is_defined(name)).chain(assumed).collect();
+        let known: BTreeSet<Symbol> = (self.names.variables.iter().chain(defined.keys()).cloned())
+            .chain(rest.definitions.iter().map(|text| Symbol::new(&text.name)))
+            .chain(["i", "pm"].map(Symbol::new))
+            .collect();
+        self.check_assumptions(domain);
+        let systems = self.read_systems(&known);
+        let mut uses: BTreeMap<Symbol, BTreeSet<Symbol>> =
+            defined.iter().map(|(name, one)| (name.clone(), one.uses())).collect();
+        for (name, (text, form, given)) in &forms {
+            let used = self.used(form, given, systems.get(form.system.as_deref().unwrap_or_default()));
+            self.check_form(text, form, &used, &known, &systems);
+            uses.insert(name.clone(), used);
+        }
+        let circles: Vec<_> =
+            forms.keys().filter_map(|name| Some((name.clone(), circle(name, &uses)?))).collect();
+        for (name, way) in &circles {
+            let way: Vec<&str> = way.iter().map(Symbol::as_str).collect();
+            self.fault(&format!("definition {name}"), format!("is defined by itself: {}", way.join(" -> ")));
+        }
+        // What is at fault has no meaning, and neither has what uses it.
+        let at_fault = |name: &Symbol, faults: &[EquationFault]| {
+            faults.iter().any(|fault| fault.key == format!("definition {name}"))
+        };
+        for name in in_order(&uses) {
+            let is_known = |used: &Symbol| self.names.has(used) || ["i", "pm"].contains(&used.as_str());
+            if at_fault(&name, &self.faults) || !uses[&name].iter().all(is_known) {
+                continue;
+            }
+            if let Some(one) = defined.get(&name) {
+                let uses: Vec<Expression> = one.uses().into_iter().map(Expression::Variable).collect();
+                let meanings = one
+                    .uses()
+                    .into_iter()
+                    .filter_map(|used| Some((used.clone(), self.names.meaning(&used)?.expression.clone())));
+                let meanings = meanings.collect();
+                let resolve = |expression: &Expression| expression.substitute(&meanings);
+                let given = one
+                    .given
+                    .iter()
+                    .map(|one| Condition { expression: resolve(&one.expression), relation: one.relation });
+                let given = given.collect();
+                let behind: Vec<&Expression> = uses.iter().collect();
+                let expression = resolve(&one.expression);
+                self.names.define(&name, expression, &behind, [one.number.clone()], given, None);
+            } else if let Some((text, form, given)) = forms.get(&name) {
+                let system = form.system.as_ref().and_then(|name| systems.get(name));
+                if let Err(message) = self.define(text, form, given, system, domain) {
+                    self.fault(&key_of(text), message);
+                }
+            }
+        }
+        self.keep_systems(systems, domain);
+    }
+
+    /// The conditions speak of variables, and the free variables are names.
+    fn check_assumptions(&mut self, domain: &Domain) {
+        let unknown = domain.conditions().iter().flat_map(|one| one.expression.variables());
+        let unknown: BTreeSet<Symbol> = unknown.filter(|name| !self.names.variables.contains(name)).collect();
+        for name in unknown {
+            let near = nearest(name.as_str(), self.names.variables.iter().map(Symbol::as_str));
+            let near = near.map(|near| format!("; did you mean `{near}`?")).unwrap_or_default();
+            self.fault("assumptions.conditions", format!("'{name}' is no variable{near}"));
+        }
+        let rest = self.rest;
+        for name in rest
+            .assumptions
+            .free
+            .iter()
+            .filter(|name| !is_name(name) || rest.assumptions.positive.contains(name))
+        {
+            self.fault("assumptions.free", format!("'{name}' is not a name, or is positive too"));
+        }
+    }
+
+    /// The names that a definition uses.
+    fn used(&self, form: &Form, given: &[Condition], system: Option<&System>) -> BTreeSet<Symbol> {
+        let mut used = form.names();
+        used.extend(given.iter().flat_map(|one| one.expression.variables()));
+        let parts = system.iter().flat_map(|system| system.rates.iter().chain(&system.steady));
+        used.extend(parts.flat_map(Expression::variables));
+        used
+    }
+
+    fn unknown(&self, name: &Symbol, known: &BTreeSet<Symbol>) -> String {
+        let near = nearest(name.as_str(), known.iter().map(Symbol::as_str));
+        let near = near.map(|near| format!("; did you mean `{near}`?")).unwrap_or_default();
+        format!("'{name}' is no variable and no defined name of equations.toml{near}")
+    }
+
+    fn check_form(
+        &mut self,
+        text: &DefinitionText,
+        form: &Form,
+        used: &BTreeSet<Symbol>,
+        known: &BTreeSet<Symbol>,
+        systems: &BTreeMap<String, System>,
+    ) {
+        let mut messages: Vec<String> =
+            used.iter().filter(|name| !known.contains(*name)).map(|name| self.unknown(name, known)).collect();
+        if let Some(name) =
+            form.system.as_ref().filter(|name| !self.rest.systems.iter().any(|one| one.name == **name))
+        {
+            let near = nearest(name, systems.keys().map(String::as_str));
+            let near = near.map(|near| format!("; did you mean `{near}`?")).unwrap_or_default();
+            messages.push(format!("there is no system '{name}'{near}"));
+        }
+        let variables = form.variables.iter().chain(form.values.iter().map(|(name, _)| name));
+        for name in variables.filter(|name| !self.names.variables.contains(*name)) {
+            messages.push(match known.contains(name) {
+                true => format!("'{name}' has a meaning of its own and is no variable"),
+                false => self.unknown(name, known),
+            });
+        }
+        if !messages.is_empty() {
+            self.fault(&key_of(text), messages.join("; "));
+        }
+    }
+
+    /// Works out a definition whose names all have a meaning.
+    fn define(
+        &mut self,
+        text: &DefinitionText,
+        form: &Form,
+        given: &[Condition],
+        system: Option<&System>,
+        domain: &Domain,
+    ) -> Result<(), String> {
+        if form.system.is_some() && system.is_none() {
+            // The system is at fault, which was said.
+            return Err("its system is at fault".to_owned());
+        }
+        let names = &self.names;
+        let values = form.values.iter().map(|(_, value)| value);
+        let mut behind: Vec<&Expression> = form.expressions.iter().chain(values).collect();
+        behind.extend(system.iter().flat_map(|system| system.rates.iter().chain(&system.steady)));
+        behind.extend(given.iter().map(|one| &one.expression));
+        let resolved_condition = |one: &Condition| Condition {
+            expression: names.resolved(&one.expression),
+            relation: one.relation,
+        };
+        let given: Vec<Condition> = given.iter().map(resolved_condition).collect();
+        let inherited = behind.iter().flat_map(|expression| names.given_of(expression)).cloned();
+        let more: Vec<Condition> = given.iter().cloned().chain(inherited).fold(Vec::new(), |mut all, one| {
+            if !all.contains(&one) {
+                all.push(one);
+            }
+            all
+        });
+        let domain = with_conditions(domain.clone(), &more)?;
+        let resolve = |expression: &Expression| names.resolved(expression);
+        if let Some(unmet) = definedness::unmet(&form.demands, &domain, &resolve) {
+            return Err(unmet);
+        }
+        let sources: BTreeSet<String> =
+            (behind.iter().flat_map(|one| names.equations_of(one)).map(str::to_owned))
+                .chain(system.map(|system| format!("system {}", system.name)))
+                .collect();
+        let sources: Vec<String> = sources.into_iter().collect();
+        let resolved = Form {
+            expressions: form.expressions.iter().map(resolve).collect(),
+            values: form.values.iter().map(|(name, value)| (name.clone(), resolve(value))).collect(),
+            ..form.clone()
+        };
+        let system = system.map(|system| self.resolved_system(system));
+        let proof = Proof::new(
+            &format!("definition-{}", text.name.to_lowercase()),
+            format!("{} = {}.", text.name, text.is.trim()),
+        );
+        let mut work = Work { domain, proof, equations: &sources };
+        let found = derive(&resolved, system.as_ref(), &mut work)?;
+        let no_value = |error| format!("has no value under the assumptions: {error}");
+        match work.domain.rational_function(&found) {
+            Err(error) if !error.is_open() => return Err(no_value(error)),
+            _ => {}
+        }
+        let proof = Some(work.proof).filter(|proof| !proof.steps.is_empty());
+        let behind: Vec<Expression> = behind.into_iter().cloned().collect();
+        let behind: Vec<&Expression> = behind.iter().collect();
+        self.names.define(&Symbol::new(&text.name), found, &behind, sources.clone(), given, proof);
+        Ok(())
+    }
+}
+
+fn key_of(text: &DefinitionText) -> String {
+    format!("definition {}", text.name)
+}
+
+/// The names, each after those that it uses; those of a circle do not occur.
+fn in_order(uses: &BTreeMap<Symbol, BTreeSet<Symbol>>) -> Vec<Symbol> {
+    let mut order: Vec<Symbol> = Vec::new();
+    let mut placed: BTreeSet<&Symbol> = BTreeSet::new();
+    loop {
+        let ready = |(name, used): &(&Symbol, &BTreeSet<Symbol>)| {
+            !placed.contains(name) && used.iter().all(|one| !uses.contains_key(one) || placed.contains(one))
+        };
+        let next: Vec<&Symbol> = uses.iter().filter(ready).map(|(name, _)| name).collect();
+        if next.is_empty() {
+            return order;
+        }
+        placed.extend(next.iter());
+        order.extend(next.into_iter().cloned());
+    }
+}

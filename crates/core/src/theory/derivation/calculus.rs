@@ -1,0 +1,78 @@
+//! Derivatives, limits, series, and symbols exchanged or replaced.
+
+use std::collections::BTreeMap;
+
+use super::work::{Work, expression};
+use crate::polynomial::{Condition, Expression, Relation, Symbol, Toward};
+
+/// A derivative, the other variables fixed.
+pub(super) fn derivative(f: &Expression, x: &Symbol, work: &mut Work) -> Result<Expression, String> {
+    work.simplified(&format!("its derivative in {x}"), &f.derivative(x))
+}
+
+/// A limit, the other variables fixed.
+pub(super) fn limit(
+    f: &Expression,
+    x: &Symbol,
+    toward: Toward,
+    work: &mut Work,
+) -> Result<Expression, String> {
+    let found = expression(&work.domain.limit(f, x, toward)?);
+    let end = if toward == Toward::Zero { "0" } else { "infinity" };
+    let says = format!("its limit as {x} -> {end}");
+    work.step(|proof, equations, domain| {
+        proof.limit(&says, equations, f, (x.as_str(), toward), &found, domain)
+    })?;
+    Ok(found)
+}
+
+/// Σ c_k·x^k up to the order n: what f differs by from it, over x^n, tends to 0.
+pub(super) fn series(
+    f: &Expression,
+    x: &Symbol,
+    order: usize,
+    work: &mut Work,
+) -> Result<Expression, String> {
+    let variable = Expression::Variable(x.clone());
+    let power = |exponent: usize| variable.clone().power(exponent as i32);
+    let mut sum = Expression::integer(0);
+    for exponent in 0..=order {
+        let rest = (f.clone() - sum.clone()) / power(exponent);
+        let next = expression(&work.domain.limit(&rest, x, Toward::Zero)?);
+        sum = sum + next * power(exponent);
+    }
+    let rest = (f.clone() - sum.clone()) / power(order);
+    let says = format!("what it leaves out is small against {x}^{order}");
+    work.step(|proof, equations, domain| {
+        proof.limit(&says, equations, &rest, (x.as_str(), Toward::Zero), &Expression::integer(0), domain)
+    })?;
+    Ok(sum)
+}
+
+/// Two symbols exchanged, both at once.
+pub(super) fn exchange(f: &Expression, [x, y]: [&Symbol; 2], work: &mut Work) -> Result<Expression, String> {
+    if work.domain.is_positive(x) != work.domain.is_positive(y) {
+        return Err(format!("one of {x} and {y} is positive and the other is not"));
+    }
+    let variable = |name: &Symbol| Expression::Variable(name.clone());
+    let both = BTreeMap::from([(x.clone(), variable(y)), (y.clone(), variable(x))]);
+    work.simplified(&format!("{x} and {y} exchanged"), &f.substitute(&both))
+}
+
+/// Values put in, all at once.
+pub(super) fn at(
+    f: &Expression,
+    values: &[(Symbol, Expression)],
+    work: &mut Work,
+) -> Result<Expression, String> {
+    for (name, value) in values.iter().filter(|(name, _)| work.domain.is_positive(name)) {
+        let condition = Condition { expression: value.clone(), relation: Relation::NonNegative };
+        if work.domain.proves(&condition) != Ok(true) {
+            return Err(format!(
+                "{name} is positive, and the value {value} in its place may be negative: add what excludes this to `given`"
+            ));
+        }
+    }
+    let listed: Vec<String> = values.iter().map(|(name, value)| format!("{name} = {value}")).collect();
+    work.simplified(&format!("at {}", listed.join(", ")), &f.substitute(&values.iter().cloned().collect()))
+}

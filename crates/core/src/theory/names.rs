@@ -1,0 +1,237 @@
+//! What the names of a file of equations mean: variables, names that an equation defines, definitions.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use super::Equation;
+use super::derivation::System;
+use crate::polynomial::{Condition, Expression, Proof, Symbol};
+
+/// What a name means.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Meaning {
+    /// In variables only.
+    pub expression: Expression,
+    /// The numbers of the equations behind it, and the systems.
+    pub equations: Vec<String>,
+    /// What it is defined for, besides the assumptions of the file.
+    pub given: Vec<Condition>,
+    /// The definitions behind it with a proof, each after those that it uses; itself last.
+    proofs: Vec<Symbol>,
+}
+
+/// The names of a file of equations.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct Names {
+    /// Names without a meaning of their own.
+    pub(super) variables: BTreeSet<Symbol>,
+    pub(super) positive: BTreeSet<Symbol>,
+    pub(super) meanings: BTreeMap<Symbol, Meaning>,
+    pub(super) systems: BTreeMap<String, System>,
+    /// The proof of a definition, in the order in which they were worked out.
+    pub(super) proofs: BTreeMap<Symbol, Proof>,
+}
+
+impl Names {
+    /// The names without a meaning of their own.
+    #[must_use]
+    pub fn variables(&self) -> &BTreeSet<Symbol> {
+        &self.variables
+    }
+
+    /// These variables, without an assumption about them.
+    #[must_use]
+    pub fn of_variables<'n>(names: impl Iterator<Item = &'n str>) -> Self {
+        Self { variables: names.map(Symbol::new).collect(), ..Self::default() }
+    }
+
+    /// Whether a variable is positive by assumption.
+    #[must_use]
+    pub fn is_positive(&self, name: &str) -> bool {
+        self.positive.contains(&Symbol::new(name))
+    }
+
+    /// All names.
+    pub fn all(&self) -> impl Iterator<Item = &str> {
+        self.variables.iter().chain(self.meanings.keys()).map(Symbol::as_str)
+    }
+
+    /// Whether there is such a name.
+    #[must_use]
+    pub fn has(&self, name: &Symbol) -> bool {
+        self.variables.contains(name) || self.meanings.contains_key(name)
+    }
+
+    /// What a name means that is not a variable.
+    #[must_use]
+    pub fn meaning(&self, name: &Symbol) -> Option<&Meaning> {
+        self.meanings.get(name)
+    }
+
+    /// The system of this name.
+    #[must_use]
+    pub fn system(&self, name: &str) -> Option<&System> {
+        self.systems.get(name)
+    }
+
+    /// The expression with the meanings in place of the names.
+    #[must_use]
+    pub fn resolved(&self, expression: &Expression) -> Expression {
+        let meaning = |name: Symbol| Some((name.clone(), self.meanings.get(&name)?.expression.clone()));
+        expression.substitute(&expression.variables().into_iter().filter_map(meaning).collect())
+    }
+
+    /// The meanings of the names in an expression.
+    fn meanings_in(&self, expression: &Expression) -> Vec<&Meaning> {
+        expression.variables().iter().filter_map(|name| self.meanings.get(name)).collect()
+    }
+
+    /// The numbers of the equations, and the systems, behind an expression, in order.
+    #[must_use]
+    pub fn equations_of(&self, expression: &Expression) -> Vec<&str> {
+        let meanings = self.meanings_in(expression).into_iter();
+        let all: BTreeSet<&str> = meanings.flat_map(|one| &one.equations).map(String::as_str).collect();
+        all.into_iter().collect()
+    }
+
+    /// What the definitions behind an expression are given for, besides the assumptions of the file.
+    #[must_use]
+    pub fn given_of(&self, expression: &Expression) -> Vec<&Condition> {
+        let mut all: Vec<&Condition> = Vec::new();
+        for condition in self.meanings_in(expression).into_iter().flat_map(|one| &one.given) {
+            if !all.contains(&condition) {
+                all.push(condition);
+            }
+        }
+        all
+    }
+
+    /// The proofs of the definitions behind an expression, each after those that it uses.
+    #[must_use]
+    pub fn proofs_of(&self, expression: &Expression) -> Vec<&Proof> {
+        let mut order: Vec<&Symbol> = Vec::new();
+        for name in self.meanings_in(expression).into_iter().flat_map(|one| &one.proofs) {
+            if !order.contains(&name) {
+                order.push(name);
+            }
+        }
+        order.into_iter().filter_map(|name| self.proofs.get(name)).collect()
+    }
+
+    /// Adds a name with the meaning of an expression in earlier names.
+    pub(super) fn define(
+        &mut self,
+        name: &Symbol,
+        expression: Expression,
+        behind: &[&Expression],
+        own: impl IntoIterator<Item = String>,
+        given: Vec<Condition>,
+        proof: Option<Proof>,
+    ) {
+        let used: Vec<&Meaning> = behind.iter().flat_map(|expression| self.meanings_in(expression)).collect();
+        let equations: BTreeSet<String> =
+            used.iter().flat_map(|one| one.equations.iter().cloned()).chain(own).collect();
+        let mut all = given;
+        let mut proofs: Vec<Symbol> = Vec::new();
+        for one in used {
+            let new =
+                one.given.iter().filter(|condition| !all.contains(condition)).cloned().collect::<Vec<_>>();
+            all.extend(new);
+            let new = one.proofs.iter().filter(|known| !proofs.contains(known)).cloned().collect::<Vec<_>>();
+            proofs.extend(new);
+        }
+        if let Some(proof) = proof {
+            proofs.push(name.clone());
+            self.proofs.insert(name.clone(), proof);
+        }
+        let meaning = Meaning { expression, equations: equations.into_iter().collect(), given: all, proofs };
+        self.meanings.insert(name.clone(), meaning);
+    }
+}
+
+/// A name that an equation defines.
+pub(super) struct Defined {
+    /// What it means, in the names of the equation.
+    pub expression: Expression,
+    /// The number of the equation.
+    pub number: String,
+    /// What the equation is given for.
+    pub given: Vec<Condition>,
+    /// The name that the equation defines, which stays as it is on its sides.
+    pub kept: Option<Symbol>,
+}
+
+impl Defined {
+    /// The names that are to be resolved in it.
+    pub fn uses(&self) -> BTreeSet<Symbol> {
+        let given = self.given.iter().flat_map(|one| one.expression.variables());
+        let mut names: BTreeSet<Symbol> = self.expression.variables().into_iter().chain(given).collect();
+        self.kept.as_ref().map(|kept| names.remove(kept));
+        names
+    }
+}
+
+/// The names that equations define: each that stands alone on the left of exactly one equation, and `left_N`, `right_N` and
+/// `residual_N` for each equation.
+///
+/// A name that is assumed of keeps its meaning where an equation solves for it, and the two values of a ± define none.
+pub(super) fn defined_by_equations(
+    equations: &[Equation],
+    assumed: &BTreeSet<Symbol>,
+) -> BTreeMap<Symbol, Defined> {
+    let mut defined = BTreeMap::new();
+    let mut doubled = BTreeSet::new();
+    let two_valued = Symbol::new("pm");
+    for equation in equations {
+        let meaning = |expression: Expression, kept: Option<&Symbol>| {
+            let (number, given) = (equation.number.clone(), equation.given.clone());
+            Defined { expression, number, given, kept: kept.cloned() }
+        };
+        let kept = match &equation.left {
+            Expression::Variable(name) if !assumed.contains(name) => Some(name),
+            _ => None,
+        };
+        if let Some(name) = kept.filter(|_| !equation.right.variables().contains(&two_valued))
+            && defined.insert(name.clone(), meaning(equation.right.clone(), None)).is_some()
+        {
+            doubled.insert(name.clone());
+        }
+        let sides = [
+            ("left", equation.left.clone(), kept),
+            ("right", equation.right.clone(), None),
+            ("residual", equation.residual(), kept),
+        ];
+        for (side, expression, kept) in sides {
+            defined.insert(Symbol::new(&format!("{side}_{}", equation.word())), meaning(expression, kept));
+        }
+    }
+    defined.retain(|name, _| !doubled.contains(name));
+    // A name that is defined by means of itself is a variable.
+    let uses: BTreeMap<_, _> = defined.iter().map(|(name, one)| (name.clone(), one.uses())).collect();
+    defined.retain(|name, _| circle(name, &uses).is_none());
+    defined
+}
+
+/// The way from a name back to itself through what the names use, if there is one.
+pub(super) fn circle(start: &Symbol, uses: &BTreeMap<Symbol, BTreeSet<Symbol>>) -> Option<Vec<Symbol>> {
+    let mut from: BTreeMap<&Symbol, &Symbol> = BTreeMap::new();
+    let mut open = vec![start];
+    while let Some(name) = open.pop() {
+        for next in uses.get(name).into_iter().flatten() {
+            if next == start {
+                let mut way = vec![start.clone()];
+                let mut at = name;
+                while at != start {
+                    way.insert(0, at.clone());
+                    at = from.get(at)?;
+                }
+                way.insert(0, start.clone());
+                return Some(way);
+            }
+            if uses.contains_key(next) && !from.contains_key(next) {
+                from.insert(next, name);
+                open.push(next);
+            }
+        }
+    }
+    None
+}
