@@ -133,13 +133,12 @@ fn read_stated(section: &mut Section<'_>, equations: Option<&Equations>) -> Opti
     let formula = FormulaEntries::of(section);
     let [parts, readings, leaves_out, remarks] =
         ["part", "reading", "leaves_out", "remarks"].map(|key| section.optional(key));
-    if formula.formula.is_none() && parts.is_none() && readings.is_none() {
+    if !formula.is_stated() && parts.is_none() && readings.is_none() {
         let stray = formula.scope().chain(&leaves_out).chain(&remarks).next();
         return match stray {
             None => Some(None),
-            Some(entry) => {
-                entry.refuse(Problem::Needs("`formula`, [[claim.part]] or [[claim.reading]]".into()))
-            }
+            Some(entry) => entry
+                .refuse(Problem::Needs("`formula`, `motion`, [[claim.part]] or [[claim.reading]]".into())),
         };
     }
     let leaves_out = match leaves_out {
@@ -151,7 +150,7 @@ fn read_stated(section: &mut Section<'_>, equations: Option<&Equations>) -> Opti
         }
     };
     let alone = |parts| vec![StatedReading { words: String::new(), parts }];
-    let readings = match (formula.formula.is_some(), parts, readings) {
+    let readings = match (formula.is_stated(), parts, readings) {
         (true, None, None) => formula.read(equations).map(|formula| alone(vec![(String::new(), formula)])),
         (false, Some(parts), None) => {
             formula.no_scope().and_then(|()| read_parts(&parts, equations)).map(alone)
@@ -197,8 +196,8 @@ fn read_parts(parts: &Entry<'_>, equations: Option<&Equations>) -> Option<Vec<(S
         let mut part = part.section()?;
         let words = part.text("words", "a text");
         let formula = FormulaEntries::of(&mut part);
-        if formula.formula.is_none() {
-            part.fault("formula", Problem::Missing { allowed: "a formula".into() });
+        if !formula.is_stated() {
+            part.fault("formula", Problem::Missing { allowed: "a formula, or `motion`".into() });
         }
         part.finish();
         Some((words?, formula.read(equations)?))

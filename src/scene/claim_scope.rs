@@ -7,15 +7,17 @@ use crate::scene::Problem;
 use crate::scene::claim_formula::{
     ClaimFormula, FormulaCondition, FormulaLimit, Scope, read_side, read_variable,
 };
+use crate::scene::claim_motion::ClaimMotion;
 use crate::scene::claim_names::Names;
 use crate::scene::section::{Entry, Section};
 
-/// The entries that state one formula.
+/// The entries that state one formula, or what is said of the motions of a system.
 pub(super) struct FormulaEntries<'t> {
-    pub formula: Option<Entry<'t>>,
+    formula: Option<Entry<'t>>,
     rows: Option<Entry<'t>>,
     limit: Option<Entry<'t>>,
     outside: Option<Entry<'t>>,
+    motion: Option<Entry<'t>>,
     given: Option<Entry<'t>>,
     there_is: Option<Entry<'t>>,
     witness: Option<Entry<'t>>,
@@ -25,10 +27,15 @@ pub(super) struct FormulaEntries<'t> {
 
 impl<'t> FormulaEntries<'t> {
     pub fn of(section: &mut Section<'t>) -> Self {
-        let [formula, rows, limit, outside, given, there_is, witness, within, at] =
-            ["formula", "rows", "limit", "outside", "given", "there_is", "witness", "box", "at"]
+        let [formula, motion, rows, limit, outside, given, there_is, witness, within, at] =
+            ["formula", "motion", "rows", "limit", "outside", "given", "there_is", "witness", "box", "at"]
                 .map(|key| section.optional(key));
-        Self { formula, rows, limit, outside, given, there_is, witness, within, at }
+        Self { formula, motion, rows, limit, outside, given, there_is, witness, within, at }
+    }
+
+    /// Whether something is stated.
+    pub fn is_stated(&self) -> bool {
+        self.formula.is_some() || self.motion.is_some()
     }
 
     /// What says over what the formula is said.
@@ -78,6 +85,9 @@ impl<'t> FormulaEntries<'t> {
 
     /// The formula over its scope; all faults of the scope are found first.
     fn read_alone(&self, equations: Option<&Equations>) -> Option<ClaimFormula> {
+        if let Some(motion) = &self.motion {
+            return self.read_motion(motion, equations?);
+        }
         let formula = self.formula.as_ref()?;
         let text = formula.text()?;
         if let Some(rows) = &self.rows {
@@ -94,13 +104,27 @@ impl<'t> FormulaEntries<'t> {
             };
         }
         let equations = equations?;
+        let scope = self.read_whole_scope(equations)?;
+        formula.sound(ClaimFormula::read(&text, scope, equations).map_err(Problem::Equation))
+    }
+
+    /// What is said of the motions of a system.
+    fn read_motion(&self, motion: &Entry<'_>, equations: &Equations) -> Option<ClaimFormula> {
+        if self.formula.is_some() || self.rows.is_some() {
+            return motion.refuse(Problem::Needs("no `formula` and no `rows` beside it".into()));
+        }
+        let (scope, said) = (self.read_whole_scope(equations), ClaimMotion::read(motion, equations));
+        motion.sound(ClaimFormula::of_motion(said?, scope?, equations).map_err(Problem::Equation))
+    }
+
+    /// The scope with the conditions of the file, which hold for every claim; they were read with it.
+    fn read_whole_scope(&self, equations: &Equations) -> Option<Scope> {
         let names = Names::of(equations);
         let mut scope = self.read_scope(&names)?;
-        // The conditions of the file hold for every claim; they were read with it.
         let of_file = equations.conditions().iter();
         let of_file = of_file.filter_map(|text| FormulaCondition::read(text, &names).ok());
         scope.given = of_file.chain(scope.given).collect();
-        formula.sound(ClaimFormula::read(&text, scope, equations).map_err(Problem::Equation))
+        Some(scope)
     }
 
     fn read_scope(&self, names: &Names) -> Option<Scope> {

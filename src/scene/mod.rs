@@ -8,6 +8,7 @@ mod axis;
 mod claim_formula;
 mod claim_library;
 mod claim_list;
+mod claim_motion;
 mod claim_names;
 mod claim_scope;
 mod csv_problem;
@@ -33,6 +34,7 @@ pub use claim_formula::{
 };
 pub use claim_library::library_ids;
 pub use claim_list::{ClaimEntry, StatedClaim, StatedReading, read_claims};
+pub use claim_motion::{ClaimMotion, MotionSaid};
 pub use claim_names::Names;
 pub use csv_problem::CsvProblem;
 pub use equations_file::{paper_faults, read_equations, read_equations_partly};

@@ -131,7 +131,7 @@ fn a_report_on_another_paper_is_decided_as_it_is_written() {
     assert!(verified.contains("1 claim: 1 hold, ") && verified.contains("no published copy"), "{verified}");
     // The example is decided by its formula: another formula has another verdict.
     let claims = place.read("other/claims.toml");
-    fs::write(place.path("other/claims.toml"), claims.replace("falls with L", "rises with L")).unwrap();
+    fs::write(place.path("other/claims.toml"), claims.replace("iff K > K_c", "iff K < K_c")).unwrap();
     let ended = place.run(["verify", "other"]);
     assert_eq!(ended.code, 1);
     assert!(ended.stderr.contains("C1: recorded holds, now fails"), "{}", ended.stderr);

@@ -3,6 +3,7 @@
 mod behaviour;
 mod exists;
 mod lowering;
+mod motion;
 mod points;
 mod prover;
 mod substitutions;
@@ -108,6 +109,7 @@ fn decide_formula(id: &str, words: &str, formula: &ClaimFormula, context: &Conte
             Ok(lowered) if formula.scope.there_is.is_empty() => problem.for_all(said, &lowered),
             Ok(lowered) => problem.there_is(&lowered),
         },
+        Statement::Motion(motion) => problem.motion(motion),
         other => problem.behaviour(other),
     }
 }

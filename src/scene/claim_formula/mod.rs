@@ -28,6 +28,7 @@ use slipmode_core::polynomial::{ConversionError, Expression, Extent, Literal, Si
 use slipmode_core::theory::Equations;
 use slipmode_core::theory::root_location::{MOST_DEGREE, RootStatement, coefficients};
 
+use crate::scene::claim_motion::ClaimMotion;
 use crate::scene::claim_names::Names;
 pub(super) use grammar::{side as read_side, variable as read_variable};
 pub use premises::{Premises, Solved};
@@ -88,6 +89,8 @@ pub enum Statement {
     Monotone(Expression, Comparison, String),
     /// Whether the variable changes the expression.
     Depends(Expression, bool, String),
+    /// A lemma on the motions of a system.
+    Motion(Box<ClaimMotion>),
 }
 
 impl Default for Statement {
@@ -228,9 +231,25 @@ impl ClaimFormula {
     /// What is wrong with the formula, with its column: its grammar, an unknown name, a side without a value, a statement that is
     /// true by construction.
     pub fn read(text: &str, scope: Scope, equations: &Equations) -> Result<Self, String> {
-        let names = Names::of(equations);
-        let statement = grammar::statement(text, &names)?;
-        let formula = Self { text: text.trim().to_owned(), statement, scope, ..Self::default() };
+        let statement = grammar::statement(text, &Names::of(equations))?;
+        Self { text: text.trim().to_owned(), statement, scope, ..Self::default() }.checked(equations)
+    }
+
+    /// What is said of the motions of a system, over a scope.
+    ///
+    /// # Errors
+    /// As [`ClaimFormula::read`], and for a scope that speaks of what moves.
+    pub fn of_motion(motion: ClaimMotion, scope: Scope, equations: &Equations) -> Result<Self, String> {
+        if !scope.there_is.is_empty() || !scope.within.is_empty() {
+            return Err("`there_is` and `box` are for formulas".into());
+        }
+        let text = motion.words(ToString::to_string);
+        Self { text, statement: Statement::Motion(Box::new(motion)), scope, ..Self::default() }
+            .checked(equations)
+    }
+
+    fn checked(self, equations: &Equations) -> Result<Self, String> {
+        let (names, formula) = (Names::of(equations), self);
         let premises = formula.premises(equations)?;
         let domain = premises.domain();
         let faults = |(side, own): (&Expression, Option<&str>)| {
@@ -308,13 +327,14 @@ impl Statement {
             Self::True(formula) => formula.sides(),
             Self::Limit(left, right, ..) => vec![(left, None), (right, None)],
             Self::Monotone(expression, ..) | Self::Depends(expression, ..) => vec![(expression, None)],
+            Self::Motion(motion) => motion.expressions().into_iter().map(|(_, side)| (side, None)).collect(),
         }
     }
 
     /// The variable that moves in a limit or a dependence.
     fn variable(&self) -> Option<&str> {
         match self {
-            Self::True(_) => None,
+            Self::True(_) | Self::Motion(_) => None,
             Self::Limit(_, _, variable, _)
             | Self::Monotone(_, _, variable)
             | Self::Depends(_, _, variable) => Some(variable),

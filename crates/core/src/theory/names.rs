@@ -67,6 +67,11 @@ impl Names {
         self.meanings.get(name)
     }
 
+    /// The names of the systems.
+    pub fn system_names(&self) -> impl Iterator<Item = &str> {
+        self.systems.keys().map(String::as_str)
+    }
+
     /// The system of this name.
     #[must_use]
     pub fn system(&self, name: &str) -> Option<&System> {

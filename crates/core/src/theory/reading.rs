@@ -54,7 +54,8 @@ pub struct SystemText {
     pub state: Vec<String>,
     /// Their rates.
     pub rates: Vec<String>,
-    /// Their values at which all rates are zero.
+    /// Their values at which all rates are zero; empty where none are stated.
+    #[cfg_attr(feature = "serde", serde(default))]
     pub steady: Vec<String>,
 }
 

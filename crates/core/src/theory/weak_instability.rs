@@ -1,5 +1,6 @@
 //! Three equations with a pair of roots on the imaginary axis: the sign of the first Lyapunov coefficient.
 
+use super::System;
 use super::hopf::expansion::{Conditions, in_basis, solve, taylor_part};
 use super::hopf::projection::{Critical, Vector, coefficient};
 use super::notation::{formula, simplified};
@@ -20,6 +21,14 @@ pub struct ThreeStates {
 const DISTANCES: [&str; 3] = ["distance_1", "distance_2", "distance_3"];
 
 impl ThreeStates {
+    /// A system of three equations with a steady state.
+    #[must_use]
+    pub fn of(system: &System) -> Option<Self> {
+        let [rates, steady] =
+            [&system.rates, &system.steady].map(|list| <[Expression; 3]>::try_from(list.clone()).ok());
+        Some(Self { state: system.state.clone().try_into().ok()?, rates: rates?, steady: steady? })
+    }
+
     /// The system with each of its expressions changed.
     #[must_use]
     pub fn map(&self, change: impl Fn(&Expression) -> Expression) -> Self {

@@ -30,7 +30,11 @@ impl Reader<'_> {
         if !is_name(&text.name) {
             messages.push("the name has 1 to 40 characters: a letter, then letters, digits and _".to_owned());
         }
-        if count == 0 || count > MOST_STATES || text.rates.len() != count || text.steady.len() != count {
+        if count == 0
+            || count > MOST_STATES
+            || text.rates.len() != count
+            || ![0, count].contains(&text.steady.len())
+        {
             let (rates, steady) = (text.rates.len(), text.steady.len());
             messages.push(format!("{count} states, {rates} rates and {steady} steady values (allowed: 1 to {MOST_STATES}, as many of each)"));
         }

@@ -12,7 +12,7 @@ pub struct System {
     pub state: Vec<Symbol>,
     /// Their rates.
     pub rates: Vec<Expression>,
-    /// Their values at which all rates are zero.
+    /// Their values at which all rates are zero; empty where none are stated.
     pub steady: Vec<Expression>,
 }
 
@@ -55,6 +55,9 @@ impl System {
 
     /// The slope of one rate in one state at the steady state.
     pub(super) fn slope(&self, rate: usize, by: usize, work: &mut Work) -> Result<Expression, String> {
+        if self.steady.is_empty() {
+            return Err(format!("the system {} states no steady state", self.name));
+        }
         let raw = self.at_rest(&self.rates[rate].derivative(&self.state[by]));
         let [rate, by] = [rate, by].map(|index| &self.state[index]);
         work.simplified(

@@ -11,6 +11,7 @@ mod ratio;
 mod region;
 mod steps;
 
+use super::System;
 use crate::polynomial::{Domain, Expression, Proof, Refutation, Symbol};
 use steps::Steps;
 
@@ -79,6 +80,14 @@ pub enum MotionLemma {
 }
 
 impl PlanarSystem {
+    /// A system of two equations.
+    #[must_use]
+    pub fn of(system: &System) -> Option<Self> {
+        let both = [&system.rates, &system.steady].map(|list| <[Expression; 2]>::try_from(list.clone()).ok());
+        let [rates, steady] = both;
+        Some(Self { state: system.state.clone().try_into().ok()?, rates: rates?, steady })
+    }
+
     /// The rate of an expression along the motion.
     #[must_use]
     pub fn rate(&self, expression: &Expression) -> Expression {

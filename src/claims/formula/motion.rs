@@ -1,0 +1,81 @@
+//! Statements on the motions of a system: the hypotheses of a general lemma are certified, its conclusion is argued.
+
+use slipmode_core::polynomial::{Domain, Expression, Literal, Sign, Symbol};
+use slipmode_core::theory::planar::{MotionLemma, PlanarSystem};
+use slipmode_core::theory::weak_instability::ThreeStates;
+
+use super::Problem;
+use super::points::Points;
+use super::prover::Prover;
+use super::substitutions::domains;
+use crate::claims::Finding;
+use crate::scene::{ClaimMotion, MotionSaid};
+
+/// A statement with the system as the equations say.
+enum Said {
+    Planar(PlanarSystem, MotionLemma),
+    WeakInstability(ThreeStates, Expression),
+}
+
+impl Problem<'_> {
+    /// A hypothesis that is refused decides nothing: the claim may be true for another reason.
+    pub(super) fn motion(&self, motion: &ClaimMotion) -> Finding {
+        let Some(system) = self.names.system(&motion.name) else {
+            return Finding::not_checked(format!("There is no system {}.", motion.name));
+        };
+        if let Some(name) = self.bound(&system.state) {
+            return Finding::not_checked(format!(
+                "A condition contains the state variable {name}, and a motion need not keep to it."
+            ));
+        }
+        let resolved = |expression: &Expression| self.put_in(expression);
+        let said = match &motion.said {
+            MotionSaid::Planar(lemma) => {
+                PlanarSystem::of(system).map(|system| Said::Planar(system.map(resolved), lemma.map(resolved)))
+            }
+            MotionSaid::WeakInstability(frequency) => ThreeStates::of(system)
+                .map(|system| Said::WeakInstability(system.map(resolved), resolved(frequency))),
+        };
+        let Some(said) = said else {
+            return Finding::not_checked(format!("The lemma is not for {} equations.", system.state.len()));
+        };
+        let region = match &said {
+            Said::Planar(system, lemma) => lemma.region(system),
+            Said::WeakInstability(..) => None,
+        };
+        let mut assumed = self.premises.clone();
+        assumed.conditions.extend(region.map(|region| Literal::new(region, Sign::Positive)));
+        let own = motion.expressions().into_iter().map(|(_, side)| side);
+        let sides: Vec<Expression> = own.chain(&system.rates).map(resolved).collect();
+        let points = self.points(&sides);
+        let example = points.meeting(&assumed.conditions, Points::MOST).next();
+        let start = self.start(&Prover::new(&points));
+        let (Some(example), Ok(start)) = (example, start) else {
+            return Finding::not_checked(format!(
+                "None of {} points meets the conditions, so that they may be impossible.",
+                Points::MOST
+            ));
+        };
+        let with = |domain: Domain, (name, value): (Symbol, _)| {
+            domain.example(name.as_str(), Expression::Number(value))
+        };
+        let domain = example.into_iter().fold(self.premises.domain(), with);
+        let domains = domains(&domain, &[]);
+        let proof = match said {
+            Said::Planar(system, lemma) => lemma.prove(start, &system, &domains),
+            Said::WeakInstability(system, frequency) => system.weakly_unstable(start, &frequency, &domains),
+        };
+        match proof {
+            Ok(proof) => Finding::from_proof(Ok(proof)),
+            Err(refusal) => Finding::not_checked(format!("The lemma does not apply. {refusal}")),
+        }
+    }
+
+    /// A state variable of which a condition speaks.
+    fn bound<'n>(&self, state: &'n [Symbol]) -> Option<&'n Symbol> {
+        let given = self.premises.conditions.iter().flat_map(|literal| literal.expression.variables());
+        let solved = self.premises.solved.iter().flat_map(|solved| solved.expression.variables());
+        let bound: Vec<Symbol> = given.chain(solved).chain(self.premises.values.keys().cloned()).collect();
+        state.iter().find(|name| bound.contains(name))
+    }
+}

@@ -1,0 +1,194 @@
+//! `motion` beside a claim's words: a statement on every motion of a system, through a general lemma.
+
+use slipmode_core::polynomial::{Expression, Symbol};
+use slipmode_core::theory::Equations;
+use slipmode_core::theory::planar::MotionLemma;
+
+use crate::scene::Problem;
+use crate::scene::claim_formula::read_side;
+use crate::scene::claim_names::Names;
+use crate::scene::nearest;
+use crate::scene::section::{Entry, Section};
+
+slipmode_core::named! {
+    /// The lemmas, by what they conclude.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+    enum Word {
+        /// Every motion is periodic.
+        Periodic = "periodic",
+        /// Every motion approaches the steady state.
+        Attraction = "attraction",
+        /// Every motion off the steady state leaves every compact set.
+        Escape = "escape",
+        /// A variable becomes infinite in finite time.
+        Runaway = "runaway",
+        /// A variable falls for ever.
+        Deceleration = "deceleration",
+        /// A variable falls from some time on.
+        LateDeceleration = "late-deceleration",
+        /// A steady state is unstable although no root has a positive real part.
+        WeakInstability = "weak-instability",
+    }
+}
+
+/// A statement on the motions of a system, in the names of the file.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct ClaimMotion {
+    /// The system's name. What it is, the equations say when the claim is decided.
+    pub name: String,
+    /// The variables that move.
+    pub state: Vec<Symbol>,
+    /// What is said.
+    pub said: MotionSaid,
+}
+
+/// What is said of a system.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum MotionSaid {
+    /// Of every motion of two equations.
+    Planar(MotionLemma),
+    /// Three equations have a pair of roots ±i times this on the axis, and their steady state is unstable all the same.
+    WeakInstability(Expression),
+}
+
+impl ClaimMotion {
+    /// Reads the section; `equations` define the system.
+    pub(super) fn read(entry: &Entry<'_>, equations: &Equations) -> Option<Self> {
+        let mut section = entry.section()?;
+        let allowed = Word::ALL.map(Word::as_str).join(", ");
+        let word = section.required("lemma", &allowed).and_then(|entry| entry.word(&Word::ALL, Word::as_str));
+        let system = section.required("system", "the name of a [[system]]");
+        // Without the lemma it is not known what else the section should have.
+        let word = word?;
+        let said = read_said(&mut section, word, &system?, equations);
+        section.finish();
+        said
+    }
+
+    /// The expressions of the lemma, each with its word.
+    #[must_use]
+    pub fn expressions(&self) -> Vec<(&'static str, &Expression)> {
+        match &self.said {
+            MotionSaid::Planar(lemma) => lemma.expressions(),
+            MotionSaid::WeakInstability(frequency) => vec![("frequency", frequency)],
+        }
+    }
+
+    /// What is said, in words; `set` sets an expression.
+    #[must_use]
+    pub fn words(&self, set: impl Fn(&Expression) -> String) -> String {
+        let name = &self.name;
+        let variable = |index: &usize| self.state.get(*index).map(Symbol::as_str).unwrap_or_default();
+        let says = match &self.said {
+            MotionSaid::WeakInstability(..) => {
+                format!("the steady state of {name} is unstable although no root has a positive real part")
+            }
+            MotionSaid::Planar(lemma) => match lemma {
+                MotionLemma::Periodic { .. } => format!("every motion of {name} is periodic"),
+                MotionLemma::Attraction { .. } => {
+                    format!("every motion of {name} approaches the steady state")
+                }
+                MotionLemma::Escape { grows, .. } => format!(
+                    "every motion of {name} off the steady state leaves every compact set, and {} is unbounded along it",
+                    variable(grows)
+                ),
+                MotionLemma::Runaway { grows, .. } => format!(
+                    "{} becomes infinite in finite time from every start of {name} in the region",
+                    variable(grows)
+                ),
+                MotionLemma::Deceleration { falls, .. } => {
+                    format!("{} falls for ever from every start of {name} in the region", variable(falls))
+                }
+                MotionLemma::LateDeceleration { falls, .. } => format!(
+                    "{} falls from some time on for ever, and tends to zero, from every start of {name}",
+                    variable(falls)
+                ),
+            },
+        };
+        let with = |(word, expression): (&str, &Expression)| format!("{word} {}", set(expression));
+        let with: Vec<String> = self.expressions().into_iter().map(with).collect();
+        format!("{says} ({})", with.join(", "))
+    }
+}
+
+/// The lemma with its system.
+fn read_said(
+    section: &mut Section<'_>,
+    word: Word,
+    entry: &Entry<'_>,
+    equations: &Equations,
+) -> Option<ClaimMotion> {
+    let name = entry.text()?;
+    let names = Names::of(equations);
+    let Some(system) = names.system(&name) else {
+        let near = nearest(&name, names.system_names()).map(|near| format!("; did you mean `{near}`?"));
+        let near = near.unwrap_or_default();
+        return entry.refuse(Problem::Needs(format!("the name of a [[system]] of equations.toml{near}")));
+    };
+    let states = system.state.len();
+    let said = match word {
+        Word::WeakInstability if states == 3 && !system.steady.is_empty() => {
+            MotionSaid::WeakInstability(read_expression(section, "frequency", &names)?)
+        }
+        Word::WeakInstability => {
+            let needed = "a system with three state variables and a steady state";
+            return entry.refuse(Problem::Needs(needed.into()));
+        }
+        word if states == 2 => MotionSaid::Planar(read_lemma(section, word, &system.state, &names)?),
+        _ => return entry.refuse(Problem::Needs("a system with two state variables".into())),
+    };
+    Some(ClaimMotion { state: system.state.clone(), name, said })
+}
+
+fn read_expression(section: &mut Section<'_>, key: &'static str, names: &Names) -> Option<Expression> {
+    let entry = section.required(key, "an expression")?;
+    entry.sound(read_side(&entry.text()?, names).map_err(Problem::Equation))
+}
+
+/// Which of the two state variables `variable` names.
+fn read_index(section: &mut Section<'_>, state: &[Symbol]) -> Option<usize> {
+    let allowed = state.iter().map(Symbol::as_str).collect::<Vec<_>>().join(" or ");
+    let entry = section.required("variable", &allowed)?;
+    let name = entry.text()?;
+    let place = state.iter().position(|known| known.as_str() == name);
+    entry.sound(place.ok_or(Problem::Needs(allowed)))
+}
+
+/// All expressions are read before the first fault ends it.
+fn read_lemma(section: &mut Section<'_>, word: Word, state: &[Symbol], names: &Names) -> Option<MotionLemma> {
+    let keys: &[&'static str] = match word {
+        Word::Periodic | Word::LateDeceleration | Word::WeakInstability => &["quantity"],
+        Word::Attraction => &["quantity", "zero"],
+        Word::Escape => &["quantity", "zero", "threshold", "growth"],
+        Word::Runaway => &["region", "growth"],
+        Word::Deceleration => &["region"],
+    };
+    let has_variable = !matches!(word, Word::Periodic | Word::Attraction);
+    let read: Vec<_> = keys.iter().map(|key| read_expression(section, key, names)).collect();
+    let index = if has_variable { read_index(section, state) } else { Some(0) };
+    let read: Vec<Expression> = read.into_iter().collect::<Option<_>>()?;
+    let index = index?;
+    match (word, &read[..]) {
+        (Word::Periodic, [quantity]) => Some(MotionLemma::Periodic { quantity: quantity.clone() }),
+        (Word::Attraction, [quantity, zero]) => {
+            Some(MotionLemma::Attraction { quantity: quantity.clone(), zero: zero.clone() })
+        }
+        (Word::Escape, [quantity, zero, threshold, growth]) => Some(MotionLemma::Escape {
+            quantity: quantity.clone(),
+            zero: zero.clone(),
+            grows: index,
+            threshold: threshold.clone(),
+            growth: growth.clone(),
+        }),
+        (Word::Runaway, [region, growth]) => {
+            Some(MotionLemma::Runaway { region: region.clone(), grows: index, growth: growth.clone() })
+        }
+        (Word::Deceleration, [region]) => {
+            Some(MotionLemma::Deceleration { region: region.clone(), falls: index })
+        }
+        (Word::LateDeceleration, [quantity]) => {
+            Some(MotionLemma::LateDeceleration { quantity: quantity.clone(), falls: index })
+        }
+        _ => None,
+    }
+}
