@@ -202,3 +202,51 @@ fn definitions_and_systems_at_fault_are_named_by_file_and_key() {
         "r/equations.toml: system aging: the rate of theta is not zero at the steady state: 1",
     ]);
 }
+
+/// The units of the slider's variables.
+const UNITS: &str = "[units]\nA = \"Pa\"\nB = \"Pa\"\nL = \"m\"\nK = \"Pa/m\"\nM = \"kg/m^2\"\nV = \"m/s\"\nv = \"m/s\"\n\
+    theta = \"s\"\nomega = \"Hz\"\nx = \"m\"\nmu_0 = \"Pa\"\ns = \"1/s\"\n";
+
+#[test]
+fn units_of_equations_systems_definitions_and_formulas_are_checked() {
+    let sound =
+        format!("{UNITS}{SLIDER}\n[[equation]]\nnumber = \"1\"\nequation = \"F = K*L + A*ln(v/V)\"\n");
+    let holds = formula("R1", "holds", "K_cr = K_qs*(1 + M*V^2/(A*L))")
+        + &formula("R2", "holds", "F - A*ln(v/V) = K*L");
+    report(&sound, &holds, "Words.\n").run(["verify", "r"]).expect_success();
+    let wrong = [
+        formula("R1", "holds", "K_cr = B - A"),
+        formula("R2", "holds", "K_cr -> B as M -> 0"),
+        formula("R3", "holds", "P rises with K").replace("formula", "given = [\"K < B\"]\nformula"),
+        formula("R4", "holds", "ln(K) + K > F"),
+    ];
+    report(&sound, &wrong.concat(), "Words.\n").run(["verify", "r"]).expect_refusal(&[
+        "'K_cr' is kg m^-2 s^-2 and 'B - A' is kg m^-1 s^-2",
+        "'K_cr' is kg m^-2 s^-2 and 'B' is kg m^-1 s^-2",
+        "'K' is kg m^-2 s^-2 and 'B' is kg m^-1 s^-2",
+        "the argument of ln(K) is kg m^-2 s^-2, and must be 1",
+    ]);
+    let faulty = sound
+        .replace("A = \"Pa\"", "A = \"mPa\"")
+        .replace("mu_0 = \"Pa\"\n", "")
+        .replace("omega = \"Hz\"", "omega = \"Hz\"\nomeg = \"Hz\"");
+    report(&faulty, &holds, "Words.\n").run(["verify", "r"]).expect_refusal(&[
+        "r/equations.toml: units.A: 'mPa' is no unit",
+        "r/equations.toml: units.mu_0: missing: every variable of the file has a unit",
+        "r/equations.toml: units.omeg: 'omeg' is no variable",
+    ]);
+    let wrong = sound
+        .replace("F = K*L", "F = K")
+        .replace(
+            "(K*x - mu_0 - A*ln(v/V) - B*ln(V*theta/L))/M\", \"-v",
+            "(K*x - mu_0 - A*ln(v/V) - B*ln(V*theta/L))*M/M^2/V*V^2\", \"-v",
+        )
+        .replace("omega^2 - square", "omega - square")
+        .replace("K_cr/V^2", "exchange(K_cr, M, L)");
+    report(&wrong, &holds, "Words.\n").run(["verify", "r"]).expect_refusal(&[
+        "equation 1: in 'K + A*ln(v/V)', 'K' is kg m^-2 s^-2 and 'A*ln(v/V)' is kg m^-1 s^-2",
+        "system slip: the rate",
+        "definition w: in 'omega - square', 'omega' is s^-1 and 'square' is s^-2",
+        "definition K_per_square: 'M' is kg m^-2 and 'L' is m",
+    ]);
+}

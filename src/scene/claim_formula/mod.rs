@@ -271,6 +271,9 @@ impl ClaimFormula {
         let conditions = conditions.map(|side| (side, None));
         let fault = formula.statement.sides_with_roots().into_iter().chain(conditions).find_map(faults);
         fault.map_or(Ok(()), Err)?;
+        let mut compared = formula.scope.given.iter().map(|condition| &condition.sides);
+        compared.try_for_each(|[left, right]| names.same_units(left, right))?;
+        formula.statement.check_units(&names)?;
         formula.statement.atoms().into_iter().try_for_each(|atom| check_atom(atom, &names, &premises))?;
         match &formula.statement {
             Statement::True(said)
@@ -315,6 +318,22 @@ fn check_atom(atom: &Formula, names: &Names, premises: &Premises) -> Result<(), 
 }
 
 impl Statement {
+    /// What is compared has the same unit, where units are stated.
+    fn check_units(&self, names: &Names) -> Result<(), String> {
+        self.sides().into_iter().try_for_each(|side| names.same_units(side, side))?;
+        if let Self::Limit(left, value, ..) = self {
+            names.same_units(left, value)?;
+        }
+        self.atoms().into_iter().try_for_each(|atom| match atom {
+            Formula::Compare(left, _, right) => names.same_units(left, right),
+            Formula::Crossing(crossing) => {
+                names.same_units(&Expression::variable(&crossing.parameter), &crossing.critical)?;
+                names.same_units(&Expression::variable(&crossing.variable), &crossing.frequency)
+            }
+            _ => Ok(()),
+        })
+    }
+
     /// The expressions in it.
     #[must_use]
     pub fn sides(&self) -> Vec<&Expression> {

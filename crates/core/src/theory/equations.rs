@@ -117,14 +117,14 @@ impl Equations {
     /// The equations that can be read, and all faults.
     #[must_use]
     pub fn read_partly(text: EquationsText) -> (Self, Vec<EquationFault>) {
-        let EquationsText { assumptions, equation, system, definition } = text;
+        let EquationsText { assumptions, equation, system, units, definition } = text;
         let mut faults = Vec::new();
         let domain = definitions::assumed(&assumptions).unwrap_or_else(|fault| {
             faults.push(fault);
             Domain::positive(&assumptions.positive.join(" "))
         });
         let (equations, of_equations) = reading::read(equation, &assumptions.positive, &domain);
-        let rest = Rest { assumptions, systems: system, definitions: definition };
+        let rest = Rest { assumptions, systems: system, definitions: definition, units };
         let (names, of_names) = definitions::names(&rest, &equations, &domain);
         faults.extend(of_equations.into_iter().chain(of_names));
         (Self { equations, rest, domain, names: Arc::new(names) }, faults)

@@ -67,6 +67,7 @@ pub mod sufficient_inertia;
 pub mod third_order;
 #[doc(hidden)]
 pub mod transition;
+mod units;
 pub mod weak_instability;
 #[doc(hidden)]
 pub mod worst_error;

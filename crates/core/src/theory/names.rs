@@ -4,6 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::Equation;
 use super::derivation::System;
+use super::units::Units;
 use crate::polynomial::{Condition, Expression, Proof, Symbol};
 
 /// What a name means.
@@ -27,6 +28,8 @@ pub struct Names {
     pub(super) positive: BTreeSet<Symbol>,
     pub(super) meanings: BTreeMap<Symbol, Meaning>,
     pub(super) systems: BTreeMap<String, System>,
+    /// Their units, where the file states units.
+    pub(super) units: Option<Units>,
     /// The proof of a definition, in the order in which they were worked out.
     pub(super) proofs: BTreeMap<Symbol, Proof>,
 }
@@ -42,6 +45,14 @@ impl Names {
     #[must_use]
     pub fn of_variables<'n>(names: impl Iterator<Item = &'n str>) -> Self {
         Self { variables: names.map(Symbol::new).collect(), ..Self::default() }
+    }
+
+    /// Checks that the two have the same unit, where the file states units.
+    ///
+    /// # Errors
+    /// Both units, or what is wrong with one of the two.
+    pub fn same_units(&self, left: &Expression, right: &Expression) -> Result<(), String> {
+        self.units.as_ref().map_or(Ok(()), |units| units.same(left, right))
     }
 
     /// Whether a variable is positive by assumption.
@@ -239,4 +250,21 @@ pub(super) fn circle(start: &Symbol, uses: &BTreeMap<Symbol, BTreeSet<Symbol>>) 
         }
     }
     None
+}
+
+/// The names, each after those that it uses; those of a circle do not occur.
+pub(super) fn in_order(uses: &BTreeMap<Symbol, BTreeSet<Symbol>>) -> Vec<Symbol> {
+    let mut order: Vec<Symbol> = Vec::new();
+    let mut placed: BTreeSet<&Symbol> = BTreeSet::new();
+    loop {
+        let ready = |(name, used): &(&Symbol, &BTreeSet<Symbol>)| {
+            !placed.contains(name) && used.iter().all(|one| !uses.contains_key(one) || placed.contains(one))
+        };
+        let next: Vec<&Symbol> = uses.iter().filter(ready).map(|(name, _)| name).collect();
+        if next.is_empty() {
+            return order;
+        }
+        placed.extend(next.iter());
+        order.extend(next.into_iter().cloned());
+    }
 }

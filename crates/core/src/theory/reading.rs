@@ -1,5 +1,7 @@
 //! Reading a file of equations: all faults at once.
 
+use std::collections::BTreeMap;
+
 use super::derivation::{is_name, read_condition};
 use super::{Equation, EquationFault, definedness};
 use crate::polynomial::{Condition, Domain, Expression};
@@ -23,6 +25,9 @@ pub struct EquationsText {
     /// Systems of differential equations.
     #[cfg_attr(feature = "serde", serde(default))]
     pub system: Vec<SystemText>,
+    /// The units of the variables.
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub units: BTreeMap<String, String>,
     /// Names that stand for an expression or a derivation.
     #[cfg_attr(feature = "serde", serde(default))]
     pub definition: Vec<DefinitionText>,

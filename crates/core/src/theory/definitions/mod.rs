@@ -2,6 +2,7 @@
 
 mod assumptions;
 mod systems;
+mod units;
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -10,7 +11,7 @@ use assumptions::with_conditions;
 
 use super::definedness;
 use super::derivation::{Form, Operation, System, Work, derive, is_name, read_condition};
-use super::names::{Names, circle, defined_by_equations};
+use super::names::{Names, circle, defined_by_equations, in_order};
 use super::reading::{AssumptionsText, DefinitionText, SystemText};
 use super::{Equation, EquationFault};
 use crate::named::nearest;
@@ -25,7 +26,11 @@ pub(super) struct Rest {
     pub assumptions: AssumptionsText,
     pub systems: Vec<SystemText>,
     pub definitions: Vec<DefinitionText>,
+    pub units: BTreeMap<String, String>,
 }
+
+/// The definitions by name: as text, and read with what they are given for.
+type Forms<'r> = BTreeMap<Symbol, (&'r DefinitionText, Form, Vec<Condition>)>;
 
 /// All faults of the definitions so far.
 struct Reader<'r> {
@@ -53,7 +58,7 @@ impl Reader<'_> {
                 return self.fault(what, format!("{count} of them (allowed: at most {MOST})"));
             }
         }
-        let mut forms: BTreeMap<Symbol, (&DefinitionText, Form, Vec<Condition>)> = BTreeMap::new();
+        let mut forms: Forms<'_> = BTreeMap::new();
         for text in &rest.definitions {
             let given: Result<Vec<_>, _> = text.given.iter().map(|one| read_condition(one)).collect();
             match (Form::read(&text.is), given) {
@@ -115,12 +120,13 @@ impl Reader<'_> {
         let at_fault = |name: &Symbol, faults: &[EquationFault]| {
             faults.iter().any(|fault| fault.key == format!("definition {name}"))
         };
-        for name in in_order(&uses) {
+        let order = in_order(&uses);
+        for name in &order {
             let is_known = |used: &Symbol| self.names.has(used) || ["i", "pm"].contains(&used.as_str());
-            if at_fault(&name, &self.faults) || !uses[&name].iter().all(is_known) {
+            if at_fault(name, &self.faults) || !uses[name].iter().all(is_known) {
                 continue;
             }
-            if let Some(one) = defined.get(&name) {
+            if let Some(one) = defined.get(name) {
                 let uses: Vec<Expression> = one.uses().into_iter().map(Expression::Variable).collect();
                 let meanings = one
                     .uses()
@@ -135,14 +141,15 @@ impl Reader<'_> {
                 let given = given.collect();
                 let behind: Vec<&Expression> = uses.iter().collect();
                 let expression = resolve(&one.expression);
-                self.names.define(&name, expression, &behind, [one.number.clone()], given, None);
-            } else if let Some((text, form, given)) = forms.get(&name) {
+                self.names.define(name, expression, &behind, [one.number.clone()], given, None);
+            } else if let Some((text, form, given)) = forms.get(name) {
                 let system = form.system.as_ref().and_then(|name| systems.get(name));
                 if let Err(message) = self.define(text, form, given, system, domain) {
                     self.fault(&key_of(text), message);
                 }
             }
         }
+        self.check_units(equations, &defined, &forms, &systems, &order);
         self.keep_systems(systems, domain);
     }
 
@@ -277,21 +284,4 @@ impl Reader<'_> {
 
 fn key_of(text: &DefinitionText) -> String {
     format!("definition {}", text.name)
-}
-
-/// The names, each after those that it uses; those of a circle do not occur.
-fn in_order(uses: &BTreeMap<Symbol, BTreeSet<Symbol>>) -> Vec<Symbol> {
-    let mut order: Vec<Symbol> = Vec::new();
-    let mut placed: BTreeSet<&Symbol> = BTreeSet::new();
-    loop {
-        let ready = |(name, used): &(&Symbol, &BTreeSet<Symbol>)| {
-            !placed.contains(name) && used.iter().all(|one| !uses.contains_key(one) || placed.contains(one))
-        };
-        let next: Vec<&Symbol> = uses.iter().filter(ready).map(|(name, _)| name).collect();
-        if next.is_empty() {
-            return order;
-        }
-        placed.extend(next.iter());
-        order.extend(next.into_iter().cloned());
-    }
 }

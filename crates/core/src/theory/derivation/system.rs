@@ -3,7 +3,7 @@
 use super::work::Work;
 use crate::polynomial::{Expression, RationalFunction, Symbol};
 
-/// An autonomous system of ordinary differential equations of first order, with a steady state.
+/// An autonomous system of ordinary differential equations of first order.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct System {
     /// Its name.

@@ -210,6 +210,15 @@ fn systems_at_fault_are_refused() {
 }
 
 #[test]
+fn a_system_without_a_steady_state_has_rates_and_no_linearisation() {
+    let still = "[[system]]\nname = \"still\"\nstate = [\"v\", \"theta\"]\n\
+        rates = [\"-v/A*(K*v + B/theta*(1 - v*theta/L))\", \"1 - v*theta/L\"]\n";
+    gives(&[("R", "rate(theta, still)")], still, "1 - v*theta/L");
+    let refused = read(&[("P", "characteristic(still, s)")], still).expect_err("no steady state");
+    assert!(refused.contains("definition P: the system still states no steady state"), "{refused}");
+}
+
+#[test]
 fn conditions_of_a_file_are_read_in_its_variables() {
     let file = |conditions: &str| {
         let text = format!(
