@@ -33,7 +33,15 @@ pub struct Entry {
     pub stated: Option<StatedClaim>,
 }
 
+/// How a remark begins that is a warning about the formulas of a claim.
+const WARNING: &str = "Warning: ";
+
 impl Entry {
+    /// The warnings about its formulas.
+    pub fn warnings(&self) -> impl Iterator<Item = &str> {
+        self.finding.remarks.iter().filter_map(|remark| remark.strip_prefix(WARNING))
+    }
+
     /// Whether the computed verdict is the recorded one.
     #[must_use]
     pub fn is_as_recorded(&self) -> bool {
@@ -122,7 +130,11 @@ pub(super) fn finding_on(claim: &ClaimEntry, context: &Context) -> Finding {
 
 fn decide_one(text: &ClaimEntry, context: &Context) -> Entry {
     let check = check_of(text);
-    let finding = finding_on(text, context);
+    let mut finding = finding_on(text, context);
+    if let Some(stated) = &text.stated {
+        let warnings = formula::warnings(stated, &finding, context.equations);
+        finding.remarks.extend(warnings.into_iter().map(|warning| format!("{WARNING}{warning}.")));
+    }
     let (criterion, not_established) = match (&text.stated, check) {
         (Some(stated), _) => (formula::criterion(stated), stated.leaves_out.clone()),
         (None, Some(check)) => (check.criterion.into(), check.not_established.into()),

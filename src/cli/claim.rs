@@ -2,7 +2,7 @@
 
 use std::slice;
 
-use slipmode::claims::{Entry, Evidence, Part, Strength, Verdict, known_ids};
+use slipmode::claims::{Entry, Evidence, Ledger, Part, Strength, Verdict, known_ids};
 use slipmode::report::{Folder, decide};
 use slipmode::scene::{ClaimEntry, nearest};
 
@@ -18,11 +18,19 @@ use crate::cli::terminal;
 pub fn verify_claim(folder: &Folder, id: &str, progress: &Progress) -> Result<(), Failure> {
     let text = listed(folder, id)?;
     let (ledger, _) = progress.items(|progress| decide(folder, slice::from_ref(text), progress));
+    print_warnings(&ledger);
     for entry in &ledger.claims {
         terminal::print(&account(entry))?;
     }
     let drift = drift(&ledger);
     if drift.is_empty() { Ok(()) } else { Err(Failure::Check(drift.join("\n"))) }
+}
+
+/// Prints the warnings about the formulas of claims on standard error.
+pub fn print_warnings(ledger: &Ledger) {
+    for entry in &ledger.claims {
+        entry.warnings().for_each(|warning| terminal::message(&format!("warning: {}: {warning}", entry.id)));
+    }
 }
 
 fn listed<'f>(folder: &'f Folder, id: &str) -> Result<&'f ClaimEntry, Failure> {

@@ -9,7 +9,7 @@ use slipmode::report::{
 };
 use slipmode::scene::Limits;
 
-use crate::cli::claim::verify_claim;
+use crate::cli::claim::{print_warnings, verify_claim};
 use crate::cli::environment::{ENVIRONMENT_FILE, Environment};
 use crate::cli::failure::Failure;
 use crate::cli::folder::{read_report, read_scene};
@@ -180,6 +180,7 @@ fn make(options: &ReportOptions, progress: &Progress) -> Result<Made, Failure> {
     let product = progress
         .items(|progress| produce(&folder, &stated_place, environment.facts(), progress))
         .map_err(|error| unrenderable(&options.folder, &error))?;
+    print_warnings(&product.ledger);
     let publish_page = folder.plan.publish_page;
     let mut files = published_files(&product.files, publish_page || !options.for_publication);
     if options.for_publication {

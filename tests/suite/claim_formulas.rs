@@ -61,6 +61,7 @@ const ROWS: &[Row] = &[
     ("K_c -> K_c_qs as V_0 -> infinity", "", "not-checked", None),
     ("K_c rises with V_0", WEAKENING, "holds", None),
     ("K_c falls with V_0", WEAKENING, "fails", Some(Point::weakening)),
+    ("omega_n rises with D_c", "", "fails", None),
     ("K_c depends on D_c", "", "holds", None),
     ("omega_n depends on D_c", "", "fails", None),
     ("omega_n does not depend on D_c", "", "holds", None),
@@ -179,6 +180,22 @@ const ROWS: &[Row] = &[
         "holds",
         None,
     ),
+    // With logarithms: enclosures instead of certificates.
+    ("ln(K) > 1/2", "at = { K = 2 }", "holds", None),
+    ("ln(K) > 1", "at = { K = 2 }", "fails", Some(|point| point.of("K") == 2)),
+    ("ln(1 + K) < K and exp(K) > 1 + K", "box = { K = ['1/2', '2'] }", "holds", None),
+    // False above the root of e, 1.6487….
+    (
+        "ln(K) < 1/2",
+        "box = { K = ['1', '2'] }",
+        "fails",
+        Some(|point| {
+            let k = point.of("K");
+            k > Rational::from((16_487, 10_000)) && k <= 2
+        }),
+    ),
+    // True, and equal on the edge, where no number of bits decides.
+    ("ln(exp(K)) = K", "box = { K = ['1', '2'] }", "not-checked", None),
 ];
 
 pub fn claim(id: usize, formula: &str, scope: &str, verdict: &str) -> String {
@@ -209,7 +226,7 @@ fn each_formula_gets_the_verdict_that_it_deserves_and_a_point_where_it_is_false(
         .map(|((formula, scope, verdict, _), id)| claim(id, formula, scope, verdict))
         .collect();
     let place = report(&claims);
-    place.run(["report", "r", "-o", "out"]).expect_success();
+    place.run(["report", "r", "-o", "out"]).expect_warnings();
     let ledger: serde_json::Value = serde_json::from_str(&place.read("out/ledger.json")).unwrap();
     let decided = ledger["claims"].as_array().unwrap();
     assert_eq!(decided.len(), ROWS.len());
@@ -218,7 +235,11 @@ fn each_formula_gets_the_verdict_that_it_deserves_and_a_point_where_it_is_false(
         assert_eq!(found["verdict"], *verdict, "{words}");
         match *verdict {
             "holds" => {
-                assert!(found["strength"] == "exact" && found["evidence"][0]["kind"] == "proof", "{words}")
+                let [strength, kind] = match formula.contains("ln(") {
+                    true => ["certified", "enclosure"],
+                    false => ["exact", "proof"],
+                };
+                assert!(found["strength"] == strength && found["evidence"][0]["kind"] == kind, "{words}");
             }
             "fails" => assert!(!found["counter_example"].as_str().unwrap().is_empty(), "{words}"),
             _ => assert!(!found["remarks"][0].as_str().unwrap().is_empty(), "{words}"),
@@ -236,7 +257,7 @@ fn a_claim_with_parts_fails_with_its_false_part_and_names_the_true_one() {
          [[claim.part]]\nwords = \"inertia raises it\"\nformula = \"K_c > K_c_qs\"\ngiven = [\"a < b\"]\n\
          [[claim.part]]\nwords = \"mass lowers it\"\nformula = \"K_c falls with M\"\ngiven = [\"a < b\"]\n",
     );
-    let said = place.run(["verify", "r", "--claim", "R2"]).expect_success();
+    let said = place.run(["verify", "r", "--claim", "R2"]).expect_warnings();
     assert!(said.contains("true only: inertia raises it"), "{said}");
     assert!(said.contains("mass lowers it: at "), "{said}");
 }
@@ -293,4 +314,57 @@ fn formulas_at_fault_are_refused_all_at_once_with_file_and_key() {
         .run(["report", "r"])
         .expect_refusal(&["leaves_out: missing"]);
     report(&format!("{bare}given = [\"a < b\"]\n")).run(["report", "r"]).expect_refusal(&["needs `formula`"]);
+}
+
+#[test]
+fn formulas_that_say_less_than_they_seem_to_are_warned_about() {
+    let warned: [(&str, &str, &str); 8] = [
+        ("K_c > K_c_qs", WEAKENING, "'K_c > K_c_qs' says nothing about a = b, where it is false"),
+        ("K_c > 0", "given = ['a < b', 'b < a']", "the conditions of 'K_c > 0' contradict each other"),
+        ("K > M", "given = ['K = 2*M', 'M > K']", "contradict each other"),
+        ("K + M <= 0 implies K_c > 1", "", "the hypothesis (K + M <= 0) is never true under the conditions"),
+        ("K > 0 or M > K", "there_is = ['K']\nwitness = { K = '2' }", "one value does for all of them"),
+        ("M > 0", "there_is = ['K']", "'M > 0' does not contain K"),
+        ("K_c = right_9", "", "both sides of 'K_c = right_9' are the same by their definitions"),
+        ("K > K_c implies stable(residual_8, s)", "", "says nothing about K = K_c, where it is false"),
+    ];
+    // The edge is part of the formula, or is said to be left out, or the formula is true on it, or it has no value there.
+    let silent: [(&str, &str); 5] = [
+        ("stable(residual_8, s) iff K > K_c", ""),
+        ("K_c >= K_c_qs", "given = ['a <= b']"),
+        ("K^2 + 2*K > 0", "given = ['M != V']"),
+        ("V_c > 0", WEAKENING),
+        ("K_c > K_c_qs", "given = ['a < b']"),
+    ];
+    let claims: String = warned
+        .iter()
+        .map(|(formula, scope, _)| (formula, scope))
+        .chain(silent.iter().map(|(f, s)| (f, s)))
+        .zip(1..)
+        .map(|((formula, scope), id)| claim(id, formula, scope, "holds"))
+        .collect();
+    let last = warned.len() + silent.len();
+    let (rest, end) = claims.split_at(claims.rfind("leaves_out").unwrap());
+    let place = report(&(rest.to_owned() + &end.replacen("nothing", "That both are equal for b = a.", 1)));
+    let ended = place.run(["report", "r", "-o", "out"]);
+    let ledger: serde_json::Value = serde_json::from_str(&place.read("out/ledger.json")).unwrap();
+    let remarks = |id: usize| ledger["claims"][id - 1]["remarks"].to_string();
+    for ((formula, _, warning), id) in warned.iter().zip(1..) {
+        assert!(
+            ended.stderr.contains(&format!("warning: C{id}: ")) && ended.stderr.contains(warning),
+            "{}",
+            ended.stderr
+        );
+        assert!(
+            remarks(id).contains("Warning: ") && remarks(id).contains(warning),
+            "{formula}: {}",
+            remarks(id)
+        );
+    }
+    for id in warned.len() + 1..=last {
+        assert!(!ended.stderr.contains(&format!("warning: C{id}: ")), "C{id} in {}", ended.stderr);
+    }
+    // A formula whose conditions contradict each other says nothing: it is not decided, and the contradiction is proved.
+    assert_eq!(ledger["claims"][1]["verdict"], "not-checked");
+    assert_eq!(ledger["claims"][1]["evidence"][0]["kind"], "proof");
 }

@@ -100,6 +100,13 @@ impl Attempt<'_> {
     /// A slope of one sign. Only the opposite sign refutes it: a function with a slope of zero at one point may be monotone.
     fn monotone(&self, side: &Expression, comparison: Comparison, variable: &str) -> Finding {
         let slope = side.derivative(&Symbol::new(variable));
+        if self
+            .domains
+            .first()
+            .is_some_and(|domain| domain.rational_function(&slope).is_ok_and(|slope| slope.is_zero()))
+        {
+            return Finding::failing(format!("its slope in {variable} is 0 everywhere"));
+        }
         let rising = if comparison == Comparison::Less { -slope.clone() } else { slope.clone() };
         let prover = Prover::new(&self.points);
         let clause = [Literal::new(rising.clone(), Sign::Positive)];

@@ -1,6 +1,7 @@
 //! Claims that a report states as formulas: decided by a certificate, by an exact counter-example, or not at all.
 
 mod behaviour;
+mod enclosed;
 mod exists;
 mod lowering;
 mod motion;
@@ -8,19 +9,22 @@ mod points;
 mod prover;
 mod substitutions;
 mod truth;
+mod warnings;
 
 use std::collections::BTreeMap;
 
 use slipmode_core::polynomial::{Certificate, Expression, Proof, Symbol};
+use slipmode_core::theory::Equations;
 
 use crate::claims::over_rows;
-use crate::claims::reading::{Draft, of_readings};
-use crate::claims::{Finding, Verdict};
+use crate::claims::reading::{self, of_readings};
+use crate::claims::{Evidence, Finding, Verdict};
 use crate::experiments::Context;
 use crate::scene::{ClaimFormula, Names, Premises, StatedClaim, Statement};
 use lowering::Lowered;
 use points::{Point, Points};
-use prover::Prover;
+use prover::{Draft, Prover};
+pub(super) use warnings::warnings;
 
 /// The finding on a claim: one formula decides it, or all parts of its first reading.
 pub(super) fn decide(id: &str, stated: &StatedClaim, context: &Context) -> Finding {
@@ -37,7 +41,7 @@ fn decide_readings(id: &str, stated: &StatedClaim, context: &Context) -> Finding
     let one = stated.readings.len() == 1;
     of_readings(stated.readings.iter().zip(1..).map(|(reading, which)| {
         let words = if one { "all parts" } else { &reading.words };
-        reading.parts.iter().zip(1..).fold(Draft::new(words), |draft, ((words, formula), number)| {
+        reading.parts.iter().zip(1..).fold(reading::Draft::new(words), |draft, ((words, formula), number)| {
             let which = if one { String::new() } else { format!("-{which}") };
             let id = format!("formula-{id}{which}-{number}");
             draft.part(words, decide_part(&id, words, formula, context))
@@ -87,22 +91,21 @@ fn decide_formula(id: &str, words: &str, formula: &ClaimFormula, context: &Conte
     if let Some(table) = &formula.rows {
         return over_rows::decide(table, &formula.text, context);
     }
-    let equations = context.equations;
-    let names = Names::of(equations);
-    let premises = match formula.premises(equations) {
-        Ok(premises) => premises,
+    decide_equations(id, words, formula, context.equations)
+}
+
+/// The finding on a formula about the equations.
+fn decide_equations(id: &str, words: &str, formula: &ClaimFormula, equations: &Equations) -> Finding {
+    let problem = match Problem::new(id, words, formula, equations) {
+        Ok(problem) => problem,
         Err(reason) => return Finding::not_checked(reason),
     };
-    let sides = formula.statement.sides();
-    let mut numbers: Vec<String> =
-        sides.iter().flat_map(|side| names.equations_of(side)).map(str::to_owned).collect();
-    numbers.sort_unstable();
-    numbers.dedup();
-    let conditions = formula.scope.given.iter().flat_map(|condition| &condition.sides);
-    let behind = sides.iter().copied().chain(conditions).cloned().collect();
-    let lemmas = names.proofs_of(&Expression::Sum(behind)).into_iter().cloned();
-    let proof = lemmas.fold(Proof::new(id, words), Proof::using);
-    let problem = Problem { proof, numbers, premises, names, formula };
+    if let Some(steps) = problem.contradiction() {
+        let start = problem.proof.clone();
+        let proof = steps.into_iter().try_fold(start, |proof, (says, one)| proof.certify(&says, &[], one));
+        let finding = Finding::not_checked("No point meets the conditions: they contradict each other.");
+        return proof.map_or(finding.clone(), |proof| finding.with_evidence(Evidence::Proof { proof }));
+    }
     match &formula.statement {
         Statement::True(said) => match Lowered::new(said, &problem.names, &problem.premises) {
             Err(reason) => Finding::not_checked(format!("Not decided: {reason}.")),
@@ -124,7 +127,34 @@ struct Problem<'f> {
     formula: &'f ClaimFormula,
 }
 
-impl Problem<'_> {
+impl<'f> Problem<'f> {
+    fn new(id: &str, words: &str, formula: &'f ClaimFormula, equations: &Equations) -> Result<Self, String> {
+        let names = Names::of(equations);
+        let premises = formula.premises(equations)?;
+        let sides = formula.statement.sides();
+        let mut numbers: Vec<String> =
+            sides.iter().flat_map(|side| names.equations_of(side)).map(str::to_owned).collect();
+        numbers.sort_unstable();
+        numbers.dedup();
+        let conditions = formula.scope.given.iter().flat_map(|condition| &condition.sides);
+        let witness = formula.scope.witness.iter().map(|(_, value)| value);
+        let behind = sides.iter().copied().chain(conditions).chain(witness).cloned().collect();
+        let lemmas = names.proofs_of(&Expression::Sum(behind)).into_iter().cloned();
+        let proof = lemmas.fold(Proof::new(id, words), Proof::using);
+        Ok(Self { proof, numbers, premises, names, formula })
+    }
+
+    /// The steps that no point meets the conditions, where that is so.
+    fn contradiction(&self) -> Option<Vec<Draft>> {
+        let points = self.points([]);
+        let prover = Prover::new(&points);
+        if self.premises.conditions.is_empty() || prover.domain(&self.premises, &[]).is_some() {
+            return None;
+        }
+        let bare = Premises { conditions: Vec::new(), ..self.premises.clone() };
+        prover.contradiction(&bare, self.premises.conditions.clone(), 2)
+    }
+
     /// A side with the definitions, values and solutions in place.
     fn put_in(&self, side: &Expression) -> Expression {
         self.premises.put_in(&self.names.resolved(side))
@@ -190,3 +220,6 @@ impl Problem<'_> {
 fn expressions(point: &Point) -> BTreeMap<Symbol, Expression> {
     point.iter().map(|(name, value)| (name.clone(), Expression::Number(value.clone()))).collect()
 }
+
+#[cfg(test)]
+mod tests;

@@ -33,13 +33,20 @@ impl Problem<'_> {
             Ok(proof) => return Finding::from_proof(Ok(proof)),
             Err(tried) => tried,
         };
-        self.refuted(formula, lowered, &points, Points::MOST).unwrap_or_else(|| {
+        let refuted = self.refuted(formula, lowered, &points, Points::MOST);
+        refuted.or_else(|| self.enclosed(lowered)).unwrap_or_else(|| {
             let points = Points::MOST;
             Finding::not_checked(format!("Not decided: {tried}, and {points} points do not refute it."))
         })
     }
 
-    fn proved(&self, formula: &Formula, lowered: &Lowered, prover: &Prover<'_>) -> Result<Proof, String> {
+    /// The proof that the formula is true at all points that meet the conditions, or what was tried.
+    pub(super) fn proved(
+        &self,
+        formula: &Formula,
+        lowered: &Lowered,
+        prover: &Prover<'_>,
+    ) -> Result<Proof, String> {
         let start = self.start(prover)?;
         let domain = prover.domain(&self.premises, &[]).unwrap_or_default();
         if let Formula::Compare(left, Comparison::Equal, right) = formula {

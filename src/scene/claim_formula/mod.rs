@@ -250,7 +250,28 @@ impl ClaimFormula {
 
     fn checked(self, equations: &Equations) -> Result<Self, String> {
         let (names, formula) = (Names::of(equations), self);
-        let premises = formula.premises(equations)?;
+        let premises = formula.check_values(equations)?;
+        let mut compared = formula.scope.given.iter().map(|condition| &condition.sides);
+        compared.try_for_each(|[left, right]| names.same_units(left, right))?;
+        formula.statement.check_units(&names)?;
+        formula.statement.atoms().into_iter().try_for_each(|atom| check_atom(atom, &names, &premises))?;
+        match &formula.statement {
+            Statement::True(said)
+                if said.signs(&Formula::opaque).clauses(&|_| None, MOST_CLAUSES) == Some(Vec::new()) =>
+            {
+                Err("true by construction, whatever its comparisons say".into())
+            }
+            _ => Ok(formula),
+        }
+    }
+
+    /// The premises, if every side has a value under them that is not too large.
+    ///
+    /// # Errors
+    /// The first side without one.
+    pub fn check_values(&self, equations: &Equations) -> Result<Premises, String> {
+        let names = Names::of(equations);
+        let premises = self.premises(equations)?;
         let domain = premises.domain();
         let faults = |(side, own): (&Expression, Option<&str>)| {
             let resolved = own.map_or_else(|| names.resolved(side), |own| names.resolved_but(side, own));
@@ -267,22 +288,10 @@ impl ClaimFormula {
                 Err(error) => Some(format!("'{side}' has no value under the conditions: {error}")),
             }
         };
-        let conditions = formula.scope.given.iter().flat_map(|condition| &condition.sides);
+        let conditions = self.scope.given.iter().flat_map(|condition| &condition.sides);
         let conditions = conditions.map(|side| (side, None));
-        let fault = formula.statement.sides_with_roots().into_iter().chain(conditions).find_map(faults);
-        fault.map_or(Ok(()), Err)?;
-        let mut compared = formula.scope.given.iter().map(|condition| &condition.sides);
-        compared.try_for_each(|[left, right]| names.same_units(left, right))?;
-        formula.statement.check_units(&names)?;
-        formula.statement.atoms().into_iter().try_for_each(|atom| check_atom(atom, &names, &premises))?;
-        match &formula.statement {
-            Statement::True(said)
-                if said.signs(&Formula::opaque).clauses(&|_| None, MOST_CLAUSES) == Some(Vec::new()) =>
-            {
-                Err("true by construction, whatever its comparisons say".into())
-            }
-            _ => Ok(formula),
-        }
+        let fault = self.statement.sides_with_roots().into_iter().chain(conditions).find_map(faults);
+        fault.map_or(Ok(premises), Err)
     }
 
     /// What is assumed: the positive variables of the equations and the scope, with the definitions in place of their names.

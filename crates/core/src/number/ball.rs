@@ -130,6 +130,42 @@ impl Ball {
         Float::with_val_round(self.centre.prec(), &self.centre + &self.radius(), Round::Up).0
     }
 
+    /// The natural logarithm; unbounded unless every point of the ball is positive.
+    #[must_use]
+    pub fn ln(&self) -> Self {
+        if self.sign() != Some(Ordering::Greater) {
+            return Self::unbounded(self.precision_bits());
+        }
+        self.rising(Float::ln_round)
+    }
+
+    /// The exponential.
+    #[must_use]
+    pub fn exp(&self) -> Self {
+        self.rising(Float::exp_round)
+    }
+
+    /// The inverse hyperbolic sine.
+    #[must_use]
+    pub fn asinh(&self) -> Self {
+        self.rising(Float::asinh_round)
+    }
+
+    /// The image under a function that rises, from its values at both ends.
+    fn rising(&self, function: fn(&mut Float, Round) -> Ordering) -> Self {
+        if !self.is_bounded() {
+            return self.clone();
+        }
+        let (mut low, mut high) = (self.lower(), self.upper());
+        function(&mut low, Round::Down);
+        function(&mut high, Round::Up);
+        let precision = self.precision_bits();
+        let centre = Float::with_val(precision, &low + &high) / 2_u32;
+        let above = Float::with_val_round(precision, &high - &centre, Round::Up).0;
+        let below = Float::with_val_round(precision, &centre - &low, Round::Up).0;
+        Self::new(centre, above.max(&below))
+    }
+
     /// The sign of every point of the ball against zero; `None` when they differ.
     #[must_use]
     pub fn sign(&self) -> Option<Ordering> {

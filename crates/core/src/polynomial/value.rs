@@ -41,8 +41,7 @@ impl Expression {
         })
     }
 
-    /// The value with these numbers for the variables; none when a variable has no number, or for a logarithm, an
-    /// exponential or an inverse hyperbolic sine.
+    /// The value with these numbers for the variables; none when a variable has no number.
     #[must_use]
     pub fn enclosed(&self, values: &BTreeMap<Symbol, Ball>, precision_bits: u32) -> Option<Ball> {
         let go = |inner: &Self| inner.enclosed(values, precision_bits);
@@ -65,7 +64,9 @@ impl Expression {
             }
             Self::Call(Function::Sqrt, inner) => go(inner)?.sqrt(),
             Self::Call(Function::Abs, inner) => go(inner)?.square().sqrt(),
-            Self::Call(Function::Ln | Function::Exp | Function::Asinh, _) => return None,
+            Self::Call(Function::Ln, inner) => go(inner)?.ln(),
+            Self::Call(Function::Exp, inner) => go(inner)?.exp(),
+            Self::Call(Function::Asinh, inner) => go(inner)?.asinh(),
         })
     }
 }
@@ -94,6 +95,26 @@ mod tests {
 
     #[test]
     fn what_has_no_number_has_no_value() {
-        assert!(value("x + z").is_none() && value("ln(x)").is_none());
+        assert!(value("x + z").is_none() && value("ln(x)").is_some_and(|ball| ball.is_bounded()));
+        assert!(
+            ["ln(y)", "ln(x - 3)", "1/(x - 3)"].into_iter().all(|text| !value(text).unwrap().is_bounded())
+        );
+    }
+
+    #[test]
+    fn logarithms_and_exponentials_enclose_their_values_and_are_inverse() {
+        for (text, expected) in
+            [("ln(exp(x))", 3), ("exp(ln(x))", 3), ("asinh((exp(x) - exp(-x))/2)", 3), ("exp(y + 4)", 1)]
+        {
+            let found = value(text).unwrap();
+            assert!(
+                found.contains(&Rational::from(expected)) && found.relative_radius_log2() < -100.0,
+                "{text}"
+            );
+        }
+        // ln 3 = 1.09861228866810969…
+        let digits = value("ln(x)").unwrap();
+        let exact = |text: &str| crate::number::parse_decimal(text).unwrap();
+        assert!(digits.lower() > exact("1.0986122886681096") && digits.upper() < exact("1.0986122886681098"));
     }
 }

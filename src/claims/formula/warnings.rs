@@ -1,0 +1,185 @@
+//! Warnings about formulas that may say less than they seem to.
+
+use slipmode_core::polynomial::Expression;
+use slipmode_core::theory::Equations;
+
+use super::lowering::{Lowered, words};
+use super::prover::Prover;
+use super::{Problem, decide_equations};
+use crate::claims::{Finding, Verdict};
+use crate::scene::{ClaimFormula, Comparison, Formula, FormulaCondition, Names, StatedClaim, Statement};
+
+/// How many edges of one formula are looked at.
+const MOST_EDGES: usize = 4;
+
+/// What a reader should know of the formulas of a claim besides their verdicts, which are those of a finding.
+pub(in crate::claims) fn warnings(
+    stated: &StatedClaim,
+    found: &Finding,
+    equations: &Equations,
+) -> Vec<String> {
+    let parts = found.readings.iter().flat_map(|reading| &reading.parts).map(|part| part.verdict);
+    let alone = found.readings.is_empty().then_some(found.verdict);
+    let mut warnings: Vec<String> = Vec::new();
+    let about_equations =
+        stated.parts().zip(parts.chain(alone)).filter(|((_, formula), _)| formula.rows.is_none());
+    for ((_, formula), verdict) in about_equations {
+        for warning in of_formula(formula, verdict, stated, equations) {
+            if !warnings.contains(&warning) {
+                warnings.push(warning);
+            }
+        }
+    }
+    warnings
+}
+
+fn of_formula(
+    formula: &ClaimFormula,
+    verdict: Verdict,
+    stated: &StatedClaim,
+    equations: &Equations,
+) -> Vec<String> {
+    let names = Names::of(equations);
+    let Ok(problem) = Problem::new("warnings", "", formula, equations) else { return Vec::new() };
+    if let Some(steps) = problem.contradiction() {
+        let last = steps.last().map(|(says, _)| says.as_str()).unwrap_or_default();
+        return vec![format!(
+            "the conditions of '{}' contradict each other ({last}): it says nothing",
+            formula.text
+        )];
+    }
+    // What a derivation gives twice is not the same by construction.
+    let is_written = |side: &Expression| names.proofs_of(side).is_empty();
+    let is_same = |left: &Expression, right: &Expression| {
+        names.resolved(left) == names.resolved(right) && is_written(left) && is_written(right)
+    };
+    let mut found = existence(formula);
+    if let Statement::True(said) = &formula.statement {
+        found.extend(said.atoms().into_iter().filter_map(|atom| match atom {
+            Formula::Compare(left, _, right) if is_same(left, right) => {
+                Some(format!("both sides of '{}' are the same by their definitions", words(atom)))
+            }
+            _ => None,
+        }));
+        found.extend(hypotheses(said).into_iter().filter_map(|hypothesis| problem.never(hypothesis)));
+    }
+    if verdict == Verdict::Holds {
+        found.extend(forgotten_edges(formula, stated, equations));
+    }
+    found
+}
+
+/// Variables of which there is a value, but on which nothing depends.
+fn existence(formula: &ClaimFormula) -> Vec<String> {
+    let scope = &formula.scope;
+    let used: Vec<_> = formula.statement.sides().into_iter().flat_map(|side| side.variables()).collect();
+    let is_used = |name: &String| used.iter().any(|known| known.as_str() == name);
+    let unused = scope.there_is.iter().filter(|name| !is_used(name));
+    let unused = unused
+        .map(|name| format!("'{}' does not contain {name}, of which there is to be a value", formula.text));
+    let others = used.iter().any(|name| !scope.there_is.iter().any(|listed| listed == name.as_str()));
+    let fixed = scope.witness.iter().filter(|(_, value)| others && value.variables().is_empty());
+    let fixed = fixed.map(|(name, value)| {
+        format!("the witness {name} = {value} does not depend on the other variables: one value does for all of them")
+    });
+    unused.chain(fixed).collect()
+}
+
+/// The left sides of `implies` that stand at the top.
+fn hypotheses(formula: &Formula) -> Vec<&Formula> {
+    match formula {
+        Formula::Implies(both) => vec![&both[0]],
+        Formula::All(parts) => parts.iter().flat_map(hypotheses).collect(),
+        _ => Vec::new(),
+    }
+}
+
+impl Problem<'_> {
+    /// The warning that a hypothesis is false everywhere.
+    fn never(&self, hypothesis: &Formula) -> Option<String> {
+        let always_false = Formula::Not(Box::new(hypothesis.clone()));
+        let text: Vec<String> = hypothesis.atoms().into_iter().map(words).collect();
+        let is_true = self.is_proved(&always_false);
+        is_true.then(|| {
+            format!(
+                "the hypothesis ({}) is never true under the conditions: the formula says nothing",
+                text.join("; ")
+            )
+        })
+    }
+
+    /// Whether a certificate shows a formula for all points that meet the conditions.
+    fn is_proved(&self, formula: &Formula) -> bool {
+        let Ok(lowered) = Lowered::new(formula, &self.names, &self.premises) else { return false };
+        let expressions = lowered.expressions();
+        let points = self.points(&expressions);
+        let prover = Prover::new(&points);
+        self.proved(formula, &lowered, &prover).is_ok()
+    }
+}
+
+/// Two sides that compare strictly in a formula that holds, which is false or undecided where they are equal.
+fn forgotten_edges(formula: &ClaimFormula, stated: &StatedClaim, equations: &Equations) -> Vec<String> {
+    let is_strict =
+        |comparison| matches!(comparison, Comparison::Less | Comparison::Greater | Comparison::Unequal);
+    // What holds for every claim of the report is not this formula's to say.
+    let is_own = |one: &FormulaCondition| !equations.conditions().iter().any(|text| text.trim() == one.text);
+    let given = formula.scope.given.iter().enumerate();
+    let given = given.filter(|(_, one)| is_strict(one.comparison) && is_own(one));
+    let given = given.map(|(at, condition)| {
+        let mut edge = formula.clone();
+        edge.scope.given[at].comparison = Comparison::Equal;
+        (condition.sides.clone(), edge)
+    });
+    let hypothesis = match &formula.statement {
+        Statement::True(Formula::Implies(both)) => match &both[0] {
+            Formula::Compare(left, comparison, right) if is_strict(*comparison) => {
+                let sides = [left.clone(), right.clone()];
+                let mut edge =
+                    ClaimFormula { statement: Statement::True(both[1].clone()), ..formula.clone() };
+                edge.scope.given.push(FormulaCondition {
+                    text: format!("{left} = {right}"),
+                    sides: sides.clone(),
+                    comparison: Comparison::Equal,
+                });
+                Some((sides, edge))
+            }
+            _ => None,
+        },
+        _ => None,
+    };
+    let edges = given.chain(hypothesis).take(MOST_EDGES);
+    edges
+        .filter_map(|([left, right], edge)| {
+            let edge_words = format!("{left} = {right}");
+            let plain = |text: &str| text.replace(' ', "");
+            let named = [edge_words.clone(), format!("{right} = {left}")]
+                .iter()
+                .any(|words| plain(&stated.leaves_out).contains(&plain(words)));
+            if named || stated.parts().any(|(_, other)| covers(other, [&left, &right])) {
+                return None;
+            }
+            // Where a side has no value the formula cannot say anything.
+            edge.check_values(equations).ok()?;
+            let there = match decide_equations("warnings", "", &edge, equations).verdict {
+                Verdict::Fails => "where it is false",
+                Verdict::NotChecked => "where it is not decided",
+                Verdict::Holds | Verdict::HoldsWithin => return None,
+            };
+            Some(format!("'{}' says nothing about {edge_words}, {there}", formula.text))
+        })
+        .collect()
+}
+
+/// Whether a formula says something where two sides are equal.
+fn covers(formula: &ClaimFormula, sides: [&Expression; 2]) -> bool {
+    let same = |left, right| [left, right] == sides || [right, left] == sides;
+    let is_weak = |comparison: Comparison| {
+        matches!(comparison, Comparison::Equal | Comparison::AtLeast | Comparison::AtMost)
+    };
+    let given = formula.scope.given.iter();
+    given.into_iter().any(|one| is_weak(one.comparison) && same(&one.sides[0], &one.sides[1]))
+        || matches!(&formula.statement, Statement::True(said) if said.atoms().into_iter().any(|atom| {
+            matches!(atom, Formula::Compare(left, comparison, right) if is_weak(*comparison) && same(left, right))
+        }))
+}
