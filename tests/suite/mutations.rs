@@ -29,7 +29,8 @@ fn changed_expressions_are_refused_or_print_as_they_read() {
         b"\xc2\xb1i*sqrt((b - a)/a)*V_0/D_c",
     ];
     hold(promises::expression, &expressions, 4_000);
-    hold(promises::equations, &[include_bytes!("../../reports/im-avouac/equations.toml")], 60);
+    let another = include_bytes!("../../reports/rice-ruina-1983/equations.toml");
+    hold(promises::equations, &[include_bytes!("../../reports/im-avouac/equations.toml"), another], 60);
 }
 
 #[test]
