@@ -329,7 +329,8 @@ fn formulas_that_say_less_than_they_seem_to_are_warned_about() {
         ("K > K_c implies stable(residual_8, s)", "", "says nothing about K = K_c, where it is false"),
     ];
     // The edge is part of the formula, or is said to be left out, or the formula is true on it, or it has no value there.
-    let silent: [(&str, &str); 5] = [
+    let silent: [(&str, &str); 6] = [
+        ("omega_n > 1", "there_is = ['K']\nwitness = { K = '4*M' }"),
         ("stable(residual_8, s) iff K > K_c", ""),
         ("K_c >= K_c_qs", "given = ['a <= b']"),
         ("K^2 + 2*K > 0", "given = ['M != V']"),

@@ -53,7 +53,7 @@ fn of_formula(
     let is_same = |left: &Expression, right: &Expression| {
         names.resolved(left) == names.resolved(right) && is_written(left) && is_written(right)
     };
-    let mut found = existence(formula);
+    let mut found = existence(formula, &names);
     if let Statement::True(said) = &formula.statement {
         found.extend(said.atoms().into_iter().filter_map(|atom| match atom {
             Formula::Compare(left, _, right) if is_same(left, right) => {
@@ -70,9 +70,10 @@ fn of_formula(
 }
 
 /// Variables of which there is a value, but on which nothing depends.
-fn existence(formula: &ClaimFormula) -> Vec<String> {
+fn existence(formula: &ClaimFormula, names: &Names) -> Vec<String> {
     let scope = &formula.scope;
-    let used: Vec<_> = formula.statement.sides().into_iter().flat_map(|side| side.variables()).collect();
+    let used: Vec<_> =
+        formula.statement.sides().into_iter().flat_map(|side| names.resolved(side).variables()).collect();
     let is_used = |name: &String| used.iter().any(|known| known.as_str() == name);
     let unused = scope.there_is.iter().filter(|name| !is_used(name));
     let unused = unused
