@@ -25,6 +25,7 @@
 //! | CSV runs: time, V ≤ 0, NaN, one sample, empty | `compare_bad` |
 //! | cells that a spreadsheet would run | `bad_points::keep_going_gives_every_row_and_says_which_are_faulty`, `table::csv_text::tests` |
 //! | zip: paths, links, bomb, names, checksum, cut, encrypted, 70 000 entries | `bad_archives` |
+//! | lemmas on motions: unknown words and systems, missing keys, sizes | `claim_motions::keys_of_a_lemma_that_are_missing_or_wrong_are_refused_where_they_stand` |
 //! | equations that divide by zero, or are too large to multiply out | `bad_inputs::equations_without_a_value_or_without_end_are_refused` |
 //! | an archive that lies | `archive::a_verdict_is_never_read_from_the_archive`, `archive::an_altered_added_removed_or_renamed_file_is_named` |
 //! | an archive altered and sealed again, of this build or another | `tampering::forty_kinds_of_tampering_are_refused_by_name_in_an_archive_of_this_build`, `tampering::forty_kinds_of_tampering_are_refused_by_name_in_an_archive_of_another_build` |

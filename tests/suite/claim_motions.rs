@@ -65,6 +65,10 @@ fn keys_of_a_lemma_that_are_missing_or_wrong_are_refused_where_they_stand() {
         ("lemma = \"attraction\"\nsystem = \"loaded\"\n", "motion.zero: missing"),
         ("lemma = \"periodic\"\nsystem = \"loaded\"\nquantity = \"q\"\n", "'q' is no"),
         ("lemma = \"periodic\"\nsystem = \"loaded\"\nquantity = \"v\"\nzero = \"v\"\n", "motion.zero"),
+        (
+            "lemma = \"periodic\"\nsystem = \"loaded\"\nquantity = \"(v + theta)^8*(A + B)^8\"\n",
+            "the quantity (v + theta)^8*(A + B)^8 is too large",
+        ),
         ("lemma = \"deceleration\"\nsystem = \"at_rest\"\nregion = \"v\"\nvariable = \"K\"\n", "v or theta"),
     ] {
         let place = report("\"K = K_cr\"", keys);

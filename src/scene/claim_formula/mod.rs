@@ -36,6 +36,9 @@ pub use premises::{Premises, Solved};
 /// What a side may come to when it is multiplied out: it bounds the work of a decision.
 const LARGEST: Extent = Extent { terms: 1000, degree: 64, bits: 4096 };
 
+/// The same of an expression that a lemma on motions differentiates twice and divides.
+const LARGEST_OF_MOTION: Extent = Extent { terms: 60, degree: 20, bits: 512 };
+
 /// The most clauses of a formula, and the most comparisons of a clause.
 pub const MOST_CLAUSES: usize = 64;
 
@@ -242,6 +245,12 @@ impl ClaimFormula {
     pub fn of_motion(motion: ClaimMotion, scope: Scope, equations: &Equations) -> Result<Self, String> {
         if !scope.there_is.is_empty() || !scope.within.is_empty() {
             return Err("`there_is` and `box` are for formulas".into());
+        }
+        let names = Names::of(equations);
+        let rates = names.system(&motion.name).map(|system| &system.rates).into_iter().flatten();
+        for (word, side) in motion.expressions().into_iter().chain(rates.map(|rate| ("rate", rate))) {
+            let fault = |error| format!("the {word} {side} is too large: {error}");
+            names.resolved(side).check_extent(LARGEST_OF_MOTION).map_err(fault)?;
         }
         let text = motion.words(ToString::to_string);
         Self { text, statement: Statement::Motion(Box::new(motion)), scope, ..Self::default() }
