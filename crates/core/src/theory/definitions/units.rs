@@ -35,12 +35,13 @@ impl Reader<'_> {
         for name in order.iter().filter(|name| self.names.has(name)) {
             let (key, found) = if let Some(one) = defined.get(name) {
                 let equation = equations.iter().find(|equation| equation.number == one.number);
-                let written = match (&one.kept, equation) {
-                    // The sides of an equation that defines a name have the unit of that name.
-                    (Some(_), Some(equation)) => &equation.right,
-                    _ => &one.expression,
+                let own = units.of(&one.expression);
+                let found = match (&one.kept, equation) {
+                    // The sides of an equation that defines a name have the unit of that name, which may be known only from the other side.
+                    (Some(_), Some(equation)) if own.is_err() => units.of(&equation.right),
+                    _ => own,
                 };
-                (format!("equation {}", one.number), units.of(written))
+                (format!("equation {}", one.number), found)
             } else if let Some((text, form, given)) = forms.get(name) {
                 let system = form.system.as_ref().and_then(|name| systems.get(name));
                 if let Some(system) = system.filter(|system| of_systems.insert(&system.name)) {
