@@ -70,14 +70,18 @@ impl<'a> Steps<'a> {
         }
     }
 
-    /// The expression as a rational function in the first form of the domain.
+    /// The expression as a rational function in the first form of the domain. A logarithm of a state variable would count as a
+    /// constant in what follows, and is refused.
     pub fn rational(&self, says: &str, expression: &Expression) -> Result<RationalFunction, Refutation> {
-        self.domains.first().map_or_else(
-            || Err(self.refuse(says, "there is no domain".into())),
-            |domain| {
-                domain.rational_function(expression).map_err(|error| self.refuse(says, error.to_string()))
-            },
-        )
+        let Some(domain) = self.domains.first() else {
+            return Err(self.refuse(says, "there is no domain".into()));
+        };
+        let found =
+            domain.rational_function(expression).map_err(|error| self.refuse(says, error.to_string()))?;
+        match self.system.state.iter().find_map(|name| found.hides(name)) {
+            Some(hidden) => Err(self.refuse(says, format!("{hidden} depends on a state variable"))),
+            None => Ok(found),
+        }
     }
 
     /// left/right in lowest terms; the divisor may be zero at single points, which the identity that uses it shows.

@@ -150,6 +150,11 @@ fn with_the_load_point_at_rest_a_ratio_separates_runaway_from_deceleration() {
     let refused = prove(&late("V*theta/L"), &at_rest(), &soft(&example)).unwrap_err();
     assert!(refused.statement.contains("rate of ln w is negative"), "{refused}");
     assert!(prove(&late("V*theta^2/L"), &at_rest(), &stiff_and_weakening()).is_err());
+    // A rate with a logarithm of the other variable does not depend on the ratio alone.
+    let mut healing = at_rest();
+    healing.rates[1] = formula("1 - V*theta/L*(1 + ln(theta)^2)");
+    let refused = prove(&late("V*theta/L"), &healing, &stiff_and_weakening()).unwrap_err();
+    assert!(refused.remainder.contains("ln(theta)"), "{refused}");
     let faster = MotionLemma::Deceleration { region: formula("B - (B - K*L)*V*theta/(2*L)"), falls: 0 };
     assert!(prove(&faster, &at_rest(), &soft(&[("B", "3")])).is_err());
 }
