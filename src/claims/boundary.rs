@@ -35,14 +35,6 @@ pub(super) const CHECKS: &[Check] = &[
         },
     },
     Check {
-        id: "B3",
-        criterion: "The product of eqs 15 and 16 is the square of eq 12.",
-        not_established: "Equal distances on the exact boundary, which has M > 0.",
-        needs: &[],
-        rests_on: &["B2", "S4"],
-        decide: |context| Finding::from_proofs([quasi_static::geometric_mean(context.equations)]),
-    },
-    Check {
         id: "B4",
         criterion: "Eq 8 times σD_c/V0 tends to eq 17 as D_c → 0, whose discriminant vanishes at eq 18, and the boundary's upper arc tends to eq 18.",
         not_established: "The distance between boundary and eq 18 at a given D_c: see the chapter on the asymptotes.",

@@ -23,14 +23,6 @@ pub(super) const CHECKS: &[Check] = &[
         },
     },
     Check {
-        id: "Q2",
-        criterion: "Eq 8 tends to eq 21 as V0 → ∞ and to eq 22 as σ → 0, and both have the roots ±i√(K/M).",
-        not_established: "The rate of convergence to the limits.",
-        needs: &[],
-        rests_on: &["L3"],
-        decide: |context| Finding::from_proofs([frequency::limits(context.equations)]),
-    },
-    Check {
         id: "Q3",
         criterion: "At σ = σ_c the ratio of max Im(s) to eq 23 tends to 1 as V0 → 0, max Im(s) rises strictly with V0, and it reaches ω_n.",
         not_established: "By how much the frequency falls at normal stresses close to eq 16.",

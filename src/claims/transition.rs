@@ -53,14 +53,6 @@ pub(super) const CHECKS: &[Check] = &[
         rests_on: &["S1"],
         decide: |context| Finding::from_proofs([transition::crossing_frequency(context.equations)]),
     },
-    Check {
-        id: "S7",
-        criterion: "For a < b, σ_c and V_c tend to 0 with D_c, and at every σ and V0 the slider is unstable for all small D_c.",
-        not_established: "Whether rate-and-state friction describes a contact with so small a D_c.",
-        needs: &[],
-        rests_on: &["S4"],
-        decide: |context| Finding::from_proofs([transition::small_slip_distance(context.equations)]),
-    },
 ];
 
 fn s3(context: &Context) -> Finding {

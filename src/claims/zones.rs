@@ -29,17 +29,6 @@ pub(super) const CHECKS: &[Check] = &[
         decide: z2,
     },
     Check {
-        id: "Z3",
-        criterion: "The velocity of eq 20 is the same for every D_c and changes with K.",
-        not_established: "Independence of the exact boundary from D_c: it does depend on D_c.",
-        needs: &[],
-        rests_on: &["B5"],
-        decide: |context| {
-            Finding::from_proofs([criteria::slip_distance_and_stiffness(context.equations)])
-                .remark("In the paper's sentence a word is missing after \"unlike the criterion\". It probably means the criterion η > 1, which contains D_c and not K.")
-        },
-    },
-    Check {
         id: "Z4",
         criterion: "Changing only a, b or D_c moves a point off the exact boundary.",
         not_established: "The size of each effect: eq 20 contains only a, and b enters with the relative order bσ/(2KD_c).",

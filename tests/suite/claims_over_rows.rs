@@ -61,7 +61,7 @@ const ROWS: &[(&str, &str, &str, &str)] = &[
         "peak_velocity_m_per_s agrees with peak_velocity_m_per_s*(1 + 1/10^15) within 1e-16",
         "not-checked",
         "",
-        "a estimated error leaves it open",
+        "an estimated error leaves it open",
     ),
     (
         "peak_velocity_m_per_s agrees with 2*peak_velocity_m_per_s within 0.4",

@@ -71,7 +71,7 @@ pub(super) fn criterion(stated: &StatedClaim) -> String {
 }
 
 /// The finding on a formula: with a limit, it holds within the limit where what is said of the outside is true too.
-fn decide_part(id: &str, words: &str, formula: &ClaimFormula, context: &Context) -> Finding {
+pub(super) fn decide_part(id: &str, words: &str, formula: &ClaimFormula, context: &Context) -> Finding {
     let found = decide_formula(id, words, formula, context);
     let Some(limit) = formula.limit.as_ref().filter(|_| found.verdict == Verdict::Holds) else {
         return found;

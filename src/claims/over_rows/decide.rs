@@ -1,4 +1,4 @@
-//! How a statement over rows is decided: in every row true, false, or open where a estimated error could turn it.
+//! How a statement over rows is decided: in every row true, false, or open where an estimated error could turn it.
 
 use std::collections::BTreeSet;
 
@@ -90,7 +90,7 @@ impl All<'_> {
         }
         if open > 0 {
             return Finding::not_checked(format!(
-                "Not decided: in {open} of {count} {of} of `{}` a missing value or a estimated error leaves it open; the first: {}.",
+                "Not decided: in {open} of {count} {of} of `{}` a missing value or an estimated error leaves it open; the first: {}.",
                 self.table.id,
                 first(None)
             ));

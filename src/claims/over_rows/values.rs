@@ -17,7 +17,7 @@ pub(super) struct Row {
     pub values: BTreeMap<Symbol, Ball>,
     /// How sure each value is.
     pub strengths: BTreeMap<Symbol, Strength>,
-    /// The columns with a estimated error.
+    /// The columns with an estimated error.
     pub estimated: Vec<Symbol>,
 }
 

@@ -157,6 +157,21 @@ slipmode_core::named! {
     }
 }
 
+impl ClaimFormula {
+    /// The formula, and what is said of the outside of its limit.
+    pub fn with_outside(&self) -> impl Iterator<Item = &Self> {
+        std::iter::once(self).chain(self.limit.as_ref().map(|limit| &limit.outside.1))
+    }
+
+    /// The expressions in it, in its conditions and in its witnesses.
+    #[must_use]
+    pub fn expressions(&self) -> Vec<&Expression> {
+        let conditions = self.scope.given.iter().flat_map(|condition| &condition.sides);
+        let witnesses = self.scope.witness.iter().map(|(_, value)| value);
+        self.statement.sides().into_iter().chain(conditions).chain(witnesses).collect()
+    }
+}
+
 impl Formula {
     /// Reads a formula in the names of something else than equations, such as the columns of a table.
     ///

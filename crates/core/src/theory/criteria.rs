@@ -1,9 +1,7 @@
 //! Criteria for vibration: η > 1 against eq 20, and what each of them depends on.
 
 use super::boundary::cubic_discriminant;
-use super::notation::{
-    SQUARE_MASS, SQUARE_STIFFNESS, any, discriminant_of_cubic, formula, in_groups, in_parameters,
-};
+use super::notation::{any, discriminant_of_cubic, formula, in_groups};
 use super::sufficient_inertia::sharp_bound;
 use super::{Equations, transition};
 use crate::polynomial::{Certificate, Domain, Expression, Proof, Refutation, Symbol};
@@ -72,41 +70,6 @@ fn at_point(
     let certificate =
         Certificate::Value { expression: expression.clone(), point, value: Expression::from(&value) };
     proof.certify(says, &["8", "9"], certificate)
-}
-
-/// The velocity of eq 20 depends on K and not on D_c or b; that of η = 1 on D_c and not on K (claim Z3).
-///
-/// # Errors
-/// When eq 20 or η contains other quantities.
-pub fn slip_distance_and_stiffness(equations: &Equations) -> Result<Proof, Refutation> {
-    let ratio = equations.equation("20").left.clone() / equations.right("20");
-    let velocity = formula("V_0") / ratio;
-    let eta = equations.right("inertial-parameter");
-    let other = |expression: &Expression, name: &str, fresh: &str| expression.with(name, &formula(fresh));
-    let slope = velocity.derivative(&Symbol::new("K"));
-    let domain = in_parameters(any().and_positive("d"), &[SQUARE_STIFFNESS, SQUARE_MASS]);
-    let falls = -slope;
-    Proof::new(
-        "slip-distance-and-stiffness",
-        "The velocity of eq 20 is the same for every D_c and b and falls with K; η contains \
-             D_c and not K.",
-    )
-    .identity(
-        "velocity of eq 20 with another D_c",
-        &["20"],
-        &velocity,
-        &other(&velocity, "D_c", "d"),
-        &domain,
-    )?
-    .identity("velocity of eq 20 with another b", &["20"], &velocity, &other(&velocity, "b", "d"), &domain)?
-    .positive("minus its slope in K", &["20"], &falls, &domain)?
-    .identity("η with another stiffness", &["inertial-parameter"], &eta, &other(&eta, "K", "d"), &any())?
-    .positive(
-        "minus the slope of η in D_c",
-        &["inertial-parameter"],
-        &(-eta.derivative(&Symbol::new("D_c"))),
-        &any(),
-    )
 }
 
 /// Both criteria are exceeded by raising M V0² and by lowering σ or a (claim Z6).

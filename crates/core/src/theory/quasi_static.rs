@@ -1,7 +1,7 @@
 //! The slider without inertia: eqs 12 and 14-16.
 
 use super::Equations;
-use super::notation::{any, coefficients, formula, neutral, strengthening, weakening, weaker_direct_effect};
+use super::notation::{any, coefficients, formula, neutral, strengthening, weakening};
 use crate::polynomial::{Expression, Proof, Refutation};
 
 /// Eq 8 at M = 0 is eq 14; its roots are imaginary where K is the quasi-static critical stiffness.
@@ -53,23 +53,4 @@ pub fn vanishing_frequency(equations: &Equations) -> Result<Proof, Refutation> {
             &neutral(),
         )?
         .positive("eq 15 lies above eq 16", &["15", "16"], &(upper - lower), &weakening())
-}
-
-/// σ_c is the geometric mean of eqs 15 and 16: equal distances on a logarithmic axis (claim B3).
-///
-/// # Errors
-/// When the product is not σ_c².
-pub fn geometric_mean(equations: &Equations) -> Result<Proof, Refutation> {
-    let product = equations.right("15") * equations.right("16");
-    let stress = equations.right("12");
-    let used = ["12", "15", "16"];
-    Proof::new(
-        "geometric-mean",
-        "The product of eqs 15 and 16 is σ_c², so for a < b σ_c lies midway between them on a \
-             logarithmic axis. For a > b the same holds of |σ_c|, although σ_c itself is negative \
-             and no critical stress.",
-    )
-    .identity("product for a < b", &used, &product, &stress.clone().power(2), &weakening())?
-    .identity("product for a > b", &used, &product, &stress.clone().power(2), &strengthening())?
-    .positive("σ_c is positive for a < b", &["12"], &stress, &weaker_direct_effect())
 }

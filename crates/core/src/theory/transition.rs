@@ -139,26 +139,6 @@ pub fn critical_stress_and_velocity(equations: &Equations) -> Result<Proof, Refu
     .positive("K_c/K − 1 at σ = 9/10 σ_c and V0 = 9/10 V_c: unstable below both", &[], &nearby, &domain)
 }
 
-/// As D_c → 0 the stable zone of a < b shrinks to nothing (claim S7).
-///
-/// # Errors
-/// When σ_c, V_c or K_c behaves otherwise.
-pub fn small_slip_distance(equations: &Equations) -> Result<Proof, Refutation> {
-    let [stress, velocity, stiffness] = ["12", "13", "9"].map(|number| equations.right(number));
-    let domain = weakening_by_square();
-    let at_least = stiffness.clone() - formula("(b - a)*sigma/D_c");
-    let (zero, small) = (formula("0"), ("D_c", Toward::Zero));
-    Proof::new(
-        "small-slip-distance-destabilises",
-        "For a < b the stable zone lies below σ_c and V_c, which both tend to 0 with D_c; at every σ and V0, K_c exceeds \
-             (b − a)σ/D_c, so the slider is unstable for every D_c < (b − a)σ/K.",
-    )
-    .limit("σ_c", &["12"], &stress, small, &zero, &domain)?
-    .limit("V_c", &["13"], &velocity, small, &zero, &domain)?
-    .positive("K_c minus (b − a)σ/D_c", &["9"], &at_least, &weaker_direct_effect())?
-    .positive("K_c falls with D_c", &["9"], &-stiffness.derivative(&Symbol::new("D_c")), &weaker_direct_effect())
-}
-
 /// For a ≥ b there is no transition: K_c ≤ 0 and every K > 0 is stable (claim S5).
 ///
 /// # Errors
