@@ -8,7 +8,7 @@ use super::alterations::{Alteration, alike, alterations};
 use super::ledger::finding_on;
 use crate::claims::{Evidence, Finding, Verdict, formula};
 use crate::experiments::Context;
-use crate::scene::{ClaimEntry, ClaimFormula, Names};
+use crate::scene::{ClaimEntry, ClaimFormula, Names, Statement};
 use slipmode_core::polynomial::Symbol;
 use slipmode_core::theory::Equation;
 
@@ -64,7 +64,7 @@ struct Sound<'c> {
     verdicts: Vec<Verdict>,
     /// The equations that its proofs name.
     equations: BTreeSet<String>,
-    /// The equations that its formula names: no other can change the verdict on it.
+    /// The equations that its formula names: no other can change the verdict on it. None where it names a system instead.
     stated: Option<BTreeSet<String>>,
     /// How long its proofs are: the short ones are tried first.
     steps: usize,
@@ -101,7 +101,8 @@ impl<'c> Sound<'c> {
         self.steps = steps.len();
         self.equations = steps.iter().flat_map(|step| step.equations.iter().cloned()).collect();
         let names = Names::of(context.equations);
-        self.stated = self.part.map(|part| {
+        let names_a_system = |part: &&ClaimFormula| matches!(part.statement, Statement::Motion(_));
+        self.stated = self.part.filter(|part| !names_a_system(part)).map(|part| {
             let sides = part.with_outside().flat_map(ClaimFormula::expressions);
             sides.flat_map(|side| names.equations_of(side)).map(str::to_owned).collect()
         });

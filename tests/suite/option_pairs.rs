@@ -177,6 +177,7 @@ const COMMANDS: &[Command] = &[
             ("--for-publication", &["--for-publication"]),
             ("--max-points", &["--max-points", "2"]),
             ("--claim", &["--claim", "S1"]),
+            ("--planted-faults", &["--planted-faults"]),
         ],
     },
     Command {

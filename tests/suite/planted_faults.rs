@@ -1,6 +1,7 @@
 //! Wrong versions of a report's own equations, and formulas beside the words of its claims.
 
 use crate::claim_formulas::{claim, report};
+use crate::harness::Workplace;
 
 #[test]
 fn faults_in_any_equation_are_noticed_by_the_formulas_that_rest_on_it() {
@@ -54,4 +55,15 @@ fn formulas_and_their_conditions_stand_typeset_beside_the_words() {
         holds_if.starts_with("<dd><math><msub><mi>K</mi><mi>c</mi></msub><mo>&gt;</mo>"),
         "{holds_if:.300}"
     );
+}
+
+#[test]
+fn every_wrong_version_of_the_equations_of_the_two_reports_on_other_papers_is_noticed() {
+    let reports = concat!(env!("CARGO_MANIFEST_DIR"), "/reports");
+    for (name, count) in [("rice-ruina-1983", 79), ("ranjith-rice-1999", 82)] {
+        let report = format!("{reports}/{name}");
+        let said = Workplace::new().run(["verify", &report, "--planted-faults"]).expect_warnings();
+        assert!(said.contains(&format!(" {count} of {count} wrong versions noticed")), "{said}");
+        assert!(!said.contains("not noticed"), "{said}");
+    }
 }
