@@ -22,6 +22,7 @@ mod replay;
 mod report;
 mod roots;
 mod simulate;
+mod solve;
 mod sweep;
 mod terminal;
 mod tolerance;
@@ -59,6 +60,8 @@ enum Command {
     Roots(roots::Options),
     /// Writes the exact boundary max Im(s) = 0 as CSV, complete or at one velocity or normal stress
     Boundary(boundary::Options),
+    /// Solves for the normal stress, loading velocity, stiffness or mass with a stated frequency, growth rate, or place on the transition or boundary
+    Solve(solve::Options),
     /// Simulates the nonlinear slider: mode, peak velocity, period and stress drop with their errors
     Simulate(simulate::Options),
     /// Computes one shard of a scene's sweep, block by block, into a folder; also plans the sweep and writes scripts for Slurm
@@ -118,6 +121,7 @@ fn run(cli: Cli) -> Result<(), Failure> {
         Command::Classify(options) => classify::run(&options, &progress),
         Command::Roots(options) => roots::run(&options),
         Command::Boundary(options) => boundary::run(&options),
+        Command::Solve(options) => solve::run(&options, &progress),
         Command::Simulate(options) => simulate::run(&options, &progress),
         Command::Sweep(options) => sweep::run(&options, &progress),
         Command::Merge(options) => merge::run(&options),

@@ -38,10 +38,12 @@ impl Header {
     ) -> Result<Self, Faults> {
         let appended: Vec<&str> =
             W::APPENDED.iter().copied().chain(keep_going.then_some(ERROR_COLUMN)).collect();
-        let wanted = Quantity::ALL.map(|quantity| (quantity.key(), quantity.stem(), false));
+        let unknown = command.unknown();
+        let wanted =
+            Quantity::ALL.map(|quantity| (quantity.key(), quantity.stem(), Some(quantity) == unknown));
         let others = |names: &[String]| command.header_faults(names);
         let Header { names, positions } = Header::of_columns(file, row, wanted, &appended, others)?;
-        // A header without faults has all seven.
+        // A header without faults has all that are read.
         Ok(Self { names, positions: positions.map(Option::unwrap_or_default) })
     }
 }

@@ -1,6 +1,6 @@
 //! What a command does with the rows of a points file, apart from reading and writing them.
 
-use crate::scene::{AllowedRange, CsvProblem, Fault, Faults, Problem};
+use crate::scene::{AllowedRange, CsvProblem, Fault, Faults, Problem, Quantity};
 use slipmode_core::friction::Parameters;
 use slipmode_core::number::{Dd, Rational, parse_decimal_to_dd};
 
@@ -24,6 +24,11 @@ pub trait RowWork: Sync {
     /// Faults of the header beyond the seven quantities, each with its column.
     fn header_faults(&self, _names: &[String]) -> Vec<(String, Problem)> {
         Vec::new()
+    }
+
+    /// The quantity whose column is not used and may be missing.
+    fn unknown(&self) -> Option<Quantity> {
+        None
     }
 
     /// Reads a row.
@@ -78,9 +83,20 @@ impl<'r> Cells<'r> {
     /// # Errors
     /// Every cell that is not a number in the allowed range.
     pub fn parameters(self) -> Result<Parameters<Rational>, Faults> {
+        self.parameters_without(None)
+    }
+
+    /// The seven numbers, exactly, with 1 for the unknown, whose column is not read.
+    ///
+    /// # Errors
+    /// Every cell that is not a number in the allowed range.
+    pub fn parameters_without(self, unknown: Option<Quantity>) -> Result<Parameters<Rational>, Faults> {
         let mut faults = Faults::new();
-        let values = [0, 1, 2, 3, 4, 5, 6].map(|index| {
-            let position = self.header.positions[index];
+        let values = Quantity::ALL.map(|quantity| {
+            if Some(quantity) == unknown {
+                return Some(Rational::from(1));
+            }
+            let position = self.header.positions[quantity as usize];
             AllowedRange::PHYSICAL
                 .parse(self.text(position))
                 .map_err(|problem| faults.push(self.fault(Some(position), problem)))

@@ -49,6 +49,7 @@ fn cases() -> Vec<Case> {
         case("classify --points in.csv", 0, true, None),
         case("classify --points in.csv -o OUT", 0, false, Some("out.csv")),
         case("roots SLIDER -s 1e5 -v 1e-3 --digits 40", 0, true, None),
+        case("solve SLIDER -v 1e-3 --for normal-stress --boundary", 0, true, None),
         case("boundary SLIDER --points 20", 0, true, None),
         case("boundary SLIDER --points 20 -o OUT", 0, false, Some("out.csv")),
         case("simulate SLIDER -s 1e5 -v 1e-3 --law slip", 0, true, None),

@@ -49,6 +49,7 @@ mod roots;
 mod sabotage;
 mod simulate;
 mod simulate_points;
+mod solve;
 mod sweep;
 mod sweep_disks;
 mod sweep_forgeries;

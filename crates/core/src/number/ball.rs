@@ -2,7 +2,7 @@
 
 use std::cmp::Ordering;
 
-use rug::float::Round;
+use rug::float::{Constant, Round};
 use rug::{Float, Integer, Rational};
 
 use super::magnitude::{MAGNITUDE_BITS, Magnitude};
@@ -51,6 +51,13 @@ impl Ball {
     #[must_use]
     pub fn from_rational(value: &Rational, precision_bits: u32) -> Self {
         let (centre, rounding) = Float::with_val_round(precision_bits, value, Round::Nearest);
+        Self::rounded(centre, rounding, Magnitude::ZERO)
+    }
+
+    /// π to this precision.
+    #[must_use]
+    pub fn pi(precision_bits: u32) -> Self {
+        let (centre, rounding) = Float::with_val_round(precision_bits, Constant::Pi, Round::Nearest);
         Self::rounded(centre, rounding, Magnitude::ZERO)
     }
 

@@ -6,7 +6,7 @@ use rug::float::Round;
 use rug::ops::Pow;
 use rug::{Float, Integer, Rational};
 
-use super::Ball;
+use super::{Ball, parse_decimal};
 
 /// Decimal digits with a sign: ±0.d₁d₂d₃… · 10^exponent.
 struct Decimal {
@@ -138,6 +138,13 @@ pub fn rational_to_decimal(value: &Rational, significant: usize) -> String {
     }
     exponent += digits.len() as i64 - significant as i64;
     Decimal { negative: *value < 0, digits, exponent }.trimmed().layout(false)
+}
+
+/// The rational exactly: a decimal where one of at most 40 digits is exact, else a fraction.
+#[must_use]
+pub fn exact_text(value: &Rational) -> String {
+    let decimal = rational_to_decimal(value, 40);
+    if parse_decimal(&decimal).as_ref() == Ok(value) { decimal } else { value.to_string() }
 }
 
 /// The digits of |value|·10^shift rounded to an integer, ties to even.

@@ -77,6 +77,16 @@ impl UnivariatePolynomial {
         bisect(&sequence, power_of_two(low), power_of_two(high), &mut roots);
         roots
     }
+
+    /// Whether this polynomial has a root in an isolating interval of another one; the zero polynomial has every one.
+    #[must_use]
+    pub fn has_root_in(&self, interval: &IsolatingInterval) -> bool {
+        match interval {
+            _ if self.degree().unwrap_or(0) == 0 => self.is_zero(),
+            IsolatingInterval::Exact(root) => self.evaluate(root) == 0,
+            IsolatingInterval::Between(lower, upper) => self.count_roots(lower, upper) > 0,
+        }
+    }
 }
 
 /// Appends the roots of `lower < x ≤ upper`; the order is ascending because the left half goes first.

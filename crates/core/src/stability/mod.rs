@@ -32,6 +32,7 @@ mod distance;
 mod double_root;
 #[cfg(test)]
 mod fixtures;
+pub mod inverse;
 mod logarithm;
 mod nearest_place;
 mod parameter_coefficients;

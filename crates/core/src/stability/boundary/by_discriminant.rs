@@ -77,7 +77,7 @@ impl Line {
         interval: &IsolatingInterval,
         bits: u32,
     ) -> Arc {
-        let is_cusp = has_root_in(cusps, interval);
+        let is_cusp = cusps.has_root_in(interval);
         let mut precision = bits;
         loop {
             let unknown = polynomial.refine(interval, precision);
@@ -104,14 +104,6 @@ fn double_root<R: Field>(cubic: &[R; 4], is_cusp: bool) -> R {
         return -(c2.clone() / (R::from(3) * c3));
     }
     (R::from(9) * c0 * c3 - c1.clone() * c2) / (R::from(2) * distance_from_cusp(cubic))
-}
-
-fn has_root_in(polynomial: &UnivariatePolynomial, interval: &IsolatingInterval) -> bool {
-    match interval {
-        _ if polynomial.degree().unwrap_or(0) == 0 => false,
-        IsolatingInterval::Exact(root) => polynomial.evaluate(root) == 0,
-        IsolatingInterval::Between(lower, upper) => polynomial.count_roots(lower, upper) > 0,
-    }
 }
 
 #[cfg(test)]

@@ -1,0 +1,169 @@
+//! `slipmode solve`: the normal stress, loading velocity, stiffness or mass at which the slider does what is stated.
+
+mod rows;
+mod view;
+
+use std::path::PathBuf;
+
+use clap::Args;
+use slipmode::scene::{AllowedRange, Problem, Quantity, of_word};
+use slipmode_core::friction::Parameters;
+use slipmode_core::number::Rational;
+use slipmode_core::stability::inverse::{Solution, Target, Undecided, Unknown, solve};
+
+use crate::cli::failure::Failure;
+use crate::cli::options::{Arguments, SliderOptions, option_of};
+use crate::cli::points::{self, RowsOptions};
+use crate::cli::progress::Progress;
+use crate::cli::roots::MOST_DIGITS;
+use crate::cli::terminal;
+use rows::SolveRows;
+use view::View;
+
+/// Digits computed beyond those printed, so that the last one is certain.
+const GUARD_DIGITS: u32 = 12;
+
+/// Options of `solve`.
+#[derive(Debug, Args)]
+pub struct Options {
+    #[command(flatten)]
+    slider: SliderOptions,
+    /// What is solved for: normal-stress, loading-velocity, stiffness or mass; its own option is not given
+    #[arg(long = "for", value_name = "WORD", allow_hyphen_values = true)]
+    unknown: String,
+    /// Significant digits of every solution, 1 to 1 000 000; only certain digits are printed
+    #[arg(long, value_name = "N", default_value = "17", allow_hyphen_values = true)]
+    digits: String,
+    /// One JSON object instead of text
+    #[arg(long, conflicts_with = "points")]
+    json: bool,
+    /// Solve for every row of a CSV file; `-` reads standard input
+    ///
+    /// The header is that of `classify --points`. The column of what is solved for may be missing, and is not used. Every row
+    /// gets the number of solutions, and up to four solutions in SI, ascending.
+    #[arg(long, value_name = "FILE.csv")]
+    points: Option<PathBuf>,
+    #[command(flatten)]
+    rows: RowsOptions,
+    #[command(flatten)]
+    target: TargetOptions,
+}
+
+/// What the slider shall do; one of these is given.
+#[derive(Debug, Args)]
+#[command(next_help_heading = "Target (one of these)")]
+#[group(required = true, multiple = false)]
+struct TargetOptions {
+    /// The transition K = K_c (eq 9)
+    #[arg(long)]
+    transition: bool,
+    /// The boundary max Im(s) = 0, where the discriminant of eq 8 is zero
+    #[arg(long)]
+    boundary: bool,
+    /// Oscillations of this frequency, Hz: max Im(s) = 2π·F
+    #[arg(long, value_name = "F", allow_hyphen_values = true)]
+    frequency: Option<String>,
+    /// Oscillations of this angular frequency, 1/s: max Im(s) = W
+    #[arg(long, value_name = "W", allow_hyphen_values = true)]
+    angular_frequency: Option<String>,
+    /// A growth rate max Re(s), 1/s; negative where disturbances decay, and 0 is the transition
+    #[arg(long, value_name = "G", allow_hyphen_values = true)]
+    growth_rate: Option<String>,
+}
+
+/// A question, valid but for the slider.
+#[derive(Debug, Clone)]
+struct Question {
+    unknown: Unknown,
+    target: Target,
+    digits: u32,
+}
+
+/// Runs the command.
+///
+/// # Errors
+/// When the arguments or the rows are at fault, or the output cannot be written.
+pub fn run(options: &Options, progress: &Progress) -> Result<(), Failure> {
+    let mut arguments = Arguments::default();
+    let question = Question::read(options, &mut arguments);
+    let Some(points) = &options.points else {
+        options.rows.refuse_without_points(&mut arguments);
+        let parameters =
+            question.as_ref().and_then(|asked| asked.parameters(&options.slider, &mut arguments));
+        let (question, parameters) = arguments.finish(question.zip(parameters))?;
+        let view = View::new(&question, &parameters);
+        let view = view.map_err(|undecided| Failure::Check(format!("error: {undecided}")))?;
+        return if options.json { terminal::print_json(&view.json()) } else { terminal::print(&view.text()) };
+    };
+    options.slider.refuse_beside_points(&mut arguments);
+    let question = arguments.finish(question)?;
+    points::run(points, &options.rows, SolveRows { question }, *progress)
+}
+
+impl Question {
+    fn read(options: &Options, arguments: &mut Arguments) -> Option<Self> {
+        let word = |text: &str| of_word(text, &Unknown::ALL, Unknown::as_str);
+        let unknown = arguments.number("--for", &options.unknown, word);
+        let target = options.target.read(arguments);
+        let digits = arguments.whole("--digits", Some(&options.digits), 1..=MOST_DIGITS);
+        Some(Self { unknown: unknown?, target: target?, digits: u32::try_from(digits?).ok()? })
+    }
+
+    /// The six values that are given, and 1 for the unknown.
+    fn parameters(&self, slider: &SliderOptions, arguments: &mut Arguments) -> Option<Parameters<Rational>> {
+        let unknown = self.quantity();
+        let needs = format!("another --for: {} is what is solved for", self.unknown.as_str());
+        arguments.refuse_value(&option_of(unknown), slider.text(unknown), &needs);
+        let read = Quantity::ALL
+            .map(|quantity| (quantity != unknown).then(|| slider.required(quantity, arguments)).flatten());
+        arguments.check_units(&read);
+        let is_complete =
+            Quantity::ALL.iter().zip(&read).all(|(quantity, value)| *quantity == unknown || value.is_some());
+        let values = read.map(|value| value.unwrap_or_else(|| Rational::from(1)));
+        is_complete.then(|| Parameters::from(values))
+    }
+
+    /// The input that is solved for.
+    fn quantity(&self) -> Quantity {
+        match self.unknown {
+            Unknown::NormalStress => Quantity::NormalStress,
+            Unknown::LoadingVelocity => Quantity::LoadingVelocity,
+            Unknown::Stiffness => Quantity::Stiffness,
+            Unknown::MassPerArea => Quantity::MassPerArea,
+        }
+    }
+
+    /// The solutions, with digits to spare.
+    fn solve(&self, parameters: &Parameters<Rational>) -> Result<Vec<Solution>, Undecided> {
+        solve(parameters, self.unknown, &self.target, self.digits + GUARD_DIGITS)
+    }
+}
+
+impl TargetOptions {
+    fn read(&self, arguments: &mut Arguments) -> Option<Target> {
+        let range = AllowedRange::PHYSICAL;
+        if let Some(text) = &self.frequency {
+            return arguments.number("--frequency", text, |text| range.parse(text)).map(Target::Frequency);
+        }
+        if let Some(text) = &self.angular_frequency {
+            let read = arguments.number("--angular-frequency", text, |text| range.parse(text));
+            return read.map(Target::AngularFrequency);
+        }
+        if let Some(text) = &self.growth_rate {
+            return arguments.number("--growth-rate", text, growth_rate).map(Target::GrowthRate);
+        }
+        Some(if self.boundary { Target::Boundary } else { Target::GrowthRate(Rational::new()) })
+    }
+}
+
+/// A rate of either sign, or zero.
+fn growth_rate(text: &str) -> Result<Rational, Problem> {
+    let (is_negative, magnitude) = match text.strip_prefix('-') {
+        Some(magnitude) => (true, magnitude),
+        None => (false, text),
+    };
+    match AllowedRange::PHYSICAL.parse(magnitude) {
+        Err(Problem::NotPositive { .. }) if !magnitude.starts_with('-') => Ok(Rational::new()),
+        read => read.map(|rate| if is_negative { -rate } else { rate }),
+    }
+}
