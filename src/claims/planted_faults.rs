@@ -192,7 +192,7 @@ mod tests {
         assert_eq!(found.iter().fold((0, 0), sum), (235, 235));
         let of = |number: &str| found.iter().find(|one| one.equation == number).unwrap();
         let noticed = |number: &str, id: &str| of(number).noticed_by.iter().any(|by| by == id);
-        assert!(noticed("9", "S2") && noticed("16", "B3"), "{found:#?}");
+        assert!(noticed("9", "S6") && noticed("16", "B3"), "{found:#?}");
         // Eqs 15, 16 and 18 are symmetric in a and b, and the ± of eq 23 has no first sign; eq 13 has no such freedom.
         let harmless: Vec<(&str, usize)> = found
             .iter()
