@@ -96,9 +96,12 @@ fn make(name: &str) -> Result<Made, Failure> {
     Ok(Made { pages, folder, archive })
 }
 
-/// An explorer for each scene of a report that has a slider and a map.
+/// An explorer for each scene of a report that has a slider and a map; a report may have no scenes.
 fn explorers(name: &str) -> Result<Vec<PathBuf>, Failure> {
     let scenes = repository::root().join("reports").join(name).join("scenes");
+    if !scenes.exists() {
+        return Ok(Vec::new());
+    }
     let cannot = |error: std::io::Error| Failure::bad_input(format!("{}: {error}", scenes.display()));
     let entries = fs::read_dir(&scenes).map_err(cannot)?.collect::<Result<Vec<_>, _>>().map_err(cannot)?;
     let mut paths: Vec<PathBuf> = entries.into_iter().map(|entry| entry.path()).collect();
