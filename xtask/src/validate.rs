@@ -104,8 +104,7 @@ fn explorers(name: &str) -> Result<Vec<PathBuf>, Failure> {
     }
     let cannot = |error: std::io::Error| Failure::bad_input(format!("{}: {error}", scenes.display()));
     let entries = fs::read_dir(&scenes).map_err(cannot)?.collect::<Result<Vec<_>, _>>().map_err(cannot)?;
-    let mut paths: Vec<PathBuf> = entries.into_iter().map(|entry| entry.path()).collect();
-    paths.sort();
+    let paths: std::collections::BTreeSet<PathBuf> = entries.into_iter().map(|entry| entry.path()).collect();
     let mut pages = Vec::new();
     for scene in paths {
         if fs::read_to_string(&scene).map_err(cannot)?.contains("\n[map]") {
