@@ -57,7 +57,7 @@ const ROWS: &[Row] = &[
     // False on the edge a = b only.
     ("K_c != 0", "", "fails", Some(|point| point.of("a") == point.of("b"))),
     ("K_c -> K_c_qs as V_0 -> 0", "", "holds", None),
-    ("K_c -> K_c_dyn as V_0 -> 0", "", "fails", None),
+    ("K_c -> 2*K_c_qs as V_0 -> 0", "", "fails", Some(|point| point.stiffnesses()[0] != 0)),
     ("K_c -> K_c_qs as V_0 -> infinity", "", "not-checked", None),
     ("K_c rises with V_0", WEAKENING, "holds", None),
     ("K_c falls with V_0", WEAKENING, "fails", Some(Point::weakening)),
@@ -77,6 +77,10 @@ const ROWS: &[Row] = &[
     ("right_steady_friction falls with V", WEAKENING, "holds", None),
     // A positive slope on both sides of a pole is no rise across it.
     ("-1/(a - b) rises with a", "given = ['a != b']", "not-checked", None),
+    // Conditions that leave a line: a limit is compared on it, and a variable that cannot move alone refutes no rise.
+    ("K_c -> K as V_0 -> 0", "given = ['K >= K_c_qs', 'K <= K_c_qs']", "not-checked", None),
+    ("-a rises with a", "given = ['a >= b', 'a <= b']", "not-checked", None),
+    ("-a rises with a", "given = ['a >= b']", "fails", Some(|point| point.of("a") > point.of("b"))),
     // Boolean combinations.
     ("K < M or K = M or K > M", "", "holds", None),
     ("K <= M iff not K > M", "", "holds", None),
@@ -206,16 +210,7 @@ pub fn claim(id: usize, formula: &str, scope: &str, verdict: &str) -> String {
 }
 
 pub fn report(claims: &str) -> Workplace {
-    let place = Workplace::new();
-    place.write(
-        "r/report.toml",
-        "name = \"r\"\ntitle = \"R\"\nscenes = [\"a\"]\n[[chapter]]\nid = \"c\"\ntitle = \"C\"\nprose = \"c.md\"\n",
-    );
-    place.write("r/claims.toml", claims);
-    place.write("r/equations.toml", EQUATIONS);
-    place.write("r/scenes/a.toml", "name = \"a\"\ntitle = \"A\"\n");
-    place.write("r/prose/c.md", "Words.\n");
-    place
+    Workplace::with_report(EQUATIONS, claims, "Words.\n")
 }
 
 #[test]
@@ -279,6 +274,7 @@ fn formulas_at_fault_are_refused_all_at_once_with_file_and_key() {
         ("1/(a - b) > 0", "", "has no value under the conditions"),
         ("V_c > 0", "", "has no value under the conditions"),
         ("K_c -> 0 as V_0 -> 7", "", "a limit has the form"),
+        ("K_c -> K_c_dyn as V_0 -> 0", "", "the value 'K_c_dyn' of the limit contains V_0"),
         ("K_c > 0", "given = ['a^2 + a = b^2 + b']", "is not linear in one of its variables"),
         ("K > 0 K_c", "", "column 7"),
         ("[K > M", "", "column 7: expected ']'"),

@@ -14,20 +14,6 @@ number = "mass"
 equation = "K_m = K_cr*(1 + M*V^2/(A*L))"
 "#;
 
-/// A report with these equations and claims, whose only chapter is this prose.
-fn report(equations: &str, claims: &str, prose: &str) -> Workplace {
-    let place = Workplace::new();
-    place.write(
-        "r/report.toml",
-        "name = \"r\"\ntitle = \"R\"\nscenes = [\"a\"]\n[[chapter]]\nid = \"c\"\ntitle = \"C\"\nprose = \"c.md\"\n",
-    );
-    place.write("r/claims.toml", claims);
-    place.write("r/equations.toml", equations);
-    place.write("r/scenes/a.toml", "name = \"a\"\ntitle = \"A\"\n");
-    place.write("r/prose/c.md", prose);
-    place
-}
-
 fn claim(id: &str, expected: &str, rest: &str) -> String {
     format!("[[claim]]\nid = \"{id}\"\nplace = \"p\"\nwords = \"w\"\nexpected = \"{expected}\"\n{rest}\n")
 }
@@ -41,7 +27,7 @@ fn equations_of_another_paper_decide_claims_of_any_letter() {
     let claims = formula("Q1", "holds", "K_cr = (B - A)/L")
         + &formula("S1", "fails", "right_3_2 > 0")
         + &claim("X1", "not-checked", "reason = \"Two blocks are outside this theory.\"");
-    let place = report(EQUATIONS, &claims, "[[equation:3.2]]\n\n[[table:equations]]\n");
+    let place = Workplace::with_report(EQUATIONS, &claims, "[[equation:3.2]]\n\n[[table:equations]]\n");
     place.run(["verify", "r"]).expect_warnings();
     let said = place.run(["verify", "r", "--claim", "X1"]).expect_success();
     assert!(said.contains("not-checked") && said.contains("Two blocks are outside this theory."), "{said}");
@@ -53,7 +39,7 @@ fn equations_of_another_paper_decide_claims_of_any_letter() {
 
 #[test]
 fn a_claim_with_a_check_and_a_table_of_the_paper_ask_for_its_equations() {
-    let place = report(EQUATIONS, &claim("S1", "holds", ""), "Words.\n");
+    let place = Workplace::with_report(EQUATIONS, &claim("S1", "holds", ""), "Words.\n");
     let refused = place.run(["verify", "r"]);
     refused.expect_refusal(&[
         "r/equations.toml: equation 9: is missing",
@@ -61,8 +47,11 @@ fn a_claim_with_a_check_and_a_table_of_the_paper_ask_for_its_equations() {
         "r/equations.toml: assumptions.positive: 'theta' must be positive",
     ]);
     for table in ["series", "hopf-coefficient"] {
-        let place =
-            report(EQUATIONS, &formula("S1", "holds", "K_cr = (B - A)/L"), &format!("[[table:{table}]]\n"));
+        let place = Workplace::with_report(
+            EQUATIONS,
+            &formula("S1", "holds", "K_cr = (B - A)/L"),
+            &format!("[[table:{table}]]\n"),
+        );
         let fault = format!("the table `{table}` needs the equations of the paper: ");
         place.run(["report", "r", "-o", "out"]).expect_refusal(&[&fault, "equation 8: is missing"]);
     }
@@ -72,7 +61,7 @@ fn a_claim_with_a_check_and_a_table_of_the_paper_ask_for_its_equations() {
 fn a_claim_out_of_reach_has_no_formula_and_no_other_verdict() {
     let claims = claim("R1", "holds", "reason = \"r\"")
         + &claim("R2", "not-checked", "reason = \"r\"\nleaves_out = \"nothing\"\nformula = \"K_cr = 1\"");
-    report(EQUATIONS, &claims, "Words.\n").run(["verify", "r"]).expect_refusal(&[
+    Workplace::with_report(EQUATIONS, &claims, "Words.\n").run(["verify", "r"]).expect_refusal(&[
         "needs `expected = \"not-checked\"`",
         "reason = \"r\": needs no formula beside it",
     ]);
@@ -85,7 +74,7 @@ fn equations_with_faults_are_refused_all_at_once() {
         .replace("number = \"mass\"", "number = \"3.2\"");
     let more = "[[equation]]\nnumber = \"a b\"\nequation = \"x = 1\"\n[[equation]]\nnumber = \"4\"\nequation = \"x = 1/(K - M)\"\n\
         [[equation]]\nnumber = \"5\"\nequation = \"x + 1\"\n";
-    report(&(faulty + more), &formula("S1", "holds", "K_cr = 1"), "Words.\n")
+    Workplace::with_report(&(faulty + more), &formula("S1", "holds", "K_cr = 1"), "Words.\n")
         .run(["verify", "r"])
         .expect_refusal(&[
             "assumptions.positive: 'i' is no variable",
@@ -159,7 +148,7 @@ fn claims_about_derived_names_are_decided_with_the_proofs_of_their_definitions()
         + &stated("R7", "holds", "P = P_slip", "")
         + &stated("R8", "fails", "K_cr = K_qs", &weakening)
         + &stated("R9", "holds", "rapid = M*(B - A)/(A*L^2)", "");
-    let place = report(SLIDER, &claims, "Words.\n");
+    let place = Workplace::with_report(SLIDER, &claims, "Words.\n");
     place.run(["report", "r", "-o", "out"]).expect_warnings();
     let ledger: serde_json::Value = serde_json::from_str(&place.read("out/ledger.json")).unwrap();
     for found in ledger["claims"].as_array().unwrap() {
@@ -180,11 +169,11 @@ fn claims_about_derived_names_are_decided_with_the_proofs_of_their_definitions()
 #[test]
 fn a_claim_states_what_its_definitions_are_given_for_and_the_conditions_of_the_file_hold_for_all() {
     let claims = formula("R3", "holds", "w > 0");
-    report(SLIDER, &claims, "Words.\n")
+    Workplace::with_report(SLIDER, &claims, "Words.\n")
         .run(["verify", "r"])
         .expect_refusal(&["'w' is defined for B - A > 0 only: add this to `given`"]);
     let of_file = SLIDER.replace("free =", "conditions = [\"A < B\"]\nfree =");
-    let place = report(&of_file, &claims, "Words.\n");
+    let place = Workplace::with_report(&of_file, &claims, "Words.\n");
     place.run(["verify", "r"]).expect_success();
     let said = place.run(["verify", "r", "--claim", "R3"]).expect_success();
     assert!(said.contains("A < B"), "{said}");
@@ -195,7 +184,7 @@ fn definitions_and_systems_at_fault_are_named_by_file_and_key() {
     let more = "[[definition]]\nname = \"c\"\nis = \"2*c\"\n[[definition]]\nname = \"d\"\nis = \"solve(PP, K)\"\n\
         [[definition]]\nname = \"e\"\nis = \"coefficient(P, s)\"\n";
     let faulty = SLIDER.replace("\"1 - v*theta/L\"", "\"2 - v*theta/L\"") + more;
-    report(&faulty, &formula("R1", "holds", "K > 0"), "Words.\n").run(["verify", "r"]).expect_refusal(&[
+    Workplace::with_report(&faulty, &formula("R1", "holds", "K > 0"), "Words.\n").run(["verify", "r"]).expect_refusal(&[
         "r/equations.toml: definition c: is defined by itself: c -> c",
         "r/equations.toml: definition d: 'PP' is no variable and no defined name of equations.toml; did you mean `P`?",
         "r/equations.toml: definition e: `coefficient(P, s, n)` has 3 arguments, not 2",
@@ -213,14 +202,14 @@ fn units_of_equations_systems_definitions_and_formulas_are_checked() {
         format!("{UNITS}{SLIDER}\n[[equation]]\nnumber = \"1\"\nequation = \"F = K*L + A*ln(v/V)\"\n");
     let holds = formula("R1", "holds", "K_cr = K_qs*(1 + M*V^2/(A*L))")
         + &formula("R2", "holds", "F - A*ln(v/V) = K*L");
-    report(&sound, &holds, "Words.\n").run(["verify", "r"]).expect_success();
+    Workplace::with_report(&sound, &holds, "Words.\n").run(["verify", "r"]).expect_success();
     let wrong = [
         formula("R1", "holds", "K_cr = B - A"),
         formula("R2", "holds", "K_cr -> B as M -> 0"),
         formula("R3", "holds", "P rises with K").replace("formula", "given = [\"K < B\"]\nformula"),
         formula("R4", "holds", "ln(K) + K > F"),
     ];
-    report(&sound, &wrong.concat(), "Words.\n").run(["verify", "r"]).expect_refusal(&[
+    Workplace::with_report(&sound, &wrong.concat(), "Words.\n").run(["verify", "r"]).expect_refusal(&[
         "'K_cr' is kg m^-2 s^-2 and 'B - A' is kg m^-1 s^-2",
         "'K_cr' is kg m^-2 s^-2 and 'B' is kg m^-1 s^-2",
         "'K' is kg m^-2 s^-2 and 'B' is kg m^-1 s^-2",
@@ -230,7 +219,7 @@ fn units_of_equations_systems_definitions_and_formulas_are_checked() {
         .replace("A = \"Pa\"", "A = \"mPa\"")
         .replace("mu_0 = \"Pa\"\n", "")
         .replace("omega = \"Hz\"", "omega = \"Hz\"\nomeg = \"Hz\"");
-    report(&faulty, &holds, "Words.\n").run(["verify", "r"]).expect_refusal(&[
+    Workplace::with_report(&faulty, &holds, "Words.\n").run(["verify", "r"]).expect_refusal(&[
         "r/equations.toml: units.A: 'mPa' is no unit",
         "r/equations.toml: units.mu_0: missing: every variable of the file has a unit",
         "r/equations.toml: units.omeg: 'omeg' is no variable",
@@ -243,7 +232,7 @@ fn units_of_equations_systems_definitions_and_formulas_are_checked() {
         )
         .replace("omega^2 - square", "omega - square")
         .replace("K_cr/V^2", "exchange(K_cr, M, L)");
-    report(&wrong, &holds, "Words.\n").run(["verify", "r"]).expect_refusal(&[
+    Workplace::with_report(&wrong, &holds, "Words.\n").run(["verify", "r"]).expect_refusal(&[
         "equation 1: in 'K + A*ln(v/V)', 'K' is kg m^-2 s^-2 and 'A*ln(v/V)' is kg m^-1 s^-2",
         "system slip: the rate",
         "definition w: in 'omega - square', 'omega' is s^-1 and 'square' is s^-2",

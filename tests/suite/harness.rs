@@ -53,6 +53,20 @@ impl Workplace {
         fs::read_to_string(self.path(name)).unwrap_or_else(|error| panic!("{name}: {error}"))
     }
 
+    /// A folder `r` with a report of these equations and claims, whose only chapter is this prose.
+    pub fn with_report(equations: &str, claims: &str, prose: &str) -> Self {
+        let place = Self::new();
+        place.write(
+            "r/report.toml",
+            "name = \"r\"\ntitle = \"R\"\nscenes = [\"a\"]\n[[chapter]]\nid = \"c\"\ntitle = \"C\"\nprose = \"c.md\"\n",
+        );
+        place.write("r/claims.toml", claims);
+        place.write("r/equations.toml", equations);
+        place.write("r/scenes/a.toml", "name = \"a\"\ntitle = \"A\"\n");
+        place.write("r/prose/c.md", prose);
+        place
+    }
+
     /// The names of everything in the folder, hidden files too, sorted.
     pub fn names(&self) -> Vec<String> {
         names_in(self.folder.path())

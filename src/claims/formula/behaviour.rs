@@ -100,11 +100,11 @@ impl Attempt<'_> {
     /// A slope of one sign. Only the opposite sign refutes it: a function with a slope of zero at one point may be monotone.
     fn monotone(&self, side: &Expression, comparison: Comparison, variable: &str) -> Finding {
         let slope = side.derivative(&Symbol::new(variable));
-        if self
+        let is_zero = self
             .domains
             .first()
-            .is_some_and(|domain| domain.rational_function(&slope).is_ok_and(|slope| slope.is_zero()))
-        {
+            .is_some_and(|domain| domain.rational_function(&slope).is_ok_and(|slope| slope.is_zero()));
+        if is_zero && self.all_points(FIRST_POINTS).any(|point| self.can_move(&point, variable)) {
             return Finding::failing(format!("its slope in {variable} is 0 everywhere"));
         }
         let rising = if comparison == Comparison::Less { -slope.clone() } else { slope.clone() };
@@ -120,7 +120,8 @@ impl Attempt<'_> {
         let refuted = self.all_points(Points::MOST).find_map(|point| {
             let value = slope.rational_value(&point)?;
             let opposite = if comparison == Comparison::Less { value > 0 } else { value < 0 };
-            opposite.then(|| format!("at {}: its slope in {variable} is {value}", self.text(&point)))
+            (opposite && self.can_move(&point, variable))
+                .then(|| format!("at {}: its slope in {variable} is {value}", self.text(&point)))
         });
         refuted.map_or_else(|| self.undecided("coefficients of one sign were not found"), Finding::failing)
     }
@@ -130,21 +131,51 @@ impl Attempt<'_> {
             let proof = self.proof.clone();
             proof.limit("the limit", &self.numbers, expression, (variable, toward), value, domain)
         };
-        let mut other = None;
         for domain in &self.domains {
-            match prove(domain) {
-                Ok(proof) => return Finding::from_proof(Ok(proof)),
-                // A limit that was computed and is another one has a point at which the two differ.
-                Err(refutation) => other = other.or(refutation.counter_example.map(|_| refutation.remainder)),
+            if let Ok(proof) = prove(domain) {
+                return Finding::from_proof(Ok(proof));
             }
         }
-        match other {
-            Some(remainder) => Finding::failing(format!("the limit minus the value claimed is {remainder}")),
+        match self.other_limit(expression, value, variable, toward) {
+            Some(words) => Finding::failing(words),
             None => Finding::not_checked(format!(
-                "Not decided: no finite limit was found in {} forms of the conditions.",
-                self.domains.len()
+                "Not decided: the limit was not found to be finite and {value} in {} forms of the conditions, and {} points do not refute it.",
+                self.domains.len(),
+                Points::MOST
             )),
         }
+    }
+
+    /// A point that meets the conditions and at which the limit is another one.
+    fn other_limit(
+        &self,
+        expression: &Expression,
+        value: &Expression,
+        variable: &str,
+        toward: Toward,
+    ) -> Option<String> {
+        let found = self.domains.first()?.limit(expression, &Symbol::new(variable), toward).ok()?;
+        let found = Expression::from(&found);
+        self.all_points(Points::MOST).find_map(|point| {
+            let [limit, claimed] = [found.rational_value(&point)?, value.rational_value(&point)?];
+            let others: points::Point =
+                point.into_iter().filter(|(name, _)| name.as_str() != variable).collect();
+            (limit != claimed)
+                .then(|| format!("at {}: the limit is {limit}, not {claimed}", self.text(&others)))
+        })
+    }
+
+    /// Whether the conditions let a variable move away from a point that meets them, to both sides.
+    fn can_move(&self, point: &points::Point, variable: &str) -> bool {
+        let name = Symbol::new(variable);
+        let of_variable =
+            |one: &&Literal| one.sign == Sign::NonNegative && one.expression.variables().contains(&name);
+        self.problem
+            .premises
+            .conditions
+            .iter()
+            .filter(of_variable)
+            .all(|one| one.expression.rational_value(point).is_some_and(|value| value > 0))
     }
 
     fn depends(&self, expression: &Expression, claimed: bool, variable: &str) -> Finding {

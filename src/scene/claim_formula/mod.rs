@@ -24,7 +24,9 @@ mod premises;
 use std::cmp::Ordering;
 
 use slipmode_core::number::Rational;
-use slipmode_core::polynomial::{ConversionError, Expression, Extent, Literal, Sign, SignFormula, Toward};
+use slipmode_core::polynomial::{
+    ConversionError, Expression, Extent, Literal, Sign, SignFormula, Symbol, Toward,
+};
 use slipmode_core::theory::Equations;
 use slipmode_core::theory::root_location::{MOST_DEGREE, RootStatement, coefficients};
 
@@ -280,6 +282,11 @@ impl ClaimFormula {
         formula.statement.check_units(&names)?;
         formula.statement.atoms().into_iter().try_for_each(|atom| check_atom(atom, &names, &premises))?;
         match &formula.statement {
+            Statement::Limit(_, value, name, _)
+                if premises.put_in(&names.resolved(value)).variables().contains(&Symbol::new(name)) =>
+            {
+                Err(format!("the value '{value}' of the limit contains {name}"))
+            }
             Statement::True(said)
                 if said.signs(&Formula::opaque).clauses(&|_| None, MOST_CLAUSES) == Some(Vec::new()) =>
             {
