@@ -146,10 +146,10 @@
     });
   }
 
-  // For printing, all claims are opened, and restored afterwards. Certificates are in report.md only.
+  // For printing, all claims are opened, and restored afterwards.
   let folded = [];
   addEventListener("beforeprint", () => {
-    folded = [...document.querySelectorAll("details:not([open]):not(.certificate)")];
+    folded = [...document.querySelectorAll("details:not([open])")];
     for (const part of folded) part.open = true;
   });
   addEventListener("afterprint", () => {

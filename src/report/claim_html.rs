@@ -17,20 +17,6 @@ fn chips(ids: &[String], catalogue: &Catalogue<'_>) -> Vec<Value> {
     ids.iter().filter_map(|id| catalogue.claims.get(id.as_str()).copied()).map(chip).collect()
 }
 
-/// Length of a certificate that the page shows whole; of a longer one it shows the beginning.
-const SHOWN_CERTIFICATE_BYTES: usize = 300;
-
-/// The beginning of a certificate, whole lines where it has lines, and what is written below it when something is missing.
-fn excerpt(certificate: &str) -> (&str, String) {
-    if certificate.len() <= SHOWN_CERTIFICATE_BYTES {
-        return (certificate, String::new());
-    }
-    let room = &certificate[..certificate.floor_char_boundary(SHOWN_CERTIFICATE_BYTES)];
-    let shown = room.rfind('\n').filter(|&end| end > 0).map_or(room, |end| &room[..end]);
-    let (of, all) = (shown.chars().count(), certificate.chars().count());
-    (shown, format!("The first {of} of {all} characters; the whole certificate is in"))
-}
-
 /// What the templates of a claim show; its prose is turned into HTML.
 pub(crate) fn claim_page(claim: &ClaimView, catalogue: &Catalogue<'_>, prose: &mut Prose) -> Value {
     let mut html =
@@ -80,29 +66,12 @@ fn reading(item: &ReadingView, html: &mut dyn FnMut(&str, &str) -> String) -> Va
 }
 
 fn evidence(item: &EvidenceView, html: &mut dyn FnMut(&str, &str) -> String) -> Value {
-    let (certificate, certificate_cut) = excerpt(&item.certificate);
     json!({
         "kind": item.kind,
         "strength": item.strength,
         "text_html": html(&item.text_markdown, "evidence"),
         "numbers": item.numbers,
-        "certificate": certificate,
-        "certificate_cut": certificate_cut,
+        "certificate_lines": item.certificate.lines().count(),
         "certificate_at": item.certificate_at,
     })
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_long_certificate_is_cut_at_a_line_and_says_so() {
-        assert_eq!(excerpt("short"), ("short", String::new()));
-        let long = "é = 1\n".repeat(1000);
-        let (shown, cut) = excerpt(&long);
-        assert!(shown.len() <= SHOWN_CERTIFICATE_BYTES && shown.ends_with("é = 1"));
-        assert!(cut.starts_with("The first 251 of 6000 characters"), "{cut}");
-        assert!(excerpt(&"é".repeat(2000)).0.chars().all(|c| c == 'é'));
-    }
 }
