@@ -1,0 +1,218 @@
+//! The classification of all points of a box of parameters: what is certain, and what is possible at which point.
+//!
+//! ```
+//! use slipmode_core::stability::{ParameterBox, over_box};
+//! use slipmode_core::{InertialThreshold, Parameters, SlipMode, parse_decimal};
+//!
+//! // b = 0.006 ± 0.001; the other six values are certain.
+//! let point = |b: &str| {
+//!     Parameters::from(["0.004", b, "1e-5", "1e7", "1000", "1e6", "1e-5"].map(|text| parse_decimal(text).unwrap()))
+//! };
+//! let uncertain = ParameterBox::new(point("0.005"), point("0.007")).unwrap();
+//! let found = over_box(&uncertain, &InertialThreshold::default()).unwrap();
+//! assert_eq!(found.certain_mode(), Some(SlipMode::StickSlip));
+//! ```
+
+mod classes;
+#[cfg(test)]
+mod fixtures;
+mod lower_area;
+mod parameter_box;
+mod polynomials;
+mod tensor;
+#[cfg(test)]
+mod tests;
+mod threshold;
+
+pub use parameter_box::ParameterBox;
+
+use super::{InertialThreshold, SlipMode, SpectralClass};
+use crate::friction::Parameters;
+use crate::number::Rational;
+use classes::Classes;
+use parameter_box::{A, B, Corner, D, Filtered, M, Point, S, V};
+use threshold::{Found, Search};
+
+/// Something that points of a box have, with such a point.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Possible<T> {
+    /// What the points have.
+    pub what: T,
+    /// A point of the box that has it, exactly; none where such points need not have rational coordinates.
+    pub witness: Option<Parameters<Rational>>,
+}
+
+/// All that the points of a box have in common, or not.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct OverBox {
+    /// The least and the greatest sign of K − K_c.
+    pub transition_signs: [i8; 2],
+    /// The spectral classes of the box's points: exactly these.
+    pub spectral_classes: Vec<Possible<SpectralClass>>,
+    /// The slip modes that points of the box have, in the order of [`SlipMode::ALL`].
+    pub slip_modes: Vec<Possible<SlipMode>>,
+    /// Slip modes that are neither found nor excluded, and the largest share of the box that could have them.
+    pub undecided: Vec<(SlipMode, Rational)>,
+    /// How many parts of the box were halved for the threshold of the frequency; 0 when corners and edges decided all.
+    pub halvings: usize,
+    /// The least and the greatest K_c (eq 9), Pa/m.
+    pub critical_stiffness_pa_per_m: [Rational; 2],
+}
+
+impl OverBox {
+    /// The slip mode that all points have; none when several are possible or one is undecided.
+    #[must_use]
+    pub fn certain_mode(&self) -> Option<SlipMode> {
+        match self.slip_modes.as_slice() {
+            [only] if self.undecided.is_empty() => Some(only.what),
+            _ => None,
+        }
+    }
+
+    /// The largest share of the box in which a further slip mode could be; 0 when all is decided.
+    #[must_use]
+    pub fn undecided_share(&self) -> Rational {
+        let shares = self.undecided.iter().map(|(_, share)| share);
+        shares.fold(Rational::new(), |sum, share| sum + share).min(Rational::from(1))
+    }
+}
+
+/// The lowest (ω/ω_n)² of a threshold over a box: above it the threshold is crossed in one direction only
+/// with each of K, M, σ and V0.
+#[must_use]
+pub fn is_allowed_over_box(threshold: &InertialThreshold) -> bool {
+    Rational::from(threshold.squared_ratio() * 5u32) >= 1
+}
+
+/// Decides which classes and slip modes the points of a box have. Nothing is rounded and no point is left out.
+///
+/// None for a threshold (ω/ω_n)² below 1/5.
+#[must_use]
+pub fn over_box(region: &ParameterBox, threshold: &InertialThreshold) -> Option<OverBox> {
+    if !is_allowed_over_box(threshold) {
+        return None;
+    }
+    let filtered = Filtered::new(region, threshold);
+    let classes = Classes::of(&filtered);
+    let mut search = Search::new(&filtered);
+    let (slip_modes, undecided) = modes(&filtered, &classes, &mut search);
+    Some(OverBox {
+        transition_signs: classes.transition,
+        spectral_classes: spectral_classes(classes),
+        slip_modes,
+        undecided,
+        halvings: search.halvings,
+        critical_stiffness_pa_per_m: critical_stiffness(region),
+    })
+}
+
+/// Whether a box meets a set, and where.
+#[derive(Debug, Clone, PartialEq, Eq)]
+enum Met {
+    At(Box<Point>),
+    /// At points that need not be rational.
+    WithoutWitness,
+    Nowhere,
+}
+
+impl Met {
+    fn at(point: Point) -> Self {
+        Self::At(Box::new(point))
+    }
+
+    fn is_somewhere(&self) -> bool {
+        *self != Self::Nowhere
+    }
+
+    fn point(&self) -> Option<&Point> {
+        match self {
+            Self::At(point) => Some(point),
+            _ => None,
+        }
+    }
+
+    fn possible<T>(&self, what: T) -> Option<Possible<T>> {
+        let witness = self.point().map(|point| Parameters::from(point.clone()));
+        self.is_somewhere().then_some(Possible { what, witness })
+    }
+}
+
+fn spectral_classes(classes: Classes) -> Vec<Possible<SpectralClass>> {
+    let stable_real = if classes.lower.point().is_some() || !classes.upper.is_somewhere() {
+        classes.lower
+    } else {
+        classes.upper
+    };
+    let all = [
+        (stable_real, SpectralClass::StableReal),
+        (classes.stable_complex, SpectralClass::StableComplex),
+        (classes.unstable_real, SpectralClass::UnstableReal),
+        (classes.unstable_complex, SpectralClass::UnstableComplex),
+        (classes.neutral, SpectralClass::Neutral),
+    ];
+    all.into_iter().filter_map(|(met, class)| met.possible(class)).collect()
+}
+
+/// The possible slip modes, and those left undecided.
+fn modes(
+    filtered: &Filtered<'_>,
+    classes: &Classes,
+    search: &mut Search<'_>,
+) -> (Vec<Possible<SlipMode>>, Vec<(SlipMode, Rational)>) {
+    let complex = [&classes.unstable_complex, &classes.stable_complex, &classes.neutral];
+    let known =
+        complex[..2].iter().filter_map(|met| met.point()).map(|point| (filtered.at(point).mode, point));
+    let known: Vec<(SlipMode, &Point)> = known.collect();
+    let is_below = threshold::is_clearly_below(filtered);
+    let mut met = |mode: SlipMode| match mode {
+        SlipMode::OverdampedStableSliding => Ok(classes.lower.clone()),
+        SlipMode::OverdampedOscillation => Ok(classes.upper.clone()),
+        SlipMode::StickSlip if classes.unstable_real.is_somewhere() => Ok(classes.unstable_real.clone()),
+        of_a_pair => {
+            let unstable = matches!(of_a_pair, SlipMode::StickSlip | SlipMode::HarmonicVibration);
+            let above =
+                matches!(of_a_pair, SlipMode::InertialUnderdampedOscillation | SlipMode::HarmonicVibration);
+            let exists = !(above && is_below)
+                && complex.iter().enumerate().any(|(i, met)| (i == 0) == unstable && met.is_somewhere());
+            let point = known.iter().find(|(mode, _)| *mode == of_a_pair).map(|(_, point)| (*point).clone());
+            match point.or_else(|| beside_real_roots(filtered, classes, of_a_pair)) {
+                Some(point) => Ok(Met::at(point)),
+                None if !exists => Ok(Met::Nowhere),
+                None => match search.run(of_a_pair) {
+                    Found::At(point) => Ok(Met::at(point)),
+                    Found::Nowhere => Ok(Met::Nowhere),
+                    Found::Undecided(share) => Err(share),
+                },
+            }
+        }
+    };
+    let (mut possible, mut undecided) = (Vec::new(), Vec::new());
+    for mode in SlipMode::ALL {
+        match met(mode) {
+            Ok(met) => possible.extend(met.possible(mode)),
+            Err(share) => undecided.push((mode, share)),
+        }
+    }
+    (possible, undecided)
+}
+
+/// A slow stable oscillation next to an area of stable real roots, when the box has points in and outside of that area.
+fn beside_real_roots(filtered: &Filtered<'_>, classes: &Classes, mode: SlipMode) -> Option<Point> {
+    let wanted = SlipMode::NonInertialUnderdampedOscillation;
+    let real = classes.lower.point().or(classes.upper.point()).filter(|_| mode == wanted)?;
+    let ends = [real.clone(), classes.stable_complex.point()?.clone()];
+    let area = filtered.at(real).mode;
+    filtered.between(ends, |state| state.mode == area, |state| state.mode == wanted)
+}
+
+/// The range of K_c = (b − a)(σ/D_c + M V0²/(a D_c²)): up in b and down in a; where it is positive, up in σ, M, V0 and down in D_c.
+fn critical_stiffness(region: &ParameterBox) -> [Rational; 2] {
+    let at = |corner: Corner| Parameters::from(region.corner(corner)).critical_stiffness();
+    let loaded = Corner::high(&[S, M, V]);
+    let end = |effects: Corner, is_largest: bool| {
+        let (large, small) = (effects.with(loaded), effects.with(Corner::high(&[D])));
+        if (at(large) > 0) == is_largest { at(large) } else { at(small) }
+    };
+    [end(Corner::high(&[A]), false), end(Corner::high(&[B]), true)]
+}

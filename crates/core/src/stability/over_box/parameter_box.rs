@@ -1,0 +1,220 @@
+//! A box of parameters, and the state of its corners and of other points of it.
+
+use crate::friction::{Groups, Parameters, SlipMode};
+use crate::number::{Dd, Rational};
+use crate::stability::{
+    InertialThreshold, SpectralClass, boundary_sign, classify_quickly, slip_mode, transition_sign,
+};
+
+/// The place of each parameter in an array: the order of [`Parameters::from`].
+pub(super) const A: usize = 0;
+pub(super) const B: usize = 1;
+pub(super) const D: usize = 2;
+pub(super) const K: usize = 3;
+pub(super) const M: usize = 4;
+pub(super) const S: usize = 5;
+pub(super) const V: usize = 6;
+
+/// Exact values of a, b, D_c, K, M, σ, V0.
+pub(super) type Point = [Rational; 7];
+
+/// All parameters between two exact ends, ends included.
+///
+/// ```
+/// use slipmode_core::stability::ParameterBox;
+/// use slipmode_core::{Parameters, parse_decimal};
+///
+/// let point = |b: &str| {
+///     Parameters::from(["0.004", b, "1e-5", "1e7", "1000", "1e6", "1e-5"].map(|text| parse_decimal(text).unwrap()))
+/// };
+/// assert!(ParameterBox::new(point("0.005"), point("0.007")).is_some());
+/// assert!(ParameterBox::new(point("0.007"), point("0.005")).is_none());
+/// ```
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct ParameterBox {
+    pub(super) lower: Point,
+    pub(super) upper: Point,
+}
+
+impl ParameterBox {
+    /// The box between two ends, or `None` unless 0 < lower ≤ upper for each parameter.
+    #[must_use]
+    pub fn new(lower: Parameters<Rational>, upper: Parameters<Rational>) -> Option<Self> {
+        let (lower, upper): (Point, Point) = (lower.into(), upper.into());
+        let ordered = lower.iter().zip(&upper).all(|(low, high)| *low > 0 && low <= high);
+        ordered.then_some(Self { lower, upper })
+    }
+
+    /// The least value of each parameter.
+    #[must_use]
+    pub fn lower(&self) -> Parameters<Rational> {
+        self.lower.clone().into()
+    }
+
+    /// The greatest value of each parameter.
+    #[must_use]
+    pub fn upper(&self) -> Parameters<Rational> {
+        self.upper.clone().into()
+    }
+
+    /// Whether a point lies in the box.
+    #[must_use]
+    pub fn contains(&self, parameters: &Parameters<Rational>) -> bool {
+        let point: Point = parameters.clone().into();
+        (0..7).all(|i| self.lower[i] <= point[i] && point[i] <= self.upper[i])
+    }
+
+    /// Whether a parameter has more than one value.
+    pub(super) fn is_wide(&self, parameter: usize) -> bool {
+        self.lower[parameter] < self.upper[parameter]
+    }
+
+    /// The corner at which the parameters of `high` have their greatest value and the others their least.
+    pub(super) fn corner(&self, high: Corner) -> Point {
+        std::array::from_fn(|i| if high.has(i) { self.upper[i].clone() } else { self.lower[i].clone() })
+    }
+}
+
+/// A corner of a box: a bit for each parameter that has its greatest value.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct Corner(u8);
+
+impl Corner {
+    /// The corner at which exactly these parameters have their greatest value.
+    pub(super) const fn high(parameters: &[usize]) -> Self {
+        let (mut bits, mut i) = (0, 0);
+        while i < parameters.len() {
+            bits |= 1 << parameters[i];
+            i += 1;
+        }
+        Self(bits)
+    }
+
+    /// The corner opposite to this one.
+    pub(super) const fn opposite(self) -> Self {
+        Self(!self.0 & 0x7f)
+    }
+
+    /// The corner with one parameter at its other end.
+    pub(super) const fn flipped(self, parameter: usize) -> Self {
+        Self(self.0 ^ (1 << parameter))
+    }
+
+    /// The corner at which the parameters that are high at `other` are high too.
+    pub(super) const fn with(self, other: Self) -> Self {
+        Self(self.0 | other.0)
+    }
+
+    /// The corner at which the parameters that are high at `other` are low.
+    pub(super) const fn without(self, other: Self) -> Self {
+        Self(self.0 & !other.0)
+    }
+
+    const fn has(self, parameter: usize) -> bool {
+        self.0 >> parameter & 1 == 1
+    }
+}
+
+/// What the point test says of a point.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct State {
+    pub(super) transition: i8,
+    pub(super) class: SpectralClass,
+    pub(super) mode: SlipMode,
+}
+
+impl State {
+    /// All roots real and positive but one.
+    pub(super) fn is_unstable_real(self) -> bool {
+        self.class == SpectralClass::UnstableReal
+    }
+
+    /// All roots real, in the area of a > b with roots between −1 and 0.
+    pub(super) fn is_upper(self) -> bool {
+        self.mode == SlipMode::OverdampedOscillation
+    }
+
+    /// All roots real and below −1.
+    pub(super) fn is_lower(self) -> bool {
+        self.mode == SlipMode::OverdampedStableSliding
+    }
+}
+
+/// A box with its ends rounded to double-double, for the filters.
+pub(super) struct Filtered<'a> {
+    pub(super) region: &'a ParameterBox,
+    pub(super) threshold: &'a InertialThreshold,
+    lower: [Dd; 7],
+    upper: [Dd; 7],
+}
+
+impl<'a> Filtered<'a> {
+    pub(super) fn new(region: &'a ParameterBox, threshold: &'a InertialThreshold) -> Self {
+        let rounded = |point: &Point| point.each_ref().map(Dd::from_rational);
+        let (lower, upper) = (rounded(&region.lower), rounded(&region.upper));
+        Self { region, threshold, lower, upper }
+    }
+
+    /// The corner in double-double.
+    pub(super) fn rounded(&self, corner: Corner) -> [Dd; 7] {
+        std::array::from_fn(|i| if corner.has(i) { self.upper[i] } else { self.lower[i] })
+    }
+
+    /// The state of a corner, by the filters if they are certain.
+    pub(super) fn at_corner(&self, corner: Corner) -> State {
+        quickly(self.rounded(corner), self.threshold)
+            .unwrap_or_else(|| self.exactly(&self.region.corner(corner)))
+    }
+
+    /// The state of any point, by the filters if they are certain.
+    pub(super) fn at(&self, point: &Point) -> State {
+        quickly(point.each_ref().map(Dd::from_rational), self.threshold)
+            .unwrap_or_else(|| self.exactly(point))
+    }
+
+    fn exactly(&self, point: &Point) -> State {
+        let groups: Groups<Rational> = Parameters::from(point.clone()).groups();
+        let transition = transition_sign(&groups);
+        let class = SpectralClass::from_signs(transition, boundary_sign(&groups));
+        State { transition, class, mode: slip_mode(&groups, class, self.threshold) }
+    }
+
+    /// The first point with `wanted` found by halving the segment from a point `inside` a set to one outside of it.
+    ///
+    /// None after so many halvings that the two ends are one point for every purpose but exactness.
+    pub(super) fn between(
+        &self,
+        [mut inside, mut outside]: [Point; 2],
+        is_inside: impl Fn(State) -> bool,
+        wanted: impl Fn(State) -> bool,
+    ) -> Option<Point> {
+        const HALVINGS: usize = 400;
+        for end in [&inside, &outside] {
+            if wanted(self.at(end)) {
+                return Some(end.clone());
+            }
+        }
+        for _ in 0..HALVINGS {
+            let middle = middle(&inside, &outside);
+            let state = self.at(&middle);
+            match state {
+                _ if wanted(state) => return Some(middle),
+                _ if is_inside(state) => inside = middle,
+                _ => outside = middle,
+            }
+        }
+        None
+    }
+}
+
+/// The point half-way between two.
+pub(super) fn middle(one: &Point, other: &Point) -> Point {
+    std::array::from_fn(|i| {
+        if one[i] == other[i] { one[i].clone() } else { Rational::from(&one[i] + &other[i]) / 2u32 }
+    })
+}
+
+fn quickly(point: [Dd; 7], threshold: &InertialThreshold) -> Option<State> {
+    let found = classify_quickly(&Parameters::from(point), threshold)?;
+    Some(State { transition: found.transition_sign, class: found.spectral_class, mode: found.slip_mode })
+}

@@ -1,0 +1,168 @@
+//! The polynomials whose signs decide a point, with integer coefficients, as the parameters run along lines of a box.
+//!
+//! In units in which all ends are integers. With s = V0·z, eq 8 times D_c σ is A z³ + B z² + C z + E with
+//! A = μD_c, B = μ + aD_cσ, C = (a − b)σ + KD_c, E = K and μ = M V0².
+
+use rug::{Complete, Integer};
+
+use super::parameter_box::{A, B, D, K, M, ParameterBox, Point, S, V};
+use super::tensor::Tensor;
+use crate::number::Rational;
+use crate::stability::InertialThreshold;
+
+/// The factors that make every parameter of a box an integer and change no group.
+pub(super) struct Units([Integer; 7]);
+
+impl Units {
+    /// Units of a, b; of length; of stiffness. Those of σ and M V0² follow: a σ ~ K D_c, M V0² ~ K D_c².
+    pub(super) fn of(region: &ParameterBox) -> Self {
+        let common = |i: usize| region.lower[i].denom().clone().lcm(region.upper[i].denom());
+        let effects = common(A).lcm(&common(B));
+        let length = &effects * common(S) * common(D);
+        let velocity = common(V);
+        let mass = common(K).lcm(&common(M));
+        let stiffness = &mass * velocity.square_ref().complete();
+        let stress = Integer::from(&stiffness * &length) / &effects;
+        Self([effects.clone(), effects, length.clone(), stiffness, mass, stress, length * velocity])
+    }
+
+    /// A parameter's value in these units; an integer for the ends of the box.
+    pub(super) fn integer(&self, parameter: usize, value: &Rational) -> Integer {
+        (value.numer() * &self.0[parameter]).complete() / value.denom()
+    }
+
+    /// All parameters constant, but those listed, which run with an axis from their value at `start` to that at `end`.
+    pub(super) fn lines(&self, start: &Point, end: &Point, running: &[(usize, usize)]) -> Lines {
+        let tensors = std::array::from_fn(|i| {
+            let from = self.integer(i, &start[i]);
+            match running.iter().find(|(parameter, _)| *parameter == i) {
+                Some((_, axis)) => Tensor::line(*axis, from, &self.integer(i, &end[i])),
+                None => Tensor::constant(from),
+            }
+        });
+        Lines(tensors)
+    }
+}
+
+/// The seven parameters as polynomials, and with them all that decides a point.
+pub(super) struct Lines([Tensor; 7]);
+
+impl Lines {
+    fn inertia(&self) -> Tensor {
+        self.0[M].times(&self.0[V].times(&self.0[V]))
+    }
+
+    fn direct_stress_length(&self) -> Tensor {
+        self.0[A].times(&self.0[S]).times(&self.0[D])
+    }
+
+    /// E, C, B, A.
+    fn cubic(&self) -> [Tensor; 4] {
+        let [a, b, d, k, _, s, _] = &self.0;
+        let inertia = self.inertia();
+        let second = inertia.plus(&self.direct_stress_length());
+        [k.clone(), a.minus(b).times(s).plus(&k.times(d)), second, inertia.times(d)]
+    }
+
+    /// The discriminant of eq 8: negative where a pair is complex.
+    pub(super) fn discriminant(&self) -> Tensor {
+        discriminant(&self.cubic())
+    }
+
+    /// Both are positive where all roots are below −1, and at no other place without a complex pair:
+    /// aσD_c − 2μ for η < 1/2, and μ + KD_c² − (a + b)σD_c for κ + η > 1 + β.
+    pub(super) fn lower_area(&self) -> [Tensor; 2] {
+        let [_, b, d, k, _, s, _] = &self.0;
+        let (inertia, direct) = (self.inertia(), self.direct_stress_length());
+        let half = direct.minus(&inertia.clone().scaled(&Integer::from(2)));
+        let squared = k.times(&d.times(d));
+        [half, inertia.plus(&squared).minus(&direct).minus(&b.times(s).times(d))]
+    }
+
+    /// K a D_c² − (b − a)(σ a D_c + μ), with the sign of K − K_c.
+    pub(super) fn transition(&self) -> Tensor {
+        let [a, b, d, k, ..] = &self.0;
+        let first = k.times(a).times(&d.times(d));
+        first.minus(&b.minus(a).times(&self.direct_stress_length().plus(&self.inertia())))
+    }
+
+    /// What is negative where a pair oscillates above the threshold, and positive where none does. It can also be zero
+    /// inside, where the real root is the pair's real part and ω twice the threshold's.
+    ///
+    /// With w the square of the threshold's frequency and S = 3AC − B²: Δ + 4wS² − 32w²A²S + 64w³A⁴; w = T K/μ, times μ.
+    pub(super) fn frequency(&self, threshold: &InertialThreshold) -> Tensor {
+        let (t, n) = (threshold.squared_ratio().numer(), threshold.squared_ratio().denom());
+        let cubic = self.cubic();
+        let [k, c, b, _] = &cubic;
+        let (inertia, length) = (self.inertia(), &self.0[D]);
+        let square = length.times(length);
+        let s = inertia.times(length).times(c).scaled(&Integer::from(3)).minus(&b.times(b));
+        let power = |t_power: u32, n_power: u32, factor: u32| {
+            let power = |base: &Integer, exponent: u32| (0..exponent).fold(Integer::from(1), |p, _| p * base);
+            power(t, t_power) * power(n, n_power) * factor
+        };
+        let k_inertia = k.times(&inertia);
+        let first = discriminant(&cubic).times(&inertia).scaled(&power(0, 3, 1));
+        let second = k.times(&s.times(&s)).scaled(&power(1, 2, 4));
+        let third = k_inertia.times(k).times(&square).times(&s).scaled(&power(2, 1, 32));
+        let fourth =
+            k_inertia.times(&k_inertia).times(k).times(&square.times(&square)).scaled(&power(3, 0, 64));
+        first.plus(&second).minus(&third).plus(&fourth)
+    }
+
+    /// What is positive where a pair on the transition oscillates above the threshold, η > T/(1 − T): μ(1 − T) − T σ a D_c.
+    pub(super) fn inertial_at_transition(&self, threshold: &InertialThreshold) -> Tensor {
+        let (t, n) = (threshold.squared_ratio().numer(), threshold.squared_ratio().denom());
+        self.inertia().scaled(&(n - t).complete()).minus(&self.direct_stress_length().scaled(t))
+    }
+
+    /// The same by K, where σ has no value of its own but that of the transition: μ(b − a) − T K a D_c².
+    pub(super) fn inertial_by_stiffness(&self, threshold: &InertialThreshold) -> Tensor {
+        let (t, n) = (threshold.squared_ratio().numer(), threshold.squared_ratio().denom());
+        let [a, b, d, k, ..] = &self.0;
+        let stiff = k.times(a).times(&d.times(d)).scaled(t);
+        self.inertia().times(&b.minus(a)).scaled(n).minus(&stiff)
+    }
+
+    /// The same by K and σ, where μ is that of the transition: K D_c(1 − T) − (b − a)σ.
+    pub(super) fn inertial_by_stress(&self, threshold: &InertialThreshold) -> Tensor {
+        let (t, n) = (threshold.squared_ratio().numer(), threshold.squared_ratio().denom());
+        let [a, b, d, k, _, s, _] = &self.0;
+        k.times(d).scaled(&(n - t).complete()).minus(&b.minus(a).times(s).scaled(n))
+    }
+}
+
+/// B²C² − 4AC³ − 4B³E − 27A²E² + 18ABCE.
+fn discriminant([e, c, b, a]: &[Tensor; 4]) -> Tensor {
+    let (bc, ae) = (b.times(c), a.times(e));
+    let by = |factor: i32, tensor: Tensor| tensor.scaled(&Integer::from(factor));
+    let mixed = by(18, bc.clone()).minus(&by(27, ae.clone())).times(&ae);
+    let cubes = a.times(c).times(&c.times(c)).plus(&b.times(e).times(&b.times(b)));
+    bc.times(&bc).plus(&mixed).minus(&by(4, cubes))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::friction::Parameters;
+    use crate::roots::Depressed;
+    use crate::stability::over_box::fixtures::any_point;
+    use crate::stability::{boundary_sign, transition_sign};
+    use proptest::prelude::*;
+
+    proptest! {
+        #[test]
+        fn constants_have_the_signs_of_the_point_test(point in any_point(), ratio in 1i64..1000) {
+            let region = ParameterBox { lower: point.clone(), upper: point.clone() };
+            let lines = Units::of(&region).lines(&point, &point, &[]);
+            let sign = |tensor: Tensor| tensor.at_corner([false; 3]).cmp0() as i8;
+            let groups = Parameters::from(point).groups();
+            let cubic = Depressed::of(&groups.characteristic_cubic()).unwrap();
+            prop_assert_eq!(sign(lines.transition()), transition_sign(&groups));
+            prop_assert_eq!(sign(lines.discriminant()), boundary_sign(&groups));
+            let threshold = InertialThreshold::from_squared_ratio(Rational::from((ratio, 1000))).unwrap();
+            let inertial = sign(lines.frequency(&threshold)) < 0;
+            prop_assert_eq!(inertial, boundary_sign(&groups) < 0 && threshold.exceeded_by(&cubic));
+        }
+    }
+}

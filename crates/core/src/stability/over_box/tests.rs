@@ -1,0 +1,109 @@
+use proptest::prelude::*;
+
+use super::fixtures::any_box;
+use super::*;
+use crate::number::parse_decimal;
+use crate::stability::{boundary_sign, slip_mode, transition_sign};
+
+fn state(point: &Parameters<Rational>, threshold: &InertialThreshold) -> (i8, SpectralClass, SlipMode) {
+    let groups = point.groups();
+    let transition = transition_sign(&groups);
+    let class = SpectralClass::from_signs(transition, boundary_sign(&groups));
+    (transition, class, slip_mode(&groups, class, threshold))
+}
+
+fn thresholds() -> impl Strategy<Value = InertialThreshold> {
+    prop_oneof![Just(500i64), Just(200), 200i64..1000]
+        .prop_map(|ratio| InertialThreshold::from_squared_ratio(Rational::from((ratio, 1000))).unwrap())
+}
+
+fn assert_consistent(found: &OverBox, region: &ParameterBox, threshold: &InertialThreshold) {
+    for possible in &found.slip_modes {
+        if let Some(point) = &possible.witness {
+            assert!(region.contains(point));
+            assert_eq!(state(point, threshold).2, possible.what);
+        }
+    }
+    for possible in &found.spectral_classes {
+        if let Some(point) = &possible.witness {
+            assert!(region.contains(point));
+            assert_eq!(state(point, threshold).1, possible.what);
+        }
+    }
+    assert!(!found.slip_modes.is_empty() || !found.undecided.is_empty());
+}
+
+proptest! {
+    #[test]
+    fn what_a_box_has_contains_what_its_points_have(
+        (region, inside) in any_box(),
+        threshold in thresholds(),
+        shares in prop::collection::vec(prop::array::uniform7(0u32..=16), 60),
+    ) {
+        let found = over_box(&region, &threshold).unwrap();
+        assert_consistent(&found, &region, &threshold);
+        let at = |share: &[u32; 7]| -> Point {
+            std::array::from_fn(|i| {
+                let width = Rational::from(&region.upper[i] - &region.lower[i]);
+                width * Rational::from((share[i], 16)) + &region.lower[i]
+            })
+        };
+        for point in shares.iter().map(at).chain([inside]) {
+            let point = Parameters::from(point);
+            let (transition, class, mode) = state(&point, &threshold);
+            prop_assert!(found.transition_signs[0] <= transition && transition <= found.transition_signs[1]);
+            prop_assert!(found.spectral_classes.iter().any(|possible| possible.what == class), "{:?}: {:?}", point, class);
+            let undecided = found.undecided.iter().any(|(open, _)| *open == mode);
+            prop_assert!(undecided || found.slip_modes.iter().any(|possible| possible.what == mode), "{:?}: {:?}", point, mode);
+            let critical = point.critical_stiffness();
+            let [least, greatest] = &found.critical_stiffness_pa_per_m;
+            prop_assert!(*least <= critical && critical <= *greatest);
+        }
+    }
+
+    #[test]
+    fn a_box_of_one_point_has_its_mode(point in super::fixtures::any_point(), threshold in thresholds()) {
+        let region = ParameterBox { lower: point.clone(), upper: point.clone() };
+        let found = over_box(&region, &threshold).unwrap();
+        let point = Parameters::from(point);
+        let (transition, class, mode) = state(&point, &threshold);
+        prop_assert_eq!(found.transition_signs, [transition; 2]);
+        prop_assert_eq!(found.certain_mode(), Some(mode));
+        prop_assert_eq!(found.spectral_classes, [Possible { what: class, witness: Some(point) }]);
+    }
+}
+
+/// Boxes around the cusp at a = b: η = 1/8, κ = 27/8, with V0 as the only uncertain value.
+#[test]
+fn a_box_that_touches_the_cusp_alone_is_not_certain() {
+    let region = |mass: &str, velocities: [&str; 2]| {
+        let end = |velocity: &str| {
+            Parameters::from(
+                ["1", "1", "1", "3.375", mass, "1", velocity].map(|text| parse_decimal(text).unwrap()),
+            )
+        };
+        ParameterBox::new(end(velocities[0]), end(velocities[1])).unwrap()
+    };
+    let modes = |region: &ParameterBox| over_box(region, &InertialThreshold::default()).unwrap().slip_modes;
+    let sliding = |modes: &[Possible<SlipMode>]| {
+        modes.iter().find(|possible| possible.what == SlipMode::OverdampedStableSliding).cloned()
+    };
+    // V0 = √2: no rational point.
+    let irrational = sliding(&modes(&region("0.0625", ["1", "2"]))).expect("the cusp is in the box");
+    assert_eq!(irrational.witness, None);
+    // V0 = 4/3, which no halving of the box meets.
+    let rational = sliding(&modes(&region("0.0703125", ["1", "2"]))).expect("the cusp is in the box");
+    let velocity = rational.witness.expect("a rational point").point.loading_velocity_m_per_s;
+    assert_eq!(velocity, Rational::from((4, 3)));
+    assert_eq!(sliding(&modes(&region("0.0703125", ["1", "1.3"]))), None);
+    assert_eq!(sliding(&modes(&region("0.0625", ["1", "1.41421356237309504"]))), None);
+}
+
+#[test]
+fn a_threshold_below_one_fifth_is_refused_over_a_box() {
+    let point = Parameters::from([1, 2, 3, 4, 5, 6, 7].map(Rational::from));
+    let region = ParameterBox::new(point.clone(), point).unwrap();
+    let threshold = |ratio| InertialThreshold::from_squared_ratio(Rational::from(ratio)).unwrap();
+    assert!(over_box(&region, &threshold((1, 5))).is_some());
+    assert!(over_box(&region, &threshold((199, 1000))).is_none());
+}
