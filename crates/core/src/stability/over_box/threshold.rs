@@ -1,8 +1,13 @@
 //! Which modes of a complex pair a box contains: the transition together with the threshold of the frequency.
 //!
-//! For thresholds T = (ω/ω_n)² ≥ 1/5 the set of pairs above the threshold is up in K, M V0² and down in σ. Of K, M V0² and σ
-//! each mode then needs one corner, or, where it needs K, M V0² or σ to be both large and small, a place on K = K_c, and there
-//! (ω/ω_n)² = η/(1 + η). The remaining a, b, D_c are subdivided; Bernstein coefficients exclude parts, exact points witness.
+//! For thresholds T = (ω/ω_n)² ≥ 1/5 the set of pairs above the threshold is up in K, M V0² and down in σ. With time in
+//! units of 1/ω_n, c = V0/D_c, and x the real part of a pair at the threshold, u = x² and r = T + u < 1: the derivative of ω²
+//! by ln K has the sign of c²u + cxr(1 + u − T) + (1 − T)r³, which is positive when (1 − r)² < 4T(1 − T); that by ln M V0²
+//! has the sign of c²(T − T² + u²) + cxr(r² − T + u) + ur³, which is positive when (r² + r − 2T)² < 4r(T + r² − 2rT). Both hold
+//! for all r from T to 1 when T ≥ 1/5. Less σ is more K and then more M V0². So no path of growing K or M V0² leaves the set.
+//!
+//! Of K, M V0² and σ each mode then needs one corner, or, where it needs K, M V0² or σ to be both large and small, a place on
+//! K = K_c, and there (ω/ω_n)² = η/(1 + η). The remaining a, b, D_c are subdivided; Bernstein coefficients exclude parts, exact points witness.
 
 use std::cell::OnceCell;
 use std::collections::VecDeque;
