@@ -1,5 +1,6 @@
 //! `slipmode classify`: one point for people or programs, every row of a CSV file, or the counts of a grid.
 
+mod box_view;
 mod grid;
 pub mod rows;
 mod view;
@@ -13,6 +14,7 @@ use crate::cli::options::{Arguments, SliderOptions, ThresholdOption};
 use crate::cli::points::{self, RowsOptions};
 use crate::cli::progress::Progress;
 use crate::cli::terminal;
+use box_view::BoxView;
 use grid::GridOptions;
 use rows::ClassifyRows;
 use view::PointView;
@@ -27,6 +29,9 @@ pub struct Options {
     #[command(flatten)]
     grid: GridOptions,
     /// One JSON object instead of text
+    ///
+    /// A value with an error bar is 0.009±0.001, 0.009+-0.001 or [0.008, 0.010]. Then the object has the slip modes that are
+    /// possible, each with an exact point within the error bars.
     #[arg(long, conflicts_with = "points")]
     json: bool,
     /// Classify every row of a CSV file; `-` reads standard input
@@ -47,9 +52,20 @@ pub struct Options {
 /// When the arguments or the rows are at fault, or the output cannot be written.
 pub fn run(options: &Options, progress: &Progress) -> Result<(), Failure> {
     let mut arguments = Arguments::default();
-    let threshold = options.threshold.threshold(&mut arguments);
+    let is_box = options.points.is_none() && !options.grid.is_given() && options.slider.is_uncertain();
+    let threshold = if is_box {
+        options.threshold.threshold_over_box(&mut arguments)
+    } else {
+        options.threshold.threshold(&mut arguments)
+    };
     if options.points.is_none() {
         options.rows.refuse_without_points(&mut arguments);
+    }
+    if is_box {
+        let region = options.slider.region(&mut arguments);
+        let view = threshold.zip(region).and_then(|(threshold, region)| BoxView::new(region, &threshold));
+        let view = arguments.finish(view)?;
+        return if options.json { terminal::print_json(&view.json()) } else { terminal::print(&view.text()) };
     }
     if options.grid.is_given() {
         let request = options.grid.read(&options.slider, &mut arguments);

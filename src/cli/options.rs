@@ -4,10 +4,10 @@ use std::ops::RangeInclusive;
 
 use clap::Args;
 
-use slipmode::scene::{AllowedRange, Fault, Faults, Problem, Quantity, parse_whole};
+use slipmode::scene::{AllowedRange, Fault, Faults, Problem, Quantity, Uncertain, parse_whole};
 use slipmode_core::friction::{Parameters, Slider};
 use slipmode_core::number::{Rational, nearest_f64};
-use slipmode_core::stability::InertialThreshold;
+use slipmode_core::stability::{InertialThreshold, ParameterBox, is_allowed_over_box};
 
 use crate::cli::failure::Failure;
 use crate::cli::terminal;
@@ -91,6 +91,22 @@ impl SliderOptions {
         Some(Parameters::from([a, b, d, k, m, s, v]))
     }
 
+    /// Whether a value has an error bar.
+    pub fn is_uncertain(&self) -> bool {
+        Quantity::ALL.into_iter().filter_map(|quantity| self.text(quantity)).any(Uncertain::is_meant)
+    }
+
+    /// All values within the error bars; what is missing or faulty is collected in `arguments`.
+    pub fn region(&self, arguments: &mut Arguments) -> Option<ParameterBox> {
+        let read = |text: &str| AllowedRange::PHYSICAL.parse(text);
+        let values = Quantity::ALL.map(|quantity| {
+            required_as(quantity, self.text(quantity), arguments, |text| Uncertain::parse(text, read))
+        });
+        arguments.check_units(&values.each_ref().map(|value| value.as_ref().map(Uncertain::middle)));
+        let [Some(a), Some(b), Some(d), Some(k), Some(m), Some(s), Some(v)] = values else { return None };
+        uncertain_box([a, b, d, k, m, s, v])
+    }
+
     /// Notes every quantity that was given although a file's columns give the slider.
     pub fn refuse_beside_points(&self, arguments: &mut Arguments) {
         for quantity in Quantity::ALL {
@@ -106,17 +122,35 @@ impl SliderOptions {
 }
 
 fn required(quantity: Quantity, text: Option<&str>, arguments: &mut Arguments) -> Option<Rational> {
-    let (option, range) = (option_of(quantity), AllowedRange::PHYSICAL);
+    required_as(quantity, text, arguments, |text| AllowedRange::PHYSICAL.parse(text))
+}
+
+fn required_as<T>(
+    quantity: Quantity,
+    text: Option<&str>,
+    arguments: &mut Arguments,
+    parse: impl FnOnce(&str) -> Result<T, Problem>,
+) -> Option<T> {
+    let option = option_of(quantity);
     match text {
-        Some(text) => arguments.number(&option, text, |text| range.parse(text)),
-        None => arguments.fault(&option, None, Problem::Missing { allowed: range.text() }),
+        Some(text) => arguments.number(&option, text, parse),
+        None => arguments.fault(&option, None, Problem::Missing { allowed: AllowedRange::PHYSICAL.text() }),
     }
+}
+
+/// The box of seven values; their ends are positive and in order.
+pub fn uncertain_box(values: [Uncertain; 7]) -> Option<ParameterBox> {
+    let [lower, upper] = [values.each_ref().map(|ends| ends.lower.clone()), values.map(|ends| ends.upper)];
+    ParameterBox::new(lower.into(), upper.into())
 }
 
 /// `--normal-stress-pa` for σ, and so on.
 pub fn option_of(quantity: Quantity) -> String {
     format!("--{}", quantity.key().replace('_', "-"))
 }
+
+/// The thresholds that are allowed where values have error bars.
+pub const OVER_BOX: &str = "sqrt(1/5) <= value < 1 where values have error bars";
 
 /// `--inertial-threshold`, shared by the commands that name slip modes.
 #[derive(Debug, Clone, Args)]
@@ -127,6 +161,20 @@ pub struct ThresholdOption {
 }
 
 impl ThresholdOption {
+    /// The threshold for values with error bars, (ω/ω_n)² ≥ 1/5.
+    pub fn threshold_over_box(&self, arguments: &mut Arguments) -> Option<InertialThreshold> {
+        let threshold = self.threshold(arguments)?;
+        if is_allowed_over_box(&threshold) {
+            return Some(threshold);
+        }
+        let allowed = OVER_BOX.to_string();
+        arguments.fault(
+            "--inertial-threshold",
+            self.inertial_threshold.as_deref(),
+            Problem::OutOfRange { allowed },
+        )
+    }
+
     /// The threshold as an exact square.
     pub fn threshold(&self, arguments: &mut Arguments) -> Option<InertialThreshold> {
         let Some(text) = &self.inertial_threshold else { return Some(InertialThreshold::default()) };

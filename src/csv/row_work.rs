@@ -1,6 +1,6 @@
 //! What a command does with the rows of a points file, apart from reading and writing them.
 
-use crate::scene::{AllowedRange, CsvProblem, Fault, Faults, Problem, Quantity};
+use crate::scene::{AllowedRange, CsvProblem, Fault, Faults, Problem, Quantity, Uncertain};
 use slipmode_core::friction::Parameters;
 use slipmode_core::number::{Dd, Rational, parse_decimal_to_dd};
 
@@ -106,6 +106,44 @@ impl<'r> Cells<'r> {
             [Some(a), Some(b), Some(d), Some(k), Some(m), Some(s), Some(v)] => {
                 Ok(Parameters::from([a, b, d, k, m, s, v]))
             }
+            _ => Err(faults),
+        }
+    }
+}
+
+impl Cells<'_> {
+    /// The columns of errors: `normal_stress_pa_error` beside `normal_stress_pa`, and so on.
+    pub fn error_columns(self) -> [Option<usize>; 7] {
+        let name = |position: usize| self.header.names.get(position).map(|name| format!("{name}_error"));
+        self.header.positions.map(|position| self.header.position(&name(position)?))
+    }
+
+    /// The seven values with the error bars of their cells or of [`Self::error_columns`]; an empty cell there is no error.
+    ///
+    /// # Errors
+    /// Every cell that is at fault.
+    pub fn uncertain(self) -> Result<[Uncertain; 7], Faults> {
+        let (errors, mut faults) = (self.error_columns(), Faults::new());
+        let values = Quantity::ALL.map(|quantity| {
+            let read = |text: &str| AllowedRange::PHYSICAL.parse(text);
+            let position = self.header.positions[quantity as usize];
+            let text = self.text(position);
+            let error = errors[quantity as usize].map(|column| (column, self.text(column)));
+            let (column, value) = match error.filter(|(_, error)| !error.trim().is_empty()) {
+                None => (position, Uncertain::parse(text, read)),
+                Some((column, _)) if Uncertain::is_meant(text) => {
+                    let needs = "no error bar in the value's own cell: its error is given twice";
+                    (column, Err(Problem::Needs(needs.to_string())))
+                }
+                Some((column, error)) => match read(text) {
+                    Ok(value) => (column, Uncertain::around(value, error, read)),
+                    Err(problem) => (position, Err(problem)),
+                },
+            };
+            value.map_err(|problem| faults.push(self.fault(Some(column), problem))).ok()
+        });
+        match values {
+            [Some(a), Some(b), Some(d), Some(k), Some(m), Some(s), Some(v)] => Ok([a, b, d, k, m, s, v]),
             _ => Err(faults),
         }
     }

@@ -90,6 +90,14 @@ pub enum Problem {
         /// The range.
         allowed: String,
     },
+    /// A value with an error bar that has no meaning.
+    #[error("{reason} (allowed: {allowed})")]
+    ErrorBar {
+        /// Why.
+        reason: &'static str,
+        /// The range of both ends.
+        allowed: String,
+    },
     /// `from` and `to` are equal.
     #[error("empty range: from and to are equal (allowed: from < to)")]
     EmptyRange,

@@ -25,6 +25,7 @@ mod range;
 pub(crate) mod report_plan;
 pub(crate) mod section;
 pub(crate) mod sections;
+mod uncertain;
 mod verdict;
 
 pub use axis::{Limits, LogAxis, LogCoordinates};
@@ -49,4 +50,5 @@ pub use question::Question;
 pub use range::{AllowedRange, parse_whole};
 pub use report_plan::{Chapter, ReportPlan};
 pub use sections::{Place, Rectangle};
+pub use uncertain::Uncertain;
 pub use verdict::Verdict;

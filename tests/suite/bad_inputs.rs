@@ -8,6 +8,7 @@
 //! | `nan`, `inf`, `0x1p3`, `1@5`, `1,5`, ` 1`, `1/0` | the same, `arguments::values_that_are_no_positive_numbers_are_refused_with_key_value_and_range` |
 //! | `1e1000000000`, millions of digits | the same, `bad_points::faulty_cells_are_named_by_row_column_value_and_range` |
 //! | zero or negative a, σ, D_c, V | the same |
+//! | error bars that are reversed, not smaller than the value, no numbers | `error_bars::faulty_error_bars_are_all_reported_at_once` |
 //! | precision 0 and 4 294 967 295 | `bad_inputs::counts_and_digits_of_scenes_state_their_range`, `arguments::counts_and_digits_state_their_range` |
 //! | grids of 0, 1, 2^63 − 1 points, ranges from 0 or reversed | `bad_scenes::every_way_to_get_a_scene_wrong_is_named` |
 //! | doubled and unknown keys | the same, `bad_inputs::sixty_thousand_unknown_keys_are_told_by_the_first_few` |

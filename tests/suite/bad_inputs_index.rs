@@ -4,7 +4,7 @@ use std::fs;
 use std::path::PathBuf;
 
 /// Rows of the list; one that is taken out has to be taken out here too.
-const ROWS: usize = 40;
+const ROWS: usize = 41;
 
 /// The rows: what is thrown at the program, and the cell with the tests.
 fn rows() -> Vec<(&'static str, &'static str)> {

@@ -24,6 +24,7 @@ mod compare_bad;
 mod csv_promises;
 mod decimal_layouts;
 mod digit_for_digit;
+mod error_bars;
 mod estimated_errors;
 mod explore;
 mod full_disk;

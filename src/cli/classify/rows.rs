@@ -3,12 +3,16 @@
 use std::io::Write;
 
 use slipmode::csv::{Cells, Remark, RowWork};
-use slipmode::scene::Faults;
+use slipmode::scene::{Faults, Problem, Uncertain};
 use slipmode_core::friction::Parameters;
 use slipmode_core::number::{Dd, nearest_f64};
+use slipmode_core::roots::PrecisionLevel;
 use slipmode_core::stability::batch::classify_points;
-use slipmode_core::stability::{Classification, InertialThreshold, SpectralClass, classify};
+use slipmode_core::stability::{
+    Classification, InertialThreshold, OverBox, SpectralClass, classify, over_box,
+};
 
+use crate::cli::options::{OVER_BOX, uncertain_box};
 use crate::cli::unit_warnings::slider_warnings;
 
 /// Classifies rows.
@@ -18,11 +22,20 @@ pub struct ClassifyRows {
     pub threshold: InertialThreshold,
 }
 
+/// What a row is: a point, or all points within error bars.
+#[derive(Debug)]
+pub enum Found {
+    /// Without error bars.
+    Point(Classification),
+    /// With error bars.
+    Box(Box<OverBox>),
+}
+
 /// A row that was read and classified.
 #[derive(Debug)]
 pub struct Classified {
     /// What it is.
-    pub found: Classification,
+    pub found: Found,
     /// Values that look like another unit's.
     pub warnings: Vec<String>,
 }
@@ -68,36 +81,68 @@ impl RowWork for ClassifyRows {
 
     /// A row by the exact values of its decimals.
     fn read(&self, cells: Cells<'_>) -> Result<Classified, Faults> {
-        let parameters = cells.parameters()?;
-        let found = classify(&parameters, &self.threshold);
-        Ok(Classified { found, warnings: slider_warnings(parameters.map(nearest_f64)) })
+        let values = cells.uncertain()?;
+        let parameters = Parameters::from(values.each_ref().map(Uncertain::middle));
+        let warnings = slider_warnings(parameters.map(nearest_f64));
+        if values.iter().all(Uncertain::is_certain) {
+            let found = Found::Point(classify(&parameters, &self.threshold));
+            return Ok(Classified { found, warnings });
+        }
+        let found = uncertain_box(values).and_then(|region| over_box(&region, &self.threshold));
+        let needs = || Problem::Needs(format!("--inertial-threshold with {OVER_BOX}"));
+        let found = found.ok_or_else(|| vec![cells.fault(None, needs())])?;
+        Ok(Classified { found: Found::Box(Box::new(found)), warnings })
     }
 
     /// Rows in double-double, together; those that it does not decide by the exact values.
     fn read_rows(&self, cells: &[Cells<'_>]) -> Vec<Result<Classified, Faults>> {
-        let points: Vec<Option<Parameters<Dd>>> = cells.iter().map(|cells| cells.dd_parameters()).collect();
+        let has_errors = cells.first().is_some_and(|cells| cells.error_columns().iter().any(Option::is_some));
+        let rounded = |cells: &Cells<'_>| if has_errors { None } else { cells.dd_parameters() };
+        let points: Vec<Option<Parameters<Dd>>> = cells.iter().map(rounded).collect();
         let known: Vec<Parameters<Dd>> = points.iter().flatten().cloned().collect();
         let mut classified = classify_points(&known, &self.threshold).into_iter();
         let row = |(cells, point): (&Cells<'_>, Option<Parameters<Dd>>)| {
             let found = point.and_then(|point| classified.next().flatten().map(|found| (point, found)));
             let Some((point, found)) = found else { return self.read(*cells) };
-            Ok(Classified { found, warnings: slider_warnings(point.map(Dd::hi)) })
+            Ok(Classified { found: Found::Point(found), warnings: slider_warnings(point.map(Dd::hi)) })
         };
         cells.iter().zip(points).map(row).collect()
     }
 
     fn append(&self, Classified { found, warnings }: &Classified, out: &mut Vec<u8>) -> Remark {
-        for word in [
-            sign_word(found.transition_sign),
-            sign_word(found.boundary_sign),
-            found.spectral_class.as_str(),
-            slip_mode_word(found),
-        ] {
-            push_word(word, out);
+        match found {
+            Found::Point(found) => append_point(found, out),
+            Found::Box(found) => append_box(found, out),
         }
-        // A vector takes every write.
-        let _ = write!(out, ",{},{}", found.max_real_per_s, found.max_imaginary_per_s);
-        push_word(found.precision_level.as_str(), out);
         Remark { warning: (!warnings.is_empty()).then(|| warnings.join("; ")), ..Remark::default() }
     }
+}
+
+fn append_point(found: &Classification, out: &mut Vec<u8>) {
+    for word in [
+        sign_word(found.transition_sign),
+        sign_word(found.boundary_sign),
+        found.spectral_class.as_str(),
+        slip_mode_word(found),
+    ] {
+        push_word(word, out);
+    }
+    // A vector takes every write.
+    let _ = write!(out, ",{},{}", found.max_real_per_s, found.max_imaginary_per_s);
+    push_word(found.precision_level.as_str(), out);
+}
+
+/// All that is possible, separated by semicolons; a mode that is not decided has a question mark. Values have no cell.
+fn append_box(found: &OverBox, out: &mut Vec<u8>) {
+    let mut modes: Vec<String> =
+        found.slip_modes.iter().map(|possible| possible.what.as_str().to_string()).collect();
+    modes.extend(found.undecided.iter().map(|(mode, _)| format!("{}?", mode.as_str())));
+    for [least, greatest] in [found.transition_signs, found.boundary_signs] {
+        push_word(&(least..=greatest).map(sign_word).collect::<Vec<_>>().join(";"), out);
+    }
+    let classes = found.spectral_classes.iter().map(|possible| possible.what.as_str());
+    push_word(&classes.collect::<Vec<_>>().join(";"), out);
+    push_word(&modes.join(";"), out);
+    out.extend_from_slice(b",,");
+    push_word(PrecisionLevel::Exact.as_str(), out);
 }

@@ -7,7 +7,7 @@ use slipmode_core::friction::EvolutionLaw;
 use slipmode_core::number::format::shortest;
 use slipmode_core::stability::{NearestPlace, classify, classify_quickly};
 
-use crate::cli::classify::rows::{Classified, ClassifyRows};
+use crate::cli::classify::rows::{Classified, ClassifyRows, Found};
 use crate::cli::simulate::rows::SimulateRows;
 use crate::cli::sweep::asymptote_rows::AsymptoteRows;
 use crate::cli::sweep::boundary_rows::BoundaryRows;
@@ -24,7 +24,7 @@ impl PointWork for ClassifyRows {
         let found = classify_quickly(&source.double_double(point), &self.threshold)
             .unwrap_or_else(|| classify(&source.exact(point), &self.threshold));
         // The scene's units are checked once, not at each point.
-        Classified { found, warnings: Vec::new() }
+        Classified { found: Found::Point(found), warnings: Vec::new() }
     }
 }
 

@@ -29,6 +29,8 @@ type WayOut = (Corner, fn(State) -> bool);
 pub(super) struct Classes {
     /// The least and the greatest sign of K − K_c.
     pub(super) transition: [i8; 2],
+    /// An enclosure of the signs of the discriminant; the least one is attained.
+    pub(super) boundary: [i8; 2],
     pub(super) unstable_real: Met,
     pub(super) unstable_complex: Met,
     pub(super) neutral: Met,
@@ -70,8 +72,21 @@ impl Classes {
             Met::Nowhere
         };
         let neutral = neutral(filtered, transition);
-        Self { transition, unstable_real, unstable_complex, neutral, stable_complex, upper, lower }
+        let has = |sets: &[&Met]| sets.iter().any(|met| met.is_somewhere());
+        let boundary = [
+            if has(&[&unstable_complex, &neutral, &stable_complex]) { -1 } else { least_of_real(filtered) },
+            if has(&[&unstable_real, &upper, &lower]) { 1 } else { -1 },
+        ];
+        Self { transition, boundary, unstable_real, unstable_complex, neutral, stable_complex, upper, lower }
     }
+}
+
+/// The least sign of the discriminant in a box without complex pairs: the corners that decide whether it lies in an area
+/// are the first to reach the area's boundary.
+fn least_of_real(filtered: &Filtered<'_>) -> i8 {
+    let corners =
+        [UNSTABLE_REAL.opposite(), UPPER.opposite(), lower_area::LEAST, lower_area::LEAST.opposite()];
+    corners.into_iter().map(|corner| filtered.at_corner(corner).boundary).fold(1, i8::min)
 }
 
 /// A point of a class with a complex pair, from a corner that is in it or in an area of real roots beside it.

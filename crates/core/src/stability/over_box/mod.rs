@@ -48,6 +48,9 @@ pub struct Possible<T> {
 pub struct OverBox {
     /// The least and the greatest sign of K − K_c.
     pub transition_signs: [i8; 2],
+    /// An enclosure of the signs of the discriminant. The least one is attained; the greatest one is 1 also where an area of
+    /// real roots is met on its boundary alone.
+    pub boundary_signs: [i8; 2],
     /// The spectral classes of the box's points: exactly these.
     pub spectral_classes: Vec<Possible<SpectralClass>>,
     /// The slip modes that points of the box have, in the order of [`SlipMode::ALL`].
@@ -99,6 +102,7 @@ pub fn over_box(region: &ParameterBox, threshold: &InertialThreshold) -> Option<
     let (slip_modes, undecided) = modes(&filtered, &classes, &mut search);
     Some(OverBox {
         transition_signs: classes.transition,
+        boundary_signs: classes.boundary,
         spectral_classes: spectral_classes(classes),
         slip_modes,
         undecided,

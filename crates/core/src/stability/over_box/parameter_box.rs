@@ -3,7 +3,8 @@
 use crate::friction::{Groups, Parameters, SlipMode};
 use crate::number::{Dd, Rational};
 use crate::stability::{
-    InertialThreshold, SpectralClass, boundary_sign, classify_quickly, slip_mode, transition_sign,
+    Classification, InertialThreshold, SpectralClass, boundary_sign, classify_quickly, slip_mode,
+    transition_sign,
 };
 
 /// The place of each parameter in an array: the order of [`Parameters::from`].
@@ -119,6 +120,7 @@ impl Corner {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct State {
     pub(super) transition: i8,
+    pub(super) boundary: i8,
     pub(super) class: SpectralClass,
     pub(super) mode: SlipMode,
 }
@@ -174,9 +176,9 @@ impl<'a> Filtered<'a> {
 
     fn exactly(&self, point: &Point) -> State {
         let groups: Groups<Rational> = Parameters::from(point.clone()).groups();
-        let transition = transition_sign(&groups);
-        let class = SpectralClass::from_signs(transition, boundary_sign(&groups));
-        State { transition, class, mode: slip_mode(&groups, class, self.threshold) }
+        let (transition, boundary) = (transition_sign(&groups), boundary_sign(&groups));
+        let class = SpectralClass::from_signs(transition, boundary);
+        State { transition, boundary, class, mode: slip_mode(&groups, class, self.threshold) }
     }
 
     /// The first point with `wanted` found by halving the segment from a point `inside` a set to one outside of it.
@@ -216,5 +218,6 @@ pub(super) fn middle(one: &Point, other: &Point) -> Point {
 
 fn quickly(point: [Dd; 7], threshold: &InertialThreshold) -> Option<State> {
     let found = classify_quickly(&Parameters::from(point), threshold)?;
-    Some(State { transition: found.transition_sign, class: found.spectral_class, mode: found.slip_mode })
+    let Classification { transition_sign: transition, boundary_sign: boundary, .. } = found;
+    Some(State { transition, boundary, class: found.spectral_class, mode: found.slip_mode })
 }

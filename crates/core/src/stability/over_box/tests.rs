@@ -1,3 +1,5 @@
+//! Boxes of all kinds: what is found over them contains what their points have, and every witness has what it stands for.
+
 use proptest::prelude::*;
 
 use super::fixtures::any_box;
@@ -51,7 +53,10 @@ proptest! {
         for point in shares.iter().map(at).chain([inside]) {
             let point = Parameters::from(point);
             let (transition, class, mode) = state(&point, &threshold);
-            prop_assert!(found.transition_signs[0] <= transition && transition <= found.transition_signs[1]);
+            let boundary = boundary_sign(&point.groups());
+            for (sign, [least, greatest]) in [(transition, found.transition_signs), (boundary, found.boundary_signs)] {
+                prop_assert!(least <= sign && sign <= greatest, "{:?}", point);
+            }
             prop_assert!(found.spectral_classes.iter().any(|possible| possible.what == class), "{:?}: {:?}", point, class);
             let undecided = found.undecided.iter().any(|(open, _)| *open == mode);
             prop_assert!(undecided || found.slip_modes.iter().any(|possible| possible.what == mode), "{:?}: {:?}", point, mode);
@@ -68,6 +73,7 @@ proptest! {
         let point = Parameters::from(point);
         let (transition, class, mode) = state(&point, &threshold);
         prop_assert_eq!(found.transition_signs, [transition; 2]);
+        prop_assert_eq!(found.boundary_signs[0], boundary_sign(&point.groups()));
         prop_assert_eq!(found.certain_mode(), Some(mode));
         prop_assert_eq!(found.spectral_classes, [Possible { what: class, witness: Some(point) }]);
     }

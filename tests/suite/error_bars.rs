@@ -1,0 +1,120 @@
+//! `classify` with error bars: what is certain, what is possible and where, as text, JSON and rows.
+
+use serde_json::Value;
+
+use crate::harness::Workplace;
+
+const OPTIONS: [&str; 7] = ["-a", "-b", "-d", "-k", "-m", "-s", "-v"];
+/// A laboratory slider at 5 MPa and 10 µm/s.
+const POINT: [&str; 7] = ["0.009", "0.0126", "8e-6", "2e9", "2400", "5e6", "1e-5"];
+
+/// The options of the point with some values replaced.
+fn with<'a>(changes: &[(&str, &'a str)]) -> Vec<&'a str> {
+    let value = |option: &str, value: &'static str| {
+        changes.iter().find(|(changed, _)| *changed == option).map_or(value, |(_, text)| *text)
+    };
+    OPTIONS.into_iter().zip(POINT).flat_map(|(option, text)| [option, value(option, text)]).collect()
+}
+
+fn json(changes: &[(&str, &str)]) -> Value {
+    let arguments = ["classify", "--json"].into_iter().chain(with(changes));
+    serde_json::from_str(&Workplace::new().run(arguments).expect_success()).unwrap()
+}
+
+fn modes(found: &Value) -> Vec<&str> {
+    found["slip_modes"].as_array().unwrap().iter().map(|mode| mode["mode"].as_str().unwrap()).collect()
+}
+
+#[test]
+fn a_box_without_a_limit_in_it_is_certain() {
+    let found = json(&[("-a", "0.009±0.0001"), ("-b", "0.0126+-0.0001")]);
+    assert_eq!((&found["certain"], modes(&found)), (&true.into(), vec!["stick-slip"]));
+    assert_eq!(
+        (&found["undecided_share"], &found["transition_signs"]),
+        (&0.0.into(), &serde_json::json!([-1, -1]))
+    );
+    let text = Workplace::new().run(["classify"].into_iter().chain(with(&[("-a", "[0.0089, 0.0091]")])));
+    assert!(text.expect_success().contains("certain: all values within the error bars"));
+}
+
+#[test]
+fn each_possible_mode_has_a_witness_that_classify_gives_the_same_name() {
+    // K_c is 2.25e9 ± 20 % and K is 2e9.
+    let found = json(&[("-b", "0.0126±0.0007"), ("-s", "5e6±1e5")]);
+    assert_eq!(found["certain"], false);
+    assert_eq!(modes(&found), ["non-inertial-underdamped-oscillation", "stick-slip"]);
+    let range = found["critical_stiffness_pa_per_m"].as_array().unwrap();
+    let [least, greatest] = [0, 1].map(|end| range[end].as_f64().unwrap());
+    assert!((least / (0.0029 / 8e-6 * 4.9e6) - 1.0).abs() < 1e-6, "{least}");
+    assert!((greatest / (0.0043 / 8e-6 * 5.1e6) - 1.0).abs() < 1e-6, "{greatest}");
+    for possible in found["slip_modes"].as_array().unwrap() {
+        let witness = possible["witness"].as_object().unwrap();
+        let keys = ["direct_effect", "evolution_effect", "critical_slip_distance_m", "stiffness_pa_per_m"];
+        let more = ["mass_per_area_kg_per_m2", "normal_stress_pa", "loading_velocity_m_per_s"];
+        let values = keys.into_iter().chain(more).map(|key| witness[key].as_str().unwrap());
+        let point = OPTIONS.into_iter().zip(values).flat_map(|(option, value)| [option, value]);
+        let output = Workplace::new().run(["classify", "--json"].into_iter().chain(point)).expect_success();
+        let again: Value = serde_json::from_str(&output).unwrap();
+        assert_eq!(again["slip_mode"], possible["mode"]);
+    }
+}
+
+#[test]
+fn faulty_error_bars_are_all_reported_at_once() {
+    let faulty = [
+        ("-a", "0.009±0.01"),
+        ("-b", "[0.02, 0.01]"),
+        ("-d", "8e-6±x"),
+        ("-k", "[1e9 2e9]"),
+        ("-m", "2400+--1"),
+        ("-s", "[0, 5e6±1e5]"),
+        ("-v", "[0, 1e-5]"),
+    ];
+    Workplace::new().run(["classify"].into_iter().chain(with(&faulty))).expect_refusal(&[
+        "--direct-effect = \"0.009±0.01\": the error is not smaller than the value",
+        "(allowed: 1e-300 to 1e300)",
+        "--evolution-effect = \"[0.02, 0.01]\": reversed range",
+        "--critical-slip-distance-m = \"8e-6±x\": not a decimal number",
+        "--stiffness-pa-per-m = \"[1e9 2e9]\": a range has the form [lower, upper]",
+        "--mass-per-area-kg-per-m2 = 2400+--1: the error is negative",
+        "--normal-stress-pa = \"[0, 5e6±1e5]\": not a decimal number",
+        "--loading-velocity-m-per-s = \"[0, 1e-5]\": must be > 0",
+    ]);
+    let threshold = with(&[("-a", "0.009±0.001")]).into_iter().chain(["--inertial-threshold", "0.4"]);
+    Workplace::new()
+        .run(["classify"].into_iter().chain(threshold))
+        .expect_refusal(&["--inertial-threshold = 0.4: out of range", "sqrt(1/5)"]);
+}
+
+const HEADER: &str = "direct_effect,evolution_effect,critical_slip_distance_m,stiffness_pa_per_m,\
+                      mass_per_area_kg_per_m2,normal_stress_pa,loading_velocity_m_per_s";
+
+#[test]
+fn rows_take_error_bars_in_cells_and_in_columns_of_errors() {
+    let place = Workplace::new();
+    let point = POINT.join(",");
+    let range = point.replace("0.0126", "\"[0.0119, 0.0133]\"");
+    let cells = format!("{HEADER}\n{point}\n{}\n{range}\n", point.replace("0.0126", "0.0126±0.0007"));
+    place.write("cells.csv", cells);
+    let rows = place.run(["classify", "--points", "cells.csv"]).expect_success();
+    place.write("points.csv", format!("{HEADER}\n{point}\n"));
+    let alone = place.run(["classify", "--points", "points.csv"]).expect_success();
+    assert!(rows.starts_with(&alone), "a row without error bars has the same bytes");
+    let [uncertain, range] = [2, 3].map(|line| rows.lines().nth(line).unwrap());
+    let results = "-1;0;1,-1,stable-complex;unstable-complex;neutral,non-inertial-underdamped-oscillation;stick-slip,,,exact";
+    assert!(uncertain.ends_with(results) && range.ends_with(results), "{uncertain} {range}");
+    let columns = format!("{HEADER},evolution_effect_error\n{point},0.0007\n{point},\n");
+    place.write("columns.csv", columns);
+    let columns = place.run(["classify", "--points", "columns.csv"]).expect_success();
+    let [uncertain, certain] = [1, 2].map(|line| columns.lines().nth(line).unwrap().to_string());
+    assert!(uncertain.ends_with(results), "{uncertain}");
+    let values = alone.lines().nth(1).unwrap().strip_prefix(&point).unwrap();
+    assert!(certain.ends_with(values), "{certain}");
+    place.write(
+        "twice.csv",
+        format!("{HEADER},evolution_effect_error\n{},1e-4\n", point.replace("0.0126", "0.0126±0.0007")),
+    );
+    place
+        .run(["classify", "--points", "twice.csv"])
+        .expect_refusal(&["row 1, column evolution_effect_error", "given twice"]);
+}
