@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 use slipmode::experiments::boundary::{END_ERROR, boundary_columns, boundary_row, vanishes};
-use slipmode::scene::{AllowedRange, Limits, Problem};
+use slipmode::scene::{Limits, Problem, Quantity};
 use slipmode_core::friction::Slider;
 use slipmode_core::number::{Ball, Rational};
 use slipmode_core::stability::boundary::{BoundaryCurve, BoundaryPoint};
@@ -87,12 +87,13 @@ impl Request {
         let limit = limit.unwrap_or(Limits::default().max_points);
         let given = arguments.whole("--points", options.points.as_deref(), 2..=u64::MAX);
         let digits = arguments.whole("--digits", Some(&options.digits), 1..=MOST_DIGITS);
-        let mut coordinate = |option, text: &Option<String>| match text {
-            Some(text) => arguments.number(option, text, |text| AllowedRange::PHYSICAL.parse(text)).map(Some),
+        let mut coordinate = |option, quantity: Quantity, text: &Option<String>| match text {
+            Some(text) => arguments.measured(option, text, quantity.unit()).map(Some),
             None => Some(None),
         };
-        let at_velocity = coordinate("--at-velocity", &options.at_velocity);
-        let at_normal_stress = coordinate("--at-normal-stress", &options.at_normal_stress);
+        let at_velocity = coordinate("--at-velocity", Quantity::LoadingVelocity, &options.at_velocity);
+        let at_normal_stress =
+            coordinate("--at-normal-stress", Quantity::NormalStress, &options.at_normal_stress);
         let is_sampled = options.at_velocity.is_none() && options.at_normal_stress.is_none();
         if !is_sampled {
             let needs = "neither --at-velocity nor --at-normal-stress, which ask for single points";

@@ -37,9 +37,9 @@ pub struct Options {
     /// Classify every row of a CSV file; `-` reads standard input
     ///
     /// The header names the seven inputs with their SI units (direct_effect, evolution_effect, critical_slip_distance_m,
-    /// stiffness_pa_per_m, mass_per_area_kg_per_m2, normal_stress_pa, loading_velocity_m_per_s) in any order; other columns
-    /// are kept. Text that a spreadsheet would run as a formula gets a `'` in front. Limits: 1 000 columns, 64 KiB per cell,
-    /// 1 MiB per row, any number of rows. Without --keep-going, nothing is written unless every row is valid.
+    /// stiffness_pa_per_m, mass_per_area_kg_per_m2, normal_stress_pa, loading_velocity_m_per_s), or by symbol (a, b, d_c, k, m,
+    /// sigma, v0) or in another unit (d_c_um, normal_stress_mpa), in any order; other columns are kept. Text that a spreadsheet
+    /// would run as a formula gets a `'` in front. Limits: 1 000 columns, 64 KiB per cell, 1 MiB per row, any number of rows. Without --keep-going, nothing is written unless every row is valid.
     #[arg(long, value_name = "FILE.csv")]
     points: Option<PathBuf>,
     #[command(flatten)]

@@ -11,6 +11,7 @@ mod explore;
 mod failure;
 mod folder;
 mod input;
+mod inputs;
 mod merge;
 mod new;
 mod options;

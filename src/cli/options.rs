@@ -6,6 +6,7 @@ use clap::Args;
 
 use slipmode::scene::{AllowedRange, Fault, Faults, Problem, Quantity, Uncertain, parse_whole};
 use slipmode_core::friction::{Parameters, Slider};
+use slipmode_core::number::format::exact_text;
 use slipmode_core::number::{Rational, nearest_f64};
 use slipmode_core::stability::{InertialThreshold, ParameterBox, is_allowed_over_box};
 
@@ -13,9 +14,11 @@ use crate::cli::failure::Failure;
 use crate::cli::terminal;
 use crate::cli::unit_warnings::unit_warnings;
 
-/// The five arguments that are the material and the machine, in SI; decimals are taken exactly as written.
+/// The five arguments that are the material and the machine, in SI or with a unit; decimals are taken exactly as written.
 #[derive(Debug, Clone, Args)]
-#[command(next_help_heading = "Slider (SI; decimals are exact: 0.004 is 1/250)")]
+#[command(
+    next_help_heading = "Slider (SI, or with a unit: 8um, 2MPa/mm, 12kg/50cm2; decimals are exact: 0.004 is 1/250)"
+)]
 pub struct MaterialOptions {
     /// a of eq 1
     #[arg(short = 'a', long, value_name = "A", allow_hyphen_values = true)]
@@ -59,9 +62,11 @@ impl MaterialOptions {
     }
 }
 
-/// The seven physical arguments, in SI; decimals are taken exactly as written.
+/// The seven physical arguments, in SI or with a unit; decimals are taken exactly as written.
 #[derive(Debug, Clone, Args)]
-#[command(next_help_heading = "Slider (SI; decimals are exact: 0.004 is 1/250)")]
+#[command(
+    next_help_heading = "Slider (SI, or with a unit: 8um, 2MPa/mm, 12kg/50cm2; decimals are exact: 0.004 is 1/250)"
+)]
 pub struct SliderOptions {
     #[command(flatten)]
     pub material: MaterialOptions,
@@ -98,9 +103,11 @@ impl SliderOptions {
 
     /// All values within the error bars; what is missing or faulty is collected in `arguments`.
     pub fn region(&self, arguments: &mut Arguments) -> Option<ParameterBox> {
-        let read = |text: &str| AllowedRange::PHYSICAL.parse(text);
         let values = Quantity::ALL.map(|quantity| {
-            required_as(quantity, self.text(quantity), arguments, |text| Uncertain::parse(text, read))
+            let (text, read) = (self.text(quantity), |number: &str| quantity.parse(number));
+            let ends = required_as(quantity, text, arguments, |text| Uncertain::parse(text, read))?;
+            arguments.note_unit(quantity, text, &[&ends.lower, &ends.upper]);
+            Some(ends)
         });
         arguments.check_units(&values.each_ref().map(|value| value.as_ref().map(Uncertain::middle)));
         let [Some(a), Some(b), Some(d), Some(k), Some(m), Some(s), Some(v)] = values else { return None };
@@ -122,7 +129,9 @@ impl SliderOptions {
 }
 
 fn required(quantity: Quantity, text: Option<&str>, arguments: &mut Arguments) -> Option<Rational> {
-    required_as(quantity, text, arguments, |text| AllowedRange::PHYSICAL.parse(text))
+    let value = required_as(quantity, text, arguments, |text| quantity.parse(text))?;
+    arguments.note_unit(quantity, text, &[&value]);
+    Some(value)
 }
 
 fn required_as<T>(
@@ -191,6 +200,10 @@ impl ThresholdOption {
 pub struct Arguments {
     faults: Faults,
     warnings: Vec<String>,
+    /// What was given with a unit of its own, in SI.
+    converted: Vec<String>,
+    /// The quantities that were given with a unit of their own.
+    with_unit: Vec<Quantity>,
 }
 
 impl Arguments {
@@ -220,9 +233,10 @@ impl Arguments {
         }
     }
 
-    /// Notes values of [`Quantity::ALL`] that look like another unit's.
+    /// Notes values of [`Quantity::ALL`] that look like another unit's, unless they were given with their unit.
     pub fn check_units(&mut self, values: &[Option<Rational>; 7]) {
-        self.warnings.extend(unit_warnings(values.each_ref().map(|value| value.as_ref().map(nearest_f64))));
+        let values = values.each_ref().map(|value| value.as_ref().map(nearest_f64));
+        self.warnings.extend(unit_warnings(values, &self.with_unit));
     }
 
     /// A value read by `parse`.
@@ -238,12 +252,37 @@ impl Arguments {
         }
     }
 
+    /// A value in this unit of SI, or with a unit of its own; its value in SI is then printed.
+    pub fn measured(&mut self, option: &str, text: &str, in_si: &str) -> Option<Rational> {
+        let read = |text: &str| AllowedRange::PHYSICAL.parse_measured(text, in_si);
+        let value = self.number(option, text, read)?;
+        self.note_converted(option, text, &[&value], in_si);
+        Some(value)
+    }
+
+    /// Notes the value of a quantity, or the ends of its error bar, if it was given with a unit.
+    fn note_unit(&mut self, quantity: Quantity, text: Option<&str>, values: &[&Rational]) {
+        let is_noted =
+            text.is_some_and(|text| self.note_converted(&option_of(quantity), text, values, quantity.unit()));
+        self.with_unit.extend(is_noted.then_some(quantity));
+    }
+
+    /// Notes values in SI, if they were given with a unit: in no other text of a number stands a letter but the e of an exponent.
+    fn note_converted(&mut self, option: &str, text: &str, values: &[&Rational], in_si: &str) -> bool {
+        let has_unit = text.contains(|letter: char| letter.is_alphabetic() && !"eE".contains(letter));
+        if has_unit {
+            let values: Vec<String> = values.iter().map(|value| exact_text(value)).collect();
+            self.converted.push(format!("{option} = {text}: {} {in_si}", values.join(" to ")));
+        }
+        has_unit
+    }
+
     /// A whole number in a range, when given.
     pub fn whole(&mut self, option: &str, text: Option<&str>, range: RangeInclusive<u64>) -> Option<u64> {
         self.number(option, text?, |text| parse_whole(text, &range))
     }
 
-    /// Ends the reading with what was read; prints the warnings when there is no fault.
+    /// Ends the reading with what was read; prints converted values and warnings when there is no fault.
     ///
     /// # Errors
     /// All the faults, if there are any.
@@ -251,6 +290,7 @@ impl Arguments {
         let Some(read) = read.filter(|_| self.faults.is_empty()) else {
             return Err(Failure::Input(self.faults));
         };
+        self.converted.iter().for_each(|value| terminal::message(&format!("in SI: {value}")));
         self.warnings.iter().for_each(|warning| terminal::message(&format!("warning: {warning}")));
         Ok(read)
     }

@@ -91,6 +91,7 @@ impl<W: RowWork> Started<W> {
         let file = reader.name().to_string();
         let first = reader.block(1)?;
         let header = Header::read(&file, first.rows().next(), keep_going, &command)?;
+        header.remarks().iter().for_each(|remark| terminal::message(&format!("in SI: {remark}")));
         Ok(Self { work: Work { file, header, command, keep_going }, reader, bar })
     }
 

@@ -105,9 +105,8 @@ impl Options {
         if self.law.is_none() {
             arguments.fault::<()>("--law", None, Problem::Missing { allowed: LAWS.into() });
         }
-        let duration_s = self.duration_s.as_ref().and_then(|text| {
-            arguments.number("--duration-s", text, |text| AllowedRange::PHYSICAL.parse(text))
-        });
+        let duration_s =
+            self.duration_s.as_ref().and_then(|text| arguments.measured("--duration-s", text, "s"));
         if let Some(Some(name)) = self.trajectory.as_deref().filter(|path| is_stream(path)).map(Path::to_str)
         {
             let file = Problem::Needs("a file: standard output has the result".into());

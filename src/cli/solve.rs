@@ -20,6 +20,8 @@ use crate::cli::terminal;
 use rows::SolveRows;
 use view::View;
 
+/// The unit of SI of every target that is a number.
+const PER_SECOND: &str = "1/s";
 /// Digits computed beyond those printed, so that the last one is certain.
 const GUARD_DIGITS: u32 = 12;
 
@@ -141,13 +143,11 @@ impl Question {
 
 impl TargetOptions {
     fn read(&self, arguments: &mut Arguments) -> Option<Target> {
-        let range = AllowedRange::PHYSICAL;
         if let Some(text) = &self.frequency {
-            return arguments.number("--frequency", text, |text| range.parse(text)).map(Target::Frequency);
+            return arguments.measured("--frequency", text, PER_SECOND).map(Target::Frequency);
         }
         if let Some(text) = &self.angular_frequency {
-            let read = arguments.number("--angular-frequency", text, |text| range.parse(text));
-            return read.map(Target::AngularFrequency);
+            return arguments.measured("--angular-frequency", text, PER_SECOND).map(Target::AngularFrequency);
         }
         if let Some(text) = &self.growth_rate {
             return arguments.number("--growth-rate", text, growth_rate).map(Target::GrowthRate);
@@ -162,7 +162,7 @@ fn growth_rate(text: &str) -> Result<Rational, Problem> {
         Some(magnitude) => (true, magnitude),
         None => (false, text),
     };
-    match AllowedRange::PHYSICAL.parse(magnitude) {
+    match AllowedRange::PHYSICAL.parse_measured(magnitude, PER_SECOND) {
         Err(Problem::NotPositive { .. }) if !magnitude.starts_with('-') => Ok(Rational::new()),
         read => read.map(|rate| if is_negative { -rate } else { rate }),
     }

@@ -1,14 +1,16 @@
 //! `slipmode tolerance`: which formula may be used where, for given relative errors.
 
 use clap::Args;
+use serde_json::{Value, json};
 use slipmode::experiments::tolerance::{ToleranceRow, ToleranceSection, place_of_limit, tolerance_limits};
 use slipmode::scene::AllowedRange;
 use slipmode_core::friction::Slider;
 use slipmode_core::number::format::{certain_digits, rational_to_decimal};
-use slipmode_core::number::{Ball, Rational};
+use slipmode_core::number::{Ball, Rational, nearest_f64};
 use slipmode_core::stability::Asymptote;
 
 use crate::cli::failure::Failure;
+use crate::cli::inputs::{SCHEMA, slider_json};
 use crate::cli::options::{Arguments, MaterialOptions};
 use crate::cli::terminal;
 
@@ -20,6 +22,9 @@ pub struct Options {
     /// An acceptable relative error, 0 < E < 1; may be given several times
     #[arg(short = 'e', long, value_name = "E", allow_hyphen_values = true, default_values = ["0.1", "0.01", "0.001"])]
     relative_error: Vec<String>,
+    /// One JSON object instead of text
+    #[arg(long)]
+    json: bool,
 }
 
 /// Digits of a value or a limit: enough to use, few enough to read.
@@ -44,9 +49,33 @@ pub fn run(options: &Options) -> Result<(), Failure> {
         .collect();
     let parameters = arguments.finish(parameters)?;
     let outcome = tolerance_limits(&parameters, &ToleranceSection { relative });
+    if options.json {
+        return terminal::print_json(&json(&parameters, &outcome.rows));
+    }
     let lines = outcome.rows.iter().map(|row| line(&parameters, row));
     let head = columns(["formula", "", "good to", "where", "limit"]);
     terminal::print(&std::iter::once(head).chain(lines).collect::<String>())
+}
+
+/// One object: the inputs, and every formula with the limit for each error.
+fn json(parameters: &Slider<Rational>, rows: &[ToleranceRow]) -> Value {
+    let row = |row: &ToleranceRow| {
+        let asymptote = row.limit.asymptote;
+        let [formula, limit] = if asymptote.is_quasi_static() {
+            ["normal_stress_pa", "loading_velocity_m_per_s"]
+        } else {
+            ["loading_velocity_over_normal_stress_m_per_s_per_pa", "normal_stress_pa"]
+        };
+        json!({
+            "formula": asymptote.as_str(),
+            formula: coefficient(parameters, asymptote).to_f64(),
+            "relative_error": nearest_f64(&row.tolerance),
+            "where": place_of_limit(&row.limit),
+            "limit": { limit: row.in_si.to_f64() },
+        })
+    };
+    let rows: Vec<Value> = rows.iter().map(row).collect();
+    json!({ "schema": SCHEMA, "inputs": slider_json(parameters), "formulas": rows })
 }
 
 fn line(parameters: &Slider<Rational>, row: &ToleranceRow) -> String {
@@ -63,14 +92,18 @@ fn line(parameters: &Slider<Rational>, row: &ToleranceRow) -> String {
 
 /// The formula with the slider's numbers: eqs 15 and 16 are values of σ, eqs 18 and 20 are V0 in proportion to σ.
 fn formula(slider: &Slider<Rational>, asymptote: Asymptote) -> String {
-    let slider = slider.map(|value| Ball::from_rational(value, WORKING_BITS));
-    let one_pascal = Ball::from(1);
-    let value = certain_digits(&asymptote.value(&slider, &one_pascal), DIGITS);
+    let value = certain_digits(&coefficient(slider, asymptote), DIGITS);
     if asymptote.is_quasi_static() {
         format!("σ = {value} Pa")
     } else {
         format!("V0 = {value} m/s · σ/Pa")
     }
+}
+
+/// σ of eqs 15 and 16, and V0 of eqs 18 and 20 at 1 Pa.
+fn coefficient(slider: &Slider<Rational>, asymptote: Asymptote) -> Ball {
+    let slider = slider.map(|value| Ball::from_rational(value, WORKING_BITS));
+    asymptote.value(&slider, &Ball::from(1))
 }
 
 fn columns([name, formula, tolerance, place, limit]: [&str; 5]) -> String {

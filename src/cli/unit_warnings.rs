@@ -19,8 +19,9 @@ const LOW_STRESS_PA: f64 = 200.0;
 /// Measured effects are some thousandths to some hundredths.
 const LARGE_EFFECT: f64 = 0.5;
 
-/// What looks like another unit, a line each; `values` are those of [`Quantity::ALL`] in SI, as far as they are known.
-pub fn unit_warnings(values: [Option<f64>; 7]) -> Vec<String> {
+/// What looks like another unit, a line each; `values` are those of [`Quantity::ALL`] in SI, as far as they are known, and
+/// `with_unit` are quantities whose unit was given.
+pub fn unit_warnings(values: [Option<f64>; 7], with_unit: &[Quantity]) -> Vec<String> {
     if is_dimensionless(&values) {
         return Vec::new();
     }
@@ -29,7 +30,8 @@ pub fn unit_warnings(values: [Option<f64>; 7]) -> Vec<String> {
         let looks = looks_like(quantity, value?, mass)?;
         Some(format!("{} = {}: {looks}", quantity.key(), round_digits(value?, 6)))
     };
-    Quantity::ALL.into_iter().zip(values).filter_map(warning).collect()
+    let is_in_doubt = |(quantity, _): &(Quantity, Option<f64>)| !with_unit.contains(quantity);
+    Quantity::ALL.into_iter().zip(values).filter(is_in_doubt).filter_map(warning).collect()
 }
 
 /// Whether D_c is the unit of length, and V0 and σ are units too where they are known: no lab book has such values.
@@ -44,7 +46,7 @@ fn is_dimensionless(values: &[Option<f64>; 7]) -> bool {
 /// [`unit_warnings`] of a whole slider.
 pub fn slider_warnings(slider: Parameters<f64>) -> Vec<String> {
     let values: [f64; 7] = slider.into();
-    unit_warnings(values.map(Some))
+    unit_warnings(values.map(Some), &[])
 }
 
 /// Which other unit a value seems to have.
@@ -74,7 +76,7 @@ mod tests {
     use super::*;
 
     fn warned(values: [f64; 7]) -> Vec<String> {
-        unit_warnings(values.map(Some))
+        unit_warnings(values.map(Some), &[])
     }
 
     #[test]
@@ -95,7 +97,10 @@ mod tests {
         }
         assert!(warned([0.009, 0.0126, 8e-6, 2e9, 2400.0, 5e6, 1e-5]).is_empty());
         assert!(warned([0.02, 0.035, 1e-6, 1e4, 20.0, 2.5e3, 1e-6]).is_empty());
-        assert!(unit_warnings([None; 7]).is_empty());
+        assert!(unit_warnings([None; 7], &[]).is_empty());
+        let long = [0.009, 0.0126, 0.01, 2e9, 2400.0, 5e6, 1e-5].map(Some);
+        assert_eq!(unit_warnings(long, &[]).len(), 1);
+        assert!(unit_warnings(long, &[Quantity::CriticalSlipDistance]).is_empty(), "as 1cm");
         assert!(warned([1.0, 1.9, 1.0, 0.7, 0.3, 1.0, 1.0]).is_empty(), "dimensionless");
     }
 

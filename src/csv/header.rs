@@ -1,9 +1,13 @@
 //! The header of a points file: a contract on names and units.
 
-use crate::scene::{CsvProblem, Fault, Faults, Problem, Quantity, forbidden_character, nearest};
+use slipmode_core::number::Rational;
+use slipmode_core::number::format::exact_text;
+
+use crate::scene::{AllowedRange, CsvProblem, Fault, Faults, Problem, Quantity, forbidden_character};
 
 use crate::csv::row_work::RowWork;
 use crate::csv::rows::Row;
+use crate::csv::wanted::Wanted;
 
 /// The column that `--keep-going` appends last.
 pub const ERROR_COLUMN: &str = "error";
@@ -15,21 +19,15 @@ pub struct Header<P = [usize; 7]> {
     pub names: Vec<String>,
     /// Where each of [`Quantity::ALL`], or of the columns that were wanted, stands.
     pub positions: P,
+    /// The size in SI of the unit of each of these columns; none for those in SI.
+    units: Vec<Option<Rational>>,
 }
 
-/// A column that a header has to have: its name, its name without the unit, and whether it may be missing.
-pub type Wanted = (&'static str, &'static str, bool);
-
 impl Header {
-    /// Where a column of this name stands.
-    pub fn position(&self, name: &str) -> Option<usize> {
-        self.names.iter().position(|known| known == name)
-    }
-
     /// Reads the header of the points file `file`; `None` stands for a file without any row.
     ///
     /// # Errors
-    /// Every column that is missing, doubled, in another unit, or named like one that is appended.
+    /// Every column that is missing, doubled, in a unit of another dimension, or named like one that is appended.
     pub fn read<W: RowWork>(
         file: &str,
         row: Option<Row<'_>>,
@@ -39,20 +37,67 @@ impl Header {
         let appended: Vec<&str> =
             W::APPENDED.iter().copied().chain(keep_going.then_some(ERROR_COLUMN)).collect();
         let unknown = command.unknown();
-        let wanted =
-            Quantity::ALL.map(|quantity| (quantity.key(), quantity.stem(), Some(quantity) == unknown));
+        let wanted = Quantity::ALL.map(|quantity| Wanted::quantity(quantity, Some(quantity) == unknown));
         let others = |names: &[String]| command.header_faults(names);
-        let Header { names, positions } = Header::of_columns(file, row, wanted, &appended, others)?;
+        let Header { names, positions, units } = Header::of_columns(file, row, wanted, &appended, others)?;
         // A header without faults has all that are read.
-        Ok(Self { names, positions: positions.map(Option::unwrap_or_default) })
+        Ok(Self { names, positions: positions.map(Option::unwrap_or_default), units })
     }
+
+    /// Whether a column of the seven quantities is in another unit than that of SI.
+    pub fn has_units(&self) -> bool {
+        self.units.iter().any(Option::is_some)
+    }
+
+    /// The value in SI of a cell of a quantity's column.
+    ///
+    /// # Errors
+    /// When it is no number, or not in the allowed range.
+    pub fn value(&self, quantity: Quantity, cell: &str) -> Result<Rational, Problem> {
+        let (range, unit) = (AllowedRange::PHYSICAL, &self.units[quantity as usize]);
+        let value = range.parse(cell)?;
+        unit.as_ref().map_or_else(|| Ok(value.clone()), |size| range.check(Rational::from(&value * size)))
+    }
+
+    /// How the columns of the seven quantities are read that have another name than that of SI, a line each.
+    pub fn remarks(&self) -> Vec<String> {
+        let remark = |(quantity, (position, unit)): (Quantity, (&usize, &Option<Rational>))| {
+            let name = self.names.get(*position).filter(|name| name.trim() != quantity.key())?;
+            let of_unit = unit.as_ref().map_or(String::new(), |size| format!(" times {}", exact_text(size)));
+            is_reading_of(quantity, name).then(|| format!("column {name}: {}{of_unit}", quantity.key()))
+        };
+        Quantity::ALL.into_iter().zip(self.positions.iter().zip(&self.units)).filter_map(remark).collect()
+    }
+}
+
+/// Whether a column gives a quantity; the column of an unknown that is missing gives none.
+fn is_reading_of(quantity: Quantity, name: &str) -> bool {
+    let wanted = Wanted::quantity(quantity, false);
+    is_named(name, wanted.key) || wanted.reading(name).is_some_and(|read| read.is_ok())
+}
+
+impl<P> Header<P> {
+    /// Where a column of this name stands; blanks around it and its case do not matter.
+    pub fn position(&self, name: &str) -> Option<usize> {
+        self.names.iter().position(|known| is_named(known, name))
+    }
+
+    /// The size in SI of the unit of a column that was wanted; none for SI.
+    pub fn unit(&self, index: usize) -> Option<&Rational> {
+        self.units.get(index)?.as_ref()
+    }
+}
+
+/// Whether a column has a name; blanks around it and its case do not matter.
+pub fn is_named(column: &str, name: &str) -> bool {
+    column.trim().eq_ignore_ascii_case(name)
 }
 
 impl<const N: usize> Header<[Option<usize>; N]> {
     /// Reads a header with these columns among others; `others` finds further faults, each with its column.
     ///
     /// # Errors
-    /// Every column that is missing, doubled, in another unit, or named like one of `appended`.
+    /// Every column that is missing, doubled, in a unit of another dimension, or named like one of `appended`.
     pub fn of_columns(
         file: &str,
         row: Option<Row<'_>>,
@@ -74,17 +119,19 @@ impl<const N: usize> Header<[Option<usize>; N]> {
         let names = names(row).map_err(|problem| vec![fault("header".into(), problem)])?;
         let mut faults = column_faults(&names, appended);
         faults.extend(others(&names));
-        let positions = wanted.map(|(key, ..)| names.iter().position(|name| name == key));
-        for ((key, stem, is_optional), position) in wanted.into_iter().zip(positions) {
-            let (name, problem) = absent(key, stem, &names);
-            // Where nothing is missing, a column in another unit is still not to be passed over.
-            let is_missing = !(is_optional && matches!(problem, CsvProblem::MissingColumn { .. }));
-            if position.is_none() && is_missing {
+        let places = wanted.map(|wanted| match wanted.place(&names) {
+            Ok(place) => Some(place),
+            // Where nothing is missing, a column in an unknown unit is still not to be passed over.
+            Err((_, CsvProblem::MissingColumn { .. })) if wanted.is_optional => None,
+            Err((name, problem)) => {
                 faults.push((name, problem.into()));
+                None
             }
-        }
+        });
         if faults.is_empty() {
-            return Ok(Self { names, positions });
+            let positions = places.each_ref().map(|place| place.as_ref().map(|(position, _)| *position));
+            let units = places.map(|place| place.and_then(|(_, unit)| unit)).into();
+            return Ok(Self { names, positions, units });
         }
         let named = |(name, problem)| fault(format!("header, column {name}"), problem);
         Err(faults.into_iter().map(named).collect())
@@ -93,8 +140,8 @@ impl<const N: usize> Header<[Option<usize>; N]> {
 
 /// The columns that a header has to have, and those that it may have.
 fn in_words(wanted: &[Wanted]) -> String {
-    let [required, optional] = [false, true].map(|is_wanted| {
-        let keys = wanted.iter().filter(|(.., is_optional)| *is_optional == is_wanted).map(|(key, ..)| *key);
+    let [required, optional] = [false, true].map(|is_optional| {
+        let keys = wanted.iter().filter(|wanted| wanted.is_optional == is_optional).map(|wanted| wanted.key);
         keys.collect::<Vec<_>>().join(", ")
     });
     if optional.is_empty() { required } else { format!("{required} and optionally {optional}") }
@@ -134,25 +181,4 @@ fn column_faults(names: &[String], appended: &[&str]) -> Vec<(String, Problem)> 
         }
     }
     faults
-}
-
-/// Why a column is not there: it has another name, or it is missing.
-fn absent(key: &'static str, stem: &str, names: &[String]) -> (String, CsvProblem) {
-    misnamed(key, stem, names).unwrap_or_else(|| {
-        let near = nearest(key, names.iter().map(String::as_str)).map(str::to_string);
-        (key.to_string(), CsvProblem::MissingColumn { nearest: near })
-    })
-}
-
-/// A column that gives a quantity in a unit of its own or in none, or under a name with blanks around it.
-pub fn misnamed(key: &'static str, stem: &str, names: &[String]) -> Option<(String, CsvProblem)> {
-    if let Some(name) = names.iter().find(|name| name.trim() == key && *name != key) {
-        return Some((format!("{name:?}"), CsvProblem::BlanksAround { wanted: key }));
-    }
-    let has_other_unit = |name: &&String| {
-        let unit = name.strip_prefix(stem);
-        unit.is_some_and(|unit| unit.is_empty() || unit.starts_with(['_', ' ', '[', '(']))
-    };
-    let name = names.iter().find(has_other_unit)?;
-    Some((name.clone(), CsvProblem::UnknownUnit { wanted: key }))
 }

@@ -7,11 +7,13 @@ mod header;
 mod recording;
 mod row_work;
 mod rows;
+mod wanted;
 mod work;
 
 pub use cells::{Column, Datum, names, push_cell, push_cells};
-pub use header::{Header, misnamed};
+pub use header::{Header, is_named};
 pub use recording::read_recording;
 pub use row_work::{Cells, Remark, RowWork};
 pub use rows::{Block, Input, Row, RowReader};
+pub use wanted::misnamed;
 pub use work::{Counts, Work, Worked};

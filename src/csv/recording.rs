@@ -4,16 +4,17 @@ use crate::comparison::recording::{LEAST_SAMPLES, Recording};
 use crate::scene::{AllowedRange, CsvProblem, Fault, Faults, Problem};
 use slipmode_core::number::{Dd, Rational, nearest_f64, parse_decimal, parse_decimal_to_dd};
 
-use crate::csv::header::{Header, Wanted};
+use crate::csv::header::Header;
 use crate::csv::row_work::Cells;
 use crate::csv::rows::RowReader;
+use crate::csv::wanted::Wanted;
 use crate::csv::work::cell_problem;
 
 /// The columns, with their stems; the last one may be missing.
 const COLUMNS: [Wanted; 3] = [
-    ("time_s", "time", false),
-    ("velocity_m_per_s", "velocity", false),
-    ("shear_stress_pa", "shear_stress", true),
+    Wanted { key: "time_s", stem: "time", symbols: &[], is_optional: false },
+    Wanted { key: "velocity_m_per_s", stem: "velocity", symbols: &[], is_optional: false },
+    Wanted { key: "shear_stress_pa", stem: "shear_stress", symbols: &[], is_optional: true },
 ];
 /// Most samples of a trajectory: 240 MB of numbers.
 const MOST_SAMPLES: usize = 10_000_000;
@@ -74,7 +75,7 @@ impl Read {
         let mut values = [None; 3];
         for (index, position) in positions.into_iter().enumerate() {
             let Some(position) = position else { continue };
-            match number(row.cell(position), index == 1) {
+            match number(row.cell(position), index == 1, cells.header.unit(index)) {
                 Ok(value) => values[index] = Some(value),
                 Err(problem) => faults.push(cells.fault(Some(position), problem)),
             }
@@ -111,22 +112,26 @@ impl Read {
     }
 }
 
-/// A cell as the nearest 64-bit number; its decimal is read exactly first.
-fn number(cell: &[u8], must_be_positive: bool) -> Result<f64, Problem> {
+/// A cell as the nearest 64-bit number in SI; its decimal is read exactly first.
+fn number(cell: &[u8], must_be_positive: bool, unit: Option<&Rational>) -> Result<f64, Problem> {
     if let Some(problem) = cell_problem(cell) {
         return Err(problem);
     }
     let text = std::str::from_utf8(cell).unwrap_or_default();
-    if let Some(value) = parse_decimal_to_dd(text)
+    if unit.is_none()
+        && let Some(value) = parse_decimal_to_dd(text)
         && value.rounds_surely(Dd::UNIT * value.hi())
     {
         return Ok(value.hi());
     }
+    let in_si = |value: Rational| unit.map_or_else(|| value.clone(), |size| Rational::from(&value * size));
     if must_be_positive {
-        return AllowedRange::PHYSICAL.parse(text).map(|value| nearest_f64(&value));
+        let range = AllowedRange::PHYSICAL;
+        return range.check(in_si(range.parse(text)?)).map(|value| nearest_f64(&value));
     }
     let value =
         parse_decimal(text).map_err(|reason| Problem::NotANumber { reason, allowed: SIGNED.into() })?;
+    let value = in_si(value);
     let limit = parse_decimal("1e300").unwrap_or_default();
     let size = Rational::from(value.abs_ref());
     if size <= limit { Ok(nearest_f64(&value)) } else { Err(Problem::OutOfRange { allowed: SIGNED.into() }) }

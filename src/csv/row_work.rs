@@ -1,6 +1,6 @@
 //! What a command does with the rows of a points file, apart from reading and writing them.
 
-use crate::scene::{AllowedRange, CsvProblem, Fault, Faults, Problem, Quantity, Uncertain};
+use crate::scene::{CsvProblem, Fault, Faults, Problem, Quantity, Uncertain};
 use slipmode_core::friction::Parameters;
 use slipmode_core::number::{Dd, Rational, parse_decimal_to_dd};
 
@@ -71,6 +71,10 @@ pub struct Cells<'r, P = [usize; 7]> {
 impl<'r> Cells<'r> {
     /// The seven numbers to within a relative [`Dd::UNIT`], when all are positive and of ordinary size, as nearly all are.
     pub fn dd_parameters(self) -> Option<Parameters<Dd>> {
+        // Products with the sizes of units are exact only in rationals.
+        if self.header.has_units() {
+            return None;
+        }
         let mut values = [Dd::from(0.0); 7];
         for (value, position) in values.iter_mut().zip(self.header.positions) {
             *value = parse_decimal_to_dd(self.text(position))?;
@@ -97,8 +101,8 @@ impl<'r> Cells<'r> {
                 return Some(Rational::from(1));
             }
             let position = self.header.positions[quantity as usize];
-            AllowedRange::PHYSICAL
-                .parse(self.text(position))
+            self.header
+                .value(quantity, self.text(position))
                 .map_err(|problem| faults.push(self.fault(Some(position), problem)))
                 .ok()
         });
@@ -125,7 +129,7 @@ impl Cells<'_> {
     pub fn uncertain(self) -> Result<[Uncertain; 7], Faults> {
         let (errors, mut faults) = (self.error_columns(), Faults::new());
         let values = Quantity::ALL.map(|quantity| {
-            let read = |text: &str| AllowedRange::PHYSICAL.parse(text);
+            let read = |text: &str| self.header.value(quantity, text);
             let position = self.header.positions[quantity as usize];
             let text = self.text(position);
             let error = errors[quantity as usize].map(|column| (column, self.text(column)));

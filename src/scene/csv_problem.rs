@@ -12,8 +12,13 @@ pub enum CsvProblem {
         wanted: String,
     },
     /// A column that must be there and is not.
-    #[error("missing column{}", .nearest.as_ref().map(|near| format!("; did you mean it by `{near}`?")).unwrap_or_default())]
+    #[error(
+        "missing column{} (allowed: {allowed})",
+        .nearest.as_ref().map(|near| format!("; did you mean it by `{near}`?")).unwrap_or_default()
+    )]
     MissingColumn {
+        /// The names that the column may have.
+        allowed: String,
         /// The column of the file with the most similar name, when one is similar.
         nearest: Option<String>,
     },
@@ -23,10 +28,20 @@ pub enum CsvProblem {
         /// The column's name in SI.
         wanted: &'static str,
     },
-    /// A column's name with blanks at its ends.
-    #[error("blanks around the name (allowed: `{wanted}`)")]
-    BlanksAround {
-        /// The name without them.
+    /// A column named like a quantity, in no unit or one of another dimension.
+    #[error("{reason} (allowed: {allowed})")]
+    Unit {
+        /// Why.
+        reason: String,
+        /// The names that the column may have.
+        allowed: String,
+    },
+    /// A quantity in two columns.
+    #[error("`{first}` gives {wanted} too; keep one of them")]
+    SecondColumn {
+        /// The column's name that stands first.
+        first: String,
+        /// The quantity.
         wanted: &'static str,
     },
     /// A header of one cell that holds other separators than commas.

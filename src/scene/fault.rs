@@ -78,6 +78,14 @@ pub enum Problem {
         /// The range that a number may have.
         allowed: String,
     },
+    /// A number with a unit that is none, or one of another dimension.
+    #[error("{reason} (allowed: {allowed})")]
+    Unit {
+        /// Why.
+        reason: String,
+        /// The range that a number may have, in SI.
+        allowed: String,
+    },
     /// A number outside the allowed range.
     #[error("out of range (allowed: {allowed})")]
     OutOfRange {

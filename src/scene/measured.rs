@@ -82,7 +82,7 @@ pub fn with_rows(mut table: Table, file: &str, text: &str) -> Result<Table, Faul
     if let Some(name) =
         names().enumerate().find_map(|(at, name)| (header.get(at) != Some(name)).then_some(name))
     {
-        return Err(fault(Some(1), name, CsvProblem::MissingColumn { nearest: None }));
+        return Err(fault(Some(1), name, CsvProblem::MissingColumn { nearest: None, allowed: name.into() }));
     }
     let wanted = table.columns.len();
     let checked = |record: csv::StringRecord| {

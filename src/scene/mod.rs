@@ -26,6 +26,7 @@ pub(crate) mod report_plan;
 pub(crate) mod section;
 pub(crate) mod sections;
 mod uncertain;
+mod units;
 mod verdict;
 
 pub use axis::{Limits, LogAxis, LogCoordinates};
@@ -51,4 +52,6 @@ pub use range::{AllowedRange, parse_whole};
 pub use report_plan::{Chapter, ReportPlan};
 pub use sections::{Place, Rectangle};
 pub use uncertain::Uncertain;
+pub use units::with_unit;
+pub(crate) use units::{read_unit, unit_for, unit_of_column, unit_of_key};
 pub use verdict::Verdict;

@@ -1,7 +1,8 @@
 //! The seven physical inputs: their names in scenes, CSV files and on the command line.
 
-use crate::scene::AllowedRange;
 use crate::scene::section::Section;
+use crate::scene::units::unit_of_key;
+use crate::scene::{AllowedRange, Problem};
 use slipmode_core::friction::{OperatingPoint, Slider};
 use slipmode_core::number::Rational;
 
@@ -54,6 +55,34 @@ impl Quantity {
             Self::NormalStress => "normal_stress_pa",
             Self::LoadingVelocity => "loading_velocity_m_per_s",
         }
+    }
+
+    /// Its symbols in formulas, as columns spell them in any case; a longer one before one with which it begins.
+    #[must_use]
+    pub fn symbols(self) -> &'static [&'static str] {
+        match self {
+            Self::DirectEffect => &["a"],
+            Self::EvolutionEffect => &["b"],
+            Self::CriticalSlipDistance => &["d_c", "dc"],
+            Self::Stiffness => &["k"],
+            Self::MassPerArea => &["m"],
+            Self::NormalStress => &["sigma_n", "sigma"],
+            Self::LoadingVelocity => &["v_0", "v0", "v"],
+        }
+    }
+
+    /// The unit of SI.
+    #[must_use]
+    pub fn unit(self) -> &'static str {
+        unit_of_key(self.key())
+    }
+
+    /// The value of a text: a number in SI, or one with a unit, such as `8um`.
+    ///
+    /// # Errors
+    /// When it is no number, not in the allowed range, or in a unit of another dimension.
+    pub fn parse(self, text: &str) -> Result<Rational, Problem> {
+        AllowedRange::PHYSICAL.parse_measured(text, self.unit())
     }
 
     /// The key without its unit: what a column in other units still starts with.

@@ -3,6 +3,7 @@
 use std::ops::RangeInclusive;
 
 use crate::scene::Problem;
+use crate::scene::units::{unit_for, with_unit};
 use slipmode_core::number::{Rational, parse_decimal};
 
 /// A range of numbers; its ends are decimals, so that messages and checks cannot differ.
@@ -52,6 +53,18 @@ impl AllowedRange {
         let value =
             parse_decimal(text).map_err(|reason| Problem::NotANumber { reason, allowed: self.text() })?;
         self.check(value)
+    }
+
+    /// Reads a number in this unit of SI, or one that is followed by a unit of its own, which is converted exactly.
+    ///
+    /// # Errors
+    /// As [`Self::parse`], and when the unit is none, or one of another dimension.
+    pub fn parse_measured(&self, text: &str, in_si: &str) -> Result<Rational, Problem> {
+        let Some((number, unit)) = with_unit(text) else { return self.parse(text) };
+        let size = unit_for(unit, in_si).map_err(|reason| Problem::Unit { reason, allowed: self.text() })?;
+        let number =
+            parse_decimal(number).map_err(|reason| Problem::NotANumber { reason, allowed: self.text() })?;
+        self.check(number * size)
     }
 
     /// The value itself when it lies in the range.
@@ -121,6 +134,19 @@ mod tests {
         for text in ["nan", "inf", "1e99999", "1,5", ""] {
             assert!(matches!(range.parse(text), Err(Problem::NotANumber { .. })), "{text}");
         }
+    }
+
+    #[test]
+    fn the_range_holds_for_the_value_in_si() {
+        let range = AllowedRange::PHYSICAL;
+        assert_eq!(range.parse_measured("4mm", "m"), Ok(Rational::from((1, 250))));
+        assert_eq!(range.parse_measured("0.004", "m"), Ok(Rational::from((1, 250))));
+        assert!(matches!(range.parse_measured("1e300 km", "m"), Err(Problem::OutOfRange { .. })));
+        assert!(matches!(range.parse_measured("-8um", "m"), Err(Problem::NotPositive { .. })));
+        assert!(matches!(range.parse_measured("1e99999um", "m"), Err(Problem::NotANumber { .. })));
+        assert!(matches!(range.parse_measured("um", "m"), Err(Problem::NotANumber { .. })));
+        let told = range.parse_measured("2MPa", "Pa/m").unwrap_err().to_string();
+        assert_eq!(told, "MPa is a stress; stiffness per area is Pa/m (allowed: 1e-300 to 1e300)");
     }
 
     #[test]

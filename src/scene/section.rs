@@ -7,6 +7,7 @@ use toml::de::{DeString, DeTable, DeValue};
 
 use crate::scene::document::Source;
 use crate::scene::range::whole_range_text;
+use crate::scene::units::unit_of_key;
 use crate::scene::{
     AllowedRange, Limits, Problem, check_name, forbidden_character, nearest, of_word, parse_whole,
 };
@@ -183,9 +184,9 @@ impl<'t> Entry<'t> {
         self.sound(parsed)
     }
 
-    /// A decimal in a range.
+    /// A decimal in a range, in the unit of SI that the key states, or with a unit of its own.
     pub fn decimal(&self, range: AllowedRange) -> Option<Rational> {
-        self.number(|text| range.parse(text))
+        self.number(|text| range.parse_measured(text, unit_of_key(&self.key)))
     }
 
     /// A whole number in a range.

@@ -4,71 +4,84 @@
 //! confused; a name of a column may write a unit in lower case.
 
 use slipmode_core::number::{Rational, parse_decimal};
+use slipmode_core::theory::Dimension;
 
-/// Powers of kg, m and s.
-pub type Dimension = [i32; 3];
-
-/// A unit: its symbol, its dimension, and its size in SI as numerator and denominator.
-type Unit = (&'static str, Dimension, u32, u32);
-
-const MASS: Dimension = [1, 0, 0];
-const LENGTH: Dimension = [0, 1, 0];
-const TIME: Dimension = [0, 0, 1];
-const FORCE: Dimension = [1, 1, -2];
-const STRESS: Dimension = [1, -1, -2];
-const FREQUENCY: Dimension = [0, 0, -1];
+/// A unit: its symbol, the unit of SI, and its size in that unit as numerator and denominator.
+type Unit = (&'static str, &'static str, u32, u32);
 
 /// The units; a year has 365.25 days.
 const UNITS: [Unit; 31] = [
-    ("m", LENGTH, 1, 1),
-    ("km", LENGTH, 1000, 1),
-    ("cm", LENGTH, 1, 100),
-    ("mm", LENGTH, 1, 1000),
-    ("um", LENGTH, 1, 1_000_000),
-    ("µm", LENGTH, 1, 1_000_000),
-    ("μm", LENGTH, 1, 1_000_000),
-    ("nm", LENGTH, 1, 1_000_000_000),
-    ("kg", MASS, 1, 1),
-    ("g", MASS, 1, 1000),
-    ("mg", MASS, 1, 1_000_000),
-    ("t", MASS, 1000, 1),
-    ("s", TIME, 1, 1),
-    ("ms", TIME, 1, 1000),
-    ("us", TIME, 1, 1_000_000),
-    ("min", TIME, 60, 1),
-    ("h", TIME, 3600, 1),
-    ("d", TIME, 86_400, 1),
-    ("yr", TIME, 31_557_600, 1),
-    ("N", FORCE, 1, 1),
-    ("kN", FORCE, 1000, 1),
-    ("MN", FORCE, 1_000_000, 1),
-    ("Pa", STRESS, 1, 1),
-    ("hPa", STRESS, 100, 1),
-    ("kPa", STRESS, 1000, 1),
-    ("MPa", STRESS, 1_000_000, 1),
-    ("GPa", STRESS, 1_000_000_000, 1),
-    ("bar", STRESS, 100_000, 1),
-    ("kbar", STRESS, 100_000_000, 1),
-    ("Hz", FREQUENCY, 1, 1),
-    ("kHz", FREQUENCY, 1000, 1),
+    ("m", "m", 1, 1),
+    ("km", "m", 1000, 1),
+    ("cm", "m", 1, 100),
+    ("mm", "m", 1, 1000),
+    ("um", "m", 1, 1_000_000),
+    ("µm", "m", 1, 1_000_000),
+    ("μm", "m", 1, 1_000_000),
+    ("nm", "m", 1, 1_000_000_000),
+    ("kg", "kg", 1, 1),
+    ("g", "kg", 1, 1000),
+    ("mg", "kg", 1, 1_000_000),
+    ("t", "kg", 1000, 1),
+    ("s", "s", 1, 1),
+    ("ms", "s", 1, 1000),
+    ("us", "s", 1, 1_000_000),
+    ("min", "s", 60, 1),
+    ("h", "s", 3600, 1),
+    ("d", "s", 86_400, 1),
+    ("yr", "s", 31_557_600, 1),
+    ("N", "N", 1, 1),
+    ("kN", "N", 1000, 1),
+    ("MN", "N", 1_000_000, 1),
+    ("Pa", "Pa", 1, 1),
+    ("hPa", "Pa", 100, 1),
+    ("kPa", "Pa", 1000, 1),
+    ("MPa", "Pa", 1_000_000, 1),
+    ("GPa", "Pa", 1_000_000_000, 1),
+    ("bar", "Pa", 100_000, 1),
+    ("kbar", "Pa", 100_000_000, 1),
+    ("Hz", "Hz", 1, 1),
+    ("kHz", "Hz", 1000, 1),
 ];
 
-/// What a dimension is called, and its unit.
-const NAMES: [(Dimension, &str, &str); 13] = [
-    ([0, 0, 0], "a number without unit", "1"),
-    (MASS, "a mass", "kg"),
-    (LENGTH, "a length", "m"),
-    (TIME, "a time", "s"),
-    ([0, 2, 0], "an area", "m2"),
-    (FORCE, "a force", "N"),
-    (STRESS, "a stress", "Pa"),
-    (FREQUENCY, "a frequency", "Hz"),
-    ([0, 1, -1], "a velocity", "m/s"),
-    ([1, -2, 0], "a mass per area", "kg/m2"),
-    ([1, -2, -2], "a stiffness per area", "Pa/m"),
-    ([1, 0, -2], "a stiffness", "N/m"),
-    ([1, -3, 0], "a density", "kg/m3"),
+/// Units of SI, and what has them.
+const NAMES: [(&str, &str); 13] = [
+    ("1", "a number without unit"),
+    ("kg", "a mass"),
+    ("m", "a length"),
+    ("s", "a time"),
+    ("m^2", "an area"),
+    ("N", "a force"),
+    ("Pa", "a stress"),
+    ("1/s", "a frequency"),
+    ("m/s", "a velocity"),
+    ("kg/m^2", "a mass per area"),
+    ("Pa/m", "a stiffness per area"),
+    ("N/m", "a stiffness"),
+    ("kg/m^3", "a density"),
 ];
+
+/// Units of SI as they end the names of keys and columns, the longest first.
+const ENDINGS: [(&str, &str); 9] = [
+    ("_kg_per_m2", "kg/m^2"),
+    ("_pa_per_m", "Pa/m"),
+    ("_m_per_s2", "m/s^2"),
+    ("_m_per_s", "m/s"),
+    ("_per_s", "1/s"),
+    ("_pa", "Pa"),
+    ("_hz", "1/s"),
+    ("_m", "m"),
+    ("_s", "s"),
+];
+
+/// The unit of SI that a key states: `m/s` for `loading_velocity_m_per_s`, for the ends of its range `loading_velocity_m_per_s.from`
+/// and for the members of its list `loading_velocity_m_per_s[1]`; `1` for a key without unit.
+#[must_use]
+pub fn unit_of_key(key: &str) -> &'static str {
+    let key = [".from", ".to"].into_iter().find_map(|end| key.strip_suffix(end)).unwrap_or(key);
+    let key = key.strip_suffix(']').and_then(|list| list.rsplit_once('[')).map_or(key, |(list, _)| list);
+    ENDINGS.iter().find(|(ending, _)| key.ends_with(ending)).map_or("1", |(_, unit)| unit)
+}
 
 /// The largest power of a unit.
 const MOST_POWER: i32 = 9;
@@ -76,9 +89,8 @@ const MOST_POWER: i32 = 9;
 /// The number and the unit of a text: `8um` is `8` and `um`. A number without unit has an empty one.
 #[must_use]
 pub fn split_unit(text: &str) -> (&str, &str) {
-    let digits = |from: usize| {
-        text[from..].bytes().take_while(|byte| byte.is_ascii_digit() || *byte == b'.').count()
-    };
+    let digits =
+        |from: usize| text[from..].bytes().take_while(|byte| byte.is_ascii_digit() || *byte == b'.').count();
     let signed = |from: usize| from + usize::from(text[from..].starts_with(['+', '-']));
     let start = signed(0);
     let mut end = start + digits(start);
@@ -95,13 +107,17 @@ pub fn split_unit(text: &str) -> (&str, &str) {
 /// # Errors
 /// The part that is no unit.
 pub fn read_unit(text: &str) -> Result<(Rational, Dimension), String> {
-    let (mut size, mut dimension) = (Rational::from(1), [0; 3]);
+    let (mut size, mut dimension) = (Rational::from(1), Dimension::default());
     for (index, quotient) in text.split('/').enumerate() {
         for (place, factor) in quotient.split(['*', '·', ' ']).filter(|part| !part.is_empty()).enumerate() {
             let (one, of_one) = read_factor(factor)?;
-            let sign = if index > 0 && place == 0 { -1 } else { 1 };
-            size *= if sign < 0 { Rational::from(one.recip_ref()) } else { one };
-            dimension = std::array::from_fn(|axis| dimension[axis] + sign * of_one[axis]);
+            if index > 0 && place == 0 {
+                size /= one;
+                dimension = dimension.over(&of_one);
+            } else {
+                size *= one;
+                dimension = dimension.times(&of_one);
+            }
         }
         if quotient.trim().is_empty() && index > 0 {
             return Err(format!("no unit follows the `/` of {text:?}"));
@@ -122,15 +138,15 @@ fn read_factor(text: &str) -> Result<(Rational, Dimension), String> {
     }
     let (symbol, power) = split_power(rest);
     if symbol.is_empty() && rest.is_empty() {
-        return Ok((factor, [0; 3]));
+        return Ok((factor, Dimension::default()));
     }
     let unit = UNITS.iter().find(|(known, ..)| *known == symbol).ok_or_else(|| unknown(symbol))?;
     let power = power.filter(|power| *power != 0 && power.abs() <= MOST_POWER);
     let power = power.ok_or_else(|| format!("{rest:?} has a power that is none of 1 to {MOST_POWER}"))?;
-    let (_, dimension, above, below) = unit;
+    let (_, in_si, above, below) = unit;
     let one = if power > 0 { Rational::from((*above, *below)) } else { Rational::from((*below, *above)) };
     let size = (0..power.unsigned_abs()).fold(factor, |size, _| size * &one);
-    Ok((size, dimension.map(|axis| axis * power)))
+    Ok((size, Dimension::read(in_si)?.power(&Rational::from(power))))
 }
 
 /// A symbol and its power: `cm2`, `cm^2`, `cm²`, `s-1`. None is a power that cannot be read.
@@ -164,34 +180,50 @@ fn unknown(symbol: &str) -> String {
     }
 }
 
-/// The size in SI of a unit in which a quantity of this dimension is given.
+/// The size of a unit in another one, which is of SI.
 ///
 /// # Errors
 /// When it is no unit, or one of another dimension, which is named.
-pub fn unit_for(text: &str, wanted: Dimension) -> Result<Rational, String> {
+pub fn unit_for(text: &str, in_si: &str) -> Result<Rational, String> {
     let (size, found) = read_unit(text)?;
+    let wanted = Dimension::read(in_si)?;
     if found == wanted {
         return Ok(size);
     }
-    let name = |dimension: Dimension| NAMES.iter().find(|(known, ..)| *known == dimension);
-    let found_name = name(found).map_or("of another dimension", |(_, name, _)| name);
-    let wanted_words = match name(wanted) {
-        Some((_, _, "1")) => "this number has no unit".to_string(),
-        Some((_, name, unit)) => format!("{} is {unit}", name.split_once(' ').map_or(*name, |(_, name)| name)),
-        None => "another unit is wanted".to_string(),
+    let named = |unit: &&(&str, &str), of: &Dimension| Dimension::read(unit.0).as_ref() == Ok(of);
+    let name_of = |of: &Dimension| NAMES.iter().find(|unit| named(unit, of)).map(|(_, name)| *name);
+    let found_name = name_of(&found).unwrap_or("of another dimension");
+    let wanted_words = match name_of(&wanted).and_then(|name| name.split_once(' ')) {
+        Some((_, name)) if in_si != "1" => format!("{name} is {in_si}"),
+        _ if in_si == "1" => "this number has no unit".to_string(),
+        _ => format!("the unit is {in_si}"),
     };
-    let per_area = [found[0], found[1] - 2, found[2]] == wanted;
-    let hint = if per_area { ": divide by the area of contact, as in kg/50cm2" } else { "" };
+    let is_whole = Dimension::read("m^2").is_ok_and(|area| found.over(&area) == wanted);
+    let hint = if is_whole { ": divide by the area of contact, as in kg/50cm2" } else { "" };
     Err(format!("{text} is {found_name}; {wanted_words}{hint}"))
 }
 
-/// The unit of a column's name: `um`, `mpa_per_mm`, `MPa_per_mm`; one wholly in lower case is found whatever its case in the table.
+/// A number and the unit that follows it, as in `8um` or `5 MPa`; none for a text that is not of this form.
+#[must_use]
+pub fn with_unit(text: &str) -> Option<(&str, &str)> {
+    let (number, unit) = split_unit(text);
+    let first = unit.strip_prefix('/').unwrap_or(unit).split(['/', '*', '·', ' ']).next().unwrap_or_default();
+    let power = first.trim_start_matches(char::is_alphabetic);
+    let has_unit = number.ends_with(|end: char| end.is_ascii_digit() || end == '.')
+        && power.len() < first.len()
+        && !power.contains(char::is_alphabetic);
+    has_unit.then(|| (number, unit.trim_end()))
+}
+
+/// The unit of a column's name: `um`, `mpa_per_mm`, `MPa_per_mm`; one wholly in lower or in upper case is found whatever its case in the
+/// table.
 #[must_use]
 pub fn unit_of_column(text: &str) -> String {
     let part = |part: &str| {
         let (symbol, power) = part.split_at(part.find(|c: char| !c.is_alphabetic()).unwrap_or(part.len()));
-        let is_lower = symbol.chars().all(char::is_lowercase);
-        let same = |known: &&str| *known == symbol || (is_lower && known.eq_ignore_ascii_case(symbol));
+        let is_of_one_case = symbol.chars().all(char::is_lowercase)
+            || (symbol.len() > 1 && symbol.chars().all(char::is_uppercase));
+        let same = |known: &&str| *known == symbol || (is_of_one_case && known.eq_ignore_ascii_case(symbol));
         let known = UNITS.iter().map(|(known, ..)| *known).find(same);
         format!("{}{power}", known.unwrap_or(symbol))
     };
@@ -202,12 +234,14 @@ pub fn unit_of_column(text: &str) -> String {
 mod tests {
     use super::*;
 
-    const STIFFNESS_PER_AREA: Dimension = [1, -2, -2];
-    const MASS_PER_AREA: Dimension = [1, -2, 0];
+    const STIFFNESS_PER_AREA: &str = "Pa/m";
+    const MASS_PER_AREA: &str = "kg/m^2";
+    const LENGTH: &str = "m";
+    const STRESS: &str = "Pa";
 
-    fn si(text: &str, dimension: Dimension) -> Rational {
+    fn si(text: &str, in_si: &str) -> Rational {
         let (number, unit) = split_unit(text);
-        parse_decimal(number).unwrap() * unit_for(unit, dimension).unwrap()
+        parse_decimal(number).unwrap() * unit_for(unit, in_si).unwrap()
     }
 
     fn number(text: &str) -> Rational {
@@ -216,18 +250,49 @@ mod tests {
 
     #[test]
     fn every_unit_of_the_table_has_its_size() {
-        let lengths = [("m", "1"), ("km", "1e3"), ("cm", "1e-2"), ("mm", "1e-3"), ("um", "1e-6"), ("µm", "1e-6"), ("μm", "1e-6"), ("nm", "1e-9")];
+        let lengths = [
+            ("m", "1"),
+            ("km", "1e3"),
+            ("cm", "1e-2"),
+            ("mm", "1e-3"),
+            ("um", "1e-6"),
+            ("µm", "1e-6"),
+            ("μm", "1e-6"),
+            ("nm", "1e-9"),
+        ];
         let masses = [("kg", "1"), ("g", "1e-3"), ("mg", "1e-6"), ("t", "1e3")];
-        let times = [("s", "1"), ("ms", "1e-3"), ("us", "1e-6"), ("min", "60"), ("h", "3600"), ("d", "86400"), ("yr", "31557600")];
+        let times = [
+            ("s", "1"),
+            ("ms", "1e-3"),
+            ("us", "1e-6"),
+            ("min", "60"),
+            ("h", "3600"),
+            ("d", "86400"),
+            ("yr", "31557600"),
+        ];
         let forces = [("N", "1"), ("kN", "1e3"), ("MN", "1e6")];
-        let stresses = [("Pa", "1"), ("hPa", "1e2"), ("kPa", "1e3"), ("MPa", "1e6"), ("GPa", "1e9"), ("bar", "1e5"), ("kbar", "1e8")];
+        let stresses = [
+            ("Pa", "1"),
+            ("hPa", "1e2"),
+            ("kPa", "1e3"),
+            ("MPa", "1e6"),
+            ("GPa", "1e9"),
+            ("bar", "1e5"),
+            ("kbar", "1e8"),
+        ];
         let frequencies = [("Hz", "1"), ("kHz", "1e3")];
-        let all: [(Dimension, &[(&str, &str)]); 6] =
-            [([0, 1, 0], &lengths), ([1, 0, 0], &masses), ([0, 0, 1], &times), ([1, 1, -2], &forces), ([1, -1, -2], &stresses), ([0, 0, -1], &frequencies)];
+        let all: [(&str, &[(&str, &str)]); 6] = [
+            ("m", &lengths),
+            ("kg", &masses),
+            ("s", &times),
+            ("N", &forces),
+            ("Pa", &stresses),
+            ("1/s", &frequencies),
+        ];
         let mut tried = 0;
-        for (dimension, units) in all {
+        for (in_si, units) in all {
             for (unit, size) in units {
-                assert_eq!(unit_for(unit, dimension), Ok(number(size)), "{unit}");
+                assert_eq!(unit_for(unit, in_si), Ok(number(size)), "{unit}");
                 tried += 1;
             }
         }
@@ -246,14 +311,14 @@ mod tests {
         assert_eq!(si("8um", LENGTH), number("8e-6"));
         assert_eq!(si("2MPa/mm", STIFFNESS_PER_AREA), number("2e9"));
         assert_eq!(si("5 MPa", STRESS), number("5e6"));
-        assert_eq!(si("10µm/s", [0, 1, -1]), number("1e-5"));
+        assert_eq!(si("10µm/s", "m/s"), number("1e-5"));
         assert_eq!(si("12kg/50cm2", MASS_PER_AREA), number("2400"));
         assert_eq!(si("12kg/50cm^2", MASS_PER_AREA), si("12 kg / 50cm²", MASS_PER_AREA));
         assert_eq!(si("3.5e1kN/mm/50cm2", STIFFNESS_PER_AREA), number("7e9"));
         assert_eq!(si("1kg/3m2", MASS_PER_AREA), Rational::from((1, 3)));
         assert_eq!(si("2400 kg m-2", MASS_PER_AREA), number("2400"));
-        assert_eq!(si("35mm/yr", [0, 1, -1]), number("0.035") / 31_557_600_u32);
-        assert_eq!(si("1e-5", [0; 3]), number("1e-5"));
+        assert_eq!(si("35mm/yr", "m/s"), number("0.035") / 31_557_600_u32);
+        assert_eq!(si("1e-5", "1"), number("1e-5"));
         assert_eq!(split_unit("1e3Pa"), ("1e3", "Pa"));
         assert_eq!(split_unit("1ePa"), ("1", "ePa"));
         assert_eq!(split_unit("-"), ("-", ""));
@@ -261,14 +326,14 @@ mod tests {
 
     #[test]
     fn wrong_units_are_named() {
-        let refused = |text: &str, dimension: Dimension| unit_for(text, dimension).unwrap_err();
+        let refused = |text: &str, in_si: &str| unit_for(text, in_si).unwrap_err();
         assert_eq!(refused("MPa", STIFFNESS_PER_AREA), "MPa is a stress; stiffness per area is Pa/m");
         assert_eq!(
             refused("kg", MASS_PER_AREA),
-            "kg is a mass; mass per area is kg/m2: divide by the area of contact, as in kg/50cm2"
+            "kg is a mass; mass per area is kg/m^2: divide by the area of contact, as in kg/50cm2"
         );
         assert!(refused("N/mm", STIFFNESS_PER_AREA).contains("divide by the area"));
-        assert_eq!(refused("Pa", [0; 3]), "Pa is a stress; this number has no unit");
+        assert_eq!(refused("Pa", "1"), "Pa is a stress; this number has no unit");
         assert_eq!(refused("mPa", STRESS), "\"mPa\" is no unit here; did you mean `MPa`?");
         assert!(refused("psi", STRESS).contains("allowed: m, km"));
         for text in ["Pa/", "/", "Pa^x", "Pa0", "m99", "kg/0cm2", "kg/-5cm2", "Pa//m", "²", "1e99999m"] {
@@ -283,5 +348,39 @@ mod tests {
         assert_eq!(unit_of_column("kg_per_cm2"), "kg/cm2");
         // Millipascal is written as such, and then refused.
         assert_eq!(unit_of_column("mPa"), "mPa");
+        assert_eq!(unit_of_column("MPA_per_MM"), "MPa/mm");
+    }
+
+    #[test]
+    fn a_number_with_a_unit_is_told_from_what_is_no_number() {
+        assert_eq!(with_unit("8 um "), Some(("8", "um")));
+        assert_eq!(with_unit("-1.e3MPa/mm"), Some(("-1.e3", "MPa/mm")));
+        assert_eq!(with_unit("0.06/min"), Some(("0.06", "/min")));
+        for text in
+            ["8", "um", "", "-", "-um", "1/2", "1,5", "1@5", "1_000", "1 /2m", "nan", "0x1p3", "8±1um"]
+        {
+            assert_eq!(with_unit(text), None, "{text}");
+        }
+    }
+
+    #[test]
+    fn the_names_of_keys_state_their_unit() {
+        for (key, unit) in [
+            ("critical_slip_distance_m", "m"),
+            ("stiffness_pa_per_m", "Pa/m"),
+            ("mass_per_area_kg_per_m2", "kg/m^2"),
+            ("normal_stress_pa", "Pa"),
+            ("loading_velocity_m_per_s", "m/s"),
+            ("gravity_m_per_s2", "m/s^2"),
+            ("duration_s", "s"),
+            ("map.loading_velocity_m_per_s.from", "m/s"),
+            ("onset.normal_stress_pa[12]", "Pa"),
+            ("sweep.mass_per_area_kg_per_m2.to", "kg/m^2"),
+            ("direct_effect", "1"),
+            ("normal_stress_over_critical", "1"),
+        ] {
+            assert_eq!(unit_of_key(key), unit);
+            assert!(Dimension::read(unit).is_ok());
+        }
     }
 }

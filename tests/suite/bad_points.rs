@@ -17,14 +17,16 @@ fn a_header_is_a_contract() {
     refuse(header("normal_stress_pa,", ""), &["in.csv:1: header, column normal_stress_pa: missing column"]);
     refuse(header("normal_stress_pa", "normal_stres_pa"), &["did you mean it by `normal_stres_pa`?"]);
     refuse(
-        header("normal_stress_pa", "normal_stress_mpa"),
-        &["column normal_stress_mpa: unknown unit (allowed: `normal_stress_pa`, in SI)"],
+        header("normal_stress_pa", "normal_stress_um"),
+        &[
+            "column normal_stress_um: um is a length; stress is Pa (allowed: normal_stress_pa, sigma_n, sigma;",
+        ],
     );
     refuse(header("direct_effect", "direct_effect,direct_effect"), &["column direct_effect: doubled column"]);
     refuse(format!("{HEADER},rung\n{ROW},x\n"), &["column rung: a column of the output"]);
     refuse("", &["in.csv: empty file (wanted: a header line with the columns direct_effect, "]);
     refuse(
-        header("normal_stress_pa,", "").replace("stiffness_pa_per_m", "k"),
+        header("normal_stress_pa,", "").replace("stiffness_pa_per_m", "kk"),
         &["column normal_stress_pa: missing", "column stiffness_pa_per_m: missing"],
     );
     for (separator, name) in [(";", "semicolons"), ("\t", "tabs")] {

@@ -104,10 +104,10 @@ fn a_trajectory_has_to_be_one() {
     refuse_trajectory(&format!("{NAMES}\n0,1e-3\n"), &["t.csv: 1 samples (allowed: at least 8)"]);
     refuse_trajectory(&format!("{NAMES}\n"), &["t.csv: 0 samples"]);
     refuse_trajectory(
-        "time_s,velocity_mm_per_s,shear_stress_mpa\n0,1,1\n",
+        "time_s,velocity_mm,shear_stress_mm\n0,1,1\n",
         &[
-            "t.csv:1: header, column velocity_mm_per_s: unknown unit (allowed: `velocity_m_per_s`, in SI)",
-            "t.csv:1: header, column shear_stress_mpa: unknown unit (allowed: `shear_stress_pa`, in SI)",
+            "t.csv:1: header, column velocity_mm: mm is a length; velocity is m/s (allowed: velocity_m_per_s;",
+            "t.csv:1: header, column shear_stress_mm: mm is a length; stress is Pa (allowed: shear_stress_pa;",
         ],
     );
     refuse_trajectory(

@@ -57,3 +57,4 @@ mod sweep_forgeries;
 mod sweep_refusals;
 mod sweep_summary;
 mod tampering;
+mod units;

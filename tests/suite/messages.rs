@@ -190,10 +190,10 @@ fn many_faults_are_counted_and_long_values_shortened() {
 #[test]
 fn headers_values_and_equations_are_named_as_they_stand() {
     let place = small_report("Words.\n");
-    place.write("in.csv", format!("{}\n{ROW}\n", HEADER.replace("direct_effect", " direct_effect")));
-    place
-        .run(["classify", "--points", "in.csv"])
-        .expect_refusal(&["column \" direct_effect\": blanks around the name (allowed: `direct_effect`)"]);
+    place.write("in.csv", format!("{}\n{ROW}\n", HEADER.replace("direct_effect", "direct effect")));
+    place.run(["classify", "--points", "in.csv"]).expect_refusal(&[
+        "column direct_effect: missing column; did you mean it by `direct effect`? (allowed: direct_effect, a)",
+    ]);
     place.run(["simulate", "--law", ""]).expect_refusal(&["--law = \"\": unknown"]);
     place.run(["simulate", "--law", "no law"]).expect_refusal(&["--law = \"no law\": unknown"]);
     let equations = include_str!("../../reports/im-avouac/equations.toml").replacen("note =", "nota =", 1);

@@ -188,6 +188,7 @@ const COMMANDS: &[Command] = &[
             SLIDER[3],
             SLIDER[4],
             ("--relative-error", &["-e", "0.2"]),
+            ("--json", &["--json"]),
         ],
     },
     Command {

@@ -77,7 +77,7 @@ fn a_growth_rate_is_reached_and_the_transition_is_exact() {
     assert_eq!(values(&transition), ["25000"]);
     assert_eq!(transition["solutions"][0]["is_exact"], true);
     assert_eq!(transition["solutions"][0]["transition_sign"], 0);
-    assert_eq!(transition["inputs"]["critical_slip_distance_m"], "1e-5");
+    assert_eq!(transition["inputs"]["critical_slip_distance_m"], 1e-5);
     assert_eq!(transition["schema"], 1);
     assert_eq!(transition["solved_for"], "normal_stress_pa");
     let growing = solved(&["--for", "normal-stress", "-v", "1e-3", "--growth-rate", "2"]);

@@ -2,7 +2,7 @@
 
 use clap::Args;
 use serde_json::{Map, Value, json};
-use slipmode::scene::{AllowedRange, LogAxis, LogCoordinates, Problem, Quantity};
+use slipmode::scene::{LogAxis, LogCoordinates, Problem, Quantity};
 use slipmode_core::friction::Slider;
 use slipmode_core::number::Rational;
 use slipmode_core::stability::batch::{GridAxis, StreamedGrid, Tally};
@@ -53,15 +53,16 @@ impl GridOptions {
             let needs = "no grid: the grid's axes give this value";
             arguments.refuse_value(&option_of(quantity), slider.text(quantity), needs);
         }
-        let velocities = axis("--grid-loading-velocity", self.grid_loading_velocity.as_deref(), arguments);
-        let stresses = axis("--grid-normal-stress", self.grid_normal_stress.as_deref(), arguments);
+        let velocities = axis(Quantity::LoadingVelocity, self.grid_loading_velocity.as_deref(), arguments);
+        let stresses = axis(Quantity::NormalStress, self.grid_normal_stress.as_deref(), arguments);
         Some(GridRequest { slider: fixed?, loading_velocities: velocities?, normal_stresses: stresses? })
     }
 }
 
 /// Reads `FROM:TO:N`.
-fn axis(option: &str, text: Option<&str>, arguments: &mut Arguments) -> Option<LogAxis> {
+fn axis(quantity: Quantity, text: Option<&str>, arguments: &mut Arguments) -> Option<LogAxis> {
     let wanted = "FROM:TO:N, such as 1e2:1e9:1000";
+    let option = &format!("--grid-{}", quantity.stem().replace('_', "-"));
     let Some(text) = text else {
         return arguments.fault(option, None, Problem::Missing { allowed: wanted.into() });
     };
@@ -70,9 +71,8 @@ fn axis(option: &str, text: Option<&str>, arguments: &mut Arguments) -> Option<L
         let problem = Problem::WrongType { wanted: wanted.into(), found: "another text" };
         return arguments.fault(option, Some(text), problem);
     };
-    let mut end = |name: &str, text: &str| {
-        arguments.number(&format!("{option}, {name}"), text, |text| AllowedRange::PHYSICAL.parse(text))
-    };
+    let mut end =
+        |name: &str, text: &str| arguments.measured(&format!("{option}, {name}"), text, quantity.unit());
     let (from, to) = (end("FROM", from), end("TO", to));
     let points = arguments.whole(&format!("{option}, N"), Some(count), 2..=MOST_COORDINATES);
     let (from, to, points) = (from?, to?, u32::try_from(points?).ok()?);

@@ -8,6 +8,7 @@ use slipmode_core::number::{Rational, Wide};
 use slipmode_core::stability::{Classification, InertialThreshold, LogDistance, classify};
 
 use crate::cli::classify::rows::slip_mode_word;
+use crate::cli::inputs::{SCHEMA, inputs_json};
 use crate::cli::roots::{PrintedRoot, print_roots};
 use crate::cli::terminal;
 
@@ -19,6 +20,7 @@ const SHOWN_DIGITS: usize = 6;
 /// A classified point with what surrounds it.
 #[derive(Debug)]
 pub struct PointView {
+    inputs: Value,
     found: Classification,
     critical_stiffness_pa_per_m: Rational,
     groups: Groups<Rational>,
@@ -35,6 +37,7 @@ impl PointView {
         let stiffness_ratio = (critical_stiffness_pa_per_m > 0)
             .then(|| Rational::from(&parameters.slider.stiffness_pa_per_m / &critical_stiffness_pa_per_m));
         Self {
+            inputs: inputs_json(parameters),
             found: classify(parameters, threshold),
             critical_stiffness_pa_per_m,
             groups: parameters.groups(),
@@ -49,6 +52,8 @@ impl PointView {
     pub fn json(&self) -> Value {
         let found = &self.found;
         json!({
+            "schema": SCHEMA,
+            "inputs": self.inputs,
             "transition_sign": found.transition_sign,
             "boundary_sign": found.boundary_sign,
             "spectral_class": found.spectral_class.as_str(),

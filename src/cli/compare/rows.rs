@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use slipmode::comparison::recording::Recording;
 use slipmode::comparison::{Agreement, Comparison, Observable, StatedMode, StatedRun, compare_run};
-use slipmode::csv::{Cells, Remark, RowWork, misnamed, names, push_cells, read_recording};
+use slipmode::csv::{Cells, Remark, RowWork, is_named, misnamed, names, push_cells, read_recording};
 use slipmode::scene::{AllowedRange, CsvProblem, Faults, Problem, Quantity, check_name, nearest, of_word};
 use slipmode_core::dynamics::Start;
 use slipmode_core::friction::{EvolutionLaw, Parameters};
@@ -71,7 +71,7 @@ impl RowWork for CompareRows {
     const BLOCKS_PER_THREAD: usize = 16;
 
     fn header_faults(&self, names: &[String]) -> Vec<(String, Problem)> {
-        let has = |key: &str| names.iter().any(|name| name == key);
+        let has = |key: &str| names.iter().any(|name| is_named(name, key));
         // A column that is known by its own name is no misspelling of another.
         let is_unknown = |name: &&str| !Quantity::ALL.iter().any(|quantity| quantity.key() == *name);
         let unknown: Vec<&str> = names.iter().map(String::as_str).filter(is_unknown).collect();
@@ -84,7 +84,8 @@ impl RowWork for CompareRows {
             if let Some((name, problem)) = misnamed(of.key(), of.stem(), names) {
                 faults.push((name, problem.into()));
             } else if let Some(near) = nearest(of.key(), unknown.iter().copied()) {
-                let problem = CsvProblem::MissingColumn { nearest: Some(near.to_string()) };
+                let problem =
+                    CsvProblem::MissingColumn { nearest: Some(near.to_string()), allowed: of.key().into() };
                 faults.push((of.key().to_string(), problem.into()));
             }
         }

@@ -96,14 +96,14 @@ fn filled(prose: &str, typed: &Typed, effects: Effects) -> String {
         Effects::Strengthening => ("a > b", "fig-6a"),
     };
     let values = [
-        ("{name}", typed.name.as_str()),
-        ("{comparison}", comparison),
-        ("{map}", map),
-        ("{a}", typed.text(Quantity::DirectEffect)),
-        ("{b}", typed.text(Quantity::EvolutionEffect)),
-        ("{d}", typed.text(Quantity::CriticalSlipDistance)),
-        ("{k}", typed.text(Quantity::Stiffness)),
-        ("{m}", typed.text(Quantity::MassPerArea)),
+        ("{name}", typed.name.clone()),
+        ("{comparison}", comparison.into()),
+        ("{map}", map.into()),
+        ("{a}", typed.in_si(Quantity::DirectEffect)),
+        ("{b}", typed.in_si(Quantity::EvolutionEffect)),
+        ("{d}", typed.in_si(Quantity::CriticalSlipDistance)),
+        ("{k}", typed.in_si(Quantity::Stiffness)),
+        ("{m}", typed.in_si(Quantity::MassPerArea)),
     ];
-    values.into_iter().fold(prose.to_string(), |text, (key, value)| text.replace(key, value))
+    values.into_iter().fold(prose.to_string(), |text, (key, value)| text.replace(key, &value))
 }

@@ -1,6 +1,7 @@
 //! The scene of a new report: the slider as it was typed, and what is computed for it.
 
-use slipmode::scene::Quantity;
+use slipmode::scene::{Quantity, with_unit};
+use slipmode_core::number::format::exact_text;
 
 use crate::cli::new::Effects;
 use crate::cli::new::ranges::{Decades, Ranges};
@@ -21,6 +22,13 @@ impl Typed {
     /// The text of a quantity.
     pub fn text(&self, quantity: Quantity) -> &str {
         self.material.text(quantity).unwrap_or_default()
+    }
+
+    /// The value of a quantity in SI: as it was typed, unless it has a unit.
+    pub fn in_si(&self, quantity: Quantity) -> String {
+        let text = self.text(quantity);
+        let converted = with_unit(text).and_then(|_| quantity.parse(text).ok());
+        converted.map_or_else(|| text.to_string(), |value| exact_text(&value))
     }
 }
 

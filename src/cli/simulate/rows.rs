@@ -1,6 +1,6 @@
 //! `simulate --points`: every row simulated, its observables and errors appended; a failure stands in the row's status.
 
-use slipmode::csv::{Cells, Column, Datum, Remark, RowWork, names, push_cells};
+use slipmode::csv::{Cells, Column, Datum, Remark, RowWork, is_named, names, push_cells};
 use slipmode::scene::{Faults, Problem};
 use slipmode_core::dynamics::Simulation;
 use slipmode_core::friction::{EvolutionLaw, Parameters};
@@ -79,7 +79,7 @@ impl RowWork for SimulateRows {
     const BLOCKS_PER_THREAD: usize = 64;
 
     fn header_faults(&self, names: &[String]) -> Vec<(String, Problem)> {
-        let has_column = names.iter().any(|name| name == LAW_COLUMN);
+        let has_column = names.iter().any(|name| is_named(name, LAW_COLUMN));
         let problem = match (has_column, self.law) {
             (false, None) => {
                 Problem::Missing { allowed: format!("a column of {LAWS}, or the option --law for all rows") }

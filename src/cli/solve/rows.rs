@@ -55,7 +55,7 @@ impl RowWork for SolveRows {
         let values: [Rational; 7] = parameters.clone().into();
         let mut known = values.each_ref().map(|value| Some(nearest_f64(value)));
         known[self.question.quantity() as usize] = None;
-        let warnings = unit_warnings(known);
+        let warnings = unit_warnings(known, &[]);
         let warning = (!warnings.is_empty()).then(|| warnings.join("; "));
         Remark { is_unanswered, warning, ..Remark::default() }
     }

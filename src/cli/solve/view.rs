@@ -1,17 +1,15 @@
 //! What `solve` says: as text for people, as one JSON object for programs.
 
-use serde_json::{Map, Value, json};
+use serde_json::{Value, json};
 use slipmode::scene::Quantity;
 use slipmode_core::friction::Parameters;
 use slipmode_core::number::format::{certain_digits, exact_text, rational_to_decimal};
 use slipmode_core::number::{Rational, parse_decimal};
 use slipmode_core::stability::inverse::{Solution, SolutionKind, Target, Undecided};
 
+use crate::cli::inputs::{SCHEMA, quantities_json};
 use crate::cli::solve::Question;
 use crate::cli::terminal::count_of;
-
-/// The version of the JSON object.
-const SCHEMA: u32 = 1;
 
 /// A question with its answer.
 pub struct View<'q> {
@@ -41,7 +39,6 @@ impl<'q> View<'q> {
     pub fn json(&self) -> Value {
         let unknown = self.question.quantity();
         let given = Quantity::ALL.into_iter().zip(&self.inputs).filter(|(quantity, _)| *quantity != unknown);
-        let inputs = given.map(|(quantity, value)| (quantity.key().to_string(), exact_text(value).into()));
         let solution = |solution: &Solution| {
             let (value, is_exact) = printed(solution, self.question.digits as usize);
             json!({
@@ -53,7 +50,7 @@ impl<'q> View<'q> {
         };
         json!({
             "schema": SCHEMA,
-            "inputs": inputs.collect::<Map<_, _>>(),
+            "inputs": quantities_json(given),
             "solved_for": unknown.key(),
             "target": self.target_json(),
             "solutions": self.solutions.iter().map(solution).collect::<Vec<_>>(),
@@ -71,12 +68,8 @@ impl<'q> View<'q> {
 
     /// A line for the question, and one for each solution.
     pub fn text(&self) -> String {
-        let (name, unit) = match self.question.quantity() {
-            Quantity::NormalStress => ("normal stress", "Pa"),
-            Quantity::LoadingVelocity => ("loading velocity", "m/s"),
-            Quantity::Stiffness => ("stiffness", "Pa/m"),
-            _ => ("mass per area", "kg/m2"),
-        };
+        let unknown = self.question.quantity();
+        let (name, unit) = (unknown.stem().replace('_', " "), unknown.unit());
         let target = match &self.question.target {
             Target::Boundary => "the boundary max Im(s) = 0".to_string(),
             Target::GrowthRate(rate) if rate.is_zero() => "the transition K = K_c".to_string(),

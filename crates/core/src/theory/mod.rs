@@ -76,6 +76,7 @@ pub use derivation::System;
 pub use equations::{Equation, EquationFault, Equations, EquationsError};
 pub use names::{Meaning, Names};
 pub use reading::{AssumptionsText, DefinitionText, EquationText, EquationsText, SystemText};
+pub use units::Dimension;
 
 #[cfg(test)]
 mod tests;

@@ -50,11 +50,15 @@ impl Dimension {
         Ok(found)
     }
 
-    fn times(&self, other: &Self) -> Self {
+    /// A product.
+    #[must_use]
+    pub fn times(&self, other: &Self) -> Self {
         Self(std::array::from_fn(|index| Rational::from(&self.0[index] + &other.0[index])))
     }
 
-    fn power(&self, exponent: &Rational) -> Self {
+    /// A power.
+    #[must_use]
+    pub fn power(&self, exponent: &Rational) -> Self {
         Self(std::array::from_fn(|index| Rational::from(&self.0[index] * exponent)))
     }
 
