@@ -74,7 +74,7 @@ fn faulty_error_bars_are_all_reported_at_once() {
         "--direct-effect = \"0.009±0.01\": the error is not smaller than the value",
         "(allowed: 1e-300 to 1e300)",
         "--evolution-effect = \"[0.02, 0.01]\": reversed range",
-        "--critical-slip-distance-m = \"8e-6±x\": not a decimal number",
+        "--critical-slip-distance-m = \"8e-6±x\": \"x\" is no unit",
         "--stiffness-pa-per-m = \"[1e9 2e9]\": a range has the form [lower, upper]",
         "--mass-per-area-kg-per-m2 = 2400+--1: the error is negative",
         "--normal-stress-pa = \"[0, 5e6±1e5]\": not a decimal number",

@@ -161,7 +161,7 @@ fn error_bars_take_units() {
         "lab.csv",
         "a,b,d_c_um,k,m,sigma_mpa,v,sigma_mpa_error\n0.009,0.0126±0.0007,8,2e9,2400,5,1e-5,0.1\n",
     );
-    place.write("si.csv", format!("{HEADER}\n0.009,0.0126±0.0007,8e-6,2e9,2400,[49e5,51e5],1e-5\n"));
+    place.write("si.csv", format!("{HEADER}\n0.009,0.0126±0.0007,8e-6,2e9,2400,5e6±1e5,1e-5\n"));
     let appended = ["lab.csv", "si.csv"].map(|file| {
         let rows = place.run(["classify", "--points", file]).stdout;
         rows.lines().nth(1).unwrap().rsplit_once("1e-5,").unwrap().1.trim_start_matches("0.1,").to_string()
