@@ -9,7 +9,7 @@ use clap::Args;
 use slipmode::archive::{Facts, Parts, ReleaseTime, contents, pack, sha256_hex};
 use slipmode::report::{Product, without_environment};
 
-use crate::cli::environment::{Environment, versions};
+use crate::cli::environment::{Environment, SOURCE_SHA256, versions};
 use crate::cli::failure::Failure;
 use crate::cli::folder::{Source, read_report_from};
 use crate::cli::output::{Output, machine_write};
@@ -60,7 +60,7 @@ pub fn facts(time: ReleaseTime) -> Facts {
     Facts {
         version: env!("CARGO_PKG_VERSION").into(),
         versions: BTreeMap::from(versions),
-        source_sha256: env!("SLIPMODE_SOURCE_SHA256").into(),
+        source_sha256: SOURCE_SHA256.into(),
         time,
     }
 }

@@ -1,6 +1,7 @@
 //! What a result depends on without being part of it: versions, machine, time. It is written apart and never compared.
 
 use std::collections::BTreeMap;
+use std::sync::LazyLock;
 use std::time::{Instant, SystemTime, UNIX_EPOCH};
 
 use gmp_mpfr_sys::{gmp, mpc, mpfr};
@@ -19,6 +20,19 @@ pub fn versions() -> [(&'static str, String); 5] {
         ("MPC", version(mpc::VERSION_MAJOR, mpc::VERSION_MINOR, mpc::VERSION_PATCHLEVEL)),
         ("compiler", env!("SLIPMODE_RUSTC").to_string()),
     ]
+}
+
+/// The SHA-256 of the sources of this program.
+pub const SOURCE_SHA256: &str = env!("SLIPMODE_SOURCE_SHA256");
+
+/// The versions of the program and of its libraries, and the digest of its sources, one a line.
+pub fn long_version() -> &'static str {
+    static TEXT: LazyLock<String> = LazyLock::new(|| {
+        let [program, others @ ..] = versions();
+        let lines = others.iter().map(|(name, version)| format!("{name} {version}\n"));
+        format!("{}\n{}sources {SOURCE_SHA256}", program.1, lines.collect::<String>())
+    });
+    &TEXT
 }
 
 /// The environment of one run, from its start.

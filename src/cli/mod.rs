@@ -22,6 +22,7 @@ mod progress;
 mod replay;
 mod report;
 mod roots;
+mod shell;
 mod simulate;
 mod solve;
 mod sweep;
@@ -33,15 +34,21 @@ mod words;
 
 use std::process::ExitCode;
 
-use clap::{Parser, Subcommand};
+use clap::{CommandFactory, Parser, Subcommand};
 
 use failure::Failure;
 use options::Arguments;
 use progress::Progress;
 
+/// What the exit codes mean.
+const EXIT_CODES: &str = "Exit codes:
+  0  the command did what it was asked
+  1  a check failed: a verdict or a published byte moved, runs disagree, an archive is not what it states, blocks are missing
+  2  the input is at fault or an output cannot be written; nothing was written";
+
 /// Decides, proves and reports when a slider with rate-and-state friction sticks, creeps, oscillates or vibrates.
 #[derive(Debug, Parser)]
-#[command(version, max_term_width = 110)]
+#[command(version, long_version = environment::long_version(), after_help = EXIT_CODES, max_term_width = 110)]
 struct Cli {
     #[command(subcommand)]
     command: Command,
@@ -89,6 +96,10 @@ enum Command {
     Replay(replay::Options),
     /// Compares two ledgers or archives, verdict by verdict; exits with 1 if they differ
     Diff(diff::Options),
+    /// Prints a script that completes commands and options in a shell
+    Completions(shell::CompletionsOptions),
+    /// Prints the manual page of slipmode or of a command, for `man -l -`
+    Man(shell::ManOptions),
 }
 
 /// Runs the command line and gives its exit code; errors go to standard error.
@@ -136,6 +147,8 @@ fn run(cli: Cli) -> Result<(), Failure> {
         Command::Archive(options) => archive::run(&options, &progress),
         Command::Replay(options) => replay::run(&options, &progress),
         Command::Diff(options) => diff::run(&options),
+        Command::Completions(options) => shell::completions(&options, Cli::command()),
+        Command::Man(options) => shell::man(&options, Cli::command()),
     }
 }
 

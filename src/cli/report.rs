@@ -14,7 +14,7 @@ use crate::cli::environment::{ENVIRONMENT_FILE, Environment};
 use crate::cli::failure::Failure;
 use crate::cli::folder::{read_report, read_scene};
 use crate::cli::options::Arguments;
-use crate::cli::output::{OutputFolder, note_input_folder};
+use crate::cli::output::{Output, OutputFolder, note_input_folder};
 
 use crate::cli::planted_faults::verify_planted_faults;
 use crate::cli::progress::Progress;
@@ -80,6 +80,9 @@ pub struct VerifyOptions {
     /// Alters the equations one place at a time, writes nothing, and prints which claims notice
     #[arg(long, conflicts_with_all = ["output", "for_publication", "claim"])]
     planted_faults: bool,
+    /// Also writes the result as a file in the form of JUnit, with a test for each claim; `-` is standard output, without the text
+    #[arg(long, value_name = "FILE.xml", conflicts_with_all = ["claim", "planted_faults"])]
+    junit: Option<PathBuf>,
 }
 
 /// Computes all that a scene states, and writes its tables and figures.
@@ -114,7 +117,7 @@ pub fn report(options: &ReportOptions, progress: &Progress) -> Result<(), Failur
 /// # Errors
 /// When a verdict is not the recorded one or a published byte moved; and as [`report`].
 pub fn verify(options: &VerifyOptions, progress: &Progress) -> Result<(), Failure> {
-    let VerifyOptions { report: options, claim, planted_faults } = options;
+    let VerifyOptions { report: options, claim, planted_faults, junit } = options;
     if *planted_faults {
         return verify_planted_faults(&read_report(&options.folder, options.limit.limits()?)?, progress);
     }
@@ -122,6 +125,7 @@ pub fn verify(options: &VerifyOptions, progress: &Progress) -> Result<(), Failur
         let folder = read_report(&options.folder, options.limit.limits()?)?;
         return verify_claim(&folder, id, progress);
     }
+    let junit_output = junit.as_deref().map(Output::create).transpose()?;
     let published = options.folder.join("published");
     note_input_folder(&published).map_err(|why| Failure::place(&published, why))?;
     let Made { product, place, publish_page } = make(options, progress)?;
@@ -143,7 +147,16 @@ pub fn verify(options: &VerifyOptions, progress: &Progress) -> Result<(), Failur
     if !published.exists() {
         text += "there is no published copy: only the verdicts were compared\n";
     }
-    terminal::print(&text)?;
+    match junit_output {
+        Some(output) => {
+            let result = slipmode::report::junit(&product.ledger, &drift, &moved);
+            output.finish(result.map_err(|error| unrenderable(&options.folder, &error))?)?;
+            if junit.as_deref() != Some(Path::new("-")) {
+                terminal::print(&text)?;
+            }
+        }
+        None => terminal::print(&text)?,
+    }
     if drift.is_empty() && moved.is_empty() {
         return Ok(());
     }

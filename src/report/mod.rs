@@ -17,6 +17,7 @@ mod explorer;
 #[cfg(test)]
 mod hostile_tests;
 mod html;
+mod junit;
 mod markdown;
 mod math;
 mod page_style;
@@ -34,6 +35,7 @@ mod view;
 pub use error::ReportError;
 pub use explorer::{ExplorerPage, render_explorer};
 pub use html::render_html;
+pub use junit::junit;
 pub use markdown::formula_faults;
 pub use produce::{Folder, Product, decide, produce, produce_scene};
 pub use text::render_markdown;

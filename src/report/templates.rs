@@ -9,8 +9,8 @@ use super::ReportError;
 use super::symbols::set_symbols;
 use slipmode_plot::table::{escape_markdown, printable};
 
-/// Templates of the page. Every one is escaped for HTML, whatever its name.
-const HTML: [(&str, &str); 11] = [
+/// Templates of the page, and of the results of a verification. Every one is escaped for HTML, whatever its name.
+const HTML: [(&str, &str); 12] = [
     ("report.html", include_str!("../../templates/report.html")),
     ("part.html", include_str!("../../templates/part.html")),
     ("contents.html", include_str!("../../templates/contents.html")),
@@ -22,6 +22,7 @@ const HTML: [(&str, &str); 11] = [
     ("verdict.html", include_str!("../../templates/verdict.html")),
     ("environment.html", include_str!("../../templates/environment.html")),
     ("explore.html", include_str!("../../templates/explore.html")),
+    ("junit.xml", include_str!("../../templates/junit.xml")),
 ];
 
 /// Templates of the Markdown report. Every one is escaped for Markdown.

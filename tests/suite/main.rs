@@ -48,6 +48,7 @@ mod replay_budget;
 mod reports;
 mod roots;
 mod sabotage;
+mod shell;
 mod simulate;
 mod simulate_points;
 mod solve;

@@ -223,6 +223,7 @@ const COMMANDS: &[Command] = &[
             ("--max-points", &["--max-points", "2"]),
             ("--claim", &["--claim", "S1"]),
             ("--planted-faults", &["--planted-faults"]),
+            ("--junit", &["--junit", "out.xml"]),
         ],
     },
     Command {
@@ -256,8 +257,8 @@ const WITHOUT_EFFECT: [&str; 4] = ["--threads", "--quiet", "--help", "--version"
 /// A plan tells minutes apart only where a shard takes some: [`minutes_decide_how_many_shards_a_plan_has`].
 const WITH_A_TEST_OF_ITS_OWN: (&str, &str) = ("--plan", "--minutes");
 
-/// Commands whose options need hours or archives; each of them is walked by tests of its own.
-const ELSEWHERE: [&str; 4] = ["new", "replay", "diff", "help"];
+/// Commands without options of their own, and those whose options need hours or archives, which tests of their own walk.
+const ELSEWHERE: [&str; 6] = ["new", "replay", "diff", "help", "completions", "man"];
 
 const SCENE: &str = "name = \"s\"\ntitle = \"S\"\n[parameters]\ndirect_effect = 0.004\nevolution_effect = 0.006\n\
     critical_slip_distance_m = 1e-5\nstiffness_pa_per_m = 1e7\nmass_per_area_kg_per_m2 = 1000\n";

@@ -75,6 +75,37 @@ fn a_page_shows_its_parts_what_rests_on_what_and_how_each_claim_is_decided_again
 }
 
 #[test]
+fn a_result_for_programs_has_a_test_for_each_claim_and_each_file_that_moved() {
+    let place = published();
+    let said = place.run(["verify", "small", "-o", "out"]).expect_success();
+    assert_eq!(place.run(["verify", "small", "-o", "out", "--junit", "all.xml"]).expect_success(), said);
+    let result = place.read("all.xml");
+    assert!(result.contains("tests=\"2\" failures=\"0\" skipped=\"0\""), "{result}");
+    assert!(result.contains("<testcase classname=\"small: claims\" name=\"S1 W\">"), "{result}");
+    place.write(
+        "small/claims.toml",
+        CLAIMS.replace("\"holds\"", "\"fails\"").replace("\"W\"", "\"K < K_c & <b>\""),
+    );
+    let moved = place.run(["verify", "small", "-o", "out", "--junit", "-"]);
+    assert_eq!(moved.code, 1);
+    for part in [
+        "tests=\"4\" failures=\"4\"",
+        "name=\"S1 K &lt; K_c &amp; &lt;b&gt;\"",
+        "message=\"recorded fails, now holds\"",
+        "classname=\"small: published copy\" name=\"a file\"><failure message=\"report.md:",
+    ] {
+        assert!(moved.stdout.contains(part), "{part}: {}", moved.stdout);
+    }
+    let not_checked = "reason = \"No theory.\"";
+    place.write("small/claims.toml", CLAIMS.replace("\"holds\"", "\"not-checked\"") + not_checked);
+    let skipped = place.run(["verify", "small", "-o", "out", "--junit", "-"]).stdout;
+    assert!(skipped.contains("<skipped message=\"not-checked\"/>"), "{skipped}");
+    place
+        .run(["verify", "small", "-o", "out", "--junit", "small/claims.toml"])
+        .expect_refusal(&["claims.toml"]);
+}
+
+#[test]
 fn drift_of_a_verdict_is_named_with_old_and_new() {
     let place = published();
     place.write("small/claims.toml", CLAIMS.replace("\"holds\"", "\"fails\""));

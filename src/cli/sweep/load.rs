@@ -12,6 +12,7 @@ use slipmode_core::number::nearest_f64;
 use slipmode_core::stability::InertialThreshold;
 
 use crate::cli::classify::rows::ClassifyRows;
+use crate::cli::environment::SOURCE_SHA256;
 use crate::cli::failure::Failure;
 use crate::cli::input::read_small_file;
 use crate::cli::simulate::rows::SimulateRows;
@@ -44,7 +45,7 @@ pub trait Task {
 
 /// The program's version with the digest of its sources: other sources may round otherwise.
 pub fn version() -> String {
-    format!("{} {}", env!("CARGO_PKG_VERSION"), env!("SLIPMODE_SOURCE_SHA256"))
+    format!("{} {}", env!("CARGO_PKG_VERSION"), SOURCE_SHA256)
 }
 
 /// Reads a scene that has a `[sweep]`.

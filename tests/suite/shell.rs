@@ -1,0 +1,81 @@
+//! What shells, `man` and people ask of the program itself: completions, manual pages, versions, exit codes, colours.
+
+use std::io::Write;
+use std::process::{Command, Stdio};
+
+use crate::harness::Workplace;
+
+/// The commands that `--help` lists.
+fn commands(place: &Workplace) -> Vec<String> {
+    let help = place.run(["--help"]).expect_success();
+    let listed = help.split("Commands:\n").nth(1).unwrap().split("\n\n").next().unwrap().to_owned();
+    let indented = listed.lines().filter_map(|line| line.strip_prefix("  "));
+    indented
+        .filter(|line| !line.starts_with(' '))
+        .filter_map(|line| Some(line.split(' ').next()?.into()))
+        .collect()
+}
+
+#[test]
+fn completion_scripts_know_every_command() {
+    let place = Workplace::new();
+    let commands = commands(&place);
+    assert!(commands.len() > 15, "{commands:?}");
+    for shell in ["bash", "zsh", "fish", "powershell", "elvish"] {
+        let script = place.run(["completions", shell]).expect_success();
+        for command in &commands {
+            assert!(script.contains(command), "{shell}: {command}");
+        }
+    }
+    let script = place.run(["completions", "bash"]).expect_success();
+    let mut bash = Command::new("bash").arg("-n").stdin(Stdio::piped()).spawn().unwrap();
+    bash.stdin.take().unwrap().write_all(script.as_bytes()).unwrap();
+    assert!(bash.wait().unwrap().success());
+    place.run(["completions", "tcsh"]).expect_refusal(&["tcsh"]);
+}
+
+#[test]
+fn every_command_has_a_manual_page_with_its_options() {
+    let place = Workplace::new();
+    let whole = place.run(["man"]).expect_success();
+    assert!(
+        whole.starts_with(".ie") && whole.contains(".TH slipmode 1") && whole.contains("Exit codes:"),
+        "{whole}"
+    );
+    for command in commands(&place).iter().filter(|command| *command != "help") {
+        let page = place.run(["man", command]).expect_success();
+        let heading = format!(".TH slipmode-{command} 1");
+        assert!(page.contains(&heading) && page.contains(".SH OPTIONS"), "{page}");
+    }
+    place.run(["man", "clasify"]).expect_refusal(&["COMMAND = clasify: is no command (allowed: classify, "]);
+}
+
+#[test]
+fn versions_name_the_libraries_and_the_digest_of_the_sources() {
+    let place = Workplace::new();
+    let said = place.run(["--version"]).expect_success();
+    let lines: Vec<&str> = said.lines().collect();
+    let [program, gmp, mpfr, mpc, compiler, sources] = lines[..] else { panic!("{said}") };
+    assert_eq!(program, concat!("slipmode ", env!("CARGO_PKG_VERSION")));
+    assert!(
+        gmp.starts_with("GMP ")
+            && mpfr.starts_with("MPFR ")
+            && mpc.starts_with("MPC ")
+            && compiler.contains("rustc")
+    );
+    let digest = sources.strip_prefix("sources ").unwrap();
+    assert!(digest.len() == 64 && digest.bytes().all(|byte| byte.is_ascii_hexdigit()), "{digest}");
+    assert_eq!(place.run(["-V"]).expect_success(), format!("{program}\n"));
+}
+
+#[test]
+fn no_color_leaves_colours_out() {
+    let help = |variables: &[(&str, &str)]| {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_slipmode"));
+        command.arg("--help").env_remove("NO_COLOR").envs(variables.iter().copied());
+        String::from_utf8(command.output().unwrap().stdout).unwrap()
+    };
+    let forced = ("CLICOLOR_FORCE", "1");
+    assert!(help(&[forced]).contains('\u{1b}') && !help(&[]).contains('\u{1b}'));
+    assert!(!help(&[forced, ("NO_COLOR", "1")]).contains('\u{1b}'));
+}
