@@ -18,6 +18,7 @@ pub mod explorer;
 pub mod report;
 pub mod scene;
 pub mod sweep;
+pub mod theorems;
 
 pub use slipmode_core as core;
 pub use slipmode_plot as plot;

@@ -42,7 +42,10 @@ pub fn run(options: &Options) -> Result<(), Failure> {
 }
 
 /// The ledger's bytes: of the file itself, or out of the archive that it is.
-fn ledger(path: &Path) -> Result<Vec<u8>, Failure> {
+///
+/// # Errors
+/// When it cannot be read, or an archive holds none.
+pub fn ledger(path: &Path) -> Result<Vec<u8>, Failure> {
     let bytes = read_file_up_to(path, MOST_LEDGER_BYTES)?;
     // Every zip file with an entry begins with these letters, and no JSON text does.
     if !bytes.starts_with(b"PK") {

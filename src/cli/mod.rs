@@ -27,6 +27,7 @@ mod simulate;
 mod solve;
 mod sweep;
 mod terminal;
+mod theorems;
 mod tolerance;
 mod tree;
 mod unit_warnings;
@@ -100,6 +101,9 @@ enum Command {
     Completions(shell::CompletionsOptions),
     /// Prints the manual page of slipmode or of a command, for `man -l -`
     Man(shell::ManOptions),
+    /// Writes the certified steps of ledgers as theorems for Coq
+    #[command(hide = true)]
+    Theorems(theorems::Options),
 }
 
 /// Runs the command line and gives its exit code; errors go to standard error.
@@ -149,6 +153,7 @@ fn run(cli: Cli) -> Result<(), Failure> {
         Command::Diff(options) => diff::run(&options),
         Command::Completions(options) => shell::completions(&options, Cli::command()),
         Command::Man(options) => shell::man(&options, Cli::command()),
+        Command::Theorems(options) => theorems::run(&options),
     }
 }
 

@@ -13,6 +13,7 @@ mod licences;
 mod lines;
 mod machine;
 mod process;
+mod prove;
 mod repository;
 mod test;
 mod tidy;
@@ -41,6 +42,8 @@ usage: cargo xtask <command> [arguments]
   advisories    check the locked packages against the RustSec database (skipped without cargo-deny or network)
   licences      check every dependency's licence against the list of allowed licences
   validate      run external validators on every report's page, Markdown, archive and citation
+  prove         have Coq check every certified step of every published ledger as a theorem, with the lemmas in proofs/;
+                --planted-faults [sample]: have it refuse every altered theorem, or one of each file
   cluster-test  run a sweep on a real Slurm and kill one node midway (Linux)
   machine       check for the programs that the build of GMP, MPFR and MPC needs
 
@@ -61,6 +64,7 @@ fn run(arguments: &[String]) -> Result<(), Failure> {
     let (command, rest) = arguments.split_first().ok_or_else(|| Failure::bad_input(USAGE))?;
     match command.as_str() {
         "bench" | "cost" | "coverage" | "sweep-cost" | "tables" | "timings" => bench::run(command, rest),
+        "prove" => prove::run(rest),
         _ if !rest.is_empty() => {
             Err(Failure::bad_input(format!("`{command}` takes no arguments\n\n{USAGE}")))
         }

@@ -26,6 +26,7 @@ const LIBRARIES: [(&str, Floors); 3] = [
         "src/",
         &[
             ("scene", 0),
+            ("theorems", 0),
             ("sweep", 1),
             ("comparison", 1),
             ("csv", 2),

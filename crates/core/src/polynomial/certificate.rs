@@ -118,6 +118,22 @@ pub enum Certificate {
 }
 
 impl Certificate {
+    /// The word for its kind, as a file states it.
+    #[must_use]
+    pub fn kind(&self) -> &'static str {
+        match self {
+            Self::Identity { .. } => "identity",
+            Self::Sign { .. } => "sign",
+            Self::Limit { .. } => "limit",
+            Self::Difference { .. } => "difference",
+            Self::Value { .. } => "value",
+            Self::Series { .. } => "series",
+            Self::Root { .. } => "root",
+            Self::Connected { .. } => "connected",
+            Self::Growth { .. } => "growth",
+        }
+    }
+
     /// The assumptions, unless the fact is one about numbers.
     #[must_use]
     pub fn domain(&self) -> Option<&Domain> {

@@ -10,7 +10,9 @@ use rug::Rational;
 use thiserror::Error;
 
 use super::size::{Extent, TooLarge};
-use super::{Domain, Expression, Function, Monomial, Polynomial, RationalFunction, Relation, Symbol};
+use super::{
+    Condition, Domain, Expression, Function, Monomial, Polynomial, RationalFunction, Relation, Symbol,
+};
 
 /// Why an expression is not a rational function under the assumptions.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
@@ -151,7 +153,7 @@ impl<'d> Converter<'d> {
 
     /// Do the assumptions exclude that this polynomial is zero? With w² = t known, (e + o·w)(e − o·w) = e² − o²·t decides.
     fn never_zero(&self, polynomial: &Polynomial) -> bool {
-        let rest = self.without_factors(polynomial, |relation| relation != Relation::NonNegative).0;
+        let rest = self.factors(polynomial, |relation| relation != Relation::NonNegative).1;
         if self.coefficient_sign(&rest).is_some() {
             return true;
         }
@@ -170,7 +172,7 @@ impl<'d> Converter<'d> {
     }
 
     fn polynomial_sign(&self, polynomial: &Polynomial) -> Option<i8> {
-        let (rest, _) = self.without_factors(polynomial, |relation| relation == Relation::Positive);
+        let (_, rest) = self.factors(polynomial, |relation| relation == Relation::Positive);
         self.coefficient_sign(&rest).or_else(|| self.sign_with_root(&rest))
     }
 
@@ -206,19 +208,26 @@ impl<'d> Converter<'d> {
         polynomial.variables().iter().all(not_negative).then_some(sign)
     }
 
-    /// The polynomial divided by the factors that a condition speaks of, as often as it goes, and whether one did.
-    fn without_factors(&self, polynomial: &Polynomial, usable: fn(Relation) -> bool) -> (Polynomial, bool) {
-        let mut rest = polynomial.clone();
-        let mut divided = false;
-        for (factor, relation) in &self.conditions {
-            if !usable(*relation) {
-                continue;
-            }
+    /// The factors of a polynomial that a usable condition speaks of, as often as they divide it, and what remains.
+    pub(super) fn factors(
+        &self,
+        polynomial: &Polynomial,
+        usable: fn(Relation) -> bool,
+    ) -> (Vec<Polynomial>, Polynomial) {
+        let (mut rest, mut factors) = (polynomial.clone(), Vec::new());
+        for (factor, _) in self.conditions.iter().filter(|(_, relation)| usable(*relation)) {
             while let Some(quotient) = rest.divide_exact(factor).filter(|_| !rest.is_zero()) {
-                (rest, divided) = (quotient, true);
+                factors.push(factor.clone());
+                rest = quotient;
             }
         }
-        (rest, divided)
+        (factors, rest)
+    }
+
+    /// The polynomial of which this condition says something, when it is of use.
+    pub(super) fn core_of(&mut self, condition: &Condition) -> Option<Polynomial> {
+        let function = self.reduced(&self.domain.as_written(&condition.expression)).ok()?;
+        Some(self.fact(&function, condition.relation)?.0)
     }
 
     /// A condition as one on a polynomial without a factor of known sign: the numerator, if the denominator is positive.
@@ -233,10 +242,10 @@ impl<'d> Converter<'d> {
         let positive = shared.factors().all(|(name, _)| self.is_positive(name));
         let shared = Polynomial::term(Rational::from(1), shared);
         let core = if positive { numerator.divide_exact(&shared)? } else { numerator.clone() };
-        let (core, _) = match relation {
-            Relation::NonZero => self.without_factors(&core, |relation| relation != Relation::NonNegative),
+        let (_, core) = match relation {
+            Relation::NonZero => self.factors(&core, |relation| relation != Relation::NonNegative),
             Relation::Positive | Relation::NonNegative => {
-                self.without_factors(&core, |relation| relation == Relation::Positive)
+                self.factors(&core, |relation| relation == Relation::Positive)
             }
         };
         core.as_constant().is_none().then_some((core, relation))
@@ -328,7 +337,7 @@ impl<'d> Converter<'d> {
 
     /// Do the assumptions exclude that the function is negative?
     fn never_negative(&self, function: &RationalFunction) -> bool {
-        let (rest, _) = self.without_factors(function.numerator(), |relation| relation != Relation::NonZero);
+        let (_, rest) = self.factors(function.numerator(), |relation| relation != Relation::NonZero);
         let signs = self.weak_sign(&rest).zip(self.polynomial_sign(function.denominator()));
         signs.is_some_and(|(upper, lower)| upper * lower > 0)
     }

@@ -138,6 +138,21 @@ impl Domain {
         &self.squares
     }
 
+    /// The parameters, each with its value in the original variables.
+    pub(super) fn parameters(&self) -> &[(String, Expression)] {
+        &self.parameters
+    }
+
+    /// The same assumptions without substitutions.
+    pub(super) fn original(&self) -> Self {
+        Self { substitutions: Vec::new(), parameters: Vec::new(), ..self.clone() }
+    }
+
+    /// The same domain with no more than this many conditions.
+    pub(super) fn with_conditions(&self, count: usize) -> Self {
+        Self { given: self.given.iter().take(count).cloned().collect(), ..self.clone() }
+    }
+
     /// The substitutions, in the order given.
     #[must_use]
     pub fn substitutions(&self) -> &[(String, Expression)] {
@@ -223,7 +238,7 @@ impl Domain {
     pub fn check(&self) -> Result<(), DomainError> {
         self.check_names()?;
         self.check_example()?;
-        let original = Self { substitutions: Vec::new(), parameters: Vec::new(), ..self.clone() };
+        let original = self.original();
         for (name, value) in &self.parameters {
             if original.sign(value)? != Some(1) {
                 return Err(DomainError::Parameter { name: name.clone(), value: value.clone() });
@@ -240,7 +255,7 @@ impl Domain {
     }
 
     /// Does an assumption speak of this variable?
-    fn is_assumed(&self, name: &str) -> bool {
+    pub(super) fn is_assumed(&self, name: &str) -> bool {
         let symbol = Symbol::new(name);
         self.positive.iter().any(|known| known == name)
             || self.given.iter().any(|condition| condition.expression.variables().contains(&symbol))
@@ -276,7 +291,7 @@ impl Domain {
 
     /// Every assumption must hold at the example.
     fn check_example(&self) -> Result<(), DomainError> {
-        let original = Self { substitutions: Vec::new(), parameters: Vec::new(), ..self.clone() };
+        let original = self.original();
         let value = |expression: &Expression| -> Result<Option<Rational>, DomainError> {
             let function = original.rational_function(expression)?;
             let names = &function.numerator().variables() | &function.denominator().variables();
@@ -308,7 +323,7 @@ impl Domain {
         Ok(())
     }
 
-    fn example_of(&self, name: &Symbol) -> Rational {
+    pub(super) fn example_of(&self, name: &Symbol) -> Rational {
         let given = self.example.iter().find(|(known, _)| known == name.as_str());
         let number =
             given.and_then(|(_, value)| Self::default().rational_function(value).ok()?.as_constant());

@@ -13,6 +13,7 @@ mod certificate;
 mod check;
 mod condition;
 mod conversion;
+pub mod coq;
 mod division;
 mod domain;
 mod enclose;

@@ -1,0 +1,325 @@
+//! A domain as hypotheses: what a theorem assumes, how substitutions cover it, and that it can hold.
+
+use std::collections::BTreeSet;
+use std::fmt::Write as _;
+
+use super::Block;
+use super::Obstacle;
+use super::tactic::Tactics;
+use super::term::{complex, condition, name, real};
+use crate::polynomial::{Domain, Expression, Symbol};
+
+/// The domain of a theorem, and which of its variables are complex.
+pub(super) struct Setting<'d> {
+    pub domain: &'d Domain,
+    /// Complex variables.
+    pub complex: BTreeSet<Symbol>,
+    pub is_complex: bool,
+    /// The variables that the statement itself binds.
+    pub bound: BTreeSet<Symbol>,
+    /// What is assumed not to be zero, beyond the domain.
+    pub nonzero: Option<Expression>,
+}
+
+/// Variables and hypotheses, in the order of a theorem's binders.
+#[derive(Default)]
+pub(super) struct Binders {
+    pub variables: Vec<(String, &'static str)>,
+    pub hypotheses: Vec<(String, String)>,
+}
+
+impl Binders {
+    /// The binders as Coq reads them.
+    pub fn text(&self) -> String {
+        let mut text = String::new();
+        for kind in ["R", "C"] {
+            let names: Vec<&str> =
+                self.variables.iter().filter(|(_, of)| *of == kind).map(|(name, _)| name.as_str()).collect();
+            if !names.is_empty() {
+                let _ = write!(text, " ({} : {kind})", names.join(" "));
+            }
+        }
+        for (label, statement) in &self.hypotheses {
+            let _ = write!(text, " ({label} : {statement})");
+        }
+        text
+    }
+
+    /// Does a hypothesis speak of this variable?
+    pub fn mentions(&self, variable: &Symbol) -> bool {
+        let variable = name(variable.as_str());
+        let is_inner = |c: char| c.is_alphanumeric() || c == '_' || c == '\'';
+        self.hypotheses.iter().any(|(_, text)| text.split(|c| !is_inner(c)).any(|word| word == variable))
+    }
+
+    /// The same names as arguments.
+    fn arguments(&self) -> String {
+        let mut names = Vec::new();
+        for kind in ["R", "C"] {
+            names.extend(self.variables.iter().filter(|(_, of)| *of == kind).map(|(name, _)| name.as_str()));
+        }
+        names.extend(self.hypotheses.iter().map(|(label, _)| label.as_str()));
+        names.join(" ")
+    }
+}
+
+impl Setting<'_> {
+    /// Substitutions that stand for an assumption.
+    fn covered(&self) -> Vec<&(String, Expression)> {
+        self.domain.substitutions().iter().filter(|(name, _)| self.domain.is_assumed(name)).collect()
+    }
+
+    /// Substitutions that define a variable without assumptions.
+    fn defined(&self) -> Vec<&(String, Expression)> {
+        self.domain.substitutions().iter().filter(|(name, _)| !self.domain.is_assumed(name)).collect()
+    }
+
+    /// The variables that a statement on these expressions needs, in the original variables.
+    fn relevant(&self, start: BTreeSet<Symbol>) -> BTreeSet<Symbol> {
+        let mut names = start;
+        names.extend(self.domain.conditions().iter().flat_map(|given| given.expression.variables()));
+        loop {
+            let before = names.len();
+            let covered = self.covered();
+            if covered.iter().any(|(name, _)| names.contains(&Symbol::new(name))) {
+                names.extend(covered.iter().map(|(name, _)| Symbol::new(name)));
+                names.extend(self.domain.parameters().iter().flat_map(|(_, value)| value.variables()));
+                names.extend(covered.iter().flat_map(|(_, value)| {
+                    let inner = value.variables().into_iter();
+                    inner.filter(|inner| !self.is_parameter(inner))
+                }));
+            }
+            let values =
+                self.defined().into_iter().chain(self.domain.parameters()).chain(self.domain.squares());
+            let used: Vec<Symbol> = values
+                .filter(|(name, _)| names.contains(&Symbol::new(name)))
+                .flat_map(|(_, value)| value.variables())
+                .collect();
+            names.extend(used);
+            if names.len() == before {
+                return names;
+            }
+        }
+    }
+
+    /// The text of a term of the statement.
+    pub fn term(&self, expression: &Expression) -> String {
+        if self.is_complex { complex(expression, &self.complex) } else { real(expression) }
+    }
+
+    fn is_parameter(&self, name: &Symbol) -> bool {
+        self.domain.parameters().iter().any(|(known, _)| known == name.as_str())
+    }
+
+    fn bind(&self, names: &BTreeSet<Symbol>, domain: &Domain) -> Binders {
+        let mut binders = Binders::default();
+        let names: BTreeSet<&Symbol> =
+            names.iter().filter(|name| !self.bound.contains(*name) && name.as_str() != "i").collect();
+        for symbol in &names {
+            let kind = if self.complex.contains(symbol) { "C" } else { "R" };
+            binders.variables.push((name(symbol.as_str()), kind));
+        }
+        for symbol in names.iter().filter(|name| domain.is_positive(name)) {
+            let variable = name(symbol.as_str());
+            binders.hypotheses.push((format!("{variable}'pos"), format!("0 < {variable}")));
+        }
+        if names.iter().any(|name| name.as_str() == "pm") {
+            binders.hypotheses.push(("pm'square".to_owned(), "pm ^ 2 = 1".to_owned()));
+        }
+        binders
+    }
+
+    fn bind_nonzero(&self, binders: &mut Binders) {
+        let nonzero =
+            self.nonzero.iter().map(|value| ("single'root".to_owned(), format!("{} <> 0", real(value))));
+        binders.hypotheses.extend(nonzero);
+    }
+
+    /// The binders of the statement after the substitutions.
+    pub fn substituted(&self, expressions: &[&Expression]) -> Binders {
+        let mut names: BTreeSet<Symbol> =
+            expressions.iter().flat_map(|part| self.domain.as_written(part).variables()).collect();
+        let conditions = self.domain.conditions().iter();
+        let conditions: Vec<_> = conditions
+            .map(|given| crate::polynomial::Condition {
+                expression: self.domain.as_written(&given.expression),
+                relation: given.relation,
+            })
+            .collect();
+        names.extend(conditions.iter().flat_map(|given| given.expression.variables()));
+        let mut squares = Vec::new();
+        for (known, square) in self.domain.squares() {
+            let square = self.domain.as_written(square);
+            if names.contains(&Symbol::new(known)) {
+                names.extend(square.variables());
+                squares.push((known, square));
+            }
+        }
+        names.extend(self.nonzero.iter().flat_map(Expression::variables));
+        let mut binders = self.bind(&names, self.domain);
+        self.bind_nonzero(&mut binders);
+        for (index, given) in conditions.iter().enumerate() {
+            binders.hypotheses.push((format!("given'{}", index + 1), condition(given)));
+        }
+        for (known, square) in squares {
+            let known = name(known);
+            binders.hypotheses.push((format!("{known}'square"), format!("{known} ^ 2 = {}", real(&square))));
+        }
+        binders
+    }
+
+    /// The binders of the statement in the original variables.
+    pub fn original(&self, expressions: &[&Expression]) -> Binders {
+        let stated = expressions.iter().copied().chain(&self.nonzero);
+        let names = self.relevant(stated.flat_map(Expression::variables).collect());
+        let mut binders = self.bind(&names, &self.domain.original());
+        self.bind_nonzero(&mut binders);
+        for (index, given) in self.domain.conditions().iter().enumerate() {
+            binders.hypotheses.push((format!("given'{}", index + 1), condition(given)));
+        }
+        let in_use = |(known, _): &&(String, Expression)| names.contains(&Symbol::new(known));
+        for (known, square) in self.domain.squares().iter().filter(in_use) {
+            let known = name(known);
+            binders.hypotheses.push((format!("{known}'square"), format!("{known} ^ 2 = {}", real(square))));
+        }
+        for (known, value) in self.domain.parameters().iter().filter(in_use) {
+            let known = name(known);
+            binders.hypotheses.push((format!("{known}'value"), format!("{known} = {}", real(value))));
+        }
+        for (known, value) in self.defined().into_iter().filter(in_use) {
+            let is_complex = self.complex.contains(&Symbol::new(known));
+            let known = name(known);
+            let equality = match is_complex {
+                true => format!("({known} = {})%C", complex(value, &self.complex)),
+                false => format!("{known} = {}", real(value)),
+            };
+            binders.hypotheses.push((format!("{known}'is"), equality));
+        }
+        binders
+    }
+
+    /// Is the statement after the substitutions the statement itself?
+    pub fn is_plain(&self) -> bool {
+        self.domain.substitutions().is_empty() && self.domain.parameters().is_empty()
+    }
+
+    /// Goes from the original variables to those after the substitutions, and applies the lemma on them.
+    pub fn transfer(&self, original: &Binders, substituted: &Binders, lemma: &str) -> String {
+        let mut tactics = String::new();
+        let has = |variable: &str| original.variables.iter().any(|(known, _)| *known == name(variable));
+        let covered = self.covered();
+        let used = covered.iter().any(|(known, _)| has(known))
+            || self.domain.parameters().iter().any(|(known, _)| has(known));
+        if used {
+            for (known, value) in self.domain.parameters().iter().filter(|(known, _)| !has(known)) {
+                let known = name(known);
+                let _ = write!(
+                    tactics,
+                    "assert (ex' : exists x', x' = {}) by (eexists; reflexivity); destruct ex' as [{known} {known}'value]; ",
+                    real(value)
+                );
+            }
+            let cover = self.cover_binders();
+            let _ = write!(tactics, "pose proof ({} {}) as cover'; ", self.cover_name(), cover.arguments());
+            for (known, _) in self.domain.parameters() {
+                let _ = write!(tactics, "destruct cover' as [{}'pos cover']; ", name(known));
+            }
+            for (known, _) in &covered {
+                let _ = write!(tactics, "destruct cover' as [{}'is cover']; ", name(known));
+            }
+            for (known, _) in self.domain.parameters() {
+                let _ = write!(tactics, "clear {}'value; ", name(known));
+            }
+        }
+        for (known, _) in self.domain.substitutions().iter().filter(|(known, _)| has(known)) {
+            let _ = write!(tactics, "subst {}; ", name(known));
+        }
+        tactics + &format!("exact ({lemma} {})", substituted.arguments())
+    }
+
+    fn cover_binders(&self) -> Binders {
+        let covered = self.covered().into_iter().chain(self.domain.parameters());
+        let all: Vec<Expression> = covered.map(|(known, _)| Expression::variable(known)).collect();
+        self.original(&all.iter().collect::<Vec<_>>())
+    }
+
+    fn cover_name(&self) -> String {
+        format!("cover_{}", super::digest(&self.domain.to_string()))
+    }
+
+    /// The lemma that the substitutions reach every point of the assumptions, if there are any.
+    pub fn cover(&self) -> Result<Option<Block>, Obstacle> {
+        let covered = self.covered();
+        if covered.is_empty() && self.domain.parameters().is_empty() {
+            return Ok(None);
+        }
+        let original = self.domain.original();
+        let tactics = Tactics(&original);
+        let parameters = self.domain.parameters();
+        let values = parameters.iter().map(|(known, value)| (Symbol::new(known), value.clone())).collect();
+        let (mut parts, mut proofs) = (Vec::new(), Vec::new());
+        for (known, value) in parameters {
+            parts.push(format!("0 < {}", name(known)));
+            proofs.push(tactics.sign(value, 1)?);
+        }
+        for (known, value) in &covered {
+            parts.push(format!("{} = {}", name(known), real(value)));
+            proofs.push(tactics.equal(&Expression::variable(known), &value.replaced(&values))?);
+        }
+        parts.push("True".to_owned());
+        let substituted: String =
+            parameters.iter().map(|(known, _)| format!("subst {}; ", name(known))).collect();
+        let mut proof = format!("{substituted}{}", tactics.facts()?);
+        for part in &proofs {
+            let _ = write!(proof, "split; [ {part} | ]; ");
+        }
+        proof += "exact I";
+        let label = self.cover_name();
+        let text = format!(
+            "Lemma {label}{} :\n  {}.\nProof. {proof}. Qed.\n",
+            self.cover_binders().text(),
+            parts.join(" /\\ ")
+        );
+        Ok(Some(Block { name: label, text }))
+    }
+
+    /// The lemma that the assumptions hold somewhere, if there are any.
+    pub fn witness(&self, original: &Binders) -> Option<Block> {
+        if original.hypotheses.is_empty() {
+            return None;
+        }
+        let label = format!("possible_{}", super::digest(&original.text()));
+        let value = |variable: &str| {
+            let symbol = Symbol::new(variable.strip_suffix("'v").unwrap_or(variable));
+            let defined = self.domain.parameters().iter().chain(self.domain.substitutions());
+            let defined = defined.filter(|(known, _)| !self.domain.is_assumed(known));
+            let mut defined = defined.filter(|(known, _)| known == symbol.as_str());
+            match defined.next() {
+                Some(_) => None,
+                None if symbol.as_str() == "pm" => Some("1".to_owned()),
+                None => Some(real(&Expression::Number(self.domain.original().example_of(&symbol)))),
+            }
+        };
+        let mut proof = String::new();
+        for (variable, kind) in &original.variables {
+            match value(variable) {
+                Some(value) if *kind == "C" => {
+                    let _ = write!(proof, "exists (RtoC {value}); ");
+                }
+                Some(value) => {
+                    let _ = write!(proof, "exists {value}; ");
+                }
+                None => proof += "eexists; ",
+            }
+        }
+        let names: Vec<String> =
+            original.variables.iter().map(|(name, kind)| format!("({name} : {kind})")).collect();
+        let statements: Vec<&str> = original.hypotheses.iter().map(|(_, text)| text.as_str()).collect();
+        let text = format!(
+            "Lemma {label} :\n  exists {}, {}.\nProof. {proof}possible. Qed.\n",
+            names.join(" "),
+            statements.join(" /\\ ")
+        );
+        Some(Block { name: label, text })
+    }
+}

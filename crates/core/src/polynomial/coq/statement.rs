@@ -1,0 +1,505 @@
+//! What a certificate says, as a statement with the tactics that prove it.
+
+use std::collections::BTreeSet;
+
+use super::Obstacle;
+use super::tactic::{Tactics, expression, expression_of};
+use super::term::{name, real};
+use crate::polynomial::{
+    Certificate, Condition, Domain, Expression, Polynomial, RationalFunction, Relation, Series, Symbol,
+    Toward,
+};
+
+/// A piece of a statement.
+#[derive(Clone)]
+enum Piece {
+    Text(String),
+    Term(Expression),
+}
+
+/// A statement, an alteration of it that is false, and the tactics that prove the statement after the substitutions.
+pub(super) struct Statement {
+    pieces: Vec<Piece>,
+    altered: Vec<Piece>,
+    pub tactics: String,
+    pub is_complex: bool,
+    /// The variables that the statement itself binds.
+    pub bound: BTreeSet<Symbol>,
+    /// What the statement assumes not to be zero, beyond its domain.
+    pub nonzero: Option<Expression>,
+}
+
+fn text(text: &str) -> Piece {
+    Piece::Text(text.to_owned())
+}
+
+fn term(expression: &Expression) -> Piece {
+    Piece::Term(expression.clone())
+}
+
+impl Statement {
+    /// The statement of a certificate, in the domain in which its variables are.
+    pub fn of(certificate: &Certificate, domain: &Domain) -> Result<Self, Obstacle> {
+        let tactics = Tactics(domain);
+        let written = |part: &Expression| domain.as_written(part);
+        match certificate {
+            Certificate::Identity { left, right, .. } => Self::equality(left, right, domain),
+            Certificate::Value { expression, value, .. } => Self::equality(expression, value, domain),
+            Certificate::Sign { expression, sign, .. } => {
+                let proof = tactics.sign(&written(expression), *sign)?;
+                let greater = vec![text("0 < "), term(expression)];
+                let less = vec![term(expression), text(" < 0")];
+                let (pieces, altered) = if *sign > 0 { (greater, less) } else { (less, greater) };
+                Ok(Self {
+                    pieces,
+                    altered,
+                    tactics: proof,
+                    is_complex: false,
+                    bound: BTreeSet::new(),
+                    nonzero: None,
+                })
+            }
+            Certificate::Difference { left, right, values: [a, b], .. } => {
+                let proofs =
+                    [(left, a), (right, b)].map(|(side, value)| tactics.equal(&written(side), value));
+                let [first, second] = proofs;
+                let all = |a: &Expression| {
+                    let sides =
+                        [term(left), text(" = "), term(a), text(" /\\ "), term(right), text(" = "), term(b)];
+                    let apart = [text(" /\\ "), term(a), text(" <> "), term(b)];
+                    sides.into_iter().chain(apart).collect::<Vec<_>>()
+                };
+                let proof = format!("split; [ {} | split; [ {} | lra ] ]", first?, second?);
+                Ok(Self {
+                    pieces: all(a),
+                    altered: all(b),
+                    tactics: proof,
+                    is_complex: false,
+                    bound: BTreeSet::new(),
+                    nonzero: None,
+                })
+            }
+            Certificate::Limit { expression, variable, toward, value, .. } => {
+                Self::limit(expression, (variable, *toward), value, domain)
+            }
+            Certificate::Root { polynomial, variable, between, .. } => {
+                Self::root(polynomial, variable, between, domain)
+            }
+            Certificate::Growth { expression, variable, order, .. } => {
+                let growth = Self::growth_from(&written(expression), &Symbol::new(variable), *order, domain)?;
+                let pieces = |expression: &Expression| vec![text("0 < "), term(expression)];
+                let altered = pieces(&-expression.clone());
+                Ok(Self {
+                    pieces: pieces(expression),
+                    altered,
+                    tactics: growth,
+                    is_complex: false,
+                    bound: BTreeSet::new(),
+                    nonzero: None,
+                })
+            }
+            Certificate::Series { relation, variable, unknown, coefficients, .. } => {
+                Self::series(relation, [variable, unknown], coefficients, domain)
+            }
+            Certificate::Connected { image, .. } => Ok(Self::connected(image)),
+        }
+    }
+
+    fn equality(left: &Expression, right: &Expression, domain: &Domain) -> Result<Self, Obstacle> {
+        let tactics = Tactics(domain);
+        let [l, r] = [left, right].map(|side| domain.as_written(side));
+        let imaginary = Symbol::new("i");
+        let is_complex = [&l, &r].iter().any(|side| side.variables().contains(&imaginary));
+        let proof = if is_complex { tactics.equal_complex(&[&l, &r])? } else { tactics.equal(&l, &r)? };
+        let sides = |left: &Expression, right: &Expression| vec![term(left), text(" = "), term(right)];
+        let altered = altered_side(right, left, domain)?;
+        Ok(Self {
+            pieces: sides(left, right),
+            altered: match altered {
+                (true, right) => sides(left, &right),
+                (false, left) => sides(&left, right),
+            },
+            tactics: proof,
+            is_complex,
+            bound: BTreeSet::new(),
+            nonzero: None,
+        })
+    }
+
+    fn limit(
+        expression: &Expression,
+        (variable, toward): (&str, Toward),
+        value: &Expression,
+        domain: &Domain,
+    ) -> Result<Self, Obstacle> {
+        let tactics = Tactics(domain);
+        let [inner, limit] = [expression, value].map(|part| domain.as_written(part));
+        let symbol = Symbol::new(variable);
+        let function = domain.rational_function(&inner)?;
+        let mut sides = [function.numerator(), function.denominator()].map(|side| side.coefficients(&symbol));
+        let [x, at] = [name(variable), real(&Expression::Variable(symbol.clone()))];
+        let (lemma, point, filter) = match toward {
+            Toward::Zero => ("limit_at_zero", Expression::Variable(symbol.clone()), "(at_right 0)"),
+            Toward::Infinity => {
+                let length = sides[1].len();
+                for side in &mut sides {
+                    side.resize(length, Polynomial::zero());
+                    side.reverse();
+                }
+                let inverse = Expression::Power(Box::new(Expression::Variable(symbol.clone())), -1);
+                ("limit_at_infinity", inverse, "(Rbar_locally p_infty)")
+            }
+        };
+        let [above, below] = [coefficients(&sides[0])?, coefficients(&sides[1])?];
+        let equal = tactics.equal(&inner, &quotient(horner(&above, &point), horner(&below, &point)))?;
+        let first = |list: &[Expression]| list.first().cloned().unwrap_or_else(|| Expression::integer(0));
+        let ends = tactics.equal(&limit, &quotient(first(&above), first(&below)))?;
+        let proof = format!(
+            "apply ({lemma} (fun {x} : R => {}) {} {}); [ intros {x} {x}'pos; cbn [horner]; {equal} \
+             | cbn [horner]; divisor | cbn [horner]; {ends} ]",
+            real(&inner),
+            list(&above),
+            list(&below),
+        );
+        let pieces = |value: &Expression| {
+            let open = text(&format!("filterlim (fun {at} : R => "));
+            vec![open, term(expression), text(&format!(") {filter} (locally ")), term(value), text(")")]
+        };
+        let altered = match altered_side(value, expression, domain)? {
+            (true, value) => pieces(&value),
+            (false, _) => pieces(&(value.clone() + Expression::integer(1))),
+        };
+        Ok(Self {
+            pieces: pieces(value),
+            altered,
+            tactics: proof,
+            is_complex: false,
+            bound: [symbol].into(),
+            nonzero: None,
+        })
+    }
+
+    fn root(
+        polynomial: &Expression,
+        variable: &str,
+        between: &[Option<Expression>; 2],
+        domain: &Domain,
+    ) -> Result<Self, Obstacle> {
+        let tactics = Tactics(domain);
+        let symbol = Symbol::new(variable);
+        let x = name(variable);
+        let inner = domain.as_written(polynomial);
+        let function = domain.rational_function(&inner)?;
+        let divisor: RationalFunction = function.denominator().clone().into();
+        let coefficients = function.numerator().coefficients(&symbol).into_iter().map(|coefficient| {
+            RationalFunction::from(coefficient)
+                .checked_div(&divisor)
+                .ok_or_else(|| Obstacle("a zero divisor".into()))
+        });
+        let coefficients: Vec<RationalFunction> = coefficients.collect::<Result<_, _>>()?;
+        let expressions = |turned: bool| -> Result<Vec<Expression>, Obstacle> {
+            let turn = |(power, value): (usize, &RationalFunction)| {
+                if turned && power % 2 == 1 { expression(&-value.clone()) } else { expression(value) }
+            };
+            coefficients.iter().enumerate().map(turn).collect()
+        };
+        let [straight, turned] = [expressions(false)?, expressions(true)?];
+        let point = Expression::Variable(symbol.clone());
+        let same = tactics.equal(&inner, &horner(&straight, &point))?;
+        let reflected = horner(&straight, &Expression::Negation(Box::new(point.clone())));
+        let mirror = tactics.equal(&reflected, &horner(&turned, &point))?;
+        let at = |end: &Expression| inner.replaced(&[(symbol.clone(), domain.as_written(end))].into());
+        let leading = |list: &[Expression]| list.last().cloned().unwrap_or_else(|| Expression::integer(0));
+        let signs = |one: &Expression, other: &Expression| -> Result<String, Obstacle> {
+            let sign = domain.sign(one)?.ok_or_else(|| Obstacle(format!("{one} has no sign")))?;
+            let side = if sign > 0 { "left" } else { "right" };
+            let proofs = [tactics.sign(one, sign)?, tactics.sign(other, -sign)?];
+            Ok(format!("{side}; split; try cbn [last]; [ {} | {} ]", proofs[0], proofs[1]))
+        };
+        let (list, turned_list) = (list(&straight), list(&turned));
+        let f = format!("(fun {x} : R => {})", real(&inner));
+        let equal = format!("intros {x}; cbn [horner]; {same}");
+        let proof = match between {
+            [None, Some(high)] => format!(
+                "apply (root_below {f} {list} {turned_list} {}); [ {equal} | intros {x}; cbn [horner]; {mirror} | {} ]",
+                real(&domain.as_written(high)),
+                signs(&at(high), &leading(&turned))?
+            ),
+            [Some(low), None] => format!(
+                "apply (root_above {f} {list} {}); [ {equal} | {} ]",
+                real(&domain.as_written(low)),
+                signs(&at(low), &leading(&straight))?
+            ),
+            [Some(low), Some(high)] => {
+                let width = Expression::Sum(vec![high.clone(), Expression::Negation(Box::new(low.clone()))]);
+                let width = domain.as_written(&width);
+                format!(
+                    "apply (root_inside {f} {list} {} {}); [ {equal} | apply Rminus_gt_0_lt; {} | {} ]",
+                    real(&domain.as_written(low)),
+                    real(&domain.as_written(high)),
+                    tactics.sign(&width, 1)?,
+                    signs(&at(low), &at(high))?
+                )
+            }
+            [None, None] => {
+                return Err(Obstacle("a root without any bound has no translation yet".to_owned()));
+            }
+        };
+        let pieces = |polynomial: &Expression| {
+            let mut pieces = vec![text(&format!("exists {x} : R, "))];
+            if let Some(low) = &between[0] {
+                pieces.extend([term(low), text(&format!(" < {x} /\\ "))]);
+            }
+            if let Some(high) = &between[1] {
+                pieces.extend([text(&format!("{x} < ")), term(high), text(" /\\ ")]);
+            }
+            pieces.extend([term(polynomial), text(" = 0")]);
+            pieces
+        };
+        let (_, altered) = altered_side(polynomial, polynomial, domain)?;
+        let altered = pieces(&altered);
+        Ok(Self {
+            pieces: pieces(polynomial),
+            altered,
+            tactics: proof,
+            is_complex: false,
+            bound: [symbol].into(),
+            nonzero: None,
+        })
+    }
+
+    fn series(
+        relation: &Expression,
+        [variable, unknown]: [&String; 2],
+        given: &[Expression],
+        domain: &Domain,
+    ) -> Result<Self, Obstacle> {
+        let tactics = Tactics(domain);
+        let [small, root] = [variable, unknown].map(|name| Symbol::new(name));
+        let [x, y] = [name(variable), name(unknown)];
+        let order = given.len();
+        let inner = domain.as_written(relation);
+        let function = domain.rational_function(&inner)?;
+        if function.denominator().as_constant().is_none() {
+            return Err(Obstacle("the relation of a series is no polynomial".to_owned()));
+        }
+        let over = |part: Polynomial, below: &Polynomial| -> Result<Expression, Obstacle> {
+            let whole = RationalFunction::from(part).checked_div(&below.clone().into());
+            expression(&whole.ok_or_else(|| Obstacle("a divisor is zero".to_owned()))?)
+        };
+        let rows = function.numerator().coefficients(&root).into_iter().map(|row| {
+            let row = row.coefficients(&small).into_iter();
+            row.map(|part| over(part, function.denominator())).collect::<Result<Vec<_>, _>>()
+        });
+        let rows: Vec<Vec<Expression>> = rows.collect::<Result<_, _>>()?;
+        let [x_point, y_point] = [&small, &root].map(|symbol| Expression::Variable(symbol.clone()));
+        let series = Series::expression(given, &x_point);
+        let sum = domain.as_written(&series);
+        let at_sum = inner.replaced(&[(root.clone(), sum.clone())].into());
+        let residual = domain.rational_function(&at_sum)?;
+        let rest = residual.numerator().coefficients(&small).into_iter().skip(order);
+        let rest: Vec<Expression> =
+            rest.map(|part| over(part, residual.denominator())).collect::<Result<_, _>>()?;
+        let written: Vec<Expression> = given.iter().map(|value| domain.as_written(value)).collect();
+        let start = written.first().cloned().unwrap_or_else(|| Expression::integer(0));
+        let slope = over(function.numerator().derivative(&root), function.denominator())?;
+        let slope = slope.replaced(&[(small.clone(), Expression::integer(0)), (root.clone(), start)].into());
+        let slope = expression(&domain.rational_function(&slope)?)?;
+        let by_rows: Vec<Expression> = rows.iter().map(|row| horner(row, &x_point)).collect();
+        let power = Expression::Power(Box::new(x_point.clone()), i32::try_from(order).unwrap_or(i32::MAX));
+        let remainder = Expression::Product(vec![power, horner(&rest, &x_point)]);
+        let proven = domain.proves(&Condition { expression: slope.clone(), relation: Relation::NonZero })?;
+        let single = if proven { tactics.nonzero(&slope)? } else { "assumption".to_owned() };
+        let lists: Vec<String> = rows.iter().map(|row| list(row)).collect();
+        let proof = format!(
+            "apply (branch (fun {x} {y} : R => {}) (fun {x} : R => {}) [{}] {} {} {order}); [ lia \
+             | intros {x} {y}; unfold both; cbn [map horner]; {} | intros {x}; cbn [horner]; {} \
+             | intros {x}; cbn [horner]; {} | apply (different _ {}); [ cbn [map horner slope]; field; divisors | {single} ] ]",
+            real(&inner),
+            real(&sum),
+            lists.join("; "),
+            list(&written),
+            list(&rest),
+            tactics.equal(&inner, &horner(&by_rows, &y_point))?,
+            tactics.equal(&sum, &horner(&written, &x_point))?,
+            tactics.equal(&at_sum, &remainder)?,
+            real(&slope),
+        );
+        let pieces = |relation: &Expression| {
+            let open = format!(
+                "exists e'b k'b : R, 0 < e'b /\\ 0 < k'b /\\ forall {x} : R, Rabs {x} < e'b -> exists {y} : R, "
+            );
+            let close = text(&format!(") <= k'b * Rabs {x} ^ {order}"));
+            vec![text(&open), term(relation), text(&format!(" = 0 /\\ Rabs ({y} - ")), term(&series), close]
+        };
+        let (_, altered) = altered_side(relation, relation, domain)?;
+        Ok(Self {
+            pieces: pieces(relation),
+            altered: pieces(&altered),
+            tactics: proof,
+            is_complex: false,
+            bound: [small, root].into(),
+            nonzero: (!proven).then_some(slope),
+        })
+    }
+
+    /// Any two points of the set are joined by a curve in it.
+    fn connected(image: &[(String, Expression)]) -> Self {
+        let parameters: BTreeSet<Symbol> = image.iter().flat_map(|(_, value)| value.variables()).collect();
+        let own: Vec<String> = parameters.iter().map(|symbol| name(symbol.as_str())).collect();
+        let others: Vec<String> = own.iter().map(|own| format!("{own}'other")).collect();
+        let between: Vec<String> =
+            own.iter().zip(&others).map(|(one, other)| format!("(between {one} {other} u')")).collect();
+        // A name that stands in a text as it is.
+        let exchange = |part: &Expression, names: &[String]| {
+            let names = names.iter().map(|name| Expression::Variable(Symbol::new(name)));
+            part.replaced(&parameters.iter().cloned().zip(names).collect())
+        };
+        let positive = |names: &[String], joint: &str| -> String {
+            names.iter().map(|name| format!("0 < {name}{joint}")).collect()
+        };
+        let pieces = |image: &[(String, Expression)]| {
+            let both = [own.clone(), others.clone()].concat();
+            let coordinates: Vec<String> = image.iter().map(|(coordinate, _)| name(coordinate)).collect();
+            let continuous: String =
+                coordinates.iter().map(|coordinate| format!("continuous {coordinate} u' /\\ ")).collect();
+            let mut pieces = vec![text(&format!(
+                "forall {} : R, {}exists {} : R -> R, (forall u' : R, 0 <= u' <= 1 -> {continuous}exists {} : R, {}",
+                both.join(" "),
+                positive(&both, " -> "),
+                coordinates.join(" "),
+                own.join(" "),
+                positive(&own, " /\\ "),
+            ))];
+            for (at, names, end) in [("u'", &own, "True) /\\ "), ("0", &own, ""), ("1", &others, "True")] {
+                for (coordinate, value) in image {
+                    let value = exchange(value, names);
+                    pieces.extend([
+                        text(&format!("{} {at} = ", name(coordinate))),
+                        term(&value),
+                        text(" /\\ "),
+                    ]);
+                }
+                pieces.push(text(end));
+            }
+            pieces
+        };
+        let curve = |(_, value): &(String, Expression)| {
+            format!("exists (fun u' : R => {}); ", real(&exchange(value, &between)))
+        };
+        let curves: String = image.iter().map(curve).collect();
+        let facts =
+            between.iter().map(|point| format!("assert (0 < {point}) by (now apply between_positive); "));
+        let points = between.iter().map(|point| format!("exists {point}; "));
+        let walk: String = facts
+            .chain(image.iter().map(|_| "split; [ continuous_by_form | ]; ".to_owned()))
+            .chain(points)
+            .collect();
+        let proof = format!(
+            "intros; {curves}split; [ intros u' range'; {walk}repeat split; first [ assumption | reflexivity ] \
+             | repeat split; cbn beta; rewrite ?between_start, ?between_end; reflexivity ]"
+        );
+        let mut altered = image.to_vec();
+        altered.iter_mut().take(1).for_each(|(_, value)| *value = -value.clone());
+        let bound = own.iter().chain(&others).map(|name| Symbol::new(name)).collect();
+        let (pieces, altered) = (pieces(image), pieces(&altered));
+        Self { pieces, altered, tactics: proof, is_complex: false, bound, nonzero: None }
+    }
+
+    fn growth_from(
+        expression: &Expression,
+        variable: &Symbol,
+        order: u32,
+        domain: &Domain,
+    ) -> Result<String, Obstacle> {
+        let tactics = Tactics(domain);
+        if order == 0 {
+            return tactics.sign(expression, 1);
+        }
+        let x = name(variable.as_str());
+        let slope = expression.derivative(variable);
+        let zero = expression.replaced(&[(variable.clone(), Expression::integer(0))].into());
+        Ok(format!(
+            "apply (growth (fun {x} : R => {}) (fun {x} : R => {}) {x}); [ clear; intros {x}; auto_derive; \
+             [ repeat split | field ] | {} | clear; intros {x} {x}'pos; {} | assumption ]",
+            real(expression),
+            real(&slope),
+            tactics.equal(&zero, &Expression::integer(0))?,
+            Self::growth_from(&slope, variable, order - 1, domain)?
+        ))
+    }
+
+    /// The statement's expressions.
+    pub fn terms(&self) -> Vec<&Expression> {
+        let terms = self.pieces.iter().filter_map(|piece| match piece {
+            Piece::Term(expression) => Some(expression),
+            Piece::Text(_) => None,
+        });
+        terms.collect()
+    }
+
+    /// The statement as Coq reads it, its expressions written by `show`.
+    pub fn text(&self, altered: bool, show: impl Fn(&Expression) -> String) -> String {
+        let pieces = if altered { &self.altered } else { &self.pieces };
+        let words = pieces.iter().map(|piece| match piece {
+            Piece::Text(text) => text.clone(),
+            Piece::Term(expression) => show(expression),
+        });
+        let text: String = words.collect();
+        if self.is_complex { format!("({text})%C") } else { text }
+    }
+}
+
+/// The first alteration of either side that changes its value: the sign of a term, or a factor 2 on it.
+fn altered_side(
+    right: &Expression,
+    left: &Expression,
+    domain: &Domain,
+) -> Result<(bool, Expression), Obstacle> {
+    for (is_right, side) in [(true, right), (false, left)] {
+        for altered in alterations(side) {
+            if !domain.difference(side, &altered)?.is_zero() {
+                return Ok((is_right, altered));
+            }
+        }
+    }
+    // Zero on both sides.
+    Ok((true, right.clone() + Expression::integer(1)))
+}
+
+fn alterations(side: &Expression) -> Vec<Expression> {
+    let twice = |part: &Expression| Expression::integer(2) * part.clone();
+    match side {
+        Expression::Sum(parts) => {
+            let changed = |change: &dyn Fn(&Expression) -> Expression, at: usize| {
+                let mut parts = parts.clone();
+                parts[at] = change(&parts[at]);
+                Expression::Sum(parts)
+            };
+            let signs = (0..parts.len()).map(|at| changed(&|part| -part.clone(), at));
+            signs.chain((0..parts.len()).map(|at| changed(&twice, at))).collect()
+        }
+        other => vec![-other.clone(), twice(other)],
+    }
+}
+
+fn coefficients(side: &[Polynomial]) -> Result<Vec<Expression>, Obstacle> {
+    side.iter().map(expression_of).collect()
+}
+
+fn quotient(above: Expression, below: Expression) -> Expression {
+    Expression::Quotient(Box::new(above), Box::new(below))
+}
+
+/// c₀ + x·(c₁ + x·(…)).
+fn horner(coefficients: &[Expression], point: &Expression) -> Expression {
+    let rest = Expression::integer(0);
+    coefficients.iter().rev().fold(rest, |rest, value| {
+        Expression::Sum(vec![value.clone(), Expression::Product(vec![point.clone(), rest])])
+    })
+}
+
+fn list(coefficients: &[Expression]) -> String {
+    let texts: Vec<String> = coefficients.iter().map(real).collect();
+    format!("[{}]", texts.join("; "))
+}

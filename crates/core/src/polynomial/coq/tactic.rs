@@ -1,0 +1,343 @@
+//! Proofs of equalities and signs: each call is brought to the form that the converter gives it, and `field` does the rest.
+
+use std::collections::BTreeMap;
+
+use super::Obstacle;
+use super::term::{divides, outer_calls, real};
+use crate::polynomial::conversion::Converter;
+use crate::polynomial::{Condition, Domain, Expression, Function, Polynomial, RationalFunction, Relation};
+
+/// Writes tactics for goals in the variables that remain after a domain's substitutions.
+pub(super) struct Tactics<'d>(pub &'d Domain);
+
+impl Tactics<'_> {
+    /// Proves left = right.
+    pub fn equal(&self, left: &Expression, right: &Expression) -> Result<String, Obstacle> {
+        if real(left) == real(right) {
+            return Ok("reflexivity".to_owned());
+        }
+        self.equal_after("", &[left, right])
+    }
+
+    /// Proves left = right over the complex numbers.
+    pub fn equal_complex(&self, sides: &[&Expression]) -> Result<String, Obstacle> {
+        self.equal_after("project; ", sides)
+    }
+
+    fn equal_after(&self, first: &str, sides: &[&Expression]) -> Result<String, Obstacle> {
+        let mut calls = BTreeMap::new();
+        sides.iter().for_each(|side| outer_calls(side, &mut calls));
+        let mut calls: Vec<(String, Expression)> = calls.into_iter().collect();
+        // A call inside another one must not be rewritten before it.
+        calls.sort_by_key(|(text, _)| std::cmp::Reverse(text.len()));
+        let mut tactics = first.to_owned();
+        if first.is_empty() {
+            tactics += &self.divisors(sides)?;
+        }
+        let mut roots = BTreeMap::new();
+        let mut field = !first.is_empty() || sides.iter().any(|side| divides(side));
+        for (text, call) in &calls {
+            let normal = self.normal(call)?;
+            if real(&normal) != *text {
+                let proof = self.call(call, &normal)?;
+                tactics += &format!(
+                    "assert (h' : {text} = {}) by ({proof}); rewrite ?h'; clear h'; ",
+                    real(&normal)
+                );
+            }
+            roots_in(&normal, &mut roots);
+            field |= divides(&normal);
+        }
+        let mut known: Vec<String> = Vec::new();
+        for (index, root) in roots.values().enumerate() {
+            let (above, below) = match root {
+                Expression::Quotient(above, below) => ((**above).clone(), Some(&**below)),
+                whole => (whole.clone(), None),
+            };
+            let square = match below {
+                Some(below) => {
+                    tactics += &format!(
+                        "rewrite ?(root_of_quotient {} {}) by (first [nonneg | pos]); ",
+                        real(&above),
+                        real(below)
+                    );
+                    Expression::Product(vec![above, below.clone()])
+                }
+                None => above,
+            };
+            let square = real(&square);
+            tactics += &format!(
+                "assert (q'{index} : sqrt {square} ^ 2 = {square}) by (apply root_squared; nonneg); "
+            );
+            known.push(format!("q'{index}"));
+        }
+        known.extend(self.0.squares().iter().map(|(name, _)| format!("{name}'square")));
+        if sides.iter().any(|side| side.variables().iter().any(|name| name.as_str() == "pm")) {
+            known.push("pm'square".to_owned());
+        }
+        let known = if known.is_empty() { String::new() } else { format!(" [{}]", known.join(" ")) };
+        field |= !roots.is_empty();
+        tactics += &if field { format!("field{known}; divisors") } else { format!("ring{known}") };
+        Ok(tactics)
+    }
+
+    /// Proves of each divisor that is not zero by a condition that it is not zero.
+    fn divisors(&self, sides: &[&Expression]) -> Result<String, Obstacle> {
+        let mut divisors = BTreeMap::new();
+        sides.iter().for_each(|side| divisors_in(side, &mut divisors));
+        let mut tactics = String::new();
+        for (number, divisor) in divisors.values().enumerate() {
+            let function = self.0.rational_function(divisor)?;
+            let (factors, _) = self.nonzero_factors(&function);
+            if factors
+                .first()
+                .is_some_and(|first| expression_of(first).is_ok_and(|first| real(&first) != real(divisor)))
+            {
+                let shown = real(divisor);
+                tactics += &format!("assert (n'{number} : {shown} <> 0) by ({}); ", self.nonzero(divisor)?);
+            }
+        }
+        Ok(tactics)
+    }
+
+    /// Proves that a value is not zero: by the conditions that speak of its factors, and by form.
+    pub fn nonzero(&self, value: &Expression) -> Result<String, Obstacle> {
+        let function = self.0.rational_function(value)?;
+        let (factors, rest) = self.nonzero_factors(&function);
+        let rest = RationalFunction::from(rest).checked_div(&function.denominator().clone().into());
+        let rest = expression(&rest.ok_or_else(|| Obstacle(format!("{value} has no denominator")))?)?;
+        let factors = factors.iter().map(expression_of).collect::<Result<Vec<_>, _>>()?;
+        let product = Expression::Product(factors.into_iter().chain([rest]).collect());
+        let (equal, shown) = (self.equal(&product, value)?, real(value));
+        Ok(format!("replace {shown} with {} by ({equal}); divisor", real(&product)))
+    }
+
+    fn nonzero_factors(&self, function: &RationalFunction) -> (Vec<Polynomial>, Polynomial) {
+        Converter::new(self.0).factors(function.numerator(), |relation| relation != Relation::NonNegative)
+    }
+
+    /// What the converter makes of a call.
+    fn normal(&self, call: &Expression) -> Result<Expression, Obstacle> {
+        expression(&self.0.rational_function(call)?)
+    }
+
+    /// Proves call = normal.
+    fn call(&self, call: &Expression, normal: &Expression) -> Result<String, Obstacle> {
+        let Expression::Call(function, argument) = call else { return self.equal(call, normal) };
+        if let Expression::Call(same, other) = normal
+            && same == function
+        {
+            return Ok(format!("f_equal; {}", self.equal(argument, other)?));
+        }
+        match function {
+            Function::Exp | Function::Asinh => {
+                let zero = self.equal(argument, &Expression::integer(0))?;
+                Ok(format!("replace {} with 0 by (symmetry; {zero}); apply exp_0", real(argument)))
+            }
+            Function::Ln => {
+                let plain = expression(&self.0.rational_function(argument)?)?;
+                let replaced = match plain == **argument {
+                    true => String::new(),
+                    false => {
+                        let proof = self.equal(&plain, argument)?;
+                        format!("replace {} with {} by ({proof}); ", real(argument), real(&plain))
+                    }
+                };
+                Ok(format!("{replaced}logarithms; ring"))
+            }
+            Function::Sqrt => {
+                let square = Expression::Product(vec![normal.clone(), normal.clone()]);
+                let equal = self.equal(argument, &square)?;
+                Ok(format!("apply root_of_square; [ {} | {equal} ]", self.not_negative(normal)?))
+            }
+            Function::Abs => {
+                let argument_value = self.0.rational_function(argument)?;
+                let same = (&argument_value - &self.0.rational_function(normal)?).is_zero();
+                let (lemma, value) = match same {
+                    true => ("absolute_positive", normal.clone()),
+                    false => ("absolute_negative", Expression::Negation(Box::new(normal.clone()))),
+                };
+                let equal = self.equal(argument, &value)?;
+                Ok(format!("apply {lemma}; [ {} | {equal} ]", self.sign(normal, 1)?))
+            }
+        }
+    }
+
+    fn not_negative(&self, value: &Expression) -> Result<String, Obstacle> {
+        if value.is_zero() {
+            Ok("apply Rle_refl".to_owned())
+        } else {
+            Ok(format!("left; {}", self.sign(value, 1)?))
+        }
+    }
+
+    /// Proves 0 < value, or value < 0.
+    pub fn sign(&self, value: &Expression, sign: i8) -> Result<String, Obstacle> {
+        if sign > 0 && is_difference_of_roots(value) {
+            return Ok("pos".to_owned());
+        }
+        let function = self.0.rational_function(value)?;
+        let form = self.signed_form(&function).ok_or_else(|| {
+            Obstacle(format!(
+                "the sign of {} rests on more than coefficients of one sign",
+                expression_text(&function)
+            ))
+        })?;
+        let form = if sign > 0 { form } else { Expression::Negation(Box::new(form)) };
+        let equal = self.equal(value, &form)?;
+        let close = if sign > 0 { "pos" } else { "negative" };
+        if real(value) == real(&form) {
+            return Ok(close.to_owned());
+        }
+        Ok(format!("replace {} with {} by (symmetry; {equal}); {close}", real(value), real(&form)))
+    }
+
+    /// The function's absolute value as a quotient of products of what is positive by its form.
+    fn signed_form(&self, function: &RationalFunction) -> Option<Expression> {
+        let [above, below] =
+            [function.numerator(), function.denominator()].map(|side| self.positive_form(side));
+        Some(above? / below?)
+    }
+
+    fn positive_form(&self, polynomial: &Polynomial) -> Option<Expression> {
+        let (factors, rest) =
+            Converter::new(self.0).factors(polynomial, |relation| relation == Relation::Positive);
+        let rest = if rest.coefficient_sign()? < 0 { rest.scale(&rug::Rational::from(-1)) } else { rest };
+        let factors = factors.iter().map(expression_of).collect::<Result<Vec<_>, _>>().ok()?;
+        factors.into_iter().try_fold(expression_of(&rest).ok()?, |product, factor| Some(product * factor))
+    }
+
+    /// Brings each condition to the form in which the converter uses it.
+    pub fn facts(&self) -> Result<String, Obstacle> {
+        let mut tactics = String::new();
+        for (index, condition) in self.0.conditions().iter().enumerate() {
+            let fact = self.fact(index + 1, condition)?;
+            // A fact that is not needed may be out of reach; what needs it fails without it.
+            tactics += &if fact.is_empty() { fact } else { format!("try ({fact}); ") };
+        }
+        Ok(tactics)
+    }
+
+    fn fact(&self, number: usize, condition: &Condition) -> Result<String, Obstacle> {
+        let given = self.0.as_written(&condition.expression);
+        let before = self.0.with_conditions(number - 1);
+        let Some(core) = Converter::new(&before).core_of(condition) else { return Ok(String::new()) };
+        let ratio = RationalFunction::from(core.clone()).checked_div(&self.0.rational_function(&given)?);
+        let ratio = ratio.ok_or_else(|| Obstacle(format!("{condition} cannot hold")))?;
+        let (core, text) = (expression_of(&core)?, real(&given));
+        if real(&core) == text {
+            return Ok(String::new());
+        }
+        let shown = real(&core);
+        Ok(match condition.relation {
+            Relation::NonZero => {
+                let inverse = RationalFunction::from(1).checked_div(&ratio);
+                let inverse = inverse.ok_or_else(|| Obstacle(format!("{condition} cannot hold")))?;
+                let product = core * expression(&inverse)?;
+                let equal = self.equal(&product, &given)?;
+                format!(
+                    "assert (fact'{number} : {shown} <> 0) by (let z := fresh in intro z; apply given'{number}; \
+                     replace {text} with {} by ({equal}); rewrite z; ring)",
+                    real(&product)
+                )
+            }
+            relation => {
+                let product = Expression::Product(vec![given.clone(), expression(&ratio)?]);
+                let equal = self.equal(&product, &core)?;
+                let (sign, lemma) = match relation {
+                    Relation::Positive => ("<", "Rmult_lt_0_compat"),
+                    _ => ("<=", "Rmult_le_pos"),
+                };
+                let factor = Tactics(&before).sign(&expression(&ratio)?, 1)?;
+                let factor = if relation == Relation::Positive { factor } else { format!("left; {factor}") };
+                format!(
+                    "assert (fact'{number} : 0 {sign} {shown}) by (replace {shown} with {} by ({equal}); \
+                     apply {lemma}; [ assumption | {factor} ])",
+                    real(&product)
+                )
+            }
+        })
+    }
+}
+
+/// What an expression divides by, but for products and powers of it.
+fn divisors_in(expression: &Expression, found: &mut BTreeMap<String, Expression>) {
+    match expression {
+        Expression::Number(_) | Expression::Variable(_) | Expression::Call(..) => {}
+        Expression::Sum(parts) | Expression::Product(parts) => {
+            parts.iter().for_each(|part| divisors_in(part, found));
+        }
+        Expression::Quotient(above, below) => {
+            divisors_in(above, found);
+            divisors_in(below, found);
+            factors_in(below, found);
+        }
+        Expression::Negation(inner) => divisors_in(inner, found),
+        Expression::Power(inner, exponent) => {
+            divisors_in(inner, found);
+            if *exponent < 0 {
+                factors_in(inner, found);
+            }
+        }
+    }
+}
+
+fn factors_in(divisor: &Expression, found: &mut BTreeMap<String, Expression>) {
+    match divisor {
+        Expression::Product(parts) => parts.iter().for_each(|part| factors_in(part, found)),
+        Expression::Quotient(above, _) => factors_in(above, found),
+        Expression::Negation(inner) | Expression::Power(inner, _) => factors_in(inner, found),
+        Expression::Sum(_) => {
+            found.insert(real(divisor), divisor.clone());
+        }
+        Expression::Number(_) | Expression::Variable(_) | Expression::Call(..) => {}
+    }
+}
+
+fn is_difference_of_roots(value: &Expression) -> bool {
+    let is_root = |part: &Expression| matches!(part, Expression::Call(Function::Sqrt, _));
+    match value {
+        Expression::Sum(parts) => match parts.as_slice() {
+            [first, Expression::Negation(second)] => is_root(first) && is_root(second),
+            _ => false,
+        },
+        _ => false,
+    }
+}
+
+/// The arguments of the roots that an expression in normal form has.
+fn roots_in(normal: &Expression, roots: &mut BTreeMap<String, Expression>) {
+    let mut calls = BTreeMap::new();
+    outer_calls(normal, &mut calls);
+    for (text, call) in calls {
+        if let Expression::Call(Function::Sqrt, inner) = call {
+            roots.insert(text, *inner);
+        }
+    }
+}
+
+fn expression_text(function: &RationalFunction) -> String {
+    Expression::from(function).to_string()
+}
+
+/// A function as an expression in which what the converter has named by its text is a call again.
+pub(super) fn expression(function: &RationalFunction) -> Result<Expression, Obstacle> {
+    with_calls(&Expression::from(function))
+}
+
+/// A polynomial as such an expression.
+pub(super) fn expression_of(polynomial: &Polynomial) -> Result<Expression, Obstacle> {
+    with_calls(&Expression::from(polynomial))
+}
+
+fn with_calls(expression: &Expression) -> Result<Expression, Obstacle> {
+    let mut calls = BTreeMap::new();
+    for name in expression.variables().into_iter().filter(|name| name.as_str().contains('(')) {
+        let call = name
+            .as_str()
+            .parse()
+            .map_err(|error| Obstacle(format!("{name} cannot be read again: {error}")))?;
+        calls.insert(name, call);
+    }
+    Ok(expression.replaced(&calls))
+}

@@ -1,0 +1,200 @@
+//! The certified steps of ledgers as files for Coq: one theorem per distinct step, in the file of the first claim that has it.
+//!
+//! A ledger is read as the text that was published, so that the theorems are about the very certificates that it shows.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use serde::Deserialize;
+use slipmode_core::polynomial::coq::Theorem;
+use slipmode_core::polynomial::{Certificate, Proof};
+
+/// A ledger of which only the proofs are read.
+#[derive(Debug, Deserialize)]
+struct Ledger {
+    claims: Vec<Claim>,
+}
+
+#[derive(Debug, Deserialize)]
+struct Claim {
+    id: String,
+    evidence: Vec<Evidence>,
+}
+
+#[derive(Debug, Deserialize)]
+struct Evidence {
+    proof: Option<Proof>,
+}
+
+/// The list of steps: what became of each step of each proof.
+pub const STEPS_FILE: &str = "steps.tsv";
+
+/// The first line of the list.
+const COLUMNS: &str = "report\tclaim\tproof\tstep\tkind\ttheorem\tfile\tobstacle\n";
+
+/// The bytes of theorems after which a claim's next theorem begins another file, so that files are checked side by side.
+const LARGE_FILE_BYTES: usize = 30_000;
+
+/// A theorem's name and its file, or the obstacle.
+type Place = Result<(String, String), String>;
+
+/// Theorems and altered theorems in the making, and where each distinct certificate stands.
+#[derive(Debug, Default)]
+struct Files {
+    texts: BTreeMap<String, String>,
+    known: Vec<(Certificate, Place)>,
+    steps: String,
+}
+
+/// The files of these ledgers, each given by its report's name and its JSON.
+///
+/// # Errors
+/// When a text is no ledger.
+pub fn files(ledgers: &[(String, Vec<u8>)]) -> Result<BTreeMap<String, String>, String> {
+    let mut files = Files { steps: COLUMNS.to_owned(), ..Files::default() };
+    for (report, json) in ledgers {
+        let ledger: Ledger = serde_json::from_slice(json).map_err(|error| format!("{report}: {error}"))?;
+        ledger.claims.iter().for_each(|claim| files.add(report, claim));
+    }
+    files.texts.insert(STEPS_FILE.to_owned(), files.steps);
+    Ok(files.texts)
+}
+
+impl Files {
+    fn add(&mut self, report: &str, claim: &Claim) {
+        let mut open = OpenFile::default();
+        let mut number = 1;
+        for proof in claim.evidence.iter().filter_map(|evidence| evidence.proof.as_ref()) {
+            for (step, index) in proof.steps.iter().zip(1..) {
+                let line = [report, &claim.id, &proof.id, &format!("{index}")].map(one_line).join("\t");
+                let Some(certificate) = &step.certificate else {
+                    let obstacle = "a step of plain reasoning has no certificate";
+                    self.steps += &format!("{line}\targued\t\t\t{obstacle}\n");
+                    continue;
+                };
+                let place = place(report, &claim.id, number);
+                let words = format!("{}, {}, step {index}: {}", claim.id, proof.statement, step.says);
+                let result = self.theorem(certificate, &place, &words, &mut open);
+                let [theorem, file, obstacle] = match &result {
+                    Ok((theorem, file)) => [theorem.as_str(), file, ""],
+                    Err(obstacle) => ["", "", obstacle],
+                }
+                .map(one_line);
+                self.steps += &format!("{line}\t{}\t{theorem}\t{file}\t{obstacle}\n", certificate.kind());
+                if open.text.len() > LARGE_FILE_BYTES {
+                    self.close(&place, &mut open);
+                    number += 1;
+                }
+            }
+        }
+        self.close(&place(report, &claim.id, number), &mut open);
+    }
+
+    /// The theorem of a certificate and its file: the known one, or a new one in the open file.
+    fn theorem(&mut self, certificate: &Certificate, place: &str, words: &str, open: &mut OpenFile) -> Place {
+        if let Some((_, known)) = self.known.iter().find(|(known, _)| known == certificate) {
+            return known.clone();
+        }
+        let made = Theorem::of(certificate).map_err(|obstacle| obstacle.to_string());
+        let result = made.map(|theorem| {
+            open.add(&theorem, words);
+            (theorem.name, place.to_owned())
+        });
+        self.known.push((certificate.clone(), result.clone()));
+        result
+    }
+
+    fn close(&mut self, place: &str, open: &mut OpenFile) {
+        let OpenFile { text, faults, names, .. } = std::mem::take(open);
+        if names.is_empty() {
+            return;
+        }
+        let assumptions: String = names.iter().map(|name| format!("Print Assumptions {name}.\n")).collect();
+        self.texts.insert(format!("{place}.v"), format!("{HEAD}{text}{assumptions}"));
+        self.texts.insert(format!("{place}_faults.v"), format!("{HEAD}{faults}"));
+    }
+}
+
+/// What every file begins with: the library, and a time limit in seconds for each lemma.
+const HEAD: &str = "From Slipmode Require Import Branches.\nSet Default Timeout 120.\n\n";
+
+/// A file that grows.
+#[derive(Debug, Default)]
+struct OpenFile {
+    text: String,
+    faults: String,
+    names: Vec<String>,
+    lemmas: BTreeSet<String>,
+}
+
+impl OpenFile {
+    fn add(&mut self, theorem: &Theorem, words: &str) {
+        for lemma in &theorem.lemmas {
+            if self.lemmas.insert(lemma.name.clone()) {
+                self.text += &format!("{}\n", lemma.text);
+            }
+        }
+        self.text += &format!("(** {} *)\n{}\n", comment(words), theorem.text);
+        self.faults += &format!("{}\n", theorem.fault);
+        self.names.push(theorem.name.clone());
+    }
+}
+
+/// Where a claim's file stands, without its ending: Coq wants letters, digits and low lines.
+fn place(report: &str, claim: &str, number: usize) -> String {
+    let letters: String = claim.chars().map(|c| if c.is_ascii_alphanumeric() { c } else { '_' }).collect();
+    let number = if number > 1 { format!("_{number}") } else { String::new() };
+    format!("{report}/claim_{letters}{number}")
+}
+
+/// Words that end no comment and begin no text inside it.
+fn comment(words: &str) -> String {
+    words.replace('"', "'").replace("(*", "( *").replace("*)", "* )")
+}
+
+fn one_line(text: &str) -> String {
+    text.replace(['\t', '\n', '\r'], " ")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn ledger(right: &str) -> Vec<u8> {
+        let certificate = format!(
+            r#"{{"kind": "identity", "left": "(x + y)^2", "right": "{right}",
+            "domain": {{"positive": ["x", "y"], "substitutions": []}}}}"#
+        );
+        let step = format!(
+            r#"{{"says": "a (*square*) of \"a\" sum", "equations": [], "certificate": {certificate}}}"#
+        );
+        let argued = r#"{"says": "so it is", "equations": [], "certificate": null}"#;
+        let proof =
+            format!(r#"{{"id": "binomial", "statement": "A formula.", "steps": [{step}, {argued}]}}"#);
+        let claim = |id: &str| {
+            format!(
+                r#"{{"id": "{id}", "evidence": [{{"kind": "proof", "proof": {proof}}}, {{"kind": "sample"}}]}}"#
+            )
+        };
+        format!(r#"{{"claims": [{}, {}]}}"#, claim("S1"), claim("S-2")).into_bytes()
+    }
+
+    #[test]
+    fn a_step_of_several_claims_is_one_theorem_and_a_changed_formula_changes_its_statement() {
+        let made = files(&[("r".to_owned(), ledger("x^2 + 2*x*y + y^2"))]).expect("a ledger");
+        assert_eq!(
+            made.keys().map(String::as_str).collect::<Vec<_>>(),
+            ["r/claim_S1.v", "r/claim_S1_faults.v", STEPS_FILE]
+        );
+        let text = &made["r/claim_S1.v"];
+        assert!(text.contains("((x + y) ^ 2) = ((x ^ 2) + (2 * x * y) + (y ^ 2))"), "{text}");
+        assert!(text.contains("(** S1, A formula., step 1: a ( *square* ) of 'a' sum *)"), "{text}");
+        let steps: Vec<Vec<&str>> = made[STEPS_FILE].lines().map(|line| line.split('\t').collect()).collect();
+        assert!(steps.len() == 5 && steps[1][5].starts_with("identity_") && steps[1][5..] == steps[3][5..]);
+        assert_eq!(steps[2][4..], ["argued", "", "", "a step of plain reasoning has no certificate"]);
+        let other = files(&[("r".to_owned(), ledger("x^2 + 3*x*y + y^2"))]).expect("a ledger");
+        assert!(
+            other["r/claim_S1.v"].contains("(3 * x * y)") && !other["r/claim_S1.v"].contains("(2 * x * y)")
+        );
+        assert!(files(&[("r".to_owned(), b"{}".to_vec())]).is_err());
+    }
+}
