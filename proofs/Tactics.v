@@ -95,4 +95,4 @@ Ltac possible :=
     | |- context [sqrt ?x] =>
         let h := fresh in assert (h : x = 1) by (first [lra | field]); rewrite h, sqrt_1; clear h
     end;
-  first [ reflexivity | lra | field_simplify; lra | nra ].
+  first [ reflexivity | lra | field_simplify; lra | nra | let h := fresh in intro h; lra ].

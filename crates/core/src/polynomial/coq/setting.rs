@@ -297,6 +297,10 @@ impl Setting<'_> {
             match defined.next() {
                 Some(_) => None,
                 None if symbol.as_str() == "pm" => Some("1".to_owned()),
+                // The value 0, which is the example of a name without assumptions, often makes a double root.
+                None if self.nonzero.as_ref().is_some_and(|value| value.variables().contains(&symbol)) => {
+                    Some("2".to_owned())
+                }
                 None => Some(real(&Expression::Number(self.domain.original().example_of(&symbol)))),
             }
         };
