@@ -131,6 +131,18 @@ Proof.
   - exists (- s); split; [lra | exact Z].
 Qed.
 
+(** A polynomial whose values far to the left and far to the right have opposite signs. *)
+Lemma root_anywhere (f : R -> R) (p q : list R) :
+  (forall s, f s = horner p s) -> (forall s, horner p (- s) = horner q s) ->
+  (0 < last q 0 /\ last p 0 < 0) \/ (last q 0 < 0 /\ 0 < last p 0) -> exists s, f s = 0.
+Proof.
+  intros E Q [[L H]|[L H]].
+  - destruct (far_negative p 0 H) as [b [_ B]].
+    destruct (root_below f p q b E Q) as (s & _ & Z); [right; rewrite (E b) | exists s]; auto.
+  - destruct (far p 0 H) as [b [_ B]].
+    destruct (root_below f p q b E Q) as (s & _ & Z); [left; rewrite (E b) | exists s]; auto.
+Qed.
+
 (** ** Growth *)
 
 (** What vanishes at 0 and has a positive slope right of 0 is positive there. *)

@@ -24,9 +24,23 @@ Ltac pos :=
 Lemma opposite_negative (x : R) : 0 < x -> - x < 0.
 Proof. lra. Qed.
 
-Ltac negative := first [apply opposite_negative; pos | lra].
+Ltac nonneg :=
+  lazymatch goal with
+  | |- 0 <= ?a + ?b => first [assumption | left; pos | apply Rplus_le_le_0_compat; nonneg | nra]
+  | |- 0 <= ?a * ?b => first [assumption | apply Rmult_le_pos; nonneg]
+  | |- 0 <= ?a / ?b => first [assumption | apply Rdiv_le_0_compat; [nonneg | pos]]
+  | |- 0 <= ?a ^ ?n => first [assumption | apply pow_le; nonneg]
+  | |- _ => first [assumption | left; pos | apply Rle_refl | nra]
+  end.
 
-Ltac nonneg := first [assumption | left; pos | apply Rle_refl | nra].
+(** A sum of which one term is positive and the others are not negative. *)
+Ltac one_pos :=
+  first
+    [ pos
+    | apply Rplus_le_lt_0_compat; [nonneg | one_pos]
+    | apply Rplus_lt_le_0_compat; [one_pos | nonneg] ].
+
+Ltac negative := first [apply opposite_negative; one_pos | lra].
 
 Ltac divisor :=
   first

@@ -5,6 +5,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use serde::Deserialize;
+use sha2::{Digest, Sha256};
 use slipmode_core::polynomial::coq::Theorem;
 use slipmode_core::polynomial::{Certificate, Proof};
 
@@ -29,19 +30,25 @@ struct Evidence {
 pub const STEPS_FILE: &str = "steps.tsv";
 
 /// The first line of the list.
-const COLUMNS: &str = "report\tclaim\tproof\tstep\tkind\ttheorem\tfile\tobstacle\n";
+const COLUMNS: &str = "report\tclaim\tproof\tstep\tkind\ttheorem\tdigest\tobstacle\n";
 
 /// The bytes of theorems after which a claim's next theorem begins another file, so that files are checked side by side.
 const LARGE_FILE_BYTES: usize = 30_000;
 
-/// A theorem's name and its file, or the obstacle.
-type Place = Result<(String, String), String>;
+/// A theorem's name and its certificate's digest, or the obstacle.
+type Outcome = Result<[String; 2], String>;
+
+/// SHA-256 of a certificate's JSON in lower-case hexadecimal.
+fn digest(certificate: &Certificate) -> String {
+    let json = serde_json::to_vec(certificate).unwrap_or_default();
+    Sha256::digest(json).iter().map(|byte| format!("{byte:02x}")).collect()
+}
 
 /// Theorems and altered theorems in the making, and where each distinct certificate stands.
 #[derive(Debug, Default)]
 struct Files {
     texts: BTreeMap<String, String>,
-    known: Vec<(Certificate, Place)>,
+    known: Vec<(Certificate, Outcome)>,
     steps: String,
 }
 
@@ -71,17 +78,16 @@ impl Files {
                     self.steps += &format!("{line}\targued\t\t\t{obstacle}\n");
                     continue;
                 };
-                let place = place(report, &claim.id, number);
                 let words = format!("{}, {}, step {index}: {}", claim.id, proof.statement, step.says);
-                let result = self.theorem(certificate, &place, &words, &mut open);
-                let [theorem, file, obstacle] = match &result {
-                    Ok((theorem, file)) => [theorem.as_str(), file, ""],
-                    Err(obstacle) => ["", "", obstacle],
-                }
-                .map(one_line);
-                self.steps += &format!("{line}\t{}\t{theorem}\t{file}\t{obstacle}\n", certificate.kind());
+                let result = self.theorem(certificate, &words, &mut open);
+                let ([theorem, digest], obstacle) = match result {
+                    Ok(place) => (place, String::new()),
+                    Err(obstacle) => (Default::default(), one_line(&obstacle)),
+                };
+                let kind = certificate.kind();
+                self.steps += &format!("{line}\t{kind}\t{theorem}\t{digest}\t{obstacle}\n");
                 if open.text.len() > LARGE_FILE_BYTES {
-                    self.close(&place, &mut open);
+                    self.close(&place(report, &claim.id, number), &mut open);
                     number += 1;
                 }
             }
@@ -89,15 +95,15 @@ impl Files {
         self.close(&place(report, &claim.id, number), &mut open);
     }
 
-    /// The theorem of a certificate and its file: the known one, or a new one in the open file.
-    fn theorem(&mut self, certificate: &Certificate, place: &str, words: &str, open: &mut OpenFile) -> Place {
+    /// The theorem of a certificate: the known one, or a new one in the open file.
+    fn theorem(&mut self, certificate: &Certificate, words: &str, open: &mut OpenFile) -> Outcome {
         if let Some((_, known)) = self.known.iter().find(|(known, _)| known == certificate) {
             return known.clone();
         }
         let made = Theorem::of(certificate).map_err(|obstacle| obstacle.to_string());
         let result = made.map(|theorem| {
             open.add(&theorem, words);
-            (theorem.name, place.to_owned())
+            [theorem.name, digest(certificate)]
         });
         self.known.push((certificate.clone(), result.clone()));
         result
@@ -108,14 +114,15 @@ impl Files {
         if names.is_empty() {
             return;
         }
-        let assumptions: String = names.iter().map(|name| format!("Print Assumptions {name}.\n")).collect();
+        let all = names.join(", ");
+        let assumptions = format!("Definition all_theorems := ({all}).\nPrint Assumptions all_theorems.\n");
         self.texts.insert(format!("{place}.v"), format!("{HEAD}{text}{assumptions}"));
         self.texts.insert(format!("{place}_faults.v"), format!("{HEAD}{faults}"));
     }
 }
 
 /// What every file begins with: the library, and a time limit in seconds for each lemma.
-const HEAD: &str = "From Slipmode Require Import Branches.\nSet Default Timeout 120.\n\n";
+const HEAD: &str = "From Slipmode Require Import Branches.\nSet Default Timeout 300.\n\n";
 
 /// A file that grows.
 #[derive(Debug, Default)]

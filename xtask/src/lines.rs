@@ -19,7 +19,8 @@ const GROUPS: [Group; 2] = [
         },
         most_lines: 38_000,
     },
-    Group { name: "xtask", includes: |path| path.starts_with("xtask/"), most_lines: 2_000 },
+    // 400 of them are `prove`, which decides what counts as proved by Coq.
+    Group { name: "xtask", includes: |path| path.starts_with("xtask/"), most_lines: 2_420 },
 ];
 
 /// Lines of code inside and outside tests.

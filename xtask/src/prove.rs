@@ -7,17 +7,17 @@ mod assumptions;
 mod files;
 mod summary;
 
-use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
-use std::sync::Mutex;
+use std::sync::OnceLock;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Instant;
 
 use crate::failure::Failure;
 use crate::{machine, process, repository, verify};
-use files::{library, read, write};
+use files::{library, names, read, write};
+use summary::Steps;
 
 /// Debian's packages, each with what shows that it is installed.
 const PACKAGES: [(&str, &str); 2] = [
@@ -25,45 +25,56 @@ const PACKAGES: [(&str, &str); 2] = [
     ("libcoq-coquelicot", "From Coquelicot Require Import Coquelicot."),
 ];
 
-/// Processes of Coq that run side by side.
-const PROCESSES: usize = 2;
-
-/// What is checked of a file.
+/// What is checked of each file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Mode {
     /// Every theorem is proved, and what it assumes is listed.
     Proofs,
-    /// Every altered theorem is refused; with `true` the first of each file only.
-    Faults(bool),
+    /// Every altered theorem is refused.
+    Faults,
 }
 
 /// Checks all theorems, or all altered ones.
 ///
 /// # Errors
-/// With exit code 1 when a theorem is not proved, assumes more than the real numbers' axioms, or an altered one is not refused;
-/// with 2 when Coq is missing.
+/// With exit code 1 when a theorem is not proved, assumes more than the real numbers' axioms, an altered one is not refused, or
+/// the record of accepted theorems was another one; with 2 when Coq is missing.
 pub fn run(arguments: &[String]) -> Result<(), Failure> {
     let words: Vec<&str> = arguments.iter().map(String::as_str).collect();
     let mode = match words[..] {
         [] => Mode::Proofs,
-        ["--planted-faults"] => Mode::Faults(false),
-        ["--planted-faults", "sample"] => Mode::Faults(true),
-        _ => {
-            return Err(Failure::bad_input(
-                "prove takes no argument, `--planted-faults` or `--planted-faults sample`",
-            ));
-        }
+        ["--planted-faults"] => Mode::Faults,
+        _ => return Err(Failure::bad_input("prove takes no argument or `--planted-faults`")),
     };
+    let start = Instant::now();
     let folder = repository::root().join("target/proofs");
     let version = require_coq(&folder)?;
     machine::run()?;
     verify::build_release()?;
     let generated = generate(&folder)?;
     let library = compile_library(&folder, &version)?;
-    let start = Instant::now();
-    let checked = check_all(&folder, &generated, mode, &format!("{version}\n{library}"))?;
-    let steps = read(&generated.join("steps.tsv"))?;
-    summary::print(&steps, &checked, mode, start.elapsed())
+    let text: String = library.iter().map(|(_, text)| text.as_str()).collect();
+    let mut files = generated_files(&generated, mode)?;
+    if mode == Mode::Proofs {
+        files.push(library_check(&library));
+    }
+    let checked = check_all(&folder, files, &format!("{version}\n{text}"))?;
+    let steps = Steps::read(&read(&generated.join("steps.tsv"))?)?;
+    let result = summary::print(&steps, &checked, mode);
+    println!("prove: {:.0} s", start.elapsed().as_secs_f64());
+    result?;
+    if mode == Mode::Proofs { record(&steps) } else { Ok(()) }
+}
+
+/// Writes the record of accepted theorems, from which the ledger knows what Coq has checked.
+fn record(steps: &Steps) -> Result<(), Failure> {
+    let path = repository::root().join("proofs/accepted.txt");
+    let text = steps.record();
+    if read(&path).is_ok_and(|known| known == text) {
+        return Ok(());
+    }
+    write(&path, &text)?;
+    Err(Failure::check("proofs/accepted.txt was not the list of accepted theorems; it is now: commit it"))
 }
 
 /// The version of Coq, which is installed where that is possible.
@@ -117,14 +128,14 @@ fn generate(folder: &Path) -> Result<PathBuf, Failure> {
     Ok(generated)
 }
 
-/// Compiles the hand-written library, unless the same text was compiled with the same version before. Its text.
-fn compile_library(folder: &Path, version: &str) -> Result<String, Failure> {
+/// Compiles the hand-written library, unless the same text was compiled with the same version before. Its modules.
+fn compile_library(folder: &Path, version: &str) -> Result<Vec<(String, String)>, Failure> {
     let modules = library(&repository::root().join("proofs"))?;
     let text: String = modules.iter().map(|(_, text)| text.as_str()).collect();
     let key = format!("{version}\n{text}");
     let (place, seal) = (folder.join("library"), folder.join("library/compiled"));
     if read(&seal).is_ok_and(|known| known == key) {
-        return Ok(text);
+        return Ok(modules);
     }
     println!("prove: compiling proofs/ with Coq {version}");
     for (name, text) in &modules {
@@ -134,80 +145,97 @@ fn compile_library(folder: &Path, version: &str) -> Result<String, Failure> {
         process::check(&mut coqc(folder, &path))?;
     }
     write(&seal, &key)?;
-    Ok(text)
+    Ok(modules)
+}
+
+/// A file that asks what the lemmas of the library assume.
+fn library_check(library: &[(String, String)]) -> Task {
+    let modules: Vec<&str> = library.iter().map(|(name, _)| name.as_str()).collect();
+    let stated = |word| library.iter().flat_map(move |(_, text)| names(text, word));
+    let theorems: Vec<String> = stated("Theorem ").chain(stated("Lemma ")).collect();
+    let text = format!(
+        "From Slipmode Require Import {}.\nDefinition all_theorems := (@{}).\nPrint Assumptions all_theorems.\n",
+        modules.join(" "),
+        theorems.join(", @")
+    );
+    Task { file: "library".to_owned(), text, theorems }
 }
 
 fn coqc(folder: &Path, path: &Path) -> Command {
     let mut command = Command::new("coqc");
-    command.args(["-q", "-w", "-all", "-R"]).arg(folder.join("library")).arg("Slipmode").arg(path);
+    // Some tactics leave a cache in the folder in which they run.
+    command.current_dir(folder);
+    command.args(["-q", "-noglob", "-w", "-all", "-R"]).arg(folder.join("library")).arg("Slipmode").arg(path);
     command
 }
 
-/// What Coq said of one file.
-pub struct Checked {
+/// A file for Coq.
+pub struct Task {
     /// The path below the folder of generated files, without its ending.
     pub file: String,
-    /// Standard output, when Coq accepted the file; its message otherwise.
-    pub output: Result<String, String>,
-    /// Names of the theorems in the file.
+    text: String,
+    /// Names of the theorems, or of the altered ones.
     pub theorems: Vec<String>,
 }
 
-/// Checks all generated files, the largest first.
-fn check_all(folder: &Path, generated: &Path, mode: Mode, base: &str) -> Result<Vec<Checked>, Failure> {
-    let mut queue: Vec<(String, String)> = Vec::new();
+/// What Coq said of a file: standard output when Coq accepted it; its message otherwise.
+pub type Said = Result<String, String>;
+
+/// The generated files of theorems, or of altered ones.
+fn generated_files(generated: &Path, mode: Mode) -> Result<Vec<Task>, Failure> {
+    let mut tasks = Vec::new();
     for path in files::below(generated)? {
-        let Some(name) = path.strip_suffix(".v") else { continue };
-        if name.ends_with("_faults") == (mode != Mode::Proofs) {
+        let Some(file) = path.strip_suffix(".v") else { continue };
+        if file.ends_with("_faults") == (mode == Mode::Faults) {
             let text = read(&generated.join(&path))?;
-            files::check_text(name, &text)?;
-            queue.push((
-                name.to_owned(),
-                if mode == Mode::Faults(true) { files::first_lemma(&text) } else { text },
-            ));
+            files::check_text(file, &text)?;
+            let theorems = names(&text, if mode == Mode::Faults { "Lemma " } else { "Theorem " });
+            tasks.push(Task { file: file.to_owned(), text, theorems });
         }
     }
-    queue.sort_by_key(|(_, text)| std::cmp::Reverse(text.len()));
-    let (next, found) = (AtomicUsize::new(0), Mutex::new(BTreeMap::new()));
-    let work = || -> Result<(), Failure> {
-        while let Some((name, text)) = queue.get(next.fetch_add(1, Ordering::Relaxed)) {
-            let output = check(folder, name, text, base)?;
-            let theorems = files::names(text, if mode == Mode::Proofs { "Theorem " } else { "Lemma " });
-            let checked = Checked { file: name.clone(), output, theorems };
-            if let Ok(mut found) = found.lock() {
-                found.insert(name.clone(), checked);
-            }
-        }
-        Ok(())
-    };
-    let ended = std::thread::scope(|scope| {
-        let threads: Vec<_> = (0..PROCESSES).map(|_| scope.spawn(work)).collect();
-        threads.into_iter().map(|thread| thread.join()).collect::<Vec<_>>()
-    });
-    for end in ended {
-        end.map_err(|_| Failure::check("a thread ended early"))??;
-    }
-    Ok(found.into_inner().map_err(|_| Failure::check("a thread ended early"))?.into_values().collect())
+    Ok(tasks)
 }
 
-/// Coq's output for this text, from the last run if nothing has changed since.
-fn check(folder: &Path, name: &str, text: &str, base: &str) -> Result<Result<String, String>, Failure> {
-    let path = folder.join("checked").join(format!("{name}.v"));
-    let (seal, said) = (path.with_extension("seal"), path.with_extension("out"));
-    let key = format!("{base}\n{text}");
-    if read(&seal).is_ok_and(|known| known == key) {
-        return Ok(Ok(read(&said)?));
+/// Checks files, the largest first, as many side by side as there are processors.
+fn check_all(folder: &Path, mut tasks: Vec<Task>, base: &str) -> Result<Vec<(Task, Said)>, Failure> {
+    tasks.sort_by_key(|task| std::cmp::Reverse(task.text.len()));
+    let said: Vec<OnceLock<Result<Said, Failure>>> = tasks.iter().map(|_| OnceLock::new()).collect();
+    let next = AtomicUsize::new(0);
+    let work = || {
+        let free = || next.fetch_add(1, Ordering::Relaxed);
+        while let Some((task, said)) = Some(free()).and_then(|at| tasks.get(at).zip(said.get(at))) {
+            said.get_or_init(|| check(folder, task, base));
+        }
+    };
+    std::thread::scope(|scope| {
+        for _ in 0..std::thread::available_parallelism().map_or(1, usize::from) {
+            scope.spawn(work);
+        }
+    });
+    let said = said
+        .into_iter()
+        .map(|said| said.into_inner().unwrap_or_else(|| Err(Failure::check("a thread ended early"))));
+    tasks.into_iter().zip(said).map(|(task, said)| Ok((task, said?))).collect()
+}
+
+/// Coq's output for this file, from the last run if nothing has changed since.
+fn check(folder: &Path, task: &Task, base: &str) -> Result<Said, Failure> {
+    let path = folder.join("checked").join(format!("{}.v", task.file));
+    let (seal, known) = (path.with_extension("seal"), path.with_extension("out"));
+    let key = format!("{base}\n{}", task.text);
+    if read(&seal).is_ok_and(|sealed| sealed == key) {
+        return Ok(Ok(read(&known)?));
     }
-    write(&path, text)?;
+    write(&path, &task.text)?;
     let start = Instant::now();
     let output = coqc(folder, &path).output();
     let output = output.map_err(|error| Failure::bad_input(format!("coqc cannot be run: {error}")))?;
-    println!("prove: {name} {:.0} s", start.elapsed().as_secs_f64());
+    println!("prove: {} {:.0} s", task.file, start.elapsed().as_secs_f64());
     if !output.status.success() {
         return Ok(Err(String::from_utf8_lossy(&output.stderr).trim().to_owned()));
     }
     let output = String::from_utf8_lossy(&output.stdout).into_owned();
-    write(&said, &output)?;
+    write(&known, &output)?;
     write(&seal, &key)?;
     Ok(Ok(output))
 }

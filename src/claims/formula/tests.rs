@@ -1,5 +1,7 @@
-//! Random formulas, decided and compared with their truth at points.
+//! Random formulas, decided and compared with their truth at points; formulas and equations as theorems.
 
+use slipmode_core::polynomial::coq::Theorem;
+use slipmode_core::polynomial::{Domain, Expression};
 use slipmode_core::theory::Equations;
 
 use super::*;
@@ -95,4 +97,46 @@ fn no_random_formula_holds_that_a_point_refutes_and_every_counter_example_is_one
         }
     }
     assert!(held >= 10 && failed >= 60 && open <= 20, "{held} held, {failed} failed, {open} open");
+}
+
+/// The theorem of the last step of the proof of a formula, without its proof.
+fn stated(text: &str, equations: &Equations) -> String {
+    let read = ClaimFormula::read(text, Scope::default(), equations).unwrap();
+    let found = decide_equations("formula", "", &read, equations);
+    let steps = &found.evidence[0].proof().unwrap().steps;
+    let theorem = Theorem::of(steps.last().unwrap().certificate.as_ref().unwrap()).unwrap();
+    theorem.text.rsplit_once("Theorem ").unwrap().1.split_once("Proof.").unwrap().0.to_owned()
+}
+
+#[test]
+fn a_theorem_changes_with_the_claims_formula_and_with_the_equation_that_it_names() {
+    let equations: Equations = read_equations("equations.toml", EQUATIONS).unwrap();
+    let altered = equations.altered("9", "K_c = 7*(b - a)*sigma/D_c").unwrap();
+    let text = stated("K_c*D_c/sigma + b = b + right_9*D_c/sigma", &equations);
+    assert!(text.contains("(b - a) * sigma) / D_c") && text.contains("(M * (V_0 ^ 2))"), "{text}");
+    let of_equation = stated("K_c*D_c/sigma + b = b + right_9*D_c/sigma", &altered);
+    assert!(of_equation.contains("7 * (b - a) * sigma") && !of_equation.contains("V_0"), "{of_equation}");
+    let of_formula = stated("5*K_c*D_c/sigma + b = b + 5*right_9*D_c/sigma", &equations);
+    assert!(of_formula.contains("(5 * ") && !text.contains("(5 * "), "{of_formula}");
+}
+
+/// `proofs/Slider.v` states eqs 8 and 9 by hand, with D and V for the paper's D_c and V_0.
+#[test]
+fn the_hand_written_theorems_on_the_slider_state_the_papers_equations() {
+    let equations: Equations = read_equations("equations.toml", EQUATIONS).unwrap();
+    let coq = include_str!("../../../proofs/Slider.v");
+    let stated = |name: &str| -> Expression {
+        let text = coq.split(&format!("\nLet {name} := ")).nth(1).unwrap().split(".\n").next().unwrap();
+        let parsed: Expression = text.parse().unwrap();
+        parsed.with("D", &Expression::variable("D_c")).with("V", &Expression::variable("V_0"))
+    };
+    let powers = ["c0", "c1", "c2", "c3"].into_iter().zip(["1", "s", "s^2", "s^3"]);
+    let terms = powers.map(|(name, power)| stated(name) * power.parse().unwrap());
+    let domain = Domain::positive(&equations.positive().join(" "));
+    let is_same = |left: &Expression, right: &Expression| {
+        domain.rational_function(&(left.clone() - right.clone())).unwrap().is_zero()
+    };
+    assert!(is_same(&Expression::Sum(terms.collect()), &equations.equation("8").left));
+    assert!(is_same(&stated("K_c"), &equations.equation("9").right));
+    assert!(!is_same(&stated("K_c"), &equations.equation("8").left));
 }

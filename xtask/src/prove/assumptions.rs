@@ -1,4 +1,4 @@
-//! What Coq says that each theorem assumes.
+//! What Coq says that theorems assume.
 
 /// The axioms of the real numbers in Coq's library, and those of classical logic on which they rest.
 const ALLOWED: [&str; 4] = [
@@ -8,26 +8,23 @@ const ALLOWED: [&str; 4] = [
     "Classical_Prop.classic",
 ];
 
-/// The assumptions of each theorem, in the order in which they were asked for.
-pub fn listed(output: &str) -> Vec<Vec<String>> {
-    let mut lists: Vec<Vec<String>> = Vec::new();
+/// The axioms that the theorems of a file assume together, so that each of them assumes no other; none when Coq has not said.
+pub fn listed(output: &str) -> Option<Vec<&str>> {
+    let mut axioms = None;
     for line in output.lines() {
         match line {
-            "Axioms:" | "Closed under the global context" => lists.push(Vec::new()),
+            "Axioms:" | "Closed under the global context" if axioms.is_none() => axioms = Some(Vec::new()),
             // The type of an axiom stands on lines that begin with spaces, and may begin on the axiom's own.
             _ if line.starts_with(' ') || line.is_empty() => {}
-            _ => {
-                let name = line.split([' ', ':']).next().unwrap_or(line);
-                lists.last_mut().into_iter().for_each(|list| list.push(name.to_owned()));
-            }
+            _ => axioms.as_mut()?.push(line.split([' ', ':']).next().unwrap_or(line)),
         }
     }
-    lists
+    axioms
 }
 
 /// The assumptions that no theorem may have.
-pub fn refused(list: &[String]) -> Vec<&str> {
-    list.iter().map(String::as_str).filter(|name| !ALLOWED.contains(name)).collect()
+pub fn refused<'a>(axioms: &[&'a str]) -> Vec<&'a str> {
+    axioms.iter().copied().filter(|name| !ALLOWED.contains(name)).collect()
 }
 
 #[cfg(test)]
@@ -35,13 +32,15 @@ mod tests {
     use super::*;
 
     #[test]
-    fn each_theorem_has_its_list_and_an_axiom_of_ones_own_is_refused() {
-        let output = "Axioms:\nClassicalDedekindReals.sig_forall_dec\n  : forall P : nat -> Prop,\n    True\n\
-                      Closed under the global context\nAxioms:\nmine : 1 = 2\nClassical_Prop.classic : forall P : Prop, P \\/ ~ P\n";
-        let lists = listed(output);
-        assert_eq!(lists.len(), 3);
-        assert_eq!(lists[0], ["ClassicalDedekindReals.sig_forall_dec"]);
-        assert!(lists[1].is_empty() && refused(&lists[0]).is_empty());
-        assert_eq!(refused(&lists[2]), ["mine"]);
+    fn an_axiom_of_ones_own_and_an_output_without_a_list_are_refused() {
+        let known = "Axioms:\nClassicalDedekindReals.sig_forall_dec\n  : forall P : nat -> Prop,\n    True\n";
+        let own = "mine : 1 = 2\nClassical_Prop.classic : forall P : Prop, P \\/ ~ P\n";
+        assert_eq!(listed(known), Some(vec!["ClassicalDedekindReals.sig_forall_dec"]));
+        assert!(refused(&listed(known).unwrap()).is_empty());
+        assert_eq!(refused(&listed(&format!("{known}{own}")).unwrap()), ["mine"]);
+        assert_eq!(listed("Closed under the global context\n"), Some(Vec::new()));
+        assert_eq!(listed(""), None);
+        // What two lists say is no list of the first.
+        assert!(refused(&listed("Closed under the global context\nAxioms:\n").unwrap()) == ["Axioms"]);
     }
 }

@@ -119,12 +119,6 @@ pub fn names(text: &str, word: &str) -> Vec<String> {
     lines.filter_map(|line| line.split_whitespace().next()).map(str::to_owned).collect()
 }
 
-/// The text up to the end of its first lemma.
-pub fn first_lemma(text: &str) -> String {
-    let end = text.find("Abort.\n").map_or(text.len(), |at| at + "Abort.\n".len());
-    text[..end].to_owned()
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;

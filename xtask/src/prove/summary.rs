@@ -1,154 +1,158 @@
 //! What was proved: theorems, steps by kind with their obstacles, and assumptions.
 
 use std::collections::{BTreeMap, BTreeSet};
-use std::time::Duration;
 
 use super::assumptions::{listed, refused};
-use super::{Checked, Mode};
+use super::{Mode, Said, Task};
 use crate::failure::Failure;
 
 /// Prints the counts.
 ///
 /// # Errors
-/// When a file was not accepted, a theorem assumes too much, or an altered one was not refused.
-pub fn print(steps: &str, checked: &[Checked], mode: Mode, time: Duration) -> Result<(), Failure> {
-    let mut faults = Vec::new();
-    for Checked { file, output, .. } in checked {
-        faults.extend(output.as_ref().err().map(|message| format!("{file}: {message}")));
-    }
-    let seconds = time.as_secs_f64();
-    if mode == Mode::Proofs {
-        let (theorems, lists) = proved(checked, &mut faults);
-        println!("{}", coverage(steps, &theorems));
-        for (list, count) in lists {
-            println!(
-                "prove: {count} theorems assume {}",
-                if list.is_empty() { "nothing".into() } else { list }
-            );
+/// When a file was not accepted, theorems assume too much, or an altered one was not refused.
+pub fn print(steps: &Steps, checked: &[(Task, Said)], mode: Mode) -> Result<(), Failure> {
+    let (mut faults, mut axioms, mut proved) = (Vec::new(), BTreeMap::new(), BTreeSet::new());
+    for (Task { file, theorems, .. }, said) in checked {
+        let judged = match said {
+            Err(message) => Err(message.clone()),
+            Ok(output) if mode == Mode::Faults => refusals(output, theorems),
+            Ok(output) => assumed(output),
+        };
+        match judged {
+            Ok(list) => {
+                *axioms.entry(list).or_insert(0) += theorems.len();
+                proved.extend(theorems.iter().map(String::as_str));
+            }
+            Err(message) => faults.push(format!("{file}: {message}")),
         }
-        println!("prove: {} theorems in {} files, {seconds:.0} s", theorems.len(), checked.len());
+    }
+    let all: usize = checked.iter().map(|(task, _)| task.theorems.len()).sum();
+    if mode == Mode::Proofs {
+        print!("{}", steps.coverage(&proved));
+        for (list, count) in axioms {
+            println!("prove: each of {count} theorems assumes {list}");
+        }
+        println!("prove: Coq accepted {} of {all} theorems in {} files", proved.len(), checked.len());
     } else {
-        let count = refusals(checked, &mut faults);
-        println!("prove: {count} altered theorems refused, none of them by a time limit, {seconds:.0} s");
+        println!(
+            "prove: Coq refused {} of {all} altered theorems, none of them by a time limit",
+            proved.len()
+        );
     }
     if faults.is_empty() { Ok(()) } else { Err(Failure::check(faults.join("\n"))) }
 }
 
-/// The theorems that Coq accepted, and how many have which assumptions.
-fn proved(checked: &[Checked], faults: &mut Vec<String>) -> (BTreeSet<String>, BTreeMap<String, usize>) {
-    let (mut theorems, mut lists) = (BTreeSet::new(), BTreeMap::new());
-    for Checked { file, output, theorems: names } in checked {
-        let Ok(output) = output else { continue };
-        let assumed = listed(output);
-        if assumed.len() != names.len() {
-            faults.push(format!(
-                "{file}: {} lists of assumptions for {} theorems",
-                assumed.len(),
-                names.len()
-            ));
-        }
-        for (name, mut list) in names.iter().zip(assumed) {
-            for axiom in refused(&list) {
-                faults.push(format!("{file}: {name} assumes {axiom}"));
+/// What the theorems of a file assume at most.
+fn assumed(output: &str) -> Result<String, String> {
+    let list = listed(output).ok_or("Coq has not listed what the theorems assume")?;
+    match refused(&list)[..] {
+        [] if list.is_empty() => Ok("nothing".to_owned()),
+        [] => Ok(format!("at most {}", list.join(", "))),
+        [axiom, ..] => Err(format!("a theorem assumes {axiom}")),
+    }
+}
+
+/// Each altered theorem was refused: Coq says so of it. A time limit ends the whole file.
+fn refusals(output: &str, theorems: &[String]) -> Result<String, String> {
+    let said: BTreeSet<&str> = output.lines().filter_map(|line| line.strip_prefix("refused ")).collect();
+    match theorems.iter().find(|name| !said.contains(name.trim_start_matches("fault_"))) {
+        Some(name) => Err(format!("{name} was not refused")),
+        None => Ok(String::new()),
+    }
+}
+
+/// The list of steps that the program writes: what became of each step of each proof.
+pub struct Steps(Vec<[String; 8]>);
+
+impl Steps {
+    /// Reads the list.
+    ///
+    /// # Errors
+    /// When a line has another number of fields.
+    pub fn read(text: &str) -> Result<Self, Failure> {
+        let lines = text.lines().skip(1).map(|line| {
+            let fields: Vec<String> = line.split('\t').map(str::to_owned).collect();
+            fields.try_into().map_err(|_| Failure::check(format!("steps.tsv: {line}")))
+        });
+        lines.collect::<Result<_, _>>().map(Self)
+    }
+
+    /// Theorems of steps, each with the digest of its certificate.
+    pub fn record(&self) -> String {
+        let lines: BTreeSet<String> = self
+            .0
+            .iter()
+            .filter(|[.., theorem, _, _]| !theorem.is_empty())
+            .map(|[.., theorem, digest, _]| format!("{theorem} {digest}\n"))
+            .collect();
+        lines.into_iter().collect()
+    }
+
+    /// A line for each kind of step, and one for each step without a theorem that Coq accepted.
+    fn coverage(&self, proved: &BTreeSet<&str>) -> String {
+        let (mut kinds, mut open) = (BTreeMap::new(), String::new());
+        let mut claims: BTreeMap<[&str; 2], bool> = BTreeMap::new();
+        for [report, claim, proof, step, kind, theorem, _, obstacle] in &self.0 {
+            let is_proved = proved.contains(theorem.as_str());
+            *claims.entry([report, claim]).or_insert(true) &= is_proved;
+            let counts: &mut [usize; 2] = kinds.entry(kind).or_default();
+            counts[0] += usize::from(is_proved);
+            counts[1] += 1;
+            if !is_proved {
+                let why = if theorem.is_empty() { obstacle } else { "Coq did not accept it" };
+                open += &format!("not proved: {report} {claim}, {proof}, step {step} ({kind}): {why}\n");
             }
-            list.sort();
-            *lists.entry(list.join(", ")).or_insert(0) += 1;
-            theorems.insert(name.clone());
         }
-    }
-    (theorems, lists)
-}
-
-/// A line for each kind of step, and one for each obstacle.
-fn coverage(steps: &str, proved: &BTreeSet<String>) -> String {
-    // Distinct steps: a theorem is one however many claims rest on it.
-    let (mut kinds, mut obstacles) = (BTreeMap::new(), BTreeMap::new());
-    let mut claims: BTreeMap<(&str, &str), bool> = BTreeMap::new();
-    for line in steps.lines().skip(1) {
-        let fields: Vec<&str> = line.split('\t').collect();
-        let [report, claim, _, _, kind, theorem, _, obstacle] = fields[..] else { continue };
-        let is_proved = proved.contains(theorem);
-        *claims.entry((report, claim)).or_insert(true) &= is_proved;
-        let kind: &mut (BTreeSet<&str>, BTreeSet<&str>, usize) = kinds.entry(kind).or_default();
-        kind.2 += usize::from(!is_proved);
-        if is_proved {
-            kind.0.insert(theorem);
-        } else {
-            kind.1.insert(theorem);
-            let why = if theorem.is_empty() { obstacle } else { "Coq refused the theorem" };
-            *obstacles.entry(why).or_insert(0_usize) += 1;
+        let mut text = String::new();
+        for (kind, [done, all]) in &kinds {
+            text += &format!("{kind:<12} {done:>4} of {all:>4} steps\n");
         }
+        let whole = claims.values().filter(|whole| **whole).count();
+        text + &open
+            + &format!("claims of whose proofs Coq accepted every step: {whole} of {}\n", claims.len())
     }
-    let mut text = String::new();
-    for (kind, (proved, _, open)) in &kinds {
-        text += &format!("{kind:<12} {:>4} theorems, {open:>3} steps without\n", proved.len());
-    }
-    for (obstacle, count) in obstacles {
-        text += &format!("not covered: {count} steps: {obstacle}\n");
-    }
-    let whole = claims.values().filter(|whole| **whole).count();
-    text + &format!("claims with every step of every proof checked: {whole} of {}", claims.len())
-}
-
-/// How many altered theorems Coq refused.
-fn refusals(checked: &[Checked], faults: &mut Vec<String>) -> usize {
-    let mut count = 0;
-    for Checked { file, output, theorems } in checked {
-        let Ok(output) = output else { continue };
-        let messages: Vec<&str> =
-            output.split("The command has indeed failed with message:").skip(1).collect();
-        let late = messages.iter().filter(|message| message.contains("Timeout")).count();
-        if late > 0 || messages.len() != theorems.len() {
-            faults.push(format!(
-                "{file}: {} of {} altered theorems refused, {late} by a time limit",
-                messages.len(),
-                theorems.len()
-            ));
-        }
-        count += messages.len() - late;
-    }
-    count
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    const STEPS: &str = "report\tclaim\tproof\tstep\tkind\ttheorem\tfile\tobstacle\n\
-        r\tS1\tp\t1\tidentity\tidentity_1\tr/claim_S1\t\n\
+    const STEPS: &str = "report\tclaim\tproof\tstep\tkind\ttheorem\tdigest\tobstacle\n\
+        r\tS1\tp\t1\tidentity\tidentity_1\t00ff\t\n\
         r\tS1\tp\t2\targued\t\t\tno certificate\n\
-        r\tS2\tp\t1\tidentity\tidentity_1\tr/claim_S1\t\n";
+        r\tS2\tp\t1\tidentity\tidentity_1\t00ff\t\n";
 
-    fn checked(output: &str) -> Checked {
-        let output = Ok(output.to_owned());
-        Checked { file: "r/claim_S1".into(), output, theorems: vec!["identity_1".into()] }
+    fn result(output: Said, mode: Mode) -> Result<(), Failure> {
+        let task = Task { file: "r/claim_S1".into(), text: String::new(), theorems: vec!["fault_1".into()] };
+        print(&Steps::read(STEPS).unwrap(), &[(task, output)], mode)
     }
 
     #[test]
-    fn steps_are_counted_by_kind_and_obstacles_are_named() {
-        let text = coverage(STEPS, &BTreeSet::from(["identity_1".to_owned()]));
-        assert!(text.contains("identity        1 theorems,   0 steps without"), "{text}");
-        assert!(text.contains("not covered: 1 steps: no certificate"), "{text}");
-        assert!(text.ends_with("checked: 1 of 2"), "{text}");
-        assert!(coverage(STEPS, &BTreeSet::new()).contains("2 steps: Coq refused the theorem"));
+    fn steps_are_counted_by_kind_and_those_without_a_theorem_are_named() {
+        let steps = Steps::read(STEPS).unwrap();
+        let text = steps.coverage(&BTreeSet::from(["identity_1"]));
+        assert!(text.contains("identity        2 of    2 steps"), "{text}");
+        assert!(text.contains("not proved: r S1, p, step 2 (argued): no certificate\n"), "{text}");
+        assert!(text.ends_with("every step: 1 of 2\n"), "{text}");
+        assert!(
+            steps.coverage(&BTreeSet::new()).contains("r S2, p, step 1 (identity): Coq did not accept it")
+        );
+        assert_eq!(steps.record(), "identity_1 00ff\n");
+        assert!(Steps::read("a\nb\tc\n").is_err());
     }
 
     #[test]
-    fn a_theorem_without_its_list_or_with_a_strange_axiom_fails() {
-        let time = Duration::ZERO;
-        assert!(print(STEPS, &[checked("Closed under the global context\n")], Mode::Proofs, time).is_ok());
-        assert!(print(STEPS, &[checked("")], Mode::Proofs, time).is_err());
-        assert!(print(STEPS, &[checked("Axioms:\nmine : False\n")], Mode::Proofs, time).is_err());
+    fn a_file_without_a_list_of_assumptions_or_with_a_strange_axiom_fails() {
+        assert!(result(Ok("Closed under the global context\n".into()), Mode::Proofs).is_ok());
+        assert!(result(Ok(String::new()), Mode::Proofs).is_err());
+        assert!(result(Ok("Axioms:\nmine : False\n".into()), Mode::Proofs).is_err());
+        assert!(result(Err("Timeout!".into()), Mode::Proofs).is_err());
     }
 
     #[test]
     fn an_altered_theorem_must_be_refused_and_in_time() {
-        let time = Duration::ZERO;
-        let refused =
-            "The command has indeed failed with message:\nTactic failure: not a valid ring equation.\n";
-        assert!(print(STEPS, &[checked(refused)], Mode::Faults(false), time).is_ok());
-        assert!(print(STEPS, &[checked("")], Mode::Faults(false), time).is_err());
-        let late = "The command has indeed failed with message:\nTimeout!\n";
-        assert!(print(STEPS, &[checked(late)], Mode::Faults(false), time).is_err());
+        assert!(result(Ok("refused 1\n".into()), Mode::Faults).is_ok());
+        assert!(result(Ok("refused 2\n".into()), Mode::Faults).is_err());
+        assert!(result(Err("Timeout!".into()), Mode::Faults).is_err());
     }
 }

@@ -101,7 +101,7 @@ impl Theorem {
         }
         lemmas.extend(setting.witness(&original));
         let fault = format!(
-            "Lemma fault_{name}{binders} :\n  {}.\nProof. Fail ({tactics}). Abort.\n",
+            "Lemma fault_{name}{binders} :\n  {}.\nProof. tryif (solve [{tactics}]) then fail 0 \"accepted\" else idtac \"refused {name}\". Abort.\n",
             shown(true, true)
         );
         Ok(Self { name, lemmas, text, fault })

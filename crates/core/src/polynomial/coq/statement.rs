@@ -38,6 +38,11 @@ fn term(expression: &Expression) -> Piece {
 }
 
 impl Statement {
+    /// A statement over the reals that binds no variable.
+    fn plain(pieces: Vec<Piece>, altered: Vec<Piece>, tactics: String) -> Self {
+        Self { pieces, altered, tactics, is_complex: false, bound: BTreeSet::new(), nonzero: None }
+    }
+
     /// The statement of a certificate, in the domain in which its variables are.
     pub fn of(certificate: &Certificate, domain: &Domain) -> Result<Self, Obstacle> {
         let tactics = Tactics(domain);
@@ -50,14 +55,7 @@ impl Statement {
                 let greater = vec![text("0 < "), term(expression)];
                 let less = vec![term(expression), text(" < 0")];
                 let (pieces, altered) = if *sign > 0 { (greater, less) } else { (less, greater) };
-                Ok(Self {
-                    pieces,
-                    altered,
-                    tactics: proof,
-                    is_complex: false,
-                    bound: BTreeSet::new(),
-                    nonzero: None,
-                })
+                Ok(Self::plain(pieces, altered, proof))
             }
             Certificate::Difference { left, right, values: [a, b], .. } => {
                 let proofs =
@@ -70,14 +68,7 @@ impl Statement {
                     sides.into_iter().chain(apart).collect::<Vec<_>>()
                 };
                 let proof = format!("split; [ {} | split; [ {} | lra ] ]", first?, second?);
-                Ok(Self {
-                    pieces: all(a),
-                    altered: all(b),
-                    tactics: proof,
-                    is_complex: false,
-                    bound: BTreeSet::new(),
-                    nonzero: None,
-                })
+                Ok(Self::plain(all(a), all(b), proof))
             }
             Certificate::Limit { expression, variable, toward, value, .. } => {
                 Self::limit(expression, (variable, *toward), value, domain)
@@ -89,14 +80,7 @@ impl Statement {
                 let growth = Self::growth_from(&written(expression), &Symbol::new(variable), *order, domain)?;
                 let pieces = |expression: &Expression| vec![text("0 < "), term(expression)];
                 let altered = pieces(&-expression.clone());
-                Ok(Self {
-                    pieces: pieces(expression),
-                    altered,
-                    tactics: growth,
-                    is_complex: false,
-                    bound: BTreeSet::new(),
-                    nonzero: None,
-                })
+                Ok(Self::plain(pieces(expression), altered, growth))
             }
             Certificate::Series { relation, variable, unknown, coefficients, .. } => {
                 Self::series(relation, [variable, unknown], coefficients, domain)
@@ -169,14 +153,7 @@ impl Statement {
             (true, value) => pieces(&value),
             (false, _) => pieces(&(value.clone() + Expression::integer(1))),
         };
-        Ok(Self {
-            pieces: pieces(value),
-            altered,
-            tactics: proof,
-            is_complex: false,
-            bound: [symbol].into(),
-            nonzero: None,
-        })
+        Ok(Self { bound: [symbol].into(), ..Self::plain(pieces(value), altered, proof) })
     }
 
     fn root(
@@ -241,9 +218,10 @@ impl Statement {
                     signs(&at(low), &at(high))?
                 )
             }
-            [None, None] => {
-                return Err(Obstacle("a root without any bound has no translation yet".to_owned()));
-            }
+            [None, None] => format!(
+                "apply (root_anywhere {f} {list} {turned_list}); [ {equal} | intros {x}; cbn [horner]; {mirror} | {} ]",
+                signs(&leading(&turned), &leading(&straight))?
+            ),
         };
         let pieces = |polynomial: &Expression| {
             let mut pieces = vec![text(&format!("exists {x} : R, "))];
@@ -258,14 +236,7 @@ impl Statement {
         };
         let (_, altered) = altered_side(polynomial, polynomial, domain)?;
         let altered = pieces(&altered);
-        Ok(Self {
-            pieces: pieces(polynomial),
-            altered,
-            tactics: proof,
-            is_complex: false,
-            bound: [symbol].into(),
-            nonzero: None,
-        })
+        Ok(Self { bound: [symbol].into(), ..Self::plain(pieces(polynomial), altered, proof) })
     }
 
     fn series(

@@ -54,20 +54,23 @@ impl Tactics<'_> {
                 Expression::Quotient(above, below) => ((**above).clone(), Some(&**below)),
                 whole => (whole.clone(), None),
             };
+            let mut proof = self.not_negative_by_form(&above)?;
             let square = match below {
                 Some(below) => {
+                    let positive = self.sign(below, 1)?;
                     tactics += &format!(
-                        "rewrite ?(root_of_quotient {} {}) by (first [nonneg | pos]); ",
+                        "rewrite ?(root_of_quotient {} {} ltac:({proof}) ltac:({positive})); ",
                         real(&above),
                         real(below)
                     );
+                    proof = format!("apply Rmult_le_pos; [ {proof} | left; {positive} ]");
                     Expression::Product(vec![above, below.clone()])
                 }
                 None => above,
             };
             let square = real(&square);
             tactics += &format!(
-                "assert (q'{index} : sqrt {square} ^ 2 = {square}) by (apply root_squared; nonneg); "
+                "assert (q'{index} : sqrt {square} ^ 2 = {square}) by (apply root_squared; {proof}); "
             );
             known.push(format!("q'{index}"));
         }
@@ -185,23 +188,38 @@ impl Tactics<'_> {
         })?;
         let form = if sign > 0 { form } else { Expression::Negation(Box::new(form)) };
         let equal = self.equal(value, &form)?;
-        let close = if sign > 0 { "pos" } else { "negative" };
+        let close = if sign > 0 { "one_pos" } else { "negative" };
         if real(value) == real(&form) {
             return Ok(close.to_owned());
         }
         Ok(format!("replace {} with {} by (symmetry; {equal}); {close}", real(value), real(&form)))
     }
 
+    /// Proves 0 <= value: by the conditions that speak of its factors where the converter sees them.
+    fn not_negative_by_form(&self, value: &Expression) -> Result<String, Obstacle> {
+        let function = self.0.rational_function(value)?;
+        let above = self.factored(function.numerator(), |relation| relation != Relation::NonZero);
+        let below = self.factored(function.denominator(), |relation| relation == Relation::Positive);
+        match above.zip(below).map(|(above, below)| above / below) {
+            Some(form) if real(&form) != real(value) => {
+                let equal = self.equal(value, &form)?;
+                Ok(format!("replace {} with {} by (symmetry; {equal}); nonneg", real(value), real(&form)))
+            }
+            _ => Ok("nonneg".to_owned()),
+        }
+    }
+
     /// The function's absolute value as a quotient of products of what is positive by its form.
     fn signed_form(&self, function: &RationalFunction) -> Option<Expression> {
+        let positive = |relation| relation == Relation::Positive;
         let [above, below] =
-            [function.numerator(), function.denominator()].map(|side| self.positive_form(side));
+            [function.numerator(), function.denominator()].map(|side| self.factored(side, positive));
         Some(above? / below?)
     }
 
-    fn positive_form(&self, polynomial: &Polynomial) -> Option<Expression> {
-        let (factors, rest) =
-            Converter::new(self.0).factors(polynomial, |relation| relation == Relation::Positive);
+    /// A polynomial's absolute value as a product of factors of which conditions speak, and coefficients of one sign.
+    fn factored(&self, polynomial: &Polynomial, used: fn(Relation) -> bool) -> Option<Expression> {
+        let (factors, rest) = Converter::new(self.0).factors(polynomial, used);
         let rest = if rest.coefficient_sign()? < 0 { rest.scale(&rug::Rational::from(-1)) } else { rest };
         let factors = factors.iter().map(expression_of).collect::<Result<Vec<_>, _>>().ok()?;
         factors.into_iter().try_fold(expression_of(&rest).ok()?, |product, factor| Some(product * factor))
