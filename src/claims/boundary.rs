@@ -7,7 +7,7 @@ use crate::experiments::{Context, Need, SceneOutcome};
 use slipmode_core::polynomial::{Proof, Refutation};
 use slipmode_core::theory::areas::{self, Effects};
 use slipmode_core::theory::asymptote_series::{self, AsymptoteSeries};
-use slipmode_core::theory::{boundary, inertial, quasi_static};
+use slipmode_core::theory::{boundary, inertial};
 
 /// The order to which the error series of the asymptotes are evidence.
 pub(super) const SERIES_ORDER: usize = 2;
@@ -20,19 +20,6 @@ pub(super) const CHECKS: &[Check] = &[
         needs: &[Need::Map],
         rests_on: &["L3"],
         decide: b1,
-    },
-    Check {
-        id: "B2",
-        criterion: "Eq 14 is eq 8 with M = 0, and its discriminant vanishes exactly at eqs 15 and 16.",
-        not_established: "How far inertia shifts the two lines: see the chapter on the asymptotes.",
-        needs: &[],
-        rests_on: &["L3"],
-        decide: |context| {
-            Finding::from_proofs([
-                quasi_static::reduced_equation(context.equations),
-                quasi_static::vanishing_frequency(context.equations),
-            ])
-        },
     },
     Check {
         id: "B4",

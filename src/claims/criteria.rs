@@ -1,12 +1,13 @@
 //! Claims Z2 and Z5: how good the criteria for oscillation are.
 
 use crate::claims::boundary::SERIES_ORDER;
+use crate::claims::ledger::premise;
 use crate::claims::{BITS, Evidence, Finding};
 use crate::experiments::Context;
 use slipmode_core::number::Ball;
 use slipmode_core::number::format::certain_digits;
 use slipmode_core::theory::sufficient_inertia::sufficient_inertial_parameter;
-use slipmode_core::theory::{asymptote_series, criteria, inertial, quasi_static, transition, worst_error};
+use slipmode_core::theory::{asymptote_series, criteria, inertial, worst_error};
 
 pub(super) fn z2(context: &Context) -> Finding {
     let finding = Finding::from_proofs([criteria::inertial_parameter(context.equations)]);
@@ -35,11 +36,11 @@ pub(super) fn z5(context: &Context) -> Finding {
     let proofs = series.into_iter().map(|series| Ok(series.proof));
     let finding = Finding::from_proofs(proofs)
         .with_proof(worst_error::prove(context.equations))
-        .with_proof(quasi_static::vanishing_frequency(context.equations))
+        .with_premise(premise("B2", context))
         .with_proof(inertial::small_slip_distance(context.equations))
         .with_proof(inertial::large_slip_distance(context.equations))
-        .with_proof(transition::stability(context.equations))
-        .with_proof(transition::crossing_frequency(context.equations))
+        .with_premise(premise("S1", context))
+        .with_premise(premise("S6", context))
         .remark("Exact: eqs 9-13 and 23. Exact without inertia: eqs 15 and 16. Asymptotic: eqs 15, 16, 18 and 20 on the boundary of eq 8.")
         .remark("Errors are exact/asymptote − 1, of σ at the same V0 (eqs 15 and 16) and of V0 at the same σ (eqs 18 and 20). The arc of eq 16 ends and that of eq 20 begins at the cusp; those of eqs 15 and 18 meet at the V0 of their corner.")
         .remark("Oscillation can start across eq 16 (at low velocity), across eq 20, or near their corner, where neither equation is the boundary.");

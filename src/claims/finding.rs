@@ -117,6 +117,18 @@ impl Finding {
         self
     }
 
+    /// Adds what another claim found, which must hold.
+    #[must_use]
+    pub fn with_premise(self, premise: Finding) -> Self {
+        match premise.verdict {
+            Verdict::Holds | Verdict::HoldsWithin => {
+                premise.evidence.into_iter().fold(self, Finding::with_evidence)
+            }
+            Verdict::Fails => self.refuted(premise.counter_example.unwrap_or_default()),
+            Verdict::NotChecked => Finding::not_checked(premise.remarks.join(" ")),
+        }
+    }
+
     /// Adds evidence, lowering the strength where it is weaker.
     #[must_use]
     pub fn with_evidence(mut self, evidence: Evidence) -> Self {

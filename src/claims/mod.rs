@@ -34,7 +34,6 @@ mod simulated_onset;
 mod simulated_transition;
 mod simulated_trends;
 mod theory_tables;
-mod transition;
 mod zones;
 
 pub use evidence::{Evidence, Strength};
@@ -72,7 +71,6 @@ pub fn checks() -> impl Iterator<Item = &'static Check> {
     [
         friction_law::CHECKS,
         linearisation::CHECKS,
-        transition::CHECKS,
         boundary::CHECKS,
         frequency::CHECKS,
         frequency_turns::CHECKS,

@@ -44,16 +44,21 @@ pub struct Survivor {
 /// paper's.
 #[must_use]
 pub fn plant_faults(context: &Context) -> Vec<PlantedFaults> {
+    let sound = sound_claims(context);
+    let pairs = alike(context.equations);
+    let all: Vec<&Equation> = context.equations.iter().collect();
+    all.into_par_iter().map(|equation| plant(equation, &pairs, context, sound.clone())).collect()
+}
+
+/// The claims about the equations, decided.
+fn sound_claims<'c>(context: &Context<'c>) -> Vec<Sound<'c>> {
     let about_equations = |claim: &&ClaimEntry| match &claim.stated {
         Some(stated) => stated.parts().any(|(_, formula)| formula.rows.is_none()),
         None => !claim.id.starts_with(['N', 'X']),
     };
     let claims = context.claims.iter().filter(about_equations);
     let sound: Vec<Sound> = claims.flat_map(Sound::parts_of).collect();
-    let sound: Vec<Sound> = sound.into_par_iter().map(|sound| sound.decided(context)).collect();
-    let pairs = alike(context.equations);
-    let all: Vec<&Equation> = context.equations.iter().collect();
-    all.into_par_iter().map(|equation| plant(equation, &pairs, context, sound.clone())).collect()
+    sound.into_par_iter().map(|sound| sound.decided(context)).collect()
 }
 
 /// A claim, or a part of one that is stated as formulas, as the report's own equations decide it.
@@ -159,77 +164,4 @@ fn plant(
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::claims::known_ids;
-    use crate::experiments::{Outcome, Scene, SceneOutcome};
-    use crate::scene::{Limits, read_claims, read_equations};
-    use slipmode_core::theory::Equations;
-
-    /// The first paper's equations, claims and slider, without anything computed.
-    fn paper() -> (Equations, Vec<ClaimEntry>, Outcome) {
-        let equations = include_str!("../../reports/im-avouac/equations.toml");
-        let equations = read_equations("equations.toml", equations.as_bytes()).unwrap();
-        let claims = include_str!("../../reports/im-avouac/claims.toml");
-        let claims = read_claims("claims.toml", claims.as_bytes(), &known_ids(), Some(&equations)).unwrap();
-        let scene = include_bytes!("../../reports/im-avouac/scenes/potentially-unstable.toml");
-        let scene = Scene::parse("scene.toml", scene, &Limits::default()).unwrap();
-        (equations, claims, Outcome { scenes: vec![SceneOutcome::new(scene)] })
-    }
-
-    #[test]
-    fn wrong_equations_are_noticed_by_the_claims_that_rest_on_them() {
-        let (equations, claims, nothing) = paper();
-        let found = plant_faults(&Context::new(&equations, &nothing).with_claims(&claims));
-        assert_eq!(found.len(), 28);
-        for one in &found {
-            assert!(one.noticed > 0, "{one:#?}");
-            assert_eq!(one.planted, one.noticed + one.survivors.len());
-        }
-        let numbered = found.iter().filter(|one| one.equation.parse::<u32>().is_ok());
-        let sum = |(planted, noticed), one: &PlantedFaults| (planted + one.planted, noticed + one.noticed);
-        assert_eq!(numbered.fold((0, 0), sum), (209, 209));
-        assert_eq!(found.iter().fold((0, 0), sum), (235, 235));
-        let of = |number: &str| found.iter().find(|one| one.equation == number).unwrap();
-        let noticed = |number: &str, id: &str| of(number).noticed_by.iter().any(|by| by == id);
-        assert!(noticed("9", "S6") && noticed("16", "B3"), "{found:#?}");
-        // Eqs 15, 16 and 18 are symmetric in a and b, and the ± of eq 23 has no first sign; eq 13 has no such freedom.
-        let harmless: Vec<(&str, usize)> = found
-            .iter()
-            .filter(|one| one.harmless > 0)
-            .map(|one| (one.equation.as_str(), one.harmless))
-            .collect();
-        assert_eq!(harmless, [("15", 1), ("16", 1), ("18", 1), ("23", 1)]);
-    }
-
-    #[test]
-    fn every_claim_that_the_equations_decide_notices_a_fault_of_its_own() {
-        let (equations, claims, nothing) = paper();
-        let context = Context::new(&equations, &nothing);
-        let pairs = alike(&equations);
-        let altered: Vec<_> = equations
-            .iter()
-            .flat_map(|one| alterations(one, &pairs).into_iter().map(|change| (one.number.as_str(), change)))
-            .filter(|(_, change)| !change.says_the_same)
-            .filter_map(|(number, change)| Some((number, equations.altered(number, &change.text).ok()?)))
-            .collect();
-        let decided: Vec<Sound> = claims
-            .iter()
-            .flat_map(Sound::parts_of)
-            .map(|sound| sound.decided(&context))
-            .filter(|sound| sound.verdicts[0] != Verdict::NotChecked)
-            .collect();
-        assert!(decided.len() > 30, "{}", decided.len());
-        // A part such as "does not depend on K" may be true of every wrong version; the claim has another part that is not.
-        let ids: BTreeSet<&str> = decided.iter().map(|sound| sound.claim.id.as_str()).collect();
-        let seeing = decided.par_iter().filter(|sound| {
-            let is_named = |(number, _): &&(&str, _)| sound.equations.contains(*number);
-            let (likely, other): (Vec<_>, Vec<_>) = altered.iter().partition(is_named);
-            let seen =
-                |(number, altered): &&(&str, _)| sound.notices(number, &Context::new(altered, &nothing));
-            likely.iter().any(seen) || other.iter().any(seen)
-        });
-        let seeing: BTreeSet<&str> = seeing.map(|sound| sound.claim.id.as_str()).collect();
-        assert_eq!(ids.difference(&seeing).collect::<Vec<_>>(), Vec::<&&str>::new());
-    }
-}
+mod tests;

@@ -3,13 +3,14 @@
 use std::collections::BTreeSet;
 
 use crate::claims::criteria::{z2, z5};
+use crate::claims::ledger::premise;
 use crate::claims::reading::{Draft, of_readings};
 use crate::claims::{Check, Evidence, Finding};
 use crate::experiments::zones::{InertialLine, LineCount, ZonesOutcome};
 use crate::experiments::{Context, Need, SceneOutcome};
 use slipmode_core::number::format::round_digits;
 use slipmode_core::stability::SlipMode;
-use slipmode_core::theory::{asymptote_series, criteria, frequency, transition};
+use slipmode_core::theory::{asymptote_series, criteria, frequency};
 
 pub(super) const CHECKS: &[Check] = &[
     Check {
@@ -45,16 +46,6 @@ pub(super) const CHECKS: &[Check] = &[
         decide: z5,
     },
     Check {
-        id: "Z6",
-        criterion: "The ratio of eq 20 and η contain M and V0 as M V0² only, rise with it, and fall with σ and with a.",
-        not_established: "Where vibration emerges on the exact boundary, which b and D_c move too: see Z4.",
-        needs: &[],
-        rests_on: &["Z3"],
-        decide: |context| {
-            Finding::from_proofs([criteria::energy_stress_and_direct_effect(context.equations)])
-        },
-    },
-    Check {
         id: "Z7",
         criterion: "Each boundary between slip modes has an equation of the paper that it tends to or that draws it on the map.",
         not_established: "Whether simulated motion changes at the same place: see the N claims.",
@@ -77,10 +68,8 @@ fn z1(context: &Context) -> Finding {
         (context.outcome.potentially_unstable(), 5, "a < b"),
         (context.outcome.intrinsically_stable(), 4, "a > b"),
     ];
-    let mut finding = Finding::from_proofs([
-        transition::stability(context.equations),
-        frequency::low_frequency_zone(context.equations),
-    ]);
+    let mut finding = Finding::from_proof(frequency::low_frequency_zone(context.equations))
+        .with_premise(premise("S1", context));
     let mut limits = Vec::new();
     for (scene, expected, case) in scenes {
         let Some(zones) = scene.and_then(|scene: &SceneOutcome| scene.zones.as_ref()) else {
@@ -147,10 +136,7 @@ fn z7(context: &Context) -> Finding {
     of_readings([Draft::new("every boundary between slip modes has an asymptotic equation")
         .part("overdamped and underdamped: eqs 16 and 20", tends(["16", "20"]))
         .part("stick-slip with real roots and with a complex pair: eqs 15 and 18", tends(["15", "18"]))
-        .part(
-            "stable and unstable: eqs 12 and 13",
-            Finding::from_proofs([transition::critical_stress_and_velocity(context.equations)]),
-        )
+        .part("stable and unstable: eqs 12 and 13", premise("S4", context))
         .part("inertial and non-inertial", inertial)])
 }
 

@@ -24,7 +24,7 @@ pub fn library_ids() -> impl Iterator<Item = &'static str> {
 ///
 /// # Errors
 /// Why its formulas cannot be read in these names.
-pub(super) fn library_claim(id: &str, equations: &Equations) -> Option<Result<ClaimEntry, String>> {
+pub fn library_claim(id: &str, equations: &Equations) -> Option<Result<ClaimEntry, String>> {
     let (_, section) = sections().find(|(known, _)| *known == id)?;
     let read = read_claims("claims.toml", format!("[[claim]]\n{section}").as_bytes(), &[], Some(equations));
     let read = read.map(|mut claims| claims.pop());

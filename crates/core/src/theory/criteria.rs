@@ -72,38 +72,6 @@ fn at_point(
     proof.certify(says, &["8", "9"], certificate)
 }
 
-/// Both criteria are exceeded by raising M V0² and by lowering σ or a (claim Z6).
-///
-/// # Errors
-/// When eq 20 or η depends otherwise on one of them.
-pub fn energy_stress_and_direct_effect(equations: &Equations) -> Result<Proof, Refutation> {
-    let eq20 = equations.equation("20");
-    let criteria = [
-        ("20", (eq20.left.clone() / eq20.right.clone()).power(2)),
-        ("inertial-parameter", equations.right("inertial-parameter")),
-    ];
-    let domain = any().and_positive("E v");
-    let start = Proof::new(
-        "energy-stress-and-direct-effect",
-        "Both sides' ratio in eq 20 and η depend on M and V0 through E = M V0² only, rise with E, and fall with σ and a.",
-    );
-    criteria.into_iter().try_fold(start, |proof, (number, criterion)| {
-        let of_energy = criterion.with("M", &formula("E/V_0^2"));
-        let proof = proof.identity(
-            "with M = E/V0², another velocity changes nothing",
-            &[number],
-            &of_energy,
-            &of_energy.with("V_0", &formula("v")),
-            &domain,
-        )?;
-        let slope = |name: &str| of_energy.derivative(&Symbol::new(name));
-        proof
-            .positive("its slope in E", &[number], &slope("E"), &domain)?
-            .positive("minus its slope in σ", &[number], &-slope("sigma"), &domain)?
-            .positive("minus its slope in a", &[number], &-slope("a"), &domain)
-    })
-}
-
 /// The exact boundary depends on each of a, b and D_c (claim Z4): changing one alone leaves it.
 ///
 /// # Errors

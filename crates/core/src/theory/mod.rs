@@ -50,8 +50,6 @@ mod paper;
 #[doc(hidden)]
 pub mod period;
 pub mod planar;
-#[doc(hidden)]
-pub mod quasi_static;
 mod reading;
 mod real_roots;
 #[doc(hidden)]

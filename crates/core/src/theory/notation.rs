@@ -46,11 +46,6 @@ pub(super) fn strengthening() -> Domain {
     in_parameters(above(), &[SQUARE_STIFFNESS, SQUARE_MASS, gamma, alpha])
 }
 
-/// a = b with a rational root: a = α². The expression is taken at b = a first.
-pub(super) fn neutral() -> Domain {
-    in_parameters(any(), &[SQUARE_STIFFNESS, SQUARE_MASS, ("a", "alpha^2", "alpha", "sqrt(a)")])
-}
-
 /// a < b with √a and √(b − a) rational: a = α², b = α² + γ²; K = k², M = m².
 pub(super) fn weakening_by_square() -> Domain {
     in_parameters(crossing(), &[SQUARE_STIFFNESS, SQUARE_MASS])
