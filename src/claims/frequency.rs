@@ -1,5 +1,6 @@
 //! Claims Q: the frequency of oscillation and its limits.
 
+use crate::claims::ledger::premise;
 use crate::claims::reading::{Draft, of_readings};
 use crate::claims::{BITS, Check, Evidence, Finding, Verdict, frequency_turns};
 use crate::experiments::frequency::{FrequencyLine, FrequencyOutcome};
@@ -16,10 +17,7 @@ pub(super) const CHECKS: &[Check] = &[
         needs: &[],
         rests_on: &["L3"],
         decide: |context| {
-            Finding::from_proofs([
-                frequency::bounded(context.equations),
-                frequency::limits(context.equations),
-            ])
+            Finding::from_proof(frequency::bounded(context.equations)).with_premise(premise("Q2", context))
         },
     },
     Check {

@@ -5,25 +5,9 @@ use crate::claims::simulated_friction::in_simulations;
 use crate::claims::{Check, Finding};
 use crate::experiments::{Context, Need};
 use slipmode_core::number::{Rational, nearest_f64};
-use slipmode_core::theory::{linearisation, regularised, steady_state};
+use slipmode_core::theory::{regularised, steady_state};
 
 pub(super) const CHECKS: &[Check] = &[
-    Check {
-        id: "F1",
-        criterion: "With θ = D_c/V, the right sides of eqs 2 and 3 are zero, and eq 1 becomes μ0 + (a−b) ln(V/V0).",
-        not_established: "Whether a real contact reaches this steady state.",
-        needs: &[],
-        rests_on: &[],
-        decide: |context| Finding::from_proofs([steady_state::prove(context.equations)]),
-    },
-    Check {
-        id: "F2",
-        criterion: "At steady state, the right sides of eqs 2 and 3 have the same derivatives in V and in θ.",
-        not_established: "Whether the laws agree at a finite distance from steady state.",
-        needs: &[],
-        rests_on: &["F1"],
-        decide: |context| Finding::from_proofs([linearisation::laws_agree(context.equations)]),
-    },
     Check {
         id: "F3",
         criterion: "As V → 0 at fixed θ, dθ/dt tends to 1 by eq 2 and to 0 by eq 3.",
@@ -39,25 +23,6 @@ pub(super) const CHECKS: &[Check] = &[
         needs: &[Need::Simulations],
         rests_on: &["L3"],
         decide: f4,
-    },
-    Check {
-        id: "F5",
-        criterion: "Without slip, by eq 2 and for b > 0, the friction of eq 1 grows with time in proportion to ln t.",
-        not_established: "Healing of a real contact.",
-        needs: &[],
-        rests_on: &["F3"],
-        decide: |context| {
-            Finding::from_proofs([steady_state::healing(context.equations)])
-                .within("the state's part of eq 1; at V = 0 eq 1 itself has no value, because of ln V")
-        },
-    },
-    Check {
-        id: "F6",
-        criterion: "Another reference velocity in eq 1 changes μ0 only, and eq 8 does not contain μ0.",
-        not_established: "Nothing beyond the two equations.",
-        needs: &[],
-        rests_on: &["L3"],
-        decide: |context| Finding::from_proofs([steady_state::reference_velocity(context.equations)]),
     },
 ];
 

@@ -217,7 +217,8 @@ mod tests {
         let scenes: Vec<Scene> = std::fs::read_dir(format!("{folder}/scenes")).unwrap().map(parse).collect();
         let needs = [Need::Map, Need::Zones, Need::Frequency, Need::Tolerance].into();
         let outcome = run(&scenes, &needs, &References::default(), &|_, _, _| {});
-        let claims = read_claims("claims.toml", &read("claims.toml"), &known_ids(), Some(&equations)).unwrap();
+        let claims =
+            read_claims("claims.toml", &read("claims.toml"), &known_ids(), Some(&equations)).unwrap();
         Ledger::decide("paper", &claims, &Context::new(&equations, &outcome))
     }
 

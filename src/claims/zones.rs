@@ -10,7 +10,7 @@ use crate::experiments::zones::{InertialLine, LineCount, ZonesOutcome};
 use crate::experiments::{Context, Need, SceneOutcome};
 use slipmode_core::number::format::round_digits;
 use slipmode_core::stability::SlipMode;
-use slipmode_core::theory::{asymptote_series, criteria, frequency};
+use slipmode_core::theory::{asymptote_series, frequency};
 
 pub(super) const CHECKS: &[Check] = &[
     Check {
@@ -28,14 +28,6 @@ pub(super) const CHECKS: &[Check] = &[
         needs: &[],
         rests_on: &["B1"],
         decide: z2,
-    },
-    Check {
-        id: "Z4",
-        criterion: "Changing only a, b or D_c moves a point off the exact boundary.",
-        not_established: "The size of each effect: eq 20 contains only a, and b enters with the relative order bσ/(2KD_c).",
-        needs: &[],
-        rests_on: &["B5"],
-        decide: |context| Finding::from_proofs([criteria::all_parameters(context.equations)]),
     },
     Check {
         id: "Z5",

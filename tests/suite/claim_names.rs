@@ -39,7 +39,7 @@ fn equations_of_another_paper_decide_claims_of_any_letter() {
 
 #[test]
 fn a_claim_with_a_check_and_a_table_of_the_paper_ask_for_its_equations() {
-    let place = Workplace::with_report(EQUATIONS, &claim("S1", "holds", ""), "Words.\n");
+    let place = Workplace::with_report(EQUATIONS, &claim("B1", "holds", ""), "Words.\n");
     let refused = place.run(["verify", "r"]);
     refused.expect_refusal(&[
         "r/equations.toml: equation 9: is missing",

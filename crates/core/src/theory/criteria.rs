@@ -1,7 +1,7 @@
-//! Criteria for vibration: η > 1 against eq 20, and what each of them depends on.
+//! The criterion η > 1 for vibration.
 
 use super::boundary::cubic_discriminant;
-use super::notation::{any, discriminant_of_cubic, formula, in_groups};
+use super::notation::{formula, in_groups};
 use super::sufficient_inertia::sharp_bound;
 use super::{Equations, transition};
 use crate::polynomial::{Certificate, Domain, Expression, Proof, Refutation, Symbol};
@@ -70,56 +70,4 @@ fn at_point(
     let certificate =
         Certificate::Value { expression: expression.clone(), point, value: Expression::from(&value) };
     proof.certify(says, &["8", "9"], certificate)
-}
-
-/// The exact boundary depends on each of a, b and D_c (claim Z4): changing one alone leaves it.
-///
-/// # Errors
-/// When the discriminant stays zero.
-pub fn all_parameters(equations: &Equations) -> Result<Proof, Refutation> {
-    // In units σ = K = V0 = 1 the mass is what remains of inertia; the point has η = 5/48, κ = 69/16, β = 3/2.
-    let point = [
-        ("a", "1"),
-        ("b", "3/2"),
-        ("D_c", "69/16"),
-        ("M", "345/768"),
-        ("K", "1"),
-        ("sigma", "1"),
-        ("V_0", "1"),
-    ];
-    let cubic = equations.residual("8") * formula("sigma*V_0*D_c");
-    let start = Proof::new("vibration-depends-on-all", "");
-    let discriminant = Expression::from(&discriminant_of_cubic(&start, &cubic, "s", &any())?);
-    let changes = [("a", "11/10"), ("b", "8/5"), ("D_c", "5")];
-    let proof = Proof::new(
-        "vibration-depends-on-all",
-        "The exact boundary depends on each of a, b and D_c: at a point of it, changing any \
-             one of them alone leaves the boundary. Its asymptote eq 20 contains a only.",
-    );
-    let at = |name: &str, value: &str| -> Vec<(String, Expression)> {
-        let pick = |known: &str, kept: &str| if known == name { formula(value) } else { formula(kept) };
-        point.iter().map(|(known, kept)| ((*known).to_owned(), pick(known, kept))).collect()
-    };
-    let on_boundary =
-        Certificate::Value { expression: discriminant.clone(), point: at("a", "1"), value: formula("0") };
-    let proof = proof.certify("discriminant of eq 8 at the point", &["8"], on_boundary)?;
-    changes.into_iter().try_fold(proof, |proof, (name, value)| {
-        let values = at(name, value).into_iter().map(|(name, value)| (Symbol::new(&name), value)).collect();
-        let changed = super::notation::simplified(
-            &proof,
-            &["8"],
-            &discriminant.substitute(&values),
-            &Domain::default(),
-        )?;
-        if changed.is_zero() {
-            return Err(proof.refute(
-                &format!("the boundary depends on {name}"),
-                &["8"],
-                "the discriminant stays zero",
-            ));
-        }
-        let certificate =
-            Certificate::Value { expression: discriminant.clone(), point: at(name, value), value: changed };
-        proof.certify(&format!("not zero with {name} = {value}"), &["8"], certificate)
-    })
 }

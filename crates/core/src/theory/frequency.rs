@@ -1,11 +1,11 @@
-//! How the frequency compares with ω_n = √(K/M): eqs 21-23, and the zone of low frequencies.
+//! How the frequency compares with ω_n = √(K/M), and the zone of low frequencies.
 
 use super::Equations;
 use super::notation::{
     any, coefficients, crossing, cubic, formula, given_nonzero, given_positive, in_groups, in_parameters,
     weakening_by_square,
 };
-use crate::polynomial::{Domain, Expression, Proof, Refutation, Toward};
+use crate::polynomial::{Domain, Expression, Proof, Refutation};
 
 /// Im(s) never reaches ω_n: |s|² = ω_n²/|t| with a real root t < −1 (claim Q1).
 ///
@@ -57,31 +57,6 @@ pub fn bounded(equations: &Equations) -> Result<Proof, Refutation> {
             &in_parameters(left, &[("u", "1 + w", "w", "u - 1")]),
         )?;
     complex_pair(proof)
-}
-
-/// V0 → ∞ and σ → 0 both lead to s = ±i ω_n (claim Q2).
-///
-/// # Errors
-/// When a limit is not eq 21 or 22, or ±i ω_n is no root.
-pub fn limits(equations: &Equations) -> Result<Proof, Refutation> {
-    let eq8 = equations.residual("8");
-    let fast = eq8.clone() * formula("sigma*D_c/V_0");
-    let light = eq8 * formula("sigma");
-    let (eq21, eq22) = (equations.residual("21"), equations.residual("22"));
-    let natural = formula("pm*i") * equations.right("natural-frequency");
-    let factors = formula("(M*s^2 + K)*(s + V_0/D_c)");
-    let zero = formula("0");
-    Proof::new(
-        "natural-frequency-limits",
-        "Eq 8 tends to eq 21 as V0 → ∞ (times σ D_c/V0; the third root goes to −∞) and to eq \
-             22 as σ → 0 (times σ); s = ±i√(K/M) solves both, and the third root of eq 22 is \
-             −V0/D_c.",
-    )
-    .limit("eq 8 times σ D_c/V0 as V0 → ∞", &["8", "21"], &fast, ("V_0", Toward::Infinity), &eq21, &any())?
-    .limit("eq 8 times σ as σ → 0", &["8", "22"], &light, ("sigma", Toward::Zero), &eq22, &any())?
-    .identity("eq 21 at s = ±i ω_n", &["21", "natural-frequency"], &eq21.with("s", &natural), &zero, &any())?
-    .identity("eq 22 at s = ±i ω_n", &["22", "natural-frequency"], &eq22.with("s", &natural), &zero, &any())?
-    .identity("factors of eq 22", &["22"], &eq22, &factors, &any())
 }
 
 /// Where the low frequencies end: on K = K_c, (ω/ω_n)² = η/(1+η); eq 23 meets ω_n at V_c (claim Q6).

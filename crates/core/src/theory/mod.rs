@@ -62,8 +62,6 @@ pub mod strip_frequency;
 #[doc(hidden)]
 pub mod sufficient_inertia;
 #[doc(hidden)]
-pub mod third_order;
-#[doc(hidden)]
 pub mod transition;
 mod units;
 pub mod weak_instability;
