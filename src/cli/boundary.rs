@@ -3,7 +3,9 @@
 use std::path::PathBuf;
 
 use clap::Args;
+use serde_json::{Value, json};
 use slipmode::experiments::boundary::{END_ERROR, boundary_columns, boundary_row, vanishes};
+use slipmode::experiments::pictures::boundary_picture;
 use slipmode::scene::{Limits, Problem, Quantity};
 use slipmode_core::friction::Slider;
 use slipmode_core::number::{Ball, Rational};
@@ -11,6 +13,8 @@ use slipmode_core::stability::boundary::{BoundaryCurve, BoundaryPoint};
 use slipmode_plot::table::Table;
 
 use crate::cli::failure::Failure;
+use crate::cli::inputs::{SCHEMA, slider_json};
+use crate::cli::new::Ranges;
 use crate::cli::options::{Arguments, MaterialOptions};
 use crate::cli::output::Output;
 use crate::cli::roots::MOST_DIGITS;
@@ -18,6 +22,8 @@ use crate::cli::terminal;
 
 /// Points on each arc unless the command line says otherwise.
 const DEFAULT_POINTS: u64 = 200;
+/// Digits unless the command line says otherwise.
+const DEFAULT_DIGITS: u64 = 20;
 /// The arcs of the boundary.
 const ARCS: u64 = 2;
 /// What a point and its row take, in bytes, and each digit of them: measured, and rounded up.
@@ -38,8 +44,9 @@ pub struct Options {
     #[arg(long, value_name = "N", allow_hyphen_values = true)]
     points: Option<String>,
     /// Significant digits, 1 to 1 000 000; only certain digits are printed, and 0 for an error that is zero to all of them
-    #[arg(long, value_name = "D", default_value = "20", allow_hyphen_values = true)]
-    digits: String,
+    /// [default: 20]
+    #[arg(long, value_name = "D", allow_hyphen_values = true)]
+    digits: Option<String>,
     /// Only the points of the boundary at this loading velocity, m/s
     #[arg(long, value_name = "V", allow_hyphen_values = true)]
     at_velocity: Option<String>,
@@ -49,6 +56,12 @@ pub struct Options {
     /// Raises the limit on --points [default: 4 194 304]
     #[arg(long, value_name = "N", allow_hyphen_values = true)]
     max_points: Option<String>,
+    /// One JSON object instead of CSV, with 64-bit numbers
+    #[arg(long)]
+    json: bool,
+    /// Also draw the boundary with its asymptotes and the transition
+    #[arg(long, value_name = "OUT.svg")]
+    svg: Option<PathBuf>,
     /// Where to write; `-` is standard output
     #[arg(short, long, value_name = "OUT.csv", default_value = "-")]
     output: PathBuf,
@@ -72,9 +85,15 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     let request = Request::read(options, &mut arguments);
     let request = arguments.finish(request)?;
     let output = Output::create(&options.output)?;
-    let table = request.table();
-    output.finish(table.to_csv())?;
-    if table.rows.is_empty() {
+    let svg = options.svg.as_deref().map(Output::create).transpose()?;
+    let points = request.points();
+    if options.json {
+        output.finish(format!("{:#}\n", request.json(&points)))?;
+    } else {
+        output.finish(request.table(&points).to_csv())?;
+    }
+    svg.map_or(Ok(()), |svg| svg.finish(request.picture(&points)?))?;
+    if points.is_empty() {
         terminal::message("the boundary has no point there");
     }
     Ok(())
@@ -86,7 +105,12 @@ impl Request {
         let limit = arguments.whole("--max-points", options.max_points.as_deref(), 2..=u64::from(u32::MAX));
         let limit = limit.unwrap_or(Limits::default().max_points);
         let given = arguments.whole("--points", options.points.as_deref(), 2..=u64::MAX);
-        let digits = arguments.whole("--digits", Some(&options.digits), 1..=MOST_DIGITS);
+        let digits = match &options.digits {
+            None => Some(DEFAULT_DIGITS),
+            Some(text) => arguments.whole("--digits", Some(text), 1..=MOST_DIGITS),
+        };
+        let needs = "CSV: the numbers of --json have 64 bits";
+        arguments.refuse_value("--digits", options.digits.as_deref().filter(|_| options.json), needs);
         let mut coordinate = |option, quantity: Quantity, text: &Option<String>| match text {
             Some(text) => arguments.measured(option, text, quantity.unit()).map(Some),
             None => Some(None),
@@ -99,7 +123,14 @@ impl Request {
             let needs = "neither --at-velocity nor --at-normal-stress, which ask for single points";
             arguments.refuse("--points", options.points.is_some(), needs);
             arguments.refuse("--max-points", options.max_points.is_some(), needs);
+            arguments.refuse("--svg", options.svg.is_some(), needs);
         }
+        let is_stream = options.svg.as_deref().is_some_and(|place| place.as_os_str() == "-");
+        arguments.refuse_value(
+            "--svg",
+            Some("-").filter(|_| is_stream),
+            "a file: standard output has the points",
+        );
         let points = given.unwrap_or(DEFAULT_POINTS);
         if let Some(problem) =
             digits.filter(|_| is_sampled).and_then(|digits| too_many(points, limit, digits))
@@ -116,10 +147,36 @@ impl Request {
     }
 
     /// The table of the points that were requested.
-    fn table(&self) -> Table {
+    fn table(&self, points: &[BoundaryPoint]) -> Table {
         let mut table = Table::new("boundary", "Boundary", boundary_columns());
-        self.points().iter().for_each(|point| table.push(boundary_row(point, self.digits as usize)));
+        points.iter().for_each(|point| table.push(boundary_row(point, self.digits as usize)));
         table
+    }
+
+    /// One object: the inputs, and the points under the names of the columns.
+    fn json(&self, points: &[BoundaryPoint]) -> Value {
+        let point = |point: &BoundaryPoint| {
+            json!({
+                "arc": point.arc.as_str(),
+                "double_root": point.double_root.to_f64(),
+                "normal_stress_pa": point.normal_stress_pa.to_f64(),
+                "loading_velocity_m_per_s": point.loading_velocity_m_per_s.to_f64(),
+                "asymptote": point.asymptote.as_str(),
+                "asymptote_value": point.asymptote_value.to_f64(),
+                "relative_error": point.relative_error.to_f64(),
+                "log10_distance": point.log10_distance.to_f64(),
+                "condition_number": point.condition_number.to_f64(),
+                "mark": point.mark.map(|mark| mark.as_str()),
+            })
+        };
+        let points: Vec<Value> = points.iter().map(point).collect();
+        json!({ "schema": SCHEMA, "inputs": slider_json(&self.slider), "points": points })
+    }
+
+    /// The boundary over the axes that `new` would choose.
+    fn picture(&self, points: &[BoundaryPoint]) -> Result<String, Failure> {
+        let ranges = Ranges::around(&self.slider).map_err(Failure::Refused)?;
+        Ok(boundary_picture(&self.slider, points, ranges.velocity.ends(), ranges.stress.ends()))
     }
 
     /// The points, computed with more digits than requested where inputs hundreds of decades apart take them.

@@ -1,7 +1,9 @@
 //! `slipmode classify`: one point for people or programs, every row of a CSV file, or the counts of a grid.
 
 mod box_view;
+mod derived;
 mod grid;
+mod grid_files;
 pub mod rows;
 mod view;
 
@@ -15,6 +17,7 @@ use crate::cli::points::{self, RowsOptions};
 use crate::cli::progress::Progress;
 use crate::cli::terminal;
 use box_view::BoxView;
+use derived::ClassifyPoints;
 use grid::GridOptions;
 use rows::ClassifyRows;
 use view::PointView;
@@ -59,7 +62,10 @@ pub fn run(options: &Options, progress: &Progress) -> Result<(), Failure> {
         options.threshold.threshold(&mut arguments)
     };
     if options.points.is_none() {
-        options.rows.refuse_without_points(&mut arguments);
+        options.rows.refuse_without_points(options.grid.is_given(), &mut arguments);
+    }
+    if !options.grid.is_given() {
+        options.grid.refuse_without_grid(&mut arguments);
     }
     if is_box {
         let region = options.slider.region(&mut arguments);
@@ -68,7 +74,7 @@ pub fn run(options: &Options, progress: &Progress) -> Result<(), Failure> {
         return if options.json { terminal::print_json(&view.json()) } else { terminal::print(&view.text()) };
     }
     if options.grid.is_given() {
-        let request = options.grid.read(&options.slider, &mut arguments);
+        let request = options.grid.read(&options.slider, options.rows.output(), options.json, &mut arguments);
         let (request, threshold) = arguments.finish(request.zip(threshold))?;
         return request.run(&threshold, options.json, *progress);
     }
@@ -80,5 +86,5 @@ pub fn run(options: &Options, progress: &Progress) -> Result<(), Failure> {
     };
     options.slider.refuse_beside_points(&mut arguments);
     let threshold = arguments.finish(threshold)?;
-    points::run(points, &options.rows, ClassifyRows { threshold }, *progress)
+    points::run(points, &options.rows, ClassifyPoints(ClassifyRows { threshold }), *progress)
 }

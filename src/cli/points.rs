@@ -34,10 +34,15 @@ pub struct RowsOptions {
 }
 
 impl RowsOptions {
-    /// Notes the options that need rows, where there are none.
-    pub fn refuse_without_points(&self, arguments: &mut Arguments) {
+    /// Where to write the rows.
+    pub fn output(&self) -> Option<&Path> {
+        self.output.as_deref()
+    }
+
+    /// Notes the options that need rows, where there are none; those of a grid can be written, and none is at fault.
+    pub fn refuse_without_points(&self, has_grid: bool, arguments: &mut Arguments) {
         let needs = "--points: without rows nothing is written to a file, and none can be at fault";
-        arguments.refuse("--output", self.output.is_some(), needs);
+        arguments.refuse("--output", self.output.is_some() && !has_grid, needs);
         arguments.refuse("--keep-going", self.keep_going, needs);
     }
 }

@@ -10,8 +10,8 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use slipmode::scene::{AllowedRange, Problem};
-use slipmode_core::friction::EvolutionLaw;
-use slipmode_core::number::nearest_f64;
+use slipmode_core::friction::{EvolutionLaw, Parameters};
+use slipmode_core::number::{Rational, nearest_f64};
 
 use crate::cli::failure::Failure;
 use crate::cli::options::{Arguments, SliderOptions};
@@ -20,8 +20,12 @@ use crate::cli::points::{self, RowsOptions};
 use crate::cli::progress::Progress;
 use crate::cli::terminal;
 use crate::cli::words::{LAWS, law_of_word, start_of_word};
+use history::{Extent, History};
 use rows::{Answer, SimulateRows};
 use run::{Settings, simulate_point};
+
+/// The most samples of a trajectory: 500 MB of text.
+const MOST_SAMPLES: u64 = 10_000_000;
 
 /// Options of `simulate`.
 #[derive(Debug, Args)]
@@ -44,20 +48,21 @@ pub struct Options {
     /// One JSON object instead of text
     #[arg(long, conflicts_with = "points")]
     json: bool,
-    /// Also write the run from its start as CSV: time, velocity, state variable, and shear stress relative to steady sliding
+    /// Also write the run from its start as CSV: time, velocity, state variable, shear stress relative to steady sliding, and slip
     ///
-    /// Time starts at 0 and strictly increases: of samples with the same 64-bit time, only the first is kept.
+    /// `-` writes it to standard output, and the result to standard error. Time starts at 0 and strictly increases: of samples with
+    /// the same 64-bit time, only the first is kept.
     #[arg(long, value_name = "OUT.csv", conflicts_with = "points")]
     trajectory: Option<PathBuf>,
+    /// Also draw velocity, shear stress and slip against time
+    #[arg(long, value_name = "OUT.svg", conflicts_with = "points")]
+    svg: Option<PathBuf>,
     /// Duration of the trajectory, s [default: ten periods; without oscillation, until 1e-13 of the deviation is left]
-    #[arg(
-        long,
-        value_name = "T",
-        requires = "trajectory",
-        conflicts_with = "points",
-        allow_hyphen_values = true
-    )]
+    #[arg(long, value_name = "T", conflicts_with = "points", allow_hyphen_values = true)]
     duration_s: Option<String>,
+    /// Samples of the trajectory at equal steps of time, both ends included, 2 to 10 000 000 [default: eight in each step of the integrator]
+    #[arg(long, value_name = "N", conflicts_with = "points", allow_hyphen_values = true)]
+    samples: Option<String>,
     /// Simulate every row of a CSV file; `-` reads standard input
     ///
     /// The header is that of `classify --points`, with an optional column `law`. If the simulation of a row
@@ -78,7 +83,7 @@ pub fn run(options: &Options, progress: &Progress) -> Result<(), Failure> {
     let law = options.law.as_ref().and_then(|word| arguments.number("--law", word, law_of_word));
     let settings = options.settings(&mut arguments);
     let Some(points) = &options.points else {
-        options.rows.refuse_without_points(&mut arguments);
+        options.rows.refuse_without_points(false, &mut arguments);
         return options.single(law, settings, arguments, *progress);
     };
     options.slider.refuse_beside_points(&mut arguments);
@@ -105,42 +110,80 @@ impl Options {
         if self.law.is_none() {
             arguments.fault::<()>("--law", None, Problem::Missing { allowed: LAWS.into() });
         }
-        let duration_s =
-            self.duration_s.as_ref().and_then(|text| arguments.measured("--duration-s", text, "s"));
-        if let Some(Some(name)) = self.trajectory.as_deref().filter(|path| is_stream(path)).map(Path::to_str)
-        {
-            let file = Problem::Needs("a file: standard output has the result".into());
-            arguments.fault::<()>("--trajectory", Some(name), file);
-        }
+        let extent = self.extent(&mut arguments);
         let ((parameters, law), settings) = arguments.finish(parameters.zip(law).zip(settings))?;
         // An output that cannot be written is reported before the work, not after it.
-        let output = self.trajectory.as_deref().map(Output::create).transpose()?;
+        let outputs =
+            [&self.trajectory, &self.svg].map(|place| place.as_deref().map(Output::create).transpose());
+        let [csv, svg] = outputs;
+        let outputs = [csv?, svg?];
         for warning in range::outside_tested(&parameters) {
             terminal::message(&format!("warning: {warning}"));
         }
         let (found, written) = progress.spinner("simulating", || {
             let found = simulate_point(&parameters, law, settings);
-            let history = output.zip(found.as_ref().ok()).map(|(output, simulation)| {
-                history::write(output, &parameters, law, settings, simulation, duration_s.as_ref())
-            });
-            (found, history.transpose())
+            let follow = |simulation| {
+                write_history(outputs, &extent, |extent| {
+                    History::of(&parameters, law, settings, simulation, extent)
+                })
+            };
+            let written = found.as_ref().ok().map(follow);
+            (found, written.unwrap_or(Ok(())))
         });
         let answer = Answer::new(found, &parameters);
-        self.print_remarks(&answer, law, settings)?;
-        written.map(drop)
+        self.print_remarks(&answer, &parameters, law, settings)?;
+        written
+    }
+
+    /// What a trajectory shall show; faults are collected in `arguments`.
+    fn extent(&self, arguments: &mut Arguments) -> Extent {
+        let is_wanted = self.trajectory.is_some() || self.svg.is_some();
+        for (option, given) in [("--duration-s", &self.duration_s), ("--samples", &self.samples)] {
+            let given = given.as_deref().filter(|_| !is_wanted);
+            arguments.refuse_value(option, given, "--trajectory or --svg");
+        }
+        let streams = [&self.trajectory, &self.svg].map(|place| place.as_deref().is_some_and(is_stream));
+        let needs = "a file: standard output has something else";
+        arguments.refuse_value("--svg", Some("-").filter(|_| streams[1]), needs);
+        arguments.refuse_value("--trajectory", Some("-").filter(|_| streams[0] && self.json), needs);
+        let duration_s =
+            self.duration_s.as_ref().and_then(|text| arguments.measured("--duration-s", text, "s"));
+        let samples = arguments.whole("--samples", self.samples.as_deref(), 2..=MOST_SAMPLES);
+        Extent { duration_s, samples }
     }
 
     /// Prints what was found; a failure is an object for programs, and a message in any case.
-    fn print_remarks(&self, answer: &Answer, law: EvolutionLaw, settings: Settings) -> Result<(), Failure> {
+    fn print_remarks(
+        &self,
+        answer: &Answer,
+        parameters: &Parameters<Rational>,
+        law: EvolutionLaw,
+        settings: Settings,
+    ) -> Result<(), Failure> {
         if self.json {
-            terminal::print_json(&view::json(answer))?;
+            terminal::print_json(&view::json_with_inputs(answer, parameters, law, settings))?;
         }
         match &answer.found {
             Ok(_) if self.json => Ok(()),
+            Ok(simulation) if self.trajectory.as_deref().is_some_and(is_stream) => {
+                terminal::message(view::text(simulation, law, settings).trim_end());
+                Ok(())
+            }
             Ok(simulation) => terminal::print(&view::text(simulation, law, settings)),
             Err(reason) => Err(Failure::Check(format!("error: the simulation failed: {reason}"))),
         }
     }
+}
+
+/// Writes the trajectory and its picture, as far as they are wanted; the picture always has all steps.
+fn write_history(
+    [csv, svg]: [Option<Output>; 2],
+    extent: &Extent,
+    follow: impl Fn(&Extent) -> Result<History, Failure>,
+) -> Result<(), Failure> {
+    csv.map_or(Ok(()), |output| output.finish(follow(extent)?.csv()))?;
+    let steps = Extent { samples: None, ..extent.clone() };
+    svg.map_or(Ok(()), |output| output.finish(follow(&steps)?.svg()?))
 }
 
 fn is_stream(path: &Path) -> bool {

@@ -89,7 +89,7 @@ pub fn run(options: &Options, progress: &Progress) -> Result<(), Failure> {
     let mut arguments = Arguments::default();
     let question = Question::read(options, &mut arguments);
     let Some(points) = &options.points else {
-        options.rows.refuse_without_points(&mut arguments);
+        options.rows.refuse_without_points(false, &mut arguments);
         let parameters =
             question.as_ref().and_then(|asked| asked.parameters(&options.slider, &mut arguments));
         let (question, parameters) = arguments.finish(question.zip(parameters))?;

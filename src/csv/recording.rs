@@ -22,6 +22,8 @@ const MOST_SAMPLES: usize = 10_000_000;
 const BLOCK_ROWS: usize = 4096;
 /// The most faults that are reported of one file.
 const MOST_FAULTS: usize = 20;
+/// Why a velocity is positive.
+const ALWAYS_FORWARD: &str = "friction here depends on ln V, so the slider neither stops nor moves back; where the sensor's noise exceeds the velocity, smooth the record or leave these rows out";
 /// What times and stresses may be, for messages.
 const SIGNED: &str = "-1e300 to 1e300";
 
@@ -112,6 +114,16 @@ impl Read {
     }
 }
 
+/// Why a velocity that is not positive has no place in a comparison.
+fn explained(problem: Problem) -> Problem {
+    match problem {
+        Problem::NotPositive { allowed } => {
+            Problem::NotPositive { allowed: format!("{allowed}; {ALWAYS_FORWARD}") }
+        }
+        other => other,
+    }
+}
+
 /// A cell as the nearest 64-bit number in SI; its decimal is read exactly first.
 fn number(cell: &[u8], must_be_positive: bool, unit: Option<&Rational>) -> Result<f64, Problem> {
     if let Some(problem) = cell_problem(cell) {
@@ -127,7 +139,8 @@ fn number(cell: &[u8], must_be_positive: bool, unit: Option<&Rational>) -> Resul
     let in_si = |value: Rational| unit.map_or_else(|| value.clone(), |size| Rational::from(&value * size));
     if must_be_positive {
         let range = AllowedRange::PHYSICAL;
-        return range.check(in_si(range.parse(text)?)).map(|value| nearest_f64(&value));
+        let value = range.parse(text).and_then(|value| range.check(in_si(value)));
+        return value.map(|value| nearest_f64(&value)).map_err(explained);
     }
     let value =
         parse_decimal(text).map_err(|reason| Problem::NotANumber { reason, allowed: SIGNED.into() })?;

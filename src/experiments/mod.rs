@@ -11,6 +11,7 @@ pub mod near_transition;
 pub mod onset;
 mod outcome;
 pub mod own_weight;
+pub mod pictures;
 mod registry;
 mod run;
 mod scene;

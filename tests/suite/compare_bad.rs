@@ -113,7 +113,7 @@ fn a_trajectory_has_to_be_one() {
     refuse_trajectory(
         &format!("{NAMES}\n0,1e-3\n1,0\n1,1e-3\n0.5,nan\n2\n3,\n"),
         &[
-            "t.csv:3: row 2, column velocity_m_per_s = 0: must be > 0 (allowed: 1e-300 to 1e300)",
+            "t.csv:3: row 2, column velocity_m_per_s = 0: must be > 0 (allowed: 1e-300 to 1e300; friction here depends on ln V, so the slider neither stops nor moves back;",
             "t.csv:5: row 4, column velocity_m_per_s = nan: not a decimal number",
             "t.csv:6: row 5: 1 cells, where the header has 2",
             "t.csv:7: row 6, column velocity_m_per_s = \"\": not a decimal number",

@@ -101,7 +101,7 @@ fn rows_take_error_bars_in_cells_and_in_columns_of_errors() {
     let alone = place.run(["classify", "--points", "points.csv"]).expect_success();
     assert!(rows.starts_with(&alone), "a row without error bars has the same bytes");
     let [uncertain, range] = [2, 3].map(|line| rows.lines().nth(line).unwrap());
-    let results = "-1;0;1,-1,stable-complex;unstable-complex;neutral,non-inertial-underdamped-oscillation;stick-slip,,,exact";
+    let results = "-1;0;1,-1,stable-complex;unstable-complex;neutral,non-inertial-underdamped-oscillation;stick-slip,,,exact,,,,";
     assert!(uncertain.ends_with(results) && range.ends_with(results), "{uncertain} {range}");
     let columns = format!("{HEADER},evolution_effect_error\n{point},0.0007\n{point},\n");
     place.write("columns.csv", columns);

@@ -40,6 +40,7 @@ mod near_transition;
 mod new;
 mod option_pairs;
 mod outputs;
+mod pictures;
 mod planted_faults;
 mod points;
 mod promises;

@@ -2,8 +2,8 @@
 
 use crate::harness::{HEADER, ROW, Workplace};
 
-const APPENDED: &str =
-    ",transition_sign,boundary_sign,spectral_class,slip_mode,max_real_per_s,max_imaginary_per_s,rung";
+const APPENDED: &str = ",transition_sign,boundary_sign,spectral_class,slip_mode,max_real_per_s,max_imaginary_per_s,rung,\
+     frequency_hz,critical_stiffness_pa_per_m,stiffness_over_critical,frequency_over_natural";
 
 /// Many different rows, easy and hard ones mixed, without a random generator.
 fn many_rows(count: u32) -> String {
@@ -52,7 +52,10 @@ fn a_row_says_what_classify_says_of_the_point() {
     let out = place.run_with_input(["classify", "--points", "-"], &rows).expect_success();
     assert_eq!(
         out.lines().nth(1).unwrap(),
-        format!("{ROW},-1,-1,unstable-complex,stick-slip,11.393570596829527,42.22571431798806,f64")
+        format!(
+            "{ROW},-1,-1,unstable-complex,stick-slip,11.393570596829527,42.22571431798806,f64,\
+             6.720431159294019,2.5e7,0.4,0.42225714317988056"
+        )
     );
 }
 
@@ -88,7 +91,7 @@ fn signs_on_and_beside_the_limits_are_exact_for_decimals_of_any_length() {
     let out = place.run_with_input(["classify", "--points", "-"], &rows).expect_success();
     let signs: Vec<_> = out.lines().skip(1).map(|line| line.split(',').nth(7).unwrap()).collect();
     assert_eq!(signs, ["0", "1", "-1"]);
-    let rungs: Vec<_> = out.lines().skip(1).map(|line| line.rsplit(',').next().unwrap()).collect();
+    let rungs: Vec<_> = out.lines().skip(1).map(|line| line.split(',').nth(13).unwrap()).collect();
     assert_eq!(rungs, ["exact", "exact", "double-double"]);
 }
 

@@ -1,16 +1,21 @@
 //! `classify` of a whole (V0, σ) grid: how many points have which class and slip mode, in constant memory.
 
+use std::path::{Path, PathBuf};
+
 use clap::Args;
 use serde_json::{Map, Value, json};
-use slipmode::scene::{LogAxis, LogCoordinates, Problem, Quantity};
+use slipmode::scene::{Limits, LogAxis, LogCoordinates, Problem, Quantity};
 use slipmode_core::friction::Slider;
 use slipmode_core::number::Rational;
 use slipmode_core::stability::batch::{GridAxis, StreamedGrid, Tally};
 use slipmode_core::stability::{InertialThreshold, SlipMode, SpectralClass};
 
+use crate::cli::classify::grid_files::GridFiles;
 use crate::cli::classify::rows::NEUTRAL;
 use crate::cli::failure::Failure;
+use crate::cli::inputs::{SCHEMA, slider_json};
 use crate::cli::options::{Arguments, SliderOptions, option_of};
+use crate::cli::output::Output;
 use crate::cli::progress::Progress;
 use crate::cli::terminal;
 
@@ -30,11 +35,16 @@ pub struct GridOptions {
     /// bits, and every point is then classified exactly.
     #[arg(long, value_name = "FROM:TO:N", allow_hyphen_values = true, conflicts_with = "points")]
     grid_normal_stress: Option<String>,
+    /// Also draw the slip modes of the grid, with the exact boundary, the asymptotes and the transition
+    #[arg(long, value_name = "OUT.svg", conflicts_with = "points")]
+    svg: Option<PathBuf>,
 }
 
 /// A grid as requested, valid.
 #[derive(Debug)]
 pub struct GridRequest {
+    rows: Option<PathBuf>,
+    svg: Option<PathBuf>,
     slider: Slider<Rational>,
     loading_velocities: LogAxis,
     normal_stresses: LogAxis,
@@ -46,8 +56,20 @@ impl GridOptions {
         self.grid_loading_velocity.is_some() || self.grid_normal_stress.is_some()
     }
 
-    /// The grid; what is missing or faulty is collected in `arguments`.
-    pub fn read(&self, slider: &SliderOptions, arguments: &mut Arguments) -> Option<GridRequest> {
+    /// Notes the options that need a grid, where there is none.
+    pub fn refuse_without_grid(&self, arguments: &mut Arguments) {
+        let needs = "--grid-loading-velocity and --grid-normal-stress: only a grid is drawn";
+        arguments.refuse("--svg", self.svg.is_some(), needs);
+    }
+
+    /// The grid, whose rows go to a place; what is missing or faulty is collected in `arguments`.
+    pub fn read(
+        &self,
+        slider: &SliderOptions,
+        rows: Option<&Path>,
+        json: bool,
+        arguments: &mut Arguments,
+    ) -> Option<GridRequest> {
         let fixed = slider.material.slider(arguments);
         for quantity in [Quantity::NormalStress, Quantity::LoadingVelocity] {
             let needs = "no grid: the grid's axes give this value";
@@ -55,8 +77,29 @@ impl GridOptions {
         }
         let velocities = axis(Quantity::LoadingVelocity, self.grid_loading_velocity.as_deref(), arguments);
         let stresses = axis(Quantity::NormalStress, self.grid_normal_stress.as_deref(), arguments);
-        Some(GridRequest { slider: fixed?, loading_velocities: velocities?, normal_stresses: stresses? })
+        let stream = |place: Option<&Path>| place.is_some_and(is_stream).then_some("-");
+        let needs = "a file: standard output has something else";
+        arguments.refuse_value("--svg", stream(self.svg.as_deref()), needs);
+        arguments.refuse_value("--output", stream(rows).filter(|_| json), needs);
+        let (velocities, stresses) = (velocities?, stresses?);
+        let (points, limit) =
+            (u64::from(velocities.points) * u64::from(stresses.points), Limits::default().max_points);
+        if self.svg.is_some() && points > limit {
+            let problem = Problem::Needs(format!("a grid of at most {limit} points"));
+            return arguments.fault("--svg", None, problem);
+        }
+        Some(GridRequest {
+            rows: rows.map(Path::to_path_buf),
+            svg: self.svg.clone(),
+            slider: fixed?,
+            loading_velocities: velocities,
+            normal_stresses: stresses,
+        })
     }
+}
+
+fn is_stream(place: &Path) -> bool {
+    place.as_os_str() == "-"
 }
 
 /// Reads `FROM:TO:N`.
@@ -84,13 +127,32 @@ fn axis(quantity: Quantity, text: Option<&str>, arguments: &mut Arguments) -> Op
 }
 
 impl GridRequest {
-    /// Classifies the grid and prints the counts.
+    /// Classifies the grid, writes its rows and its picture where they are wanted, and prints the counts.
     ///
     /// # Errors
-    /// When standard output cannot be written.
+    /// When an output cannot be written.
     pub fn run(&self, threshold: &InertialThreshold, json: bool, progress: Progress) -> Result<(), Failure> {
+        // An output that cannot be written is reported before the work, not after it.
+        let outputs = [&self.rows, &self.svg].map(|place| place.as_deref().map(Output::create).transpose());
+        let [rows, svg] = outputs;
+        let (rows, svg) = (rows?, svg?);
         let tally = self.tally(threshold, progress);
-        if json { terminal::print_json(&self.json(&tally)) } else { terminal::print(&self.text(&tally)) }
+        let files =
+            GridFiles::new(&self.slider, threshold, [&self.loading_velocities, &self.normal_stresses]);
+        if let Some(output) = rows {
+            let bar = progress.points(self.points());
+            files.write_rows(output, |points| bar.inc(points))?;
+            bar.finish_and_clear();
+        }
+        svg.map_or(Ok(()), |output| files.draw(output))?;
+        if json {
+            return terminal::print_json(&self.json(&tally));
+        }
+        if self.rows.as_deref().is_some_and(is_stream) {
+            terminal::message(self.text(&tally).trim_end());
+            return Ok(());
+        }
+        terminal::print(&self.text(&tally))
     }
 
     fn tally(&self, threshold: &InertialThreshold, progress: Progress) -> Tally {
@@ -125,6 +187,8 @@ impl GridRequest {
         };
         let decided_by = tally.decided_by();
         json!({
+            "schema": SCHEMA,
+            "inputs": slider_json(&self.slider),
             "loading_velocities": self.loading_velocities.points,
             "normal_stresses": self.normal_stresses.points,
             "points": tally.points(),

@@ -3,10 +3,11 @@
 use rug::Float;
 use serde_json::{Value, json};
 use slipmode_core::friction::{Groups, Parameters};
-use slipmode_core::number::format::round_float;
+use slipmode_core::number::format::{round_digits, round_float};
 use slipmode_core::number::{Rational, Wide};
 use slipmode_core::stability::{Classification, InertialThreshold, LogDistance, classify};
 
+use crate::cli::classify::derived::Derived;
 use crate::cli::classify::rows::slip_mode_word;
 use crate::cli::inputs::{SCHEMA, inputs_json};
 use crate::cli::roots::{PrintedRoot, print_roots};
@@ -25,6 +26,7 @@ pub struct PointView {
     critical_stiffness_pa_per_m: Rational,
     groups: Groups<Rational>,
     stiffness_ratio: Option<Rational>,
+    derived: Derived,
     to_transition: LogDistance,
     to_boundary: LogDistance,
     roots: Vec<PrintedRoot>,
@@ -36,9 +38,11 @@ impl PointView {
         let critical_stiffness_pa_per_m = parameters.critical_stiffness();
         let stiffness_ratio = (critical_stiffness_pa_per_m > 0)
             .then(|| Rational::from(&parameters.slider.stiffness_pa_per_m / &critical_stiffness_pa_per_m));
+        let found = classify(parameters, threshold);
         Self {
             inputs: inputs_json(parameters),
-            found: classify(parameters, threshold),
+            derived: Derived::of(parameters, &found),
+            found,
             critical_stiffness_pa_per_m,
             groups: parameters.groups(),
             stiffness_ratio,
@@ -61,6 +65,9 @@ impl PointView {
             "max_real_per_s": number(found.max_real_per_s),
             "max_imaginary_per_s": number(found.max_imaginary_per_s),
             "rung": found.precision_level.as_str(),
+            "frequency_hz": self.derived.frequency_hz,
+            "natural_angular_frequency_per_s": self.derived.natural_angular_frequency_per_s,
+            "frequency_over_natural": self.derived.frequency_over_natural,
             "critical_stiffness_pa_per_m": nearest_number(&self.critical_stiffness_pa_per_m),
             "stiffness_over_critical": self.stiffness_ratio.as_ref().map(nearest_number),
             "transition_distance": distance_object(&self.to_transition),
@@ -84,6 +91,12 @@ impl PointView {
             ("sign of discriminant", signed(found.boundary_sign), boundary_words(found.boundary_sign)),
             ("max Re(s)", format!("{} 1/s", found.max_real_per_s), ""),
             ("max Im(s)", format!("{} 1/s", found.max_imaginary_per_s), ""),
+            ("frequency", with_unit(self.derived.frequency_hz, " Hz"), "(max Im(s)/2 pi)"),
+            (
+                "omega / omega_n",
+                with_unit(self.derived.frequency_over_natural, ""),
+                "(max Im(s) over sqrt(K/M))",
+            ),
             ("K_c", format!("{} Pa/m", shown(&self.critical_stiffness_pa_per_m)), "(eq 9)"),
             (
                 "K / K_c",
@@ -147,6 +160,11 @@ fn boundary_words(sign: i8) -> &'static str {
 
 fn signed(sign: i8) -> String {
     if sign > 0 { format!("+{sign}") } else { sign.to_string() }
+}
+
+/// A value as it is shown; a dash beyond the range of 64-bit numbers.
+fn with_unit(value: Option<f64>, unit: &str) -> String {
+    value.map_or_else(|| "-".into(), |value| format!("{}{unit}", round_digits(value, SHOWN_DIGITS)))
 }
 
 fn shown(value: &Rational) -> String {

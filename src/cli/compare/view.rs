@@ -7,6 +7,7 @@ use slipmode_core::number::format::round_digits;
 
 use crate::cli::compare::cells::reason;
 use crate::cli::compare::rows::{ComparedRow, counts};
+use crate::cli::inputs::{SCHEMA, inputs_json};
 use crate::cli::simulate::rows::Answer;
 use crate::cli::simulate::view;
 use crate::cli::terminal;
@@ -99,6 +100,7 @@ fn shown_value(value: Value, unit: &str) -> String {
 pub fn json(rows: &[ComparedRow], faulty: u64) -> Json {
     let [agree, differ, not_compared] = counts(rows);
     json!({
+        "schema": SCHEMA,
         "rows": rows.iter().map(row_object).collect::<Vec<_>>(),
         "agree": agree,
         "differ": differ,
@@ -112,6 +114,7 @@ fn row_object(row: &ComparedRow) -> Json {
     let theory = &found.theory;
     json!({
         "row": row.number,
+        "inputs": inputs_json(&row.run.parameters),
         "law": row.run.law.as_str(),
         "start": row.start.as_str(),
         "tolerance": row.run.tolerance,

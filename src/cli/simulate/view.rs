@@ -2,12 +2,13 @@
 
 use rug::Float;
 use rug::float::Round;
-use serde_json::Value;
+use serde_json::{Map, Value, json};
 use slipmode_core::dynamics::{Behaviour, Simulation};
-use slipmode_core::friction::EvolutionLaw;
-use slipmode_core::number::Ball;
+use slipmode_core::friction::{EvolutionLaw, Parameters};
 use slipmode_core::number::format::{certain_digits, round_digits};
+use slipmode_core::number::{Ball, Rational};
 
+use crate::cli::inputs::{SCHEMA, inputs_json};
 use crate::cli::simulate::rows::{Answer, COLUMNS};
 use crate::cli::simulate::run::Settings;
 use crate::cli::terminal;
@@ -18,8 +19,25 @@ const MOST_DIGITS: usize = 17;
 const ERROR_DIGITS: usize = 2;
 
 /// One object with the names of the CSV columns; null where there is no value.
-pub fn json(answer: &Answer) -> Value {
+pub fn json(answer: &Answer) -> Map<String, Value> {
     COLUMNS.iter().map(|(name, cell)| (name.to_string(), cell(answer).json())).collect()
+}
+
+/// The same with the inputs.
+pub fn json_with_inputs(
+    answer: &Answer,
+    parameters: &Parameters<Rational>,
+    law: EvolutionLaw,
+    settings: Settings,
+) -> Value {
+    let asked = [
+        ("schema", json!(SCHEMA)),
+        ("inputs", inputs_json(parameters)),
+        ("law", json!(law.as_str())),
+        ("tolerance", json!(settings.tolerance)),
+        ("start", json!(settings.start.as_str())),
+    ];
+    asked.into_iter().map(|(name, value)| (name.to_string(), value)).chain(json(answer)).collect()
 }
 
 /// Lines of name, value and meaning, with only the digits that the estimated errors support.

@@ -8,6 +8,7 @@ use crate::experiments::shared::map_readout::readout;
 use crate::experiments::{Figure, FigureMaker, Need, SceneOutcome};
 use slipmode_core::number::nearest_f64;
 use slipmode_core::stability::Arc;
+use slipmode_core::stability::boundary::BoundaryPoint;
 use slipmode_plot::figure::{Axis, Caption, ColourScale, HeatMap, Line};
 
 pub(crate) const FIGURES: &[FigureMaker] = &[
@@ -70,7 +71,7 @@ fn frequency_map(scene: &SceneOutcome, words: &Words) -> Option<Figure> {
             "79, 90 and 99 % of √(*K*/*M*)",
             NEARLY_NATURAL.map(|share| share * natural).to_vec(),
         ),
-        zero_areas: zero_areas(boundary, &x, &y),
+        zero_areas: zero_areas(&boundary.points, &x, &y),
         zero_label: "max Im(*s*) = 0 exactly".into(),
         lines: theory_lines(scene, boundary, &x, &y),
         marks: cusp_mark(&boundary.points),
@@ -96,12 +97,11 @@ fn frequencies(map: &Grid<MapPoint>) -> Vec<f64> {
 }
 
 /// The areas without oscillation, closed along the edges of the map.
-fn zero_areas(boundary: &BoundaryOutcome, x: &Axis, y: &Axis) -> Vec<Vec<(f64, f64)>> {
+pub(crate) fn zero_areas(points: &[BoundaryPoint], x: &Axis, y: &Axis) -> Vec<Vec<(f64, f64)>> {
     [(Arc::Upper, y.max), (Arc::Lower, y.min)]
         .into_iter()
         .filter_map(|(arc, edge)| {
-            let mut outline: Vec<(f64, f64)> = boundary
-                .points
+            let mut outline: Vec<(f64, f64)> = points
                 .iter()
                 .filter(|point| point.arc == arc)
                 .map(|point| (point.loading_velocity_m_per_s.to_f64(), point.normal_stress_pa.to_f64()))

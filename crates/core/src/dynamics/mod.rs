@@ -126,4 +126,4 @@ pub use taylor::Taylor;
 #[doc(hidden)]
 pub use threshold::start_threshold;
 #[doc(hidden)]
-pub use trajectory::{Sample, Trajectory, trajectory};
+pub use trajectory::{Sample, Trajectory, trajectory, trajectory_at};

@@ -68,6 +68,38 @@ pub fn trajectory<M: Stepper<f64>>(
     Ok(Trajectory { samples, free_residual: residual.largest })
 }
 
+/// The states at these times (D_c/V_l, ascending, from 0), each from the polynomial of the step in which it lies.
+///
+/// # Errors
+/// Those of the integrator.
+pub fn trajectory_at<M: Stepper<f64>>(
+    model: &Model<f64>,
+    method: M,
+    start: State<f64>,
+    control: Control,
+    times: &[f64],
+) -> Result<Vec<Sample>, Failure> {
+    let until = times.last().copied().unwrap_or(0.0);
+    let mut run = Integrator::new(model, method, start, control)?;
+    let mut samples: Vec<Sample> = Vec::new();
+    let later = times.iter().skip_while(|time| **time <= 0.0);
+    samples.extend(
+        times.iter().take_while(|time| **time <= 0.0).map(|time| Sample { time: *time, state: start }),
+    );
+    let mut later = later.copied().peekable();
+    while until - run.time() > 1e-13 * until {
+        let began = run.time();
+        run.advance(Some(&(until - began)))?;
+        while let Some(time) = later.next_if(|time| *time <= run.time()) {
+            let increment = increment(run.method().polynomial(), &((time - began) / run.step()));
+            samples.push(Sample { time, state: std::array::from_fn(|i| run.step_start()[i] + increment[i]) });
+        }
+    }
+    // The end of the last step and the last time differ by a rounding.
+    samples.extend(later.map(|time| Sample { time, state: *run.state() }));
+    Ok(samples)
+}
+
 /// The slip beyond loading, integrated apart from the stress.
 struct FreeResidual {
     start: f64,
@@ -114,5 +146,28 @@ mod tests {
                     .all(|pair| pair[0].time < pair[1].time || pair[1].time - pair[0].time < 1e-9)
             );
         }
+    }
+
+    #[test]
+    fn states_at_stated_times_are_those_of_the_steps() {
+        let groups = Groups { inertial_parameter: 2.5e-5, stiffness_group: 0.25, effect_ratio: 1.5 };
+        let model = Model::new(groups, EvolutionLaw::Slip);
+        let control = Control { local_tolerance: 1e-11, most_steps: 1_000_000 };
+        let start = Start::default().at_a_tenth(&model);
+        let run = trajectory(&model, Radau::<f64, 5>::new(), start, control, 30.0, 3).unwrap();
+        let times: Vec<f64> = run.samples.iter().map(|sample| sample.time).collect();
+        let found = trajectory_at(&model, Radau::<f64, 5>::new(), start, control, &times).unwrap();
+        assert_eq!(found.len(), times.len());
+        for (one, other) in found.iter().zip(&run.samples) {
+            assert_eq!(one.time, other.time);
+            for (here, there) in one.state.iter().zip(other.state) {
+                // The same polynomials at the same places, up to the rounding of the place within its step.
+                assert!((here - there).abs() < 1e-7 * (1.0 + there.abs()), "{one:?} {other:?}");
+            }
+        }
+        let even =
+            trajectory_at(&model, Radau::<f64, 5>::new(), start, control, &[0.0, 10.0, 20.0, 30.0]).unwrap();
+        assert_eq!(even.iter().map(|sample| sample.time).collect::<Vec<_>>(), [0.0, 10.0, 20.0, 30.0]);
+        assert_eq!(even[0].state, start);
     }
 }

@@ -1,0 +1,101 @@
+//! The points of a grid as rows, and its slip modes as a picture.
+
+use std::io::Write;
+
+use rayon::prelude::*;
+use slipmode::csv::RowWork;
+use slipmode::experiments::boundary::END_ERROR;
+use slipmode::experiments::pictures::mode_picture;
+use slipmode::experiments::shared::Grid;
+use slipmode::scene::{LogAxis, LogCoordinates};
+use slipmode_core::friction::Slider;
+use slipmode_core::number::format::shortest;
+use slipmode_core::number::{Dd, Rational};
+use slipmode_core::stability::boundary::BoundaryCurve;
+use slipmode_core::stability::{Classification, InertialThreshold, classify, classify_quickly};
+
+use crate::cli::classify::rows::{Classified, ClassifyRows, Found};
+use crate::cli::failure::Failure;
+use crate::cli::output::{Output, machine_write};
+
+/// Points on each arc of the drawn boundary, and their digits.
+const BOUNDARY_POINTS: usize = 200;
+const BOUNDARY_DIGITS: u32 = 17;
+/// Points of a row that are classified together.
+const POINTS_TOGETHER: u32 = 4096;
+
+/// A grid of which rows are written or modes are drawn.
+#[derive(Debug)]
+pub struct GridFiles<'g> {
+    slider: &'g Slider<Rational>,
+    rounded: Slider<Dd>,
+    threshold: &'g InertialThreshold,
+    loading_velocities: &'g LogAxis,
+    normal_stresses: &'g LogAxis,
+}
+
+impl<'g> GridFiles<'g> {
+    /// A grid of loading velocities and normal stresses.
+    pub fn new(
+        slider: &'g Slider<Rational>,
+        threshold: &'g InertialThreshold,
+        [loading_velocities, normal_stresses]: [&'g LogAxis; 2],
+    ) -> Self {
+        let rounded = slider.map(Dd::from_rational);
+        Self { slider, rounded, threshold, loading_velocities, normal_stresses }
+    }
+
+    /// Writes a row for every point: its coordinates, and the columns of `classify --points`. Memory does not grow with the grid.
+    pub fn write_rows(&self, mut output: Output, done: impl Fn(u64)) -> Result<(), Failure> {
+        let work = ClassifyRows { threshold: self.threshold.clone() };
+        let names = ClassifyRows::APPENDED.join(",");
+        let head = format!("loading_velocity_m_per_s,normal_stress_pa,{names}\n");
+        output.write_all(head.as_bytes()).map_err(|error| machine_write(&error))?;
+        let [velocities, stresses] = [self.loading_velocities, self.normal_stresses].map(LogCoordinates::of);
+        let columns = self.loading_velocities.points;
+        for row in 0..self.normal_stresses.points {
+            let stress = stresses.at(row);
+            let part = |first: u32| {
+                let mut text = Vec::new();
+                for column in first..columns.min(first.saturating_add(POINTS_TOGETHER)) {
+                    let velocity = velocities.at(column);
+                    text.extend_from_slice(format!("{},{}", shortest(velocity), shortest(stress)).as_bytes());
+                    let found = Found::Point(self.classified(velocity, stress));
+                    work.append(&Classified { found, warnings: Vec::new() }, &mut text);
+                    text.push(b'\n');
+                }
+                text
+            };
+            let firsts: Vec<u32> = (0..columns).step_by(POINTS_TOGETHER as usize).collect();
+            let parts: Vec<Vec<u8>> = firsts.into_par_iter().map(part).collect();
+            for text in parts {
+                output.write_all(&text).map_err(|error| machine_write(&error))?;
+            }
+            done(u64::from(columns));
+        }
+        output.commit()
+    }
+
+    /// Draws the slip modes.
+    pub fn draw(&self, output: Output) -> Result<(), Failure> {
+        let [velocities, stresses] =
+            [self.loading_velocities, self.normal_stresses].map(LogAxis::coordinates);
+        let columns = &velocities;
+        let row =
+            |stress: f64| columns.iter().map(move |&velocity| self.classified(velocity, stress).slip_mode);
+        let values = stresses.par_iter().flat_map_iter(|&stress| row(stress)).collect();
+        let modes = Grid { loading_velocity_m_per_s: velocities, normal_stress_pa: stresses, values };
+        let points = BoundaryCurve::new(self.slider, BOUNDARY_DIGITS).sample(BOUNDARY_POINTS, END_ERROR);
+        output.finish(mode_picture(self.slider, &modes, &points).unwrap_or_default())
+    }
+
+    /// The point of these coordinates, taken as the binary numbers that they are.
+    fn classified(&self, velocity: f64, stress: f64) -> Classification {
+        let rounded = self.rounded.at(Dd::from(stress), Dd::from(velocity));
+        classify_quickly(&rounded, self.threshold).unwrap_or_else(|| {
+            let [stress, velocity] =
+                [stress, velocity].map(|value| Rational::from_f64(value).unwrap_or_default());
+            classify(&self.slider.at(stress, velocity), self.threshold)
+        })
+    }
+}
