@@ -11,7 +11,8 @@ use slipmode_bench::split_mix::SplitMix64;
 use slipmode_core::friction::Parameters;
 use slipmode_core::number::{Dd, Rational};
 use slipmode_core::stability::{
-    InertialThreshold, OverBox, ParameterBox, Possible, SlipMode, classify, classify_quickly, over_box,
+    Effort, InertialThreshold, OverBox, ParameterBox, Possible, SlipMode, classify, classify_quickly,
+    over_box,
 };
 
 const BOXES: usize = 1_000;
@@ -153,7 +154,7 @@ fn main() {
         |test: &dyn Fn(&OverBox) -> bool| percent(found.iter().filter(|(_, over)| test(over)).count());
     println!("{BOXES} boxes; one exact classification of a point takes {point_us:.2} us");
     println!("  one mode is certain: {:.1} %", count(&|over| over.certain_mode().is_some()));
-    println!("  decided without subdivision: {:.1} %", count(&|over| over.halvings == 0));
+    println!("  decided without subdivision: {:.1} %", count(&|over| over.effort.halvings == 0));
     println!("  with an undecided share: {:.1} %", count(&|over| !over.undecided.is_empty()));
     let largest = found.iter().map(|(_, over)| over.undecided_share().to_f64()).fold(0.0, f64::max);
     println!("  largest undecided share: {largest:.2e} of the box");
@@ -161,11 +162,13 @@ fn main() {
         found.iter().flat_map(|(_, over)| &over.slip_modes).filter(|mode| mode.witness.is_none()).count();
     println!("  modes without a rational witness: {without}");
     for (name, test) in [
-        ("without subdivision", (|over| over.halvings == 0) as fn(&OverBox) -> bool),
-        ("with subdivision", |over| over.halvings > 0),
+        ("by corners", (|effort| effort == Effort::default()) as fn(Effort) -> bool),
+        ("by corners and the path", |effort| effort.edges > 0 && effort.searches == 0),
+        ("with the threshold, without subdivision", |effort| effort.searches > 0 && effort.halvings == 0),
+        ("with subdivision", |effort| effort.halvings > 0),
     ] {
         let mut times: Vec<f64> =
-            found.iter().filter(|(_, over)| test(over)).map(|(time, _)| *time).collect();
+            found.iter().filter(|(_, over)| test(over.effort)).map(|(time, _)| *time).collect();
         times.sort_by(f64::total_cmp);
         let at = |share: f64| times.get((share * times.len() as f64) as usize).copied().unwrap_or(f64::NAN);
         let [half, most, all] = [at(0.5), at(0.9), at(0.999)];

@@ -9,11 +9,12 @@
 //! for D_c/b, b/K and K/σ because w₁ < w₂, for σ because G(w₁) ≥ 0 ≥ G(w₂), and it is 1 for a and w₁/w₂ for M and V0. So
 //! exchanging a later parameter for an earlier one at constant G(w₂) never lowers G(w₁), until the point is on the path.
 
-use rug::Complete;
+use rug::{Complete, Integer};
 
 use super::Met;
+use super::coefficient::{Coefficient, Rough};
 use super::parameter_box::{A, B, Corner, D, Filtered, K, M, Point, S, V};
-use super::polynomials::Units;
+use super::polynomials::Lines;
 use super::tensor::Tensor;
 use crate::number::Rational;
 use crate::polynomial::{SturmSequence, UnivariatePolynomial};
@@ -36,54 +37,45 @@ pub(super) fn meets(filtered: &Filtered<'_>) -> Met {
     if let Some(inside) = corners.iter().find(|corner| filtered.at_corner(**corner).is_lower()) {
         return Met::at(filtered.region.corner(*inside));
     }
-    let edges = corners.windows(2).filter(|ends| !clearly_misses(filtered, [ends[0], ends[1]]));
-    let mut edges = edges.map(|ends| [ends[0], ends[1]].map(|corner| filtered.region.corner(corner)));
-    let mut units = None;
-    edges
-        .find_map(|ends| Edge::new(units.get_or_insert_with(|| Units::of(filtered.region)), &ends)?.search())
-        .unwrap_or(Met::Nowhere)
+    let edges = corners.windows(2).map(|ends| [ends[0], ends[1]]);
+    edges.filter_map(|ends| Edge::new(filtered, ends)).find_map(|edge| edge.search()).unwrap_or(Met::Nowhere)
 }
 
-/// Whether an edge clearly misses η < 1/2 or κ + η > 1 + β: each is largest at one of the edge's ends.
-fn clearly_misses(filtered: &Filtered<'_>, ends: [Corner; 2]) -> bool {
-    const MARGIN: f64 = 1e-9;
-    let sides = ends.map(|corner| {
-        let [a, b, d, k, m, s, v] = filtered.rounded(corner).map(|value| value.hi());
-        let (inertia, direct) = (m * v * v, a * s * d);
-        let excess = inertia + k * d * d - direct - b * s * d;
-        let size = inertia + k * d * d + direct + b * s * d;
-        // A value that is not a normal number misses nothing.
-        let normal =
-            [inertia, direct, k * d * d, b * s * d].iter().all(|value| *value > 1e-250 && *value < 1e250);
-        let misses = |value: f64, size: f64| normal && value < -MARGIN * size;
-        [misses(direct - 2.0 * inertia, direct + inertia), misses(excess, size)]
-    });
-    (0..2).any(|side| sides.iter().all(|misses| misses[side]))
+/// The polynomials along an edge between two corners; none if the signs of their Bernstein coefficients show that it misses
+/// the area.
+fn polynomials<T: Coefficient>(
+    filtered: &Filtered<'_>,
+    ends: [Corner; 2],
+    parameter: usize,
+) -> Option<[Tensor<T>; 3]> {
+    let lines = Lines::<T>::between(filtered, ends, &[(parameter, 0)]);
+    let never = |tensor: &Tensor<T>, test: fn(&T) -> bool| tensor.clone().into_bernstein().all(test);
+    let [half, sum] = lines.lower_area();
+    if [&half, &sum].into_iter().any(|side| never(side, |value| value.is_negative() || value.is_zero())) {
+        return None;
+    }
+    let discriminant = lines.discriminant();
+    (!never(&discriminant, T::is_negative)).then_some([discriminant, half, sum])
 }
 
 /// An edge of the box, from 0 to 1, with no end in the area.
-struct Edge<'a> {
-    ends: &'a [Point; 2],
+struct Edge {
+    ends: [Point; 2],
     discriminant: UnivariatePolynomial,
     sides: [UnivariatePolynomial; 2],
     sturm: SturmSequence,
 }
 
-impl<'a> Edge<'a> {
-    /// The polynomials along an edge; none if the signs of Bernstein's coefficients show that it misses the area.
-    fn new(units: &Units, ends: &'a [Point; 2]) -> Option<Self> {
-        let parameter = (0..7).find(|i| ends[0][*i] != ends[1][*i])?;
-        let lines = units.lines(&ends[0], &ends[1], &[(parameter, 0)]);
-        let (discriminant, sides) = (lines.discriminant(), lines.lower_area());
-        let misses = |tensor: &Tensor, strict: bool| {
-            tensor.clone().into_bernstein().all(|value| if strict { *value < 0 } else { *value <= 0 })
-        };
-        if misses(&discriminant, true) || sides.iter().any(|side| misses(side, false)) {
-            return None;
-        }
-        let discriminant = discriminant.univariate();
+impl Edge {
+    /// The polynomials along an edge; none if it clearly misses the area.
+    fn new(filtered: &Filtered<'_>, ends: [Corner; 2]) -> Option<Self> {
+        filtered.edges.set(filtered.edges.get() + 1);
+        let parameter = ORDER.into_iter().find(|i| ends[0].flipped(*i) == ends[1])?;
+        polynomials::<Rough>(filtered, ends, parameter)?;
+        let [discriminant, half, sum] = polynomials::<Integer>(filtered, ends, parameter)?;
+        let (discriminant, sides) = (discriminant.univariate(), [half.univariate(), sum.univariate()]);
         let sturm = SturmSequence::new(&discriminant);
-        Some(Self { ends, discriminant, sides: sides.map(|side| side.univariate()), sturm })
+        Some(Self { ends: ends.map(|corner| filtered.region.corner(corner)), discriminant, sides, sturm })
     }
 
     fn search(&self) -> Option<Met> {
@@ -143,7 +135,7 @@ impl<'a> Edge<'a> {
     }
 
     fn point(&self, at: &Rational) -> Point {
-        let [start, end] = self.ends;
+        let [start, end] = &self.ends;
         std::array::from_fn(|i| (&end[i] - &start[i]).complete() * at + &start[i])
     }
 }

@@ -14,6 +14,7 @@
 //! ```
 
 mod classes;
+mod coefficient;
 #[cfg(test)]
 mod fixtures;
 mod lower_area;
@@ -57,10 +58,21 @@ pub struct OverBox {
     pub slip_modes: Vec<Possible<SlipMode>>,
     /// Slip modes that are neither found nor excluded, and the largest share of the box that could have them.
     pub undecided: Vec<(SlipMode, Rational)>,
-    /// How many parts of the box were halved for the threshold of the frequency; 0 when corners and edges decided all.
-    pub halvings: usize,
+    /// What the decision took.
+    pub effort: Effort,
     /// The least and the greatest K_c (eq 9), Pa/m.
     pub critical_stiffness_pa_per_m: [Rational; 2],
+}
+
+/// What a decision took beyond the states of corners; all are 0 when corners decided.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct Effort {
+    /// Edges of the box along which the signs of polynomials were decided.
+    pub edges: usize,
+    /// Slip modes for which the threshold of the frequency was decided over the box.
+    pub searches: usize,
+    /// Parts of the box that were halved for it.
+    pub halvings: usize,
 }
 
 impl OverBox {
@@ -106,7 +118,7 @@ pub fn over_box(region: &ParameterBox, threshold: &InertialThreshold) -> Option<
         spectral_classes: spectral_classes(classes),
         slip_modes,
         undecided,
-        halvings: search.halvings,
+        effort: Effort { edges: filtered.edges.get(), ..search.effort },
         critical_stiffness_pa_per_m: critical_stiffness(region),
     })
 }
@@ -212,11 +224,9 @@ fn beside_real_roots(filtered: &Filtered<'_>, classes: &Classes, mode: SlipMode)
 
 /// The range of K_c = (b − a)(σ/D_c + M V0²/(a D_c²)): up in b and down in a; where it is positive, up in σ, M, V0 and down in D_c.
 fn critical_stiffness(region: &ParameterBox) -> [Rational; 2] {
-    let at = |corner: Corner| Parameters::from(region.corner(corner)).critical_stiffness();
-    let loaded = Corner::high(&[S, M, V]);
-    let end = |effects: Corner, is_largest: bool| {
-        let (large, small) = (effects.with(loaded), effects.with(Corner::high(&[D])));
-        if (at(large) > 0) == is_largest { at(large) } else { at(small) }
-    };
-    [end(Corner::high(&[A]), false), end(Corner::high(&[B]), true)]
+    [(Corner::high(&[A]), false), (Corner::high(&[B]), true)].map(|(effects, is_largest)| {
+        let is_positive = region.end(B, effects) > region.end(A, effects);
+        let rest = if is_positive == is_largest { Corner::high(&[S, M, V]) } else { Corner::high(&[D]) };
+        Parameters::from(region.corner(effects.with(rest))).critical_stiffness()
+    })
 }

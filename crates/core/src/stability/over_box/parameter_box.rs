@@ -1,5 +1,8 @@
 //! A box of parameters, and the state of its corners and of other points of it.
 
+use std::cell::{Cell, OnceCell, RefCell};
+
+use super::polynomials::Units;
 use crate::friction::{Groups, Parameters, SlipMode};
 use crate::number::{Dd, Rational};
 use crate::stability::{
@@ -70,9 +73,14 @@ impl ParameterBox {
         self.lower[parameter] < self.upper[parameter]
     }
 
+    /// The value of a parameter at a corner.
+    pub(super) fn end(&self, parameter: usize, corner: Corner) -> &Rational {
+        if corner.has(parameter) { &self.upper[parameter] } else { &self.lower[parameter] }
+    }
+
     /// The corner at which the parameters of `high` have their greatest value and the others their least.
     pub(super) fn corner(&self, high: Corner) -> Point {
-        std::array::from_fn(|i| if high.has(i) { self.upper[i].clone() } else { self.lower[i].clone() })
+        std::array::from_fn(|i| self.end(i, high).clone())
     }
 }
 
@@ -148,13 +156,31 @@ pub(super) struct Filtered<'a> {
     pub(super) threshold: &'a InertialThreshold,
     lower: [Dd; 7],
     upper: [Dd; 7],
+    units: OnceCell<Units>,
+    /// How many edges needed polynomials.
+    pub(super) edges: Cell<usize>,
+    /// The states of corners that were asked for.
+    states: RefCell<Vec<(Corner, State)>>,
 }
 
 impl<'a> Filtered<'a> {
     pub(super) fn new(region: &'a ParameterBox, threshold: &'a InertialThreshold) -> Self {
         let rounded = |point: &Point| point.each_ref().map(Dd::from_rational);
         let (lower, upper) = (rounded(&region.lower), rounded(&region.upper));
-        Self { region, threshold, lower, upper }
+        Self {
+            region,
+            threshold,
+            lower,
+            upper,
+            units: OnceCell::new(),
+            edges: Cell::default(),
+            states: RefCell::default(),
+        }
+    }
+
+    /// Units in which all ends are integers.
+    pub(super) fn units(&self) -> &Units {
+        self.units.get_or_init(|| Units::of(self.region))
     }
 
     /// The corner in double-double.
@@ -164,8 +190,14 @@ impl<'a> Filtered<'a> {
 
     /// The state of a corner, by the filters if they are certain.
     pub(super) fn at_corner(&self, corner: Corner) -> State {
-        quickly(self.rounded(corner), self.threshold)
-            .unwrap_or_else(|| self.exactly(&self.region.corner(corner)))
+        let mut states = self.states.borrow_mut();
+        if let Some((_, state)) = states.iter().find(|(known, _)| *known == corner) {
+            return *state;
+        }
+        let state = quickly(self.rounded(corner), self.threshold)
+            .unwrap_or_else(|| self.exactly(&self.region.corner(corner)));
+        states.push((corner, state));
+        state
     }
 
     /// The state of any point, by the filters if they are certain.

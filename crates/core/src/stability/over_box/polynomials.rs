@@ -1,11 +1,12 @@
-//! The polynomials whose signs decide a point, with integer coefficients, as the parameters run along lines of a box.
+//! The polynomials whose signs decide a point, as the parameters run along lines of a box.
 //!
 //! In units in which all ends are integers. With s = V0·z, eq 8 times D_c σ is A z³ + B z² + C z + E with
 //! A = μD_c, B = μ + aD_cσ, C = (a − b)σ + KD_c, E = K and μ = M V0².
 
 use rug::{Complete, Integer};
 
-use super::parameter_box::{A, B, D, K, M, ParameterBox, Point, S, V};
+use super::coefficient::Coefficient;
+use super::parameter_box::{A, B, Corner, D, Filtered, K, M, ParameterBox, S, V};
 use super::tensor::Tensor;
 use crate::number::Rational;
 use crate::stability::InertialThreshold;
@@ -30,34 +31,37 @@ impl Units {
     pub(super) fn integer(&self, parameter: usize, value: &Rational) -> Integer {
         (value.numer() * &self.0[parameter]).complete() / value.denom()
     }
-
-    /// All parameters constant, but those listed, which run with an axis from their value at `start` to that at `end`.
-    pub(super) fn lines(&self, start: &Point, end: &Point, running: &[(usize, usize)]) -> Lines {
-        let tensors = std::array::from_fn(|i| {
-            let from = self.integer(i, &start[i]);
-            match running.iter().find(|(parameter, _)| *parameter == i) {
-                Some((_, axis)) => Tensor::line(*axis, from, &self.integer(i, &end[i])),
-                None => Tensor::constant(from),
-            }
-        });
-        Lines(tensors)
-    }
 }
 
 /// The seven parameters as polynomials, and with them all that decides a point.
-pub(super) struct Lines([Tensor; 7]);
+pub(super) struct Lines<T>([Tensor<T>; 7]);
 
-impl Lines {
-    fn inertia(&self) -> Tensor {
+impl<T: Coefficient> Lines<T> {
+    /// All parameters constant, but those listed, which run with an axis from their value at one corner to that at another.
+    pub(super) fn between(
+        filtered: &Filtered<'_>,
+        [start, end]: [Corner; 2],
+        running: &[(usize, usize)],
+    ) -> Self {
+        Self(std::array::from_fn(|i| {
+            let from = T::of_parameter(filtered, i, start);
+            match running.iter().find(|(parameter, _)| *parameter == i && filtered.region.is_wide(i)) {
+                Some((_, axis)) => Tensor::line(*axis, from, &T::of_parameter(filtered, i, end)),
+                None => Tensor::constant(from),
+            }
+        }))
+    }
+
+    fn inertia(&self) -> Tensor<T> {
         self.0[M].times(&self.0[V].times(&self.0[V]))
     }
 
-    fn direct_stress_length(&self) -> Tensor {
+    fn direct_stress_length(&self) -> Tensor<T> {
         self.0[A].times(&self.0[S]).times(&self.0[D])
     }
 
     /// E, C, B, A.
-    fn cubic(&self) -> [Tensor; 4] {
+    fn cubic(&self) -> [Tensor<T>; 4] {
         let [a, b, d, k, _, s, _] = &self.0;
         let inertia = self.inertia();
         let second = inertia.plus(&self.direct_stress_length());
@@ -65,13 +69,13 @@ impl Lines {
     }
 
     /// The discriminant of eq 8: negative where a pair is complex.
-    pub(super) fn discriminant(&self) -> Tensor {
+    pub(super) fn discriminant(&self) -> Tensor<T> {
         discriminant(&self.cubic())
     }
 
     /// Both are positive where all roots are below −1, and at no other place without a complex pair:
     /// aσD_c − 2μ for η < 1/2, and μ + KD_c² − (a + b)σD_c for κ + η > 1 + β.
-    pub(super) fn lower_area(&self) -> [Tensor; 2] {
+    pub(super) fn lower_area(&self) -> [Tensor<T>; 2] {
         let [_, b, d, k, _, s, _] = &self.0;
         let (inertia, direct) = (self.inertia(), self.direct_stress_length());
         let half = direct.minus(&inertia.clone().scaled(&Integer::from(2)));
@@ -80,7 +84,7 @@ impl Lines {
     }
 
     /// K a D_c² − (b − a)(σ a D_c + μ), with the sign of K − K_c.
-    pub(super) fn transition(&self) -> Tensor {
+    pub(super) fn transition(&self) -> Tensor<T> {
         let [a, b, d, k, ..] = &self.0;
         let first = k.times(a).times(&d.times(d));
         first.minus(&b.minus(a).times(&self.direct_stress_length().plus(&self.inertia())))
@@ -90,7 +94,7 @@ impl Lines {
     /// inside, where the real root is the pair's real part and ω twice the threshold's.
     ///
     /// With w the square of the threshold's frequency and S = 3AC − B²: Δ + 4wS² − 32w²A²S + 64w³A⁴; w = T K/μ, times μ.
-    pub(super) fn frequency(&self, threshold: &InertialThreshold) -> Tensor {
+    pub(super) fn frequency(&self, threshold: &InertialThreshold) -> Tensor<T> {
         let (t, n) = (threshold.squared_ratio().numer(), threshold.squared_ratio().denom());
         let cubic = self.cubic();
         let [k, c, b, _] = &cubic;
@@ -111,13 +115,13 @@ impl Lines {
     }
 
     /// What is positive where a pair on the transition oscillates above the threshold, η > T/(1 − T): μ(1 − T) − T σ a D_c.
-    pub(super) fn inertial_at_transition(&self, threshold: &InertialThreshold) -> Tensor {
+    pub(super) fn inertial_at_transition(&self, threshold: &InertialThreshold) -> Tensor<T> {
         let (t, n) = (threshold.squared_ratio().numer(), threshold.squared_ratio().denom());
         self.inertia().scaled(&(n - t).complete()).minus(&self.direct_stress_length().scaled(t))
     }
 
     /// The same by K, where σ has no value of its own but that of the transition: μ(b − a) − T K a D_c².
-    pub(super) fn inertial_by_stiffness(&self, threshold: &InertialThreshold) -> Tensor {
+    pub(super) fn inertial_by_stiffness(&self, threshold: &InertialThreshold) -> Tensor<T> {
         let (t, n) = (threshold.squared_ratio().numer(), threshold.squared_ratio().denom());
         let [a, b, d, k, ..] = &self.0;
         let stiff = k.times(a).times(&d.times(d)).scaled(t);
@@ -125,7 +129,7 @@ impl Lines {
     }
 
     /// The same by K and σ, where μ is that of the transition: K D_c(1 − T) − (b − a)σ.
-    pub(super) fn inertial_by_stress(&self, threshold: &InertialThreshold) -> Tensor {
+    pub(super) fn inertial_by_stress(&self, threshold: &InertialThreshold) -> Tensor<T> {
         let (t, n) = (threshold.squared_ratio().numer(), threshold.squared_ratio().denom());
         let [a, b, d, k, _, s, _] = &self.0;
         k.times(d).scaled(&(n - t).complete()).minus(&b.minus(a).times(s).scaled(n))
@@ -133,9 +137,9 @@ impl Lines {
 }
 
 /// B²C² − 4AC³ − 4B³E − 27A²E² + 18ABCE.
-fn discriminant([e, c, b, a]: &[Tensor; 4]) -> Tensor {
+fn discriminant<T: Coefficient>([e, c, b, a]: &[Tensor<T>; 4]) -> Tensor<T> {
     let (bc, ae) = (b.times(c), a.times(e));
-    let by = |factor: i32, tensor: Tensor| tensor.scaled(&Integer::from(factor));
+    let by = |factor: i32, tensor: Tensor<T>| tensor.scaled(&Integer::from(factor));
     let mixed = by(18, bc.clone()).minus(&by(27, ae.clone())).times(&ae);
     let cubes = a.times(c).times(&c.times(c)).plus(&b.times(e).times(&b.times(b)));
     bc.times(&bc).plus(&mixed).minus(&by(4, cubes))
@@ -146,6 +150,7 @@ mod tests {
     use super::*;
     use crate::friction::Parameters;
     use crate::roots::Depressed;
+    use crate::stability::over_box::coefficient::Rough;
     use crate::stability::over_box::fixtures::any_point;
     use crate::stability::{boundary_sign, transition_sign};
     use proptest::prelude::*;
@@ -154,14 +159,22 @@ mod tests {
         #[test]
         fn constants_have_the_signs_of_the_point_test(point in any_point(), ratio in 1i64..1000) {
             let region = ParameterBox { lower: point.clone(), upper: point.clone() };
-            let lines = Units::of(&region).lines(&point, &point, &[]);
-            let sign = |tensor: Tensor| tensor.at_corner([false; 3]).cmp0() as i8;
+            let threshold = InertialThreshold::from_squared_ratio(Rational::from((ratio, 1000))).unwrap();
+            let filtered = Filtered::new(&region, &threshold);
+            let corners = [Corner::high(&[]); 2];
+            let (lines, rough) = (Lines::<Integer>::between(&filtered, corners, &[]), Lines::<Rough>::between(&filtered, corners, &[]));
+            let sign = |tensor: Tensor<Integer>, rough: Tensor<Rough>| {
+                let (exact, rough) = (tensor.at_corner([false; 3]).clone(), *rough.at_corner([false; 3]));
+                let mut negated = rough;
+                negated.times(&Integer::from(-1));
+                assert!(!(negated.is_negative() && exact <= 0 || rough.is_negative() && exact >= 0));
+                exact.cmp0() as i8
+            };
             let groups = Parameters::from(point).groups();
             let cubic = Depressed::of(&groups.characteristic_cubic()).unwrap();
-            prop_assert_eq!(sign(lines.transition()), transition_sign(&groups));
-            prop_assert_eq!(sign(lines.discriminant()), boundary_sign(&groups));
-            let threshold = InertialThreshold::from_squared_ratio(Rational::from((ratio, 1000))).unwrap();
-            let inertial = sign(lines.frequency(&threshold)) < 0;
+            prop_assert_eq!(sign(lines.transition(), rough.transition()), transition_sign(&groups));
+            prop_assert_eq!(sign(lines.discriminant(), rough.discriminant()), boundary_sign(&groups));
+            let inertial = sign(lines.frequency(&threshold), rough.frequency(&threshold)) < 0;
             prop_assert_eq!(inertial, boundary_sign(&groups) < 0 && threshold.exceeded_by(&cubic));
         }
     }

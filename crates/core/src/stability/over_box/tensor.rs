@@ -1,7 +1,8 @@
-//! Polynomials with integer coefficients on the unit cube, whose Bernstein coefficients enclose their values there.
+//! Polynomials on the unit cube, whose Bernstein coefficients enclose their values there.
 
 use rug::Integer;
 
+use super::coefficient::Coefficient;
 use crate::number::Rational;
 use crate::polynomial::UnivariatePolynomial;
 
@@ -10,24 +11,23 @@ pub(super) const AXES: usize = 3;
 
 /// A polynomial in three variables, each from 0 to 1, in the power basis or in Bernstein's.
 #[derive(Debug, Clone)]
-pub(super) struct Tensor {
+pub(super) struct Tensor<T> {
     /// Degree plus one in each variable.
     size: [usize; AXES],
-    coefficients: Vec<Integer>,
+    coefficients: Vec<T>,
 }
 
-impl Tensor {
+impl<T: Coefficient> Tensor<T> {
     /// A constant.
-    pub(super) fn constant(value: Integer) -> Self {
+    pub(super) fn constant(value: T) -> Self {
         Self { size: [1; AXES], coefficients: vec![value] }
     }
 
     /// The polynomial that goes from `start` to `end` with one variable.
-    pub(super) fn line(axis: usize, start: Integer, end: &Integer) -> Self {
-        if start == *end {
-            return Self::constant(start);
-        }
-        let slope = Integer::from(end - &start);
+    pub(super) fn line(axis: usize, start: T, end: &T) -> Self {
+        let mut slope = start.clone();
+        slope.times(&Integer::from(-1));
+        slope.add(end);
         let mut size = [1; AXES];
         size[axis] = 2;
         Self { size, coefficients: vec![start, slope] }
@@ -44,11 +44,11 @@ impl Tensor {
     /// The product of two polynomials in the power basis.
     pub(super) fn times(&self, other: &Self) -> Self {
         let size = std::array::from_fn(|axis| self.size[axis] + other.size[axis] - 1);
-        let mut product = Self { size, coefficients: vec![Integer::new(); size.iter().product()] };
+        let mut product = Self { size, coefficients: vec![T::zero(); size.iter().product()] };
         for (left, p) in self.coefficients.iter().zip(Self::places(self.size)).filter(|(c, _)| !c.is_zero()) {
             for (right, q) in other.coefficients.iter().zip(Self::places(other.size)) {
                 let at = product.index(std::array::from_fn(|axis| p[axis] + q[axis]));
-                product.coefficients[at] += left * right;
+                product.coefficients[at].add_product(left, right);
             }
         }
         product
@@ -56,18 +56,18 @@ impl Tensor {
 
     /// The polynomial times a number.
     pub(super) fn scaled(mut self, factor: &Integer) -> Self {
-        self.coefficients.iter_mut().for_each(|value| *value *= factor);
+        self.coefficients.iter_mut().for_each(|value| value.times(factor));
         self
     }
 
     /// The sum of two polynomials in the power basis.
     pub(super) fn plus(&self, other: &Self) -> Self {
         let size = std::array::from_fn(|axis| self.size[axis].max(other.size[axis]));
-        let mut sum = Self { size, coefficients: vec![Integer::new(); size.iter().product()] };
+        let mut sum = Self { size, coefficients: vec![T::zero(); size.iter().product()] };
         for part in [self, other] {
             for (value, place) in part.coefficients.iter().zip(Self::places(part.size)) {
                 let at = sum.index(place);
-                sum.coefficients[at] += value;
+                sum.coefficients[at].add(value);
             }
         }
         sum
@@ -76,11 +76,6 @@ impl Tensor {
     /// The difference of two polynomials in the power basis.
     pub(super) fn minus(&self, other: &Self) -> Self {
         self.plus(&other.clone().scaled(&Integer::from(-1)))
-    }
-
-    /// A polynomial in the first variable alone, as one over ℚ.
-    pub(super) fn univariate(&self) -> UnivariatePolynomial {
-        UnivariatePolynomial::new(self.coefficients.iter().map(Rational::from).collect())
     }
 
     /// A positive multiple in Bernstein's basis, from the power basis.
@@ -104,7 +99,7 @@ impl Tensor {
     }
 
     /// Each line of coefficients along an axis, changed.
-    fn along(&self, axis: usize, change: impl Fn(&mut Vec<Integer>)) -> Self {
+    fn along(&self, axis: usize, change: impl Fn(&mut Vec<T>)) -> Self {
         let mut changed = self.clone();
         if self.size[axis] == 1 {
             return changed;
@@ -116,7 +111,7 @@ impl Tensor {
             line.clear();
             for step in 0..self.size[axis] {
                 place[axis] = step;
-                line.push(std::mem::take(&mut changed.coefficients[self.index(place)]));
+                line.push(changed.coefficients[self.index(place)].clone());
             }
             change(&mut line);
             for (step, value) in line.drain(..).enumerate() {
@@ -128,40 +123,55 @@ impl Tensor {
     }
 
     /// Whether every coefficient passes; with Bernstein's, so does every value if the test is a sign.
-    pub(super) fn all(&self, test: impl Fn(&Integer) -> bool) -> bool {
+    pub(super) fn all(&self, test: impl Fn(&T) -> bool) -> bool {
         self.coefficients.iter().all(test)
     }
 
     /// The value at a corner of the cube, from Bernstein's basis, up to a positive factor.
-    pub(super) fn at_corner(&self, corner: [bool; AXES]) -> &Integer {
+    pub(super) fn at_corner(&self, corner: [bool; AXES]) -> &T {
         let place = std::array::from_fn(|axis| if corner[axis] { self.size[axis] - 1 } else { 0 });
         &self.coefficients[self.index(place)]
     }
 }
 
-/// From c_i to Σ_{i ≤ j} C(j, i)/C(n, i)·c_i, times the least common multiple of the divisors.
-fn to_bernstein(powers: &mut [Integer], degree: u32) {
-    let binomial = |n: u32, k: u32| Integer::from(n).binomial(k);
-    let common = (0..=degree).fold(Integer::from(1), |common, i| common.lcm(&binomial(degree, i)));
-    for (i, power) in (0..).zip(powers.iter_mut()) {
-        *power *= &common / binomial(degree, i);
-    }
-    for j in (1..powers.len()).rev() {
-        let value = (0..=j).map(|i| &powers[i] * binomial(j as u32, i as u32));
-        powers[j] = value.fold(Integer::new(), |sum, term| sum + term);
+impl Tensor<Integer> {
+    /// A polynomial in the first variable alone, as one over ℚ.
+    pub(super) fn univariate(&self) -> UnivariatePolynomial {
+        UnivariatePolynomial::new(self.coefficients.iter().map(Rational::from).collect())
     }
 }
 
-/// De Casteljau's coefficients of the lower half, times 2^degree.
-fn lower_half(values: &mut [Integer], degree: usize) {
-    for step in 1..=degree {
-        for i in (step..=degree).rev() {
-            let (left, right) = values.split_at_mut(i);
-            right[0] += &left[i - 1];
-        }
+/// From c_i to Σ_{i ≤ j} C(j, i)/C(n, i)·c_i, times the least common multiple of the divisors.
+fn to_bernstein<T: Coefficient>(powers: &mut [T], degree: u32) {
+    let binomials =
+        || (0..=degree).scan(1, move |next, i| Some(std::mem::replace(next, *next * (degree - i) / (i + 1))));
+    let common =
+        binomials().fold(1, |common: u32, binomial| common / greatest_divisor(common, binomial) * binomial);
+    for (binomial, power) in binomials().zip(powers.iter_mut()) {
+        power.times_small(common / binomial);
     }
+    add_lower_neighbours(powers);
+}
+
+fn greatest_divisor(a: u32, b: u32) -> u32 {
+    if b == 0 { a } else { greatest_divisor(b, a % b) }
+}
+
+/// De Casteljau's coefficients of the lower half, times 2^degree.
+fn lower_half<T: Coefficient>(values: &mut [T], degree: usize) {
+    add_lower_neighbours(values);
     for (i, value) in values.iter_mut().enumerate() {
-        *value <<= (degree - i) as u32;
+        value.times_small(1 << (degree - i));
+    }
+}
+
+/// From c_i to Σ_{i ≤ j} C(j, i)·c_i.
+fn add_lower_neighbours<T: Coefficient>(values: &mut [T]) {
+    for step in 1..values.len() {
+        for i in (step..values.len()).rev() {
+            let (left, right) = values.split_at_mut(i);
+            right[0].add(&left[i - 1]);
+        }
     }
 }
 
@@ -169,17 +179,17 @@ fn lower_half(values: &mut [Integer], degree: usize) {
 mod tests {
     use super::*;
 
-    fn evaluate(tensor: &Tensor, at: [i64; AXES], of: i64) -> Rational {
+    fn evaluate(tensor: &Tensor<Integer>, at: [i64; AXES], of: i64) -> Rational {
         let power = |axis: usize, exponent: usize| {
             (0..exponent).fold(Rational::from(1), |value, _| value * Rational::from((at[axis], of)))
         };
-        let terms = tensor.coefficients.iter().zip(Tensor::places(tensor.size));
+        let terms = tensor.coefficients.iter().zip(Tensor::<Integer>::places(tensor.size));
         terms.fold(Rational::new(), |sum, (c, [i, j, k])| {
             sum + Rational::from(c) * power(0, i) * power(1, j) * power(2, k)
         })
     }
 
-    fn example() -> Tensor {
+    fn example() -> Tensor<Integer> {
         let line = |axis, start: i32, end: i32| Tensor::line(axis, Integer::from(start), &Integer::from(end));
         let square = line(0, -3, 5).times(&line(0, 2, 1)).plus(&line(1, 7, -4));
         square.times(&square).times(&line(2, 3, 1)).minus(&line(2, 40, 50))

@@ -14,8 +14,10 @@ use std::collections::VecDeque;
 
 use rug::{Complete, Integer};
 
+use super::Effort;
+use super::coefficient::{Coefficient, Rough};
 use super::parameter_box::{A, B, Corner, D, Filtered, K, M, Point, S, State, V};
-use super::polynomials::{Lines, Units};
+use super::polynomials::Lines;
 use super::tensor::{AXES, Tensor};
 use crate::friction::SlipMode;
 use crate::number::{Rational, nearest_f64};
@@ -25,6 +27,9 @@ const SUBDIVIDED: [usize; AXES] = [A, B, D];
 
 /// How many parts of a box are looked at for one mode.
 const MOST_PARTS: usize = 1500;
+
+/// How many of them in 64-bit arithmetic, before integers are used.
+const MOST_ROUGH_PARTS: usize = 64;
 
 /// The corner of K, M, V0, σ that is farthest above the threshold, and that farthest below.
 const ABOVE: Corner = Corner::high(&[K, M, V]);
@@ -48,24 +53,28 @@ enum Sign {
 }
 
 impl Sign {
-    /// Whether no value with these Bernstein coefficients has the sign.
-    fn is_excluded(self, tensor: &Tensor) -> bool {
+    /// Whether certainly no value with these Bernstein coefficients has the sign.
+    fn is_excluded<T: Coefficient>(self, tensor: &Tensor<T>) -> bool {
         match self {
-            Self::Positive => tensor.all(|value| *value <= 0),
-            Self::NotNegative => tensor.all(|value| *value < 0),
-            Self::Inside => tensor.all(|value| *value <= 0) && !tensor.all(Integer::is_zero),
+            Self::Positive => tensor.all(|value| !self.may_hold(value)),
+            Self::NotNegative => tensor.all(T::is_negative),
+            Self::Inside => {
+                tensor.all(|value| value.is_negative() || value.is_zero())
+                    && !tensor.all(|value| !value.is_negative())
+            }
         }
     }
 
-    fn may_hold(self, value: &Integer) -> bool {
-        *value > 0 || (*value == 0 && self != Self::Positive)
+    /// Whether a value may have the sign, as far as it is known.
+    fn may_hold<T: Coefficient>(self, value: &T) -> bool {
+        !(value.is_negative() || self == Self::Positive && value.is_zero())
     }
 }
 
 /// One way in which a point (a, b, D_c) has a mode for some K, M, V0, σ of the box.
 #[derive(Clone)]
-struct Way {
-    conditions: Vec<(Tensor, Sign)>,
+struct Way<T> {
+    conditions: Vec<(Tensor<T>, Sign)>,
     at: Place,
 }
 
@@ -77,22 +86,24 @@ enum Place {
 }
 
 /// A part of the box, with the ways that are not excluded there.
-struct Part {
+struct Part<T> {
     lower: [Rational; AXES],
     upper: [Rational; AXES],
     halvings: u32,
-    ways: Vec<Way>,
+    ways: Vec<Way<T>>,
 }
 
 /// The search for the modes of one box.
 pub(super) struct Search<'a> {
     filtered: &'a Filtered<'a>,
-    units: Units,
-    /// [`Lines::frequency`] at the corners above and below.
-    frequencies: [OnceCell<Tensor>; 2],
-    /// The halvings of parts that the searches took.
-    pub(super) halvings: usize,
+    rough: Frequencies<Rough>,
+    exact: Frequencies<Integer>,
+    /// The searches, and the halvings of parts that they took.
+    pub(super) effort: Effort,
 }
+
+/// [`Lines::frequency`] at the corners above and below.
+type Frequencies<T> = [OnceCell<Tensor<T>>; 2];
 
 /// Whether a box clearly has no pair above the threshold.
 ///
@@ -111,23 +122,40 @@ pub(super) fn is_clearly_below(filtered: &Filtered<'_>) -> bool {
 
 impl<'a> Search<'a> {
     pub(super) fn new(filtered: &'a Filtered<'a>) -> Self {
-        Self { filtered, units: Units::of(filtered.region), frequencies: Default::default(), halvings: 0 }
+        Self {
+            filtered,
+            rough: Frequencies::default(),
+            exact: Frequencies::default(),
+            effort: Effort::default(),
+        }
     }
 
-    /// Searches the box for a mode of a complex pair, or for a stick-slip.
+    /// Searches the box for a mode of a complex pair, or for a stick-slip. 64-bit bounds exclude most of what can be excluded.
     pub(super) fn run(&mut self, mode: SlipMode) -> Found {
+        self.effort.searches += 1;
+        let ways = self.ways(mode, &self.rough);
+        match self.search(mode, ways, MOST_ROUGH_PARTS) {
+            Found::Undecided(_) => {
+                let ways = self.ways(mode, &self.exact);
+                self.search(mode, ways, MOST_PARTS)
+            }
+            found => found,
+        }
+    }
+
+    fn search<T: Coefficient>(&mut self, mode: SlipMode, ways: Vec<Way<T>>, most_parts: usize) -> Found {
         let region = self.filtered.region;
         let axes: Vec<usize> = (0..AXES).filter(|axis| region.is_wide(SUBDIVIDED[*axis])).collect();
         let whole = Part {
             lower: SUBDIVIDED.map(|i| region.lower[i].clone()),
             upper: SUBDIVIDED.map(|i| region.upper[i].clone()),
             halvings: 0,
-            ways: self.ways(mode),
+            ways,
         };
         let mut parts = VecDeque::from([whole]);
         // A point on K = K_c has a mode, but grows as little as it decays: another witness is better.
         let mut neutral = None;
-        for _ in 0..MOST_PARTS {
+        for _ in 0..most_parts {
             let Some(mut part) = parts.pop_front() else { break };
             part.ways.retain(|way| !way.conditions.iter().any(|(tensor, sign)| sign.is_excluded(tensor)));
             if part.ways.is_empty() {
@@ -141,7 +169,7 @@ impl<'a> Search<'a> {
             }
             if let Some(axis) = axes.get(part.halvings as usize % axes.len().max(1)) {
                 parts.extend(part.halves(*axis));
-                self.halvings += 1;
+                self.effort.halvings += 1;
             }
         }
         let share =
@@ -154,23 +182,22 @@ impl<'a> Search<'a> {
     }
 
     /// The parameters that are subdivided run over the box, the others are those of the corner.
-    fn lines(&self, corner: Corner) -> Lines {
+    fn lines<T: Coefficient>(&self, corner: Corner) -> Lines<T> {
         let running: Vec<(usize, usize)> = SUBDIVIDED.into_iter().zip(0..).collect();
-        let [start, end] = [corner, corner.with(Corner::high(&SUBDIVIDED))]
-            .map(|corner| self.filtered.region.corner(corner));
-        self.units.lines(&start, &end, &running)
+        let subdivided = Corner::high(&SUBDIVIDED);
+        Lines::between(self.filtered, [corner.without(subdivided), corner.with(subdivided)], &running)
     }
 
     /// All ways to a mode.
-    fn ways(&self, mode: SlipMode) -> Vec<Way> {
+    fn ways<T: Coefficient>(&self, mode: SlipMode, frequencies: &Frequencies<T>) -> Vec<Way<T>> {
         use Sign::{Inside, NotNegative, Positive};
         let is_above = matches!(mode, SlipMode::HarmonicVibration | SlipMode::InertialUnderdampedOscillation);
         let is_stable = !matches!(mode, SlipMode::HarmonicVibration | SlipMode::StickSlip);
         let corner = if is_above { ABOVE } else { BELOW };
         let threshold = self.filtered.threshold;
-        let lines = |corner: Corner| self.lines(corner);
+        let lines = |corner: Corner| self.lines::<T>(corner);
         // Below the threshold is the opposite sign, and zero counts.
-        let side = |above: Tensor, sign: Sign| {
+        let side = |above: Tensor<T>, sign: Sign| {
             if is_above {
                 (above.into_bernstein(), sign)
             } else {
@@ -180,7 +207,7 @@ impl<'a> Search<'a> {
         let stable = |corner: Corner| (lines(corner).transition().into_bernstein(), NotNegative);
         let unstable = |corner: Corner| (negated(lines(corner).transition().into_bernstein()), Positive);
         let of_transition = if is_stable { stable(corner) } else { unstable(corner) };
-        let frequency = self.frequencies[usize::from(is_above)]
+        let frequency = frequencies[usize::from(is_above)]
             .get_or_init(|| lines(corner).frequency(threshold).into_bernstein())
             .clone();
         let frequency = if is_above { (negated(frequency), Inside) } else { (frequency, NotNegative) };
@@ -218,13 +245,13 @@ impl<'a> Search<'a> {
     }
 }
 
-impl Part {
+impl<T: Coefficient> Part<T> {
     /// A point at a corner of the part, at which all conditions of a way hold.
     fn witness(&self, filtered: &Filtered<'_>, mode: SlipMode) -> Option<Point> {
         let corners = (0..1 << AXES).map(|bits| std::array::from_fn(|axis| bits >> axis & 1 == 1));
         for (way, corner) in self.ways.iter().flat_map(|way| corners.clone().map(move |corner| (way, corner)))
         {
-            let holds = |(tensor, sign): &(Tensor, Sign)| sign.may_hold(tensor.at_corner(corner));
+            let holds = |(tensor, sign): &(Tensor<T>, Sign)| sign.may_hold(tensor.at_corner(corner));
             if !way.conditions.iter().all(holds) {
                 continue;
             }
@@ -256,11 +283,11 @@ impl Part {
     fn halves(self, axis: usize) -> [Self; 2] {
         let middle = (&self.lower[axis] + &self.upper[axis]).complete() / 2u32;
         let half = |upper_half: bool| {
-            let halved = |(tensor, sign): &(Tensor, Sign)| {
+            let halved = |(tensor, sign): &(Tensor<T>, Sign)| {
                 let [low, high] = tensor.halves(axis);
                 (if upper_half { high } else { low }, *sign)
             };
-            let conditions = |way: &Way| way.conditions.iter().map(halved).collect();
+            let conditions = |way: &Way<T>| way.conditions.iter().map(halved).collect();
             let ways = self.ways.iter().map(|way| Way { conditions: conditions(way), at: way.at }).collect();
             let (mut lower, mut upper) = (self.lower.clone(), self.upper.clone());
             let end = if upper_half { &mut lower } else { &mut upper };
@@ -271,6 +298,6 @@ impl Part {
     }
 }
 
-fn negated(tensor: Tensor) -> Tensor {
+fn negated<T: Coefficient>(tensor: Tensor<T>) -> Tensor<T> {
     tensor.scaled(&Integer::from(-1))
 }
