@@ -5,6 +5,7 @@ mod derived;
 mod grid;
 mod grid_files;
 pub mod rows;
+mod sample;
 mod view;
 
 use std::path::PathBuf;
@@ -20,6 +21,7 @@ use box_view::BoxView;
 use derived::ClassifyPoints;
 use grid::GridOptions;
 use rows::ClassifyRows;
+use sample::SampleOptions;
 use view::PointView;
 
 /// Options of `classify`.
@@ -47,6 +49,8 @@ pub struct Options {
     points: Option<PathBuf>,
     #[command(flatten)]
     rows: RowsOptions,
+    #[command(flatten)]
+    sample: SampleOptions,
 }
 
 /// Runs the command.
@@ -67,9 +71,15 @@ pub fn run(options: &Options, progress: &Progress) -> Result<(), Failure> {
     if !options.grid.is_given() {
         options.grid.refuse_without_grid(&mut arguments);
     }
+    if !is_box {
+        options.sample.refuse(&mut arguments);
+    }
     if is_box {
-        let region = options.slider.region(&mut arguments);
-        let view = threshold.zip(region).and_then(|(threshold, region)| BoxView::new(region, &threshold));
+        let region = options.slider.region(None, &mut arguments);
+        let sample = options.sample.read(&mut arguments);
+        let view = threshold
+            .zip(region)
+            .and_then(|(threshold, region)| BoxView::new(region, &threshold, sample.as_ref()));
         let view = arguments.finish(view)?;
         return if options.json { terminal::print_json(&view.json()) } else { terminal::print(&view.text()) };
     }

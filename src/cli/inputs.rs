@@ -3,7 +3,9 @@
 use serde_json::{Map, Value, json};
 use slipmode::scene::Quantity;
 use slipmode_core::friction::{Parameters, Slider};
+use slipmode_core::number::format::exact_text;
 use slipmode_core::number::{Rational, nearest_f64};
+use slipmode_core::stability::ParameterBox;
 
 /// The version of the JSON objects.
 pub const SCHEMA: u32 = 1;
@@ -12,6 +14,27 @@ pub const SCHEMA: u32 = 1;
 pub fn inputs_json(parameters: &Parameters<Rational>) -> Value {
     let values: [Rational; 7] = parameters.clone().into();
     quantities_json(Quantity::ALL.into_iter().zip(&values))
+}
+
+/// The ends of the seven error bars under their names, but for one that is not given.
+pub fn ranges_json(region: &ParameterBox, without: Option<Quantity>) -> Value {
+    let [lower, upper]: [[Rational; 7]; 2] = [region.lower().into(), region.upper().into()];
+    let ends = Quantity::ALL
+        .into_iter()
+        .zip(lower.iter().zip(&upper))
+        .filter(|(quantity, _)| Some(*quantity) != without);
+    let range = |(lower, upper)| json!([nearest_f64(lower), nearest_f64(upper)]);
+    ends.map(|(quantity, ends)| (quantity.key().to_string(), range(ends))).collect::<Map<_, _>>().into()
+}
+
+/// The exact values of a point under their names, as decimals or fractions, but for one that plays no part.
+pub fn exact_json(parameters: &Parameters<Rational>, without: Option<Quantity>) -> Value {
+    let values: [Rational; 7] = parameters.clone().into();
+    let pairs = Quantity::ALL.into_iter().zip(&values).filter(|(quantity, _)| Some(*quantity) != without);
+    pairs
+        .map(|(quantity, value)| (quantity.key().to_string(), json!(exact_text(value))))
+        .collect::<Map<_, _>>()
+        .into()
 }
 
 /// The five values of the material and the machine.

@@ -101,15 +101,21 @@ impl SliderOptions {
         Quantity::ALL.into_iter().filter_map(|quantity| self.text(quantity)).any(Uncertain::is_meant)
     }
 
-    /// All values within the error bars; what is missing or faulty is collected in `arguments`.
-    pub fn region(&self, arguments: &mut Arguments) -> Option<ParameterBox> {
+    /// All values within the error bars, and 1 for the unknown; what is missing or faulty is collected in `arguments`.
+    pub fn region(&self, unknown: Option<Quantity>, arguments: &mut Arguments) -> Option<ParameterBox> {
         let values = Quantity::ALL.map(|quantity| {
+            if Some(quantity) == unknown {
+                return Some(Uncertain { lower: Rational::from(1), upper: Rational::from(1) });
+            }
             let (text, read) = (self.text(quantity), |number: &str| quantity.parse(number));
             let ends = required_as(quantity, text, arguments, |text| Uncertain::parse(text, read))?;
             arguments.note_unit(quantity, text, &[&ends.lower, &ends.upper]);
             Some(ends)
         });
-        arguments.check_units(&values.each_ref().map(|value| value.as_ref().map(Uncertain::middle)));
+        let middle = |quantity: Quantity| {
+            values[quantity as usize].as_ref().filter(|_| Some(quantity) != unknown).map(Uncertain::middle)
+        };
+        arguments.check_units(&Quantity::ALL.map(middle));
         let [Some(a), Some(b), Some(d), Some(k), Some(m), Some(s), Some(v)] = values else { return None };
         uncertain_box([a, b, d, k, m, s, v])
     }

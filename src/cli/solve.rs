@@ -1,5 +1,6 @@
 //! `slipmode solve`: the normal stress, loading velocity, stiffness or mass at which the slider does what is stated.
 
+mod over_box;
 mod rows;
 mod view;
 
@@ -17,6 +18,7 @@ use crate::cli::points::{self, RowsOptions};
 use crate::cli::progress::Progress;
 use crate::cli::roots::MOST_DIGITS;
 use crate::cli::terminal;
+use over_box::StableForBox;
 use rows::SolveRows;
 use view::View;
 
@@ -68,6 +70,11 @@ struct TargetOptions {
     /// Oscillations of this angular frequency, 1/s: max Im(s) = W
     #[arg(long, value_name = "W", allow_hyphen_values = true)]
     angular_frequency: Option<String>,
+    /// With error bars: stability at all values within them; for --for stiffness
+    ///
+    /// A value with an error bar is 0.009±0.001, 0.009+-0.001 or [0.008, 0.010]. The answer is the largest K_c, exactly.
+    #[arg(long, conflicts_with = "points")]
+    stable_for_box: bool,
     /// A growth rate max Re(s), 1/s; negative where disturbances decay, and 0 is the transition
     #[arg(long, value_name = "G", allow_hyphen_values = true)]
     growth_rate: Option<String>,
@@ -87,6 +94,12 @@ struct Question {
 /// When the arguments or the rows are at fault, or the output cannot be written.
 pub fn run(options: &Options, progress: &Progress) -> Result<(), Failure> {
     let mut arguments = Arguments::default();
+    if options.target.stable_for_box {
+        options.rows.refuse_without_points(false, &mut arguments);
+        let view = stable_for_box(options, &mut arguments);
+        let view = arguments.finish(view)?;
+        return if options.json { terminal::print_json(&view.json()) } else { terminal::print(&view.text()) };
+    }
     let question = Question::read(options, &mut arguments);
     let Some(points) = &options.points else {
         options.rows.refuse_without_points(false, &mut arguments);
@@ -100,6 +113,18 @@ pub fn run(options: &Options, progress: &Progress) -> Result<(), Failure> {
     options.slider.refuse_beside_points(&mut arguments);
     let question = arguments.finish(question)?;
     points::run(points, &options.rows, SolveRows { question }, *progress)
+}
+
+fn stable_for_box(options: &Options, arguments: &mut Arguments) -> Option<StableForBox> {
+    if options.unknown != Unknown::Stiffness.as_str() {
+        let needs = "--for stiffness";
+        arguments.refuse("--stable-for-box", true, needs);
+    }
+    let given = options.slider.text(Quantity::Stiffness);
+    arguments.refuse_value(&option_of(Quantity::Stiffness), given, "no value: it is what is solved for");
+    let region = options.slider.region(Some(Quantity::Stiffness), arguments);
+    let digits = arguments.whole("--digits", Some(&options.digits), 1..=MOST_DIGITS);
+    Some(StableForBox::new(region?, u32::try_from(digits?).ok()?))
 }
 
 impl Question {

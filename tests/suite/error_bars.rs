@@ -118,3 +118,72 @@ fn rows_take_error_bars_in_cells_and_in_columns_of_errors() {
         .run(["classify", "--points", "twice.csv"])
         .expect_refusal(&["row 1, column evolution_effect_error", "given twice"]);
 }
+
+#[test]
+fn shares_by_samples_stand_apart_from_what_is_certain() {
+    let changes = [("-b", "0.0126±0.0007"), ("-s", "5e6±1e5")];
+    let run = |more: &[&'static str]| {
+        let arguments = ["classify", "--json"].into_iter().chain(with(&changes)).chain(more.iter().copied());
+        let output = Workplace::new().run(arguments).expect_success();
+        serde_json::from_str::<Value>(&output).unwrap()
+    };
+    let mut sampled = run(&["--distribution", "uniform", "--samples", "2000"]);
+    let shares = sampled["sampled"].take();
+    assert_eq!(sampled, run(&[]), "nothing else changes");
+    assert_eq!((&shares["distribution"], &shares["samples"]), (&"uniform".into(), &2000.into()));
+    let share = |mode: &str| {
+        let all = shares["shares"].as_array().unwrap();
+        let found = all.iter().find(|share| share["mode"] == mode).unwrap();
+        [&found["share"], &found["sampling_error"]].map(|value| value.as_f64().unwrap())
+    };
+    // K < K_c where (b − a) σ > 16e3 Pa but for the inertia: 0.0126 ± 0.0007 at 5 MPa, above 0.0122.
+    let [slip, error] = share("stick-slip");
+    assert!((slip - 11.0 / 14.0).abs() < 0.01 + 4.0 * error, "{slip} ± {error}");
+    assert!((slip + share("non-inertial-underdamped-oscillation")[0] - 1.0).abs() < 1e-12);
+    assert_ne!(run(&["--distribution", "normal"])["sampled"]["shares"], shares["shares"]);
+    let text = ["classify"].into_iter().chain(with(&changes)).chain(["--distribution", "normal"]);
+    assert!(Workplace::new().run(text).expect_success().contains("of 10000 random points, normal"));
+    let faulty = ["classify"].into_iter().chain(with(&[])).chain(["--distribution", "normal"]);
+    Workplace::new().run(faulty).expect_refusal(&["--distribution = normal", "values with error bars"]);
+    let faulty =
+        ["classify"].into_iter().chain(with(&changes)).chain(["--distribution", "flat", "--samples", "9"]);
+    Workplace::new().run(faulty).expect_refusal(&[
+        "--distribution = flat",
+        "--samples = 9",
+        "100 to 100000000",
+    ]);
+}
+
+#[test]
+fn the_least_stiffness_that_is_stable_for_a_box_is_where_classify_changes_its_mind() {
+    let bars = [("-a", "0.009±0.0003"), ("-b", "0.0126±0.0007"), ("-d", "8e-6±3e-7"), ("-s", "5e6±1e5")];
+    let given =
+        || with(&bars).chunks(2).filter(|pair| pair[0] != "-k").flatten().copied().collect::<Vec<_>>();
+    let question = ["solve", "--json", "--for", "stiffness", "--stable-for-box", "--digits", "30"];
+    let output = Workplace::new().run(question.into_iter().chain(given())).expect_success();
+    let answer: Value = serde_json::from_str(&output).unwrap();
+    let found = &answer["solutions"][0];
+    let value = found["value"].as_str().unwrap();
+    let signs = |stiffness: &str| {
+        let mut bars = bars.to_vec();
+        bars.push(("-k", stiffness));
+        json(&bars)["transition_signs"].clone()
+    };
+    assert_eq!(signs(value), serde_json::json!([1, 1]), "rounded up");
+    let below = format!("{:e}", value.parse::<f64>().unwrap() * (1.0 - 1e-12));
+    assert_eq!(signs(&below), serde_json::json!([-1, 1]));
+    assert_eq!(found["witness"]["direct_effect"], "0.0087");
+    assert_eq!((&found["is_exact"], &answer["solved_for"]), (&false.into(), &"stiffness_pa_per_m".into()));
+    let none = ["solve", "--for", "stiffness", "--stable-for-box"];
+    let strengthening = with(&[("-b", "[0.007, 0.009]")]);
+    let strengthening = strengthening.chunks(2).filter(|pair| pair[0] != "-k").flatten().copied();
+    let text = Workplace::new().run(none.into_iter().chain(strengthening)).expect_success();
+    assert!(text.starts_with("every stiffness"), "{text}");
+    let faulty = ["solve", "--for", "mass", "--stable-for-box"].into_iter().chain(with(&[("-a", "1±2")]));
+    Workplace::new().run(faulty).expect_refusal(&[
+        "--stable-for-box",
+        "--for stiffness",
+        "--stiffness-pa-per-m = 2e9",
+        "--direct-effect = \"1±2\": the error is not smaller than the value",
+    ]);
+}

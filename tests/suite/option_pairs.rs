@@ -22,6 +22,24 @@ const POINT: [&str; 15] = [
     "classify", "-a", "0.004", "-b", "0.006", "-d", "1e-5", "-k", "1e7", "-m", "1000", "-s", "1e5", "-v",
     "1e-3",
 ];
+/// With error bars.
+const BOX: [&str; 15] = [
+    "classify",
+    "-a",
+    "0.004±0.0002",
+    "-b",
+    "0.006±0.0005",
+    "-d",
+    "1e-5",
+    "-k",
+    "1e7",
+    "-m",
+    "1000",
+    "-s",
+    "1e5",
+    "-v",
+    "1e-3",
+];
 const GRID: [&str; 15] = [
     "classify",
     "-a",
@@ -52,7 +70,7 @@ const SLIDER: [Choice; 7] = [
 
 const COMMANDS: &[Command] = &[
     Command {
-        bases: &[&POINT, &["classify", "--points", "in.csv"], &GRID, &["classify"]],
+        bases: &[&POINT, &BOX, &["classify", "--points", "in.csv"], &GRID, &["classify"]],
         options: &[
             SLIDER[0],
             SLIDER[1],
@@ -64,6 +82,8 @@ const COMMANDS: &[Command] = &[
             ("--inertial-threshold", &["--inertial-threshold", "0.01"]),
             ("--grid-loading-velocity", &["--grid-loading-velocity", "1e-6:1:5"]),
             ("--grid-normal-stress", &["--grid-normal-stress", "1e2:1e8:5"]),
+            ("--distribution", &["--distribution", "uniform"]),
+            ("--samples", &["--samples", "200"]),
             ("--svg", &["--svg", "out.svg"]),
             ("--json", &["--json"]),
             ("--points", &["--points", "in.csv"]),
@@ -134,6 +154,23 @@ const COMMANDS: &[Command] = &[
                 "1e-3",
             ],
             &["solve", "--for", "normal-stress", "--points", "in.csv", "--frequency", "10"],
+            &[
+                "solve",
+                "--for",
+                "stiffness",
+                "-a",
+                "0.0037",
+                "-b",
+                "0.0061",
+                "-d",
+                "1e-5",
+                "-m",
+                "1000",
+                "-s",
+                "1e5",
+                "-v",
+                "1e-3",
+            ],
         ],
         options: &[
             SLIDER[0],
@@ -145,6 +182,7 @@ const COMMANDS: &[Command] = &[
             SLIDER[6],
             ("--for", &["--for", "stiffness"]),
             ("--transition", &["--transition"]),
+            ("--stable-for-box", &["--stable-for-box"]),
             ("--boundary", &["--boundary"]),
             ("--frequency", &["--frequency", "11"]),
             ("--angular-frequency", &["--angular-frequency", "12"]),

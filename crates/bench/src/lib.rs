@@ -20,8 +20,9 @@ pub mod peers;
 pub mod process;
 mod repository;
 pub mod scheme;
-pub mod split_mix;
 pub mod sweep_cost;
 pub mod tables;
 pub mod textbook;
 pub mod times;
+
+pub use slipmode_core::number::split_mix;

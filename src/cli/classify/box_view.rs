@@ -1,34 +1,36 @@
 //! What `classify` says of values with error bars: as text for people, as one JSON object for programs.
 
-use serde_json::{Map, Value, json};
+use serde_json::{Value, json};
 use slipmode::scene::Quantity;
 use slipmode_core::friction::Parameters;
 use slipmode_core::number::format::rational_to_decimal;
-use slipmode_core::number::{Rational, nearest_f64, parse_decimal};
+use slipmode_core::number::{Rational, nearest_f64};
 use slipmode_core::stability::{
     InertialThreshold, OverBox, ParameterBox, Possible, SlipMode, SpectralClass, over_box, transition_sign,
 };
 
 use crate::cli::classify::rows::NEUTRAL;
+use crate::cli::classify::sample::{Sample, Sampled};
+use crate::cli::inputs::{SCHEMA, exact_json, ranges_json};
 use crate::cli::terminal;
 
 /// Significant digits in the text for people.
 const SHOWN_DIGITS: usize = 6;
-/// The longest decimal that a witness is written as; longer ones and quotients are fractions.
-const MOST_DIGITS: usize = 400;
 
 /// A classified box.
 #[derive(Debug)]
 pub struct BoxView {
     region: ParameterBox,
     found: OverBox,
+    sampled: Option<Sampled>,
 }
 
 impl BoxView {
     /// Classifies all values within the error bars; none for a threshold that is not allowed.
-    pub fn new(region: ParameterBox, threshold: &InertialThreshold) -> Option<Self> {
+    pub fn new(region: ParameterBox, threshold: &InertialThreshold, sample: Option<&Sample>) -> Option<Self> {
         let found = over_box(&region, threshold)?;
-        Some(Self { region, found })
+        let sampled = sample.map(|sample| sample.draw(&region, threshold));
+        Some(Self { region, found, sampled })
     }
 
     /// One object: what is certain, what is possible at which point, and ranges.
@@ -41,6 +43,8 @@ impl BoxView {
         };
         let undecided = |(mode, share): &(SlipMode, Rational)| json!({ "mode": mode.as_str(), "share": nearest_f64(share) });
         json!({
+            "schema": SCHEMA,
+            "inputs": ranges_json(&self.region, None),
             "certain": found.certain_mode().is_some(),
             "slip_modes": modes.collect::<Vec<_>>(),
             "undecided": found.undecided.iter().map(undecided).collect::<Vec<_>>(),
@@ -48,7 +52,8 @@ impl BoxView {
             "spectral_classes": found.spectral_classes.iter().map(class).collect::<Vec<_>>(),
             "transition_signs": found.transition_signs,
             "boundary_signs": found.boundary_signs,
-            "critical_stiffness_pa_per_m": found.critical_stiffness_pa_per_m.each_ref().map(nearest_f64),
+            "critical_stiffness_pa_per_m": outward(&found.critical_stiffness_pa_per_m),
+            "sampled": self.sampled.as_ref().map(Sampled::json),
         })
     }
 
@@ -82,6 +87,7 @@ impl BoxView {
         }
         let [least, greatest] = found.critical_stiffness_pa_per_m.each_ref().map(shown);
         lines.push(("K_c", format!("{least} to {greatest} Pa/m"), "(eq 9)".to_string()));
+        lines.extend(self.sampled.iter().flat_map(Sampled::lines));
         let lines: Vec<_> =
             lines.iter().map(|(name, value, meaning)| (*name, value.clone(), meaning.as_str())).collect();
         terminal::named_values(&lines)
@@ -105,21 +111,20 @@ fn mode_word(possible: &Possible<SlipMode>) -> &'static str {
 }
 
 fn entry(key: &str, word: &str, witness: &Option<Parameters<Rational>>) -> Value {
-    let object = |point: &Parameters<Rational>| {
-        let values: [Rational; 7] = point.clone().into();
-        let pairs = Quantity::ALL
-            .iter()
-            .zip(&values)
-            .map(|(quantity, value)| (quantity.key().to_string(), json!(exact(value))));
-        Value::Object(pairs.collect::<Map<_, _>>())
-    };
-    json!({ key: word, "witness": witness.as_ref().map(object) })
+    json!({ key: word, "witness": witness.as_ref().map(|point| exact_json(point, None)) })
 }
 
-/// The value as an exact decimal, or as a fraction.
-fn exact(value: &Rational) -> String {
-    let decimal = rational_to_decimal(value, MOST_DIGITS);
-    if parse_decimal(&decimal).as_ref() == Ok(value) { decimal } else { value.to_string() }
+/// Numbers of 64 bits that enclose a range.
+fn outward([least, greatest]: &[Rational; 2]) -> [f64; 2] {
+    let (low, high) = (nearest_f64(least), nearest_f64(greatest));
+    let is_above =
+        |number: f64, value: &Rational| Rational::from_f64(number).is_some_and(|number| number > *value);
+    let is_below =
+        |number: f64, value: &Rational| Rational::from_f64(number).is_some_and(|number| number < *value);
+    [
+        if is_above(low, least) { low.next_down() } else { low },
+        if is_below(high, greatest) { high.next_up() } else { high },
+    ]
 }
 
 fn shown(value: &Rational) -> String {

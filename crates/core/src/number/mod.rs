@@ -18,6 +18,8 @@ mod field;
 pub mod format;
 mod magnitude;
 mod operators;
+#[doc(hidden)]
+pub mod split_mix;
 mod wide;
 
 pub use ball::{Ball, bits_for_digits};

@@ -55,7 +55,10 @@ pub use curve::Arc;
 pub use decision::{boundary_sign, transition_sign};
 pub use distance::LogDistance;
 pub use nearest_place::{NearestPlace, Uncertain, nearest_boundary_point};
-pub use over_box::{Effort, OverBox, ParameterBox, Possible, is_allowed_over_box, over_box};
+pub use over_box::{
+    Distribution, Effort, OverBox, ParameterBox, Possible, SampledShare, extremes_of_critical_stiffness,
+    is_allowed_over_box, over_box, sampled_shares,
+};
 pub use quick::classify_quickly;
 pub use slip_mode::{InertialThreshold, slip_mode};
 pub use spectral_class::SpectralClass;

@@ -20,12 +20,14 @@ mod fixtures;
 mod lower_area;
 mod parameter_box;
 mod polynomials;
+mod shares;
 mod tensor;
 #[cfg(test)]
 mod tests;
 mod threshold;
 
 pub use parameter_box::ParameterBox;
+pub use shares::{Distribution, SampledShare, sampled_shares};
 
 use super::{InertialThreshold, SlipMode, SpectralClass};
 use crate::friction::Parameters;
@@ -119,7 +121,7 @@ pub fn over_box(region: &ParameterBox, threshold: &InertialThreshold) -> Option<
         slip_modes,
         undecided,
         effort: Effort { edges: filtered.edges.get(), ..search.effort },
-        critical_stiffness_pa_per_m: critical_stiffness(region),
+        critical_stiffness_pa_per_m: extremes_of_critical_stiffness(region).map(|at| at.critical_stiffness()),
     })
 }
 
@@ -222,11 +224,13 @@ fn beside_real_roots(filtered: &Filtered<'_>, classes: &Classes, mode: SlipMode)
     filtered.between(ends, |state| state.mode == area, |state| state.mode == wanted)
 }
 
-/// The range of K_c = (b − a)(σ/D_c + M V0²/(a D_c²)): up in b and down in a; where it is positive, up in σ, M, V0 and down in D_c.
-fn critical_stiffness(region: &ParameterBox) -> [Rational; 2] {
+/// The corners of a box at which K_c is least and greatest: K_c = (b − a)(σ/D_c + M V0²/(a D_c²)) is up in b and down in a;
+/// where it is positive, it is up in σ, M, V0 and down in D_c. K plays no part.
+#[must_use]
+pub fn extremes_of_critical_stiffness(region: &ParameterBox) -> [Parameters<Rational>; 2] {
     [(Corner::high(&[A]), false), (Corner::high(&[B]), true)].map(|(effects, is_largest)| {
         let is_positive = region.end(B, effects) > region.end(A, effects);
         let rest = if is_positive == is_largest { Corner::high(&[S, M, V]) } else { Corner::high(&[D]) };
-        Parameters::from(region.corner(effects.with(rest))).critical_stiffness()
+        Parameters::from(region.corner(effects.with(rest)))
     })
 }

@@ -15,12 +15,14 @@ impl SplitMix64 {
     }
 
     /// Uniform in [0, 1).
+    #[must_use]
     pub fn unit(&mut self) -> f64 {
         // The upper 53 bits are a number of f64 without rounding.
         (self.bits() >> 11) as f64 / (1u64 << 53) as f64
     }
 
     /// Uniform in [low, high).
+    #[must_use]
     pub fn between(&mut self, low: f64, high: f64) -> f64 {
         low + (high - low) * self.unit()
     }

@@ -1,0 +1,102 @@
+//! `classify --distribution`: shares of slip modes among random points within the error bars.
+
+use clap::Args;
+use serde_json::{Value, json};
+use slipmode::scene::of_word;
+use slipmode_core::stability::{Distribution, InertialThreshold, ParameterBox, SampledShare, sampled_shares};
+
+use crate::cli::options::Arguments;
+
+/// The number of random points unless it is given.
+const DEFAULT_SAMPLES: u32 = 10_000;
+/// The largest number of random points.
+const MOST_SAMPLES: u64 = 100_000_000;
+
+/// Options of the shares.
+#[derive(Debug, Args)]
+#[command(next_help_heading = "Shares of slip modes (values with error bars)")]
+pub struct SampleOptions {
+    /// How values are distributed: normal (the error is one standard deviation) or uniform (within the error bars)
+    ///
+    /// Shares come from random points, the same in every run, and have a sampling error. They do not change what is certain.
+    #[arg(long, value_name = "WORD", allow_hyphen_values = true)]
+    distribution: Option<String>,
+    /// Random points, 100 to 100 000 000 [default: 10000]
+    #[arg(long, value_name = "N", allow_hyphen_values = true)]
+    samples: Option<String>,
+}
+
+/// How random points are drawn.
+#[derive(Debug, Clone, Copy)]
+pub struct Sample {
+    distribution: Distribution,
+    samples: u32,
+}
+
+/// The shares that were found.
+#[derive(Debug)]
+pub struct Sampled {
+    sample: Sample,
+    shares: Vec<SampledShare>,
+}
+
+impl SampleOptions {
+    /// Reads both; none without `--distribution`.
+    pub fn read(&self, arguments: &mut Arguments) -> Option<Sample> {
+        let Some(word) = &self.distribution else {
+            arguments.refuse_value("--samples", self.samples.as_deref(), "--distribution");
+            return None;
+        };
+        let read = |word: &str| of_word(word, &Distribution::ALL, Distribution::as_str);
+        let distribution = arguments.number("--distribution", word, read);
+        let samples = match &self.samples {
+            None => Some(DEFAULT_SAMPLES),
+            given => arguments
+                .whole("--samples", given.as_deref(), 100..=MOST_SAMPLES)
+                .and_then(|count| u32::try_from(count).ok()),
+        };
+        Some(Sample { distribution: distribution?, samples: samples? })
+    }
+
+    /// Notes both where no value has an error bar.
+    pub fn refuse(&self, arguments: &mut Arguments) {
+        let needs = "values with error bars, such as 0.009±0.001";
+        arguments.refuse_value("--distribution", self.distribution.as_deref(), needs);
+        arguments.refuse_value("--samples", self.samples.as_deref(), needs);
+    }
+}
+
+impl Sample {
+    /// Draws the points.
+    pub fn draw(self, region: &ParameterBox, threshold: &InertialThreshold) -> Sampled {
+        let shares = sampled_shares(region, threshold, self.distribution, self.samples);
+        Sampled { sample: self, shares: shares.to_vec() }
+    }
+}
+
+impl Sampled {
+    /// One object: the distribution, the number of points, and the shares of all modes.
+    pub fn json(&self) -> Value {
+        let share = |found: &SampledShare| json!({ "mode": found.mode.as_str(), "share": found.share, "sampling_error": found.sampling_error });
+        json!({
+            "distribution": self.sample.distribution.as_str(),
+            "samples": self.sample.samples,
+            "shares": self.shares.iter().map(share).collect::<Vec<_>>(),
+        })
+    }
+
+    /// A line for each mode that was found.
+    pub fn lines(&self) -> Vec<(&'static str, String, String)> {
+        let Sample { distribution, samples } = self.sample;
+        let found = self.shares.iter().filter(|found| found.share > 0.0);
+        let line = |found: &SampledShare| {
+            let (share, error) = (100.0 * found.share, 100.0 * found.sampling_error);
+            let note = format!(
+                "({share:.2} % ± {error:.2} % of {samples} random points, {})",
+                distribution.as_str()
+            );
+            ("sampled share", found.mode.as_str().to_string(), note)
+        };
+        found.map(line).collect()
+    }
+}
