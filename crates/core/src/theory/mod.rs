@@ -42,6 +42,10 @@ pub mod hopf;
 pub mod inertial;
 #[doc(hidden)]
 pub mod linearisation;
+#[doc(hidden)]
+pub mod monotone;
+#[doc(hidden)]
+pub mod monotone_frequency;
 mod names;
 #[doc(hidden)]
 pub mod non_inertial;

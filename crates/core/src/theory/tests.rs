@@ -9,7 +9,7 @@ use crate::polynomial::{Expression, Proof, Refutation, Symbol, UnivariatePolynom
 type Prover = fn(&Equations) -> Result<Proof, Refutation>;
 
 /// Every proof of this module, by the path of its function.
-const PROVERS: [(&str, Prover); 22] = [
+const PROVERS: [(&str, Prover); 27] = [
     ("steady_state::laws_differ_at_rest", steady_state::laws_differ_at_rest),
     ("regularised::linearisation", regularised::linearisation),
     ("characteristic::prove", characteristic::prove),
@@ -32,6 +32,11 @@ const PROVERS: [(&str, Prover); 22] = [
     ("worst_error::prove", worst_error::prove),
     ("strip_frequency::prove", strip_frequency::prove),
     ("criteria::inertial_parameter", criteria::inertial_parameter),
+    ("monotone::unstable_real_area", monotone::unstable_real_area),
+    ("monotone::upper_area", monotone::upper_area),
+    ("monotone::unstable_side", monotone::unstable_side),
+    ("monotone::lower_area_path", monotone::lower_area_path),
+    ("monotone_frequency::threshold", monotone_frequency::threshold),
 ];
 
 #[test]
