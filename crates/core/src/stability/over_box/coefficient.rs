@@ -3,17 +3,20 @@
 use rug::Integer;
 
 use super::parameter_box::{Corner, Filtered};
+use crate::number::{Rational, nearest_f64};
 
 /// A number of a ring in which a sign can be certain.
 pub(super) trait Coefficient: Clone {
     /// The value of a parameter at a corner, in units that are the same for all corners.
     fn of_parameter(filtered: &Filtered<'_>, parameter: usize, corner: Corner) -> Self;
     fn zero() -> Self;
+    /// A whole number.
+    fn whole(value: &Integer) -> Self;
     /// Adds a number.
     fn add(&mut self, other: &Self);
     /// Adds a product.
     fn add_product(&mut self, left: &Self, right: &Self);
-    fn times(&mut self, factor: &Integer);
+    fn times(&mut self, factor: &Self);
     fn times_small(&mut self, factor: u32);
     /// Whether the number is certainly negative.
     fn is_negative(&self) -> bool;
@@ -38,7 +41,11 @@ impl Coefficient for Integer {
         *self += left * right;
     }
 
-    fn times(&mut self, factor: &Integer) {
+    fn whole(value: &Integer) -> Self {
+        value.clone()
+    }
+
+    fn times(&mut self, factor: &Self) {
         *self *= factor;
     }
 
@@ -94,11 +101,13 @@ impl Coefficient for Rough {
         self.add(&Self::rounded(left.value * right.value, errors));
     }
 
-    fn times(&mut self, factor: &Integer) {
-        // A conversion to 64 bits cuts digits off.
-        let factor = Self::rounded(factor.to_f64(), 0.0);
+    fn whole(value: &Integer) -> Self {
+        Self::rounded(nearest_f64(&Rational::from(value)), 0.0)
+    }
+
+    fn times(&mut self, factor: &Self) {
         let own = std::mem::replace(self, Self::zero());
-        self.add_product(&own, &factor);
+        self.add_product(&own, factor);
     }
 
     fn times_small(&mut self, factor: u32) {

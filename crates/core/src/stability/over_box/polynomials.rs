@@ -166,7 +166,7 @@ mod tests {
             let sign = |tensor: Tensor<Integer>, rough: Tensor<Rough>| {
                 let (exact, rough) = (tensor.at_corner([false; 3]).clone(), *rough.at_corner([false; 3]));
                 let mut negated = rough;
-                negated.times(&Integer::from(-1));
+                negated.times(&Rough::whole(&Integer::from(-1)));
                 assert!(!(negated.is_negative() && exact <= 0 || rough.is_negative() && exact >= 0));
                 exact.cmp0() as i8
             };

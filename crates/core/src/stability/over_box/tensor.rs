@@ -26,7 +26,7 @@ impl<T: Coefficient> Tensor<T> {
     /// The polynomial that goes from `start` to `end` with one variable.
     pub(super) fn line(axis: usize, start: T, end: &T) -> Self {
         let mut slope = start.clone();
-        slope.times(&Integer::from(-1));
+        slope.times(&T::whole(&Integer::from(-1)));
         slope.add(end);
         let mut size = [1; AXES];
         size[axis] = 2;
@@ -56,7 +56,8 @@ impl<T: Coefficient> Tensor<T> {
 
     /// The polynomial times a number.
     pub(super) fn scaled(mut self, factor: &Integer) -> Self {
-        self.coefficients.iter_mut().for_each(|value| value.times(factor));
+        let factor = T::whole(factor);
+        self.coefficients.iter_mut().for_each(|value| value.times(&factor));
         self
     }
 
