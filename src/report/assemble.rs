@@ -183,7 +183,7 @@ fn readings(entry: &Entry) -> Vec<ReadingView> {
         verdict: part.verdict,
         strength: strength_of(part.verdict, part.strength),
         result_markdown: plain(part.result()),
-        evidence: part.evidence.iter().map(usize::to_string).collect::<Vec<_>>().join(", "),
+        evidence: part.evidence.clone(),
     };
     let mut reading = |reading: &Reading| ReadingView {
         words_markdown: plain(&reading.words),

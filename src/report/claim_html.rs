@@ -19,6 +19,9 @@ fn chips(ids: &[String], catalogue: &Catalogue<'_>) -> Vec<Value> {
 
 /// What the templates of a claim show; its prose is turned into HTML.
 pub(crate) fn claim_page(claim: &ClaimView, catalogue: &Catalogue<'_>, prose: &mut Prose) -> Value {
+    let has_only_proofs_of_parts = has_only_proofs_of_parts(claim);
+    let shown: &[EvidenceView] = if has_only_proofs_of_parts { &[] } else { &claim.evidence };
+    let proofs: &[EvidenceView] = if has_only_proofs_of_parts { &claim.evidence } else { &[] };
     let mut html =
         |markdown: &str, part: &str| prose.inline(markdown, &format!("claim {}, {part}", claim.id));
     json!({
@@ -34,16 +37,34 @@ pub(crate) fn claim_page(claim: &ClaimView, catalogue: &Catalogue<'_>, prose: &m
         "counter_example_html": html(&claim.counter_example_markdown, "counter-example"),
         "not_established_html": html(&claim.not_established_markdown, "not established"),
         "remark_html": html(&claim.remark_markdown, "remark"),
-        "readings": claim.readings.iter().map(|item| reading(item, &mut html)).collect::<Vec<_>>(),
-        "evidence": claim.evidence.iter().map(|item| evidence(item, &mut html)).collect::<Vec<_>>(),
+        "readings": claim.readings.iter().map(|item| reading(item, proofs, &mut html)).collect::<Vec<_>>(),
+        "evidence": shown.iter().map(|item| evidence(item, &mut html)).collect::<Vec<_>>(),
+        "has_only_proofs_of_parts": has_only_proofs_of_parts,
         "rests_on": chips(&claim.rests_on, catalogue),
         "command": claim.command,
     })
 }
 
-fn reading(item: &ReadingView, html: &mut dyn FnMut(&str, &str) -> String) -> Value {
+/// Whether the evidence says nothing that the parts do not say: each piece is the proof of one of them, in its words.
+fn has_only_proofs_of_parts(claim: &ClaimView) -> bool {
+    let parts = || claim.readings.iter().flat_map(|item| &item.parts);
+    let mut evidence = claim.evidence.iter().zip(1..);
+    let is_said = |item: &EvidenceView, position: usize| {
+        parts().any(|part| part.evidence.contains(&position) && part.words_markdown == item.text_markdown)
+    };
+    parts().next().is_some()
+        && evidence.all(|(item, position)| {
+            !item.certificate.is_empty() && item.numbers.is_empty() && is_said(item, position)
+        })
+}
+
+/// `proofs` are the claim's evidence where it is not listed on its own.
+fn reading(item: &ReadingView, proofs: &[EvidenceView], html: &mut dyn FnMut(&str, &str) -> String) -> Value {
+    let lines =
+        |position: &usize| proofs.get(position - 1).map_or(0, |item| item.certificate.lines().count());
     let mut part = |part: &PartView| {
         json!({
+            "proof_lines": part.evidence.iter().map(lines).sum::<usize>(),
             "words_html": html(&part.words_markdown, "part"),
             "formula_html": html(&part.formula_markdown, "part"),
             "class": part.verdict.as_str(),
@@ -51,7 +72,7 @@ fn reading(item: &ReadingView, html: &mut dyn FnMut(&str, &str) -> String) -> Va
             "word": part.verdict.word(),
             "strength": part.strength,
             "result_html": html(&part.result_markdown, "part"),
-            "evidence": part.evidence,
+            "evidence": part.positions(),
         })
     };
     let parts: Vec<Value> = item.parts.iter().map(&mut part).collect();
@@ -74,4 +95,24 @@ fn evidence(item: &EvidenceView, html: &mut dyn FnMut(&str, &str) -> String) -> 
         "certificate_lines": item.certificate.lines().count(),
         "certificate_at": item.certificate_at,
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::report::sample;
+
+    #[test]
+    fn proofs_are_left_out_where_the_parts_say_the_same_and_only_there() {
+        let report = sample::view();
+        let mut claims = report.ledger.iter().flat_map(|group| &group.claims);
+        let mut claim = claims.find(|claim| !claim.readings.is_empty()).unwrap().clone();
+        assert!(!has_only_proofs_of_parts(&claim));
+        claim.evidence[0].text_markdown = claim.readings[0].parts[0].words_markdown.clone();
+        assert!(!has_only_proofs_of_parts(&claim));
+        claim.evidence[0].numbers.clear();
+        assert!(has_only_proofs_of_parts(&claim));
+        claim.evidence[0].certificate.clear();
+        assert!(!has_only_proofs_of_parts(&claim));
+    }
 }

@@ -44,7 +44,7 @@ fn reading(reading: &ReadingView, item: &dyn Fn(&str) -> String) -> Value {
             "word": part.verdict.word(),
             "strength": part.strength,
             "result_md": item(&part.result_markdown),
-            "evidence": part.evidence,
+            "evidence": part.positions(),
         })
     };
     json!({

@@ -35,7 +35,7 @@ fn hostile_view() -> ReportView {
                 (reading.words_markdown, reading.strength) = (text(), text());
                 for part in &mut reading.parts {
                     (part.words_markdown, part.result_markdown) = (text(), text());
-                    (part.strength, part.evidence) = (text(), text());
+                    part.strength = text();
                 }
             }
             for item in &mut claim.evidence {

@@ -60,7 +60,7 @@ fn ledger() -> Vec<ClaimGroupView> {
                 verdict: Verdict::HoldsWithin,
                 strength: "exact".into(),
                 result_markdown: "the limit $V \\to 0$".into(),
-                evidence: "1".into(),
+                evidence: vec![1],
             },
             PartView {
                 words_markdown: "both are asymptotes".into(),
@@ -68,7 +68,7 @@ fn ledger() -> Vec<ClaimGroupView> {
                 verdict: Fails,
                 strength: "exact".into(),
                 result_markdown: "at $V = 3/1000$ m/s".into(),
-                evidence: String::new(),
+                evidence: Vec::new(),
             },
         ],
     }];

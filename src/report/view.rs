@@ -152,8 +152,15 @@ pub struct PartView {
     pub strength: String,
     /// Its limit or its counter-example; may be empty.
     pub result_markdown: String,
-    /// Positions of its evidence in the claim's list, such as `1, 3`.
-    pub evidence: String,
+    /// Positions of its evidence in the claim's list, from 1.
+    pub evidence: Vec<usize>,
+}
+
+impl PartView {
+    /// The positions of its evidence as a text, such as `1, 3`.
+    pub(crate) fn positions(&self) -> String {
+        self.evidence.iter().map(usize::to_string).collect::<Vec<_>>().join(", ")
+    }
 }
 
 /// One piece of evidence.
