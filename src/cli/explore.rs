@@ -1,6 +1,6 @@
 //! `slipmode explore`: one page on which b, K and M of a scene's slider can be changed.
 
-use slipmode_core::friction::Slider;
+use slipmode_core::friction::{OperatingPoint, Slider};
 use std::path::{Path, PathBuf};
 
 use clap::Args;
@@ -14,6 +14,7 @@ use slipmode_core::number::{Rational, nearest_f64};
 use crate::cli::failure::Failure;
 use crate::cli::input::read_small_file;
 use crate::cli::new::Ranges;
+use crate::cli::options::{Arguments, operating_point};
 use crate::cli::output::Output;
 use crate::cli::terminal;
 
@@ -23,6 +24,12 @@ pub struct Options {
     /// The scene; the page uses its slider, the axes of its map, and its operating point or the points of its trajectories
     #[arg(value_name = "SCENE.toml")]
     scene: PathBuf,
+    /// σ of an operating point that the page follows too, Pa or with a unit; needs -v
+    #[arg(short = 's', long, value_name = "S", allow_hyphen_values = true)]
+    normal_stress_pa: Option<String>,
+    /// V0 of this operating point, m/s or with a unit; needs -s
+    #[arg(short = 'v', long, value_name = "V", allow_hyphen_values = true)]
+    loading_velocity_m_per_s: Option<String>,
     /// The page, or a folder for it; `-` is standard output [default: NAME.html, with the scene's name]
     #[arg(short, long, value_name = "FILE.html", visible_alias = "out")]
     output: Option<PathBuf>,
@@ -36,21 +43,25 @@ const MOST_POINTS: usize = 8;
 /// # Errors
 /// When the scene is at fault or has no slider, or the page cannot be written.
 pub fn run(options: &Options) -> Result<(), Failure> {
+    let mut arguments = Arguments::default();
+    let own = options.point(&mut arguments);
+    let own = arguments.finish(own)?;
     let bytes = read_small_file(&options.scene).map_err(|fault| Failure::Input(vec![fault]))?;
     let scene = Scene::parse(&options.scene.display().to_string(), &bytes, &Limits::default())?;
     let refused = |why: &str| Failure::Refused(format!("{}: {why}", options.scene.display()));
     let parameters = scene.parameters.as_ref().ok_or_else(|| refused("has no [parameters] to explore"))?;
-    let window = window(&scene, &parameters.slider).map_err(|why| refused(&why))?;
+    let own_point = own.clone().or_else(|| parameters.point());
+    let window = window(&scene, &parameters.slider, own_point.as_ref()).map_err(|why| refused(&why))?;
     let place = place(options.output.as_deref(), &scene.name);
     let output = Output::create(&place)?;
-    let (points, marks) = points(&scene, parameters, window);
+    let (points, marks) = points(&scene, parameters, own.as_ref(), window);
     let families = Families::of(&parameters.slider, points, &scene.threshold());
     let file = options.scene.file_name().unwrap_or_default().to_string_lossy().into_owned();
     let page = ExplorerPage {
         title: &scene.title,
         slider: &parameters.slider,
         marks: &marks,
-        command: &format!("slipmode explore {file} --output {}.html", scene.name),
+        command: &format!("slipmode explore {file}{} --output {}.html", options.typed_point(), scene.name),
         scene: &file,
         digest: &sha256_hex(&bytes),
     };
@@ -76,24 +87,63 @@ fn place(output: Option<&Path>, name: &str) -> PathBuf {
     }
 }
 
-/// The scene's map, or what `new` would choose for the slider.
-fn window(scene: &Scene, slider: &Slider<Rational>) -> Result<Window, String> {
+impl Options {
+    /// The operating point that was given, if any; none when it is at fault.
+    fn point(&self, arguments: &mut Arguments) -> Option<Option<OperatingPoint<Rational>>> {
+        operating_point(self.normal_stress_pa.as_deref(), self.loading_velocity_m_per_s.as_deref(), arguments)
+    }
+
+    /// The operating point as it was typed, for the command that makes the page again.
+    fn typed_point(&self) -> String {
+        match (&self.normal_stress_pa, &self.loading_velocity_m_per_s) {
+            (Some(stress), Some(velocity)) => format!(" -s '{stress}' -v '{velocity}'"),
+            _ => String::new(),
+        }
+    }
+}
+
+/// The scene's map, or what `new` would choose for the slider; with room for the operating point.
+fn window(
+    scene: &Scene,
+    slider: &Slider<Rational>,
+    own: Option<&OperatingPoint<Rational>>,
+) -> Result<Window, String> {
     let ends = |from: &Rational, to: &Rational| (nearest_f64(from), nearest_f64(to));
     let map = scene.map.as_ref().map(|map| &map.rectangle);
     if let Some(rectangle) = map.or(scene.zones.as_ref().map(|zones| &zones.rectangle)) {
         let (velocity, stress) = (&rectangle.loading_velocity_m_per_s, &rectangle.normal_stress_pa);
+        let (velocity, stress) = (ends(&velocity.from, &velocity.to), ends(&stress.from, &stress.to));
+        let Some(own) = own else { return Ok(Window { velocity, stress }) };
         return Ok(Window {
-            velocity: ends(&velocity.from, &velocity.to),
-            stress: ends(&stress.from, &stress.to),
+            velocity: including(velocity, &own.loading_velocity_m_per_s),
+            stress: including(stress, &own.normal_stress_pa),
         });
     }
-    let ranges = Ranges::around(slider)?;
+    let ranges = Ranges::around(slider)?.showing(own);
     Ok(Window { velocity: ranges.velocity.ends(), stress: ranges.stress.ends() })
 }
 
+/// The range, longer where a value lies outside.
+fn including((low, high): (f64, f64), value: &Rational) -> (f64, f64) {
+    let value = nearest_f64(value);
+    if (low..=high).contains(&value) { (low, high) } else { (low.min(0.5 * value), high.max(2.0 * value)) }
+}
+
 /// The points that are followed, and a sentence on where they come from.
-fn points(scene: &Scene, parameters: &ParametersSection, window: Window) -> (Vec<NamedPoint>, String) {
+fn points(
+    scene: &Scene,
+    parameters: &ParametersSection,
+    own: Option<&OperatingPoint<Rational>>,
+    window: Window,
+) -> (Vec<NamedPoint>, String) {
     let mut points = Vec::new();
+    if let Some(point) = own.cloned() {
+        points.push(NamedPoint {
+            name: "operating point".into(),
+            normal_stress_pa: point.normal_stress_pa,
+            loading_velocity_m_per_s: point.loading_velocity_m_per_s,
+        });
+    }
     if let Some(point) = parameters.point() {
         points.push(NamedPoint {
             name: "scene".into(),
@@ -116,6 +166,9 @@ fn points(scene: &Scene, parameters: &ParametersSection, window: Window) -> (Vec
         }
         _ if stated > MOST_POINTS => {
             format!("The points are the first {MOST_POINTS} of the {stated} points of the scene.")
+        }
+        _ if own.is_some() => {
+            "The points are the operating point of the command and the points of the scene.".into()
         }
         _ => "The points are the points of the scene.".into(),
     };

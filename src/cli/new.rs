@@ -7,7 +7,7 @@ mod paper;
 mod ranges;
 mod scene;
 
-use slipmode_core::friction::Slider;
+use slipmode_core::friction::{OperatingPoint, Slider};
 use slipmode_core::number::Rational;
 use std::path::{Path, PathBuf};
 
@@ -16,7 +16,7 @@ use slipmode::scene::{Limits, Problem, Quantity, check_name};
 
 use crate::cli::failure::Failure;
 use crate::cli::folder::{Source, read_report_from};
-use crate::cli::options::{Arguments, MaterialOptions};
+use crate::cli::options::{Arguments, MaterialOptions, SliderOptions};
 use crate::cli::output::OutputFolder;
 use crate::cli::progress::Progress;
 use crate::cli::terminal;
@@ -33,9 +33,9 @@ pub struct Options {
     #[arg(value_name = "NAME", allow_hyphen_values = true)]
     name: String,
     #[command(flatten)]
-    material: MaterialOptions,
+    slider: SliderOptions,
     /// A folder for the claims of another paper instead: its equations and its claims, with one example of each
-    #[arg(long, conflicts_with = "MaterialOptions")]
+    #[arg(long, conflicts_with_all = ["MaterialOptions", "SliderOptions"])]
     paper: bool,
     /// The folder to write; it must not exist [default: NAME]
     #[arg(short, long, value_name = "DIR")]
@@ -68,10 +68,10 @@ pub fn run(options: &Options, progress: &Progress) -> Result<(), Failure> {
         let place = free_place(options)?;
         return write(OutputFolder::create(&place)?, &paper::files(&options.name), "verify", &place);
     }
-    let (typed, parameters) = read(options)?;
+    let (typed, parameters, point) = read(options)?;
     let place = free_place(options)?;
     let effects = Effects::of(&parameters);
-    let mut ranges = Ranges::around(&parameters).map_err(Failure::Refused)?;
+    let mut ranges = Ranges::around(&parameters).map_err(Failure::Refused)?.showing(point.as_ref());
     let output = OutputFolder::create(&place)?;
     let mut draft = complete(&typed, effects, &ranges, &place, *progress)?;
     while draft.has_gaps && ranges.coarsen() {
@@ -113,11 +113,11 @@ impl Effects {
     }
 }
 
-/// The name and the numbers as typed, and the numbers as exact values.
-fn read(options: &Options) -> Result<(Typed, Slider<Rational>), Failure> {
+/// The name and the numbers as typed, and the slider and its operating point as exact values.
+fn read(options: &Options) -> Result<(Typed, Slider<Rational>, Option<OperatingPoint<Rational>>), Failure> {
     let mut arguments = Arguments::default();
     check_report_name(&options.name, &mut arguments);
-    let given = Quantity::OF_THE_SLIDER.map(|quantity| options.material.text(quantity));
+    let given = Quantity::OF_THE_SLIDER.map(|quantity| options.slider.text(quantity));
     let is_example = given.iter().all(Option::is_none);
     let [a, b, d, k, m] = if is_example { PAPER.map(Some) } else { given };
     let own = |text: Option<&str>| text.map(str::to_string);
@@ -129,9 +129,11 @@ fn read(options: &Options) -> Result<(Typed, Slider<Rational>), Failure> {
         mass_per_area_kg_per_m2: own(m),
     };
     let parameters = material.slider(&mut arguments);
-    let parameters = arguments.finish(parameters)?;
-    let typed = Typed { name: options.name.clone(), material, is_example };
-    Ok((typed, parameters))
+    let slider = SliderOptions { material, ..options.slider.clone() };
+    let point = slider.point(&mut arguments);
+    let (parameters, point) = arguments.finish(parameters.zip(point))?;
+    let typed = Typed { name: options.name.clone(), slider, is_example };
+    Ok((typed, parameters, point))
 }
 
 /// A folder's files, complete.

@@ -5,7 +5,7 @@ use std::ops::RangeInclusive;
 use clap::Args;
 
 use slipmode::scene::{AllowedRange, Fault, Faults, Problem, Quantity, Uncertain, parse_whole};
-use slipmode_core::friction::{Parameters, Slider};
+use slipmode_core::friction::{OperatingPoint, Parameters, Slider};
 use slipmode_core::number::format::exact_text;
 use slipmode_core::number::{Rational, nearest_f64};
 use slipmode_core::stability::{InertialThreshold, ParameterBox, is_allowed_over_box};
@@ -96,6 +96,12 @@ impl SliderOptions {
         Some(Parameters::from([a, b, d, k, m, s, v]))
     }
 
+    /// σ and V0, as [`operating_point`].
+    pub fn point(&self, arguments: &mut Arguments) -> Option<Option<OperatingPoint<Rational>>> {
+        let [stress, velocity] = [&self.normal_stress_pa, &self.loading_velocity_m_per_s];
+        operating_point(stress.as_deref(), velocity.as_deref(), arguments)
+    }
+
     /// Whether a value has an error bar.
     pub fn is_uncertain(&self) -> bool {
         Quantity::ALL.into_iter().filter_map(|quantity| self.text(quantity)).any(Uncertain::is_meant)
@@ -132,6 +138,23 @@ impl SliderOptions {
     pub fn required(&self, quantity: Quantity, arguments: &mut Arguments) -> Option<Rational> {
         required(quantity, self.text(quantity), arguments)
     }
+}
+
+/// σ and V0, when one of them is given: then the other one must be. None when they are at fault.
+pub fn operating_point(
+    stress: Option<&str>,
+    velocity: Option<&str>,
+    arguments: &mut Arguments,
+) -> Option<Option<OperatingPoint<Rational>>> {
+    if stress.is_none() && velocity.is_none() {
+        return Some(None);
+    }
+    let normal_stress_pa = required(Quantity::NormalStress, stress, arguments);
+    let loading_velocity_m_per_s = required(Quantity::LoadingVelocity, velocity, arguments);
+    Some(Some(OperatingPoint {
+        normal_stress_pa: normal_stress_pa?,
+        loading_velocity_m_per_s: loading_velocity_m_per_s?,
+    }))
 }
 
 fn required(quantity: Quantity, text: Option<&str>, arguments: &mut Arguments) -> Option<Rational> {

@@ -67,7 +67,8 @@ pub struct Options {
     ///
     /// The header is that of `classify --points`, with an optional column `law`. If the simulation of a row
     /// fails, its column `status` has the reason, and the other rows continue. `outside_tested_range` is `true`
-    /// if eta, kappa or beta lies outside the ranges over which simulations were tested.
+    /// if a group lies outside the ranges over which simulations were tested: eta = M V0^2/(sigma a D_c) from 5e-10 to 8e5,
+    /// kappa = K D_c/(a sigma) from 0.0005 to 80, beta = b/a from 0.66 to 5.
     #[arg(long, value_name = "FILE.csv")]
     points: Option<PathBuf>,
     #[command(flatten)]

@@ -9,6 +9,7 @@ pub mod linear_regime;
 pub mod map;
 pub mod near_transition;
 pub mod onset;
+pub mod operating_point;
 mod outcome;
 pub mod own_weight;
 pub mod pictures;

@@ -2,6 +2,7 @@
 
 use crate::claims::{Entry, Ledger, Verdict};
 use crate::experiments::Outcome;
+use crate::experiments::operating_point::operating_point_words;
 use crate::experiments::simulations::range_of_velocities;
 use crate::experiments::tolerance::accuracy_of_asymptotes;
 use crate::report::AnswerView;
@@ -35,10 +36,11 @@ pub(super) fn answer(question: Question, ledger: &Ledger, outcome: &Outcome) -> 
     let formulas = accuracy_of_asymptotes(outcome).map(|text| AnswerView::new(text, worst));
     let validity = range_of_velocities(outcome).map(|text| AnswerView::new(text, []));
     let claims = [counts(&paper), right(&paper)];
+    let point = operating_point_words(outcome).map(|text| AnswerView::new(text, []));
     let rest = [wrong(&paper), simulations(&paper), new_results(&own)];
     let ordered: Vec<Option<AnswerView>> = match question {
         Question::Claims => claims.into_iter().chain([formulas]).chain(rest).collect(),
-        Question::Formulas => [formulas, validity].into_iter().chain(claims).chain(rest).collect(),
+        Question::Formulas => [point, formulas, validity].into_iter().chain(claims).chain(rest).collect(),
     };
     ordered.into_iter().flatten().collect()
 }

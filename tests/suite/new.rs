@@ -64,6 +64,45 @@ fn numbers_stand_in_the_scene_as_they_were_typed() {
 }
 
 #[test]
+fn an_operating_point_stands_in_the_first_sentence_and_on_the_maps() {
+    let place = Workplace::new();
+    let lab = ["new", "lab", "-a", "0.009", "-b", "0.0126", "-d", "8um", "-k", "2MPa/mm", "-m", "12kg/50cm2"];
+    assert_eq!(place.run([&lab[..], &["-s", "5MPa", "-v", "10um/s"]].concat()).code, 0);
+    let scene = place.read("lab/scenes/lab.toml");
+    for line in [
+        "critical_slip_distance_m = \"8um\"  #",
+        "normal_stress_pa = \"5MPa\"  #",
+        "loading_velocity_m_per_s = \"10um/s\"  #",
+    ] {
+        assert!(scene.contains(line), "{line}: {scene}");
+    }
+    assert!(place.read("lab/prose/introduction.md").contains("| 8e-6 | m |"));
+    place.run(["report", "lab"]).expect_success();
+    let page = place.read("target/report/lab/report.md");
+    let said = "the slider is linearly unstable: stick-slip; K/K_c is 0.889, and small disturbances oscillate with 0.119 Hz.";
+    let (at, formulas) =
+        (page.find(said).expect(&page), page.find("The asymptotes equal the exact boundary").unwrap());
+    assert!(at < formulas);
+    for figure in ["fig-1", "fig-7a"] {
+        assert!(place.read(&format!("target/report/lab/figures/{figure}.svg")).contains("operating point"));
+    }
+    let chapters =
+        ["Where sliding is stable", "Where each formula may be used", "## Simulations", "## Ledger"];
+    let places = chapters.map(|title| page.rfind(title).unwrap_or_else(|| panic!("{title}")));
+    assert!(places.is_sorted(), "{places:?}");
+    let explored = place.run(["explore", "lab/scenes/lab.toml", "-s", "1kPa", "-v", "1um/s"]);
+    assert_eq!((explored.code, explored.stdout.as_str()), (0, "lab.html\n"), "{}", explored.stderr);
+    let explored = place.read("lab.html");
+    assert!(explored.contains("operating point") && explored.contains("-s &#39;1kPa&#39;"), "the command");
+    place
+        .run([&lab[..2], &lab[2..], &["-s", "5MPa"]].concat())
+        .expect_refusal(&["--loading-velocity-m-per-s: missing"]);
+    place
+        .run(["explore", "lab/scenes/lab.toml", "-v", "1MPa"])
+        .expect_refusal(&["MPa is a stress", "--normal-stress-pa: missing"]);
+}
+
+#[test]
 fn a_verdict_that_was_edited_is_drift() {
     let place = Workplace::new();
     place.run(["new", "example"]).expect_success();

@@ -245,7 +245,10 @@ const COMMANDS: &[Command] = &[
             ("--report", &["--report", "out"]),
         ],
     },
-    Command { bases: &[&["explore", "s.toml"]], options: &[("--output", &["-o", "x.html"])] },
+    Command {
+        bases: &[&["explore", "s.toml"], &["explore", "s.toml", "-s", "1e5"]],
+        options: &[("--output", &["-o", "x.html"]), SLIDER[5], SLIDER[6]],
+    },
     Command {
         bases: &[&["run", "s.toml"]],
         options: &[("--output", &["-o", "out"]), ("--max-points", &["--max-points", "2"])],

@@ -1,4 +1,4 @@
-//! What README.md and docs/guide.md show is what the program prints.
+//! What README.md, docs/guide.md and docs/from-pandas-or-matlab.md show is what the program prints.
 
 use std::path::Path;
 use std::process::Command;
@@ -7,6 +7,7 @@ use crate::harness::Workplace;
 
 const README: &str = include_str!("../../README.md");
 const GUIDE: &str = include_str!("../../docs/guide.md");
+const TABLES: &str = include_str!("../../docs/from-pandas-or-matlab.md");
 const PROMPT: &str = "$ slipmode ";
 /// Stands for any lines on a line of its own, and for any rest at the end of a line.
 const LEFT_OUT: &str = "…";
@@ -70,6 +71,26 @@ fn the_guide_works_as_written_from_an_empty_folder() {
         assert!(is_as_shown(&printed, &shown), "slipmode {arguments} printed:\n{printed}");
     }
     assert!(place.read("target/report/lab/index.html").contains("<html"));
+}
+
+#[test]
+fn the_commands_for_pandas_and_matlab_work_as_written() {
+    let place = Workplace::new();
+    for name in ["lab.csv", "run.csv"] {
+        let block = TABLES.split(&format!("`{name}`:\n\n```csv\n")).nth(1).unwrap();
+        place.write(name, block.split("```").next().unwrap());
+    }
+    let examples = examples(TABLES);
+    assert_eq!(examples.len(), 4);
+    for (arguments, shown) in examples {
+        let printed = printed(&arguments, &place.path(""));
+        assert!(is_as_shown(&printed, &shown), "slipmode {arguments} printed:\n{printed}");
+    }
+    let rows = place.read("classified.csv");
+    let mode = rows.lines().next().unwrap().split(',').position(|name| name == "slip_mode").unwrap();
+    let modes: Vec<&str> = rows.lines().skip(1).map(|row| row.split(',').nth(mode).unwrap()).collect();
+    assert_eq!(modes, ["stick-slip", "non-inertial-underdamped-oscillation", "stick-slip"]);
+    assert!(place.read("simulated.csv").lines().skip(1).all(|row| row.ends_with(",ok")));
 }
 
 #[test]

@@ -224,6 +224,50 @@ fn a_tolerance_out_of_reach_fails_and_says_what_was_reached() {
 }
 
 #[test]
+fn large_effect_ratios_are_as_accurate_as_stated_and_do_not_warn() {
+    let place = Workplace::new();
+    for b in ["0.008", "0.012", "0.02"] {
+        for (stress, velocity) in [("1e6", "1e-5"), ("1e4", "1e-2"), ("1e3", "1e-3")] {
+            for law in ["slip", "aging"] {
+                let found = |tolerance: &str| -> Value {
+                    let slider = [
+                        "simulate", "-a", "0.004", "-b", b, "-d", "1e-5", "-k", "1e7", "-m", "1000", "-s",
+                        stress,
+                    ];
+                    let rest = ["-v", velocity, "--law", law, "--tolerance", tolerance, "--json"];
+                    serde_json::from_str(&place.run([&slider[..], &rest].concat()).expect_success()).unwrap()
+                };
+                let (coarse, fine) = (found("1e-6"), found("1e-10"));
+                assert_eq!(
+                    (&coarse["mode"], &coarse["outside_tested_range"]),
+                    (&fine["mode"], &false.into())
+                );
+                for (name, error) in
+                    [("peak_velocity_m_per_s", "peak_relative_error"), ("period_s", "period_relative_error")]
+                {
+                    let difference = number(&coarse, name) / number(&fine, name) - 1.0;
+                    let stated = number(&coarse, error) + number(&fine, error);
+                    assert!(difference.abs() <= stated, "{b} {stress} {velocity} {law} {name}: {difference}");
+                }
+            }
+        }
+    }
+    let beyond = place.run([
+        "simulate", "-a", "0.004", "-b", "0.021", "-d", "1e-5", "-k", "1e7", "-m", "1000", "-s", "1e4", "-v",
+        "1e-2", "--law", "slip",
+    ]);
+    assert!(
+        beyond.stderr.contains("beta = b/a is 5.25, outside the tested range 0.66 to 5"),
+        "{}",
+        beyond.stderr
+    );
+    let help = place.run(["simulate", "--help"]).expect_success();
+    for range in ["from 5e-10 to 8e5", "from 0.0005 to 80", "from 0.66 to 5"] {
+        assert!(help.split_whitespace().collect::<Vec<_>>().join(" ").contains(range), "{range}: {help}");
+    }
+}
+
+#[test]
 fn suspicious_values_get_a_warning() {
     let ended = run(&Workplace::new(), "5", "1e-3", &["--law", "slip"]);
     assert_eq!(ended.code, 0, "{}", ended.stderr);

@@ -24,8 +24,8 @@ const INTRODUCTION: Chapter = Chapter {
 /// For a < b.
 const WEAKENING: &[Chapter] = &[
     INTRODUCTION,
-    formulas(include_str!("../../../templates/new/formulas-weakening.md")),
     map(include_str!("../../../templates/new/map-weakening.md")),
+    formulas(include_str!("../../../templates/new/formulas-weakening.md")),
     Chapter {
         id: "frequency",
         title: "Frequency",
@@ -38,8 +38,8 @@ const WEAKENING: &[Chapter] = &[
 /// For a ≥ b: nothing that needs a critical normal stress.
 const NEVER_UNSTABLE: &[Chapter] = &[
     INTRODUCTION,
-    formulas(include_str!("../../../templates/new/formulas-stable.md")),
     map(include_str!("../../../templates/new/map-stable.md")),
+    formulas(include_str!("../../../templates/new/formulas-stable.md")),
     simulations(include_str!("../../../templates/new/simulations-stable.md")),
     slip_modes(include_str!("../../../templates/new/slip-modes-stable.md")),
 ];

@@ -1,7 +1,7 @@
 //! The part of the (V, σ) plane that a slider's report shows: all corners of its boundary, in whole decades.
 
-use slipmode_core::friction::Slider;
-use slipmode_core::number::{Ball, Rational};
+use slipmode_core::friction::{OperatingPoint, Slider};
+use slipmode_core::number::{Ball, Rational, nearest_f64};
 use slipmode_core::stability::{Arc, asymptote};
 
 /// Two powers of ten.
@@ -17,6 +17,15 @@ impl Decades {
     /// The two powers.
     pub fn ends(self) -> (f64, f64) {
         (libm::exp10(f64::from(self.from)), libm::exp10(f64::from(self.to)))
+    }
+
+    fn meets(self, other: Self) -> bool {
+        self.from <= other.to && other.from <= self.to
+    }
+
+    /// The shortest range that contains both.
+    fn with(self, other: Self) -> Self {
+        Self { from: self.from.min(other.from), to: self.to.max(other.to) }
     }
 }
 
@@ -35,8 +44,14 @@ pub struct Ranges {
     pub points_less: i32,
 }
 
+/// Decades of the loading velocities of most laboratories, m/s: 1 um/s to 1 mm/s.
+const LABORATORY: Decades = Decades { from: -6, to: -3 };
+
 /// Decades beyond which coordinates are refused: the limits of a scene with room for the widest map.
 const FARTHEST: f64 = 250.0;
+
+/// Decades between an operating point and the edge of a map, at least.
+const ROOM: f64 = 0.25;
 
 /// Decades above the lower corner that are shown when there is no upper one.
 const WITHOUT_UPPER_CORNER: i32 = 2;
@@ -65,13 +80,27 @@ impl Ranges {
         };
         let (low_velocity, high_velocity) = (whole(low_velocity.floor()), whole(high_velocity.ceil()));
         let (low_stress, high_stress) = (whole(low_stress.floor()), whole(high_stress.ceil()));
+        let velocity = Decades { from: low_velocity - 2, to: high_velocity + 1 };
         Ok(Self {
-            velocity: Decades { from: low_velocity - 2, to: high_velocity + 1 },
+            velocity: if velocity.meets(LABORATORY) { velocity.with(LABORATORY) } else { velocity },
             stress: Decades { from: low_stress - 1, to: high_stress + 1 },
             simulated_velocity: Decades { from: low_velocity - 1, to: high_velocity + 1 },
             simulated_stress: Decades { from: low_stress, to: high_stress },
             points_less: 0,
         })
+    }
+
+    /// The same with axes of the maps that also show an operating point, with room around it.
+    #[must_use]
+    pub fn showing(mut self, point: Option<&OperatingPoint<Rational>>) -> Self {
+        let Some(point) = point else { return self };
+        let around = |value: &Rational| {
+            let decade = libm::log10(nearest_f64(value));
+            Decades { from: whole((decade - ROOM).floor()), to: whole((decade + ROOM).ceil()) }
+        };
+        self.velocity = self.velocity.with(around(&point.loading_velocity_m_per_s));
+        self.stress = self.stress.with(around(&point.normal_stress_pa));
+        self
     }
 
     /// Takes a point from each simulated axis; false when enough were taken.
@@ -130,6 +159,24 @@ mod tests {
         assert_eq!(equal.stress, Decades { from: 2, to: 7 });
         let near = Ranges::around(&slider("0.005", "0.0050000001", "1e7")).unwrap();
         assert!(near.stress.to > 15 && near.simulated_points().1 == MOST_SIMULATED);
+    }
+
+    #[test]
+    fn maps_show_the_operating_point_and_usual_velocities() {
+        let ranges = Ranges::around(&slider("0.004", "0.006", "1e7")).unwrap();
+        let point = |stress: &str, velocity: &str| {
+            let [normal_stress_pa, loading_velocity_m_per_s] =
+                [stress, velocity].map(|text| parse_decimal(text).unwrap());
+            OperatingPoint { normal_stress_pa, loading_velocity_m_per_s }
+        };
+        assert_eq!(ranges.showing(Some(&point("1e5", "1e-3"))), ranges);
+        let far = ranges.showing(Some(&point("5e9", "1e-7")));
+        assert_eq!((far.velocity, far.stress), (Decades { from: -8, to: -1 }, Decades { from: 2, to: 10 }));
+        assert_eq!(far.simulated_points(), ranges.simulated_points());
+        // A slider whose corners lie at 1 cm/s and faster, and one far from any laboratory.
+        let fast = Ranges::around(&slider("0.004", "0.006", "1e13")).unwrap();
+        assert_eq!((fast.velocity.from, fast.velocity.to), (-6, 2));
+        assert!(Ranges::around(&slider("0.004", "0.006", "1e25")).unwrap().velocity.from > 0);
     }
 
     #[test]

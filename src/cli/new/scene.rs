@@ -5,7 +5,7 @@ use slipmode_core::number::format::exact_text;
 
 use crate::cli::new::Effects;
 use crate::cli::new::ranges::{Decades, Ranges};
-use crate::cli::options::MaterialOptions;
+use crate::cli::options::SliderOptions;
 
 /// What was typed, valid.
 #[derive(Debug)]
@@ -13,7 +13,7 @@ pub struct Typed {
     /// The report's name.
     pub name: String,
     /// The numbers.
-    pub material: MaterialOptions,
+    pub slider: SliderOptions,
     /// Whether the numbers are the paper's because none were given.
     pub is_example: bool,
 }
@@ -21,7 +21,7 @@ pub struct Typed {
 impl Typed {
     /// The text of a quantity.
     pub fn text(&self, quantity: Quantity) -> &str {
-        self.material.text(quantity).unwrap_or_default()
+        self.slider.text(quantity).unwrap_or_default()
     }
 
     /// The value of a quantity in SI: as it was typed, unless it has a unit.
@@ -81,17 +81,20 @@ fn parameters(typed: &Typed) -> String {
         true => "# No values were given; these are the paper's values. Replace them by yours.\n",
         false => "# As typed.\n",
     };
-    let meaning = [
+    let meaning: [&str; 7] = [
         "a of eq 1",
         "b of eq 1",
         "D_c",
         "K: stiffness of machine and specimen, shear stress per slip",
         "M: moving mass per area of contact",
+        "σ of the operating point",
+        "V0 of the operating point",
     ];
     let line = |(quantity, meaning): (Quantity, &str)| {
-        format!("{} = {}  # {meaning}\n", quantity.key(), toml_number(typed.text(quantity)))
+        let text = typed.slider.text(quantity)?;
+        Some(format!("{} = {}  # {meaning}\n", quantity.key(), toml_number(text)))
     };
-    let lines: String = Quantity::OF_THE_SLIDER.into_iter().zip(meaning).map(line).collect();
+    let lines: String = Quantity::ALL.into_iter().zip(meaning).filter_map(line).collect();
     format!("{source}[parameters]\n{lines}")
 }
 

@@ -2,6 +2,7 @@
 
 use crate::experiments::boundary::BoundaryOutcome;
 use crate::experiments::map::MapPoint;
+use crate::experiments::operating_point::operating_point_mark;
 use crate::experiments::shared::Grid;
 use crate::experiments::shared::axes::{asymptote_lines, axes, boundary_lines, cusp_mark, transition_line};
 use crate::experiments::shared::map_readout::readout;
@@ -74,7 +75,7 @@ fn frequency_map(scene: &SceneOutcome, words: &Words) -> Option<Figure> {
         zero_areas: zero_areas(&boundary.points, &x, &y),
         zero_label: "max Im(*s*) = 0 exactly".into(),
         lines: theory_lines(scene, boundary, &x, &y),
-        marks: cusp_mark(&boundary.points),
+        marks: cusp_mark(&boundary.points).into_iter().chain(operating_point_mark(scene, &x, &y)).collect(),
         x,
         y,
     };

@@ -4,7 +4,7 @@ pub(crate) mod figures;
 pub(crate) mod run;
 pub(crate) mod section;
 pub(crate) mod tables;
-mod words;
+pub(crate) mod words;
 
 pub use run::{ToleranceOutcome, ToleranceRow, tolerance_limits};
 pub use section::ToleranceSection;

@@ -58,7 +58,7 @@ fn worst_words(found: &ToleranceOutcome) -> String {
 }
 
 /// The value as `$6.2\times10^{-5}$`, or as it is between a hundredth and ten thousand.
-fn scientific(value: &Ball) -> String {
+pub(crate) fn scientific(value: &Ball) -> String {
     let value = value.to_f64();
     let exponent = libm::floor(libm::log10(value));
     if (-2.0..4.0).contains(&exponent) {

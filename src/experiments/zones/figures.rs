@@ -2,6 +2,7 @@
 
 use crate::experiments::map::MapPoint;
 use crate::experiments::map::figures::{FIG_1, FIG_6A, Words, theory_lines};
+use crate::experiments::operating_point::operating_point_mark;
 use crate::experiments::shared::Grid;
 use crate::experiments::shared::axes::{asymptote_lines, axes, cusp_mark, transition_line};
 use crate::experiments::{Figure, FigureMaker, Need, SceneOutcome};
@@ -59,8 +60,11 @@ fn zone_map(scene: &SceneOutcome, words: &Words, frequencies: &Words) -> Option<
     let ends = corners.map(|corner| (corner.loading_velocity_m_per_s, corner.normal_stress_pa));
     let between =
         ends[0].1.is_finite().then(|| Line::new("line between the corners", LineRole::Guide, ends.to_vec()));
-    let exact = map(&zones.exact, theory_lines(scene, boundary, &x, &y), cusp_mark(&boundary.points));
-    let of_the_paper = map(&zones.between_corners, straight.chain(between).collect(), Vec::new());
+    let own = || operating_point_mark(scene, &x, &y);
+    let marks = cusp_mark(&boundary.points).into_iter().chain(own()).collect();
+    let exact = map(&zones.exact, theory_lines(scene, boundary, &x, &y), marks);
+    let of_the_paper =
+        map(&zones.between_corners, straight.chain(between).collect(), own().into_iter().collect());
     let headings = ["exact", "by the lines of the paper"];
     let svg = exact.svg_beside(&of_the_paper, headings, said.as_ref());
     Some(Figure::new(&exact.caption, words.label, words.caption, svg))

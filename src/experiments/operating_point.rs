@@ -1,0 +1,92 @@
+//! A scene's own operating point: what it is in words, and its place on a map.
+
+use crate::experiments::tolerance::words::scientific;
+use crate::experiments::{Outcome, SceneOutcome};
+use slipmode_core::friction::{OperatingPoint, Parameters};
+use slipmode_core::number::format::round_digits;
+use slipmode_core::number::{Ball, Rational, nearest_f64};
+use slipmode_core::stability::{Classification, classify};
+use slipmode_plot::figure::{Axis, PointMark, Side};
+
+/// Digits of a ratio or a frequency in the sentence.
+const DIGITS: usize = 3;
+/// Working precision of a coordinate, in bits.
+const WORKING_BITS: u32 = 64;
+
+/// What the first scene with an operating point is there, decided exactly: Markdown; `None` when no scene states one.
+#[must_use]
+pub fn operating_point_words(outcome: &Outcome) -> Option<String> {
+    outcome.scenes.iter().find_map(|scene| {
+        let (slider, point) = (scene.slider()?, point_of(scene)?);
+        let parameters = Parameters { slider: slider.clone(), point };
+        Some(words(&parameters, &classify(&parameters, &scene.scene.threshold())))
+    })
+}
+
+fn words(parameters: &Parameters<Rational>, found: &Classification) -> String {
+    let shown = |value: &Rational| scientific(&Ball::from_rational(value, WORKING_BITS));
+    let point = &parameters.point;
+    let place = format!(
+        "At σ = {} Pa and V0 = {} m/s",
+        shown(&point.normal_stress_pa),
+        shown(&point.loading_velocity_m_per_s)
+    );
+    let stability = match found.transition_sign {
+        1 => "linearly stable",
+        0 => "on the transition",
+        _ => "linearly unstable",
+    };
+    let critical = parameters.critical_stiffness();
+    let ratio = Rational::from(&parameters.slider.stiffness_pa_per_m / &critical);
+    let ratio = match critical > 0 {
+        true => format!("K/K_c is {}", round_digits(nearest_f64(&ratio), DIGITS)),
+        false => "there is no transition, because a ≥ b".into(),
+    };
+    let frequency_hz = found.max_imaginary_per_s.to_f64().map(|rate| rate / std::f64::consts::TAU);
+    let frequency = match frequency_hz {
+        Some(hertz) if hertz > 0.0 => {
+            format!("small disturbances oscillate with {} Hz", round_digits(hertz, DIGITS))
+        }
+        _ => "small disturbances do not oscillate".into(),
+    };
+    let mode = found.slip_mode.words();
+    format!("{place} the slider is {stability}: {mode}; {ratio}, and {frequency}.")
+}
+
+fn point_of(scene: &SceneOutcome) -> Option<OperatingPoint<Rational>> {
+    scene.scene.parameters.as_ref()?.point()
+}
+
+/// The scene's operating point as a mark on a map, its name towards the middle; none when the scene states none, or outside of the axes.
+pub(crate) fn operating_point_mark(scene: &SceneOutcome, x: &Axis, y: &Axis) -> Option<PointMark> {
+    let point = point_of(scene)?;
+    let place = (nearest_f64(&point.loading_velocity_m_per_s), nearest_f64(&point.normal_stress_pa));
+    let is_inside = (x.min..=x.max).contains(&place.0) && (y.min..=y.max).contains(&place.1);
+    let is_right = place.0 > (x.min * x.max).sqrt();
+    let side = if is_right { Side::Left } else { Side::Right };
+    is_inside.then(|| PointMark::new("operating point", place, side))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::experiments::shared::fixtures::paper;
+    use slipmode_core::number::parse_decimal;
+    use slipmode_core::stability::InertialThreshold;
+
+    #[test]
+    fn the_sentence_says_what_classify_finds() {
+        let said = |stress: &str, velocity: &str| {
+            let [stress, velocity] = [stress, velocity].map(|text| parse_decimal(text).unwrap());
+            let parameters = paper().at(stress, velocity);
+            words(&parameters, &classify(&parameters, &InertialThreshold::default()))
+        };
+        assert_eq!(
+            said("1e5", "1e-3"),
+            "At σ = $1\\times10^{5}$ Pa and V0 = $1\\times10^{-3}$ m/s the slider is linearly unstable: stick-slip; \
+             K/K_c is 0.4, and small disturbances oscillate with 6.72 Hz."
+        );
+        assert!(said("1e3", "1e-5").contains("linearly stable: overdamped stable sliding"));
+        assert!(said("1e3", "1e-5").ends_with("and small disturbances do not oscillate."));
+    }
+}
