@@ -89,7 +89,7 @@ impl Tactics<'_> {
         let mut divisors = BTreeMap::new();
         sides.iter().for_each(|side| divisors_in(side, &mut divisors));
         let mut tactics = String::new();
-        for (number, divisor) in divisors.values().enumerate() {
+        for divisor in divisors.values() {
             let function = self.0.rational_function(divisor)?;
             let (factors, _) = self.nonzero_factors(&function);
             if factors
@@ -97,7 +97,7 @@ impl Tactics<'_> {
                 .is_some_and(|first| expression_of(first).is_ok_and(|first| real(&first) != real(divisor)))
             {
                 let shown = real(divisor);
-                tactics += &format!("assert (n'{number} : {shown} <> 0) by ({}); ", self.nonzero(divisor)?);
+                tactics += &format!("assert ({shown} <> 0) by ({}); ", self.nonzero(divisor)?);
             }
         }
         Ok(tactics)
