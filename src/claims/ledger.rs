@@ -5,7 +5,7 @@ use serde::Serialize;
 
 use crate::claims::{Check, Evidence, Finding, Verdict, formula, over_rows};
 use crate::experiments::{Context, Needs};
-use crate::scene::{ClaimEntry, StatedClaim, library_claim, library_ids};
+use crate::scene::{ClaimEntry, StatedClaim, is_library_claim, library_claim, library_ids};
 use slipmode_core::polynomial::Step;
 
 /// One line of the ledger.
@@ -48,9 +48,12 @@ impl Entry {
         self.finding.verdict == self.expected
     }
 
-    /// Whether a function of this program decided it.
-    fn has_check(&self) -> bool {
-        find(&self.id).is_some_and(|check| check.criterion == self.criterion)
+    /// Whether a function of this program decided it, or the formulas of the first paper's claim.
+    fn is_of_the_paper(&self) -> bool {
+        match &self.stated {
+            Some(stated) => is_library_claim(&self.id, stated),
+            None => find(&self.id).is_some_and(|check| check.criterion == self.criterion),
+        }
     }
 }
 
@@ -84,7 +87,7 @@ impl Ledger {
     /// Whether it is about the paper that the checks of this program are about: the letters of its ids then name its subjects.
     #[must_use]
     pub fn is_of_the_paper(&self) -> bool {
-        self.claims.iter().any(Entry::has_check)
+        self.claims.iter().any(Entry::is_of_the_paper)
     }
 
     /// How many distinct steps the proofs of all claims have, and how many of them carry no certificate.

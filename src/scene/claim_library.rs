@@ -2,7 +2,7 @@
 
 use slipmode_core::theory::Equations;
 
-use crate::scene::{ClaimEntry, read_claims};
+use crate::scene::{ClaimEntry, StatedClaim, read_claims};
 
 const PAPER: &str = include_str!("../../reports/im-avouac/claims.toml");
 
@@ -18,6 +18,15 @@ fn sections() -> impl Iterator<Item = (&'static str, &'static str)> {
 /// The ids of these claims.
 pub fn library_ids() -> impl Iterator<Item = &'static str> {
     sections().map(|(id, _)| id)
+}
+
+/// Whether a claim with this id says what one of these claims says.
+#[must_use]
+pub fn is_library_claim(id: &str, stated: &StatedClaim) -> bool {
+    let says = |section: &str| {
+        stated.parts().all(|(_, formula)| section.contains(&format!("\nformula = \"{}\"\n", formula.text)))
+    };
+    sections().any(|(known, section)| known == id && says(section))
 }
 
 /// One of these claims in the names of a report's equations.

@@ -34,7 +34,7 @@ pub use claim_formula::{
     ClaimFormula, Comparison, Crossing, Formula, FormulaCondition, MOST_CLAUSES, Premises, Scope, Solved,
     Statement,
 };
-pub use claim_library::{library_claim, library_ids};
+pub use claim_library::{is_library_claim, library_claim, library_ids};
 pub use claim_list::{ClaimEntry, StatedClaim, StatedReading, read_claims};
 pub use claim_motion::{ClaimMotion, MotionSaid};
 pub use claim_names::Names;
