@@ -138,11 +138,11 @@ impl Options {
 
     /// What a trajectory shall show; faults are collected in `arguments`.
     fn extent(&self, arguments: &mut Arguments) -> Extent {
-        let is_wanted = self.trajectory.is_some() || self.svg.is_some();
-        for (option, given) in [("--duration-s", &self.duration_s), ("--samples", &self.samples)] {
-            let given = given.as_deref().filter(|_| !is_wanted);
-            arguments.refuse_value(option, given, "--trajectory or --svg");
-        }
+        let (is_written, is_drawn) = (self.trajectory.is_some(), self.svg.is_some());
+        let duration = self.duration_s.as_deref().filter(|_| !is_written && !is_drawn);
+        arguments.refuse_value("--duration-s", duration, "--trajectory or --svg");
+        let samples = self.samples.as_deref().filter(|_| !is_written);
+        arguments.refuse_value("--samples", samples, "--trajectory: a picture has all steps");
         let streams = [&self.trajectory, &self.svg].map(|place| place.as_deref().is_some_and(is_stream));
         let needs = "a file: standard output has something else";
         arguments.refuse_value("--svg", Some("-").filter(|_| streams[1]), needs);

@@ -226,15 +226,15 @@ mod tests {
 
     #[test]
     fn a_verdict_that_changes_changes_the_answer() {
-        let of = |finding: Finding| sentences(vec![entry("S1", finding)]);
-        assert!(of(held())[1].text_markdown.contains("all claims about the stability transition hold"));
+        let of = |finding: Finding| sentences(vec![entry("L3", finding)]);
+        assert!(of(held())[1].text_markdown.contains("all claims about the linearisation hold"));
         let failed = of(Finding::failing("a point"));
-        assert!(failed[0].text_markdown.contains("0 hold as stated") && failed[1].claims == ["S1"]);
+        assert!(failed[0].text_markdown.contains("0 hold as stated") && failed[1].claims == ["L3"]);
     }
 
     #[test]
     fn a_report_without_claims_has_no_answer() {
         assert!(sentences(Vec::new()).is_empty());
-        assert_eq!(sentences(vec![entry("S1", Finding::not_checked("no scene"))]).len(), 1);
+        assert_eq!(sentences(vec![entry("L3", Finding::not_checked("no scene"))]).len(), 1);
     }
 }
