@@ -68,7 +68,7 @@ pub fn run(options: &Options, progress: &Progress) -> Result<(), Failure> {
         let place = free_place(options)?;
         return write(OutputFolder::create(&place)?, &paper::files(&options.name), "verify", &place);
     }
-    let (typed, parameters, point) = read(options)?;
+    let Request { typed, parameters, point } = read(options)?;
     let place = free_place(options)?;
     let effects = Effects::of(&parameters);
     let mut ranges = Ranges::around(&parameters).map_err(Failure::Refused)?.showing(point.as_ref());
@@ -114,7 +114,13 @@ impl Effects {
 }
 
 /// The name and the numbers as typed, and the slider and its operating point as exact values.
-fn read(options: &Options) -> Result<(Typed, Slider<Rational>, Option<OperatingPoint<Rational>>), Failure> {
+struct Request {
+    typed: Typed,
+    parameters: Slider<Rational>,
+    point: Option<OperatingPoint<Rational>>,
+}
+
+fn read(options: &Options) -> Result<Request, Failure> {
     let mut arguments = Arguments::default();
     check_report_name(&options.name, &mut arguments);
     let given = Quantity::OF_THE_SLIDER.map(|quantity| options.slider.text(quantity));
@@ -133,7 +139,7 @@ fn read(options: &Options) -> Result<(Typed, Slider<Rational>, Option<OperatingP
     let point = slider.point(&mut arguments);
     let (parameters, point) = arguments.finish(parameters.zip(point))?;
     let typed = Typed { name: options.name.clone(), slider, is_example };
-    Ok((typed, parameters, point))
+    Ok(Request { typed, parameters, point })
 }
 
 /// A folder's files, complete.

@@ -9,7 +9,7 @@ use rug::ops::Pow;
 use slipmode_bench::cpu_clock::best_of;
 use slipmode_bench::split_mix::SplitMix64;
 use slipmode_core::friction::Parameters;
-use slipmode_core::number::{Dd, Rational};
+use slipmode_core::number::{Dd, Rational, nearest_f64};
 use slipmode_core::stability::{
     Effort, InertialThreshold, OverBox, ParameterBox, Possible, SlipMode, classify, classify_quickly,
     over_box,
@@ -156,7 +156,7 @@ fn main() {
     println!("  one mode is certain: {:.1} %", count(&|over| over.certain_mode().is_some()));
     println!("  decided without subdivision: {:.1} %", count(&|over| over.effort.halvings == 0));
     println!("  with an undecided share: {:.1} %", count(&|over| !over.undecided.is_empty()));
-    let largest = found.iter().map(|(_, over)| over.undecided_share().to_f64()).fold(0.0, f64::max);
+    let largest = found.iter().map(|(_, over)| nearest_f64(&over.undecided_share())).fold(0.0, f64::max);
     println!("  largest undecided share: {largest:.2e} of the box");
     let without =
         found.iter().flat_map(|(_, over)| &over.slip_modes).filter(|mode| mode.witness.is_none()).count();

@@ -33,7 +33,8 @@ pub(crate) fn rows<'t>(
     let header: Vec<&str> = header.split(',').collect();
     let place = |wanted: &&str| {
         let found = header.iter().position(|name| name == wanted);
-        found.ok_or_else(|| fault(1, wanted, CsvProblem::MissingColumn { nearest: None }))
+        let missing = || CsvProblem::MissingColumn { nearest: None, allowed: (*wanted).into() };
+        found.ok_or_else(|| fault(1, wanted, missing()))
     };
     let places = columns.iter().map(place).collect::<Result<Vec<usize>, Faults>>()?;
     let row = |(line, text): (usize, &'t str)| {

@@ -192,3 +192,51 @@ fn ratios(mut proof: Proof, g: &Expression) -> Result<Proof, Refutation> {
         )?
         .positive("the rest", &[], &rest, &domain)
 }
+
+/// All roots real and left of −1: a box of parameters lies inside exactly when its least and its greatest corner do.
+///
+/// # Errors
+/// When G has another form, or the last sign is another one.
+pub fn lower_area_between(equations: &Equations) -> Result<Proof, Refutation> {
+    let proof = Proof::new(
+        "lower-area-between-two-corners",
+        "Let w be the smallest root of G at the least corner of a box, where σ, a, b are greatest and M, K, V0, D_c least, and W the \
+             largest at the opposite one, both in the area of three real roots left of −1. If w ≤ W, then G(w) ≥ 0 ≥ G(W) at every \
+             point of the box, which therefore lies in the area. Otherwise no t = 1/w of the least corner is above some T, and none of \
+             the greatest corner below it. At given K/σ, D_c and b, a is largest where the three t are equal; T may be lowered to \
+             them. It is smallest, for t ≥ T, where two of them are T. So there are T, T, T at the one and T, T, v at the other corner \
+             with neither a nor b greater at the greatest corner. Let D_c grow by the factor D, and τ = T/D_c after it. From a \
+             follows a bound on v, from b one on 1 − v. Their sum is below 1 for D > 1, a contradiction; for D = 1 it is 1, \
+             the two corners have the same triple root, and w = W.",
+    )
+    .using(lower_area_path(equations)?);
+    let g = formula(&format!("{MACHINE} - a - b/(D_c*w - 1)"))
+        .with("w", &formula("1/t"))
+        .with("M", &formula("k*sigma*t_1*t_2*t_3/(D_c*V_0^2)"))
+        .with("K", &formula("k*sigma"))
+        .with("a", &formula("k*((t_1*t_2 + t_1*t_3 + t_2*t_3)/D_c - t_1*t_2*t_3/D_c^2)"))
+        .with("b", &formula("k*(D_c - t_1)*(D_c - t_2)*(D_c - t_3)/D_c^2"))
+        .with("D_c", &formula("t + e"));
+    let roots = formula("-k*(t - t_1)*(t - t_2)*(t - t_3)/(t*e)");
+    let of_roots = any().and_positive("e k t t_1 t_2 t_3");
+    let of_a = formula("(t_1*t_2 + t_1*t_3 + t_2*t_3)/D_c^2 - t_1*t_2*t_3/D_c^3");
+    let of_b = formula("(1 - t_1/D_c)*(1 - t_2/D_c)*(1 - t_3/D_c) - 1 + (t_1 + t_2 + t_3)/D_c");
+    let bounds = formula("tau*(3*D - tau*D^2 - 1)/(2 - tau) + (1 - tau*D)^3/(D*(1 - tau)^2) - 1")
+        .with("tau", &formula("1/(1 + d + m)"))
+        .with("D", &formula("1 + d"));
+    proof
+        .identity(
+            "G in its roots 1/t_1, 1/t_2, 1/t_3, with k = K/σ and D_c = t + e",
+            &[],
+            &g,
+            &roots,
+            &of_roots,
+        )?
+        .identity("a/(k D_c) in b/(k D_c) and the sum of the roots", &[], &of_a, &of_b, &of_roots)?
+        .negative(
+            "the sum of the bounds on v and 1 − v less 1, for D = 1 + d and τ = 1/(1 + d + m)",
+            &[],
+            &bounds,
+            &any().and_positive("d m"),
+        )
+}

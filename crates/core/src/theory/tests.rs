@@ -9,7 +9,7 @@ use crate::polynomial::{Expression, Proof, Refutation, Symbol, UnivariatePolynom
 type Prover = fn(&Equations) -> Result<Proof, Refutation>;
 
 /// Every proof of this module, by the path of its function.
-const PROVERS: [(&str, Prover); 27] = [
+const PROVERS: [(&str, Prover); 28] = [
     ("steady_state::laws_differ_at_rest", steady_state::laws_differ_at_rest),
     ("regularised::linearisation", regularised::linearisation),
     ("characteristic::prove", characteristic::prove),
@@ -36,6 +36,7 @@ const PROVERS: [(&str, Prover); 27] = [
     ("monotone::upper_area", monotone::upper_area),
     ("monotone::unstable_side", monotone::unstable_side),
     ("monotone::lower_area_path", monotone::lower_area_path),
+    ("monotone::lower_area_between", monotone::lower_area_between),
     ("monotone_frequency::threshold", monotone_frequency::threshold),
 ];
 
