@@ -110,7 +110,7 @@ fn a_trajectory_has_samples_slip_and_a_picture() {
     assert_eq!((streamed.code, streamed.stdout), (0, text));
     assert!(streamed.stderr.starts_with("mode                       periodic"), "{}", streamed.stderr);
     run(&place, &["simulate", "--samples", "5"], &slow)
-        .expect_refusal(&["--samples = 5: needs --trajectory or --svg"]);
+        .expect_refusal(&["--samples = 5: needs --trajectory: "]);
     run(&place, &["simulate", "--trajectory", "-", "--json"], &slow)
         .expect_refusal(&["--trajectory = -: needs a file"]);
 }
