@@ -112,43 +112,58 @@ Proof.
     + repeat apply Rmult_integral_contrapositive_currified; lra.
 Qed.
 
+(** A pair x ± iy beside the root r. *)
+Lemma discriminant_of_pair (a b c d r x y : R) :
+  a <> 0 -> y <> 0 -> cubic a b c d r = 0 ->
+  b + a * r = - 2 * a * x -> c + b * r + a * r ^ 2 = a * (x ^ 2 + y ^ 2) -> discriminant a b c d < 0.
+Proof.
+  intros A Y E HB HQ; rewrite (discriminant_at_root a b c d r E), HB, HQ.
+  replace (((- 2 * a * x) ^ 2 - 4 * a * (a * (x ^ 2 + y ^ 2))) *
+           (a * r ^ 2 + - 2 * a * x * r + a * (x ^ 2 + y ^ 2)) ^ 2)
+    with (- ((2 * a * y) ^ 2 * (a * ((r - x) ^ 2 + y ^ 2)) ^ 2)) by ring.
+  apply Ropp_lt_gt_0_contravar, Rmult_lt_0_compat; apply pow2_gt_0.
+  - apply Rmult_integral_contrapositive_currified; lra.
+  - apply Rmult_integral_contrapositive_currified; [exact A|].
+    assert (0 < y ^ 2) by (now apply pow2_gt_0); pose proof (pow2_ge_0 (r - x)); lra.
+Qed.
+
+Lemma pair_of_discriminant (a b c d : R) :
+  a <> 0 -> discriminant a b c d < 0 ->
+  exists r x y, y <> 0 /\ cubic a b c d r = 0 /\
+    b + a * r = - 2 * a * x /\ c + b * r + a * r ^ 2 = a * (x ^ 2 + y ^ 2).
+Proof.
+  intros A D; destruct (real_root a b c d A) as [r E].
+  rewrite (discriminant_at_root a b c d r E) in D.
+  set (B := b + a * r) in *; set (Q := c + b * r + a * r ^ 2) in *.
+  assert (W : 0 < 4 * a * Q - B ^ 2).
+  { destruct (Rlt_le_dec 0 (4 * a * Q - B ^ 2)) as [|L]; [assumption|]; exfalso.
+    assert (0 <= (B ^ 2 - 4 * a * Q) * (a * r ^ 2 + B * r + Q) ^ 2); [|lra].
+    apply Rmult_le_pos; [lra | apply pow2_ge_0]. }
+  exists r, (- B / (2 * a)), (sqrt (4 * a * Q - B ^ 2) / (2 * a)).
+  fold B Q; split; [|split; [exact E | split; [field; exact A|]]].
+  - apply Rmult_integral_contrapositive_currified; [|apply Rinv_neq_0_compat; lra].
+    apply Rgt_not_eq, sqrt_lt_R0, W.
+  - assert (WW : sqrt (4 * a * Q - B ^ 2) ^ 2 = 4 * a * Q - B ^ 2) by (apply root_squared; lra).
+    replace (a * ((- B / (2 * a)) ^ 2 + (sqrt (4 * a * Q - B ^ 2) / (2 * a)) ^ 2))
+      with ((B ^ 2 + sqrt (4 * a * Q - B ^ 2) ^ 2) / (4 * a)) by (field; exact A).
+    rewrite WW; field; exact A.
+Qed.
+
 Theorem complex_pair (a b c d : R) :
   a <> 0 ->
   (discriminant a b c d < 0 <->
    exists r x y, y <> 0 /\ forall s, cubic a b c d s = a * (s - r) * ((s - x) ^ 2 + y ^ 2)).
 Proof.
   intros A; split.
-  - intros D; destruct (real_root a b c d A) as [r E].
-    rewrite (discriminant_at_root a b c d r E) in D.
-    set (B := b + a * r) in *; set (Q := c + b * r + a * r ^ 2) in *.
-    assert (W : 0 < 4 * a * Q - B ^ 2).
-    { destruct (Rlt_le_dec 0 (4 * a * Q - B ^ 2)) as [|L]; [assumption|]; exfalso.
-      assert (0 <= (B ^ 2 - 4 * a * Q) * (a * r ^ 2 + B * r + Q) ^ 2); [|lra].
-      apply Rmult_le_pos; [lra | apply pow2_ge_0]. }
-    exists r, (- B / (2 * a)), (sqrt (4 * a * Q - B ^ 2) / (2 * a)); split.
-    + apply Rmult_integral_contrapositive_currified; [|apply Rinv_neq_0_compat; lra].
-      apply Rgt_not_eq, sqrt_lt_R0, W.
-    + intros s; rewrite (factor a b c d r s E); fold B Q.
-      assert (WW : sqrt (4 * a * Q - B ^ 2) ^ 2 = 4 * a * Q - B ^ 2) by (apply root_squared; lra).
-      replace (a * (s - r) * ((s - - B / (2 * a)) ^ 2 + (sqrt (4 * a * Q - B ^ 2) / (2 * a)) ^ 2))
-        with ((s - r) * (a * (s + B / (2 * a)) ^ 2 + sqrt (4 * a * Q - B ^ 2) ^ 2 / (4 * a))) by (field; exact A).
-      rewrite WW; field; exact A.
+  - intros D; destruct (pair_of_discriminant a b c d A D) as (r & x & y & Y & E & HB & HQ).
+    exists r, x, y; split; [exact Y|]; intros s; rewrite (factor a b c d r s E), HB, HQ; ring.
   - intros (r & x & y & Y & F).
     assert (E : cubic a b c d r = 0) by (rewrite F; ring).
-    rewrite (discriminant_at_root a b c d r E).
     pose proof (F (r + 1)) as F1; pose proof (F (r - 1)) as F2; pose proof (F (r + 2)) as F3.
     rewrite (factor a b c d r _ E) in F1; rewrite (factor a b c d r _ E) in F2; rewrite (factor a b c d r _ E) in F3.
-    set (B := b + a * r) in *; set (Q := c + b * r + a * r ^ 2) in *.
-    assert (HB : B = - 2 * a * x) by lra.
-    assert (HQ : Q = a * (x ^ 2 + y ^ 2)) by (rewrite HB in F1; lra).
-    rewrite HB, HQ.
-    replace (((- 2 * a * x) ^ 2 - 4 * a * (a * (x ^ 2 + y ^ 2))) *
-             (a * r ^ 2 + - 2 * a * x * r + a * (x ^ 2 + y ^ 2)) ^ 2)
-      with (- ((2 * a * y) ^ 2 * (a * ((r - x) ^ 2 + y ^ 2)) ^ 2)) by ring.
-    apply Ropp_lt_gt_0_contravar, Rmult_lt_0_compat; apply pow2_gt_0.
-    + apply Rmult_integral_contrapositive_currified; lra.
-    + apply Rmult_integral_contrapositive_currified; [exact A|].
-      assert (0 < y ^ 2) by (now apply pow2_gt_0); pose proof (pow2_ge_0 (r - x)); lra.
+    assert (HB : b + a * r = - 2 * a * x) by lra.
+    assert (HQ : c + b * r + a * r ^ 2 = a * (x ^ 2 + y ^ 2)) by (rewrite HB in F1; lra).
+    exact (discriminant_of_pair a b c d r x y A Y E HB HQ).
 Qed.
 
 (** ** Roots over the complex numbers *)
@@ -324,35 +339,71 @@ Qed.
 Theorem oscillating_root (a b c d : R) :
   a <> 0 -> ((exists z, complex_cubic a b c d z = 0%C /\ snd z <> 0) <-> discriminant a b c d < 0).
 Proof.
-  intros A; destruct (real_root a b c d A) as [r E].
-  rewrite (discriminant_at_root a b c d r E).
-  set (B := b + a * r); set (Q := c + b * r + a * r ^ 2); split.
-  - intros ([x y] & H & Y); apply (complex_roots a b c d r _ E) in H; simpl in Y; destruct H as [H|H].
+  intros A; split.
+  - destruct (real_root a b c d A) as [r E].
+    intros ([x y] & H & Y); apply (complex_roots a b c d r _ E) in H; simpl in Y; destruct H as [H|H].
     { apply (f_equal snd) in H; contradiction. }
-    apply quadratic_parts in H; fold B Q in H; destruct H as [H1 H2].
+    apply quadratic_parts in H; destruct H as [H1 H2].
     apply Rmult_integral in H2; destruct H2 as [H2|H2]; [contradiction|].
-    assert (HB : B = - 2 * a * x) by lra.
-    assert (HQ : Q = a * (x ^ 2 + y ^ 2)) by (rewrite HB in H1; lra).
-    rewrite HB, HQ.
-    replace (((- 2 * a * x) ^ 2 - 4 * a * (a * (x ^ 2 + y ^ 2))) *
-             (a * r ^ 2 + - 2 * a * x * r + a * (x ^ 2 + y ^ 2)) ^ 2)
-      with (- ((2 * a * y) ^ 2 * (a * ((r - x) ^ 2 + y ^ 2)) ^ 2)) by ring.
-    apply Ropp_lt_gt_0_contravar, Rmult_lt_0_compat; apply pow2_gt_0.
-    + apply Rmult_integral_contrapositive_currified; lra.
-    + apply Rmult_integral_contrapositive_currified; [exact A|].
-      assert (0 < y ^ 2) by (now apply pow2_gt_0); pose proof (pow2_ge_0 (r - x)); lra.
-  - intros D.
-    assert (W : 0 < 4 * a * Q - B ^ 2).
-    { destruct (Rlt_le_dec 0 (4 * a * Q - B ^ 2)) as [|L]; [assumption|]; exfalso.
-      assert (0 <= (B ^ 2 - 4 * a * Q) * (a * r ^ 2 + B * r + Q) ^ 2); [|lra].
-      apply Rmult_le_pos; [lra | apply pow2_ge_0]. }
-    assert (WW : sqrt (4 * a * Q - B ^ 2) ^ 2 = 4 * a * Q - B ^ 2) by (apply root_squared; lra).
-    exists (- B / (2 * a), sqrt (4 * a * Q - B ^ 2) / (2 * a)); split.
-    + apply (complex_roots a b c d r _ E); right; fold B Q; apply quadratic_parts; split.
-      * replace (a * ((- B / (2 * a)) ^ 2 - (sqrt (4 * a * Q - B ^ 2) / (2 * a)) ^ 2) + B * (- B / (2 * a)) + Q)
-          with ((4 * a * Q - B ^ 2 - sqrt (4 * a * Q - B ^ 2) ^ 2) / (4 * a)) by (field; exact A).
-        rewrite WW; field; exact A.
-      * field; exact A.
-    + simpl; apply Rmult_integral_contrapositive_currified; [|apply Rinv_neq_0_compat; lra].
-      apply Rgt_not_eq, sqrt_lt_R0, W.
+    assert (HB : b + a * r = - 2 * a * x) by lra.
+    apply (discriminant_of_pair a b c d r x y A Y E HB); rewrite HB in H1; lra.
+  - intros D; destruct (pair_of_discriminant a b c d A D) as (r & x & y & Y & E & HB & HQ).
+    exists (x, y); split; [|exact Y].
+    apply (complex_roots a b c d r _ E); right; apply quadratic_parts; rewrite HB, HQ; split; ring.
+Qed.
+
+(** Two roots are equal exactly where the discriminant is zero. *)
+Theorem double_root (a b c d : R) :
+  a <> 0 -> (discriminant a b c d = 0 <-> exists r, cubic a b c d r = 0 /\ 3 * a * r ^ 2 + 2 * b * r + c = 0).
+Proof.
+  intros A; split.
+  - destruct (real_root a b c d A) as [r E]; rewrite (discriminant_at_root a b c d r E); intros H.
+    apply Rmult_integral in H; destruct H as [H|H].
+    + exists (- (b + a * r) / (2 * a)); rewrite (factor a b c d r _ E); split.
+      * replace (a * (- (b + a * r) / (2 * a)) ^ 2 + (b + a * r) * (- (b + a * r) / (2 * a)) + (c + b * r + a * r ^ 2))
+          with (- ((b + a * r) ^ 2 - 4 * a * (c + b * r + a * r ^ 2)) / (4 * a)) by (field; exact A).
+        rewrite H; field; exact A.
+      * replace (3 * a * (- (b + a * r) / (2 * a)) ^ 2 + 2 * b * (- (b + a * r) / (2 * a)) + c)
+          with (- ((b + a * r) ^ 2 - 4 * a * (c + b * r + a * r ^ 2)) / (4 * a)) by (field; exact A).
+        rewrite H; field; exact A.
+    + exists r; split; [exact E|].
+      replace ((a * r ^ 2 + (b + a * r) * r + (c + b * r + a * r ^ 2)) ^ 2)
+        with ((3 * a * r ^ 2 + 2 * b * r + c) * (3 * a * r ^ 2 + 2 * b * r + c)) in H by ring.
+      apply Rmult_integral in H; destruct H; assumption.
+  - intros (r & E & H); rewrite (discriminant_at_root a b c d r E).
+    replace (a * r ^ 2 + (b + a * r) * r + (c + b * r + a * r ^ 2)) with (3 * a * r ^ 2 + 2 * b * r + c) by ring.
+    rewrite H; ring.
+Qed.
+
+Definition real_roots (a b c d : R) : Prop := forall z, complex_cubic a b c d z = 0%C -> snd z = 0.
+
+Definition unstable (a b c d : R) : Prop := exists z, complex_cubic a b c d z = 0%C /\ 0 < fst z.
+
+(** All three roots are real exactly where the discriminant is not negative. *)
+Theorem real_roots_by_discriminant (a b c d : R) : a <> 0 -> (real_roots a b c d <-> 0 <= discriminant a b c d).
+Proof.
+  intros A; pose proof (oscillating_root a b c d A) as O; split.
+  - intros S; destruct (Rle_lt_dec 0 (discriminant a b c d)) as [|L]; [assumption|]; exfalso.
+    apply O in L; destruct L as (z & Z & N); exact (N (S z Z)).
+  - intros P z Z; destruct (Req_dec (snd z) 0) as [|N]; [assumption|]; exfalso.
+    assert (discriminant a b c d < 0) by (apply O; eauto); lra.
+Qed.
+
+(** Another unit of time and another factor of the equation: the roots are multiplied by l. *)
+Lemma scaled (k l f3 f2 f1 f0 : R) (z : C) :
+  l <> 0 ->
+  complex_cubic (k * f3 / l ^ 3) (k * f2 / l ^ 2) (k * f1 / l) (k * f0) (RtoC l * z)%C =
+    (RtoC k * complex_cubic f3 f2 f1 f0 z)%C.
+Proof.
+  intros L; destruct z as [x y]; unfold complex_cubic; project; field; exact L.
+Qed.
+
+Lemma scaled_root (k l f3 f2 f1 f0 : R) (z : C) :
+  k <> 0 -> l <> 0 ->
+  (complex_cubic (k * f3 / l ^ 3) (k * f2 / l ^ 2) (k * f1 / l) (k * f0) (RtoC l * z)%C = 0%C <->
+   complex_cubic f3 f2 f1 f0 z = 0%C).
+Proof.
+  intros N L; rewrite (scaled k l f3 f2 f1 f0 z L); split; intros H; [|rewrite H; ring].
+  apply integral in H; destruct H as [H|H]; [|exact H].
+  exfalso; apply N; exact (f_equal fst H).
 Qed.

@@ -1,5 +1,7 @@
 //! Random formulas, decided and compared with their truth at points; formulas and equations as theorems.
 
+use std::collections::{BTreeMap, BTreeSet};
+
 use slipmode_core::polynomial::coq::Theorem;
 use slipmode_core::polynomial::{Domain, Expression};
 use slipmode_core::theory::Equations;
@@ -120,23 +122,95 @@ fn a_theorem_changes_with_the_claims_formula_and_with_the_equation_that_it_names
     assert!(of_formula.contains("(5 * ") && !text.contains("(5 * "), "{of_formula}");
 }
 
-/// `proofs/Slider.v` states eqs 8 and 9 by hand, with D and V for the paper's D_c and V_0.
+/// A row of `proofs/equations.csv`: what a definition in a hand-written file states.
+#[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
+struct Stated {
+    file: String,
+    name: String,
+    report: String,
+    equation: String,
+    side: String,
+    power: String,
+}
+
+/// A file of the repository.
+fn file_of_repository(path: &str) -> String {
+    std::fs::read_to_string(format!("{}/{path}", env!("CARGO_MANIFEST_DIR"))).unwrap()
+}
+
+fn stated_by_hand() -> Vec<Stated> {
+    let row = |line: &str| {
+        let [file, name, report, equation, side, power] =
+            line.split(',').map(str::to_owned).collect::<Vec<_>>().try_into().unwrap();
+        Stated { file, name, report, equation, side, power }
+    };
+    file_of_repository("proofs/equations.csv").lines().skip(1).map(row).collect()
+}
+
+/// The definitions of a hand-written file by name, in the symbols of the paper: it has D and V for Im & Avouac's D_c and V_0.
+fn definitions(file: &str) -> Vec<(String, String)> {
+    let coq = file_of_repository(&format!("proofs/{file}.v"));
+    let lines =
+        coq.lines().filter_map(|line| line.strip_prefix("Let ")?.strip_suffix('.')?.split_once(" := "));
+    let name = |head: &str| head.split_whitespace().next().unwrap().to_owned();
+    lines.map(|(head, text)| (name(head), text.replace("Rabs", "abs"))).collect()
+}
+
 #[test]
-fn the_hand_written_theorems_on_the_slider_state_the_papers_equations() {
-    let equations: Equations = read_equations("equations.toml", EQUATIONS).unwrap();
-    let coq = include_str!("../../../proofs/Slider.v");
-    let stated = |name: &str| -> Expression {
-        let text = coq.split(&format!("\nLet {name} := ")).nth(1).unwrap().split(".\n").next().unwrap();
-        let parsed: Expression = text.parse().unwrap();
+fn the_hand_written_theorems_state_the_equations_of_the_reports() {
+    let rows = stated_by_hand();
+    let reports: BTreeMap<&str, Equations> = rows
+        .iter()
+        .map(|row| row.report.as_str())
+        .collect::<BTreeSet<_>>()
+        .into_iter()
+        .map(|report| {
+            let text = file_of_repository(&format!("reports/{report}/equations.toml"));
+            (report, read_equations("equations.toml", text.as_bytes()).unwrap())
+        })
+        .collect();
+    let stated = |row: &Stated| -> Expression {
+        let found: Vec<_> =
+            definitions(&row.file).into_iter().filter(|(name, _)| *name == row.name).collect();
+        let [(_, text)] = &found[..] else { panic!("{row:?}: {found:?}") };
+        let parsed: Expression = text.parse().unwrap_or_else(|_| panic!("{row:?}: {text}"));
         parsed.with("D", &Expression::variable("D_c")).with("V", &Expression::variable("V_0"))
     };
-    let powers = ["c0", "c1", "c2", "c3"].into_iter().zip(["1", "s", "s^2", "s^3"]);
-    let terms = powers.map(|(name, power)| stated(name) * power.parse().unwrap());
-    let domain = Domain::positive(&equations.positive().join(" "));
-    let is_same = |left: &Expression, right: &Expression| {
-        domain.rational_function(&(left.clone() - right.clone())).unwrap().is_zero()
-    };
-    assert!(is_same(&Expression::Sum(terms.collect()), &equations.equation("8").left));
-    assert!(is_same(&stated("K_c"), &equations.equation("9").right));
-    assert!(!is_same(&stated("K_c"), &equations.equation("8").left));
+    // The terms of a polynomial in s are one expression.
+    let mut sides: BTreeMap<[&str; 5], Vec<Expression>> = BTreeMap::new();
+    for row in &rows {
+        let (own, factor) = match row.power.as_str() {
+            "-" => (row.name.as_str(), "1".to_owned()),
+            "0" => ("", "1".to_owned()),
+            power => ("", format!("s^{power}")),
+        };
+        let key = [&row.file, &row.report, &row.equation, &row.side, own];
+        sides.entry(key).or_default().push(match factor.as_str() {
+            "1" => stated(row),
+            factor => stated(row) * factor.parse().unwrap(),
+        });
+    }
+    for (key, mut terms) in sides {
+        let [_, report, equation, side, _] = key;
+        let domain = Domain::positive(&reports[report].positive().join(" "));
+        let is_same = |left: &Expression, right: &Expression| {
+            left == right
+                || domain.rational_function(&(left.clone() - right.clone())).is_ok_and(|zero| zero.is_zero())
+        };
+        let equation = reports[report].equation(equation);
+        let written = if side == "left" { &equation.left } else { &equation.right };
+        let stated = if terms.len() == 1 { terms.remove(0) } else { Expression::Sum(terms) };
+        assert!(is_same(&stated, written), "{key:?}: {stated} is not {written}");
+        assert!(!is_same(&(stated.clone() + stated), written), "{key:?}: anything passes");
+    }
+    // A name of the table that a file defines without a row would escape the comparison.
+    let names: BTreeSet<&str> = rows.iter().map(|row| row.name.as_str()).collect();
+    for file in rows.iter().map(|row| &row.file).collect::<BTreeSet<_>>() {
+        for (name, _) in definitions(file).iter().filter(|(name, _)| names.contains(name.as_str())) {
+            assert!(
+                rows.iter().any(|row| row.file == *file && row.name == *name),
+                "{file}: {name} has no row"
+            );
+        }
+    }
 }
