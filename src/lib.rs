@@ -9,8 +9,12 @@
 // Tests compare with the system's elementary functions.
 #![cfg_attr(test, allow(clippy::disallowed_methods))]
 
+// `cli` names the library by the path that the program and the Python module use.
+extern crate self as slipmode;
+
 pub mod archive;
 pub mod claims;
+pub mod cli;
 pub mod comparison;
 pub mod csv;
 pub mod experiments;

@@ -1,7 +1,11 @@
 //! The subcommands: the only floor that opens files, reads the clock and sets exit codes.
 
+// These macros panic where standard output or standard error cannot be written.
+#![deny(clippy::print_stdout, clippy::print_stderr)]
+
 mod archive;
 mod boundary;
+mod capture;
 mod claim;
 mod classify;
 mod compare;
@@ -33,6 +37,7 @@ mod tree;
 mod unit_warnings;
 mod words;
 
+use std::ffi::OsString;
 use std::process::ExitCode;
 
 use clap::{CommandFactory, Parser, Subcommand};
@@ -40,6 +45,9 @@ use clap::{CommandFactory, Parser, Subcommand};
 use failure::Failure;
 use options::Arguments;
 use progress::Progress;
+
+pub use capture::{Captured, capture};
+pub use options::inertial_threshold;
 
 /// What the exit codes mean.
 const EXIT_CODES: &str = "Exit codes:
@@ -106,34 +114,54 @@ enum Command {
     Theorems(theorems::Options),
 }
 
-/// Runs the command line and gives its exit code; errors go to standard error.
+/// Runs the command line of this process and gives its exit code; errors go to standard error.
+#[must_use]
 pub fn main() -> ExitCode {
-    let cli = match Cli::try_parse() {
+    ExitCode::from(main_with(std::env::args_os()))
+}
+
+/// Runs the command line with these arguments, the program's name first, and gives its exit code.
+///
+/// It starts threads and catches signals: a process calls it once.
+pub fn main_with(arguments: impl IntoIterator<Item = OsString>) -> u8 {
+    let cli = match Cli::try_parse_from(arguments) {
         Ok(cli) => cli,
-        Err(mut error) => {
-            // The usage line would combine the very options that exclude each other.
-            if error.kind() == clap::error::ErrorKind::ArgumentConflict {
-                error.remove(clap::error::ContextKind::Usage);
-            }
+        Err(error) => {
+            let error = without_usage_of_conflict(error);
             // Help and version are no errors. Where they cannot be written, the exit code is the same.
             let _ = error.print();
-            return ExitCode::from(if error.use_stderr() { failure::BAD_INPUT } else { 0 });
+            return exit_code_of_usage(&error);
         }
     };
     match run(cli) {
-        Ok(()) => ExitCode::SUCCESS,
+        Ok(()) => 0,
         Err(failure) => {
             failure.print();
-            ExitCode::from(failure.exit_code())
+            failure.exit_code()
         }
     }
 }
 
+/// The usage line would combine the very options that exclude each other.
+fn without_usage_of_conflict(mut error: clap::Error) -> clap::Error {
+    if error.kind() == clap::error::ErrorKind::ArgumentConflict {
+        error.remove(clap::error::ContextKind::Usage);
+    }
+    error
+}
+
+fn exit_code_of_usage(error: &clap::Error) -> u8 {
+    if error.use_stderr() { failure::BAD_INPUT } else { 0 }
+}
+
 fn run(cli: Cli) -> Result<(), Failure> {
     output::remove_on_signals().map_err(|error| Failure::machine("signals cannot be caught", &error))?;
-    let progress = Progress::new(cli.quiet);
     start_threads(cli.threads.as_deref())?;
-    match cli.command {
+    dispatch(cli.command, Progress::new(cli.quiet))
+}
+
+fn dispatch(command: Command, progress: Progress) -> Result<(), Failure> {
+    match command {
         Command::Classify(options) => classify::run(&options, &progress),
         Command::Roots(options) => roots::run(&options),
         Command::Boundary(options) => boundary::run(&options),

@@ -216,12 +216,18 @@ impl ThresholdOption {
     /// The threshold as an exact square.
     pub fn threshold(&self, arguments: &mut Arguments) -> Option<InertialThreshold> {
         let Some(text) = &self.inertial_threshold else { return Some(InertialThreshold::default()) };
-        let range = AllowedRange::OPEN_UNIT;
-        arguments.number("--inertial-threshold", text, |text| {
-            let ratio = range.parse(text)?;
-            InertialThreshold::from_ratio(&ratio).ok_or(Problem::OutOfRange { allowed: range.text() })
-        })
+        arguments.number("--inertial-threshold", text, inertial_threshold)
     }
+}
+
+/// The threshold of a ratio ω/ω_n.
+///
+/// # Errors
+/// When the text is not a number between 0 and 1.
+pub fn inertial_threshold(text: &str) -> Result<InertialThreshold, Problem> {
+    let range = AllowedRange::OPEN_UNIT;
+    let ratio = range.parse(text)?;
+    InertialThreshold::from_ratio(&ratio).ok_or(Problem::OutOfRange { allowed: range.text() })
 }
 
 /// The faults and warnings of a command line, collected while its values are read.
@@ -283,7 +289,7 @@ impl Arguments {
 
     /// A value in this unit of SI, or with a unit of its own; its value in SI is then printed.
     pub fn measured(&mut self, option: &str, text: &str, in_si: &str) -> Option<Rational> {
-        let read = |text: &str| AllowedRange::PHYSICAL.parse_measured(text, in_si);
+        let read = |text: &str| AllowedRange::PHYSICAL.parse_given(text, in_si);
         let value = self.number(option, text, read)?;
         self.note_converted(option, text, &[&value], in_si);
         Some(value)

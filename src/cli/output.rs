@@ -9,6 +9,7 @@ use std::io::{self, BufWriter, Seek, SeekFrom, Write};
 use std::os::fd::AsFd;
 use std::path::{Path, PathBuf};
 
+use crate::cli::capture::{StandardOutput, is_capturing};
 use crate::cli::failure::Failure;
 use partial::PartialFile;
 
@@ -64,7 +65,9 @@ impl Output {
     fn spool() -> Result<Self, Failure> {
         let no_spool = |error: io::Error| Failure::machine("a temporary file cannot be created", &error);
         // A stream that is closed has no file, and nothing to overwrite.
-        if let Ok(stdout) = io::stdout().as_fd().try_clone_to_owned() {
+        if !is_capturing()
+            && let Ok(stdout) = io::stdout().as_fd().try_clone_to_owned()
+        {
             places::note_standard_output(&File::from(stdout))
                 .map_err(|why| Failure::Refused(format!("standard output: {why}")))?;
         }
@@ -98,8 +101,7 @@ impl Output {
             Target::Spool(writer) => {
                 let mut file = writer.into_inner().map_err(|error| machine_write(error.error()))?;
                 file.seek(SeekFrom::Start(0)).map_err(|error| machine_write(&error))?;
-                let mut stdout = io::stdout().lock();
-                let copied = io::copy(&mut file, &mut stdout).and_then(|_| stdout.flush());
+                let copied = io::copy(&mut file, &mut StandardOutput).and_then(|_| StandardOutput.flush());
                 copied.or_else(|error| Failure::of_standard_output(&error))
             }
         }

@@ -1,9 +1,10 @@
 //! Standard output, written whole or not at all, and standard error; no character of a message acts on the terminal.
 
-use std::io::{self, Write};
+use std::io::Write;
 
 use slipmode::scene::visible;
 
+use crate::cli::capture::{StandardError, StandardOutput};
 use crate::cli::failure::Failure;
 
 /// Writes a finished text to standard output. A reader that has gone is no failure.
@@ -24,15 +25,14 @@ pub fn print_json(value: &serde_json::Value) -> Result<(), Failure> {
 }
 
 fn print_raw(text: &str) -> Result<(), Failure> {
-    let mut stdout = io::stdout().lock();
-    let written = stdout.write_all(text.as_bytes()).and_then(|()| stdout.flush());
+    let written = StandardOutput.write_all(text.as_bytes()).and_then(|()| StandardOutput.flush());
     written.or_else(|error| Failure::of_standard_output(&error))
 }
 
 /// Writes lines to standard error. Where it cannot be written, result and exit code are the same without them.
 pub fn message(text: &str) {
     let lines = text.split('\n').map(shortened).collect::<Vec<_>>().join("\n");
-    let _ = writeln!(io::stderr().lock(), "{}", visible_lines(&lines));
+    let _ = StandardError.write_all(format!("{}\n", visible_lines(&lines)).as_bytes());
 }
 
 /// The longest line of a message, in characters: room for a list of allowed words, not for a value of 100 kB.

@@ -77,12 +77,12 @@ impl Quantity {
         unit_of_key(self.key())
     }
 
-    /// The value of a text: a number in SI, or one with a unit, such as `8um`.
+    /// The value of a text: a number in SI, a fraction such as `1/3`, or a number with a unit, such as `8um`.
     ///
     /// # Errors
     /// When it is no number, not in the allowed range, or in a unit of another dimension.
     pub fn parse(self, text: &str) -> Result<Rational, Problem> {
-        AllowedRange::PHYSICAL.parse_measured(text, self.unit())
+        AllowedRange::PHYSICAL.parse_given(text, self.unit())
     }
 
     /// The key without its unit: what a column in other units still starts with.

@@ -55,6 +55,14 @@ impl AllowedRange {
         self.check(value)
     }
 
+    /// As [`Self::parse_measured`], and a fraction of whole numbers such as `1/3`, in this unit of SI.
+    ///
+    /// # Errors
+    /// As [`Self::parse_measured`].
+    pub fn parse_given(&self, text: &str, in_si: &str) -> Result<Rational, Problem> {
+        fraction(text).map_or_else(|| self.parse_measured(text, in_si), |value| self.check(value))
+    }
+
     /// Reads a number in this unit of SI, or one that is followed by a unit of its own, which is converted exactly.
     ///
     /// # Errors
@@ -82,6 +90,17 @@ impl AllowedRange {
         });
         if inside { Ok(value) } else { Err(Problem::OutOfRange { allowed }) }
     }
+}
+
+/// The value of a text of the form `digits/digits`, unless it divides by zero or has more digits than a decimal may.
+fn fraction(text: &str) -> Option<Rational> {
+    let (numerator, denominator) = text.split_once('/')?;
+    let whole = |digits: &str| {
+        let is_whole = digits.bytes().all(|byte| byte.is_ascii_digit());
+        parse_decimal(digits).ok().filter(|_| is_whole)
+    };
+    let denominator = whole(denominator).filter(|value| *value != 0)?;
+    Some(whole(numerator)? / denominator)
 }
 
 /// A whole number of decimal digits in a range whose end may be `u64::MAX`, which messages leave out.
@@ -147,6 +166,16 @@ mod tests {
         assert!(matches!(range.parse_measured("um", "m"), Err(Problem::NotANumber { .. })));
         let told = range.parse_measured("2MPa", "Pa/m").unwrap_err().to_string();
         assert_eq!(told, "MPa is a stress; stiffness per area is Pa/m (allowed: 1e-300 to 1e300)");
+    }
+
+    #[test]
+    fn a_fraction_is_exact_and_divides_by_digits_only() {
+        let read = |text: &str| AllowedRange::PHYSICAL.parse_given(text, "m");
+        assert_eq!(read("1/3"), Ok(Rational::from((1, 3))));
+        assert!(matches!(read("0/3"), Err(Problem::NotPositive { .. })));
+        for text in ["1/0", "1/-3", "1/3.0", "1/3/3", "/3", "1/", "1e5/3", "1 / 3", "1/3um"] {
+            assert!(matches!(read(text), Err(Problem::NotANumber { .. } | Problem::Unit { .. })), "{text}");
+        }
     }
 
     #[test]

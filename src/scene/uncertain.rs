@@ -89,9 +89,12 @@ fn fault(reason: &'static str) -> Problem {
     Problem::ErrorBar { reason, allowed: RANGE.text() }
 }
 
-/// What follows the number of a text.
+/// What follows the number of a text; the denominator of a fraction is no unit.
 fn unit_of(text: &str) -> &str {
-    text.trim_start_matches(|c: char| c.is_ascii_digit() || "+-.eE ".contains(c)).trim_end()
+    let rest = text.trim_start_matches(|c: char| c.is_ascii_digit() || "+-.eE ".contains(c)).trim_end();
+    let is_denominator =
+        |digits: &str| !digits.is_empty() && digits.bytes().all(|byte| byte.is_ascii_digit());
+    if rest.strip_prefix('/').is_some_and(is_denominator) { "" } else { rest }
 }
 
 /// A number with a unit, unless it has one of its own.

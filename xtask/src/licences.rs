@@ -6,12 +6,13 @@ use crate::failure::Failure;
 use crate::process;
 
 /// Expressions that permissive licences satisfy, compatible with MIT OR Apache-2.0, as packages write them.
-const ALLOWED: [&str; 13] = [
+const ALLOWED: [&str; 14] = [
     "(MIT OR Apache-2.0) AND Unicode-3.0",
     "Apache-2.0",
     "Apache-2.0 / MIT",
     "Apache-2.0 OR BSL-1.0",
     "Apache-2.0 OR MIT",
+    "Apache-2.0 WITH LLVM-exception",
     "Apache-2.0 WITH LLVM-exception OR Apache-2.0 OR MIT",
     "MIT",
     "MIT OR Apache-2.0",
@@ -22,8 +23,12 @@ const ALLOWED: [&str; 13] = [
     "Zlib OR Apache-2.0 OR MIT",
 ];
 
-/// The LGPL is accepted for the arithmetic alone; README.md states this for users of a binary.
-const LESSER_GPL: [(&str, &str); 2] = [("gmp-mpfr-sys", "LGPL-3.0+"), ("rug", "LGPL-3.0+")];
+/// The LGPL is accepted for the arithmetic alone, and for the wheel that contains it; README.md states this for users of a binary.
+const LESSER_GPL: [(&str, &str); 3] = [
+    ("gmp-mpfr-sys", "LGPL-3.0+"),
+    ("rug", "LGPL-3.0+"),
+    ("slipmode-python", "(MIT OR Apache-2.0) AND LGPL-3.0-or-later"),
+];
 
 /// Asks cargo for every package of the build, tests included, and its licence.
 ///

@@ -19,6 +19,7 @@ mod test;
 mod tidy;
 mod validate;
 mod verify;
+mod wheel;
 
 use std::process::ExitCode;
 
@@ -44,6 +45,7 @@ usage: cargo xtask <command> [arguments]
   validate      run external validators on every report's page, Markdown, archive and citation
   prove         have Coq check every certified step of every published ledger as a theorem, with the lemmas in proofs/;
                 --planted-faults [sample]: have it refuse every altered theorem, or one of each file
+  wheel         build the Python package into target/wheels/; --test: install, test and check it
   cluster-test  run a sweep on a real Slurm and kill one node midway (Linux)
   machine       check for the programs that the build of GMP, MPFR and MPC needs
 
@@ -65,6 +67,7 @@ fn run(arguments: &[String]) -> Result<(), Failure> {
     match command.as_str() {
         "bench" | "cost" | "coverage" | "sweep-cost" | "tables" | "timings" => bench::run(command, rest),
         "prove" => prove::run(rest),
+        "wheel" => wheel::run(rest),
         _ if !rest.is_empty() => {
             Err(Failure::bad_input(format!("`{command}` takes no arguments\n\n{USAGE}")))
         }

@@ -29,7 +29,7 @@ const NODE: &[&str] = &["node"];
 const NPM: &[&str] = &["npm"];
 const JAVA: &[&str] = &["java"];
 /// Debian's Python needs this package to make virtual environments; `python3` alone is not enough.
-const PYTHON: &[&str] = &["python3"];
+pub const PYTHON: &[&str] = &["python3"];
 const VENV: &str = "python3-venv";
 const BROWSER: &[&str] = &["chromium", "chromium-browser", "google-chrome"];
 
@@ -118,7 +118,7 @@ fn explorers(name: &str) -> Result<Vec<PathBuf>, Failure> {
 }
 
 /// The programs that are missing, after an attempt to install them where nothing may be skipped.
-fn lacking_after_install(programs: &[&[&'static str]]) -> Result<Vec<&'static str>, Failure> {
+pub fn lacking_after_install(programs: &[&[&'static str]]) -> Result<Vec<&'static str>, Failure> {
     let missing = lacking(programs);
     if !missing.is_empty() && machine::is_continuous_integration() && machine::can_install() {
         machine::install_packages(&debian_packages(&missing))?;

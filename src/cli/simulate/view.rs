@@ -23,7 +23,7 @@ pub fn json(answer: &Answer) -> Map<String, Value> {
     COLUMNS.iter().map(|(name, cell)| (name.to_string(), cell(answer).json())).collect()
 }
 
-/// The same with the inputs.
+/// The same with the inputs, and with the errors that have no column.
 pub fn json_with_inputs(
     answer: &Answer,
     parameters: &Parameters<Rational>,
@@ -37,7 +37,14 @@ pub fn json_with_inputs(
         ("tolerance", json!(settings.tolerance)),
         ("start", json!(settings.start.as_str())),
     ];
-    asked.into_iter().map(|(name, value)| (name.to_string(), value)).chain(json(answer)).collect()
+    let errors = answer.found.as_ref().ok().into_iter().flat_map(|found| {
+        [
+            ("stress_drop_relative_error", json!(found.stress_drop_relative_error)),
+            ("minimum_velocity_log10_error", json!(found.minimum_velocity_log10_error)),
+        ]
+    });
+    let named = asked.into_iter().chain(errors).map(|(name, value)| (name.to_string(), value));
+    named.chain(json(answer)).collect()
 }
 
 /// Lines of name, value and meaning, with only the digits that the estimated errors support.

@@ -20,9 +20,10 @@ pub fn check(file: &TextFile, found: &mut Vec<Complaint>) {
         check_lock(file, found);
         return;
     }
-    let is_generated = ["/published/", "tests/golden/", "proptest-regressions", "/snapshots/", "LICENSE-"]
-        .iter()
-        .any(|part| file.path.contains(part));
+    let is_generated =
+        ["/published/", "tests/golden/", "proptest-regressions", "/snapshots/", "LICENSE-", "COPYING"]
+            .iter()
+            .any(|part| file.path.contains(part));
     let holds_the_words = file.path == "xtask/src/tidy/text_rules.rs";
     // Not `lines()`, which would hide a carriage return.
     for (index, line) in file.text.split('\n').enumerate() {

@@ -1,0 +1,160 @@
+"""What ``simulate`` returns: runs of the nonlinear slider with their errors."""
+
+from __future__ import annotations
+
+import tempfile
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, overload
+
+import numpy as np
+
+from slipmode._exact import Number, exact
+from slipmode._run import call
+from slipmode._table import Table, html_table
+
+if TYPE_CHECKING:
+    import pandas
+
+
+@dataclass(frozen=True)
+class Observable:
+    """A computed value with its estimated absolute error, in the same unit."""
+
+    value: float
+    error: float
+    unit: str
+
+    def __float__(self) -> float:
+        return self.value
+
+    def __str__(self) -> str:
+        return f"{self.value:.10g} ± {self.error:.2g} {self.unit}".strip()
+
+
+@dataclass(frozen=True)
+class Simulation:
+    """A run from its start to its long-term behaviour."""
+
+    #: ``periodic`` or ``decaying``.
+    mode: str
+    #: The slip mode, from the trajectory alone.
+    slip_mode: str
+    #: The peak velocity, m/s: of the cycle, or of the transient of a decaying run.
+    peak_velocity: Observable
+    #: log10 of the minimum velocity over V0.
+    minimum_velocity_log10_ratio: Observable
+    #: The stress drop, Pa.
+    stress_drop: Observable
+    #: The period, s; none if nothing oscillates.
+    period: Observable | None
+    #: The frequency, Hz; none if nothing oscillates.
+    frequency: Observable | None
+    #: The object that ``slipmode simulate --json`` prints.
+    details: dict[str, Any] = field(repr=False)
+    _options: tuple[str, ...] = field(repr=False, compare=False)
+
+    @classmethod
+    def of(cls, found: dict[str, Any], options: tuple[str, ...]) -> Simulation:
+        """Return the simulation of an object of the command line, made with these options."""
+
+        def observable(name: str, relative_error: str, unit: str) -> Observable | None:
+            value = found[name]
+            return None if value is None else Observable(value, abs(value) * found[relative_error], unit)
+
+        def present(name: str, relative_error: str, unit: str) -> Observable:
+            return Observable(found[name], abs(found[name]) * found[relative_error], unit)
+
+        minimum, error = found["minimum_velocity_log10_ratio"], found["minimum_velocity_log10_error"]
+        return cls(
+            mode=found["mode"],
+            slip_mode=found["slip_mode"],
+            peak_velocity=present("peak_velocity_m_per_s", "peak_relative_error", "m/s"),
+            minimum_velocity_log10_ratio=Observable(minimum, error, ""),
+            stress_drop=present("stress_drop_pa", "stress_drop_relative_error", "Pa"),
+            period=observable("period_s", "period_relative_error", "s"),
+            frequency=observable("frequency_hz", "period_relative_error", "Hz"),
+            details=found,
+            _options=options,
+        )
+
+    def trajectory(self, duration: Number | None = None, samples: int | None = None) -> Trajectory:
+        """Return the run from its start.
+
+        ``duration`` is in seconds; without it, ten periods. ``samples`` are at equal steps of time; without it, eight in each step
+        of the integrator.
+        """
+        extent = () if duration is None else ("--duration-s", exact(duration))
+        with tempfile.TemporaryDirectory() as folder:
+            picture = Path(folder, "trajectory.svg")
+            sampled = () if samples is None else ("--samples", str(samples))
+            text = call("simulate", *self._options, "--trajectory", "-", "--svg", str(picture), *extent, *sampled)
+            svg = picture.read_text()
+        head, *lines = text.splitlines()
+        numbers = np.array([line.split(",") for line in lines], dtype=np.float64)
+        return Trajectory(dict(zip(head.split(","), numbers.T)), svg)
+
+    def _repr_html_(self) -> str:
+        names = ("peak_velocity", "period", "frequency", "stress_drop", "minimum_velocity_log10_ratio")
+        rows = [["mode", self.mode], ["slip mode", self.slip_mode]]
+        rows += [[name.replace("_", " "), str(getattr(self, name) or "none")] for name in names]
+        return html_table(["observable", "value ± error"], rows)
+
+
+class Trajectory(Table):
+    """Samples of a run: time, velocity, state variable, shear stress relative to steady sliding, and slip since the start."""
+
+    def __init__(self, columns: Any, svg: str) -> None:
+        super().__init__(columns)
+        #: The picture of velocity, shear stress and slip against time.
+        self.svg = svg
+
+    def _repr_svg_(self) -> str:
+        return self.svg
+
+
+@dataclass(frozen=True)
+class Failed:
+    """A run of several that has no result, and why."""
+
+    reason: str
+
+
+class Simulations(Sequence["Simulation | Failed"]):
+    """Runs of several points, in their order."""
+
+    def __init__(self, runs: Sequence[Simulation | Failed], inputs: Sequence[tuple[float, float]]) -> None:
+        self._runs = tuple(runs)
+        self._inputs = tuple(inputs)
+
+    @overload
+    def __getitem__(self, index: int) -> Simulation | Failed: ...
+    @overload
+    def __getitem__(self, index: slice) -> Sequence[Simulation | Failed]: ...
+    def __getitem__(self, index: int | slice) -> Simulation | Failed | Sequence[Simulation | Failed]:
+        return self._runs[index]
+
+    def __len__(self) -> int:
+        return len(self._runs)
+
+    def __iter__(self) -> Iterator[Simulation | Failed]:
+        return iter(self._runs)
+
+    def to_dataframe(self) -> pandas.DataFrame:
+        """Return a row for each run, with the column names of the command line."""
+        import pandas
+
+        rows = []
+        for run, (stress, velocity) in zip(self._runs, self._inputs):
+            row: dict[str, Any] = {"normal_stress_pa": stress, "loading_velocity_m_per_s": velocity}
+            if isinstance(run, Simulation):
+                row |= {name: value for name, value in run.details.items() if name not in ("schema", "inputs")}
+            else:
+                row["status"] = run.reason
+            rows.append(row)
+        return pandas.DataFrame(rows)
+
+    def __repr__(self) -> str:
+        failed = sum(isinstance(run, Failed) for run in self._runs)
+        return f"<Simulations: {len(self)} runs, {failed} of them without a result>"

@@ -1,0 +1,77 @@
+"""Columns of equal length, as arrays, a data frame, or HTML."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from html import escape
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+if TYPE_CHECKING:
+    import pandas
+
+#: Rows that are shown in a notebook.
+SHOWN_ROWS = 10
+
+
+class Table(Mapping[str, NDArray[Any]]):
+    """Columns by name; every column is an array."""
+
+    def __init__(self, columns: Mapping[str, Any]) -> None:
+        self._columns = {name: np.asarray(column) for name, column in columns.items()}
+
+    @classmethod
+    def of_rows(cls, rows: list[dict[str, Any]]) -> Table:
+        """Return a table with a row for each object; the first one names the columns."""
+        names = rows[0].keys() if rows else ()
+        return cls({name: column([row[name] for row in rows]) for name in names})
+
+    def __getitem__(self, name: str) -> NDArray[Any]:
+        return self._columns[name]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._columns)
+
+    def __len__(self) -> int:
+        return len(self._columns)
+
+    @property
+    def rows(self) -> int:
+        """The number of rows."""
+        return max((array.size for array in self._columns.values()), default=0)
+
+    def to_dataframe(self) -> pandas.DataFrame:
+        """Return the columns as a data frame of pandas."""
+        import pandas
+
+        return pandas.DataFrame({name: array.ravel() for name, array in self._columns.items()})
+
+    def __repr__(self) -> str:
+        return f"<{type(self).__name__}: {self.rows} rows of {', '.join(self._columns)}>"
+
+    def _repr_html_(self) -> str:
+        shown = [array.ravel()[:SHOWN_ROWS] for array in self._columns.values()]
+        body = [[str(cell) for cell in row] for row in zip(*shown)]
+        rest = self.rows - len(body)
+        note = f"<p>and {rest} more rows</p>" if rest > 0 else ""
+        return html_table(list(self._columns), body) + note
+
+
+def column(cells: list[Any]) -> NDArray[Any]:
+    """Return an array of numbers, with NaN where there is none, or of objects."""
+    if all(cell is None or isinstance(cell, (int, float)) and not isinstance(cell, bool) for cell in cells):
+        if not any(cell is None or isinstance(cell, float) for cell in cells):
+            return np.array(cells, dtype=np.int64)
+        return np.array([np.nan if cell is None else cell for cell in cells], dtype=np.float64)
+    array = np.empty(len(cells), dtype=object)
+    array[:] = cells
+    return array
+
+
+def html_table(head: list[str], body: list[list[str]]) -> str:
+    """Return a table as HTML."""
+    heads = "".join(f"<th>{escape(name)}</th>" for name in head)
+    rows = "".join("<tr>" + "".join(f"<td>{escape(cell)}</td>" for cell in row) + "</tr>" for row in body)
+    return f"<table><thead><tr>{heads}</tr></thead><tbody>{rows}</tbody></table>"
