@@ -75,7 +75,7 @@ Let eq_8 (M D : R) := complex_cubic (c3 M D) (c2 M D) (c1 M D) (c0 M D).
 Section FixedDistance.
 
 Variable D : R.
-Hypothesis D_pos : 0 < D.
+Hypotheses (D_pos : 0 < D).
 
 (** The coefficients of eq 14, and eqs 12, 15 and 16. *)
 Let g2 := a / V.

@@ -19,8 +19,8 @@ const GROUPS: [Group; 2] = [
         },
         most_lines: 38_000,
     },
-    // 400 of them are `prove`, which decides what counts as proved by Coq, and 90 are `wheel`.
-    Group { name: "xtask", includes: |path| path.starts_with("xtask/"), most_lines: 2_510 },
+    // 440 of them are `prove`, which decides what counts as proved by Coq, and 90 are `wheel`.
+    Group { name: "xtask", includes: |path| path.starts_with("xtask/"), most_lines: 2_550 },
 ];
 
 /// Lines of code inside and outside tests.

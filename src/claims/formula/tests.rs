@@ -174,6 +174,9 @@ fn the_hand_written_theorems_state_the_equations_of_the_reports() {
             definitions(&row.file).into_iter().filter(|(name, _)| *name == row.name).collect();
         let [(_, text)] = &found[..] else { panic!("{row:?}: {found:?}") };
         let parsed: Expression = text.parse().unwrap_or_else(|_| panic!("{row:?}: {text}"));
+        if row.report != "im-avouac" {
+            return parsed;
+        }
         parsed.with("D", &Expression::variable("D_c")).with("V", &Expression::variable("V_0"))
     };
     // The terms of a polynomial in s are one expression.

@@ -1,0 +1,62 @@
+//! The hand-written theorems with one of their equations altered: Coq must refuse the file.
+
+use super::{Said, Task};
+use crate::failure::Failure;
+
+/// The folder of the altered files.
+const FOLDER: &str = "by_hand/";
+
+/// A task for each row of `proofs/equations.csv`: its file, with twice its definition.
+pub fn altered(library: &[(String, String)], table: &str) -> Result<Vec<Task>, Failure> {
+    let task = |row: &str| {
+        let mut fields = row.split(',');
+        let (file, name) = (fields.next()?, fields.next()?);
+        let (_, text) = library.iter().find(|(known, _)| known == file)?;
+        let text = format!("Set Default Timeout 60.\n{}", doubled(text, name)?);
+        let fault = format!("{file}_{name}");
+        Some(Task { file: format!("{FOLDER}{fault}"), text, theorems: vec![format!("fault_{fault}")] })
+    };
+    let missing = |row| Failure::check(format!("proofs/equations.csv: {row}: there is no such definition"));
+    table.lines().skip(1).map(|row| task(row).ok_or_else(|| missing(row))).collect()
+}
+
+/// The text with twice the definition of this name.
+fn doubled(text: &str, name: &str) -> Option<String> {
+    let head = format!("\nLet {name} ");
+    let (before, rest) = text.split_once(&head)?;
+    let (definition, after) = rest.split_once(".\n")?;
+    let (arguments, value) = definition.split_once(":= ")?;
+    Some(format!("{before}{head}{arguments}:= 2 * ({value}).\n{after}"))
+}
+
+/// What Coq's error message means: an altered file is refused as a whole, but not by a time limit.
+pub fn refusal(task: &Task, message: String) -> Said {
+    match task.file.strip_prefix(FOLDER) {
+        Some(fault) if !message.contains("Timeout") => Ok(format!("refused {fault}\n")),
+        _ => Err(message),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_definition_of_each_row_is_altered_and_a_missing_one_is_an_error() {
+        let text = "From A Require B.\nLet c (V : R) := M / V.\nLet d := a.\n".to_owned();
+        let library = [("Slider".to_owned(), text)];
+        let tasks = altered(&library, "file,name\nSlider,c\n").unwrap();
+        assert!(tasks[0].text.contains("\nLet c (V : R) := 2 * (M / V).\nLet d := a.\n"));
+        assert_eq!(tasks[0].theorems, ["fault_Slider_c"]);
+        assert!(altered(&library, "file,name\nSlider,e\n").is_err());
+    }
+
+    #[test]
+    fn an_error_is_a_refusal_of_an_altered_file_and_a_time_limit_is_not() {
+        let task = |file: &str| Task { file: file.into(), text: String::new(), theorems: Vec::new() };
+        let altered = task("by_hand/Slider_c");
+        assert_eq!(refusal(&altered, "no field equation".into()), Ok("refused Slider_c\n".into()));
+        assert_eq!(refusal(&altered, "Timeout!".into()), Err("Timeout!".into()));
+        assert_eq!(refusal(&task("r/claim_S1_faults"), "Error".into()), Err("Error".into()));
+    }
+}
