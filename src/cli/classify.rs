@@ -4,6 +4,7 @@ mod box_view;
 mod derived;
 mod grid;
 mod grid_files;
+mod ranges;
 pub mod rows;
 mod sample;
 mod view;

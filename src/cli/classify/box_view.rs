@@ -9,6 +9,7 @@ use slipmode_core::stability::{
     InertialThreshold, OverBox, ParameterBox, Possible, SlipMode, SpectralClass, over_box, transition_sign,
 };
 
+use crate::cli::classify::ranges::{RootRanges, outward};
 use crate::cli::classify::rows::NEUTRAL;
 use crate::cli::classify::sample::{Sample, Sampled};
 use crate::cli::inputs::{SCHEMA, exact_json, ranges_json};
@@ -22,6 +23,7 @@ const SHOWN_DIGITS: usize = 6;
 pub struct BoxView {
     region: ParameterBox,
     found: OverBox,
+    ranges: RootRanges,
     sampled: Option<Sampled>,
 }
 
@@ -29,8 +31,9 @@ impl BoxView {
     /// Classifies all values within the error bars; none for a threshold that is not allowed.
     pub fn new(region: ParameterBox, threshold: &InertialThreshold, sample: Option<&Sample>) -> Option<Self> {
         let found = over_box(&region, threshold)?;
+        let ranges = RootRanges::new(&region, &found);
         let sampled = sample.map(|sample| sample.draw(&region, threshold));
-        Some(Self { region, found, sampled })
+        Some(Self { region, found, ranges, sampled })
     }
 
     /// One object: what is certain, what is possible at which point, and ranges.
@@ -42,6 +45,7 @@ impl BoxView {
             entry("spectral_class", possible.what.as_str(), &possible.witness)
         };
         let undecided = |(mode, share): &(SlipMode, Rational)| json!({ "mode": mode.as_str(), "share": nearest_f64(share) });
+        let [real, imaginary, frequency] = self.ranges.enclosures();
         json!({
             "schema": SCHEMA,
             "inputs": ranges_json(&self.region, None),
@@ -52,6 +56,10 @@ impl BoxView {
             "spectral_classes": found.spectral_classes.iter().map(class).collect::<Vec<_>>(),
             "transition_signs": found.transition_signs,
             "boundary_signs": found.boundary_signs,
+            "max_real_per_s": real,
+            "max_imaginary_per_s": imaginary,
+            "frequency_hz": frequency,
+            "attained": self.ranges.attained_json(),
             "critical_stiffness_pa_per_m": outward(&found.critical_stiffness_pa_per_m),
             "sampled": self.sampled.as_ref().map(Sampled::json),
         })
@@ -85,6 +93,7 @@ impl BoxView {
             let sign = if least == greatest { format!("{least}") } else { format!("{least} to {greatest}") };
             lines.push((name, sign, String::new()));
         }
+        lines.extend(self.ranges.lines());
         let [least, greatest] = found.critical_stiffness_pa_per_m.each_ref().map(shown);
         lines.push(("K_c", format!("{least} to {greatest} Pa/m"), "(eq 9)".to_string()));
         lines.extend(self.sampled.iter().flat_map(Sampled::lines));
@@ -112,19 +121,6 @@ fn mode_word(possible: &Possible<SlipMode>) -> &'static str {
 
 fn entry(key: &str, word: &str, witness: &Option<Parameters<Rational>>) -> Value {
     json!({ key: word, "witness": witness.as_ref().map(|point| exact_json(point, None)) })
-}
-
-/// Numbers of 64 bits that enclose a range.
-fn outward([least, greatest]: &[Rational; 2]) -> [f64; 2] {
-    let (low, high) = (nearest_f64(least), nearest_f64(greatest));
-    let is_above =
-        |number: f64, value: &Rational| Rational::from_f64(number).is_some_and(|number| number > *value);
-    let is_below =
-        |number: f64, value: &Rational| Rational::from_f64(number).is_some_and(|number| number < *value);
-    [
-        if is_above(low, least) { low.next_down() } else { low },
-        if is_below(high, greatest) { high.next_up() } else { high },
-    ]
 }
 
 fn shown(value: &Rational) -> String {

@@ -1,12 +1,13 @@
 //! What follows from a classification: the frequency in Hz and relative to the natural one, and K_c.
 
-use slipmode::csv::{Cells, Column, Datum, Remark, RowWork, push_cells};
+use slipmode::csv::{Cells, Column, Datum, Remark, RowWork, push_cell, push_cells};
 use slipmode::scene::{Faults, Uncertain};
 use slipmode_core::friction::Parameters;
 use slipmode_core::number::{Dd, Rational, nearest_f64};
 use slipmode_core::stability::Classification;
 
-use crate::cli::classify::rows::{Classified, ClassifyRows, Found};
+use crate::cli::classify::ranges::{cell, outward};
+use crate::cli::classify::rows::{BoxFound, Classified, ClassifyRows, Found};
 
 /// Values beyond the range of 64-bit numbers are absent.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -121,11 +122,22 @@ impl RowWork for ClassifyPoints {
 
     fn append(&self, (classified, derived): &Self::Input, out: &mut Vec<u8>) -> Remark {
         let remark = self.0.append(classified, out);
-        match derived {
-            Some(derived) => push_cells(&COLUMNS, derived, out),
-            None => out.extend_from_slice(",".repeat(COLUMNS.len()).as_bytes()),
+        match (&classified.found, derived) {
+            (_, Some(derived)) => push_cells(&COLUMNS, derived, out),
+            (Found::Box(found), None) => append_ranges(found, out),
+            (Found::Point(_), None) => out.extend_from_slice(",".repeat(COLUMNS.len()).as_bytes()),
         }
         remark
+    }
+}
+
+/// The ranges of the frequency and of K_c; the other two columns are empty.
+fn append_ranges(found: &BoxFound, out: &mut Vec<u8>) {
+    let [_, _, frequency] = found.ranges.enclosures();
+    let critical = outward(&found.over.critical_stiffness_pa_per_m);
+    for range in [frequency, Some(critical), None, None] {
+        out.push(b',');
+        push_cell(out, cell(range).as_bytes());
     }
 }
 

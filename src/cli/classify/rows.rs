@@ -2,7 +2,7 @@
 
 use std::io::Write;
 
-use slipmode::csv::{Cells, Remark, RowWork};
+use slipmode::csv::{Cells, Remark, RowWork, push_cell};
 use slipmode::scene::{Faults, Problem, Uncertain};
 use slipmode_core::friction::Parameters;
 use slipmode_core::number::{Dd, nearest_f64};
@@ -12,6 +12,7 @@ use slipmode_core::stability::{
     Classification, InertialThreshold, OverBox, SpectralClass, classify, over_box,
 };
 
+use crate::cli::classify::ranges::{RootRanges, cell};
 use crate::cli::options::{OVER_BOX, uncertain_box};
 use crate::cli::unit_warnings::slider_warnings;
 
@@ -28,7 +29,16 @@ pub enum Found {
     /// Without error bars.
     Point(Classification),
     /// With error bars.
-    Box(Box<OverBox>),
+    Box(Box<BoxFound>),
+}
+
+/// What is found over a box.
+#[derive(Debug)]
+pub struct BoxFound {
+    /// What is certain and what is possible.
+    pub over: OverBox,
+    /// The ranges of growth rate and frequency.
+    pub ranges: RootRanges,
 }
 
 /// A row that was read and classified.
@@ -88,7 +98,11 @@ impl RowWork for ClassifyRows {
             let found = Found::Point(classify(&parameters, &self.threshold));
             return Ok(Classified { found, warnings });
         }
-        let found = uncertain_box(values).and_then(|region| over_box(&region, &self.threshold));
+        let found = uncertain_box(values).and_then(|region| {
+            let over = over_box(&region, &self.threshold)?;
+            let ranges = RootRanges::new(&region, &over);
+            Some(BoxFound { over, ranges })
+        });
         let needs = || Problem::Needs(format!("--inertial-threshold with {OVER_BOX}"));
         let found = found.ok_or_else(|| vec![cells.fault(None, needs())])?;
         Ok(Classified { found: Found::Box(Box::new(found)), warnings })
@@ -132,8 +146,8 @@ fn append_point(found: &Classification, out: &mut Vec<u8>) {
     push_word(found.precision_level.as_str(), out);
 }
 
-/// All that is possible, separated by semicolons; a mode that is not decided has a question mark. Values have no cell.
-fn append_box(found: &OverBox, out: &mut Vec<u8>) {
+/// All that is possible, separated by semicolons; a mode that is not decided has a question mark. A value is a range.
+fn append_box(BoxFound { over: found, ranges }: &BoxFound, out: &mut Vec<u8>) {
     let mut modes: Vec<String> =
         found.slip_modes.iter().map(|possible| possible.what.as_str().to_string()).collect();
     modes.extend(found.undecided.iter().map(|(mode, _)| format!("{}?", mode.as_str())));
@@ -143,6 +157,10 @@ fn append_box(found: &OverBox, out: &mut Vec<u8>) {
     let classes = found.spectral_classes.iter().map(|possible| possible.what.as_str());
     push_word(&classes.collect::<Vec<_>>().join(";"), out);
     push_word(&modes.join(";"), out);
-    out.extend_from_slice(b",,");
+    let [real, imaginary, _] = ranges.enclosures();
+    for range in [real, imaginary] {
+        out.push(b',');
+        push_cell(out, cell(range).as_bytes());
+    }
     push_word(PrecisionLevel::Exact.as_str(), out);
 }

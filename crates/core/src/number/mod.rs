@@ -16,6 +16,7 @@ mod double_double;
 mod field;
 #[doc(hidden)]
 pub mod format;
+mod interval;
 mod magnitude;
 mod operators;
 #[doc(hidden)]
@@ -28,5 +29,6 @@ pub use dd_decimal::parse_decimal_to_dd;
 pub use decimal::{DecimalError, MAX_DIGITS, MAX_EXPONENT, nearest_f64, parse_decimal};
 pub use double_double::Dd;
 pub use field::{Field, Real};
+pub(crate) use interval::{Interval, Rectangle};
 pub use rug::Rational;
 pub use wide::Wide;

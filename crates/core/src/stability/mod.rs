@@ -56,8 +56,8 @@ pub use decision::{boundary_sign, transition_sign};
 pub use distance::LogDistance;
 pub use nearest_place::{NearestPlace, Uncertain, nearest_boundary_point};
 pub use over_box::{
-    Distribution, Effort, OverBox, ParameterBox, Possible, SampledShare, extremes_of_critical_stiffness,
-    is_allowed_over_box, over_box, sampled_shares,
+    Distribution, Effort, OverBox, ParameterBox, Possible, Ranges, SampledShare, ValueRange,
+    extremes_of_critical_stiffness, is_allowed_over_box, over_box, ranges_over_box, sampled_shares,
 };
 pub use quick::classify_quickly;
 pub use slip_mode::{InertialThreshold, slip_mode};

@@ -18,8 +18,11 @@ mod coefficient;
 #[cfg(test)]
 mod fixtures;
 mod lower_area;
+mod pair;
 mod parameter_box;
 mod polynomials;
+mod ranges;
+mod root_discs;
 mod shares;
 mod tensor;
 #[cfg(test)]
@@ -27,13 +30,16 @@ mod tests;
 mod threshold;
 
 pub use parameter_box::ParameterBox;
+pub use ranges::{Ranges, ValueRange, ranges_over_box};
+pub(super) use ranges::{Scaled, Sought, sought_in};
+pub(super) use root_discs::{Quantity, Values};
 pub use shares::{Distribution, SampledShare, sampled_shares};
 
 use super::{InertialThreshold, SlipMode, SpectralClass};
 use crate::friction::Parameters;
 use crate::number::Rational;
 use classes::Classes;
-use parameter_box::{A, B, Corner, D, Filtered, M, Point, S, V};
+use parameter_box::{A, B, Corner, D, Filtered, K, M, Point, S, V};
 use threshold::{Found, Search};
 
 /// Something that points of a box have, with such a point.
@@ -123,6 +129,21 @@ pub fn over_box(region: &ParameterBox, threshold: &InertialThreshold) -> Option<
         effort: Effort { edges: filtered.edges.get(), ..search.effort },
         critical_stiffness_pa_per_m: extremes_of_critical_stiffness(region).map(|at| at.critical_stiffness()),
     })
+}
+
+/// Whether a point of the box is on K = K_c: K and K_c change independently.
+pub(super) fn transition_sought(region: &ParameterBox) -> Sought {
+    let [least, greatest] = extremes_of_critical_stiffness(region).map(|at| at.critical_stiffness());
+    if region.lower[K] > greatest || region.upper[K] < least { Sought::Nowhere } else { Sought::Somewhere }
+}
+
+/// Whether a point of the box has a double root.
+pub(super) fn boundary_sought(region: &ParameterBox) -> Sought {
+    let threshold = InertialThreshold::default();
+    match Classes::of(&Filtered::new(region, &threshold)).boundary {
+        [-1, -1] | [1, 1] => Sought::Nowhere,
+        _ => Sought::Somewhere,
+    }
 }
 
 /// Whether a box meets a set, and where.

@@ -5,7 +5,8 @@ use proptest::prelude::*;
 use super::fixtures::any_box;
 use super::*;
 use crate::number::parse_decimal;
-use crate::stability::{boundary_sign, slip_mode, transition_sign};
+use crate::number::split_mix::SplitMix64;
+use crate::stability::{boundary_sign, classify, slip_mode, transition_sign};
 
 fn state(point: &Parameters<Rational>, threshold: &InertialThreshold) -> (i8, SpectralClass, SlipMode) {
     let groups = point.groups();
@@ -35,6 +36,14 @@ fn assert_consistent(found: &OverBox, region: &ParameterBox, threshold: &Inertia
     assert!(!found.slip_modes.is_empty() || !found.undecided.is_empty());
 }
 
+/// The point at these sixteenths of a box.
+fn at_shares(region: &ParameterBox, shares: &[u32; 7]) -> Point {
+    std::array::from_fn(|i| {
+        let width = Rational::from(&region.upper[i] - &region.lower[i]);
+        width * Rational::from((shares[i], 16)) + &region.lower[i]
+    })
+}
+
 proptest! {
     #[test]
     fn what_a_box_has_contains_what_its_points_have(
@@ -44,13 +53,7 @@ proptest! {
     ) {
         let found = over_box(&region, &threshold).unwrap();
         assert_consistent(&found, &region, &threshold);
-        let at = |share: &[u32; 7]| -> Point {
-            std::array::from_fn(|i| {
-                let width = Rational::from(&region.upper[i] - &region.lower[i]);
-                width * Rational::from((share[i], 16)) + &region.lower[i]
-            })
-        };
-        for point in shares.iter().map(at).chain([inside]) {
+        for point in shares.iter().map(|share| at_shares(&region, share)).chain([inside]) {
             let point = Parameters::from(point);
             let (transition, class, mode) = state(&point, &threshold);
             let boundary = boundary_sign(&point.groups());
@@ -76,6 +79,33 @@ proptest! {
         prop_assert_eq!(found.boundary_signs[0], boundary_sign(&point.groups()));
         prop_assert_eq!(found.certain_mode(), Some(mode));
         prop_assert_eq!(found.spectral_classes, [Possible { what: class, witness: Some(point) }]);
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(40))]
+
+    #[test]
+    fn ranges_enclose_the_roots_of_points_and_end_at_what_is_attained(
+        (region, inside) in any_box(),
+        shares in prop::collection::vec(prop::array::uniform7(0u32..=16), 20),
+    ) {
+        let found = over_box(&region, &InertialThreshold::default()).unwrap();
+        let ranges = ranges_over_box(&region, &found);
+        let ranges = [ranges.max_real_per_s, ranges.max_imaginary_per_s].map(Option::unwrap);
+        for range in &ranges {
+            let ([low, high], [least, greatest]) = (range.enclosure, range.attained);
+            prop_assert!(low <= least && least <= greatest && greatest <= high, "{:?}", range);
+        }
+        for point in shares.iter().map(|share| at_shares(&region, share)).chain([inside]) {
+            let found = classify(&Parameters::from(point), &InertialThreshold::default());
+            let values = [found.max_real_per_s, found.max_imaginary_per_s].map(|value| value.to_f64().unwrap());
+            for (range, value) in ranges.iter().zip(values) {
+                let [low, high] = range.enclosure;
+                let room = 1e-14 * value.abs();
+                prop_assert!(low - room <= value && value <= high + room, "{} in {:?} {:?}", value, range, region);
+            }
+        }
     }
 }
 
@@ -112,4 +142,64 @@ fn a_threshold_below_one_fifth_is_refused_over_a_box() {
     let threshold = |ratio| InertialThreshold::from_squared_ratio(Rational::from(ratio)).unwrap();
     assert!(over_box(&region, &threshold((1, 5))).is_some());
     assert!(over_box(&region, &threshold((199, 1000))).is_none());
+}
+
+/// Boxes of a lab with their growth and frequency: 10 000 exact points lie inside, and both ends are attained to a share of 1e-7.
+///
+/// Next to a double root max Re(s) has no derivative; there its share is larger.
+#[test]
+fn ranges_of_laboratory_boxes_are_attained() {
+    let point = |values: [&str; 7]| Parameters::from(values.map(|text| parse_decimal(text).unwrap()));
+    for (lower, upper, shares) in [
+        // Stick-slip, and a box that straddles K = K_c.
+        (
+            ["0.0085", "0.0126", "7.8e-6", "1.9e9", "2300", "6e6", "9e-6"],
+            ["0.0091", "0.0130", "8.2e-6", "2.1e9", "2500", "6.3e6", "1.1e-5"],
+            [1e-7; 2],
+        ),
+        (
+            ["0.0085", "0.0119", "7.8e-6", "1.9e9", "2300", "4.9e6", "9e-6"],
+            ["0.0095", "0.0133", "8.2e-6", "2.1e9", "2500", "5.1e6", "1.1e-5"],
+            [1e-7; 2],
+        ),
+        // Inertial: fast and stable; and harmonic vibration.
+        (
+            ["0.0085", "0.0119", "7.8e-6", "1.9e9", "2300", "1e5", "0.9"],
+            ["0.0095", "0.0133", "8.2e-6", "2.1e9", "2500", "2e5", "1.1"],
+            [1e-7; 2],
+        ),
+        (
+            ["0.0085", "0.0119", "7.8e-6", "1.9e9", "2300", "1e6", "9"],
+            ["0.0095", "0.0133", "8.2e-6", "2.1e9", "2500", "1.1e6", "11"],
+            [1e-7; 2],
+        ),
+        // Next to the area of real roots.
+        (
+            ["0.0085", "0.0059", "8e-6", "2e9", "2400", "4e6", "1e-5"],
+            ["0.0095", "0.0063", "8e-6", "2e9", "2400", "6e6", "1e-5"],
+            [0.05, 1e-7],
+        ),
+    ] {
+        let region = ParameterBox::new(point(lower), point(upper)).unwrap();
+        let found = over_box(&region, &InertialThreshold::default()).unwrap();
+        let ranges = ranges_over_box(&region, &found);
+        let ranges = [ranges.max_real_per_s, ranges.max_imaginary_per_s].map(Option::unwrap);
+        for (range, share) in ranges.iter().zip(shares) {
+            for end in 0..2 {
+                let [enclosed, attained] = [range.enclosure[end], range.attained[end]];
+                assert!((enclosed - attained).abs() <= share * attained.abs(), "{range:?}");
+            }
+        }
+        let mut random = SplitMix64(5);
+        for _ in 0..10_000 {
+            let shares = [0; 7].map(|_: u32| (17.0 * random.unit()) as u32);
+            let found =
+                classify(&Parameters::from(at_shares(&region, &shares)), &InertialThreshold::default());
+            for (range, value) in ranges.iter().zip([found.max_real_per_s, found.max_imaginary_per_s]) {
+                let value = value.to_f64().unwrap();
+                let [low, high] = range.enclosure;
+                assert!(low <= value && value <= high, "{value} {range:?}");
+            }
+        }
+    }
 }

@@ -1,0 +1,369 @@
+//! The ranges of the largest real and imaginary part of the roots over a box: enclosed, with values that points of the box have.
+//!
+//! The greatest and the least value are searched apart, by halving the part of the box with the greatest bound. Where the derivative by a
+//! parameter has one sign over a part, the greatest value over the part is at the parameter's end. All arithmetic is that of
+//! 64-bit intervals.
+
+use std::cmp::Ordering;
+use std::collections::BinaryHeap;
+
+use super::pair::Pair;
+use super::parameter_box::{A, B, D, K, M, Point, S, V};
+use super::root_discs::{Quantity, RootDiscs, Values};
+use super::{OverBox, ParameterBox};
+use crate::number::{Interval, Rational};
+
+/// A search ends when the enclosure's end is as near to a value that is attained, relative to it.
+const TOLERANCE: f64 = 1e-9;
+/// The most parts that a search examines.
+const MOST_PARTS: usize = 1 << 9;
+/// The most parts that a comparison examines.
+const MOST_COMPARED: usize = 1 << 8;
+
+/// The values of a quantity at the points of a box.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ValueRange {
+    /// All values lie between these two.
+    pub enclosure: [f64; 2],
+    /// The least and the greatest value found at points of the box, to within rounding.
+    pub attained: [f64; 2],
+}
+
+/// The ranges of the parts of the roots of eq 8 over a box. A range beyond 64-bit numbers is absent.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Ranges {
+    /// The largest real part, 1/s.
+    pub max_real_per_s: Option<ValueRange>,
+    /// The largest imaginary part, 1/s; 0 exactly where no root is complex.
+    pub max_imaginary_per_s: Option<ValueRange>,
+}
+
+/// The ranges over a box, of which `found` states the exact signs.
+///
+/// ```
+/// use slipmode_core::stability::{ParameterBox, over_box, ranges_over_box};
+/// use slipmode_core::{InertialThreshold, Parameters, parse_decimal};
+///
+/// let point = |b: &str| {
+///     Parameters::from(["0.004", b, "1e-5", "1e7", "1000", "1e6", "1e-5"].map(|text| parse_decimal(text).unwrap()))
+/// };
+/// let uncertain = ParameterBox::new(point("0.005"), point("0.007")).unwrap();
+/// let found = over_box(&uncertain, &InertialThreshold::default()).unwrap();
+/// let growth = ranges_over_box(&uncertain, &found).max_real_per_s.unwrap();
+/// // Growth rises with b.
+/// assert!((growth.enclosure[0] / 0.218_859_223_1 - 1.0).abs() < 1e-9);
+/// assert!((growth.enclosure[1] / 0.718_963_711_3 - 1.0).abs() < 1e-9);
+/// ```
+#[must_use]
+pub fn ranges_over_box(region: &ParameterBox, found: &OverBox) -> Ranges {
+    let scaled = Scaled::new(region);
+    let range = |quantity| {
+        let [least, greatest] = [Side::Least, Side::Greatest].map(|side| scaled.extreme(quantity, side));
+        least.zip(greatest).map(|(least, greatest)| ValueRange {
+            enclosure: [least.bound, greatest.bound],
+            attained: [least.attained.min(greatest.attained), least.attained.max(greatest.attained)],
+        })
+    };
+    let real = range(Quantity::Real).map(|range| of_signs(range, found.transition_signs));
+    let [least_sign, greatest_sign] = found.boundary_signs;
+    let imaginary = if least_sign >= 0 {
+        Some(ValueRange { enclosure: [0.0; 2], attained: [0.0; 2] })
+    } else if greatest_sign >= 0 {
+        let greatest = scaled.extreme(Quantity::Imaginary, Side::Greatest);
+        greatest.map(|Extreme { bound, attained }| ValueRange {
+            enclosure: [0.0, bound],
+            attained: [0.0, attained],
+        })
+    } else {
+        range(Quantity::Imaginary)
+    };
+    Ranges { max_real_per_s: real, max_imaginary_per_s: imaginary }
+}
+
+/// Growth has the sign of K_c − K, whose extremes are known exactly.
+fn of_signs(mut range: ValueRange, [least, greatest]: [i8; 2]) -> ValueRange {
+    if greatest <= 0 {
+        range.enclosure[0] = range.enclosure[0].max(0.0);
+    }
+    if least >= 0 {
+        range.enclosure[1] = range.enclosure[1].min(0.0);
+    }
+    if greatest == 0 {
+        range.attained[0] = 0.0;
+    }
+    if least == 0 {
+        range.attained[1] = 0.0;
+    }
+    range
+}
+
+/// What is known of a value that is looked for in a box.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(in crate::stability) enum Sought {
+    /// No point has it.
+    Nowhere,
+    /// Some point has it.
+    Somewhere,
+    /// Not decided.
+    Unknown,
+}
+
+/// Whether a point of the box has a value of the quantity in an interval, 1/s.
+pub(in crate::stability) fn sought_in(region: &ParameterBox, quantity: Quantity, values: Interval) -> Sought {
+    let scaled = Scaled::new(region);
+    let goal = values / scaled.rate;
+    let compared = |side| {
+        let goal = if side == Side::Least { -goal } else { goal };
+        let found =
+            Search { quantity, side, attained: f64::NEG_INFINITY, goal: Some(goal) }.run(scaled.part)?;
+        Some([found.bound < goal.low, found.attained >= goal.high])
+    };
+    match [Side::Greatest, Side::Least].map(compared) {
+        [Some([true, _]), _] | [_, Some([true, _])] => Sought::Nowhere,
+        // The values of a box are connected.
+        [Some([_, true]), Some([_, true])] => Sought::Somewhere,
+        _ => Sought::Unknown,
+    }
+}
+
+/// Which end of a range is searched.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Side {
+    Least,
+    Greatest,
+}
+
+/// An end of a range: a bound that no value passes, and a value that is attained.
+struct Extreme {
+    bound: f64,
+    attained: f64,
+}
+
+/// A box in its own units of D_c, V0 and σ: those of its lower end.
+pub(in crate::stability) struct Scaled {
+    part: Part,
+    /// V0/D_c of the lower end, 1/s.
+    pub(in crate::stability) rate: Interval,
+}
+
+/// A part of a box: an enclosure of each end of each parameter.
+#[derive(Debug, Clone, Copy)]
+struct Part {
+    lower: Values,
+    upper: Values,
+}
+
+impl Scaled {
+    /// The values of the seven parameters.
+    pub(in crate::stability) fn values(&self) -> Values {
+        self.part.hull()
+    }
+
+    /// The units of the seven parameters in SI.
+    pub(in crate::stability) fn units(region: &ParameterBox) -> Point {
+        let mut units = region.lower.clone();
+        let [distance, stress, velocity] = [D, S, V].map(|i| region.lower[i].clone());
+        units[K] = stress.clone() / &distance;
+        units[M] = stress * distance / velocity.square();
+        (units[A], units[B]) = (Rational::from(1), Rational::from(1));
+        units
+    }
+
+    pub(in crate::stability) fn new(region: &ParameterBox) -> Self {
+        let units = Self::units(region);
+        let ends = |point: &Point| -> Values {
+            std::array::from_fn(|i| Interval::enclosing(&Rational::from(&point[i] / &units[i])))
+        };
+        Self {
+            part: Part { lower: ends(&region.lower), upper: ends(&region.upper) },
+            rate: Interval::enclosing(&Rational::from(&units[V] / &units[D])),
+        }
+    }
+
+    /// An end of the range of a quantity, in 1/s; none beyond the range of 64-bit numbers.
+    fn extreme(&self, quantity: Quantity, side: Side) -> Option<Extreme> {
+        let found = Search { quantity, side, attained: f64::NEG_INFINITY, goal: None }.run(self.part)?;
+        let in_si =
+            |value: f64| Interval::point(if side == Side::Least { -value } else { value }) * self.rate;
+        let ends = |interval: Interval| if side == Side::Least { interval.low } else { interval.high };
+        let [bound, attained] = [found.bound, found.attained].map(in_si);
+        // Towards the inside, so that a point has this value or one nearer to the bound.
+        let inside = if side == Side::Least { attained.high } else { attained.low };
+        // An imaginary part of a pair's upper root is not negative, and a sum with zero has no negative zero.
+        let least = if quantity == Quantity::Imaginary { 0.0 } else { f64::NEG_INFINITY };
+        let [bound_si, attained_si] = [ends(bound), inside].map(|value| value.max(least) + 0.0);
+        let extreme = Extreme { bound: bound_si, attained: attained_si };
+        (bound.is_finite() && attained.is_finite()).then_some(extreme)
+    }
+}
+
+/// A search for the greatest value of a quantity, or of its negative.
+struct Search {
+    quantity: Quantity,
+    side: Side,
+    /// The greatest value known to be attained.
+    attained: f64,
+    /// The search ends when it is known that no value is as great as these, or that one is greater.
+    goal: Option<Interval>,
+}
+
+/// A part that was examined.
+struct Examined {
+    part: Part,
+    /// No value is greater.
+    bound: f64,
+    /// The parameter to halve; none where all are certain.
+    axis: Option<usize>,
+}
+
+impl Search {
+    /// A value, negated in a search for the least.
+    fn value(&self, value: Interval) -> Interval {
+        if self.side == Side::Least { -value } else { value }
+    }
+
+    fn run(mut self, whole: Part) -> Option<Extreme> {
+        let first = self.examine(whole)?;
+        self.visit_corners(&first.part);
+        let mut open = BinaryHeap::from([first]);
+        let mut bound = f64::NEG_INFINITY;
+        let most_parts = if self.goal.is_some() { MOST_COMPARED } else { MOST_PARTS };
+        for _ in 0..most_parts {
+            let Some(most) = open.peek() else { break };
+            if self.goal.is_some_and(|goal| most.bound.max(bound) < goal.low || self.attained >= goal.high) {
+                break;
+            }
+            if most.bound <= self.attained + TOLERANCE * self.attained.abs() {
+                break;
+            }
+            let Some(Examined { part, bound: of_part, axis }) = open.pop() else { break };
+            let halves = axis.and_then(|axis| part.halves(axis));
+            let Some(halves) = halves else {
+                bound = bound.max(of_part);
+                continue;
+            };
+            for half in halves {
+                let examined = self.examine(half)?;
+                if examined.bound > self.attained {
+                    open.push(Examined { bound: examined.bound.min(of_part), ..examined });
+                }
+            }
+        }
+        let bound = open.peek().map_or(bound, |most| bound.max(most.bound)).max(self.attained);
+        Some(Extreme { bound, attained: self.attained })
+    }
+
+    /// Notes the values at the corners of a part: near a double root the extremes are there, and derivatives do not lead to them.
+    fn visit_corners(&mut self, part: &Part) {
+        let wide: Vec<usize> = (0..7).filter(|i| part.is_wide(*i)).collect();
+        for bits in 0..1 << wide.len() {
+            let mut corner = part.lower;
+            for (_, i) in wide.iter().enumerate().filter(|(place, _)| bits >> place & 1 == 1) {
+                corner[*i] = part.upper[*i];
+            }
+            if let Some(discs) = RootDiscs::of(&corner) {
+                let value = self.value(discs.largest(self.quantity, &[None; 3]));
+                self.attained = self.attained.max(value.low);
+            }
+        }
+    }
+
+    /// Bounds the values over a part, after the parameters in which it is monotone are at their ends.
+    fn examine(&mut self, mut part: Part) -> Option<Examined> {
+        loop {
+            let (hull, middle) = (part.hull(), part.middle());
+            let (discs, at_middle) = (RootDiscs::of(&hull)?, RootDiscs::of(&middle)?);
+            let tracked = discs.tracked(&hull, &at_middle, &middle);
+            let pair = (self.quantity == Quantity::Imaginary).then(|| {
+                let at_point = at_middle.others(&middle, &[None; 3])?[1];
+                Pair::of(&hull, discs.others(&hull, &tracked)?, at_point, &middle)
+            });
+            let pair = pair.flatten();
+            let top = discs.top(self.quantity, &tracked).map(|top| top.slopes(self.quantity));
+            let slopes = top.or_else(|| pair.as_ref().map(Pair::slopes));
+            let slopes = if self.side == Side::Least {
+                slopes.map(|slopes| slopes.map(|slope| -slope))
+            } else {
+                slopes
+            };
+            if slopes.is_some_and(|slopes| part.go_to_ends(&slopes)) {
+                continue;
+            }
+            let of_discs = discs.largest(self.quantity, &tracked);
+            let values = pair.map_or(of_discs, |pair| of_discs.intersection(pair.height()));
+            let bound = self.value(values).high;
+            self.attained = self.attained.max(self.value(at_middle.largest(self.quantity, &[None; 3])).low);
+            let effects: [f64; 7] = std::array::from_fn(|i| match slopes {
+                Some(slopes) => (slopes[i] * (hull[i] - middle[i])).width(),
+                None => hull[i].width() / hull[i].high,
+            });
+            let wide = (0..7).filter(|i| part.is_wide(*i));
+            let axis = wide.max_by(|i, j| effects[*i].total_cmp(&effects[*j]).then(j.cmp(i)));
+            return Some(Examined { part, bound, axis });
+        }
+    }
+}
+
+impl Part {
+    fn hull(&self) -> Values {
+        std::array::from_fn(|i| self.lower[i].hull(self.upper[i]))
+    }
+
+    /// Whether a number lies between the enclosures of a parameter's ends.
+    fn is_wide(&self, i: usize) -> bool {
+        self.lower[i].high.next_up() < self.upper[i].low
+    }
+
+    /// A point of the part.
+    fn middle(&self) -> Values {
+        std::array::from_fn(
+            |i| if self.is_wide(i) { Interval::point(self.between(i)) } else { self.lower[i] },
+        )
+    }
+
+    fn between(&self, i: usize) -> f64 {
+        Interval { low: self.lower[i].high, high: self.upper[i].low }.middle()
+    }
+
+    /// Sets parameters in which a value rises or falls to the end where it is greatest; whether there are such.
+    fn go_to_ends(&mut self, slopes: &[Interval; 7]) -> bool {
+        let mut is_changed = false;
+        for (i, slope) in slopes.iter().enumerate() {
+            let is_rising = slope.low >= 0.0;
+            if self.lower[i] != self.upper[i] && (is_rising || slope.high <= 0.0) {
+                let end = if is_rising { self.upper[i] } else { self.lower[i] };
+                (self.lower[i], self.upper[i]) = (end, end);
+                is_changed = true;
+            }
+        }
+        is_changed
+    }
+
+    fn halves(&self, axis: usize) -> Option<[Self; 2]> {
+        let middle = Interval::point(self.is_wide(axis).then(|| self.between(axis))?);
+        let (mut low, mut high) = (*self, *self);
+        low.upper[axis] = middle;
+        high.lower[axis] = middle;
+        Some([low, high])
+    }
+}
+
+impl PartialEq for Examined {
+    fn eq(&self, other: &Self) -> bool {
+        self.cmp(other) == Ordering::Equal
+    }
+}
+
+impl Eq for Examined {}
+
+impl PartialOrd for Examined {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl Ord for Examined {
+    fn cmp(&self, other: &Self) -> Ordering {
+        self.bound.total_cmp(&other.bound)
+    }
+}

@@ -1,0 +1,118 @@
+//! The ranges of growth rate, largest imaginary part and frequency over error bars, as text, JSON and cells.
+
+use serde_json::{Value, json};
+use slipmode_core::number::format::round_digits;
+use slipmode_core::number::{Rational, Wide, nearest_f64};
+use slipmode_core::stability::{OverBox, ParameterBox, Ranges, ValueRange, ranges_over_box};
+
+/// Significant digits in the text for people.
+const SHOWN_DIGITS: usize = 6;
+/// The text states where values are attained if the enclosure is wider by more than this share of them.
+const NOTICED: f64 = 1e-6;
+
+/// The ranges over a box; absent beyond 64-bit numbers.
+#[derive(Debug)]
+pub struct RootRanges {
+    of_parts: Ranges,
+    frequency_hz: Option<ValueRange>,
+}
+
+impl RootRanges {
+    /// The ranges over a box, of which `found` states the exact signs.
+    pub fn new(region: &ParameterBox, found: &OverBox) -> Self {
+        let of_parts = ranges_over_box(region, found);
+        Self { of_parts, frequency_hz: of_parts.max_imaginary_per_s.map(in_hertz) }
+    }
+
+    fn all(&self) -> [Option<ValueRange>; 3] {
+        [self.of_parts.max_real_per_s, self.of_parts.max_imaginary_per_s, self.frequency_hz]
+    }
+
+    /// Ends of max Re(s), of max Im(s) and of the frequency, between which all values lie.
+    pub fn enclosures(&self) -> [Option<[f64; 2]>; 3] {
+        self.all().map(|range| range.map(|range| range.enclosure))
+    }
+
+    /// The least and the greatest value found at points of the box.
+    pub fn attained_json(&self) -> Value {
+        let [real, imaginary, frequency] = self.all().map(|range| range.map(|range| range.attained));
+        json!({ "max_real_per_s": real, "max_imaginary_per_s": imaginary, "frequency_hz": frequency })
+    }
+
+    /// A line for each range.
+    pub fn lines(&self) -> Vec<(&'static str, String, String)> {
+        let [real, imaginary, frequency] = self.all();
+        let line = |name: &'static str, range: Option<ValueRange>, unit: &str, note: &str| {
+            let Some(ValueRange { enclosure, attained }) = range else {
+                return (name, "-".to_string(), "(beyond the range of 64-bit numbers)".to_string());
+            };
+            let shown = |[low, high]: [f64; 2]| {
+                format!("{} to {}", round_digits(low, SHOWN_DIGITS), round_digits(high, SHOWN_DIGITS))
+            };
+            let is_wide = |i: usize| (enclosure[i] - attained[i]).abs() > NOTICED * attained[i].abs();
+            let note = if is_wide(0) || is_wide(1) {
+                format!("(enclosed; values of {} occur)", shown(attained))
+            } else {
+                note.to_string()
+            };
+            (name, format!("{} {unit}", shown(enclosure)), note)
+        };
+        vec![
+            line("max Re(s)", real, "1/s", ""),
+            line("max Im(s)", imaginary, "1/s", ""),
+            line("frequency", frequency, "Hz", "(max Im(s)/2 pi)"),
+        ]
+    }
+}
+
+/// The frequencies, enclosed.
+fn in_hertz(range: ValueRange) -> ValueRange {
+    let tau = std::f64::consts::TAU;
+    let [low, high] = range.enclosure.map(|value| value / tau);
+    // Two roundings, of 2 pi and of the quotient; zero is exact.
+    let down = |value: f64| if value > 0.0 { value.next_down().next_down() } else { 0.0 };
+    let up = |value: f64| if value > 0.0 { value.next_up().next_up() } else { 0.0 };
+    ValueRange { enclosure: [down(low), up(high)], attained: range.attained.map(|value| value / tau) }
+}
+
+/// Numbers of 64 bits that enclose a range.
+pub fn outward([least, greatest]: &[Rational; 2]) -> [f64; 2] {
+    let (low, high) = (nearest_f64(least), nearest_f64(greatest));
+    let is_above =
+        |number: f64, value: &Rational| Rational::from_f64(number).is_some_and(|number| number > *value);
+    let is_below =
+        |number: f64, value: &Rational| Rational::from_f64(number).is_some_and(|number| number < *value);
+    [
+        if is_above(low, least) { low.next_down() } else { low },
+        if is_below(high, greatest) { high.next_up() } else { high },
+    ]
+}
+
+/// A range as it is typed as an input; empty where it is absent.
+pub fn cell(range: Option<[f64; 2]>) -> String {
+    let [low, high] = match range.map(|ends| ends.map(Wide::from_f64)) {
+        Some([Some(low), Some(high)]) => [low, high],
+        _ => return String::new(),
+    };
+    format!("[{low}, {high}]")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use slipmode_core::number::Ball;
+
+    #[test]
+    fn frequencies_are_enclosed() {
+        for value in [0.0, 1e-300, 0.1, 1.0, std::f64::consts::TAU, 7.0, 1e17] {
+            let range = in_hertz(ValueRange { enclosure: [value; 2], attained: [value; 2] });
+            let exact = Ball::from_rational(&Rational::from_f64(value).unwrap(), 200)
+                / (Ball::pi(200) * Ball::from(2));
+            let [low, high] =
+                range.enclosure.map(|end| Ball::from_rational(&Rational::from_f64(end).unwrap(), 200));
+            assert!((exact.clone() - low).lower() >= 0 && (high - exact).lower() >= 0, "{value}");
+        }
+        assert_eq!(cell(Some([0.0, 0.5])), "[0, 0.5]");
+        assert_eq!(cell(None), "");
+    }
+}
