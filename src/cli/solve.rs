@@ -1,15 +1,18 @@
 //! `slipmode solve`: the normal stress, loading velocity, stiffness or mass at which the slider does what is stated.
 
 mod over_box;
+mod ranges;
 mod rows;
 mod view;
 
 use std::path::PathBuf;
 
 use clap::Args;
+use serde_json::Value;
 use slipmode::scene::{AllowedRange, Problem, Quantity, of_word};
 use slipmode_core::friction::Parameters;
 use slipmode_core::number::Rational;
+use slipmode_core::stability::ParameterBox;
 use slipmode_core::stability::inverse::{Solution, Target, Undecided, Unknown, solve};
 
 use crate::cli::failure::Failure;
@@ -19,6 +22,7 @@ use crate::cli::progress::Progress;
 use crate::cli::roots::MOST_DIGITS;
 use crate::cli::terminal;
 use over_box::StableForBox;
+use ranges::RangesView;
 use rows::SolveRows;
 use view::View;
 
@@ -44,7 +48,8 @@ pub struct Options {
     /// Solve for every row of a CSV file; `-` reads standard input
     ///
     /// The header is that of `classify --points`. The column of what is solved for may be missing, and is not used. Every row
-    /// gets the number of solutions, and up to four solutions in SI, ascending.
+    /// gets the number of solutions, and up to four solutions in SI, ascending. Where a row has error bars, a solution is a range
+    /// such as [1.2, 1.3], which holds the solutions for all values within them.
     #[arg(long, value_name = "FILE.csv")]
     points: Option<PathBuf>,
     #[command(flatten)]
@@ -73,7 +78,7 @@ struct TargetOptions {
     /// With error bars: stability at all values within them; for --for stiffness
     ///
     /// A value with an error bar is 0.009±0.001, 0.009+-0.001 or [0.008, 0.010]. The answer is the largest K_c, exactly.
-    #[arg(long, conflicts_with = "points")]
+    #[arg(long)]
     stable_for_box: bool,
     /// A growth rate max Re(s), 1/s; negative where disturbances decay, and 0 is the transition
     #[arg(long, value_name = "G", allow_hyphen_values = true)]
@@ -88,43 +93,100 @@ struct Question {
     digits: u32,
 }
 
+/// What is asked of a slider, or of every row.
+#[derive(Debug, Clone)]
+enum Asked {
+    /// For the values at which a target is met.
+    Target(Question),
+    /// For the stiffness above which the slider is stable at all values within the error bars.
+    StableForBox { digits: u32 },
+}
+
 /// Runs the command.
 ///
 /// # Errors
 /// When the arguments or the rows are at fault, or the output cannot be written.
 pub fn run(options: &Options, progress: &Progress) -> Result<(), Failure> {
     let mut arguments = Arguments::default();
-    if options.target.stable_for_box {
-        options.rows.refuse_without_points(false, &mut arguments);
-        let view = stable_for_box(options, &mut arguments);
-        let view = arguments.finish(view)?;
-        return if options.json { terminal::print_json(&view.json()) } else { terminal::print(&view.text()) };
+    let asked = Asked::read(options, &mut arguments);
+    if let Some(points) = &options.points {
+        options.slider.refuse_beside_points(&mut arguments);
+        let asked = arguments.finish(asked)?;
+        return points::run(points, &options.rows, SolveRows { asked }, *progress);
     }
-    let question = Question::read(options, &mut arguments);
-    let Some(points) = &options.points else {
-        options.rows.refuse_without_points(false, &mut arguments);
-        let parameters =
-            question.as_ref().and_then(|asked| asked.parameters(&options.slider, &mut arguments));
-        let (question, parameters) = arguments.finish(question.zip(parameters))?;
-        let view = View::new(&question, &parameters);
-        let view = view.map_err(|undecided| Failure::Check(format!("error: {undecided}")))?;
-        return if options.json { terminal::print_json(&view.json()) } else { terminal::print(&view.text()) };
-    };
-    options.slider.refuse_beside_points(&mut arguments);
-    let question = arguments.finish(question)?;
-    points::run(points, &options.rows, SolveRows { question }, *progress)
+    options.rows.refuse_without_points(false, &mut arguments);
+    let task = asked.and_then(|asked| asked.about(&options.slider, &mut arguments));
+    let (text, json) = answer(arguments.finish(task)?)?;
+    if options.json { terminal::print_json(&json) } else { terminal::print(&text) }
 }
 
-fn stable_for_box(options: &Options, arguments: &mut Arguments) -> Option<StableForBox> {
-    if options.unknown != Unknown::Stiffness.as_str() {
-        let needs = "--for stiffness";
-        arguments.refuse("--stable-for-box", true, needs);
+/// A question about a point, or about all values within error bars.
+enum Task {
+    Point(Question, Parameters<Rational>),
+    Box(Question, ParameterBox),
+    StableForBox(u32, ParameterBox),
+}
+
+/// The answer as text and as one object.
+fn answer(task: Task) -> Result<(String, Value), Failure> {
+    Ok(match task {
+        Task::Point(question, parameters) => {
+            let view = View::new(&question, &parameters);
+            let view = view.map_err(|undecided| Failure::Check(format!("error: {undecided}")))?;
+            (view.text(), view.json())
+        }
+        Task::Box(question, region) => {
+            let view = RangesView::new(&question, region);
+            (view.text(), view.json())
+        }
+        Task::StableForBox(digits, region) => {
+            let view = StableForBox::new(region, digits);
+            (view.text(), view.json())
+        }
+    })
+}
+
+/// The values within the error bars, but for the unknown, which must not be given.
+fn region(slider: &SliderOptions, unknown: Quantity, arguments: &mut Arguments) -> Option<ParameterBox> {
+    let given = slider.text(unknown);
+    arguments.refuse_value(&option_of(unknown), given, "no value: it is what is solved for");
+    slider.region(Some(unknown), arguments)
+}
+
+impl Asked {
+    fn read(options: &Options, arguments: &mut Arguments) -> Option<Self> {
+        if !options.target.stable_for_box {
+            return Question::read(options, arguments).map(Self::Target);
+        }
+        if options.unknown != Unknown::Stiffness.as_str() {
+            arguments.refuse("--stable-for-box", true, "--for stiffness");
+        }
+        let digits = arguments.whole("--digits", Some(&options.digits), 1..=MOST_DIGITS);
+        Some(Self::StableForBox { digits: u32::try_from(digits?).ok()? })
     }
-    let given = options.slider.text(Quantity::Stiffness);
-    arguments.refuse_value(&option_of(Quantity::Stiffness), given, "no value: it is what is solved for");
-    let region = options.slider.region(Some(Quantity::Stiffness), arguments);
-    let digits = arguments.whole("--digits", Some(&options.digits), 1..=MOST_DIGITS);
-    Some(StableForBox::new(region?, u32::try_from(digits?).ok()?))
+
+    /// The input that is solved for.
+    fn quantity(&self) -> Quantity {
+        match self {
+            Self::Target(question) => question.quantity(),
+            Self::StableForBox { .. } => Quantity::Stiffness,
+        }
+    }
+
+    /// The question with the values of a command line.
+    fn about(self, slider: &SliderOptions, arguments: &mut Arguments) -> Option<Task> {
+        match self {
+            Self::StableForBox { digits } => region(slider, Quantity::Stiffness, arguments)
+                .map(|region| Task::StableForBox(digits, region)),
+            Self::Target(question) if slider.is_uncertain() => {
+                region(slider, question.quantity(), arguments).map(|region| Task::Box(question, region))
+            }
+            Self::Target(question) => {
+                let parameters = question.parameters(slider, arguments)?;
+                Some(Task::Point(question, parameters))
+            }
+        }
+    }
 }
 
 impl Question {

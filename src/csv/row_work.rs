@@ -87,19 +87,8 @@ impl<'r> Cells<'r> {
     /// # Errors
     /// Every cell that is not a number in the allowed range.
     pub fn parameters(self) -> Result<Parameters<Rational>, Faults> {
-        self.parameters_without(None)
-    }
-
-    /// The seven numbers, exactly, with 1 for the unknown, whose column is not read.
-    ///
-    /// # Errors
-    /// Every cell that is not a number in the allowed range.
-    pub fn parameters_without(self, unknown: Option<Quantity>) -> Result<Parameters<Rational>, Faults> {
         let mut faults = Faults::new();
         let values = Quantity::ALL.map(|quantity| {
-            if Some(quantity) == unknown {
-                return Some(Rational::from(1));
-            }
             let position = self.header.positions[quantity as usize];
             self.header
                 .value(quantity, self.text(position))
@@ -127,8 +116,19 @@ impl Cells<'_> {
     /// # Errors
     /// Every cell that is at fault.
     pub fn uncertain(self) -> Result<[Uncertain; 7], Faults> {
+        self.uncertain_without(None)
+    }
+
+    /// As [`Self::uncertain`], with 1 for the unknown, whose column is not read.
+    ///
+    /// # Errors
+    /// Every cell that is at fault.
+    pub fn uncertain_without(self, unknown: Option<Quantity>) -> Result<[Uncertain; 7], Faults> {
         let (errors, mut faults) = (self.error_columns(), Faults::new());
         let values = Quantity::ALL.map(|quantity| {
+            if Some(quantity) == unknown {
+                return Some(Uncertain { lower: Rational::from(1), upper: Rational::from(1) });
+            }
             let read = |text: &str| self.header.value(quantity, text);
             let position = self.header.positions[quantity as usize];
             let text = self.text(position);

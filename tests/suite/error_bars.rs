@@ -101,8 +101,26 @@ fn rows_take_error_bars_in_cells_and_in_columns_of_errors() {
     let alone = place.run(["classify", "--points", "points.csv"]).expect_success();
     assert!(rows.starts_with(&alone), "a row without error bars has the same bytes");
     let [uncertain, range] = [2, 3].map(|line| rows.lines().nth(line).unwrap());
-    let results = "-1;0;1,-1,stable-complex;unstable-complex;neutral,non-inertial-underdamped-oscillation;stick-slip,,,exact,,,,";
-    assert!(uncertain.ends_with(results) && range.ends_with(results), "{uncertain} {range}");
+    let words =
+        ",-1;0;1,-1,stable-complex;unstable-complex;neutral,non-inertial-underdamped-oscillation;stick-slip,";
+    let results = &uncertain[uncertain.find(words).expect("signs, classes and modes")..];
+    assert!(range.ends_with(results), "{uncertain} {range}");
+    let object = json(&[("-b", "0.0126±0.0007")]);
+    let ends = |key: &str| {
+        let end = |i: usize| object[key][i].as_f64().unwrap();
+        assert!(end(0) < end(1), "{key}");
+        [end(0), end(1)]
+    };
+    let keys = ["max_real_per_s", "max_imaginary_per_s", "frequency_hz", "critical_stiffness_pa_per_m"];
+    let cells: Vec<&str> = results.split('"').collect();
+    assert_eq!([cells[0], cells[2], cells[4], cells[6], cells[8]], [words, ",", ",exact,", ",", ",,"]);
+    for (cell, key) in cells.iter().skip(1).step_by(2).zip(keys) {
+        let numbers = cell.strip_prefix('[').and_then(|cell| cell.strip_suffix(']')).unwrap().split(", ");
+        // The reader of JSON may err by one unit in the last place.
+        for (number, end) in numbers.zip(ends(key)) {
+            assert!((number.parse::<f64>().unwrap() / end - 1.0).abs() <= f64::EPSILON, "{key}: {cell}");
+        }
+    }
     let columns = format!("{HEADER},evolution_effect_error\n{point},0.0007\n{point},\n");
     place.write("columns.csv", columns);
     let columns = place.run(["classify", "--points", "columns.csv"]).expect_success();
@@ -186,4 +204,98 @@ fn the_least_stiffness_that_is_stable_for_a_box_is_where_classify_changes_its_mi
         "--stiffness-pa-per-m = 2e9",
         "--direct-effect = \"1±2\": the error is not smaller than the value",
     ]);
+}
+
+#[test]
+fn ranges_hold_the_values_of_the_corners_and_are_attained() {
+    let ends = [("-b", ["0.0119", "0.0133"]), ("-s", ["4.9e6", "5.1e6"]), ("-v", ["9e-6", "1.1e-5"])];
+    let bars = ends.map(|(option, [low, high])| (option, format!("[{low}, {high}]")));
+    let found = json(&bars.each_ref().map(|(option, text)| (*option, text.as_str())));
+    let keys = ["max_real_per_s", "max_imaginary_per_s", "frequency_hz"];
+    let range = |from: &Value, key: &str| [0, 1].map(|end| from[key][end].as_f64().unwrap());
+    for corner in 0..8 {
+        let point = std::array::from_fn::<_, 3, _>(|i| (ends[i].0, ends[i].1[corner >> i & 1]));
+        let at_corner = json(&point);
+        for key in keys {
+            let ([low, high], value) = (range(&found, key), at_corner[key].as_f64().unwrap());
+            assert!(low <= value && value <= high, "{key}: {value} in {low} to {high}");
+        }
+    }
+    for key in keys {
+        let (enclosed, attained) = (range(&found, key), range(&found["attained"], key));
+        for end in 0..2 {
+            assert!((enclosed[end] / attained[end] - 1.0).abs() < 1e-8, "{key}");
+        }
+    }
+    let text = ["classify"].into_iter().chain(with(&[("-b", "0.0126±0.0007")]));
+    let text = Workplace::new().run(text).expect_success();
+    assert!(text.contains("0.118002 to 0.118627 Hz"), "{text}");
+}
+
+/// The options of the point without one of them.
+fn without<'a>(option: &str, bars: &[(&str, &'a str)]) -> Vec<&'a str> {
+    let all = with(bars);
+    all.chunks(2).filter(|pair| pair[0] != option).flatten().copied().collect()
+}
+
+#[test]
+fn solutions_over_error_bars_enclose_those_of_corners() {
+    let bars = [("-a", "[0.0089, 0.0091]"), ("-b", "[0.0125, 0.0127]")];
+    for (target, unknown, option) in [
+        (&["--transition"][..], "normal-stress", "-s"),
+        (&["--boundary"], "loading-velocity", "-v"),
+        (&["--frequency", "0.1"], "normal-stress", "-s"),
+        (&["--frequency", "0.1"], "mass", "-m"),
+        (&["--growth-rate", "0.05"], "stiffness", "-k"),
+    ] {
+        let solve = |bars: &[(&str, &str)]| -> Vec<Value> {
+            let question = ["solve", "--json", "--for", unknown].into_iter().chain(target.iter().copied());
+            let output = Workplace::new().run(question.chain(without(option, bars))).expect_success();
+            let answer: Value = serde_json::from_str(&output).unwrap();
+            assert_eq!(answer["schema"], 1);
+            answer["solutions"].as_array().unwrap().clone()
+        };
+        let ranges: Vec<[f64; 2]> = solve(&bars)
+            .iter()
+            .map(|found| [0, 1].map(|end| found["range"][end].as_f64().unwrap_or(f64::INFINITY)))
+            .collect();
+        let mut met = vec![false; ranges.len()];
+        for corner in [["0.0089", "0.0125"], ["0.0089", "0.0127"], ["0.0091", "0.0125"], ["0.0091", "0.0127"]]
+        {
+            for solution in solve(&[("-a", corner[0]), ("-b", corner[1])]) {
+                let value: f64 = solution["value"].as_str().unwrap().parse().unwrap();
+                let index = ranges.iter().position(|[low, high]| *low <= value && value <= *high);
+                met[index.unwrap_or_else(|| panic!("{target:?} {unknown}: {value} in {ranges:?}"))] = true;
+            }
+        }
+        assert!(met.iter().all(|met| *met), "{target:?} {unknown}: {ranges:?}");
+    }
+    let fast = ["solve", "--for", "normal-stress", "--frequency", "160"].into_iter();
+    let none = Workplace::new().run(fast.chain(without("-s", &bars))).expect_success();
+    assert!(none.starts_with("none: no normal stress"), "{none}");
+}
+
+#[test]
+fn rows_with_error_bars_are_solved_as_ranges() {
+    let place = Workplace::new();
+    let point = POINT.join(",");
+    place.write("rows.csv", format!("{HEADER}\n{point}\n{}\n", point.replace("0.0126", "0.0126±0.0007")));
+    let rows = |question: &[&str]| {
+        let output = place.run(question.iter().copied().chain(["--points", "rows.csv"])).expect_success();
+        output.lines().skip(1).map(str::to_string).collect::<Vec<_>>()
+    };
+    let found = rows(&["solve", "--for", "normal-stress", "--transition"]);
+    // K D_c/(b − a) less M V0²/(a D_c), which is 3.3 Pa.
+    assert!(found[0].ends_with(",1,4.4444411111111111e6,,,,solved"), "{}", found[0]);
+    let range = found[1].split('"').nth(1).unwrap().trim_matches(['[', ']']).to_string();
+    let ends: Vec<f64> = range.split(", ").map(|end| end.parse().unwrap()).collect();
+    for (end, expected) in ends.iter().zip([16e3 / 0.0043 - 10.0 / 3.0, 16e3 / 0.0029 - 10.0 / 3.0]) {
+        assert!((end / expected - 1.0).abs() < 1e-9, "{range}");
+    }
+    let stable = rows(&["solve", "--for", "stiffness", "--stable-for-box", "--digits", "6"]);
+    for (row, least) in stable.iter().zip([450.0, 537.5].map(|slope| slope * (5e6 + 10.0 / 3.0))) {
+        let value = row.strip_suffix(",,,,solved").and_then(|row| row.rsplit(',').next()).unwrap();
+        let excess = value.parse::<f64>().unwrap() / least - 1.0;
+        assert!((0.0..2e-5).contains(&excess), "{row}");
+    }
 }

@@ -36,7 +36,7 @@ impl StableForBox {
     }
 
     /// The value, or a decimal above it by at most ten units of its last digit.
-    fn printed(&self) -> (String, bool) {
+    pub fn printed(&self) -> (String, bool) {
         let nearest = rational_to_decimal(&self.least, self.digits);
         if parse_decimal(&nearest).as_ref() == Ok(&self.least) {
             return (nearest, true);

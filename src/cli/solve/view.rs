@@ -28,6 +28,31 @@ pub fn printed(solution: &Solution, digits: usize) -> (String, bool) {
     }
 }
 
+impl Question {
+    /// What the slider shall do, as one object.
+    pub fn target_json(&self) -> Value {
+        match &self.target {
+            Target::Boundary => json!({ "max_imaginary_per_s": "0" }),
+            Target::GrowthRate(rate) => json!({ "max_real_per_s": exact_text(rate) }),
+            Target::AngularFrequency(frequency) => json!({ "max_imaginary_per_s": exact_text(frequency) }),
+            Target::Frequency(frequency) => json!({ "frequency_hz": exact_text(frequency) }),
+        }
+    }
+
+    /// What the slider shall do, in words.
+    pub fn target_words(&self) -> String {
+        match &self.target {
+            Target::Boundary => "the boundary max Im(s) = 0".to_string(),
+            Target::GrowthRate(rate) if rate.is_zero() => "the transition K = K_c".to_string(),
+            Target::GrowthRate(rate) => format!("a growth rate of {} 1/s", exact_text(rate)),
+            Target::AngularFrequency(frequency) => {
+                format!("an angular frequency of {} 1/s", exact_text(frequency))
+            }
+            Target::Frequency(frequency) => format!("a frequency of {} Hz", exact_text(frequency)),
+        }
+    }
+}
+
 impl<'q> View<'q> {
     /// Answers the question.
     pub fn new(question: &'q Question, parameters: &Parameters<Rational>) -> Result<Self, Undecided> {
@@ -52,33 +77,16 @@ impl<'q> View<'q> {
             "schema": SCHEMA,
             "inputs": quantities_json(given),
             "solved_for": unknown.key(),
-            "target": self.target_json(),
+            "target": self.question.target_json(),
             "solutions": self.solutions.iter().map(solution).collect::<Vec<_>>(),
         })
-    }
-
-    fn target_json(&self) -> Value {
-        match &self.question.target {
-            Target::Boundary => json!({ "max_imaginary_per_s": "0" }),
-            Target::GrowthRate(rate) => json!({ "max_real_per_s": exact_text(rate) }),
-            Target::AngularFrequency(frequency) => json!({ "max_imaginary_per_s": exact_text(frequency) }),
-            Target::Frequency(frequency) => json!({ "frequency_hz": exact_text(frequency) }),
-        }
     }
 
     /// A line for the question, and one for each solution.
     pub fn text(&self) -> String {
         let unknown = self.question.quantity();
         let (name, unit) = (unknown.stem().replace('_', " "), unknown.unit());
-        let target = match &self.question.target {
-            Target::Boundary => "the boundary max Im(s) = 0".to_string(),
-            Target::GrowthRate(rate) if rate.is_zero() => "the transition K = K_c".to_string(),
-            Target::GrowthRate(rate) => format!("a growth rate of {} 1/s", exact_text(rate)),
-            Target::AngularFrequency(frequency) => {
-                format!("an angular frequency of {} 1/s", exact_text(frequency))
-            }
-            Target::Frequency(frequency) => format!("a frequency of {} Hz", exact_text(frequency)),
-        };
+        let target = self.question.target_words();
         if self.solutions.is_empty() {
             return format!("none: no {name} gives {target} (exact)\n");
         }

@@ -7,7 +7,9 @@
 
 mod family;
 mod frequency;
+mod over_box;
 mod root;
+mod tails;
 #[cfg(test)]
 mod tests;
 
@@ -23,6 +25,7 @@ use crate::roots::discriminant;
 use crate::stability::Arc;
 use family::{Family, hurwitz, shifted};
 use frequency::FrequencyCondition;
+pub use over_box::{SolutionRange, solve_over_box};
 use root::Root;
 
 crate::named! {
@@ -37,6 +40,18 @@ crate::named! {
         Stiffness = "stiffness",
         /// M, kg/m².
         MassPerArea = "mass",
+    }
+}
+
+impl Unknown {
+    /// Its place among the seven parameters.
+    const fn parameter(self) -> usize {
+        match self {
+            Self::Stiffness => 3,
+            Self::MassPerArea => 4,
+            Self::NormalStress => 5,
+            Self::LoadingVelocity => 6,
+        }
     }
 }
 
