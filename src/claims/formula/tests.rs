@@ -147,7 +147,7 @@ fn stated_by_hand() -> Vec<Stated> {
     file_of_repository("proofs/equations.csv").lines().skip(1).map(row).collect()
 }
 
-/// The definitions of a hand-written file by name, in the symbols of the paper: it has D and V for Im & Avouac's D_c and V_0.
+/// The definitions of a hand-written file by name. It has D, V and v for Im & Avouac's D_c, V_0 and V.
 fn definitions(file: &str) -> Vec<(String, String)> {
     let coq = file_of_repository(&format!("proofs/{file}.v"));
     let lines =
@@ -177,7 +177,8 @@ fn the_hand_written_theorems_state_the_equations_of_the_reports() {
         if row.report != "im-avouac" {
             return parsed;
         }
-        parsed.with("D", &Expression::variable("D_c")).with("V", &Expression::variable("V_0"))
+        let paper = [("D", "D_c"), ("V", "V_0"), ("v", "V")];
+        paper.iter().fold(parsed, |text, (own, name)| text.with(own, &Expression::variable(name)))
     };
     // The terms of a polynomial in s are one expression.
     let mut sides: BTreeMap<[&str; 5], Vec<Expression>> = BTreeMap::new();
