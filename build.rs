@@ -1,4 +1,7 @@
 //! Hands the compiler's version and a digest of the sources to the program, which name them in what it writes.
+//!
+//! The digest is the same for a clone and for the packages that cargo makes of it. So it leaves out what cargo rewrites there:
+//! `Cargo.toml` and `Cargo.lock`. `src/archive/Cargo.lock` has the packages that the program is built from.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -6,14 +9,22 @@ use std::process::Command;
 
 use sha2::{Digest, Sha256};
 
-/// What the program is built from, besides its dependencies, which `Cargo.lock` pins.
-const SOURCES: [&str; 7] =
-    ["Cargo.lock", "Cargo.toml", "build.rs", "crates/core", "crates/plot", "src", "templates"];
+/// What this package is built from, besides its dependencies.
+const SOURCES: [&str; 8] = [
+    "CITATION.cff",
+    "LICENSE-APACHE",
+    "LICENSE-MIT",
+    "build.rs",
+    "reports/im-avouac/claims.toml",
+    "reports/im-avouac/equations.toml",
+    "src",
+    "templates",
+];
+/// Our other packages: where each says that its sources are, and its folder in the repository.
+const LIBRARIES: [(&str, &str); 2] =
+    [("DEP_SLIPMODE_CORE_ROOT", "crates/core"), ("DEP_SLIPMODE_PLOT_ROOT", "crates/plot")];
 
 fn main() {
-    for source in SOURCES {
-        println!("cargo:rerun-if-changed={source}");
-    }
     let compiler = std::env::var_os("RUSTC").unwrap_or_else(|| "rustc".into());
     let version = Command::new(compiler)
         .arg("--version")
@@ -25,25 +36,38 @@ fn main() {
     println!("cargo:rustc-env=SLIPMODE_SOURCE_SHA256={}", source_digest());
 }
 
-/// SHA-256 over path, length and content of every source file, in the order of the paths.
+/// SHA-256 over the version, and over path, length and content of every source file in the order of their paths.
 fn source_digest() -> String {
     let mut files = Vec::new();
     for source in SOURCES {
-        collect(Path::new(source), &mut files);
+        collect(Path::new(source), Path::new(source), &mut files);
+    }
+    for (variable, folder) in LIBRARIES {
+        println!("cargo:rerun-if-env-changed={variable}");
+        let root = PathBuf::from(std::env::var_os(variable).unwrap_or_default());
+        for source in ["build.rs", "src"] {
+            collect(&root.join(source), &Path::new(folder).join(source), &mut files);
+        }
     }
     files.sort();
     let mut digest = Sha256::new();
-    for file in files {
-        let content = fs::read(&file).unwrap_or_default();
-        digest.update(format!("{} {}\n", file.display(), content.len()));
+    digest.update(std::env::var("CARGO_PKG_VERSION").unwrap_or_default());
+    for (name, path) in files {
+        println!("cargo:rerun-if-changed={}", path.display());
+        let content = fs::read(&path).unwrap_or_default();
+        digest.update(format!("{} {}\n", name.display(), content.len()));
         digest.update(content);
     }
     digest.finalize().iter().map(|byte| format!("{byte:02x}")).collect()
 }
 
-fn collect(path: &Path, files: &mut Vec<PathBuf>) {
-    match fs::read_dir(path) {
-        Ok(entries) => entries.flatten().for_each(|entry| collect(&entry.path(), files)),
-        Err(_) => files.push(path.to_path_buf()),
-    }
+/// Adds the files of a path, each with its name in the repository.
+fn collect(path: &Path, name: &Path, files: &mut Vec<(PathBuf, PathBuf)>) {
+    let Ok(entries) = fs::read_dir(path) else {
+        files.push((name.to_path_buf(), path.to_path_buf()));
+        return;
+    };
+    // A file that is added or removed changes its folder.
+    println!("cargo:rerun-if-changed={}", path.display());
+    entries.flatten().for_each(|entry| collect(&entry.path(), &name.join(entry.file_name()), files));
 }

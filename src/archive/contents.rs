@@ -31,7 +31,7 @@ pub(super) const MATERIALS_FILE: &str = "sbom.cdx.json";
 /// The files that follow from the others.
 pub(super) const DERIVED: [&str; 5] = [MATERIALS_FILE, README_FILE, STATEMENT_FILE, CRATE_FILE, DIGESTS_FILE];
 
-const CARGO_LOCK: &str = include_str!("../../Cargo.lock");
+const CARGO_LOCK: &str = include_str!("Cargo.lock");
 const CITATION: &str = include_str!("../../CITATION.cff");
 const LICENSE_MIT: &str = include_str!("../../LICENSE-MIT");
 const LICENSE_APACHE: &str = include_str!("../../LICENSE-APACHE");

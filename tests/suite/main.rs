@@ -33,6 +33,7 @@ mod hard_cases;
 mod hard_points;
 mod harness;
 mod hostile;
+mod locked_packages;
 mod messages;
 mod mutation;
 mod mutations;

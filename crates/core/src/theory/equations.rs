@@ -200,7 +200,7 @@ impl Equations {
 pub(super) mod tests {
     use super::*;
 
-    const FILE: &str = include_str!("../../../../reports/im-avouac/equations.toml");
+    const FILE: &str = include_str!("im-avouac.toml");
 
     fn read(text: &str) -> Result<Equations, EquationsError> {
         Equations::read(toml::from_str(text).expect("TOML with known keys"))
