@@ -5,8 +5,10 @@ use std::collections::BTreeMap;
 use serde::{Deserialize, Serialize};
 
 use crate::claims::Ledger;
+use crate::scene::Paper;
 
 use super::bill_of_materials::bill_of_materials;
+use super::codecheck::{CODECHECK_FILE, LICENCE_FILE, LICENCES, codecheck};
 use super::crate_metadata::{CRATE_FILE, crate_metadata};
 use super::digests::{DIGESTS_FILE, list};
 use super::readme::readme;
@@ -29,7 +31,8 @@ pub const LOCK_FILE: &str = "Cargo.lock";
 /// The same as a CycloneDX bill of materials.
 pub(super) const MATERIALS_FILE: &str = "sbom.cdx.json";
 /// The files that follow from the others.
-pub(super) const DERIVED: [&str; 5] = [MATERIALS_FILE, README_FILE, STATEMENT_FILE, CRATE_FILE, DIGESTS_FILE];
+pub(super) const DERIVED: [&str; 6] =
+    [MATERIALS_FILE, README_FILE, CODECHECK_FILE, STATEMENT_FILE, CRATE_FILE, DIGESTS_FILE];
 
 const CARGO_LOCK: &str = include_str!("Cargo.lock");
 const CITATION: &str = include_str!("../../CITATION.cff");
@@ -71,6 +74,8 @@ pub struct Parts<'p> {
     pub ledger: &'p Ledger,
     /// The program.
     pub facts: &'p Facts,
+    /// The paper, where the archive is prepared for a CODECHECK certificate.
+    pub codecheck: Option<&'p Paper>,
 }
 
 /// All files of the archive of a report.
@@ -88,6 +93,9 @@ pub fn contents(parts: &Parts<'_>) -> Files {
         ("NOTICE.md", NOTICE),
     ];
     files.extend(texts.map(|(path, text)| (path.to_string(), text.as_bytes().to_vec())));
+    if parts.codecheck.is_some() {
+        files.insert(LICENCE_FILE.into(), LICENCES.as_bytes().to_vec());
+    }
     files.insert(VERSIONS_FILE.into(), parts.facts.to_json().into_bytes());
     add_derived(parts, &mut files);
     files
@@ -100,6 +108,9 @@ pub(super) fn add_derived(parts: &Parts<'_>, files: &mut Files) {
     let add = |files: &mut Files, path: &str, text: String| files.insert(path.into(), text.into_bytes());
     add(files, MATERIALS_FILE, materials);
     add(files, README_FILE, readme(parts));
+    if let Some(paper) = parts.codecheck {
+        add(files, CODECHECK_FILE, codecheck(parts, paper, files));
+    }
     add(files, STATEMENT_FILE, statement(parts, files));
     add(files, CRATE_FILE, crate_metadata(parts, files));
     add(files, DIGESTS_FILE, list(files));

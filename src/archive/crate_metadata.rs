@@ -10,7 +10,6 @@ use super::digests::{DIGESTS_FILE, sha256_hex};
 pub(super) const CRATE_FILE: &str = "ro-crate-metadata.json";
 
 const PROFILE: &str = "https://w3id.org/ro/wfrun/process/0.5";
-const AUTHORS_URL: &str = "https://slipmode.invalid/";
 const LICENCE: &str = "https://spdx.org/licenses/MIT";
 
 /// The metadata of these files, as JSON-LD.
@@ -74,12 +73,12 @@ fn licence() -> Value {
 }
 
 fn author() -> Value {
-    json!({ "@id": "#authors", "@type": "Organization", "name": "The slipmode authors", "url": AUTHORS_URL })
+    json!({ "@id": "#authors", "@type": "Organization", "name": "The slipmode authors" })
 }
 
-/// The program as an absolute address, which the profile requires; no host with the ending `.invalid` exists (RFC 2606).
+/// The program's name among packages of Rust (a package URL), as in the bill of materials.
 fn program_id(parts: &Parts<'_>) -> String {
-    format!("{AUTHORS_URL}{}", parts.facts.version)
+    format!("pkg:cargo/slipmode@{}", parts.facts.version)
 }
 
 fn program(parts: &Parts<'_>) -> Value {
@@ -132,6 +131,7 @@ fn media_type(path: &str) -> &'static str {
         (".json", "application/json"),
         (".toml", "application/toml"),
         (".cff", "application/yaml"),
+        (".yml", "application/yaml"),
     ];
     known
         .into_iter()

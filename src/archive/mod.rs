@@ -8,6 +8,7 @@
 mod bill_of_materials;
 mod budget;
 mod canonical;
+mod codecheck;
 mod compare;
 mod container;
 mod contents;
@@ -24,6 +25,7 @@ mod untrusted;
 use std::collections::BTreeMap;
 
 pub use budget::{Budget, Request, requests};
+pub use codecheck::{CODECHECK_FILE, open_fields};
 pub use container::{ReleaseTime, pack};
 pub use contents::{
     Facts, INPUT_FOLDER, Parts, README_FILE, REPORT_FOLDER, STATEMENT_FILE, VERSIONS_FILE, contents,

@@ -2,6 +2,7 @@
 
 use std::fmt::Write;
 
+use super::codecheck::CODECHECK_FILE;
 use super::contents::{INPUT_FOLDER, Parts, REPORT_FOLDER, STATEMENT_FILE, VERSIONS_FILE};
 
 /// The text of the README.
@@ -27,6 +28,16 @@ pub(super) fn readme(parts: &Parts<'_>) -> String {
         let (id, verdict) = (&entry.id, entry.finding.verdict.as_str());
         // Writing to a string cannot fail.
         let _ = writeln!(text, "| {id} | `slipmode verify {INPUT_FOLDER} --claim {id}` | {verdict} |");
+    }
+    if parts.codecheck.is_some() {
+        // As above.
+        let _ = write!(
+            text,
+            "\n## CODECHECK\n\n\
+             The manifest of `{CODECHECK_FILE}` lists every file below `{REPORT_FOLDER}/`. `LICENSE` names the licences of all files.\n\
+             `slipmode report {INPUT_FOLDER} --output again` makes these files again, below `again/`. \
+             `index.html` and `report.md` then end with the versions and the machine of the run; nothing else differs.\n"
+        );
     }
     text
 }

@@ -6,7 +6,7 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use slipmode::archive::{Facts, Parts, ReleaseTime, contents, pack, sha256_hex};
+use slipmode::archive::{CODECHECK_FILE, Facts, Parts, ReleaseTime, contents, open_fields, pack, sha256_hex};
 use slipmode::report::{Product, without_environment};
 
 use crate::cli::environment::{Environment, SOURCE_SHA256, versions};
@@ -27,6 +27,9 @@ pub struct Options {
     /// The archive to write; FILE.timings.json next to it records time and machine
     #[arg(short, long, value_name = "FILE.zip")]
     output: PathBuf,
+    /// Also prepares the archive for a CODECHECK certificate: codecheck.yml with the manifest, and LICENSE; authors and reference are those of [paper] in report.toml
+    #[arg(long)]
+    codecheck: bool,
     #[command(flatten)]
     limit: LimitOption,
 }
@@ -44,14 +47,21 @@ pub fn run(options: &Options, progress: &Progress) -> Result<(), Failure> {
     let Product { ledger, files } = recompute(&folder, &options.folder, progress)?;
     let facts = facts(time);
     let (name, title) = (&folder.plan.name, &folder.plan.title);
-    let parts = Parts { name, title, inputs: &inputs, product: &files, ledger: &ledger, facts: &facts };
+    let codecheck = options.codecheck.then_some(&folder.plan.paper);
+    let parts =
+        Parts { name, title, inputs: &inputs, product: &files, ledger: &ledger, facts: &facts, codecheck };
     let packed = pack(&contents(&parts), time).map_err(Failure::Refused)?;
     archive.write_all(&packed).map_err(|error| machine_write(&error))?;
     timings.write_all(environment.to_json().as_bytes()).map_err(|error| machine_write(&error))?;
     archive.commit()?;
     timings.commit()?;
     let place = options.output.display();
-    terminal::print(&format!("{}{}  {place}\n", summary(&ledger), sha256_hex(&packed)))
+    let open: String = codecheck
+        .into_iter()
+        .flat_map(open_fields)
+        .map(|field| format!("{CODECHECK_FILE}: open: {field}\n"))
+        .collect();
+    terminal::print(&format!("{}{open}{}  {place}\n", summary(&ledger), sha256_hex(&packed)))
 }
 
 /// What is known of this program.

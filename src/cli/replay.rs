@@ -6,8 +6,8 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use slipmode::archive::{
-    Budget, Caps, Facts, Files, INPUT_FOLDER, Maker, Parts, ReleaseTime, Reproduction, digest_faults,
-    reproduction, requests, unpack,
+    Budget, CODECHECK_FILE, Caps, Facts, Files, INPUT_FOLDER, Maker, Parts, ReleaseTime, Reproduction,
+    digest_faults, reproduction, requests, unpack,
 };
 use slipmode::report::{Folder, Product, produce};
 use slipmode::scene::{AllowedRange, Limits};
@@ -145,7 +145,16 @@ impl Replay<'_> {
         let product = recompute(&folder, &inside, progress)?;
         let (name, title) = (&folder.plan.name, &folder.plan.title);
         let (product_files, ledger) = (&product.files, &product.ledger);
-        let parts = Parts { name, title, inputs: &read, product: product_files, ledger, facts: self.facts };
+        let codecheck = self.opened.files.contains_key(CODECHECK_FILE).then_some(&folder.plan.paper);
+        let parts = Parts {
+            name,
+            title,
+            inputs: &read,
+            product: product_files,
+            ledger,
+            facts: self.facts,
+            codecheck,
+        };
         let mut found = reproduction(&self.opened.container, &self.opened.files, &parts, &self.maker);
         found.differences.extend(drift(&product.ledger));
         Ok((product, found))

@@ -259,6 +259,7 @@ mod tests {
             question: crate::scene::Question::Claims,
             scenes: Vec::new(),
             measured: None,
+            paper: Default::default(),
             chapters: vec![chapter("one"), chapter("two")],
         };
         let prose = [("one", "[[figure:x]]\n[[figure:fig-3a]]"), ("two", "[[figure:times]]\n")];

@@ -1,6 +1,7 @@
 //! `report.toml`: the scenes and chapters of a report.
 
 use crate::scene::document::read_document;
+use crate::scene::paper::Paper;
 use crate::scene::part::Part;
 use crate::scene::question::Question;
 use crate::scene::section::Entry;
@@ -22,6 +23,8 @@ pub struct ReportPlan {
     pub scenes: Vec<String>,
     /// The folder of tables and charts that were measured apart, if any.
     pub measured: Option<String>,
+    /// The paper that the report accompanies.
+    pub paper: Paper,
     /// The chapters, in order.
     pub chapters: Vec<Chapter>,
 }
@@ -56,6 +59,7 @@ impl ReportPlan {
                 entry.list(|member| distinct_name(member, &mut names))
             });
             let measured = top.optionally("measured", read_measured);
+            let paper = top.optionally("paper", Paper::read);
             let chapters = top.required("chapter", "[[chapter]] sections");
             let chapters = chapters.and_then(|entry| read_chapters(&entry));
             Some(Self {
@@ -65,6 +69,7 @@ impl ReportPlan {
                 question: question?.unwrap_or_default(),
                 scenes: scenes?.unwrap_or_default(),
                 measured: measured?,
+                paper: paper?.unwrap_or_default(),
                 chapters: chapters?,
             })
         })
@@ -143,6 +148,31 @@ mod tests {
             [("folder = \"../x\"", "measured.folder"), ("", "measured.folder"), ("file = 1", "measured.f")]
         {
             let fault = plan(value).unwrap_err()[0].to_string();
+            assert!(fault.contains(named), "{fault}");
+        }
+    }
+
+    #[test]
+    fn a_report_can_name_the_authors_of_its_paper() {
+        let plan = |paper: &str| {
+            let text =
+                format!("name = \"r\"\ntitle = \"R\"\nscenes = [\"one\"]\n{CHAPTER}[paper]\n{paper}\n");
+            ReportPlan::parse("report.toml", text.as_bytes())
+        };
+        let paper = plan(
+            "reference = \"submitted\"\n[[paper.author]]\nname = \"A\"\norcid = \"0000-0002-1825-0097\"",
+        );
+        let paper = paper.unwrap().paper;
+        assert_eq!((paper.title, paper.reference.as_deref()), (None, Some("submitted")));
+        assert_eq!(paper.authors[0].orcid.as_deref(), Some("0000-0002-1825-0097"));
+        for (text, named) in [
+            ("", "paper.author: missing"),
+            ("author = []", "paper.author"),
+            ("[[paper.author]]\norcid = \"0000-0002-1825-0097\"", "paper.author[1].name: missing"),
+            ("[[paper.author]]\nname = \"A\"\norcid = \"0000-0002-1825-0098\"", "with its check digit"),
+            ("[[paper.author]]\nname = \"A\"\nemail = \"x\"", "unknown key"),
+        ] {
+            let fault = plan(text).unwrap_err()[0].to_string();
             assert!(fault.contains(named), "{fault}");
         }
     }

@@ -78,12 +78,16 @@ fn forged(place: &Workplace, seal: bool, alter: impl FnOnce(&mut Files)) {
     let (mut files, time) = unpack(&container, &Caps::default()).unwrap();
     alter(&mut files);
     if seal {
-        files.remove(DIGESTS_FILE);
-        let sums: String =
-            files.iter().map(|(path, bytes)| format!("{}  {path}\n", sha256_hex(bytes))).collect();
-        files.insert(DIGESTS_FILE.into(), sums.into_bytes());
+        self::seal(&mut files);
     }
     place.write("forged.zip", pack(&files, time).unwrap());
+}
+
+/// Gives the files fresh digests.
+pub fn seal(files: &mut Files) {
+    files.remove(DIGESTS_FILE);
+    let sums: String = files.iter().map(|(path, bytes)| format!("{}  {path}\n", sha256_hex(bytes))).collect();
+    files.insert(DIGESTS_FILE.into(), sums.into_bytes());
 }
 
 /// Replaces a text in a file of an archive.

@@ -19,6 +19,7 @@ mod claim_motions;
 mod claim_names;
 mod claims_over_rows;
 mod classify;
+mod codecheck;
 mod compare;
 mod compare_bad;
 mod csv_promises;

@@ -183,6 +183,7 @@ fn page(prose: &str) -> Option<String> {
         question: slipmode::scene::Question::Claims,
         scenes: Vec::new(),
         measured: None,
+        paper: Default::default(),
         chapters: vec![chapter],
     };
     let folder = Folder {

@@ -33,12 +33,13 @@ pub const PYTHON: &[&str] = &["python3"];
 const VENV: &str = "python3-venv";
 const BROWSER: &[&str] = &["chromium", "chromium-browser", "google-chrome"];
 
-const VALIDATORS: [Validator; 6] = [
+const VALIDATORS: [Validator; 7] = [
     Validator { name: "Nu HTML checker", programs: &[NPM, JAVA], commands: nu_html_checker },
     Validator { name: "html-validate", programs: &[NODE, NPM], commands: html_validate },
     Validator { name: "axe-core in Chromium", programs: &[NODE, NPM, BROWSER], commands: pages_in_browser },
     Validator { name: "markdownlint", programs: &[NODE, NPM], commands: markdownlint },
     Validator { name: "RO-Crate validator", programs: &[PYTHON], commands: crate_validator },
+    Validator { name: "CODECHECK rules", programs: &[PYTHON], commands: codecheck },
     Validator { name: "cffconvert", programs: &[PYTHON], commands: citation },
 ];
 
@@ -89,7 +90,7 @@ fn make(name: &str) -> Result<Made, Failure> {
     let run = ["run", "--release", "--locked", "--quiet", "--bin", "slipmode", "--"];
     let folder = format!("reports/{name}");
     process::check(process::cargo(&run).args(["report", &folder]))?;
-    process::check(process::cargo(&run).args(["archive", &folder, "--output"]).arg(&archive))?;
+    process::check(process::cargo(&run).args(["archive", &folder, "--codecheck", "--output"]).arg(&archive))?;
     let mut pages = explorers(name)?;
     let folder = repository::root().join("target/report").join(name);
     pages.insert(0, folder.join("index.html"));
@@ -259,6 +260,12 @@ fn markdownlint(made: &Made) -> Result<Vec<Command>, Failure> {
 fn crate_validator(made: &Made) -> Result<Vec<Command>, Failure> {
     let mut command = Command::new(python_program("python")?);
     command.arg(definition("validate_crate.py")).arg(&made.archive).arg("process-run-crate-0.5");
+    Ok(vec![command])
+}
+
+fn codecheck(made: &Made) -> Result<Vec<Command>, Failure> {
+    let mut command = Command::new(python_program("python")?);
+    command.arg(definition("validate_codecheck.py")).arg(&made.archive);
     Ok(vec![command])
 }
 

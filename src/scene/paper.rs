@@ -1,0 +1,91 @@
+//! `[paper]` of `report.toml`: the authors and the reference of the paper that a report accompanies, for those who certify its archive.
+
+use crate::scene::Problem;
+use crate::scene::section::Entry;
+
+/// What is known of the paper; nothing without the section.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct Paper {
+    /// The paper's title; that of the report by default.
+    pub title: Option<String>,
+    /// Where it is published or under review: an address, an identifier, or a short text.
+    pub reference: Option<String>,
+    /// Its authors, the corresponding one first.
+    pub authors: Vec<Author>,
+}
+
+/// An author of the paper.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Author {
+    /// The author's name.
+    pub name: String,
+    /// The author's ORCID, without an address in front.
+    pub orcid: Option<String>,
+}
+
+impl Paper {
+    pub(crate) fn read(entry: &Entry<'_>) -> Option<Self> {
+        let mut section = entry.section()?;
+        let title = section.optionally("title", Entry::text);
+        let reference = section.optionally("reference", Entry::text);
+        let authors = section.required("author", "[[paper.author]] sections, the corresponding author first");
+        let authors = authors.and_then(|entry| entry.list(read_author));
+        section.finish();
+        Some(Self { title: title?, reference: reference?, authors: authors? })
+    }
+}
+
+fn read_author(entry: &Entry<'_>) -> Option<Author> {
+    let mut section = entry.section()?;
+    let name = section.text("name", "a text");
+    let orcid = section.optionally("orcid", |entry| {
+        let orcid = entry.text()?;
+        if is_orcid(&orcid) { Some(orcid) } else { entry.refuse(Problem::Needs(ORCID_FORM.into())) }
+    });
+    section.finish();
+    Some(Author { name: name?, orcid: orcid? })
+}
+
+const ORCID_FORM: &str =
+    "an ORCID such as `0000-0002-1825-0097`, with its check digit and without an address";
+
+/// Whether a text is an ORCID: 16 digits in groups of four, the last one a check digit by ISO/IEC 7064, MOD 11-2.
+#[must_use]
+pub fn is_orcid(text: &str) -> bool {
+    let groups: Vec<&str> = text.split('-').collect();
+    let characters: Vec<char> = groups.concat().chars().collect();
+    let Some((check, digits)) = characters.split_last() else { return false };
+    let values: Option<Vec<u32>> = digits.iter().map(|digit| digit.to_digit(10)).collect();
+    let Some(values) = values else { return false };
+    if groups.len() != 4 || groups.iter().any(|group| group.len() != 4) {
+        return false;
+    }
+    let remainder = values.iter().fold(0, |sum, digit| (sum + digit) * 2 % 11);
+    let expected = (12 - remainder) % 11;
+    if expected == 10 { *check == 'X' } else { check.to_digit(10) == Some(expected) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_orcid_has_four_groups_and_its_check_digit() {
+        for good in ["0000-0002-1825-0097", "0000-0001-5109-3700", "0000-0002-1694-233X"] {
+            assert!(is_orcid(good), "{good}");
+        }
+        for bad in [
+            "0000-0002-1825-0098",
+            "0000-0002-1694-2330",
+            "0000000218250097",
+            "000-00002-1825-0097",
+            "0000-0002-1825-00970",
+            "https://orcid.org/0000-0002-1825-0097",
+            "0000-0002-1825-009é",
+            "----",
+            "",
+        ] {
+            assert!(!is_orcid(bad), "{bad}");
+        }
+    }
+}
