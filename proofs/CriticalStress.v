@@ -116,19 +116,19 @@ Let sigma_pos : 0 < sigma_c.
 Proof using weakening D_pos K_pos. assert (0 < b - a) by lra; unfold sigma_c; pos. Qed.
 
 Let k := (b - a) / a.
-Let eta (M V : R) := M * V ^ 2 / (sigma_c * a * D).
+Let inertia (M V : R) := M * V ^ 2 / (sigma_c * a * D).
 
 Let k_pos : 0 < k.
 Proof using a_pos weakening. assert (0 < b - a) by lra; unfold k; pos. Qed.
 
 (** The frequency by the number y that belongs to V and M. *)
-Let by_y (M V : R) : 0 < M -> 0 < V -> exists y, 0 < y /\ / eta M V = inverse_eta k y /\
+Let by_y (M V : R) : 0 < M -> 0 < V -> exists y, 0 < y /\ / inertia M V = inverse_eta k y /\
   forall w, 0 <= w -> (highest (eq_8 M V) w <-> w = V / D * sqrt (square k y)).
 Proof using a_pos weakening D_pos K_pos sigma_pos k_pos.
-  intros m v; assert (E : 0 < eta M V) by (unfold eta; pos); assert (b_pos : 0 < b) by lra.
+  intros m v; assert (E : 0 < inertia M V) by (unfold inertia; pos); assert (b_pos : 0 < b) by lra.
   assert (B : b / a = k + 1) by (unfold k; field; lra).
   assert (Q : K * D / (a * sigma_c) = k) by (unfold k, sigma_c; field; lra).
-  destruct (parts_exist (eta M V) k (k + 1) E k_pos ltac:(lra)) as (y & S & P & T).
+  destruct (parts_exist (inertia M V) k (k + 1) E k_pos ltac:(lra)) as (y & S & P & T).
   destruct (critical_parts _ _ _ _ _ E k_pos T) as [H1 H2].
   assert (Y : 0 < y) by (destruct T; assumption); destruct (square_near k y k_pos Y) as [W _].
   exists y; split; [exact Y|]; split; [exact H1|].
@@ -137,10 +137,10 @@ Proof using a_pos weakening D_pos K_pos sigma_pos k_pos.
   assert (H : highest (eq_8 M V) (V / D * sqrt (square k y))).
   { split.
     - exists (RtoC (V / D) * ((S - 2) / 2, sqrt (square k y))%R)%C; split; [|now destruct (groups_parts D V ((S - 2) / 2, sqrt (square k y))%R)].
-      unfold eq_8, c3, c2, c1, c0; apply (groups a b D K M V sigma_c); try assumption; rewrite B, Q; fold (eta M V).
+      unfold eq_8, c3, c2, c1, c0; apply (groups a b D K M V sigma_c); try assumption; rewrite B, Q; fold (inertia M V).
       apply (roots _ _ _ _ _ _ E T); right; apply quadratic_parts; rewrite R2; split; field.
     - intros z Z; destruct (groups_onto D V D_pos v z) as [p ->].
-      unfold eq_8, c3, c2, c1, c0 in Z; apply (groups a b D K M V sigma_c) in Z; try assumption; rewrite B, Q in Z; fold (eta M V) in Z.
+      unfold eq_8, c3, c2, c1, c0 in Z; apply (groups a b D K M V sigma_c) in Z; try assumption; rewrite B, Q in Z; fold (inertia M V) in Z.
       rewrite (proj2 (groups_parts D V p)); apply Rmult_le_compat_l; [lra|].
       destruct p as [x w]; simpl; apply (roots _ _ _ _ _ _ E T) in Z; destruct Z as [Z|Z].
       { apply (f_equal snd) in Z; simpl in Z; lra. }
@@ -153,11 +153,11 @@ Proof using a_pos weakening D_pos K_pos sigma_pos k_pos.
   apply Rle_antisym; [now apply U' | rewrite <- E'; now apply U].
 Qed.
 
-Let squared (M V y : R) : 0 < M -> 0 < V -> 0 < y -> / eta M V = inverse_eta k y ->
+Let squared (M V y : R) : 0 < M -> 0 < V -> 0 < y -> / inertia M V = inverse_eta k y ->
   (V / D * sqrt (square k y)) ^ 2 = K / M * (a / (b - a)) * (square k y / inverse_eta k y).
 Proof using a_pos weakening D_pos K_pos k_pos.
   intros m v Y E; destruct (square_near k y k_pos Y) as [W _]; rewrite <- E, Rpow_mult_distr, root_squared by lra.
-  unfold eta, sigma_c; field; repeat split; lra.
+  unfold inertia, sigma_c; field; repeat split; lra.
 Qed.
 
 (** Claim Q3: at σ = σ_c there is a pair at every velocity; its frequency is eq 23 in the limit V_0 → 0, rises with the velocity, and
@@ -170,7 +170,7 @@ Theorem Q3 (M : R) : 0 < M ->
   (forall e, 0 < e -> exists V0, 0 < V0 /\ forall V w, V0 < V -> highest (eq_8 M V) w -> Rabs (w - omega_n M) < e).
 Proof using a_pos weakening D_pos K_pos sigma_pos k_pos by_y squared.
   intros m; assert (b_pos : 0 < b) by lra; pose proof sigma_pos as SP; pose proof k_pos as KP.
-  assert (known : forall V w, 0 < V -> highest (eq_8 M V) w -> exists y, 0 < y /\ / eta M V = inverse_eta k y /\ 0 < w /\
+  assert (known : forall V w, 0 < V -> highest (eq_8 M V) w -> exists y, 0 < y /\ / inertia M V = inverse_eta k y /\ 0 < w /\
     w = V / D * sqrt (square k y)).
   { intros V w v H; destruct (by_y M V m v) as (y & Y & E & G); exists y; split; [exact Y|]; split; [exact E|].
     assert (U : 0 < V / D * sqrt (square k y)).
@@ -204,15 +204,15 @@ Proof using a_pos weakening D_pos K_pos sigma_pos k_pos by_y squared.
       replace ((1 - square k y / k) * k) with (k - square k y) by (field; lra).
       replace ((1 + k) ^ 2 / (1 + y) * k) with (k * (1 + k) ^ 2 / (1 + y)) by (field; lra); exact S3. }
     assert (B3 : (1 + k) ^ 2 / (1 + y) < e).
-    { assert (P : 0 < eta M V) by (unfold eta; pos).
-      assert (I : / eta M V < 1 + y).
+    { assert (P : 0 < inertia M V) by (unfold inertia; pos).
+      assert (I : / inertia M V < 1 + y).
       { rewrite E; unfold inverse_eta; apply (Rmult_lt_reg_r ((1 + y) ^ 2 + k)); [pos|].
         replace (y * (1 + y) ^ 2 / ((1 + y) ^ 2 + k) * ((1 + y) ^ 2 + k)) with (y * (1 + y) ^ 2) by (field; apply Rgt_not_eq; red; pos).
         assert (0 < k * (1 + y)) by pos; assert (0 < (1 + y) ^ 2) by pos; lra. }
-      assert (J : / (1 + y) < eta M V).
-      { rewrite <- (Rinv_inv (eta M V)); apply Rinv_lt_contravar; [|exact I].
+      assert (J : / (1 + y) < inertia M V).
+      { rewrite <- (Rinv_inv (inertia M V)); apply Rinv_lt_contravar; [|exact I].
         apply Rmult_lt_0_compat; [now apply Rinv_0_lt_compat | lra]. }
-      assert (X : (1 + k) ^ 2 * eta M V = g * (V * V)) by (unfold eta, g; field; repeat split; lra).
+      assert (X : (1 + k) ^ 2 * inertia M V = g * (V * V)) by (unfold inertia, g; field; repeat split; lra).
       assert (C2 : 0 < (1 + k) ^ 2) by pos.
       apply (Rmult_lt_compat_l ((1 + k) ^ 2)) in J; [|exact C2]; rewrite X in J.
       apply (Rmult_lt_compat_l g) in L2; [|exact G]; replace (g * (e / g)) with e in L2 by (field; lra).
@@ -223,8 +223,8 @@ Proof using a_pos weakening D_pos K_pos sigma_pos k_pos by_y squared.
     assert (C : 0 < K / M * (a / (b - a))) by (assert (0 < b - a) by lra; pos).
     assert (N : inverse_eta k y < inverse_eta k x).
     { rewrite <- EX, <- EY; apply Rinv_lt_contravar.
-      - apply Rmult_lt_0_compat; unfold eta; pos.
-      - unfold eta, Rdiv; apply Rmult_lt_compat_r; [apply Rinv_0_lt_compat; pos|]; apply Rmult_lt_compat_l; [exact m|]; nra. }
+      - apply Rmult_lt_0_compat; unfold inertia; pos.
+      - unfold inertia, Rdiv; apply Rmult_lt_compat_r; [apply Rinv_0_lt_compat; pos|]; apply Rmult_lt_compat_l; [exact m|]; nra. }
     assert (O : y < x).
     { destruct (Rtotal_order x y) as [O|[O|O]]; [|subst y; lra|assumption].
       pose proof (inverse_eta_rises k x y KP X O); lra. }
@@ -256,8 +256,8 @@ Proof using a_pos weakening D_pos K_pos sigma_pos k_pos by_y.
   rewrite (U _ _ _ Hv (proj2 (GX _ (R x X)) eq_refl)), (U _ _ _ Hw (proj2 (GY _ (R y Y)) eq_refl)).
   assert (I : inverse_eta k y < inverse_eta k x).
   { rewrite <- EX, <- EY; apply Rinv_lt_contravar.
-    - apply Rmult_lt_0_compat; unfold eta; pos.
-    - unfold eta, Rdiv; apply Rmult_lt_compat_r; [apply Rinv_0_lt_compat; pos|]; apply Rmult_lt_compat_r; [pos | exact L]. }
+    - apply Rmult_lt_0_compat; unfold inertia; pos.
+    - unfold inertia, Rdiv; apply Rmult_lt_compat_r; [apply Rinv_0_lt_compat; pos|]; apply Rmult_lt_compat_r; [pos | exact L]. }
   assert (O : y < x).
   { destruct (Rtotal_order x y) as [O|[O|O]]; [|subst y; lra|assumption].
     pose proof (inverse_eta_rises k x y KP X O); lra. }
