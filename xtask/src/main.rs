@@ -12,6 +12,7 @@ mod gmp_cache;
 mod licences;
 mod lines;
 mod machine;
+mod open_fields;
 mod process;
 mod prove;
 mod repository;
@@ -43,6 +44,7 @@ usage: cargo xtask <command> [arguments]
   advisories    check the locked packages against the RustSec database (skipped without cargo-deny or network)
   licences      check every dependency's licence against the list of allowed licences
   validate      run external validators on every report's page, Markdown, archive and citation
+  open-fields   list what only a person can state about the program and its paper: authors, addresses, identifiers
   prove         have Coq check every certified step of every published ledger as a theorem, with the lemmas in proofs/;
                 --planted-faults [sample]: have it refuse every altered theorem, or one of each file
   wheel         build the Python package into target/wheels/; --test: install, test and check it
@@ -81,6 +83,7 @@ fn run(arguments: &[String]) -> Result<(), Failure> {
         "advisories" => advisories::run(),
         "licences" => licences::run(),
         "lines" => lines::run(),
+        "open-fields" => open_fields::run(),
         "machine" => machine::run(),
         "help" | "--help" | "-h" => {
             println!("{USAGE}");

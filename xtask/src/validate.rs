@@ -30,6 +30,8 @@ const NPM: &[&str] = &["npm"];
 const JAVA: &[&str] = &["java"];
 /// Debian's Python needs this package to make virtual environments; `python3` alone is not enough.
 pub const PYTHON: &[&str] = &["python3"];
+/// It runs the wheel on older processors.
+pub const EMULATOR: &[&str] = &["qemu-x86_64"];
 const VENV: &str = "python3-venv";
 const BROWSER: &[&str] = &["chromium", "chromium-browser", "google-chrome"];
 
@@ -155,6 +157,7 @@ fn debian_packages(programs: &[&str]) -> Vec<&'static str> {
         // This package installs Python too.
         "python3" => VENV,
         name if name == VENV => VENV,
+        "qemu-x86_64" => "qemu-user",
         _ => "chromium",
     };
     programs.iter().map(package).collect()
@@ -272,7 +275,9 @@ fn codecheck(made: &Made) -> Result<Vec<Command>, Failure> {
 fn citation(_made: &Made) -> Result<Vec<Command>, Failure> {
     let mut command = Command::new(python_program("cffconvert")?);
     command.args(["--validate", "--infile"]).arg(repository::root().join("CITATION.cff"));
-    Ok(vec![command])
+    let mut conversion = Command::new(python_program("python")?);
+    conversion.arg(definition("validate_metadata.py")).arg(repository::root());
+    Ok(vec![command, conversion])
 }
 
 #[cfg(test)]
