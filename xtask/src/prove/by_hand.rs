@@ -59,4 +59,23 @@ mod tests {
         assert_eq!(refusal(&altered, "Timeout!".into()), Err("Timeout!".into()));
         assert_eq!(refusal(&task("r/claim_S1_faults"), "Error".into()), Err("Error".into()));
     }
+
+    #[test]
+    fn the_rounding_theorems_have_the_constants_of_the_filter() {
+        let text = |path: &str| std::fs::read_to_string(crate::repository::root().join(path)).unwrap();
+        let theorems = text("proofs/Rounding.v");
+        let power = |name: &str| -> u32 {
+            let (_, rest) = theorems.split_once(&format!("Definition {name} : R := / 2 ^ ")).unwrap();
+            rest.split_once('.').unwrap().0.parse().unwrap()
+        };
+        let code = text("crates/core/src/stability/batch/row_filter.rs");
+        let relative = power("relative_bound");
+        assert!(code.contains(&format!("const RELATIVE_BOUND: f64 = 1.0 / (1u64 << {relative}) as f64;")));
+        let absolute = power("absolute_bound");
+        assert!(
+            code.contains(&format!("const ABSOLUTE_BOUND: f64 = f64::from_bits((1023 - {absolute}) << 52);"))
+        );
+        assert_eq!(power("unit_roundoff"), f64::MANTISSA_DIGITS);
+        assert_eq!(power("underflow") as i32, f64::MANTISSA_DIGITS as i32 - f64::MIN_EXP);
+    }
 }

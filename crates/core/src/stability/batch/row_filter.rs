@@ -8,7 +8,8 @@
 //! in [1/2, 1]. Horner's scheme of degree 4 with separate products and sums errs by at most γ₈·Σ|q_i|x^i (γ_n = nu/(1−nu),
 //! u = 2^-53), rounding q_i to f64 by u|q_i| and by the radius r_i of its ball. The bound is evaluated in 64-bit itself with
 //! e_i = 2^-48·|q_i| + r_i: 32u leaves room for γ₉ and for the bound's own rounding. All intermediate values are
-//! at most 5, so nothing overflows; underflow contributes less than 10·2^-1074 and is covered by 2^-1000.
+//! at most 5, so nothing overflows; underflow contributes less than 30·2^-1074 and is covered by 2^-1000. The computed bound can
+//! lack 10u of the radii's part, but a value larger than it has the sign of the polynomial: `proofs/Rounding.v` proves this.
 
 use rug::Float;
 
