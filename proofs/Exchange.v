@@ -88,6 +88,24 @@ Proof.
   replace sigma with ((b - a) * sigma / D * (D / (b - a))) by (field; lra); rewrite H; field; lra.
 Qed.
 
+(** How eqs 15, 16, 18 and 20 and η hang together: the mean of eqs 15 and 16, the ratio of eqs 18 and 20, and the square of eq 20. *)
+Theorem relations (a b D K M V sigma : R) : 0 < a -> 0 < b -> a <> b -> 0 < D -> 0 < K -> 0 < M -> 0 < V -> 0 < sigma ->
+  right_15 a b D K * right_16 a b D K = (K * D / (b - a)) ^ 2 /\
+  left_18 a b K M V sigma * Rabs (a - b) = left_20 a b D K M V sigma * a /\
+  left_20 a b D K M V sigma ^ 2 = 4 * eta a b D K M V sigma * (K * D / (a * sigma)).
+Proof.
+  intros Pa Pb N PD PK PM PV Ps; unfold right_15, right_16, left_18, left_20, eta.
+  assert (Ra : 0 < sqrt a) by (now apply sqrt_lt_R0); assert (Rb : 0 < sqrt b) by (now apply sqrt_lt_R0).
+  assert (S : sqrt b - sqrt a <> 0) by (intros H; apply N, sqrt_inj; lra).
+  split; [|split].
+  - assert (E : b - a = (sqrt b - sqrt a) * (sqrt b + sqrt a)).
+    { rewrite <- (root_squared b) at 1 by lra; rewrite <- (root_squared a) at 1 by lra; ring. }
+    rewrite E; field; lra.
+  - assert (Rabs (a - b) <> 0) by (apply Rabs_no_R0; lra); field; lra.
+  - replace ((2 * V * sqrt (M * K) / (a * sigma)) ^ 2) with (4 * V ^ 2 * sqrt (M * K) ^ 2 / (a * sigma) ^ 2) by (field; lra).
+    rewrite root_squared by (left; pos); field; lra.
+Qed.
+
 (** Claim B6: when a and b are exchanged, eqs 15, 16 and 18 stay, but each solution V of eq 20 is multiplied by b/a. *)
 Theorem B6 (a b D K M : R) : 0 < a -> 0 < b -> a <> b ->
   right_15 b a D K = right_15 a b D K /\ right_16 b a D K = right_16 a b D K /\

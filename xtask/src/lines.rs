@@ -19,8 +19,8 @@ const GROUPS: [Group; 2] = [
         },
         most_lines: 38_000,
     },
-    // 440 of them are `prove`, which decides what counts as proved by Coq, 90 are `wheel`, and 30 are `open-fields`.
-    Group { name: "xtask", includes: |path| path.starts_with("xtask/"), most_lines: 2_580 },
+    // 460 of them are `prove`, which decides what counts as proved by Coq, 90 are `wheel`, and 30 are `open-fields`.
+    Group { name: "xtask", includes: |path| path.starts_with("xtask/"), most_lines: 2_600 },
 ];
 
 /// Lines of code inside and outside tests.

@@ -57,7 +57,10 @@ pub fn run(arguments: &[String]) -> Result<(), Failure> {
     let text: String = library.iter().map(|(_, text)| text.as_str()).collect();
     let mut files = generated_files(&generated, mode)?;
     match mode {
-        Mode::Proofs => files.push(library_check(&library)),
+        Mode::Proofs => {
+            by_hand::second_opinion()?;
+            files.push(library_check(&library));
+        }
         Mode::Faults => {
             files.extend(by_hand::altered(
                 &library,

@@ -1,7 +1,10 @@
 //! The hand-written theorems with one of their equations altered: Coq must refuse the file.
 
+use std::process::Command;
+
 use super::{Said, Task};
 use crate::failure::Failure;
+use crate::{machine, process, repository};
 
 /// The folder of the altered files.
 const FOLDER: &str = "by_hand/";
@@ -35,6 +38,21 @@ pub fn refusal(task: &Task, message: String) -> Said {
         Some(fault) if !message.contains("Timeout") => Ok(format!("refused {fault}\n")),
         _ => Err(message),
     }
+}
+
+/// Has Gappa check the rounding errors of the 64-bit filter too, installing it where that is possible.
+pub fn second_opinion() -> Result<(), Failure> {
+    let is_missing = || Command::new("gappa").arg("--version").output().is_err();
+    if is_missing() && machine::can_install() {
+        machine::install_packages(&["gappa"])?;
+    }
+    if is_missing() {
+        println!("prove: no second opinion on rounding errors, because gappa is not installed");
+        return Ok(());
+    }
+    process::check(Command::new("gappa").arg(repository::root().join("proofs/row_filter.gappa")))?;
+    println!("prove: gappa accepts the rounding errors of the 64-bit filter");
+    Ok(())
 }
 
 #[cfg(test)]
