@@ -6,16 +6,18 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
+use serde_json::json;
 use slipmode::archive::{CODECHECK_FILE, Facts, Parts, ReleaseTime, contents, open_fields, pack, sha256_hex};
 use slipmode::report::{Product, without_environment};
 
 use crate::cli::environment::{Environment, SOURCE_SHA256, versions};
 use crate::cli::failure::Failure;
 use crate::cli::folder::{Source, read_report_from};
+use crate::cli::inputs::SCHEMA;
 use crate::cli::output::{Output, machine_write};
 use crate::cli::progress::Progress;
 use crate::cli::replay::recompute;
-use crate::cli::report::{LimitOption, summary};
+use crate::cli::report::{LimitOption, summary, verdicts_json};
 use crate::cli::terminal;
 
 /// Options of `archive`.
@@ -30,6 +32,9 @@ pub struct Options {
     /// Also prepares the archive for a CODECHECK certificate: codecheck.yml with the manifest, and LICENSE; authors and reference are those of [paper] in report.toml
     #[arg(long)]
     codecheck: bool,
+    /// One JSON object instead of text: the numbers of verdicts and the archive's SHA-256
+    #[arg(long)]
+    json: bool,
     #[command(flatten)]
     limit: LimitOption,
 }
@@ -55,12 +60,18 @@ pub fn run(options: &Options, progress: &Progress) -> Result<(), Failure> {
     timings.write_all(environment.to_json().as_bytes()).map_err(|error| machine_write(&error))?;
     archive.commit()?;
     timings.commit()?;
+    let open = codecheck.map_or_else(Vec::new, open_fields);
+    if options.json {
+        return terminal::print_json(&json!({
+            "schema": SCHEMA,
+            "verdicts": verdicts_json(&ledger),
+            "sha256": sha256_hex(&packed),
+            "codecheck_open_fields": open,
+            "output": options.output,
+        }));
+    }
     let place = options.output.display();
-    let open: String = codecheck
-        .into_iter()
-        .flat_map(open_fields)
-        .map(|field| format!("{CODECHECK_FILE}: open: {field}\n"))
-        .collect();
+    let open: String = open.iter().map(|field| format!("{CODECHECK_FILE}: open: {field}\n")).collect();
     terminal::print(&format!("{}{open}{}  {place}\n", summary(&ledger), sha256_hex(&packed)))
 }
 

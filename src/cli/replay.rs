@@ -5,6 +5,7 @@ mod watch;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
+use serde_json::json;
 use slipmode::archive::{
     Budget, CODECHECK_FILE, Caps, Facts, Files, INPUT_FOLDER, Maker, Parts, ReleaseTime, Reproduction,
     digest_faults, reproduction, requests, unpack,
@@ -17,9 +18,10 @@ use crate::cli::archive::{facts, machine_free};
 use crate::cli::failure::Failure;
 use crate::cli::folder::{Source, read_report_from};
 use crate::cli::input::read_file_up_to;
+use crate::cli::inputs::SCHEMA;
 use crate::cli::options::Arguments;
 use crate::cli::progress::Progress;
-use crate::cli::report::{LimitOption, drift, summary, unrenderable};
+use crate::cli::report::{LimitOption, drift, summary, unrenderable, verdicts_json};
 use crate::cli::terminal;
 use watch::Watch;
 
@@ -36,6 +38,9 @@ pub struct Options {
     /// Fails when anything in the archive cannot be verified
     #[arg(long)]
     strict: bool,
+    /// One JSON object instead of text: the numbers of verdicts and what differs
+    #[arg(long)]
+    json: bool,
     /// Multiplies the limits on work, memory, time and digits
     #[arg(long, value_name = "FACTOR", default_value = "1", allow_hyphen_values = true)]
     budget: String,
@@ -76,10 +81,20 @@ pub fn run(options: &Options, progress: &Progress) -> Result<(), Failure> {
     let replay = Replay { place: &options.archive, opened: &opened, maker, facts: &this, budget };
     let (product, reproduction) = replay.run(limits, progress)?;
     let Reproduction { mut differences, not_verified } = reproduction;
-    let open: Vec<String> = not_verified.iter().map(|line| format!("not verified: {line}\n")).collect();
-    terminal::print(&format!("{}{}\n{}", summary(&product.ledger), replay.compared(), open.concat()))?;
     if options.strict {
         differences.extend(not_verified.iter().map(|line| format!("{line}: cannot be verified")));
+    }
+    let open: Vec<String> = not_verified.iter().map(|line| format!("not verified: {line}\n")).collect();
+    if options.json {
+        terminal::print_json(&json!({
+            "schema": SCHEMA,
+            "verdicts": verdicts_json(&product.ledger),
+            "compared": replay.compared(),
+            "not_verified": not_verified,
+            "differences": differences,
+        }))?;
+    } else {
+        terminal::print(&format!("{}{}\n{}", summary(&product.ledger), replay.compared(), open.concat()))?;
     }
     if differences.is_empty() { Ok(()) } else { Err(Failure::Check(differences.join("\n"))) }
 }

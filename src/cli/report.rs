@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use clap::Args;
+use serde_json::{Map, Value, json};
 use slipmode::claims::{Ledger, Verdict};
 use slipmode::report::{
     PAGE_BUDGET_BYTES, Product, ReportError, produce, produce_scene, without_environment,
@@ -13,6 +14,7 @@ use crate::cli::claim::{print_warnings, verify_claim};
 use crate::cli::environment::{ENVIRONMENT_FILE, Environment};
 use crate::cli::failure::Failure;
 use crate::cli::folder::{read_report, read_scene};
+use crate::cli::inputs::SCHEMA;
 use crate::cli::options::Arguments;
 use crate::cli::output::{Output, OutputFolder, note_input_folder};
 
@@ -65,6 +67,9 @@ pub struct ReportOptions {
     /// Writes what a published copy contains: no versions and times, and no page if report.toml has `publish_page = false`
     #[arg(long)]
     for_publication: bool,
+    /// One JSON object instead of text: the numbers of verdicts and the page's place; of `verify` also claims and differences
+    #[arg(long)]
+    json: bool,
     #[command(flatten)]
     limit: LimitOption,
 }
@@ -75,10 +80,10 @@ pub struct VerifyOptions {
     #[command(flatten)]
     report: ReportOptions,
     /// Decides only this claim, writes nothing, and prints the evidence
-    #[arg(long, value_name = "ID", conflicts_with_all = ["output", "for_publication"])]
+    #[arg(long, value_name = "ID", conflicts_with_all = ["output", "for_publication", "json"])]
     claim: Option<String>,
     /// Alters the equations one place at a time, writes nothing, and prints which claims notice
-    #[arg(long, conflicts_with_all = ["output", "for_publication", "claim"])]
+    #[arg(long, conflicts_with_all = ["output", "for_publication", "claim", "json"])]
     planted_faults: bool,
     /// Also writes the result as a file in the form of JUnit, with a test for each claim; `-` is standard output, without the text
     #[arg(long, value_name = "FILE.xml", conflicts_with_all = ["claim", "planted_faults"])]
@@ -109,6 +114,13 @@ pub fn run(options: &RunOptions, progress: &Progress) -> Result<(), Failure> {
 pub fn report(options: &ReportOptions, progress: &Progress) -> Result<(), Failure> {
     let Made { product, place, publish_page } = make(options, progress)?;
     let main_file = if options.for_publication && !publish_page { "report.md" } else { PAGE };
+    if options.json {
+        return terminal::print_json(&json!({
+            "schema": SCHEMA,
+            "verdicts": verdicts_json(&product.ledger),
+            "output": place.join(main_file),
+        }));
+    }
     terminal::print(&format!("{}{}\n", summary(&product.ledger), place.join(main_file).display()))
 }
 
@@ -146,6 +158,18 @@ pub fn verify(options: &VerifyOptions, progress: &Progress) -> Result<(), Failur
     text += &format!("{}\n", place.join(PAGE).display());
     if !published.exists() {
         text += "there is no published copy: only the verdicts were compared\n";
+    }
+    if options.json {
+        let differences: Vec<&String> = drift.iter().chain(&moved).collect();
+        let result = json!({
+            "schema": SCHEMA,
+            "verdicts": verdicts_json(&product.ledger),
+            "claims": product.ledger.claims.iter().map(claim_json).collect::<Vec<_>>(),
+            "output": place.join(PAGE),
+            "has_published_copy": published.exists(),
+            "differences": differences,
+        });
+        text = format!("{result:#}\n");
     }
     match junit_output {
         Some(output) => {
@@ -246,6 +270,25 @@ pub fn drift(ledger: &Ledger) -> Vec<String> {
             )
         })
         .collect()
+}
+
+fn claim_json(entry: &slipmode::claims::Entry) -> Value {
+    let finding = &entry.finding;
+    json!({
+        "id": entry.id,
+        "verdict": finding.verdict.as_str(),
+        "recorded": entry.expected.as_str(),
+        "strength": finding.strength.as_str(),
+    })
+}
+
+/// How many claims have each verdict, under the verdict's word.
+pub fn verdicts_json(ledger: &Ledger) -> Value {
+    let all = [Verdict::Holds, Verdict::HoldsWithin, Verdict::Fails, Verdict::NotChecked];
+    all.into_iter()
+        .map(|verdict| (verdict.as_str().to_string(), json!(ledger.count(verdict))))
+        .collect::<Map<_, _>>()
+        .into()
 }
 
 pub fn summary(ledger: &Ledger) -> String {

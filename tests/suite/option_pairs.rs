@@ -258,6 +258,7 @@ const COMMANDS: &[Command] = &[
         options: &[
             ("--output", &["-o", "out"]),
             ("--for-publication", &["--for-publication"]),
+            ("--json", &["--json"]),
             ("--max-points", &["--max-points", "2"]),
         ],
     },
@@ -266,6 +267,7 @@ const COMMANDS: &[Command] = &[
         options: &[
             ("--output", &["-o", "out"]),
             ("--for-publication", &["--for-publication"]),
+            ("--json", &["--json"]),
             ("--max-points", &["--max-points", "2"]),
             ("--claim", &["--claim", "S1"]),
             ("--planted-faults", &["--planted-faults"]),
@@ -274,7 +276,11 @@ const COMMANDS: &[Command] = &[
     },
     Command {
         bases: &[&["archive", "small"]],
-        options: &[("--output", &["-o", "out.zip"]), ("--max-points", &["--max-points", "2"])],
+        options: &[
+            ("--output", &["-o", "out.zip"]),
+            ("--json", &["--json"]),
+            ("--max-points", &["--max-points", "2"]),
+        ],
     },
     Command {
         bases: &[&["sweep", "sweep.toml"]],
