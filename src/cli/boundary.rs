@@ -1,5 +1,7 @@
 //! `slipmode boundary`: the exact boundary max Im(s) = 0 as CSV, along its arcs or at one velocity or normal stress.
 
+mod over_box;
+
 use std::path::PathBuf;
 
 use clap::Args;
@@ -40,7 +42,7 @@ const MOST_WORKING_DIGITS: u32 = 100_000;
 pub struct Options {
     #[command(flatten)]
     slider: MaterialOptions,
-    /// Points on each arc, in addition to the marked ones (cusp and corners) [default: 200]
+    /// Points on each arc, in addition to the marked ones (cusp and corners); with error bars, loading velocities [default: 200]
     #[arg(long, value_name = "N", allow_hyphen_values = true)]
     points: Option<String>,
     /// Significant digits, 1 to 1 000 000; only certain digits are printed, and 0 for an error that is zero to all of them
@@ -59,7 +61,7 @@ pub struct Options {
     /// One JSON object instead of CSV, with 64-bit numbers
     #[arg(long)]
     json: bool,
-    /// Also draw the boundary with its asymptotes and the transition
+    /// Also draw the boundary with its asymptotes and the transition, with error bars as bands
     #[arg(long, value_name = "OUT.svg")]
     svg: Option<PathBuf>,
     /// Where to write; `-` is standard output
@@ -82,6 +84,9 @@ struct Request {
 /// When the arguments are at fault or the output cannot be written.
 pub fn run(options: &Options) -> Result<(), Failure> {
     let mut arguments = Arguments::default();
+    if options.slider.is_uncertain() {
+        return run_over_box(options, arguments);
+    }
     let request = Request::read(options, &mut arguments);
     let request = arguments.finish(request)?;
     let output = Output::create(&options.output)?;
@@ -99,11 +104,56 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     Ok(())
 }
 
+/// The ranges within error bars.
+fn run_over_box(options: &Options, mut arguments: Arguments) -> Result<(), Failure> {
+    let request = over_box::Request::read(options, &mut arguments);
+    let request = arguments.finish(request)?;
+    let output = Output::create(&options.output)?;
+    let svg = options.svg.as_deref().map(Output::create).transpose()?;
+    let (text, picture, is_empty) = request.answer(options.json, svg.is_some())?;
+    output.finish(text)?;
+    svg.zip(picture).map_or(Ok(()), |(svg, picture)| svg.finish(picture))?;
+    if is_empty {
+        terminal::message("the boundary and the transition have no point there");
+    }
+    Ok(())
+}
+
+/// The limit on the number of points.
+fn limit_on_points(options: &Options, arguments: &mut Arguments) -> u64 {
+    let limit = arguments.whole("--max-points", options.max_points.as_deref(), 2..=u64::from(u32::MAX));
+    limit.unwrap_or(Limits::default().max_points)
+}
+
+/// The velocity and the normal stress of single points, where they are given; none when they are at fault.
+fn coordinates(options: &Options, arguments: &mut Arguments) -> [Option<Option<Rational>>; 2] {
+    let given = [
+        ("--at-velocity", Quantity::LoadingVelocity, &options.at_velocity),
+        ("--at-normal-stress", Quantity::NormalStress, &options.at_normal_stress),
+    ];
+    given.map(|(option, quantity, text)| match text {
+        Some(text) => arguments.measured(option, text, quantity.unit()).map(Some),
+        None => Some(None),
+    })
+}
+
+/// Notes options that single points have no use for, and a picture without a file.
+fn refuse_beside_single_points(options: &Options, arguments: &mut Arguments) {
+    if options.at_velocity.is_some() || options.at_normal_stress.is_some() {
+        let needs = "neither --at-velocity nor --at-normal-stress, which ask for single points";
+        arguments.refuse("--points", options.points.is_some(), needs);
+        arguments.refuse("--max-points", options.max_points.is_some(), needs);
+        arguments.refuse("--svg", options.svg.is_some(), needs);
+    }
+    let is_stream = options.svg.as_deref().is_some_and(|place| place.as_os_str() == "-");
+    let needs = "a file: standard output has the points";
+    arguments.refuse_value("--svg", Some("-").filter(|_| is_stream), needs);
+}
+
 impl Request {
     fn read(options: &Options, arguments: &mut Arguments) -> Option<Self> {
         let slider = options.slider.slider(arguments);
-        let limit = arguments.whole("--max-points", options.max_points.as_deref(), 2..=u64::from(u32::MAX));
-        let limit = limit.unwrap_or(Limits::default().max_points);
+        let limit = limit_on_points(options, arguments);
         let given = arguments.whole("--points", options.points.as_deref(), 2..=u64::MAX);
         let digits = match &options.digits {
             None => Some(DEFAULT_DIGITS),
@@ -111,26 +161,9 @@ impl Request {
         };
         let needs = "CSV: the numbers of --json have 64 bits";
         arguments.refuse_value("--digits", options.digits.as_deref().filter(|_| options.json), needs);
-        let mut coordinate = |option, quantity: Quantity, text: &Option<String>| match text {
-            Some(text) => arguments.measured(option, text, quantity.unit()).map(Some),
-            None => Some(None),
-        };
-        let at_velocity = coordinate("--at-velocity", Quantity::LoadingVelocity, &options.at_velocity);
-        let at_normal_stress =
-            coordinate("--at-normal-stress", Quantity::NormalStress, &options.at_normal_stress);
+        let [at_velocity, at_normal_stress] = coordinates(options, arguments);
         let is_sampled = options.at_velocity.is_none() && options.at_normal_stress.is_none();
-        if !is_sampled {
-            let needs = "neither --at-velocity nor --at-normal-stress, which ask for single points";
-            arguments.refuse("--points", options.points.is_some(), needs);
-            arguments.refuse("--max-points", options.max_points.is_some(), needs);
-            arguments.refuse("--svg", options.svg.is_some(), needs);
-        }
-        let is_stream = options.svg.as_deref().is_some_and(|place| place.as_os_str() == "-");
-        arguments.refuse_value(
-            "--svg",
-            Some("-").filter(|_| is_stream),
-            "a file: standard output has the points",
-        );
+        refuse_beside_single_points(options, arguments);
         let points = given.unwrap_or(DEFAULT_POINTS);
         if let Some(problem) =
             digits.filter(|_| is_sampled).and_then(|digits| too_many(points, limit, digits))
@@ -176,7 +209,7 @@ impl Request {
     /// The boundary over the axes that `new` would choose.
     fn picture(&self, points: &[BoundaryPoint]) -> Result<String, Failure> {
         let ranges = Ranges::around(&self.slider).map_err(Failure::Refused)?;
-        Ok(boundary_picture(&self.slider, points, ranges.velocity.ends(), ranges.stress.ends()))
+        Ok(boundary_picture(&self.slider, points, &[], ranges.velocity.ends(), ranges.stress.ends()))
     }
 
     /// The points, computed with more digits than requested where inputs hundreds of decades apart take them.

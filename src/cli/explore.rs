@@ -54,8 +54,12 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     let window = window(&scene, &parameters.slider, own_point.as_ref()).map_err(|why| refused(&why))?;
     let place = place(options.output.as_deref(), &scene.name);
     let output = Output::create(&place)?;
-    let (points, marks) = points(&scene, parameters, own.as_ref(), window);
-    let families = Families::of(&parameters.slider, points, &scene.threshold());
+    let (points, mut marks) = points(&scene, parameters, own.as_ref(), window);
+    if parameters.error_bars.is_some() {
+        marks += " The bands and the slip modes hold for all values within the scene's error bars, the lines and numbers for the middle values.";
+    }
+    let families =
+        Families::of(&parameters.slider, parameters.error_bars.as_ref(), points, &scene.threshold());
     let file = options.scene.file_name().unwrap_or_default().to_string_lossy().into_owned();
     let page = ExplorerPage {
         title: &scene.title,
@@ -142,6 +146,7 @@ fn points(
             name: "operating point".into(),
             normal_stress_pa: point.normal_stress_pa,
             loading_velocity_m_per_s: point.loading_velocity_m_per_s,
+            has_error_bars: false,
         });
     }
     if let Some(point) = parameters.point() {
@@ -149,6 +154,7 @@ fn points(
             name: "scene".into(),
             normal_stress_pa: point.normal_stress_pa,
             loading_velocity_m_per_s: point.loading_velocity_m_per_s,
+            has_error_bars: true,
         });
     }
     let named = scene.trajectories.iter().flat_map(|section| &section.points);
@@ -156,6 +162,7 @@ fn points(
         name: point.id.clone(),
         normal_stress_pa: point.normal_stress_pa.clone(),
         loading_velocity_m_per_s: point.loading_velocity_m_per_s.clone(),
+        has_error_bars: false,
     }));
     let stated = points.len();
     points.truncate(MOST_POINTS);
@@ -185,5 +192,6 @@ fn middle(window: Window) -> NamedPoint {
         name: "middle".into(),
         normal_stress_pa: middle(window.stress),
         loading_velocity_m_per_s: middle(window.velocity),
+        has_error_bars: false,
     }
 }

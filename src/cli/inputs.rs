@@ -16,13 +16,13 @@ pub fn inputs_json(parameters: &Parameters<Rational>) -> Value {
     quantities_json(Quantity::ALL.into_iter().zip(&values))
 }
 
-/// The ends of the seven error bars under their names, but for one that is not given.
-pub fn ranges_json(region: &ParameterBox, without: Option<Quantity>) -> Value {
+/// The ends of the seven error bars under their names, but for those that are not given.
+pub fn ranges_json(region: &ParameterBox, without: &[Quantity]) -> Value {
     let [lower, upper]: [[Rational; 7]; 2] = [region.lower().into(), region.upper().into()];
     let ends = Quantity::ALL
         .into_iter()
         .zip(lower.iter().zip(&upper))
-        .filter(|(quantity, _)| Some(*quantity) != without);
+        .filter(|(quantity, _)| !without.contains(quantity));
     let range = |(lower, upper)| json!([nearest_f64(lower), nearest_f64(upper)]);
     ends.map(|(quantity, ends)| (quantity.key().to_string(), range(ends))).collect::<Map<_, _>>().into()
 }

@@ -123,7 +123,10 @@ struct Request {
 fn read(options: &Options) -> Result<Request, Failure> {
     let mut arguments = Arguments::default();
     check_report_name(&options.name, &mut arguments);
-    let given = Quantity::OF_THE_SLIDER.map(|quantity| options.slider.text(quantity));
+    let Some(centre) = options.slider.centre(&mut arguments) else {
+        return arguments.finish(None);
+    };
+    let given = Quantity::OF_THE_SLIDER.map(|quantity| centre.text(quantity));
     let is_example = given.iter().all(Option::is_none);
     let [a, b, d, k, m] = if is_example { PAPER.map(Some) } else { given };
     let own = |text: Option<&str>| text.map(str::to_string);
@@ -135,9 +138,12 @@ fn read(options: &Options) -> Result<Request, Failure> {
         mass_per_area_kg_per_m2: own(m),
     };
     let parameters = material.slider(&mut arguments);
-    let slider = SliderOptions { material, ..options.slider.clone() };
-    let point = slider.point(&mut arguments);
+    let point = centre.point(&mut arguments);
     let (parameters, point) = arguments.finish(parameters.zip(point))?;
+    let mut slider = options.slider.clone();
+    if is_example {
+        slider.material = material;
+    }
     let typed = Typed { name: options.name.clone(), slider, is_example };
     Ok(Request { typed, parameters, point })
 }

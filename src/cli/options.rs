@@ -50,6 +50,20 @@ impl MaterialOptions {
         }
     }
 
+    /// Whether a value has an error bar.
+    pub fn is_uncertain(&self) -> bool {
+        Quantity::OF_THE_SLIDER
+            .into_iter()
+            .filter_map(|quantity| self.text(quantity))
+            .any(Uncertain::is_meant)
+    }
+
+    /// All values within the error bars, and 1 for σ and V0; what is missing or faulty is collected in `arguments`.
+    pub fn region(&self, arguments: &mut Arguments) -> Option<ParameterBox> {
+        let unknown = [Quantity::NormalStress, Quantity::LoadingVelocity];
+        region(|quantity| self.text(quantity), &unknown, arguments)
+    }
+
     /// All five values; what is missing or faulty is collected in `arguments`.
     pub fn slider(&self, arguments: &mut Arguments) -> Option<Slider<Rational>> {
         let values = Quantity::ALL.map(|quantity| match quantity {
@@ -109,21 +123,28 @@ impl SliderOptions {
 
     /// All values within the error bars, and 1 for the unknown; what is missing or faulty is collected in `arguments`.
     pub fn region(&self, unknown: Option<Quantity>, arguments: &mut Arguments) -> Option<ParameterBox> {
-        let values = Quantity::ALL.map(|quantity| {
-            if Some(quantity) == unknown {
-                return Some(Uncertain { lower: Rational::from(1), upper: Rational::from(1) });
-            }
-            let (text, read) = (self.text(quantity), |number: &str| quantity.parse(number));
-            let ends = required_as(quantity, text, arguments, |text| Uncertain::parse(text, read))?;
-            arguments.note_unit(quantity, text, &[&ends.lower, &ends.upper]);
-            Some(ends)
-        });
+        region(|quantity| self.text(quantity), unknown.as_slice(), arguments)
+    }
+
+    /// The same with the middle of each error bar in its place; none where one is at fault.
+    pub fn centre(&self, arguments: &mut Arguments) -> Option<Self> {
         let middle = |quantity: Quantity| {
-            values[quantity as usize].as_ref().filter(|_| Some(quantity) != unknown).map(Uncertain::middle)
+            let text = self.text(quantity);
+            let Some(given) = text.filter(|text| Uncertain::is_meant(text)) else {
+                return Some(text.map(str::to_string));
+            };
+            let ends = uncertain(quantity, Some(given), arguments)?;
+            Some(Some(exact_text(&ends.middle())))
         };
-        arguments.check_units(&Quantity::ALL.map(middle));
-        let [Some(a), Some(b), Some(d), Some(k), Some(m), Some(s), Some(v)] = values else { return None };
-        uncertain_box([a, b, d, k, m, s, v])
+        let [a, b, d, k, m, s, v] = Quantity::ALL.map(middle);
+        let material = MaterialOptions {
+            direct_effect: a?,
+            evolution_effect: b?,
+            critical_slip_distance_m: d?,
+            stiffness_pa_per_m: k?,
+            mass_per_area_kg_per_m2: m?,
+        };
+        Some(Self { material, normal_stress_pa: s?, loading_velocity_m_per_s: v? })
     }
 
     /// Notes every quantity that was given although a file's columns give the slider.
@@ -138,6 +159,35 @@ impl SliderOptions {
     pub fn required(&self, quantity: Quantity, arguments: &mut Arguments) -> Option<Rational> {
         required(quantity, self.text(quantity), arguments)
     }
+}
+
+/// All values within the error bars of texts, and 1 for what is unknown.
+fn region<'t>(
+    text: impl Fn(Quantity) -> Option<&'t str>,
+    unknown: &[Quantity],
+    arguments: &mut Arguments,
+) -> Option<ParameterBox> {
+    let values = Quantity::ALL.map(|quantity| {
+        if unknown.contains(&quantity) {
+            return Some(Uncertain { lower: Rational::from(1), upper: Rational::from(1) });
+        }
+        uncertain(quantity, text(quantity), arguments)
+    });
+    let middle = |quantity: Quantity| {
+        values[quantity as usize].as_ref().filter(|_| !unknown.contains(&quantity)).map(Uncertain::middle)
+    };
+    arguments.check_units(&Quantity::ALL.map(middle));
+    let [Some(a), Some(b), Some(d), Some(k), Some(m), Some(s), Some(v)] = values else { return None };
+    uncertain_box([a, b, d, k, m, s, v])
+}
+
+/// A value with or without an error bar, which must be given.
+fn uncertain(quantity: Quantity, text: Option<&str>, arguments: &mut Arguments) -> Option<Uncertain> {
+    let read = |number: &str| quantity.parse(number);
+    let ends = required_as(quantity, text, arguments, |text| Uncertain::parse(text, read))?;
+    let values = [&ends.lower, &ends.upper];
+    arguments.note_unit(quantity, text, if ends.is_certain() { &values[..1] } else { &values });
+    Some(ends)
 }
 
 /// σ and V0, when one of them is given: then the other one must be. None when they are at fault.

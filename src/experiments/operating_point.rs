@@ -5,7 +5,7 @@ use crate::experiments::{Outcome, SceneOutcome};
 use slipmode_core::friction::{OperatingPoint, Parameters};
 use slipmode_core::number::format::round_digits;
 use slipmode_core::number::{Ball, Rational, nearest_f64};
-use slipmode_core::stability::{Classification, classify};
+use slipmode_core::stability::{Classification, OverBox, ParameterBox, classify, over_box};
 use slipmode_plot::figure::{Axis, PointMark, Side};
 
 /// Digits of a ratio or a frequency in the sentence.
@@ -19,8 +19,51 @@ pub fn operating_point_words(outcome: &Outcome) -> Option<String> {
     outcome.scenes.iter().find_map(|scene| {
         let (slider, point) = (scene.slider()?, point_of(scene)?);
         let parameters = Parameters { slider: slider.clone(), point };
-        Some(words(&parameters, &classify(&parameters, &scene.scene.threshold())))
+        let threshold = scene.scene.threshold();
+        let at_point = words(&parameters, &classify(&parameters, &threshold));
+        let Some(region) = error_bars(scene) else { return Some(at_point) };
+        let within = over_box(region, &threshold).map(|found| words_over_box(&found));
+        let at_point = at_point.replacen("At", "at", 1);
+        Some(format!("{}For the middle values, {at_point}", within.unwrap_or_default()))
     })
+}
+
+/// What holds within the error bars and what for the middle values alone; `None` when no scene has error bars.
+#[must_use]
+pub fn error_bars_words(outcome: &Outcome) -> Option<String> {
+    let is_uncertain = outcome.scenes.iter().any(|scene| error_bars(scene).is_some());
+    is_uncertain.then(|| {
+        "Some values have error bars. The bands on the maps, and what is said of all values within the error bars, hold for all of these values; every other number, every run, and every claim about runs holds for the middle values.".into()
+    })
+}
+
+fn error_bars(scene: &SceneOutcome) -> Option<&ParameterBox> {
+    scene.scene.parameters.as_ref()?.error_bars.as_ref()
+}
+
+/// What is certain within the error bars and what is possible, decided exactly.
+fn words_over_box(found: &OverBox) -> String {
+    let stability = match found.transition_signs {
+        [1, 1] => "certainly linearly stable",
+        [-1, -1] => "certainly linearly unstable",
+        _ => "linearly stable for some values and not for others",
+    };
+    let modes: Vec<&str> = found.slip_modes.iter().map(|possible| possible.what.words()).collect();
+    let modes = match (modes.as_slice(), found.undecided.as_slice()) {
+        ([mode], []) => format!("the slip mode is certainly {mode}"),
+        (_, []) => format!("the possible slip modes are {}", modes.join(" and ")),
+        (_, undecided) => {
+            let open: Vec<&str> = undecided.iter().map(|(mode, _)| mode.words()).collect();
+            format!(
+                "the possible slip modes are {}; not decided: {}",
+                modes.join(" and "),
+                open.join(" and ")
+            )
+        }
+    };
+    format!(
+        "For all values within the error bars, the slider is {stability}, and {modes}. For the middle values:"
+    )
 }
 
 fn words(parameters: &Parameters<Rational>, found: &Classification) -> String {

@@ -3,6 +3,7 @@
 use crate::experiments::map::figures::zero_areas;
 use crate::experiments::shared::Grid;
 use crate::experiments::shared::axes::{asymptote_lines, axes, boundary_lines, cusp_mark, transition_line};
+use crate::experiments::shared::bands::{Band, band_lines};
 use crate::experiments::trajectories::curves::{extent, linear_axis, stress_unit};
 use crate::experiments::trajectories::thinning::kept;
 use crate::experiments::trajectories::{DRAWING_TOLERANCE, Moment};
@@ -21,10 +22,13 @@ const QUIET_STYLE: usize = 5;
 const SLOWEST: f64 = 1e-30;
 
 /// The exact boundary with its asymptotes and the transition, over a rectangle of loading velocities and normal stresses.
+///
+/// With error bars, the bands are below the lines of the middle values.
 #[must_use]
 pub fn boundary_picture(
     slider: &Slider<Rational>,
     points: &[BoundaryPoint],
+    bands: &[Band],
     velocity: (f64, f64),
     stress: (f64, f64),
 ) -> String {
@@ -36,10 +40,11 @@ pub fn boundary_picture(
         outlines: zero_areas(points, &x, &y),
         style: QUIET_STYLE,
     };
+    let lines = band_lines(bands, &y).into_iter().chain(theory_lines(slider, points, &x, &y)).collect();
     let map = ZoneMap {
         caption: Caption::new("boundary", "Exact boundary of oscillation", description),
         zones: vec![quiet],
-        lines: theory_lines(slider, points, &x, &y),
+        lines,
         marks: cusp_mark(points),
         labels: Vec::new(),
         x,

@@ -6,12 +6,12 @@
 //! The curves are therefore computed once for each b, and moved.
 
 use rayon::prelude::*;
-use slipmode_core::friction::Slider;
+use slipmode_core::friction::{Parameters, Slider};
 
 use crate::experiments::boundary::END_ERROR;
 use slipmode_core::number::{Rational, Wide};
 use slipmode_core::stability::boundary::{BoundaryCurve, BoundaryPoint};
-use slipmode_core::stability::{InertialThreshold, SlipMode, classify};
+use slipmode_core::stability::{InertialThreshold, ParameterBox, SlipMode, classify, over_box};
 
 /// Factors of b: closer where β passes 1 for common sliders.
 const EVOLUTION_EFFECT_FACTORS: [&str; 19] = [
@@ -57,13 +57,18 @@ pub struct NamedPoint {
     pub normal_stress_pa: Rational,
     /// V0, m/s.
     pub loading_velocity_m_per_s: Rational,
+    /// Whether σ and V0 have the error bars of the slider's box.
+    pub has_error_bars: bool,
 }
 
 /// What is known of a point for one combination.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct PointState {
     /// The slip mode, decided exactly.
     pub slip_mode: SlipMode,
+    /// The slip modes that are possible within the error bars, decided exactly but for the threshold of the frequency; empty without
+    /// error bars.
+    pub possible: Vec<SlipMode>,
     /// Largest Im(s), 1/s: relative error at most 1e-14, exactly 0 where all roots are real.
     pub max_imaginary_per_s: Wide,
 }
@@ -73,6 +78,8 @@ pub struct PointState {
 pub struct Families {
     /// The slider itself.
     pub parameters: Slider<Rational>,
+    /// All values within its error bars, when it has some.
+    pub error_bars: Option<ParameterBox>,
     /// Factors of b, K and M.
     pub factors: [Factors; 3],
     /// The boundary for each factor of b, with the slider's own K and M.
@@ -86,22 +93,26 @@ pub struct Families {
 impl Families {
     /// Computes a slider's families.
     #[must_use]
-    pub fn of(parameters: &Slider<Rational>, points: Vec<NamedPoint>, threshold: &InertialThreshold) -> Self {
+    pub fn of(
+        parameters: &Slider<Rational>,
+        error_bars: Option<&ParameterBox>,
+        points: Vec<NamedPoint>,
+        threshold: &InertialThreshold,
+    ) -> Self {
         let factors = [&EVOLUTION_EFFECT_FACTORS[..], &OTHER_FACTORS, &OTHER_FACTORS].map(Factors::of);
         let mut families = Self {
             parameters: parameters.clone(),
+            error_bars: error_bars.cloned(),
             factors,
             boundaries: Vec::new(),
             points,
             states: Vec::new(),
         };
         families.boundaries = families.effects().par_iter().map(boundary).collect();
-        let sliders = families.sliders();
-        families.states = families
-            .points
-            .iter()
-            .map(|point| sliders.par_iter().map(|slider| state(slider, point, threshold)).collect())
-            .collect();
+        let factors = families.combinations();
+        let state =
+            |point| factors.par_iter().map(|factors| families.state(*factors, point, threshold)).collect();
+        families.states = families.points.iter().map(state).collect();
         families
     }
 
@@ -116,14 +127,57 @@ impl Families {
     /// Every combination, M varying fastest, b slowest.
     #[must_use]
     pub fn sliders(&self) -> Vec<Slider<Rational>> {
+        self.combinations().into_iter().map(|factors| self.relative(factors)).collect()
+    }
+
+    /// The error bars of the slider with each b, and its own K and M: a factor multiplies both ends.
+    #[must_use]
+    pub fn uncertain_effects(&self) -> Vec<ParameterBox> {
         let [effects, stiffnesses, masses] = &self.factors;
-        let mut sliders = Vec::new();
+        let (stiffness, mass) = (&stiffnesses.values[stiffnesses.base], &masses.values[masses.base]);
+        effects.values.iter().filter_map(|effect| self.region([effect, stiffness, mass], None)).collect()
+    }
+
+    /// The factors of every combination, M varying fastest, b slowest.
+    fn combinations(&self) -> Vec<[&Rational; 3]> {
+        let [effects, stiffnesses, masses] = &self.factors;
+        let mut combinations = Vec::new();
         for effect in &effects.values {
             for stiffness in &stiffnesses.values {
-                sliders.extend(masses.values.iter().map(|mass| self.relative([effect, stiffness, mass])));
+                combinations.extend(masses.values.iter().map(|mass| [effect, stiffness, mass]));
             }
         }
-        sliders
+        combinations
+    }
+
+    /// The error bars of a combination, at σ and V0 of a point.
+    fn region(&self, factors: [&Rational; 3], point: Option<&NamedPoint>) -> Option<ParameterBox> {
+        let own = self.error_bars.as_ref()?;
+        let end = |end: Parameters<Rational>| {
+            let slider = scaled(&end.slider, factors);
+            match point.filter(|point| !point.has_error_bars) {
+                Some(at) => slider.at(at.normal_stress_pa.clone(), at.loading_velocity_m_per_s.clone()),
+                None => Parameters { slider, point: end.point },
+            }
+        };
+        ParameterBox::new(end(own.lower()), end(own.upper()))
+    }
+
+    fn state(
+        &self,
+        factors: [&Rational; 3],
+        point: &NamedPoint,
+        threshold: &InertialThreshold,
+    ) -> PointState {
+        let slider = self.relative(factors);
+        let place = slider.at(point.normal_stress_pa.clone(), point.loading_velocity_m_per_s.clone());
+        let found = classify(&place, threshold);
+        let over = self.region(factors, Some(point)).and_then(|region| over_box(&region, threshold));
+        let possible = over.map_or_else(Vec::new, |over| {
+            let undecided = over.undecided.iter().map(|(mode, _)| *mode);
+            over.slip_modes.iter().map(|possible| possible.what).chain(undecided).collect()
+        });
+        PointState { slip_mode: found.slip_mode, possible, max_imaginary_per_s: found.max_imaginary_per_s }
     }
 
     /// The place of a combination among [`Families::sliders`].
@@ -133,26 +187,24 @@ impl Families {
         (effect * stiffnesses.values.len() + stiffness) * masses.values.len() + mass
     }
 
-    fn relative(&self, [effect, stiffness, mass]: [&Rational; 3]) -> Slider<Rational> {
-        let own = &self.parameters;
-        Slider {
-            evolution_effect: own.evolution_effect.clone() * effect,
-            stiffness_pa_per_m: own.stiffness_pa_per_m.clone() * stiffness,
-            mass_per_area_kg_per_m2: own.mass_per_area_kg_per_m2.clone() * mass,
-            ..own.clone()
-        }
+    fn relative(&self, factors: [&Rational; 3]) -> Slider<Rational> {
+        scaled(&self.parameters, factors)
+    }
+}
+
+/// A slider with b, K and M multiplied.
+fn scaled(own: &Slider<Rational>, [effect, stiffness, mass]: [&Rational; 3]) -> Slider<Rational> {
+    Slider {
+        evolution_effect: own.evolution_effect.clone() * effect,
+        stiffness_pa_per_m: own.stiffness_pa_per_m.clone() * stiffness,
+        mass_per_area_kg_per_m2: own.mass_per_area_kg_per_m2.clone() * mass,
+        ..own.clone()
     }
 }
 
 /// The boundary of one slider.
 fn boundary(slider: &Slider<Rational>) -> Vec<BoundaryPoint> {
     BoundaryCurve::new(slider, DIGITS).sample(ARC_POINTS, END_ERROR)
-}
-
-fn state(slider: &Slider<Rational>, point: &NamedPoint, threshold: &InertialThreshold) -> PointState {
-    let place = slider.at(point.normal_stress_pa.clone(), point.loading_velocity_m_per_s.clone());
-    let found = classify(&place, threshold);
-    PointState { slip_mode: found.slip_mode, max_imaginary_per_s: found.max_imaginary_per_s }
 }
 
 #[cfg(test)]
@@ -166,8 +218,31 @@ mod tests {
             name: "A".into(),
             normal_stress_pa: parse_decimal("1e5").unwrap(),
             loading_velocity_m_per_s: parse_decimal("1e-3").unwrap(),
+            has_error_bars: false,
         };
-        Families::of(&paper(), vec![point], &InertialThreshold::default())
+        Families::of(&paper(), None, vec![point], &InertialThreshold::default())
+    }
+
+    #[test]
+    fn modes_within_error_bars_include_that_of_the_middle() {
+        let [low, high] = ["0.95", "1.05"].map(|factor| {
+            let mut slider = paper();
+            slider.evolution_effect *= parse_decimal(factor).unwrap();
+            slider.at(parse_decimal("9e4").unwrap(), parse_decimal("1e-3").unwrap())
+        });
+        let error_bars = ParameterBox::new(low, high).unwrap();
+        let point = NamedPoint {
+            name: "A".into(),
+            normal_stress_pa: parse_decimal("1e5").unwrap(),
+            loading_velocity_m_per_s: parse_decimal("1e-3").unwrap(),
+            has_error_bars: false,
+        };
+        let families = Families::of(&paper(), Some(&error_bars), vec![point], &InertialThreshold::default());
+        let states = &families.states[0];
+        assert!(states.iter().all(|state| state.possible.contains(&state.slip_mode)));
+        let certain = states.iter().filter(|state| state.possible.len() == 1).count();
+        assert!(certain > states.len() / 2 && certain < states.len(), "{certain}");
+        assert_eq!(families.uncertain_effects().len(), families.effects().len());
     }
 
     #[test]

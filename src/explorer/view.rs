@@ -3,6 +3,7 @@
 use serde::Serialize;
 
 use crate::experiments::shared::axes::{asymptote_lines, boundary_lines, transition_line};
+use crate::experiments::shared::bands::{Band, band_lines, bands, velocities};
 use crate::explorer::formulas::{self, FORMULAS, formula_values};
 use crate::explorer::tables::one_at_a_time;
 use crate::explorer::{Factors, Families, NamedPoint, PointState};
@@ -104,6 +105,9 @@ pub(crate) const DIGITS: usize = 4;
 /// Decades by which curves move at most: σ by two with K, V by one with K and one with M.
 const MARGIN: i32 = 2;
 
+/// Loading velocities at which the bands of each b are computed: fewer than on a map of one slider.
+const BAND_POINTS: u32 = 40;
+
 const TITLE: &str = "Boundary, transition and asymptotes of the chosen slider";
 const DESCRIPTION: &str = "Map over loading velocity and normal stress: the exact boundary max Im(s) = 0 with its upper and its lower arc, the asymptotes of equations 15, 16, 18 and 20 within their ranges, the transition K = K_c where b is greater than a, and the scene's points.";
 
@@ -147,9 +151,17 @@ fn point_row(
         name: point.name.clone(),
         stress: rational_to_decimal(&point.normal_stress_pa, DIGITS),
         velocity: rational_to_decimal(&point.loading_velocity_m_per_s, DIGITS),
-        mode: of(|state| state.slip_mode.words().into()),
+        mode: of(mode),
         imaginary: of(|state| round_digits(imaginary(state), DIGITS)),
         frequency: of(|state| round_digits(imaginary(state) / std::f64::consts::TAU, DIGITS)),
+    }
+}
+
+/// The slip mode, or all that are possible within the error bars.
+pub(crate) fn mode(state: &PointState) -> String {
+    match state.possible.as_slice() {
+        [] => state.slip_mode.words().into(),
+        possible => possible.iter().map(|mode| mode.words()).collect::<Vec<_>>().join(" or "),
     }
 }
 
@@ -195,8 +207,14 @@ fn map(families: &Families, window: Window) -> FamilyMap {
     let wide = |axis: &Axis| Axis { min: axis.min / far, max: axis.max * far, ..axis.clone() };
     let (wide_x, wide_y) = (wide(&x), wide(&y));
     let effects = families.effects();
-    let members = effects.iter().zip(&families.boundaries).map(|(slider, points)| {
-        let mut lines = extended_boundary(points, &wide_x);
+    let regions = families.uncertain_effects();
+    let found: Vec<Vec<Band>> = regions
+        .iter()
+        .map(|region| bands(region, &velocities((wide_x.min, wide_x.max), BAND_POINTS)))
+        .collect();
+    let members = effects.iter().zip(&families.boundaries).enumerate().map(|(index, (slider, points))| {
+        let mut lines = found.get(index).map_or_else(Vec::new, |found| band_lines(found, &wide_y));
+        lines.extend(extended_boundary(points, &wide_x));
         lines.extend(asymptote_lines(slider, &wide_x, &wide_y));
         lines.extend(transition_line(slider, &wide_x, &wide_y));
         lines

@@ -2,7 +2,7 @@
 
 use crate::claims::{Entry, Ledger, Verdict};
 use crate::experiments::Outcome;
-use crate::experiments::operating_point::operating_point_words;
+use crate::experiments::operating_point::{error_bars_words, operating_point_words};
 use crate::experiments::simulations::range_of_velocities;
 use crate::experiments::tolerance::accuracy_of_asymptotes;
 use crate::report::AnswerView;
@@ -37,7 +37,8 @@ pub(super) fn answer(question: Question, ledger: &Ledger, outcome: &Outcome) -> 
     let validity = range_of_velocities(outcome).map(|text| AnswerView::new(text, []));
     let claims = [counts(&paper), right(&paper)];
     let point = operating_point_words(outcome).map(|text| AnswerView::new(text, []));
-    let rest = [wrong(&paper), simulations(&paper), new_results(&own)];
+    let error_bars = error_bars_words(outcome).map(|text| AnswerView::new(text, []));
+    let rest = [error_bars, wrong(&paper), simulations(&paper), new_results(&own)];
     let ordered: Vec<Option<AnswerView>> = match question {
         Question::Claims => claims.into_iter().chain([formulas]).chain(rest).collect(),
         Question::Formulas => [point, formulas, validity].into_iter().chain(claims).chain(rest).collect(),

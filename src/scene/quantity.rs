@@ -2,9 +2,10 @@
 
 use crate::scene::section::Section;
 use crate::scene::units::unit_of_key;
-use crate::scene::{AllowedRange, Problem};
+use crate::scene::{AllowedRange, Problem, Uncertain};
 use slipmode_core::friction::{OperatingPoint, Slider};
 use slipmode_core::number::Rational;
+use slipmode_core::stability::ParameterBox;
 
 /// One of the seven inputs of the spring-slider, in the order of the command line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -108,6 +109,8 @@ pub struct ParametersSection {
     pub normal_stress_pa: Option<Rational>,
     /// V0, m/s; absent when the scene sweeps it.
     pub loading_velocity_m_per_s: Option<Rational>,
+    /// All values within the error bars, when a value has one: those above are in the middle. σ and V0 are 1 where they are absent.
+    pub error_bars: Option<ParameterBox>,
 }
 
 impl ParametersSection {
@@ -138,12 +141,29 @@ impl ParametersSection {
 /// The keys of `[parameters]`.
 pub(crate) fn read_parameters(section: &mut Section<'_>) -> Option<ParametersSection> {
     let range = AllowedRange::PHYSICAL;
-    let [a, b, d, k, m] = Quantity::OF_THE_SLIDER.map(|quantity| section.decimal(quantity.key(), range));
+    let [a, b, d, k, m] = Quantity::OF_THE_SLIDER
+        .map(|quantity| section.required(quantity.key(), &range.text())?.uncertain(range));
     let [stress, velocity] = [Quantity::NormalStress, Quantity::LoadingVelocity]
-        .map(|quantity| section.optionally(quantity.key(), |entry| entry.decimal(range)));
+        .map(|quantity| section.optionally(quantity.key(), |entry| entry.uncertain(range)));
+    let (material, stress, velocity) = ([a?, b?, d?, k?, m?], stress?, velocity?);
+    let middle = |value: &Option<Uncertain>| value.as_ref().map(Uncertain::middle);
     Some(ParametersSection {
-        slider: Slider::from([a?, b?, d?, k?, m?]),
-        normal_stress_pa: stress?,
-        loading_velocity_m_per_s: velocity?,
+        slider: Slider::from(material.each_ref().map(Uncertain::middle)),
+        normal_stress_pa: middle(&stress),
+        loading_velocity_m_per_s: middle(&velocity),
+        error_bars: error_bars(material, [stress, velocity]),
     })
+}
+
+/// The box of the error bars; none where no value has one.
+fn error_bars(material: [Uncertain; 5], place: [Option<Uncertain>; 2]) -> Option<ParameterBox> {
+    let one = || Uncertain { lower: Rational::from(1), upper: Rational::from(1) };
+    let [a, b, d, k, m] = material;
+    let [s, v] = place.map(|value| value.unwrap_or_else(one));
+    let values = [a, b, d, k, m, s, v];
+    if values.iter().all(Uncertain::is_certain) {
+        return None;
+    }
+    let lower = values.each_ref().map(|value| value.lower.clone());
+    ParameterBox::new(lower.into(), values.map(|value| value.upper).into())
 }

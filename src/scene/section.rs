@@ -9,7 +9,7 @@ use crate::scene::document::Source;
 use crate::scene::range::whole_range_text;
 use crate::scene::units::unit_of_key;
 use crate::scene::{
-    AllowedRange, Limits, Problem, check_name, forbidden_character, nearest, of_word, parse_whole,
+    AllowedRange, Limits, Problem, Uncertain, check_name, forbidden_character, nearest, of_word, parse_whole,
 };
 use slipmode_core::number::Rational;
 
@@ -187,6 +187,12 @@ impl<'t> Entry<'t> {
     /// A decimal in a range, in the unit of SI that the key states, or with a unit of its own.
     pub fn decimal(&self, range: AllowedRange) -> Option<Rational> {
         self.number(|text| range.parse_measured(text, unit_of_key(&self.key)))
+    }
+
+    /// As [`Self::decimal`], with or without an error bar.
+    pub fn uncertain(&self, range: AllowedRange) -> Option<Uncertain> {
+        let read = |number: &str| range.parse_measured(number, unit_of_key(&self.key));
+        self.number(|text| Uncertain::parse(text, read))
     }
 
     /// A whole number in a range.

@@ -10,6 +10,7 @@ mod bad_inputs;
 mod bad_inputs_index;
 mod bad_points;
 mod bad_scenes;
+mod bands;
 mod boundary;
 mod boundary_command;
 mod claim_formulas;

@@ -65,12 +65,22 @@ fn the_guide_works_as_written_from_an_empty_folder() {
     let runs = GUIDE.split("```csv\n").nth(1).and_then(|rest| rest.split("```").next()).unwrap();
     place.write("runs.csv", runs);
     let examples = examples(GUIDE);
-    assert_eq!(examples.len(), 14);
+    assert_eq!(examples.len(), 15);
     for (arguments, shown) in examples {
         let printed = printed(&arguments, &place.path(""));
         assert!(is_as_shown(&printed, &shown), "slipmode {arguments} printed:\n{printed}");
     }
     assert!(place.read("target/report/lab/index.html").contains("<html"));
+    let text = place.read("target/report/lab/report.md");
+    let answer = "For all values within the error bars, the slider is linearly stable for some values and not for others, \
+        and the possible slip modes are";
+    assert!(
+        text.contains(answer) && text.contains("every claim about runs holds for the middle values"),
+        "{text}"
+    );
+    assert!(place.read("lab/prose/introduction.md").contains("| 7.8e-6 to 8.2e-6 | m |"));
+    assert!(place.read("lab/scenes/lab.toml").contains("direct_effect = \"0.009±0.0002\"  #"));
+    assert!(place.read("target/report/lab/figures/fig-1.svg").contains("boundary-band"));
 }
 
 #[test]

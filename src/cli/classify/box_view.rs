@@ -48,7 +48,7 @@ impl BoxView {
         let [real, imaginary, frequency] = self.ranges.enclosures();
         json!({
             "schema": SCHEMA,
-            "inputs": ranges_json(&self.region, None),
+            "inputs": ranges_json(&self.region, &[]),
             "certain": found.certain_mode().is_some(),
             "slip_modes": modes.collect::<Vec<_>>(),
             "undecided": found.undecided.iter().map(undecided).collect::<Vec<_>>(),

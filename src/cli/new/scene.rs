@@ -1,6 +1,6 @@
 //! The scene of a new report: the slider as it was typed, and what is computed for it.
 
-use slipmode::scene::{Quantity, with_unit};
+use slipmode::scene::{Quantity, Uncertain, with_unit};
 use slipmode_core::number::format::exact_text;
 
 use crate::cli::new::Effects;
@@ -27,6 +27,13 @@ impl Typed {
     /// The value of a quantity in SI: as it was typed, unless it has a unit.
     pub fn in_si(&self, quantity: Quantity) -> String {
         let text = self.text(quantity);
+        let has_unit = text.contains(|letter: char| letter.is_alphabetic() && !"eE".contains(letter));
+        if Uncertain::is_meant(text) {
+            let ends = Uncertain::parse(text, |number| quantity.parse(number)).ok().filter(|_| has_unit);
+            let range =
+                ends.map(|ends| format!("{} to {}", exact_text(&ends.lower), exact_text(&ends.upper)));
+            return range.unwrap_or_else(|| text.to_string());
+        }
         let converted = with_unit(text).and_then(|_| quantity.parse(text).ok());
         converted.map_or_else(|| text.to_string(), |value| exact_text(&value))
     }

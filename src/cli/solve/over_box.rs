@@ -51,7 +51,7 @@ impl StableForBox {
         let (value, is_exact) = self.printed();
         json!({
             "schema": SCHEMA,
-            "inputs": ranges_json(&self.region, unknown),
+            "inputs": ranges_json(&self.region, unknown.as_slice()),
             "solved_for": Quantity::Stiffness.key(),
             "target": { "stable_for_box": true },
             "solutions": [{

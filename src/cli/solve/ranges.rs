@@ -44,7 +44,7 @@ impl<'q> RangesView<'q> {
         };
         json!({
             "schema": SCHEMA,
-            "inputs": ranges_json(&self.region, Some(unknown)),
+            "inputs": ranges_json(&self.region, &[unknown]),
             "solved_for": unknown.key(),
             "target": self.question.target_json(),
             "solutions": self.ranges.iter().map(range).collect::<Vec<_>>(),

@@ -5,6 +5,7 @@ use crate::experiments::map::MapPoint;
 use crate::experiments::operating_point::operating_point_mark;
 use crate::experiments::shared::Grid;
 use crate::experiments::shared::axes::{asymptote_lines, axes, boundary_lines, cusp_mark, transition_line};
+use crate::experiments::shared::bands::{VELOCITIES, band_lines, bands, velocities};
 use crate::experiments::shared::map_readout::readout;
 use crate::experiments::{Figure, FigureMaker, Need, SceneOutcome};
 use slipmode_core::number::nearest_f64;
@@ -53,10 +54,18 @@ pub(crate) fn theory_lines(
     y: &Axis,
 ) -> Vec<Line> {
     let Some(parameters) = scene.slider() else { return Vec::new() };
-    let mut lines = boundary_lines(&boundary.points);
+    let mut lines = error_bands(scene, x, y);
+    lines.extend(boundary_lines(&boundary.points));
     lines.extend(asymptote_lines(parameters, x, y));
     lines.extend(transition_line(parameters, x, y));
     lines
+}
+
+/// Where the boundary and the transition lie for the values within the scene's error bars.
+fn error_bands(scene: &SceneOutcome, x: &Axis, y: &Axis) -> Vec<Line> {
+    let region = scene.scene.parameters.as_ref().and_then(|parameters| parameters.error_bars.as_ref());
+    let found = region.map(|region| bands(region, &velocities((x.min, x.max), VELOCITIES)));
+    found.map_or_else(Vec::new, |found| band_lines(&found, y))
 }
 
 fn frequency_map(scene: &SceneOutcome, words: &Words) -> Option<Figure> {

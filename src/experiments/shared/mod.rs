@@ -1,6 +1,7 @@
 //! What several experiments use: grids, searches for zeros, and the (V, σ) plane of the maps.
 
 pub(crate) mod axes;
+pub mod bands;
 pub mod cells;
 #[cfg(test)]
 pub(crate) mod fixtures;

@@ -2,7 +2,7 @@
 
 use super::frame::{Frame, SMALL};
 use super::legend::{Entry, KEY_WIDTH};
-use super::path::{Point, line_data, simplify};
+use super::path::{Point, line_data, outline_data, simplify};
 use super::svg::{Svg, number};
 use super::{palette, rich_text};
 
@@ -19,6 +19,10 @@ pub enum LineRole {
     Section,
     /// A line that only helps the eye: thin and dotted.
     Guide,
+    /// The outline of the area within which the exact boundary is not certain: filled.
+    BoundaryBand,
+    /// The outline of the area within which the transition is not certain: filled.
+    TransitionBand,
 }
 
 /// A line over a map.
@@ -109,17 +113,20 @@ impl LineRole {
             Self::Transition => style("transition", ["#ffffff", "#111111"], ["2.2", "4.2"], ""),
             Self::Section => style("section", ["#6b2f8f", "#ffffff"], ["1.6", "3.0"], ""),
             Self::Guide => style("guide", ["#444444", "#ffffff"], ["1.2", "2.6"], "2 3"),
+            Self::BoundaryBand => style("boundary-band", ["#111111", "#ffffff"], ["0.8", "0"], ""),
+            Self::TransitionBand => style("transition-band", ["#c2388f", "#ffffff"], ["0.8", "0"], ""),
         }
     }
 }
 
-/// Draws the lines, boundaries below transitions below asymptotes, whatever their order in the list.
+/// Draws the areas and lines, boundaries below transitions below asymptotes, whatever their order in the list.
 pub(crate) fn draw_lines(svg: &mut Svg, frame: &Frame, lines: &[Line]) {
     draw_named_lines(svg, frame, lines, "");
 }
 
 /// The same for one of several sets of lines in a figure: the names of their paths begin with `set`.
 pub(crate) fn draw_named_lines(svg: &mut Svg, frame: &Frame, lines: &[Line], set: &str) {
+    draw_bands(svg, frame, lines);
     for role in
         [LineRole::Section, LineRole::Guide, LineRole::Boundary, LineRole::Transition, LineRole::Asymptote]
     {
@@ -131,6 +138,28 @@ pub(crate) fn draw_named_lines(svg: &mut Svg, frame: &Frame, lines: &[Line], set
         }
     }
 }
+
+/// Fills the areas within which a line is not certain.
+fn draw_bands(svg: &mut Svg, frame: &Frame, lines: &[Line]) {
+    for role in [LineRole::BoundaryBand, LineRole::TransitionBand] {
+        let areas = lines.iter().filter(|line| line.role == role);
+        let outlines = areas.map(|area| simplify(&frame.visible_outline(&area.points), LINE_TOLERANCE));
+        let data: String = outlines.map(|outline| outline_data(&outline)).collect();
+        if !data.is_empty() {
+            fill_band(svg, role, ("path", "d", &data));
+        }
+    }
+}
+
+/// Draws an element as a translucent area with one attribute of its own.
+fn fill_band(svg: &mut Svg, role: LineRole, (tag, name, value): (&str, &str, &str)) {
+    let LineStyle { class, colour, width, .. } = role.style();
+    let attributes = [("class", class), (name, value), ("fill", colour), ("fill-opacity", BAND_OPACITY)];
+    svg.leaf(tag, &[&attributes[..], &[("stroke", colour), ("stroke-width", width)]].concat());
+}
+
+/// How much an area covers what is below it.
+const BAND_OPACITY: &str = "0.35";
 
 /// How far a drawn line may lie from the given one, in canvas units.
 const LINE_TOLERANCE: f64 = 0.15;
@@ -175,8 +204,13 @@ pub(crate) fn legend_entries(lines: &[Line]) -> Vec<Entry<'_>> {
                 // A dark page would turn casing and line around; the sample keeps the map's own ground.
                 let plate = [("class", "key-plate"), ("fill", palette::PLATE)];
                 svg.rect((x - 1.0, y - 7.0), (KEY_WIDTH - 5.0, 14.0), &plate);
-                let data = line_data(&[(x, y), (x + KEY_WIDTH - 7.0, y)]);
-                draw_stroke(svg, line.role, ("path", "d", &data));
+                let right = x + KEY_WIDTH - 7.0;
+                if matches!(line.role, LineRole::BoundaryBand | LineRole::TransitionBand) {
+                    let corners = [(x, y - 5.0), (right, y - 5.0), (right, y + 5.0), (x, y + 5.0)];
+                    fill_band(svg, line.role, ("path", "d", &outline_data(&corners)));
+                } else {
+                    draw_stroke(svg, line.role, ("path", "d", &line_data(&[(x, y), (right, y)])));
+                }
             }),
         })
         .collect()

@@ -1,0 +1,178 @@
+//! `slipmode boundary` with error bars: the ranges within which the boundary and the transition lie, as CSV, JSON and a picture.
+
+use serde_json::{Value, json};
+use slipmode::experiments::boundary::END_ERROR;
+use slipmode::experiments::pictures::boundary_picture;
+use slipmode::experiments::shared::bands::{Band, BandOf, bands, velocities};
+use slipmode::scene::Quantity;
+use slipmode_core::friction::Slider;
+use slipmode_core::number::format::exact_text;
+use slipmode_core::number::{Rational, Wide, nearest_f64};
+use slipmode_core::stability::ParameterBox;
+use slipmode_core::stability::boundary::BoundaryCurve;
+use slipmode_core::stability::inverse::{SolutionRange, Unknown};
+use slipmode_plot::table::{Cell, Column, Table};
+
+use crate::cli::boundary::{
+    DEFAULT_POINTS, Options, coordinates, limit_on_points, refuse_beside_single_points,
+};
+use crate::cli::failure::Failure;
+use crate::cli::inputs::{SCHEMA, ranges_json};
+use crate::cli::new::Ranges;
+use crate::cli::options::Arguments;
+
+/// What was requested, valid.
+pub struct Request {
+    region: ParameterBox,
+    at: Places,
+}
+
+/// Where the ranges are computed.
+enum Places {
+    /// At even velocities of the axes that `new` would choose.
+    Even(u32),
+    /// At one velocity, and at one normal stress.
+    Single([Option<Rational>; 2]),
+}
+
+/// A range of one coordinate at a value of the other one.
+struct Row {
+    of: BandOf,
+    unknown: Unknown,
+    known: Rational,
+    range: SolutionRange,
+}
+
+/// Points on each arc of the boundary of the middle values, for the picture.
+const ARC_POINTS: usize = 200;
+/// Digits of these points.
+const DIGITS: u32 = 20;
+
+impl Request {
+    /// Reads the options.
+    pub fn read(options: &Options, arguments: &mut Arguments) -> Option<Self> {
+        let needs = "values without error bars: the ends of a range have 64 bits";
+        arguments.refuse_value("--digits", options.digits.as_deref(), needs);
+        let region = options.slider.region(arguments);
+        let limit = limit_on_points(options, arguments);
+        let given = arguments.whole("--points", options.points.as_deref(), 2..=limit);
+        let [velocity, stress] = coordinates(options, arguments);
+        let is_even = options.at_velocity.is_none() && options.at_normal_stress.is_none();
+        refuse_beside_single_points(options, arguments);
+        let points = u32::try_from(given.unwrap_or(DEFAULT_POINTS)).ok()?;
+        let at = if is_even { Places::Even(points) } else { Places::Single([velocity?, stress?]) };
+        Some(Self { region: region?, at })
+    }
+
+    /// Computes the ranges: CSV or JSON, the picture if it is wanted, and whether there is no range.
+    ///
+    /// # Errors
+    /// When the boundary lies beyond what axes can show.
+    pub fn answer(&self, is_json: bool, is_drawn: bool) -> Result<(String, Option<String>, bool), Failure> {
+        let (bands, rows) = match &self.at {
+            Places::Even(points) => {
+                let axes = Ranges::around(&self.middle()).map_err(Failure::Refused)?;
+                let bands = bands(&self.region, &velocities(axes.velocity.ends(), *points));
+                let rows = bands.iter().flat_map(rows_of_band).collect();
+                (bands, rows)
+            }
+            Places::Single(places) => (Vec::new(), self.single(places)),
+        };
+        let text = if is_json { format!("{:#}\n", self.json(&rows)) } else { table(&rows).to_csv() };
+        let picture = is_drawn.then(|| self.picture(&bands)).transpose()?;
+        Ok((text, picture, rows.is_empty()))
+    }
+
+    fn single(&self, [velocity, stress]: &[Option<Rational>; 2]) -> Vec<Row> {
+        let known = [(Unknown::NormalStress, velocity), (Unknown::LoadingVelocity, stress)];
+        let known = known.into_iter().filter_map(|(unknown, value)| Some((unknown, value.as_ref()?)));
+        let rows = |(unknown, known): (Unknown, &Rational)| {
+            let ranges = move |of: BandOf| {
+                let found = of.ranges(&self.region, unknown, known).into_iter();
+                found.map(move |range| Row { of, unknown, known: known.clone(), range })
+            };
+            BandOf::ALL.into_iter().flat_map(ranges).collect::<Vec<_>>()
+        };
+        known.flat_map(rows).collect()
+    }
+
+    /// The slider in the middle of the error bars.
+    fn middle(&self) -> Slider<Rational> {
+        let [lower, upper]: [[Rational; 7]; 2] = [self.region.lower().into(), self.region.upper().into()];
+        let middle = |i: usize| Rational::from(&lower[i] + &upper[i]) / 2u32;
+        Slider::from([0, 1, 2, 3, 4].map(middle))
+    }
+
+    fn picture(&self, bands: &[Band]) -> Result<String, Failure> {
+        let slider = self.middle();
+        let axes = Ranges::around(&slider).map_err(Failure::Refused)?;
+        let points = BoundaryCurve::new(&slider, DIGITS).sample(ARC_POINTS, END_ERROR);
+        Ok(boundary_picture(&slider, &points, bands, axes.velocity.ends(), axes.stress.ends()))
+    }
+
+    /// One object: the ends of the error bars, and the ranges; an end without bound is null.
+    fn json(&self, rows: &[Row]) -> Value {
+        let row = |row: &Row| {
+            let [low, high] = row.range.enclosure;
+            let [known, unknown] = row.keys();
+            json!({
+                "line": row.of.as_str(),
+                known: nearest_f64(&row.known),
+                unknown: [low, high.is_finite().then_some(high)],
+                "attained": row.range.certain,
+            })
+        };
+        json!({
+            "schema": SCHEMA,
+            "inputs": ranges_json(&self.region, &[Quantity::NormalStress, Quantity::LoadingVelocity]),
+            "ranges": rows.iter().map(row).collect::<Vec<_>>(),
+        })
+    }
+}
+
+impl Row {
+    /// The names of the coordinate that is known and of the other one.
+    fn keys(&self) -> [&'static str; 2] {
+        let [stress, velocity] = [Quantity::NormalStress.key(), Quantity::LoadingVelocity.key()];
+        if self.unknown == Unknown::NormalStress { [velocity, stress] } else { [stress, velocity] }
+    }
+}
+
+fn rows_of_band(band: &Band) -> impl Iterator<Item = Row> + '_ {
+    band.columns.iter().flat_map(|(velocity, ranges)| {
+        let row = |range: &SolutionRange| Row {
+            of: band.of,
+            unknown: Unknown::NormalStress,
+            known: velocity.clone(),
+            range: *range,
+        };
+        ranges.iter().map(row)
+    })
+}
+
+/// A row for each range; an empty cell has no bound, or no value that is known to occur.
+fn table(rows: &[Row]) -> Table {
+    let columns = vec![
+        Column::text("line", "Line"),
+        Column::number("loading_velocity_low_m_per_s", "Least loading velocity V0", "m/s"),
+        Column::number("loading_velocity_high_m_per_s", "Greatest loading velocity V0", "m/s"),
+        Column::number("normal_stress_low_pa", "Least normal stress σ", "Pa"),
+        Column::number("normal_stress_high_pa", "Greatest normal stress σ", "Pa"),
+        Column::number("attained_low", "Low value that occurs", "Pa or m/s"),
+        Column::number("attained_high", "High value that occurs", "Pa or m/s"),
+    ];
+    let number =
+        |value: f64| Wide::from_f64(value).map_or_else(Cell::empty, |it| Cell::number(it.to_string()));
+    let mut table = Table::new("boundary", "Boundary within the error bars", columns);
+    for row in rows {
+        let known = [(); 2].map(|()| Cell::number(exact_text(&row.known)));
+        let range = row.range.enclosure.map(number);
+        let [velocity, stress] =
+            if row.unknown == Unknown::NormalStress { [known, range] } else { [range, known] };
+        let attained =
+            row.range.certain.map_or_else(|| [Cell::empty(), Cell::empty()], |ends| ends.map(number));
+        let cells = [velocity, stress, attained].into_iter().flatten();
+        table.push(std::iter::once(Cell::text(row.of.as_str())).chain(cells).collect());
+    }
+    table
+}
