@@ -61,9 +61,7 @@ fn words_over_box(found: &OverBox) -> String {
             )
         }
     };
-    format!(
-        "For all values within the error bars, the slider is {stability}, and {modes}. For the middle values:"
-    )
+    format!("For all values within the error bars, the slider is {stability}, and {modes}. ")
 }
 
 fn words(parameters: &Parameters<Rational>, found: &Classification) -> String {
@@ -116,6 +114,24 @@ mod tests {
     use crate::experiments::shared::fixtures::paper;
     use slipmode_core::number::parse_decimal;
     use slipmode_core::stability::InertialThreshold;
+
+    #[test]
+    fn what_is_certain_within_error_bars_is_said_so() {
+        let said = |low: &str, high: &str| {
+            let [low, high] = [low, high]
+                .map(|stress| paper().at(parse_decimal(stress).unwrap(), parse_decimal("1e-3").unwrap()));
+            let region = ParameterBox::new(low, high).unwrap();
+            words_over_box(&over_box(&region, &InertialThreshold::default()).unwrap())
+        };
+        assert_eq!(
+            said("9e4", "1e5"),
+            "For all values within the error bars, the slider is certainly linearly unstable, and the slip mode is certainly stick-slip. "
+        );
+        assert!(
+            said("3e4", "6e4")
+                .contains("linearly stable for some values and not for others, and the possible")
+        );
+    }
 
     #[test]
     fn the_sentence_says_what_classify_finds() {
