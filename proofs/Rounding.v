@@ -1,4 +1,4 @@
-(** The 64-bit filter of a grid row (crates/core/src/stability/batch/row_filter.rs): where the value of a polynomial by Horner's scheme is
+(** Rounding errors of the 64-bit filters. That of a grid row (crates/core/src/stability/batch/row_filter.rs): where the value of a polynomial by Horner's scheme is
     larger than its computed bound, it has the sign of the polynomial. Rounding is any that errs by the unit roundoff and the underflow. *)
 
 From Slipmode Require Export Tactics.
@@ -247,3 +247,104 @@ Proof.
 Qed.
 
 End Filter.
+
+(** ** A point (crates/core/src/stability/certain_signs.rs) *)
+
+Definition group_units : R := 2.
+Definition margin_factor : R := 4.
+Definition margin_units : R := 2.
+
+Section Margin.
+
+(** Sums and products without underflow, which the code's range of the groups excludes. *)
+Variables add mul : R -> R -> R.
+Hypotheses
+  (sum_error : forall x y, Rabs (add x y - (x + y)) <= unit_roundoff * Rabs (x + y))
+  (product_error : forall x y, Rabs (mul x y - x * y) <= unit_roundoff * Rabs (x * y)).
+
+Let u := unit_roundoff.
+
+Let u_value : u = / 9007199254740992.
+Proof. unfold u, unit_roundoff; simpl; lra. Qed.
+
+(** The margin κ − (β − 1)(1 + η) of the transition: the computed value differs from it by at most the computed bound, for groups that
+    are known to a relative error of two unit roundoffs. *)
+Theorem margin_error (kappa beta eta k b h : R) :
+  0 < k -> 0 < b -> 0 < h ->
+  Rabs (kappa - k) <= group_units * u * k -> Rabs (beta - b) <= group_units * u * b -> Rabs (eta - h) <= group_units * u * h ->
+  let value := add k (- mul (add b (- 1)) (add 1 h)) in
+  let terms := add k (mul (add 1 b) (add 1 h)) in
+  let bound := mul (mul terms margin_factor) (group_units * u + margin_units * u) in
+  Rabs (value - (kappa - (beta - 1) * (1 + eta))) <= bound.
+Proof.
+  intros Pk Pb Ph Ek Eb Eh value terms bound; unfold group_units in Ek, Eb, Eh.
+  assert (Bd : bound = mul (mul terms 4) (2 * u + 2 * u)) by reflexivity; clearbody bound.
+  pose proof u_value as U; fold u in sum_error, product_error.
+  set (T := (1 + b) * (1 + h)); assert (T0 : 0 < T) by (unfold T; apply Rmult_lt_0_compat; lra).
+  (* The sums. *)
+  pose proof (sum_error b (- 1)) as E1; pose proof (sum_error 1 h) as E2; pose proof (sum_error 1 b) as E3.
+  rewrite (Rabs_pos_eq (1 + h)) in E2 by lra; rewrite (Rabs_pos_eq (1 + b)) in E3 by lra.
+  assert (B1 : Rabs (b + - 1) <= 1 + b) by (apply Rabs_le; lra).
+  set (s1 := add b (- 1)) in *; set (s2 := add 1 h) in *; set (s3 := add 1 b) in *.
+  apply Rabs_le_between in E2; apply Rabs_le_between in E3.
+  assert (S1 : Rabs (s1 - (b + - 1)) <= u * (1 + b)) by (rewrite U in *; lra).
+  assert (S1' : Rabs s1 <= (1 + u) * (1 + b)).
+  { replace s1 with (s1 - (b + - 1) + (b + - 1)) by ring; eapply Rle_trans; [apply Rabs_triang|]; lra. }
+  assert (S2 : (1 - u) * (1 + h) <= s2 <= (1 + u) * (1 + h)) by lra.
+  assert (S3 : (1 - u) * (1 + b) <= s3) by lra.
+  assert (P2 : 0 < s2) by (rewrite U in S2; lra). assert (P3 : 0 < s3) by (rewrite U in S3; lra).
+  (* The products. *)
+  assert (M1 : Rabs (s1 * s2) <= (1 + u) * (1 + u) * T).
+  { rewrite Rabs_mult, (Rabs_pos_eq s2) by lra.
+    replace ((1 + u) * (1 + u) * T) with ((1 + u) * (1 + b) * ((1 + u) * (1 + h))) by (unfold T; ring).
+    apply Rmult_le_compat; try apply Rabs_pos; try lra. }
+  assert (M2 : Rabs (s1 * s2 - (b - 1) * (1 + h)) <= (2 * u + u * u) * T).
+  { replace (s1 * s2 - (b - 1) * (1 + h)) with ((s1 - (b + - 1)) * s2 + (b + - 1) * (s2 - (1 + h))) by ring.
+    eapply Rle_trans; [apply Rabs_triang|]; rewrite !Rabs_mult, (Rabs_pos_eq s2) by lra.
+    assert (X1 : Rabs (s1 - (b + - 1)) * s2 <= u * (1 + b) * ((1 + u) * (1 + h))) by (apply Rmult_le_compat; try apply Rabs_pos; lra).
+    assert (X2 : Rabs (b + - 1) * Rabs (s2 - (1 + h)) <= (1 + b) * (u * (1 + h))).
+    { apply Rmult_le_compat; try apply Rabs_pos; [lra | apply Rabs_le; lra]. }
+    unfold T; lra. }
+  pose proof (product_error s1 s2) as E4; set (m := mul s1 s2) in *.
+  assert (M3 : Rabs (m - (b - 1) * (1 + h)) <= 4 * u * T).
+  { replace (m - (b - 1) * (1 + h)) with (m - s1 * s2 + (s1 * s2 - (b - 1) * (1 + h))) by ring.
+    eapply Rle_trans; [apply Rabs_triang|]; rewrite U in *; lra. }
+  (* The exact margin. *)
+  assert (G : Rabs ((b - 1) * (1 + h) - (beta - 1) * (1 + eta)) <= (4 * u + 4 * u * u) * T).
+  { replace ((b - 1) * (1 + h) - (beta - 1) * (1 + eta)) with (- ((beta - b) * (1 + eta)) + - ((b - 1) * (eta - h))) by ring.
+    eapply Rle_trans; [apply Rabs_triang|]; rewrite !Rabs_Ropp, !Rabs_mult.
+    assert (N1 : Rabs (1 + eta) <= (1 + 2 * u) * (1 + h)) by (apply Rabs_le_between in Eh; apply Rabs_le; rewrite U in *; lra).
+    assert (X1 : Rabs (beta - b) * Rabs (1 + eta) <= 2 * u * b * ((1 + 2 * u) * (1 + h))) by (apply Rmult_le_compat; try apply Rabs_pos; lra).
+    assert (X2 : Rabs (b - 1) * Rabs (eta - h) <= (1 + b) * (2 * u * h)) by (apply Rmult_le_compat; try apply Rabs_pos; [exact B1 | lra]).
+    assert (0 < b * h) by now apply Rmult_lt_0_compat.
+    unfold T; rewrite U in *; lra. }
+  pose proof (sum_error k (- m)) as E5; fold value in E5.
+  assert (M4 : Rabs m <= 2 * T).
+  { replace m with (m - s1 * s2 + s1 * s2) by ring; eapply Rle_trans; [apply Rabs_triang|]; rewrite U in *; lra. }
+  assert (K1 : Rabs (k + - m) <= k + 2 * T).
+  { eapply Rle_trans; [apply Rabs_triang|]; rewrite Rabs_Ropp, (Rabs_pos_eq k) by lra; lra. }
+  assert (V : Rabs (value - (kappa - (beta - 1) * (1 + eta))) <= 3 * u * k + 11 * u * T).
+  { replace (value - (kappa - (beta - 1) * (1 + eta)))
+      with (value - (k + - m) + - (kappa - k) + (- (m - (b - 1) * (1 + h)) + - ((b - 1) * (1 + h) - (beta - 1) * (1 + eta)))) by ring.
+    eapply Rle_trans; [apply Rabs_triang|]; eapply Rle_trans; [apply Rplus_le_compat; apply Rabs_triang|]; rewrite !Rabs_Ropp.
+    rewrite U in *; lra. }
+  (* The bound. *)
+  assert (Q1 : (1 - u) * (1 - u) * T <= s3 * s2).
+  { replace ((1 - u) * (1 - u) * T) with ((1 - u) * (1 + b) * ((1 - u) * (1 + h))) by (unfold T; ring).
+    apply Rmult_le_compat; try lra; rewrite U; lra. }
+  pose proof (product_error s3 s2) as E6; rewrite (Rabs_pos_eq (s3 * s2)) in E6 by (left; now apply Rmult_lt_0_compat).
+  set (n := mul s3 s2) in *; apply Rabs_le_between in E6.
+  assert (Q2 : (1 - 4 * u) * T <= n) by (rewrite U in *; lra).
+  assert (P5 : 0 < n) by (rewrite U in Q2; lra).
+  pose proof (sum_error k n) as E7; fold terms in E7; rewrite (Rabs_pos_eq (k + n)) in E7 by lra; apply Rabs_le_between in E7.
+  assert (Q3 : (1 - 6 * u) * (k + T) <= terms) by (rewrite U in *; lra).
+  assert (P6 : 0 < terms) by (rewrite U in Q3; lra).
+  pose proof (product_error terms 4) as E8; rewrite (Rabs_pos_eq (terms * 4)) in E8 by lra; apply Rabs_le_between in E8.
+  set (r := mul terms 4) in *; assert (P7 : 0 < r) by (rewrite U in *; lra).
+  assert (W : 0 < 2 * u + 2 * u) by (rewrite U; lra).
+  pose proof (product_error r (2 * u + 2 * u)) as E9; fold r in Bd; rewrite <- Bd in E9.
+  rewrite (Rabs_pos_eq (r * (2 * u + 2 * u))) in E9 by (left; now apply Rmult_lt_0_compat); apply Rabs_le_between in E9.
+  rewrite U in *; lra.
+Qed.
+
+End Margin.

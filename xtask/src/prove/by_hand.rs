@@ -93,6 +93,15 @@ mod tests {
         assert!(
             code.contains(&format!("const ABSOLUTE_BOUND: f64 = f64::from_bits((1023 - {absolute}) << 52);"))
         );
+        let number = |name: &str| {
+            let (_, rest) = theorems.split_once(&format!("Definition {name} : R := ")).unwrap();
+            rest.split_once('.').unwrap().0.to_owned()
+        };
+        let code = text("crates/core/src/stability/certain_signs.rs");
+        let (factor, units) = (number("margin_factor"), number("margin_units"));
+        assert!(code.contains(&format!("terms * {factor}.0 * (self.relative_error + {units}.0 * R::UNIT);")));
+        let units = number("group_units");
+        assert!(code.contains(&format!("relative_error: {units}.0 * f64::UNIT }}")));
         assert_eq!(power("unit_roundoff"), f64::MANTISSA_DIGITS);
         assert_eq!(power("underflow") as i32, f64::MANTISSA_DIGITS as i32 - f64::MIN_EXP);
     }
