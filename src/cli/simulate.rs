@@ -1,5 +1,6 @@
 //! `slipmode simulate`: the nonlinear slider at one point for people or programs, or for every row of a CSV file.
 
+mod certified;
 mod history;
 pub mod range;
 pub mod rows;
@@ -10,6 +11,7 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use slipmode::scene::{AllowedRange, Problem};
+use slipmode_core::dynamics::Simulation;
 use slipmode_core::friction::{EvolutionLaw, Parameters};
 use slipmode_core::number::{Rational, nearest_f64};
 
@@ -20,6 +22,7 @@ use crate::cli::points::{self, RowsOptions};
 use crate::cli::progress::Progress;
 use crate::cli::terminal;
 use crate::cli::words::{LAWS, law_of_word, start_of_word};
+use certified::{Certified, CertifiedRows};
 use history::{Extent, History};
 use rows::{Answer, SimulateRows};
 use run::{Settings, simulate_point};
@@ -48,6 +51,11 @@ pub struct Options {
     /// One JSON object instead of text
     #[arg(long, conflicts_with = "points")]
     json: bool,
+    /// Also prove the limit cycle or the decay, and enclose peak velocity, period and stress drop (seconds a point)
+    ///
+    /// `certificate` is `cycle`, `decay`, or `none` with the reason: docs/certified.md says what is proved.
+    #[arg(long)]
+    certify: bool,
     /// Also write the run from its start as CSV: time, velocity, state variable, shear stress relative to steady sliding, and slip
     ///
     /// `-` writes it to standard output, and the result to standard error. Time starts at 0 and strictly increases: of samples with
@@ -89,7 +97,11 @@ pub fn run(options: &Options, progress: &Progress) -> Result<(), Failure> {
     };
     options.slider.refuse_beside_points(&mut arguments);
     let settings = arguments.finish(settings)?;
-    points::run(points, &options.rows, SimulateRows { law, settings }, *progress)
+    let rows = SimulateRows { law, settings };
+    if options.certify {
+        return points::run(points, &options.rows, CertifiedRows(rows), *progress);
+    }
+    points::run(points, &options.rows, rows, *progress)
 }
 
 impl Options {
@@ -132,7 +144,10 @@ impl Options {
             (found, written.unwrap_or(Ok(())))
         });
         let answer = Answer::new(found, &parameters);
-        self.print_remarks(&answer, &parameters, law, settings)?;
+        let certified = self
+            .certify
+            .then(|| progress.spinner("certifying", || Certified::new(&parameters, law, settings.start)));
+        self.print_remarks(&answer, &parameters, law, settings, certified.as_ref())?;
         written
     }
 
@@ -160,17 +175,24 @@ impl Options {
         parameters: &Parameters<Rational>,
         law: EvolutionLaw,
         settings: Settings,
+        certified: Option<&Certified>,
     ) -> Result<(), Failure> {
         if self.json {
-            terminal::print_json(&view::json_with_inputs(answer, parameters, law, settings))?;
+            let mut object = view::json_with_inputs(answer, parameters, law, settings);
+            object.extend(certified.map(Certified::json).into_iter().flatten());
+            terminal::print_json(&object.into())?;
         }
+        let text = |simulation: &Simulation| {
+            let proof = certified.map_or_else(String::new, Certified::text);
+            view::text(simulation, law, settings) + &proof
+        };
         match &answer.found {
             Ok(_) if self.json => Ok(()),
             Ok(simulation) if self.trajectory.as_deref().is_some_and(is_stream) => {
-                terminal::message(view::text(simulation, law, settings).trim_end());
+                terminal::message(text(simulation).trim_end());
                 Ok(())
             }
-            Ok(simulation) => terminal::print(&view::text(simulation, law, settings)),
+            Ok(simulation) => terminal::print(&text(simulation)),
             Err(reason) => Err(Failure::Check(format!("error: the simulation failed: {reason}"))),
         }
     }

@@ -29,7 +29,7 @@ pub fn json_with_inputs(
     parameters: &Parameters<Rational>,
     law: EvolutionLaw,
     settings: Settings,
-) -> Value {
+) -> Map<String, Value> {
     let asked = [
         ("schema", json!(SCHEMA)),
         ("inputs", inputs_json(parameters)),

@@ -45,6 +45,7 @@
 mod arrest;
 mod arrow;
 mod barely_stops;
+pub mod certified;
 #[cfg(test)]
 mod checks;
 #[cfg(test)]

@@ -1,0 +1,257 @@
+//! A limit cycle: Krawczyk's test on the return map of a section, then the multipliers.
+
+use super::crossing::Crossing;
+use super::guess::{Guess, guess};
+use super::interval::{Interval, generously_up};
+use super::linear::{Square, apply, multiply, points, worse};
+use super::manifold::Manifold;
+use super::motion::{Motion, States};
+use super::observed::Observed;
+use super::set::{COORDINATES, Set};
+use super::{Certificate, Constants, MOST_STEPS, Proved, Reason, Units};
+use crate::dynamics::{Cycle, Model};
+use crate::friction::Parameters;
+use crate::number::Rational;
+
+/// Corrections of the point before the proof.
+const CORRECTIONS: usize = 4;
+/// A correction below this, or below this part of its own width, is the last one.
+const SMALL: f64 = 1e-13;
+const PART_OF_WIDTH: f64 = 0.3;
+/// The radius of the first box over what Krawczyk's operator makes of a point, and the growth of the next ones.
+const FIRST: f64 = 1.5;
+const GROWTH: f64 = 3.0;
+/// How much more a box has than the operator is expected to need.
+const SPARE: f64 = 1.3;
+const BOXES: usize = 3;
+
+/// Certifies the cycle near the one of a simulation.
+pub(super) fn certify(
+    constants: &Constants,
+    model: &Model<f64>,
+    cycle: &Cycle<f64>,
+    parameters: &Parameters<Rational>,
+) -> Result<Certificate, Reason> {
+    if cycle.returns_per_cycle != 1 {
+        return Err(Reason::SeveralReturns(cycle.returns_per_cycle));
+    }
+    let (test, crossing, observed) = Test::near(constants, model, cycle)?;
+    let contraction = largest_multiplier(&crossing.derivative);
+    if !(contraction < 1.0) {
+        return Err(Reason::NotAttracting);
+    }
+    Ok(test.certificate(contraction, &observed, parameters))
+}
+
+/// A point of a section near a cycle, and the radii of a box around it.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Test {
+    found: Guess,
+    radius: [f64; COORDINATES],
+}
+
+impl Test {
+    /// A box that the operator maps into itself, with the return that it was mapped by.
+    pub fn near(
+        constants: &Constants,
+        model: &Model<f64>,
+        cycle: &Cycle<f64>,
+    ) -> Result<(Self, Crossing, Observed), Reason> {
+        let mut test = Self { found: guess(constants, model, cycle)?, radius: [0.0; COORDINATES] };
+        test.correct(constants)?;
+        test.grow(constants)
+    }
+
+    /// Newton's steps, with a box that is a point but for ψ.
+    fn correct(&mut self, constants: &Constants) -> Result<(), Reason> {
+        let is_tube = |i: usize| self.found.is_on_slow_manifold && i == 1;
+        let map = self.map(constants);
+        for _ in 0..CORRECTIONS {
+            let (crossing, _) = map.image(self.found.point, self.radius)?;
+            let value = Krawczyk::of(&crossing, &map.centre(self.found.point), self.radius).value;
+            let change = value.map(|c| c.mid);
+            self.radius = std::array::from_fn(|i| if is_tube(i) { 2.0 * value[i].magnitude() } else { 0.0 });
+            self.found.point =
+                std::array::from_fn(|i| self.found.point[i] + if is_tube(i) { 0.0 } else { change[i] });
+            let is_small = |i: usize| change[i].abs() < SMALL.max(PART_OF_WIDTH * value[i].rad);
+            if (0..COORDINATES).all(is_small) {
+                break;
+            }
+        }
+        Ok(())
+    }
+
+    /// Larger boxes, until one is mapped into itself.
+    fn grow(mut self, constants: &Constants) -> Result<(Self, Crossing, Observed), Reason> {
+        let mut scale = FIRST;
+        for _ in 0..=BOXES {
+            let (crossing, observed, value) = self.mapped(constants)?;
+            if self.contains(&value) {
+                return Ok((self, crossing, observed));
+            }
+            let centre = self.map(constants).centre(self.found.point);
+            self.radius = value.map(|c| scale * c.magnitude() + f64::MIN_POSITIVE);
+            // With the derivative found so far, what each side of the box adds to the others.
+            for _ in 0..COORDINATES {
+                let next = Krawczyk::of(&crossing, &centre, self.radius).value;
+                self.radius = std::array::from_fn(|i| self.radius[i].max(SPARE * next[i].magnitude()));
+            }
+            scale = GROWTH;
+        }
+        Err(Reason::NotContained)
+    }
+
+    fn map<'c>(&self, constants: &'c Constants) -> ReturnMap<'c> {
+        ReturnMap { constants, section: self.found.section, is_slow: self.found.is_on_slow_manifold }
+    }
+
+    /// The return of the box, and Krawczyk's operator.
+    fn mapped(&self, constants: &Constants) -> Result<(Crossing, Observed, [Interval; COORDINATES]), Reason> {
+        let map = self.map(constants);
+        let (crossing, observed) = map.image(self.found.point, self.radius)?;
+        let value = Krawczyk::of(&crossing, &map.centre(self.found.point), self.radius).value;
+        Ok((crossing, observed, value))
+    }
+
+    fn contains(&self, value: &[Interval; COORDINATES]) -> bool {
+        (0..COORDINATES).all(|i| value[i].is_inside(Interval::symmetric(self.radius[i])))
+    }
+
+    /// Whether the operator of a slider maps the box into itself.
+    #[cfg(test)]
+    pub fn holds(&self, constants: &Constants) -> bool {
+        self.mapped(constants).is_ok_and(|(_, _, value)| self.contains(&value))
+    }
+
+    /// The same box elsewhere, and with a part of its radius.
+    #[cfg(test)]
+    pub fn altered(mut self, by: f64, part: f64) -> Self {
+        self.found.point[0] += by;
+        self.radius = self.radius.map(|radius| part * radius);
+        self
+    }
+
+    fn certificate(
+        &self,
+        contraction: f64,
+        observed: &Observed,
+        parameters: &Parameters<Rational>,
+    ) -> Certificate {
+        let units = Units::new(parameters);
+        let [y, force] = self.found.point;
+        let centre = [y, if self.found.is_on_slow_manifold { 0.0 } else { force }];
+        let ends = |i: usize| {
+            let side = Interval { mid: centre[i], rad: self.radius[i] };
+            [side.lower(), side.upper()]
+        };
+        Certificate {
+            proved: Proved::Cycle {
+                section_log_velocity: self.found.section,
+                state_box: ends(0),
+                second_box: ends(1),
+                is_on_slow_manifold: self.found.is_on_slow_manifold,
+                contraction,
+                period_s: units.duration(observed.duration),
+            },
+            peak_velocity_m_per_s: units.peak(observed.peak()),
+            stress_drop_pa: units.drop(observed.stress_drop()),
+        }
+    }
+}
+
+/// The return map of an upward crossing of a section.
+struct ReturnMap<'c> {
+    constants: &'c Constants,
+    section: f64,
+    is_slow: bool,
+}
+
+impl ReturnMap<'_> {
+    /// The point of the section in its coordinates: (y, F), or (y, ψ) with ψ = 0.
+    const fn centre(&self, [y, force]: [f64; 2]) -> [f64; 2] {
+        [y, if self.is_slow { 0.0 } else { force }]
+    }
+
+    /// The image of a box around a point.
+    fn image(&self, point: [f64; 2], radius: [f64; COORDINATES]) -> Result<(Crossing, Observed), Reason> {
+        let mut motion = Motion::new(self.constants, States::Inertial(self.start(point, radius)), MOST_STEPS);
+        motion.may_stick = self.is_slow;
+        loop {
+            if let Some(crossing) = motion.advance(Some(self.section))? {
+                let ends_slow = matches!(motion.states, States::Stuck(..));
+                if ends_slow != self.is_slow {
+                    return Err(Reason::LeftTheTube);
+                }
+                return Ok((crossing, motion.observed));
+            }
+        }
+    }
+
+    fn start(&self, [y, force]: [f64; 2], radius: [f64; COORDINATES]) -> Set<3> {
+        let (zero, one) = (Interval::ZERO, Interval::ONE);
+        let section = radius.map(Interval::symmetric);
+        let [x, y] = [self.section, y].map(Interval::point);
+        if !self.is_slow {
+            return Set::new(section, [x, y, Interval::point(force)], [[zero; 2], [one, zero], [zero, one]]);
+        }
+        let centre = Manifold::over(self.constants, &[x, y]);
+        let whole = Manifold::over(self.constants, &[x, y.widened(radius[0])]);
+        let force = centre.inertia * centre.rate;
+        let slope = whole.inertia * whole.rate_gradient[1];
+        Set::new(section, [x, y, force], [[zero; 2], [one, zero], [slope, whole.inertia]])
+    }
+}
+
+/// Krawczyk's operator of p − P(p) on a box around zero: C P(0) + (I − C(I − P'))p, where C is near (I − P')⁻¹.
+///
+/// If it lies inside the box, the return map has one fixed point in the box.
+struct Krawczyk {
+    value: [Interval; COORDINATES],
+}
+
+impl Krawczyk {
+    fn of(crossing: &Crossing, centre: &[f64; COORDINATES], radius: [f64; COORDINATES]) -> Self {
+        let one = |i: usize, j: usize| if i == j { Interval::ONE } else { Interval::ZERO };
+        let slope: Square<COORDINATES> =
+            std::array::from_fn(|i| std::array::from_fn(|j| one(i, j) - crossing.derivative[i][j]));
+        let inverse = points(&inverse(&slope.map(|row| row.map(|entry| entry.mid))));
+        let product = multiply(&inverse, &slope);
+        let rest: Square<COORDINATES> =
+            std::array::from_fn(|i| std::array::from_fn(|j| one(i, j) - product[i][j]));
+        let moved = std::array::from_fn(|i| crossing.centre[i] - Interval::point(centre[i]));
+        let newton = apply(&inverse, &moved);
+        let of_box = apply(&rest, &radius.map(Interval::symmetric));
+        Self { value: std::array::from_fn(|i| newton[i] + of_box[i]) }
+    }
+}
+
+fn inverse([[a, b], [c, d]]: &Square2) -> Square2 {
+    let determinant = a * d - b * c;
+    [[d / determinant, -b / determinant], [-c / determinant, a / determinant]]
+}
+
+type Square2 = [[f64; COORDINATES]; COORDINATES];
+
+/// A bound of the sizes of both multipliers.
+///
+/// λ² − Tλ + D = 0 has |λ| ≤ (|T| + √(T² − 4D))/2 for real λ and |λ| = √D for others; the row sums bound both as well.
+fn largest_multiplier(derivative: &Square<COORDINATES>) -> f64 {
+    let [[a, b], [c, d]] = *derivative;
+    let trace = a + d;
+    let determinant = a * d - b * c;
+    let four = Interval::point(4.0);
+    let discriminant = trace * trace - four * determinant;
+    let rows = super::linear::largest_row(derivative);
+    let bound = if discriminant.upper() < 0.0 {
+        generously_up(determinant.magnitude().sqrt())
+    } else {
+        let root = generously_up(discriminant.magnitude().sqrt());
+        let real = generously_up(0.5 * (trace.magnitude() + root));
+        if discriminant.lower() > 0.0 {
+            real
+        } else {
+            worse(real, generously_up(determinant.magnitude().sqrt()))
+        }
+    };
+    if rows < bound { rows } else { bound }
+}

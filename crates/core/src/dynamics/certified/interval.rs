@@ -1,0 +1,274 @@
+//! Intervals of 64-bit numbers as a centre and a radius, rounded outward without the machine's rounding modes.
+//!
+//! With u = 2^−53 every operation to nearest errs by at most u times its result, or by 2^−1075 where it underflows. The radius takes this error
+//! of the centre. The radius itself comes from sums of products of numbers that are not negative, in at most eight operations;
+//! [`up`] raises the result by more than these can have lost.
+
+use std::ops::{Add, Mul, Neg, Sub};
+
+use rug::{Float, Rational, float::Round};
+
+use crate::dynamics::quick_exp::exponentials;
+use crate::number::nearest_f64;
+
+/// u, the largest relative error of one operation.
+pub(super) const UNIT: f64 = f64::EPSILON / 2.0;
+
+/// More than all that underflow can have taken from one radius.
+const TINY: f64 = f64::MIN_POSITIVE;
+
+/// The error of e^x in units of u is below five (proved in `quick_exp`), and that of e^x − 1 below ten.
+const UNITS_OF_EXP: f64 = 6.0;
+
+/// The largest and the smallest exponent whose exponential the bound covers.
+const EXPONENTS: [f64; 2] = [-700.0, 700.0];
+
+/// At least the true value of a sum that was computed in at most eight operations on numbers that are not negative.
+#[inline(always)]
+pub(super) fn up(value: f64) -> f64 {
+    value * (1.0 + 16.0 * UNIT) + TINY
+}
+
+/// At least the true value of a bound that was computed in fewer than a million operations on numbers that are not negative.
+#[inline(always)]
+pub(super) fn generously_up(value: f64) -> f64 {
+    value * (1.0 + 1e-9) + TINY
+}
+
+/// All numbers within `rad` of `mid`. An operation without a bounded result gives an infinite or undefined radius.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Interval {
+    pub mid: f64,
+    pub rad: f64,
+}
+
+impl Interval {
+    pub const ZERO: Self = Self::point(0.0);
+    pub const ONE: Self = Self::point(1.0);
+    const UNBOUNDED: Self = Self { mid: 0.0, rad: f64::INFINITY };
+
+    /// One number.
+    pub const fn point(mid: f64) -> Self {
+        Self { mid, rad: 0.0 }
+    }
+
+    /// [−rad, rad].
+    pub const fn symmetric(rad: f64) -> Self {
+        Self { mid: 0.0, rad }
+    }
+
+    /// The smallest interval of this form, to rounding, from `low` to `high`.
+    pub fn between(low: f64, high: f64) -> Self {
+        let mid = 0.5 * low + 0.5 * high;
+        // The differences are rounded; the next number above them is not below the true ones.
+        Self { mid, rad: (high - mid).max(mid - low).next_up() }
+    }
+
+    /// Encloses a rational.
+    pub fn of_rational(value: &Rational) -> Self {
+        let mid = nearest_f64(value);
+        let distance = Rational::from_f64(mid).map(|mid| (mid - value).abs());
+        let rad = distance.map_or(f64::INFINITY, |distance| {
+            Float::with_val_round(53, &distance, Round::Up).0.to_f64_round(Round::Up)
+        });
+        Self { mid, rad }
+    }
+
+    /// A number not above any in the interval.
+    pub fn lower(self) -> f64 {
+        (self.mid - self.rad).next_down()
+    }
+
+    /// A number not below any in the interval.
+    pub fn upper(self) -> f64 {
+        (self.mid + self.rad).next_up()
+    }
+
+    /// The largest absolute value.
+    pub fn magnitude(self) -> f64 {
+        up(self.mid.abs() + self.rad)
+    }
+
+    /// A number not above any absolute value; zero where zero lies inside.
+    pub fn mignitude(self) -> f64 {
+        (self.mid.abs() - self.rad).next_down().max(0.0)
+    }
+
+    /// Whether every number of this interval lies in the interior of the other.
+    pub fn is_inside(self, other: Self) -> bool {
+        up((self.mid - other.mid).abs() + self.rad) < other.rad
+    }
+
+    /// Whether this number may lie inside; true where nothing is known.
+    pub fn may_contain(self, value: f64) -> bool {
+        let is_outside = self.upper() < value || self.lower() > value;
+        !is_outside
+    }
+
+    /// The smallest interval that holds both.
+    pub fn hull(self, other: Self) -> Self {
+        Self::between(self.lower().min(other.lower()), self.upper().max(other.upper()))
+    }
+
+    /// The same with a larger radius.
+    pub fn widened(self, by: f64) -> Self {
+        Self { mid: self.mid, rad: up(self.rad + by) }
+    }
+
+    /// Whether both ends are known.
+    pub const fn is_bounded(self) -> bool {
+        self.mid.is_finite() && self.rad.is_finite()
+    }
+
+    /// e to the power of the interval; unbounded beyond the range of the proved error.
+    pub fn exp(self) -> Self {
+        let [least, largest] = EXPONENTS;
+        if !(self.mid - self.rad > least && self.mid + self.rad < largest) {
+            return Self::UNBOUNDED;
+        }
+        let (mid, _) = exponentials(self.mid);
+        // e^{c±r} is within e^c (e^r − 1) of e^c; the products below add a few units to the ten of e^r − 1.
+        let (_, excess) = exponentials(self.rad);
+        let own_error = UNITS_OF_EXP * UNIT * mid;
+        let spread = (mid + own_error) * (excess * (1.0 + 32.0 * UNIT));
+        Self { mid, rad: up(own_error + spread) }
+    }
+
+    /// The reciprocal; unbounded where zero may lie inside.
+    pub fn reciprocal(self) -> Self {
+        let least = self.mid.abs() - self.rad;
+        if least.is_nan() || least <= 0.0 {
+            return Self::UNBOUNDED;
+        }
+        let mid = 1.0 / self.mid;
+        // The two roundings of the divisor: |c| − r may be too large by a unit of |c|.
+        let least = (least - 2.0 * UNIT * self.mid.abs()).next_down();
+        if least.is_nan() || least <= 0.0 {
+            return Self::UNBOUNDED;
+        }
+        Self { mid, rad: up(self.rad / least * mid.abs() * (1.0 + 4.0 * UNIT) + UNIT * mid.abs()) }
+    }
+
+    /// The square root of a positive interval; unbounded elsewhere.
+    pub fn sqrt(self) -> Self {
+        let low = self.lower();
+        if low.is_nan() || low < 0.0 {
+            return Self::UNBOUNDED;
+        }
+        Self::between(low.sqrt().next_down(), self.upper().sqrt().next_up())
+    }
+}
+
+impl Add for Interval {
+    type Output = Self;
+    #[inline(always)]
+    fn add(self, other: Self) -> Self {
+        let mid = self.mid + other.mid;
+        Self { mid, rad: up(self.rad + other.rad + UNIT * mid.abs()) }
+    }
+}
+
+impl Neg for Interval {
+    type Output = Self;
+    #[inline(always)]
+    fn neg(self) -> Self {
+        Self { mid: -self.mid, rad: self.rad }
+    }
+}
+
+impl Sub for Interval {
+    type Output = Self;
+    #[inline(always)]
+    fn sub(self, other: Self) -> Self {
+        self + -other
+    }
+}
+
+impl Mul for Interval {
+    type Output = Self;
+    #[inline(always)]
+    fn mul(self, other: Self) -> Self {
+        let mid = self.mid * other.mid;
+        let spread = self.mid.abs() * other.rad + self.rad * (other.mid.abs() + other.rad);
+        Self { mid, rad: up(spread + UNIT * mid.abs()) }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn holds(interval: Interval, exact: &Float) -> bool {
+        let distance = Float::with_val(400, exact - interval.mid).abs();
+        distance <= interval.rad
+    }
+
+    /// Points of an interval: its ends and some between, exactly.
+    fn points(interval: Interval) -> Vec<Float> {
+        [-1.0, -0.37, 0.0, 0.61, 1.0]
+            .map(|part| Float::with_val(400, part) * interval.rad + interval.mid)
+            .into()
+    }
+
+    fn intervals() -> impl Strategy<Value = Interval> {
+        (-1.0f64..1.0, -60i32..60, 0.0f64..1.0, -40i32..4).prop_map(|(mid, scale, rad, relative)| {
+            let mid = libm::scalbn(mid, scale);
+            Interval { mid, rad: mid.abs() * libm::scalbn(rad, relative) }
+        })
+    }
+
+    proptest! {
+        #[test]
+        fn every_operation_contains_the_exact_result(a in intervals(), b in intervals()) {
+            for x in points(a) {
+                for y in points(b) {
+                    prop_assert!(holds(a + b, &Float::with_val(400, &x + &y)));
+                    prop_assert!(holds(a - b, &Float::with_val(400, &x - &y)));
+                    prop_assert!(holds(a * b, &Float::with_val(400, &x * &y)));
+                    if b.reciprocal().is_bounded() {
+                        prop_assert!(holds(b.reciprocal(), &Float::with_val(400, y.recip_ref())));
+                    }
+                }
+                if a.mid > 2.0 * a.rad {
+                    prop_assert!(holds(a.sqrt(), &Float::with_val(400, x.sqrt_ref())));
+                }
+            }
+        }
+
+        #[test]
+        fn exponentials_contain_the_exact_result(mid in -690.0f64..690.0, rad in 0.0f64..3.0, scale in -60i32..1) {
+            let interval = Interval { mid, rad: libm::scalbn(rad, scale) };
+            for x in points(interval) {
+                prop_assert!(holds(interval.exp(), &x.exp()));
+            }
+            let tight = Interval::point(mid).exp();
+            prop_assert!(tight.rad < 8.0 * UNIT * tight.mid);
+        }
+    }
+
+    #[test]
+    fn underflow_and_overflow_lose_nothing() {
+        let small = Interval::point(1e-200);
+        let product = small * small;
+        assert!(
+            product.mid == 0.0
+                && product.rad > 0.0
+                && holds(product, &(Float::with_val(400, 1e-200) * 1e-200))
+        );
+        let large = Interval::point(1e200);
+        assert!(!(large * large).is_bounded() && !Interval::point(1000.0).exp().is_bounded());
+        assert!(!Interval { mid: 1.0, rad: 1.0 }.reciprocal().is_bounded());
+        assert!(Interval { mid: f64::NAN, rad: 0.0 }.may_contain(1.0));
+        assert!(!Interval { mid: f64::NAN, rad: 0.0 }.is_inside(Interval { mid: 0.0, rad: 1.0 }));
+    }
+
+    #[test]
+    fn a_decimal_is_enclosed() {
+        let third = Rational::from((1, 3));
+        let enclosed = Interval::of_rational(&third);
+        assert!(enclosed.rad > 0.0 && enclosed.rad < 1e-16);
+        assert!(holds(enclosed, &Float::with_val(400, &third)));
+        assert_eq!(Interval::of_rational(&Rational::from(3)), Interval::point(3.0));
+    }
+}

@@ -1,0 +1,135 @@
+//! Polynomials in two small deviations, with interval coefficients: a function of (x, y) with its partial derivatives.
+
+use std::ops::{Add, Mul, Neg, Sub};
+
+use super::interval::Interval;
+use super::linear::worse;
+
+/// The degree of a polynomial, and the number of its coefficients.
+pub(super) const DEGREE: usize = super::slow::CORRECTIONS + 2;
+const TERMS: usize = (DEGREE + 1) * (DEGREE + 2) / 2;
+
+/// The place of the coefficient of δx^i δy^j.
+pub(super) const fn place(i: usize, j: usize) -> usize {
+    (i + j) * (i + j + 1) / 2 + j
+}
+
+/// The exponents (i, j) of the coefficients of degree 0 … d, in their order.
+pub(super) fn exponents(degree: usize) -> impl Iterator<Item = (usize, usize)> {
+    (0..=degree).flat_map(|total| (0..=total).map(move |j| (total - j, j)))
+}
+
+/// 1/n!, enclosed.
+pub(super) fn inverse_factorial(n: usize) -> Interval {
+    Interval::point((1..=n).product::<usize>() as f64).reciprocal()
+}
+
+/// (−1)^n/n! times a number.
+fn alternating(value: Interval, n: usize) -> Interval {
+    let size = value * inverse_factorial(n);
+    if n % 2 == 1 { -size } else { size }
+}
+
+/// Coefficients of δx^i δy^j for i + j ≤ [`DEGREE`].
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Jet([Interval; TERMS]);
+
+impl Jet {
+    /// From its coefficients.
+    pub fn new(coefficient: impl Fn(usize, usize) -> Interval) -> Self {
+        let mut terms = [Interval::ZERO; TERMS];
+        for (term, (i, j)) in terms.iter_mut().zip(exponents(DEGREE)) {
+            *term = coefficient(i, j);
+        }
+        Self(terms)
+    }
+
+    /// A number.
+    pub fn constant(value: Interval) -> Self {
+        Self::new(|i, j| if i + j == 0 { value } else { Interval::ZERO })
+    }
+
+    /// e^x, where it is `value`.
+    pub fn exponential_of_x(value: Interval) -> Self {
+        Self::new(|i, j| if j == 0 { value * inverse_factorial(i) } else { Interval::ZERO })
+    }
+
+    /// e^{−x}, where it is `value`.
+    pub fn exponential_of_minus_x(value: Interval) -> Self {
+        Self::new(|i, j| if j == 0 { alternating(value, i) } else { Interval::ZERO })
+    }
+
+    /// e^{−y}, where it is `value`.
+    pub fn exponential_of_minus_y(value: Interval) -> Self {
+        Self::new(|i, j| if i == 0 { alternating(value, j) } else { Interval::ZERO })
+    }
+
+    fn at(&self, i: usize, j: usize) -> Interval {
+        if i + j > DEGREE { Interval::ZERO } else { self.0[place(i, j)] }
+    }
+
+    /// The value.
+    pub const fn value(&self) -> Interval {
+        self.0[0]
+    }
+
+    /// The first derivatives.
+    pub const fn gradient(&self) -> [Interval; 2] {
+        [self.0[1], self.0[2]]
+    }
+
+    /// A bound of each second derivative.
+    pub fn largest_second(&self) -> f64 {
+        [self.at(2, 0), self.at(1, 1), self.at(0, 2)]
+            .map(|c| 2.0 * c.magnitude())
+            .into_iter()
+            .fold(0.0, worse)
+    }
+
+    /// The derivative by x; its coefficients of the highest degree are unknown and left out.
+    pub fn by_x(&self) -> Self {
+        Self::new(|i, j| Interval::point((i + 1) as f64) * self.at(i + 1, j))
+    }
+
+    /// The same by y.
+    pub fn by_y(&self) -> Self {
+        Self::new(|i, j| Interval::point((j + 1) as f64) * self.at(i, j + 1))
+    }
+
+    /// All coefficients times a number.
+    pub fn scaled(self, by: Interval) -> Self {
+        Self(self.0.map(|term| term * by))
+    }
+}
+
+impl Add for Jet {
+    type Output = Self;
+    fn add(self, other: Self) -> Self {
+        Self(std::array::from_fn(|k| self.0[k] + other.0[k]))
+    }
+}
+
+impl Neg for Jet {
+    type Output = Self;
+    fn neg(self) -> Self {
+        Self(self.0.map(|term| -term))
+    }
+}
+
+impl Sub for Jet {
+    type Output = Self;
+    fn sub(self, other: Self) -> Self {
+        self + -other
+    }
+}
+
+impl Mul for Jet {
+    type Output = Self;
+    fn mul(self, other: Self) -> Self {
+        Self::new(|i, j| {
+            (0..=i).fold(Interval::ZERO, |sum, p| {
+                (0..=j).fold(sum, |sum, q| sum + self.at(p, q) * other.at(i - p, j - q))
+            })
+        })
+    }
+}

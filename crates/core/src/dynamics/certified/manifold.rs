@@ -1,0 +1,188 @@
+//! The slow manifold over a box of states, and a tube around it that holds the whole slider.
+//!
+//! The slider obeys x' = ξ_n + ψ exactly, with
+//!
+//! ```text
+//! ψ' = R − ψ q/ε − ψ(ξ_n + ψ)      R = N(ξ_{n−1}) − N(ξ_n)      q = 1 + ε(ξ_n + ξ_nx)
+//! ```
+//!
+//! R is of order ε^n. Subtracting the two values of N would lose this; with δ_m = ξ_m − ξ_{m−1} the difference is
+//! N(ξ_m) − N(ξ_{m−1}) = δ_m(ξ_m + ξ_{m−1} + ξ_mx) + ξ_{m−1}δ_mx + gδ_my, and δ_{m+1} = −ε times it.
+//!
+//! While Λ ≤ q/ε − |ξ_n| − 2|ψ| this gives |ψ(t)| ≤ e^{−Λt}|ψ(0)| + sup|R|/Λ, and the same bound with the derivative of the
+//! right-hand side by (x, y) in place of R holds for the derivative of ψ by the initial state.
+
+use super::Constants;
+use super::interval::{Interval, generously_up};
+use super::jet::Jet;
+use super::linear::worse;
+use super::slow::CORRECTIONS;
+use crate::friction::EvolutionLaw;
+
+/// What holds of the slow manifold and of ψ over a box of (x, y).
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Manifold {
+    /// ε.
+    pub inertia: Interval,
+    /// ξ_n and its derivatives.
+    pub rate: Interval,
+    pub rate_gradient: [Interval; 2],
+    /// g.
+    pub state_rate: Interval,
+    /// The derivative of (ξ_n, g) by (x, y): the largest sum of sizes in a row, and a bound of its own derivatives.
+    pub largest_slope: f64,
+    pub largest_bend: f64,
+    /// sup|R|.
+    residual: f64,
+    /// R and q/ε with their derivatives.
+    residual_gradient: [Interval; 2],
+    damping: Interval,
+    damping_gradient: [Interval; 2],
+}
+
+/// Bounds on ψ and on its derivatives by the coordinates of the section.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Tube {
+    /// |ψ|.
+    pub distance: f64,
+    /// |∂ψ/∂p|.
+    pub slopes: [f64; 2],
+}
+
+/// What a step of length h does to the tube.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Passage {
+    start: Tube,
+    /// What remains of the bounds when the start is forgotten.
+    settled: Tube,
+    /// Λ.
+    contraction: f64,
+    /// ∫|ψ| dt and ∫|∂ψ/∂p| dt.
+    pub impulse: f64,
+    pub slope_impulses: [f64; 2],
+}
+
+impl Manifold {
+    /// Over a box.
+    pub fn over(constants: &Constants, [x, y]: &[Interval; 2]) -> Self {
+        let Constants { inertia, stiffness, effect_ratio, law } = *constants;
+        let velocity = Jet::exponential_of_x(x.exp());
+        let state_rate = match law {
+            EvolutionLaw::Slip => {
+                let sum = Jet::new(|i, j| match i + j {
+                    0 => *x + *y,
+                    1 => Interval::ONE,
+                    _ => Interval::ZERO,
+                });
+                -(velocity * sum)
+            }
+            EvolutionLaw::Aging => Jet::exponential_of_minus_y((-*y).exp()) - velocity,
+        };
+        let plain =
+            (Jet::constant(Interval::ONE) - velocity).scaled(stiffness) - state_rate.scaled(effect_ratio);
+        let own_inertia = velocity.scaled(inertia);
+        let mut rate = plain;
+        // N(ξ_m) − N(ξ_{m−1}), first N(ξ_0).
+        let mut difference = plain * (plain + plain.by_x()) + state_rate * plain.by_y();
+        for _ in 0..CORRECTIONS {
+            let change = -(own_inertia * difference);
+            let before = rate;
+            rate = before + change;
+            difference =
+                change * (rate + before + rate.by_x()) + before * change.by_x() + state_rate * change.by_y();
+        }
+        let inverse = Jet::exponential_of_minus_x((-*x).exp() * inertia.reciprocal());
+        let damping = inverse + rate + rate.by_x();
+        let rows = [rate.gradient(), state_rate.gradient()];
+        Self {
+            inertia: own_inertia.value(),
+            rate: rate.value(),
+            rate_gradient: rate.gradient(),
+            state_rate: state_rate.value(),
+            largest_slope: super::linear::largest_row(&rows),
+            largest_bend: generously_up(4.0 * worse(rate.largest_second(), state_rate.largest_second())),
+            residual: difference.value().magnitude(),
+            residual_gradient: difference.gradient(),
+            damping: damping.value(),
+            damping_gradient: damping.gradient(),
+        }
+    }
+
+    /// How strongly inertia delays: ε times the fastest slow rate.
+    pub fn delay(&self) -> f64 {
+        self.inertia.magnitude() * (self.largest_slope + self.rate.magnitude())
+    }
+
+    /// How far the tube is from the manifold where the motion has settled.
+    pub fn settled(&self) -> f64 {
+        self.residual / self.damping.mignitude()
+    }
+
+    /// The rate of change of ψ at most, for |ψ| ≤ `distance`.
+    pub fn tube_rate(&self, distance: f64) -> f64 {
+        let turning = self.damping.magnitude() + self.rate.magnitude() + distance;
+        generously_up(self.residual + distance * turning)
+    }
+
+    /// x'' for |ψ| ≤ `distance`.
+    pub fn acceleration(&self, distance: f64) -> Interval {
+        let [by_x, by_y] = self.rate_gradient;
+        (by_x * self.rate.widened(distance) + by_y * self.state_rate).widened(self.tube_rate(distance))
+    }
+
+    /// A bound of the derivative of ψ' by (x, y), for |ψ| ≤ `distance`.
+    fn source(&self, distance: f64) -> f64 {
+        let of = |i: usize| {
+            let [of_residual, of_damping, of_rate] =
+                [self.residual_gradient[i], self.damping_gradient[i], self.rate_gradient[i]]
+                    .map(Interval::magnitude);
+            of_residual + distance * (of_damping + of_rate)
+        };
+        generously_up(of(0) + of(1))
+    }
+
+    /// The tube over a step of length h within the box; `growth` bounds the growth of a deviation during the step, and `derivatives`
+    /// the sizes of ∂(x, y)/∂p at its start. None where the tube does not contract.
+    pub fn passage(&self, tube: Tube, h: f64, growth: f64, derivatives: [f64; 2]) -> Option<Passage> {
+        let least = self.damping.lower();
+        let first = generously_up(tube.distance + 2.0 * self.residual / least);
+        let contraction = (least - self.rate.magnitude() - 2.0 * first) * (1.0 - 1e-9);
+        if !(least > 0.0 && contraction > 0.0) {
+            return None;
+        }
+        let settled = generously_up(self.residual / contraction);
+        let distance = generously_up(tube.distance + settled);
+        if !(distance <= first) {
+            return None;
+        }
+        let time = h.min(generously_up(1.0 / contraction));
+        let source = self.source(distance);
+        let feedback = generously_up(h * source * growth / contraction);
+        if !(feedback < 0.5) {
+            return None;
+        }
+        let impulse = generously_up(tube.distance * time + settled * h);
+        let slope_impulses: [f64; 2] = std::array::from_fn(|j| {
+            generously_up((tube.slopes[j] * time + feedback * derivatives[j]) / (1.0 - feedback))
+        });
+        let settled_slopes: [f64; 2] = std::array::from_fn(|j| {
+            generously_up(source * growth * (derivatives[j] + slope_impulses[j]) / contraction)
+        });
+        let settled = Tube { distance: settled, slopes: settled_slopes };
+        Some(Passage { start: tube, settled, contraction, impulse, slope_impulses })
+    }
+}
+
+impl Passage {
+    /// Bounds after a time or later.
+    pub fn after(&self, time: f64) -> Tube {
+        let exponent =
+            Interval::point(-self.contraction) * Interval::point(time.min(600.0 / self.contraction));
+        let fading = exponent.exp().upper();
+        let end = |start: f64, settled: f64| generously_up(start * fading + settled);
+        Tube {
+            distance: end(self.start.distance, self.settled.distance),
+            slopes: std::array::from_fn(|j| end(self.start.slopes[j], self.settled.slopes[j])),
+        }
+    }
+}

@@ -1,0 +1,188 @@
+//! Certified runs: limit cycles and decays that are proved to exist for the given decimals, with enclosed observables.
+//!
+//! Every number is an interval that is rounded outward, from the decimals on. [`certify`] proves that the return map of a section maps a box
+//! into itself by Krawczyk's test: one limit cycle passes through the box, and no other. It proves a decay by a
+//! run that ends in an ellipsoid in which zᵀPz falls.
+
+// A bound that is not a number must refuse: `!(a < b)` does, `a >= b` would not.
+#![allow(clippy::neg_cmp_op_on_partial_ord)]
+
+mod attraction;
+mod crossing;
+mod cycle;
+mod decay;
+mod guess;
+mod inertial;
+mod interval;
+mod jet;
+mod lanes;
+mod linear;
+mod manifold;
+mod motion;
+mod observed;
+mod set;
+mod slow;
+mod step;
+mod sticking;
+#[cfg(test)]
+mod tests;
+mod transversal;
+
+use super::{LongTerm, Model, Options, Start, simulate_model};
+use crate::friction::{EvolutionLaw, Groups, Parameters};
+use crate::number::{Rational, nearest_f64};
+use interval::Interval;
+
+/// η, κ and β, enclosed, and the law.
+#[derive(Debug, Clone, Copy)]
+struct Constants {
+    inertia: Interval,
+    stiffness: Interval,
+    effect_ratio: Interval,
+    law: EvolutionLaw,
+}
+
+/// Why nothing was certified.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum Reason {
+    /// The simulation that the proof starts from failed.
+    #[error("the simulation failed: {0}")]
+    Simulation(String),
+    /// The cycle crosses V = V_l several times.
+    #[error("the cycle crosses the loading velocity {0} times")]
+    SeveralReturns(usize),
+    /// The enclosure needs more steps than allowed.
+    #[error("the enclosure needs more steps than allowed")]
+    TooManySteps,
+    /// No step was found that is held by its box.
+    #[error("no step was found whose enclosure holds")]
+    NoEnclosure,
+    /// The set grew beyond all bounds.
+    #[error("the enclosure has no bound")]
+    Unbounded,
+    /// The slider sticks, but inertia is too strong for the slow manifold.
+    #[error("inertia is too strong for the slow manifold")]
+    LeftTheTube,
+    /// The motion may cross the section in another place, or touch it.
+    #[error("the motion may touch the section elsewhere")]
+    Tangent,
+    /// The return map does not map a box into itself.
+    #[error("no box is mapped into itself")]
+    NotContained,
+    /// The cycle exists, but it may repel.
+    #[error("a cycle exists, but its multipliers may exceed 1")]
+    NotAttracting,
+    /// Steady sliding attracts no ellipsoid.
+    #[error("no ellipsoid around steady sliding is proved to attract")]
+    NoAttraction,
+}
+
+/// What a certificate proves.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Proved {
+    /// One limit cycle passes through a box of the section V = `section_log_velocity`, and it attracts.
+    Cycle {
+        /// ln(V/V_l) of the section, which the cycle crosses upward.
+        section_log_velocity: f64,
+        /// The box of y = ln(V_l θ/D_c), lower and upper end.
+        state_box: [f64; 2],
+        /// The box of the second coordinate: F = ζ − x − βy, or ψ, the distance of x' from the slow manifold.
+        second_box: [f64; 2],
+        /// Whether the second coordinate is ψ.
+        is_on_slow_manifold: bool,
+        /// A bound of the sizes of the multipliers, below 1.
+        contraction: f64,
+        /// The period, s.
+        period_s: [f64; 2],
+    },
+    /// The run from the start ends in steady sliding.
+    Decay {
+        /// zᵀPz ≤ c in (x, y, F/η): the run is inside after this time, s.
+        captured_after_s: f64,
+    },
+}
+
+/// A proof with enclosures: lower and upper end.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Certificate {
+    /// What is proved.
+    pub proved: Proved,
+    /// Largest velocity of the cycle, or of the run from its start on, m/s.
+    pub peak_velocity_m_per_s: [f64; 2],
+    /// Largest less least spring stress, Pa.
+    pub stress_drop_pa: [f64; 2],
+}
+
+/// The most steps of one enclosed motion.
+const MOST_STEPS: u64 = 200_000;
+
+/// Certifies the long-term behaviour of a slider.
+///
+/// # Errors
+/// A [`Reason`] when nothing is proved.
+pub fn certify(
+    parameters: &Parameters<Rational>,
+    law: EvolutionLaw,
+    start: Start,
+) -> Result<Certificate, Reason> {
+    let groups = parameters.groups();
+    let constants = Constants::new(&groups, law);
+    let model = Model::new(groups.map(nearest_f64), law);
+    let options = Options::at(1e-8).with_start(start);
+    let found =
+        simulate_model(&model, &options).map_err(|failure| Reason::Simulation(failure.to_string()))?;
+    match found.long_term() {
+        LongTerm::Cycle(cycle) => cycle::certify(&constants, &model, cycle, parameters),
+        LongTerm::Decay(_) => decay::certify(&constants, start, parameters),
+    }
+}
+
+impl Constants {
+    fn new(groups: &Groups<Rational>, law: EvolutionLaw) -> Self {
+        Self {
+            inertia: Interval::of_rational(&groups.inertial_parameter),
+            stiffness: Interval::of_rational(&groups.stiffness_group),
+            effect_ratio: Interval::of_rational(&groups.effect_ratio),
+            law,
+        }
+    }
+}
+
+/// Enclosures in SI.
+struct Units {
+    velocity: Interval,
+    time: Interval,
+    stress: Interval,
+}
+
+impl Units {
+    fn new(parameters: &Parameters<Rational>) -> Self {
+        Self {
+            velocity: Interval::of_rational(&parameters.point.loading_velocity_m_per_s),
+            time: Interval::of_rational(&parameters.rate_per_s().recip()),
+            stress: Interval::of_rational(&parameters.direct_stress_pa()),
+        }
+    }
+
+    fn velocity_of([low, high]: [f64; 2], unit: Interval) -> [f64; 2] {
+        outward([low, high].map(|x| Interval::point(x).exp() * unit))
+    }
+
+    fn peak(&self, log_peak: [f64; 2]) -> [f64; 2] {
+        Self::velocity_of(log_peak, self.velocity)
+    }
+
+    fn duration(&self, duration: Interval) -> [f64; 2] {
+        outward([duration * self.time; 2])
+    }
+
+    fn drop(&self, [low, high]: [f64; 2]) -> [f64; 2] {
+        outward([low, high].map(|drop| Interval::point(drop) * self.stress))
+    }
+}
+
+/// The lower end of the first and the upper end of the second, one number further out: the shortest decimals of these numbers are bounds too.
+fn outward([low, high]: [Interval; 2]) -> [f64; 2] {
+    [low.lower().next_down(), high.upper().next_up()]
+}

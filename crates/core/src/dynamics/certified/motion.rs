@@ -1,0 +1,183 @@
+//! An enclosed motion: the whole slider where inertia matters, the slow manifold with its tube where it sticks.
+
+use super::crossing::Crossing;
+use super::inertial::Inertial;
+use super::interval::Interval;
+use super::linear::worse;
+use super::manifold::Tube;
+use super::observed::{Moment, Observed, Passed};
+use super::set::{COORDINATES, Derivative, Set};
+use super::step::Expansion;
+use super::{Constants, Reason};
+
+/// Attempts to find a step that is held by its box, each shorter than the one before.
+const ATTEMPTS: usize = 40;
+const SHORTER: f64 = 0.75;
+const LONGER: f64 = 1.04;
+
+/// A crossing this near to the start of a step, in parts of its length, is the one that the last step ended on.
+const JUST_LEFT: f64 = 1e-7;
+
+/// The set of states, in either description.
+#[derive(Debug, Clone)]
+pub(super) enum States {
+    /// (x, y, F).
+    Inertial(Set<3>),
+    /// (x, y) and ψ.
+    Stuck(Set<2>, Tube),
+}
+
+/// A motion in progress.
+#[derive(Debug, Clone)]
+pub(super) struct Motion<'c> {
+    pub constants: &'c Constants,
+    pub states: States,
+    pub observed: Observed,
+    /// Part of the length aimed at that the last steps took.
+    pub reach: f64,
+    steps_left: u64,
+    /// Whether sticking states are followed on the slow manifold, after x has fallen.
+    pub may_stick: bool,
+    pub has_fallen: bool,
+    /// Whether x has risen all the time since the start.
+    has_only_risen: bool,
+}
+
+impl<'c> Motion<'c> {
+    /// A motion of at most so many steps.
+    pub const fn new(constants: &'c Constants, states: States, most_steps: u64) -> Self {
+        Self {
+            constants,
+            states,
+            observed: Observed::new(),
+            reach: 0.7,
+            steps_left: most_steps,
+            may_stick: true,
+            has_fallen: false,
+            has_only_risen: true,
+        }
+    }
+
+    /// Lets the slider stick before x has fallen.
+    pub const fn sticks_at_once(mut self) -> Self {
+        self.has_fallen = true;
+        self
+    }
+
+    /// One step, which ends on `section` (rising) if it reaches it; then the crossing.
+    pub fn advance(&mut self, section: Option<f64>) -> Result<Option<Crossing>, Reason> {
+        self.steps_left = self.steps_left.checked_sub(1).ok_or(Reason::TooManySteps)?;
+        match self.states.clone() {
+            States::Inertial(set) => self.inertial_step(&set, section),
+            States::Stuck(set, tube) => self.slow_step(&set, tube, section),
+        }
+    }
+
+    fn inertial_step(&mut self, set: &Set<3>, section: Option<f64>) -> Result<Option<Crossing>, Reason> {
+        let system = Inertial(self.constants);
+        let expansion = Expansion::new(&system, set);
+        let aimed = self.reach * expansion.length();
+        let (h, is_crossing) = landing(&expansion, aimed, section);
+        let (h, step) = self.held(h, |h| expansion.step(&system, set, h, 0.0))?;
+        let is_crossing = is_crossing.filter(|&length| length == h).is_some();
+        let end = set.mapped(step.image, &step.slope, &[[Interval::ZERO; COORDINATES]; 3]);
+        if !end.is_bounded() {
+            return Err(Reason::Unbounded);
+        }
+        let (start_hull, end_hull) = (set.hull(), end.hull());
+        let Constants { inertia, stiffness, .. } = *self.constants;
+        let rates = system.rates(&step.during);
+        self.observed.step(&Passed {
+            start: self.moment(&start_hull),
+            end: self.moment(&end_hull),
+            x: step.during[0],
+            speed: step.during[2],
+            acceleration: rates[2],
+            loading: stiffness * inertia * step.during[0].exp(),
+            length: h,
+            duration: step.duration,
+        });
+        self.has_fallen |= end_hull[2].upper() < 0.0;
+        if let (true, Some(x)) = (is_crossing, section) {
+            // Convex or rising from below the section, x crosses it once.
+            let is_single = step.during[2].lower() > 0.0 || rates[2].lower() > 0.0;
+            if !(is_single && start_hull[0].upper() < x) {
+                return Err(Reason::Tangent);
+            }
+            let crossing = self.inertial_crossing(&end, x)?;
+            self.states = States::Inertial(end);
+            return Ok(Some(crossing));
+        }
+        if let Some(x) = section {
+            self.refuse_other_crossings(step.during[0], step.during[2], x)?;
+        }
+        let end = self.without_flow(&end, section).unwrap_or(end);
+        self.states = self.entered(&end).unwrap_or(States::Inertial(end));
+        Ok(None)
+    }
+
+    pub(super) fn moment(&self, [x, y, f]: &[Interval; 3]) -> Moment {
+        Moment { x: *x, speed: *f, stress: *f + *x + self.constants.effect_ratio * *y }
+    }
+
+    /// A step before the return must not cross the section upward. One that has only risen since it started there cannot.
+    pub(super) fn refuse_other_crossings(
+        &mut self,
+        x: Interval,
+        speed: Interval,
+        section: f64,
+    ) -> Result<(), Reason> {
+        self.has_only_risen &= speed.lower() > 0.0;
+        if x.may_contain(section) && !self.has_only_risen && !(speed.upper() < 0.0) {
+            return Err(Reason::Tangent);
+        }
+        Ok(())
+    }
+
+    /// The longest step, from h downward, that is held by its box.
+    pub(super) fn held<T>(
+        &mut self,
+        h: f64,
+        mut step: impl FnMut(f64) -> Option<T>,
+    ) -> Result<(f64, T), Reason> {
+        let mut length = h;
+        for attempt in 0..ATTEMPTS {
+            if let Some(found) = step(length) {
+                if attempt == 0 {
+                    self.reach = (self.reach * LONGER).min(1.0);
+                }
+                return Ok((length, found));
+            }
+            length *= SHORTER;
+            self.reach *= SHORTER;
+            if !(length > 0.0 && length.is_finite()) {
+                break;
+            }
+        }
+        Err(Reason::NoEnclosure)
+    }
+}
+
+/// The length at which the centre reaches the section, V = V_l or an extreme of V; otherwise the length aimed at. Second, the same length
+/// if it is that of the section.
+pub(super) fn landing<const N: usize, const C: usize>(
+    expansion: &Expansion<N, C>,
+    aimed: f64,
+    section: Option<f64>,
+) -> (f64, Option<f64>) {
+    let is_new = |length: &f64| *length > JUST_LEFT * aimed;
+    let start = expansion.centre[0][0].mid[0];
+    let level = |x: f64| expansion.crossing(aimed, |length| expansion.velocity_at(length) - x).filter(is_new);
+    let reached = section.filter(|&x| start < x).and_then(level);
+    let extreme = expansion.crossing(aimed, |length| expansion.acceleration_at(length)).filter(is_new);
+    let first = [level(0.0), extreme].into_iter().flatten().fold(aimed, f64::min);
+    match reached {
+        Some(length) if length <= first => (length, Some(length)),
+        _ => (first, None),
+    }
+}
+
+/// The sizes of the columns of a derivative, in the norm of the largest entry.
+pub(super) fn column_sizes<const N: usize>(derivative: &Derivative<N>) -> [f64; COORDINATES] {
+    std::array::from_fn(|j| derivative.iter().fold(0.0, |largest, row| worse(largest, row[j].magnitude())))
+}

@@ -1,0 +1,220 @@
+//! One step of an enclosure: Taylor series of the centre and of the whole set, with a remainder over a box that holds the motion.
+//!
+//! For t in [0, h] the motion lies in Σ_{k<n} t^k f_k(hull) + t^n f_n(B) if this set lies inside B (Nedialkov, Jackson & Pryce, *An effective high-order
+//! interval method for validating existence and uniqueness of the solution of an IVP for an ODE*, 2001). The derivatives by
+//! the initial state obey an equation of the same kind and are enclosed with the state.
+
+use super::interval::{Interval, generously_up};
+use super::lanes::Lanes;
+use super::linear::{Square, apply, worse};
+use super::set::Set;
+
+/// The order n of the remainder.
+pub(super) const ORDER: usize = 22;
+
+/// Terms of order n aimed at: of the state, over its size, and of the derivatives by the initial state.
+const AIM: f64 = 2e-17;
+const AIM_OF_SLOPE: f64 = 1e-12;
+
+/// The largest remainder of a step that is taken.
+const LARGEST: f64 = 3e-16;
+const LARGEST_OF_SLOPE: f64 = 1e-10;
+
+/// How much larger the term of order n may be over the box than before, and how many boxes are tried.
+const MARGIN: f64 = 4.0;
+const TRIALS: usize = 3;
+
+/// The Taylor coefficients 0 … n of N components and of the elapsed time, which is the last of C = N + 1 components.
+pub(super) type Series<const M: usize, const C: usize> = [[Lanes<M>; C]; ORDER + 1];
+
+/// Equations of motion of N components.
+pub(super) trait System<const N: usize, const C: usize> {
+    /// The coefficients of the solution through a state; those of order zero are the state.
+    fn series<const M: usize>(&self, start: &[Lanes<M>; N]) -> Series<M, C>;
+}
+
+/// The series at a set: over its hull with derivatives, and at its centre.
+pub(super) struct Expansion<const N: usize, const C: usize> {
+    hull: Series<C, C>,
+    pub centre: Series<1, C>,
+}
+
+/// What one step encloses.
+pub(super) struct Step<const N: usize, const C: usize> {
+    /// The states of the whole step.
+    pub during: [Interval; N],
+    /// The image of the centre.
+    pub image: [Interval; N],
+    /// The derivative by the initial state, at the end.
+    pub slope: Square<N>,
+    /// The largest sum of sizes in a row of the derivative, during the step.
+    pub largest_slope: f64,
+    /// Time that passes, from any point of the set.
+    pub duration: Interval,
+}
+
+impl<const N: usize, const C: usize> Expansion<N, C> {
+    pub fn new(system: &impl System<N, C>, set: &Set<N>) -> Self {
+        let hull = set.hull();
+        let unit: [Lanes<C>; N] = std::array::from_fn(|i| {
+            Lanes::new(std::array::from_fn(|l| match l {
+                0 => hull[i],
+                _ if l == i + 1 => Interval::ONE,
+                _ => Interval::ZERO,
+            }))
+        });
+        let centre = set.centre.map(|c| Lanes::new([Interval::point(c)]));
+        Self { hull: system.series(&unit), centre: system.series(&centre) }
+    }
+
+    /// The length at which the terms of order n are as small as aimed at.
+    pub fn length(&self) -> f64 {
+        let mut length = f64::INFINITY;
+        for order in [ORDER - 1, ORDER] {
+            for component in 0..N {
+                let term = &self.hull[order][component];
+                let size = 1.0 + self.hull[0][component].mid[0].abs();
+                let slopes = (1..C).fold(0.0, |largest, l| worse(largest, term.mid[l].abs()));
+                for (term, aim) in [(term.mid[0].abs(), AIM * size), (slopes, AIM_OF_SLOPE)] {
+                    if term > 0.0 {
+                        length = length.min(libm::pow(aim / term, 1.0 / order as f64));
+                    }
+                }
+            }
+        }
+        length
+    }
+
+    /// The step of length h, if a box is found that holds it; `disturbance` bounds what moves the state beside the equations.
+    pub fn step(
+        &self,
+        system: &impl System<N, C>,
+        set: &Set<N>,
+        h: f64,
+        disturbance: f64,
+    ) -> Option<Step<N, C>> {
+        let length = Interval::point(h);
+        let power = (0..ORDER).fold(Interval::ONE, |power, _| power * length);
+        let range: [Interval; N] = std::array::from_fn(|i| self.range(i, h).widened(disturbance));
+        let spread: Square<N> = std::array::from_fn(|i| std::array::from_fn(|j| self.spread(i, j + 1, h)));
+        let widen =
+            |range: Interval, by: f64| range.widened(by + 1e-13 * range.magnitude() + f64::MIN_POSITIVE);
+        let mut terms = self.hull[ORDER].map(|term| term.scaled(power));
+        for _ in 0..TRIALS {
+            let margins = margins::<N, C>(&terms);
+            let during: [Interval; N] = std::array::from_fn(|i| widen(range[i], margins[0]));
+            let slopes: Square<N> =
+                std::array::from_fn(|i| std::array::from_fn(|j| widen(spread[i][j], margins[1])));
+            let start: [Lanes<C>; N] = std::array::from_fn(|i| {
+                Lanes::new(std::array::from_fn(|l| if l == 0 { during[i] } else { slopes[i][l - 1] }))
+            });
+            terms = system.series(&start)[ORDER].map(|term| term.scaled(power));
+            let holds = |i: usize, l: usize, range: Interval, inside: Interval| {
+                range.widened(terms[i].lane(l).magnitude()).is_inside(inside)
+            };
+            let all = (0..N).all(|i| {
+                holds(i, 0, range[i], during[i])
+                    && (0..N).all(|j| holds(i, j + 1, spread[i][j], slopes[i][j]))
+            });
+            let is_small = (0..N).all(|i| {
+                terms[i].lane(0).magnitude() < LARGEST * (1.0 + during[i].magnitude())
+                    && (1..C).all(|l| terms[i].lane(l).magnitude() < LARGEST_OF_SLOPE)
+            });
+            if all && is_small && terms[N].lane(0).is_bounded() {
+                return Some(self.enclosed(set, length, &during, &slopes, &terms));
+            }
+        }
+        None
+    }
+
+    /// The image of the set under a step that its box holds; `last` is the remainder.
+    fn enclosed(
+        &self,
+        set: &Set<N>,
+        length: Interval,
+        during: &[Interval; N],
+        slopes: &Square<N>,
+        last: &[Lanes<C>; C],
+    ) -> Step<N, C> {
+        let image = std::array::from_fn(|i| value(&self.centre, i, 0, length) + last[i].lane(0));
+        let slope_of = |i: usize| -> [Interval; N] {
+            std::array::from_fn(|j| value(&self.hull, i, j + 1, length) + last[i].lane(j + 1))
+        };
+        let of_hull = apply(&[slope_of(N)], &set.offsets())[0];
+        Step {
+            during: *during,
+            image,
+            slope: std::array::from_fn(slope_of),
+            largest_slope: super::linear::largest_row(slopes),
+            duration: value(&self.centre, N, 0, length) + last[N].lane(0) + of_hull,
+        }
+    }
+
+    /// Encloses a component of the hull's series, without its last term, over [0, h].
+    fn range(&self, component: usize, h: f64) -> Interval {
+        const PIECES: usize = 4;
+        let part = |i: usize| h * i as f64 / PIECES as f64;
+        (0..PIECES)
+            .map(|i| value(&self.hull, component, 0, Interval::between(part(i), part(i + 1))))
+            .reduce(Interval::hull)
+            .unwrap_or(Interval::symmetric(f64::INFINITY))
+    }
+
+    /// The same for a derivative, from the sizes of its terms.
+    fn spread(&self, component: usize, lane: usize, h: f64) -> Interval {
+        let (mut power, mut sum) = (1.0, 0.0);
+        for term in &self.hull[1..ORDER] {
+            power *= h;
+            sum += power * term[component].lane(lane).magnitude();
+        }
+        self.hull[0][component].lane(lane).widened(generously_up(sum))
+    }
+
+    /// The length at which a function of the length changes its sign within the step; none where it does not.
+    pub fn crossing(&self, h: f64, at: impl Fn(f64) -> f64) -> Option<f64> {
+        let (mut low, mut high) = (0.0, h);
+        let rises = at(h) > 0.0;
+        if (at(0.0) > 0.0) == rises {
+            return None;
+        }
+        while let middle = 0.5 * (low + high)
+            && middle > low
+            && middle < high
+        {
+            if (at(middle) > 0.0) == rises { high = middle } else { low = middle }
+        }
+        Some(if at(low).abs() < at(high).abs() && low > 0.0 { low } else { high })
+    }
+
+    /// ln(V/V_l), the first component, of the centre.
+    pub fn velocity_at(&self, length: f64) -> f64 {
+        let terms = self.centre[1..ORDER].iter().rev();
+        self.centre[0][0].mid[0] + terms.fold(0.0, |sum, term| (sum + term[0].mid[0]) * length)
+    }
+
+    /// Its derivative.
+    pub fn acceleration_at(&self, length: f64) -> f64 {
+        let terms = self.centre[..ORDER].iter().enumerate().skip(1).rev();
+        terms.fold(0.0, |sum, (k, term)| sum * length + k as f64 * term[0].mid[0])
+    }
+}
+
+/// How far the box exceeds the range: of the state, and of the derivatives.
+fn margins<const N: usize, const C: usize>(terms: &[Lanes<C>; C]) -> [f64; 2] {
+    let largest = |lanes: std::ops::Range<usize>| {
+        let sizes = terms[..N].iter().flat_map(|term| lanes.clone().map(|l| term.lane(l).magnitude()));
+        MARGIN * sizes.fold(0.0, worse)
+    };
+    [largest(0..1), largest(1..C)]
+}
+
+/// A component of a series without its last term.
+fn value<const M: usize, const C: usize>(
+    series: &Series<M, C>,
+    component: usize,
+    lane: usize,
+    length: Interval,
+) -> Interval {
+    let terms = series[..ORDER].iter().rev();
+    terms.fold(Interval::ZERO, |sum, term| sum * length + term[component].lane(lane))
+}

@@ -1,0 +1,206 @@
+//! Steps of a sticking slider on the slow manifold, and the changes between both descriptions.
+
+use super::crossing::Crossing;
+use super::interval::{Interval, generously_up};
+use super::linear::worse;
+use super::manifold::{Manifold, Passage, Tube};
+use super::motion::{Motion, States, column_sizes, landing};
+use super::observed::{Moment, Passed};
+use super::set::{COORDINATES, Derivative, Set};
+use super::slow::Slow;
+use super::step::{Expansion, Step};
+use super::{Constants, Reason};
+
+/// The delay by inertia (ε times the fastest slow rate) at which a sticking slider is followed on the slow manifold.
+pub(super) const ENTRY_DELAY: f64 = 2e-4;
+/// The same at which this ends.
+pub(super) const EXIT_DELAY: f64 = 4e-4;
+
+/// How much larger the delay may be before a section is reached.
+const LATE: f64 = 4.0;
+
+/// The distance in F from the slow manifold at which it is entered.
+const NEAR: f64 = 1e-14;
+/// The same over what the tube settles at.
+const NEAR_SETTLED: f64 = 4.0;
+
+/// The disturbance by ψ that the box of a step allows for at least.
+const LEAST_DISTURBANCE: f64 = 1e-18;
+
+/// The longest step over the inverse of the fastest slow rate.
+const LONGEST_SLOW: f64 = 2.0;
+
+/// How many times ε a step takes while ψ still fades.
+const FADING: f64 = 40.0;
+
+/// A step on the slow manifold: its states, and the tube and the sizes of the derivatives at its start.
+pub(super) struct LastStep {
+    pub during: [Interval; 2],
+    pub tube: Tube,
+    pub sizes: [f64; COORDINATES],
+    pub h: f64,
+}
+
+impl LastStep {
+    /// The passage of a step that may last a little longer, through another box.
+    pub fn prolonged(&self, constants: &Constants, box_after: &[Interval; 2], time: f64) -> Option<Passage> {
+        let whole = std::array::from_fn(|i| self.during[i].hull(box_after[i]));
+        let manifold = Manifold::over(constants, &whole);
+        let total = generously_up(self.h + time);
+        let growth = (Interval::point(manifold.largest_slope) * Interval::point(total)).exp().upper();
+        manifold.passage(self.tube, total, growth, self.sizes)
+    }
+}
+
+impl Motion<'_> {
+    /// The states on the slow manifold, if they are near enough to it.
+    pub(super) fn entered(&self, set: &Set<3>) -> Option<States> {
+        let [x, y, f] = set.hull();
+        if !(self.has_fallen && self.may_stick) {
+            return None;
+        }
+        let manifold = Manifold::over(self.constants, &[x, y]);
+        if !(manifold.delay() < ENTRY_DELAY) {
+            return None;
+        }
+        let off = f - manifold.inertia * manifold.rate;
+        let settled = NEAR_SETTLED * manifold.inertia.magnitude() * manifold.settled();
+        if !(off.magnitude() < NEAR + settled + NEAR_SETTLED * off.rad) {
+            return None;
+        }
+        let inverse = manifold.inertia.reciprocal();
+        let speed = f * inverse;
+        let d = set.derivative();
+        let slopes = std::array::from_fn(|j| {
+            let [along_x, along_y] = manifold.rate_gradient;
+            (d[2][j] * inverse - (speed + along_x) * d[0][j] - along_y * d[1][j]).magnitude()
+        });
+        let tube = Tube { distance: (speed - manifold.rate).magnitude(), slopes };
+        let [cx, cy, _] = set.at_centre();
+        let kept: Derivative<2> = [d[0], d[1]];
+        Some(States::Stuck(Set::new(set.section, [cx, cy], kept), tube))
+    }
+
+    /// The states of a slider that no longer sticks: F = ε(ξ_n + ψ).
+    fn left(&self, set: &Set<2>, tube: Tube, over_hull: &Manifold) -> Set<3> {
+        let centre = set.centre.map(Interval::point);
+        let at_centre = Manifold::over(self.constants, &centre);
+        let (zero, one) = (Interval::ZERO, Interval::ONE);
+        let of_tube = |size: f64| over_hull.inertia * Interval::symmetric(size);
+        let force = at_centre.inertia * at_centre.rate + of_tube(tube.distance);
+        let [by_x, by_y] = over_hull.rate_gradient;
+        let slope = [over_hull.inertia * (over_hull.rate + by_x), over_hull.inertia * by_y];
+        set.lifted(
+            [centre[0], centre[1], force],
+            &[[one, zero], [zero, one], slope],
+            &[[zero; COORDINATES], [zero; COORDINATES], self.left_slopes(set, tube, over_hull)],
+        )
+    }
+
+    /// What ψ adds to the derivative of F by p: F depends on x by ε(ξ_n + ψ) as well.
+    fn left_slopes(&self, set: &Set<2>, tube: Tube, over_hull: &Manifold) -> [Interval; COORDINATES] {
+        let sizes = column_sizes(&set.derivative());
+        std::array::from_fn(|j| {
+            over_hull.inertia * Interval::symmetric(generously_up(tube.slopes[j] + tube.distance * sizes[j]))
+        })
+    }
+
+    pub(super) fn slow_step(
+        &mut self,
+        set: &Set<2>,
+        tube: Tube,
+        section: Option<f64>,
+    ) -> Result<Option<Crossing>, Reason> {
+        let system = Slow(self.constants);
+        let expansion = Expansion::new(&system, set);
+        let start_hull = set.hull();
+        let here = Manifold::over(self.constants, &start_hull);
+        let largest_delay = if section.is_some() { LATE * EXIT_DELAY } else { EXIT_DELAY };
+        if here.delay() > largest_delay {
+            self.states = States::Inertial(self.left(set, tube, &here));
+            return Ok(None);
+        }
+        let mut aimed = (self.reach * expansion.length()).min(LONGEST_SLOW / here.largest_slope);
+        if tube.distance > NEAR_SETTLED * here.settled() {
+            aimed = aimed.min(FADING * here.inertia.mid);
+        }
+        let (h, is_crossing) = landing(&expansion, aimed, section);
+        let sizes = column_sizes(&set.derivative());
+        let mut allowed = LEAST_DISTURBANCE;
+        let (h, (step, manifold, passage, growth)) = self.held(h, |h| {
+            if let Some(expected) = here.passage(tube, h, 3.0, sizes) {
+                allowed = worse(allowed, 4.0 * expected.impulse);
+            }
+            let step = expansion.step(&system, set, h, allowed)?;
+            let manifold = Manifold::over(self.constants, &step.during);
+            let growth = (Interval::point(manifold.largest_slope) * Interval::point(h)).exp().upper();
+            let passage = manifold.passage(tube, h, growth, sizes)?;
+            let disturbance = generously_up(passage.impulse * growth);
+            let is_allowed = disturbance < allowed;
+            allowed = worse(allowed, 4.0 * disturbance);
+            is_allowed.then_some((step, manifold, passage, growth))
+        })?;
+        let is_crossing = is_crossing.filter(|&length| length == h).is_some();
+        let end = disturbed(set, &step, h, &manifold, passage.impulse, passage.slope_impulses, growth);
+        if !end.is_bounded() {
+            return Err(Reason::Unbounded);
+        }
+        let end_hull = end.hull();
+        let end_tube = passage.after(h);
+        let largest = passage.after(0.0).distance;
+        let speed = manifold.rate.widened(largest);
+        let after = Manifold::over(self.constants, &end_hull);
+        self.observed.step(&Passed {
+            start: self.slow_moment(&start_hull, &here, tube.distance),
+            end: self.slow_moment(&end_hull, &after, end_tube.distance),
+            x: step.during[0],
+            speed,
+            acceleration: manifold.acceleration(largest),
+            loading: self.constants.stiffness,
+            length: h,
+            duration: Interval::point(h),
+        });
+        let last = LastStep { during: step.during, tube, sizes, h };
+        if let (true, Some(x)) = (is_crossing, section) {
+            if !(speed.lower() > 0.0 && start_hull[0].upper() < x) {
+                return Err(Reason::Tangent);
+            }
+            let crossing = self.slow_crossing(&end, &last, x)?;
+            self.states = States::Stuck(end, end_tube);
+            return Ok(Some(crossing));
+        }
+        if let Some(x) = section {
+            self.refuse_other_crossings(step.during[0], speed, x)?;
+        }
+        let (end, tube) = self.slow_without_flow(&end, &last, section).unwrap_or((end, end_tube));
+        self.states = States::Stuck(end, tube);
+        Ok(None)
+    }
+
+    pub(super) fn slow_moment(&self, [x, y]: &[Interval; 2], manifold: &Manifold, distance: f64) -> Moment {
+        let speed = manifold.rate.widened(distance);
+        let stress = manifold.inertia * speed + *x + self.constants.effect_ratio * *y;
+        Moment { x: *x, speed, stress }
+    }
+}
+
+/// The image under a step of the slow equations, and all that ψ adds to it.
+///
+/// With |x' − ξ_n| = |ψ| the state is off by at most d = e^{μh}∫|ψ|, where μ bounds the derivative of the rates (Gronwall). The derivative by the
+/// initial state is off by e^{μh} h d sup|second derivatives| times its size, and by e^{μh}∫|∂ψ/∂p|.
+fn disturbed(
+    set: &Set<2>,
+    step: &Step<2, 3>,
+    h: f64,
+    manifold: &Manifold,
+    impulse: f64,
+    slope_impulses: [f64; 2],
+    growth: f64,
+) -> Set<2> {
+    let off = generously_up(impulse * growth);
+    let bend = generously_up(growth * h * off * manifold.largest_bend * step.largest_slope);
+    let image = step.image.map(|c| c.widened(off));
+    let slope = step.slope.map(|row| row.map(|entry| entry.widened(bend)));
+    let gained = slope_impulses.map(|impulse| Interval::symmetric(generously_up(impulse * growth)));
+    set.mapped(image, &slope, &[gained; 2])
+}

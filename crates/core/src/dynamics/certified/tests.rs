@@ -1,0 +1,111 @@
+//! Certificates against references of quadruple precision and the simulator, and planted faults that no certificate survives.
+
+use super::cycle::Test;
+use super::*;
+use crate::dynamics::simulate;
+use crate::number::parse_decimal;
+
+const REFERENCES: &str = include_str!("../../../../../tests/vectors/estimated-errors.txt");
+
+fn parameters(texts: [&str; 7]) -> Parameters<Rational> {
+    Parameters::from(texts.map(|text| parse_decimal(text).unwrap()))
+}
+
+/// The paper's slider.
+fn paper(normal_stress: &str, velocity: &str) -> Parameters<Rational> {
+    parameters(["0.004", "0.006", "1e-5", "1e7", "1000", normal_stress, velocity])
+}
+
+/// Inertial and quasi-static vibration, and stick-slip.
+const CYCLES: [[&str; 2]; 3] = [["1e4", "1e-2"], ["3e4", "1e-3"], ["1e5", "1e-3"]];
+
+#[test]
+fn enclosures_contain_references_of_quadruple_precision() {
+    // The reference that loses enough energy in a return for a certificate.
+    let lines: Vec<&str> =
+        REFERENCES.lines().filter(|line| line.starts_with("slip,0.0116,8.504e+10,")).collect();
+    assert!(!lines.is_empty());
+    for line in lines {
+        let cells: Vec<&str> = line.split(',').collect();
+        let law = EvolutionLaw::ALL.into_iter().find(|law| law.as_str() == cells[0]).unwrap();
+        let slider = parameters(["0.01", cells[1], "1e-5", cells[2], cells[3], "1e6", "1"]);
+        let found = certify(&slider, law, Start::default()).unwrap();
+        let Proved::Cycle { period_s, .. } = found.proved else { panic!("{line}: {found:?}") };
+        let number = |i: usize| cells[i].parse::<f64>().unwrap();
+        let holds = |[low, high]: [f64; 2], reference: f64, error: f64| {
+            // Units and the exponential add three roundings to the reference.
+            let error = error + 1e-15 * reference;
+            low <= reference + error && reference - error <= high && high - low < 1e-6 * reference
+        };
+        let peak = libm::exp(number(5));
+        assert!(holds(found.peak_velocity_m_per_s, peak, peak * number(6)), "{line}: {found:?}");
+        assert!(holds(found.stress_drop_pa, 1e4 * number(9), 1e4 * number(10)), "{line}: {found:?}");
+        assert!(holds(period_s, 1e-5 * number(11), 1e-5 * number(12)), "{line}: {found:?}");
+    }
+}
+
+#[test]
+fn enclosures_of_stick_slip_agree_with_the_simulator() {
+    for law in EvolutionLaw::ALL {
+        for [stress, velocity] in CYCLES {
+            let slider = paper(stress, velocity);
+            let found = certify(&slider, law, Start::default()).unwrap();
+            let simulated = simulate(&slider, law, &Options::at(1e-9)).unwrap();
+            let agrees = |[low, high]: [f64; 2], value: f64, error: f64| {
+                low <= value * (1.0 + error) && value * (1.0 - error) <= high && high / low - 1.0 < 1e-6
+            };
+            let Proved::Cycle { period_s, contraction, .. } = found.proved else { panic!("{found:?}") };
+            assert!(contraction < 1.0);
+            let (peak, peak_error) = (simulated.peak_velocity_m_per_s, simulated.peak_relative_error);
+            assert!(agrees(found.peak_velocity_m_per_s, peak, peak_error), "{found:?} {peak:e}");
+            let (period, error) = (simulated.period_s.unwrap(), simulated.period_relative_error.unwrap());
+            assert!(agrees(period_s, period, error), "{found:?} {period:e}");
+        }
+    }
+}
+
+#[test]
+fn decays_are_certified_and_enclose_the_largest_velocity() {
+    for [stress, velocity] in [["1e3", "3e-4"], ["1e4", "1e-4"], ["316.2278", "1e-5"]] {
+        for law in EvolutionLaw::ALL {
+            let slider = paper(stress, velocity);
+            let found = certify(&slider, law, Start::default()).unwrap();
+            assert!(matches!(found.proved, Proved::Decay { .. }), "{found:?}");
+            let [low, high] = found.peak_velocity_m_per_s;
+            let simulated = simulate(&slider, law, &Options::at(1e-9)).unwrap();
+            let error = 1e-9 + simulated.peak_relative_error;
+            let peak = simulated.peak_velocity_m_per_s;
+            assert!(low <= peak * (1.0 + error) && peak * (1.0 - error) <= high, "{found:?} {peak:e}");
+        }
+    }
+}
+
+/// Seven faults for each of three cycles: the test of the box that was proved without fault refuses all of them.
+#[test]
+fn a_box_of_the_right_cycle_is_refused_after_each_planted_fault() {
+    let mut refused = 0;
+    for law in EvolutionLaw::ALL {
+        for [stress, velocity] in CYCLES {
+            let groups = paper(stress, velocity).groups();
+            let model = Model::new(groups.clone().map(nearest_f64), law);
+            let found = simulate_model(&model, &Options::at(1e-8)).unwrap();
+            let LongTerm::Cycle(cycle) = found.long_term() else { panic!("no cycle at {stress} {velocity}") };
+            let right = Constants::new(&groups, law);
+            let (test, ..) = Test::near(&right, &model, cycle).unwrap();
+            assert!(test.holds(&right), "{law:?} {stress} {velocity}");
+            let scaled = |value: Interval, by: f64| value * Interval::point(by);
+            let other = EvolutionLaw::ALL.into_iter().find(|other| *other != law).unwrap();
+            let wrong = [
+                Constants { law: other, ..right },
+                Constants { inertia: scaled(right.inertia, 1.0 + 1e-9), ..right },
+                Constants { stiffness: scaled(right.stiffness, 1.0 + 1e-9), ..right },
+                Constants { effect_ratio: scaled(right.effect_ratio, 1.0 + 1e-9), ..right },
+                Constants { effect_ratio: -right.effect_ratio, ..right },
+            ];
+            refused += wrong.iter().filter(|wrong| !test.holds(wrong)).count();
+            let altered = [test.altered(1e-9, 1.0), test.altered(0.0, 1e-4)];
+            refused += altered.iter().filter(|altered| !altered.holds(&right)).count();
+        }
+    }
+    assert_eq!(refused, 7 * 2 * CYCLES.len());
+}

@@ -1,0 +1,129 @@
+//! `simulate --certify`: proofs of limit cycles and decays, as columns behind those of the simulation, as keys and as lines of text.
+
+use serde_json::{Map, Value, json};
+use slipmode::csv::{Cells, Column, Datum, Remark, RowWork, push_cells};
+use slipmode::scene::{Faults, Problem};
+use slipmode_core::dynamics::Start;
+use slipmode_core::dynamics::certified::{Certificate, Proved, Reason, certify};
+use slipmode_core::friction::{EvolutionLaw, Parameters};
+use slipmode_core::number::Rational;
+
+use crate::cli::simulate::rows::SimulateRows;
+use crate::cli::terminal;
+
+/// A certificate, or why there is none.
+#[derive(Debug)]
+pub struct Certified(Result<Certificate, Reason>);
+
+/// The columns behind those of `simulate`; without a certificate all but the last are empty.
+const COLUMNS: [Column<Certified>; 7] = [
+    ("peak_velocity_low_m_per_s", |found| end(found, |proof| Some(proof.peak_velocity_m_per_s), 0)),
+    ("peak_velocity_high_m_per_s", |found| end(found, |proof| Some(proof.peak_velocity_m_per_s), 1)),
+    ("period_low_s", |found| end(found, period, 0)),
+    ("period_high_s", |found| end(found, period, 1)),
+    ("stress_drop_low_pa", |found| end(found, |proof| Some(proof.stress_drop_pa), 0)),
+    ("stress_drop_high_pa", |found| end(found, |proof| Some(proof.stress_drop_pa), 1)),
+    ("certificate", |found| Datum::Text(found.word())),
+];
+
+fn end(found: &Certified, of: fn(&Certificate) -> Option<[f64; 2]>, side: usize) -> Datum {
+    Datum::Number(found.0.as_ref().ok().and_then(of).map(|ends| ends[side]))
+}
+
+const fn period(proof: &Certificate) -> Option<[f64; 2]> {
+    match proof.proved {
+        Proved::Cycle { period_s, .. } => Some(period_s),
+        Proved::Decay { .. } => None,
+    }
+}
+
+impl Certified {
+    /// Certifies a point.
+    pub fn new(parameters: &Parameters<Rational>, law: EvolutionLaw, start: Start) -> Self {
+        Self(certify(parameters, law, start))
+    }
+
+    /// `cycle`, `decay`, or `none` with the reason.
+    fn word(&self) -> String {
+        match &self.0 {
+            Ok(Certificate { proved: Proved::Cycle { .. }, .. }) => "cycle".into(),
+            Ok(Certificate { proved: Proved::Decay { .. }, .. }) => "decay".into(),
+            Err(reason) => format!("none: {reason}"),
+        }
+    }
+
+    /// The columns as keys, and what the proof rests on.
+    pub fn json(&self) -> Map<String, Value> {
+        let columns = COLUMNS.iter().map(|(name, cell)| (name.to_string(), cell(self).json()));
+        let proof = match self.0.as_ref().map(|proof| &proof.proved) {
+            Ok(Proved::Cycle {
+                section_log_velocity,
+                state_box,
+                second_box,
+                is_on_slow_manifold,
+                contraction,
+                ..
+            }) => json!({
+                "section_log_velocity": section_log_velocity,
+                "log_state_box": state_box,
+                "second_coordinate": if *is_on_slow_manifold { "psi" } else { "force" },
+                "second_box": second_box,
+                "contraction_factor": contraction,
+            }),
+            Ok(Proved::Decay { captured_after_s }) => json!({ "captured_after_s": captured_after_s }),
+            Err(_) => Value::Null,
+        };
+        columns.chain([("proof".to_string(), proof)]).collect()
+    }
+
+    /// Lines for people.
+    pub fn text(&self) -> String {
+        let between = |[low, high]: [f64; 2], unit: &str| format!("{low:e} to {high:e} {unit}");
+        let mut lines = vec![("certificate", self.word(), "(proved)")];
+        if let Ok(proof) = &self.0 {
+            lines.push(("peak velocity", between(proof.peak_velocity_m_per_s, "m/s"), "(enclosed)"));
+            lines.push(("stress drop", between(proof.stress_drop_pa, "Pa"), "(enclosed)"));
+            lines.extend(period(proof).map(|period| ("period", between(period, "s"), "(enclosed)")));
+        } else {
+            lines[0].2 = "";
+        }
+        terminal::named_values(&lines)
+    }
+}
+
+/// Simulates rows and certifies them.
+#[derive(Debug)]
+pub struct CertifiedRows(pub SimulateRows);
+
+impl RowWork for CertifiedRows {
+    type Input = (Parameters<Rational>, EvolutionLaw);
+    type Kept = ();
+
+    const APPENDED: &'static [&'static str] = &{
+        let first = SimulateRows::APPENDED.len();
+        let mut names = [""; SimulateRows::APPENDED.len() + COLUMNS.len()];
+        let mut index = 0;
+        while index < names.len() {
+            names[index] =
+                if index < first { SimulateRows::APPENDED[index] } else { COLUMNS[index - first].0 };
+            index += 1;
+        }
+        names
+    };
+    const BLOCK_ROWS: usize = SimulateRows::BLOCK_ROWS;
+    const BLOCKS_PER_THREAD: usize = SimulateRows::BLOCKS_PER_THREAD;
+
+    fn header_faults(&self, names: &[String]) -> Vec<(String, Problem)> {
+        self.0.header_faults(names)
+    }
+
+    fn read(&self, cells: Cells<'_>) -> Result<Self::Input, Faults> {
+        self.0.read(cells)
+    }
+
+    fn append(&self, input: &Self::Input, out: &mut Vec<u8>) -> Remark {
+        let remark = self.0.append(input, out);
+        push_cells(&COLUMNS, &Certified::new(&input.0, input.1, self.0.settings.start), out);
+        remark
+    }
+}

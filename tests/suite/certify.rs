@@ -1,0 +1,81 @@
+//! `simulate --certify`: columns, keys and text; the same bytes on any number of threads; proofs against the simulator's numbers.
+
+use serde_json::Value;
+
+use crate::harness::{HEADER, SLIDER, Workplace};
+use crate::simulate::NAMES;
+
+/// The columns behind those of `simulate`.
+const COLUMNS: [&str; 7] = [
+    "peak_velocity_low_m_per_s",
+    "peak_velocity_high_m_per_s",
+    "period_low_s",
+    "period_high_s",
+    "stress_drop_low_pa",
+    "stress_drop_high_pa",
+    "certificate",
+];
+
+/// Vibration with both laws, and a decay.
+const ROWS: &str = "slip,0.004,0.006,1e-5,1e7,1000,1e4,1e-2
+aging,0.004,0.006,1e-5,1e7,1000,1e4,1e-2
+slip,0.004,0.006,1e-5,1e7,1000,1e3,3e-4
+";
+
+#[test]
+fn rows_are_certified_and_their_bounds_hold_what_simulate_finds() {
+    let place = Workplace::new();
+    place.write("in.csv", format!("law,{HEADER}\n{ROWS}"));
+    for threads in ["1", "2"] {
+        let out = format!("out-{threads}.csv");
+        place
+            .run(["simulate", "--certify", "--points", "in.csv", "-o", &out, "--threads", threads])
+            .expect_success();
+    }
+    let written = place.read("out-1.csv");
+    assert_eq!(place.read("out-2.csv"), written);
+    let mut lines = written.lines();
+    let header: Vec<&str> = lines.next().unwrap().split(',').collect();
+    assert_eq!(header[8..], [&NAMES[..], &COLUMNS].concat());
+    let lines: Vec<Vec<&str>> = lines.map(|line| line.split(',').collect()).collect();
+    let words: Vec<&str> = lines.iter().map(|cells| *cells.last().unwrap()).collect();
+    assert_eq!(words, ["cycle", "cycle", "decay"]);
+    for cells in &lines {
+        let of = |name: &str| cells[header.iter().position(|other| *other == name).unwrap()];
+        let number = |name: &str| of(name).parse::<f64>().unwrap();
+        for (found, low, high) in [
+            ("peak_velocity_m_per_s", COLUMNS[0], COLUMNS[1]),
+            ("period_s", COLUMNS[2], COLUMNS[3]),
+            ("stress_drop_pa", COLUMNS[4], COLUMNS[5]),
+        ] {
+            if found == "period_s" && of(found).is_empty() {
+                assert_eq!([of(low), of(high)], ["", ""]);
+                continue;
+            }
+            let (value, low, high) = (number(found), number(low), number(high));
+            assert!(low <= high && high / low - 1.0 < 1e-8, "{found} {low} {high}");
+            let error = 1e-6 * value;
+            assert!(low <= value + error && value - error <= high, "{found} {value} {low} {high}");
+        }
+    }
+}
+
+#[test]
+fn one_point_states_its_proof_as_text_and_as_keys() {
+    let place = Workplace::new();
+    let point: Vec<&str> = SLIDER.into_iter().chain(["-s", "1e4", "-v", "1e-2", "--certify"]).collect();
+    let text = place.run(["simulate"].iter().chain(&point).copied()).expect_success();
+    assert!(text.contains("certificate") && text.contains("cycle") && text.contains("(enclosed)"), "{text}");
+    let json = place.run(["simulate", "--json"].iter().chain(&point).copied()).expect_success();
+    let object: Value = serde_json::from_str(&json).unwrap();
+    assert_eq!(object["certificate"], "cycle");
+    let proof = &object["proof"];
+    assert!(proof["contraction_factor"].as_f64().unwrap() < 1.0);
+    let ends: Vec<f64> =
+        proof["log_state_box"].as_array().unwrap().iter().map(|end| end.as_f64().unwrap()).collect();
+    assert!(ends[0] < ends[1] && ends[1] - ends[0] < 1e-8);
+    assert_eq!(
+        (proof["second_coordinate"].as_str(), &proof["section_log_velocity"]),
+        (Some("force"), &0.0.into())
+    );
+}
