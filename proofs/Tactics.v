@@ -102,15 +102,15 @@ Ltac logarithms :=
     [ rewrite ln_1 | rewrite ln_quotient by pos | rewrite ln_mult by pos | rewrite ln_power by pos ];
   simpl INR.
 
+(** A square root in the goal has this value. *)
+Ltac root_is r :=
+  match goal with
+  | |- context [sqrt ?x] =>
+      let h := fresh in
+      assert (h : sqrt x = r) by (apply root_of_square; first [lra | field; lra]); rewrite h; clear h
+  end.
+
 (** The hypotheses of a theorem hold at the point that has been named. *)
 Ltac possible :=
   repeat match goal with |- _ /\ _ => split end;
-  repeat match goal with
-    | |- context [sqrt ?x] =>
-        let root r := let h := fresh in
-          assert (h : sqrt x = r) by (apply root_of_square; first [lra | field; lra]); rewrite h; clear h in
-        first
-          [ root 1 | root 2 | root 3 | root 4 | root 5 | root 6 | root (1 / 2) | root (3 / 2) | root (1 / 3)
-          | root (2 / 3) | root (1 / 4) | root (3 / 4) | root (1 / 5) ]
-    end;
   first [ reflexivity | lra | field_simplify; lra | nra | let h := fresh in intro h; lra ].

@@ -43,6 +43,9 @@ pub struct Proof {
     pub statement: String,
     /// The steps, in order.
     pub steps: Vec<Step>,
+    /// The theorem that states the whole and that an independent kernel has accepted, by its name.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
+    pub theorem: Option<String>,
 }
 
 impl Proof {
@@ -55,7 +58,7 @@ impl Proof {
     /// The beginning of a proof of this statement.
     #[must_use]
     pub fn new(id: &str, statement: impl Into<String>) -> Self {
-        Self { id: id.to_owned(), statement: statement.into(), steps: Vec::new() }
+        Self { id: id.to_owned(), statement: statement.into(), steps: Vec::new(), theorem: None }
     }
 
     /// Adds a step of plain reasoning, which rests on the steps before it.

@@ -29,6 +29,12 @@ impl From<ConversionError> for Obstacle {
     }
 }
 
+/// A real expression as Coq reads it.
+#[must_use]
+pub fn text(expression: &Expression) -> String {
+    term::real(expression)
+}
+
 /// A named part of a file.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Block {
@@ -43,6 +49,8 @@ pub struct Block {
 pub struct Theorem {
     /// The theorem's name: the certificate's kind and a digest.
     pub name: String,
+    /// The variables that the theorem is about, in the order of its arguments.
+    pub variables: Vec<String>,
     /// Lemmas on the domain, which several theorems of a file can share.
     pub lemmas: Vec<Block>,
     /// The theorem with its proof.
@@ -104,7 +112,7 @@ impl Theorem {
             "Lemma fault_{name}{binders} :\n  {}.\nProof. tryif (solve [{tactics}]) then fail 0 \"accepted\" else idtac \"refused {name}\". Abort.\n",
             shown(true, true)
         );
-        Ok(Self { name, lemmas, text, fault })
+        Ok(Self { name, variables: original.names(), lemmas, text, fault })
     }
 }
 
@@ -153,4 +161,34 @@ fn digest(text: &str) -> String {
         (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3)
     });
     format!("{hash:016x}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::polynomial::{Function, Relation};
+
+    fn parsed(text: &str) -> Expression {
+        text.parse().expect("an expression")
+    }
+
+    #[test]
+    fn a_root_is_written_with_forms_that_are_positive_where_the_theorem_holds() {
+        let domain = Domain::positive("a b").given(parsed("b - a"), Relation::Positive);
+        let domain = domain.example("a", parsed("9/4")).example("b", parsed("13/4"));
+        let root = parsed("a/(b - a)").call(Function::Sqrt);
+        let left = root.clone().power(2) * parsed("b - a");
+        let of = |right: &str, domain: &Domain| {
+            let certificate =
+                Certificate::Identity { left: left.clone(), right: parsed(right), domain: domain.clone() };
+            Theorem::of(&certificate).expect("a theorem")
+        };
+        let theorem = of("a", &domain);
+        assert!(theorem.text.contains("sqrt (a / ((- a) + b))"), "{}", theorem.text);
+        assert!(!theorem.text.contains("(a / (a - b))"), "{}", theorem.text);
+        // The roots that the conditions have at the example are named, so that Coq can compute there.
+        let domain = domain.given(parsed("b") - root, Relation::Positive);
+        let witness = of("a", &domain).lemmas.pop().expect("a lemma").text;
+        assert!(witness.contains("try root_is (3 / 2); possible"), "{witness}");
+    }
 }

@@ -1,13 +1,14 @@
 //! A domain as hypotheses: what a theorem assumes, how substitutions cover it, and that it can hold.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
 
 use super::Block;
 use super::Obstacle;
 use super::tactic::Tactics;
-use super::term::{complex, condition, name, real};
-use crate::polynomial::{Domain, Expression, Symbol};
+use super::term::{complex, condition, name, outer_calls, real};
+use crate::number::Rational;
+use crate::polynomial::{Domain, Expression, Function, Symbol};
 
 /// The domain of a theorem, and which of its variables are complex.
 pub(super) struct Setting<'d> {
@@ -52,14 +53,16 @@ impl Binders {
         self.hypotheses.iter().any(|(_, text)| text.split(|c| !is_inner(c)).any(|word| word == variable))
     }
 
+    /// The variables, in the order of the binders.
+    pub fn names(&self) -> Vec<String> {
+        let of_kind = |kind| self.variables.iter().filter(move |(_, of)| *of == kind);
+        ["R", "C"].into_iter().flat_map(of_kind).map(|(name, _)| name.clone()).collect()
+    }
+
     /// The same names as arguments.
     fn arguments(&self) -> String {
-        let mut names = Vec::new();
-        for kind in ["R", "C"] {
-            names.extend(self.variables.iter().filter(|(_, of)| *of == kind).map(|(name, _)| name.as_str()));
-        }
-        names.extend(self.hypotheses.iter().map(|(label, _)| label.as_str()));
-        names.join(" ")
+        let labels = self.hypotheses.iter().map(|(label, _)| label.clone());
+        self.names().into_iter().chain(labels).collect::<Vec<_>>().join(" ")
     }
 }
 
@@ -316,6 +319,9 @@ impl Setting<'_> {
                 None => proof += "eexists; ",
             }
         }
+        for root in self.roots_at_the_example() {
+            let _ = write!(proof, "try root_is {}; ", real(&Expression::Number(root)));
+        }
         let names: Vec<String> =
             original.variables.iter().map(|(name, kind)| format!("({name} : {kind})")).collect();
         let statements: Vec<&str> = original.hypotheses.iter().map(|(_, text)| text.as_str()).collect();
@@ -325,5 +331,26 @@ impl Setting<'_> {
             statements.join(" /\\ ")
         );
         Some(Block { name: label, text })
+    }
+
+    /// The rational values that square roots of the conditions have at the example, inner roots first.
+    fn roots_at_the_example(&self) -> Vec<Rational> {
+        let domain = self.domain.original();
+        let mut values = Vec::new();
+        let mut waiting: Vec<Expression> =
+            domain.conditions().iter().map(|given| given.expression.clone()).collect();
+        while let Some(next) = waiting.pop() {
+            let mut calls = BTreeMap::new();
+            outer_calls(&next, &mut calls);
+            for call in calls.into_values() {
+                let Expression::Call(function, inner) = &call else { continue };
+                waiting.push((**inner).clone());
+                let names = inner.variables().into_iter();
+                let point = names.map(|name| (name.clone(), domain.example_of(&name))).collect();
+                values.extend(call.rational_value(&point).filter(|_| *function == Function::Sqrt));
+            }
+        }
+        values.reverse();
+        values
     }
 }

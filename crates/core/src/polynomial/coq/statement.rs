@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use super::Obstacle;
-use super::tactic::{Tactics, expression, expression_of};
+use super::tactic::Tactics;
 use super::term::{name, real};
 use crate::polynomial::{
     Certificate, Condition, Domain, Expression, Polynomial, RationalFunction, Relation, Series, Symbol,
@@ -134,16 +134,22 @@ impl Statement {
                 ("limit_at_infinity", inverse, "(Rbar_locally p_infty)")
             }
         };
+        let coefficients = |side: &[Polynomial]| -> Result<Vec<Expression>, Obstacle> {
+            side.iter().map(|coefficient| tactics.expression_of(coefficient)).collect()
+        };
         let [above, below] = [coefficients(&sides[0])?, coefficients(&sides[1])?];
         let equal = tactics.equal(&inner, &quotient(horner(&above, &point), horner(&below, &point)))?;
         let first = |list: &[Expression]| list.first().cloned().unwrap_or_else(|| Expression::integer(0));
         let ends = tactics.equal(&limit, &quotient(first(&above), first(&below)))?;
+        let start = first(&below);
+        let divisor = tactics.nonzero(&start)?;
         let proof = format!(
             "apply ({lemma} (fun {x} : R => {}) {} {}); [ intros {x} {x}'pos; cbn [horner]; {equal} \
-             | cbn [horner]; divisor | cbn [horner]; {ends} ]",
+             | apply (different _ {}); [ cbn [horner]; ring | {divisor} ] | cbn [horner]; {ends} ]",
             real(&inner),
             list(&above),
             list(&below),
+            real(&start),
         );
         let pieces = |value: &Expression| {
             let open = text(&format!("filterlim (fun {at} : R => "));
@@ -176,7 +182,11 @@ impl Statement {
         let coefficients: Vec<RationalFunction> = coefficients.collect::<Result<_, _>>()?;
         let expressions = |turned: bool| -> Result<Vec<Expression>, Obstacle> {
             let turn = |(power, value): (usize, &RationalFunction)| {
-                if turned && power % 2 == 1 { expression(&-value.clone()) } else { expression(value) }
+                if turned && power % 2 == 1 {
+                    tactics.expression(&-value.clone())
+                } else {
+                    tactics.expression(value)
+                }
             };
             coefficients.iter().enumerate().map(turn).collect()
         };
@@ -256,7 +266,7 @@ impl Statement {
         }
         let over = |part: Polynomial, below: &Polynomial| -> Result<Expression, Obstacle> {
             let whole = RationalFunction::from(part).checked_div(&below.clone().into());
-            expression(&whole.ok_or_else(|| Obstacle("a divisor is zero".to_owned()))?)
+            tactics.expression(&whole.ok_or_else(|| Obstacle("a divisor is zero".to_owned()))?)
         };
         let rows = function.numerator().coefficients(&root).into_iter().map(|row| {
             let row = row.coefficients(&small).into_iter();
@@ -275,7 +285,7 @@ impl Statement {
         let start = written.first().cloned().unwrap_or_else(|| Expression::integer(0));
         let slope = over(function.numerator().derivative(&root), function.denominator())?;
         let slope = slope.replaced(&[(small.clone(), Expression::integer(0)), (root.clone(), start)].into());
-        let slope = expression(&domain.rational_function(&slope)?)?;
+        let slope = tactics.expression(&domain.rational_function(&slope)?)?;
         let by_rows: Vec<Expression> = rows.iter().map(|row| horner(row, &x_point)).collect();
         let power = Expression::Power(Box::new(x_point.clone()), i32::try_from(order).unwrap_or(i32::MAX));
         let remainder = Expression::Product(vec![power, horner(&rest, &x_point)]);
@@ -452,10 +462,6 @@ fn alterations(side: &Expression) -> Vec<Expression> {
         }
         other => vec![-other.clone(), twice(other)],
     }
-}
-
-fn coefficients(side: &[Polynomial]) -> Result<Vec<Expression>, Obstacle> {
-    side.iter().map(expression_of).collect()
 }
 
 fn quotient(above: Expression, below: Expression) -> Expression {

@@ -92,12 +92,14 @@ impl Tactics<'_> {
         for divisor in divisors.values() {
             let function = self.0.rational_function(divisor)?;
             let (factors, _) = self.nonzero_factors(&function);
-            if factors
-                .first()
-                .is_some_and(|first| expression_of(first).is_ok_and(|first| real(&first) != real(divisor)))
-            {
-                let shown = real(divisor);
-                tactics += &format!("assert ({shown} <> 0) by ({}); ", self.nonzero(divisor)?);
+            if factors.first().is_some_and(|first| {
+                self.expression_of(first).is_ok_and(|first| real(&first) != real(divisor))
+            }) {
+                // `field` asks for the numerator of a divisor that is itself a quotient.
+                let above = self.expression_of(function.numerator())?;
+                for value in [divisor, &above].into_iter().take(1 + usize::from(divides(divisor))) {
+                    tactics += &format!("assert ({} <> 0) by ({}); ", real(value), self.nonzero(value)?);
+                }
             }
         }
         Ok(tactics)
@@ -108,8 +110,9 @@ impl Tactics<'_> {
         let function = self.0.rational_function(value)?;
         let (factors, rest) = self.nonzero_factors(&function);
         let rest = RationalFunction::from(rest).checked_div(&function.denominator().clone().into());
-        let rest = expression(&rest.ok_or_else(|| Obstacle(format!("{value} has no denominator")))?)?;
-        let factors = factors.iter().map(expression_of).collect::<Result<Vec<_>, _>>()?;
+        let rest = self.expression(&rest.ok_or_else(|| Obstacle(format!("{value} has no denominator")))?)?;
+        let factors =
+            factors.iter().map(|factor| self.expression_of(factor)).collect::<Result<Vec<_>, _>>()?;
         let product = Expression::Product(factors.into_iter().chain([rest]).collect());
         let (equal, shown) = (self.equal(&product, value)?, real(value));
         Ok(format!("replace {shown} with {} by ({equal}); divisor", real(&product)))
@@ -121,7 +124,7 @@ impl Tactics<'_> {
 
     /// What the converter makes of a call.
     fn normal(&self, call: &Expression) -> Result<Expression, Obstacle> {
-        expression(&self.0.rational_function(call)?)
+        self.expression(&self.0.rational_function(call)?)
     }
 
     /// Proves call = normal.
@@ -138,7 +141,7 @@ impl Tactics<'_> {
                 Ok(format!("replace {} with 0 by (symmetry; {zero}); apply exp_0", real(argument)))
             }
             Function::Ln => {
-                let plain = expression(&self.0.rational_function(argument)?)?;
+                let plain = self.expression(&self.0.rational_function(argument)?)?;
                 let replaced = match plain == **argument {
                     true => String::new(),
                     false => {
@@ -197,16 +200,21 @@ impl Tactics<'_> {
 
     /// Proves 0 <= value: by the conditions that speak of its factors where the converter sees them.
     fn not_negative_by_form(&self, value: &Expression) -> Result<String, Obstacle> {
-        let function = self.0.rational_function(value)?;
-        let above = self.factored(function.numerator(), |relation| relation != Relation::NonZero);
-        let below = self.factored(function.denominator(), |relation| relation == Relation::Positive);
-        match above.zip(below).map(|(above, below)| above / below) {
+        match self.not_negative_form(value)? {
             Some(form) if real(&form) != real(value) => {
                 let equal = self.equal(value, &form)?;
                 Ok(format!("replace {} with {} by (symmetry; {equal}); nonneg", real(value), real(&form)))
             }
             _ => Ok("nonneg".to_owned()),
         }
+    }
+
+    /// The absolute value as a quotient of a form that is not negative by a form that is positive.
+    fn not_negative_form(&self, value: &Expression) -> Result<Option<Expression>, Obstacle> {
+        let function = self.0.rational_function(value)?;
+        let above = self.factored(function.numerator(), |relation| relation != Relation::NonZero);
+        let below = self.factored(function.denominator(), |relation| relation == Relation::Positive);
+        Ok(above.zip(below).map(|(above, below)| above / below))
     }
 
     /// The function's absolute value as a quotient of products of what is positive by its form.
@@ -221,8 +229,41 @@ impl Tactics<'_> {
     fn factored(&self, polynomial: &Polynomial, used: fn(Relation) -> bool) -> Option<Expression> {
         let (factors, rest) = Converter::new(self.0).factors(polynomial, used);
         let rest = if rest.coefficient_sign()? < 0 { rest.scale(&rug::Rational::from(-1)) } else { rest };
-        let factors = factors.iter().map(expression_of).collect::<Result<Vec<_>, _>>().ok()?;
-        factors.into_iter().try_fold(expression_of(&rest).ok()?, |product, factor| Some(product * factor))
+        let factors =
+            factors.iter().map(|factor| self.expression_of(factor)).collect::<Result<Vec<_>, _>>().ok()?;
+        factors
+            .into_iter()
+            .try_fold(self.expression_of(&rest).ok()?, |product, factor| Some(product * factor))
+    }
+
+    /// A function as an expression in which what the converter has named by its text is a call again.
+    pub fn expression(&self, function: &RationalFunction) -> Result<Expression, Obstacle> {
+        self.with_calls(&Expression::from(function))
+    }
+
+    /// A polynomial as such an expression.
+    pub fn expression_of(&self, polynomial: &Polynomial) -> Result<Expression, Obstacle> {
+        self.with_calls(&Expression::from(polynomial))
+    }
+
+    /// Names of calls as calls. A quotient below a root has positive forms above and below, where the domain has them.
+    fn with_calls(&self, expression: &Expression) -> Result<Expression, Obstacle> {
+        let mut calls = BTreeMap::new();
+        for name in expression.variables().into_iter().filter(|name| name.as_str().contains('(')) {
+            let call = name
+                .as_str()
+                .parse()
+                .map_err(|error| Obstacle(format!("{name} cannot be read again: {error}")))?;
+            let call = match call {
+                Expression::Call(Function::Sqrt, inner) if divides(&inner) => {
+                    let form = self.not_negative_form(&inner)?;
+                    Expression::Call(Function::Sqrt, form.map_or(inner, Box::new))
+                }
+                other => other,
+            };
+            calls.insert(name, call);
+        }
+        Ok(expression.replaced(&calls))
     }
 
     /// Brings each condition to the form in which the converter uses it.
@@ -242,7 +283,7 @@ impl Tactics<'_> {
         let Some(core) = Converter::new(&before).core_of(condition) else { return Ok(String::new()) };
         let ratio = RationalFunction::from(core.clone()).checked_div(&self.0.rational_function(&given)?);
         let ratio = ratio.ok_or_else(|| Obstacle(format!("{condition} cannot hold")))?;
-        let (core, text) = (expression_of(&core)?, real(&given));
+        let (core, text) = (self.expression_of(&core)?, real(&given));
         if real(&core) == text {
             return Ok(String::new());
         }
@@ -251,7 +292,7 @@ impl Tactics<'_> {
             Relation::NonZero => {
                 let inverse = RationalFunction::from(1).checked_div(&ratio);
                 let inverse = inverse.ok_or_else(|| Obstacle(format!("{condition} cannot hold")))?;
-                let product = core * expression(&inverse)?;
+                let product = core * self.expression(&inverse)?;
                 let equal = self.equal(&product, &given)?;
                 format!(
                     "assert (fact'{number} : {shown} <> 0) by (let z := fresh in intro z; apply given'{number}; \
@@ -260,13 +301,13 @@ impl Tactics<'_> {
                 )
             }
             relation => {
-                let product = Expression::Product(vec![given.clone(), expression(&ratio)?]);
+                let product = Expression::Product(vec![given.clone(), self.expression(&ratio)?]);
                 let equal = self.equal(&product, &core)?;
                 let (sign, lemma) = match relation {
                     Relation::Positive => ("<", "Rmult_lt_0_compat"),
                     _ => ("<=", "Rmult_le_pos"),
                 };
-                let factor = Tactics(&before).sign(&expression(&ratio)?, 1)?;
+                let factor = Tactics(&before).sign(&self.expression(&ratio)?, 1)?;
                 let factor = if relation == Relation::Positive { factor } else { format!("left; {factor}") };
                 format!(
                     "assert (fact'{number} : 0 {sign} {shown}) by (replace {shown} with {} by ({equal}); \
@@ -336,26 +377,4 @@ fn roots_in(normal: &Expression, roots: &mut BTreeMap<String, Expression>) {
 
 fn expression_text(function: &RationalFunction) -> String {
     Expression::from(function).to_string()
-}
-
-/// A function as an expression in which what the converter has named by its text is a call again.
-pub(super) fn expression(function: &RationalFunction) -> Result<Expression, Obstacle> {
-    with_calls(&Expression::from(function))
-}
-
-/// A polynomial as such an expression.
-pub(super) fn expression_of(polynomial: &Polynomial) -> Result<Expression, Obstacle> {
-    with_calls(&Expression::from(polynomial))
-}
-
-fn with_calls(expression: &Expression) -> Result<Expression, Obstacle> {
-    let mut calls = BTreeMap::new();
-    for name in expression.variables().into_iter().filter(|name| name.as_str().contains('(')) {
-        let call = name
-            .as_str()
-            .parse()
-            .map_err(|error| Obstacle(format!("{name} cannot be read again: {error}")))?;
-        calls.insert(name, call);
-    }
-    Ok(expression.replaced(&calls))
 }
