@@ -9,6 +9,8 @@ slipmode_core::named! {
     #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
     #[serde(rename_all = "kebab-case")]
     pub enum Strength {
+        /// Proved, and Coq accepted the whole statement as a theorem.
+        KernelChecked = "kernel-checked",
         /// Decided over the rationals.
         Exact = "exact",
         /// Proved, but for a step that is argued in words and carries no certificate.
@@ -95,6 +97,7 @@ impl Evidence {
     #[must_use]
     pub fn strength(&self) -> Strength {
         match self {
+            Evidence::Proof { proof } if proof.theorem.is_some() => Strength::KernelChecked,
             Evidence::Proof { proof } if proof.is_certified() => Strength::Exact,
             Evidence::Proof { .. } => Strength::Argued,
             Evidence::Enclosure { .. } => Strength::Certified,

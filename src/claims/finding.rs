@@ -117,6 +117,16 @@ impl Finding {
         self
     }
 
+    /// Names the theorem that states what this finding's one proof proves, where an independent kernel has accepted it.
+    #[must_use]
+    pub fn with_theorem(mut self, theorem: impl FnOnce() -> Option<String>) -> Self {
+        if let (Verdict::Holds, [Evidence::Proof { proof }]) = (self.verdict, &mut self.evidence[..]) {
+            proof.theorem = theorem();
+            self.strength = self.evidence[0].strength();
+        }
+        self
+    }
+
     /// Adds what another claim found, which must hold.
     #[must_use]
     pub fn with_premise(self, premise: Finding) -> Self {

@@ -38,6 +38,7 @@ mod zones;
 
 pub use evidence::{Evidence, Strength};
 pub use finding::Finding;
+pub use formula::{WholeTheorem, whole_theorems};
 pub use ledger::{Entry, Ledger, find, known_ids, needs, premises};
 pub use over_rows::row_faults;
 pub use planted_faults::{PlantedFaults, Survivor, plant_faults};

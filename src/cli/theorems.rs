@@ -1,37 +1,42 @@
-//! `slipmode theorems`: the certified steps of ledgers as files for Coq. `cargo xtask prove` has them checked.
+//! `slipmode theorems`: the published proofs of reports as files for Coq. `cargo xtask prove` has them checked.
 
 use std::path::PathBuf;
 
 use clap::Args;
-use slipmode::theorems::files;
+use slipmode::scene::Limits;
+use slipmode::theorems::{Published, files};
 
 use crate::cli::diff::ledger;
 use crate::cli::failure::Failure;
+use crate::cli::folder::read_report;
 use crate::cli::output::OutputFolder;
 
 /// Options of `theorems`.
 #[derive(Debug, Args)]
 pub struct Options {
-    /// A report's name and its ledger.json or archive, as NAME=PATH; a step of several ledgers becomes one theorem
-    #[arg(value_name = "NAME=PATH", required = true)]
-    ledgers: Vec<String>,
+    /// Folders of reports with a published copy; a step of several ledgers becomes one theorem
+    #[arg(value_name = "DIR", required = true)]
+    reports: Vec<PathBuf>,
     /// The folder to write
     #[arg(long, value_name = "DIR")]
     out: PathBuf,
 }
 
-/// Writes the theorems of ledgers.
+/// Writes the theorems of reports.
 ///
 /// # Errors
-/// When a ledger cannot be read, or the folder cannot be written.
+/// When a report or its ledger cannot be read, or the folder cannot be written.
 pub fn run(options: &Options) -> Result<(), Failure> {
     let folder = OutputFolder::create(&options.out)?;
-    let mut ledgers = Vec::new();
-    for given in &options.ledgers {
-        let (name, path) = given
-            .split_once('=')
-            .ok_or_else(|| Failure::Refused(format!("{given}: expected a report's name, '=' and a path")))?;
-        ledgers.push((name.to_owned(), ledger(path.as_ref())?));
-    }
-    folder.commit(&files(&ledgers).map_err(Failure::Refused)?)
+    let published = options.reports.iter().map(|root| {
+        let report = read_report(root, Limits::default())?;
+        Ok(Published {
+            name: root.file_name().unwrap_or_default().to_string_lossy().into_owned(),
+            ledger: ledger(&root.join("published/ledger.json"))?,
+            claims: report.claims,
+            equations: report.equations,
+        })
+    });
+    let published = published.collect::<Result<Vec<_>, Failure>>()?;
+    folder.commit(&files(&published).map_err(Failure::Refused)?)
 }

@@ -8,6 +8,10 @@ use serde::Deserialize;
 use sha2::{Digest, Sha256};
 use slipmode_core::polynomial::coq::Theorem;
 use slipmode_core::polynomial::{Certificate, Proof};
+use slipmode_core::theory::Equations;
+
+use crate::claims::{Strength, WholeTheorem, whole_theorems};
+use crate::scene::ClaimEntry;
 
 /// A ledger of which only the proofs are read.
 #[derive(Debug, Deserialize)]
@@ -18,12 +22,26 @@ struct Ledger {
 #[derive(Debug, Deserialize)]
 struct Claim {
     id: String,
+    strength: Strength,
     evidence: Vec<Evidence>,
 }
 
 #[derive(Debug, Deserialize)]
 struct Evidence {
     proof: Option<Proof>,
+}
+
+/// A report with its published ledger.
+#[derive(Debug)]
+pub struct Published {
+    /// The report's name.
+    pub name: String,
+    /// The ledger as it was published, in JSON.
+    pub ledger: Vec<u8>,
+    /// The report's claims.
+    pub claims: Vec<ClaimEntry>,
+    /// The equations in which they are stated.
+    pub equations: Equations,
 }
 
 /// The list of steps: what became of each step of each proof.
@@ -49,18 +67,25 @@ fn digest(certificate: &Certificate) -> String {
 struct Files {
     texts: BTreeMap<String, String>,
     known: Vec<(Certificate, Outcome)>,
+    wholes: BTreeSet<String>,
     steps: String,
 }
 
-/// The files of these ledgers, each given by its report's name and its JSON.
+/// The files of these reports' ledgers.
 ///
 /// # Errors
 /// When a text is no ledger.
-pub fn files(ledgers: &[(String, Vec<u8>)]) -> Result<BTreeMap<String, String>, String> {
+pub fn files(reports: &[Published]) -> Result<BTreeMap<String, String>, String> {
     let mut files = Files { steps: COLUMNS.to_owned(), ..Files::default() };
-    for (report, json) in ledgers {
-        let ledger: Ledger = serde_json::from_slice(json).map_err(|error| format!("{report}: {error}"))?;
-        ledger.claims.iter().for_each(|claim| files.add(report, claim));
+    for Published { name, ledger, claims, equations } in reports {
+        let ledger: Ledger = serde_json::from_slice(ledger).map_err(|error| format!("{name}: {error}"))?;
+        for claim in &ledger.claims {
+            files.add(name, claim);
+            let stated = claims.iter().find(|known| known.id == claim.id);
+            if claim.strength <= Strength::Argued {
+                files.add_whole(name, claim, stated, equations);
+            }
+        }
     }
     files.texts.insert(STEPS_FILE.to_owned(), files.steps);
     Ok(files.texts)
@@ -95,6 +120,35 @@ impl Files {
         self.close(&place(report, &claim.id, number), &mut open);
     }
 
+    /// The claim's formulas as whole theorems, in a file of their own with the steps that they use.
+    fn add_whole(&mut self, report: &str, claim: &Claim, stated: Option<&ClaimEntry>, equations: &Equations) {
+        let proofs = || claim.evidence.iter().filter_map(|evidence| evidence.proof.as_ref());
+        let proof = |id: &str| proofs().find(|proof| proof.id == id);
+        let mut found = stated.map_or(Vec::new(), |stated| whole_theorems(stated, equations, proof));
+        for proof in proofs().filter(|proof| !found.iter().any(|(id, _)| *id == proof.id)).collect::<Vec<_>>()
+        {
+            found.push((
+                proof.id.clone(),
+                Err("a function of the program decides it, not a formula".to_owned()),
+            ));
+        }
+        let mut open = OpenFile::default();
+        for (id, result) in found {
+            let line = [report, &claim.id, &id].map(one_line).join("\t");
+            let [name, digest, obstacle] = match result {
+                Ok(whole) => {
+                    if self.wholes.insert(whole.name.clone()) {
+                        open.add_whole(&whole, &format!("{}, {id}", claim.id));
+                    }
+                    [whole.name, whole.digest, String::new()]
+                }
+                Err(obstacle) => [String::new(), String::new(), one_line(&obstacle)],
+            };
+            self.steps += &format!("{line}\twhole\twhole\t{name}\t{digest}\t{obstacle}\n");
+        }
+        self.close(&format!("{}_whole", place(report, &claim.id, 1)), &mut open);
+    }
+
     /// The theorem of a certificate: the known one, or a new one in the open file.
     fn theorem(&mut self, certificate: &Certificate, words: &str, open: &mut OpenFile) -> Outcome {
         if let Some((_, known)) = self.known.iter().find(|(known, _)| known == certificate) {
@@ -122,7 +176,7 @@ impl Files {
 }
 
 /// What every file begins with: the library, and a time limit in seconds for each lemma.
-const HEAD: &str = "From Slipmode Require Import Branches.\nSet Default Timeout 300.\n\n";
+const HEAD: &str = "From Slipmode Require Import Claims.\nSet Default Timeout 300.\n\n";
 
 /// A file that grows.
 #[derive(Debug, Default)]
@@ -143,6 +197,30 @@ impl OpenFile {
         self.text += &format!("(** {} *)\n{}\n", comment(words), theorem.text);
         self.faults += &format!("{}\n", theorem.fault);
         self.names.push(theorem.name.clone());
+    }
+
+    /// A whole theorem after the steps that it uses, which are lemmas here and theorems in the file of their own claim.
+    fn add_whole(&mut self, whole: &WholeTheorem, words: &str) {
+        for step in &whole.steps {
+            for lemma in &step.lemmas {
+                if self.lemmas.insert(lemma.name.clone()) {
+                    self.text += &format!("{}\n", lemma.text);
+                    self.faults += &format!("{}\n", lemma.text);
+                }
+            }
+            if self.lemmas.insert(step.name.clone()) {
+                let text = step.text.replace("Theorem ", "Lemma ");
+                self.text += &format!("{text}\n");
+                self.faults += &format!("{text}\n");
+            }
+        }
+        let WholeTheorem { name, statement, proof, altered, .. } = whole;
+        self.text +=
+            &format!("(** {} *)\nTheorem {name}{statement}.\nProof. {proof}. Qed.\n\n", comment(words));
+        self.faults += &format!(
+            "Lemma fault_{name}{altered}.\nProof. tryif (solve [{proof}]) then fail 0 \"accepted\" else idtac \"refused {name}\". Abort.\n\n"
+        );
+        self.names.push(name.clone());
     }
 }
 
@@ -166,6 +244,12 @@ fn one_line(text: &str) -> String {
 mod tests {
     use super::*;
 
+    fn published(ledger: Vec<u8>) -> [Published; 1] {
+        let equations = include_bytes!("../../reports/im-avouac/equations.toml");
+        let equations = crate::scene::read_equations("equations.toml", equations).unwrap();
+        [Published { name: "r".to_owned(), ledger, claims: Vec::new(), equations }]
+    }
+
     fn ledger(right: &str) -> Vec<u8> {
         let certificate = format!(
             r#"{{"kind": "identity", "left": "(x + y)^2", "right": "{right}",
@@ -179,7 +263,7 @@ mod tests {
             format!(r#"{{"id": "binomial", "statement": "A formula.", "steps": [{step}, {argued}]}}"#);
         let claim = |id: &str| {
             format!(
-                r#"{{"id": "{id}", "evidence": [{{"kind": "proof", "proof": {proof}}}, {{"kind": "sample"}}]}}"#
+                r#"{{"id": "{id}", "strength": "argued", "evidence": [{{"kind": "proof", "proof": {proof}}}, {{"kind": "sample"}}]}}"#
             )
         };
         format!(r#"{{"claims": [{}, {}]}}"#, claim("S1"), claim("S-2")).into_bytes()
@@ -187,7 +271,7 @@ mod tests {
 
     #[test]
     fn a_step_of_several_claims_is_one_theorem_and_a_changed_formula_changes_its_statement() {
-        let made = files(&[("r".to_owned(), ledger("x^2 + 2*x*y + y^2"))]).expect("a ledger");
+        let made = files(&published(ledger("x^2 + 2*x*y + y^2"))).expect("a ledger");
         assert_eq!(
             made.keys().map(String::as_str).collect::<Vec<_>>(),
             ["r/claim_S1.v", "r/claim_S1_faults.v", STEPS_FILE]
@@ -196,12 +280,13 @@ mod tests {
         assert!(text.contains("((x + y) ^ 2) = ((x ^ 2) + (2 * x * y) + (y ^ 2))"), "{text}");
         assert!(text.contains("(** S1, A formula., step 1: a ( *square* ) of 'a' sum *)"), "{text}");
         let steps: Vec<Vec<&str>> = made[STEPS_FILE].lines().map(|line| line.split('\t').collect()).collect();
-        assert!(steps.len() == 5 && steps[1][5].starts_with("identity_") && steps[1][5..] == steps[3][5..]);
+        assert!(steps.len() == 7 && steps[1][5].starts_with("identity_") && steps[1][5..] == steps[4][5..]);
+        assert_eq!(steps[3][4..], ["whole", "", "", "a function of the program decides it, not a formula"]);
         assert_eq!(steps[2][4..], ["argued", "", "", "a step of plain reasoning has no certificate"]);
-        let other = files(&[("r".to_owned(), ledger("x^2 + 3*x*y + y^2"))]).expect("a ledger");
+        let other = files(&published(ledger("x^2 + 3*x*y + y^2"))).expect("a ledger");
         assert!(
             other["r/claim_S1.v"].contains("(3 * x * y)") && !other["r/claim_S1.v"].contains("(2 * x * y)")
         );
-        assert!(files(&[("r".to_owned(), b"{}".to_vec())]).is_err());
+        assert!(files(&published(b"{}".to_vec())).is_err());
     }
 }

@@ -128,7 +128,7 @@ fn generate(folder: &Path) -> Result<PathBuf, Failure> {
     for report in repository::reports()? {
         let ledger = format!("reports/{report}/published/ledger.json");
         if repository::root().join(&ledger).is_file() {
-            command.arg(format!("{report}={ledger}"));
+            command.arg(format!("reports/{report}"));
         } else {
             println!("prove: reports/{report} has no published ledger yet");
         }
@@ -198,7 +198,7 @@ fn generated_files(generated: &Path, mode: Mode) -> Result<Vec<Task>, Failure> {
         if file.ends_with("_faults") == (mode == Mode::Faults) {
             let text = read(&generated.join(&path))?;
             files::check_text(file, &text)?;
-            let theorems = names(&text, if mode == Mode::Faults { "Lemma " } else { "Theorem " });
+            let theorems = names(&text, if mode == Mode::Faults { "Lemma fault_" } else { "Theorem " });
             tasks.push(Task { file: file.to_owned(), text, theorems });
         }
     }

@@ -8,6 +8,7 @@ mod motion;
 mod points;
 mod prover;
 mod substitutions;
+mod theorem;
 mod truth;
 mod warnings;
 
@@ -20,10 +21,11 @@ use crate::claims::over_rows;
 use crate::claims::reading::{self, of_readings};
 use crate::claims::{Evidence, Finding, Verdict};
 use crate::experiments::Context;
-use crate::scene::{ClaimFormula, Names, Premises, StatedClaim, Statement};
+use crate::scene::{ClaimEntry, ClaimFormula, Names, Premises, StatedClaim, Statement};
 use lowering::Lowered;
 use points::{Point, Points};
 use prover::{Draft, Prover};
+pub use theorem::WholeTheorem;
 pub(super) use warnings::warnings;
 
 /// The finding on a claim: one formula decides it, or all parts of its first reading.
@@ -41,12 +43,45 @@ fn decide_readings(id: &str, stated: &StatedClaim, context: &Context) -> Finding
     let one = stated.readings.len() == 1;
     of_readings(stated.readings.iter().zip(1..).map(|(reading, which)| {
         let words = if one { "all parts" } else { &reading.words };
+        let which = if one { None } else { Some(which) };
         reading.parts.iter().zip(1..).fold(reading::Draft::new(words), |draft, ((words, formula), number)| {
-            let which = if one { String::new() } else { format!("-{which}") };
-            let id = format!("formula-{id}{which}-{number}");
-            draft.part(words, decide_part(&id, words, formula, context))
+            draft.part(words, decide_part(&proof_id(&id, which, number), words, formula, context))
         })
     }))
+}
+
+/// The id of the proof of a part.
+fn proof_id(claim: &str, reading: Option<usize>, part: usize) -> String {
+    let reading = reading.map_or(String::new(), |number| format!("-{number}"));
+    format!("formula-{claim}{reading}-{part}")
+}
+
+/// The formulas of a claim with the ids of their proofs, those on the outside of a limit among them.
+fn formulas<'c>(id: &str, stated: &'c StatedClaim) -> Vec<(String, &'c ClaimFormula)> {
+    let id = id.to_lowercase();
+    let (readings, all) = (&stated.readings, stated.parts().count());
+    let mut found = Vec::new();
+    for (reading, which) in readings.iter().zip(1..) {
+        let which = if readings.len() == 1 { None } else { Some(which) };
+        for ((_, formula), number) in reading.parts.iter().zip(1..) {
+            let id = if all == 1 { format!("formula-{id}") } else { proof_id(&id, which, number) };
+            let outside = formula.limit.as_ref().map(|limit| (format!("{id}-outside"), &limit.outside.1));
+            found.push((id, formula));
+            found.extend(outside);
+        }
+    }
+    found
+}
+
+/// The formulas of a claim as theorems, each with the id of its proof, or why it has none.
+pub fn whole_theorems<'p>(
+    claim: &ClaimEntry,
+    equations: &Equations,
+    proof: impl Fn(&str) -> Option<&'p Proof>,
+) -> Vec<(String, Result<WholeTheorem, String>)> {
+    let found = claim.stated.iter().flat_map(|stated| formulas(&claim.id, stated));
+    let proved = found.filter_map(|(id, formula)| Some((proof(&id)?, id, formula)));
+    proved.map(|(proof, id, formula)| (id, theorem::whole_theorem(formula, equations, proof))).collect()
 }
 
 /// What the formulas of a claim ask for, in one line.
@@ -115,6 +150,7 @@ fn decide_equations(id: &str, words: &str, formula: &ClaimFormula, equations: &E
         Statement::Motion(motion) => problem.motion(motion),
         other => problem.behaviour(other),
     }
+    .with_theorem(|| theorem::accepted_theorem(formula, equations))
 }
 
 /// A formula with what it assumes.

@@ -7,8 +7,8 @@ use slipmode_core::polynomial::{Domain, Expression};
 use slipmode_core::theory::Equations;
 
 use super::*;
-use crate::claims::Verdict;
-use crate::scene::{Scope, read_equations};
+use crate::claims::{Strength, Verdict};
+use crate::scene::{FormulaCondition, Scope, read_equations};
 
 const EQUATIONS: &[u8] = include_bytes!("../../../reports/im-avouac/equations.toml");
 
@@ -217,4 +217,73 @@ fn the_hand_written_theorems_state_the_equations_of_the_reports() {
             );
         }
     }
+}
+
+/// A claim's formula as a whole theorem from the proof that decides it.
+fn whole(text: &str, given: &[&str], equations: &Equations) -> Result<WholeTheorem, String> {
+    let names = Names::of(equations);
+    let given = given.iter().map(|text| FormulaCondition::read(text, &names).unwrap()).collect();
+    let read = ClaimFormula::read(text, Scope { given, ..Scope::default() }, equations).unwrap();
+    let found = decide_equations("formula", "", &read, equations);
+    theorem::whole_theorem(&read, equations, found.evidence[0].proof().unwrap())
+}
+
+#[test]
+fn a_whole_theorem_states_the_formula_with_its_conditions_and_rests_on_steps_of_its_proof() {
+    let equations: Equations = read_equations("equations.toml", EQUATIONS).unwrap();
+    let made = whole("right_3 = 0", &["theta = theta_ss"], &equations).unwrap();
+    assert!(made.statement.contains("(given'1 : theta = (D_c / V))"), "{}", made.statement);
+    assert!(made.statement.contains("(theta'pos : 0 < theta)"), "{}", made.statement);
+    assert!(made.statement.ends_with(" = 0") && made.altered.ends_with(" <> 0"), "{}", made.altered);
+    assert!(made.steps.iter().any(|step| made.proof.contains(&format!("({} ", step.name))), "{}", made.proof);
+    let both = whole("right_2 = 0 and right_3 = 0", &["theta = theta_ss"], &equations).unwrap();
+    assert!(both.statement.contains(" = 0 /\\ ") && both.name != made.name, "{}", both.statement);
+    let fixed = whole("K_c -> K_c_qs as M -> 0", &[], &equations).unwrap();
+    assert!(fixed.statement.contains("filterlim (fun M : R => ") && !fixed.statement.contains("M'pos"));
+    let slope = whole("K_c falls with D_c", &["a < b"], &equations).unwrap();
+    assert!(slope.statement.contains("forall low'D_c high'D_c : R, 0 < low'D_c -> low'D_c < high'D_c -> "));
+    assert!(slope.proof.contains("apply (falls "), "{}", slope.proof);
+    let same = whole("slope_1_velocity does not depend on V_0", &[], &equations).unwrap();
+    assert!(same.altered.ends_with(" + 1"), "{}", same.altered);
+    for (text, obstacle) in
+        [("stable(left_8, s) iff K > K_c", "'iff'"), ("K_c_qs depends on sigma", "changes a value")]
+    {
+        assert!(whole(text, &[], &equations).unwrap_err().contains(obstacle), "{text}");
+    }
+}
+
+#[test]
+fn the_formula_and_the_equations_that_the_ledger_evaluates_are_those_of_the_whole_theorem() {
+    let equations: Equations = read_equations("equations.toml", EQUATIONS).unwrap();
+    let altered = equations.altered("9", "K_c = 7*(b - a)*sigma/D_c").unwrap();
+    let [text, other] = ["K_c*D_c + b = b + right_9*D_c", "5*K_c*D_c + b = b + 5*right_9*D_c"];
+    let own = whole(text, &[], &equations).unwrap();
+    let of_equation = whole(text, &[], &altered).unwrap();
+    let of_formula = whole(other, &[], &equations).unwrap();
+    assert!(of_equation.statement.contains("7 * (b - a)") && !own.statement.contains("7 * (b - a)"));
+    assert!(of_formula.statement.contains("(5 * ") && !own.statement.contains("(5 * "));
+    let digests = [&own, &of_equation, &of_formula].map(|made| made.digest.clone());
+    assert!(digests[0] != digests[1] && digests[0] != digests[2] && digests[1] != digests[2]);
+}
+
+#[test]
+fn a_verdict_is_kernel_checked_when_the_list_of_accepted_theorems_has_its_whole_statement() {
+    let equations: Equations = read_equations("equations.toml", EQUATIONS).unwrap();
+    let read = ClaimFormula::read("K_c = K_c_qs + K_c_dyn", Scope::default(), &equations).unwrap();
+    let made = whole("K_c = K_c_qs + K_c_dyn", &[], &equations).unwrap();
+    let found = || Finding { strength: Strength::Exact, ..decide_equations("f", "", &read, &equations) };
+    let listed = |line: &str| {
+        let list = theorem::accepted(line);
+        found().with_theorem(|| theorem::accepted_in(&list, &read, &equations))
+    };
+    let accepted = listed(&format!("identity_1 00ff\n{} {}\n", made.name, made.digest));
+    assert_eq!(accepted.strength, Strength::KernelChecked);
+    assert!(!accepted.is_overstated());
+    assert_eq!(accepted.evidence[0].proof().unwrap().theorem.as_ref(), Some(&made.name));
+    // Accepted steps alone, and another statement, make no verdict kernel-checked.
+    for line in [format!("identity_1 {}\n", made.digest), format!("{} 00ff\n", made.name)] {
+        assert_eq!(listed(&line).strength, Strength::Exact, "{line}");
+    }
+    let failing = Finding::failing("no").with_theorem(|| Some(made.name.clone()));
+    assert_eq!(failing.strength, Strength::Exact);
 }

@@ -95,10 +95,17 @@ impl Steps {
     /// A line for each kind of step, and one for each step without a theorem that Coq accepted.
     fn coverage(&self, proved: &BTreeSet<&str>) -> String {
         let (mut kinds, mut open) = (BTreeMap::new(), String::new());
-        let mut claims: BTreeMap<[&str; 2], bool> = BTreeMap::new();
+        let mut claims: BTreeMap<[&str; 2], [&'static str; 2]> = BTreeMap::new();
         for [report, claim, proof, step, kind, theorem, _, obstacle] in &self.0 {
             let is_proved = proved.contains(theorem.as_str());
-            *claims.entry([report, claim]).or_insert(true) &= is_proved;
+            let [steps, whole] = claims.entry([report, claim]).or_insert(["by steps", ""]);
+            match kind.as_str() {
+                "whole" if !is_proved => *whole = "open",
+                "whole" if whole.is_empty() => *whole = "whole",
+                "argued" => *steps = "argued",
+                _ if !is_proved && kind != "whole" => *steps = "not all steps",
+                _ => {}
+            }
             let counts: &mut [usize; 2] = kinds.entry(kind).or_default();
             counts[0] += usize::from(is_proved);
             counts[1] += 1;
@@ -111,9 +118,16 @@ impl Steps {
         for (kind, [done, all]) in &kinds {
             text += &format!("{kind:<12} {done:>4} of {all:>4} steps\n");
         }
-        let whole = claims.values().filter(|whole| **whole).count();
-        text + &open
-            + &format!("claims of whose proofs Coq accepted every step: {whole} of {}\n", claims.len())
+        text += &open;
+        // A claim without a line on whole theorems is decided by computations besides.
+        let exact: Vec<&[&'static str; 2]> = claims.values().filter(|[_, whole]| !whole.is_empty()).collect();
+        text += &format!("claims decided by proofs alone: {}, of which\n", exact.len());
+        let best = |[steps, whole]: &[&'static str; 2]| if *whole == "whole" { *whole } else { *steps };
+        for word in ["whole", "by steps", "argued", "not all steps"] {
+            let count = exact.iter().filter(|claim| best(claim) == word).count();
+            text += &format!("{count:>4} {word}\n");
+        }
+        text
     }
 }
 
@@ -124,7 +138,10 @@ mod tests {
     const STEPS: &str = "report\tclaim\tproof\tstep\tkind\ttheorem\tdigest\tobstacle\n\
         r\tS1\tp\t1\tidentity\tidentity_1\t00ff\t\n\
         r\tS1\tp\t2\targued\t\t\tno certificate\n\
-        r\tS2\tp\t1\tidentity\tidentity_1\t00ff\t\n";
+        r\tS1\tp\twhole\twhole\t\t\tno formula\n\
+        r\tS2\tp\t1\tidentity\tidentity_1\t00ff\t\n\
+        r\tS2\tp\twhole\twhole\tidentity_1\t00ff\t\n\
+        r\tS3\tp\t1\tidentity\tidentity_1\t00ff\t\n";
 
     fn result(output: Said, mode: Mode) -> Result<String, Failure> {
         let task = Task {
@@ -139,11 +156,15 @@ mod tests {
     fn steps_are_counted_by_kind_and_those_without_a_theorem_are_named() {
         let steps = Steps::read(STEPS).unwrap();
         let text = steps.coverage(&BTreeSet::from(["identity_1"]));
-        assert!(text.contains("identity        2 of    2 steps"), "{text}");
+        assert!(text.contains("identity        3 of    3 steps"), "{text}");
         assert!(text.contains("not proved: r S1, p, step 2 (argued): no certificate\n"), "{text}");
-        assert!(text.ends_with("every step: 1 of 2\n"), "{text}");
+        let table = "proofs alone: 2, of which\n   1 whole\n   0 by steps\n   1 argued\n   0 not all steps\n";
+        assert!(text.ends_with(table), "{text}");
+        let nothing = steps.coverage(&BTreeSet::new());
+        assert!(nothing.contains("r S2, p, step 1 (identity): Coq did not accept it"), "{nothing}");
         assert!(
-            steps.coverage(&BTreeSet::new()).contains("r S2, p, step 1 (identity): Coq did not accept it")
+            nothing.ends_with("   0 whole\n   0 by steps\n   1 argued\n   1 not all steps\n"),
+            "{nothing}"
         );
         assert_eq!(steps.record(&BTreeSet::new()), "");
         assert!(Steps::read("a\nb\tc\n").is_err());

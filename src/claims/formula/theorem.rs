@@ -1,0 +1,428 @@
+//! A claim's formula as one theorem of Coq: the statement is written from the parsed formula, the proof from the steps of the
+//! proof in the ledger.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::sync::LazyLock;
+
+use sha2::{Digest, Sha256};
+use slipmode_core::polynomial::coq::{self, Theorem};
+use slipmode_core::polynomial::{Certificate, Expression, Literal, Proof, Sign, Symbol, Toward};
+use slipmode_core::theory::Equations;
+
+use crate::scene::{ClaimFormula, Comparison, Formula, Names, Premises, Statement};
+
+/// The digests of statements that Coq has accepted; `cargo xtask prove` writes and checks the list.
+static ACCEPTED: LazyLock<BTreeSet<&str>> =
+    LazyLock::new(|| accepted(include_str!("../../../proofs/accepted.txt")));
+
+/// The second word of each line that begins with the name of a whole theorem.
+pub(super) fn accepted(list: &str) -> BTreeSet<&str> {
+    list.lines()
+        .filter(|line| line.starts_with(PREFIX))
+        .filter_map(|line| Some(line.split_once(' ')?.1))
+        .collect()
+}
+
+/// What the name of a whole theorem begins with.
+const PREFIX: &str = "formula_";
+
+/// The name of another value of a variable.
+const OTHER: &str = "other_value";
+
+/// A formula as a theorem, with the steps that its proof uses.
+#[derive(Debug)]
+pub struct WholeTheorem {
+    /// The name: a digest of the statement.
+    pub name: String,
+    /// SHA-256 of the statement.
+    pub digest: String,
+    /// The statement.
+    pub statement: String,
+    /// Its proof.
+    pub proof: String,
+    /// An altered statement, which is false.
+    pub altered: String,
+    /// The steps that the proof uses.
+    pub steps: Vec<Theorem>,
+}
+
+/// The name of the theorem that states the whole formula, if Coq has accepted it.
+pub(super) fn accepted_theorem(formula: &ClaimFormula, equations: &Equations) -> Option<String> {
+    accepted_in(&ACCEPTED, formula, equations)
+}
+
+/// The same with another list of accepted statements.
+pub(super) fn accepted_in(
+    list: &BTreeSet<&str>,
+    formula: &ClaimFormula,
+    equations: &Equations,
+) -> Option<String> {
+    let (name, digest) = named(&Stated::new(formula, equations).ok()?.text(false));
+    list.contains(digest.as_str()).then_some(name)
+}
+
+/// The formula as a theorem, proved from the steps of this proof.
+///
+/// # Errors
+/// What stands in the way.
+pub(super) fn whole_theorem(
+    formula: &ClaimFormula,
+    equations: &Equations,
+    proof: &Proof,
+) -> Result<WholeTheorem, String> {
+    let stated = Stated::new(formula, equations)?;
+    let statement = stated.text(false);
+    let (name, digest) = named(&statement);
+    let mut steps = Steps { stated: &stated, proof, used: Vec::new() };
+    let tactics = steps.tactics(&formula.statement)?;
+    let altered = stated.text(true);
+    Ok(WholeTheorem { name, digest, statement, proof: tactics, altered, steps: steps.used })
+}
+
+fn named(statement: &str) -> (String, String) {
+    let digest: String = Sha256::digest(statement).iter().map(|byte| format!("{byte:02x}")).collect();
+    (format!("{PREFIX}{}", &digest[..16]), digest)
+}
+
+/// A statement in the original variables.
+struct Stated {
+    premises: Premises,
+    names: Names,
+    variables: BTreeSet<Symbol>,
+    hypotheses: Vec<(String, String)>,
+    /// The equations among the conditions, by their labels, in the order in which they were solved.
+    equations: Vec<String>,
+    goal: String,
+    altered: String,
+}
+
+impl Stated {
+    fn new(formula: &ClaimFormula, equations: &Equations) -> Result<Self, String> {
+        let scope = &formula.scope;
+        if formula.rows.is_some() {
+            return Err("a statement on the rows of a table".into());
+        }
+        if !scope.there_is.is_empty() {
+            return Err("a statement that a value exists".into());
+        }
+        let premises = formula.premises(equations)?;
+        let mut stated = Self {
+            premises,
+            names: Names::of(equations),
+            variables: BTreeSet::new(),
+            hypotheses: Vec::new(),
+            equations: Vec::new(),
+            goal: String::new(),
+            altered: String::new(),
+        };
+        for (name, [low, high]) in &scope.within {
+            let [low, high] = [low, high].map(|end| coq::text(&Expression::Number(end.clone())));
+            let name = stated.shown(&Expression::variable(name))?;
+            stated.hypotheses.push((format!("least'{name}"), format!("{low} <= {name}")));
+            stated.hypotheses.push((format!("most'{name}"), format!("{name} <= {high}")));
+        }
+        for (condition, number) in scope.given.iter().zip(1..) {
+            let label = format!("given'{number}");
+            let [left, right] = &condition.sides;
+            let text = stated.compared(left, condition.comparison, right)?;
+            if condition.comparison == Comparison::Equal {
+                stated.equations.push(label.clone());
+            }
+            stated.hypotheses.push((label, text));
+        }
+        stated.goal = stated.goal_of(&formula.statement, false)?;
+        stated.altered = stated.goal_of(&formula.statement, true)?;
+        let positive: Vec<(String, String)> = stated
+            .variables
+            .iter()
+            .filter(|name| stated.is_positive(name))
+            .map(|name| coq::text(&Expression::Variable(name.clone())))
+            .map(|name| (format!("{name}'pos"), format!("0 < {name}")))
+            .collect();
+        stated.hypotheses.splice(0..0, positive);
+        Ok(stated)
+    }
+
+    /// Whether the equations assume that a variable is positive.
+    fn is_positive(&self, name: &Symbol) -> bool {
+        let plain = name.as_str();
+        let solved = self.premises.solved.iter().any(|solved| solved.variable == *name);
+        self.premises.positive.contains(name) || (solved && self.names.is_positive(plain))
+    }
+
+    fn text(&self, altered: bool) -> String {
+        let names: Vec<String> =
+            self.variables.iter().map(|name| coq::text(&Expression::Variable(name.clone()))).collect();
+        let variables = if names.is_empty() { String::new() } else { format!(" ({} : R)", names.join(" ")) };
+        let hypotheses: String =
+            self.hypotheses.iter().map(|(label, text)| format!(" ({label} : {text})")).collect();
+        format!("{variables}{hypotheses} :\n  {}", if altered { &self.altered } else { &self.goal })
+    }
+
+    /// A side with the definitions and the values of the scope in place.
+    fn side(&self, side: &Expression) -> Expression {
+        self.names.resolved(side).substitute(&self.premises.values)
+    }
+
+    /// A side as Coq reads it; its variables are noted.
+    fn shown(&mut self, side: &Expression) -> Result<String, String> {
+        let side = self.side(side);
+        let variables = side.variables();
+        if let Some(name) = variables.iter().find(|name| matches!(name.as_str(), "i" | "pm")) {
+            return Err(format!("the formula contains {name}"));
+        }
+        self.variables.extend(variables);
+        Ok(coq::text(&side))
+    }
+
+    fn compared(
+        &mut self,
+        left: &Expression,
+        comparison: Comparison,
+        right: &Expression,
+    ) -> Result<String, String> {
+        let (left, right) = (self.shown(left)?, self.shown(right)?);
+        Ok(match comparison {
+            Comparison::Equal => format!("{left} = {right}"),
+            Comparison::Unequal => format!("{left} <> {right}"),
+            Comparison::Less => format!("{left} < {right}"),
+            Comparison::AtMost => format!("{left} <= {right}"),
+            Comparison::Greater => format!("{right} < {left}"),
+            Comparison::AtLeast => format!("{right} <= {left}"),
+        })
+    }
+
+    /// What a statement says; altered, it is false.
+    fn goal_of(&mut self, statement: &Statement, altered: bool) -> Result<String, String> {
+        match statement {
+            Statement::True(formula) => self.formula(formula, altered),
+            Statement::Limit(side, value, variable, toward) => {
+                let name = Symbol::new(variable);
+                let point = coq::text(&Expression::Variable(name.clone()));
+                let known = self.variables.contains(&name);
+                let (side, value) = (self.shown(side)?, self.shown(value)?);
+                if known {
+                    return Err(format!("a condition contains {variable}, which moves"));
+                }
+                self.variables.remove(&name);
+                let filter = match toward {
+                    Toward::Zero => "(at_right 0)",
+                    Toward::Infinity => "(Rbar_locally p_infty)",
+                };
+                let value = if altered { format!("({value} + 1)") } else { value };
+                Ok(format!("filterlim (fun {point} : R => {side}) {filter} (locally {value})"))
+            }
+            Statement::Monotone(side, comparison, variable) => {
+                let name = Symbol::new(variable);
+                if self.variables.contains(&name) {
+                    return Err(format!("a condition contains {variable}, which moves"));
+                }
+                let [low, high] =
+                    ["low", "high"].map(|end| Expression::variable(&format!("{end}'{variable}")));
+                let ends = [&low, &high].map(|end| {
+                    let moved = self.side(side).with(variable, end);
+                    coq::text(&moved)
+                });
+                self.shown(side)?;
+                self.variables.remove(&name);
+                let [low, high] = [low, high].map(|end| coq::text(&end));
+                let positive = if self.is_positive(&name) { format!("0 < {low} -> ") } else { String::new() };
+                let rises = (*comparison == Comparison::Greater) != altered;
+                let [first, second] = &ends;
+                let order = if rises { format!("{first} < {second}") } else { format!("{second} < {first}") };
+                Ok(format!("forall {low} {high} : R, {positive}{low} < {high} -> {order}"))
+            }
+            Statement::Depends(side, depends, variable) => {
+                let other = self.side(side).with(variable, &Expression::variable(OTHER));
+                let side = self.shown(side)?;
+                if !self.premises.positive.contains(&Symbol::new(variable)) {
+                    return Err(format!("{variable} is not positive, but its other value is"));
+                }
+                if *depends {
+                    return Err("a statement that a variable changes a value".into());
+                }
+                self.variables.insert(Symbol::new(OTHER));
+                let known = format!("{OTHER}'pos");
+                if self.hypotheses.iter().all(|(label, _)| *label != known) {
+                    self.hypotheses.push((known, format!("0 < {OTHER}")));
+                }
+                let other = coq::text(&other);
+                Ok(if altered { format!("{side} = {other} + 1") } else { format!("{side} = {other}") })
+            }
+            Statement::Motion(_) => Err("a statement on the motions of a system".into()),
+        }
+    }
+
+    fn formula(&mut self, formula: &Formula, altered: bool) -> Result<String, String> {
+        match formula {
+            Formula::Compare(left, comparison, right) => {
+                let opposite = match comparison {
+                    _ if !altered => *comparison,
+                    Comparison::Equal => Comparison::Unequal,
+                    Comparison::Unequal => Comparison::Equal,
+                    Comparison::Less => Comparison::AtLeast,
+                    Comparison::AtMost => Comparison::Greater,
+                    Comparison::Greater => Comparison::AtMost,
+                    Comparison::AtLeast => Comparison::Less,
+                };
+                self.compared(left, opposite, right)
+            }
+            Formula::All(parts) => {
+                let parts: Vec<String> =
+                    parts.iter().map(|part| self.formula(part, altered)).collect::<Result<_, _>>()?;
+                Ok(parts.join(" /\\ "))
+            }
+            Formula::Roots(..) | Formula::Crossing(_) => {
+                Err("a statement on the roots of a polynomial".into())
+            }
+            _ => Err("a formula with 'iff', 'implies', 'or' or 'not'".into()),
+        }
+    }
+}
+
+/// The proof in the making: the ledger's steps that it uses.
+struct Steps<'p> {
+    stated: &'p Stated,
+    proof: &'p Proof,
+    used: Vec<Theorem>,
+}
+
+impl Steps<'_> {
+    fn put_in(&self, side: &Expression) -> Expression {
+        self.stated.premises.put_in(&self.stated.names.resolved(side))
+    }
+
+    /// The tactics that prove a statement.
+    fn tactics(&mut self, statement: &Statement) -> Result<String, String> {
+        let mut tactics = String::new();
+        let stated = self.stated;
+        for (solved, label) in stated.premises.solved.iter().zip(&stated.equations) {
+            let variable = Expression::Variable(solved.variable.clone());
+            let [name, value, slope] = [&variable, &solved.value, &solved.slope].map(coq::text);
+            let [left, right] =
+                [solved.expression.clone() / solved.slope.clone(), variable - solved.value.clone()];
+            let step = self.equality(&left, &right)?;
+            tactics += &format!(
+                "assert (is' : {name} = {value}) by (apply (solved_for _ _ {slope} _ _ {label}); \
+                 first [ring | field; divisors | symmetry; {step}]); clear {label}; subst {name}; "
+            );
+        }
+        let rest = match statement {
+            Statement::True(formula) => self.formula(formula)?,
+            Statement::Limit(side, value, variable, _) => {
+                let [side, value] = [side, value].map(|side| self.put_in(side));
+                self.fact(&[], |one| {
+                    matches!(one, Certificate::Limit { expression, variable: moving, value: end, .. }
+                        if *expression == side && moving == variable && *end == value)
+                })? + "stated h'"
+            }
+            Statement::Monotone(side, comparison, variable) => {
+                let name = Symbol::new(variable);
+                let side = self.put_in(side);
+                let slope = side.derivative(&name);
+                let falls = *comparison == Comparison::Less;
+                let rising = if falls { -slope.clone() } else { slope.clone() };
+                let moving = coq::text(&Expression::Variable(name.clone()));
+                let positive = if self.stated.is_positive(&name) { "assert (0 < t') by lra; " } else { "" };
+                let fact = self.fact(&[(name, "t'".to_owned())], |one| {
+                    matches!(one, Certificate::Sign { expression, sign: 1, .. } if *expression == rising)
+                })?;
+                format!(
+                    "intros; apply ({} (fun {moving} : R => {}) (fun {moving} : R => {})); \
+                     [ intros t' range'; {positive}cbn beta; slope \
+                     | intros t' range'; {positive}cbn beta; {fact}stated h' | assumption ]",
+                    if falls { "falls" } else { "rises" },
+                    coq::text(&side),
+                    coq::text(&slope),
+                )
+            }
+            Statement::Depends(side, _, variable) => {
+                let side = self.put_in(side);
+                let other = side.with(variable, &Expression::variable(OTHER));
+                self.equality(&side, &other)?
+            }
+            Statement::Motion(_) => return Err("a statement on the motions of a system".into()),
+        };
+        Ok(tactics + &rest)
+    }
+
+    fn formula(&mut self, formula: &Formula) -> Result<String, String> {
+        match formula {
+            Formula::Compare(left, comparison, right) => {
+                let [left, right] = [left, right].map(|side| self.put_in(side));
+                let Literal { expression: difference, sign } =
+                    comparison.literal(left.clone(), right.clone());
+                match sign {
+                    Sign::Zero => self.equality(&left, &right),
+                    Sign::NonZero => {
+                        let opposite = -difference.clone();
+                        let signed = |one: &Expression| *one == difference || *one == opposite;
+                        let fact = self.fact(
+                            &[],
+                            |one| matches!(one, Certificate::Sign { expression, .. } if signed(expression)),
+                        )?;
+                        Ok(fact + "stated h'")
+                    }
+                    Sign::Positive | Sign::NonNegative => {
+                        let fact = self.fact(&[], |one| {
+                            matches!(one, Certificate::Sign { expression, sign: 1, .. } if *expression == difference)
+                        })?;
+                        Ok(fact + "stated h'")
+                    }
+                }
+            }
+            Formula::All(parts) => {
+                let mut text = String::new();
+                for (part, left) in parts.iter().zip((0..parts.len()).rev()) {
+                    let own = self.formula(part)?;
+                    text += &if left == 0 { own } else { format!("split; [ {own} | ") };
+                }
+                Ok(text + &" ]".repeat(parts.len().saturating_sub(1)))
+            }
+            _ => Err("a formula with 'iff', 'implies', 'or' or 'not'".into()),
+        }
+    }
+
+    fn equality(&mut self, left: &Expression, right: &Expression) -> Result<String, String> {
+        let difference = left.clone() - right.clone();
+        let zero = Expression::integer(0);
+        let fact = self.fact(&[], |one| {
+            matches!(one, Certificate::Identity { left: one, right: other, .. }
+                if (one == left && other == right) || (*one == difference && *other == zero))
+        })?;
+        Ok(fact + "stated h'")
+    }
+
+    /// The step with this certificate as a fact on the variables, of which some have other names.
+    fn fact(
+        &mut self,
+        renamed: &[(Symbol, String)],
+        is_it: impl Fn(&Certificate) -> bool,
+    ) -> Result<String, String> {
+        let mut certificates = self.proof.steps.iter().rev().filter_map(|step| step.certificate.as_ref());
+        let found =
+            certificates.find(|one| is_it(one)).ok_or("no single step states the formula or a part of it")?;
+        let theorem = Theorem::of(found).map_err(|obstacle| obstacle.to_string())?;
+        let renamed: BTreeMap<String, &String> = renamed
+            .iter()
+            .map(|(name, other)| (coq::text(&Expression::Variable(name.clone())), other))
+            .collect();
+        let known: BTreeSet<String> =
+            self.stated.variables.iter().map(|name| coq::text(&Expression::Variable(name.clone()))).collect();
+        // A variable that the statement does not have is free: any value does.
+        let arguments: Vec<&str> = theorem
+            .variables
+            .iter()
+            .map(|name| match renamed.get(name) {
+                Some(other) => other.as_str(),
+                None if known.contains(name) => name,
+                None => "1",
+            })
+            .collect();
+        let fact = format!("pose proof ({} {}) as h'; ", theorem.name, arguments.join(" "));
+        if self.used.iter().all(|known| known.name != theorem.name) {
+            self.used.push(theorem);
+        }
+        Ok(fact)
+    }
+}
