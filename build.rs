@@ -10,11 +10,12 @@ use std::process::Command;
 use sha2::{Digest, Sha256};
 
 /// What this package is built from, besides its dependencies.
-const SOURCES: [&str; 8] = [
+const SOURCES: [&str; 9] = [
     "CITATION.cff",
     "LICENSE-APACHE",
     "LICENSE-MIT",
     "build.rs",
+    "proofs",
     "reports/im-avouac/claims.toml",
     "reports/im-avouac/equations.toml",
     "src",
@@ -34,6 +35,23 @@ fn main() {
         .unwrap_or_else(|| "rustc of unknown version".into());
     println!("cargo:rustc-env=SLIPMODE_RUSTC={}", version.trim());
     println!("cargo:rustc-env=SLIPMODE_SOURCE_SHA256={}", source_digest());
+    let out = PathBuf::from(std::env::var_os("OUT_DIR").unwrap_or_default());
+    if let Err(error) = fs::write(out.join("library.rs"), library()) {
+        println!("cargo:error=library.rs: {error}");
+    }
+}
+
+/// The modules of `proofs/` as an expression: their names and texts, in the order of the names.
+fn library() -> String {
+    let root = PathBuf::from(std::env::var_os("CARGO_MANIFEST_DIR").unwrap_or_default());
+    let mut files = Vec::new();
+    collect(&root.join("proofs"), Path::new(""), &mut files);
+    files.sort();
+    let module = |(name, path): &(PathBuf, PathBuf)| {
+        let module = name.to_str()?.strip_suffix(".v")?;
+        Some(format!("({module:?}, include_str!({:?})),\n", path.to_str()?))
+    };
+    format!("[{}]", files.iter().filter_map(module).collect::<String>())
 }
 
 /// SHA-256 over the version, and over path, length and content of every source file in the order of their paths.

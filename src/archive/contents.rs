@@ -19,6 +19,8 @@ use super::{Files, ReleaseTime};
 pub const INPUT_FOLDER: &str = "input";
 /// The folder with what was made from them.
 pub const REPORT_FOLDER: &str = "report";
+/// The folder with the theorems on the ledger's proofs, for Coq.
+pub const THEOREMS_FOLDER: &str = "theorems";
 /// The versions that computed it.
 pub const VERSIONS_FILE: &str = "versions.json";
 /// What is inside, and how each claim is checked again.
@@ -72,6 +74,8 @@ pub struct Parts<'p> {
     pub product: &'p BTreeMap<String, String>,
     /// The verdicts.
     pub ledger: &'p Ledger,
+    /// The theorems on the proofs of the ledger, and how Coq checks them, by their path in their folder.
+    pub theorems: &'p BTreeMap<String, String>,
     /// The program.
     pub facts: &'p Facts,
     /// The paper, where the archive is prepared for a CODECHECK certificate.
@@ -85,6 +89,10 @@ pub fn contents(parts: &Parts<'_>) -> Files {
     files.extend(parts.inputs.iter().map(|(path, bytes)| (format!("{INPUT_FOLDER}/{path}"), bytes.clone())));
     let product = parts.product.iter();
     files.extend(product.map(|(path, text)| (format!("{REPORT_FOLDER}/{path}"), text.clone().into_bytes())));
+    let theorems = parts.theorems.iter();
+    files.extend(
+        theorems.map(|(path, text)| (format!("{THEOREMS_FOLDER}/{path}"), text.clone().into_bytes())),
+    );
     let texts = [
         (LOCK_FILE, CARGO_LOCK),
         ("CITATION.cff", CITATION),

@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use super::codecheck::CODECHECK_FILE;
-use super::contents::{INPUT_FOLDER, Parts, REPORT_FOLDER, STATEMENT_FILE, VERSIONS_FILE};
+use super::contents::{INPUT_FOLDER, Parts, REPORT_FOLDER, STATEMENT_FILE, THEOREMS_FOLDER, VERSIONS_FILE};
 
 /// The text of the README.
 pub(super) fn readme(parts: &Parts<'_>) -> String {
@@ -15,6 +15,7 @@ pub(super) fn readme(parts: &Parts<'_>) -> String {
          | `{REPORT_FOLDER}/index.html` | the report as one page; `report.md` is the same in Markdown |\n\
          | `{REPORT_FOLDER}/ledger.json` | every claim with its verdict and evidence |\n\
          | `{REPORT_FOLDER}/tables/`, `{REPORT_FOLDER}/figures/` | all numbers and figures |\n\
+         | `{THEOREMS_FOLDER}/` | the proofs as theorems for Coq, with their library; `sh check.sh` there has Coq check them |\n\
          | `{INPUT_FOLDER}/` | inputs of the report: scenes, claims, equations, prose, hard cases |\n\
          | `{VERSIONS_FILE}`, `Cargo.lock`, `sbom.cdx.json` | the program, its libraries, its sources' digest; the packages also as a CycloneDX bill of materials |\n\
          | `SHA256SUMS` | digests, for `sha256sum --check SHA256SUMS` |\n\

@@ -127,6 +127,39 @@ impl Finding {
         self
     }
 
+    /// Names the theorems that state the claim as it is written, and that an independent kernel has accepted. Every proof that
+    /// decides it, and every part that a point decides, then counts as checked by that kernel.
+    #[must_use]
+    pub fn with_whole_theorem(mut self, name: &str) -> Self {
+        let all = || (1..=self.evidence.len()).filter(|at| !self.supporting.contains(at)).collect();
+        let deciding: Vec<usize> = match self.readings.first() {
+            Some(written) => written.parts.iter().flat_map(Part::deciding).collect(),
+            None => all(),
+        };
+        for (evidence, _) in self.evidence.iter_mut().zip(1..).filter(|(_, at)| deciding.contains(at)) {
+            if let Evidence::Proof { proof } = evidence {
+                proof.theorem.get_or_insert_with(|| name.to_owned());
+            }
+        }
+        let evidence = &self.evidence;
+        let weakest = |positions: &[usize]| positions.iter().map(|at| evidence[at - 1].strength()).max();
+        for (reading, is_written) in
+            self.readings.iter_mut().zip(std::iter::once(true).chain(std::iter::repeat(false)))
+        {
+            for part in &mut reading.parts {
+                let known = if is_written { Strength::KernelChecked } else { part.strength };
+                part.strength = weakest(&part.deciding().collect::<Vec<_>>()).unwrap_or(known);
+            }
+            reading.strength =
+                reading.parts.iter().map(|part| part.strength).max().unwrap_or(reading.strength);
+        }
+        self.strength = match self.readings.first() {
+            Some(written) => written.strength,
+            None => weakest(&deciding).unwrap_or(Strength::KernelChecked),
+        };
+        self
+    }
+
     /// Adds what another claim found, which must hold.
     #[must_use]
     pub fn with_premise(self, premise: Finding) -> Self {
@@ -278,6 +311,37 @@ mod tests {
         for overstated in [stated, hidden, whole, reading, part] {
             assert!(overstated.is_overstated(), "{overstated:?}");
         }
+    }
+
+    #[test]
+    fn a_whole_theorem_checks_the_claim_as_it_is_written_and_no_other_reading() {
+        use crate::claims::reading::{Draft, of_readings};
+        let proof = |id: &str| {
+            let argued = Proof::new(id, "A statement.").reason("Because.").reason("And because.");
+            Finding {
+                strength: Strength::Argued,
+                ..Finding::from_evidence(Evidence::Proof { proof: argued })
+            }
+        };
+        let written = Draft::new("r")
+            .part("p", proof("p").with_supporting(sample(1)))
+            .part("q", Finding::failing("at a point"));
+        let other = Draft::new("s").part("t", proof("t")).part("u", Finding::failing("at a point"));
+        let found = of_readings([written, other]).with_whole_theorem("Slider.S1");
+        let theorem = |at: usize| found.evidence[at].proof().and_then(|proof| proof.theorem.as_deref());
+        assert_eq!((theorem(0), theorem(2)), (Some("Slider.S1"), None));
+        assert_eq!(
+            (found.strength, found.readings[0].strength),
+            (Strength::KernelChecked, Strength::KernelChecked)
+        );
+        assert_eq!(
+            (found.readings[1].strength, found.readings[1].parts[1].strength),
+            (Strength::Argued, Strength::Exact)
+        );
+        assert!(!found.is_overstated());
+        // What no proof decides stays as it is.
+        let sampled = Finding::from_evidence(sample(1)).with_evidence(proof("p").evidence[0].clone());
+        assert_eq!(sampled.with_whole_theorem("Slider.S1").strength, Strength::Sampled);
     }
 
     #[test]

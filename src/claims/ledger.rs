@@ -3,10 +3,11 @@
 use rayon::prelude::*;
 use serde::Serialize;
 
-use crate::claims::{Check, Evidence, Finding, Verdict, formula, over_rows};
+use crate::claims::{Check, Evidence, Finding, Strength, Tie, Verdict, by_hand, formula, over_rows};
 use crate::experiments::{Context, Needs};
 use crate::scene::{ClaimEntry, StatedClaim, is_library_claim, library_claim, library_ids};
 use slipmode_core::polynomial::Step;
+use slipmode_core::theory::Equations;
 
 /// One line of the ledger.
 #[derive(Debug, Clone, Serialize)]
@@ -40,6 +41,21 @@ impl Entry {
     /// The warnings about its formulas.
     pub fn warnings(&self) -> impl Iterator<Item = &str> {
         self.finding.remarks.iter().filter_map(|remark| remark.strip_prefix(WARNING))
+    }
+
+    /// The theorems written by hand that state the whole claim, if Coq has accepted them.
+    #[must_use]
+    pub fn tie(&self, equations: &Equations) -> Option<&'static Tie> {
+        let readings = self.finding.readings.iter();
+        let parts = readings.flat_map(|reading| {
+            let words = reading.parts.iter().map(|part| part.words.as_str());
+            std::iter::once(reading.words.as_str()).chain(words)
+        });
+        let found =
+            [&self.finding.limit, &self.finding.counter_example].into_iter().flatten().map(String::as_str);
+        let said = [self.words.as_str(), self.criterion.as_str()].into_iter().chain(found).chain(parts);
+        let said: Vec<&str> = said.collect();
+        by_hand::accepted_tie(&self.id, &said, equations)
     }
 
     /// Whether the computed verdict is the recorded one.
@@ -155,7 +171,7 @@ fn decide_one(text: &ClaimEntry, context: &Context) -> Entry {
         (None, Some(check)) => (check.criterion.into(), check.not_established.into()),
         (None, None) => Default::default(),
     };
-    Entry {
+    let entry = Entry {
         id: text.id.clone(),
         place: text.place.clone(),
         words: text.words.clone(),
@@ -165,6 +181,13 @@ fn decide_one(text: &ClaimEntry, context: &Context) -> Entry {
         rests_on: premises(text),
         expected: text.expected,
         stated: text.stated.clone(),
+    };
+    let tie = Some(())
+        .filter(|()| entry.finding.strength <= Strength::Argued)
+        .and_then(|()| entry.tie(context.equations));
+    match tie {
+        Some(tie) => Entry { finding: entry.finding.with_whole_theorem(&tie.theorems), ..entry },
+        None => entry,
     }
 }
 

@@ -5,6 +5,7 @@
 
 mod alterations;
 mod boundary;
+mod by_hand;
 mod criteria;
 mod evidence;
 mod exchange;
@@ -36,9 +37,10 @@ mod simulated_trends;
 mod theory_tables;
 mod zones;
 
+pub use by_hand::{ACCEPTED, LIBRARY, TIES, Tie, definitions, statement};
 pub use evidence::{Evidence, Strength};
 pub use finding::Finding;
-pub use formula::{WholeTheorem, whole_theorems};
+pub use formula::{WholeStatement, WholeTheorem, whole_statements, whole_theorems};
 pub use ledger::{Entry, Ledger, find, known_ids, needs, premises};
 pub use over_rows::row_faults;
 pub use planted_faults::{PlantedFaults, Survivor, plant_faults};

@@ -28,6 +28,11 @@ pub struct Part {
 }
 
 impl Part {
+    /// The positions of the evidence that decides it.
+    pub(super) fn deciding(&self) -> impl Iterator<Item = usize> {
+        self.evidence.iter().copied().filter(|at| !self.supporting.contains(at))
+    }
+
     /// Why it fails, within which limit it holds, or why it was not checked; may be empty.
     #[must_use]
     pub fn result(&self) -> &str {

@@ -16,7 +16,7 @@ use crate::cli::folder::{Source, read_report_from};
 use crate::cli::inputs::SCHEMA;
 use crate::cli::output::{Output, machine_write};
 use crate::cli::progress::Progress;
-use crate::cli::replay::recompute;
+use crate::cli::replay::{recompute, theorems};
 use crate::cli::report::{LimitOption, summary, verdicts_json};
 use crate::cli::terminal;
 
@@ -53,8 +53,17 @@ pub fn run(options: &Options, progress: &Progress) -> Result<(), Failure> {
     let facts = facts(time);
     let (name, title) = (&folder.plan.name, &folder.plan.title);
     let codecheck = options.codecheck.then_some(&folder.plan.paper);
-    let parts =
-        Parts { name, title, inputs: &inputs, product: &files, ledger: &ledger, facts: &facts, codecheck };
+    let theorems = theorems(&folder, &ledger)?;
+    let parts = Parts {
+        name,
+        title,
+        inputs: &inputs,
+        product: &files,
+        ledger: &ledger,
+        theorems: &theorems,
+        facts: &facts,
+        codecheck,
+    };
     let packed = pack(&contents(&parts), time).map_err(Failure::Refused)?;
     archive.write_all(&packed).map_err(|error| machine_write(&error))?;
     timings.write_all(environment.to_json().as_bytes()).map_err(|error| machine_write(&error))?;

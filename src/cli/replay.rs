@@ -2,6 +2,7 @@
 
 mod watch;
 
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
@@ -10,8 +11,10 @@ use slipmode::archive::{
     Budget, CODECHECK_FILE, Caps, Facts, Files, INPUT_FOLDER, Maker, Parts, ReleaseTime, Reproduction,
     digest_faults, reproduction, requests, unpack,
 };
+use slipmode::claims::Ledger;
 use slipmode::report::{Folder, Product, produce};
 use slipmode::scene::{AllowedRange, Limits};
+use slipmode::theorems::{Published, archived};
 use slipmode_core::number::nearest_f64;
 
 use crate::cli::archive::{facts, machine_free};
@@ -160,15 +163,16 @@ impl Replay<'_> {
         let product = recompute(&folder, &inside, progress)?;
         let (name, title) = (&folder.plan.name, &folder.plan.title);
         let (product_files, ledger) = (&product.files, &product.ledger);
-        let codecheck = self.opened.files.contains_key(CODECHECK_FILE).then_some(&folder.plan.paper);
+        let theorems = theorems(&folder, ledger)?;
         let parts = Parts {
             name,
             title,
             inputs: &read,
             product: product_files,
             ledger,
+            theorems: &theorems,
             facts: self.facts,
-            codecheck,
+            codecheck: self.opened.files.contains_key(CODECHECK_FILE).then_some(&folder.plan.paper),
         };
         let mut found = reproduction(&self.opened.container, &self.opened.files, &parts, &self.maker);
         found.differences.extend(drift(&product.ledger));
@@ -210,6 +214,20 @@ pub fn recompute(folder: &Folder, place: &Path, progress: &Progress) -> Result<P
         .map_err(|error| unrenderable(place, &error))?;
     machine_free(&mut product);
     Ok(product)
+}
+
+/// The theorems on the proofs of a ledger, as an archive holds them.
+///
+/// # Errors
+/// When the ledger cannot be read as it is published.
+pub fn theorems(folder: &Folder, ledger: &Ledger) -> Result<BTreeMap<String, String>, Failure> {
+    let published = Published {
+        name: folder.plan.name.clone(),
+        ledger: ledger.to_json().into_bytes(),
+        claims: folder.claims.clone(),
+        equations: folder.equations.clone(),
+    };
+    archived(&published).map_err(Failure::Refused)
 }
 
 fn below(files: &Files, folder: &str) -> Files {

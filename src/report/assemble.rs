@@ -232,7 +232,7 @@ fn evidence_view(evidence: &Evidence, claim: &str, certificates: &Certificates<'
 }
 
 /// Plain words as Markdown: characters that Markdown or mathematics would take as markup are escaped.
-fn plain(text: &str) -> String {
+pub(super) fn plain(text: &str) -> String {
     slipmode_plot::table::escape_markdown(text)
 }
 

@@ -16,7 +16,7 @@ impl<'l> Certificates<'l> {
         for entry in &ledger.claims {
             for evidence in &entry.finding.evidence {
                 let Evidence::Proof { proof } = evidence else { continue };
-                if proofs.iter().all(|(known, _)| *known != proof) {
+                if proofs.iter().all(|(known, _)| !known.is_same(proof)) {
                     proofs.push((proof, &entry.id));
                 }
             }
@@ -26,13 +26,14 @@ impl<'l> Certificates<'l> {
 
     /// The claim that has the certificate of a proof of the ledger.
     pub fn home(&self, proof: &Proof) -> &'l str {
-        self.proofs.iter().find(|(known, _)| *known == proof).map_or("", |(_, claim)| claim)
+        self.proofs.iter().find(|(known, _)| known.is_same(proof)).map_or("", |(_, claim)| claim)
     }
 
     /// The certificate, with a line in place of the steps of each lemma that has a certificate of its own.
     pub fn text(&self, proof: &Proof) -> String {
         proof.text_without(|steps| {
-            let lemmas = self.proofs.iter().filter(|(lemma, _)| *lemma != proof && begins_with(steps, lemma));
+            let lemmas =
+                self.proofs.iter().filter(|(lemma, _)| !lemma.is_same(proof) && begins_with(steps, lemma));
             let (lemma, claim) = lemmas.max_by_key(|(lemma, _)| lemma.steps.len())?;
             let place = format!("{} [certificate {} of claim {claim}]", lemma.statement, lemma.id);
             Some((lemma.steps.len(), place))

@@ -30,6 +30,7 @@ mod templates;
 #[cfg(test)]
 mod tests;
 mod text;
+mod theorems;
 mod view;
 
 pub use error::ReportError;

@@ -12,6 +12,7 @@ use crate::experiments::{
 };
 use crate::report::assemble::{Material, assemble};
 use crate::report::blocks::{BlockKind, Piece, pieces};
+use crate::report::theorems::{THEOREMS_FILE, theorems};
 use crate::report::{FactView, InputView, ReportError, render_html, render_markdown};
 use crate::scene::{ClaimEntry, Measured, MeasuredChart, ReportPlan};
 use slipmode_core::theory::Equations;
@@ -78,6 +79,7 @@ pub fn produce(
         (wanted.figures(&outcome, &folder.measured)?, wanted.tables(&context, &folder.measured)?);
     let mut files = figure_and_table_files(figures.iter(), &tables);
     files.insert("ledger.json".into(), ledger.to_json());
+    files.extend(theorems(&ledger, &folder.equations).map(|text| (THEOREMS_FILE.to_owned(), text)));
     let view = assemble(Material {
         plan: &folder.plan,
         place,

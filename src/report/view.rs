@@ -108,7 +108,7 @@ pub struct ClaimView {
     pub verdict: Verdict,
     /// The limit within which it holds, or the reason why it fails or was not checked, in a few words; may be empty.
     pub verdict_markdown: String,
-    /// exact, argued, certified, converged or sampled; empty when not checked.
+    /// kernel-checked, exact, argued, certified, converged or sampled; empty when not checked.
     pub strength: String,
     /// The ways to read the claim, each with its parts; empty where it has one reading of one part.
     pub readings: Vec<ReadingView>,
@@ -168,7 +168,7 @@ impl PartView {
 pub struct EvidenceView {
     /// `Proof`, `Enclosure` or `Simulation`.
     pub kind: String,
-    /// exact, argued, certified, converged or sampled.
+    /// kernel-checked, exact, argued, certified, converged or sampled.
     pub strength: String,
     /// What was done and found.
     pub text_markdown: String,

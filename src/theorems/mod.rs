@@ -1,6 +1,9 @@
-//! The certified steps of ledgers as files for Coq: one theorem per distinct step, in the file of the first claim that has it.
+//! The certified steps of ledgers as files for Coq: one theorem per distinct step, in the file of the first claim that has it; and
+//! the formulas of claims as whole theorems.
 //!
 //! A ledger is read as the text that was published, so that the theorems are about the very certificates that it shows.
+
+mod archived;
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -10,8 +13,10 @@ use slipmode_core::polynomial::coq::Theorem;
 use slipmode_core::polynomial::{Certificate, Proof};
 use slipmode_core::theory::Equations;
 
-use crate::claims::{Strength, WholeTheorem, whole_theorems};
+use crate::claims::{Strength, TIES, Tie, WholeTheorem, whole_theorems};
 use crate::scene::ClaimEntry;
+
+pub use archived::archived;
 
 /// A ledger of which only the proofs are read.
 #[derive(Debug, Deserialize)]
@@ -22,8 +27,36 @@ struct Ledger {
 #[derive(Debug, Deserialize)]
 struct Claim {
     id: String,
+    words: String,
+    criterion: String,
+    limit: Option<String>,
+    counter_example: Option<String>,
     strength: Strength,
     evidence: Vec<Evidence>,
+    #[serde(default)]
+    readings: Vec<Reading>,
+}
+
+#[derive(Debug, Deserialize)]
+struct Reading {
+    words: String,
+    parts: Vec<Part>,
+}
+
+#[derive(Debug, Deserialize)]
+struct Part {
+    words: String,
+}
+
+impl Claim {
+    /// What the claim says, as a tie to theorems written by hand has it.
+    fn said(&self) -> Vec<&str> {
+        let parts = self.readings.iter().flat_map(|reading| {
+            std::iter::once(&reading.words).chain(reading.parts.iter().map(|part| &part.words))
+        });
+        let found = [&self.limit, &self.counter_example].into_iter().flatten();
+        [&self.words, &self.criterion].into_iter().chain(found).chain(parts).map(String::as_str).collect()
+    }
 }
 
 #[derive(Debug, Deserialize)]
@@ -84,6 +117,7 @@ pub fn files(reports: &[Published]) -> Result<BTreeMap<String, String>, String> 
             let stated = claims.iter().find(|known| known.id == claim.id);
             if claim.strength <= Strength::Argued {
                 files.add_whole(name, claim, stated, equations);
+                files.add_by_hand(name, claim, equations);
             }
         }
     }
@@ -132,6 +166,9 @@ impl Files {
                 Err("a function of the program decides it, not a formula".to_owned()),
             ));
         }
+        if found.is_empty() {
+            found.push((String::new(), Err("a point decides it, without a proof".to_owned())));
+        }
         let mut open = OpenFile::default();
         for (id, result) in found {
             let line = [report, &claim.id, &id].map(one_line).join("\t");
@@ -147,6 +184,24 @@ impl Files {
             self.steps += &format!("{line}\twhole\twhole\t{name}\t{digest}\t{obstacle}\n");
         }
         self.close(&format!("{}_whole", place(report, &claim.id, 1)), &mut open);
+    }
+
+    /// The theorems written by hand that state the claim.
+    fn add_by_hand(&mut self, report: &str, claim: &Claim, equations: &Equations) {
+        let said = claim.said();
+        let digests =
+            TIES.iter().filter(|tie| tie.claim == claim.id).map(|tie| (tie, tie.digest_of(&said, equations)));
+        let digests: Vec<(&Tie, Option<String>)> = digests.collect();
+        let line = [report, &claim.id, "by hand"].map(one_line).join("\t");
+        if let Some((tie, _)) = digests.iter().find(|(tie, digest)| digest.as_ref() == Some(&tie.digest)) {
+            for name in tie.names() {
+                self.steps += &format!("{line}\twhole\tby hand\t{name}\t{}\t\n", tie.digest);
+            }
+        } else if let Some((_, digest)) = digests.iter().find(|(tie, _)| tie.report == report) {
+            let digest = digest.as_deref().unwrap_or("none: a theorem or an equation is missing");
+            let obstacle = format!("proofs/claims.csv has another digest; that of this claim is {digest}");
+            self.steps += &format!("{line}\twhole\tby hand\t\t\t{obstacle}\n");
+        }
     }
 
     /// The theorem of a certificate: the known one, or a new one in the open file.
@@ -263,7 +318,7 @@ mod tests {
             format!(r#"{{"id": "binomial", "statement": "A formula.", "steps": [{step}, {argued}]}}"#);
         let claim = |id: &str| {
             format!(
-                r#"{{"id": "{id}", "strength": "argued", "evidence": [{{"kind": "proof", "proof": {proof}}}, {{"kind": "sample"}}]}}"#
+                r#"{{"id": "{id}", "words": "", "criterion": "", "strength": "argued", "evidence": [{{"kind": "proof", "proof": {proof}}}, {{"kind": "sample"}}]}}"#
             )
         };
         format!(r#"{{"claims": [{}, {}]}}"#, claim("S1"), claim("S-2")).into_bytes()

@@ -1,6 +1,7 @@
 //! `archive`, `replay`, `diff` and `verify --claim`: what a reviewer is handed runs again, and nothing altered passes.
 
 use std::fs;
+use std::process::Command;
 
 use slipmode::archive::{Caps, DIGESTS_FILE, Files, ReleaseTime, pack, sha256_hex, unpack};
 
@@ -52,6 +53,62 @@ fn archives_have_the_same_bytes_on_any_number_of_threads() {
             .expect_success();
     }
     assert_eq!(fs::read(place.path("1.zip")).unwrap(), fs::read(place.path("2.zip")).unwrap());
+}
+
+#[test]
+fn an_archive_has_its_theorems_with_their_library_and_coq_accepts_them_without_this_program() {
+    let place = archived();
+    let files = unpack(&fs::read(place.path("small.zip")).unwrap(), &Caps::default()).unwrap().0;
+    let text = |path: &str| String::from_utf8(files[&format!("theorems/{path}")].clone()).unwrap();
+    let checks = text("check.sh");
+    let checked: Vec<&str> =
+        checks.lines().filter_map(|line| line.strip_prefix("coqc -R library Slipmode ")).collect();
+    let all =
+        files.keys().filter_map(|path| path.strip_prefix("theorems/").filter(|path| path.ends_with(".v")));
+    assert!(all.clone().all(|path| checked.contains(&path)) && all.count() == checked.len(), "{checks}");
+    assert!(
+        text("small/claim_S2_whole.v").contains("Theorem formula_"),
+        "{}",
+        text("small/claim_S2_whole.v")
+    );
+    assert!(text("accepted.txt").contains("identity_"));
+    let check = include_str!("../../xtask/src/prove/assumptions.rs");
+    let allowed = check.split_once("ALLOWED: [&str; 4] = [").unwrap().1.split_once("];").unwrap().0;
+    let allowed: Vec<&str> = allowed.split('"').skip(1).step_by(2).collect();
+    let stated = text("README.md");
+    assert!(
+        allowed.len() == 4 && allowed.iter().all(|name| stated.contains(&format!("- `{name}`\n"))),
+        "{stated}"
+    );
+    assert_eq!(stated.matches("\n- `Cla").count() + stated.matches("\n- `Fun").count(), 4, "{stated}");
+    // The page shows theorems where the ledger names them.
+    let ledger = String::from_utf8(files["report/ledger.json"].clone()).unwrap();
+    assert_eq!(files.contains_key("report/theorems.md"), ledger.contains("\"theorem\":"));
+    let wanted = [
+        "library/Tactics.v",
+        "library/Functions.v",
+        "library/Branches.v",
+        "library/Claims.v",
+        "small/claim_S2_whole.v",
+    ];
+    let compile = |path: &str| {
+        place.write(path, text(path));
+        let mut coqc = Command::new("coqc");
+        coqc.args(["-R", "library", "Slipmode", path]).current_dir(place.path("."));
+        coqc.output()
+    };
+    // A machine without Coq, or without its library, compiles nothing.
+    if !compile(wanted[0]).is_ok_and(|output| output.status.success()) {
+        return;
+    }
+    for path in &wanted[1..] {
+        let output = compile(path).unwrap();
+        assert!(output.status.success(), "{path}: {}", String::from_utf8_lossy(&output.stderr));
+        if !path.starts_with("library") {
+            let said = String::from_utf8_lossy(&output.stdout).into_owned();
+            assert!(said.contains("sig_forall_dec") && !said.contains("formula_"), "{said}");
+        }
+    }
 }
 
 #[test]

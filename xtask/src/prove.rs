@@ -54,7 +54,6 @@ pub fn run(arguments: &[String]) -> Result<(), Failure> {
     verify::build_release()?;
     let generated = generate(&folder)?;
     let library = compile_library(&folder, &version)?;
-    let text: String = library.iter().map(|(_, text)| text.as_str()).collect();
     let mut files = generated_files(&generated, mode)?;
     match mode {
         Mode::Proofs => {
@@ -68,7 +67,7 @@ pub fn run(arguments: &[String]) -> Result<(), Failure> {
             )?);
         }
     }
-    let checked = check_all(&folder, files, &format!("{version}\n{text}"))?;
+    let checked = check_all(&folder, files, &version, &library)?;
     let steps = Steps::read(&read(&generated.join("steps.tsv"))?)?;
     let result = summary::print(&steps, &checked, mode);
     println!("prove: {:.0} s", start.elapsed().as_secs_f64());
@@ -160,7 +159,12 @@ fn compile_library(folder: &Path, version: &str) -> Result<Vec<(String, String)>
 /// A file that asks what the lemmas of the library assume.
 fn library_check(library: &[(String, String)]) -> Task {
     let modules: Vec<&str> = library.iter().map(|(name, _)| name.as_str()).collect();
-    let stated = |word| library.iter().flat_map(move |(_, text)| names(text, word));
+    let stated = |word| {
+        let modules = library.iter();
+        modules.flat_map(move |(module, text)| {
+            names(text, word).into_iter().map(move |name| format!("{module}.{name}"))
+        })
+    };
     let theorems: Vec<String> = stated("Theorem ").chain(stated("Lemma ")).collect();
     let text = format!(
         "From Slipmode Require Import {}.\nDefinition all_theorems := (@{}).\nPrint Assumptions all_theorems.\n",
@@ -206,14 +210,20 @@ fn generated_files(generated: &Path, mode: Mode) -> Result<Vec<Task>, Failure> {
 }
 
 /// Checks files, the largest first, as many side by side as there are processors.
-fn check_all(folder: &Path, mut tasks: Vec<Task>, base: &str) -> Result<Vec<(Task, Said)>, Failure> {
+fn check_all(
+    folder: &Path,
+    mut tasks: Vec<Task>,
+    version: &str,
+    library: &[(String, String)],
+) -> Result<Vec<(Task, Said)>, Failure> {
     tasks.sort_by_key(|task| std::cmp::Reverse(task.text.len()));
     let said: Vec<OnceLock<Result<Said, Failure>>> = tasks.iter().map(|_| OnceLock::new()).collect();
     let next = AtomicUsize::new(0);
     let work = || {
         let free = || next.fetch_add(1, Ordering::Relaxed);
         while let Some((task, said)) = Some(free()).and_then(|at| tasks.get(at).zip(said.get(at))) {
-            said.get_or_init(|| check(folder, task, base));
+            let base = format!("{version}\n{}", files::imported(library, &task.text));
+            said.get_or_init(|| check(folder, task, &base));
         }
     };
     std::thread::scope(|scope| {

@@ -25,7 +25,7 @@ use crate::scene::{ClaimEntry, ClaimFormula, Names, Premises, StatedClaim, State
 use lowering::Lowered;
 use points::{Point, Points};
 use prover::{Draft, Prover};
-pub use theorem::WholeTheorem;
+pub use theorem::{WholeStatement, WholeTheorem};
 pub(super) use warnings::warnings;
 
 /// The finding on a claim: one formula decides it, or all parts of its first reading.
@@ -82,6 +82,17 @@ pub fn whole_theorems<'p>(
     let found = claim.stated.iter().flat_map(|stated| formulas(&claim.id, stated));
     let proved = found.filter_map(|(id, formula)| Some((proof(&id)?, id, formula)));
     proved.map(|(proof, id, formula)| (id, theorem::whole_theorem(formula, equations, proof))).collect()
+}
+
+/// The formulas of a claim that are theorems which Coq has accepted, with their words.
+#[must_use]
+pub fn whole_statements<'c>(stated: &'c StatedClaim, equations: &Equations) -> Vec<WholeStatement<'c>> {
+    let of_part = |(words, formula): &'c (String, ClaimFormula)| {
+        let outside = formula.limit.iter().map(|limit| (&limit.outside.0, &limit.outside.1));
+        std::iter::once((words, formula)).chain(outside).collect::<Vec<_>>()
+    };
+    let all = stated.parts().flat_map(of_part);
+    all.filter_map(|(words, formula)| theorem::accepted_statement(words, formula, equations)).collect()
 }
 
 /// What the formulas of a claim ask for, in one line.

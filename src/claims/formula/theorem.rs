@@ -12,8 +12,7 @@ use slipmode_core::theory::Equations;
 use crate::scene::{ClaimFormula, Comparison, Formula, Names, Premises, Statement};
 
 /// The digests of statements that Coq has accepted; `cargo xtask prove` writes and checks the list.
-static ACCEPTED: LazyLock<BTreeSet<&str>> =
-    LazyLock::new(|| accepted(include_str!("../../../proofs/accepted.txt")));
+static ACCEPTED: LazyLock<BTreeSet<&str>> = LazyLock::new(|| accepted(crate::claims::ACCEPTED));
 
 /// The second word of each line that begins with the name of a whole theorem.
 pub(super) fn accepted(list: &str) -> BTreeSet<&str> {
@@ -46,19 +45,43 @@ pub struct WholeTheorem {
     pub steps: Vec<Theorem>,
 }
 
-/// The name of the theorem that states the whole formula, if Coq has accepted it.
-pub(super) fn accepted_theorem(formula: &ClaimFormula, equations: &Equations) -> Option<String> {
-    accepted_in(&ACCEPTED, formula, equations)
+/// A formula with the statement of its theorem, which Coq has accepted.
+#[derive(Debug)]
+pub struct WholeStatement<'c> {
+    /// The formula in words; may be empty.
+    pub words: &'c str,
+    /// The formula.
+    pub formula: &'c ClaimFormula,
+    /// The theorem's name.
+    pub name: String,
+    /// What the theorem states.
+    pub statement: String,
 }
 
-/// The same with another list of accepted statements.
+/// The name of the theorem that states the whole formula, if Coq has accepted it.
+pub(super) fn accepted_theorem(formula: &ClaimFormula, equations: &Equations) -> Option<String> {
+    accepted_statement("", formula, equations).map(|accepted| accepted.name)
+}
+
+/// The theorem that states the whole formula, if Coq has accepted it.
+pub(super) fn accepted_statement<'c>(
+    words: &'c str,
+    formula: &'c ClaimFormula,
+    equations: &Equations,
+) -> Option<WholeStatement<'c>> {
+    let (name, statement) = accepted_in(&ACCEPTED, formula, equations)?;
+    Some(WholeStatement { words, formula, name, statement })
+}
+
+/// The name and the statement, if this list of accepted statements has its digest.
 pub(super) fn accepted_in(
     list: &BTreeSet<&str>,
     formula: &ClaimFormula,
     equations: &Equations,
-) -> Option<String> {
-    let (name, digest) = named(&Stated::new(formula, equations).ok()?.text(false));
-    list.contains(digest.as_str()).then_some(name)
+) -> Option<(String, String)> {
+    let statement = Stated::new(formula, equations).ok()?.text(false);
+    let (name, digest) = named(&statement);
+    list.contains(digest.as_str()).then_some((name, statement))
 }
 
 /// The formula as a theorem, proved from the steps of this proof.
@@ -94,6 +117,8 @@ struct Stated {
     equations: Vec<String>,
     goal: String,
     altered: String,
+    /// Whether it says that values exist, and not what holds for all.
+    exists: bool,
 }
 
 impl Stated {
@@ -114,6 +139,7 @@ impl Stated {
             equations: Vec::new(),
             goal: String::new(),
             altered: String::new(),
+            exists: matches!(formula.statement, Statement::Depends(_, true, _)),
         };
         for (name, [low, high]) in &scope.within {
             let [low, high] = [low, high].map(|end| coq::text(&Expression::Number(end.clone())));
@@ -153,6 +179,11 @@ impl Stated {
     fn text(&self, altered: bool) -> String {
         let names: Vec<String> =
             self.variables.iter().map(|name| coq::text(&Expression::Variable(name.clone()))).collect();
+        if self.exists {
+            let (names, goal) = (names.join(" "), if altered { &self.altered } else { &self.goal });
+            let hypotheses: String = self.hypotheses.iter().map(|(_, text)| format!("{text} /\\ ")).collect();
+            return format!(" :\n  exists {names} : R, {hypotheses}{goal}");
+        }
         let variables = if names.is_empty() { String::new() } else { format!(" ({} : R)", names.join(" ")) };
         let hypotheses: String =
             self.hypotheses.iter().map(|(label, text)| format!(" ({label} : {text})")).collect();
@@ -238,15 +269,15 @@ impl Stated {
                 if !self.premises.positive.contains(&Symbol::new(variable)) {
                     return Err(format!("{variable} is not positive, but its other value is"));
                 }
-                if *depends {
-                    return Err("a statement that a variable changes a value".into());
-                }
                 self.variables.insert(Symbol::new(OTHER));
                 let known = format!("{OTHER}'pos");
                 if self.hypotheses.iter().all(|(label, _)| *label != known) {
                     self.hypotheses.push((known, format!("0 < {OTHER}")));
                 }
                 let other = coq::text(&other);
+                if *depends {
+                    return Ok(format!("{side} {} {other}", if altered { "=" } else { "<>" }));
+                }
                 Ok(if altered { format!("{side} = {other} + 1") } else { format!("{side} = {other}") })
             }
             Statement::Motion(_) => Err("a statement on the motions of a system".into()),
@@ -336,7 +367,8 @@ impl Steps<'_> {
                     coq::text(&slope),
                 )
             }
-            Statement::Depends(side, _, variable) => {
+            Statement::Depends(_, true, _) => self.two_points()?,
+            Statement::Depends(side, false, variable) => {
                 let side = self.put_in(side);
                 let other = side.with(variable, &Expression::variable(OTHER));
                 self.equality(&side, &other)?
@@ -344,6 +376,22 @@ impl Steps<'_> {
             Statement::Motion(_) => return Err("a statement on the motions of a system".into()),
         };
         Ok(tactics + &rest)
+    }
+
+    /// The values at the two points at which the ledger's proof evaluates an expression.
+    fn two_points(&self) -> Result<String, String> {
+        let mut certificates = self.proof.steps.iter().rev().filter_map(|step| step.certificate.as_ref());
+        let point = certificates.find_map(|one| match one {
+            Certificate::Difference { point, .. } => Some(point),
+            _ => None,
+        });
+        let point = point.ok_or("no step of the proof compares two values")?;
+        let value = |name: &Symbol| {
+            let known = point.iter().find(|(known, _)| *known == name.as_str());
+            known.map_or_else(|| "1".to_owned(), |(_, value)| coq::text(value))
+        };
+        let values: Vec<String> = self.stated.variables.iter().map(value).collect();
+        Ok(format!("exists {}; repeat split; first [lra | intros h'; lra]", values.join(", ")))
     }
 
     fn formula(&mut self, formula: &Formula) -> Result<String, String> {

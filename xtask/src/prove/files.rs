@@ -75,6 +75,20 @@ fn in_order(mut waiting: Vec<(String, String)>) -> Result<Vec<(String, String)>,
     Ok(ordered)
 }
 
+/// The text of all modules of the library, in its order, on which a text rests.
+pub fn imported(library: &[(String, String)], text: &str) -> String {
+    let mut wanted: Vec<&str> = imports(text);
+    let mut found: Vec<&str> = Vec::new();
+    // A module stands after those that it imports.
+    for (name, text) in library.iter().rev() {
+        if wanted.contains(&name.as_str()) {
+            wanted.extend(imports(text));
+            found.push(text);
+        }
+    }
+    found.into_iter().rev().collect()
+}
+
 /// The modules of the library that a text imports.
 fn imports(text: &str) -> Vec<&str> {
     let lines = text.lines().filter_map(|line| line.strip_prefix("From Slipmode Require "));
@@ -135,6 +149,12 @@ mod tests {
             ["Base", "Middle", "Alpha"]
         );
         assert!(in_order(vec![module("Alpha", "Middle"), module("Middle", "Alpha")]).is_err());
+        let rests_on = imported(&ordered, "From Slipmode Require Import Middle.\n");
+        assert!(
+            rests_on.contains("Import Reals")
+                && rests_on.contains("Import Base")
+                && !rests_on.contains("Import Middle")
+        );
     }
 
     #[test]

@@ -92,25 +92,19 @@ impl Steps {
         lines.into_iter().collect()
     }
 
-    /// A line for each kind of step, and one for each step without a theorem that Coq accepted.
+    /// A line for each kind of step, one for each step without a theorem that Coq accepted, and the table of claims.
     fn coverage(&self, proved: &BTreeSet<&str>) -> String {
         let (mut kinds, mut open) = (BTreeMap::new(), String::new());
-        let mut claims: BTreeMap<[&str; 2], [&'static str; 2]> = BTreeMap::new();
+        let mut claims: BTreeMap<[&str; 2], Claim<'_>> = BTreeMap::new();
         for [report, claim, proof, step, kind, theorem, _, obstacle] in &self.0 {
             let is_proved = proved.contains(theorem.as_str());
-            let [steps, whole] = claims.entry([report, claim]).or_insert(["by steps", ""]);
-            match kind.as_str() {
-                "whole" if !is_proved => *whole = "open",
-                "whole" if whole.is_empty() => *whole = "whole",
-                "argued" => *steps = "argued",
-                _ if !is_proved && kind != "whole" => *steps = "not all steps",
-                _ => {}
-            }
+            let why = if theorem.is_empty() { obstacle } else { "Coq did not accept it" };
+            let claim_of = claims.entry([report, claim]).or_default();
+            claim_of.add(kind, (theorem, is_proved), (proof, why));
             let counts: &mut [usize; 2] = kinds.entry(kind).or_default();
             counts[0] += usize::from(is_proved);
             counts[1] += 1;
-            if !is_proved {
-                let why = if theorem.is_empty() { obstacle } else { "Coq did not accept it" };
+            if !is_proved && !matches!(kind.as_str(), WHOLE | BY_HAND) {
                 open += &format!("not proved: {report} {claim}, {proof}, step {step} ({kind}): {why}\n");
             }
         }
@@ -120,14 +114,94 @@ impl Steps {
         }
         text += &open;
         // A claim without a line on whole theorems is decided by computations besides.
-        let exact: Vec<&[&'static str; 2]> = claims.values().filter(|[_, whole]| !whole.is_empty()).collect();
-        text += &format!("claims decided by proofs alone: {}, of which\n", exact.len());
-        let best = |[steps, whole]: &[&'static str; 2]| if *whole == "whole" { *whole } else { *steps };
-        for word in ["whole", "by steps", "argued", "not all steps"] {
-            let count = exact.iter().filter(|claim| best(claim) == word).count();
-            text += &format!("{count:>4} {word}\n");
+        claims.retain(|_, claim| claim.is_exact);
+        for ([report, id], claim) in &claims {
+            text += &format!("{report:<18} {id:<4} {}\n", claim.row());
         }
-        text
+        let count = |way: Way| claims.values().filter(|claim| claim.way() == way).count();
+        let [generated, by_hand] = [Way::Generated, Way::ByHand].map(count);
+        let (whole, all) = (generated + by_hand, claims.len());
+        text += &format!("claims decided exactly: {all}, of which {whole} are whole theorems");
+        text += &format!(" ({} %): {generated} generated, {by_hand} by hand\n", 100 * whole / all.max(1));
+        let [steps, argued, open] = [Way::Steps, Way::Argued, Way::Open].map(count);
+        text + &format!(
+            "the others: {steps} by steps, {argued} with an argued step, {open} with a step that is not proved\n"
+        )
+    }
+}
+
+/// The kind of a claim's formula as a theorem.
+const WHOLE: &str = "whole";
+
+/// The kind of a theorem that is written by hand.
+const BY_HAND: &str = "by hand";
+
+/// How Coq has checked a claim.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Way {
+    /// A theorem for each formula, written from it.
+    Generated,
+    /// Theorems written by hand state the claim.
+    ByHand,
+    /// A theorem for each step.
+    Steps,
+    /// The same, but for steps in words.
+    Argued,
+    /// A step has no theorem.
+    Open,
+}
+
+/// What the list says of one claim.
+#[derive(Debug, Default)]
+struct Claim<'s> {
+    is_exact: bool,
+    is_argued: bool,
+    is_open: bool,
+    has_formulas: bool,
+    by_hand: Vec<&'s str>,
+    /// Why it is no theorem by itself: the proof, and the obstacle.
+    obstacles: Vec<[&'s str; 2]>,
+    /// Whether a theorem by hand is missing.
+    is_untied: bool,
+}
+
+impl<'s> Claim<'s> {
+    fn add(&mut self, kind: &str, (theorem, is_proved): (&'s str, bool), obstacle: (&'s str, &'s str)) {
+        self.is_exact |= matches!(kind, WHOLE | BY_HAND);
+        match kind {
+            WHOLE if is_proved => self.has_formulas = true,
+            BY_HAND if is_proved => self.by_hand.push(theorem),
+            WHOLE | BY_HAND => {
+                self.is_untied |= kind == BY_HAND;
+                self.obstacles.push(obstacle.into());
+            }
+            "argued" => self.is_argued = true,
+            _ => self.is_open |= !is_proved,
+        }
+    }
+
+    fn way(&self) -> Way {
+        match self {
+            _ if self.obstacles.is_empty() && self.has_formulas => Way::Generated,
+            _ if !self.by_hand.is_empty() && !self.is_untied => Way::ByHand,
+            _ if self.is_open => Way::Open,
+            _ if self.is_argued => Way::Argued,
+            _ => Way::Steps,
+        }
+    }
+
+    fn row(&self) -> String {
+        let mut reasons: Vec<&str> = self.obstacles.iter().map(|[_, why]| *why).collect();
+        reasons.sort_unstable();
+        reasons.dedup();
+        let reasons = reasons.join("; ");
+        match self.way() {
+            Way::Generated => "whole (generated)".to_owned(),
+            Way::ByHand => format!("whole (by hand: {})", self.by_hand.join(", ")),
+            Way::Steps => format!("by steps: {reasons}"),
+            Way::Argued => format!("argued: {reasons}"),
+            Way::Open => format!("not all steps: {reasons}"),
+        }
     }
 }
 
@@ -141,7 +215,9 @@ mod tests {
         r\tS1\tp\twhole\twhole\t\t\tno formula\n\
         r\tS2\tp\t1\tidentity\tidentity_1\t00ff\t\n\
         r\tS2\tp\twhole\twhole\tidentity_1\t00ff\t\n\
-        r\tS3\tp\t1\tidentity\tidentity_1\t00ff\t\n";
+        r\tS3\tp\t1\tidentity\tidentity_1\t00ff\t\n\
+        r\tS4\tp\twhole\twhole\t\t\tno formula\n\
+        r\tS4\tby hand\twhole\tby hand\tSlider.S4\t00ee\t\n";
 
     fn result(output: Said, mode: Mode) -> Result<String, Failure> {
         let task = Task {
@@ -158,14 +234,25 @@ mod tests {
         let text = steps.coverage(&BTreeSet::from(["identity_1"]));
         assert!(text.contains("identity        3 of    3 steps"), "{text}");
         assert!(text.contains("not proved: r S1, p, step 2 (argued): no certificate\n"), "{text}");
-        let table = "proofs alone: 2, of which\n   1 whole\n   0 by steps\n   1 argued\n   0 not all steps\n";
-        assert!(text.ends_with(table), "{text}");
+        assert!(
+            text.contains("S1   argued: no formula\n") && text.contains("S2   whole (generated)\n"),
+            "{text}"
+        );
+        let both = steps.coverage(&BTreeSet::from(["identity_1", "Slider.S4"]));
+        assert!(both.contains("S4   whole (by hand: Slider.S4)\n"), "{both}");
+        assert!(
+            both.contains(
+                "decided exactly: 3, of which 2 are whole theorems (66 %): 1 generated, 1 by hand\n"
+            )
+        );
+        assert!(text.contains("S4   by steps: Coq did not accept it; no formula\n"), "{text}");
         let nothing = steps.coverage(&BTreeSet::new());
         assert!(nothing.contains("r S2, p, step 1 (identity): Coq did not accept it"), "{nothing}");
         assert!(
-            nothing.ends_with("   0 whole\n   0 by steps\n   1 argued\n   1 not all steps\n"),
+            nothing.ends_with("1 by steps, 0 with an argued step, 2 with a step that is not proved\n"),
             "{nothing}"
         );
+        assert!(steps.record(&BTreeSet::from(["Slider.S4"])).contains("Slider.S4 00ee"));
         assert_eq!(steps.record(&BTreeSet::new()), "");
         assert!(Steps::read("a\nb\tc\n").is_err());
     }

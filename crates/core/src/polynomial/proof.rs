@@ -55,6 +55,12 @@ impl Proof {
         self.steps.iter().all(|step| step.certificate.is_some())
     }
 
+    /// Whether both prove the same by the same steps, whichever theorem states it.
+    #[must_use]
+    pub fn is_same(&self, other: &Self) -> bool {
+        (&self.id, &self.statement, &self.steps) == (&other.id, &other.statement, &other.steps)
+    }
+
     /// The beginning of a proof of this statement.
     #[must_use]
     pub fn new(id: &str, statement: impl Into<String>) -> Self {

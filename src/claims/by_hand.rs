@@ -1,0 +1,196 @@
+//! Claims that theorems written by hand state whole. A row of `proofs/claims.csv` ties a claim to its theorems by a digest of the
+//! claim, its equations, and the theorems' statements with their definitions: a change of one of them ends the tie.
+
+use std::collections::BTreeSet;
+use std::sync::LazyLock;
+
+use serde::Deserialize;
+use sha2::{Digest, Sha256};
+use slipmode_core::theory::Equations;
+
+/// The modules of the hand-written library with their texts, in the order of their names.
+pub const LIBRARY: &[(&str, &str)] = &include!(concat!(env!("OUT_DIR"), "/library.rs"));
+
+/// What Coq has accepted, one line each: a theorem's name, and the digest of what it states.
+pub const ACCEPTED: &str = include_str!("../../proofs/accepted.txt");
+
+/// A claim with the theorems that state it together.
+#[derive(Debug, Clone, PartialEq, Eq, Deserialize)]
+pub struct Tie {
+    /// The report for which the theorems were written. A claim of another report with the same digest is tied too.
+    pub report: String,
+    /// The claim's id.
+    pub claim: String,
+    /// The digest of claim, equations and theorems.
+    pub digest: String,
+    /// The theorems as `Module.name`, with a space between two of them.
+    pub theorems: String,
+    /// What they say, in words.
+    pub says: String,
+}
+
+/// The rows of `proofs/claims.csv`.
+pub static TIES: LazyLock<Vec<Tie>> = LazyLock::new(|| rows(include_str!("../../proofs/claims.csv")));
+
+/// The definitions that state an equation, with its number and its side.
+static STATED: LazyLock<Vec<[String; 6]>> =
+    LazyLock::new(|| rows(include_str!("../../proofs/equations.csv")));
+
+/// The rows of a table; a test reads them all.
+fn rows<T: for<'de> Deserialize<'de>>(text: &str) -> Vec<T> {
+    csv::Reader::from_reader(text.as_bytes()).deserialize().filter_map(Result::ok).collect()
+}
+
+impl Tie {
+    /// The names of the theorems.
+    pub fn names(&self) -> impl Iterator<Item = &str> {
+        self.theorems.split_whitespace()
+    }
+
+    /// The digest of a claim, in the words of its ledger, with these theorems; none when a theorem or an equation is missing.
+    #[must_use]
+    pub fn digest_of(&self, said: &[&str], equations: &Equations) -> Option<String> {
+        let mut all: Vec<String> = said.iter().map(|&words| words.to_owned()).collect();
+        for name in self.names() {
+            let (module, _) = name.split_once('.')?;
+            all.push(statement(name)?.to_owned());
+            all.extend(definitions(module).into_iter().map(str::to_owned));
+            let is_own = |[file, _, report, ..]: &&[String; 6]| file == module && *report == self.report;
+            for [file, _, _, number, side, _] in STATED.iter().filter(is_own) {
+                let equation = equations.iter().find(|equation| equation.number == *number)?;
+                let text = if side == "left" { &equation.left } else { &equation.right };
+                all.push(format!("{file} {number} {side}: {text}"));
+            }
+        }
+        let json = serde_json::to_vec(&all).unwrap_or_default();
+        Some(Sha256::digest(json).iter().map(|byte| format!("{byte:02x}")).collect())
+    }
+}
+
+/// The tie of a claim, in the words of its ledger, if Coq has accepted its theorems.
+pub(super) fn accepted_tie(claim: &str, said: &[&str], equations: &Equations) -> Option<&'static Tie> {
+    static LINES: LazyLock<BTreeSet<&str>> = LazyLock::new(|| ACCEPTED.lines().collect());
+    tie_in(&TIES, &LINES, claim, said, equations)
+}
+
+/// The same among these ties, with this list of accepted theorems.
+fn tie_in<'t>(
+    ties: &'t [Tie],
+    lines: &BTreeSet<&str>,
+    claim: &str,
+    said: &[&str],
+    equations: &Equations,
+) -> Option<&'t Tie> {
+    let is_accepted = |tie: &Tie| {
+        tie.names().all(|name| lines.contains(format!("{name} {}", tie.digest).as_str()))
+            && tie.digest_of(said, equations).is_some_and(|digest| digest == tie.digest)
+    };
+    ties.iter().find(|tie| tie.claim == claim && is_accepted(tie))
+}
+
+/// The statement of a theorem given as `Module.name`.
+#[must_use]
+pub fn statement(name: &str) -> Option<&'static str> {
+    let (module, name) = name.split_once('.')?;
+    let of_theorem = |sentence: &&str| {
+        let rest = sentence.strip_prefix("Theorem ").and_then(|rest| rest.strip_prefix(name));
+        rest.is_some_and(|rest| rest.starts_with([' ', '\n']))
+    };
+    sentences(text(module)?).into_iter().find(of_theorem)
+}
+
+/// The variables, hypotheses and definitions of a module, and the definitions of those that it imports.
+#[must_use]
+pub fn definitions(module: &str) -> Vec<&'static str> {
+    let mut waiting = vec![module];
+    let (mut seen, mut found) = (BTreeSet::new(), Vec::new());
+    while let Some(next) = waiting.pop() {
+        let Some(text) = text(next).filter(|_| seen.insert(next)) else { continue };
+        let words: &[&str] =
+            if next == module { &["Variable", "Hypothes", "Let ", "Definition "] } else { &["Definition "] };
+        let is_one = |sentence: &&str| {
+            words.iter().any(|word| sentence.starts_with(word))
+                && (!sentence.starts_with("Let ") || sentence.contains(":="))
+        };
+        found.extend(sentences(text).into_iter().filter(is_one));
+        let imports = text.lines().filter_map(|line| line.strip_prefix("From Slipmode Require Export "));
+        waiting.extend(imports.flat_map(|line| line.trim_end_matches('.').split_whitespace()));
+    }
+    found
+}
+
+/// The text of a module.
+fn text(module: &str) -> Option<&'static str> {
+    LIBRARY.iter().find(|(name, _)| *name == module).map(|(_, text)| *text)
+}
+
+/// What begins at the beginning of a line with a capital letter and ends with a full stop at the end of one.
+fn sentences(text: &str) -> Vec<&str> {
+    let starts = text.match_indices('\n').map(|(at, _)| at + 1);
+    let starts = starts.filter(|at| text[*at..].starts_with(|c: char| c.is_ascii_uppercase()));
+    starts.filter_map(|at| Some(&text[at..at + text[at..].find(".\n")? + 1])).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::read_equations;
+
+    fn equations() -> Equations {
+        read_equations("equations.toml", include_bytes!("../../reports/im-avouac/equations.toml")).unwrap()
+    }
+
+    #[test]
+    fn every_row_is_read_and_every_module_is_in_the_library() {
+        let folder = format!("{}/proofs", env!("CARGO_MANIFEST_DIR"));
+        let files = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().file_name());
+        let files: BTreeSet<String> = files.map(|name| name.into_string().unwrap()).collect();
+        let modules = files.iter().filter_map(|name| name.strip_suffix(".v"));
+        assert!(modules.eq(LIBRARY.iter().map(|(name, _)| *name)));
+        for (text, read) in [
+            (include_str!("../../proofs/claims.csv"), TIES.len()),
+            (include_str!("../../proofs/equations.csv"), STATED.len()),
+        ] {
+            assert_eq!(text.lines().count(), read + 1);
+        }
+        for name in TIES.iter().flat_map(Tie::names) {
+            assert!(statement(name).is_some(), "{name}");
+        }
+    }
+
+    #[test]
+    fn a_statement_stands_with_its_variables_hypotheses_and_definitions() {
+        assert_eq!(statement("Slider.S5"), Some("Theorem S5 : b <= a -> stable c3 c2 c1 c0."));
+        assert_eq!((statement("Slider.S"), statement("S5"), statement("Other.S5")), (None, None, None));
+        let all = definitions("Slider");
+        for part in ["Variables a b D", "(a_pos : 0 < a)", "Let K_c := (b - a)", "Definition stable"] {
+            assert!(all.iter().any(|one| one.contains(part)), "{part}: {all:?}");
+        }
+        assert!(!all.iter().any(|one| one.contains("c3_pos")), "{all:?}");
+    }
+
+    #[test]
+    fn a_tie_ends_when_claim_equation_or_theorem_is_another_one_or_is_not_accepted() {
+        let known = TIES.iter().find(|tie| tie.claim == "S5").unwrap();
+        let equations = equations();
+        let altered = equations.altered("9", "K_c = 7*(b - a)*sigma/D_c").unwrap();
+        let said = ["words", "criterion"];
+        let digest = known.digest_of(&said, &equations).unwrap();
+        let others = [
+            known.digest_of(&["words", "criteria"], &equations),
+            known.digest_of(&said, &altered),
+            Tie { theorems: "Slider.S1".into(), ..known.clone() }.digest_of(&said, &equations),
+        ];
+        assert!(others.iter().flatten().all(|other| *other != digest) && others.iter().all(Option::is_some));
+        let missing = Tie { theorems: "Slider.S99".into(), ..known.clone() };
+        assert_eq!(missing.digest_of(&said, &equations), None);
+        let tied = [Tie { digest, ..known.clone() }];
+        let listed = |names: &[&str]| {
+            let lines: Vec<String> = names.iter().map(|name| format!("{name} {}", tied[0].digest)).collect();
+            let lines: BTreeSet<&str> = lines.iter().map(String::as_str).collect();
+            tie_in(&tied, &lines, "S5", &said, &equations).cloned()
+        };
+        assert_eq!(listed(&["Slider.S5", "NoTransition.S5_critical"]), Some(tied[0].clone()));
+        assert_eq!((listed(&["Slider.S5"]), listed(&[])), (None, None));
+    }
+}
