@@ -128,7 +128,7 @@ mod tests {
             "For all values within the error bars, the slider is certainly linearly unstable, and the slip mode is certainly stick-slip. "
         );
         assert!(
-            said("3e4", "6e4")
+            said("2e4", "6e4")
                 .contains("linearly stable for some values and not for others, and the possible")
         );
     }
