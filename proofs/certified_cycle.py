@@ -3,8 +3,8 @@
 It shares no code with slipmode: Arb's balls through python-flint, other equations (the spring stress is a state), another
 order, another section (V = V_l, where the velocity rises) and another form of the enclosure. See docs/certified.md.
 
-It takes seconds to minutes a cycle, and does not prove cycles that stop abruptly: where inertia is small, or the velocity
-falls below about e^-100 V_l.
+It takes seconds to minutes a cycle. It does not reach cycles that stop abruptly, by many orders of magnitude of velocity, at
+large inertia.
 """
 import argparse
 import csv

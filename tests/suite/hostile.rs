@@ -296,7 +296,10 @@ fn a_signal_leaves_the_earlier_output_and_nothing_hidden() {
             let child = begun(&place, arguments, NOTHING_IGNORED);
             send(signal, &child);
             let mut child = child;
+            // `wait` closes the input, at whose end the command would finish its output.
+            let input = child.stdin.take();
             let status = child.wait().unwrap();
+            drop(input);
             assert_eq!(status.signal(), Some(number), "{arguments}");
             assert_eq!(hidden(&place), [""; 0], "{arguments}, {signal}");
             assert_eq!(place.read("kept.csv"), kept);

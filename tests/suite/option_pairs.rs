@@ -209,6 +209,7 @@ const COMMANDS: &[Command] = &[
             ("--law", &["--law", "aging"]),
             ("--tolerance", &["--tolerance", "1e-5"]),
             ("--start", &["--start", "velocity-kick"]),
+            ("--certify", &["--certify"]),
             ("--json", &["--json"]),
             ("--trajectory", &["--trajectory", "t.csv"]),
             ("--svg", &["--svg", "out.svg"]),

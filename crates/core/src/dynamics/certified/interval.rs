@@ -243,7 +243,8 @@ mod tests {
                 prop_assert!(holds(interval.exp(), &x.exp()));
             }
             let tight = Interval::point(mid).exp();
-            prop_assert!(tight.rad < 8.0 * UNIT * tight.mid);
+            // Below e^−673 what every radius gets for underflow is more than the rest.
+            prop_assert!(tight.rad < 8.0 * UNIT * tight.mid + 2.0 * TINY);
         }
     }
 
