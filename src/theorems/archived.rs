@@ -54,8 +54,8 @@ fn readme() -> String {
     let assumptions = ASSUMPTIONS.map(|name| format!("- `{name}`\n")).concat();
     format!(
         "# Theorems\n\n\
-         `sh check.sh` has Coq check every theorem of this folder. It needs Debian's packages `coq` and `libcoq-coquelicot` and \
-         nothing of slipmode.\n\n\
+         `sh check.sh` has Coq check every theorem of this folder. It needs Debian's packages `coq`, `libcoq-coquelicot` and \
+         `libcoq-interval`, and nothing of slipmode.\n\n\
          - `library/` has the lemmas and theorems that are written by hand.\n\
          - The other folder has a file for each claim: `claim_…_whole.v` states whole formulas, the other files state the steps of \
          the proofs in `ledger.json`.\n\

@@ -21,9 +21,10 @@ use files::{library, names, read, write};
 use summary::Steps;
 
 /// Debian's packages, each with what shows that it is installed.
-const PACKAGES: [(&str, &str); 2] = [
+const PACKAGES: [(&str, &str); 3] = [
     ("coq", "From Coq Require Import Reals."),
     ("libcoq-coquelicot", "From Coquelicot Require Import Coquelicot."),
+    ("libcoq-interval", "From Interval Require Import Tactic."),
 ];
 
 /// What is checked of each file.
