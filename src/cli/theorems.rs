@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use clap::Args;
 use slipmode::scene::Limits;
 use slipmode::theorems::{Published, files};
+use slipmode_core::theory::monotone;
 
 use crate::cli::diff::ledger;
 use crate::cli::failure::Failure;
@@ -38,5 +39,9 @@ pub fn run(options: &Options) -> Result<(), Failure> {
         })
     });
     let published = published.collect::<Result<Vec<_>, Failure>>()?;
-    folder.commit(&files(&published).map_err(Failure::Refused)?)
+    // What decides a slider with error bars is about the paper's equations.
+    let paper = published.iter().find(|report| report.equations.demand_paper().is_ok());
+    let of_a_box = paper.map_or_else(|| Ok(Vec::new()), |report| monotone::of_a_box(&report.equations));
+    let of_a_box = of_a_box.map_err(|refutation| Failure::Refused(refutation.to_string()))?;
+    folder.commit(&files(&published, ("error-bars", of_a_box)).map_err(Failure::Refused)?)
 }

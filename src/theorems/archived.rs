@@ -18,7 +18,7 @@ const ASSUMPTIONS: [&str; 4] = [
 /// # Errors
 /// When the ledger cannot be read.
 pub fn archived(report: &Published) -> Result<BTreeMap<String, String>, String> {
-    let made = files(std::slice::from_ref(report))?;
+    let made = files(std::slice::from_ref(report), ("", Vec::new()))?;
     let mut archived: BTreeMap<String, String> =
         made.into_iter().filter(|(path, _)| path != STEPS_FILE && !path.ends_with("_faults.v")).collect();
     let compiled: Vec<String> = library_in_order().map(|name| format!("library/{name}.v")).collect();

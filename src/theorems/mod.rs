@@ -104,16 +104,16 @@ struct Files {
     steps: String,
 }
 
-/// The files of these reports' ledgers.
+/// The files of these reports' ledgers, and of further proofs that commands rest on and no ledger shows, with a name.
 ///
 /// # Errors
 /// When a text is no ledger.
-pub fn files(reports: &[Published]) -> Result<BTreeMap<String, String>, String> {
+pub fn files(reports: &[Published], further: (&str, Vec<Proof>)) -> Result<BTreeMap<String, String>, String> {
     let mut files = Files { steps: COLUMNS.to_owned(), ..Files::default() };
     for Published { name, ledger, claims, equations } in reports {
         let ledger: Ledger = serde_json::from_slice(ledger).map_err(|error| format!("{name}: {error}"))?;
         for claim in &ledger.claims {
-            files.add(name, claim);
+            files.add(name, &claim.id, claim.evidence.iter().filter_map(|evidence| evidence.proof.as_ref()));
             let stated = claims.iter().find(|known| known.id == claim.id);
             if claim.strength <= Strength::Argued {
                 files.add_whole(name, claim, stated, equations);
@@ -121,23 +121,26 @@ pub fn files(reports: &[Published]) -> Result<BTreeMap<String, String>, String> 
             }
         }
     }
+    let (name, proofs) = further;
+    files.add(name, "proofs", proofs.iter());
     files.texts.insert(STEPS_FILE.to_owned(), files.steps);
     Ok(files.texts)
 }
 
 impl Files {
-    fn add(&mut self, report: &str, claim: &Claim) {
+    /// The steps of proofs, in the files of a claim.
+    fn add<'a>(&mut self, report: &str, claim: &str, proofs: impl Iterator<Item = &'a Proof>) {
         let mut open = OpenFile::default();
         let mut number = 1;
-        for proof in claim.evidence.iter().filter_map(|evidence| evidence.proof.as_ref()) {
+        for proof in proofs {
             for (step, index) in proof.steps.iter().zip(1..) {
-                let line = [report, &claim.id, &proof.id, &format!("{index}")].map(one_line).join("\t");
+                let line = [report, claim, &proof.id, &format!("{index}")].map(one_line).join("\t");
                 let Some(certificate) = &step.certificate else {
                     let obstacle = "a step of plain reasoning has no certificate";
                     self.steps += &format!("{line}\targued\t\t\t{obstacle}\n");
                     continue;
                 };
-                let words = format!("{}, {}, step {index}: {}", claim.id, proof.statement, step.says);
+                let words = format!("{}, {}, step {index}: {}", claim, proof.statement, step.says);
                 let result = self.theorem(certificate, &words, &mut open);
                 let ([theorem, digest], obstacle) = match result {
                     Ok(place) => (place, String::new()),
@@ -146,12 +149,12 @@ impl Files {
                 let kind = certificate.kind();
                 self.steps += &format!("{line}\t{kind}\t{theorem}\t{digest}\t{obstacle}\n");
                 if open.text.len() > LARGE_FILE_BYTES {
-                    self.close(&place(report, &claim.id, number), &mut open);
+                    self.close(&place(report, claim, number), &mut open);
                     number += 1;
                 }
             }
         }
-        self.close(&place(report, &claim.id, number), &mut open);
+        self.close(&place(report, claim, number), &mut open);
     }
 
     /// The claim's formulas as whole theorems, in a file of their own with the steps that they use.
@@ -299,6 +302,8 @@ fn one_line(text: &str) -> String {
 mod tests {
     use super::*;
 
+    const NONE: (&str, Vec<Proof>) = ("", Vec::new());
+
     fn published(ledger: Vec<u8>) -> [Published; 1] {
         let equations = include_bytes!("../../reports/im-avouac/equations.toml");
         let equations = crate::scene::read_equations("equations.toml", equations).unwrap();
@@ -326,7 +331,7 @@ mod tests {
 
     #[test]
     fn a_step_of_several_claims_is_one_theorem_and_a_changed_formula_changes_its_statement() {
-        let made = files(&published(ledger("x^2 + 2*x*y + y^2"))).expect("a ledger");
+        let made = files(&published(ledger("x^2 + 2*x*y + y^2")), NONE).expect("a ledger");
         assert_eq!(
             made.keys().map(String::as_str).collect::<Vec<_>>(),
             ["r/claim_S1.v", "r/claim_S1_faults.v", STEPS_FILE]
@@ -338,10 +343,10 @@ mod tests {
         assert!(steps.len() == 7 && steps[1][5].starts_with("identity_") && steps[1][5..] == steps[4][5..]);
         assert_eq!(steps[3][4..], ["whole", "", "", "a function of the program decides it, not a formula"]);
         assert_eq!(steps[2][4..], ["argued", "", "", "a step of plain reasoning has no certificate"]);
-        let other = files(&published(ledger("x^2 + 3*x*y + y^2"))).expect("a ledger");
+        let other = files(&published(ledger("x^2 + 3*x*y + y^2")), NONE).expect("a ledger");
         assert!(
             other["r/claim_S1.v"].contains("(3 * x * y)") && !other["r/claim_S1.v"].contains("(2 * x * y)")
         );
-        assert!(files(&published(b"{}".to_vec())).is_err());
+        assert!(files(&published(b"{}".to_vec()), NONE).is_err());
     }
 }

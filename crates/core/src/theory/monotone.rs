@@ -43,6 +43,21 @@ fn directions(
     Ok(proof)
 }
 
+/// The proofs that decide a box of parameters: on the areas, on K < K_c, and on thresholds of the frequency.
+///
+/// # Errors
+/// When an equation is another one than the paper's.
+pub fn of_a_box(equations: &Equations) -> Result<Vec<Proof>, Refutation> {
+    Ok(vec![
+        unstable_real_area(equations)?,
+        upper_area(equations)?,
+        unstable_side(equations)?,
+        lower_area_path(equations)?,
+        lower_area_between(equations)?,
+        super::monotone_frequency::threshold(equations)?,
+    ])
+}
+
 /// All roots real, two of them positive: up in σ and b, down in a, D_c, K, M and V0.
 ///
 /// # Errors
