@@ -279,6 +279,7 @@ const COMMANDS: &[Command] = &[
         bases: &[&["archive", "small"]],
         options: &[
             ("--output", &["-o", "out.zip"]),
+            ("--codecheck", &["--codecheck"]),
             ("--json", &["--json"]),
             ("--max-points", &["--max-points", "2"]),
         ],
