@@ -40,10 +40,10 @@ pub struct SolutionRange {
 /// };
 /// let uncertain = ParameterBox::new(point("0.005"), point("0.006")).unwrap();
 /// let found = solve_over_box(&uncertain, Unknown::NormalStress, &Target::GrowthRate(Rational::new()));
-/// // σ = K D_c/(b − a) − M V0²/(a D_c): from 47 500 to 97 500 Pa.
+/// // σ = K D_c/(b − a) − M V0²/(a D_c): from 49 997.5 to 99 997.5 Pa.
 /// assert_eq!(found.len(), 1);
-/// assert!((found[0].enclosure[0] / 47_500.0 - 1.0).abs() < 1e-9 && found[0].enclosure[0] <= 47_500.0);
-/// assert!((found[0].enclosure[1] / 97_500.0 - 1.0).abs() < 1e-9 && found[0].enclosure[1] >= 97_500.0);
+/// assert!((found[0].enclosure[0] / 49_997.5 - 1.0).abs() < 1e-9 && found[0].enclosure[0] <= 49_997.5);
+/// assert!((found[0].enclosure[1] / 99_997.5 - 1.0).abs() < 1e-9 && found[0].enclosure[1] >= 99_997.5);
 /// ```
 #[must_use]
 pub fn solve_over_box(region: &ParameterBox, unknown: Unknown, target: &Target) -> Vec<SolutionRange> {

@@ -51,8 +51,8 @@ pub struct Ranges {
 /// let found = over_box(&uncertain, &InertialThreshold::default()).unwrap();
 /// let growth = ranges_over_box(&uncertain, &found).max_real_per_s.unwrap();
 /// // Growth rises with b.
-/// assert!((growth.enclosure[0] / 0.218_859_223_1 - 1.0).abs() < 1e-9);
-/// assert!((growth.enclosure[1] / 0.718_963_711_3 - 1.0).abs() < 1e-9);
+/// assert!((growth.enclosure[0] / 0.112_499_686_719_79 - 1.0).abs() < 1e-9);
+/// assert!((growth.enclosure[1] / 0.688_696_639_490_72 - 1.0).abs() < 1e-9);
 /// ```
 #[must_use]
 pub fn ranges_over_box(region: &ParameterBox, found: &OverBox) -> Ranges {
