@@ -5,7 +5,7 @@ use super::*;
 use crate::dynamics::simulate;
 use crate::number::parse_decimal;
 
-const REFERENCES: &str = include_str!("../../../../../tests/vectors/estimated-errors.txt");
+const REFERENCES: &str = include_str!("estimated-errors.txt");
 
 fn parameters(texts: [&str; 7]) -> Parameters<Rational> {
     Parameters::from(texts.map(|text| parse_decimal(text).unwrap()))
