@@ -186,3 +186,46 @@ impl Passage {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::motion::{Motion, States};
+    use super::super::set::{COORDINATES, Set};
+    use super::*;
+
+    /// ψ of a slider that has settled, from the whole equations: within the tube, and outside a tube for a thousandth of R.
+    #[test]
+    fn a_settled_tube_holds_the_whole_slider_and_a_smaller_one_does_not() {
+        const STEPS: usize = 100;
+        for law in EvolutionLaw::ALL {
+            let constants = Constants {
+                inertia: Interval::point(0.01),
+                stiffness: Interval::point(0.3),
+                effect_ratio: Interval::point(1.5),
+                law,
+            };
+            let start = [-1.0, 1.0].map(Interval::point);
+            let there = Manifold::over(&constants, &start);
+            let state = [start[0], start[1], there.inertia * there.rate];
+            let none = [Interval::ZERO; COORDINATES];
+            let set = Set::new(none, state, [none; 3]);
+            let mut motion = Motion::new(&constants, States::Inertial(set), u64::MAX);
+            motion.may_stick = false;
+            for _ in 0..STEPS {
+                motion.advance(None).unwrap();
+            }
+            let States::Inertial(set) = &motion.states else { panic!("it sticks") };
+            let [x, y, force] = set.hull();
+            let here = Manifold::over(&constants, &[x, y]);
+            let psi = force * here.inertia.reciprocal() - here.rate;
+            let path = Manifold::over(&constants, &[start[0].hull(x), start[1].hull(y)]);
+            let at_first = Tube { distance: 0.0, slopes: [0.0; 2] };
+            let time = motion.observed.duration.upper();
+            let bound =
+                |over: &Manifold| over.passage(at_first, time, 2.0, [0.0; 2]).unwrap().after(time).distance;
+            assert!(psi.magnitude() < bound(&path), "{psi:?} {:e}", bound(&path));
+            let faulty = Manifold { residual: 1e-3 * path.residual, ..path };
+            assert!(psi.mignitude() > bound(&faulty), "{psi:?} {:e}", bound(&faulty));
+        }
+    }
+}

@@ -20,6 +20,8 @@ mod linear;
 mod manifold;
 mod motion;
 mod observed;
+#[cfg(test)]
+mod planted;
 mod set;
 mod slow;
 mod step;

@@ -93,6 +93,18 @@ impl<const N: usize, const C: usize> Expansion<N, C> {
         h: f64,
         disturbance: f64,
     ) -> Option<Step<N, C>> {
+        self.step_within(system, set, h, disturbance, [LARGEST, LARGEST_OF_SLOPE])
+    }
+
+    /// The same with other limits of the remainder: of the state, and of the derivatives.
+    fn step_within(
+        &self,
+        system: &impl System<N, C>,
+        set: &Set<N>,
+        h: f64,
+        disturbance: f64,
+        [largest, largest_of_slope]: [f64; 2],
+    ) -> Option<Step<N, C>> {
         let length = Interval::point(h);
         let power = (0..ORDER).fold(Interval::ONE, |power, _| power * length);
         let range: [Interval; N] = std::array::from_fn(|i| self.range(i, h).widened(disturbance));
@@ -117,8 +129,8 @@ impl<const N: usize, const C: usize> Expansion<N, C> {
                     && (0..N).all(|j| holds(i, j + 1, spread[i][j], slopes[i][j]))
             });
             let is_small = (0..N).all(|i| {
-                terms[i].lane(0).magnitude() < LARGEST * (1.0 + during[i].magnitude())
-                    && (1..C).all(|l| terms[i].lane(l).magnitude() < LARGEST_OF_SLOPE)
+                terms[i].lane(0).magnitude() < largest * (1.0 + during[i].magnitude())
+                    && (1..C).all(|l| terms[i].lane(l).magnitude() < largest_of_slope)
             });
             if all && is_small && terms[N].lane(0).is_bounded() {
                 return Some(self.enclosed(set, length, &during, &slopes, &terms));
@@ -217,4 +229,73 @@ fn value<const M: usize, const C: usize>(
 ) -> Interval {
     let terms = series[..ORDER].iter().rev();
     terms.fold(Interval::ZERO, |sum, term| sum * length + term[component].lane(lane))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::Constants;
+    use super::super::inertial::Inertial;
+    use super::super::linear::multiply;
+    use super::super::set::COORDINATES;
+    use super::*;
+    use crate::friction::EvolutionLaw;
+
+    fn is_disjoint<const N: usize>(a: &[Interval; N], b: &[Interval; N]) -> bool {
+        a.iter().zip(b).any(|(a, b)| a.upper() < b.lower() || b.upper() < a.lower())
+    }
+
+    /// How many of three faults in the longest step that its box holds are noticed by 64 steps of a part of its length, whose remainders are
+    /// smaller by 64^22: no remainder of the state, none of the derivative, and the term of order n at the start in place of that over the box.
+    fn noticed<const N: usize, const C: usize>(system: &impl System<N, C>, state: [f64; N]) -> usize {
+        const PARTS: u8 = 64;
+        const NO_LIMITS: [f64; 2] = [f64::INFINITY; 2];
+        let no_slope = [[Interval::ZERO; COORDINATES]; N];
+        let start = Set::new([Interval::ZERO; COORDINATES], state.map(Interval::point), no_slope);
+        let lengths = (0..200).map(|i| 1e3 * libm::pow(0.9, f64::from(i)));
+        let longest = |h: f64| {
+            let expansion = Expansion::new(system, &start);
+            Some((h, expansion.step_within(system, &start, h, 0.0, NO_LIMITS)?))
+        };
+        let (h, step) = lengths.filter_map(longest).next().unwrap();
+        let (mut set, mut slope) = (start.clone(), None);
+        for _ in 0..PARTS {
+            let expansion = Expansion::new(system, &set);
+            let part = expansion.step(system, &set, h / f64::from(PARTS), 0.0).unwrap();
+            set = set.mapped(part.image, &part.slope, &no_slope);
+            slope = Some(slope.map_or(part.slope, |before| multiply(&part.slope, &before)));
+        }
+        let (reference, slope) = (set.hull(), slope.unwrap());
+        let excludes_slope =
+            |found: &Square<N>| found.iter().zip(&slope).any(|(found, slope)| is_disjoint(found, slope));
+        assert!(!is_disjoint(&step.image, &reference) && !excludes_slope(&step.slope));
+        let expansion = Expansion::new(system, &start);
+        let with = |last: &[Lanes<C>; C]| {
+            expansion.enclosed(&start, Interval::point(h), &step.during, &step.slope, last)
+        };
+        let without = with(&[Lanes::ZERO; C]);
+        let power = (0..ORDER).fold(Interval::ONE, |power, _| power * Interval::point(h));
+        let of_start = with(&expansion.hull[ORDER].map(|term| term.scaled(power)));
+        let faults = [
+            is_disjoint(&without.image, &reference),
+            excludes_slope(&without.slope),
+            is_disjoint(&of_start.image, &reference),
+        ];
+        faults.into_iter().filter(|&is_noticed| is_noticed).count()
+    }
+
+    #[test]
+    fn a_step_with_a_wrong_remainder_misses_the_motion() {
+        let mut found = 0;
+        for law in EvolutionLaw::ALL {
+            let slider = |inertia: f64| Constants {
+                inertia: Interval::point(inertia),
+                stiffness: Interval::point(0.3),
+                effect_ratio: Interval::point(1.5),
+                law,
+            };
+            found += noticed(&Inertial(&slider(0.5)), [1e-3, 2e-3, 1e-4]);
+            found += noticed(&Inertial(&slider(0.5)), [-2e-3, 1e-3, 3e-3]);
+        }
+        assert_eq!(found, 12);
+    }
 }
