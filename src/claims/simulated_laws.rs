@@ -41,6 +41,10 @@ pub(super) fn n4(context: &Context) -> Result<Finding, Finding> {
         .with_evidence(runs_evidence(near))
         .with_evidence(families_evidence(near))
         .require(contradicting == 0, || format!("{contradicting} grid points differ in stability"));
+    let finding = match proved(near) {
+        [0, 0] => finding,
+        proved => finding.with_evidence(certified_evidence(proved)),
+    };
     let finding = below(near, finding);
     let coexisting = coexisting(near);
     match widest(near)? {
@@ -128,8 +132,9 @@ fn within_strip(
     coexisting: &[&NearRun],
 ) -> Finding {
     let count = near.families.iter().filter(|family| matches!(family.edge, Ok(Some(_)))).count();
+    let [proved, _] = proved(near);
     let limit = format!(
-        "infinitesimal disturbances only: with the {} law a stable limit cycle coexists with stable sliding up to K/K_c = 1 + {} (± {}) at η = {}, the largest range for {count} values of η",
+        "infinitesimal disturbances only: with the {} law a stable limit cycle coexists with stable sliding up to K/K_c = 1 + {} (± {}) at η = {}, the largest range for {count} values of η; at {proved} stiffnesses below these limits this is proved",
         family.law.as_str(),
         round_digits(edge.excess, 5),
         round_digits(edge.error, 1),
@@ -201,5 +206,21 @@ fn families_evidence(near: &NearTransitionOutcome) -> Evidence {
         quantity: "Largest K/K_c − 1 among the cycles found by Newton's method on the return map".into(),
         value: EvolutionLaw::ALL.map(above).join("; "),
         points: near.families.iter().map(|family| family.cycles.len()).sum(),
+    }
+}
+
+/// At how many stiffnesses above K_c bistability is proved, and at how many it was tried.
+fn proved(near: &NearTransitionOutcome) -> [usize; 2] {
+    let edges = near.families.iter().filter_map(|family| family.edge.as_ref().ok()?.as_ref());
+    let thresholds = edges.filter_map(|edge| edge.threshold.as_ref());
+    thresholds.fold([0, 0], |[proved, tried], at| [proved + usize::from(at.coexistence.is_ok()), tried + 1])
+}
+
+fn certified_evidence([proved, tried]: [usize; 2]) -> Evidence {
+    Evidence::Enclosure {
+        quantity:
+            "Stiffnesses above K_c at which steady sliding and a limit cycle are proved to attract, and a smaller cycle to repel"
+                .into(),
+        value: format!("{proved} of {tried}"),
     }
 }

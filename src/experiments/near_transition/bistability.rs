@@ -1,11 +1,13 @@
 //! The edge of bistability: the largest K/K_c at which a limit cycle coexists with stable sliding, and what start reaches it.
 
+use slipmode_core::dynamics::certified::{Coexistence, Reason, certify_coexistence};
 use slipmode_core::dynamics::{
     Control, CycleFamily, Failure, Fold, Integrator, LongTerm, Member, Model, Options, Radau,
     long_term_behaviour, simulate_model, start_threshold,
 };
 use slipmode_core::friction::{Groups, Slider, critical_stiffness_group};
-use slipmode_core::number::{Rational, nearest_f64};
+use slipmode_core::number::format::round_digits;
+use slipmode_core::number::{Rational, nearest_f64, parse_decimal};
 
 /// The edge at one η.
 #[derive(Debug, Clone, PartialEq)]
@@ -32,6 +34,8 @@ pub struct Edge {
 /// The unstable cycle that parts the starts that decay from those that do not.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Threshold {
+    /// κ, a decimal.
+    pub stiffness_group: Rational,
     /// K/K_c − 1.
     pub excess: f64,
     /// ln(V_peak/V_l) of the unstable cycle.
@@ -40,10 +44,15 @@ pub struct Threshold {
     pub start_velocity_ratio: f64,
     /// Whether simulations from 2 % in ln(V/V_l) on either side end as the threshold says; none when one has no result.
     pub confirmed: Option<bool>,
+    /// Steady sliding and both cycles, proved for the decimals η, κ and β.
+    pub coexistence: Result<Coexistence, Reason>,
 }
 
 /// Parts of K/K_c − 1 at which runs are tried on both sides of the edge.
 const BRACKETS: [f64; 2] = [0.01, 0.1];
+
+/// Digits of κ where cycles are proved: it is far closer to the wanted one than the strip is wide.
+const DIGITS: usize = 12;
 
 /// Part of ln(V/V_l) by which starts are moved off the threshold.
 const START_MARGIN: f64 = 0.02;
@@ -59,6 +68,7 @@ const CONTROL: Control = Control { local_tolerance: 1e-8, most_steps: 1_000_000 
 pub(crate) fn edge(
     parameters: &Slider<Rational>,
     family: &CycleFamily,
+    inertial_parameter: &Rational,
     members: &[Member],
     critical: f64,
 ) -> Result<Option<Edge>, Failure> {
@@ -70,6 +80,11 @@ pub(crate) fn edge(
     if excess <= 0.0 {
         return Ok(None);
     }
+    let groups = |stiffness_group| Groups {
+        inertial_parameter: inertial_parameter.clone(),
+        stiffness_group,
+        effect_ratio: parameters.effect_ratio(),
+    };
     let [velocity, stress] = place_on_transition(parameters, family.inertial_parameter);
     Ok(Some(Edge {
         excess,
@@ -80,7 +95,7 @@ pub(crate) fn edge(
         normal_stress_pa: stress,
         // At given V the product ησ is given, so that K/K_c is proportional to 1/(σ + ησ).
         width_dex: (1.0 + family.inertial_parameter) * libm::log10(over_critical),
-        threshold: threshold(family, members, critical, 0.5 * excess),
+        threshold: threshold(family, members, groups, [critical, 0.5 * excess]),
     }))
 }
 
@@ -115,12 +130,17 @@ fn confirms(family: &CycleFamily, fold: &Fold, critical: f64, step: f64) -> bool
     periodic(-step) == Ok(true) && periodic(step) == Ok(false)
 }
 
-/// The unstable cycle at this K/K_c − 1 and the start that it repels.
-fn threshold(family: &CycleFamily, members: &[Member], critical: f64, excess: f64) -> Option<Threshold> {
-    let stiffness = critical * (1.0 + excess);
-    let index = members.iter().position(|member| member.stiffness_group > stiffness)?;
-    let pair = [&members[index.checked_sub(1)?], &members[index]];
-    let unstable = family.between(pair, stiffness).ok()?;
+/// The cycles at this K/K_c − 1, rounded so that κ is a decimal, and the start that the unstable one repels.
+fn threshold(
+    family: &CycleFamily,
+    members: &[Member],
+    groups: impl Fn(Rational) -> Groups<Rational>,
+    [critical, excess]: [f64; 2],
+) -> Option<Threshold> {
+    let groups = groups(parse_decimal(&round_digits(critical * (1.0 + excess), DIGITS)).ok()?);
+    let stiffness = nearest_f64(&groups.stiffness_group);
+    let mut cycles = family.at(members, stiffness);
+    let (unstable, stable) = (cycles.next()?.ok()?, cycles.next_back()?.ok()?);
     let model = model(family, stiffness);
     let below = start_threshold(&model, &unstable).ok()??;
     let periodic = |factor: f64| {
@@ -130,9 +150,11 @@ fn threshold(family: &CycleFamily, members: &[Member], critical: f64, excess: f6
     };
     let ends = periodic(1.0 - START_MARGIN).zip(periodic(1.0 + START_MARGIN));
     Some(Threshold {
-        excess,
+        excess: stiffness / critical - 1.0,
         unstable_log_peak: unstable.orbit.peak,
         start_velocity_ratio: libm::exp(-below),
         confirmed: ends.map(|ends| ends == (false, true)),
+        coexistence: certify_coexistence(&groups, family.law, &stable, &unstable),
+        stiffness_group: groups.stiffness_group,
     })
 }

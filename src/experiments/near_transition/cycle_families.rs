@@ -85,6 +85,12 @@ impl CycleFamilyOutcome {
         (square > 0.0).then(|| square.sqrt())
     }
 
+    /// β.
+    #[must_use]
+    pub const fn effect_ratio(&self) -> &Rational {
+        &self.effect_ratio
+    }
+
     /// How far the cycles are from what the coefficient says, and how fast they approach it.
     #[must_use]
     pub fn agreement(&self) -> Option<AmplitudeDeviation> {
@@ -104,13 +110,8 @@ impl CycleFamilyOutcome {
     /// ln(V_peak/V_l) of the outermost cycle at this κ, by Newton's method on the return map.
     #[must_use]
     pub fn log_peak_at(&self, stiffness_group: f64) -> Option<f64> {
-        let stiffer = |member: &Member| member.stiffness_group > stiffness_group;
-        let pair = self.members.windows(2).rfind(|pair| stiffer(&pair[0]) != stiffer(&pair[1]));
-        let found = match pair {
-            Some(pair) => self.family.between([&pair[0], &pair[1]], stiffness_group),
-            None => self.smaller(stiffness_group)?,
-        };
-        found.ok().map(|member| member.orbit.peak)
+        let found = self.family.at(&self.members, stiffness_group).next_back();
+        found.or_else(|| self.smaller(stiffness_group))?.ok().map(|member| member.orbit.peak)
     }
 
     /// A cycle smaller than those followed: between two about the size that the coefficient says.
@@ -154,7 +155,7 @@ fn follow(parameters: &Slider<Rational>, law: EvolutionLaw, inertial: &Rational)
     let edge = members
         .as_ref()
         .map_err(Clone::clone)
-        .and_then(|members| edge(parameters, &family, members, critical));
+        .and_then(|members| edge(parameters, &family, inertial, members, critical));
     let members = members.unwrap_or_default();
     CycleFamilyOutcome {
         law,

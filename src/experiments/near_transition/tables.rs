@@ -1,6 +1,6 @@
 //! Tables of what happens close to K = K_c: the coefficient, the runs, the cycles and the edge of bistability.
 
-use crate::experiments::near_transition::{CycleFamilyOutcome, NearRun, NearTransitionOutcome};
+use crate::experiments::near_transition::{CycleFamilyOutcome, NearRun, NearTransitionOutcome, Threshold};
 use crate::experiments::shared::cells::DigitColumns;
 use crate::experiments::{Context, Need, TableMaker};
 use slipmode_core::friction::EvolutionLaw;
@@ -17,6 +17,7 @@ pub(crate) const TABLES: &[TableMaker] = &[
     TableMaker { id: "cycle-families", needs: NEEDS, make: families },
     TableMaker { id: "cycle-agreement", needs: NEEDS, make: agreement },
     TableMaker { id: "bistability-edge", needs: NEEDS, make: edges },
+    TableMaker { id: "bistability-certified", needs: NEEDS, make: coexisting },
 ];
 
 fn found<'c>(context: &'c Context) -> impl Iterator<Item = &'c NearTransitionOutcome> {
@@ -143,6 +144,45 @@ fn edges(context: &Context) -> Option<Table> {
         .text("threshold_confirmed", "Confirmed by runs", |(_, edge)| {
             let confirmed = edge.threshold.as_ref().and_then(|at| at.confirmed);
             confirmed.map(|confirmed| if confirmed { "yes" } else { "no" })
+        })
+        .text("certified", "Both cycles and sliding proved", |(_, edge)| {
+            let proved = edge.threshold.as_ref().map(|at| at.coexistence.is_ok());
+            proved.map(|proved| if proved { "yes" } else { "no" })
+        })
+        .table()
+        .into()
+}
+
+fn coexisting(context: &Context) -> Option<Table> {
+    let note = "At the decimals η, κ and β = b/a of each row, three objects are proved to exist (certified): steady sliding, which attracts, a limit cycle that attracts, and a smaller one that repels. The bounds enclose ln(V_peak/V_l). The multipliers of the stable cycle are below the bound.";
+    let thresholds = families_of(context)
+        .filter_map(|family| Some((family, family.edge.as_ref().ok()?.as_ref()?.threshold.as_ref()?)));
+    let proved = |at: &Threshold| at.coexistence.clone().ok();
+    let bound = |value: f64| format!("{value:e}");
+    Table::of("bistability-certified", "Bistability, proved", thresholds)
+        .note(note)
+        .text("law", "Law", |(family, _)| family.law.as_str())
+        .digits("inertial_parameter", "η", "", 12, |(family, _)| &family.inertial_parameter)
+        .digits("stiffness_group", "κ", "", 12, |(_, at)| &at.stiffness_group)
+        .digits("effect_ratio", "β", "", 12, |(family, _)| family.effect_ratio())
+        .text("stable_log_peak_low", "ln(V_peak/V_l) of the stable cycle, from", |(_, at)| {
+            proved(at).map(|found| bound(found.attracting_log_peak[0]))
+        })
+        .text("stable_log_peak_high", "to", |(_, at)| {
+            proved(at).map(|found| bound(found.attracting_log_peak[1]))
+        })
+        .text("unstable_log_peak_low", "of the unstable cycle, from", |(_, at)| {
+            proved(at).map(|found| bound(found.repelling_log_peak[0]))
+        })
+        .text("unstable_log_peak_high", "to", |(_, at)| {
+            proved(at).map(|found| bound(found.repelling_log_peak[1]))
+        })
+        .text("multiplier_bound", "Multipliers of the stable cycle below", |(_, at)| {
+            proved(at).map(|found| bound(found.contraction))
+        })
+        .text("certificate", "Certificate", |(_, at)| match &at.coexistence {
+            Ok(_) => "three objects".to_owned(),
+            Err(reason) => format!("none: {reason}"),
         })
         .table()
         .into()

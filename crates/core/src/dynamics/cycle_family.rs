@@ -32,6 +32,14 @@ pub struct Member {
     pub orbit: Return<f64>,
 }
 
+impl Member {
+    /// The cycle of a run that begins on it: a member closes on itself, and begins where it ends.
+    pub(super) fn cycle(&self) -> Cycle<f64> {
+        let (orbit, from) = (self.orbit.clone(), self.orbit.end);
+        Cycle { orbit, returns_per_cycle: 1, contraction: None, distance: 0.0, from }
+    }
+}
+
 /// What Newton's method solves for: logarithms of the imbalance ζ − φ at the crossing and of κ.
 type Unknowns = [f64; 2];
 
@@ -111,10 +119,8 @@ impl CycleFamily {
     /// # Errors
     /// Those of the integrator.
     pub fn leading_multiplier(&self, member: &Member) -> Result<f64, Failure> {
-        // A member closes on itself: it begins where it ends.
-        let (orbit, from) = (member.orbit.clone(), member.orbit.end);
-        let cycle = Cycle { orbit, returns_per_cycle: 1, contraction: None, distance: 0.0, from };
-        floquet_multipliers(&self.model(member.stiffness_group), &cycle).map(|[leading, _]| leading.0)
+        floquet_multipliers(&self.model(member.stiffness_group), &member.cycle())
+            .map(|[leading, _]| leading.0)
     }
 
     /// ζ − φ at a member's crossing.

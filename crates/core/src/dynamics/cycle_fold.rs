@@ -58,6 +58,17 @@ impl CycleFamily {
         }
     }
 
+    /// The cycles at a stiffness, in the order of their size: one between each two neighbours of the followed members on either side of it.
+    pub fn at<'m>(
+        &'m self,
+        members: &'m [Member],
+        stiffness_group: f64,
+    ) -> impl DoubleEndedIterator<Item = Result<Member, Failure>> + 'm {
+        let stiffer = move |member: &Member| member.stiffness_group > stiffness_group;
+        let pairs = members.windows(2).filter(move |pair| stiffer(&pair[0]) != stiffer(&pair[1]));
+        pairs.map(move |pair| self.between([&pair[0], &pair[1]], stiffness_group))
+    }
+
     /// The member at a stiffness between those of two members, by the secant that keeps the bracket (the Illinois rule).
     ///
     /// # Errors

@@ -235,7 +235,7 @@ type Square2 = [[f64; COORDINATES]; COORDINATES];
 /// A bound of the sizes of both multipliers.
 ///
 /// λ² − Tλ + D = 0 has |λ| ≤ (|T| + √(T² − 4D))/2 for real λ and |λ| = √D for others; the row sums bound both as well.
-fn largest_multiplier(derivative: &Square<COORDINATES>) -> f64 {
+pub(super) fn largest_multiplier(derivative: &Square<COORDINATES>) -> f64 {
     let [[a, b], [c, d]] = *derivative;
     let trace = a + d;
     let determinant = a * d - b * c;
@@ -254,4 +254,13 @@ fn largest_multiplier(derivative: &Square<COORDINATES>) -> f64 {
         }
     };
     if rows < bound { rows } else { bound }
+}
+
+/// Whether one multiplier is real and above 1, so that the cycle repels.
+///
+/// Then 1 − T + D < 0: λ² − Tλ + D is negative at λ = 1 and positive for large λ.
+pub(super) fn repels(derivative: &Square<COORDINATES>) -> bool {
+    let [[a, b], [c, d]] = *derivative;
+    let one = Interval::ONE;
+    ((one - a) * (one - d) - b * c).upper() < 0.0
 }

@@ -8,6 +8,7 @@
 #![allow(clippy::neg_cmp_op_on_partial_ord)]
 
 mod attraction;
+mod coexistence;
 mod crossing;
 mod cycle;
 mod decay;
@@ -29,6 +30,8 @@ mod sticking;
 #[cfg(test)]
 mod tests;
 mod transversal;
+
+pub use coexistence::{Coexistence, certify_coexistence};
 
 use super::{LongTerm, Model, Options, Start, simulate_model};
 use crate::friction::{EvolutionLaw, Groups, Parameters};
@@ -75,6 +78,12 @@ pub enum Reason {
     /// The cycle exists, but it may repel.
     #[error("a cycle exists, but its multipliers may exceed 1")]
     NotAttracting,
+    /// A cycle was to repel.
+    #[error("a cycle exists, but it may attract")]
+    NotRepelling,
+    /// Two cycles were to be different ones.
+    #[error("two cycles exist, but they may be the same")]
+    NotSeparate,
     /// Steady sliding attracts no ellipsoid.
     #[error("no ellipsoid around steady sliding is proved to attract")]
     NoAttraction,
