@@ -7,6 +7,7 @@ use super::manifold::Manifold;
 use super::motion::{Motion, States};
 use super::observed::Observed;
 use super::set::{COORDINATES, Set};
+use super::sticking::ENTRY_DELAY;
 use super::{Certificate, Constants, MOST_STEPS, Proved, Reason, Units};
 use crate::dynamics::Start;
 use crate::friction::Parameters;
@@ -14,6 +15,13 @@ use crate::number::Rational;
 
 /// What follows a run is no longer enclosed when it changes ln V and ζ by less.
 const NEGLIGIBLE: f64 = 1e-9;
+
+/// Steps that a decay takes in the time of inertia, times η.
+const STEPS: f64 = 10.0;
+/// Where these are too many and the delay by inertia at steady sliding is below `LATEST` times that of the entry of the slow manifold, the
+/// manifold is entered at `LATE` times the delay at steady sliding.
+const LATEST: f64 = 16.0;
+const LATE: f64 = 4.0;
 
 /// Certifies that the run from V = V_l/10 decays.
 pub(super) fn certify(
@@ -25,6 +33,11 @@ pub(super) fn certify(
     let state = start_state(constants, start);
     let set = Set::new([Interval::ZERO; COORDINATES], state, [[Interval::ZERO; COORDINATES]; 3]);
     let mut motion = Motion::new(constants, States::Inertial(set), MOST_STEPS).sticks_at_once();
+    let at_rest = Manifold::over(constants, &[Interval::ZERO; 2]).delay() / ENTRY_DELAY;
+    let steps_of_inertia = STEPS / constants.inertia.mid;
+    if steps_of_inertia > MOST_STEPS as f64 && at_rest > 1.0 && at_rest < LATEST {
+        motion.lateness = LATE * at_rest;
+    }
     // The stress of the limit, steady sliding, counts too; its velocity is approached.
     motion.observed.state(Interval::ZERO, Interval::ZERO);
     loop {

@@ -17,6 +17,8 @@ const LONGER: f64 = 1.04;
 
 /// A crossing this near to the start of a step, in parts of its length, is the one that the last step ended on.
 const JUST_LEFT: f64 = 1e-7;
+/// The same in parts of the length at which the terms of the series are small: an extreme is not known to less.
+const ROUNDING: f64 = 1e-14;
 
 /// The set of states, in either description.
 #[derive(Debug, Clone)]
@@ -39,6 +41,8 @@ pub(super) struct Motion<'c> {
     /// Whether sticking states are followed on the slow manifold, after x has fallen.
     pub may_stick: bool,
     pub has_fallen: bool,
+    /// The delays at which the slow manifold is entered and left, over those of a cycle.
+    pub lateness: f64,
     /// Whether x has risen all the time since the start.
     has_only_risen: bool,
 }
@@ -54,6 +58,7 @@ impl<'c> Motion<'c> {
             steps_left: most_steps,
             may_stick: true,
             has_fallen: false,
+            lateness: 1.0,
             has_only_risen: true,
         }
     }
@@ -165,7 +170,8 @@ pub(super) fn landing<const N: usize, const C: usize>(
     aimed: f64,
     section: Option<f64>,
 ) -> (f64, Option<f64>) {
-    let is_new = |length: &f64| *length > JUST_LEFT * aimed;
+    let nearest = worse(JUST_LEFT * aimed, ROUNDING * expansion.length());
+    let is_new = |length: &f64| *length > nearest;
     let start = expansion.centre[0][0].mid[0];
     let level = |x: f64| expansion.crossing(aimed, |length| expansion.velocity_at(length) - x).filter(is_new);
     let reached = section.filter(|&x| start < x).and_then(level);

@@ -60,7 +60,7 @@ impl Motion<'_> {
             return None;
         }
         let manifold = Manifold::over(self.constants, &[x, y]);
-        if !(manifold.delay() < ENTRY_DELAY) {
+        if !(manifold.delay() < self.lateness * ENTRY_DELAY) {
             return None;
         }
         let off = f - manifold.inertia * manifold.rate;
@@ -116,12 +116,12 @@ impl Motion<'_> {
         let start_hull = set.hull();
         let here = Manifold::over(self.constants, &start_hull);
         let largest_delay = if section.is_some() { LATE * EXIT_DELAY } else { EXIT_DELAY };
-        if here.delay() > largest_delay {
+        if here.delay() > self.lateness * largest_delay {
             self.states = States::Inertial(self.left(set, tube, &here));
             return Ok(None);
         }
         let mut aimed = (self.reach * expansion.length()).min(LONGEST_SLOW / here.largest_slope);
-        if tube.distance > NEAR_SETTLED * here.settled() {
+        if tube.distance > self.lateness * NEAR_SETTLED * here.settled() {
             aimed = aimed.min(FADING * here.inertia.mid);
         }
         let (h, is_crossing) = landing(&expansion, aimed, section);

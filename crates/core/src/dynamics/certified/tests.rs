@@ -80,6 +80,21 @@ fn decays_are_certified_and_enclose_the_largest_velocity() {
     }
 }
 
+/// A stiff slider, whose inertia delays it little, and a cycle whose velocity is least where a step ends.
+#[test]
+fn slow_sliders_are_certified_within_few_steps() {
+    let decay = certify(&paper("1e3", "1e-6"), EvolutionLaw::Aging, Start::default()).unwrap();
+    assert!(matches!(decay.proved, Proved::Decay { .. }), "{decay:?}");
+    let cycle = certify(&paper("177827.9", "1e-6"), EvolutionLaw::Aging, Start::default()).unwrap();
+    assert!(matches!(cycle.proved, Proved::Cycle { .. }), "{cycle:?}");
+    // From the ordinary simulation, to seven digits.
+    for (found, simulated) in [(&decay, 1.055_258e-6), (&cycle, 6.219_542e-2)] {
+        let [low, high] = found.peak_velocity_m_per_s;
+        assert!(low <= simulated * (1.0 + 1e-6) && simulated * (1.0 - 1e-6) <= high, "{found:?}");
+        assert!(high / low - 1.0 < 1e-9, "{found:?}");
+    }
+}
+
 /// Seven faults for each of three cycles: the test of the box that was proved without fault refuses all of them.
 #[test]
 fn a_box_of_the_right_cycle_is_refused_after_each_planted_fault() {
