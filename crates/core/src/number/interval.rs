@@ -1,4 +1,7 @@
 //! Intervals of 64-bit numbers, and rectangles of complex ones. Each operation rounds outwards by one number.
+//!
+//! An interval is held by its ends, so that products and squares of wide intervals are exact to rounding: [0, 2]² is [0, 4]. Intervals of certified
+//! runs are narrow and are held by centre and radius, which machines multiply several times as fast.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 

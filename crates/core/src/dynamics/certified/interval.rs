@@ -3,6 +3,8 @@
 //! With u = 2^−53 every operation to nearest errs by at most u times its result, or by 2^−1075 where it underflows. The radius takes this error
 //! of the centre. The radius itself comes from sums of products of numbers that are not negative, in at most eight operations;
 //! [`up`] raises the result by more than these can have lost.
+//!
+//! Products of wide intervals lose much: [0, 2]² becomes [−2, 4]. Boxes of parameters, which are wide, use the intervals by their ends in `number`.
 
 use std::ops::{Add, Mul, Neg, Sub};
 
