@@ -56,6 +56,11 @@ class Slider:
         self.eta, self.kappa, self.beta = m * v**2 / (sigma * a * d_c), k * d_c / (a * sigma), b / a
         self.velocity, self.time, self.stress = v, d_c / v, a * sigma
 
+    @classmethod
+    def of_groups(cls, law, eta, kappa, beta):
+        """The slider with these groups and with a, D_c, the normal stress and V_l equal to 1."""
+        return cls(law, "1", beta, "1", kappa, eta, "1", "1")
+
     def rate(self, state):
         """The time derivative of a state of balls or series."""
         x, y, z = state
@@ -74,10 +79,6 @@ class Slider:
         else:
             row = [-faster * (x + y + 1), -faster, 0 * x]
         return [[-slower * (force + 1), -self.beta * slower, slower], row, [-self.kappa * faster, 0 * x, 0 * x]]
-
-    def acceleration(self, state):
-        """x'' of a state."""
-        return sum((j * f for j, f in zip(self.jacobian(state)[0], self.rate(state))), arb(0))
 
 
 def series(start, terms):
@@ -222,12 +223,20 @@ class Step:
         passed = [value(t[:ORDER], length * WHOLE) + UNIT * guess for t in self.boxes]
         curves = solution(slider, passed, ORDER)
         remainders = [coefficients(c, ORDER + 1)[ORDER] * length**ORDER * UNIT for c in curves]
+        self.velocity = self.boxes[0][:ORDER] + [coefficients(curves[0], ORDER + 1)[ORDER]]
         if not all(one.is_finite() and one.abs_upper() < guess for one in remainders):
             return None
         flow = self.flow(length, passed, curves)
         ends = [value(t[:ORDER], length) + r for t, r in zip(self.terms, remainders)]
         carried = product([[f.abs_upper() for f in row] for row in flow], start.errors)
         return start.after(length, ends, carried, matrix_product(flow, start.derivative)), passed
+
+    def during(self, length, order):
+        """The derivative of x of this order on the step, for every solution: its series, with the last term over all that is passed."""
+        terms = self.velocity
+        for _ in range(order):
+            terms = [k * t for k, t in enumerate(terms)][1:]
+        return value(terms, length * WHOLE)
 
     def flow(self, length, passed, curves):
         """The derivative of the flow over the step, for every solution."""
@@ -453,7 +462,7 @@ class Turn:
         while True:
             landed, time = self.landing(step, length)
             taken = step.taken(time)
-            if taken is not None and self.is_clear(*taken, landed, before):
+            if taken is not None and self.is_clear(step, *taken, time, landed, before):
                 break
             length = (length * arb(0.7)).mid()
             if length < arb(2) ** -80:
@@ -463,11 +472,11 @@ class Turn:
             self.fallen = True
             self.lowest = self.crossed()[2][2]
 
-    def is_clear(self, after, passed, landed, before):
+    def is_clear(self, step, after, passed, time, landed, before):
         """Whether a step leaves no doubt about crossings of V = V_l and about peaks; the bounds of a peak are noted."""
         if passed[0] < 0:
             return True
-        rate, bend = self.slider.rate(passed)[0], self.slider.acceleration(passed)
+        rate, bend = step.during(time, 1), step.during(time, 2)
         turns = not (rate > 0 or rate < 0)
         if turns and passed[0].contains(0):
             return False
@@ -544,9 +553,8 @@ def newton(turn, y, z):
     return y + (d * e + b * f) / determinant, z + (c * e + a * f) / determinant
 
 
-def cycle(slider):
-    """Proves the cycle that a start at V_l/10 approaches."""
-    y, z = settled(slider)
+def enclosed(slider, y, z):
+    """One cycle through a box around a point of the section, if Newton's operator maps the box into itself."""
     for _ in range(NEWTON_STEPS):
         moved = newton(Turn(slider, y, z, arb(0)), y, z)
         change = max((moved[0] - y).abs_upper(), (moved[1] - z).abs_upper(), key=float)
@@ -558,16 +566,45 @@ def cycle(slider):
     boxes = [y + UNIT * RADIUS, z + UNIT * RADIUS * z.abs_upper()]
     if not all(box.contains_interior(one) for box, one in zip(boxes, image)):
         raise NotProved("the box is not mapped into itself by Newton's operator")
+    return turn, image
+
+
+def observed(slider, turn, image):
+    """What the cycle shows: it lies in Newton's image of the box, which is far smaller, and is followed from there once more."""
+    y, z = (one.mid() for one in image)
+    seen = Turn(slider, y, z, max((image[0].rad(), image[1].rad() / abs(z)), key=float).upper())
+    peak = hull(seen.peak_low, seen.peak_high)
+    return Cycle(seen.time, peak, image[1], seen.lowest, image, turn.steps)
+
+
+def cycle(slider, y, z):
+    """Proves a cycle near a point of the section, and that it attracts."""
+    turn, image = enclosed(slider, y, z)
     (a, b), (c, d) = turn.map_derivative
     trace, determinant = a + d, a * d - b * c
     # Both eigenvalues lie within the unit circle (Jury's criterion of degree 2).
     if not (abs(determinant) < 1 and abs(trace) < 1 + determinant):
         raise NotProved("the cycle is not proved to attract")
-    # The cycle lies in Newton's image of the box, which is far smaller: once more, for what is seen on the way.
-    y, z = (one.mid() for one in image)
-    seen = Turn(slider, y, z, max((image[0].rad(), image[1].rad() / abs(z)), key=float).upper())
-    peak = hull(seen.peak_low, seen.peak_high)
-    return Cycle(seen.time, peak, image[1], seen.lowest, image, turn.steps)
+    return observed(slider, turn, image)
+
+
+def unstable_cycle(slider, y, z):
+    """Proves a cycle near a point of the section, and that it repels."""
+    turn, image = enclosed(slider, y, z)
+    (a, b), (c, d) = turn.map_derivative
+    # The polynomial of the eigenvalues is negative at 1, so that one of them is above 1.
+    if not (1 - a) * (1 - d) - b * c < 0:
+        raise NotProved("the cycle is not proved to repel")
+    return observed(slider, turn, image)
+
+
+def attracts_at_rest(slider):
+    """Routh and Hurwitz for steady sliding: all roots of s^3 + p s^2 + q s + r have negative real parts."""
+    (j11, j12, j13), (j21, j22, _), (j31, _, _) = slider.jacobian([arb(0)] * 3)
+    p = -(j11 + j22)
+    q = j11 * j22 - j12 * j21 - j13 * j31
+    r = j13 * j31 * j22
+    return p > 0 and r > 0 and p * q > r
 
 
 INPUTS = (
@@ -594,7 +631,7 @@ def stated_bounds(slider, proved):
 def prove(row):
     """The slider of a row of `slipmode simulate --certify`, and its cycle; NotProved where none is found."""
     slider = Slider(row["law"], *(row[name] for name in INPUTS))
-    return slider, cycle(slider)
+    return slider, cycle(slider, *settled(slider))
 
 
 def faults(row, slider, proved):
@@ -607,23 +644,46 @@ def faults(row, slider, proved):
     return found
 
 
+def prove_three(row):
+    """ln(V_peak/V_l) of both cycles of a row of the table bistability-certified; NotProved unless sliding attracts and both exist."""
+    slider = Slider.of_groups(row["law"], row["inertial_parameter"], row["stiffness_group"], row["effect_ratio"])
+    if not attracts_at_rest(slider):
+        raise NotProved("steady sliding is not proved to attract")
+    found = {}
+    for name, proved in (("stable", cycle), ("unstable", unstable_cycle)):
+        found[name] = proved(slider, *(ball(row[f"{name}_{coordinate}"]).mid() for coordinate in ("y", "zeta"))).peak
+    return found
+
+
+def faults_of_three(row, peaks):
+    """The bounds of such a row that do not hold what is proved here."""
+    found = []
+    for name, peak in peaks.items():
+        low, high = (row[f"{name}_log_peak_{end}"] for end in ("low", "high"))
+        if not (ball(low) <= peak and peak <= ball(high)):
+            found.append(f"{name} cycle from {low} to {high}, but here {peak.str(20)}")
+    return found
+
+
 def verdict(row):
-    """Empty when the cycle exists and all bounds hold it, else the reason."""
+    """Empty when all that the row states is proved and its bounds hold it, else the reason."""
     try:
+        if row["certificate"] == "three objects":
+            return "; ".join(faults_of_three(row, prove_three(row)))
         return "; ".join(faults(row, *prove(row)))
     except NotProved as reason:
         return f"not proved: {reason}"
 
 
 def main():
-    parser = argparse.ArgumentParser(description="Proves the cycles of slipmode simulate --certify again.")
+    parser = argparse.ArgumentParser(description="Proves the cycles of slipmode simulate --certify, or of the table bistability-certified, again.")
     parser.add_argument("file")
     parser.add_argument("--law", choices=("slip", "aging"), help="the law of rows without a column law")
     arguments = parser.parse_args()
     passed = failed = 0
     with open(arguments.file, newline="") as file:
         for number, row in enumerate(csv.DictReader(file), 1):
-            if row["certificate"] != "cycle":
+            if row["certificate"] not in ("cycle", "three objects"):
                 continue
             reason = verdict({"law": arguments.law} | row)
             passed, failed = passed + (not reason), failed + bool(reason)

@@ -64,3 +64,23 @@ def test_another_law_another_mass_and_a_stiffness_above_critical_are_refused(row
     # eta differs by 1e-9.
     assert "here" in checker.verdict(rows[0] | {"mass_per_area_kg_per_m2": "1000.000001"})
     assert "not proved" in checker.verdict(rows[0] | {"stiffness_pa_per_m": "12e6"})
+
+
+def test_bistability_is_proved_again_and_faults_are_refused():
+    published = CHECKER.parents[1] / "reports/im-avouac/published/tables/bistability-certified.csv"
+    with open(published, newline="") as file:
+        (row,) = (row for row in csv.DictReader(file) if row["inertial_parameter"] == "0.1")
+    assert row["certificate"] == "three objects"
+    peaks = checker.prove_three(row)
+    assert checker.faults_of_three(row, peaks) == []
+    assert peaks["unstable"] < peaks["stable"]
+    for name in ("stable", "unstable"):
+        low, high = (float(row[f"{name}_log_peak_{end}"]) for end in ("low", "high"))
+        assert 0 < high - low < 1e-8
+        shifted = {f"{name}_log_peak_{end}": repr(float(row[f"{name}_log_peak_{end}"]) + 1e-8) for end in ("low", "high")}
+        assert len(checker.faults_of_three(row | shifted, peaks)) == 1
+    # Below K_c sliding repels; and the small cycle does not attract.
+    assert "sliding" in checker.verdict(row | {"stiffness_group": "0.5499"})
+    slider = checker.Slider.of_groups("aging", row["inertial_parameter"], row["stiffness_group"], row["effect_ratio"])
+    with pytest.raises(checker.NotProved, match="attract"):
+        checker.cycle(slider, checker.ball(row["unstable_y"]), checker.ball(row["unstable_zeta"]))

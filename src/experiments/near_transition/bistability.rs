@@ -40,6 +40,8 @@ pub struct Threshold {
     pub excess: f64,
     /// ln(V_peak/V_l) of the unstable cycle.
     pub unstable_log_peak: f64,
+    /// y = ln(V_l θ/D_c) and ζ of the stable and of the unstable cycle where V rises through V_l; nothing about them is proved.
+    pub crossings: [[f64; 2]; 2],
     /// V/V_l of the steady sliding from which a run is at the threshold; a slower start ends on the limit cycle.
     pub start_velocity_ratio: f64,
     /// Whether simulations from 2 % in ln(V/V_l) on either side end as the threshold says; none when one has no result.
@@ -152,6 +154,7 @@ fn threshold(
     Some(Threshold {
         excess: stiffness / critical - 1.0,
         unstable_log_peak: unstable.orbit.peak,
+        crossings: [&stable, &unstable].map(|cycle| [cycle.orbit.end[1], cycle.orbit.end[2]]),
         start_velocity_ratio: libm::exp(-below),
         confirmed: ends.map(|ends| ends == (false, true)),
         coexistence: certify_coexistence(&groups, family.law, &stable, &unstable),

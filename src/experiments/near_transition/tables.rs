@@ -154,7 +154,7 @@ fn edges(context: &Context) -> Option<Table> {
 }
 
 fn coexisting(context: &Context) -> Option<Table> {
-    let note = "At the decimals η, κ and β = b/a of each row, three objects are proved to exist (certified): steady sliding, which attracts, a limit cycle that attracts, and a smaller one that repels. The bounds enclose ln(V_peak/V_l). The multipliers of the stable cycle are below the bound.";
+    let note = "At the decimals η, κ and β = b/a of each row, three objects are proved to exist (certified): steady sliding, which attracts, a limit cycle that attracts, and a smaller one that repels. The bounds enclose ln(V_peak/V_l). The multipliers of the stable cycle are below the bound. y = ln(V_l θ/D_c) and ζ where V rises through V_l say where to look for the cycles when they are proved anew; nothing about them is proved.";
     let thresholds = families_of(context)
         .filter_map(|family| Some((family, family.edge.as_ref().ok()?.as_ref()?.threshold.as_ref()?)));
     let proved = |at: &Threshold| at.coexistence.clone().ok();
@@ -180,6 +180,10 @@ fn coexisting(context: &Context) -> Option<Table> {
         .text("multiplier_bound", "Multipliers of the stable cycle below", |(_, at)| {
             proved(at).map(|found| bound(found.contraction))
         })
+        .digits("stable_y", "y of the stable cycle", "", 12, |(_, at)| at.crossings[0][0])
+        .digits("stable_zeta", "ζ of the stable cycle", "", 12, |(_, at)| at.crossings[0][1])
+        .digits("unstable_y", "y of the unstable cycle", "", 12, |(_, at)| at.crossings[1][0])
+        .digits("unstable_zeta", "ζ of the unstable cycle", "", 12, |(_, at)| at.crossings[1][1])
         .text("certificate", "Certificate", |(_, at)| match &at.coexistence {
             Ok(_) => "three objects".to_owned(),
             Err(reason) => format!("none: {reason}"),
