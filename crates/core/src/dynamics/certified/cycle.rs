@@ -24,6 +24,9 @@ const GROWTH: f64 = 3.0;
 /// How much more a box has than the operator is expected to need.
 const SPARE: f64 = 1.3;
 const BOXES: usize = 3;
+/// The longest steps, as parts of the length aimed at. Where V is largest, the longer ones can lose a set.
+const LONGEST: f64 = 1.0;
+const SHORT: f64 = 0.5;
 
 /// Certifies the cycle near the one of a simulation.
 pub(super) fn certify(
@@ -48,6 +51,8 @@ pub(super) fn certify(
 pub(super) struct Test {
     found: Guess,
     radius: [f64; COORDINATES],
+    /// The longest step, as a part of the length aimed at.
+    longest: f64,
 }
 
 impl Test {
@@ -57,9 +62,16 @@ impl Test {
         model: &Model<f64>,
         cycle: &Cycle<f64>,
     ) -> Result<(Self, Crossing, Observed), Reason> {
-        let mut test = Self { found: guess(constants, model, cycle)?, radius: [0.0; COORDINATES] };
-        test.correct(constants)?;
-        test.grow(constants)
+        let found = guess(constants, model, cycle)?;
+        let with_steps = |longest: f64| {
+            let mut test = Self { found, radius: [0.0; COORDINATES], longest };
+            test.correct(constants)?;
+            test.grow(constants)
+        };
+        with_steps(LONGEST).or_else(|reason| match reason {
+            Reason::NoEnclosure => with_steps(SHORT),
+            other => Err(other),
+        })
     }
 
     /// Newton's steps, with a box that is a point but for ψ.
@@ -102,7 +114,8 @@ impl Test {
     }
 
     fn map<'c>(&self, constants: &'c Constants) -> ReturnMap<'c> {
-        ReturnMap { constants, section: self.found.section, is_slow: self.found.is_on_slow_manifold }
+        let Guess { section, is_on_slow_manifold: is_slow, .. } = self.found;
+        ReturnMap { constants, section, is_slow, longest: self.longest }
     }
 
     /// The return of the box, and Krawczyk's operator.
@@ -121,6 +134,12 @@ impl Test {
     #[cfg(test)]
     pub fn holds(&self, constants: &Constants) -> bool {
         self.mapped(constants).is_ok_and(|(_, _, value)| self.contains(&value))
+    }
+
+    /// The same box, followed with shorter steps.
+    #[cfg(test)]
+    pub const fn with_short_steps(self) -> Self {
+        Self { longest: SHORT, ..self }
     }
 
     /// The same box elsewhere, and with a part of its radius.
@@ -164,6 +183,7 @@ struct ReturnMap<'c> {
     constants: &'c Constants,
     section: f64,
     is_slow: bool,
+    longest: f64,
 }
 
 impl ReturnMap<'_> {
@@ -176,6 +196,7 @@ impl ReturnMap<'_> {
     fn image(&self, point: [f64; 2], radius: [f64; COORDINATES]) -> Result<(Crossing, Observed), Reason> {
         let mut motion = Motion::new(self.constants, States::Inertial(self.start(point, radius)), MOST_STEPS);
         motion.may_stick = self.is_slow;
+        motion.longest = self.longest;
         loop {
             if let Some(crossing) = motion.advance(Some(self.section))? {
                 let ends_slow = matches!(motion.states, States::Stuck(..));

@@ -37,6 +37,8 @@ pub(super) struct Motion<'c> {
     pub observed: Observed,
     /// Part of the length aimed at that the last steps took.
     pub reach: f64,
+    /// The largest such part.
+    pub longest: f64,
     steps_left: u64,
     /// Whether sticking states are followed on the slow manifold, after x has fallen.
     pub may_stick: bool,
@@ -55,6 +57,7 @@ impl<'c> Motion<'c> {
             states,
             observed: Observed::new(),
             reach: 0.7,
+            longest: 1.0,
             steps_left: most_steps,
             may_stick: true,
             has_fallen: false,
@@ -149,7 +152,7 @@ impl<'c> Motion<'c> {
         for attempt in 0..ATTEMPTS {
             if let Some(found) = step(length) {
                 if attempt == 0 {
-                    self.reach = (self.reach * LONGER).min(1.0);
+                    self.reach = (self.reach * LONGER).min(self.longest);
                 }
                 return Ok((length, found));
             }
