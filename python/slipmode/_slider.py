@@ -26,7 +26,7 @@ from slipmode._slipmode import CheckFailed, InputError
 from slipmode._table import Table
 
 #: Points between two looks at signals and at the bar of progress.
-POINTS_TOGETHER = 1 << 18
+POINTS_TOGETHER = 1 << 20
 OPTIONS = {
     "a": "--direct-effect",
     "b": "--evolution-effect",

@@ -48,17 +48,24 @@ pub fn classify_points<'py>(
         parts.enumerate().map(part).collect()
     });
     let parts = found.map_err(|faults| input_error(&faults))?;
-    let codes = |of: fn(&Part) -> &Vec<u8>| {
-        let bytes: Vec<&[u8]> = parts.iter().map(|part| of(part).as_slice()).collect();
-        PyByteArray::new(py, &bytes.concat())
+    let column = |of: fn(&Part) -> &Vec<u8>| {
+        let length = parts.iter().map(|part| of(part).len()).sum();
+        PyByteArray::new_with(py, length, |mut rest| {
+            for part in &parts {
+                let (own, others) = rest.split_at_mut(of(part).len());
+                own.copy_from_slice(of(part));
+                rest = others;
+            }
+            Ok(())
+        })
     };
     Ok((
-        codes(|part| &part.transition_signs),
-        codes(|part| &part.boundary_signs),
-        codes(|part| &part.spectral_classes),
-        codes(|part| &part.slip_modes),
-        codes(|part| &part.max_real_per_s),
-        codes(|part| &part.max_imaginary_per_s),
+        column(|part| &part.transition_signs)?,
+        column(|part| &part.boundary_signs)?,
+        column(|part| &part.spectral_classes)?,
+        column(|part| &part.slip_modes)?,
+        column(|part| &part.max_real_per_s)?,
+        column(|part| &part.max_imaginary_per_s)?,
     ))
 }
 
@@ -104,7 +111,6 @@ struct Work {
 }
 
 /// The columns of a part.
-#[derive(Default)]
 struct Part {
     transition_signs: Vec<u8>,
     boundary_signs: Vec<u8>,
@@ -134,7 +140,7 @@ impl Work {
         let in_dd = |(stress, velocity): &(f64, f64)| rounded.at(Dd::from(*stress), Dd::from(*velocity));
         let doubled: Vec<Parameters<Dd>> = points.iter().map(in_dd).collect();
         let found = classify_rows(&doubled, &self.threshold);
-        let mut part = Part::default();
+        let mut part = Part::with_capacity(points.len());
         for (found, (stress, velocity)) in found.into_iter().zip(points) {
             part.push(&found.unwrap_or_else(|| self.exactly(stress, velocity)));
         }
@@ -165,18 +171,28 @@ fn refused(quantity: Quantity, value: f64, index: usize) -> Option<Fault> {
 }
 
 impl Part {
+    fn with_capacity(points: usize) -> Self {
+        let codes = || Vec::with_capacity(points);
+        let numbers = || Vec::with_capacity(points * WIDTH);
+        Self {
+            transition_signs: codes(),
+            boundary_signs: codes(),
+            spectral_classes: codes(),
+            slip_modes: codes(),
+            max_real_per_s: numbers(),
+            max_imaginary_per_s: numbers(),
+        }
+    }
+
+    /// The codes are the places in the lists of all classes and all modes, which have the order of the declaration.
     fn push(&mut self, found: &Classification) {
-        let is_neutral = found.transition_sign == 0;
-        let mode = SlipMode::ALL.iter().position(|mode| *mode == found.slip_mode);
-        let mode = mode.filter(|_| !is_neutral).unwrap_or(SlipMode::ALL.len());
-        let class =
-            SpectralClass::ALL.iter().position(|class| *class == found.spectral_class).unwrap_or_default();
+        let mode = if found.transition_sign == 0 { SlipMode::ALL.len() } else { found.slip_mode as usize };
         self.transition_signs.push(found.transition_sign.to_le_bytes()[0]);
         self.boundary_signs.push(found.boundary_sign.to_le_bytes()[0]);
-        self.spectral_classes.push(class as u8);
+        self.spectral_classes.push(found.spectral_class as u8);
         self.slip_modes.push(mode as u8);
         let bytes = |value: slipmode_core::number::Wide| value.to_f64().unwrap_or(f64::NAN).to_le_bytes();
-        self.max_real_per_s.extend(bytes(found.max_real_per_s));
-        self.max_imaginary_per_s.extend(bytes(found.max_imaginary_per_s));
+        self.max_real_per_s.extend_from_slice(&bytes(found.max_real_per_s));
+        self.max_imaginary_per_s.extend_from_slice(&bytes(found.max_imaginary_per_s));
     }
 }

@@ -50,7 +50,9 @@ impl Wide {
         if self.mantissa == 0.0 {
             return Some(0.0);
         }
-        (-1022..=1023).contains(&self.exponent).then(|| libm::ldexp(self.mantissa, self.exponent))
+        // The power of two is a normal number, and its product with 1 ≤ |mantissa| < 2 is exact.
+        let power = |exponent: i32| f64::from_bits(((1023 + exponent) as u64) << 52);
+        (-1022..=1023).contains(&self.exponent).then(|| self.mantissa * power(self.exponent))
     }
 
     /// The exact value as a 53-bit float.
