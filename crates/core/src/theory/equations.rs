@@ -5,7 +5,7 @@ use std::sync::{Arc, LazyLock};
 
 use super::definitions::{self, Rest};
 use super::names::Names;
-use super::reading::{self, DefinitionText, EquationsText};
+use super::reading::{self, EquationsText};
 use crate::polynomial::{Condition, Domain, Expression};
 
 /// One equation of a paper.
@@ -140,12 +140,6 @@ impl Equations {
     #[must_use]
     pub fn conditions(&self) -> &[String] {
         &self.rest.assumptions.conditions
-    }
-
-    /// The definitions as the file states them.
-    #[must_use]
-    pub fn definitions(&self) -> &[DefinitionText] {
-        &self.rest.definitions
     }
 
     /// The equation of this number. One that is not there has no value: no step of a proof with it succeeds.

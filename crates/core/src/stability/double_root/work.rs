@@ -10,15 +10,3 @@ pub struct Work {
     /// The precision of the evaluation at the end, bits.
     pub evaluation_bits: u32,
 }
-
-/// Bits of a limb.
-const LIMB_BITS: u32 = 64;
-
-impl Work {
-    /// The sum of squares of the limbs of the Newton steps and the evaluation: their products' cost.
-    #[must_use]
-    pub fn limb_products(&self) -> u32 {
-        let limbs = |bits: &u32| bits.div_ceil(LIMB_BITS).pow(2);
-        self.newton_bits.iter().chain([&self.evaluation_bits]).map(limbs).sum()
-    }
-}
