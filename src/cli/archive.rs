@@ -73,6 +73,7 @@ pub fn run(options: &Options, progress: &Progress) -> Result<(), Failure> {
     if options.json {
         return terminal::print_json(&json!({
             "schema": SCHEMA,
+            "inputs": { "report": options.folder },
             "verdicts": verdicts_json(&ledger),
             "sha256": sha256_hex(&packed),
             "codecheck_open_fields": open,

@@ -18,7 +18,7 @@ use crate::cli::failure::Failure;
 use crate::cli::inputs::{SCHEMA, slider_json};
 use crate::cli::new::Ranges;
 use crate::cli::options::{Arguments, MaterialOptions};
-use crate::cli::output::Output;
+use crate::cli::output::{Output, is_stream};
 use crate::cli::roots::MOST_DIGITS;
 use crate::cli::terminal;
 
@@ -145,7 +145,7 @@ fn refuse_beside_single_points(options: &Options, arguments: &mut Arguments) {
         arguments.refuse("--max-points", options.max_points.is_some(), needs);
         arguments.refuse("--svg", options.svg.is_some(), needs);
     }
-    let is_stream = options.svg.as_deref().is_some_and(|place| place.as_os_str() == "-");
+    let is_stream = options.svg.as_deref().is_some_and(is_stream);
     let needs = "a file: standard output has the points";
     arguments.refuse_value("--svg", Some("-").filter(|_| is_stream), needs);
 }

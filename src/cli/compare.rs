@@ -18,7 +18,7 @@ use slipmode_core::number::nearest_f64;
 use crate::cli::environment::Environment;
 use crate::cli::failure::Failure;
 use crate::cli::options::Arguments;
-use crate::cli::output::{Output, OutputFolder};
+use crate::cli::output::{Output, OutputFolder, is_stream};
 use crate::cli::points::{Started, print_warnings};
 use crate::cli::progress::Progress;
 use crate::cli::terminal::{self, count_of};
@@ -95,7 +95,7 @@ pub fn run(options: &Options, progress: Progress) -> Result<(), Failure> {
 
 impl Options {
     fn writes_rows_to_stdout(&self) -> bool {
-        self.output.as_deref().is_some_and(|path| path.as_os_str() == "-")
+        self.output.as_deref().is_some_and(is_stream)
     }
 
     fn command(&self) -> Result<CompareRows, Failure> {

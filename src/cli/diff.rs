@@ -3,10 +3,12 @@
 use std::path::{Path, PathBuf};
 
 use clap::Args;
+use serde_json::json;
 use slipmode::archive::{REPORT_FOLDER, ledger_differences};
 
 use crate::cli::failure::Failure;
 use crate::cli::input::read_file_up_to;
+use crate::cli::inputs::SCHEMA;
 use crate::cli::replay::open;
 use crate::cli::terminal;
 
@@ -22,6 +24,9 @@ pub struct Options {
     /// Another ledger.json or archive
     #[arg(value_name = "B")]
     second: PathBuf,
+    /// One JSON object instead of text: the differences
+    #[arg(long)]
+    json: bool,
 }
 
 /// Compares two ledgers.
@@ -33,11 +38,16 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     let (one, other) = (options.first.display(), options.second.display());
     let differences = ledger_differences(&first, &second, |old, new| old == new)
         .map_err(|fault| Failure::Refused(format!("{one}, {other}: {fault}")))?;
-    if differences.is_empty() {
-        return terminal::print("no differences\n");
+    if options.json {
+        let inputs = json!({ "first": options.first, "second": options.second });
+        terminal::print_json(&json!({ "schema": SCHEMA, "inputs": inputs, "differences": differences }))?;
+    } else {
+        let lines: String = differences.iter().map(|line| format!("{line}\n")).collect();
+        terminal::print(if differences.is_empty() { "no differences\n" } else { &lines })?;
     }
-    let lines: String = differences.iter().map(|line| format!("{line}\n")).collect();
-    terminal::print(&lines)?;
+    if differences.is_empty() {
+        return Ok(());
+    }
     Err(Failure::Check(terminal::count_of(differences.len(), "difference")))
 }
 

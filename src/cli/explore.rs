@@ -4,18 +4,20 @@ use slipmode_core::friction::{OperatingPoint, Slider};
 use std::path::{Path, PathBuf};
 
 use clap::Args;
+use serde_json::{Map, Value, json};
 use slipmode::archive::sha256_hex;
 use slipmode::experiments::Scene;
 use slipmode::explorer::{Families, NamedPoint, Window, explorer};
 use slipmode::report::{ExplorerPage, PAGE_BUDGET_BYTES, render_explorer};
-use slipmode::scene::{Limits, ParametersSection};
+use slipmode::scene::{Limits, ParametersSection, Quantity};
 use slipmode_core::number::{Rational, nearest_f64};
 
 use crate::cli::failure::Failure;
 use crate::cli::input::read_small_file;
+use crate::cli::inputs::{SCHEMA, quantities_json, slider_json};
 use crate::cli::new::Ranges;
 use crate::cli::options::{Arguments, operating_point};
-use crate::cli::output::Output;
+use crate::cli::output::{Output, is_stream};
 use crate::cli::terminal;
 
 /// Options of `explore`.
@@ -33,6 +35,9 @@ pub struct Options {
     /// The page, or a folder for it; `-` is standard output [default: NAME.html, with the scene's name]
     #[arg(short, long, value_name = "FILE.html", visible_alias = "out")]
     output: Option<PathBuf>,
+    /// One JSON object instead of text: the page, and the points that it follows
+    #[arg(long)]
+    json: bool,
 }
 
 /// Points on a page at most: each takes about 40 kB.
@@ -45,6 +50,8 @@ const MOST_POINTS: usize = 8;
 pub fn run(options: &Options) -> Result<(), Failure> {
     let mut arguments = Arguments::default();
     let own = options.point(&mut arguments);
+    let stream = options.output.as_deref().filter(|place| options.json && is_stream(place)).map(|_| "-");
+    arguments.refuse_value("--output", stream, "a file: standard output has the object");
     let own = arguments.finish(own)?;
     let bytes = read_small_file(&options.scene).map_err(|fault| Failure::Input(vec![fault]))?;
     let scene = Scene::parse(&options.scene.display().to_string(), &bytes, &Limits::default())?;
@@ -58,6 +65,11 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     if parameters.error_bars.is_some() {
         marks += " The bands and the slip modes hold for all values within the scene's error bars, the lines and numbers for the middle values.";
     }
+    let followed = points.iter().map(|point| {
+        let values = point_json(&point.normal_stress_pa, &point.loading_velocity_m_per_s);
+        (point.name.clone(), values)
+    });
+    let followed: Map<String, Value> = followed.collect();
     let families =
         Families::of(&parameters.slider, parameters.error_bars.as_ref(), points, &scene.threshold());
     let file = options.scene.file_name().unwrap_or_default().to_string_lossy().into_owned();
@@ -78,7 +90,23 @@ pub fn run(options: &Options) -> Result<(), Failure> {
         )));
     }
     output.finish(html)?;
-    if place.as_os_str() == "-" { Ok(()) } else { terminal::print(&format!("{}\n", place.display())) }
+    if options.json {
+        let own = own.map(|point| point_json(&point.normal_stress_pa, &point.loading_velocity_m_per_s));
+        return terminal::print_json(&json!({
+            "schema": SCHEMA,
+            "inputs": { "scene": options.scene, "operating_point": own },
+            "scene_sha256": page.digest,
+            "slider": slider_json(&parameters.slider),
+            "points": followed,
+            "output": place,
+        }));
+    }
+    if is_stream(&place) { Ok(()) } else { terminal::print(&format!("{}\n", place.display())) }
+}
+
+/// σ and V0 under their names.
+fn point_json(stress: &Rational, velocity: &Rational) -> Value {
+    quantities_json([(Quantity::NormalStress, stress), (Quantity::LoadingVelocity, velocity)].into_iter())
 }
 
 /// The file to write: inside a folder that is named, it has the scene's name.

@@ -1,11 +1,13 @@
 //! The inputs of a command as its JSON object repeats them: in SI, as numbers.
 
 use serde_json::{Map, Value, json};
-use slipmode::scene::Quantity;
+use slipmode::scene::{Quantity, Uncertain};
 use slipmode_core::friction::{Parameters, Slider};
 use slipmode_core::number::format::exact_text;
 use slipmode_core::number::{Rational, nearest_f64};
 use slipmode_core::stability::ParameterBox;
+
+use crate::cli::options::SliderOptions;
 
 /// The version of the JSON objects.
 pub const SCHEMA: u32 = 1;
@@ -54,6 +56,17 @@ pub fn slider_json(slider: &Slider<Rational>) -> Value {
         mass_per_area_kg_per_m2,
     ];
     quantities_json(Quantity::OF_THE_SLIDER.into_iter().zip(values))
+}
+
+/// The numbers that were given, valid, under their names: a value, or the ends of its error bar.
+pub fn given_json(slider: &SliderOptions) -> Map<String, Value> {
+    let given = |quantity: Quantity| {
+        let ends = Uncertain::parse(slider.text(quantity)?, |number| quantity.parse(number)).ok()?;
+        let [lower, upper] = [&ends.lower, &ends.upper].map(nearest_f64);
+        let value = if ends.is_certain() { json!(lower) } else { json!([lower, upper]) };
+        Some((quantity.key().to_string(), value))
+    };
+    Quantity::ALL.into_iter().filter_map(given).collect()
 }
 
 /// Values under their names.

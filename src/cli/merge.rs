@@ -1,20 +1,25 @@
 //! `slipmode merge`: every block exactly once, of one scene and one program; otherwise a refusal that names what is wrong.
 
+mod whole;
+
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use slipmode::sweep::{Shard, Summary, array_string};
+use serde_json::{Value, json};
+use slipmode::sweep::{Shard, array_string};
 
 use crate::cli::failure::Failure;
+use crate::cli::inputs::SCHEMA;
 use crate::cli::options::Arguments;
-use crate::cli::output::Output;
+use crate::cli::output::{Output, is_stream};
 use crate::cli::sweep::MOST_SHARDS;
 use crate::cli::sweep::block_file::{
-    Content, Contents, Heading, OpenBlock, Origin, Unsound, block_name, block_of_name,
+    Contents, Heading, OpenBlock, Origin, Unsound, block_name, block_of_name,
 };
 use crate::cli::terminal;
+use whole::Whole;
 
 /// Options of `merge`.
 #[derive(Debug, Args)]
@@ -30,6 +35,9 @@ pub struct Options {
     /// Number of shards, used to name the missing ones [default: as many as blocks]
     #[arg(long, value_name = "N", allow_hyphen_values = true)]
     shards: Option<String>,
+    /// One JSON object instead of text: blocks, points, and shards to run; needs a file for the rows, or --missing
+    #[arg(long)]
+    json: bool,
 }
 
 /// The most faults that are reported one by one.
@@ -42,6 +50,8 @@ const MOST_FAULTS: usize = 20;
 pub fn run(options: &Options) -> Result<(), Failure> {
     let mut arguments = Arguments::default();
     let shards = arguments.whole("--shards", options.shards.as_deref(), 1..=MOST_SHARDS);
+    let stream = options.json && !options.missing && is_stream(&options.output);
+    arguments.refuse_value("--output", stream.then_some("-"), "a file: standard output has the object");
     let shards = arguments.finish(Some(shards))?;
     let folder = Folder::read(&options.folder)?;
     let shards = shards.unwrap_or(folder.origin.blocks);
@@ -50,7 +60,11 @@ pub fn run(options: &Options) -> Result<(), Failure> {
         if let Some(refusal) = refusal(&found.foreign) {
             return Err(refusal);
         }
-        let missing = array_string(found.missing.union(&found.damaged_shards).copied());
+        let missing: BTreeSet<u64> = found.missing.union(&found.damaged_shards).copied().collect();
+        if options.json {
+            return terminal::print_json(&options.json(&folder, shards, &missing));
+        }
+        let missing = array_string(missing);
         return terminal::print(&if missing.is_empty() { missing } else { format!("{missing}\n") });
     }
     let whole = Whole::of(folder.origin.content, Output::create(&options.output)?);
@@ -58,7 +72,10 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     if let Some(refusal) = refusal(&[found.foreign, found.damaged].concat()) {
         return Err(refusal);
     }
+    let object = options.json.then(|| options.json(&folder, shards, &found.missing));
+    let print_object = || object.iter().try_for_each(terminal::print_json);
     if !found.missing.is_empty() {
+        print_object()?;
         let missing = array_string(found.missing);
         return Err(Failure::Check(format!(
             "{}: {} of {} blocks are missing; the shards to run, of {shards}: {missing}",
@@ -67,7 +84,23 @@ pub fn run(options: &Options) -> Result<(), Failure> {
             folder.origin.blocks,
         )));
     }
-    whole.commit()
+    whole.commit()?;
+    print_object()
+}
+
+impl Options {
+    /// One object: the sweep, and the shards that are to run.
+    fn json(&self, folder: &Folder<'_>, shards: u64, missing: &BTreeSet<u64>) -> Value {
+        json!({
+            "schema": SCHEMA,
+            "inputs": { "folder": self.folder, "shards": shards },
+            "version": folder.origin.version,
+            "scene_sha256": folder.origin.scene,
+            "blocks": folder.origin.blocks,
+            "missing_shards": missing,
+            "output": (!self.missing && missing.is_empty()).then_some(&self.output),
+        })
+    }
 }
 
 /// A folder of blocks.
@@ -208,79 +241,6 @@ impl<'f> Folder<'f> {
 
 fn naming(place: &Path, name: &str, reason: &str) -> String {
     format!("{}: {reason}", place.join(name).display())
-}
-
-/// What the blocks are joined to.
-enum Whole {
-    /// Nothing: they are only checked.
-    Checked,
-    /// Their rows, one block after the other.
-    Rows(Output),
-    /// Their summaries, added in their order.
-    Summary(Box<SummaryOutput>),
-}
-
-/// A summary of all blocks so far, and where it is written at the end.
-struct SummaryOutput {
-    output: Output,
-    keys: usize,
-    whole: Option<Summary>,
-    /// The CSV of the block that was read last.
-    csv: Vec<u8>,
-}
-
-impl Whole {
-    fn of(content: Content, output: Output) -> Self {
-        match content {
-            Content::Rows => Self::Rows(output),
-            Content::Summary(keys) => {
-                Self::Summary(Box::new(SummaryOutput { output, keys, whole: None, csv: Vec::new() }))
-            }
-        }
-    }
-
-    /// Copies a block's CSV; what is wrong with the block is the inner error.
-    fn copy(&mut self, open: OpenBlock, is_first: bool) -> Result<Result<Contents, String>, Failure> {
-        let copied = match self {
-            Self::Checked => open.copy(true, &mut std::io::sink()),
-            Self::Rows(output) => open.copy(is_first, output),
-            Self::Summary(summary) => {
-                summary.csv.clear();
-                open.copy(true, &mut summary.csv)
-            }
-        };
-        Ok(copied?.map_err(|unsound| match unsound {
-            Unsound::Damaged(reason) => reason,
-            _ => "changed while the blocks were merged".into(),
-        }))
-    }
-
-    /// Adds the summary of the block that was copied last; its rows have to be as many as its points.
-    fn add_summary(&mut self, columns: &[u8], points: u64) -> Result<(), String> {
-        let Self::Summary(summary) = self else { return Ok(()) };
-        let lines = summary.csv.get(columns.len()..).unwrap_or_default();
-        let whole = match &mut summary.whole {
-            Some(whole) => whole,
-            empty => {
-                let new = Summary::of_columns(columns, summary.keys).map_err(|error| error.to_string())?;
-                empty.insert(new)
-            }
-        };
-        let rows = whole.add_summary(lines).map_err(|error| error.to_string())?;
-        if rows == points { Ok(()) } else { Err(format!("sums up {rows} rows, not {points}")) }
-    }
-
-    fn commit(self) -> Result<(), Failure> {
-        match self {
-            Self::Checked => Ok(()),
-            Self::Rows(output) => output.commit(),
-            Self::Summary(summary) => {
-                let SummaryOutput { output, whole, .. } = *summary;
-                let whole = whole.ok_or_else(|| Failure::Refused("there are no blocks".into()))?;
-                output.finish([whole.columns(), whole.lines()].concat())
-            }
-        }
-    }
 }
 
 /// How one block is.

@@ -12,15 +12,17 @@ use slipmode_core::number::Rational;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
+use serde_json::{Map, Value, json};
 use slipmode::scene::{Limits, Problem, Quantity, check_name};
 
 use crate::cli::failure::Failure;
 use crate::cli::folder::{Source, read_report_from};
+use crate::cli::inputs::{SCHEMA, given_json};
 use crate::cli::options::{Arguments, MaterialOptions, SliderOptions};
 use crate::cli::output::OutputFolder;
 use crate::cli::progress::Progress;
 use crate::cli::terminal;
-use crate::cli::tree::Files;
+use crate::cli::tree::{Files, listing};
 
 use files::folder_files;
 pub use ranges::Ranges;
@@ -40,6 +42,9 @@ pub struct Options {
     /// The folder to write; it must not exist [default: NAME]
     #[arg(short, long, value_name = "DIR")]
     output: Option<PathBuf>,
+    /// One JSON object instead of text: the slider, the files and the command to run next
+    #[arg(long)]
+    json: bool,
 }
 
 /// The paper's slider, in the order of the command line: what a folder starts from when no values are given.
@@ -66,7 +71,8 @@ pub fn run(options: &Options, progress: &Progress) -> Result<(), Failure> {
         check_report_name(&options.name, &mut arguments);
         arguments.finish(Some(()))?;
         let place = free_place(options)?;
-        return write(OutputFolder::create(&place)?, &paper::files(&options.name), "verify", &place);
+        let written = OutputFolder::create(&place)?;
+        return options.write(written, &paper::files(&options.name), "verify", &place, Map::new());
     }
     let Request { typed, parameters, point } = read(options)?;
     let place = free_place(options)?;
@@ -77,7 +83,7 @@ pub fn run(options: &Options, progress: &Progress) -> Result<(), Failure> {
     while draft.has_gaps && ranges.coarsen() {
         draft = complete(&typed, effects, &ranges, &place, *progress)?;
     }
-    write(output, &draft.files, "report", &place)
+    options.write(output, &draft.files, "report", &place, given_json(&typed.slider))
 }
 
 /// Where the folder is to be; nothing may be there.
@@ -89,11 +95,31 @@ fn free_place(options: &Options) -> Result<PathBuf, Failure> {
     }
 }
 
-/// Writes the files, lists them, and names the command to run next.
-fn write(output: OutputFolder, files: &Files, next: &str, place: &Path) -> Result<(), Failure> {
-    output.commit(files)?;
-    let listing: String = files.keys().map(|name| format!("{}\n", place.join(name).display())).collect();
-    terminal::print(&format!("{listing}next: slipmode {next} {}\n", place.display()))
+impl Options {
+    /// Writes the files, lists them, and names the command to run next.
+    fn write(
+        &self,
+        output: OutputFolder,
+        files: &Files,
+        next: &str,
+        place: &Path,
+        mut inputs: Map<String, Value>,
+    ) -> Result<(), Failure> {
+        output.commit(files)?;
+        let next = format!("slipmode {next} {}", place.display());
+        if self.json {
+            inputs.insert("name".into(), json!(self.name));
+            inputs.insert("paper".into(), json!(self.paper));
+            return terminal::print_json(&json!({
+                "schema": SCHEMA,
+                "inputs": inputs,
+                "output": place,
+                "files": files.keys().collect::<Vec<_>>(),
+                "next": next,
+            }));
+        }
+        terminal::print(&format!("{}next: {next}\n", listing(files, place)))
+    }
 }
 
 /// The scene's file is called NAME.toml.

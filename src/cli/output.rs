@@ -40,7 +40,7 @@ impl Output {
     /// # Errors
     /// When the place is an input of the command, a folder, a link or a device, or its folder is missing or not writable.
     pub fn create(place: &Path) -> Result<Self, Failure> {
-        if place.as_os_str() == "-" {
+        if is_stream(place) {
             return Self::spool();
         }
         check_place(place)?;
@@ -137,6 +137,11 @@ impl Write for PartialFile {
     fn flush(&mut self) -> io::Result<()> {
         self.file().flush()
     }
+}
+
+/// Whether a place is a standard stream.
+pub fn is_stream(place: &Path) -> bool {
+    place.as_os_str() == "-"
 }
 
 /// A write to an output that did not succeed; the error names the output.

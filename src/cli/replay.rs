@@ -91,6 +91,7 @@ pub fn run(options: &Options, progress: &Progress) -> Result<(), Failure> {
     if options.json {
         terminal::print_json(&json!({
             "schema": SCHEMA,
+            "inputs": { "archive": options.archive },
             "verdicts": verdicts_json(&product.ledger),
             "compared": replay.compared(),
             "not_verified": not_verified,

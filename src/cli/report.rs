@@ -21,7 +21,7 @@ use crate::cli::output::{Output, OutputFolder, note_input_folder};
 use crate::cli::planted_faults::verify_planted_faults;
 use crate::cli::progress::Progress;
 use crate::cli::terminal::{self, count_of};
-use crate::cli::tree::{Files, differences};
+use crate::cli::tree::{Files, differences, listing};
 
 /// The file name of a report's page.
 const PAGE: &str = "index.html";
@@ -51,6 +51,9 @@ pub struct RunOptions {
     /// The folder to write [default: target/run/NAME, with the scene's name]
     #[arg(short, long, value_name = "OUT")]
     output: Option<PathBuf>,
+    /// One JSON object instead of text: the tables and figures, and their folder
+    #[arg(long)]
+    json: bool,
     #[command(flatten)]
     limit: LimitOption,
 }
@@ -101,9 +104,15 @@ pub fn run(options: &RunOptions, progress: &Progress) -> Result<(), Failure> {
     let output = OutputFolder::create(&place)?;
     let mut files =
         progress.items(|progress| produce_scene(&lone.scene, &lone.equations, &lone.references, progress));
-    let listing: String = files.keys().map(|name| format!("{}\n", place.join(name).display())).collect();
+    let (names, listing) = (json!(files.keys().collect::<Vec<_>>()), listing(&files, &place));
     files.insert(ENVIRONMENT_FILE.into(), environment.to_json());
     output.commit(&files)?;
+    if options.json {
+        let inputs = json!({ "scene": options.scene });
+        return terminal::print_json(
+            &json!({ "schema": SCHEMA, "inputs": inputs, "output": place, "files": names }),
+        );
+    }
     terminal::print(&listing)
 }
 
@@ -117,6 +126,7 @@ pub fn report(options: &ReportOptions, progress: &Progress) -> Result<(), Failur
     if options.json {
         return terminal::print_json(&json!({
             "schema": SCHEMA,
+            "inputs": { "report": options.folder },
             "verdicts": verdicts_json(&product.ledger),
             "output": place.join(main_file),
         }));
@@ -163,6 +173,7 @@ pub fn verify(options: &VerifyOptions, progress: &Progress) -> Result<(), Failur
         let differences: Vec<&String> = drift.iter().chain(&moved).collect();
         let result = json!({
             "schema": SCHEMA,
+            "inputs": { "report": options.folder },
             "verdicts": verdicts_json(&product.ledger),
             "claims": product.ledger.claims.iter().map(claim_json).collect::<Vec<_>>(),
             "output": place.join(PAGE),

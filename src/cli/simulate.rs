@@ -7,7 +7,7 @@ pub mod rows;
 pub mod run;
 pub mod view;
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use clap::Args;
 use slipmode::scene::{AllowedRange, Problem};
@@ -17,7 +17,7 @@ use slipmode_core::number::{Rational, nearest_f64};
 
 use crate::cli::failure::Failure;
 use crate::cli::options::{Arguments, SliderOptions};
-use crate::cli::output::Output;
+use crate::cli::output::{Output, is_stream};
 use crate::cli::points::{self, RowsOptions};
 use crate::cli::progress::Progress;
 use crate::cli::terminal;
@@ -207,8 +207,4 @@ fn write_history(
     csv.map_or(Ok(()), |output| output.finish(follow(extent)?.csv()))?;
     let steps = Extent { samples: None, ..extent.clone() };
     svg.map_or(Ok(()), |output| output.finish(follow(&steps)?.svg()?))
-}
-
-fn is_stream(path: &Path) -> bool {
-    path.as_os_str() == "-"
 }

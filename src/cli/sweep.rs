@@ -18,10 +18,12 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use clap::Args;
 use indicatif::ProgressBar;
 use rayon::prelude::*;
+use serde_json::{Value, json};
 use slipmode::scene::Problem;
 use slipmode::sweep::{Blocks, Shard};
 
 use crate::cli::failure::Failure;
+use crate::cli::inputs::SCHEMA;
 use crate::cli::options::Arguments;
 use crate::cli::progress::Progress;
 use crate::cli::terminal;
@@ -54,6 +56,9 @@ pub struct Options {
     /// With --plan or --slurm: the number of shards [default: computed from --minutes]
     #[arg(long, value_name = "N", allow_hyphen_values = true)]
     shards: Option<String>,
+    /// Print one JSON object: the blocks of the shard, the plan, or the scripts
+    #[arg(long)]
+    json: bool,
 }
 
 /// How long a shard takes unless the command line says otherwise, in minutes.
@@ -92,12 +97,17 @@ pub fn run(options: &Options, progress: &Progress) -> Result<(), Failure> {
     arguments.refuse("--out", options.plan && options.out.is_some(), "no --plan, which writes nothing");
     let shard = arguments.finish(shard)?;
     let loaded = load::load(&options.scene)?;
+    let inputs = options
+        .json
+        .then(|| json!({ "scene": options.scene, "minutes": computes_nothing.then_some(minutes) }));
     match &options.out {
         Some(out) if options.slurm => {
-            loaded.perform(slurm::WriteScripts { scene: &options.scene, out, minutes, shards })
+            loaded.perform(slurm::WriteScripts { scene: &options.scene, out, minutes, shards, inputs })
         }
-        Some(out) if !options.plan => loaded.perform(ComputeShard { shard, out, progress: *progress }),
-        _ => loaded.perform(plan::PrintPlan { minutes, shards }),
+        Some(out) if !options.plan => {
+            loaded.perform(ComputeShard { shard, out, progress: *progress, inputs })
+        }
+        _ => loaded.perform(plan::PrintPlan { minutes, shards, inputs }),
     }
 }
 
@@ -106,6 +116,8 @@ struct ComputeShard<'o> {
     shard: Shard,
     out: &'o Path,
     progress: Progress,
+    /// What the JSON object repeats, when one is printed.
+    inputs: Option<Value>,
 }
 
 impl Task for ComputeShard<'_> {
@@ -130,19 +142,30 @@ impl Task for ComputeShard<'_> {
             origin,
             out: self.out,
             bar: self.progress.count(shard_blocks),
+            computed: AtomicU64::new(0),
             unanswered: AtomicU64::new(0),
         };
         // Blocks start in their order, each on one thread: what a kill can lose is one block a thread.
         let done = points.jobs(blocks, self.shard)?.par_bridge().try_for_each(|job| writer.write(&job?));
         writer.bar.finish_and_clear();
         done?;
-        match writer.unanswered.into_inner() {
-            0 => {}
-            count => terminal::message(&format!(
-                "{count} points have no result; see their columns `status` or `error`"
-            )),
+        let unanswered = writer.unanswered.into_inner();
+        if unanswered > 0 {
+            terminal::message(&format!(
+                "{unanswered} points have no result; see their columns `status` or `error`"
+            ));
         }
-        Ok(())
+        let Some(inputs) = self.inputs else { return Ok(()) };
+        terminal::print_json(&json!({
+            "schema": SCHEMA,
+            "inputs": inputs,
+            "scene_sha256": loaded.scene_digest,
+            "shard": { "index": self.shard.index, "count": self.shard.count },
+            "blocks": shard_blocks,
+            "computed_blocks": writer.computed.into_inner(),
+            "points_without_result": unanswered,
+            "output": self.out,
+        }))
     }
 }
 
@@ -160,6 +183,7 @@ struct BlockWriter<'p, W> {
     origin: Origin,
     out: &'p Path,
     bar: ProgressBar,
+    computed: AtomicU64,
     unanswered: AtomicU64,
 }
 
@@ -170,6 +194,7 @@ impl<W: PointWork> BlockWriter<'_, W> {
             let range = self.blocks.range(job.block);
             let number = (job.block, range.end - range.start);
             write_block(self.out, &self.origin, number, &self.columns, &lines.text)?;
+            self.computed.fetch_add(1, Ordering::Relaxed);
             self.unanswered.fetch_add(lines.unanswered, Ordering::Relaxed);
         }
         self.bar.inc(1);

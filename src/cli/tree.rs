@@ -14,6 +14,11 @@ use crate::cli::input::open_regular;
 /// Texts by their path in a folder, `/` between the parts.
 pub type Files = BTreeMap<String, String>;
 
+/// The files as they lie in a folder, one a line.
+pub fn listing(files: &Files, folder: &Path) -> String {
+    files.keys().map(|name| format!("{}\n", folder.join(name).display())).collect()
+}
+
 /// How `files` differ from the folder `published`, one line a file; environment blocks are not compared.
 ///
 /// # Errors

@@ -37,6 +37,7 @@ mod hard_points;
 mod harness;
 mod hostile;
 mod joss_paper;
+mod json;
 mod locked_packages;
 mod messages;
 mod metadata;

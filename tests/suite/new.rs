@@ -2,8 +2,6 @@
 
 use std::fs;
 
-use serde_json::Value;
-
 use crate::harness::Workplace;
 
 const REST: [&str; 6] = ["-d", "5e-6", "-k", "1e9", "-m", "300"];
@@ -212,35 +210,4 @@ fn the_tolerance_table_has_a_line_for_each_formula_that_exists_and_each_error() 
         "--relative-error = 1",
         "--relative-error = nan",
     ]);
-}
-
-#[test]
-fn commands_on_folders_and_archives_have_json() {
-    let place = Workplace::new();
-    let report = concat!(env!("CARGO_MANIFEST_DIR"), "/reports/rice-ruina-1983");
-    let json = |arguments: &[&str]| -> Value {
-        let ended = place.run(arguments.iter().copied());
-        assert_eq!(ended.code, 0, "{}", ended.stderr);
-        let found: Value = serde_json::from_str(&ended.stdout).unwrap();
-        assert_eq!(found["schema"], 1, "{arguments:?}");
-        found
-    };
-    let verified = json(&["verify", report, "--json", "-o", "out"]);
-    assert_eq!(
-        (&verified["has_published_copy"], &verified["differences"]),
-        (&true.into(), &Vec::<Value>::new().into())
-    );
-    let claims = verified["claims"].as_array().unwrap();
-    for (verdict, count) in verified["verdicts"].as_object().unwrap() {
-        let found = claims.iter().filter(|claim| claim["verdict"] == verdict.as_str()).count();
-        assert_eq!(found as u64, count.as_u64().unwrap(), "{verdict}");
-    }
-    assert!(claims.len() > 5 && claims.iter().all(|claim| claim["verdict"] == claim["recorded"]));
-    let archived = json(&["archive", report, "--json", "-o", "r.zip"]);
-    assert_eq!(archived["sha256"].as_str().map(str::len), Some(64));
-    let replayed = json(&["replay", "r.zip", "--json"]);
-    assert_eq!(replayed["differences"], Value::Array(Vec::new()));
-    for found in [&archived, &replayed, &json(&["report", report, "--json", "-o", "again"])] {
-        assert_eq!(found["verdicts"], verified["verdicts"]);
-    }
 }

@@ -223,6 +223,7 @@ const COMMANDS: &[Command] = &[
     Command {
         bases: &[
             &["tolerance", "-a", "0.004", "-b", "0.006", "-d", "1e-5", "-k", "1e7", "-m", "1000"],
+            &["tolerance", "-a", "0.004", "-b", "0.006±0.001", "-d", "1e-5", "-k", "1e7", "-m", "1000"],
             &["tolerance"],
         ],
         options: &[
@@ -248,11 +249,15 @@ const COMMANDS: &[Command] = &[
     },
     Command {
         bases: &[&["explore", "s.toml"], &["explore", "s.toml", "-s", "1e5"]],
-        options: &[("--output", &["-o", "x.html"]), SLIDER[5], SLIDER[6]],
+        options: &[("--output", &["-o", "x.html"]), ("--json", &["--json"]), SLIDER[5], SLIDER[6]],
     },
     Command {
         bases: &[&["run", "s.toml"]],
-        options: &[("--output", &["-o", "out"]), ("--max-points", &["--max-points", "2"])],
+        options: &[
+            ("--output", &["-o", "out"]),
+            ("--json", &["--json"]),
+            ("--max-points", &["--max-points", "2"]),
+        ],
     },
     Command {
         bases: &[&["report", "small"]],
@@ -293,6 +298,7 @@ const COMMANDS: &[Command] = &[
             ("--slurm", &["--slurm"]),
             ("--minutes", &["--minutes", "1"]),
             ("--shards", &["--shards", "2"]),
+            ("--json", &["--json"]),
         ],
     },
     Command {
@@ -301,6 +307,7 @@ const COMMANDS: &[Command] = &[
             ("--output", &["-o", "out.csv"]),
             ("--missing", &["--missing"]),
             ("--shards", &["--shards", "2"]),
+            ("--json", &["--json"]),
         ],
     },
 ];
@@ -360,6 +367,17 @@ struct Deed {
     files: BTreeMap<String, Vec<u8>>,
 }
 
+/// What the lines of a plan begin with that follow from measured times, in text and in JSON.
+const TIMES: [&str; 7] = [
+    "core-hours",
+    "a point",
+    "a block",
+    "\"core_hours\"",
+    "\"point_seconds\"",
+    "\"block_seconds\"",
+    "\"shard_minutes\"",
+];
+
 /// Runs a command and removes what it wrote.
 fn deed(place: &Workplace, kept: &BTreeSet<String>, arguments: &[&str]) -> Deed {
     let ended = place.run(arguments.iter().copied());
@@ -376,9 +394,7 @@ fn deed(place: &Workplace, kept: &BTreeSet<String>, arguments: &[&str]) -> Deed 
     // Of a plan, what follows from measured times differs from run to run: only the number of shards counts.
     let without_times = |line: &str| match line.split_once("  (about ") {
         Some((count, _)) => count.to_string(),
-        None if ["core-hours", "a point", "a block"].iter().any(|name| line.starts_with(name)) => {
-            String::new()
-        }
+        None if TIMES.iter().any(|name| line.trim_start().starts_with(name)) => String::new(),
         None => line.to_string(),
     };
     let stdout = ended.stdout.lines().map(without_times).collect::<Vec<_>>().join("\n");

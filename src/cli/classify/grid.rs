@@ -15,7 +15,7 @@ use crate::cli::classify::rows::NEUTRAL;
 use crate::cli::failure::Failure;
 use crate::cli::inputs::{SCHEMA, slider_json};
 use crate::cli::options::{Arguments, SliderOptions, option_of};
-use crate::cli::output::Output;
+use crate::cli::output::{Output, is_stream};
 use crate::cli::progress::Progress;
 use crate::cli::terminal;
 
@@ -96,10 +96,6 @@ impl GridOptions {
             normal_stresses: stresses,
         })
     }
-}
-
-fn is_stream(place: &Path) -> bool {
-    place.as_os_str() == "-"
 }
 
 /// Reads `FROM:TO:N`.

@@ -2,10 +2,12 @@
 
 use std::time::Instant;
 
+use serde_json::{Value, json};
 use slipmode::sweep::Blocks;
 use slipmode_core::number::format::round_digits;
 
 use crate::cli::failure::Failure;
+use crate::cli::inputs::SCHEMA;
 use crate::cli::sweep::load::{Loaded, Task};
 use crate::cli::sweep::points::Points;
 use crate::cli::sweep::summed::Summed;
@@ -76,14 +78,41 @@ impl Plan {
         self.blocks.count()
     }
 
+    fn block_seconds(&self) -> f64 {
+        self.seconds_per_point * self.blocks.points.min(self.blocks.block_points) as f64
+    }
+
+    fn shard_minutes(&self, shards: u64) -> f64 {
+        self.core_seconds() / 60.0 / shards as f64
+    }
+
+    fn json(&self, shards: u64, inputs: &Value) -> Value {
+        json!({
+            "schema": SCHEMA,
+            "inputs": inputs,
+            "points": self.blocks.points,
+            "block_points": self.blocks.block_points,
+            "blocks": self.blocks(),
+            "shards": shards,
+            "shard_minutes": self.shard_minutes(shards),
+            "core_hours": self.core_seconds() / 3600.0,
+            "bytes": self.bytes,
+            "point_seconds": self.seconds_per_point,
+            "block_seconds": self.block_seconds(),
+            "measured_points": self.measured_points,
+        })
+    }
+
     fn text(&self, shards: u64) -> String {
-        let block_seconds = self.seconds_per_point * self.blocks.points.min(self.blocks.block_points) as f64;
-        let shard_minutes = self.core_seconds() / 60.0 / shards as f64;
         let digits = |value| round_digits(value, 3);
         terminal::named_values(&[
             ("points", self.blocks.points.to_string(), ""),
             ("blocks", self.blocks().to_string(), &format!("(of {} points)", self.blocks.block_points)),
-            ("shards", shards.to_string(), &format!("(about {} minutes each)", digits(shard_minutes))),
+            (
+                "shards",
+                shards.to_string(),
+                &format!("(about {} minutes each)", digits(self.shard_minutes(shards))),
+            ),
             ("core-hours", digits(self.core_seconds() / 3600.0), ""),
             ("bytes", digits(self.bytes), "(of blocks; the merged file has at most as many)"),
             (
@@ -93,7 +122,7 @@ impl Plan {
             ),
             (
                 "a block",
-                format!("{} s", digits(block_seconds)),
+                format!("{} s", digits(self.block_seconds())),
                 "(lost at most, on each thread, if a shard is killed)",
             ),
         ])
@@ -106,6 +135,8 @@ pub struct PrintPlan {
     pub minutes: u64,
     /// Shards, when given.
     pub shards: Option<u64>,
+    /// What the JSON object repeats, when one is printed.
+    pub inputs: Option<Value>,
 }
 
 impl Task for PrintPlan {
@@ -113,6 +144,9 @@ impl Task for PrintPlan {
         let plan = Plan::measure(loaded, points)?;
         let shards =
             self.shards.map_or_else(|| plan.shards(self.minutes), |shards| shards.min(plan.blocks()));
-        terminal::print(&plan.text(shards))
+        match self.inputs {
+            Some(inputs) => terminal::print_json(&plan.json(shards, &inputs)),
+            None => terminal::print(&plan.text(shards)),
+        }
     }
 }

@@ -3,7 +3,10 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use serde_json::{Value, json};
+
 use crate::cli::failure::Failure;
+use crate::cli::inputs::SCHEMA;
 use crate::cli::output::Output;
 use crate::cli::sweep::create_folder;
 use crate::cli::sweep::load::{Loaded, Task};
@@ -22,6 +25,8 @@ pub struct WriteScripts<'o> {
     pub minutes: u64,
     /// Shards, when given.
     pub shards: Option<u64>,
+    /// What the JSON object repeats, when one is printed.
+    pub inputs: Option<Value>,
 }
 
 impl Task for WriteScripts<'_> {
@@ -44,8 +49,14 @@ impl Task for WriteScripts<'_> {
         };
         let files =
             [("array.sh", scripts.array()), ("merge.sh", scripts.merge()), ("submit.sh", scripts.submit())];
-        for (name, text) in files {
+        for (name, text) in &files {
             Output::create(&self.out.join(name))?.finish(text)?;
+        }
+        if let Some(inputs) = self.inputs {
+            let names = files.map(|(name, _)| name);
+            return terminal::print_json(&json!({
+                "schema": SCHEMA, "inputs": inputs, "shards": shards, "output": self.out, "files": names,
+            }));
         }
         let plural = if shards == 1 { "" } else { "s" };
         terminal::print(&format!("{shards} shard{plural}; submit with: sh {}/submit.sh\n", scripts.out))
