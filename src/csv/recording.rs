@@ -1,5 +1,7 @@
 //! A trajectory's file: time, velocity and perhaps stress, streamed, with every fault named by line and column.
 
+mod backward;
+
 use crate::comparison::recording::{LEAST_SAMPLES, Recording};
 use crate::scene::{AllowedRange, CsvProblem, Fault, Faults, Problem};
 use slipmode_core::number::{Dd, Rational, nearest_f64, parse_decimal, parse_decimal_to_dd};
@@ -9,6 +11,7 @@ use crate::csv::row_work::Cells;
 use crate::csv::rows::RowReader;
 use crate::csv::wanted::Wanted;
 use crate::csv::work::cell_problem;
+use backward::Backward;
 
 /// The columns, with their stems; the last one may be missing.
 const COLUMNS: [Wanted; 3] = [
@@ -22,15 +25,15 @@ const MOST_SAMPLES: usize = 10_000_000;
 const BLOCK_ROWS: usize = 4096;
 /// The most faults that are reported of one file.
 const MOST_FAULTS: usize = 20;
-/// Why a velocity is positive.
-const ALWAYS_FORWARD: &str = "friction here depends on ln V, so the slider neither stops nor moves back; where the sensor's noise exceeds the velocity, smooth the record or leave these rows out";
-/// What times and stresses may be, for messages.
+/// What a cell may be, for messages; a velocity that is not positive is reported with all the others.
 const SIGNED: &str = "-1e300 to 1e300";
 
-/// A recording and the lines on which its samples stand.
+/// A recording, the lines on which its samples stand, and the rows without a logarithm of the velocity.
+#[derive(Default)]
 struct Read {
     recording: Recording,
     lines: Vec<usize>,
+    backward: Backward,
 }
 
 /// Reads a trajectory; gaps are compared with the loading velocity, of which the logarithm is given.
@@ -41,7 +44,7 @@ pub fn read_recording(mut reader: RowReader, log_level: f64) -> Result<Recording
     let file = reader.name().to_string();
     let first = reader.block(1).map_err(|fault| vec![fault])?;
     let header = Header::of_columns(&file, first.rows().next(), COLUMNS, &[], |_| Vec::new())?;
-    let mut read = Read { recording: Recording::default(), lines: Vec::new() };
+    let mut read = Read::default();
     let mut faults = Faults::new();
     loop {
         let block = reader.block(BLOCK_ROWS).map_err(|fault| vec![fault])?;
@@ -59,6 +62,7 @@ pub fn read_recording(mut reader: RowReader, log_level: f64) -> Result<Recording
         }
     }
     faults.truncate(MOST_FAULTS);
+    faults.extend(read.backward.fault(&file, read.lines.len(), log_level));
     if faults.is_empty() {
         faults.extend(read.fault_of_the_whole(&file, log_level));
     }
@@ -92,6 +96,10 @@ impl Read {
             return Err(faults);
         }
         if let [Some(time), Some(velocity), stress] = values {
+            if velocity <= 0.0 {
+                self.backward.note(velocity, row.number, row.line);
+                return Ok(());
+            }
             self.recording.times_s.push(time);
             self.recording.log_velocities.push(libm::log(velocity));
             self.recording.stresses_pa.extend(stress);
@@ -114,18 +122,8 @@ impl Read {
     }
 }
 
-/// Why a velocity that is not positive has no place in a comparison.
-fn explained(problem: Problem) -> Problem {
-    match problem {
-        Problem::NotPositive { allowed } => {
-            Problem::NotPositive { allowed: format!("{allowed}; {ALWAYS_FORWARD}") }
-        }
-        other => other,
-    }
-}
-
 /// A cell as the nearest 64-bit number in SI; its decimal is read exactly first.
-fn number(cell: &[u8], must_be_positive: bool, unit: Option<&Rational>) -> Result<f64, Problem> {
+fn number(cell: &[u8], is_velocity: bool, unit: Option<&Rational>) -> Result<f64, Problem> {
     if let Some(problem) = cell_problem(cell) {
         return Err(problem);
     }
@@ -136,15 +134,12 @@ fn number(cell: &[u8], must_be_positive: bool, unit: Option<&Rational>) -> Resul
     {
         return Ok(value.hi());
     }
-    let in_si = |value: Rational| unit.map_or_else(|| value.clone(), |size| Rational::from(&value * size));
-    if must_be_positive {
-        let range = AllowedRange::PHYSICAL;
-        let value = range.parse(text).and_then(|value| range.check(in_si(value)));
-        return value.map(|value| nearest_f64(&value)).map_err(explained);
-    }
     let value =
         parse_decimal(text).map_err(|reason| Problem::NotANumber { reason, allowed: SIGNED.into() })?;
-    let value = in_si(value);
+    let value = unit.map_or_else(|| value.clone(), |size| Rational::from(&value * size));
+    if is_velocity && value > 0 {
+        return AllowedRange::PHYSICAL.check(value).map(|value| nearest_f64(&value));
+    }
     let limit = parse_decimal("1e300").unwrap_or_default();
     let size = Rational::from(value.abs_ref());
     if size <= limit { Ok(nearest_f64(&value)) } else { Err(Problem::OutOfRange { allowed: SIGNED.into() }) }

@@ -98,6 +98,22 @@ pub enum CsvProblem {
         /// The fewest that say anything.
         wanted: usize,
     },
+    /// Velocities of a trajectory without a logarithm.
+    #[error(
+        "{count} of {of} velocities are zero or negative (rows: {rows}; least: {least} m/s), and eq 1 needs ln V; {reading}"
+    )]
+    NotForward {
+        /// How many.
+        count: usize,
+        /// How many velocities there are.
+        of: usize,
+        /// Their rows.
+        rows: String,
+        /// The least of them, m/s.
+        least: String,
+        /// What they probably are, and what to do.
+        reading: &'static str,
+    },
     /// A stretch of time without samples.
     #[error("a gap of {step} s before this row, where the usual {what} takes {usual} s")]
     Gap {

@@ -113,11 +113,40 @@ fn a_trajectory_has_to_be_one() {
     refuse_trajectory(
         &format!("{NAMES}\n0,1e-3\n1,0\n1,1e-3\n0.5,nan\n2\n3,\n"),
         &[
-            "t.csv:3: row 2, column velocity_m_per_s = 0: must be > 0 (allowed: 1e-300 to 1e300; friction here depends on ln V, so the slider neither stops nor moves back;",
+            "t.csv:3: column velocity_m_per_s: 1 of 3 velocities are zero or negative (rows: 2; least: 0 m/s), and eq 1 needs ln V; none exceeds V0",
             "t.csv:5: row 4, column velocity_m_per_s = nan: not a decimal number",
             "t.csv:6: row 5: 1 cells, where the header has 2",
             "t.csv:7: row 6, column velocity_m_per_s = \"\": not a decimal number",
         ],
+    );
+}
+
+#[test]
+fn velocities_that_are_not_positive_are_explained_in_one_message() {
+    let rows = |velocity: &dyn Fn(usize) -> f64| -> String {
+        let row = |i: usize| format!("{},{:e}\n", i as f64 * 0.01, velocity(i));
+        format!("{NAMES}\n{}", (0..60).map(row).collect::<String>())
+    };
+    let wave = |i: usize| 1e-3 * libm::exp(libm::sin(i as f64 * 0.7));
+    // The loading velocity is 1 mm/s.
+    refuse_trajectory(
+        &rows(&|i| if (10..14).contains(&i) || i == 30 { -2e-7 } else { wave(i) }),
+        &[
+            "t.csv:12: column velocity_m_per_s: 5 of 60 velocities are zero or negative (rows: 11-14, 31; least: -2e-7 m/s), and eq 1 needs ln V; none exceeds V0 in size, as with the noise or the resolution of a sensor",
+        ],
+    );
+    refuse_trajectory(
+        &rows(&|i| if i % 5 == 0 { 1e-6 } else { -wave(i) }),
+        &[
+            "t.csv:3: column velocity_m_per_s: 48 of 60 velocities",
+            "(rows: 2-5, 7-10,",
+            ", and more;",
+            "the sign convention seems reversed: multiply the column by -1",
+        ],
+    );
+    refuse_trajectory(
+        &rows(&|i| if i == 20 { -5e-2 } else { wave(i) }),
+        &["1 of 60 velocities", "the slider moved back faster than V0, which needs another law"],
     );
 }
 
