@@ -1,5 +1,7 @@
 //! `slipmode tolerance`: which formula may be used where, for given relative errors.
 
+mod over_box;
+
 use clap::Args;
 use serde_json::{Value, json};
 use slipmode::experiments::tolerance::{ToleranceRow, ToleranceSection, place_of_limit, tolerance_limits};
@@ -30,6 +32,9 @@ pub struct Options {
 /// Digits of a value or a limit: enough to use, few enough to read.
 const DIGITS: usize = 6;
 
+/// Characters of a formula.
+const WIDTH: usize = 28;
+
 /// Working precision of the values, in bits: far more than the digits that are printed.
 const WORKING_BITS: u32 = 96;
 
@@ -39,7 +44,6 @@ const WORKING_BITS: u32 = 96;
 /// When the arguments are at fault.
 pub fn run(options: &Options) -> Result<(), Failure> {
     let mut arguments = Arguments::default();
-    let parameters = options.material.slider(&mut arguments);
     let relative: Vec<Rational> = options
         .relative_error
         .iter()
@@ -47,13 +51,22 @@ pub fn run(options: &Options) -> Result<(), Failure> {
             arguments.number("--relative-error", text, |text| AllowedRange::OPEN_UNIT.parse(text))
         })
         .collect();
+    if options.material.is_uncertain() {
+        let region = options.material.region(&mut arguments);
+        let region = arguments.finish(region)?;
+        return match options.json {
+            true => terminal::print_json(&over_box::json(&region, &relative)),
+            false => terminal::print(&over_box::text(&region, &relative)),
+        };
+    }
+    let parameters = options.material.slider(&mut arguments);
     let parameters = arguments.finish(parameters)?;
     let outcome = tolerance_limits(&parameters, &ToleranceSection { relative });
     if options.json {
         return terminal::print_json(&json(&parameters, &outcome.rows));
     }
     let lines = outcome.rows.iter().map(|row| line(&parameters, row));
-    let head = columns(["formula", "", "good to", "where", "limit"]);
+    let head = columns(WIDTH, ["formula", "", "good to", "where", "limit"]);
     terminal::print(&std::iter::once(head).chain(lines).collect::<String>())
 }
 
@@ -61,16 +74,12 @@ pub fn run(options: &Options) -> Result<(), Failure> {
 fn json(parameters: &Slider<Rational>, rows: &[ToleranceRow]) -> Value {
     let row = |row: &ToleranceRow| {
         let asymptote = row.limit.asymptote;
-        let [formula, limit] = if asymptote.is_quasi_static() {
-            ["normal_stress_pa", "loading_velocity_m_per_s"]
-        } else {
-            ["loading_velocity_over_normal_stress_m_per_s_per_pa", "normal_stress_pa"]
-        };
+        let [value, limit] = keys(asymptote);
         json!({
             "formula": asymptote.as_str(),
-            formula: coefficient(parameters, asymptote).to_f64(),
+            value: coefficient(parameters, asymptote).to_f64(),
             "relative_error": nearest_f64(&row.tolerance),
-            "where": place_of_limit(&row.limit),
+            "where": place_of_limit(asymptote, row.limit.whole_branch),
             "limit": { limit: row.in_si.to_f64() },
         })
     };
@@ -80,19 +89,33 @@ fn json(parameters: &Slider<Rational>, rows: &[ToleranceRow]) -> Value {
 
 fn line(parameters: &Slider<Rational>, row: &ToleranceRow) -> String {
     let asymptote = row.limit.asymptote;
-    let unit = if asymptote.is_quasi_static() { "m/s" } else { "Pa" };
-    columns([
+    let unit = unit(asymptote);
+    let cells = [
         asymptote.as_str(),
-        &formula(parameters, asymptote),
+        &formula(asymptote, &certain_digits(&coefficient(parameters, asymptote), DIGITS)),
         &rational_to_decimal(&row.tolerance, DIGITS),
-        place_of_limit(&row.limit),
+        place_of_limit(asymptote, row.limit.whole_branch),
         &format!("{} {unit}", certain_digits(&row.in_si, DIGITS)),
-    ])
+    ];
+    columns(WIDTH, cells)
+}
+
+/// The names of the formula's value and of its limit.
+fn keys(asymptote: Asymptote) -> [&'static str; 2] {
+    if asymptote.is_quasi_static() {
+        ["normal_stress_pa", "loading_velocity_m_per_s"]
+    } else {
+        ["loading_velocity_over_normal_stress_m_per_s_per_pa", "normal_stress_pa"]
+    }
+}
+
+/// The unit of the limit.
+fn unit(asymptote: Asymptote) -> &'static str {
+    if asymptote.is_quasi_static() { "m/s" } else { "Pa" }
 }
 
 /// The formula with the slider's numbers: eqs 15 and 16 are values of σ, eqs 18 and 20 are V0 in proportion to σ.
-fn formula(slider: &Slider<Rational>, asymptote: Asymptote) -> String {
-    let value = certain_digits(&coefficient(slider, asymptote), DIGITS);
+fn formula(asymptote: Asymptote, value: &str) -> String {
     if asymptote.is_quasi_static() {
         format!("σ = {value} Pa")
     } else {
@@ -106,6 +129,7 @@ fn coefficient(slider: &Slider<Rational>, asymptote: Asymptote) -> Ball {
     asymptote.value(&slider, &Ball::from(1))
 }
 
-fn columns([name, formula, tolerance, place, limit]: [&str; 5]) -> String {
-    format!("{name:<8} {formula:<28} {tolerance:<8} {place:<18} {limit}\n")
+/// A line, with so many characters for the formula.
+fn columns(width: usize, [name, formula, tolerance, place, limit]: [&str; 5]) -> String {
+    format!("{name:<8} {formula:<width$} {tolerance:<8} {place:<18} {limit}\n")
 }

@@ -299,3 +299,41 @@ fn rows_with_error_bars_are_solved_as_ranges() {
         assert!((0.0..2e-5).contains(&excess), "{row}");
     }
 }
+
+/// The limits of eqs 15, 16, 18 and 20 for 1 %.
+fn limits(a: &str, b: &str, d: &str, k: &str, m: &str) -> Vec<Value> {
+    let slider = ["-a", a, "-b", b, "-d", d, "-k", k, "-m", m];
+    let arguments = ["tolerance", "--json", "-e", "0.01"].into_iter().chain(slider);
+    let found: Value = serde_json::from_str(&Workplace::new().run(arguments).expect_success()).unwrap();
+    found["formulas"].as_array().unwrap().clone()
+}
+
+#[test]
+fn a_formula_is_good_for_all_values_up_to_the_limit_of_the_worst_corner() {
+    let over_box = limits("0.009±0.0005", "[0.0119, 0.0133]", "[7e-6, 9e-6]", "2e9±1e8", "2400±100");
+    // V0 below, V0 below, σ above, σ below: the corners with the least, least, greatest and least limit.
+    let worst = [
+        limits("0.0085", "0.0133", "7e-6", "1.9e9", "2500"),
+        limits("0.0085", "0.0133", "7e-6", "1.9e9", "2500"),
+        limits("0.0095", "0.0119", "9e-6", "2.1e9", "2400"),
+        limits("0.0095", "0.0133", "7e-6", "1.9e9", "2400"),
+    ];
+    let middle = limits("0.009", "0.0126", "8e-6", "2e9", "2400");
+    for (index, row) in over_box.iter().enumerate() {
+        assert_eq!(row["limit"], worst[index][index]["limit"], "{row}");
+        let (key, certain) = row["limit"].as_object().unwrap().iter().next().unwrap();
+        let [certain, middle, best] = [certain, &middle[index]["limit"][key], &row["farthest_limit"][key]]
+            .map(|it| it.as_f64().unwrap());
+        let order = if index == 2 { [best, middle, certain] } else { [certain, middle, best] };
+        assert!(order.is_sorted(), "{row}");
+        assert_eq!(row["reason"], Value::Null);
+    }
+    let straddling = limits("0.009±0.002", "0.01", "8e-6", "2e9", "2400");
+    for (row, exists) in straddling.iter().zip([false, true, false, true]) {
+        assert_eq!(row["reason"].is_null(), exists, "{row}");
+        assert_eq!(row["limit"].as_object().unwrap().values().all(Value::is_null), !exists);
+    }
+    let text = ["tolerance", "-a", "0.009±0.002", "-b", "0.01", "-d", "8e-6", "-k", "2e9", "-m", "2400"];
+    let text = Workplace::new().run(text).expect_success();
+    assert!(text.contains("a = b lies within the error bars") && text.contains("σ = "), "{text}");
+}

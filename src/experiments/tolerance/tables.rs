@@ -21,7 +21,7 @@ fn tolerance(context: &Context) -> Option<Table> {
         .text("scene", "Scene", |(name, _)| name)
         .text("asymptote", "Asymptote", |(_, row)| row.limit.asymptote.as_str())
         .digits("relative_error", "Relative error", "", 6, |(_, row)| &row.tolerance)
-        .text("where", "Where", |(_, row)| place_of_limit(&row.limit))
+        .text("where", "Where", |(_, row)| place_of_limit(row.limit.asymptote, row.limit.whole_branch))
         .digits("limit", "Limit", "m/s or Pa", ERROR_DIGITS, |(_, row)| &row.in_si)
         .digits("group_at_limit", "η or κ at the limit", "", ERROR_DIGITS, |(_, row)| group(&row.limit))
         .digits("leading_order", "Leading order", "", ERROR_DIGITS, |(_, row)| &row.limit.leading)
@@ -34,9 +34,9 @@ fn tolerance(context: &Context) -> Option<Table> {
 
 /// On which side of its limit an asymptote is good: of V0 for eqs 15 and 16, of σ for eqs 18 and 20.
 #[must_use]
-pub fn place_of_limit(limit: &Limit) -> &'static str {
-    let above = limit.asymptote == Asymptote::InertialUpper;
-    match (limit.asymptote.is_quasi_static(), limit.whole_branch, above) {
+pub fn place_of_limit(asymptote: Asymptote, whole_branch: bool) -> &'static str {
+    let above = asymptote == Asymptote::InertialUpper;
+    match (asymptote.is_quasi_static(), whole_branch, above) {
         (true, true, _) => "V0 up to the cusp",
         (true, false, _) => "V0 below",
         (false, true, _) => "σ up to the cusp",

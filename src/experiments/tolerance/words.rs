@@ -33,10 +33,14 @@ fn row_words(row: &ToleranceRow) -> String {
     let limit = &row.limit;
     let equation = equation_label(limit.asymptote);
     if limit.whole_branch {
-        return format!("{equation} for {}", place_of_limit(limit));
+        return format!("{equation} for {}", place_of_limit(limit.asymptote, limit.whole_branch));
     }
     let unit = if limit.asymptote.is_quasi_static() { "m/s" } else { "Pa" };
-    format!("{equation} for {} {} {unit}", place_of_limit(limit), scientific(&row.in_si))
+    format!(
+        "{equation} for {} {} {unit}",
+        place_of_limit(limit.asymptote, limit.whole_branch),
+        scientific(&row.in_si)
+    )
 }
 
 /// The largest error of each asymptote: of eqs 15 and 18 at the V0 of their corner, of eqs 16 and 20 at the cusp.

@@ -3,6 +3,10 @@
 //! Every error grows monotonically from its asymptotic end to the end of its branch (`deviation`), so one number per
 //! asymptote and tolerance says it all: η for eqs 15 and 16, κ for eqs 18 and 20.
 
+mod over_box;
+
+pub use over_box::{LimitOverBox, limit_over_box};
+
 use rug::Rational;
 
 use crate::friction::{Groups, Slider};
