@@ -41,21 +41,8 @@ pub fn exact_json(parameters: &Parameters<Rational>, without: Option<Quantity>) 
 
 /// The five values of the material and the machine.
 pub fn slider_json(slider: &Slider<Rational>) -> Value {
-    let Slider {
-        direct_effect,
-        evolution_effect,
-        critical_slip_distance_m,
-        stiffness_pa_per_m,
-        mass_per_area_kg_per_m2,
-    } = slider;
-    let values = [
-        direct_effect,
-        evolution_effect,
-        critical_slip_distance_m,
-        stiffness_pa_per_m,
-        mass_per_area_kg_per_m2,
-    ];
-    quantities_json(Quantity::OF_THE_SLIDER.into_iter().zip(values))
+    let values: [Rational; 5] = slider.clone().into();
+    quantities_json(Quantity::OF_THE_SLIDER.into_iter().zip(&values))
 }
 
 /// The numbers that were given, valid, under their names: a value, or the ends of its error bar.

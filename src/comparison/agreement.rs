@@ -28,15 +28,15 @@ impl Observable {
     /// What a column of a runs file may give as a number.
     pub const STATED: [Self; 4] = [Self::PeakVelocity, Self::Period, Self::StressDrop, Self::Frequency];
 
-    /// Its key, its stem, its words and its unit.
-    const fn names(self) -> [&'static str; 4] {
+    /// Its key, its words and its unit.
+    const fn names(self) -> [&'static str; 3] {
         match self {
-            Self::Mode => ["mode", "mode", "mode", ""],
-            Self::PeakVelocity => ["peak_velocity_m_per_s", "peak_velocity", "peak velocity", "m/s"],
-            Self::Period => ["period_s", "period", "period", "s"],
-            Self::StressDrop => ["stress_drop_pa", "stress_drop", "stress drop", "Pa"],
-            Self::Frequency => ["frequency_hz", "frequency", "frequency", "Hz"],
-            Self::GrowthRate => ["growth_rate_per_s", "growth_rate", "growth rate", "1/s"],
+            Self::Mode => ["mode", "mode", ""],
+            Self::PeakVelocity => ["peak_velocity_m_per_s", "peak velocity", "m/s"],
+            Self::Period => ["period_s", "period", "s"],
+            Self::StressDrop => ["stress_drop_pa", "stress drop", "Pa"],
+            Self::Frequency => ["frequency_hz", "frequency", "Hz"],
+            Self::GrowthRate => ["growth_rate_per_s", "growth rate", "1/s"],
         }
     }
 
@@ -46,22 +46,16 @@ impl Observable {
         self.names()[0]
     }
 
-    /// The column without its unit: what a column in another unit still begins with.
-    #[must_use]
-    pub const fn stem(self) -> &'static str {
-        self.names()[1]
-    }
-
     /// The name for people.
     #[must_use]
     pub const fn words(self) -> &'static str {
-        self.names()[2]
+        self.names()[1]
     }
 
     /// The unit for people; empty for words.
     #[must_use]
     pub const fn unit(self) -> &'static str {
-        self.names()[3]
+        self.names()[2]
     }
 }
 

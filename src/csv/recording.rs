@@ -13,11 +13,11 @@ use crate::csv::wanted::Wanted;
 use crate::csv::work::cell_problem;
 use backward::Backward;
 
-/// The columns, with their stems; the last one may be missing.
+/// The columns; the last one may be missing.
 const COLUMNS: [Wanted; 3] = [
-    Wanted { key: "time_s", stem: "time", symbols: &[], is_optional: false },
-    Wanted { key: "velocity_m_per_s", stem: "velocity", symbols: &[], is_optional: false },
-    Wanted { key: "shear_stress_pa", stem: "shear_stress", symbols: &[], is_optional: true },
+    Wanted { key: "time_s", symbols: &[], is_optional: false },
+    Wanted { key: "velocity_m_per_s", symbols: &[], is_optional: false },
+    Wanted { key: "shear_stress_pa", symbols: &[], is_optional: true },
 ];
 /// Most samples of a trajectory: 240 MB of numbers.
 const MOST_SAMPLES: usize = 10_000_000;

@@ -3,15 +3,15 @@
 use slipmode_core::number::Rational;
 
 use crate::csv::header::is_named;
-use crate::scene::{CsvProblem, Quantity, nearest, read_unit, unit_for, unit_of_column, unit_of_key};
+use crate::scene::{
+    CsvProblem, Quantity, nearest, read_unit, stem_of_key, unit_for, unit_of_column, unit_of_key,
+};
 
 /// A column that a header has to have.
 #[derive(Debug, Clone, Copy)]
 pub struct Wanted {
     /// Its name in SI.
     pub key: &'static str,
-    /// Its name without unit, behind which another unit may stand.
-    pub stem: &'static str,
     /// Short names, in SI unless a unit stands behind them; a longer one before one with which it begins.
     pub symbols: &'static [&'static str],
     /// Whether it may be missing.
@@ -24,7 +24,7 @@ pub type Place = (usize, Option<Rational>);
 impl Wanted {
     /// The column of a quantity.
     pub fn quantity(quantity: Quantity, is_optional: bool) -> Self {
-        Self { key: quantity.key(), stem: quantity.stem(), symbols: quantity.symbols(), is_optional }
+        Self { key: quantity.key(), symbols: quantity.symbols(), is_optional }
     }
 
     /// Where the column stands among these; its name in SI comes before any other.
@@ -66,7 +66,7 @@ impl Wanted {
     /// The size in SI of the unit in which a column gives this quantity, or why that is none; none for another column.
     pub fn reading(&self, name: &str) -> Option<Result<Rational, String>> {
         let in_si = unit_of_key(self.key);
-        if let Some(unit) = unit_behind(name, self.stem) {
+        if let Some(unit) = unit_behind(name, stem_of_key(self.key)) {
             let is_lacking = unit.is_empty() && in_si != "1";
             return Some(if is_lacking { Err("no unit".into()) } else { unit_for(&unit, in_si) });
         }
@@ -81,7 +81,7 @@ impl Wanted {
     /// The names that the column may have.
     fn allowed(&self) -> String {
         let names: Vec<&str> = [self.key].into_iter().chain(self.symbols.iter().copied()).collect();
-        let stem = self.symbols.last().unwrap_or(&self.stem);
+        let stem = self.symbols.last().copied().unwrap_or(stem_of_key(self.key));
         let other = match unit_of_key(self.key) {
             "m" => "um",
             "m/s" => "um_per_s",
@@ -115,8 +115,8 @@ fn unit_behind(column: &str, name: &str) -> Option<String> {
 }
 
 /// A column that gives a value of SI in a unit of its own or in none.
-pub fn misnamed(key: &'static str, stem: &str, names: &[String]) -> Option<(String, CsvProblem)> {
-    let name = names.iter().find(|name| unit_behind(name, stem).is_some())?;
+pub fn misnamed(key: &'static str, names: &[String]) -> Option<(String, CsvProblem)> {
+    let name = names.iter().find(|name| unit_behind(name, stem_of_key(key)).is_some())?;
     Some((name.clone(), CsvProblem::UnknownUnit { wanted: key }))
 }
 

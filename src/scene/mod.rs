@@ -55,5 +55,5 @@ pub use report_plan::{Chapter, ReportPlan};
 pub use sections::{Place, Rectangle};
 pub use uncertain::Uncertain;
 pub use units::with_unit;
-pub(crate) use units::{read_unit, unit_for, unit_of_column, unit_of_key};
+pub(crate) use units::{read_unit, stem_of_key, unit_for, unit_of_column, unit_of_key};
 pub use verdict::Verdict;

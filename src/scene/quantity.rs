@@ -1,7 +1,7 @@
 //! The seven physical inputs: their names in scenes, CSV files and on the command line.
 
 use crate::scene::section::Section;
-use crate::scene::units::unit_of_key;
+use crate::scene::units::{stem_of_key, unit_of_key};
 use crate::scene::{AllowedRange, Problem, Uncertain};
 use slipmode_core::friction::{OperatingPoint, Slider};
 use slipmode_core::number::Rational;
@@ -89,14 +89,7 @@ impl Quantity {
     /// The key without its unit: what a column in other units still starts with.
     #[must_use]
     pub fn stem(self) -> &'static str {
-        match self {
-            Self::DirectEffect | Self::EvolutionEffect => self.key(),
-            Self::CriticalSlipDistance => "critical_slip_distance",
-            Self::Stiffness => "stiffness",
-            Self::MassPerArea => "mass_per_area",
-            Self::NormalStress => "normal_stress",
-            Self::LoadingVelocity => "loading_velocity",
-        }
+        stem_of_key(self.key())
     }
 }
 

@@ -83,6 +83,12 @@ pub fn unit_of_key(key: &str) -> &'static str {
     ENDINGS.iter().find(|(ending, _)| key.ends_with(ending)).map_or("1", |(_, unit)| unit)
 }
 
+/// A key without its unit, behind which another one may stand: `loading_velocity` of `loading_velocity_m_per_s`.
+#[must_use]
+pub fn stem_of_key(key: &str) -> &str {
+    ENDINGS.iter().find_map(|(ending, _)| key.strip_suffix(ending)).unwrap_or(key)
+}
+
 /// The largest power of a unit.
 const MOST_POWER: i32 = 9;
 
@@ -365,6 +371,7 @@ mod tests {
 
     #[test]
     fn the_names_of_keys_state_their_unit() {
+        assert_eq!(stem_of_key("mass_per_area_kg_per_m2"), "mass_per_area");
         for (key, unit) in [
             ("critical_slip_distance_m", "m"),
             ("stiffness_pa_per_m", "Pa/m"),
@@ -380,6 +387,8 @@ mod tests {
             ("normal_stress_over_critical", "1"),
         ] {
             assert_eq!(unit_of_key(key), unit);
+            let stem = stem_of_key(key);
+            assert_eq!(stem == key, unit == "1" || key.contains('.'), "{key}");
             assert!(Dimension::read(unit).is_ok());
         }
     }

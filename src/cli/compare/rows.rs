@@ -81,7 +81,7 @@ impl RowWork for CompareRows {
             faults.push((LAW_COLUMN.to_string(), problem));
         }
         for of in Observable::STATED.into_iter().filter(|of| !has(of.key())) {
-            if let Some((name, problem)) = misnamed(of.key(), of.stem(), names) {
+            if let Some((name, problem)) = misnamed(of.key(), names) {
                 faults.push((name, problem.into()));
             } else if let Some(near) = nearest(of.key(), unknown.iter().copied()) {
                 let problem =

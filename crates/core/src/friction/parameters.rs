@@ -49,16 +49,9 @@ impl<R> From<[R; 7]> for Parameters<R> {
 
 /// The inverse of [`Parameters::from`] an array: a, b, D_c, K, M, σ, V0.
 impl<R> From<Parameters<R>> for [R; 7] {
-    fn from(Parameters { slider: s, point }: Parameters<R>) -> Self {
-        [
-            s.direct_effect,
-            s.evolution_effect,
-            s.critical_slip_distance_m,
-            s.stiffness_pa_per_m,
-            s.mass_per_area_kg_per_m2,
-            point.normal_stress_pa,
-            point.loading_velocity_m_per_s,
-        ]
+    fn from(Parameters { slider, point }: Parameters<R>) -> Self {
+        let [a, b, d, k, m] = slider.into();
+        [a, b, d, k, m, point.normal_stress_pa, point.loading_velocity_m_per_s]
     }
 }
 

@@ -40,6 +40,19 @@ impl<R> From<[R; 5]> for Slider<R> {
     }
 }
 
+/// The inverse of [`Slider::from`] an array: a, b, D_c, K, M.
+impl<R> From<Slider<R>> for [R; 5] {
+    fn from(slider: Slider<R>) -> Self {
+        [
+            slider.direct_effect,
+            slider.evolution_effect,
+            slider.critical_slip_distance_m,
+            slider.stiffness_pa_per_m,
+            slider.mass_per_area_kg_per_m2,
+        ]
+    }
+}
+
 impl<R: Clone> Slider<R> {
     /// The slider driven at V0 (m/s) under σ (Pa).
     ///

@@ -149,38 +149,23 @@ fn a_threshold_below_one_fifth_is_refused_over_a_box() {
 /// Next to a double root max Re(s) has no derivative; there its share is larger.
 #[test]
 fn ranges_of_laboratory_boxes_are_attained() {
-    let point = |values: [&str; 7]| Parameters::from(values.map(|text| parse_decimal(text).unwrap()));
-    for (lower, upper, shares) in [
+    let (a, b, slow) = (["0.0085", "0.0095"], ["0.0119", "0.0133"], ["9e-6", "1.1e-5"]);
+    let wide = [["7.8e-6", "8.2e-6"], ["1.9e9", "2.1e9"], ["2300", "2500"]];
+    let thin = ["8e-6", "2e9", "2400"].map(|value| [value; 2]);
+    for (a, b, [d, k, m], stress, velocity, shares) in [
         // Stick-slip, and a box that straddles K = K_c.
-        (
-            ["0.0085", "0.0126", "7.8e-6", "1.9e9", "2300", "6e6", "9e-6"],
-            ["0.0091", "0.0130", "8.2e-6", "2.1e9", "2500", "6.3e6", "1.1e-5"],
-            [1e-7; 2],
-        ),
-        (
-            ["0.0085", "0.0119", "7.8e-6", "1.9e9", "2300", "4.9e6", "9e-6"],
-            ["0.0095", "0.0133", "8.2e-6", "2.1e9", "2500", "5.1e6", "1.1e-5"],
-            [1e-7; 2],
-        ),
+        (["0.0085", "0.0091"], ["0.0126", "0.0130"], wide, ["6e6", "6.3e6"], slow, [1e-7; 2]),
+        (a, b, wide, ["4.9e6", "5.1e6"], slow, [1e-7; 2]),
         // Inertial: fast and stable; and harmonic vibration.
-        (
-            ["0.0085", "0.0119", "7.8e-6", "1.9e9", "2300", "1e5", "0.9"],
-            ["0.0095", "0.0133", "8.2e-6", "2.1e9", "2500", "2e5", "1.1"],
-            [1e-7; 2],
-        ),
-        (
-            ["0.0085", "0.0119", "7.8e-6", "1.9e9", "2300", "1e6", "9"],
-            ["0.0095", "0.0133", "8.2e-6", "2.1e9", "2500", "1.1e6", "11"],
-            [1e-7; 2],
-        ),
+        (a, b, wide, ["1e5", "2e5"], ["0.9", "1.1"], [1e-7; 2]),
+        (a, b, wide, ["1e6", "1.1e6"], ["9", "11"], [1e-7; 2]),
         // Next to the area of real roots.
-        (
-            ["0.0085", "0.0059", "8e-6", "2e9", "2400", "4e6", "1e-5"],
-            ["0.0095", "0.0063", "8e-6", "2e9", "2400", "6e6", "1e-5"],
-            [0.05, 1e-7],
-        ),
+        (a, ["0.0059", "0.0063"], thin, ["4e6", "6e6"], ["1e-5"; 2], [0.05, 1e-7]),
     ] {
-        let region = ParameterBox::new(point(lower), point(upper)).unwrap();
+        let end = |i: usize| {
+            Parameters::from([a, b, d, k, m, stress, velocity].map(|ends| parse_decimal(ends[i]).unwrap()))
+        };
+        let region = ParameterBox::new(end(0), end(1)).unwrap();
         let found = over_box(&region, &InertialThreshold::default()).unwrap();
         let ranges = ranges_over_box(&region, &found);
         let ranges = [ranges.max_real_per_s, ranges.max_imaginary_per_s].map(Option::unwrap);

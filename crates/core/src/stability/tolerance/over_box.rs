@@ -140,22 +140,7 @@ fn rises_of_value(asymptote: Asymptote, effects: Effects) -> [bool; 5] {
 
 /// The corners with the least and the greatest value of what rises with these parameters and falls with, or has no part of, the others.
 fn corners(ends: &[Slider<Rational>; 2], rises: [bool; 5]) -> [Slider<Rational>; 2] {
-    let values = ends.each_ref().map(|slider| {
-        let Slider {
-            direct_effect,
-            evolution_effect,
-            critical_slip_distance_m,
-            stiffness_pa_per_m,
-            mass_per_area_kg_per_m2,
-        } = slider;
-        [
-            direct_effect,
-            evolution_effect,
-            critical_slip_distance_m,
-            stiffness_pa_per_m,
-            mass_per_area_kg_per_m2,
-        ]
-    });
+    let values: [[Rational; 5]; 2] = ends.each_ref().map(|slider| slider.clone().into());
     [false, true].map(|is_greatest| {
         Slider::from([0, 1, 2, 3, 4].map(|i| values[usize::from(rises[i] == is_greatest)][i].clone()))
     })
@@ -272,8 +257,8 @@ mod tests {
                 / Rational::from(denominator.square_ref());
             let cube = Rational::from(z.square_ref()) * &z;
             let slope = grown.clone() * quotient + Rational::from(2) / &cube;
-            let p = Rational::from(&z - 1u32)
-                * (Rational::from(&e * z.clone().square()) - Rational::from(&e * &z) * 3u32 - 2u32);
+            let p =
+                Rational::from(&z - 1u32) * (z.clone().square() * &e - Rational::from(&e * &z) * 3u32 - 2u32);
             let square = factor.square();
             let c = grown * p - error * 2u32 * &square;
             assert_eq!(slope * cube * square, c);
