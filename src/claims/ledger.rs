@@ -3,7 +3,10 @@
 use rayon::prelude::*;
 use serde::Serialize;
 
+use crate::claims::error_bars::{points_within, state_values};
 use crate::claims::{Check, Evidence, Finding, Strength, Tie, Verdict, by_hand, formula, over_rows};
+use crate::claims::{DecidedFor, PointWithin};
+use crate::experiments::operating_point::error_bars;
 use crate::experiments::{Context, Needs};
 use crate::scene::{ClaimEntry, StatedClaim, is_library_claim, library_claim, library_ids};
 use slipmode_core::polynomial::Step;
@@ -29,6 +32,9 @@ pub struct Entry {
     pub rests_on: Vec<String>,
     /// The recorded verdict.
     pub expected: Verdict,
+    /// The values for which the verdict was decided, where a scene has error bars.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub error_bars: Option<DecidedFor>,
     /// What the claim says as formulas, where formulas decide it.
     #[serde(skip)]
     pub stated: Option<StatedClaim>,
@@ -80,14 +86,21 @@ pub struct Ledger {
     pub report: String,
     /// The entries.
     pub claims: Vec<Entry>,
+    /// What is certain at operating points with error bars.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub operating_points: Vec<PointWithin>,
 }
 
 impl Ledger {
     /// Decides every listed claim.
     #[must_use]
     pub fn decide(report: &str, texts: &[ClaimEntry], context: &Context) -> Self {
-        let claims = texts.par_iter().map(|text| decide_one(text, context)).collect();
-        Ledger { report: report.to_owned(), claims }
+        let mut claims: Vec<Entry> = texts.par_iter().map(|text| decide_one(text, context)).collect();
+        if context.outcome.scenes.iter().any(|scene| error_bars(scene).is_some()) {
+            state_values(&mut claims);
+        }
+        let operating_points = points_within(context.outcome);
+        Ledger { report: report.to_owned(), claims, operating_points }
     }
 
     /// The claims whose computed verdict is not the recorded one.
@@ -180,6 +193,7 @@ fn decide_one(text: &ClaimEntry, context: &Context) -> Entry {
         not_established,
         rests_on: premises(text),
         expected: text.expected,
+        error_bars: None,
         stated: text.stated.clone(),
     };
     let tie = Some(())

@@ -7,6 +7,7 @@ mod alterations;
 mod boundary;
 mod by_hand;
 mod criteria;
+mod error_bars;
 mod evidence;
 mod exchange;
 mod finding;
@@ -38,6 +39,7 @@ mod theory_tables;
 mod zones;
 
 pub use by_hand::{ACCEPTED, LIBRARY, TIES, Tie, definitions, statement};
+pub use error_bars::{DecidedFor, PointWithin};
 pub use evidence::{Evidence, Strength};
 pub use finding::Finding;
 pub use formula::{WholeStatement, WholeTheorem, whole_statements, whole_theorems};

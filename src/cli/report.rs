@@ -128,6 +128,7 @@ pub fn report(options: &ReportOptions, progress: &Progress) -> Result<(), Failur
             "schema": SCHEMA,
             "inputs": { "report": options.folder },
             "verdicts": verdicts_json(&product.ledger),
+            "operating_points": product.ledger.operating_points,
             "output": place.join(main_file),
         }));
     }
@@ -175,6 +176,7 @@ pub fn verify(options: &VerifyOptions, progress: &Progress) -> Result<(), Failur
             "schema": SCHEMA,
             "inputs": { "report": options.folder },
             "verdicts": verdicts_json(&product.ledger),
+            "operating_points": product.ledger.operating_points,
             "claims": product.ledger.claims.iter().map(claim_json).collect::<Vec<_>>(),
             "output": place.join(PAGE),
             "has_published_copy": published.exists(),
@@ -290,6 +292,7 @@ fn claim_json(entry: &slipmode::claims::Entry) -> Value {
         "verdict": finding.verdict.as_str(),
         "recorded": entry.expected.as_str(),
         "strength": finding.strength.as_str(),
+        "error_bars": entry.error_bars,
     })
 }
 

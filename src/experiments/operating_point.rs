@@ -28,16 +28,8 @@ pub fn operating_point_words(outcome: &Outcome) -> Option<String> {
     })
 }
 
-/// What holds within the error bars and what for the middle values alone; `None` when no scene has error bars.
-#[must_use]
-pub fn error_bars_words(outcome: &Outcome) -> Option<String> {
-    let is_uncertain = outcome.scenes.iter().any(|scene| error_bars(scene).is_some());
-    is_uncertain.then(|| {
-        "Some values have error bars. The bands on the maps, and what is said of all values within the error bars, hold for all of these values; every other number, every run, and every claim about runs holds for the middle values.".into()
-    })
-}
-
-fn error_bars(scene: &SceneOutcome) -> Option<&ParameterBox> {
+/// All values within the error bars of a scene's slider, when it has some.
+pub(crate) fn error_bars(scene: &SceneOutcome) -> Option<&ParameterBox> {
     scene.scene.parameters.as_ref()?.error_bars.as_ref()
 }
 

@@ -1,8 +1,8 @@
 //! The answer of a report in a few sentences, made of verdicts and outcomes: nothing in it is typed in.
 
-use crate::claims::{Entry, Ledger, Verdict};
+use crate::claims::{DecidedFor, Entry, Ledger, Verdict};
 use crate::experiments::Outcome;
-use crate::experiments::operating_point::{error_bars_words, operating_point_words};
+use crate::experiments::operating_point::operating_point_words;
 use crate::experiments::simulations::range_of_velocities;
 use crate::experiments::tolerance::accuracy_of_asymptotes;
 use crate::report::AnswerView;
@@ -37,13 +37,25 @@ pub(super) fn answer(question: Question, ledger: &Ledger, outcome: &Outcome) -> 
     let validity = range_of_velocities(outcome).map(|text| AnswerView::new(text, []));
     let claims = [counts(&paper), right(&paper)];
     let point = operating_point_words(outcome).map(|text| AnswerView::new(text, []));
-    let error_bars = error_bars_words(outcome).map(|text| AnswerView::new(text, []));
+    let error_bars = error_bars_words(ledger).map(|text| AnswerView::new(text, []));
     let rest = [error_bars, wrong(&paper), simulations(&paper), new_results(&own)];
     let ordered: Vec<Option<AnswerView>> = match question {
         Question::Claims => claims.into_iter().chain([formulas]).chain(rest).collect(),
         Question::Formulas => [point, formulas, validity].into_iter().chain(claims).chain(rest).collect(),
     };
     ordered.into_iter().flatten().collect()
+}
+
+/// What holds within the error bars and what for the middle values alone; `None` when no scene has error bars.
+fn error_bars_words(ledger: &Ledger) -> Option<String> {
+    let decided = |of: DecidedFor| ledger.claims.iter().filter(|it| it.error_bars == Some(of)).count();
+    let [all, middle] = [DecidedFor::AllValues, DecidedFor::MiddleValues].map(decided);
+    (all + middle > 0).then(|| {
+        format!(
+            "Some values have error bars. The bands on the maps, what is said of all values within the error bars, and {all} of {} verdicts, which are proved, hold for all of these values; every other number, run and verdict holds for the middle values. The ledger states it of each claim.",
+            all + middle
+        )
+    })
 }
 
 fn with<'e>(claims: &'e [&'e Entry], verdict: Verdict) -> impl Iterator<Item = &'e &'e Entry> {
@@ -170,6 +182,7 @@ mod tests {
             expected: finding.verdict,
             finding,
             not_established: String::new(),
+            error_bars: None,
             rests_on: Vec::new(),
             stated: None,
         }
@@ -180,7 +193,7 @@ mod tests {
     }
 
     fn sentences(claims: Vec<Entry>) -> Vec<AnswerView> {
-        let ledger = Ledger { report: "r".into(), claims };
+        let ledger = Ledger { report: "r".into(), claims, operating_points: Vec::new() };
         answer(Question::Claims, &ledger, &Outcome::default())
     }
 

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::claims::{Entry, Evidence, Ledger, Part, Reading, Strength, Verdict};
+use crate::claims::{DecidedFor, Entry, Evidence, Ledger, Part, Reading, Strength, Verdict};
 use crate::experiments::{Figure, Outcome};
 use crate::report::answer::{GROUPS, answer};
 use crate::report::blocks::{BlockKind, Piece, pieces};
@@ -138,9 +138,25 @@ fn groups(ledger: &Ledger, place: &str) -> Vec<ClaimGroupView> {
     known.chain([own]).filter(|group| !group.claims.is_empty()).collect()
 }
 
+/// Of a claim that is proved.
+const FOR_ALL_VALUES: &str = "Error bars: the verdict holds for all values within them that meet the assumptions of the proofs. Numbers are those of the middle values.";
+/// Of any other claim.
+const FOR_MIDDLE_VALUES: &str =
+    "Other values within the error bars: the verdict was decided for the middle values.";
+
+/// A text with a sentence behind it.
+fn with_sentence(text: String, sentence: Option<&str>) -> String {
+    [text.as_str(), sentence.unwrap_or_default()].join(" ").trim().to_owned()
+}
+
 fn claim_view(entry: &Entry, ledger: &Ledger, certificates: &Certificates<'_>, folder: &str) -> ClaimView {
     let finding = &entry.finding;
     let listed = |id: &&String| ledger.claims.iter().any(|other| other.id == **id);
+    let [all, middle] = match entry.error_bars {
+        Some(DecidedFor::AllValues) => [Some(FOR_ALL_VALUES), None],
+        Some(DecidedFor::MiddleValues) => [None, Some(FOR_MIDDLE_VALUES)],
+        None => [None, None],
+    };
     ClaimView {
         id: entry.id.clone(),
         place: entry.place.clone(),
@@ -152,8 +168,15 @@ fn claim_view(entry: &Entry, ledger: &Ledger, certificates: &Certificates<'_>, f
         readings: readings(entry),
         evidence: finding.evidence.iter().map(|one| evidence_view(one, &entry.id, certificates)).collect(),
         counter_example_markdown: plain(finding.counter_example.as_deref().unwrap_or_default()),
-        not_established_markdown: plain(&entry.not_established),
-        remark_markdown: finding.remarks.iter().map(|remark| plain(remark)).collect::<Vec<_>>().join("\n\n"),
+        not_established_markdown: with_sentence(plain(&entry.not_established), middle),
+        remark_markdown: finding
+            .remarks
+            .iter()
+            .map(String::as_str)
+            .chain(all)
+            .map(plain)
+            .collect::<Vec<_>>()
+            .join("\n\n"),
         rests_on: entry.rests_on.iter().filter(|id| listed(id)).cloned().collect(),
         command: format!("slipmode verify {folder} --claim {}", entry.id),
     }

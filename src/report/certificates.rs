@@ -69,6 +69,7 @@ mod tests {
             criterion: String::new(),
             finding: Finding::from_proofs(proofs.iter().map(|&proof| Ok(proof.clone()))),
             not_established: String::new(),
+            error_bars: None,
             rests_on: Vec::new(),
             expected: Verdict::Holds,
             stated: None,
@@ -80,7 +81,7 @@ mod tests {
         let lemma = proof("lemma", "x + x", "2*x");
         let whole = proof("whole", "x*x", "x^2").using(lemma.clone());
         let claims = vec![entry("S1", &[&lemma]), entry("S5", &[&whole, &lemma])];
-        let ledger = Ledger { report: "r".into(), claims };
+        let ledger = Ledger { report: "r".into(), claims, operating_points: Vec::new() };
         let certificates = Certificates::of(&ledger);
         assert_eq!([&lemma, &whole].map(|proof| certificates.home(proof)), ["S1", "S5"]);
         assert_eq!(certificates.text(&lemma), lemma.to_string());

@@ -2,7 +2,7 @@
 
 use serde_json::Value;
 
-use crate::harness::Workplace;
+use crate::harness::{HEADER, Workplace};
 
 const OPTIONS: [&str; 7] = ["-a", "-b", "-d", "-k", "-m", "-s", "-v"];
 /// A laboratory slider at 5 MPa and 10 µm/s.
@@ -85,9 +85,6 @@ fn faulty_error_bars_are_all_reported_at_once() {
         .run(["classify"].into_iter().chain(threshold))
         .expect_refusal(&["--inertial-threshold = 0.4: out of range", "sqrt(1/5)"]);
 }
-
-const HEADER: &str = "direct_effect,evolution_effect,critical_slip_distance_m,stiffness_pa_per_m,\
-                      mass_per_area_kg_per_m2,normal_stress_pa,loading_velocity_m_per_s";
 
 #[test]
 fn rows_take_error_bars_in_cells_and_in_columns_of_errors() {

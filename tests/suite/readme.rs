@@ -3,6 +3,8 @@
 use std::path::Path;
 use std::process::Command;
 
+use serde_json::{Value, json};
+
 use crate::harness::Workplace;
 
 const README: &str = include_str!("../../README.md");
@@ -65,7 +67,7 @@ fn the_guide_works_as_written_from_an_empty_folder() {
     let runs = GUIDE.split("```csv\n").nth(1).and_then(|rest| rest.split("```").next()).unwrap();
     place.write("runs.csv", runs);
     let examples = examples(GUIDE);
-    assert_eq!(examples.len(), 15);
+    assert_eq!(examples.len(), 16);
     for (arguments, shown) in examples {
         let printed = printed(&arguments, &place.path(""));
         assert!(is_as_shown(&printed, &shown), "slipmode {arguments} printed:\n{printed}");
@@ -74,13 +76,34 @@ fn the_guide_works_as_written_from_an_empty_folder() {
     let text = place.read("target/report/lab/report.md");
     let answer = "For all values within the error bars, the slider is linearly stable for some values and not for others, \
         and the possible slip modes are";
-    assert!(
-        text.contains(answer) && text.contains("every claim about runs holds for the middle values"),
-        "{text}"
-    );
+    assert!(text.contains(answer) && text.contains("verdicts, which are proved, hold for all"), "{text}");
+    states_for_which_values_each_verdict_was_decided(&place.read("target/report/lab/ledger.json"), &text);
     assert!(place.read("lab/prose/introduction.md").contains("| 7.8e-6 to 8.2e-6 | m |"));
     assert!(place.read("lab/scenes/lab.toml").contains("direct_effect = \"0.009±0.0002\"  #"));
     assert!(place.read("target/report/lab/figures/fig-1.svg").contains("boundary-band"));
+}
+
+/// What rests on runs or points of the middle values says so, and what is proved does not.
+fn states_for_which_values_each_verdict_was_decided(ledger: &str, text: &str) {
+    let ledger: Value = serde_json::from_str(ledger).unwrap();
+    let point = &ledger["operating_points"][0];
+    assert_eq!((&point["certain"], &point["transition_signs"]), (&json!(false), &json!([-1, 1])));
+    assert_eq!(point["slip_modes"], json!(["non-inertial-underdamped-oscillation", "stick-slip"]));
+    let claims = ledger["claims"].as_array().unwrap();
+    let decided_for = |id: &str| &claims.iter().find(|claim| claim["id"] == id).unwrap()["error_bars"];
+    for (id, values) in
+        [("S1", "all-values"), ("L1", "all-values"), ("N1", "middle-values"), ("N5", "middle-values")]
+    {
+        assert_eq!(decided_for(id), values, "{id}");
+    }
+    for claim in claims {
+        let is_computed = ["certified", "converged", "sampled"].iter().any(|it| claim["strength"] == *it);
+        assert!(!is_computed || claim["error_bars"] == "middle-values", "{claim}");
+    }
+    let of = |values: &str| claims.iter().filter(|claim| claim["error_bars"] == values).count();
+    let said = |words: &str| text.matches(words).count();
+    assert_eq!(said("Error bars: the verdict holds for all values within them"), of("all-values"));
+    assert_eq!(said("the verdict was decided for the middle values"), of("middle-values"));
 }
 
 #[test]
