@@ -208,6 +208,8 @@ class Slider:
 
     def tolerance(self, *errors: Number) -> Table:
         """Compute where each formula of the paper may be used, for these relative errors; 0.1, 0.01 and 0.001 without any."""
+        if self.is_uncertain:
+            raise InputError("this table is for values without error bars; `slipmode tolerance` takes error bars")
         given = [f"--relative-error={exact(error)}" for error in errors]
         rows = []
         for row in call_json("tolerance", *self._options(), *given)["formulas"]:

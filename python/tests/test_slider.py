@@ -104,6 +104,8 @@ def test_error_bars_give_what_is_possible():
         assert slipmode.Slider(a=a, b=b, d_c=d_c, k=k, m=m).classify(sigma, v).slip_mode == mode
     with pytest.raises(slipmode.InputError, match="error bars"):
         slider.classify(np.array([1e6]), 1e-5)
+    with pytest.raises(slipmode.InputError, match="error bars"):
+        slider.tolerance("0.01")
 
 
 NAMES = [
