@@ -679,11 +679,12 @@ def main():
     parser = argparse.ArgumentParser(description="Proves the cycles of slipmode simulate --certify, or of the table bistability-certified, again.")
     parser.add_argument("file")
     parser.add_argument("--law", choices=("slip", "aging"), help="the law of rows without a column law")
+    parser.add_argument("--rows", type=lambda text: set(map(int, text.split(","))), help="only these, such as 30,45")
     arguments = parser.parse_args()
     passed = failed = 0
     with open(arguments.file, newline="") as file:
         for number, row in enumerate(csv.DictReader(file), 1):
-            if row["certificate"] not in ("cycle", "three objects"):
+            if row["certificate"] not in ("cycle", "three objects") or number not in (arguments.rows or (number,)):
                 continue
             reason = verdict({"law": arguments.law} | row)
             passed, failed = passed + (not reason), failed + bool(reason)

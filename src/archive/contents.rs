@@ -28,6 +28,9 @@ pub const README_FILE: &str = "README.md";
 /// The unsigned in-toto statement.
 pub const STATEMENT_FILE: &str = "provenance.intoto.json";
 
+/// The program that proves certified cycles again without slipmode.
+pub const CHECKER_FILE: &str = "certified_cycle.py";
+
 /// The exact versions and digests of the packages that the program is built from.
 pub const LOCK_FILE: &str = "Cargo.lock";
 /// The same as a CycloneDX bill of materials.
@@ -38,6 +41,7 @@ pub(super) const DERIVED: [&str; 6] =
 
 const CARGO_LOCK: &str = include_str!("Cargo.lock");
 const CITATION: &str = include_str!("../../CITATION.cff");
+const CHECKER: &str = include_str!("../../proofs/certified_cycle.py");
 const LICENSE_MIT: &str = include_str!("../../LICENSE-MIT");
 const LICENSE_APACHE: &str = include_str!("../../LICENSE-APACHE");
 const NOTICE: &str = "\
@@ -82,6 +86,17 @@ pub struct Parts<'p> {
     pub codecheck: Option<&'p Paper>,
 }
 
+impl<'p> Parts<'p> {
+    /// The inputs that are files of certificates, by their header.
+    pub(super) fn certificate_files(&self) -> impl Iterator<Item = &'p str> {
+        let is_named = |header: &[u8]| header.split(|byte| *byte == b',').any(|name| name == b"certificate");
+        let files = self.inputs.iter().filter(|(path, _)| path.ends_with(".csv"));
+        files
+            .filter(move |(_, bytes)| bytes.split(|byte| *byte == b'\n').next().is_some_and(is_named))
+            .map(|(path, _)| path.as_str())
+    }
+}
+
 /// All files of the archive of a report.
 #[must_use]
 pub fn contents(parts: &Parts<'_>) -> Files {
@@ -101,6 +116,9 @@ pub fn contents(parts: &Parts<'_>) -> Files {
         ("NOTICE.md", NOTICE),
     ];
     files.extend(texts.map(|(path, text)| (path.to_string(), text.as_bytes().to_vec())));
+    if parts.certificate_files().next().is_some() {
+        files.insert(CHECKER_FILE.into(), CHECKER.into());
+    }
     if parts.codecheck.is_some() {
         files.insert(LICENCE_FILE.into(), LICENCES.as_bytes().to_vec());
     }

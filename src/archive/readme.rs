@@ -3,7 +3,9 @@
 use std::fmt::Write;
 
 use super::codecheck::CODECHECK_FILE;
-use super::contents::{INPUT_FOLDER, Parts, REPORT_FOLDER, STATEMENT_FILE, THEOREMS_FOLDER, VERSIONS_FILE};
+use super::contents::{
+    CHECKER_FILE, INPUT_FOLDER, Parts, REPORT_FOLDER, STATEMENT_FILE, THEOREMS_FOLDER, VERSIONS_FILE,
+};
 
 /// The text of the README.
 pub(super) fn readme(parts: &Parts<'_>) -> String {
@@ -29,6 +31,19 @@ pub(super) fn readme(parts: &Parts<'_>) -> String {
         let (id, verdict) = (&entry.id, entry.finding.verdict.as_str());
         // Writing to a string cannot fail.
         let _ = writeln!(text, "| {id} | `slipmode verify {INPUT_FOLDER} --claim {id}` | {verdict} |");
+    }
+    let certificates: Vec<&str> = parts.certificate_files().collect();
+    if !certificates.is_empty() {
+        // As above.
+        let _ = write!(
+            text,
+            "\n## Certificates\n\n\
+             `slipmode certificates {INPUT_FOLDER}/scenes/SCENE.toml` proves all certificates of a scene again. \
+             `{CHECKER_FILE}` shares no code with slipmode and proves certified cycles again (`pip install python-flint`):\n\n"
+        );
+        for file in certificates {
+            let _ = writeln!(text, "    python {CHECKER_FILE} --rows 200 {INPUT_FOLDER}/{file}");
+        }
     }
     if parts.codecheck.is_some() {
         // As above.

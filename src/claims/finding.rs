@@ -246,6 +246,13 @@ impl Finding {
         self
     }
 
+    /// Adds a remark for readers, if there is one.
+    #[must_use]
+    pub fn with_remark(mut self, remark: Option<String>) -> Self {
+        self.remarks.extend(remark);
+        self
+    }
+
     /// Adds a remark for readers.
     #[must_use]
     pub fn remark(mut self, remark: impl Into<String>) -> Self {

@@ -6,6 +6,7 @@
 mod alterations;
 mod boundary;
 mod by_hand;
+mod certified;
 mod criteria;
 mod error_bars;
 mod evidence;

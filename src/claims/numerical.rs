@@ -2,9 +2,10 @@
 
 use std::slice;
 
+use crate::claims::certified::{period_s, remark};
 use crate::claims::overshoot::Overshoots;
 use crate::claims::reading::{Draft, of_readings};
-use crate::claims::simulated::{Run, Runs, evidence, for_each_law, grids};
+use crate::claims::simulated::{Run, Runs, certificates, evidence, for_each_law, grids};
 use crate::claims::simulated_courses::n15;
 use crate::claims::simulated_damping::{n11, n14};
 use crate::claims::simulated_laws::{ends_next_to_transition, n4};
@@ -13,19 +14,22 @@ use crate::claims::simulated_onset::n6;
 use crate::claims::simulated_transition::{n12, n13, n16};
 use crate::claims::simulated_trends::{n3, n5, n10};
 use crate::claims::{Check, Evidence, Finding};
+use crate::experiments::certificates::Certificates;
 use crate::experiments::{Context, Need, Outcome};
 use slipmode_core::friction::EvolutionLaw;
 use slipmode_core::number::format::round_digits;
 use slipmode_core::stability::SlipMode;
 
 const NEEDS: &[Need] = &[Need::Simulations];
+/// Of claims that certificates decide where there are any.
+const CERTIFIED_NEEDS: &[Need] = &[Need::Simulations, Need::Certificates];
 
 pub(super) const CHECKS: &[Check] = &[
     Check {
         id: "N1",
         criterion: "Every run of the grid with K < K_c ends on a limit cycle and every run with K > K_c decays.",
         not_established: "The behaviour between the grid's points and closer to K = K_c than the grid: see N4.",
-        needs: &[Need::Simulations, Need::NearTransition],
+        needs: &[Need::Simulations, Need::NearTransition, Need::Certificates],
         rests_on: &["S1"],
         decide: |context| n1(context).unwrap_or_else(|undecided| undecided),
     },
@@ -41,7 +45,7 @@ pub(super) const CHECKS: &[Check] = &[
         id: "N3",
         criterion: "The peak velocity of the limit cycles rises between all neighbouring grid points, along σ and along V_l.",
         not_established: "Monotonic behaviour between the grid's points.",
-        needs: NEEDS,
+        needs: CERTIFIED_NEEDS,
         rests_on: &["N1"],
         decide: |context| n3(context).unwrap_or_else(|undecided| undecided),
     },
@@ -57,7 +61,7 @@ pub(super) const CHECKS: &[Check] = &[
         id: "N5",
         criterion: "For neighbouring stick-slip points at the same V_l, stress drop and period are both smaller at the lower σ.",
         not_established: "Monotonic behaviour between the grid's points.",
-        needs: NEEDS,
+        needs: CERTIFIED_NEEDS,
         rests_on: &["N1"],
         decide: |context| n5(context).unwrap_or_else(|undecided| undecided),
     },
@@ -81,7 +85,7 @@ pub(super) const CHECKS: &[Check] = &[
         id: "N8",
         criterion: "Between neighbouring points at the same σ, the peak velocity falls with V_l in stick-slip and rises with V_l in harmonic vibration.",
         not_established: "Whether another threshold between the two modes gives the same counts.",
-        needs: NEEDS,
+        needs: CERTIFIED_NEEDS,
         rests_on: &["N1"],
         decide: |context| n8(context).unwrap_or_else(|undecided| undecided),
     },
@@ -145,7 +149,7 @@ pub(super) const CHECKS: &[Check] = &[
         id: "N16",
         criterion: "At every normal stress of fig 3a, the run at 10^-5.5 m/s ends on a limit cycle.",
         not_established: "The normal stresses of the paper's fig 5, whose axis range the text does not state: those of fig 3a are assumed.",
-        needs: NEEDS,
+        needs: CERTIFIED_NEEDS,
         rests_on: &["N1"],
         decide: |context| n16(context).unwrap_or_else(|undecided| undecided),
     },
@@ -163,7 +167,12 @@ fn n1(context: &Context) -> Result<Finding, Finding> {
         let none = || Finding::not_checked("The report has no runs next to K = K_c.");
         draft.part(words(grid.law), near.map_or_else(none, |near| ends_next_to_transition(near, grid.law)))
     });
-    Ok(of_readings([on_the_grid, everywhere]))
+    let certificates = certificates(context, Outcome::potentially_unstable);
+    let scope = || "The certificate of a decay is about the run from V_l/10. That of a cycle proves that the cycle exists and attracts, not that this run ends on it.";
+    Ok(of_readings([on_the_grid, everywhere])
+        .with_remark(certificates.map(|_| scope().into()))
+        .with_remark(remark(certificates))
+        .with_remark(certificates.and_then(Certificates::missing)))
 }
 
 /// Whether every run of one law's grid ends as the sign of K − K_c says.
@@ -176,7 +185,9 @@ fn ends_by_stiffness(grid: &Runs) -> Finding {
     let quantity = format!("Long-term behaviour, {} law", grid.law.as_str());
     let wrong: Vec<_> =
         grid.runs.iter().filter(|run| run.periodic() != (run.theory.transition_sign < 0)).collect();
-    Finding::from_evidence(evidence(slice::from_ref(grid), &quantity, value))
+    let finding = Finding::from_evidence(evidence(slice::from_ref(grid), &quantity, value));
+    let finding = certified_ends(grid).into_iter().fold(finding, Finding::with_supporting);
+    finding
         .require(wrong.is_empty(), || {
             format!("{} runs contradict the sign of K − K_c: {}", wrong.len(), wrong[0].place())
         })
@@ -186,6 +197,17 @@ fn ends_by_stiffness(grid: &Runs) -> Finding {
             round_digits(below, 4),
             round_digits(above, 4)
         ))
+}
+
+/// The certified limit cycles and decays of a grid, if there are any.
+fn certified_ends(grid: &Runs) -> Option<Evidence> {
+    let proofs = || grid.runs.iter().filter_map(|run| run.certificate);
+    let cycles = proofs().filter(|proof| period_s(proof).is_some()).count();
+    let decays = proofs().count() - cycles;
+    (cycles + decays > 0).then(|| Evidence::Enclosure {
+        quantity: format!("Certificates, {} law", grid.law.as_str()),
+        value: format!("{cycles} limit cycles, {decays} decays"),
+    })
 }
 
 fn n2(context: &Context) -> Result<Finding, Finding> {

@@ -1,8 +1,11 @@
 //! The simulations as the N claims read them: complete grids, neighbours on them, and error estimates.
 
+use crate::claims::certified::contradiction;
 use crate::claims::{Evidence, Finding};
+use crate::experiments::certificates::Certificates;
 use crate::experiments::simulations::{RunCourse, SimulatedPoint, SimulationsOutcome};
 use crate::experiments::{Context, Outcome, SceneOutcome};
+use slipmode_core::dynamics::certified::Certificate;
 use slipmode_core::dynamics::{Behaviour, Simulation};
 use slipmode_core::friction::EvolutionLaw;
 use slipmode_core::number::format::round_digits;
@@ -15,6 +18,8 @@ pub(super) struct Run<'c> {
     pub(super) simulation: &'c Simulation,
     pub(super) course: Option<&'c RunCourse>,
     pub(super) theory: &'c Classification,
+    /// What is proved at this point.
+    pub(super) certificate: Option<&'c Certificate>,
     pub(super) stiffness_over_critical: Option<f64>,
     /// η.
     pub(super) inertial_parameter: f64,
@@ -37,9 +42,19 @@ pub(super) fn outcome<'c>(context: &'c Context, pick: Pick) -> Result<&'c Simula
         .ok_or_else(|| Finding::not_checked("The report has no simulations of this slider."))
 }
 
-/// The grids of a scene, if every run has a result: a claim on every simulation cannot be decided when runs failed.
+/// The certificates of a scene, if it has any.
+pub(super) fn certificates<'c>(context: &'c Context, pick: Pick) -> Option<&'c Certificates> {
+    pick(context.outcome)?.certificates.as_ref()
+}
+
+/// The grids of a scene, if every run has a result: a claim on every simulation cannot be decided when runs failed. Nor can it where
+/// a stored certificate is not proved again, or a run contradicts its certificate.
 pub(super) fn grids<'c>(context: &'c Context, pick: Pick) -> Result<Vec<Runs<'c>>, Finding> {
-    outcome(context, pick)?
+    let certificates = certificates(context, pick);
+    if let Some(refusal) = certificates.and_then(Certificates::refusal) {
+        return Err(Finding::not_checked(refusal));
+    }
+    let grids: Vec<Runs<'c>> = outcome(context, pick)?
         .grids
         .iter()
         .map(|(law, grid)| {
@@ -53,6 +68,8 @@ pub(super) fn grids<'c>(context: &'c Context, pick: Pick) -> Result<Vec<Runs<'c>
                         simulation,
                         course: point.course.as_ref(),
                         theory: &point.theory,
+                        certificate: certificates
+                            .and_then(|all| all.at(*law, velocity_m_per_s, normal_stress_pa)),
                         stiffness_over_critical: point.stiffness_over_critical,
                         inertial_parameter: point.inertial_parameter,
                     }),
@@ -64,7 +81,11 @@ pub(super) fn grids<'c>(context: &'c Context, pick: Pick) -> Result<Vec<Runs<'c>
             let runs = grid.points().map(run).collect::<Result<Vec<_>, _>>()?;
             Ok(Runs { law: *law, runs, columns: grid.loading_velocity_m_per_s.len() })
         })
-        .collect()
+        .collect::<Result<_, _>>()?;
+    match grids.iter().flat_map(|grid| &grid.runs).find_map(contradiction) {
+        Some(reason) => Err(Finding::not_checked(reason)),
+        None => Ok(grids),
+    }
 }
 
 impl Run<'_> {
@@ -119,15 +140,20 @@ fn both_periodic<'r, 'c>(pair: &'r [Run<'c>]) -> Option<(&'r Run<'c>, &'r Run<'c
     (first.periodic() && second.periodic()).then_some((first, second))
 }
 
-/// Evidence from all runs of the grids, with their largest error estimate.
-pub(super) fn evidence(grids: &[Runs], quantity: &str, value: String) -> Evidence {
+/// The largest error estimate of the runs.
+pub(super) fn error_of(grids: &[Runs]) -> String {
     let errors = grids.iter().flat_map(|grid| &grid.runs).map(|run| {
         run.simulation.peak_relative_error.max(run.simulation.period_relative_error.unwrap_or(0.0))
     });
+    format!("{} of peak velocity or period", round_digits(errors.fold(0.0, f64::max), 2))
+}
+
+/// Evidence from all runs of the grids, with their largest error estimate.
+pub(super) fn evidence(grids: &[Runs], quantity: &str, value: String) -> Evidence {
     Evidence::Simulation {
         quantity: quantity.into(),
         value,
-        error: format!("{} of peak velocity or period", round_digits(errors.fold(0.0, f64::max), 2)),
+        error: error_of(grids),
         runs: grids.iter().map(|grid| grid.runs.len()).sum(),
     }
 }

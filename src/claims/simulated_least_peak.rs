@@ -1,8 +1,9 @@
 //! Claims N7 and N8: where the peak velocity turns from falling to rising, against eq 18 and against the change of mode.
 
+use crate::claims::certified::{Pair, Pairs, both_certainly, rises};
 use crate::claims::reading::{Draft, of_readings};
-use crate::claims::simulated::{Run, Runs, evidence, for_each_law, grids, outcome};
-use crate::claims::simulated_trends::{of, peaks, rises, share, total};
+use crate::claims::simulated::{grids, outcome};
+use crate::claims::simulated_trends::{natural_period_s, peaks};
 use crate::claims::{Evidence, Finding};
 use crate::experiments::simulations::{FLATNESS_LEVELS, LeastPeak, SIDE_WIDTH};
 use crate::experiments::{Context, Outcome};
@@ -88,40 +89,41 @@ pub(super) fn n7(context: &Context) -> Result<Finding, Finding> {
 
 pub(super) fn n8(context: &Context) -> Result<Finding, Finding> {
     let grids = grids(context, Outcome::potentially_unstable)?;
-    let both_are = |mode| move |(first, second): &(&Run, &Run)| first.is(mode) && second.is(mode);
-    let stick_slip =
-        |grid: &Runs| share(grid.along_velocity().filter(both_are(SlipMode::StickSlip)), |pair| !rises(pair));
-    let vibration =
-        |grid: &Runs| share(grid.along_velocity().filter(both_are(SlipMode::HarmonicVibration)), rises);
-    let falls = total(&grids, stick_slip);
-    let grows = total(&grids, vibration);
-    if falls.1 == 0 || grows.1 == 0 {
+    let natural_s = natural_period_s(context)?;
+    let by_mode = |mode: SlipMode, falls: bool| {
+        let both = move |(first, second): &Pair| first.is(mode) && second.is(mode);
+        Pairs::new(
+            &grids,
+            move |grid| grid.along_velocity().filter(both),
+            move |pair| {
+                let rises = rises(pair).among(both_certainly(pair, mode, natural_s));
+                if falls { rises.not() } else { rises }
+            },
+        )
+    };
+    let [falling, rising] = [by_mode(SlipMode::StickSlip, true), by_mode(SlipMode::HarmonicVibration, false)];
+    if falling.count() == 0 || rising.count() == 0 {
         return Err(Finding::not_checked(
             "No two neighbours of the grid are both stick-slip, or both harmonic.",
         ));
     }
-    let stray = grids
-        .iter()
-        .flat_map(Runs::along_velocity)
-        .find(|pair| both_are(SlipMode::StickSlip)(pair) && rises(pair));
-    let in_stick_slip = Finding::from_evidence(evidence(
-        &grids,
+    let in_stick_slip = falling.finding(
         "Neighbouring stick-slip points at the same σ whose peak velocity falls with V_l",
-        for_each_law(&grids, |grid| of(stick_slip(grid))),
-    ));
-    let in_stick_slip = match stray {
-        None => in_stick_slip.on(format!("all {} neighbours of the grid", falls.1)),
-        Some(pair) => {
-            in_stick_slip.refuted(format!("it falls between {} neighbours only; {}", of(falls), peaks(pair)))
-        }
+        |pairs| {
+            let pair = pairs.failing().map_or_else(String::new, peaks);
+            format!("it falls between {} neighbours only; {pair}", pairs.share())
+        },
+    );
+    let in_stick_slip = match falling.failing() {
+        None => in_stick_slip.on(format!("all {} neighbours of the grid", falling.count())),
+        Some(_) => in_stick_slip,
     };
-    let in_vibration = Finding::from_evidence(evidence(
-        &grids,
-        "Neighbouring points of harmonic vibration at the same σ whose peak velocity rises with V_l",
-        for_each_law(&grids, |grid| of(vibration(grid))),
-    ))
-    .require(grows.0 == grows.1, || format!("it rises between {} neighbours only", of(grows)))
-    .on(format!("{} neighbours of the grid", grows.1));
+    let in_vibration = rising
+        .finding(
+            "Neighbouring points of harmonic vibration at the same σ whose peak velocity rises with V_l",
+            |pairs| format!("it rises between {} neighbours only", pairs.share()),
+        )
+        .on(format!("{} neighbours of the grid", rising.count()));
     let written = Draft::new("the modes by the period of the cycle")
         .part("in stick-slip the peak velocity falls with V_l", in_stick_slip)
         .part("in harmonic vibration the peak velocity rises with V_l", in_vibration);

@@ -1,9 +1,9 @@
 //! Claims N12, N13 and N16: where stick-slip turns into vibration, how harmonic the vibration is, and what fig 5 divides by.
 
+use crate::claims::certified::{Pair, Pairs, both_cycle, rises};
 use crate::claims::reading::{Draft, of_readings};
-use crate::claims::simulated::{Run, Runs, evidence, for_each_law, grids, outcome};
+use crate::claims::simulated::{Run, Runs, grids, outcome};
 use crate::claims::simulated_least_peak::{extent, n7, range};
-use crate::claims::simulated_trends::{of, rises, share, total};
 use crate::claims::{Evidence, Finding};
 use crate::experiments::simulations::{LeastPeak, PERIOD_LEVELS, SIDE_WIDTH};
 use crate::experiments::{Context, Outcome};
@@ -151,20 +151,21 @@ pub(super) fn n16(context: &Context) -> Result<Finding, Finding> {
     let critical_pa = slider(context)?.critical_normal_stress_pa();
     let side = |above: bool| divisors(&grids, move |stress| (stress > critical_pa) == above);
     let below = side(false)?;
-    let rising = |grid: &Runs| {
-        share(grid.along_velocity().filter(|(run, _)| run.normal_stress_pa < critical_pa), rises)
-    };
-    let below = below.with_evidence(evidence(
+    let is_below = move |(run, _): &Pair| run.normal_stress_pa < critical_pa;
+    let rising = Pairs::new(
         &grids,
-        "Neighbouring limit cycles at the same σ < σ_c whose peak velocity rises with V_l",
-        for_each_law(&grids, |grid| of(rising(grid))),
-    ));
+        move |grid| grid.along_velocity().filter(is_below),
+        |pair| rises(pair).among(both_cycle(pair)),
+    );
+    let below = rising
+        .evidence("Neighbouring limit cycles at the same σ < σ_c whose peak velocity rises with V_l")
+        .into_iter()
+        .fold(below, Finding::with_evidence);
     let words = "the peak at 10^-5.5 m/s, by which fig 5 divides, is that of a limit cycle";
     let written = Draft::new("at every normal stress of fig 3a")
         .part(format!("above σ_c {words}"), side(true)?)
         .part(format!("below σ_c {words}"), below);
-    let (up, all) = total(&grids, rising);
-    Ok(of_readings([written]).remark(format!("Below σ_c, fig 5 divides the peak of a limit cycle by that of a transient, which the start V_l/10 decides. There the peak of the cycles rises between {up} of {all} neighbours, so the lowest peak is where they begin, at K = K_c, and not at eq 18.")))
+    Ok(of_readings([written]).remark(format!("Below σ_c, fig 5 divides the peak of a limit cycle by that of a transient, which the start V_l/10 decides. There the peak of the cycles rises between {} neighbours, so the lowest peak is where they begin, at K = K_c, and not at eq 18.", rising.share())))
 }
 
 /// Whether the runs at the velocity of the divisor end on a limit cycle, at the chosen normal stresses.

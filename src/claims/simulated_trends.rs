@@ -1,34 +1,16 @@
 //! Claims N on peak velocity, stress drop and period across the grid.
 
+use crate::claims::certified::{Pair, Pairs, both_certainly, both_cycle, grows_and_slows, rises};
 use crate::claims::reading::{Draft, of_readings};
-use crate::claims::simulated::{Run, Runs, evidence, for_each_law, grids};
+use crate::claims::simulated::{Runs, evidence, grids};
 use crate::claims::{Evidence, Finding};
 use crate::experiments::{Context, Outcome};
 use slipmode_core::number::format::round_digits;
 use slipmode_core::number::nearest_f64;
 use slipmode_core::stability::SlipMode;
 
-pub(super) fn rises((first, second): &(&Run, &Run)) -> bool {
-    second.simulation.peak_velocity_m_per_s > first.simulation.peak_velocity_m_per_s
-}
-
-/// How many of the pairs pass, and of how many.
-pub(super) fn share<'r, 'c: 'r>(
-    pairs: impl Iterator<Item = (&'r Run<'c>, &'r Run<'c>)>,
-    passes: impl Fn(&(&Run, &Run)) -> bool,
-) -> (usize, usize) {
-    pairs.fold((0, 0), |(passed, all), pair| (passed + usize::from(passes(&pair)), all + 1))
-}
-
-pub(super) fn of((passed, all): (usize, usize)) -> String {
-    format!("{passed} of {all}")
-}
-
-pub(super) fn total(grids: &[Runs], count: impl Fn(&Runs) -> (usize, usize)) -> (usize, usize) {
-    grids.iter().map(count).fold((0, 0), |sum, (passed, all)| (sum.0 + passed, sum.1 + all))
-}
-
-pub(super) fn peaks(pair: (&Run, &Run)) -> String {
+/// Between which peaks a pair lies, for people.
+pub(super) fn peaks(pair: Pair) -> String {
     format!(
         "from {} to {} the peak velocity goes from {} to {} m/s",
         pair.0.place(),
@@ -54,54 +36,58 @@ pub(super) fn n3(context: &Context) -> Result<Finding, Finding> {
     ))
 }
 
-/// Neighbouring limit cycles, the one with the smaller coordinates first.
-type Pairs<'r, 'c> = Box<dyn Iterator<Item = (&'r Run<'c>, &'r Run<'c>)> + 'r>;
+/// Neighbouring limit cycles of a grid.
+type Neighbours<'r, 'c> = Box<dyn Iterator<Item = Pair<'r, 'c>> + 'r>;
 
 /// Whether the peak velocity rises between all neighbours of a kind.
-fn risen(grids: &[Runs], which: &str, pairs: for<'r, 'c> fn(&'r Runs<'c>) -> Pairs<'r, 'c>) -> Finding {
-    let count = |grid: &Runs| share(pairs(grid), rises);
-    let (passed, all) = total(grids, count);
-    if all == 0 {
+fn risen(
+    grids: &[Runs],
+    which: &str,
+    neighbours: for<'r, 'c> fn(&'r Runs<'c>) -> Neighbours<'r, 'c>,
+) -> Finding {
+    let pairs = Pairs::new(grids, neighbours, |pair| rises(pair).among(both_cycle(pair)));
+    if pairs.count() == 0 {
         return Finding::not_checked(format!("No two neighbours {which} are both limit cycles."));
     }
     let quantity = format!("Neighbouring limit cycles {which} whose peak velocity rises");
-    let finding =
-        Finding::from_evidence(evidence(grids, &quantity, for_each_law(grids, |grid| of(count(grid)))));
-    let falling = grids.iter().find_map(|grid| pairs(grid).find(|pair| !rises(pair)).map(peaks));
-    match falling {
-        None => finding.on(format!("all {all} neighbours of the grid {which}")),
-        Some(pair) => {
-            finding.refuted(format!("it rises between {} neighbours only; {pair}", of((passed, all))))
-        }
+    let finding = pairs.finding(&quantity, |pairs| {
+        let pair = pairs.failing().map_or_else(String::new, peaks);
+        format!("it rises between {} neighbours only; {pair}", pairs.share())
+    });
+    match pairs.failing() {
+        None => finding.on(format!("all {} neighbours of the grid {which}", pairs.count())),
+        Some(_) => finding,
     }
 }
 
 pub(super) fn n5(context: &Context) -> Result<Finding, Finding> {
     let grids = grids(context, Outcome::potentially_unstable)?;
-    let both = |(lower, upper): &(&Run, &Run)| lower.is(SlipMode::StickSlip) && upper.is(SlipMode::StickSlip);
-    let larger_and_rarer = |(lower, upper): &(&Run, &Run)| {
-        upper.simulation.stress_drop_pa > lower.simulation.stress_drop_pa
-            && upper.simulation.period_s > lower.simulation.period_s
-    };
-    let count = |grid: &Runs| share(grid.along_stress().filter(both), larger_and_rarer);
-    let (passed, all) = total(&grids, count);
-    Ok(Finding::from_evidence(evidence(
-            &grids,
+    let natural_s = natural_period_s(context)?;
+    let both = |(lower, upper): &Pair| lower.is(SlipMode::StickSlip) && upper.is(SlipMode::StickSlip);
+    let certainly = |pair: &Pair| both_certainly(pair, SlipMode::StickSlip, natural_s);
+    let pairs = Pairs::new(
+        &grids,
+        |grid| grid.along_stress().filter(both),
+        |pair| grows_and_slows(pair).among(certainly(pair)),
+    );
+    Ok(pairs
+        .finding(
             "Neighbouring stick-slip points at the same V_l with the smaller stress drop and the shorter period at the lower σ",
-            for_each_law(&grids, |grid| of(count(grid))),
-        ))
-        .require(all > 0 && passed == all, || format!("only {passed} of {all} neighbours")))
+            |pairs| format!("only {} neighbours", pairs.share()),
+        )
+        .require(pairs.count() > 0, || "only 0 of 0 neighbours".into()))
+}
+
+/// 2π/√(K/M) of the slider of the simulations, s.
+pub(super) fn natural_period_s(context: &Context) -> Result<f64, Finding> {
+    let scene = context.outcome.potentially_unstable().and_then(|scene| scene.slider());
+    let slider = scene.ok_or_else(|| Finding::not_checked("The scene has no parameters."))?;
+    Ok(std::f64::consts::TAU / slider.map(nearest_f64).natural_angular_frequency_per_s())
 }
 
 pub(super) fn n10(context: &Context) -> Result<Finding, Finding> {
     let grids = grids(context, Outcome::potentially_unstable)?;
-    let natural_s = context
-        .outcome
-        .potentially_unstable()
-        .and_then(|scene| scene.slider())
-        .map(|slider| 1.0 / slider.map(nearest_f64).natural_angular_frequency_per_s())
-        .map(|unit| std::f64::consts::TAU * unit)
-        .ok_or_else(|| Finding::not_checked("The scene has no parameters."))?;
+    let natural_s = natural_period_s(context)?;
     let modes = [SlipMode::HarmonicVibration, SlipMode::InertialUnderdampedOscillation];
     let mut ratios: Vec<f64> = grids
         .iter()

@@ -6,6 +6,7 @@
 mod archive;
 mod boundary;
 mod capture;
+mod certificates;
 mod claim;
 mod classify;
 mod compare;
@@ -87,6 +88,8 @@ enum Command {
     Merge(merge::Options),
     /// Compares runs of other programs with the theory and with our simulation; exits with 1 unless all agree
     Compare(compare::Options),
+    /// Proves all certificates of a scene again, or certifies the points of its grid anew; exits with 1 if one is not proved
+    Certificates(certificates::Options),
     /// Prints where each formula may be used, for given relative errors
     Tolerance(tolerance::Options),
     /// Writes a page on which b, K and M of a scene's slider can be changed; it needs no server
@@ -170,6 +173,7 @@ fn dispatch(command: Command, progress: Progress) -> Result<(), Failure> {
         Command::Sweep(options) => sweep::run(&options, &progress),
         Command::Merge(options) => merge::run(&options),
         Command::Compare(options) => compare::run(&options, progress),
+        Command::Certificates(options) => certificates::run(&options, &progress),
         Command::Tolerance(options) => tolerance::run(&options),
         Command::Explore(options) => explore::run(&options),
         Command::New(options) => new::run(&options, &progress),

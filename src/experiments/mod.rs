@@ -1,6 +1,7 @@
 //! What a scene's sections say, compute and show: one folder an experiment. Pure, and the same bytes on any number of threads.
 
 pub mod boundary;
+pub mod certificates;
 pub mod effect_ratio_sweep;
 mod experiment;
 mod figures;

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use crate::experiments::SceneOutcome;
+use crate::experiments::certificates::Stored;
 use crate::experiments::swept::Swept;
 use slipmode_core::friction::Slider;
 use slipmode_core::number::Rational;
@@ -59,4 +60,6 @@ impl Outcome {
 pub struct References {
     /// Sweeps by name.
     pub swept: BTreeMap<String, Swept>,
+    /// Certificates by the name of their file.
+    pub certificates: BTreeMap<String, Vec<Stored>>,
 }

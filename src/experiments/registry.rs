@@ -147,6 +147,8 @@ experiments! {
     Onset, onset: x::onset::OnsetSection;
     /// The nonlinear slider close to K = K_c.
     NearTransition, near_transition: x::near_transition::NearTransitionSection;
+    /// Certificates of runs.
+    Certificates, certificates: x::certificates::CertificatesSection;
     /// Sweeps that ran elsewhere.
     Swept, swept: x::swept::SweptSection;
     /// The critical stiffness at given normal stresses.

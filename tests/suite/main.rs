@@ -13,6 +13,7 @@ mod bad_scenes;
 mod bands;
 mod boundary;
 mod boundary_command;
+mod certificates;
 mod certify;
 mod claim_formulas;
 mod claim_guide;

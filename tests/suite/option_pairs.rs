@@ -237,6 +237,15 @@ const COMMANDS: &[Command] = &[
         ],
     },
     Command {
+        bases: &[&["certificates", "certified.toml"]],
+        options: &[
+            ("--law", &["--law", "aging"]),
+            ("--output", &["-o", "out.csv"]),
+            ("--json", &["--json"]),
+            ("--max-points", &["--max-points", "2"]),
+        ],
+    },
+    Command {
         bases: &[&["compare", "--runs", "runs.csv"], &["compare", "--runs", "faulty.csv"]],
         options: &[
             ("--law", &["--law", "aging"]),
@@ -344,6 +353,7 @@ fn workplace() -> Workplace {
         place.run(["sweep", "sweep.toml", "--out", folder]).expect_success();
     }
     fs::remove_file(place.path("fewer/block-000000002.csv")).unwrap();
+    crate::certificates::write_certified(&place);
     place.write(
         "small/report.toml",
         "name = \"small\"\ntitle = \"Small\"\nscenes = [\"s\"]\n[[chapter]]\nid = \"c\"\ntitle = \"C\"\nprose = \"c.md\"\n",

@@ -39,11 +39,21 @@ pub(super) fn certify(
         return Err(Reason::SeveralReturns(cycle.returns_per_cycle));
     }
     let (test, crossing, observed) = Test::near(constants, model, cycle)?;
-    let contraction = largest_multiplier(&crossing.derivative);
-    if !(contraction < 1.0) {
-        return Err(Reason::NotAttracting);
+    test.attracting(&crossing, &observed, parameters)
+}
+
+/// Proves the cycle of a stated box again, by one return of the box.
+pub(super) fn prove_again(
+    constants: &Constants,
+    stated: &Proved,
+    parameters: &Parameters<Rational>,
+) -> Result<Certificate, Reason> {
+    let test = Test::of(stated).ok_or(Reason::NotContained)?;
+    let (crossing, observed, value) = test.mapped(constants)?;
+    if !test.contains(&value) {
+        return Err(Reason::NotContained);
     }
-    Ok(test.certificate(contraction, &observed, parameters))
+    test.attracting(&crossing, &observed, parameters)
 }
 
 /// A point of a section near a cycle, and the radii of a box around it.
@@ -72,6 +82,21 @@ impl Test {
             Reason::NoEnclosure => with_steps(SHORT),
             other => Err(other),
         })
+    }
+
+    /// The box that a certificate states; none of a decay.
+    fn of(stated: &Proved) -> Option<Self> {
+        let Proved::Cycle { section_log_velocity, state_box, second_box, is_on_slow_manifold, .. } = stated
+        else {
+            return None;
+        };
+        let ends = [state_box, second_box];
+        let found = Guess {
+            section: *section_log_velocity,
+            point: ends.map(|[low, high]| 0.5 * (low + high)),
+            is_on_slow_manifold: *is_on_slow_manifold,
+        };
+        Some(Self { found, radius: ends.map(|[low, high]| 0.5 * (high - low)) })
     }
 
     /// Newton's steps, with a box that is a point but for ψ.
@@ -150,12 +175,17 @@ impl Test {
         self
     }
 
-    fn certificate(
+    /// The certificate, if the cycle of the box attracts.
+    fn attracting(
         &self,
-        contraction: f64,
+        crossing: &Crossing,
         observed: &Observed,
         parameters: &Parameters<Rational>,
-    ) -> Certificate {
+    ) -> Result<Certificate, Reason> {
+        let contraction = largest_multiplier(&crossing.derivative);
+        if !(contraction < 1.0) {
+            return Err(Reason::NotAttracting);
+        }
         let units = Units::new(parameters);
         let [y, force] = self.found.point;
         let centre = [y, if self.found.is_on_slow_manifold { 0.0 } else { force }];
@@ -163,7 +193,7 @@ impl Test {
             let side = Interval { mid: centre[i], rad: self.radius[i] };
             [side.lower(), side.upper()]
         };
-        Certificate {
+        Ok(Certificate {
             proved: Proved::Cycle {
                 section_log_velocity: self.found.section,
                 state_box: ends(0),
@@ -174,7 +204,7 @@ impl Test {
             },
             peak_velocity_m_per_s: units.peak(observed.peak()),
             stress_drop_pa: units.drop(observed.stress_drop()),
-        }
+        })
     }
 }
 

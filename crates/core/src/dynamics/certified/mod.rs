@@ -149,6 +149,23 @@ pub fn certify(
     }
 }
 
+/// Proves a certificate again: a cycle from the box that the certificate states, by one enclosed return; a decay by its run.
+///
+/// # Errors
+/// A [`Reason`] when it is not proved.
+pub fn prove_again(
+    parameters: &Parameters<Rational>,
+    law: EvolutionLaw,
+    start: Start,
+    stated: &Proved,
+) -> Result<Certificate, Reason> {
+    let constants = Constants::new(&parameters.groups(), law);
+    match stated {
+        Proved::Cycle { .. } => cycle::prove_again(&constants, stated, parameters),
+        Proved::Decay { .. } => decay::certify(&constants, start, parameters),
+    }
+}
+
 impl Constants {
     fn new(groups: &Groups<Rational>, law: EvolutionLaw) -> Self {
         Self {

@@ -1,0 +1,121 @@
+//! `slipmode certificates`: proves all certificates of a scene again, or writes new ones.
+
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use serde_json::json;
+use slipmode::archive::sha256_hex;
+use slipmode::experiments::Scene;
+use slipmode::experiments::certificates::{CertificateFile, Stored, certify_grid, prove_again, written};
+use slipmode::scene::{Fault, Problem};
+use slipmode_core::friction::EvolutionLaw;
+
+use crate::cli::failure::Failure;
+use crate::cli::folder::read_scene;
+use crate::cli::input::{fault_of, read_small_file};
+use crate::cli::inputs::SCHEMA;
+use crate::cli::options::Arguments;
+use crate::cli::output::Output;
+use crate::cli::progress::Progress;
+use crate::cli::report::LimitOption;
+use crate::cli::terminal;
+use crate::cli::words::law_of_word;
+
+/// Options of `certificates`.
+#[derive(Debug, Args)]
+pub struct Options {
+    /// The scene; its section [certificates] names the files
+    #[arg(value_name = "SCENE.toml")]
+    scene: PathBuf,
+    /// Certifies the grid of the scene's [simulations] anew with this law, `slip` or `aging`, instead of proving its files again
+    #[arg(long, value_name = "LAW", requires = "output", allow_hyphen_values = true)]
+    law: Option<String>,
+    /// Where to write the new certificates; `-` is standard output, which otherwise gets the digest of the file
+    #[arg(short, long, value_name = "OUT.csv", requires = "law")]
+    output: Option<PathBuf>,
+    /// One JSON object instead of text: how many certificates there are and how many were proved, or the digest of a new file
+    #[arg(long)]
+    json: bool,
+    #[command(flatten)]
+    limit: LimitOption,
+}
+
+/// Runs the command.
+///
+/// # Errors
+/// When the scene or a file is at fault, an output cannot be written, or a certificate is not proved again.
+pub fn run(options: &Options, progress: &Progress) -> Result<(), Failure> {
+    let mut arguments = Arguments::default();
+    let law = options.law.as_ref().map(|word| arguments.number("--law", word, law_of_word));
+    let law = arguments.finish(Some(law.flatten()))?;
+    match law.zip(options.output.as_deref()) {
+        Some((law, place)) => options.certify(law, place, *progress),
+        None => options.prove(*progress),
+    }
+}
+
+impl Options {
+    fn certify(&self, law: EvolutionLaw, place: &Path, progress: Progress) -> Result<(), Failure> {
+        let bytes = read_small_file(&self.scene)?;
+        let scene = Scene::parse(&self.scene.display().to_string(), &bytes, &self.limit.limits()?)?;
+        let (Some(section), Some(parameters)) = (&scene.simulations, &scene.parameters) else {
+            return Err(self.lacks("simulations", "a grid of loading velocities and normal stresses"));
+        };
+        let is_stream = place.as_os_str() == "-";
+        if self.json && is_stream {
+            let why = "needs a file: standard output has the object of --json";
+            return Err(Failure::Refused(format!("--output = -: {why}")));
+        }
+        let output = Output::create(place)?;
+        let rows = progress.spinner("certifying", || certify_grid(&parameters.slider, section, law));
+        let text = written(&rows);
+        let digest = sha256_hex(text.as_bytes());
+        output.finish(text)?;
+        if self.json {
+            let certificates = rows.iter().filter(|row| row.certificate.is_ok()).count();
+            return terminal::print_json(&json!({
+                "schema": SCHEMA,
+                "inputs": { "scene": self.scene, "law": law.as_str() },
+                "points": rows.len(),
+                "certificates": certificates,
+                "sha256": digest,
+                "output": place,
+            }));
+        }
+        if is_stream { Ok(()) } else { terminal::print(&format!("sha256 = \"{digest}\"\n")) }
+    }
+
+    fn prove(&self, progress: Progress) -> Result<(), Failure> {
+        let lone = read_scene(&self.scene, self.limit.limits()?)?;
+        let Some(section) = &lone.scene.certificates else {
+            return Err(self.lacks("certificates", "a section that names files of certificates"));
+        };
+        let of = |file: &CertificateFile| lone.references.certificates.get(&file.name).cloned();
+        let rows: Vec<Stored> = section.files.iter().filter_map(of).flatten().collect();
+        let all: Vec<usize> = (0..rows.len()).collect();
+        let again = progress.spinner("proving again", || prove_again(&rows, &all));
+        let refused: Vec<String> = again
+            .iter()
+            .filter_map(|one| Some(format!("{}: {}", rows[one.row].place(), one.refusal.as_ref()?)))
+            .collect();
+        let proved = again.len() - refused.len();
+        if self.json {
+            terminal::print_json(&json!({
+                "schema": SCHEMA,
+                "inputs": { "scene": self.scene },
+                "points": rows.len(),
+                "certificates": again.len(),
+                "proved_again": proved,
+                "refused": refused,
+            }))?;
+        } else {
+            terminal::print(&format!("{proved} of {} certificates proved again\n", again.len()))?;
+        }
+        if refused.is_empty() { Ok(()) } else { Err(Failure::Check(refused.join("\n"))) }
+    }
+
+    fn lacks(&self, key: &str, allowed: &str) -> Failure {
+        let problem = Problem::Missing { allowed: allowed.into() };
+        Fault { key: key.into(), ..fault_of(&self.scene, problem) }.into()
+    }
+}

@@ -1,0 +1,290 @@
+//! Stored certificates, some of which are proved again; and new ones for a grid.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use rayon::prelude::*;
+
+use crate::experiments::certificates::Stored;
+use crate::experiments::simulations::SimulationsSection;
+use slipmode_core::dynamics::Start;
+use slipmode_core::dynamics::certified::{self, Certificate, Proved, certify};
+use slipmode_core::friction::{EvolutionLaw, Parameters, Slider};
+use slipmode_core::number::format::{rational_to_decimal, shortest};
+use slipmode_core::number::{Rational, nearest_f64, parse_decimal};
+
+/// The certificates of a scene.
+#[derive(Debug, Clone)]
+pub struct Certificates {
+    /// All rows of all files.
+    pub rows: Vec<Stored>,
+    /// What this run proved again.
+    pub again: Vec<ProvedAgain>,
+    places: BTreeMap<Key, usize>,
+}
+
+/// The law, and velocity and stress in 64 bits.
+type Key = (&'static str, [u64; 2]);
+
+/// A row that was proved again, or not.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct ProvedAgain {
+    /// The row, from 0.
+    pub row: usize,
+    /// Why it is not proved.
+    pub refusal: Option<String>,
+}
+
+impl Certificates {
+    /// Proves every row again whose place in its file is a multiple of `every`, and those that are extreme.
+    #[must_use]
+    pub fn of(files: Vec<Vec<Stored>>, every: usize) -> Self {
+        let mut chosen = BTreeSet::new();
+        let mut first = 0;
+        for file in &files {
+            chosen.extend((0..file.len()).step_by(every).chain(extremes(file)).map(|row| first + row));
+            first += file.len();
+        }
+        let rows: Vec<Stored> = files.into_iter().flatten().collect();
+        let places = rows.iter().enumerate().map(|(row, stored)| (stored.key(), row)).collect();
+        Self { again: prove_again(&rows, &chosen.into_iter().collect::<Vec<_>>()), rows, places }
+    }
+
+    /// The certificate of a point of a grid, if it has one.
+    #[must_use]
+    pub fn at(&self, law: EvolutionLaw, velocity_m_per_s: f64, stress_pa: f64) -> Option<&Certificate> {
+        let row = self.places.get(&(law.as_str(), [velocity_m_per_s, stress_pa].map(f64::to_bits)))?;
+        self.rows[*row].certificate.as_ref().ok()
+    }
+
+    /// How many rows have a certificate.
+    #[must_use]
+    pub fn count(&self) -> usize {
+        self.rows.iter().filter(|row| row.certificate.is_ok()).count()
+    }
+
+    /// The rows without a certificate, each with the reason, in words; none where all have one.
+    #[must_use]
+    pub fn missing(&self) -> Option<String> {
+        let reason = |row: &Stored| Some(format!("{}: {}", row.place(), row.certificate.as_ref().err()?));
+        let missing: Vec<String> = self.rows.iter().filter_map(reason).collect();
+        (!missing.is_empty()).then(|| format!("Without a certificate: {}.", missing.join("; ")))
+    }
+
+    /// The first row that was not proved again, in words.
+    #[must_use]
+    pub fn refusal(&self) -> Option<String> {
+        self.again.iter().find_map(|again| {
+            let reason = again.refusal.as_ref()?;
+            Some(format!(
+                "The certificate of {} is not proved again: {reason}.",
+                self.rows[again.row].place()
+            ))
+        })
+    }
+}
+
+impl Stored {
+    fn key(&self) -> Key {
+        let point = &self.parameters.point;
+        let place = [&point.loading_velocity_m_per_s, &point.normal_stress_pa];
+        (self.law.as_str(), place.map(|value| nearest_f64(value).to_bits()))
+    }
+
+    /// Where the point lies, for people.
+    #[must_use]
+    pub fn place(&self) -> String {
+        let point = &self.parameters.point;
+        format!(
+            "σ = {} Pa, V_l = {} m/s, {} law",
+            rational_to_decimal(&point.normal_stress_pa, 4),
+            rational_to_decimal(&point.loading_velocity_m_per_s, 4),
+            self.law.as_str()
+        )
+    }
+
+    /// Why the row is not proved; none where it is, or where it states no certificate.
+    fn refusal(&self) -> Option<String> {
+        let stated = self.certificate.as_ref().ok()?;
+        match certified::prove_again(&self.parameters, self.law, Start::default(), &stated.proved) {
+            Ok(proof) => self.contradiction(&proof).map(|what| format!("the stored {what} is another one")),
+            Err(reason) => Some(reason.to_string()),
+        }
+    }
+}
+
+/// Proves these rows again, those that state a certificate.
+#[must_use]
+pub fn prove_again(rows: &[Stored], chosen: &[usize]) -> Vec<ProvedAgain> {
+    let chosen: Vec<usize> = chosen.iter().copied().filter(|row| rows[*row].certificate.is_ok()).collect();
+    chosen.into_par_iter().map(|row| ProvedAgain { row, refusal: rows[row].refusal() }).collect()
+}
+
+/// The rows of the cycle that attracts least, of the widest enclosure of a peak, and of the two neighbours in the file whose peaks
+/// differ least.
+fn extremes(rows: &[Stored]) -> Vec<usize> {
+    let proofs =
+        || rows.iter().enumerate().filter_map(|(row, stored)| Some((row, stored.certificate.as_ref().ok()?)));
+    let weakest = proofs().filter_map(|(row, proof)| match proof.proved {
+        Proved::Cycle { contraction, .. } => Some((row, contraction)),
+        Proved::Decay { .. } => None,
+    });
+    let width = |proof: &Certificate| proof.peak_velocity_m_per_s[1] / proof.peak_velocity_m_per_s[0];
+    let widest = proofs().map(|(row, proof)| (row, width(proof)));
+    let cycles = || proofs().filter(|(_, proof)| matches!(proof.proved, Proved::Cycle { .. }));
+    let gap = |one: &Certificate, other: &Certificate| {
+        let [a, b] = [one, other].map(|proof| proof.peak_velocity_m_per_s[0]);
+        -libm::fabs(libm::log(a / b))
+    };
+    let near = cycles().zip(cycles().skip(1)).filter(|((row, _), (next, _))| row + 1 == *next);
+    let nearest = near.map(|((row, one), (_, other))| (row, gap(one, other)));
+    let nearest = greatest(nearest);
+    let single = [greatest(weakest), greatest(widest), nearest, nearest.map(|row| row + 1)];
+    single.into_iter().flatten().collect()
+}
+
+fn greatest(values: impl Iterator<Item = (usize, f64)>) -> Option<usize> {
+    values.max_by(|one, other| one.1.total_cmp(&other.1)).map(|(row, _)| row)
+}
+
+/// Certifies every point of a section's grid with one law, row by row of constant normal stress.
+#[must_use]
+pub fn certify_grid(
+    slider: &Slider<Rational>,
+    section: &SimulationsSection,
+    law: EvolutionLaw,
+) -> Vec<Stored> {
+    let velocities = section.rectangle.loading_velocity_m_per_s.coordinates();
+    let stresses = section.rectangle.normal_stress_pa.coordinates();
+    let places: Vec<[f64; 2]> = stresses
+        .iter()
+        .flat_map(|&stress| velocities.iter().map(move |&velocity| [stress, velocity]))
+        .collect();
+    let certified = |place: [f64; 2]| {
+        let decimal = |value: &Rational| shortest(nearest_f64(value));
+        let [stress, velocity] = place.map(shortest);
+        let inputs = [
+            decimal(&slider.direct_effect),
+            decimal(&slider.evolution_effect),
+            decimal(&slider.critical_slip_distance_m),
+            decimal(&slider.stiffness_pa_per_m),
+            decimal(&slider.mass_per_area_kg_per_m2),
+            stress,
+            velocity,
+        ];
+        // What is certified is what the row says.
+        let parameters =
+            Parameters::from(inputs.each_ref().map(|text| parse_decimal(text).unwrap_or_default()));
+        let found = certify(&parameters, law, Start::default());
+        Stored::of(inputs, parameters, law, found)
+    };
+    places.into_par_iter().map(certified).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::experiments::certificates::{CertificateFile, read_stored, written};
+    use crate::experiments::shared::fixtures::paper;
+    use crate::scene::{LogAxis, Rectangle};
+
+    /// A stick-slip cycle, a vibration and two decays.
+    fn rows() -> Vec<Stored> {
+        let axis = |[from, to]: [&str; 2]| LogAxis {
+            from: parse_decimal(from).unwrap(),
+            to: parse_decimal(to).unwrap(),
+            points: 2,
+        };
+        let rectangle = Rectangle {
+            loading_velocity_m_per_s: axis(["1e-3", "1e-2"]),
+            normal_stress_pa: axis(["1e3", "1e5"]),
+        };
+        let section = SimulationsSection {
+            rectangle,
+            laws: vec![EvolutionLaw::Slip],
+            tolerance: parse_decimal("1e-8").unwrap(),
+        };
+        certify_grid(&paper(), &section, EvolutionLaw::Slip)
+    }
+
+    fn read(text: &str, sha256: &str) -> Result<Vec<Stored>, String> {
+        let entry = CertificateFile { name: "c".into(), sha256: "0".repeat(64) };
+        read_stored(&entry, sha256, ("c.csv", text)).map_err(|faults| faults[0].to_string())
+    }
+
+    #[test]
+    fn what_is_written_is_read_back_and_proved_again_and_another_file_is_refused() {
+        let (rows, zeros) = (rows(), "0".repeat(64));
+        let text = written(&rows);
+        assert_eq!(read(&text, &zeros).unwrap(), rows);
+        assert!(read(&text, "1").unwrap_err().contains("to be the file of SHA-256"));
+        let kinds: Vec<bool> = rows
+            .iter()
+            .map(|row| matches!(row.certificate.as_ref().unwrap().proved, Proved::Cycle { .. }))
+            .collect();
+        assert_eq!(kinds, [false, false, true, true]);
+        let all = Certificates::of(vec![rows.clone(), rows.clone()], 3);
+        let again: Vec<usize> = all.again.iter().map(|again| again.row).collect();
+        // Every third, and as extremes the two neighbouring cycles.
+        assert_eq!(again[..3], [0, 2, 3]);
+        assert!(again[3..].iter().zip(&again[..3]).all(|(second, first)| *second == first + 4), "{again:?}");
+        assert_eq!((all.refusal(), all.missing(), all.count()), (None, None, 8));
+        assert_eq!(all.at(EvolutionLaw::Slip, 1e-2, 1e5), rows[3].certificate.as_ref().ok());
+        assert_eq!(all.at(EvolutionLaw::Aging, 1e-2, 1e5), None);
+        for (from, to, named) in [
+            (",cycle,", ",cycles,", "c.csv:4: certificate = "),
+            (",force,", ",x,", "c.csv:4: second_coordinate"),
+            ("0.004,0.006", "0,0.006", "c.csv:2: direct_effect"),
+            (",slip,", ",slipp,", "c.csv:2: law"),
+            ("law,", "laws,", "c.csv:1: header"),
+            (",decay,", ",decay,,", "c.csv:2: "),
+        ] {
+            assert!(text.contains(from), "{from}");
+            let fault = read(&text.replacen(from, to, 1), &zeros).unwrap_err();
+            assert!(fault.contains(named), "{fault}: {named}");
+        }
+    }
+
+    /// A bound, a box, a law or a parameter that is a part of 10⁻⁹ off is not proved.
+    #[test]
+    fn a_stored_certificate_with_a_planted_fault_is_not_proved_again() {
+        let rows = rows();
+        let faults: [fn(&mut Stored, f64); 6] = [
+            |row, by| {
+                row.certificate.iter_mut().for_each(|proof| shift(&mut proof.peak_velocity_m_per_s, by))
+            },
+            |row, by| row.certificate.iter_mut().for_each(|proof| shift(&mut proof.stress_drop_pa, by)),
+            |row, by| {
+                if let Ok(Certificate { proved: Proved::Cycle { period_s, .. }, .. }) = &mut row.certificate {
+                    shift(period_s, by);
+                }
+            },
+            |row, by| {
+                if let Ok(Certificate { proved: Proved::Cycle { state_box, .. }, .. }) = &mut row.certificate
+                {
+                    shift(state_box, by);
+                }
+            },
+            |row, _| row.law = EvolutionLaw::Aging,
+            |row, by| row.parameters.slider.mass_per_area_kg_per_m2 *= Rational::from_f64(1.0 + by).unwrap(),
+        ];
+        for row in &rows[2..] {
+            assert_eq!(row.refusal(), None);
+            for (number, fault) in faults.iter().enumerate() {
+                for by in [-1e-9, 1e-9] {
+                    let mut faulty = row.clone();
+                    fault(&mut faulty, by);
+                    assert!(faulty.refusal().is_some(), "{number} {by}");
+                }
+            }
+        }
+        let mut decay = rows[0].clone();
+        decay.certificate.clone_from(&rows[2].certificate);
+        assert!(decay.refusal().is_some());
+        let all = Certificates::of(vec![vec![decay]], 1);
+        assert!(all.refusal().unwrap().contains("is not proved again"));
+    }
+
+    fn shift(ends: &mut [f64; 2], by: f64) {
+        *ends = ends.map(|end| end * (1.0 + by));
+    }
+}

@@ -1,0 +1,256 @@
+//! A certificate as a row of a file: the decimals it holds for, what is proved, and bounds that the proof leaves room for.
+//!
+//! The columns of the bounds are those of `simulate --certify`. A stored bound lies outside the bound of the proof that it was
+//! made from, by a tenth of the width and a relative 10⁻¹¹ and more, so that a later proof of the same box can confirm it.
+
+use crate::experiments::certificates::CertificateFile;
+use crate::scene::{CsvProblem, Fault, Faults, Problem};
+use slipmode_core::dynamics::certified::{Certificate, Proved, Reason};
+use slipmode_core::friction::{EvolutionLaw, Parameters};
+use slipmode_core::number::format::shortest;
+use slipmode_core::number::{Rational, parse_decimal};
+
+/// What is stored of one point.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Stored {
+    /// The decimals of the row.
+    pub parameters: Parameters<Rational>,
+    /// The evolution law.
+    pub law: EvolutionLaw,
+    /// What is proved, with bounds; or why nothing is.
+    pub certificate: Result<Certificate, String>,
+    /// The seven decimals as written.
+    inputs: Vec<String>,
+}
+
+const COLUMNS: [&str; 23] = [
+    "direct_effect",
+    "evolution_effect",
+    "critical_slip_distance_m",
+    "stiffness_pa_per_m",
+    "mass_per_area_kg_per_m2",
+    "normal_stress_pa",
+    "loading_velocity_m_per_s",
+    "law",
+    "certificate",
+    "peak_velocity_low_m_per_s",
+    "peak_velocity_high_m_per_s",
+    "period_low_s",
+    "period_high_s",
+    "stress_drop_low_pa",
+    "stress_drop_high_pa",
+    "section_log_velocity",
+    "log_state_low",
+    "log_state_high",
+    "second_coordinate",
+    "second_low",
+    "second_high",
+    "contraction_factor",
+    "captured_after_s",
+];
+const INPUTS: usize = 7;
+/// Words of the second coordinate of the section: the distance from the slow manifold, and the force.
+const SECOND: [&str; 2] = ["psi", "force"];
+const NONE: &str = "none: ";
+
+/// The part of its width by which a stored enclosure is wider at each end, and the relative part of the value.
+const ROOM: [f64; 2] = [0.1, 1e-11];
+
+/// An enclosure with room for another proof, of twelve digits; both ends are positive.
+fn with_room([low, high]: [f64; 2]) -> [f64; 2] {
+    let slack = ROOM[0] * (high - low);
+    // Rounding to twelve digits changes a number by at most half of the second part of the room.
+    let rounded = |value: f64| format!("{value:.11e}").parse().unwrap_or(value);
+    [rounded(low - slack - ROOM[1] * low), rounded(high + slack + ROOM[1] * high)]
+}
+
+/// The same for a bound of the multipliers, which stays below 1.
+fn below_one(contraction: f64) -> f64 {
+    contraction + 1e-3 * (1.0 - contraction)
+}
+
+fn is_inside(inner: [f64; 2], outer: [f64; 2]) -> bool {
+    outer[0] <= inner[0] && inner[1] <= outer[1]
+}
+
+impl Stored {
+    /// Stores what was found at a point of these decimals.
+    #[must_use]
+    pub fn of(
+        inputs: [String; INPUTS],
+        parameters: Parameters<Rational>,
+        law: EvolutionLaw,
+        found: Result<Certificate, Reason>,
+    ) -> Self {
+        let certificate = found.map_err(|reason| reason.to_string()).map(|mut proof| {
+            proof.peak_velocity_m_per_s = with_room(proof.peak_velocity_m_per_s);
+            proof.stress_drop_pa = with_room(proof.stress_drop_pa);
+            match &mut proof.proved {
+                Proved::Cycle { period_s, contraction, .. } => {
+                    *period_s = with_room(*period_s);
+                    *contraction = below_one(*contraction);
+                }
+                Proved::Decay { captured_after_s } => {
+                    *captured_after_s = with_room([*captured_after_s; 2])[1]
+                }
+            }
+            proof
+        });
+        Self { parameters, law, certificate, inputs: inputs.to_vec() }
+    }
+
+    /// What a proof of the same row does not confirm; none where all stored bounds hold.
+    #[must_use]
+    pub fn contradiction(&self, proof: &Certificate) -> Option<&'static str> {
+        let stored = self.certificate.as_ref().ok()?;
+        let proved = match (&stored.proved, &proof.proved) {
+            (
+                Proved::Cycle { period_s: outer, contraction: most, .. },
+                Proved::Cycle { period_s: inner, contraction, .. },
+            ) => [(is_inside(*inner, *outer), "period"), (contraction <= most, "contraction factor")],
+            (Proved::Decay { captured_after_s: latest }, Proved::Decay { captured_after_s: after }) => {
+                [(after <= latest, "time of capture"); 2]
+            }
+            _ => [(false, "long-term behaviour"); 2],
+        };
+        let observed = [
+            (is_inside(proof.peak_velocity_m_per_s, stored.peak_velocity_m_per_s), "peak velocity"),
+            (is_inside(proof.stress_drop_pa, stored.stress_drop_pa), "stress drop"),
+        ];
+        proved.into_iter().chain(observed).find(|(holds, _)| !holds).map(|(_, what)| what)
+    }
+
+    fn cells(&self) -> Vec<String> {
+        let mut cells = self.inputs.clone();
+        cells.push(self.law.as_str().into());
+        let proof = match &self.certificate {
+            Ok(proof) => proof,
+            Err(reason) => {
+                cells.push(format!("{NONE}{reason}"));
+                cells.resize(COLUMNS.len(), String::new());
+                return cells;
+            }
+        };
+        let [peak, drop] = [proof.peak_velocity_m_per_s, proof.stress_drop_pa].map(|ends| ends.map(shortest));
+        let empty = || [String::new(), String::new()];
+        let (word, period, rest) = match &proof.proved {
+            Proved::Cycle {
+                section_log_velocity,
+                state_box,
+                second_box,
+                is_on_slow_manifold,
+                contraction,
+                period_s,
+            } => {
+                let [state, second] = [state_box, second_box].map(|ends| ends.map(shortest));
+                let word = SECOND[usize::from(!is_on_slow_manifold)].to_string();
+                let mut rest = vec![shortest(*section_log_velocity)];
+                rest.extend(state.into_iter().chain([word]).chain(second));
+                rest.extend([shortest(*contraction), String::new()]);
+                ("cycle", period_s.map(shortest), rest)
+            }
+            Proved::Decay { captured_after_s } => {
+                let mut rest = vec![String::new(); 7];
+                rest.push(shortest(*captured_after_s));
+                ("decay", empty(), rest)
+            }
+        };
+        cells.push(word.into());
+        cells.extend(peak.into_iter().chain(period).chain(drop).chain(rest));
+        cells
+    }
+
+    /// A row; the fault names its column.
+    fn read(record: &csv::StringRecord) -> Result<Self, (usize, Problem)> {
+        if record.len() != COLUMNS.len() {
+            return Err((0, CsvProblem::CellCount { found: record.len(), wanted: COLUMNS.len() }.into()));
+        }
+        let cell = |at: usize| record.get(at).unwrap_or_default();
+        let allowed = |allowed: &str| Problem::OutOfRange { allowed: allowed.into() };
+        let positive = |at: usize| {
+            let value = parse_decimal(cell(at)).ok().filter(|value| *value > 0);
+            value.ok_or_else(|| (at, allowed("a positive decimal")))
+        };
+        let number = |at: usize| {
+            let value = cell(at).parse::<f64>().ok().filter(|value| value.is_finite());
+            value.ok_or_else(|| (at, allowed("a number")))
+        };
+        let ends = |at: usize| {
+            let ends = [number(at)?, number(at + 1)?];
+            if ends[0] <= ends[1] { Ok(ends) } else { Err((at, allowed("at most the upper end"))) }
+        };
+        let mut texts = Vec::new();
+        for at in 0..INPUTS {
+            texts.push(positive(at)?);
+        }
+        let texts: [Rational; INPUTS] = texts.try_into().map_err(|_| (0, allowed("seven decimals")))?;
+        let law = EvolutionLaw::from_word(cell(INPUTS));
+        let law = law.ok_or_else(|| (INPUTS, allowed("`slip` or `aging`")))?;
+        let proved = match cell(8) {
+            "cycle" => Ok(Proved::Cycle {
+                section_log_velocity: number(15)?,
+                state_box: ends(16)?,
+                second_box: ends(19)?,
+                is_on_slow_manifold: match SECOND.iter().position(|word| *word == cell(18)) {
+                    Some(at) => at == 0,
+                    None => return Err((18, allowed("`psi` or `force`"))),
+                },
+                contraction: number(21)?,
+                period_s: ends(11)?,
+            }),
+            "decay" => Ok(Proved::Decay { captured_after_s: number(22)? }),
+            word => match word.strip_prefix(NONE) {
+                Some(reason) => Err(reason.to_string()),
+                None => return Err((8, allowed("`cycle`, `decay` or `none: ` with a reason"))),
+            },
+        };
+        let certificate = match proved {
+            Ok(proved) => {
+                Ok(Certificate { proved, peak_velocity_m_per_s: ends(9)?, stress_drop_pa: ends(13)? })
+            }
+            Err(reason) => Err(reason),
+        };
+        let inputs = (0..INPUTS).map(|at| cell(at).to_string()).collect();
+        Ok(Self { parameters: Parameters::from(texts), law, certificate, inputs })
+    }
+}
+
+/// The file of some rows.
+#[must_use]
+pub fn written(rows: &[Stored]) -> String {
+    let lines = rows.iter().map(|row| row.cells().join(","));
+    let lines: Vec<String> = std::iter::once(COLUMNS.join(",")).chain(lines).collect();
+    lines.join("\n") + "\n"
+}
+
+/// The rows of a file whose digest the scene states.
+///
+/// # Errors
+/// When the file is another one, has other columns, or a cell is at fault.
+pub fn read_stored(
+    entry: &CertificateFile,
+    digest: &str,
+    (file, text): (&str, &str),
+) -> Result<Vec<Stored>, Faults> {
+    let fault = |line, key: &str, problem| {
+        vec![Fault { file: file.to_string(), line, key: key.into(), value: None, problem }]
+    };
+    if digest != entry.sha256 {
+        let wanted = format!("to be the file of SHA-256 {}, not {digest}", entry.sha256);
+        return Err(fault(None, "sha256", Problem::Needs(wanted)));
+    }
+    let mut reader = csv::ReaderBuilder::new().flexible(true).has_headers(false).from_reader(text.as_bytes());
+    // A flexible reader of text in memory has no way to fail.
+    let mut records = reader.records().flatten();
+    if records.next().is_none_or(|header| header.iter().ne(COLUMNS)) {
+        let wanted = CsvProblem::NoHeader { wanted: COLUMNS.join(",") };
+        return Err(fault(Some(1), "header", wanted.into()));
+    }
+    let row = |record: csv::StringRecord| {
+        Stored::read(&record).map_err(|(column, problem)| {
+            let line = record.position().and_then(|position| usize::try_from(position.line()).ok());
+            fault(line, COLUMNS[column], problem)
+        })
+    };
+    records.map(row).collect()
+}

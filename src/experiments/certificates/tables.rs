@@ -1,0 +1,75 @@
+//! The table of the certificates: how many there are, how wide their bounds are, and how many this run proved again.
+
+use crate::experiments::certificates::{Certificates, Stored};
+use crate::experiments::shared::cells::DigitColumns;
+use crate::experiments::{Context, Need, TableMaker};
+use slipmode_core::dynamics::certified::{Certificate, Proved};
+use slipmode_core::friction::EvolutionLaw;
+use slipmode_plot::table::Table;
+
+pub(crate) const TABLES: &[TableMaker] =
+    &[TableMaker { id: "certificates", needs: &[Need::Certificates], make: certificates }];
+
+/// Digits of a relative width.
+const DIGITS: usize = 2;
+
+/// The certificates of one law of one scene.
+#[derive(Clone, Copy)]
+struct OfLaw<'c> {
+    scene: &'c str,
+    law: EvolutionLaw,
+    all: &'c Certificates,
+}
+
+impl<'c> OfLaw<'c> {
+    fn rows(self) -> impl Iterator<Item = &'c Stored> {
+        self.all.rows.iter().filter(move |row| row.law == self.law)
+    }
+
+    fn proofs(self, is_cycle: bool) -> impl Iterator<Item = &'c Certificate> {
+        let proofs = self.rows().filter_map(|row| row.certificate.as_ref().ok());
+        proofs.filter(move |proof| matches!(proof.proved, Proved::Cycle { .. }) == is_cycle)
+    }
+
+    fn again(self) -> usize {
+        let of_law = |row: usize| self.all.rows[row].law == self.law;
+        self.all.again.iter().filter(|again| of_law(again.row) && again.refusal.is_none()).count()
+    }
+
+    /// The largest relative width of an enclosure of the cycles.
+    fn widest(self, of: fn(&Certificate) -> [f64; 2]) -> f64 {
+        self.proofs(true).map(of).map(|[low, high]| high / low - 1.0).fold(0.0, f64::max)
+    }
+}
+
+const fn period(proof: &Certificate) -> [f64; 2] {
+    match proof.proved {
+        Proved::Cycle { period_s, .. } => period_s,
+        Proved::Decay { .. } => [1.0; 2],
+    }
+}
+
+fn certificates(context: &Context) -> Option<Table> {
+    let laws = context.outcome.each(|scene| &scene.certificates).flat_map(|(scene, all)| {
+        let laws = EvolutionLaw::ALL.into_iter().map(move |law| OfLaw { scene, law, all });
+        laws.filter(|of| of.rows().next().is_some())
+    });
+    let note = "The certificates are inputs of this report. `slipmode certificates` proves all of them again, each run of the report those counted here. Widths are relative and the largest of all cycles.";
+    Table::of("certificates", "Certificates of the grid", laws)
+        .note(note)
+        .text("scene", "Scene", |of| of.scene)
+        .text("law", "Law", |of| of.law.as_str())
+        .number("points", "Points", "", |of| of.rows().count())
+        .number("cycles", "Certified cycles", "", |of| of.proofs(true).count())
+        .number("decays", "Certified decays", "", |of| of.proofs(false).count())
+        .number("proved_again", "Proved again in this run", "", OfLaw::again)
+        .digits("peak_width", "Width of the peak", "", DIGITS, |of| {
+            of.widest(|proof| proof.peak_velocity_m_per_s)
+        })
+        .digits("period_width", "Width of the period", "", DIGITS, |of| of.widest(period))
+        .digits("stress_drop_width", "Width of the stress drop", "", DIGITS, |of| {
+            of.widest(|proof| proof.stress_drop_pa)
+        })
+        .table()
+        .into()
+}

@@ -1,0 +1,87 @@
+//! `certificates`: files of certificates are written, proved again, and refused after any change; a run shows how many it proved.
+
+use std::fs;
+
+use serde_json::Value;
+use slipmode::archive::{Caps, unpack};
+
+use crate::archive::small_report;
+use crate::harness::Workplace;
+
+const SCENE: &str = "name = \"s\"\ntitle = \"S\"\n[parameters]\ndirect_effect = 0.004\nevolution_effect = 0.006\n\
+    critical_slip_distance_m = 1e-5\nstiffness_pa_per_m = 1e7\nmass_per_area_kg_per_m2 = 1000\n[simulations]\n\
+    loading_velocity_m_per_s = { from = 1e-3, to = 1e-2, points = 2 }\n\
+    normal_stress_pa = { from = 1e3, to = 1e5, points = 2 }\nlaws = [\"slip\"]\ntolerance = 1e-2\n";
+
+/// A scene whose certificates have this digest, as a line of TOML.
+fn scene(digest: &str) -> String {
+    format!("{SCENE}[certificates]\nprove_again_every = 4\n[[certificates.file]]\nname = \"c\"\n{digest}")
+}
+
+/// Writes `certified.toml` with its file of certificates, of two cycles and two decays.
+pub fn write_certified(place: &Workplace) {
+    place.write("new.toml", SCENE);
+    let arguments = ["certificates", "new.toml", "--law", "slip", "-o", "c.csv"];
+    let digest = place.run(arguments).expect_success();
+    place.write("certified.toml", scene(&digest));
+}
+
+#[test]
+fn certificates_are_written_and_proved_again() {
+    let place = Workplace::new();
+    write_certified(&place);
+    let all = ["certificates", "certified.toml"];
+    assert_eq!(place.run(all).expect_success(), "4 of 4 certificates proved again\n");
+    let to_stream = ["certificates", "new.toml", "--law", "slip", "-o", "-", "--threads", "1"];
+    assert_eq!(place.run(to_stream).expect_success(), place.read("c.csv"));
+    let found: Value =
+        serde_json::from_str(&place.run([&all[..], &["--json"]].concat()).expect_success()).unwrap();
+    assert_eq!((&found["proved_again"], &found["certificates"]), (&4.into(), &4.into()));
+    let to_both = ["certificates", "new.toml", "--law", "slip", "-o", "-", "--json"];
+    place.run(to_both).expect_refusal(&["--output = -: needs a file"]);
+    place.run(["run", "certified.toml", "-o", "out"]).expect_success();
+    let table = place.read("out/tables/certificates.csv");
+    // The first row, and as extremes both cycles.
+    assert!(table.lines().nth(1).unwrap().starts_with("s,slip,4,2,2,3,"), "{table}");
+    place
+        .run(["certificates", "new.toml"])
+        .expect_refusal(&["new.toml: certificates: ", "a section that names"]);
+}
+
+#[test]
+fn a_changed_byte_is_refused_and_a_changed_bound_with_its_digest_is_not_proved() {
+    let place = Workplace::new();
+    write_certified(&place);
+    let (right, known) = (place.read("c.csv"), place.read("certified.toml"));
+    let line = right.lines().nth(3).unwrap();
+    let cells: Vec<&str> = line.split(',').collect();
+    // The lower bound of the peak, a part of 10^-9 higher.
+    let low: f64 = cells[9].parse().unwrap();
+    let changed = right.replace(cells[9], &(low * (1.0 + 1e-9)).to_string());
+    place.write("c.csv", &changed);
+    let all = ["certificates", "certified.toml"];
+    place.run(all).expect_refusal(&["c.csv: sha256: ", "the file of SHA-256"]);
+    place.run(["run", "certified.toml", "-o", "out"]).expect_refusal(&["c.csv: sha256: "]);
+    let digest = known.rsplit('"').nth(1).unwrap();
+    let found = place.run(all).stderr.rsplit("not ").next().unwrap()[..64].to_string();
+    place.write("certified.toml", known.replace(digest, &found));
+    let ended = place.run(all);
+    assert_eq!((ended.code, ended.stdout.as_str()), (1, "3 of 4 certificates proved again\n"));
+    assert!(ended.stderr.contains("slip law: the stored peak velocity is another one"), "{}", ended.stderr);
+}
+
+#[test]
+fn an_archive_has_its_certificates_with_the_program_that_proves_them_again() {
+    let place = small_report();
+    write_certified(&place);
+    place.write("small/scenes/a.toml", place.read("certified.toml").replace("name = \"s\"", "name = \"a\""));
+    place.write("small/vectors/c.csv", place.read("c.csv"));
+    place.write("small/prose/c.md", "Words.\n\n[[table:certificates]]\n");
+    place.run(["archive", "small", "-o", "small.zip"]).expect_success();
+    place.run(["replay", "small.zip"]).expect_success();
+    let files = unpack(&fs::read(place.path("small.zip")).unwrap(), &Caps::default()).unwrap().0;
+    assert_eq!(files["input/vectors/c.csv"], place.read("c.csv").into_bytes());
+    assert_eq!(files["certified_cycle.py"], include_bytes!("../../proofs/certified_cycle.py"));
+    let readme = String::from_utf8(files["README.md"].clone()).unwrap();
+    assert!(readme.contains("\n    python certified_cycle.py --rows 200 input/vectors/c.csv\n"), "{readme}");
+}
