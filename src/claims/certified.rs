@@ -236,7 +236,7 @@ mod tests {
     fn outcome(alter: impl FnOnce(&mut Certificates)) -> Outcome {
         let scene = Scene::parse("s.toml", SCENE.as_bytes(), &Limits::default()).unwrap();
         let rows = certify_grid(&paper(), scene.simulations.as_ref().unwrap(), EvolutionLaw::Slip);
-        let mut certificates = Certificates::of(vec![rows], 4);
+        let mut certificates = Certificates::of(vec![rows], 1);
         alter(&mut certificates);
         let mut outcome = run(&[scene], &[Need::Simulations].into(), &References::default(), &|_, _, _| {});
         outcome.scenes[0].certificates = Some(certificates);

@@ -21,6 +21,8 @@ pub const DECISION_S: f64 = 5e-6;
 const RUN_S: f64 = 5e-3;
 /// Core-seconds of a certified point of few digits, and the factor of its digits to the power 3/2.
 const CERTIFIED_POINT_S: [f64; 2] = [1e-4, 2e-8];
+/// Core-seconds of a certificate that is proved again.
+const CERTIFICATE_S: f64 = 0.2;
 /// MiB of a point of a map or of a simulation.
 const POINT_MIB: f64 = 200.0 / (1 << 20) as f64;
 /// Simulations of one search along a line.
@@ -31,6 +33,13 @@ impl Work {
     #[must_use]
     pub fn on_a_file() -> Self {
         Self { what: "a file".into(), core_seconds: 0.0, memory_mib: 0.0, digits: 0.0 }
+    }
+
+    /// Certificates that are proved again.
+    #[must_use]
+    pub fn certificates(count: usize) -> Self {
+        let core_seconds = count as f64 * CERTIFICATE_S;
+        Self { what: format!("{count} certificates"), core_seconds, memory_mib: 0.0, digits: 0.0 }
     }
 
     /// Points that are all kept.

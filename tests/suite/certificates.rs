@@ -15,7 +15,7 @@ const SCENE: &str = "name = \"s\"\ntitle = \"S\"\n[parameters]\ndirect_effect = 
 
 /// A scene whose certificates have this digest, as a line of TOML.
 fn scene(digest: &str) -> String {
-    format!("{SCENE}[certificates]\nprove_again_every = 4\n[[certificates.file]]\nname = \"c\"\n{digest}")
+    format!("{SCENE}[certificates]\nprove_again = 1\n[[certificates.file]]\nname = \"c\"\n{digest}")
 }
 
 /// Writes `certified.toml` with its file of certificates, of two cycles and two decays.

@@ -9,6 +9,7 @@ pub use run::{Certificates, ProvedAgain, certify_grid, prove_again};
 pub use section::{CertificateFile, CertificatesSection};
 pub use stored::{Stored, read_stored, written};
 
+use crate::experiments::certificates::run::EXTREMES;
 use crate::experiments::{Experiment, Setting, TableMaker, Work};
 
 impl Experiment for CertificatesSection {
@@ -16,12 +17,12 @@ impl Experiment for CertificatesSection {
     const TABLES: &'static [&'static [TableMaker]] = &[tables::TABLES];
 
     fn work(&self) -> Work {
-        Work::on_a_file()
+        Work::certificates(self.files.len() * (self.prove_again + EXTREMES))
     }
 
     fn run(&self, setting: &Setting<'_>) -> Option<Self::Outcome> {
         let of = |file: &CertificateFile| setting.references.certificates.get(&file.name).cloned();
         let files = self.files.iter().map(of).collect::<Option<Vec<Vec<Stored>>>>()?;
-        Some(Certificates::of(files, self.prove_again_every))
+        Some(Certificates::of(files, self.prove_again))
     }
 }

@@ -35,13 +35,14 @@ pub struct ProvedAgain {
 }
 
 impl Certificates {
-    /// Proves every row again whose place in its file is a multiple of `every`, and those that are extreme.
+    /// Proves this many rows of each file again, evenly chosen from the first on, and those that are extreme.
     #[must_use]
-    pub fn of(files: Vec<Vec<Stored>>, every: usize) -> Self {
+    pub fn of(files: Vec<Vec<Stored>>, again: usize) -> Self {
         let mut chosen = BTreeSet::new();
         let mut first = 0;
         for file in &files {
-            chosen.extend((0..file.len()).step_by(every).chain(extremes(file)).map(|row| first + row));
+            let step = file.len().div_ceil(again).max(1);
+            chosen.extend((0..file.len()).step_by(step).chain(extremes(file)).map(|row| first + row));
             first += file.len();
         }
         let rows: Vec<Stored> = files.into_iter().flatten().collect();
@@ -119,9 +120,12 @@ pub fn prove_again(rows: &[Stored], chosen: &[usize]) -> Vec<ProvedAgain> {
     chosen.into_par_iter().map(|row| ProvedAgain { row, refusal: rows[row].refusal() }).collect()
 }
 
+/// The most rows that are extreme.
+pub(super) const EXTREMES: usize = 4;
+
 /// The rows of the cycle that attracts least, of the widest enclosure of a peak, and of the two neighbours in the file whose peaks
 /// differ least.
-fn extremes(rows: &[Stored]) -> Vec<usize> {
+fn extremes(rows: &[Stored]) -> impl Iterator<Item = usize> {
     let proofs =
         || rows.iter().enumerate().filter_map(|(row, stored)| Some((row, stored.certificate.as_ref().ok()?)));
     let weakest = proofs().filter_map(|(row, proof)| match proof.proved {
@@ -138,8 +142,9 @@ fn extremes(rows: &[Stored]) -> Vec<usize> {
     let near = cycles().zip(cycles().skip(1)).filter(|((row, _), (next, _))| row + 1 == *next);
     let nearest = near.map(|((row, one), (_, other))| (row, gap(one, other)));
     let nearest = greatest(nearest);
-    let single = [greatest(weakest), greatest(widest), nearest, nearest.map(|row| row + 1)];
-    single.into_iter().flatten().collect()
+    let found: [Option<usize>; EXTREMES] =
+        [greatest(weakest), greatest(widest), nearest, nearest.map(|row| row + 1)];
+    found.into_iter().flatten()
 }
 
 fn greatest(values: impl Iterator<Item = (usize, f64)>) -> Option<usize> {
@@ -222,9 +227,9 @@ mod tests {
             .map(|row| matches!(row.certificate.as_ref().unwrap().proved, Proved::Cycle { .. }))
             .collect();
         assert_eq!(kinds, [false, false, true, true]);
-        let all = Certificates::of(vec![rows.clone(), rows.clone()], 3);
+        let all = Certificates::of(vec![rows.clone(), rows.clone()], 1);
         let again: Vec<usize> = all.again.iter().map(|again| again.row).collect();
-        // Every third, and as extremes the two neighbouring cycles.
+        // The first, and as extremes the two neighbouring cycles.
         assert_eq!(again[..3], [0, 2, 3]);
         assert!(again[3..].iter().zip(&again[..3]).all(|(second, first)| *second == first + 4), "{again:?}");
         assert_eq!((all.refusal(), all.missing(), all.count()), (None, None, 8));

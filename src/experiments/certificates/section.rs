@@ -3,11 +3,14 @@
 use crate::scene::Problem;
 use crate::scene::section::{Entry, ReadSection};
 
+/// The most rows of a file that a run proves again.
+const MOST_AGAIN: u64 = 1000;
+
 /// `[certificates]`.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct CertificatesSection {
-    /// A run proves the first row of a file again, and every row that is a multiple of this number behind it.
-    pub prove_again_every: usize,
+    /// How many rows of each file, evenly chosen, a run proves again besides the extreme ones.
+    pub prove_again: usize,
     /// The files, in the order of the scene.
     pub files: Vec<CertificateFile>,
 }
@@ -24,12 +27,12 @@ pub struct CertificateFile {
 impl ReadSection for CertificatesSection {
     fn read(entry: &Entry<'_>) -> Option<Self> {
         let mut section = entry.section()?;
-        let every = section.whole("prove_again_every", 1..=1_000_000);
+        let again = section.whole("prove_again", 1..=MOST_AGAIN);
         let files = section
             .required("file", "a list of files, each under [[certificates.file]]")
             .and_then(|entry| entry.list(CertificateFile::read));
         section.finish();
-        Some(Self { prove_again_every: usize::try_from(every?).ok()?, files: files? })
+        Some(Self { prove_again: usize::try_from(again?).ok()?, files: files? })
     }
 }
 
