@@ -48,12 +48,22 @@ pub(super) fn prove_again(
     stated: &Proved,
     parameters: &Parameters<Rational>,
 ) -> Result<Certificate, Reason> {
-    let test = Test::of(stated).ok_or(Reason::NotContained)?;
-    let (crossing, observed, value) = test.mapped(constants)?;
-    if !test.contains(&value) {
-        return Err(Reason::NotContained);
-    }
-    test.attracting(&crossing, &observed, parameters)
+    long_or_short(|longest| {
+        let test = Test::of(stated, longest).ok_or(Reason::NotContained)?;
+        let (crossing, observed, value) = test.mapped(constants)?;
+        if !test.contains(&value) {
+            return Err(Reason::NotContained);
+        }
+        test.attracting(&crossing, &observed, parameters)
+    })
+}
+
+/// With the longest steps, or with short ones where no enclosure of those holds.
+fn long_or_short<T>(prove: impl Fn(f64) -> Result<T, Reason>) -> Result<T, Reason> {
+    prove(LONGEST).or_else(|reason| match reason {
+        Reason::NoEnclosure => prove(SHORT),
+        other => Err(other),
+    })
 }
 
 /// A point of a section near a cycle, and the radii of a box around it.
@@ -78,14 +88,11 @@ impl Test {
             test.correct(constants)?;
             test.grow(constants)
         };
-        with_steps(LONGEST).or_else(|reason| match reason {
-            Reason::NoEnclosure => with_steps(SHORT),
-            other => Err(other),
-        })
+        long_or_short(with_steps)
     }
 
     /// The box that a certificate states; none of a decay.
-    fn of(stated: &Proved) -> Option<Self> {
+    fn of(stated: &Proved, longest: f64) -> Option<Self> {
         let Proved::Cycle { section_log_velocity, state_box, second_box, is_on_slow_manifold, .. } = stated
         else {
             return None;
@@ -96,7 +103,7 @@ impl Test {
             point: ends.map(|[low, high]| 0.5 * (low + high)),
             is_on_slow_manifold: *is_on_slow_manifold,
         };
-        Some(Self { found, radius: ends.map(|[low, high]| 0.5 * (high - low)) })
+        Some(Self { found, radius: ends.map(|[low, high]| 0.5 * (high - low)), longest })
     }
 
     /// Newton's steps, with a box that is a point but for ψ.
