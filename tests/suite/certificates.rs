@@ -18,7 +18,7 @@ fn scene(digest: &str) -> String {
     format!("{SCENE}[certificates]\nprove_again = 1\n[[certificates.file]]\nname = \"c\"\n{digest}")
 }
 
-/// Writes `certified.toml` with its file of certificates, of two cycles and two decays.
+/// Writes `certified.toml` with its file of certificates, of three cycles and a decay.
 pub fn write_certified(place: &Workplace) {
     place.write("new.toml", SCENE);
     let arguments = ["certificates", "new.toml", "--law", "slip", "-o", "c.csv"];
@@ -41,8 +41,8 @@ fn certificates_are_written_and_proved_again() {
     place.run(to_both).expect_refusal(&["--output = -: needs a file"]);
     place.run(["run", "certified.toml", "-o", "out"]).expect_success();
     let table = place.read("out/tables/certificates.csv");
-    // The first row, and as extremes both cycles.
-    assert!(table.lines().nth(1).unwrap().starts_with("s,slip,4,2,2,3,"), "{table}");
+    // The first row, and as extremes two neighbouring cycles.
+    assert!(table.lines().nth(1).unwrap().starts_with("s,slip,4,3,1,3,"), "{table}");
     place
         .run(["certificates", "new.toml"])
         .expect_refusal(&["new.toml: certificates: ", "a section that names"]);
@@ -55,9 +55,9 @@ fn a_changed_byte_is_refused_and_a_changed_bound_with_its_digest_is_not_proved()
     let (right, known) = (place.read("c.csv"), place.read("certified.toml"));
     let line = right.lines().nth(3).unwrap();
     let cells: Vec<&str> = line.split(',').collect();
-    // The lower bound of the peak, a part of 10^-9 higher.
-    let low: f64 = cells[9].parse().unwrap();
-    let changed = right.replace(cells[9], &(low * (1.0 + 1e-9)).to_string());
+    // Both bounds of the peak, a part of 10^-9 higher.
+    let higher = |text: &str| (text.parse::<f64>().unwrap() * (1.0 + 1e-9)).to_string();
+    let changed = cells[9..11].iter().fold(right.clone(), |text, cell| text.replace(cell, &higher(cell)));
     place.write("c.csv", &changed);
     let all = ["certificates", "certified.toml"];
     place.run(all).expect_refusal(&["c.csv: sha256: ", "the file of SHA-256"]);
