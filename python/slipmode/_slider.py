@@ -45,6 +45,12 @@ Rates = NDArray[np.float64]
 Columns = tuple[Signs, Signs, Categories, Categories, Rates, Rates]
 
 
+def refuse_error_bars(command: str, is_uncertain: bool) -> None:
+    """Say which command takes error bars, where a call does not."""
+    if is_uncertain:
+        raise InputError(f"this call takes values without error bars; `slipmode {command}` takes error bars")
+
+
 @dataclass(frozen=True)
 class Root:
     """A root s of eq 8, 1/s: the true one lies within ``radius`` of re + i·im."""
@@ -178,6 +184,7 @@ class Slider:
 
         The columns are those of ``slipmode boundary``. Numbers are floats, or ``Decimal`` with this many ``digits``.
         """
+        refuse_error_bars("boundary", self.is_uncertain)
         with tempfile.TemporaryDirectory() as folder:
             picture = Path(folder, "boundary.svg")
             options = (*self._options(), f"--points={n}", f"--svg={picture}")
@@ -208,8 +215,7 @@ class Slider:
 
     def tolerance(self, *errors: Number) -> Table:
         """Compute where each formula of the paper may be used, for these relative errors; 0.1, 0.01 and 0.001 without any."""
-        if self.is_uncertain:
-            raise InputError("this table is for values without error bars; `slipmode tolerance` takes error bars")
+        refuse_error_bars("tolerance", self.is_uncertain)
         given = [f"--relative-error={exact(error)}" for error in errors]
         rows = []
         for row in call_json("tolerance", *self._options(), *given)["formulas"]:
@@ -251,6 +257,7 @@ class Slider:
         asked = (f"--for={unknown.replace('_', '-')}", f"--digits={digits}")
         names = ("is_exact", "transition_sign", "kind")
         found = call_json("solve", *own, *options, *asked)["solutions"]
+        refuse_error_bars("solve", self.is_uncertain or any("range" in one for one in found))
         return [Solution(Decimal(one["value"]), *(one[name] for name in names)) for one in found]
 
     @overload

@@ -106,6 +106,11 @@ def test_error_bars_give_what_is_possible():
         slider.classify(np.array([1e6]), 1e-5)
     with pytest.raises(slipmode.InputError, match="error bars"):
         slider.tolerance("0.01")
+    with pytest.raises(slipmode.InputError, match="`slipmode boundary`"):
+        slider.boundary(n=2)
+    for unsure, v in ((slider, "10um/s"), (SLIDER, "10±1um/s")):
+        with pytest.raises(slipmode.InputError, match="`slipmode solve`"):
+            unsure.solve("normal_stress", transition=True, v=v)
 
 
 NAMES = [
