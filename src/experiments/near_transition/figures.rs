@@ -14,7 +14,7 @@ const NEEDS: &[Need] = &[Need::NearTransition];
 
 pub(crate) const FIGURES: &[FigureMaker] = &[
     FigureMaker::new("criticality", &[], &["hopf-coefficient"], criticality),
-    FigureMaker::new("bistability-strip", NEEDS, &["bistability-edge"], |outcome| {
+    FigureMaker::new("bistability-strip", NEEDS, &["bistability-edge", "bistability-certified"], |outcome| {
         strip(outcome.potentially_unstable()?)
     }),
     FigureMaker::new("cycle-amplitudes", NEEDS, &["cycle-families", "near-transition-runs"], |outcome| {
