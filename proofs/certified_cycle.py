@@ -646,13 +646,11 @@ def faults(row, slider, proved):
 
 def prove_three(row):
     """ln(V_peak/V_l) of both cycles of a row of the table bistability-certified; NotProved unless sliding attracts and both exist."""
-    slider = Slider.of_groups(row["law"], row["inertial_parameter"], row["stiffness_group"], row["effect_ratio"])
+    slider = Slider.of_groups("aging", row["inertial_parameter"], row["stiffness_group"], row["effect_ratio"])
     if not attracts_at_rest(slider):
         raise NotProved("steady sliding is not proved to attract")
-    found = {}
-    for name, proved in (("stable", cycle), ("unstable", unstable_cycle)):
-        found[name] = proved(slider, *(ball(row[f"{name}_{coordinate}"]).mid() for coordinate in ("y", "zeta"))).peak
-    return found
+    point = [ball(row[name]).mid() for name in ("unstable_y", "unstable_zeta")]
+    return {"stable": cycle(slider, *settled(slider)).peak, "unstable": unstable_cycle(slider, *point).peak}
 
 
 def faults_of_three(row, peaks):

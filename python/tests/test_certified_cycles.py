@@ -81,6 +81,6 @@ def test_bistability_is_proved_again_and_faults_are_refused():
         assert len(checker.faults_of_three(row | shifted, peaks)) == 1
     # Below K_c sliding repels; and the small cycle does not attract.
     assert "sliding" in checker.verdict(row | {"stiffness_group": "0.5499"})
-    slider = checker.Slider.of_groups("aging", row["inertial_parameter"], row["stiffness_group"], row["effect_ratio"])
+    slider = checker.Slider.of_groups("aging", *(row[name] for name in ("inertial_parameter", "stiffness_group", "effect_ratio")))
     with pytest.raises(checker.NotProved, match="attract"):
         checker.cycle(slider, checker.ball(row["unstable_y"]), checker.ball(row["unstable_zeta"]))

@@ -40,8 +40,8 @@ pub struct Threshold {
     pub excess: f64,
     /// ln(V_peak/V_l) of the unstable cycle.
     pub unstable_log_peak: f64,
-    /// y = ln(V_l θ/D_c) and ζ of the stable and of the unstable cycle where V rises through V_l; nothing about them is proved.
-    pub crossings: [[f64; 2]; 2],
+    /// y = ln(V_l θ/D_c) and ζ of the unstable cycle where V rises through V_l; nothing about them is proved.
+    pub crossing: [f64; 2],
     /// V/V_l of the steady sliding from which a run is at the threshold; a slower start ends on the limit cycle.
     pub start_velocity_ratio: f64,
     /// Whether simulations from 2 % in ln(V/V_l) on either side end as the threshold says; none when one has no result.
@@ -54,7 +54,7 @@ pub struct Threshold {
 const BRACKETS: [f64; 2] = [0.01, 0.1];
 
 /// Digits of κ where cycles are proved: it is far closer to the wanted one than the strip is wide.
-const DIGITS: usize = 12;
+pub(super) const DIGITS: usize = 12;
 
 /// Part of ln(V/V_l) by which starts are moved off the threshold.
 const START_MARGIN: f64 = 0.02;
@@ -154,7 +154,7 @@ fn threshold(
     Some(Threshold {
         excess: stiffness / critical - 1.0,
         unstable_log_peak: unstable.orbit.peak,
-        crossings: [&stable, &unstable].map(|cycle| [cycle.orbit.end[1], cycle.orbit.end[2]]),
+        crossing: [unstable.orbit.end[1], unstable.orbit.end[2]],
         start_velocity_ratio: libm::exp(-below),
         confirmed: ends.map(|ends| ends == (false, true)),
         coexistence: certify_coexistence(&groups, family.law, &stable, &unstable),

@@ -1,6 +1,7 @@
 //! Tables of what happens close to K = K_c: the coefficient, the runs, the cycles and the edge of bistability.
 
-use crate::experiments::near_transition::{CycleFamilyOutcome, NearRun, NearTransitionOutcome, Threshold};
+use crate::experiments::near_transition::bistability::DIGITS;
+use crate::experiments::near_transition::{CycleFamilyOutcome, NearRun, NearTransitionOutcome};
 use crate::experiments::shared::cells::DigitColumns;
 use crate::experiments::{Context, Need, TableMaker};
 use slipmode_core::friction::EvolutionLaw;
@@ -145,49 +146,30 @@ fn edges(context: &Context) -> Option<Table> {
             let confirmed = edge.threshold.as_ref().and_then(|at| at.confirmed);
             confirmed.map(|confirmed| if confirmed { "yes" } else { "no" })
         })
-        .text("certified", "Both cycles and sliding proved", |(_, edge)| {
-            let proved = edge.threshold.as_ref().map(|at| at.coexistence.is_ok());
-            proved.map(|proved| if proved { "yes" } else { "no" })
-        })
         .table()
         .into()
 }
 
 fn coexisting(context: &Context) -> Option<Table> {
-    let note = "At the decimals η, κ and β = b/a of each row, three objects are proved to exist (certified): steady sliding, which attracts, a limit cycle that attracts, and a smaller one that repels. The bounds enclose ln(V_peak/V_l). The multipliers of the stable cycle are below the bound. y = ln(V_l θ/D_c) and ζ where V rises through V_l say where to look for the cycles when they are proved anew; nothing about them is proved.";
-    let thresholds = families_of(context)
-        .filter_map(|family| Some((family, family.edge.as_ref().ok()?.as_ref()?.threshold.as_ref()?)));
-    let proved = |at: &Threshold| at.coexistence.clone().ok();
-    let bound = |value: f64| format!("{value:e}");
-    Table::of("bistability-certified", "Bistability, proved", thresholds)
+    let note = "At these decimals, with the aging law, steady sliding and the larger cycle attract and the smaller one repels (certified); bounds of ln(V_peak/V_l). y and ζ at V = V_l: where to look for the smaller cycle.";
+    let proved = families_of(context).filter_map(|family| {
+        let at = family.edge.as_ref().ok()?.as_ref()?.threshold.as_ref()?;
+        Some((family, at, at.coexistence.as_ref().ok()?))
+    });
+    // Twelve decimals outward.
+    let [low, high] = [-1e-12, 1e-12].map(|room| move |bound: f64| format!("{:.12}", bound + room));
+    Table::of("bistability-certified", "Bistability, proved", proved)
         .note(note)
-        .text("law", "Law", |(family, _)| family.law.as_str())
-        .digits("inertial_parameter", "η", "", 12, |(family, _)| &family.inertial_parameter)
-        .digits("stiffness_group", "κ", "", 12, |(_, at)| &at.stiffness_group)
-        .digits("effect_ratio", "β", "", 12, |(family, _)| family.effect_ratio())
-        .text("stable_log_peak_low", "ln(V_peak/V_l) of the stable cycle, from", |(_, at)| {
-            proved(at).map(|found| bound(found.attracting_log_peak[0]))
-        })
-        .text("stable_log_peak_high", "to", |(_, at)| {
-            proved(at).map(|found| bound(found.attracting_log_peak[1]))
-        })
-        .text("unstable_log_peak_low", "of the unstable cycle, from", |(_, at)| {
-            proved(at).map(|found| bound(found.repelling_log_peak[0]))
-        })
-        .text("unstable_log_peak_high", "to", |(_, at)| {
-            proved(at).map(|found| bound(found.repelling_log_peak[1]))
-        })
-        .text("multiplier_bound", "Multipliers of the stable cycle below", |(_, at)| {
-            proved(at).map(|found| bound(found.contraction))
-        })
-        .digits("stable_y", "y of the stable cycle", "", 12, |(_, at)| at.crossings[0][0])
-        .digits("stable_zeta", "ζ of the stable cycle", "", 12, |(_, at)| at.crossings[0][1])
-        .digits("unstable_y", "y of the unstable cycle", "", 12, |(_, at)| at.crossings[1][0])
-        .digits("unstable_zeta", "ζ of the unstable cycle", "", 12, |(_, at)| at.crossings[1][1])
-        .text("certificate", "Certificate", |(_, at)| match &at.coexistence {
-            Ok(_) => "three objects".to_owned(),
-            Err(reason) => format!("none: {reason}"),
-        })
+        .digits("inertial_parameter", "η", "", 12, |(family, _, _)| &family.inertial_parameter)
+        .digits("stiffness_group", "κ", "", DIGITS, |(_, at, _)| &at.stiffness_group)
+        .digits("effect_ratio", "β", "", 12, |(family, _, _)| family.effect_ratio())
+        .text("stable_log_peak_low", "Larger, from", |(_, _, found)| low(found.attracting_log_peak[0]))
+        .text("stable_log_peak_high", "to", |(_, _, found)| high(found.attracting_log_peak[1]))
+        .text("unstable_log_peak_low", "Smaller, from", |(_, _, found)| low(found.repelling_log_peak[0]))
+        .text("unstable_log_peak_high", "to", |(_, _, found)| high(found.repelling_log_peak[1]))
+        .digits("unstable_y", "y", "", 9, |(_, at, _)| at.crossing[0])
+        .digits("unstable_zeta", "ζ", "", 9, |(_, at, _)| at.crossing[1])
+        .text("certificate", "Certificate", |_| "three objects")
         .table()
         .into()
 }
