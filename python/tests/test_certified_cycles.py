@@ -70,7 +70,7 @@ def test_bistability_is_proved_again_and_faults_are_refused():
     published = CHECKER.parents[1] / "reports/im-avouac/published/tables/bistability-certified.csv"
     with open(published, newline="") as file:
         (row,) = (row for row in csv.DictReader(file) if row["inertial_parameter"] == "0.1")
-    assert row["certificate"] == "three objects"
+    assert checker.is_bistable(row)
     peaks = checker.prove_three(row)
     assert checker.faults_of_three(row, peaks) == []
     assert peaks["unstable"] < peaks["stable"]

@@ -186,7 +186,7 @@ impl<'r, 'c> Pairs<'r, 'c> {
 pub(super) fn remark(certificates: Option<&Certificates>) -> Option<String> {
     let all = certificates?;
     Some(format!(
-        "{} of {} grid points have a certificate; this run proved {} of them again. `slipmode certificates` proves all.",
+        "{} of {} grid points have a certificate; this run proved {} of them again.",
         all.count(),
         all.rows.len(),
         all.again.len(),

@@ -168,7 +168,8 @@ fn n1(context: &Context) -> Result<Finding, Finding> {
         draft.part(words(grid.law), near.map_or_else(none, |near| ends_next_to_transition(near, grid.law)))
     });
     let certificates = certificates(context, Outcome::potentially_unstable);
-    let scope = || "The certificate of a decay is about the run from V_l/10. That of a cycle proves that the cycle exists and attracts, not that this run ends on it.";
+    let scope =
+        || "The certificate of a cycle proves that it exists and attracts, not that this run ends on it.";
     Ok(of_readings([on_the_grid, everywhere])
         .with_remark(certificates.map(|_| scope().into()))
         .with_remark(remark(certificates))

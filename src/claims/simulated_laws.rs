@@ -218,9 +218,7 @@ fn proved(near: &NearTransitionOutcome) -> [usize; 2] {
 
 fn certified_evidence([proved, tried]: [usize; 2]) -> Evidence {
     Evidence::Enclosure {
-        quantity:
-            "Stiffnesses above K_c at which steady sliding and a limit cycle are proved to attract, and a smaller cycle to repel"
-                .into(),
+        quantity: "Stiffnesses above K_c at which bistability is proved".into(),
         value: format!("{proved} of {tried}"),
     }
 }

@@ -54,7 +54,7 @@ fn certificates(context: &Context) -> Option<Table> {
         let laws = EvolutionLaw::ALL.into_iter().map(move |law| OfLaw { scene, law, all });
         laws.filter(|of| of.rows().next().is_some())
     });
-    let note = "The certificates are inputs of this report. `slipmode certificates` proves all of them again, each run of the report those counted here. Widths are relative and the largest of all cycles.";
+    let note = "Inputs of this report. Each run proves some of them again, `slipmode certificates` all. Widths are relative, the largest of all cycles.";
     Table::of("certificates", "Certificates of the grid", laws)
         .note(note)
         .text("scene", "Scene", |of| of.scene)

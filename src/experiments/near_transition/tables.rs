@@ -169,7 +169,6 @@ fn coexisting(context: &Context) -> Option<Table> {
         .text("unstable_log_peak_high", "to", |(_, _, found)| high(found.repelling_log_peak[1]))
         .digits("unstable_y", "y", "", 9, |(_, at, _)| at.crossing[0])
         .digits("unstable_zeta", "ζ", "", 9, |(_, at, _)| at.crossing[1])
-        .text("certificate", "Certificate", |_| "three objects")
         .table()
         .into()
 }
