@@ -7,7 +7,7 @@ use slipmode::scene::{AllowedRange, Fault, Faults, Problem, Quantity, Uncertain}
 use slipmode_core::friction::{Parameters, Slider};
 use slipmode_core::number::{Dd, Rational};
 use slipmode_core::stability::batch::classify_points as classify_rows;
-use slipmode_core::stability::{Classification, InertialThreshold, SlipMode, SpectralClass, classify};
+use slipmode_core::stability::{Classification, InertialThreshold, SlipMode, classify};
 
 use crate::{input_error, threshold};
 
