@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 
 CHECKER = Path(__file__).parents[2] / "proofs/certified_cycle.py"
+REPORT = CHECKER.parents[1] / "reports/im-avouac"
 specification = importlib.util.spec_from_file_location("certified_cycle", CHECKER)
 checker = importlib.util.module_from_spec(specification)
 sys.modules["certified_cycle"] = checker
@@ -66,9 +67,19 @@ def test_another_law_another_mass_and_a_stiffness_above_critical_are_refused(row
     assert "not proved" in checker.verdict(rows[0] | {"stiffness_pa_per_m": "12e6"})
 
 
+@pytest.mark.parametrize("law, other, number", [("slip", "aging", 14), ("slip", "aging", 181), ("aging", "slip", 77)])
+def test_certificates_of_the_report_are_proved_again_and_those_of_another_law_are_not(law, other, number):
+    with open(REPORT / f"vectors/certified-{law}.csv", newline="") as file:
+        row = list(csv.DictReader(file))[number - 1]
+    assert (row["certificate"], row["law"]) == ("cycle", law)
+    slider, proved = checker.prove(row)
+    assert checker.faults(row, slider, proved) == []
+    with open(REPORT / f"vectors/certified-{other}.csv", newline="") as file:
+        assert len(checker.faults(list(csv.DictReader(file))[number - 1], slider, proved)) == 3
+
+
 def test_bistability_is_proved_again_and_faults_are_refused():
-    published = CHECKER.parents[1] / "reports/im-avouac/published/tables/bistability-certified.csv"
-    with open(published, newline="") as file:
+    with open(REPORT / "published/tables/bistability-certified.csv", newline="") as file:
         (row,) = (row for row in csv.DictReader(file) if row["inertial_parameter"] == "0.1")
     assert checker.is_bistable(row)
     peaks = checker.prove_three(row)
