@@ -151,9 +151,9 @@ pub fn read_scene(path: &Path, limits: Limits) -> Result<LoneScene, Faults> {
     let bytes = read_small_file(path).map_err(|fault| vec![fault])?;
     let scene = Scene::parse(&path.display().to_string(), &bytes, &limits)?;
     let beside = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
-    let report = beside.parent().filter(|report| report.join(VECTORS).is_dir());
-    let (place, files) = report.map_or((beside, ""), |report| (report, VECTORS));
-    let mut reader = Reader::new(Source::Folder(place.to_path_buf()), limits);
+    let report = Some(beside.join("..")).filter(|report| report.join(VECTORS).is_dir());
+    let (place, files) = report.map_or((beside.to_path_buf(), ""), |report| (report, VECTORS));
+    let mut reader = Reader::new(Source::Folder(place), limits);
     let references = reader.references(std::slice::from_ref(&scene), files);
     if !reader.faults.is_empty() {
         return Err(reader.faults);
