@@ -236,8 +236,8 @@ mod tests {
         assert_eq!(all.at(EvolutionLaw::Slip, 1e-2, 1e5), rows[3].certificate.as_ref().ok());
         assert_eq!(all.at(EvolutionLaw::Aging, 1e-2, 1e5), None);
         for (from, to, named) in [
-            (",cycle,", ",cycles,", "c.csv:3: certificate = "),
-            (",force,", ",x,", "c.csv:4: second_coordinate"),
+            (",cycle,", ",cycles,", "c.csv:3: certificate = cycles"),
+            (",force,", ",x,", "c.csv:3: second_coordinate = x"),
             ("0.004,0.006", "0,0.006", "c.csv:2: direct_effect"),
             (",slip,", ",slipp,", "c.csv:2: law"),
             ("law,", "laws,", "c.csv:1: header"),

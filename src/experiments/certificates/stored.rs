@@ -232,24 +232,25 @@ pub fn read_stored(
     digest: &str,
     (file, text): (&str, &str),
 ) -> Result<Vec<Stored>, Faults> {
-    let fault = |line, key: &str, problem| {
-        vec![Fault { file: file.to_string(), line, key: key.into(), value: None, problem }]
+    let fault = |line, key: &str, value, problem| {
+        vec![Fault { file: file.to_string(), line, key: key.into(), value, problem }]
     };
     if digest != entry.sha256 {
         let wanted = format!("to be the file of SHA-256 {}, not {digest}", entry.sha256);
-        return Err(fault(None, "sha256", Problem::Needs(wanted)));
+        return Err(fault(None, "sha256", None, Problem::Needs(wanted)));
     }
     let mut reader = csv::ReaderBuilder::new().flexible(true).has_headers(false).from_reader(text.as_bytes());
     // A flexible reader of text in memory has no way to fail.
     let mut records = reader.records().flatten();
     if records.next().is_none_or(|header| header.iter().ne(COLUMNS)) {
         let wanted = CsvProblem::NoHeader { wanted: COLUMNS.join(",") };
-        return Err(fault(Some(1), "header", wanted.into()));
+        return Err(fault(Some(1), "header", None, wanted.into()));
     }
     let row = |record: csv::StringRecord| {
         Stored::read(&record).map_err(|(column, problem)| {
             let line = record.position().and_then(|position| usize::try_from(position.line()).ok());
-            fault(line, COLUMNS[column], problem)
+            let value = record.get(column).filter(|_| record.len() == COLUMNS.len()).map(str::to_string);
+            fault(line, COLUMNS[column], value, problem)
         })
     };
     records.map(row).collect()
