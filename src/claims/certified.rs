@@ -6,7 +6,7 @@ use std::ptr::from_ref;
 use crate::claims::simulated::{Run, Runs, error_of};
 use crate::claims::{Evidence, Finding};
 use crate::experiments::certificates::Certificates;
-use slipmode_core::dynamics::certified::{Certificate, Proved};
+use slipmode_core::dynamics::certified::Certificate;
 use slipmode_core::friction::EvolutionLaw;
 use slipmode_core::stability::SlipMode;
 
@@ -48,14 +48,6 @@ impl Decided {
     }
 }
 
-/// Period of a certified cycle.
-pub(super) const fn period_s(proof: &Certificate) -> Option<[f64; 2]> {
-    match proof.proved {
-        Proved::Cycle { period_s, .. } => Some(period_s),
-        Proved::Decay { .. } => None,
-    }
-}
-
 fn peak(run: &Run) -> Option<[f64; 2]> {
     run.certificate.map(|proof| proof.peak_velocity_m_per_s)
 }
@@ -69,7 +61,7 @@ pub(super) fn rises((first, second): &Pair) -> Decided {
 /// Whether stress drop and period both rise from the first to the second.
 pub(super) fn grows_and_slows((first, second): &Pair) -> Decided {
     let drop = |run: &Run| run.certificate.map(|proof| proof.stress_drop_pa);
-    let period = |run: &Run| run.certificate.and_then(period_s);
+    let period = |run: &Run| run.certificate.and_then(Certificate::period_s);
     let by_run = |of: fn(&Run) -> Option<f64>| of(second) > of(first);
     Decided::larger(drop(first), drop(second), by_run(|run| Some(run.simulation.stress_drop_pa)))
         .and(Decided::larger(period(first), period(second), by_run(|run| run.simulation.period_s)))
@@ -82,7 +74,7 @@ const ROUNDING: f64 = 1e-14;
 pub(super) fn both_certainly((first, second): &Pair, mode: SlipMode, natural_period_s: f64) -> bool {
     let limit = std::f64::consts::SQRT_2 * natural_period_s;
     let is = |run: &Run| {
-        run.certificate.and_then(period_s).is_some_and(|[low, high]| match mode {
+        run.certificate.and_then(Certificate::period_s).is_some_and(|[low, high]| match mode {
             SlipMode::StickSlip => low > limit * (1.0 + ROUNDING),
             _ => high < limit * (1.0 - ROUNDING),
         })
@@ -92,7 +84,7 @@ pub(super) fn both_certainly((first, second): &Pair, mode: SlipMode, natural_per
 
 /// Whether certificates prove that both runs are limit cycles.
 pub(super) fn both_cycle((first, second): &Pair) -> bool {
-    [first, second].into_iter().all(|run| run.certificate.and_then(period_s).is_some())
+    [first, second].into_iter().all(|run| run.certificate.and_then(Certificate::period_s).is_some())
 }
 
 /// Pairs of neighbours of several grids, and what is decided of each.
@@ -199,10 +191,10 @@ pub(super) fn contradiction(run: &Run) -> Option<String> {
     let found = run.simulation;
     let mut compared =
         vec![(proof.peak_velocity_m_per_s, found.peak_velocity_m_per_s, found.peak_relative_error)];
-    if run.periodic() != period_s(proof).is_some() {
+    if run.periodic() != proof.period_s().is_some() {
         return Some(format!("The long-term behaviour at {} is not the certified one.", run.place()));
     }
-    if let Some(period) = period_s(proof) {
+    if let Some(period) = proof.period_s() {
         compared.push((proof.stress_drop_pa, found.stress_drop_pa, found.stress_drop_relative_error));
         compared.extend(
             found.period_s.zip(found.period_relative_error).map(|(value, error)| (period, value, error)),

@@ -2,7 +2,7 @@
 
 use std::slice;
 
-use crate::claims::certified::{period_s, remark};
+use crate::claims::certified::remark;
 use crate::claims::overshoot::Overshoots;
 use crate::claims::reading::{Draft, of_readings};
 use crate::claims::simulated::{Run, Runs, certificates, evidence, for_each_law, grids};
@@ -203,7 +203,7 @@ fn ends_by_stiffness(grid: &Runs) -> Finding {
 /// The certified limit cycles and decays of a grid, if there are any.
 fn certified_ends(grid: &Runs) -> Option<Evidence> {
     let proofs = || grid.runs.iter().filter_map(|run| run.certificate);
-    let cycles = proofs().filter(|proof| period_s(proof).is_some()).count();
+    let cycles = proofs().filter(|proof| proof.period_s().is_some()).count();
     let decays = proofs().count() - cycles;
     (cycles + decays > 0).then(|| Evidence::Enclosure {
         quantity: format!("Certificates, {} law", grid.law.as_str()),

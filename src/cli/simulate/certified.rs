@@ -2,9 +2,10 @@
 
 use serde_json::{Map, Value, json};
 use slipmode::csv::{Cells, Column, Datum, Remark, RowWork, push_cells};
+use slipmode::experiments::certificates::BOUNDS;
 use slipmode::scene::{Faults, Problem};
 use slipmode_core::dynamics::Start;
-use slipmode_core::dynamics::certified::{Certificate, Proved, Reason, certify};
+use slipmode_core::dynamics::certified::{Certificate, Proved, Reason, certify, second_coordinate};
 use slipmode_core::friction::{EvolutionLaw, Parameters};
 use slipmode_core::number::Rational;
 
@@ -17,24 +18,17 @@ pub struct Certified(Result<Certificate, Reason>);
 
 /// The columns behind those of `simulate`; without a certificate all but the last are empty.
 const COLUMNS: [Column<Certified>; 7] = [
-    ("peak_velocity_low_m_per_s", |found| end(found, |proof| Some(proof.peak_velocity_m_per_s), 0)),
-    ("peak_velocity_high_m_per_s", |found| end(found, |proof| Some(proof.peak_velocity_m_per_s), 1)),
-    ("period_low_s", |found| end(found, period, 0)),
-    ("period_high_s", |found| end(found, period, 1)),
-    ("stress_drop_low_pa", |found| end(found, |proof| Some(proof.stress_drop_pa), 0)),
-    ("stress_drop_high_pa", |found| end(found, |proof| Some(proof.stress_drop_pa), 1)),
+    (BOUNDS[0], |found| end(found, |proof| Some(proof.peak_velocity_m_per_s), 0)),
+    (BOUNDS[1], |found| end(found, |proof| Some(proof.peak_velocity_m_per_s), 1)),
+    (BOUNDS[2], |found| end(found, Certificate::period_s, 0)),
+    (BOUNDS[3], |found| end(found, Certificate::period_s, 1)),
+    (BOUNDS[4], |found| end(found, |proof| Some(proof.stress_drop_pa), 0)),
+    (BOUNDS[5], |found| end(found, |proof| Some(proof.stress_drop_pa), 1)),
     ("certificate", |found| Datum::Text(found.word())),
 ];
 
 fn end(found: &Certified, of: fn(&Certificate) -> Option<[f64; 2]>, side: usize) -> Datum {
     Datum::Number(found.0.as_ref().ok().and_then(of).map(|ends| ends[side]))
-}
-
-const fn period(proof: &Certificate) -> Option<[f64; 2]> {
-    match proof.proved {
-        Proved::Cycle { period_s, .. } => Some(period_s),
-        Proved::Decay { .. } => None,
-    }
 }
 
 impl Certified {
@@ -46,8 +40,7 @@ impl Certified {
     /// `cycle`, `decay`, or `none` with the reason.
     fn word(&self) -> String {
         match &self.0 {
-            Ok(Certificate { proved: Proved::Cycle { .. }, .. }) => "cycle".into(),
-            Ok(Certificate { proved: Proved::Decay { .. }, .. }) => "decay".into(),
+            Ok(proof) => proof.proved.as_str().into(),
             Err(reason) => format!("none: {reason}"),
         }
     }
@@ -66,7 +59,7 @@ impl Certified {
             }) => json!({
                 "section_log_velocity": section_log_velocity,
                 "log_state_box": state_box,
-                "second_coordinate": if *is_on_slow_manifold { "psi" } else { "force" },
+                "second_coordinate": second_coordinate(*is_on_slow_manifold),
                 "second_box": second_box,
                 "contraction_factor": contraction,
             }),
@@ -83,7 +76,7 @@ impl Certified {
         if let Ok(proof) = &self.0 {
             lines.push(("peak velocity", between(proof.peak_velocity_m_per_s, "m/s"), "(enclosed)"));
             lines.push(("stress drop", between(proof.stress_drop_pa, "Pa"), "(enclosed)"));
-            lines.extend(period(proof).map(|period| ("period", between(period, "s"), "(enclosed)")));
+            lines.extend(proof.period_s().map(|period| ("period", between(period, "s"), "(enclosed)")));
         } else {
             lines[0].2 = "";
         }

@@ -7,7 +7,7 @@ pub(crate) mod tables;
 
 pub use run::{Certificates, ProvedAgain, certify_grid, prove_again};
 pub use section::{CertificateFile, CertificatesSection};
-pub use stored::{Stored, read_stored, written};
+pub use stored::{BOUNDS, Stored, read_stored, written};
 
 use crate::experiments::certificates::run::EXTREMES;
 use crate::experiments::{Experiment, Setting, TableMaker, Work};

@@ -134,7 +134,7 @@ fn extremes(rows: &[Stored]) -> impl Iterator<Item = usize> {
     });
     let width = |proof: &Certificate| proof.peak_velocity_m_per_s[1] / proof.peak_velocity_m_per_s[0];
     let widest = proofs().map(|(row, proof)| (row, width(proof)));
-    let cycles = || proofs().filter(|(_, proof)| matches!(proof.proved, Proved::Cycle { .. }));
+    let cycles = || proofs().filter(|(_, proof)| proof.period_s().is_some());
     let gap = |one: &Certificate, other: &Certificate| {
         let [a, b] = [one, other].map(|proof| proof.peak_velocity_m_per_s[0]);
         -libm::fabs(libm::log(a / b))
@@ -222,10 +222,8 @@ mod tests {
         let text = written(&rows);
         assert_eq!(read(&text, &zeros).unwrap(), rows);
         assert!(read(&text, "1").unwrap_err().contains("to be the file of SHA-256"));
-        let kinds: Vec<bool> = rows
-            .iter()
-            .map(|row| matches!(row.certificate.as_ref().unwrap().proved, Proved::Cycle { .. }))
-            .collect();
+        let kinds: Vec<bool> =
+            rows.iter().map(|row| row.certificate.as_ref().unwrap().period_s().is_some()).collect();
         assert_eq!(kinds, [false, true, true, true]);
         let all = Certificates::of(vec![rows.clone(), rows.clone()], 1);
         let again: Vec<usize> = all.again.iter().map(|again| again.row).collect();

@@ -4,8 +4,8 @@
 //! made from, by a tenth of the width and a relative 10⁻¹¹ and more, so that a later proof of the same box can confirm it.
 
 use crate::experiments::certificates::CertificateFile;
-use crate::scene::{CsvProblem, Fault, Faults, Problem};
-use slipmode_core::dynamics::certified::{Certificate, Proved, Reason};
+use crate::scene::{CsvProblem, Fault, Faults, Problem, Quantity};
+use slipmode_core::dynamics::certified::{Certificate, Proved, Reason, second_coordinate};
 use slipmode_core::friction::{EvolutionLaw, Parameters};
 use slipmode_core::number::format::shortest;
 use slipmode_core::number::{Rational, parse_decimal};
@@ -23,22 +23,17 @@ pub struct Stored {
     inputs: Vec<String>,
 }
 
-const COLUMNS: [&str; 23] = [
-    "direct_effect",
-    "evolution_effect",
-    "critical_slip_distance_m",
-    "stiffness_pa_per_m",
-    "mass_per_area_kg_per_m2",
-    "normal_stress_pa",
-    "loading_velocity_m_per_s",
-    "law",
-    "certificate",
+/// The columns of the bounds, as of `simulate --certify`.
+pub const BOUNDS: [&str; 6] = [
     "peak_velocity_low_m_per_s",
     "peak_velocity_high_m_per_s",
     "period_low_s",
     "period_high_s",
     "stress_drop_low_pa",
     "stress_drop_high_pa",
+];
+/// The columns behind these: the box, and what else the proof states.
+const PROOF: [&str; 8] = [
     "section_log_velocity",
     "log_state_low",
     "log_state_high",
@@ -48,10 +43,14 @@ const COLUMNS: [&str; 23] = [
     "contraction_factor",
     "captured_after_s",
 ];
-const INPUTS: usize = 7;
-/// Words of the second coordinate of the section: the distance from the slow manifold, and the force.
-const SECOND: [&str; 2] = ["psi", "force"];
+const INPUTS: usize = Quantity::ALL.len();
 const NONE: &str = "none: ";
+
+/// The header: the seven inputs, the law, the kind of certificate, the bounds and the proof.
+fn columns() -> Vec<&'static str> {
+    let inputs = Quantity::ALL.map(Quantity::key);
+    [&inputs[..], &["law", "certificate"], &BOUNDS, &PROOF].concat()
+}
 
 /// The part of its width by which a stored enclosure is wider at each end, and the relative part of the value.
 const ROOM: [f64; 2] = [0.1, 1e-11];
@@ -127,13 +126,13 @@ impl Stored {
             Ok(proof) => proof,
             Err(reason) => {
                 cells.push(format!("{NONE}{reason}"));
-                cells.resize(COLUMNS.len(), String::new());
+                cells.resize(columns().len(), String::new());
                 return cells;
             }
         };
         let [peak, drop] = [proof.peak_velocity_m_per_s, proof.stress_drop_pa].map(|ends| ends.map(shortest));
         let empty = || [String::new(), String::new()];
-        let (word, period, rest) = match &proof.proved {
+        let (period, rest) = match &proof.proved {
             Proved::Cycle {
                 section_log_velocity,
                 state_box,
@@ -143,27 +142,28 @@ impl Stored {
                 period_s,
             } => {
                 let [state, second] = [state_box, second_box].map(|ends| ends.map(shortest));
-                let word = SECOND[usize::from(!is_on_slow_manifold)].to_string();
+                let second_word = second_coordinate(*is_on_slow_manifold).to_string();
                 let mut rest = vec![shortest(*section_log_velocity)];
-                rest.extend(state.into_iter().chain([word]).chain(second));
+                rest.extend(state.into_iter().chain([second_word]).chain(second));
                 rest.extend([shortest(*contraction), String::new()]);
-                ("cycle", period_s.map(shortest), rest)
+                (period_s.map(shortest), rest)
             }
             Proved::Decay { captured_after_s } => {
                 let mut rest = vec![String::new(); 7];
                 rest.push(shortest(*captured_after_s));
-                ("decay", empty(), rest)
+                (empty(), rest)
             }
         };
-        cells.push(word.into());
+        cells.push(proof.proved.as_str().into());
         cells.extend(peak.into_iter().chain(period).chain(drop).chain(rest));
         cells
     }
 
     /// A row; the fault names its column.
     fn read(record: &csv::StringRecord) -> Result<Self, (usize, Problem)> {
-        if record.len() != COLUMNS.len() {
-            return Err((0, CsvProblem::CellCount { found: record.len(), wanted: COLUMNS.len() }.into()));
+        let wanted = columns().len();
+        if record.len() != wanted {
+            return Err((0, CsvProblem::CellCount { found: record.len(), wanted }.into()));
         }
         let cell = |at: usize| record.get(at).unwrap_or_default();
         let allowed = |allowed: &str| Problem::OutOfRange { allowed: allowed.into() };
@@ -191,8 +191,11 @@ impl Stored {
                 section_log_velocity: number(15)?,
                 state_box: ends(16)?,
                 second_box: ends(19)?,
-                is_on_slow_manifold: match SECOND.iter().position(|word| *word == cell(18)) {
-                    Some(at) => at == 0,
+                is_on_slow_manifold: match [true, false]
+                    .into_iter()
+                    .find(|is| second_coordinate(*is) == cell(18))
+                {
+                    Some(is) => is,
                     None => return Err((18, allowed("`psi` or `force`"))),
                 },
                 contraction: number(21)?,
@@ -219,7 +222,7 @@ impl Stored {
 #[must_use]
 pub fn written(rows: &[Stored]) -> String {
     let lines = rows.iter().map(|row| row.cells().join(","));
-    let lines: Vec<String> = std::iter::once(COLUMNS.join(",")).chain(lines).collect();
+    let lines: Vec<String> = std::iter::once(columns().join(",")).chain(lines).collect();
     lines.join("\n") + "\n"
 }
 
@@ -242,15 +245,15 @@ pub fn read_stored(
     let mut reader = csv::ReaderBuilder::new().flexible(true).has_headers(false).from_reader(text.as_bytes());
     // A flexible reader of text in memory has no way to fail.
     let mut records = reader.records().flatten();
-    if records.next().is_none_or(|header| header.iter().ne(COLUMNS)) {
-        let wanted = CsvProblem::NoHeader { wanted: COLUMNS.join(",") };
+    if records.next().is_none_or(|header| header.iter().ne(columns())) {
+        let wanted = CsvProblem::NoHeader { wanted: columns().join(",") };
         return Err(fault(Some(1), "header", None, wanted.into()));
     }
     let row = |record: csv::StringRecord| {
         Stored::read(&record).map_err(|(column, problem)| {
             let line = record.position().and_then(|position| usize::try_from(position.line()).ok());
-            let value = record.get(column).filter(|_| record.len() == COLUMNS.len()).map(str::to_string);
-            fault(line, COLUMNS[column], value, problem)
+            let value = record.get(column).filter(|_| record.len() == columns().len()).map(str::to_string);
+            fault(line, columns()[column], value, problem)
         })
     };
     records.map(row).collect()

@@ -3,7 +3,7 @@
 use crate::experiments::certificates::{Certificates, Stored};
 use crate::experiments::shared::cells::DigitColumns;
 use crate::experiments::{Context, Need, TableMaker};
-use slipmode_core::dynamics::certified::{Certificate, Proved};
+use slipmode_core::dynamics::certified::Certificate;
 use slipmode_core::friction::EvolutionLaw;
 use slipmode_plot::table::Table;
 
@@ -28,7 +28,7 @@ impl<'c> OfLaw<'c> {
 
     fn proofs(self, is_cycle: bool) -> impl Iterator<Item = &'c Certificate> {
         let proofs = self.rows().filter_map(|row| row.certificate.as_ref().ok());
-        proofs.filter(move |proof| matches!(proof.proved, Proved::Cycle { .. }) == is_cycle)
+        proofs.filter(move |proof| proof.period_s().is_some() == is_cycle)
     }
 
     fn again(self) -> usize {
@@ -37,15 +37,8 @@ impl<'c> OfLaw<'c> {
     }
 
     /// The largest relative width of an enclosure of the cycles.
-    fn widest(self, of: fn(&Certificate) -> [f64; 2]) -> f64 {
-        self.proofs(true).map(of).map(|[low, high]| high / low - 1.0).fold(0.0, f64::max)
-    }
-}
-
-const fn period(proof: &Certificate) -> [f64; 2] {
-    match proof.proved {
-        Proved::Cycle { period_s, .. } => period_s,
-        Proved::Decay { .. } => [1.0; 2],
+    fn widest(self, of: fn(&Certificate) -> Option<[f64; 2]>) -> f64 {
+        self.proofs(true).filter_map(of).map(|[low, high]| high / low - 1.0).fold(0.0, f64::max)
     }
 }
 
@@ -64,11 +57,11 @@ fn certificates(context: &Context) -> Option<Table> {
         .number("decays", "Certified decays", "", |of| of.proofs(false).count())
         .number("proved_again", "Proved again in this run", "", OfLaw::again)
         .digits("peak_width", "Width of the peak", "", DIGITS, |of| {
-            of.widest(|proof| proof.peak_velocity_m_per_s)
+            of.widest(|proof| Some(proof.peak_velocity_m_per_s))
         })
-        .digits("period_width", "Width of the period", "", DIGITS, |of| of.widest(period))
+        .digits("period_width", "Width of the period", "", DIGITS, |of| of.widest(Certificate::period_s))
         .digits("stress_drop_width", "Width of the stress drop", "", DIGITS, |of| {
-            of.widest(|proof| proof.stress_drop_pa)
+            of.widest(|proof| Some(proof.stress_drop_pa))
         })
         .table()
         .into()

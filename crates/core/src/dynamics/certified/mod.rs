@@ -125,6 +125,34 @@ pub struct Certificate {
     pub stress_drop_pa: [f64; 2],
 }
 
+impl Proved {
+    /// `cycle` or `decay`.
+    #[must_use]
+    pub const fn as_str(&self) -> &'static str {
+        match self {
+            Self::Cycle { .. } => "cycle",
+            Self::Decay { .. } => "decay",
+        }
+    }
+}
+
+/// The second coordinate of a section, as a word: `psi`, the distance from the slow manifold, or `force`.
+#[must_use]
+pub const fn second_coordinate(is_on_slow_manifold: bool) -> &'static str {
+    if is_on_slow_manifold { "psi" } else { "force" }
+}
+
+impl Certificate {
+    /// Lower and upper bound of the period of a cycle, s; none of a decay.
+    #[must_use]
+    pub const fn period_s(&self) -> Option<[f64; 2]> {
+        match self.proved {
+            Proved::Cycle { period_s, .. } => Some(period_s),
+            Proved::Decay { .. } => None,
+        }
+    }
+}
+
 /// The most steps of one enclosed motion.
 const MOST_STEPS: u64 = 200_000;
 
