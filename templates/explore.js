@@ -6,13 +6,15 @@
   const steps = inputs.map((input) => input.dataset.steps.split("|"));
   const said = document.getElementById("said");
 
-  // A text is its list of different words and a code per combination: "." repeats the previous word, "!" takes the next new one, two digits take an earlier one.
+  // A text is its list of different words and codes: "!" takes the next new word, two digits take an earlier one, "A" to "Z" repeat the previous one 1 to 26 times.
   const unpack = (words, cells) => {
     const found = [];
     for (let at = 0, next = 0, word = 0; at < cells.length; at += 1) {
-      if (cells[at] === "!") word = next++;
-      else if (cells[at] !== ".") word = parseInt(cells.slice(at, ++at + 1), 36);
-      found.push(words[word]);
+      const code = cells[at];
+      const times = /[A-Z]/.test(code) ? code.charCodeAt() - 64 : 0;
+      if (code === "!") word = next++;
+      else if (!times) word = parseInt(cells.slice(at, ++at + 1), 36);
+      found.push(...Array(times || 1).fill(words[word]));
     }
     return found;
   };

@@ -27,7 +27,11 @@ fn unpacked(element: &str) -> Vec<String> {
     let mut codes = attribute("data-cells").chars();
     while let Some(code) = codes.next() {
         match code {
-            '.' => {}
+            'A'..='Z' => {
+                let times = usize::from(code as u8 - b'A') + 1;
+                found.extend(vec![words[word].to_owned(); times]);
+                continue;
+            }
             '!' => {
                 word = next;
                 next += 1;

@@ -131,6 +131,6 @@ mod tests {
         let svg = map().svg();
         // 544 over two decades, 440 over four; the second line lies a decade above the window.
         assert!(svg.contains("data-steps=\"translate(0 0)|translate(272 110)\""), "{svg}");
-        assert!(svg.contains("d=\"M-464 -96l1632 0\""), "{svg}");
+        assert!(svg.contains("d=\"M-464-96h1632\""), "{svg}");
     }
 }

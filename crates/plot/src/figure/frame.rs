@@ -1,7 +1,7 @@
 //! The frame of a chart: where values lie on the canvas, axes with ticks, titles.
 
 use super::path::{Bounds, Point, clip_line, clip_polygon};
-use super::svg::{Rule, Svg, number};
+use super::svg::{Svg, number};
 use super::ticks::Tick;
 use super::{Axis, Scale, palette, rich_text};
 
@@ -79,7 +79,7 @@ impl<'a> Frame<'a> {
         self.draw_upright_grid(svg);
         svg.open("g", &[("class", "grid"), ("stroke", palette::GRID)]);
         let places = self.places(self.y).filter(|(_, tick)| tick.is_major());
-        let rule = |(v, _)| (b.left, self.place_unit((0.0, v)).1, Rule::Across(b.right));
+        let rule = |(v, _)| [b.left, b.right].map(|x| (x, self.place_unit((0.0, v)).1)).into();
         svg.rules(&places.map(rule).collect::<Vec<_>>());
         svg.close();
     }
@@ -89,7 +89,7 @@ impl<'a> Frame<'a> {
         let b = self.bounds;
         svg.open("g", &[("class", "grid"), ("stroke", palette::GRID)]);
         let places = self.places(self.x).filter(|(_, tick)| tick.is_major());
-        let rule = |(u, _)| (self.place_unit((u, 0.0)).0, b.top, Rule::Upright(b.bottom));
+        let rule = |(u, _)| [b.top, b.bottom].map(|y| (self.place_unit((u, 0.0)).0, y)).into();
         svg.rules(&places.map(rule).collect::<Vec<_>>());
         svg.close();
     }
@@ -152,7 +152,7 @@ impl<'a> Frame<'a> {
     fn draw_ticks_x(&self, svg: &mut Svg) {
         let rule = |(u, tick): (f64, Tick)| {
             let (x, y) = self.place_unit((u, 0.0));
-            (x, y, Rule::Upright(y + tick_length(&tick)))
+            ((x, y), (x, y + tick_length(&tick)))
         };
         svg.rules(&self.ticks_x().into_iter().map(rule).collect::<Vec<_>>());
     }
@@ -160,7 +160,7 @@ impl<'a> Frame<'a> {
     fn draw_ticks_y(&self, svg: &mut Svg) {
         let rule = |(v, tick): (f64, Tick)| {
             let (x, y) = self.place_unit((0.0, v));
-            (x, y, Rule::Across(x - tick_length(&tick)))
+            ((x, y), (x - tick_length(&tick), y))
         };
         svg.rules(&self.ticks_y().into_iter().map(rule).collect::<Vec<_>>());
     }

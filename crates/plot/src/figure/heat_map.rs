@@ -1,10 +1,12 @@
 //! Heat maps over two axes: filled contours of a grid of values, with the area of exact zeros left uncoloured.
 
 use super::contour::outlines;
+use super::covered::Covers;
 use super::frame::{CANVAS_WIDTH, Frame, NORMAL, SMALL};
 use super::legend::{Entry, KEY_WIDTH, Legend};
 use super::overlay::{draw_lines, draw_marks, legend_entries};
-use super::path::{Point, line_data, outline_data, outline_data_in_tenths, simplify};
+use super::path::{Point, simplify};
+use super::path_data::{line_data, outline_data, outline_data_in_tenths};
 use super::svg::{Svg, number};
 use super::{Axis, Caption, Line, PointMark, Readout, palette, rich_text};
 
@@ -118,13 +120,16 @@ impl HeatMap {
 
     /// Paints for each step the whole area above its lower edge, the brighter over the darker.
     fn draw_values(&self, svg: &mut Svg, frame: &Frame) {
+        let covers = Covers::new(self.zero_areas.iter().map(|area| frame.visible_outline(area)).collect());
+        let outlines = |level| self.outlines_in_tenths(frame, &covers, level);
         svg.open("g", &[("class", "values"), ("transform", "scale(.1)")]);
         for step in 0..self.steps() {
-            let data = self.outlines_in_tenths(frame, self.level(step));
-            svg.leaf("path", &[("d", &data), ("fill", &palette::value_colour(step, self.steps()))]);
+            let data = outlines(self.level(step));
+            if !data.is_empty() {
+                svg.leaf("path", &[("d", &data), ("fill", &palette::value_colour(step, self.steps()))]);
+            }
         }
-        let contours: String =
-            self.colours.contours.iter().map(|level| self.outlines_in_tenths(frame, *level)).collect();
+        let contours: String = self.colours.contours.iter().map(|&level| outlines(level)).collect();
         if !contours.is_empty() {
             let [colour, width] = CONTOUR;
             svg.leaf(
@@ -135,12 +140,16 @@ impl HeatMap {
         svg.close();
     }
 
-    /// The outlines of the area above a level.
-    fn outlines_in_tenths(&self, frame: &Frame, level: f64) -> String {
+    /// The outlines of the area above a level, with a short course where areas of zeros are painted over them.
+    fn outlines_in_tenths(&self, frame: &Frame, covers: &Covers, level: f64) -> String {
         let inside = |value: f64| value > 0.0 && value >= level;
         let crossing = |outside: f64, inside: f64| self.crossing(level, outside, inside);
         let areas = outlines(&self.values, self.columns, &inside, &crossing);
-        areas.iter().map(|area| outline_in_tenths(frame, area)).collect()
+        let outline = |area: &Vec<Point>| {
+            let placed: Vec<Point> = area.iter().map(|&point| frame.place_unit(point)).collect();
+            outline_data_in_tenths(&covers.simplify(&placed, CONTOUR_TOLERANCE))
+        };
+        areas.iter().map(outline).collect()
     }
 
     /// Where between two grid points the level is crossed.
@@ -170,11 +179,15 @@ impl HeatMap {
         let (left, width) = (frame.bounds.right + 16.0, 18.0);
         let (top, height) = (frame.bounds.top, frame.size().1);
         let step_height = height / self.steps() as f64;
-        svg.open("g", &[("class", "colour-bar"), ("shape-rendering", "crispEdges")]);
+        let middle = left + width / 2.0;
+        let bar =
+            [("class", "colour-bar"), ("shape-rendering", "crispEdges"), ("stroke-width", &number(width))];
+        svg.open("g", &bar);
         for step in 0..self.steps() {
             let y = top + height - step_height * (step as f64 + 1.0);
-            let fill = palette::value_colour(step, self.steps());
-            svg.rect((left, y), (width, step_height + 0.4), &[("fill", &fill)]);
+            let colour = palette::value_colour(step, self.steps());
+            let data = line_data(&[(middle, y), (middle, y + step_height + 0.4)]);
+            svg.leaf("path", &[("d", &data), ("stroke", &colour)]);
         }
         svg.close();
         svg.open("g", &[("class", "axis"), ("stroke", palette::FAINT_INK), ("fill", "none")]);
@@ -223,10 +236,4 @@ impl HeatMap {
         });
         entries
     }
-}
-
-fn outline_in_tenths(frame: &Frame, area: &[Point]) -> String {
-    let placed: Vec<Point> = area.iter().map(|&point| frame.place_unit(point)).collect();
-    let closed: Vec<Point> = placed.iter().chain(placed.first()).copied().collect();
-    outline_data_in_tenths(&simplify(&closed, CONTOUR_TOLERANCE))
 }

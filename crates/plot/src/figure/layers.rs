@@ -6,6 +6,7 @@ use super::frame::CANVAS_WIDTH;
 use super::layer_places::{Slot, places};
 use super::legend::{Entry, KEY_WIDTH, Legend};
 use super::path::Point;
+use super::path_data::{level_curve_data, line_data};
 use super::svg::{Svg, number};
 use super::{Caption, palette};
 
@@ -70,11 +71,13 @@ impl LayeredGraph {
             (MARGIN + stride * slots[slot].column as f64, MARGIN + tallest / 2.0 + heights[slot])
         };
         draw_curves(&mut svg, &slots, &corner);
+        svg.open("g", &[("text-anchor", "middle"), ("font-size", "13"), ("font-weight", "600")]);
         for (index, slot) in slots.iter().enumerate() {
             if let Some(node) = slot.node.and_then(|node| self.nodes.get(node)) {
                 self.draw_node(&mut svg, node, corner(index));
             }
         }
+        svg.close();
         legend.draw(&mut svg, (MARGIN, below));
         svg.finish()
     }
@@ -122,17 +125,7 @@ impl LayeredGraph {
         svg.title(&node.name);
         draw_box(svg, (x, y), BOX, look);
         let at = [number(x + BOX.0 / 2.0), number(y + 4.5)];
-        svg.text(
-            &[
-                ("x", &at[0]),
-                ("y", &at[1]),
-                ("text-anchor", "middle"),
-                ("font-size", "13"),
-                ("font-weight", "600"),
-                ("fill", &look.ink),
-            ],
-            &super::svg::escape(&node.label),
-        );
+        svg.text(&[("x", &at[0]), ("y", &at[1]), ("fill", &look.ink)], &super::svg::escape(&node.label));
         svg.close();
     }
 
@@ -142,7 +135,7 @@ impl LayeredGraph {
         let curves = Entry {
             label: self.curve_words.clone(),
             key: Box::new(|svg: &mut Svg, (x, y): Point| {
-                let data = format!("M{} {}h{}", number(x), number(y), number(KEY_WIDTH - 8.0));
+                let data = line_data(&[(x, y), (x + KEY_WIDTH - 8.0, y)]);
                 svg.leaf("path", &curve_attributes(&data));
             }),
         };
@@ -180,14 +173,11 @@ fn draw_curves(svg: &mut Svg, slots: &[Slot], corner: &dyn Fn(usize) -> Point) {
     for (index, slot) in slots.iter().enumerate() {
         let (x, y) = corner(index);
         for &before in &slot.before {
-            let (from_x, from_y) = (corner(before).0 + BOX.0, corner(before).1);
-            let middle = number((from_x + x) / 2.0);
-            let (start, end) = (number(from_y), number(y));
-            data +=
-                &format!("M{} {start}C{middle} {start} {middle} {end} {} {end}", number(from_x), number(x));
+            let from = corner(before);
+            data += &level_curve_data((from.0 + BOX.0, from.1), (x, y));
         }
         if slot.node.is_none() {
-            data += &format!("M{} {}h{}", number(x), number(y), number(BOX.0));
+            data += &line_data(&[(x, y), (x + BOX.0, y)]);
         }
     }
     if !data.is_empty() {

@@ -25,6 +25,7 @@
 
 mod axis;
 mod contour;
+mod covered;
 mod family_map;
 mod frame;
 mod heat_map;
@@ -37,6 +38,7 @@ mod overlay;
 mod palette;
 mod panels;
 mod path;
+mod path_data;
 mod range_chart;
 mod readout;
 mod rich_text;

@@ -2,7 +2,8 @@
 
 use super::frame::{Frame, SMALL};
 use super::legend::{Entry, KEY_WIDTH};
-use super::path::{Point, line_data, outline_data, simplify};
+use super::path::{Point, simplify};
+use super::path_data::{line_data, outline_data};
 use super::svg::{Svg, number};
 use super::{palette, rich_text};
 
@@ -108,13 +109,13 @@ impl LineRole {
             dash,
         };
         match self {
-            Self::Boundary => style("boundary", ["#111111", "#ffffff"], ["2.2", "4.4"], ""),
-            Self::Asymptote => style("asymptote", ["#b3261e", "#ffffff"], ["1.7", "3.7"], "8 5"),
-            Self::Transition => style("transition", ["#ffffff", "#111111"], ["2.2", "4.2"], ""),
-            Self::Section => style("section", ["#6b2f8f", "#ffffff"], ["1.6", "3.0"], ""),
-            Self::Guide => style("guide", ["#444444", "#ffffff"], ["1.2", "2.6"], "2 3"),
-            Self::BoundaryBand => style("boundary-band", ["#111111", "#ffffff"], ["0.8", "0"], ""),
-            Self::TransitionBand => style("transition-band", ["#c2388f", "#ffffff"], ["0.8", "0"], ""),
+            Self::Boundary => style("boundary", ["#111", "#fff"], ["2.2", "4.4"], ""),
+            Self::Asymptote => style("asymptote", ["#b3261e", "#fff"], ["1.7", "3.7"], "8 5"),
+            Self::Transition => style("transition", ["#fff", "#111"], ["2.2", "4.2"], ""),
+            Self::Section => style("section", ["#6b2f8f", "#fff"], ["1.6", "3.0"], ""),
+            Self::Guide => style("guide", ["#444", "#fff"], ["1.2", "2.6"], "2 3"),
+            Self::BoundaryBand => style("boundary-band", ["#111", "#fff"], ["0.8", "0"], ""),
+            Self::TransitionBand => style("transition-band", ["#c2388f", "#fff"], ["0.8", "0"], ""),
         }
     }
 }
@@ -168,12 +169,12 @@ const LINE_TOLERANCE: f64 = 0.15;
 fn draw_line(svg: &mut Svg, role: LineRole, data: &str, set: &str) {
     let id = svg.id(&format!("{set}{}", role.style().class));
     svg.open("defs", &[]);
-    svg.leaf("path", &[("id", &id), ("d", data)]);
+    svg.leaf("path", &[("id", &id), ("d", data), ("fill", "none")]);
     svg.close();
     draw_stroke(svg, role, ("use", "href", &format!("#{id}")));
 }
 
-/// Draws an element with one attribute of its own in a role's two strokes.
+/// Draws an element without area, with one attribute of its own, in a role's two strokes.
 fn draw_stroke(svg: &mut Svg, role: LineRole, (tag, name, value): (&str, &str, &str)) {
     let style = role.style();
     let casing_class = format!("{}-casing", style.class);
@@ -185,7 +186,6 @@ fn draw_stroke(svg: &mut Svg, role: LineRole, (tag, name, value): (&str, &str, &
             &[
                 ("class", class),
                 (name, value),
-                ("fill", "none"),
                 ("stroke", colour),
                 ("stroke-width", width),
                 ("stroke-dasharray", style.dash),
@@ -216,28 +216,19 @@ pub(crate) fn legend_entries(lines: &[Line]) -> Vec<Entry<'_>> {
         .collect()
 }
 
-/// Draws marked points with their labels.
+/// Draws marked points, then their labels.
 pub(crate) fn draw_marks(svg: &mut Svg, frame: &Frame, marks: &[PointMark]) {
-    for mark in marks {
-        let Some((x, y)) = frame.place((mark.x, mark.y)).filter(|&point| frame.contains(point)) else {
-            continue;
-        };
-        let at = [number(x), number(y)];
-        svg.leaf(
-            "circle",
-            &[
-                ("class", "mark"),
-                ("cx", &at[0]),
-                ("cy", &at[1]),
-                ("r", "4.5"),
-                ("fill", "#ffffff"),
-                ("stroke", "#111111"),
-                ("stroke-width", "2"),
-            ],
-        );
+    let place = |mark: &PointMark| frame.place((mark.x, mark.y)).filter(|&point| frame.contains(point));
+    let visible = || marks.iter().filter_map(|mark| Some((mark, place(mark)?)));
+    if visible().next().is_some() {
+        svg.open("g", &[("class", "mark"), ("fill", "#fff"), ("stroke", "#111"), ("stroke-width", "2")]);
+        visible().for_each(|(_, point)| svg.circle(point, "4.5"));
+        svg.close();
+    }
+    for (mark, (x, y)) in visible() {
         let (dx, dy, anchor) = match mark.side {
             Side::Left => (-10.0, 4.5, "end"),
-            Side::Right => (10.0, 4.5, "start"),
+            Side::Right => (10.0, 4.5, ""),
             Side::Above => (0.0, -11.0, "middle"),
         };
         draw_label(svg, (x + dx, y + dy), anchor, &mark.label);

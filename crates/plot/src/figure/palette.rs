@@ -10,14 +10,14 @@ const VALUE_ANCHORS: [u32; 17] = [
 ];
 
 /// Colours of line series: Okabe and Ito's set, the two brightest darkened to 3 : 1 against white, yellow left out.
-pub(crate) const SERIES: [&str; 6] = ["#0072b2", "#d55e00", "#008a64", "#a6468a", "#9a6b00", "#333333"];
+pub(crate) const SERIES: [&str; 6] = ["#0072b2", "#d55e00", "#008a64", "#a6468a", "#9a6b00", "#333"];
 
 /// Dashes of line series; the first is solid.
 pub(crate) const DASHES: [&str; 6] = ["", "9 3.5", "3 3", "10 3 2.5 3", "5 2 1.5 2 1.5 2", "14 4"];
 
 /// Fills of zones: light enough for dark text at 7 : 1, apart in lightness as well as in hue.
 pub(crate) const ZONES: [&str; 8] =
-    ["#f4f1e8", "#cfe3f1", "#9cc9e6", "#f3c6a5", "#f6e3a1", "#d9c8e3", "#bfe0cf", "#dddddd"];
+    ["#f4f1e8", "#cfe3f1", "#9cc9e6", "#f3c6a5", "#f6e3a1", "#d9c8e3", "#bfe0cf", "#ddd"];
 
 /// Strokes of the zones' patterns.
 pub(crate) const ZONE_INKS: [&str; 8] =
@@ -33,7 +33,7 @@ pub(crate) const FAINT_INK: &str = "#59636e";
 /// Lines of the grid.
 pub(crate) const GRID: &str = "#e3e6ea";
 /// The plate behind everything.
-pub(crate) const PLATE: &str = "#ffffff";
+pub(crate) const PLATE: &str = "#fff";
 
 /// Colour of step `index` out of `steps` on the value scale, as `#rrggbb`.
 pub(crate) fn value_colour(index: usize, steps: usize) -> String {
@@ -54,11 +54,14 @@ mod tests {
 
     /// Relative luminance as WCAG 2 defines it.
     fn luminance(colour: &str) -> f64 {
-        let channel = |at: usize| {
-            let c = f64::from(u8::from_str_radix(&colour[at..at + 2], 16).unwrap()) / 255.0;
+        let digits = (colour.len() - 1) / 3;
+        let largest = f64::from((1 << (4 * digits)) - 1);
+        let channel = |index: usize| {
+            let at = 1 + index * digits;
+            let c = f64::from(u8::from_str_radix(&colour[at..at + digits], 16).unwrap()) / largest;
             if c <= 0.04045 { c / 12.92 } else { libm::pow((c + 0.055) / 1.055, 2.4) }
         };
-        0.2126 * channel(1) + 0.7152 * channel(3) + 0.0722 * channel(5)
+        0.2126 * channel(0) + 0.7152 * channel(1) + 0.0722 * channel(2)
     }
 
     fn contrast(one: &str, other: &str) -> f64 {

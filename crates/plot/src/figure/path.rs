@@ -1,6 +1,4 @@
-//! Paths: lines cut at the edges of a box, needless vertices removed, coordinates as short as they can be.
-
-use super::svg::{tenths, tenths_text};
+//! Paths: lines cut at the edges of a box, needless vertices removed.
 
 /// A point on the canvas, in its units.
 pub(crate) type Point = (f64, f64);
@@ -80,6 +78,12 @@ pub(crate) fn clip_polygon(points: &[Point], bounds: Bounds) -> Vec<Point> {
 
 /// The line without the vertices that lie within `tolerance` of it (Douglas and Peucker).
 pub(crate) fn simplify(points: &[Point], tolerance: f64) -> Vec<Point> {
+    simplify_where(points, |_, _, farthest| farthest <= tolerance)
+}
+
+/// The line with the vertices between two others left out where `straight` accepts these two and the distance of the
+/// farthest vertex between them.
+pub(crate) fn simplify_where(points: &[Point], straight: impl Fn(Point, Point, f64) -> bool) -> Vec<Point> {
     if points.len() < 3 {
         return points.to_vec();
     }
@@ -88,10 +92,16 @@ pub(crate) fn simplify(points: &[Point], tolerance: f64) -> Vec<Point> {
     keep[points.len() - 1] = true;
     let mut open = vec![(0, points.len() - 1)];
     while let Some((first, last)) = open.pop() {
-        let far = (first + 1..last)
-            .map(|index| (distance(points[index], points[first], points[last]), index))
-            .fold((tolerance, None), |best, (d, index)| if d > best.0 { (d, Some(index)) } else { best });
-        if let Some(index) = far.1 {
+        let (from, to) = (points[first], points[last]);
+        let far = (first + 1..last).map(|index| (distance(points[index], from, to), index)).fold(
+            None,
+            |best: Option<(f64, usize)>, far| {
+                if best.is_none_or(|best| far.0 > best.0) { Some(far) } else { best }
+            },
+        );
+        if let Some((farthest, index)) = far
+            && !straight(from, to, farthest)
+        {
             keep[index] = true;
             open.extend([(first, index), (index, last)]);
         }
@@ -100,62 +110,13 @@ pub(crate) fn simplify(points: &[Point], tolerance: f64) -> Vec<Point> {
 }
 
 /// Distance of a point from the segment between two others.
-fn distance(point: Point, from: Point, to: Point) -> f64 {
+pub(crate) fn distance(point: Point, from: Point, to: Point) -> f64 {
     let (dx, dy) = (to.0 - from.0, to.1 - from.1);
     let length = dx * dx + dy * dy;
     let along = if length > 0.0 { ((point.0 - from.0) * dx + (point.1 - from.1) * dy) / length } else { 0.0 };
     let along = along.clamp(0.0, 1.0);
     let (ex, ey) = (point.0 - from.0 - along * dx, point.1 - from.1 - along * dy);
     (ex * ex + ey * ey).sqrt()
-}
-
-/// Path data of a line: absolute start, relative steps, coordinates in tenths.
-pub(crate) fn line_data(points: &[Point]) -> String {
-    data(points, short_tenths, "")
-}
-
-/// Path data of a closed outline.
-pub(crate) fn outline_data(points: &[Point]) -> String {
-    data(points, short_tenths, "z")
-}
-
-/// Path data of a closed outline in whole tenths, for use inside `scale(.1)`.
-pub(crate) fn outline_data_in_tenths(points: &[Point]) -> String {
-    data(points, |n| n.to_string(), "z")
-}
-
-/// Tenths without the zero before the point, which paths do not need.
-fn short_tenths(tenths: i64) -> String {
-    let text = tenths_text(tenths);
-    match text.strip_prefix("0.").map(|rest| ("", rest)).or(text.strip_prefix("-0.").map(|rest| ("-", rest)))
-    {
-        Some((sign, rest)) => format!("{sign}.{rest}"),
-        None => text,
-    }
-}
-
-fn data(points: &[Point], text: impl Fn(i64) -> String, end: &str) -> String {
-    let mut rounded: Vec<(i64, i64)> = points.iter().map(|p| (tenths(p.0), tenths(p.1))).collect();
-    rounded.dedup();
-    let Some(&(x, y)) = rounded.first() else { return String::new() };
-    if rounded.len() < 2 {
-        return String::new();
-    }
-    let mut data = format!("M{} {}", text(x), text(y));
-    for (index, pair) in rounded.windows(2).enumerate() {
-        let (dx, dy) = (text(pair[1].0 - pair[0].0), text(pair[1].1 - pair[0].1));
-        // A minus sign separates numbers as well as a space does.
-        let lead = if index == 0 {
-            "l"
-        } else if dx.starts_with('-') {
-            ""
-        } else {
-            " "
-        };
-        let gap = if dy.starts_with('-') { "" } else { " " };
-        data += &format!("{lead}{dx}{gap}{dy}");
-    }
-    data + end
 }
 
 #[cfg(test)]
@@ -197,12 +158,5 @@ mod tests {
             let nearest = few.windows(2).map(|p| distance(point, p[0], p[1])).fold(f64::INFINITY, f64::min);
             assert!(nearest <= 0.1);
         }
-    }
-
-    #[test]
-    fn path_data_is_relative_and_short() {
-        assert_eq!(line_data(&[(1.0, 2.0), (1.26, 1.0), (1.3, 1.0), (3.0, 4.5)]), "M1 2l.3-1 1.7 3.5");
-        assert_eq!(outline_data_in_tenths(&[(0.0, 0.0), (1.0, 0.0), (1.0, 1.0)]), "M0 0l10 0 0 10z");
-        assert_eq!(line_data(&[(1.0, 1.0)]), "");
     }
 }

@@ -38,7 +38,7 @@ impl Readout {
             ("y", &corner[1]),
             ("width", &size[0]),
             ("height", &size[1]),
-            ("fill", "#ffffff"),
+            ("fill", "#fff"),
             ("fill-opacity", "0"),
         ];
         match self {
@@ -66,19 +66,21 @@ impl Readout {
     }
 }
 
+/// How many points one code repeats at most.
+const MOST_REPEATS: usize = 26;
+
 /// How many words can be named by two digits of base 36.
 const NAMED_WORDS: usize = 36 * 36;
 
-/// A field as its different words, in the order in which they first occur, and a code for each point: `.` is the word
-/// of the point before, `!` the next new word, two digits of base 36 the number of a former one.
+/// A field as its different words, in the order in which they first occur, and codes: `!` is the next new word, two
+/// digits of base 36 the number of a former one, `A` to `Z` repeat the word before 1 to 26 times.
 #[must_use]
 pub fn packed(field: &[String]) -> (String, String) {
     let (mut words, mut cells) = (Vec::new(), String::new());
     let mut known: BTreeMap<&str, usize> = BTreeMap::new();
-    let mut before = None;
-    for text in field.iter().map(String::as_str) {
+    for run in field.chunk_by(|one, next| one == next) {
+        let text = run[0].as_str();
         match known.get(text) {
-            _ if before == Some(text) => cells.push('.'),
             Some(&at) => cells.extend([at / 36, at % 36].map(base_36)),
             None => {
                 cells.push('!');
@@ -88,7 +90,9 @@ pub fn packed(field: &[String]) -> (String, String) {
                 words.push(text);
             }
         }
-        before = Some(text);
+        cells.extend(
+            run[1..].chunks(MOST_REPEATS).map(|repeats| base_36(9 + repeats.len()).to_ascii_uppercase()),
+        );
     }
     (words.join("|"), cells)
 }
@@ -104,7 +108,9 @@ mod tests {
     #[test]
     fn a_field_is_packed_into_its_different_words_and_a_code_a_point() {
         let field: Vec<String> = ["a", "a", "b", "a", "c", "c", "b"].map(String::from).to_vec();
-        assert_eq!(packed(&field), ("a|b|c".into(), "!.!00!.01".into()));
+        assert_eq!(packed(&field), ("a|b|c".into(), "!A!00!A01".into()));
+        assert_eq!(packed(&vec!["a".into(); 80]), ("a".into(), "!ZZZA".into()));
+        assert_eq!(packed(&vec!["a".into(); 54]), ("a".into(), "!ZZA".into()));
         assert_eq!(packed(&[]), (String::new(), String::new()));
     }
 

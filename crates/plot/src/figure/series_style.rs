@@ -29,11 +29,9 @@ impl Look {
         match self.index {
             Some(index) => {
                 let class = format!("series s{index}");
-                svg.open("g", &[("class", &class), ("color", palette::SERIES[index]), ("fill", "none")]);
+                open_series(svg, &class, palette::SERIES[index]);
             }
-            None => {
-                svg.open("g", &[("class", "series theory"), ("color", palette::FAINT_INK), ("fill", "none")])
-            }
+            None => open_series(svg, "series theory", palette::FAINT_INK),
         }
     }
 
@@ -42,28 +40,21 @@ impl Look {
         // A formula is a thin solid line: no dash of a series is taken for it.
         let (width, dash) = self.index.map_or(("1.3", ""), |index| ("2.2", palette::DASHES[index]));
         if !data.is_empty() {
-            svg.leaf(
-                "path",
-                &[
-                    ("d", data),
-                    ("stroke", "currentColor"),
-                    ("stroke-width", width),
-                    ("stroke-dasharray", dash),
-                ],
-            );
+            svg.leaf("path", &[("d", data), ("stroke-width", width), ("stroke-dasharray", dash)]);
         }
     }
+}
+
+fn open_series(svg: &mut Svg, class: &str, colour: &str) {
+    svg.open("g", &[("class", class), ("color", colour), ("fill", "none"), ("stroke", "currentColor")]);
 }
 
 /// Draws the markers of a look around points, inside the look's group; formulas have none.
 pub(crate) fn draw_markers(svg: &mut Svg, look: Look, points: &[Point]) {
     let Some(index) = look.index.filter(|_| !points.is_empty()) else { return };
-    svg.open(
-        "g",
-        &[("class", "marker"), ("fill", palette::PLATE), ("stroke", "currentColor"), ("stroke-width", "1.8")],
-    );
+    svg.open("g", &[("class", "marker"), ("fill", palette::PLATE), ("stroke-width", "1.8")]);
     if index == 0 {
-        points.iter().for_each(|&point| draw_circle(svg, point));
+        points.iter().for_each(|&point| svg.circle(point, "3.9"));
     } else {
         let data: String = points.iter().map(|&point| outline(index, point)).collect();
         svg.leaf("path", &[("d", &data)]);
@@ -81,11 +72,6 @@ fn outline(index: usize, (x, y): Point) -> String {
         _ => (-4.0, -4.0, "l8 8m-8 0l8-8"),
     };
     format!("M{} {}{rest}", number(x + dx), number(y + dy))
-}
-
-fn draw_circle(svg: &mut Svg, (x, y): Point) {
-    let at = [number(x), number(y)];
-    svg.leaf("circle", &[("cx", &at[0]), ("cy", &at[1]), ("r", "3.9")]);
 }
 
 /// Places for a few markers along the visible line, even in length and shifted from series to series.

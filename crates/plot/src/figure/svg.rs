@@ -1,19 +1,12 @@
 //! A small SVG writer: escaped text, quoted attributes, coordinates in tenths.
 
+use super::path::Point;
+use super::path_data::rules_data;
 use super::{Caption, palette, rich_text};
 use crate::table::printable;
 
 /// Fonts of all figures; the first that the viewer has is taken.
 const FONTS: &str = "system-ui, -apple-system, 'Segoe UI', Roboto, 'Helvetica Neue', Arial, sans-serif";
-
-/// The far end of a straight line along an axis.
-#[derive(Debug, Clone, Copy)]
-pub(crate) enum Rule {
-    /// A lying line up to this horizontal coordinate.
-    Across(f64),
-    /// An upright line up to this vertical coordinate.
-    Upright(f64),
-}
 
 /// SVG text under construction.
 #[derive(Debug)]
@@ -103,17 +96,16 @@ impl Svg {
     }
 
     /// Upright and lying lines, all in one path.
-    pub fn rules(&mut self, rules: &[(f64, f64, Rule)]) {
-        let data: String = rules
-            .iter()
-            .map(|&(x, y, rule)| match rule {
-                Rule::Across(to) => format!("M{} {}H{}", number(x), number(y), number(to)),
-                Rule::Upright(to) => format!("M{} {}V{}", number(x), number(y), number(to)),
-            })
-            .collect();
+    pub fn rules(&mut self, rules: &[(Point, Point)]) {
+        let data = rules_data(rules);
         if !data.is_empty() {
             self.leaf("path", &[("d", &data)]);
         }
+    }
+
+    /// A circle around a point.
+    pub fn circle(&mut self, (x, y): Point, radius: &str) {
+        self.leaf("circle", &[("cx", &number(x)), ("cy", &number(y)), ("r", radius)]);
     }
 
     /// A rectangle with further attributes.

@@ -3,7 +3,8 @@
 use super::frame::{CANVAS_WIDTH, Frame, SMALL};
 use super::legend::{Entry, KEY_WIDTH, Legend};
 use super::overlay::{draw_labels, draw_lines, draw_marks, draw_named_lines, legend_entries};
-use super::path::{Point, outline_data, simplify};
+use super::path::{Point, simplify};
+use super::path_data::outline_data;
 use super::svg::Svg;
 use super::{Axis, Caption, Line, PointMark, Readout, RegionLabel, palette};
 
