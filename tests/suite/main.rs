@@ -61,6 +61,7 @@ mod shell;
 mod simulate;
 mod simulate_points;
 mod solve;
+mod stored_certificates;
 mod sweep;
 mod sweep_disks;
 mod sweep_forgeries;

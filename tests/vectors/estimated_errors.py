@@ -6,14 +6,13 @@ Usage: python estimated_errors.py SEED SLIDERS > estimated-errors.txt (numpy 2.4
 import math
 import random
 import sys
+from fractions import Fraction
 
-import heyoka
 import numpy
 from scipy.integrate import solve_ivp
 from scipy.optimize import brentq
+from taylor import QUADRUPLE, Taylor
 
-# Quadruple precision; the orbits of a return that nothing damps change by less than 1e-8 of themselves.
-REAL = heyoka.real128
 # Where ln(V/V0) is below -ln(eta kappa) by this much, a slider counts as at rest: it stops within e^-20 of the time in which stress
 # is loaded by one unit, and x follows w as exactly. Then y and zeta follow from the exact solution at V = 0.
 REST = 20.0
@@ -75,86 +74,10 @@ def amplitude_of_cycle(law, eta, kappa, beta):
     return brentq(added, 0.01, 1 - LEAST_DISTANCE, xtol=1e-10)
 
 
-class Taylor:
-    """Returns of an orbit that does not stop, in quadruple precision."""
-
-    def __init__(self, law):
-        x, y, w = heyoka.make_vars("x", "y", "w")
-        eta, kappa, beta = (heyoka.par[i] for i in range(3))
-        u = heyoka.exp(x)
-        evolution = heyoka.exp(-y) - u if law == "aging" else -u * (x + y)
-        system = [(x, (w - x) * heyoka.exp(-x) / eta), (y, evolution), (w, kappa * (1.0 - u) - beta * evolution)]
-        self.found = {}
-        events = [
-            heyoka.nt_event(ex, self.note(name), direction=direction, fp_type=REAL)
-            for name, ex, direction in (
-                ("rise", x, heyoka.event_direction.positive),
-                ("fall", x, heyoka.event_direction.negative),
-                ("peak", w - x, heyoka.event_direction.negative),
-                ("trough", w - x, heyoka.event_direction.positive),
-            )
-        ]
-        pars = [REAL(1)] * 3
-        self.run = heyoka.taylor_adaptive(system, [REAL(0)] * 3, pars=pars, nt_events=events, fp_type=REAL)
-
-    def note(self, name):
-        return lambda _, time, __: self.found.setdefault(name, []).append(time)
-
-    def at(self, start, time):
-        self.run.time = REAL(0)
-        self.run.state[:] = start
-        self.run.propagate_until(time)
-        return [REAL(c) for c in self.run.state]
-
-    def back(self, start, period):
-        """The next crossing from (0, y, w), and what the return shows."""
-        self.found.clear()
-        self.run.time = REAL(0)
-        self.run.state[:] = start
-        early = REAL(1e-3 * period)
-        while not any(time > early for time in self.found.get("rise", [])):
-            if self.run.step()[0] != heyoka.taylor_outcome.success or self.run.time > 3 * period:
-                raise ArithmeticError("no return")
-        times = {name: [time for time in times if time > early][0] for name, times in self.found.items()}
-        states = {name: self.at(start, time) for name, time in times.items()}
-        return states["rise"], times["rise"], states
-
-
-def smooth_cycle(taylor, eta, kappa, beta, amplitude):
-    """The cycle next to an amplitude by Newton's iteration on its crossing."""
-    taylor.run.pars[:] = [REAL(eta), REAL(kappa), REAL(beta)]
-    period = 2 * math.pi * math.sqrt(eta / kappa)
-    crossing = [REAL(0), REAL(0), REAL(amplitude * math.sqrt(eta * kappa))]
-    for _ in range(2):
-        # y follows within a return.
-        end = taylor.back(crossing, period)[0]
-        crossing = [REAL(0), end[1], crossing[2]]
-    for _ in range(12):
-        end, duration, states = taylor.back(crossing, period)
-        residual = [end[i] - crossing[i] for i in (1, 2)]
-        columns = []
-        for i in (1, 2):
-            step = REAL(1e-9) * (crossing[2] if i == 2 else REAL(1))
-            moved = list(crossing)
-            moved[i] = moved[i] + step
-            other = taylor.back(moved, period)[0]
-            columns.append([(other[j] - end[j]) / step for j in (1, 2)])
-        (a, c), (b, d) = columns
-        one = REAL(1)
-        determinant = (one - a) * (one - d) - b * c
-        by = [
-            ((one - d) * residual[0] + b * residual[1]) / determinant,
-            (c * residual[0] + (one - a) * residual[1]) / determinant,
-        ]
-        crossing = [REAL(0), crossing[1] + by[0], crossing[2] + by[1]]
-        if abs(by[1]) < REAL(1e-13) * crossing[2]:
-            break
-    else:
-        raise ArithmeticError("no convergence")
-    end, duration, states = taylor.back(crossing, period)
-    stress = [states[name][2] + REAL(beta) * states[name][1] for name in ("rise", "fall")]
-    shown = [states["peak"][0], states["trough"][0], stress[0] - stress[1], duration]
-    return [float(value) for value in shown], abs(float(by[1] / crossing[2]))
+def smooth_amplitude(law, eta, kappa, beta):
+    """The amplitude of a vibration that the energy of a return describes; None for others."""
+    eta, kappa, beta = float(eta), float(kappa), float(beta)
+    return amplitude_of_cycle(law, eta, kappa, beta) if eta * kappa > LEAST_INERTIA else None
 
 
 def stopping_cycle(law, eta, kappa, beta, start, tolerance, most_returns=200):
@@ -264,13 +187,16 @@ def closed(now, before, tolerance):
 
 def reference(taylors, law, b, stiffness, mass):
     """ln V_peak/V0, ln V_min/V0, stress drop in a sigma, period in D_c/V0, with an error for each; and the program."""
-    eta, kappa, beta = float(mass) * 10, float(stiffness) / 1e9, float(b) * 100
-    amplitude = amplitude_of_cycle(law, eta, kappa, beta) if eta * kappa > LEAST_INERTIA else None
+    eta, kappa, beta = Fraction(mass) * 10, Fraction(stiffness) / 10**9, Fraction(b) * 100
+    amplitude = smooth_amplitude(law, eta, kappa, beta)
     if amplitude is not None:
-        shown, left = smooth_cycle(taylors[law], eta, kappa, beta, amplitude)
+        run = taylors[law].set(eta, kappa, beta)
+        _, shown, left, _ = run.fixed_point(run.vibration(amplitude), 1e-13)
+        shown = [float(value) for value in shown]
         # What is left of the amplitude shows in V_min by as much.
         left = max(left, 1e-14)
         return "heyoka", shown, [left, left / math.exp(shown[1]), left * shown[2], left * shown[3]]
+    eta, kappa, beta = float(eta), float(kappa), float(beta)
     # A vibration that stops.
     start = [0.0, 1.1 * math.sqrt(eta * kappa)]
     start, coarse = stopping_cycle(law, eta, kappa, beta, start, 1e-8)
@@ -283,7 +209,7 @@ def reference(taylors, law, b, stiffness, mass):
 
 
 def main(seed, count):
-    taylors = {law: Taylor(law) for law in ("slip", "aging")}
+    taylors = {law: Taylor(law, QUADRUPLE, 8, 1e-22, 1e-28) for law in ("slip", "aging")}
     for law, b, stiffness, mass in sample(seed, count):
         try:
             program, shown, errors = reference(taylors, law, b, stiffness, mass)
