@@ -88,12 +88,12 @@ pub struct Parts<'p> {
 
 impl<'p> Parts<'p> {
     /// The inputs that are files of certificates, by their header.
-    pub(super) fn certificate_files(&self) -> impl Iterator<Item = &'p str> {
+    pub(super) fn certificate_files(&self) -> impl Iterator<Item = (&'p str, &'p [u8])> {
         let is_named = |header: &[u8]| header.split(|byte| *byte == b',').any(|name| name == b"certificate");
         let files = self.inputs.iter().filter(|(path, _)| path.ends_with(".csv"));
         files
             .filter(move |(_, bytes)| bytes.split(|byte| *byte == b'\n').next().is_some_and(is_named))
-            .map(|(path, _)| path.as_str())
+            .map(|(path, bytes)| (path.as_str(), bytes.as_slice()))
     }
 }
 

@@ -32,17 +32,19 @@ pub(super) fn readme(parts: &Parts<'_>) -> String {
         // Writing to a string cannot fail.
         let _ = writeln!(text, "| {id} | `slipmode verify {INPUT_FOLDER} --claim {id}` | {verdict} |");
     }
-    let certificates: Vec<&str> = parts.certificate_files().collect();
-    if !certificates.is_empty() {
+    let mut certificates = parts.certificate_files().peekable();
+    if certificates.peek().is_some() {
         // As above.
         let _ = write!(
             text,
             "\n## Certificates\n\n\
              `slipmode certificates {INPUT_FOLDER}/scenes/SCENE.toml` proves all certificates of a scene again. \
-             `{CHECKER_FILE}` shares no code with slipmode and proves certified cycles again (`pip install python-flint`):\n\n"
+             `{CHECKER_FILE}` shares no code with slipmode and proves certified cycles again, here one of each file (`pip install python-flint`):\n\n"
         );
-        for file in certificates {
-            let _ = writeln!(text, "    python {CHECKER_FILE} --rows 200 {INPUT_FOLDER}/{file}");
+        for (file, bytes) in certificates {
+            let row = row_to_prove(&String::from_utf8_lossy(bytes))
+                .map_or_else(String::new, |row| format!("--rows {row} "));
+            let _ = writeln!(text, "    python {CHECKER_FILE} {row}{INPUT_FOLDER}/{file}");
         }
     }
     if parts.codecheck.is_some() {
@@ -56,4 +58,16 @@ pub(super) fn readme(parts: &Parts<'_>) -> String {
         );
     }
     text
+}
+
+/// The number of a row whose cycle is proved within seconds: of the cycles that pass the section at V = V_l, which hardly stick, the one in the middle.
+fn row_to_prove(text: &str) -> Option<usize> {
+    let mut lines = text.lines().map(|line| line.split(',').collect::<Vec<_>>());
+    let header = lines.next()?;
+    let column = |name: &str| header.iter().position(|cell| *cell == name);
+    let (certificate, section) = (column("certificate")?, column("section_log_velocity")?);
+    let is_mild =
+        |cells: &Vec<&str>| cells.get(certificate) == Some(&"cycle") && cells.get(section) == Some(&"0");
+    let mild: Vec<usize> = lines.zip(1..).filter(|(cells, _)| is_mild(cells)).map(|(_, row)| row).collect();
+    mild.get(mild.len() / 2).copied()
 }
