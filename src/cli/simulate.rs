@@ -12,8 +12,9 @@ use std::path::PathBuf;
 use clap::Args;
 use slipmode::scene::{AllowedRange, Problem};
 use slipmode_core::dynamics::Simulation;
-use slipmode_core::friction::{EvolutionLaw, Parameters};
-use slipmode_core::number::{Rational, nearest_f64};
+use slipmode_core::friction::EvolutionLaw;
+use slipmode_core::number::nearest_f64;
+use slipmode_core::stability::ParameterBox;
 
 use crate::cli::failure::Failure;
 use crate::cli::options::{Arguments, SliderOptions};
@@ -53,7 +54,8 @@ pub struct Options {
     json: bool,
     /// Also prove the limit cycle or the decay, and enclose peak velocity, period and stress drop (seconds a point)
     ///
-    /// `certificate` is `cycle`, `decay`, or `none` with the reason: docs/certified.md says what is proved.
+    /// `certificate` is `cycle`, `decay`, or `none` with the reason: docs/certified.md says what is proved. Values may have small error bars
+    /// (100000±1): the proof and its bounds then hold for all values within them, and the simulation for the middle ones.
     #[arg(long)]
     certify: bool,
     /// Also write the run from its start as CSV: time, velocity, state variable, shear stress relative to steady sliding, and slip
@@ -119,12 +121,18 @@ impl Options {
         mut arguments: Arguments,
         progress: Progress,
     ) -> Result<(), Failure> {
-        let parameters = self.slider.parameters(&mut arguments);
+        // Without a proof, a value with an error bar is refused.
+        let region = if self.certify {
+            self.slider.region(None, &mut arguments)
+        } else {
+            self.slider.parameters(&mut arguments).and_then(ParameterBox::of)
+        };
         if self.law.is_none() {
             arguments.fault::<()>("--law", None, Problem::Missing { allowed: LAWS.into() });
         }
         let extent = self.extent(&mut arguments);
-        let ((parameters, law), settings) = arguments.finish(parameters.zip(law).zip(settings))?;
+        let ((region, law), settings) = arguments.finish(region.zip(law).zip(settings))?;
+        let parameters = region.middle();
         // An output that cannot be written is reported before the work, not after it.
         let outputs =
             [&self.trajectory, &self.svg].map(|place| place.as_deref().map(Output::create).transpose());
@@ -146,8 +154,8 @@ impl Options {
         let answer = Answer::new(found, &parameters);
         let certified = self
             .certify
-            .then(|| progress.spinner("certifying", || Certified::new(&parameters, law, settings.start)));
-        self.print_remarks(&answer, &parameters, law, settings, certified.as_ref())?;
+            .then(|| progress.spinner("certifying", || Certified::new(&region, law, settings.start)));
+        self.print_remarks(&answer, &region, law, settings, certified.as_ref())?;
         written
     }
 
@@ -172,13 +180,13 @@ impl Options {
     fn print_remarks(
         &self,
         answer: &Answer,
-        parameters: &Parameters<Rational>,
+        region: &ParameterBox,
         law: EvolutionLaw,
         settings: Settings,
         certified: Option<&Certified>,
     ) -> Result<(), Failure> {
         if self.json {
-            let mut object = view::json_with_inputs(answer, parameters, law, settings);
+            let mut object = view::json_with_inputs(answer, region, law, settings);
             object.extend(certified.map(Certified::json).into_iter().flatten());
             terminal::print_json(&object.into())?;
         }

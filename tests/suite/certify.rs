@@ -81,3 +81,35 @@ fn one_point_states_its_proof_as_text_and_as_keys() {
         (Some("force"), &0.0.into())
     );
 }
+
+/// Error bars in cells and in an option: the proof holds for all values within them, the simulation for the middle ones.
+#[test]
+fn values_within_error_bars_are_certified_together() {
+    let place = Workplace::new();
+    let cells = |stress: &str, error: &str| format!("slip,0.004,0.006,1e-5,1e7,1000,{stress},1e-3,{error}\n");
+    let rows = cells("3e4", "3e-5") + &cells("3e4±3e-5", "") + &cells("3e4", "") + &cells("3e4", "3e3");
+    place.write("in.csv", format!("law,{HEADER},normal_stress_pa_error\n{rows}"));
+    place.run(["simulate", "--certify", "--points", "in.csv", "-o", "out.csv"]).expect_success();
+    let written = place.read("out.csv");
+    let lines: Vec<Vec<&str>> = written.lines().map(|line| line.split(',').collect()).collect();
+    let column = |name: &str| lines[0].iter().position(|other| *other == name).unwrap();
+    let peaks = [COLUMNS[0], COLUMNS[1]].map(column);
+    let ends = |row: usize| peaks.map(|at| lines[row][at].parse::<f64>().unwrap());
+    // All that follows the inputs is the same, however the error bar is written.
+    assert_eq!(lines[1][9..], lines[2][9..]);
+    let ([low, high], [least, largest]) = (ends(1), ends(3));
+    assert!(low < least && largest < high && high / low - 1.0 < 1e-4, "{low} {least} {largest} {high}");
+    assert!(lines[4].last().unwrap().starts_with("none: "), "{:?}", lines[4]);
+    let simulated = column("mode")..peaks[0];
+    assert_eq!(lines[4][simulated.clone()], lines[3][simulated]);
+
+    let asked = ["-s", "3e4±3e-5", "-v", "1e-3", "--law", "slip", "--json"];
+    let point: Vec<&str> = ["simulate"].into_iter().chain(SLIDER).chain(asked).collect();
+    let json = place.run(point.iter().copied().chain(["--certify"])).expect_success();
+    let object: Value = serde_json::from_str(&json).unwrap();
+    assert_eq!(object["inputs"]["normal_stress_pa"], serde_json::json!([29_999.999_97, 30_000.000_03]));
+    // Texts: reading a number back may change its last digit.
+    assert!(json.contains(lines[1][peaks[1]]), "{json}");
+    // Without a proof nothing is said of the values within them.
+    place.run(point).expect_refusal(&["--normal-stress-pa = \"3e4±3e-5\""]);
+}

@@ -5,10 +5,11 @@ use slipmode::csv::{Cells, Column, Datum, Remark, RowWork, push_cells};
 use slipmode::experiments::certificates::BOUNDS;
 use slipmode::scene::{Faults, Problem};
 use slipmode_core::dynamics::Start;
-use slipmode_core::dynamics::certified::{Certificate, Proved, Reason, certify, second_coordinate};
-use slipmode_core::friction::{EvolutionLaw, Parameters};
-use slipmode_core::number::Rational;
+use slipmode_core::dynamics::certified::{Certificate, Proved, Reason, certify_over, second_coordinate};
+use slipmode_core::friction::EvolutionLaw;
+use slipmode_core::stability::ParameterBox;
 
+use crate::cli::options::uncertain_box;
 use crate::cli::simulate::rows::SimulateRows;
 use crate::cli::terminal;
 
@@ -32,9 +33,9 @@ fn end(found: &Certified, of: fn(&Certificate) -> Option<[f64; 2]>, side: usize)
 }
 
 impl Certified {
-    /// Certifies a point.
-    pub fn new(parameters: &Parameters<Rational>, law: EvolutionLaw, start: Start) -> Self {
-        Self(certify(parameters, law, start))
+    /// Certifies all sliders within error bars.
+    pub fn new(region: &ParameterBox, law: EvolutionLaw, start: Start) -> Self {
+        Self(certify_over(region, law, start))
     }
 
     /// `cycle`, `decay`, or `none` with the reason.
@@ -84,12 +85,12 @@ impl Certified {
     }
 }
 
-/// Simulates rows and certifies them.
+/// Simulates the middle of each row's error bars, and certifies all values within them.
 #[derive(Debug)]
 pub struct CertifiedRows(pub SimulateRows);
 
 impl RowWork for CertifiedRows {
-    type Input = (Parameters<Rational>, EvolutionLaw);
+    type Input = (ParameterBox, EvolutionLaw);
     type Kept = ();
 
     const APPENDED: &'static [&'static str] = &{
@@ -111,12 +112,14 @@ impl RowWork for CertifiedRows {
     }
 
     fn read(&self, cells: Cells<'_>) -> Result<Self::Input, Faults> {
-        self.0.read(cells)
+        let needs =
+            || vec![cells.fault(None, Problem::Needs("positive values within all error bars".into()))];
+        self.0.with_law(cells, cells.uncertain().and_then(|values| uncertain_box(values).ok_or_else(needs)))
     }
 
-    fn append(&self, input: &Self::Input, out: &mut Vec<u8>) -> Remark {
-        let remark = self.0.append(input, out);
-        push_cells(&COLUMNS, &Certified::new(&input.0, input.1, self.0.settings.start), out);
+    fn append(&self, (region, law): &Self::Input, out: &mut Vec<u8>) -> Remark {
+        let remark = self.0.append(&(region.middle(), *law), out);
+        push_cells(&COLUMNS, &Certified::new(region, *law, self.0.settings.start), out);
         remark
     }
 }

@@ -19,6 +19,25 @@ pub struct SimulateRows {
     pub settings: Settings,
 }
 
+impl SimulateRows {
+    /// What was read of a row, with its law; or all faults of both.
+    pub fn with_law<T>(
+        &self,
+        cells: Cells<'_>,
+        read: Result<T, Faults>,
+    ) -> Result<(T, EvolutionLaw), Faults> {
+        let law = match (self.law, cells.header.position(LAW_COLUMN)) {
+            (None, Some(position)) => law_of_word(cells.text(position))
+                .map_err(|problem| vec![cells.fault(Some(position), problem)]),
+            (law, _) => law.ok_or_else(|| vec![cells.fault(None, Problem::Missing { allowed: LAWS.into() })]),
+        };
+        match (read, law) {
+            (Ok(read), Ok(law)) => Ok((read, law)),
+            (read, law) => Err([read.err(), law.err()].into_iter().flatten().flatten().collect()),
+        }
+    }
+}
+
 /// What is reported of a point.
 #[derive(Debug)]
 pub struct Answer {
@@ -91,15 +110,7 @@ impl RowWork for SimulateRows {
     }
 
     fn read(&self, cells: Cells<'_>) -> Result<Self::Input, Faults> {
-        let law = match (self.law, cells.header.position(LAW_COLUMN)) {
-            (None, Some(position)) => law_of_word(cells.text(position))
-                .map_err(|problem| vec![cells.fault(Some(position), problem)]),
-            (law, _) => law.ok_or_else(|| vec![cells.fault(None, Problem::Missing { allowed: LAWS.into() })]),
-        };
-        match (cells.parameters(), law) {
-            (Ok(parameters), Ok(law)) => Ok((parameters, law)),
-            (parameters, law) => Err([parameters.err(), law.err()].into_iter().flatten().flatten().collect()),
-        }
+        self.with_law(cells, cells.parameters())
     }
 
     fn append(&self, (parameters, law): &Self::Input, out: &mut Vec<u8>) -> Remark {

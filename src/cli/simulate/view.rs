@@ -4,11 +4,12 @@ use rug::Float;
 use rug::float::Round;
 use serde_json::{Map, Value, json};
 use slipmode_core::dynamics::{Behaviour, Simulation};
-use slipmode_core::friction::{EvolutionLaw, Parameters};
+use slipmode_core::friction::EvolutionLaw;
+use slipmode_core::number::Ball;
 use slipmode_core::number::format::{certain_digits, round_digits};
-use slipmode_core::number::{Ball, Rational};
+use slipmode_core::stability::ParameterBox;
 
-use crate::cli::inputs::{SCHEMA, inputs_json};
+use crate::cli::inputs::{SCHEMA, inputs_json, ranges_json};
 use crate::cli::simulate::rows::{Answer, COLUMNS};
 use crate::cli::simulate::run::Settings;
 use crate::cli::terminal;
@@ -26,13 +27,15 @@ pub fn json(answer: &Answer) -> Map<String, Value> {
 /// The same with the inputs, and with the errors that have no column.
 pub fn json_with_inputs(
     answer: &Answer,
-    parameters: &Parameters<Rational>,
+    region: &ParameterBox,
     law: EvolutionLaw,
     settings: Settings,
 ) -> Map<String, Value> {
+    let is_point = region.lower() == region.upper();
+    let inputs = if is_point { inputs_json(&region.lower()) } else { ranges_json(region, &[]) };
     let asked = [
         ("schema", json!(SCHEMA)),
-        ("inputs", inputs_json(parameters)),
+        ("inputs", inputs),
         ("law", json!(law.as_str())),
         ("tolerance", json!(settings.tolerance)),
         ("start", json!(settings.start.as_str())),

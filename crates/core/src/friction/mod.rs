@@ -14,12 +14,14 @@
 
 mod evolution;
 mod groups;
+mod parameter_box;
 mod parameters;
 mod slider;
 mod slip_mode;
 
 pub use evolution::EvolutionLaw;
 pub use groups::{Groups, critical_stiffness_group};
+pub use parameter_box::ParameterBox;
 pub use parameters::{OperatingPoint, Parameters};
 pub use slider::Slider;
 pub use slip_mode::SlipMode;

@@ -30,7 +30,7 @@ pub fn certify_coexistence(
     attracting: &Member,
     repelling: &Member,
 ) -> Result<Coexistence, Reason> {
-    let constants = Constants::new(groups, law);
+    let constants = Constants::of(groups, law);
     Ellipsoid::around_steady_sliding(&constants).ok_or(Reason::NoAttraction)?;
     let model = Model::new(groups.map(nearest_f64), law);
     let (_, crossing, observed) = Test::near(&constants, &model, &attracting.cycle())?;

@@ -10,8 +10,6 @@ use super::observed::Observed;
 use super::set::{COORDINATES, Set};
 use super::{Certificate, Constants, MOST_STEPS, Proved, Reason, Units};
 use crate::dynamics::{Cycle, Model};
-use crate::friction::Parameters;
-use crate::number::Rational;
 
 /// Corrections of the point before the proof.
 const CORRECTIONS: usize = 4;
@@ -33,20 +31,20 @@ pub(super) fn certify(
     constants: &Constants,
     model: &Model<f64>,
     cycle: &Cycle<f64>,
-    parameters: &Parameters<Rational>,
+    units: &Units,
 ) -> Result<Certificate, Reason> {
     if cycle.returns_per_cycle != 1 {
         return Err(Reason::SeveralReturns(cycle.returns_per_cycle));
     }
     let (test, crossing, observed) = Test::near(constants, model, cycle)?;
-    test.attracting(&crossing, &observed, parameters)
+    test.attracting(&crossing, &observed, units)
 }
 
 /// Proves the cycle of a stated box again, by one return of the box.
 pub(super) fn prove_again(
     constants: &Constants,
     stated: &Proved,
-    parameters: &Parameters<Rational>,
+    units: &Units,
 ) -> Result<Certificate, Reason> {
     long_or_short(|longest| {
         let test = Test::of(stated, longest).ok_or(Reason::NotContained)?;
@@ -54,7 +52,7 @@ pub(super) fn prove_again(
         if !test.contains(&value) {
             return Err(Reason::NotContained);
         }
-        test.attracting(&crossing, &observed, parameters)
+        test.attracting(&crossing, &observed, units)
     })
 }
 
@@ -187,13 +185,12 @@ impl Test {
         &self,
         crossing: &Crossing,
         observed: &Observed,
-        parameters: &Parameters<Rational>,
+        units: &Units,
     ) -> Result<Certificate, Reason> {
         let contraction = largest_multiplier(&crossing.derivative);
         if !(contraction < 1.0) {
             return Err(Reason::NotAttracting);
         }
-        let units = Units::new(parameters);
         let [y, force] = self.found.point;
         let centre = [y, if self.found.is_on_slow_manifold { 0.0 } else { force }];
         let ends = |i: usize| {

@@ -10,8 +10,6 @@ use super::set::{COORDINATES, Set};
 use super::sticking::ENTRY_DELAY;
 use super::{Certificate, Constants, MOST_STEPS, Proved, Reason, Units};
 use crate::dynamics::Start;
-use crate::friction::Parameters;
-use crate::number::Rational;
 
 /// What follows a run is no longer enclosed when it changes ln V and ζ by less.
 const NEGLIGIBLE: f64 = 1e-9;
@@ -24,11 +22,7 @@ const LATEST: f64 = 16.0;
 const LATE: f64 = 4.0;
 
 /// Certifies that the run from V = V_l/10 decays.
-pub(super) fn certify(
-    constants: &Constants,
-    start: Start,
-    parameters: &Parameters<Rational>,
-) -> Result<Certificate, Reason> {
+pub(super) fn certify(constants: &Constants, start: Start, units: &Units) -> Result<Certificate, Reason> {
     let ellipsoid = Ellipsoid::around_steady_sliding(constants).ok_or(Reason::NoAttraction)?;
     let state = start_state(constants, start);
     let set = Set::new([Interval::ZERO; COORDINATES], state, [[Interval::ZERO; COORDINATES]; 3]);
@@ -49,7 +43,6 @@ pub(super) fn certify(
         }
         motion.advance(None)?;
     }
-    let units = Units::new(parameters);
     let observed = &motion.observed;
     Ok(Certificate {
         proved: Proved::Decay { captured_after_s: units.duration(observed.duration)[1] },

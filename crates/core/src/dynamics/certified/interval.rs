@@ -68,9 +68,14 @@ impl Interval {
 
     /// Encloses a rational.
     pub fn of_rational(value: &Rational) -> Self {
-        let mid = nearest_f64(value);
-        let distance = Rational::from_f64(mid).map(|mid| (mid - value).abs());
-        let rad = distance.map_or(f64::INFINITY, |distance| {
+        Self::over([value; 2])
+    }
+
+    /// Encloses all numbers between two rationals, in either order.
+    pub fn over([first, last]: [&Rational; 2]) -> Self {
+        let mid = nearest_f64(&(Rational::from(first + last) / 2));
+        let distance = |end: &Rational| Rational::from_f64(mid).map(|mid| (mid - end).abs());
+        let rad = distance(first).max(distance(last)).map_or(f64::INFINITY, |distance| {
             Float::with_val_round(53, &distance, Round::Up).0.to_f64_round(Round::Up)
         });
         Self { mid, rad }
@@ -272,6 +277,9 @@ mod tests {
         let enclosed = Interval::of_rational(&third);
         assert!(enclosed.rad > 0.0 && enclosed.rad < 1e-16);
         assert!(holds(enclosed, &Float::with_val(400, &third)));
-        assert_eq!(Interval::of_rational(&Rational::from(3)), Interval::point(3.0));
+        let three = Rational::from(3);
+        assert_eq!(Interval::of_rational(&three), Interval::point(3.0));
+        let between = Interval::over([&three, &third]);
+        assert!([&three, &third].iter().all(|end| holds(between, &Float::with_val(400, *end))));
     }
 }

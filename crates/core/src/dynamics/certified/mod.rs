@@ -2,13 +2,14 @@
 //!
 //! Every number is an interval that is rounded outward, from the decimals on. [`certify`] proves that the return map of a section maps a box
 //! into itself by Krawczyk's test: one limit cycle passes through the box, and no other. It proves a decay by a
-//! run that ends in an ellipsoid in which zᵀPz falls.
+//! run that ends in an ellipsoid in which zᵀPz falls. [`certify_over`] proves the same of every slider in a box of parameters.
 
 // A bound that is not a number must refuse: `!(a < b)` does, `a >= b` would not.
 #![allow(clippy::neg_cmp_op_on_partial_ord)]
 
 mod attraction;
 mod coexistence;
+mod constants;
 mod crossing;
 mod cycle;
 mod decay;
@@ -34,23 +35,17 @@ mod transversal;
 pub use coexistence::{Coexistence, certify_coexistence};
 
 use super::{LongTerm, Model, Options, Start, simulate_model};
-use crate::friction::{EvolutionLaw, Groups, Parameters};
+use crate::friction::{EvolutionLaw, ParameterBox, Parameters};
 use crate::number::{Rational, nearest_f64};
-use interval::Interval;
-
-/// η, κ and β, enclosed, and the law.
-#[derive(Debug, Clone, Copy)]
-struct Constants {
-    inertia: Interval,
-    stiffness: Interval,
-    effect_ratio: Interval,
-    law: EvolutionLaw,
-}
+use constants::{Constants, Units};
 
 /// Why nothing was certified.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Reason {
+    /// A value is not positive.
+    #[error("a value is not positive")]
+    NotPositive,
     /// The simulation that the proof starts from failed.
     #[error("the simulation failed: {0}")]
     Simulation(String),
@@ -165,15 +160,25 @@ pub fn certify(
     law: EvolutionLaw,
     start: Start,
 ) -> Result<Certificate, Reason> {
-    let groups = parameters.groups();
-    let constants = Constants::new(&groups, law);
-    let model = Model::new(groups.map(nearest_f64), law);
+    certify_over(&ParameterBox::of(parameters.clone()).ok_or(Reason::NotPositive)?, law, start)
+}
+
+/// Certifies the long-term behaviour of every slider in a box of parameters.
+///
+/// For each of them one limit cycle, and no other, passes through the stated box of the section, and it attracts; or its run decays. The bounds
+/// hold for all. η, κ and β are taken as independent of each other, which makes the box larger where they are not.
+///
+/// # Errors
+/// A [`Reason`] when nothing is proved of all.
+pub fn certify_over(region: &ParameterBox, law: EvolutionLaw, start: Start) -> Result<Certificate, Reason> {
+    let (constants, units) = (Constants::over(region, law), Units::over(region));
+    let model = Model::new(region.middle().groups().map(nearest_f64), law);
     let options = Options::at(1e-8).with_start(start);
     let found =
         simulate_model(&model, &options).map_err(|failure| Reason::Simulation(failure.to_string()))?;
     match found.long_term() {
-        LongTerm::Cycle(cycle) => cycle::certify(&constants, &model, cycle, parameters),
-        LongTerm::Decay(_) => decay::certify(&constants, start, parameters),
+        LongTerm::Cycle(cycle) => cycle::certify(&constants, &model, cycle, &units),
+        LongTerm::Decay(_) => decay::certify(&constants, start, &units),
     }
 }
 
@@ -187,58 +192,10 @@ pub fn prove_again(
     start: Start,
     stated: &Proved,
 ) -> Result<Certificate, Reason> {
-    let constants = Constants::new(&parameters.groups(), law);
+    let region = ParameterBox::of(parameters.clone()).ok_or(Reason::NotPositive)?;
+    let (constants, units) = (Constants::over(&region, law), Units::over(&region));
     match stated {
-        Proved::Cycle { .. } => cycle::prove_again(&constants, stated, parameters),
-        Proved::Decay { .. } => decay::certify(&constants, start, parameters),
+        Proved::Cycle { .. } => cycle::prove_again(&constants, stated, &units),
+        Proved::Decay { .. } => decay::certify(&constants, start, &units),
     }
-}
-
-impl Constants {
-    fn new(groups: &Groups<Rational>, law: EvolutionLaw) -> Self {
-        Self {
-            inertia: Interval::of_rational(&groups.inertial_parameter),
-            stiffness: Interval::of_rational(&groups.stiffness_group),
-            effect_ratio: Interval::of_rational(&groups.effect_ratio),
-            law,
-        }
-    }
-}
-
-/// Enclosures in SI.
-struct Units {
-    velocity: Interval,
-    time: Interval,
-    stress: Interval,
-}
-
-impl Units {
-    fn new(parameters: &Parameters<Rational>) -> Self {
-        Self {
-            velocity: Interval::of_rational(&parameters.point.loading_velocity_m_per_s),
-            time: Interval::of_rational(&parameters.rate_per_s().recip()),
-            stress: Interval::of_rational(&parameters.direct_stress_pa()),
-        }
-    }
-
-    fn velocity_of([low, high]: [f64; 2], unit: Interval) -> [f64; 2] {
-        outward([low, high].map(|x| Interval::point(x).exp() * unit))
-    }
-
-    fn peak(&self, log_peak: [f64; 2]) -> [f64; 2] {
-        Self::velocity_of(log_peak, self.velocity)
-    }
-
-    fn duration(&self, duration: Interval) -> [f64; 2] {
-        outward([duration * self.time; 2])
-    }
-
-    fn drop(&self, [low, high]: [f64; 2]) -> [f64; 2] {
-        outward([low, high].map(|drop| Interval::point(drop) * self.stress))
-    }
-}
-
-/// The lower end of the first and the upper end of the second, one number further out: the shortest decimals of these numbers are bounds too.
-fn outward([low, high]: [Interval; 2]) -> [f64; 2] {
-    [low.lower().next_down(), high.upper().next_up()]
 }

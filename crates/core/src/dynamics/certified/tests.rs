@@ -1,6 +1,7 @@
 //! Certificates against references of quadruple precision and the simulator, and planted faults that no certificate survives.
 
 use super::cycle::Test;
+use super::interval::Interval;
 use super::*;
 use crate::dynamics::simulate;
 use crate::number::parse_decimal;
@@ -105,6 +106,40 @@ fn slow_sliders_are_certified_within_few_steps() {
     }
 }
 
+/// Bounds over a box of all seven values hold those of corners and of a slider inside, and not those of one outside.
+#[test]
+fn bounds_over_a_box_hold_those_of_each_slider() {
+    /// In parts of 10⁻⁹: bounds over a box are about a thousand times as wide as the box.
+    const FAR: i32 = 100_000;
+    let moved = |slider: &Parameters<Rational>, parts: [i32; 7]| {
+        let values: [Rational; 7] = slider.clone().into();
+        let step = Rational::from((1, 1_000_000_000));
+        let moved = |i: usize| values[i].clone() * (1 + step.clone() * parts[i]);
+        Parameters::from(std::array::from_fn::<_, 7, _>(moved))
+    };
+    let holds = |[low, high]: [f64; 2], [least, largest]: [f64; 2]| low < least && largest < high;
+    for ([stress, velocity], is_cycle) in [(["3e4", "1e-3"], true), (["1e4", "1e-4"], false)] {
+        let slider = paper(stress, velocity);
+        let region = ParameterBox::new(moved(&slider, [-2; 7]), moved(&slider, [2; 7])).unwrap();
+        for law in EvolutionLaw::ALL {
+            let over = certify_over(&region, law, Start::default()).unwrap();
+            assert_eq!(over.period_s().is_some(), is_cycle);
+            let inside = [[-2, 2, -2, -2, 2, 2, 2], [2, -2, 2, 2, -2, -2, -2], [1, 0, -1, 2, -2, 1, 0]];
+            let outside = [[0, FAR, 0, 0, 0, 0, 0], [0, 0, 0, -FAR, 0, 0, 0], [0, 0, 0, 0, 0, 0, FAR]];
+            for (parts, is_inside) in
+                inside.map(|parts| (parts, true)).into_iter().chain(outside.map(|parts| (parts, false)))
+            {
+                let found = certify(&moved(&slider, parts), law, Start::default()).unwrap();
+                let peak = holds(over.peak_velocity_m_per_s, found.peak_velocity_m_per_s);
+                let drop = holds(over.stress_drop_pa, found.stress_drop_pa);
+                let period = over.period_s().zip(found.period_s());
+                let all = peak && drop && period.is_none_or(|(over, found)| holds(over, found));
+                assert_eq!(all, is_inside, "{parts:?} {over:?} {found:?}");
+            }
+        }
+    }
+}
+
 /// Seven faults for each of three cycles: the test of the box that was proved without fault refuses all of them.
 #[test]
 fn a_box_of_the_right_cycle_is_refused_after_each_planted_fault() {
@@ -115,7 +150,7 @@ fn a_box_of_the_right_cycle_is_refused_after_each_planted_fault() {
             let model = Model::new(groups.clone().map(nearest_f64), law);
             let found = simulate_model(&model, &Options::at(1e-8)).unwrap();
             let LongTerm::Cycle(cycle) = found.long_term() else { panic!("no cycle at {stress} {velocity}") };
-            let right = Constants::new(&groups, law);
+            let right = Constants::of(&groups, law);
             let (test, ..) = Test::near(&right, &model, cycle).unwrap();
             assert!(test.holds(&right), "{law:?} {stress} {velocity}");
             // Twice as many steps round more often.

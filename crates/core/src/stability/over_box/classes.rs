@@ -8,8 +8,8 @@
 use rug::Complete;
 
 use super::Met;
+use super::corners::{A, B, Corner, D, Filtered, K, M, Point, S, State, V, middle};
 use super::lower_area;
-use super::parameter_box::{A, B, Corner, D, Filtered, K, M, Point, S, State, V, middle};
 use crate::friction::Parameters;
 use crate::stability::SpectralClass;
 

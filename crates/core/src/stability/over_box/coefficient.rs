@@ -2,7 +2,7 @@
 
 use rug::Integer;
 
-use super::parameter_box::{Corner, Filtered};
+use super::corners::{Corner, Filtered};
 use crate::number::{Rational, nearest_f64};
 
 /// A number of a ring in which a sign can be certain.

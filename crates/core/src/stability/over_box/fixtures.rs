@@ -2,7 +2,8 @@
 
 use proptest::prelude::*;
 
-use super::parameter_box::{ParameterBox, Point};
+use super::corners::Point;
+use crate::friction::ParameterBox;
 use crate::number::Rational;
 
 /// A quotient of small integers.

@@ -13,7 +13,7 @@ use rug::{Complete, Integer};
 
 use super::Met;
 use super::coefficient::{Coefficient, Rough};
-use super::parameter_box::{A, B, Corner, D, Filtered, K, M, Point, S, V};
+use super::corners::{A, B, Corner, D, Filtered, K, M, Point, S, V};
 use super::polynomials::Lines;
 use super::tensor::Tensor;
 use crate::number::Rational;

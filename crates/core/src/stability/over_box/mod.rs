@@ -15,11 +15,11 @@
 
 mod classes;
 mod coefficient;
+mod corners;
 #[cfg(test)]
 mod fixtures;
 mod lower_area;
 mod pair;
-mod parameter_box;
 mod polynomials;
 mod ranges;
 mod root_discs;
@@ -29,7 +29,7 @@ mod tensor;
 mod tests;
 mod threshold;
 
-pub use parameter_box::ParameterBox;
+pub use crate::friction::ParameterBox;
 pub use ranges::{Ranges, ValueRange, ranges_over_box};
 pub(super) use ranges::{Scaled, Sought, sought_in};
 pub(super) use root_discs::{Quantity, Values};
@@ -39,7 +39,7 @@ use super::{InertialThreshold, SlipMode, SpectralClass};
 use crate::friction::Parameters;
 use crate::number::Rational;
 use classes::Classes;
-use parameter_box::{A, B, Corner, D, Filtered, K, M, Point, S, V};
+use corners::{A, B, Corner, D, Filtered, K, M, Point, S, V};
 use threshold::{Found, Search};
 
 /// Something that points of a box have, with such a point.

@@ -4,7 +4,7 @@
 //! simple, h and w are smooth functions of the parameters, also at w = 0, where the root itself has no derivative. With
 //! T = c2 + 3c3 h, which is c3 times the distance of h from the real root, dw = (T dF + c3 w dG)/(T² + c3² w).
 
-use super::parameter_box::{A, B, D, K, M, S, V};
+use super::corners::{A, B, D, K, M, S, V};
 use super::root_discs::{Values, cubic};
 use crate::number::Interval;
 

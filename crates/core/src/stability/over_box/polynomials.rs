@@ -6,8 +6,9 @@
 use rug::{Complete, Integer};
 
 use super::coefficient::Coefficient;
-use super::parameter_box::{A, B, Corner, D, Filtered, K, M, ParameterBox, S, V};
+use super::corners::{A, B, Corner, D, Filtered, K, M, S, V};
 use super::tensor::Tensor;
+use crate::friction::ParameterBox;
 use crate::number::Rational;
 use crate::stability::InertialThreshold;
 

@@ -7,8 +7,8 @@
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
+use super::corners::{A, B, D, K, M, Point, S, V};
 use super::pair::Pair;
-use super::parameter_box::{A, B, D, K, M, Point, S, V};
 use super::root_discs::{Quantity, RootDiscs, Values};
 use super::{OverBox, ParameterBox};
 use crate::number::{Interval, Rational};

@@ -8,7 +8,7 @@
 
 use num_complex::Complex64;
 
-use super::parameter_box::{B, D, K, M, S, V};
+use super::corners::{B, D, K, M, S, V};
 use crate::number::{Interval, Rectangle};
 use crate::roots::bounded_roots;
 

@@ -16,7 +16,7 @@ use rug::{Complete, Integer};
 
 use super::Effort;
 use super::coefficient::{Coefficient, Rough};
-use super::parameter_box::{A, B, Corner, D, Filtered, K, M, Point, S, State, V};
+use super::corners::{A, B, Corner, D, Filtered, K, M, Point, S, State, V};
 use super::polynomials::Lines;
 use super::tensor::{AXES, Tensor};
 use crate::friction::SlipMode;

@@ -1,9 +1,9 @@
-//! A box of parameters, and the state of its corners and of other points of it.
+//! The state of the corners of a box, and of other points of it.
 
 use std::cell::{Cell, OnceCell, RefCell};
 
 use super::polynomials::Units;
-use crate::friction::{Groups, Parameters, SlipMode};
+use crate::friction::{Groups, ParameterBox, Parameters, SlipMode};
 use crate::number::{Dd, Rational};
 use crate::stability::{
     Classification, InertialThreshold, SpectralClass, boundary_sign, classify_quickly, slip_mode,
@@ -22,52 +22,7 @@ pub(super) const V: usize = 6;
 /// Exact values of a, b, D_c, K, M, σ, V0.
 pub(super) type Point = [Rational; 7];
 
-/// All parameters between two exact ends, ends included.
-///
-/// ```
-/// use slipmode_core::stability::ParameterBox;
-/// use slipmode_core::{Parameters, parse_decimal};
-///
-/// let point = |b: &str| {
-///     Parameters::from(["0.004", b, "1e-5", "1e7", "1000", "1e6", "1e-5"].map(|text| parse_decimal(text).unwrap()))
-/// };
-/// assert!(ParameterBox::new(point("0.005"), point("0.007")).is_some());
-/// assert!(ParameterBox::new(point("0.007"), point("0.005")).is_none());
-/// ```
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct ParameterBox {
-    pub(super) lower: Point,
-    pub(super) upper: Point,
-}
-
 impl ParameterBox {
-    /// The box between two ends, or `None` unless 0 < lower ≤ upper for each parameter.
-    #[must_use]
-    pub fn new(lower: Parameters<Rational>, upper: Parameters<Rational>) -> Option<Self> {
-        let (lower, upper): (Point, Point) = (lower.into(), upper.into());
-        let ordered = lower.iter().zip(&upper).all(|(low, high)| *low > 0 && low <= high);
-        ordered.then_some(Self { lower, upper })
-    }
-
-    /// The least value of each parameter.
-    #[must_use]
-    pub fn lower(&self) -> Parameters<Rational> {
-        self.lower.clone().into()
-    }
-
-    /// The greatest value of each parameter.
-    #[must_use]
-    pub fn upper(&self) -> Parameters<Rational> {
-        self.upper.clone().into()
-    }
-
-    /// Whether a point lies in the box.
-    #[must_use]
-    pub fn contains(&self, parameters: &Parameters<Rational>) -> bool {
-        let point: Point = parameters.clone().into();
-        (0..7).all(|i| self.lower[i] <= point[i] && point[i] <= self.upper[i])
-    }
-
     /// The box with other ends of a parameter, or `None` unless 0 < lower ≤ upper.
     pub(in crate::stability) fn with_ends(
         &self,
