@@ -7,7 +7,7 @@ use crate::repository;
 const LONGEST_FILE: usize = 600;
 
 /// Macros and attributes that must not be committed.
-const LEFT_OVERS: [&str; 4] = ["todo!", "unimplemented!", "dbg!", "#[ignore"];
+const REFUSED_CODE: [&str; 4] = ["todo!", "unimplemented!", "dbg!", "#[ignore"];
 
 /// Only the command line opens files, reads the clock and the environment, or ends the process.
 const SIDE_EFFECTS: [&str; 7] =
@@ -31,7 +31,7 @@ const UNSAFE_ALLOWED: &str = "crates/core/src/stability/batch";
 pub fn check(source: &RustSource, found: &mut Vec<Complaint>) {
     check_header(source, found);
     check_length(source, found);
-    check_left_overs(source, found);
+    check_refused_code(source, found);
     if repository::is_product(&source.file.path) {
         check_panics(source, found);
         check_side_effects(source, found);
@@ -53,14 +53,12 @@ fn check_length(source: &RustSource, found: &mut Vec<Complaint>) {
     }
 }
 
-fn check_left_overs(source: &RustSource, found: &mut Vec<Complaint>) {
+fn check_refused_code(source: &RustSource, found: &mut Vec<Complaint>) {
     for (number, code, _) in source.lines() {
-        for left_over in LEFT_OVERS {
-            if code
-                .match_indices(left_over)
-                .any(|(at, _)| !code[..at].ends_with(|c: char| c.is_alphanumeric()))
+        for refused in REFUSED_CODE {
+            if code.match_indices(refused).any(|(at, _)| !code[..at].ends_with(|c: char| c.is_alphanumeric()))
             {
-                found.push(source.file.complaint(number, format!("`{left_over}` must not be committed")));
+                found.push(source.file.complaint(number, format!("`{refused}` must not be committed")));
             }
         }
     }
@@ -129,9 +127,9 @@ mod tests {
     }
 
     #[test]
-    fn left_overs_are_refused_in_tests_too() {
-        for left_over in LEFT_OVERS {
-            let bad = format!("//!\nfn f() {{ {left_over}() }}");
+    fn unfinished_code_is_refused_in_tests_too() {
+        for refused in REFUSED_CODE {
+            let bad = format!("//!\nfn f() {{ {refused}() }}");
             assert_eq!(complaints("tests/suite/a.rs", &bad), [2], "{bad}");
         }
     }

@@ -3,7 +3,7 @@
 use super::{Complaint, TextFile};
 use crate::repository;
 
-const NOTES: [&str; 4] = ["TODO", "FIXME", "XXX", "HACK"];
+const UNFINISHED_WORDS: [&str; 4] = ["TODO", "FIXME", "XXX", "HACK"];
 
 /// First folders of absolute paths that exist on one machine only; the checkout's own path is another.
 const MACHINE_FOLDERS: [&str; 3] = ["root", "home", "Users"];
@@ -30,7 +30,7 @@ pub fn check(file: &TextFile, found: &mut Vec<Complaint>) {
         if !is_generated && let Some(message) = whitespace(line) {
             found.push(file.complaint(index + 1, message));
         }
-        if !holds_the_words && let Some(message) = left_over(line).or_else(|| machine_path(line)) {
+        if !holds_the_words && let Some(message) = unfinished_word(line).or_else(|| machine_path(line)) {
             found.push(file.complaint(index + 1, message));
         }
     }
@@ -54,12 +54,12 @@ fn whitespace(line: &str) -> Option<String> {
     line.ends_with([' ', '\r']).then(|| "trailing whitespace".into())
 }
 
-fn left_over(line: &str) -> Option<String> {
-    let is_word = |note: &&&str| {
+fn unfinished_word(line: &str) -> Option<String> {
+    let is_word = |unfinished: &&&str| {
         let mut words = line.split(|c: char| !c.is_alphanumeric() && c != '_');
-        words.any(|word| word == **note)
+        words.any(|word| word == **unfinished)
     };
-    NOTES.iter().find(is_word).map(|note| format!("`{note}`: do it or drop it"))
+    UNFINISHED_WORDS.iter().find(is_word).map(|word| format!("`{word}`: do it or drop it"))
 }
 
 fn machine_path(line: &str) -> Option<String> {
@@ -99,9 +99,9 @@ mod tests {
 
     #[test]
     fn clean_text_passes() {
-        let [note, folder] = [NOTES[0], MACHINE_FOLDERS[0]];
+        let [word, folder] = [UNFINISHED_WORDS[0], MACHINE_FOLDERS[0]];
         let good = format!(
-            "a/{folder}/x {note}S to-do ~/{folder}/x $HOME/.cache \"https://a.org/{folder}/x\"\n\nend\n"
+            "a/{folder}/x {word}S to-do ~/{folder}/x $HOME/.cache \"https://a.org/{folder}/x\"\n\nend\n"
         );
         assert_eq!(complaints("README.md", &good), [0; 0]);
     }
@@ -114,9 +114,9 @@ mod tests {
     }
 
     #[test]
-    fn notes_machine_paths_and_hosts_are_refused() {
-        let [note, host] = [NOTES[0], REGISTRY_HOSTS[0]];
-        for bad in [format!("// {note}: x\n"), format!("// see {host}\n")] {
+    fn unfinished_words_machine_paths_and_hosts_are_refused() {
+        let [word, host] = [UNFINISHED_WORDS[0], REGISTRY_HOSTS[0]];
+        for bad in [format!("// {word}: x\n"), format!("// see {host}\n")] {
             assert_eq!(complaints("a.rs", &bad), [1], "{bad}");
         }
         for folder in machine_folders() {
