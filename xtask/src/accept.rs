@@ -18,7 +18,8 @@ pub fn run() -> Result<(), Failure> {
     machine::run()?;
     verify::build_release()?;
     for name in repository::reports()? {
-        let code = verify::slipmode(&["report", "--for-publication"], &name)?;
+        let report = format!("reports/{name}");
+        let code = process::status(&mut verify::slipmode(&["report", "--for-publication", &report]))?;
         if code != 0 {
             let message = format!("report {name} exited with {code}; its published copy is unchanged");
             return Err(Failure { code, message });

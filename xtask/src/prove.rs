@@ -122,8 +122,7 @@ fn generate(folder: &Path) -> Result<PathBuf, Failure> {
     if generated.exists() {
         fs::remove_dir_all(&generated).map_err(|error| files::failure(&generated, &error))?;
     }
-    let run = ["run", "--release", "--locked", "--quiet", "--bin", "slipmode", "--", "theorems", "--out"];
-    let mut command = process::cargo(&run);
+    let mut command = verify::slipmode(&["theorems", "--out"]);
     command.arg(&generated);
     for report in repository::reports()? {
         let ledger = format!("reports/{report}/published/ledger.json");

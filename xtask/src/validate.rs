@@ -10,7 +10,7 @@ use std::process::Command;
 use crate::failure::Failure;
 use crate::{machine, process, repository, verify};
 
-/// What a validator checks: one newly made report.
+/// What validators check of one report.
 struct Made {
     folder: PathBuf,
     /// The report's page, and the explorers of its scenes.
@@ -18,11 +18,11 @@ struct Made {
     archive: PathBuf,
 }
 
-/// One validator: its name, the programs that it needs, and its commands.
+/// One validator: its name, the programs that it needs, and its commands for all reports.
 struct Validator {
     name: &'static str,
     programs: &'static [&'static [&'static str]],
-    commands: fn(&Made) -> Result<Vec<Command>, Failure>,
+    commands: fn(&[Made]) -> Result<Vec<Command>, Failure>,
 }
 
 const NODE: &[&str] = &["node"];
@@ -52,13 +52,15 @@ const VALIDATORS: [Validator; 7] = [
 pub fn run() -> Result<(), Failure> {
     machine::run()?;
     verify::build_release()?;
-    let mut made = Vec::new();
-    for name in repository::reports()? {
-        made.push(make(&name)?);
-    }
+    let lacking = VALIDATORS.each_ref().map(|validator| lacking_after_install(validator.programs));
+    let made = std::thread::scope(|scope| {
+        // Packages are loaded while reports are made. If that fails, the validator that needs them tries again and reports it.
+        scope.spawn(|| (node_modules().is_ok(), python_program("python").is_ok()));
+        repository::reports()?.iter().map(|name| make(name)).collect::<Result<Vec<Made>, Failure>>()
+    })?;
     let (mut failed, mut skipped) = (Vec::new(), Vec::new());
-    for validator in &VALIDATORS {
-        let lacking = lacking_after_install(validator.programs)?;
+    for (validator, lacking) in VALIDATORS.iter().zip(lacking) {
+        let lacking = lacking?;
         if !lacking.is_empty() {
             println!("validate: {} skipped: no {}", validator.name, lacking.join(", "));
             skipped.push(validator.name);
@@ -79,24 +81,32 @@ pub fn run() -> Result<(), Failure> {
 fn passes(validator: &Validator, made: &[Made]) -> Result<bool, Failure> {
     println!("validate: {}", validator.name);
     let mut passed = true;
-    for report in made {
-        for mut command in (validator.commands)(report)? {
-            passed &= process::status(&mut command)? == 0;
-        }
+    for mut command in (validator.commands)(made)? {
+        passed &= process::status(&mut command)? == 0;
     }
     Ok(passed)
 }
 
 fn make(name: &str) -> Result<Made, Failure> {
     let archive = workshop()?.join(format!("{name}.zip"));
-    let run = ["run", "--release", "--locked", "--quiet", "--bin", "slipmode", "--"];
     let folder = format!("reports/{name}");
-    process::check(process::cargo(&run).args(["report", &folder]))?;
-    process::check(process::cargo(&run).args(["archive", &folder, "--codecheck", "--output"]).arg(&archive))?;
+    let page = repository::root().join("target/report").join(name).join("index.html");
+    if !is_current(&page, &folder)? {
+        process::check(&mut verify::slipmode(&["report", &folder]))?;
+    }
+    process::check(verify::slipmode(&["archive", &folder, "--codecheck", "--output"]).arg(&archive))?;
     let mut pages = explorers(name)?;
-    let folder = repository::root().join("target/report").join(name);
-    pages.insert(0, folder.join("index.html"));
-    Ok(Made { pages, folder, archive })
+    pages.insert(0, page);
+    Ok(Made { pages, folder: repository::root().join("target/report").join(name), archive })
+}
+
+/// Whether `verify` has written this page after the program and all files of the report.
+fn is_current(page: &Path, report: &str) -> Result<bool, Failure> {
+    let written = |path: &Path| fs::metadata(path).and_then(|data| data.modified()).ok();
+    let Some(made) = written(page) else { return Ok(false) };
+    let inputs = repository::files()?.into_iter().filter(|path| path.starts_with(&format!("{report}/")));
+    let mut sources = inputs.map(|path| repository::root().join(path)).chain([verify::release_binary()]);
+    Ok(sources.all(|path| written(&path).is_some_and(|time| time < made)))
 }
 
 /// An explorer for each scene of a report that has a slider and a map; a report may have no scenes.
@@ -112,8 +122,7 @@ fn explorers(name: &str) -> Result<Vec<PathBuf>, Failure> {
     for scene in paths {
         if fs::read_to_string(&scene).map_err(cannot)?.contains("\n[map]") {
             let page = workshop()?.join(scene.with_extension("html").file_name().unwrap_or_default());
-            let run = ["run", "--release", "--locked", "--quiet", "--bin", "slipmode", "--", "explore"];
-            process::check(process::cargo(&run).arg(&scene).arg("--output").arg(&page))?;
+            process::check(verify::slipmode(&["explore"]).arg(&scene).arg("--output").arg(&page))?;
             pages.push(page);
         }
     }
@@ -229,50 +238,72 @@ fn node_tool(name: &str) -> Result<Command, Failure> {
     Ok(Command::new(node_modules()?.join(".bin").join(name)))
 }
 
-fn nu_html_checker(made: &Made) -> Result<Vec<Command>, Failure> {
+fn all_pages(made: &[Made]) -> impl Iterator<Item = &PathBuf> {
+    made.iter().flat_map(|report| &report.pages)
+}
+
+fn nu_html_checker(made: &[Made]) -> Result<Vec<Command>, Failure> {
     let mut command = Command::new("java");
     command
         .arg("-jar")
         .arg(node_modules()?.join("vnu-jar/build/dist/vnu.jar"))
         .arg("--errors-only")
-        .args(&made.pages);
+        .args(all_pages(made));
     Ok(vec![command])
 }
 
-fn html_validate(made: &Made) -> Result<Vec<Command>, Failure> {
+fn html_validate(made: &[Made]) -> Result<Vec<Command>, Failure> {
     let mut command = node_tool("html-validate")?;
-    command.arg("--config").arg(definition("html-validate.json")).args(&made.pages);
+    command.arg("--config").arg(definition("html-validate.json")).args(all_pages(made));
     Ok(vec![command])
 }
 
-fn pages_in_browser(made: &Made) -> Result<Vec<Command>, Failure> {
+fn pages_in_browser(made: &[Made]) -> Result<Vec<Command>, Failure> {
     node_modules()?;
     let browser = find(BROWSER).unwrap_or_else(|| Path::new("chromium").to_path_buf());
     let mut command = Command::new("node");
-    command.arg("pages.mjs").arg(browser).args(&made.pages).current_dir(workshop()?);
+    command.arg("pages.mjs").arg(browser).args(all_pages(made)).current_dir(workshop()?);
     Ok(vec![command])
 }
 
-fn markdownlint(made: &Made) -> Result<Vec<Command>, Failure> {
-    let mut command = node_tool("markdownlint-cli2")?;
+fn markdownlint(made: &[Made]) -> Result<Vec<Command>, Failure> {
     // The linter takes patterns below its own folder, not paths.
-    command.arg("--config").arg(definition(".markdownlint.json")).arg("report.md").current_dir(&made.folder);
-    Ok(vec![command])
+    let command = |report: &Made| {
+        let mut command = node_tool("markdownlint-cli2")?;
+        command.arg("--config").arg(definition(".markdownlint.json"));
+        command.arg("report.md").current_dir(&report.folder);
+        Ok(command)
+    };
+    made.iter().map(command).collect()
 }
 
-fn crate_validator(made: &Made) -> Result<Vec<Command>, Failure> {
-    let mut command = Command::new(python_program("python")?);
-    command.arg(definition("validate_crate.py")).arg(&made.archive).arg("process-run-crate-0.5");
-    Ok(vec![command])
+fn crate_validator(made: &[Made]) -> Result<Vec<Command>, Failure> {
+    let commands = checks_of_archives("validate_crate.py", made)?;
+    Ok(commands
+        .map(|mut command| {
+            command.arg("process-run-crate-0.5");
+            command
+        })
+        .collect())
 }
 
-fn codecheck(made: &Made) -> Result<Vec<Command>, Failure> {
-    let mut command = Command::new(python_program("python")?);
-    command.arg(definition("validate_codecheck.py")).arg(&made.archive);
-    Ok(vec![command])
+fn codecheck(made: &[Made]) -> Result<Vec<Command>, Failure> {
+    Ok(checks_of_archives("validate_codecheck.py", made)?.collect())
 }
 
-fn citation(_made: &Made) -> Result<Vec<Command>, Failure> {
+fn checks_of_archives<'a>(
+    script: &'a str,
+    made: &'a [Made],
+) -> Result<impl Iterator<Item = Command> + 'a, Failure> {
+    let python = python_program("python")?;
+    Ok(made.iter().map(move |report| {
+        let mut command = Command::new(&python);
+        command.arg(definition(script)).arg(&report.archive);
+        command
+    }))
+}
+
+fn citation(_made: &[Made]) -> Result<Vec<Command>, Failure> {
     let mut command = Command::new(python_program("cffconvert")?);
     command.args(["--validate", "--infile"]).arg(repository::root().join("CITATION.cff"));
     let mut conversion = Command::new(python_program("python")?);
