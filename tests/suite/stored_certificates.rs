@@ -20,7 +20,7 @@ struct Compared {
 
 impl Compared {
     fn is_enclosed(&self, relative_shift: &Rational) -> bool {
-        let value = Rational::from(&self.value * (Rational::from(1) + relative_shift));
+        let value = &self.value * (Rational::from(1) + relative_shift);
         let [low, high] = &self.bounds;
         let above = Rational::from(&value - &self.error);
         *low <= above && value + &self.error <= *high
@@ -38,7 +38,7 @@ fn compared(law: &str, certificate: &str) -> Vec<Vec<Compared>> {
         let values = cells[3..6].iter().enumerate().filter(|(_, cell)| !cell.is_empty());
         let of = |(at, cell): (usize, &&str)| {
             let value = decimal(cell);
-            let error = Rational::from(&value * decimal(cells[6]));
+            let error = &value * decimal(cells[6]);
             Compared { value, error, bounds: [9, 10].map(|column| decimal(row[column + 2 * at])) }
         };
         values.map(of).collect()
