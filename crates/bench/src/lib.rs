@@ -3,6 +3,7 @@
 //!
 //! Errors of these commands are messages for people.
 
+pub mod certified;
 pub mod chart;
 pub mod contents;
 pub mod copied;

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
-use slipmode_bench::{copied, cost, coverage, peers, sweep_cost, tables};
+use slipmode_bench::{certified, copied, cost, coverage, peers, sweep_cost, tables};
 
 /// Measures slipmode and other programs on the same inputs.
 #[derive(Debug, Parser)]
@@ -21,6 +21,9 @@ enum Command {
         /// Run other programs on the same inputs; words name works by their beginning, none means all
         #[arg(long)]
         peers: bool,
+        /// Measure certified runs beside plain ones, and draw docs/certified-cost.svg
+        #[arg(long, conflicts_with_all = ["peers", "words"])]
+        certified: bool,
         /// One round instead of three
         #[arg(long, requires = "peers")]
         once: bool,
@@ -50,8 +53,9 @@ enum Command {
 
 fn main() -> ExitCode {
     let done = match CommandLine::parse().command {
-        Command::Bench { peers: true, once, words } => peers::compare(&words, once),
-        Command::Bench { peers: false, words, .. } => peers::bench(&words),
+        Command::Bench { certified: true, .. } => certified::run(),
+        Command::Bench { peers: true, once, words, .. } => peers::compare(&words, once),
+        Command::Bench { words, .. } => peers::bench(&words),
         Command::Cost { sweeps } => cost::run(!sweeps),
         Command::Coverage => coverage::run(),
         Command::SweepCost => sweep_cost::run(),
