@@ -257,13 +257,13 @@ mod tests {
 
     #[test]
     fn a_row_of_other_cells_is_refused_and_a_decay_has_no_period() {
-        let row = "slip,decay,1e3,1e-3,1.5e-1,2e-4,4e-13,\n";
+        let row = "slip,decay,1e3,1e-3,0.5,0.25,4e-13,\n";
         let costs = read(&format!("{HEADER}{row}")).unwrap();
-        assert_eq!((costs[0].ratio(), costs[0].period_width), (750.0, None));
+        assert_eq!((costs[0].ratio(), costs[0].period_width), (2.0, None));
         assert_eq!(read(&format!("{HEADER}{row}slip,decay\n")), None);
         assert_eq!(read(row), None);
         assert!(summary(&costs).contains(
-            "| decay, slip law | 1 | CPU time, s | 1.5e-1 | 1.5e-1 | 1.5e-1 | 1.5e-1 | 1.5e-1 |\n"
+            "| decay, slip law | 1 | CPU time, s | 5.0e-1 | 5.0e-1 | 5.0e-1 | 5.0e-1 | 5.0e-1 |\n"
         ));
     }
 }
