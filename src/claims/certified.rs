@@ -210,6 +210,8 @@ pub(super) fn contradiction(run: &Run) -> Option<String> {
 
 #[cfg(test)]
 mod tests {
+    use std::sync::OnceLock;
+
     use super::*;
     use crate::claims::Strength;
     use crate::claims::simulated_trends::{n3, n5};
@@ -226,12 +228,17 @@ mod tests {
 
     /// Four stick-slip cycles with their certificates; `alter` changes these before the claims see them.
     fn outcome(alter: impl FnOnce(&mut Certificates)) -> Outcome {
+        static UNALTERED: OnceLock<Outcome> = OnceLock::new();
+        let mut outcome = UNALTERED.get_or_init(certified_outcome).clone();
+        alter(outcome.scenes[0].certificates.as_mut().unwrap());
+        outcome
+    }
+
+    fn certified_outcome() -> Outcome {
         let scene = Scene::parse("s.toml", SCENE.as_bytes(), &Limits::default()).unwrap();
         let rows = certify_grid(&paper(), scene.simulations.as_ref().unwrap(), EvolutionLaw::Slip);
-        let mut certificates = Certificates::of(vec![rows], 1);
-        alter(&mut certificates);
         let mut outcome = run(&[scene], &[Need::Simulations].into(), &References::default(), &|_, _, _| {});
-        outcome.scenes[0].certificates = Some(certificates);
+        outcome.scenes[0].certificates = Some(Certificates::of(vec![rows], 1));
         outcome
     }
 
