@@ -48,8 +48,8 @@ fn compared(law: &str, certificate: &str) -> Vec<Vec<Compared>> {
 
 #[test]
 fn every_stored_enclosure_contains_its_reference_of_quadruple_precision() {
-    for (law, cycles) in [("slip", 285), ("aging", 226)] {
-        for (certificate, count, values) in [("cycle", cycles, 3), ("decay", 116, 2)] {
+    for law in ["slip", "aging"] {
+        for (certificate, count, values) in [("cycle", 325, 3), ("decay", 116, 2)] {
             let references = compared(law, certificate);
             assert_eq!(references.len(), count, "{law} {certificate}");
             for (at, reference) in references.iter().enumerate() {
@@ -78,6 +78,6 @@ fn a_reference_shifted_by_a_part_of_1e_8_is_noticed() {
         let refused = |one: &&Compared| shifts.iter().all(|shift| !one.is_enclosed(shift));
         (all.iter().filter(refused).count(), all.len())
     };
-    assert_eq!(noticed("cycle"), (1509, 1533));
+    assert_eq!(noticed("cycle"), (1918, 1950));
     assert_eq!(noticed("decay"), (384, 464));
 }
