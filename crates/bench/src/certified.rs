@@ -1,4 +1,5 @@
-//! `cargo xtask bench --certified`: CPU time of certificates and of plain runs, and widths of the bounds, at points of the grid of fig 3a.
+//! `cargo xtask bench --certified`: CPU time of certificates and of plain runs, widths of the bounds, and error bars that are certified,
+//! at points of the grid of fig 3a.
 //!
 //! The command line with the profile `dist` is measured, into `crates/bench/results/certified.csv`, and `docs/certified-cost.svg` is drawn.
 //! A test draws the figure again, and compares it and the summary in `docs/performance.md` with the file.
@@ -16,16 +17,18 @@ use crate::{measured_on, process, repository};
 
 /// One of so many rows of a report's file of certificates is measured.
 const EVERY: usize = 11;
-/// Runs of which the one with the least CPU time counts.
-const REPETITIONS: usize = 2;
 /// Rows of the plain run, all of the same point.
 const PLAIN_ROWS: usize = 100;
+/// Relative error bars that are tried.
+const ERROR_BARS: [f64; 10] = [1e-10, 1e-9, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 1e-1];
+/// Decades of normal stress and of velocity between neighbours of the grid.
+const SPACING: f64 = 0.25;
 /// Columns of a file of certificates that a file of points has too: inputs and law.
 const INPUTS: usize = 8;
 
 const FILE: &str = "certified.csv";
 const FIGURE: &str = "docs/certified-cost.svg";
-const HEADER: &str = "law,certificate,normal_stress_pa,loading_velocity_m_per_s,certified_cpu_s,plain_cpu_s,relative_width_of_peak,relative_width_of_period\n";
+const HEADER: &str = "law,certificate,normal_stress_pa,loading_velocity_m_per_s,certified_cpu_s,plain_cpu_s,relative_width_of_peak,relative_width_of_period,certified_error_bars\n";
 const CERTIFICATES: [&str; 2] = ["cycle", "decay"];
 
 /// What one point costs.
@@ -38,11 +41,19 @@ struct Cost {
     peak_width: f64,
     /// None for a decay.
     period_width: Option<f64>,
+    /// Widest relative error bars of normal stress and of loading velocity that are certified together; 0 where none are.
+    error_bars: f64,
 }
 
 impl Cost {
     fn ratio(&self) -> f64 {
         self.certified_s / self.plain_s
+    }
+
+    /// The part of a cell of the grid, in logarithms, that the certificate for these error bars covers.
+    fn share(&self) -> f64 {
+        let decades = libm::log10((1.0 + self.error_bars) / (1.0 - self.error_bars));
+        (decades / SPACING) * (decades / SPACING)
     }
 }
 
@@ -97,45 +108,82 @@ impl Place {
         )?;
         let certified_s = self.cpu_s("simulate --certify --points one.csv -o certified.csv --threads 1")?;
         let plain_s = self.cpu_s("simulate --points many.csv -o plain.csv --threads 1 --tolerance 1e-8")?;
-        let path = self.folder.join("certified.csv");
-        let found = fs::read_to_string(&path).map_err(|error| cannot(&path, &error))?;
-        let (names, cells) = found.split_once('\n').unwrap_or_default();
-        let cell = |name: &str| {
-            let of_name = names.split(',').zip(cells.trim_end().split(',')).find(|(known, _)| *known == name);
-            of_name.map(|(_, cell)| cell).ok_or(format!("{}: no column {name}", path.display()))
-        };
+        let found = Found::read(&self.folder.join("certified.csv"))?;
+        let cell = |name: &str| found.cell(name);
         let width = |low: &str, high: &str| {
             let [low, high] = [cell(low)?, cell(high)?].map(str::parse::<f64>);
             let width = low.ok().zip(high.ok()).map(|(low, high)| format!("{:.3e}", high / low - 1.0));
             Ok::<_, String>(width.unwrap_or_default())
         };
         Ok(format!(
-            "{},{},{},{},{certified_s:.3e},{:.3e},{},{}\n",
+            "{},{},{},{},{certified_s:.3e},{:.3e},{},{},{:e}\n",
             cell("law")?,
             cell("certificate")?,
             cell("normal_stress_pa")?,
             cell("loading_velocity_m_per_s")?,
             plain_s / PLAIN_ROWS as f64,
             width("peak_velocity_low_m_per_s", "peak_velocity_high_m_per_s")?,
-            width("period_low_s", "period_high_s")?
+            width("period_low_s", "period_high_s")?,
+            self.error_bars(header, point, cell("certificate")?)?
         ))
     }
 
-    /// The least CPU time of a command.
-    fn cpu_s(&self, command: &str) -> Result<f64, String> {
-        let arguments: Vec<String> = command.split_whitespace().map(String::from).collect();
-        let mut least = f64::INFINITY;
-        for _ in 0..REPETITIONS {
-            least = least.min(once(&self.program, &arguments, &self.folder)?.cpu_s);
+    /// The widest relative error bars of those tried for which this and all narrower ones have the point's own certificate.
+    fn error_bars(&self, header: &str, point: &str, certificate: &str) -> Result<f64, String> {
+        let mut widest = 0.0;
+        for half_width in ERROR_BARS {
+            let with_bars = |(name, value): (&str, &str)| match name {
+                "normal_stress_pa" | "loading_velocity_m_per_s" => {
+                    format!("{value}±{:e}", half_width * value.parse::<f64>().unwrap_or(f64::NAN))
+                }
+                _ => value.to_string(),
+            };
+            let cells: Vec<String> = header.split(',').zip(point.split(',')).map(with_bars).collect();
+            write(&self.folder.join("bars.csv"), &format!("{header}\n{}\n", cells.join(",")))?;
+            self.run("simulate --certify --points bars.csv -o over-bars.csv --threads 1")?;
+            if Found::read(&self.folder.join("over-bars.csv"))?.cell("certificate")? != certificate {
+                break;
+            }
+            widest = half_width;
         }
-        Ok(least)
+        Ok(widest)
+    }
+
+    /// The smaller CPU time of two runs of a command.
+    fn cpu_s(&self, command: &str) -> Result<f64, String> {
+        Ok(self.run(command)?.min(self.run(command)?))
+    }
+
+    /// The CPU time of one run.
+    fn run(&self, command: &str) -> Result<f64, String> {
+        let arguments: Vec<String> = command.split_whitespace().map(String::from).collect();
+        once(&self.program, &arguments, &self.folder).map(|measured| measured.cpu_s)
+    }
+}
+
+/// The table of one row that the program has written.
+struct Found {
+    path: PathBuf,
+    text: String,
+}
+
+impl Found {
+    fn read(path: &Path) -> Result<Self, String> {
+        let text = fs::read_to_string(path).map_err(|error| cannot(path, &error))?;
+        Ok(Self { path: path.to_path_buf(), text })
+    }
+
+    fn cell(&self, name: &str) -> Result<&str, String> {
+        let (names, cells) = self.text.split_once('\n').unwrap_or_default();
+        let of_name = names.split(',').zip(cells.trim_end().split(',')).find(|(known, _)| *known == name);
+        of_name.map(|(_, cell)| cell).ok_or(format!("{}: no column {name}", self.path.display()))
     }
 }
 
 /// The rows of the file; none when one has other cells.
 fn read(text: &str) -> Option<Vec<Cost>> {
     let row = |line: &str| {
-        let [law, certificate, _, _, certified_s, plain_s, peak, period] =
+        let [law, certificate, _, _, certified_s, plain_s, peak, period, error_bars] =
             line.split(',').collect::<Vec<_>>()[..]
         else {
             return None;
@@ -147,6 +195,7 @@ fn read(text: &str) -> Option<Vec<Cost>> {
             plain_s: plain_s.parse().ok()?,
             peak_width: peak.parse().ok()?,
             period_width: period.parse().ok(),
+            error_bars: error_bars.parse().ok()?,
         })
     };
     text.strip_prefix(HEADER)?.lines().map(row).collect()
@@ -214,11 +263,13 @@ fn summary(costs: &[Cost]) -> String {
     let mut text = String::from(
         "| certificate | points | what | least | lower quartile | median | upper quartile | largest |\n|---|---|---|---|---|---|---|---|\n",
     );
-    let quantities: [Quantity; 4] = [
+    let quantities: [Quantity; 6] = [
         ("CPU time, s", |cost| Some(cost.certified_s)),
         ("CPU time, plain runs", |cost| Some(cost.ratio())),
         ("relative width of the peak", |cost| Some(cost.peak_width)),
         ("relative width of the period", |cost| cost.period_width),
+        ("relative error bars that are certified", |cost| Some(cost.error_bars)),
+        ("part of the grid's cell that they cover", |cost| Some(cost.share())),
     ];
     for (name, costs) in groups(costs) {
         for (what, of) in quantities {
@@ -257,9 +308,11 @@ mod tests {
 
     #[test]
     fn a_row_of_other_cells_is_refused_and_a_decay_has_no_period() {
-        let row = "slip,decay,1e3,1e-3,0.5,0.25,4e-13,\n";
+        let row = "slip,decay,1e3,1e-3,0.5,0.25,4e-13,,1e-1\n";
         let costs = read(&format!("{HEADER}{row}")).unwrap();
         assert_eq!((costs[0].ratio(), costs[0].period_width), (2.0, None));
+        // Error bars from 10^-0.125 to 10^0.125 of the value would cover the whole cell; these reach 0.087 decades in both directions.
+        assert!((costs[0].share().sqrt() - 0.087_150_175_7 / 0.25).abs() < 1e-9);
         assert_eq!(read(&format!("{HEADER}{row}slip,decay\n")), None);
         assert_eq!(read(row), None);
         assert!(summary(&costs).contains(
