@@ -33,10 +33,10 @@ impl Constants {
             let mut corner = Parameters { slider, point };
             corner.slider.direct_effect.clone_from(&down.slider.direct_effect);
             corner.point.normal_stress_pa.clone_from(&down.point.normal_stress_pa);
-            let stiffness = corner.groups();
+            let others = corner.groups();
             // η falls with D_c, κ rises.
             corner.slider.critical_slip_distance_m.clone_from(&down.slider.critical_slip_distance_m);
-            Groups { inertial_parameter: corner.groups().inertial_parameter, ..stiffness }
+            Groups { inertial_parameter: corner.groups().inertial_parameter, ..others }
         };
         let [least, largest] = [corners(&low, &high), corners(&high, &low)];
         let over = |of: fn(&Groups<Rational>) -> &Rational| Interval::over([of(&least), of(&largest)]);
