@@ -22,8 +22,11 @@ const SOURCES: [&str; 9] = [
     "templates",
 ];
 /// Our other packages: where each says that its sources are, and its folder in the repository.
-const LIBRARIES: [(&str, &str); 2] =
-    [("DEP_SLIPMODE_CORE_ROOT", "crates/core"), ("DEP_SLIPMODE_PLOT_ROOT", "crates/plot")];
+const LIBRARIES: [(&str, &str); 3] = [
+    ("DEP_SLIPMODE_ALGEBRA_ROOT", "crates/algebra"),
+    ("DEP_SLIPMODE_CORE_ROOT", "crates/core"),
+    ("DEP_SLIPMODE_PLOT_ROOT", "crates/plot"),
+];
 
 fn main() {
     let compiler = std::env::var_os("RUSTC").unwrap_or_else(|| "rustc".into());

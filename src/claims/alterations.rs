@@ -2,8 +2,8 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use slipmode_algebra::{Expression, Function, Symbol};
 use slipmode_core::number::{Ball, Rational};
-use slipmode_core::polynomial::{Expression, Function, Symbol};
 use slipmode_core::theory::{Equation, Equations};
 
 /// One altered equation.

@@ -4,7 +4,7 @@ use crate::claims::exchange::{b6, b7, b8};
 use crate::claims::reading::{Draft, of_readings};
 use crate::claims::{Check, Evidence, Finding};
 use crate::experiments::{Context, Need, SceneOutcome};
-use slipmode_core::polynomial::{Proof, Refutation};
+use slipmode_algebra::{Proof, Refutation};
 use slipmode_core::theory::areas::{self, Effects};
 use slipmode_core::theory::asymptote_series::{self, AsymptoteSeries};
 use slipmode_core::theory::{boundary, inertial};

@@ -10,7 +10,7 @@ use crate::claims::{Entry, Finding, Strength};
 use crate::experiments::Outcome;
 use crate::experiments::operating_point::error_bars;
 
-slipmode_core::named! {
+slipmode_algebra::named! {
     /// The values for which a verdict was decided.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
     #[serde(rename_all = "kebab-case")]

@@ -2,9 +2,9 @@
 
 use serde::{Deserialize, Serialize};
 
-use slipmode_core::polynomial::Proof;
+use slipmode_algebra::Proof;
 
-slipmode_core::named! {
+slipmode_algebra::named! {
     /// How sure a finding is; a finding is as sure as its weakest evidence.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
     #[serde(rename_all = "kebab-case")]

@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use crate::claims::{Evidence, Part, Reading, Strength, Verdict};
-use slipmode_core::polynomial::{Proof, Refutation};
+use slipmode_algebra::{Proof, Refutation};
 
 /// What a check concluded, why, and where it stops.
 #[derive(Debug, Clone, Serialize)]
@@ -268,7 +268,7 @@ fn rechecked(attempt: Result<Proof, Refutation>) -> Result<Proof, Refutation> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use slipmode_core::polynomial::Domain;
+    use slipmode_algebra::Domain;
 
     fn sample(points: usize) -> Evidence {
         Evidence::Sample { quantity: "q".into(), value: "1".into(), points }

@@ -9,7 +9,7 @@ use crate::claims::{DecidedFor, PointWithin};
 use crate::experiments::operating_point::error_bars;
 use crate::experiments::{Context, Needs};
 use crate::scene::{ClaimEntry, StatedClaim, is_library_claim, library_claim, library_ids};
-use slipmode_core::polynomial::Step;
+use slipmode_algebra::Step;
 use slipmode_core::theory::Equations;
 
 /// One line of the ledger.

@@ -9,7 +9,7 @@ use super::ledger::finding_on;
 use crate::claims::{Evidence, Finding, Verdict, formula};
 use crate::experiments::Context;
 use crate::scene::{ClaimEntry, ClaimFormula, Names, Statement};
-use slipmode_core::polynomial::Symbol;
+use slipmode_algebra::Symbol;
 use slipmode_core::theory::Equation;
 
 /// What became of the wrong versions of one equation.

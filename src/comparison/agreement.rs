@@ -65,7 +65,7 @@ impl Serialize for Observable {
     }
 }
 
-slipmode_core::named! {
+slipmode_algebra::named! {
     /// Where a run's value comes from.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
     #[serde(rename_all = "kebab-case")]
@@ -77,7 +77,7 @@ slipmode_core::named! {
     }
 }
 
-slipmode_core::named! {
+slipmode_algebra::named! {
     /// What a run is compared with.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
     #[serde(rename_all = "kebab-case")]
@@ -89,7 +89,7 @@ slipmode_core::named! {
     }
 }
 
-slipmode_core::named! {
+slipmode_algebra::named! {
     /// A verdict on one quantity or on a run.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize)]
     #[serde(rename_all = "kebab-case")]

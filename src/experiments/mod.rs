@@ -41,8 +41,8 @@ pub use work::Work;
 use std::sync::OnceLock;
 
 use crate::scene::ClaimEntry;
+use slipmode_algebra::Refutation;
 use slipmode_core::friction::EvolutionLaw;
-use slipmode_core::polynomial::Refutation;
 use slipmode_core::theory::Equations;
 use slipmode_core::theory::hopf::{HopfCoefficient, coefficient};
 

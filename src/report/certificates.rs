@@ -1,7 +1,7 @@
 //! Each certificate is printed once. Other places, also proofs that use it as a lemma, name the claim that has it.
 
 use crate::claims::{Evidence, Ledger};
-use slipmode_core::polynomial::{Proof, Step};
+use slipmode_algebra::{Proof, Step};
 
 /// The distinct proofs of a ledger, each with the claim whose entry has its certificate.
 #[derive(Debug)]
@@ -53,7 +53,7 @@ mod tests {
     use super::*;
     use crate::claims::{Entry, Finding};
     use crate::scene::Verdict;
-    use slipmode_core::polynomial::{Domain, Expression};
+    use slipmode_algebra::{Domain, Expression};
 
     fn proof(id: &str, left: &str, right: &str) -> Proof {
         let [left, right]: [Expression; 2] = [left, right].map(|side| side.parse().unwrap());

@@ -1,6 +1,6 @@
 //! `motion` beside a claim's words: a statement on every motion of a system, through a general lemma.
 
-use slipmode_core::polynomial::{Expression, Symbol};
+use slipmode_algebra::{Expression, Symbol};
 use slipmode_core::theory::Equations;
 use slipmode_core::theory::planar::MotionLemma;
 
@@ -10,7 +10,7 @@ use crate::scene::claim_names::Names;
 use crate::scene::nearest;
 use crate::scene::section::{Entry, Section};
 
-slipmode_core::named! {
+slipmode_algebra::named! {
     /// The lemmas, by what they conclude.
     #[derive(Debug, Clone, Copy, PartialEq, Eq)]
     enum Word {

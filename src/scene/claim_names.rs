@@ -3,7 +3,7 @@
 use std::ops::Deref;
 use std::sync::Arc;
 
-use slipmode_core::polynomial::{Condition, Domain, Expression};
+use slipmode_algebra::{Condition, Domain, Expression};
 use slipmode_core::theory::{Equations, Names as Meanings};
 
 use crate::scene::nearest;

@@ -3,7 +3,7 @@
 use crate::scene::Problem;
 use crate::scene::section::Entry;
 
-slipmode_core::named! {
+slipmode_algebra::named! {
     /// What the chapters of a part are about.
     #[derive(Debug, Clone, Copy, PartialEq, Eq)]
     pub enum Part {

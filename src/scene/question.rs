@@ -1,6 +1,6 @@
 //! What the first sentence of a report answers.
 
-slipmode_core::named! {
+slipmode_algebra::named! {
     /// What a report is for.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
     pub enum Question {

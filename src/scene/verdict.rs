@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-slipmode_core::named! {
+slipmode_algebra::named! {
     /// What the program concludes about a claim.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
     #[serde(rename_all = "kebab-case")]

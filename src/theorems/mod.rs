@@ -9,8 +9,8 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use serde::Deserialize;
 use sha2::{Digest, Sha256};
-use slipmode_core::polynomial::coq::Theorem;
-use slipmode_core::polynomial::{Certificate, Proof};
+use slipmode_algebra::coq::Theorem;
+use slipmode_algebra::{Certificate, Proof};
 use slipmode_core::theory::Equations;
 
 use crate::claims::{Strength, TIES, Tie, WholeTheorem, whole_theorems};

@@ -10,8 +10,9 @@ use std::path::{Path, PathBuf};
 use toml::{Table, Value};
 
 /// Our packages and their manifests.
-const OWN: [(&str, &str); 3] = [
+const OWN: [(&str, &str); 4] = [
     ("slipmode", "Cargo.toml"),
+    ("slipmode-algebra", "crates/algebra/Cargo.toml"),
     ("slipmode-core", "crates/core/Cargo.toml"),
     ("slipmode-plot", "crates/plot/Cargo.toml"),
 ];

@@ -177,7 +177,13 @@ fn every_package_states_the_same_least_version_of_rust() {
         assert_eq!(of_workspace, Some(true), "{path}");
     }
     assert_eq!(read("fuzz/Cargo.toml")["package"]["rust-version"].as_str(), Some(least.as_str()));
-    for path in ["README.md", "crates/core/README.md", "crates/plot/README.md", "docs/releases.md"] {
+    for path in [
+        "README.md",
+        "crates/algebra/README.md",
+        "crates/core/README.md",
+        "crates/plot/README.md",
+        "docs/releases.md",
+    ] {
         let page = fs::read_to_string(root().join(path)).unwrap();
         let stated: Vec<&str> = page.split("Rust ").skip(1).filter(|rest| rest.starts_with("1.")).collect();
         assert!(!stated.is_empty(), "{path} states no version");

@@ -16,8 +16,8 @@ use slipmode::report::{Folder, produce};
 use slipmode::scene::{
     Chapter, Faults, Limits, Measured, ReportPlan, check_name, read_claims, read_equations, with_rows,
 };
+use slipmode_algebra::Expression;
 use slipmode_core::number::{MAX_EXPONENT, Rational, parse_decimal};
-use slipmode_core::polynomial::Expression;
 use slipmode_core::theory::Equations;
 
 /// A number that is accepted is the same when it is printed in full and read again.

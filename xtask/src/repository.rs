@@ -44,7 +44,9 @@ pub fn reports() -> Result<Vec<String>, Failure> {
 
 /// Whether a path is a source file of the program's own packages.
 pub fn is_product(path: &str) -> bool {
-    ["crates/core/src/", "crates/plot/src/", "src/"].iter().any(|folder| path.starts_with(folder))
+    ["crates/algebra/src/", "crates/core/src/", "crates/plot/src/", "src/"]
+        .iter()
+        .any(|folder| path.starts_with(folder))
 }
 
 /// The paths in a folder, unsorted.

@@ -32,7 +32,7 @@
 //!
 //! # Modules
 //!
-//! A module imports lower ones only: `number` < `polynomial` < `roots` < `friction` < {`theory`, `stability`, `dynamics`}.
+//! A module imports lower ones only: `number` < `roots` < `friction` < {`theory`, `stability`, `dynamics`}.
 //! `theory`, `stability` and `dynamics` do not import each other, so that a simulation is an independent check of the linear theory.
 //!
 //! # Features
@@ -43,21 +43,18 @@
 // Tests compare with the system's elementary functions.
 #![cfg_attr(test, allow(clippy::disallowed_methods))]
 
-mod named;
-
 pub mod dynamics;
 pub mod friction;
 pub mod number;
-pub mod polynomial;
 pub mod roots;
 pub mod stability;
 pub mod theory;
 
 pub use dynamics::{Options as SimulationOptions, Simulation, simulate};
 pub use friction::{EvolutionLaw, Groups, OperatingPoint, Parameters, Slider, SlipMode};
-pub use named::nearest;
 pub use number::{Ball, DecimalError, Rational, parse_decimal};
 pub use roots::{CertifiedRoot, CertifiedRoots, PrecisionLevel, certified_roots};
+pub use slipmode_algebra::nearest;
 pub use stability::{
     Arc, Asymptote, BoundaryCurve, BoundaryPoint, Classification, InertialThreshold, RootsError,
     SpectralClass, ThreeRoots, classify, three_roots,

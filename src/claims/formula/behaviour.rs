@@ -1,6 +1,6 @@
 //! How a side behaves as one variable moves: its limit, whether it rises or falls, whether it depends on the variable at all.
 
-use slipmode_core::polynomial::{
+use slipmode_algebra::{
     Certificate, Domain, Expression, Literal, Proof, RationalFunction, Refutation, Sign, Symbol, Toward,
 };
 
@@ -59,7 +59,7 @@ fn one_interval(domain: &Domain, variable: &str) -> bool {
         |condition| {
             let slope = domain.rational_function(&condition.expression.derivative(&name));
             let is_constant = |slope: RationalFunction| !Expression::from(&slope).variables().contains(&name);
-            condition.relation != slipmode_core::polynomial::Relation::NonZero && slope.is_ok_and(is_constant)
+            condition.relation != slipmode_algebra::Relation::NonZero && slope.is_ok_and(is_constant)
         },
     )
 }

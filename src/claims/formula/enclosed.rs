@@ -3,8 +3,8 @@
 use std::cmp::Ordering;
 use std::collections::BTreeMap;
 
+use slipmode_algebra::{Expression, Literal, Sign, SignFormula, Symbol};
 use slipmode_core::number::{Ball, Rational};
-use slipmode_core::polynomial::{Expression, Literal, Sign, SignFormula, Symbol};
 
 use super::Problem;
 use super::lowering::Lowered;

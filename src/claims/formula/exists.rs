@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use slipmode_core::polynomial::{Certificate, Expression, Literal, Proof, Sign, SignFormula, Symbol};
+use slipmode_algebra::{Certificate, Expression, Literal, Proof, Sign, SignFormula, Symbol};
 
 use super::Problem;
 use super::lowering::Lowered;

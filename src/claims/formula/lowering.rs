@@ -1,6 +1,6 @@
 //! Formulas as signs of expressions: definitions are put in, and predicates become signs of coefficients by general lemmas.
 
-use slipmode_core::polynomial::{Expression, Literal, Proof, Sign, SignFormula, Symbol};
+use slipmode_algebra::{Expression, Literal, Proof, Sign, SignFormula, Symbol};
 use slipmode_core::theory::root_location::{self, coefficients, pair_crosses};
 
 use crate::scene::{Formula, Names, Premises};

@@ -14,7 +14,7 @@ mod warnings;
 
 use std::collections::BTreeMap;
 
-use slipmode_core::polynomial::{Certificate, Expression, Proof, Symbol};
+use slipmode_algebra::{Certificate, Expression, Proof, Symbol};
 use slipmode_core::theory::Equations;
 
 use crate::claims::over_rows;

@@ -1,6 +1,6 @@
 //! Statements on the motions of a system: the hypotheses of a general lemma are certified, its conclusion is argued.
 
-use slipmode_core::polynomial::{Domain, Expression, Literal, Sign, Symbol};
+use slipmode_algebra::{Domain, Expression, Literal, Sign, Symbol};
 use slipmode_core::theory::planar::{MotionLemma, PlanarSystem};
 use slipmode_core::theory::weak_instability::ThreeStates;
 

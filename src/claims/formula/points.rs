@@ -2,8 +2,8 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use slipmode_algebra::{Expression, Literal, Symbol};
 use slipmode_core::number::Rational;
-use slipmode_core::polynomial::{Expression, Literal, Symbol};
 
 use crate::scene::Premises;
 

@@ -2,7 +2,7 @@
 
 use std::cell::Cell;
 
-use slipmode_core::polynomial::{
+use slipmode_algebra::{
     Certificate, Domain, Expression, Extent, Function, Literal, Proof, Relation, Sign, Symbol,
 };
 

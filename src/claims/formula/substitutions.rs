@@ -2,9 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use slipmode_core::polynomial::{
-    Domain, Expression, Function, Polynomial, RationalFunction, Relation, Symbol,
-};
+use slipmode_algebra::{Domain, Expression, Function, Polynomial, RationalFunction, Relation, Symbol};
 
 /// The domain as it is, and with substitutions that reach every point of its conditions.
 ///

@@ -2,8 +2,8 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use slipmode_core::polynomial::coq::Theorem;
-use slipmode_core::polynomial::{Domain, Expression};
+use slipmode_algebra::coq::Theorem;
+use slipmode_algebra::{Domain, Expression};
 use slipmode_core::theory::Equations;
 
 use super::*;

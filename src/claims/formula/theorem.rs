@@ -5,8 +5,8 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::sync::LazyLock;
 
 use sha2::{Digest, Sha256};
-use slipmode_core::polynomial::coq::{self, Theorem};
-use slipmode_core::polynomial::{Certificate, Expression, Literal, Proof, Sign, Symbol, Toward};
+use slipmode_algebra::coq::{self, Theorem};
+use slipmode_algebra::{Certificate, Expression, Literal, Proof, Sign, Symbol, Toward};
 use slipmode_core::theory::Equations;
 
 use crate::scene::{ClaimFormula, Comparison, Formula, Names, Premises, Statement};

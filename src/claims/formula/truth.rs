@@ -2,7 +2,7 @@
 
 use std::cell::RefCell;
 
-use slipmode_core::polynomial::{Certificate, Domain, Expression, Literal, Proof, Sign, SignFormula};
+use slipmode_algebra::{Certificate, Domain, Expression, Literal, Proof, Sign, SignFormula};
 
 use super::Problem;
 use super::lowering::{Lowered, words};

@@ -1,6 +1,6 @@
 //! Warnings about formulas that may say less than they seem to.
 
-use slipmode_core::polynomial::Expression;
+use slipmode_algebra::Expression;
 use slipmode_core::theory::Equations;
 
 use super::lowering::{Lowered, words};

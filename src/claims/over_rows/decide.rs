@@ -2,9 +2,9 @@
 
 use std::collections::BTreeSet;
 
+use slipmode_algebra::{Expression, Function, Symbol};
 use slipmode_core::number::format::round_digits;
 use slipmode_core::number::{Ball, Rational};
-use slipmode_core::polynomial::{Expression, Function, Symbol};
 use slipmode_plot::table::Table;
 
 use super::arithmetic::{BITS, compared, correlation, magnitude};

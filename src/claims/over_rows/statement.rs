@@ -14,8 +14,8 @@
 
 use std::collections::BTreeSet;
 
+use slipmode_algebra::{Expression, Function, Symbol};
 use slipmode_core::number::{Rational, parse_decimal};
-use slipmode_core::polynomial::{Expression, Function, Symbol};
 
 use crate::scene::{Comparison, Formula, Names, nearest};
 use slipmode_plot::table::{Column, Kind};

@@ -2,8 +2,8 @@
 
 use std::collections::BTreeMap;
 
+use slipmode_algebra::Symbol;
 use slipmode_core::number::{Ball, Rational, parse_decimal};
-use slipmode_core::polynomial::Symbol;
 use slipmode_plot::table::{Cell, Column, Kind, Table};
 
 use super::arithmetic::{BITS, around};

@@ -17,7 +17,7 @@ pub(crate) const BITS: u32 = 160;
 /// Digits of the roots, for the same reason.
 pub(crate) const ROOT_DIGITS: u32 = 40;
 
-slipmode_core::named! {
+slipmode_algebra::named! {
     /// Which of the two real directions of a mode a run starts along; a real root has only the first.
     #[derive(Debug, Clone, Copy, PartialEq, Eq)]
     pub enum Direction {

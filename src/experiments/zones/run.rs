@@ -9,7 +9,7 @@ use slipmode_core::stability::{Asymptote, SlipMode, SpectralClass};
 /// ω/ω_n of the thresholds whose effect on the map is reported, besides the default √(1/2).
 const FREQUENCY_RATIOS: [f64; 7] = [0.1, 0.3, 0.5, std::f64::consts::FRAC_1_SQRT_2, 0.9, 0.95, 0.99];
 
-slipmode_core::named! {
+slipmode_algebra::named! {
     /// A line that could divide inertial from non-inertial oscillation in fig 7. The paper's text gives no equation for it.
     #[derive(Debug, Clone, Copy, PartialEq, Eq)]
     pub enum InertialLine {

@@ -1,6 +1,6 @@
 //! The grammar of formulas: every fault has the column at which it was found.
 
-use slipmode_core::polynomial::{Expression, Symbol, Toward};
+use slipmode_algebra::{Expression, Symbol, Toward};
 use slipmode_core::theory::root_location::RootStatement;
 
 use super::{Comparison, Crossing, Formula, Statement};

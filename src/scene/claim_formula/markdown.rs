@@ -1,6 +1,6 @@
 //! Formulas as readers see them: words, and LaTeX between `$`.
 
-use slipmode_core::polynomial::{Expression, Toward};
+use slipmode_algebra::{Expression, Toward};
 
 use super::{ClaimFormula, Comparison, Formula, FormulaCondition, Statement};
 

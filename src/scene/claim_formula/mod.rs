@@ -23,10 +23,8 @@ mod premises;
 
 use std::cmp::Ordering;
 
+use slipmode_algebra::{ConversionError, Expression, Extent, Literal, Sign, SignFormula, Symbol, Toward};
 use slipmode_core::number::Rational;
-use slipmode_core::polynomial::{
-    ConversionError, Expression, Extent, Literal, Sign, SignFormula, Symbol, Toward,
-};
 use slipmode_core::theory::Equations;
 use slipmode_core::theory::root_location::{MOST_DEGREE, RootStatement, coefficients};
 
@@ -140,7 +138,7 @@ pub struct Crossing {
     pub frequency: Expression,
 }
 
-slipmode_core::named! {
+slipmode_algebra::named! {
     /// How two sides compare.
     #[derive(Debug, Clone, Copy, PartialEq, Eq)]
     pub enum Comparison {

@@ -2,8 +2,8 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use slipmode_algebra::{Condition, Domain, Expression, Literal, Relation, Sign, Symbol};
 use slipmode_core::number::Rational;
-use slipmode_core::polynomial::{Condition, Domain, Expression, Literal, Relation, Sign, Symbol};
 use slipmode_core::theory::Equations;
 
 use super::{Comparison, Scope};

@@ -35,7 +35,7 @@ pub struct ColumnStatistics {
     pub statistics: Vec<Statistic>,
 }
 
-slipmode_core::named! {
+slipmode_algebra::named! {
     /// What is kept of the numbers of a column.
     #[derive(Debug, Clone, Copy, PartialEq, Eq)]
     pub enum Statistic {

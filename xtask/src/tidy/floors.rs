@@ -10,16 +10,7 @@ type Floors = &'static [(&'static str, u32)];
 const LIBRARIES: [(&str, Floors); 3] = [
     (
         "crates/core/src/",
-        &[
-            ("named", 0),
-            ("number", 0),
-            ("polynomial", 1),
-            ("roots", 2),
-            ("friction", 3),
-            ("theory", 4),
-            ("stability", 4),
-            ("dynamics", 4),
-        ],
+        &[("number", 0), ("roots", 1), ("friction", 2), ("theory", 3), ("stability", 3), ("dynamics", 3)],
     ),
     ("crates/plot/src/", &[("table", 0), ("figure", 1)]),
     (

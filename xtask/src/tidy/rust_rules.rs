@@ -21,7 +21,7 @@ const NEAR_INPUT: [&str; 7] = [
     "src/report",
     "src/archive",
     "crates/plot/src/table",
-    "crates/core/src/number/decimal.rs",
+    "crates/algebra/src/number/decimal.rs",
 ];
 
 /// The one place for `unsafe`: the dispatch to a function compiled for the machine's vector unit.

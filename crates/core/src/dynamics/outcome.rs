@@ -19,7 +19,7 @@ pub(super) struct Errors {
     pub drop: f64,
 }
 
-crate::named! {
+slipmode_algebra::named! {
     /// The long-term behaviour in one word.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
     pub enum Behaviour {

@@ -2,7 +2,7 @@
 
 use super::{Model, Scalar, State};
 
-crate::named! {
+slipmode_algebra::named! {
     /// How a start at a velocity other than V_l is completed: what the state and the spring are doing at that moment.
     ///
     /// ```

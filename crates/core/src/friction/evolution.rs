@@ -1,6 +1,6 @@
 //! The two laws by which the frictional state evolves (eqs 2 and 3).
 
-crate::named! {
+slipmode_algebra::named! {
     /// How the state variable θ evolves; both laws share the steady state θ = D_c/V and the linearisation about it.
     ///
     /// ```

@@ -1,6 +1,6 @@
 //! The names of the slip modes: the linear theory and the simulation use the same words without knowing each other.
 
-crate::named! {
+slipmode_algebra::named! {
     /// How the slider slips, in the words of the paper's figures 1 and 7.
     ///
     /// ```

@@ -3,7 +3,7 @@
 //! Leading zeros are no digits: `0.0001121154052894597` has 16 of them, and costs what `1.121154052894597e-4` does.
 
 use super::Dd;
-use super::decimal::MAX_DIGITS;
+use super::MAX_DIGITS;
 
 /// Digits that a u64 holds whatever they are.
 const DIGITS_OF_WORD: usize = 19;

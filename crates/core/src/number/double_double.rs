@@ -9,8 +9,8 @@ use std::ops::Neg;
 
 use rug::{Float, Rational};
 
-use super::operators::implement_operators;
 use super::{Field, Real};
+use slipmode_algebra::implement_operators;
 
 /// The number `hi + lo` with |lo| ≤ ulp(hi)/2.
 #[derive(Debug, Clone, Copy, PartialEq, PartialOrd, Default)]

@@ -8,27 +8,21 @@
 //! assert_eq!(nearest_f64(&parse_decimal("0.1").unwrap()), 0.1);
 //! ```
 
-mod ball;
-mod ball_arithmetic;
 mod dd_decimal;
-mod decimal;
 mod double_double;
-mod field;
 #[doc(hidden)]
 pub mod format;
 mod interval;
-mod magnitude;
-mod operators;
 #[doc(hidden)]
 pub mod split_mix;
 mod wide;
 
-pub use ball::{Ball, bits_for_digits};
 #[doc(hidden)]
 pub use dd_decimal::parse_decimal_to_dd;
-pub use decimal::{DecimalError, MAX_DIGITS, MAX_EXPONENT, nearest_f64, parse_decimal};
 pub use double_double::Dd;
-pub use field::{Field, Real};
 pub(crate) use interval::{Interval, Rectangle};
-pub use rug::Rational;
+pub use slipmode_algebra::number::{
+    Ball, DecimalError, Field, MAX_DIGITS, MAX_EXPONENT, Rational, Real, bits_for_digits, nearest_f64,
+    parse_decimal,
+};
 pub use wide::Wide;

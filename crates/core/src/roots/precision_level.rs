@@ -1,6 +1,6 @@
 //! The precision levels, from the fastest arithmetic to the one that is always right.
 
-crate::named! {
+slipmode_algebra::named! {
     /// Which arithmetic gave an answer; a higher level is slower and decides more.
     ///
     /// ```

@@ -7,7 +7,7 @@ use crate::friction::{OperatingPoint, Slider};
 use crate::number::Real;
 use crate::stability::Arc;
 
-crate::named! {
+slipmode_algebra::named! {
     /// One of the asymptotes of max Im(s) = 0.
     ///
     /// ```

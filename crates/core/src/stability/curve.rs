@@ -1,6 +1,6 @@
 //! The two arcs of the boundary max Im(s) = 0.
 
-crate::named! {
+slipmode_algebra::named! {
     /// A connected piece of the boundary in the (V0, σ) plane.
     ///
     /// ```

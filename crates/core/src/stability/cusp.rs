@@ -5,7 +5,7 @@ use std::cmp::Ordering;
 use rug::{Float, Rational};
 
 use crate::number::Ball;
-use crate::polynomial::{horner, polish};
+use slipmode_algebra::{horner, polish};
 
 /// x = −1 − r of the cusp of a given β: the only positive root of x³ = β(3x + 2). The relative radius is at most 2^−bits.
 #[must_use]

@@ -15,10 +15,10 @@ use std::cmp::Ordering;
 use rug::Rational;
 
 use crate::number::Ball;
-use crate::polynomial::{enclose_root, horner};
 use crate::stability::cusp::cusp_abscissa;
 use crate::stability::parameter_coefficients::Given;
 use crate::stability::{Arc, ArcFrame, Asymptote};
+use slipmode_algebra::{enclose_root, horner};
 
 /// An equation for λ on one arc.
 #[derive(Debug, Clone)]

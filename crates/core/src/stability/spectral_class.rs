@@ -1,6 +1,6 @@
 //! The four areas of the paper's figure 1, and the line between stable and unstable.
 
-crate::named! {
+slipmode_algebra::named! {
     /// What the three roots of eq 8 say, decided by two signs.
     ///
     /// ```

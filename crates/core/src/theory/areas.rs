@@ -4,9 +4,9 @@ use super::boundary::cubic_discriminant;
 use super::notation::{any, formula, in_groups};
 use super::real_roots::{by_roots, case, lower_area, upper_area};
 use super::{Equations, boundary, transition};
-use crate::polynomial::{Domain, Expression, Proof, Refutation};
+use slipmode_algebra::{Domain, Expression, Proof, Refutation};
 
-crate::named! {
+slipmode_algebra::named! {
     /// Which of a and b is the larger one.
     #[derive(Debug, Clone, Copy, PartialEq, Eq)]
     pub enum Effects {

@@ -7,7 +7,7 @@ use super::Equations;
 use super::boundary::{Curve, cubic_discriminant, curve};
 use super::inertial::velocity_ratio;
 use super::notation::{formula, given_nonzero, in_groups, rational};
-use crate::polynomial::{
+use slipmode_algebra::{
     Certificate, Domain, Expression, Polynomial, Proof, RationalFunction, Refutation, Relation, Series,
     Symbol,
 };

@@ -5,7 +5,7 @@ use super::notation::{
     coefficients, cubic, discriminant_of_cubic, formula, given_nonzero, given_positive, in_parameters,
     rational, simplified,
 };
-use crate::polynomial::{
+use slipmode_algebra::{
     Domain, Expression, Polynomial, Proof, RationalFunction, Refutation, Relation, Symbol,
 };
 

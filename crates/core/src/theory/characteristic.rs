@@ -8,7 +8,7 @@ use super::notation::{any, formula};
 use super::steady_state;
 use crate::friction::EvolutionLaw;
 use crate::friction::Parameters;
-use crate::polynomial::{Expression, Proof, RationalFunction, Refutation, Symbol};
+use slipmode_algebra::{Expression, Proof, RationalFunction, Refutation, Symbol};
 
 /// Solutions e^(st) of the linearised slider obey eq 8, for both evolution laws (claim L3).
 ///

@@ -4,7 +4,7 @@ use super::boundary::cubic_discriminant;
 use super::notation::{formula, in_groups};
 use super::sufficient_inertia::sharp_bound;
 use super::{Equations, transition};
-use crate::polynomial::{Certificate, Domain, Expression, Proof, Refutation, Symbol};
+use slipmode_algebra::{Certificate, Domain, Expression, Proof, Refutation, Symbol};
 
 /// η > 1 as a criterion of underdamped oscillation: where it is sufficient, and that it is not necessary (claim Z2).
 ///

@@ -4,7 +4,7 @@
 //! quantities of one of the two cases at least. The proofs state which case they are about. Other conditions are written beside it.
 
 use super::notation::formula;
-use crate::polynomial::{Condition, Demand, Domain, Expression, Extent, Relation, Symbol};
+use slipmode_algebra::{Condition, Demand, Domain, Expression, Extent, Relation, Symbol};
 
 /// What a side of an equation may come to when it is multiplied out. The largest side of the paper has 8 terms and degree 14.
 const LARGEST: Extent = Extent { terms: 16, degree: 24, bits: 4096 };

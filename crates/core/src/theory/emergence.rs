@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use super::Equations;
 use crate::friction::Slider;
 use crate::number::{Ball, Rational};
-use crate::polynomial::Symbol;
+use slipmode_algebra::Symbol;
 
 /// The velocity at which an equation is met at this σ, m/s, enclosed.
 ///

@@ -6,7 +6,7 @@ use std::sync::{Arc, LazyLock};
 use super::definitions::{self, Rest};
 use super::names::Names;
 use super::reading::{self, EquationsText};
-use crate::polynomial::{Condition, Domain, Expression};
+use slipmode_algebra::{Condition, Domain, Expression};
 
 /// One equation of a paper.
 #[derive(Debug, Clone, PartialEq, Eq)]

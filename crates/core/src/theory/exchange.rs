@@ -6,7 +6,7 @@ use super::notation::{
     SQUARE_MASS, SQUARE_STIFFNESS, any, below, discriminant_of_cubic, formula, in_parameters, strengthening,
     weakening,
 };
-use crate::polynomial::{Certificate, Expression, Proof, Refutation, Relation, Symbol};
+use slipmode_algebra::{Certificate, Expression, Proof, Refutation, Relation, Symbol};
 
 /// What becomes of one equation when a and b are exchanged.
 #[derive(Debug, Clone, PartialEq, Eq)]

@@ -5,7 +5,7 @@ use super::notation::{
     any, coefficients, crossing, cubic, formula, given_nonzero, given_positive, in_groups, in_parameters,
     weakening_by_square,
 };
-use crate::polynomial::{Domain, Expression, Proof, Refutation};
+use slipmode_algebra::{Domain, Expression, Proof, Refutation};
 
 /// Im(s) never reaches ω_n: |s|² = ω_n²/|t| with a real root t < −1 (claim Q1).
 ///

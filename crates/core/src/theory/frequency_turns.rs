@@ -13,7 +13,7 @@ use super::Equations;
 use super::boundary::solve_for_groups;
 use super::notation::{coefficients, cubic, formula, rational};
 use crate::number::{Ball, Field};
-use crate::polynomial::{
+use slipmode_algebra::{
     Expression, IsolatingInterval, Polynomial, Proof, RationalFunction, Refutation, Symbol,
     UnivariatePolynomial, discriminant, resultant,
 };
@@ -200,7 +200,7 @@ fn groups_of_pair(
 }
 
 fn in_place(proof: &Proof, text: &str) -> Result<RationalFunction, Refutation> {
-    rational(proof, &["8"], &formula(text), &crate::polynomial::Domain::default())
+    rational(proof, &["8"], &formula(text), &slipmode_algebra::Domain::default())
 }
 
 fn undecided(proof: &Proof, found: &str) -> Refutation {

@@ -4,7 +4,7 @@ use super::notation::{
     SQUARE_MASS, SQUARE_STIFFNESS, any, coefficients, formula, in_parameters, strengthening, weakening,
 };
 use super::{Equation, Equations};
-use crate::polynomial::{Domain, Expression, Proof, Refutation, Toward};
+use slipmode_algebra::{Domain, Expression, Proof, Refutation, Toward};
 
 /// D_c → 0 turns eq 8 into eq 17, whose roots are complex exactly for velocities above eq 18 (claim B4).
 ///

@@ -3,7 +3,7 @@
 use super::Equations;
 use super::notation::formula;
 use crate::friction::EvolutionLaw;
-use crate::polynomial::{Expression, Symbol};
+use slipmode_algebra::{Expression, Symbol};
 
 /// The moving variables, their steady values, and the names of their perturbations.
 fn perturbations(equations: &Equations) -> [(&'static str, Expression, &'static str); 5] {

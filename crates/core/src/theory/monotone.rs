@@ -8,7 +8,7 @@ use super::notation::{
     any, cubic, formula, given_positive, in_parameters, simplified, stronger_direct_effect,
     weaker_direct_effect,
 };
-use crate::polynomial::{Domain, Expression, Proof, Refutation, Symbol};
+use slipmode_algebra::{Domain, Expression, Proof, Refutation, Symbol};
 
 /// The inertia and the spring in G, M V0² w/σ + K/(σ w).
 const MACHINE: &str = "M*V_0^2*w/sigma + K/(sigma*w)";

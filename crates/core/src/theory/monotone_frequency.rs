@@ -2,7 +2,7 @@
 
 use super::Equations;
 use super::notation::{cubic, formula, given_nonzero};
-use crate::polynomial::{Domain, Expression, Proof, Refutation, Symbol};
+use slipmode_algebra::{Domain, Expression, Proof, Refutation, Symbol};
 
 /// (ω/ω_n)² of the roots −q and x ± iy with W = x² + y²: y²/(q W).
 const RATIO: &str = "(W - x^2)/(q*W)";

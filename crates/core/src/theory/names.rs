@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::Equation;
 use super::derivation::System;
 use super::units::Units;
-use crate::polynomial::{Condition, Expression, Proof, Symbol};
+use slipmode_algebra::{Condition, Expression, Proof, Symbol};
 
 /// What a name means.
 #[derive(Debug, Clone, PartialEq, Eq)]

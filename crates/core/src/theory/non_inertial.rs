@@ -5,7 +5,7 @@ use super::notation::{
     any, below, coefficients, crossing, formula, given_positive, in_parameters, weakening,
     weakening_by_square,
 };
-use crate::polynomial::{Domain, Expression, Proof, Refutation, Symbol, Toward};
+use slipmode_algebra::{Domain, Expression, Proof, Refutation, Symbol, Toward};
 
 /// At σ = σ_c the frequency begins as eq 23 and rises strictly with velocity towards ω_n (claim Q3).
 ///

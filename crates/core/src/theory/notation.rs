@@ -2,7 +2,7 @@
 
 use super::Equations;
 use super::root_location::polynomial_coefficients;
-use crate::polynomial::{
+use slipmode_algebra::{
     Domain, Expression, Polynomial, Proof, RationalFunction, Refutation, Relation, Symbol, discriminant,
 };
 

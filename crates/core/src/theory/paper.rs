@@ -4,7 +4,7 @@
 //! Avouac, in its variables.
 
 use super::{Equation, EquationFault, Equations, EquationsError};
-use crate::polynomial::Expression;
+use slipmode_algebra::Expression;
 
 /// Every equation that must be there, with the name that stands alone on its left side, if one does.
 const REQUIRED: [(&str, Option<&str>); 28] = [

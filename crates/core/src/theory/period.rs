@@ -4,7 +4,7 @@ use rug::Rational;
 
 use super::Equations;
 use super::notation::formula;
-use crate::polynomial::{Domain, Expression, Proof, Refutation, Symbol};
+use slipmode_algebra::{Domain, Expression, Proof, Refutation, Symbol};
 
 /// ω_n for given K and M, and rational bounds of the natural period.
 #[derive(Debug, Clone, PartialEq, Eq)]

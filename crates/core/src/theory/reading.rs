@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::derivation::{is_name, read_condition};
 use super::{Equation, EquationFault, definedness};
-use crate::polynomial::{Condition, Domain, Expression};
+use slipmode_algebra::{Condition, Domain, Expression};
 
 /// The most equations of a file: each costs a proof that it has a value.
 const MOST: usize = 500;

@@ -6,7 +6,7 @@
 use super::Equations;
 use super::areas::Effects;
 use super::notation::{cubic, formula, given_nonzero, given_positive, in_parameters};
-use crate::polynomial::{Certificate, Domain, Expression, Proof, Refutation, Symbol};
+use slipmode_algebra::{Certificate, Domain, Expression, Proof, Refutation, Symbol};
 
 /// Real roots of eq 8, named by x_i = −1 − p_i, determine η, κ and β, and have one relation.
 ///

@@ -3,7 +3,7 @@
 use super::Equations;
 use super::notation::{any, formula};
 use crate::friction::EvolutionLaw;
-use crate::polynomial::{Domain, Proof, Refutation, Toward};
+use slipmode_algebra::{Domain, Proof, Refutation, Toward};
 
 /// Adds that both laws rest at the steady state, which every linearisation about it presupposes.
 ///

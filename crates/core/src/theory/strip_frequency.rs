@@ -9,11 +9,11 @@ use super::notation::{
     any, coefficients, cubic, formula, given_nonzero, in_groups, rational, strengthening, weakening,
 };
 use crate::number::{Ball, Rational};
-use crate::polynomial::{
+use rug::Float;
+use slipmode_algebra::{
     Coefficients, Domain, Expression, IsolatingInterval, Polynomial, Proof, Refutation, Symbol,
     UnivariatePolynomial, discriminant, horner, resultant,
 };
-use rug::Float;
 
 /// Without inertia the largest frequency is √(b/a) V0/D_c at σ = K D_c/(a + b); with inertia it has a bound (claim Q6).
 ///

@@ -5,7 +5,7 @@ use super::areas::Effects;
 use super::notation::{cubic, formula, given_positive, in_parameters};
 use super::real_roots::{below_minus_one, by_roots, case};
 use crate::number::{Ball, Rational};
-use crate::polynomial::{Domain, Expression, Proof, Refutation, Symbol, Toward, UnivariatePolynomial};
+use slipmode_algebra::{Domain, Expression, Proof, Refutation, Symbol, Toward, UnivariatePolynomial};
 
 /// S(η), positive for η below η_c and negative above.
 const THRESHOLD: &str = "(1 - 2*eta)^3 - 27*beta*eta^2";

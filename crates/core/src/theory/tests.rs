@@ -4,7 +4,7 @@ use rug::Rational;
 
 use super::equations::tests::paper;
 use super::*;
-use crate::polynomial::{Expression, Proof, Refutation, Symbol, UnivariatePolynomial};
+use slipmode_algebra::{Expression, Proof, Refutation, Symbol, UnivariatePolynomial};
 
 type Prover = fn(&Equations) -> Result<Proof, Refutation>;
 
@@ -86,13 +86,13 @@ fn sturm_sequences_count_the_same_areas_on_lines_of_fixed_inertial_parameter() {
         let line = point.iter().fold(discriminant.clone(), |line, (name, value)| {
             line.substitute(
                 &Symbol::new(name),
-                &crate::polynomial::Polynomial::constant(Rational::from(*value)),
+                &slipmode_algebra::Polynomial::constant(Rational::from(*value)),
             )
         });
         let coefficients = line
             .coefficients(&Symbol::new("kappa"))
             .iter()
-            .filter_map(crate::polynomial::Polynomial::as_constant)
+            .filter_map(slipmode_algebra::Polynomial::as_constant)
             .collect();
         UnivariatePolynomial::new(coefficients).isolate_positive_roots().len()
     };
@@ -111,11 +111,11 @@ fn the_sufficient_inertial_parameter_is_where_sturm_sequences_lose_two_roots() {
         let bound = sufficient_inertia::sufficient_inertial_parameter(&beta, 100).expect("one root");
         let near = bound.centre().to_rational().expect("finite");
         let ends = |eta: Rational| {
-            let number = |value: &Rational| crate::polynomial::Polynomial::constant(value.clone());
+            let number = |value: &Rational| slipmode_algebra::Polynomial::constant(value.clone());
             let line = discriminant.substitute(&Symbol::new("beta"), &number(&beta));
             let line = line.substitute(&Symbol::new("eta"), &number(&eta));
             let coefficients = line.coefficients(&Symbol::new("kappa"));
-            let values = coefficients.iter().filter_map(crate::polynomial::Polynomial::as_constant);
+            let values = coefficients.iter().filter_map(slipmode_algebra::Polynomial::as_constant);
             UnivariatePolynomial::new(values.collect()).isolate_positive_roots().len()
         };
         let step = Rational::from((1, 1_000_000_000));

@@ -3,7 +3,7 @@
 use super::Equations;
 use super::notation::{any, coefficients, formula, rational, stronger_direct_effect};
 use super::root_location::positive_coefficients;
-use crate::polynomial::{Expression, Proof, Refutation, Symbol};
+use slipmode_algebra::{Expression, Proof, Refutation, Symbol};
 
 /// The system is stable exactly when K > K_c of eq 9, and a pair is imaginary exactly when K = K_c (claim S1).
 ///

@@ -5,7 +5,7 @@ use std::fmt;
 
 use rug::Rational;
 
-use crate::polynomial::{Expression, Function, Symbol};
+use slipmode_algebra::{Expression, Function, Symbol};
 
 /// Powers of kg, m and s.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]

@@ -4,7 +4,7 @@ use super::System;
 use super::hopf::expansion::{Conditions, in_basis, solve, taylor_part};
 use super::hopf::projection::{Critical, Vector, coefficient};
 use super::notation::{formula, simplified};
-use crate::polynomial::{Domain, Expression, Proof, Refutation, Symbol};
+use slipmode_algebra::{Domain, Expression, Proof, Refutation, Symbol};
 
 /// Three equations of first order with a steady state.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -152,7 +152,7 @@ fn eigenvector(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::polynomial::Relation;
+    use slipmode_algebra::Relation;
 
     /// The slider with mass in the units A = L = V = 1, on K = K_c with B = 1 + w² and M = eta.
     fn slider(law: &str) -> ThreeStates {

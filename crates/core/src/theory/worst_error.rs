@@ -4,7 +4,7 @@ use super::Equations;
 use super::boundary::curve;
 use super::inertial::velocity_ratio;
 use super::notation::{formula, given_nonzero, in_groups};
-use crate::polynomial::{Domain, Expression, Proof, Refutation, Symbol};
+use slipmode_algebra::{Domain, Expression, Proof, Refutation, Symbol};
 
 /// The errors of eqs 16 and 20 are largest at the cusp, those of eqs 15 and 18 at the V0 of their corner (claim Z5).
 ///

@@ -9,10 +9,10 @@ use rug::Rational;
 
 use crate::friction::{Groups, Slider};
 use crate::number::{Ball, Field, bits_for_digits};
-use crate::polynomial::{IsolatingInterval, UnivariatePolynomial};
 use crate::roots::discriminant;
 use crate::stability::Arc;
 use crate::stability::boundary::{Crossing, Section};
+use slipmode_algebra::{IsolatingInterval, UnivariatePolynomial};
 
 /// Bits beyond the digits requested, for the arithmetic after the root is known.
 const GUARD_BITS: u32 = 24;

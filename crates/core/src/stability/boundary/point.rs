@@ -5,7 +5,7 @@ use crate::number::{Ball, Field, Real};
 use crate::stability::logarithm::log10_one_plus;
 use crate::stability::{Arc, ArcFrame, Asymptote};
 
-crate::named! {
+slipmode_algebra::named! {
     /// What a point of the boundary is remarkable for.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
     pub enum Mark {

@@ -6,7 +6,7 @@ use rug::Float;
 
 use super::start::Start;
 use crate::number::Ball;
-use crate::polynomial::{derivative, horner};
+use slipmode_algebra::{derivative, horner};
 
 /// Bits of an arithmetic beyond those that a result has to have.
 const SPARE_BITS: u32 = 8;

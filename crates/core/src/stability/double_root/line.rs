@@ -18,8 +18,8 @@ use super::start::{Start, root_between, values};
 use super::unknown::unknown;
 use super::work::Work;
 use crate::number::{Ball, Dd, Field};
-use crate::polynomial::horner;
 use crate::stability::Arc;
+use slipmode_algebra::horner;
 
 /// Bits of the unknown beyond those requested: what its evaluation and the bound of its error lose.
 const SPARE_BITS: u32 = 12;

@@ -4,8 +4,8 @@ use rug::Rational;
 
 use crate::friction::Parameters;
 use crate::number::Field;
-use crate::polynomial::UnivariatePolynomial;
 use crate::stability::inverse::Unknown;
+use slipmode_algebra::UnivariatePolynomial;
 
 /// The coefficients of eq 8 in s as polynomials in the unknown, times V0 where V0 is the unknown.
 pub(super) struct Family {

@@ -8,13 +8,13 @@ use std::sync::Arc;
 use rug::Rational;
 
 use crate::number::{Ball, Field};
-use crate::polynomial::{
-    IsolatingInterval, Monomial, Polynomial, Symbol, UnivariatePolynomial, discriminant, horner,
-};
 use crate::roots;
 use crate::stability::inverse::Undecided;
 use crate::stability::inverse::family::{Family, skew, spread};
 use crate::stability::inverse::root::{MOST_BITS, Root};
+use slipmode_algebra::{
+    IsolatingInterval, Monomial, Polynomial, Symbol, UnivariatePolynomial, discriminant, horner,
+};
 
 /// Precision of the first attempt, in bits.
 const FIRST_BITS: u32 = 128;

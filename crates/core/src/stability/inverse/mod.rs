@@ -20,15 +20,15 @@ use thiserror::Error;
 
 use crate::friction::Parameters;
 use crate::number::{Ball, bits_for_digits};
-use crate::polynomial::UnivariatePolynomial;
 use crate::roots::discriminant;
 use crate::stability::Arc;
 use family::{Family, hurwitz, shifted};
 use frequency::FrequencyCondition;
 pub use over_box::{SolutionRange, solve_over_box};
 use root::Root;
+use slipmode_algebra::UnivariatePolynomial;
 
-crate::named! {
+slipmode_algebra::named! {
     /// What is solved for; every solution is positive.
     #[derive(Debug, Clone, Copy, PartialEq, Eq)]
     pub enum Unknown {
@@ -68,7 +68,7 @@ pub enum Target {
     Frequency(Rational),
 }
 
-crate::named! {
+slipmode_algebra::named! {
     /// Which roots of eq 8 a solution is about.
     #[derive(Debug, Clone, Copy, PartialEq, Eq)]
     pub enum SolutionKind {

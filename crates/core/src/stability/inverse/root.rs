@@ -6,9 +6,9 @@ use std::sync::Arc;
 use rug::Rational;
 
 use crate::number::Ball;
-use crate::polynomial::{IsolatingInterval, UnivariatePolynomial, enclose_root, horner};
 use crate::stability::inverse::Undecided;
 use crate::stability::inverse::frequency::{FrequencyCondition, squared_angular_frequency};
+use slipmode_algebra::{IsolatingInterval, UnivariatePolynomial, enclose_root, horner};
 
 /// The most bits with which a sign is tried.
 pub(super) const MOST_BITS: u32 = 1 << 20;

@@ -17,7 +17,7 @@ use super::corners::{A, B, Corner, D, Filtered, K, M, Point, S, V};
 use super::polynomials::Lines;
 use super::tensor::Tensor;
 use crate::number::Rational;
-use crate::polynomial::{SturmSequence, UnivariatePolynomial};
+use slipmode_algebra::{SturmSequence, UnivariatePolynomial};
 
 /// The corner that is least in the order.
 pub(super) const LEAST: Corner = Corner::high(&[A, B, S]);

@@ -6,7 +6,7 @@ use crate::number::split_mix::SplitMix64;
 use crate::number::{Dd, Rational, nearest_f64};
 use crate::stability::{InertialThreshold, classify, classify_quickly};
 
-crate::named! {
+slipmode_algebra::named! {
     /// How values are distributed about the middle of their error bars, each on its own.
     #[derive(Debug, Clone, Copy, PartialEq, Eq)]
     pub enum Distribution {

@@ -4,7 +4,7 @@ use rug::Integer;
 
 use super::coefficient::Coefficient;
 use crate::number::Rational;
-use crate::polynomial::UnivariatePolynomial;
+use slipmode_algebra::UnivariatePolynomial;
 
 /// The number of variables.
 pub(super) const AXES: usize = 3;

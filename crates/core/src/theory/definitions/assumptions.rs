@@ -4,10 +4,10 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use rug::Rational;
 
-use crate::polynomial::{Condition, Domain, Expression, Relation, Symbol};
 use crate::theory::EquationFault;
 use crate::theory::derivation::read_condition;
 use crate::theory::reading::AssumptionsText;
+use slipmode_algebra::{Condition, Domain, Expression, Relation, Symbol};
 
 /// The positive variables and the conditions of a file, with values at which they hold.
 ///

@@ -14,8 +14,8 @@ use super::derivation::{Form, Operation, System, Work, derive, is_name, read_con
 use super::names::{Names, circle, defined_by_equations, in_order};
 use super::reading::{AssumptionsText, DefinitionText, SystemText};
 use super::{Equation, EquationFault};
-use crate::named::nearest;
-use crate::polynomial::{Condition, Domain, Expression, Function, Proof, Symbol};
+use slipmode_algebra::nearest;
+use slipmode_algebra::{Condition, Domain, Expression, Function, Proof, Symbol};
 
 /// The most definitions of a file, and the most systems.
 const MOST: usize = 200;

@@ -4,9 +4,9 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::Reader;
 use super::assumptions::with_conditions;
-use crate::polynomial::{Condition, Domain, Expression, Proof, Symbol};
 use crate::theory::derivation::{MOST_STATES, System, Work, is_name};
 use crate::theory::reading::SystemText;
+use slipmode_algebra::{Condition, Domain, Expression, Proof, Symbol};
 
 impl Reader<'_> {
     pub(super) fn read_systems(&mut self, known: &BTreeSet<Symbol>) -> BTreeMap<String, System> {

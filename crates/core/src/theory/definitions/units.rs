@@ -3,11 +3,11 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::{Forms, Reader};
-use crate::polynomial::{Condition, Expression, Symbol};
 use crate::theory::Equation;
 use crate::theory::derivation::{Form, Operation, System};
 use crate::theory::names::Defined;
 use crate::theory::units::{Dimension, Units};
+use slipmode_algebra::{Condition, Expression, Symbol};
 
 impl Reader<'_> {
     /// Checks the units of the file, where it has any: those of the variables are stated, the others follow.

@@ -2,7 +2,7 @@
 
 use super::system::{polynomial, written_out};
 use super::work::{Work, expression};
-use crate::polynomial::{
+use slipmode_algebra::{
     Expression, Function, Polynomial, RationalFunction, Symbol, determinant, discriminant,
 };
 

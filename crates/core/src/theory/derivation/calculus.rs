@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::work::{Work, expression};
-use crate::polynomial::{Condition, Expression, Relation, Symbol, Toward};
+use slipmode_algebra::{Condition, Expression, Relation, Symbol, Toward};
 
 /// A derivative, the other variables fixed.
 pub(super) fn derivative(f: &Expression, x: &Symbol, work: &mut Work) -> Result<Expression, String> {

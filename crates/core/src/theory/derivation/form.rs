@@ -2,9 +2,9 @@
 
 use std::collections::BTreeSet;
 
-use crate::polynomial::{Condition, Demand, Expression, ParseError, Symbol, Toward};
+use slipmode_algebra::{Condition, Demand, Expression, ParseError, Symbol, Toward};
 
-crate::named! {
+slipmode_algebra::named! {
     /// What can be derived by name.
     #[derive(Debug, Clone, Copy, PartialEq, Eq)]
     pub enum Operation {
@@ -222,7 +222,7 @@ fn arguments(text: &str, start: usize) -> Option<Vec<(usize, &str)>> {
 /// # Errors
 /// When there is not one of `<`, `>`, `<=`, `>=` and `!=`, or a side is not of the grammar.
 pub(in crate::theory) fn read_condition(text: &str) -> Result<Condition, String> {
-    use crate::polynomial::Relation::{NonNegative, NonZero, Positive};
+    use slipmode_algebra::Relation::{NonNegative, NonZero, Positive};
     let marks = [("<=", NonNegative, true), (">=", NonNegative, false), ("!=", NonZero, false)];
     let marks = marks.into_iter().chain([("<", Positive, true), (">", Positive, false)]);
     let found = marks.into_iter().find_map(|(mark, relation, swapped)| {

@@ -17,7 +17,7 @@ pub(super) use system::MOST_STATES;
 pub use system::System;
 pub(super) use work::Work;
 
-use crate::polynomial::{Expression, Extent, Symbol};
+use slipmode_algebra::{Expression, Extent, Symbol};
 
 /// What a definition may come to when it is multiplied out.
 const LARGEST: Extent = Extent { terms: 1000, degree: 64, bits: 4096 };

@@ -1,7 +1,7 @@
 //! Autonomous systems of first order: their steady state, and what follows from it.
 
 use super::work::Work;
-use crate::polynomial::{Expression, RationalFunction, Symbol};
+use slipmode_algebra::{Expression, RationalFunction, Symbol};
 
 /// An autonomous system of ordinary differential equations of first order.
 #[derive(Debug, Clone, PartialEq, Eq)]

@@ -1,7 +1,7 @@
 //! Derivations by name: what they give, how it is proved, and what is refused.
 
-use crate::polynomial::{Domain, Expression, Symbol};
 use crate::theory::Equations;
+use slipmode_algebra::{Domain, Expression, Symbol};
 
 /// The quasi-static slider with a general one-state law near steady sliding, and the one with mass.
 const FILE: &str = r#"

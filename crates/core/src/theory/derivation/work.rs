@@ -1,6 +1,6 @@
 //! A derivation at work: its assumptions, and the proof of what was found so far.
 
-use crate::polynomial::{Domain, Expression, Proof, RationalFunction, Relation, Symbol};
+use slipmode_algebra::{Domain, Expression, Proof, RationalFunction, Relation, Symbol};
 
 /// The assumptions and the proof of one definition.
 pub(in crate::theory) struct Work<'e> {
@@ -35,7 +35,7 @@ impl Work<'_> {
     /// With what remains when it does not hold.
     pub fn step(
         &mut self,
-        add: impl FnOnce(Proof, &[&str], &Domain) -> Result<Proof, crate::polynomial::Refutation>,
+        add: impl FnOnce(Proof, &[&str], &Domain) -> Result<Proof, slipmode_algebra::Refutation>,
     ) -> Result<(), String> {
         let equations: Vec<&str> = self.equations.iter().map(String::as_str).collect();
         let added = add(self.proof.clone(), &equations, &self.domain);
@@ -101,7 +101,7 @@ impl Work<'_> {
             }
             _ => {
                 let condition =
-                    crate::polynomial::Condition { expression: found.clone(), relation: Relation::NonZero };
+                    slipmode_algebra::Condition { expression: found.clone(), relation: Relation::NonZero };
                 match self.domain.proves(&condition) {
                     // x·(1/x) = 1 is refused where x may be zero.
                     Ok(true) => {

@@ -3,10 +3,10 @@
 use super::slider::{crossing_imaginary, crossing_real, on_transition};
 use crate::friction::EvolutionLaw;
 use crate::number::Rational;
-use crate::polynomial::{Domain, Expression, Proof, Refutation, Toward};
 use crate::theory::notation::{formula, given_positive, in_parameters};
+use slipmode_algebra::{Domain, Expression, Proof, Refutation, Toward};
 
-crate::named! {
+slipmode_algebra::named! {
     /// How a cycle is born where K = K_c is crossed.
     #[derive(Debug, Clone, Copy, PartialEq, Eq)]
     pub enum Criticality {

@@ -2,9 +2,9 @@
 
 use super::slider::{by_groups, derive};
 use crate::friction::EvolutionLaw;
-use crate::polynomial::{Domain, Proof, Refutation, Symbol};
 use crate::theory::Equations;
 use crate::theory::notation::formula;
+use slipmode_algebra::{Domain, Proof, Refutation, Symbol};
 
 /// The change of H by a force φ on the mass and by K ≠ K_c, and how Ω = Vθ/D_c moves along the closed orbits, both with the aging law.
 ///

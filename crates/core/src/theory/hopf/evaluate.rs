@@ -3,7 +3,7 @@
 use super::closed_form::square_amplitude as closed_square_amplitude;
 use crate::friction::EvolutionLaw;
 use crate::number::Rational;
-use crate::polynomial::Expression;
+use slipmode_algebra::Expression;
 
 /// A²/(K/K_c − 1) to leading order at this η and β, A the amplitude of ln(V/V_l): [`super::HopfCoefficient::square_amplitude`].
 /// Nothing where l_1 = 0.

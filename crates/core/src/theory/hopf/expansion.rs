@@ -1,7 +1,7 @@
 //! Taylor parts of expressions, and unknown coefficients found by the conditions that something vanishes.
 
-use crate::polynomial::{Domain, Expression, Polynomial, Proof, RationalFunction, Refutation, Symbol};
 use crate::theory::notation::{formula, rational};
+use slipmode_algebra::{Domain, Expression, Polynomial, Proof, RationalFunction, Refutation, Symbol};
 
 /// The homogeneous part of this degree of the Taylor series about zero, as derived: Euler's relation
 /// k T_k(f) = Σ x_j T_(k−1)(∂f/∂x_j) gives it from derivatives.

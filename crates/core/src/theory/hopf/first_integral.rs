@@ -3,9 +3,9 @@
 
 use super::slider::{by_groups, derive};
 use crate::friction::EvolutionLaw;
-use crate::polynomial::{Domain, Expression, Proof, Refutation, Symbol};
 use crate::theory::Equations;
 use crate::theory::notation::{formula, given_positive, in_parameters};
+use slipmode_algebra::{Domain, Expression, Proof, Refutation, Symbol};
 
 /// In the limit η → 0 every orbit near steady sliding is closed at K = K_c, and for K ≠ K_c none is, of whatever size.
 ///
@@ -101,7 +101,7 @@ fn extremum(proof: Proof, law: EvolutionLaw) -> Result<Proof, Refutation> {
     let (integral, factor) = integral(law);
     let whole = match law {
         EvolutionLaw::Aging => integral,
-        EvolutionLaw::Slip => integral * factor.call(crate::polynomial::Function::Exp),
+        EvolutionLaw::Slip => integral * factor.call(slipmode_algebra::Function::Exp),
     };
     let rest = |expression: Expression| expression.with("x", &formula("0")).with("y", &formula("0"));
     let second = |one: &str, other: &str| rest(slope(&slope(&whole, one), other));

@@ -5,10 +5,10 @@
 use super::expansion::{Conditions, solve, taylor_part};
 use super::slider::{by_groups, on_transition};
 use crate::friction::EvolutionLaw;
-use crate::polynomial::{Domain, Expression, Proof, Refutation, Symbol};
 use crate::theory::Equations;
 use crate::theory::linearisation::{evolution, motion};
 use crate::theory::notation::{formula, simplified};
+use slipmode_algebra::{Domain, Expression, Proof, Refutation, Symbol};
 
 /// u = V/V_0 − 1 with its first two rates, w = V_0 θ/D_c − 1 with its rate, in the time D_c/V_0.
 const MOTION: [&str; 5] = ["u", "u'", "u''", "w", "w'"];

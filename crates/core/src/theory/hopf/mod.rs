@@ -24,7 +24,7 @@ pub use path::along_velocity;
 use super::Equations;
 use super::notation::{formula, given_nonzero, simplified};
 use crate::friction::EvolutionLaw;
-use crate::polynomial::{Domain, Expression, Proof, Refutation};
+use slipmode_algebra::{Domain, Expression, Proof, Refutation};
 
 /// The cubic coefficient on K = K_c and what follows from it, as functions of `eta` and `omega` = √(β − 1).
 #[derive(Debug, Clone, PartialEq, Eq)]

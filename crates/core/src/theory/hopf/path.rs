@@ -1,8 +1,8 @@
 //! How η changes along K = K_c with rising velocity: the order in which the kinds of transition follow each other.
 
-use crate::polynomial::{Domain, Proof, Refutation, Symbol};
 use crate::theory::Equations;
 use crate::theory::notation::{formula, weaker_direct_effect};
+use slipmode_algebra::{Domain, Proof, Refutation, Symbol};
 
 /// Along K = K_c η rises with V_0: where the normal stress is the weight M g and K/M is set, and where K and M are given and σ is set.
 ///

@@ -1,8 +1,8 @@
 //! The cubic coefficient of the normal form of three equations by projection on the critical eigenvectors (Kuznetsov's formula).
 
 use super::expansion::{Conditions, in_basis, solve, taylor_part};
-use crate::polynomial::{Domain, Expression, Proof, Refutation, Symbol};
 use crate::theory::notation::{formula, simplified};
+use slipmode_algebra::{Domain, Expression, Proof, Refutation, Symbol};
 
 pub(in crate::theory) type Vector = [Expression; 3];
 

@@ -3,9 +3,9 @@
 use super::expansion::in_basis;
 use super::projection::Critical;
 use crate::friction::EvolutionLaw;
-use crate::polynomial::{Domain, Expression, Proof, Refutation, Symbol};
 use crate::theory::Equations;
 use crate::theory::notation::{any, cubic, formula, in_parameters, simplified};
+use slipmode_algebra::{Domain, Expression, Proof, Refutation, Symbol};
 
 /// x = ln(V/V_0), y = ln(V_0 θ/D_c) and ζ = (spring stress/σ − μ_0)/a.
 pub(super) const STATE: [&str; 3] = ["x", "y", "zeta"];

@@ -67,7 +67,7 @@ fn kind_is_the_sign_of_the_coefficient() {
         let real = closed_form::real(law);
         for (eta, omega) in [("1/100", "1/3"), ("1/8", "1/2"), ("13/100", "2"), ("1/7", "1/9"), ("5", "3")] {
             let value = real.with("eta", &formula(eta)).with("omega", &formula(omega));
-            let sign = crate::polynomial::Domain::default().sign(&value).expect("a number");
+            let sign = slipmode_algebra::Domain::default().sign(&value).expect("a number");
             let number = |text: &str| text.parse::<Rational>().expect("a fraction");
             let beta = number(omega).square() + 1;
             let expected = match Criticality::of(law, &number(eta), &beta) {

@@ -1,7 +1,7 @@
 //! Lemmas that rest on a quantity with one hilltop: conserved, or with a rate of one sign.
 
 use super::Steps;
-use crate::polynomial::{Expression, Refutation};
+use slipmode_algebra::{Expression, Refutation};
 
 /// Every motion is periodic.
 pub(super) fn periodic(steps: &mut Steps<'_>, quantity: &Expression) -> Result<(), Refutation> {

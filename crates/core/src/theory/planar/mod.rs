@@ -12,7 +12,7 @@ mod region;
 mod steps;
 
 use super::System;
-use crate::polynomial::{Domain, Expression, Proof, Refutation, Symbol};
+use slipmode_algebra::{Domain, Expression, Proof, Refutation, Symbol};
 use steps::Steps;
 
 /// Two equations of first order.

@@ -1,7 +1,7 @@
 //! A lemma for systems in which a product of both variables moves by itself.
 
 use super::Steps;
-use crate::polynomial::{Expression, Refutation, Symbol};
+use slipmode_algebra::{Expression, Refutation, Symbol};
 
 /// The name of the quantity w in the certificates.
 const RATIO: &str = "ratio_w";

@@ -1,7 +1,7 @@
 //! Lemmas that rest on the rates in a region: runaway, deceleration, and an unbounded variable.
 
 use super::Steps;
-use crate::polynomial::{Expression, Refutation};
+use slipmode_algebra::{Expression, Refutation};
 
 /// From every start in the region a variable becomes infinite in finite time.
 pub(super) fn runaway(

@@ -1,7 +1,7 @@
 //! The steps that the lemmas share.
 
 use super::PlanarSystem;
-use crate::polynomial::{
+use slipmode_algebra::{
     Certificate, Domain, Expression, Proof, RationalFunction, Refutation, Relation, Symbol,
 };
 

@@ -1,8 +1,8 @@
 //! The massless slider: hypotheses that hold, and altered ones that are refused.
 
 use super::*;
-use crate::polynomial::Relation;
 use crate::theory::notation::formula;
+use slipmode_algebra::Relation;
 
 /// What the sliders without mass conserve at the critical stiffness.
 const HILL: &str = "ln(V) - V*theta/L - K*V_l*theta/A + (K*L/A + 1)*ln(theta)";

@@ -1,8 +1,8 @@
 //! When a pair of roots ±iω crosses the imaginary axis at one value of a parameter, and no other root is on the axis there.
 
 use super::{free, polynomial};
-use crate::polynomial::{Expression, Proof, Refutation, Sign, SignFormula, Symbol};
 use crate::theory::notation::formula;
+use slipmode_algebra::{Expression, Proof, Refutation, Sign, SignFormula, Symbol};
 
 /// At `parameter` = `critical` the polynomial with these coefficients has the roots ±i·`frequency`, which is not zero, no other root on
 /// the axis, and the real part of the pair has a slope in the parameter that is not zero. The proof is that of the general lemma.

@@ -1,8 +1,8 @@
 //! Routh and Hurwitz for degrees 1 to 3: when all roots lie left of the imaginary axis, and when one lies right of it.
 
 use super::free;
-use crate::polynomial::{Domain, Expression, Proof, Refutation, Relation};
 use crate::theory::notation::{formula, given_nonzero, given_positive, in_parameters};
+use slipmode_algebra::{Domain, Expression, Proof, Refutation, Relation};
 
 /// For a positive leading coefficient: all are positive exactly when all roots have negative real parts, and one is negative exactly
 /// when a root has a positive real part.
@@ -158,7 +158,7 @@ fn not_negative_step(
     expression: &Expression,
     domain: &Domain,
 ) -> Result<Proof, Refutation> {
-    let root = expression.clone().call(crate::polynomial::Function::Sqrt).power(2);
+    let root = expression.clone().call(slipmode_algebra::Function::Sqrt).power(2);
     proof.identity(says, &[], &root, expression, domain)
 }
 

@@ -10,14 +10,14 @@ mod real;
 pub use crossing::pair_crosses;
 pub(super) use half_plane::positive_coefficients;
 
-use crate::polynomial::{
+use slipmode_algebra::{
     Domain, Expression, Polynomial, Proof, RationalFunction, Refutation, Sign, SignFormula, Symbol,
 };
 
 /// The largest degree of a polynomial whose roots are located.
 pub const MOST_DEGREE: usize = 3;
 
-crate::named! {
+slipmode_algebra::named! {
     /// What is said of the roots of a polynomial.
     #[derive(Debug, Clone, Copy, PartialEq, Eq)]
     pub enum RootStatement {

@@ -1,8 +1,8 @@
 //! When all roots of a polynomial of degree 1 to 3 are real: its discriminant is not negative.
 
 use super::free;
-use crate::polynomial::{Domain, Expression, Proof, Refutation, Sign, SignFormula, Symbol};
 use crate::theory::notation::formula;
+use slipmode_algebra::{Domain, Expression, Proof, Refutation, Sign, SignFormula, Symbol};
 
 /// For a leading coefficient that is not zero.
 pub(super) fn signs(coefficients: &[Expression]) -> SignFormula {

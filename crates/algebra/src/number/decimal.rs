@@ -18,7 +18,7 @@ pub const MAX_EXPONENT: i64 = 10_000;
 /// Why a text is not a number of the grammar.
 ///
 /// ```
-/// use slipmode_core::{DecimalError, parse_decimal};
+/// use slipmode_algebra::number::{DecimalError, parse_decimal};
 ///
 /// let error: DecimalError = parse_decimal("four").unwrap_err();
 /// assert!(!error.to_string().is_empty());
@@ -43,7 +43,7 @@ pub enum DecimalError {
 /// When the text is not of the grammar, or exceeds the caps on digits and exponent.
 ///
 /// ```
-/// use slipmode_core::{Rational, parse_decimal};
+/// use slipmode_algebra::number::{Rational, parse_decimal};
 ///
 /// assert_eq!(parse_decimal("0.004"), Ok(Rational::from((1, 250))));
 /// assert_eq!(parse_decimal("-1.5e-3"), Ok(Rational::from((-3, 2000))));

@@ -11,8 +11,8 @@ use rug::ops::{AddAssignRound, DivAssignRound, MulAssignRound, SubAssignRound};
 
 use super::ball::half_unit;
 use super::magnitude::{MAGNITUDE_BITS, Magnitude};
-use super::operators::implement_operators;
 use super::{Ball, Field, Real};
+use crate::implement_operators;
 
 impl Ball {
     fn joint_precision(&self, other: &Self) -> u32 {
@@ -59,7 +59,7 @@ impl Ball {
     }
 
     /// The product with a small whole number, without memory for it.
-    pub(crate) fn times_small(self, factor: u32) -> Self {
+    pub fn times_small(self, factor: u32) -> Self {
         let Self { mut centre, radius } = self;
         let rounding = centre.mul_assign_round(factor, Round::Nearest);
         Self::rounded(centre, rounding, radius.times(Magnitude::of_whole(factor)))

@@ -232,7 +232,7 @@ mod tests {
         let of = |literal: &Literal| {
             let value =
                 literal.expression.with("x", &Expression::integer(x)).with("y", &Expression::integer(y));
-            let value = crate::polynomial::Domain::default().rational_function(&value).unwrap().as_constant();
+            let value = crate::Domain::default().rational_function(&value).unwrap().as_constant();
             Some(literal.sign.admits(value.unwrap().cmp0()))
         };
         formula.truth(&of).unwrap()

@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::polynomial::{Condition, Expression, Function, Relation, Symbol};
+use crate::{Condition, Expression, Function, Relation, Symbol};
 
 /// Names of Coq's language and libraries that generated text uses, and that no variable may hide.
 const TAKEN: [&str; 26] = [

@@ -5,7 +5,7 @@ use std::cmp::Ordering;
 use rug::{Float, Rational};
 
 use crate::number::Ball;
-use crate::polynomial::{IsolatingInterval, UnivariatePolynomial};
+use crate::{IsolatingInterval, UnivariatePolynomial};
 
 /// Precision of the first attempt, in bits.
 const FIRST_PRECISION: u32 = 96;
@@ -68,7 +68,7 @@ pub fn enclose_root(polynomial: &impl Coefficients, lower: &Rational, upper: &Ra
 }
 
 /// Newton steps at doubling precision from a ball that contains a root and on which the method contracts.
-pub(crate) fn polish(polynomial: &impl Coefficients, start: Ball, first_precision: u32, bits: u32) -> Ball {
+pub fn polish(polynomial: &impl Coefficients, start: Ball, first_precision: u32, bits: u32) -> Ball {
     let (mut root, mut precision) = (start, first_precision);
     let goal = -f64::from(bits);
     let limit = bits.saturating_add(GUARD_BITS).saturating_mul(64).max(1 << 16);
@@ -95,7 +95,7 @@ fn newton(coefficients: &[Ball], enclosure: &Ball) -> Ball {
 }
 
 /// The coefficients of the derivative.
-pub(crate) fn derivative(coefficients: Vec<Ball>) -> Vec<Ball> {
+pub fn derivative(coefficients: Vec<Ball>) -> Vec<Ball> {
     coefficients
         .into_iter()
         .zip(0..)
@@ -105,7 +105,7 @@ pub(crate) fn derivative(coefficients: Vec<Ball>) -> Vec<Ball> {
 }
 
 /// The value at x of the polynomial with these coefficients, by ascending power.
-pub(crate) fn horner(coefficients: Vec<Ball>, x: &Ball) -> Ball {
+pub fn horner(coefficients: Vec<Ball>, x: &Ball) -> Ball {
     coefficients
         .into_iter()
         .rev()

@@ -4,7 +4,7 @@ use std::cmp::Ordering;
 
 use rug::{Integer, Rational};
 
-use crate::polynomial::UnivariatePolynomial;
+use crate::UnivariatePolynomial;
 
 /// Where one real root of a polynomial is.
 #[derive(Debug, Clone, PartialEq, Eq)]

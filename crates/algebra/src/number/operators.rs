@@ -1,6 +1,8 @@
 //! Spells out the by-value and by-reference operator traits of [`Field`](super::Field) from one method each.
 
 /// Implements `+`, `-`, `*` and `/` with the right side by value and by reference, from methods that take the right one by reference.
+#[doc(hidden)]
+#[macro_export]
 macro_rules! implement_operators {
     ($number:ty, $($trait:ident :: $operator:ident => $method:ident),+ $(,)?) => {$(
         impl std::ops::$trait for $number {
@@ -19,5 +21,3 @@ macro_rules! implement_operators {
         }
     )+};
 }
-
-pub(super) use implement_operators;

@@ -8,7 +8,7 @@ use super::Obstacle;
 use super::tactic::Tactics;
 use super::term::{complex, condition, name, outer_calls, real};
 use crate::number::Rational;
-use crate::polynomial::{Domain, Expression, Function, Symbol};
+use crate::{Domain, Expression, Function, Symbol};
 
 /// The domain of a theorem, and which of its variables are complex.
 pub(super) struct Setting<'d> {
@@ -144,7 +144,7 @@ impl Setting<'_> {
             expressions.iter().flat_map(|part| self.domain.as_written(part).variables()).collect();
         let conditions = self.domain.conditions().iter();
         let conditions: Vec<_> = conditions
-            .map(|given| crate::polynomial::Condition {
+            .map(|given| crate::Condition {
                 expression: self.domain.as_written(&given.expression),
                 relation: given.relation,
             })

@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 
 use super::Obstacle;
 use super::term::{divides, outer_calls, real};
-use crate::polynomial::conversion::Converter;
-use crate::polynomial::{Condition, Domain, Expression, Function, Polynomial, RationalFunction, Relation};
+use crate::conversion::Converter;
+use crate::{Condition, Domain, Expression, Function, Polynomial, RationalFunction, Relation};
 
 /// Writes tactics for goals in the variables that remain after a domain's substitutions.
 pub(super) struct Tactics<'d>(pub &'d Domain);

@@ -1,7 +1,7 @@
 //! Exact algebra over the rationals: polynomials, discriminants, Sturm sequences, symbolic expressions, proofs that can be printed and re-checked.
 //!
 //! ```
-//! use slipmode_core::polynomial::UnivariatePolynomial;
+//! use slipmode_algebra::UnivariatePolynomial;
 //!
 //! // (x − 1)(x² − 2) = x³ − x² − 2x + 2 has two positive roots.
 //! let cubic = UnivariatePolynomial::from_integers(&[2, -2, -1, 1]);
@@ -22,6 +22,8 @@ mod latex;
 mod matrix;
 mod monomial;
 mod multivariate;
+mod named;
+pub mod number;
 mod operators;
 mod parser;
 mod printer;
@@ -41,11 +43,13 @@ pub use condition::{Condition, Relation};
 pub use conversion::ConversionError;
 pub use domain::{Domain, DomainError};
 pub use enclose::{Coefficients, enclose_root};
-pub(crate) use enclose::{derivative, horner, polish};
+#[doc(hidden)]
+pub use enclose::{derivative, horner, polish};
 pub use expression::{Expression, Function};
 pub use matrix::{determinant, discriminant, resultant};
 pub use monomial::Monomial;
 pub use multivariate::Polynomial;
+pub use named::nearest;
 pub use parser::{Demand, ParseError};
 pub use proof::{Proof, Step};
 pub use rational_function::RationalFunction;

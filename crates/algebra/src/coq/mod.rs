@@ -166,7 +166,7 @@ fn digest(text: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::polynomial::{Function, Relation};
+    use crate::{Function, Relation};
 
     fn parsed(text: &str) -> Expression {
         text.parse().expect("an expression")

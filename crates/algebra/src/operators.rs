@@ -60,7 +60,7 @@ mod tests {
     use proptest::prelude::*;
 
     use super::*;
-    use crate::polynomial::{Monomial, Symbol};
+    use crate::{Monomial, Symbol};
 
     /// Small random polynomials in x and y.
     fn polynomial() -> impl Strategy<Value = Polynomial> {
@@ -121,8 +121,8 @@ mod tests {
         #[test]
         fn printed_polynomial_reads_back(a in polynomial()) {
             let text = a.to_string();
-            let expression: crate::polynomial::Expression = text.parse().expect("printer writes the grammar");
-            let read = crate::polynomial::Domain::default().rational_function(&expression).expect("a polynomial");
+            let expression: crate::Expression = text.parse().expect("printer writes the grammar");
+            let read = crate::Domain::default().rational_function(&expression).expect("a polynomial");
             prop_assert_eq!(read, a.into());
         }
     }

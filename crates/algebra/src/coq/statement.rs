@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use super::Obstacle;
 use super::tactic::Tactics;
 use super::term::{name, real};
-use crate::polynomial::{
+use crate::{
     Certificate, Condition, Domain, Expression, Polynomial, RationalFunction, Relation, Series, Symbol,
     Toward,
 };

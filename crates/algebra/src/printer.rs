@@ -79,7 +79,7 @@ impl From<Expression> for String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::polynomial::{Domain, Relation};
+    use crate::{Domain, Relation};
 
     fn domain() -> Domain {
         let apart = "b - a".parse().expect("in the grammar");

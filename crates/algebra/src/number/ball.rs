@@ -13,8 +13,8 @@ use super::magnitude::{MAGNITUDE_BITS, Magnitude};
 /// A result that cannot be bounded (a division by a ball that contains zero) has an infinite radius and centre zero.
 ///
 /// ```
-/// use slipmode_core::number::{Ball, Real};
-/// use slipmode_core::Rational;
+/// use slipmode_algebra::number::{Ball, Real};
+/// use slipmode_algebra::number::Rational;
 ///
 /// let root = Ball::from_rational(&Rational::from(2), 100).sqrt();
 /// let square = root.clone() * &root;
@@ -222,23 +222,23 @@ impl Ball {
     }
 
     /// k such that every point is at most 2^k in magnitude; very large for the ball of infinite radius.
-    pub(crate) fn exponent_above(&self) -> i64 {
+    pub fn exponent_above(&self) -> i64 {
         Magnitude::above(&self.centre).plus(self.radius).exponent()
     }
 
     /// k such that every point is at least 2^k in magnitude; none when zero lies in the ball.
-    pub(crate) fn exponent_below(&self) -> Option<i64> {
+    pub fn exponent_below(&self) -> Option<i64> {
         let least = Magnitude::below(&self.centre).minus_down(self.radius);
         (!least.is_zero() && self.is_bounded()).then(|| least.exponent() - 1)
     }
 
     /// k such that the radius is at most 2^k; very small for an exact ball.
-    pub(crate) fn radius_exponent(&self) -> i64 {
+    pub fn radius_exponent(&self) -> i64 {
         self.radius.exponent()
     }
 
     /// The ball with a radius that is larger by 2^exponent.
-    pub(crate) fn widened(self, exponent: i64) -> Self {
+    pub fn widened(self, exponent: i64) -> Self {
         Self { radius: self.radius.plus(Magnitude::power_of_two(exponent)), ..self }.made_valid()
     }
 
