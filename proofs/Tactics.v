@@ -99,7 +99,7 @@ Proof. intros Hx Hy; unfold Rdiv; rewrite ln_mult, ln_Rinv by (auto; now apply R
 (** The logarithm of a product of positive factors falls apart. *)
 Ltac logarithms :=
   repeat first
-    [ rewrite ln_1 | rewrite ln_quotient by pos | rewrite ln_mult by pos | rewrite ln_power by pos ];
+    [ rewrite ln_1 | rewrite ln_exp | rewrite ln_quotient by pos | rewrite ln_mult by pos | rewrite ln_power by pos ];
   simpl INR.
 
 (** A square root in the goal has this value. *)

@@ -220,7 +220,7 @@ mod tests {
             given: Vec::new(),
         };
         let parts = |found: Alteration| (found.kind, found.text, found.says_the_same);
-        alterations(&equation, &[["a", "b"].map(Symbol::new)]).into_iter().map(parts).collect()
+        alterations(&equation, &[["a", "b"].map(Symbol::from)]).into_iter().map(parts).collect()
     }
 
     #[test]

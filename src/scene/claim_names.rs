@@ -3,7 +3,7 @@
 use std::ops::Deref;
 use std::sync::Arc;
 
-use slipmode_algebra::{Condition, Domain, Expression};
+use slipmode_algebra::{Condition, Domain, Expression, Symbol};
 use slipmode_core::theory::{Equations, Names as Meanings};
 
 use crate::scene::nearest;
@@ -41,10 +41,23 @@ impl Names {
 
     /// The expression with the definitions in place of their names, but for one name, which stands for the roots of a polynomial.
     #[must_use]
-    pub fn resolved_but(&self, expression: &Expression, name: &str) -> Expression {
-        let own = "root_of_polynomial";
-        self.resolved(&expression.with(name, &Expression::variable(own)))
+    pub fn resolved_but(&self, expression: &Expression, name: &Symbol) -> Expression {
+        let own = Symbol::fresh(&expression.variables());
+        self.resolved(&expression.with(name, &Expression::variable(&own)))
             .with(own, &Expression::variable(name))
+    }
+
+    /// What must hold for an expression to have a value, in variables only; one name stands for the roots of a polynomial.
+    #[must_use]
+    pub fn demands_but(&self, expression: &Expression, own: Option<&Symbol>) -> Vec<Condition> {
+        let Some(own) = own else { return self.demands_of(expression) };
+        let root = Symbol::fresh(&expression.variables());
+        let renamed = self.demands_of(&expression.with(own, &Expression::variable(&root))).into_iter();
+        let back = |one: Condition| Condition {
+            expression: one.expression.with(&root, &Expression::variable(own)),
+            relation: one.relation,
+        };
+        renamed.map(back).collect()
     }
 
     /// What a definition in an expression is given for and the domain does not prove after values are put in, in words.

@@ -1,5 +1,6 @@
 //! The keys of a claim, a part or a reading's part that state a formula and over what it is said.
 
+use slipmode_algebra::Symbol;
 use slipmode_core::number::{Rational, parse_decimal};
 use slipmode_core::theory::Equations;
 
@@ -23,14 +24,17 @@ pub(super) struct FormulaEntries<'t> {
     witness: Option<Entry<'t>>,
     within: Option<Entry<'t>>,
     at: Option<Entry<'t>>,
+    moves: Option<Entry<'t>>,
 }
 
 impl<'t> FormulaEntries<'t> {
     pub fn of(section: &mut Section<'t>) -> Self {
-        let [formula, motion, rows, limit, outside, given, there_is, witness, within, at] =
-            ["formula", "motion", "rows", "limit", "outside", "given", "there_is", "witness", "box", "at"]
-                .map(|key| section.optional(key));
-        Self { formula, motion, rows, limit, outside, given, there_is, witness, within, at }
+        let [formula, motion, rows, limit, outside, given, there_is, witness, within, at, moves] = [
+            "formula", "motion", "rows", "limit", "outside", "given", "there_is", "witness", "box", "at",
+            "moves",
+        ]
+        .map(|key| section.optional(key));
+        Self { formula, motion, rows, limit, outside, given, there_is, witness, within, at, moves }
     }
 
     /// Whether something is stated.
@@ -49,6 +53,7 @@ impl<'t> FormulaEntries<'t> {
             &self.witness,
             &self.within,
             &self.at,
+            &self.moves,
         ]
         .into_iter()
         .flatten()
@@ -92,7 +97,7 @@ impl<'t> FormulaEntries<'t> {
         let text = formula.text()?;
         if let Some(rows) = &self.rows {
             let table = rows.text()?;
-            let others = [&self.given, &self.there_is, &self.witness, &self.within, &self.at];
+            let others = [&self.given, &self.there_is, &self.witness, &self.within, &self.at, &self.moves];
             return match others.into_iter().flatten().next() {
                 Some(entry) => entry
                     .refuse(Problem::Needs("no `rows` beside it: write the condition after `where`".into())),
@@ -143,15 +148,18 @@ impl<'t> FormulaEntries<'t> {
             })
         });
         let there_is = all(&self.there_is, |entry| {
-            entry.distinct(|name: &String| format!("`{name}`"), |member| variable(&member.text()?, member))
+            entry.distinct(|name: &Symbol| format!("`{name}`"), |member| variable(&member.text()?, member))
+        });
+        let moves = all(&self.moves, |entry| {
+            entry.distinct(|name: &Symbol| format!("`{name}`"), |member| variable(&member.text()?, member))
         });
         let witness = all(&self.witness, |entry| {
             entry.members(|name, member| {
                 let value = member.sound(read_side(&member.text()?, names).map_err(Problem::Equation));
-                if !there_is.iter().flatten().any(|known| known == name) {
+                let Some(known) = there_is.iter().flatten().find(|known| known.as_str() == name) else {
                     return member.refuse(Problem::Needs(format!("`{name}` in `there_is`")));
-                }
-                Some((name.to_owned(), value?))
+                };
+                Some((known.clone(), value?))
             })
         });
         let within = all(&self.within, |entry| {
@@ -168,14 +176,21 @@ impl<'t> FormulaEntries<'t> {
                 let value = (variable(name, member)?, number(member)?);
                 let elsewhere =
                     within.iter().flatten().map(|(name, _)| name).chain(there_is.iter().flatten());
-                match elsewhere.into_iter().any(|known| known == name) {
+                match elsewhere.into_iter().any(|known| known.as_str() == name) {
                     true => member
                         .refuse(Problem::Needs("no `box` and no `there_is` for the same variable".into())),
                     false => Some(value),
                 }
             })
         });
-        Some(Scope { given: given?, there_is: there_is?, witness: witness?, within: within?, at: at? })
+        Some(Scope {
+            given: given?,
+            there_is: there_is?,
+            witness: witness?,
+            within: within?,
+            moves: moves?,
+            at: at?,
+        })
     }
 }
 

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use super::{Domain, Expression, Series};
+use super::{Domain, Expression, Series, Symbol};
 
 /// Which way a variable goes in a limit; the others are held fixed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -43,7 +43,7 @@ pub enum Certificate {
         /// What has the limit.
         expression: Expression,
         /// The variable that moves; the others are fixed.
-        variable: String,
+        variable: Symbol,
         /// Where it goes.
         toward: Toward,
         /// The limit.
@@ -58,7 +58,7 @@ pub enum Certificate {
         /// The other side.
         right: Expression,
         /// Names and values.
-        point: Vec<(String, Expression)>,
+        point: Vec<(Symbol, Expression)>,
         /// The value of either side.
         values: [Expression; 2],
     },
@@ -67,7 +67,7 @@ pub enum Certificate {
         /// What is evaluated.
         expression: Expression,
         /// Names and values.
-        point: Vec<(String, Expression)>,
+        point: Vec<(Symbol, Expression)>,
         /// The exact value.
         value: Expression,
     },
@@ -76,9 +76,9 @@ pub enum Certificate {
         /// What vanishes, in the variable and the unknown.
         relation: Expression,
         /// The small variable.
-        variable: String,
+        variable: Symbol,
         /// The unknown.
-        unknown: String,
+        unknown: Symbol,
         /// The coefficients by ascending power.
         coefficients: Vec<Expression>,
         /// Assumptions and substitutions.
@@ -89,7 +89,7 @@ pub enum Certificate {
         /// The polynomial.
         polynomial: Expression,
         /// Its variable.
-        variable: String,
+        variable: Symbol,
         /// The lower and the upper end; none for minus and plus infinity.
         between: [Option<Expression>; 2],
         /// Assumptions and substitutions.
@@ -99,7 +99,7 @@ pub enum Certificate {
     /// image of an orthant.
     Connected {
         /// Names and coordinates.
-        image: Vec<(String, Expression)>,
+        image: Vec<(Symbol, Expression)>,
         /// The positive variables, without further assumptions.
         domain: Domain,
     },
@@ -109,7 +109,7 @@ pub enum Certificate {
         /// What is positive.
         expression: Expression,
         /// The variable.
-        variable: String,
+        variable: Symbol,
         /// The order of the positive derivative.
         order: u32,
         /// Assumptions and substitutions.
@@ -168,7 +168,7 @@ impl fmt::Display for Certificate {
                 write!(formatter, "{expression} = {value} at {}", Point(point))
             }
             Self::Series { relation, variable, unknown, coefficients, domain } => {
-                let series = Series::expression(coefficients, &Expression::variable(variable));
+                let series = Series::expression(coefficients, &Expression::Variable(variable.clone()));
                 write!(
                     formatter,
                     "{unknown} = {series} + O({variable}^{}) solves {relation} = 0{}",
@@ -210,7 +210,7 @@ impl fmt::Display for Given<'_> {
     }
 }
 
-struct Point<'a>(&'a [(String, Expression)]);
+struct Point<'a>(&'a [(Symbol, Expression)]);
 
 impl fmt::Display for Point<'_> {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {

@@ -49,10 +49,9 @@ impl Certificate {
             Self::Difference { left, right, point, values } => {
                 check_value(left, point, &values[0])?;
                 check_value(right, point, &values[1])?;
-                if values[0] == values[1] {
-                    Err(Failure::remainder("both sides are equal there"))
-                } else {
-                    Ok(())
+                match [number(&values[0])?, number(&values[1])?] {
+                    [one, other] if one == other => Err(Failure::remainder("both sides are equal there")),
+                    _ => Ok(()),
                 }
             }
             Self::Value { expression, point, value } => check_value(expression, point, value),
@@ -107,36 +106,35 @@ impl Domain {
         toward: Toward,
     ) -> Result<RationalFunction, String> {
         let function = self.rational_function(expression).map_err(|error| error.to_string())?;
-        limit(&function, variable.as_str(), toward, self).map_err(|failure| failure.remainder)
+        limit(&function, variable, toward, self).map_err(|failure| failure.remainder)
     }
 }
 
 fn limit(
     function: &RationalFunction,
-    variable: &str,
+    name: &Symbol,
     toward: Toward,
     domain: &Domain,
 ) -> Result<RationalFunction, Failure> {
-    let name = Symbol::new(variable);
-    if !domain.leaves_free(&name) {
+    if !domain.leaves_free(name) {
         return Err(Failure::remainder(format!(
-            "{variable} is not free to move alone: an assumption contains it"
+            "{name} is not free to move alone: an assumption contains it"
         )));
     }
-    no_hidden(function, &name)?;
+    no_hidden(function, name)?;
     let end = |polynomial: &Polynomial, degree: u32| match toward {
-        Toward::Zero => polynomial.coefficients(&name).swap_remove(0),
+        Toward::Zero => polynomial.coefficients(name).swap_remove(0),
         Toward::Infinity => {
-            polynomial.coefficients(&name).into_iter().nth(degree as usize).unwrap_or_default()
+            polynomial.coefficients(name).into_iter().nth(degree as usize).unwrap_or_default()
         }
     };
-    let degree = function.denominator().degree(&name);
+    let degree = function.denominator().degree(name);
     let denominator = RationalFunction::from(end(function.denominator(), degree));
     // A denominator of one sign at the limit makes the limit finite for all values of the other variables.
-    let grows = toward == Toward::Infinity && function.numerator().degree(&name) > degree;
+    let grows = toward == Toward::Infinity && function.numerator().degree(name) > degree;
     if grows || domain.sign_of(&denominator).is_none() {
         return Err(Failure::remainder(format!(
-            "{} has no finite limit in {variable}",
+            "{} has no finite limit in {name}",
             Expression::from(function)
         )));
     }
@@ -151,11 +149,10 @@ fn no_hidden(function: &RationalFunction, name: &Symbol) -> Result<(), Failure> 
 
 fn check_value(
     expression: &Expression,
-    point: &[(String, Expression)],
+    point: &[(Symbol, Expression)],
     value: &Expression,
 ) -> Result<(), Failure> {
-    let values: BTreeMap<Symbol, Expression> =
-        point.iter().map(|(name, value)| (Symbol::new(name), value.clone())).collect();
+    let values: BTreeMap<Symbol, Expression> = point.iter().cloned().collect();
     let domain = Domain::default();
     compare(
         &domain.rational_function(&expression.substitute(&values))?,
@@ -164,10 +161,16 @@ fn check_value(
     )
 }
 
+/// The number that an expression without variables is.
+fn number(value: &Expression) -> Result<rug::Rational, Failure> {
+    let found = Domain::default().rational_function(value)?.as_constant();
+    found.ok_or_else(|| Failure::remainder(format!("{value} is no rational number")))
+}
+
 fn check_series(
     relation: &Expression,
-    variable: &str,
-    unknown: &str,
+    variable: &Symbol,
+    unknown: &Symbol,
     coefficients: &[Expression],
     domain: &Domain,
 ) -> Result<(), Failure> {
@@ -175,10 +178,9 @@ fn check_series(
     let coefficients: Result<Vec<_>, _> =
         coefficients.iter().map(|value| domain.rational_function(value)).collect();
     let series = Series::new(coefficients?);
-    let names = (Symbol::new(variable), Symbol::new(unknown));
-    no_hidden(&relation, &names.0)?;
-    no_hidden(&relation, &names.1)?;
-    match series.residual(relation.numerator(), &names.0, &names.1) {
+    no_hidden(&relation, variable)?;
+    no_hidden(&relation, unknown)?;
+    match series.residual(relation.numerator(), variable, unknown) {
         None => {
             Err(Failure::remainder(format!("the relation has no single root in {unknown} at {variable} = 0")))
         }
@@ -190,19 +192,18 @@ fn check_series(
 /// A polynomial is continuous: between two ends at which it has opposite signs it has a root.
 fn check_root(
     polynomial: &Expression,
-    variable: &str,
+    name: &Symbol,
     between: &[Option<Expression>; 2],
     domain: &Domain,
 ) -> Result<(), Failure> {
     let function = domain.rational_function(polynomial)?;
-    let name = Symbol::new(variable);
-    no_hidden(&function, &name)?;
-    if function.denominator().degree(&name) > 0 || !domain.is_unbound(&name) {
-        return Err(Failure::remainder(format!("no polynomial in a {variable} that may have any value")));
+    no_hidden(&function, name)?;
+    if function.denominator().degree(name) > 0 || !domain.is_unbound(name) {
+        return Err(Failure::remainder(format!("no polynomial in a {name} that may have any value")));
     }
-    let degree = function.numerator().degree(&name);
+    let degree = function.numerator().degree(name);
     let leading = || {
-        let leading = function.numerator().coefficients(&name).into_iter().nth(degree as usize);
+        let leading = function.numerator().coefficients(name).into_iter().nth(degree as usize);
         leading.and_then(|leading| RationalFunction::new(leading, function.denominator().clone()))
     };
     let at_infinity = |below: bool| {
@@ -210,7 +211,7 @@ fn check_root(
         Some(if below && degree % 2 == 1 { -sign } else { sign })
     };
     let at = |end: &Option<Expression>, below: bool| match end {
-        Some(end) => domain.sign(&polynomial.with(variable, end)),
+        Some(end) => domain.sign(&polynomial.with(name, end)),
         None => Ok(at_infinity(below)),
     };
     let [low, high] = between;
@@ -221,12 +222,12 @@ fn check_root(
     };
     match signs {
         [Some(one), Some(other)] if one * other < 0 && ordered => Ok(()),
-        _ => Err(Failure::remainder(format!("{polynomial} has no certified change of sign in {variable}"))),
+        _ => Err(Failure::remainder(format!("{polynomial} has no certified change of sign in {name}"))),
     }
 }
 
 /// An orthant is connected, and so is its image under continuous functions.
-fn check_connected(image: &[(String, Expression)], domain: &Domain) -> Result<(), Failure> {
+fn check_connected(image: &[(Symbol, Expression)], domain: &Domain) -> Result<(), Failure> {
     if !domain.is_orthant() {
         return Err(Failure::remainder("the variables have assumptions other than being positive"));
     }
@@ -239,20 +240,19 @@ fn check_connected(image: &[(String, Expression)], domain: &Domain) -> Result<()
 }
 
 /// What vanishes at 0 and has a positive slope is positive; so is what has such a slope and vanishes there, and so on.
-fn check_growth(expression: &Expression, variable: &str, order: u32, domain: &Domain) -> Result<(), Failure> {
-    let name = Symbol::new(variable);
-    if !domain.leaves_free(&name) {
-        return Err(Failure::remainder(format!("{variable} is not free to be any positive number")));
+fn check_growth(expression: &Expression, name: &Symbol, order: u32, domain: &Domain) -> Result<(), Failure> {
+    if !domain.leaves_free(name) {
+        return Err(Failure::remainder(format!("{name} is not free to be any positive number")));
     }
     let zero = Expression::integer(0);
     let mut derivative = expression.clone();
     for _ in 0..order {
         compare(
-            &domain.rational_function(&derivative.with(variable, &zero))?,
+            &domain.rational_function(&derivative.with(name, &zero))?,
             &RationalFunction::from(0),
             domain,
         )?;
-        derivative = derivative.derivative(&name);
+        derivative = derivative.derivative(name);
     }
     check_sign(&derivative, 1, domain)
 }

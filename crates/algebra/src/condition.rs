@@ -51,6 +51,6 @@ impl TryFrom<String> for Condition {
             column: text.chars().count(),
             message: "a condition ends with '> 0', '>= 0' or '!= 0'".to_owned(),
         })?;
-        Ok(Self { expression: expression.parse()?, relation })
+        Ok(Self { expression: expression.to_owned().try_into()?, relation })
     }
 }

@@ -1,8 +1,8 @@
 //! From expressions to rational functions.
 //!
 //! Logarithms of monomials fall apart into logarithms of positive variables, roots of square monomials are taken, signs
-//! of absolute values are decided; whatever remains (an exponential, the root of a sum) becomes a variable named by its
-//! own text, with the square of a root known.
+//! of absolute values are decided; whatever remains (an exponential, the root of a sum) becomes a generator that keeps its
+//! argument, with the square of a root known.
 
 use std::collections::BTreeMap;
 
@@ -11,7 +11,8 @@ use thiserror::Error;
 
 use super::size::{Extent, TooLarge};
 use super::{
-    Condition, Domain, Expression, Function, Monomial, Polynomial, RationalFunction, Relation, Symbol,
+    Condition, Domain, Expression, Function, Generator, Monomial, Polynomial, RationalFunction, Relation,
+    Symbol,
 };
 
 /// Why an expression is not a rational function under the assumptions.
@@ -51,20 +52,20 @@ const LARGEST: Extent = Extent { terms: 20_000, degree: 256, bits: 1 << 20 };
 /// Converts expressions to rational functions and decides their signs, under the assumptions of a domain.
 pub(super) struct Converter<'d> {
     domain: &'d Domain,
-    squares: BTreeMap<Symbol, RationalFunction>,
+    squares: BTreeMap<Generator, RationalFunction>,
     /// Polynomials of which a condition says that they are positive, not negative, or not zero.
     conditions: Vec<(Polynomial, Relation)>,
 }
 
 impl<'d> Converter<'d> {
     pub(super) fn new(domain: &'d Domain) -> Self {
-        let imaginary = (Symbol::new("i"), RationalFunction::from(-1));
-        let either_sign = (Symbol::new("pm"), RationalFunction::from(1));
+        let imaginary = (Symbol::read("i").into(), RationalFunction::from(-1));
+        let either_sign = (Symbol::read("pm").into(), RationalFunction::from(1));
         let squares = BTreeMap::from([imaginary, either_sign]);
         let mut converter = Self { domain, squares, conditions: Vec::new() };
         for (name, square) in domain.squares() {
             if let Ok(square) = converter.reduced(&domain.as_written(square)) {
-                converter.squares.insert(Symbol::new(name), square);
+                converter.squares.insert(name.clone().into(), square);
             }
         }
         // A condition that is no rational function is of no use here; the check of the domain refuses it.
@@ -81,8 +82,9 @@ impl<'d> Converter<'d> {
     /// A converter that knows the squares of the roots in a function that was converted before.
     pub(super) fn for_sign_of(domain: &'d Domain, function: &RationalFunction) -> Self {
         let mut converter = Self::new(domain);
-        for name in &function.numerator().variables() | &function.denominator().variables() {
-            let square = argument_of_root(&name).and_then(|argument| converter.reduced(&argument).ok());
+        for name in function.generators() {
+            let root = name.argument_of(Function::Sqrt);
+            let square = root.and_then(|argument| converter.reduced(argument).ok());
             converter.squares.extend(square.map(|square| (name, square)));
         }
         converter
@@ -107,7 +109,7 @@ impl<'d> Converter<'d> {
     fn function(&mut self, expression: &Expression) -> Result<RationalFunction, ConversionError> {
         match expression {
             Expression::Number(value) => Ok(RationalFunction::constant(value.clone())),
-            Expression::Variable(name) => Ok(RationalFunction::variable(name.as_str())),
+            Expression::Variable(name) => Ok(RationalFunction::variable(name)),
             Expression::Sum(parts) => self.fold(parts, RationalFunction::from(0), sum),
             Expression::Product(parts) => self.fold(parts, RationalFunction::from(1), product),
             Expression::Negation(inner) => Ok(-self.function(inner)?),
@@ -178,11 +180,12 @@ impl<'d> Converter<'d> {
 
     /// The sign of e + o·w with w² = t from those of e − o·w and of their product e² − o²·t.
     fn sign_with_root(&self, polynomial: &Polynomial) -> Option<i8> {
-        let is_root = |name: &&Symbol| name.as_str().starts_with("sqrt(") && polynomial.degree(name) > 0;
+        let is_root =
+            |name: &&Generator| name.argument_of(Function::Sqrt).is_some() && polynomial.degree(*name) > 0;
         let name = self.squares.keys().find(is_root)?;
         let square = &self.squares[name];
         let (even, odd) = split_by_parity(polynomial, name, square);
-        let conjugate = &even - &(&odd * &RationalFunction::variable(name.as_str()));
+        let conjugate = &even - &(&odd * &RationalFunction::generator(name));
         let norm = self.without_squares(&(&(&even * &even) - &(&(&odd * &odd) * square)))?;
         let signs = [conjugate.numerator(), conjugate.denominator()].map(|side| self.coefficient_sign(side));
         Some(signs[0]? * signs[1]? * self.sign_of(&norm)?)
@@ -196,16 +199,17 @@ impl<'d> Converter<'d> {
         polynomial.terms().any(positive).then_some(sign)
     }
 
-    /// The sign that a polynomial has unless it is zero.
+    /// The sign that a polynomial has unless it is zero. An even power is not negative.
     fn weak_sign(&self, polynomial: &Polynomial) -> Option<i8> {
         let sign = polynomial.coefficient_sign()?;
-        let not_negative = |name: &Symbol| {
+        let not_negative = |name: &Generator| {
             let says = |(known, relation): &(Polynomial, Relation)| {
-                *relation != Relation::NonZero && *known == Polynomial::variable(name.as_str())
+                *relation != Relation::NonZero && *known == Polynomial::generator(name)
             };
             self.is_positive(name) || self.conditions.iter().any(says)
         };
-        polynomial.variables().iter().all(not_negative).then_some(sign)
+        let mut factors = polynomial.terms().flat_map(|(monomial, _)| monomial.factors());
+        factors.all(|(name, exponent)| exponent % 2 == 0 || not_negative(name)).then_some(sign)
     }
 
     /// The factors of a polynomial that a usable condition speaks of, as often as they divide it, and what remains.
@@ -251,10 +255,14 @@ impl<'d> Converter<'d> {
         core.as_constant().is_none().then_some((core, relation))
     }
 
-    /// Is this variable positive? The root of something positive is.
-    fn is_positive(&self, name: &Symbol) -> bool {
-        self.domain.is_positive(name)
-            || argument_of_root(name).is_some_and(|argument| self.is_positive_expression(&argument))
+    /// Is this positive? Values of the exponential are, and so is the root of something positive.
+    fn is_positive(&self, name: &Generator) -> bool {
+        match name.function() {
+            None => name.symbol().is_some_and(|symbol| self.domain.is_positive(&symbol)),
+            Some((Function::Exp, _)) => true,
+            Some((Function::Sqrt, argument)) => self.is_positive_expression(argument),
+            Some(_) => false,
+        }
     }
 
     fn is_positive_expression(&self, expression: &Expression) -> bool {
@@ -277,23 +285,31 @@ impl<'d> Converter<'d> {
         }
     }
 
-    fn logarithm(&self, argument: &RationalFunction) -> Result<RationalFunction, ConversionError> {
-        let error = || ConversionError::Logarithm(Expression::from(argument).to_string());
-        let upper = self.logarithm_of_term(argument.numerator()).ok_or_else(error)?;
-        let lower = self.logarithm_of_term(argument.denominator()).ok_or_else(error)?;
-        Ok((&upper - &lower).into())
+    fn logarithm(&mut self, argument: &RationalFunction) -> Result<RationalFunction, ConversionError> {
+        let upper = self.logarithm_of_term(argument.numerator(), argument)?;
+        let lower = self.logarithm_of_term(argument.denominator(), argument)?;
+        Ok(upper - lower)
     }
 
-    fn logarithm_of_term(&self, polynomial: &Polynomial) -> Option<Polynomial> {
-        let (monomial, coefficient) = self.positive_term(polynomial)?;
+    /// The logarithm of a product of positive factors, which falls apart; that of an exponential is its argument.
+    fn logarithm_of_term(
+        &mut self,
+        polynomial: &Polynomial,
+        whole: &RationalFunction,
+    ) -> Result<RationalFunction, ConversionError> {
+        let error = || ConversionError::Logarithm(Expression::from(whole).to_string());
+        let (monomial, coefficient) = self.positive_term(polynomial).ok_or_else(error)?;
         let constant = match *coefficient == 1 {
-            true => Polynomial::zero(),
-            false => Polynomial::variable(&format!("ln({coefficient})")),
+            true => RationalFunction::from(0),
+            false => logarithm_of(Expression::Number(coefficient.clone())),
         };
-        Some(monomial.factors().fold(constant, |sum, (name, exponent)| {
-            let logarithm = Polynomial::variable(&format!("ln({name})"));
-            &sum + &logarithm.scale(&Rational::from(*exponent))
-        }))
+        monomial.factors().try_fold(constant, |sum, (name, exponent)| {
+            let logarithm = match name.argument_of(Function::Exp) {
+                Some(argument) => self.reduced(argument)?,
+                None => logarithm_of(Expression::from(name)),
+            };
+            Ok(sum + logarithm * RationalFunction::constant(Rational::from(*exponent)))
+        })
     }
 
     /// The only term, when its coefficient and all its variables are positive.
@@ -330,9 +346,10 @@ impl<'d> Converter<'d> {
         if !self.never_negative(&argument) {
             return Err(possible_negative());
         }
-        let name = format!("sqrt({})", Expression::from(&argument));
-        self.squares.insert(Symbol::new(&name), argument);
-        Ok(RationalFunction::variable(&name))
+        let root = Generator::call(Function::Sqrt, Expression::from(&argument));
+        let function = RationalFunction::generator(&root);
+        self.squares.insert(root, argument);
+        Ok(function)
     }
 
     /// Do the assumptions exclude that the function is negative?
@@ -343,9 +360,9 @@ impl<'d> Converter<'d> {
     }
 }
 
-/// What the root of this name is taken of.
-fn argument_of_root(name: &Symbol) -> Option<Expression> {
-    name.as_str().strip_prefix("sqrt(")?.strip_suffix(')')?.parse().ok()
+/// ln(argument), which stays as it is.
+fn logarithm_of(argument: Expression) -> RationalFunction {
+    RationalFunction::generator(&Generator::call(Function::Ln, argument))
 }
 
 /// left + right, unless it is too large.
@@ -373,13 +390,13 @@ fn power(base: &RationalFunction, exponent: u32) -> Result<RationalFunction, Con
 }
 
 fn opaque(function: Function, argument: &RationalFunction) -> RationalFunction {
-    RationalFunction::variable(&format!("{}({})", function.as_str(), Expression::from(argument)))
+    RationalFunction::generator(&Generator::call(function, Expression::from(argument)))
 }
 
 /// The function with variable² = square used until the variable is gone from the denominator and at most linear above.
 fn reduce_square(
     function: &RationalFunction,
-    name: &Symbol,
+    name: &Generator,
     square: &RationalFunction,
 ) -> Option<RationalFunction> {
     if function.numerator().degree(name) == 0 && function.denominator().degree(name) == 0 {
@@ -387,7 +404,7 @@ fn reduce_square(
     }
     let (even, odd) = split_by_parity(function.numerator(), name, square);
     let (lower_even, lower_odd) = split_by_parity(function.denominator(), name, square);
-    let root = RationalFunction::variable(name.as_str());
+    let root = RationalFunction::generator(name);
     // (e + o·w)/(f + g·w) = (e + o·w)(f − g·w)/(f² − g²·w²).
     let constant = &(&even * &lower_even) - &(&(&odd * &lower_odd) * square);
     let linear = &(&odd * &lower_even) - &(&even * &lower_odd);
@@ -397,7 +414,7 @@ fn reduce_square(
 
 fn split_by_parity(
     polynomial: &Polynomial,
-    name: &Symbol,
+    name: &Generator,
     square: &RationalFunction,
 ) -> (RationalFunction, RationalFunction) {
     let mut sides = [RationalFunction::from(0), RationalFunction::from(0)];
@@ -428,6 +445,7 @@ mod tests {
     fn logarithms_of_products_fall_apart() {
         let domain = Domain::positive("x y");
         assert!(same(&domain, "ln(x^2/y)", "2*ln(x) - ln(y)"));
+        assert!(same(&domain, "ln(x*exp(-y/x)^2)", "ln(x) - 2*y/x"));
         assert!(domain.rational_function(&parse("ln(x + y)")).is_err());
         assert!(domain.rational_function(&parse("ln(z)")).is_err());
     }
@@ -479,6 +497,10 @@ mod tests {
         for text in ["1/(x - y)", "(x^2 - y^2)/(x - y)", "1/(x*y^2 - y^3)"] {
             assert!(!refused(&apart, text), "{text}");
         }
+        for text in ["1/(z^2 + 1)", "1/(x*z^2 + x^2*w^4 + y)", "sqrt(z^2 + w^2)"] {
+            assert!(!refused(&free, text), "{text}");
+        }
+        assert!(refused(&free, "1/(z^2 + w^2)") && refused(&free, "1/(z^3 + 1)"));
         for text in ["1/(x + y)", "1/(x + i*y)", "1/(1 + sqrt(x))", "x^0", "1/(2*x + pm*x)"] {
             assert!(!refused(&free, text), "{text}");
         }

@@ -2,7 +2,7 @@
 
 use rug::{Integer, Rational};
 
-use super::{Monomial, Polynomial, Symbol};
+use super::{Generator, Monomial, Polynomial};
 
 impl Polynomial {
     /// The quotient when the division leaves no remainder; `None` otherwise, and for division by zero.
@@ -55,7 +55,7 @@ impl Polynomial {
         if self.term_count() == 1 || other.term_count() == 1 {
             return Self::term(Rational::from(1), self.common_monomial(other));
         }
-        let (left, right) = (self.variables(), other.variables());
+        let (left, right) = (self.generators(), other.generators());
         // A divisor of both is free of every variable that only one of them has, so it divides that one's coefficients.
         for (polynomial, divided, alone) in [(self, other, &left - &right), (other, self, &right - &left)] {
             if let Some(variable) = alone.iter().next() {
@@ -65,7 +65,7 @@ impl Polynomial {
             }
         }
         // The variable of least degree keeps the remainder sequence short.
-        let degree = |name: &&Symbol| self.degree(name).min(other.degree(name));
+        let degree = |name: &&Generator| self.degree(name).min(other.degree(name));
         match left.iter().min_by_key(degree) {
             None => Self::one(),
             Some(variable) => self.gcd_in(other, variable).monic(),
@@ -92,7 +92,7 @@ impl Polynomial {
         monomials.fold(first, |divisor, monomial| divisor.common_divisor(monomial))
     }
 
-    fn gcd_in(&self, other: &Self, variable: &Symbol) -> Self {
+    fn gcd_in(&self, other: &Self, variable: &Generator) -> Self {
         let (left_content, right_content) = (self.content(variable), other.content(variable));
         let content = left_content.gcd(&right_content);
         let mut left = self.divide_or_keep(&left_content);
@@ -111,7 +111,7 @@ impl Polynomial {
     }
 
     /// The greatest common divisor of the coefficients with respect to one variable.
-    fn content(&self, variable: &Symbol) -> Self {
+    fn content(&self, variable: &Generator) -> Self {
         self.coefficients(variable).iter().fold(Self::zero(), |divisor, coefficient| divisor.gcd(coefficient))
     }
 
@@ -122,7 +122,7 @@ impl Polynomial {
     /// A multiple of this polynomial reduced by `divisor` until its degree in the variable is lower.
     ///
     /// `None` before it would become too large.
-    fn pseudo_remainder(&self, divisor: &Self, variable: &Symbol) -> Option<Self> {
+    fn pseudo_remainder(&self, divisor: &Self, variable: &Generator) -> Option<Self> {
         let degree = divisor.degree(variable);
         let leading = leading_coefficient(divisor, variable);
         let mut remainder = self.clone();
@@ -157,7 +157,7 @@ fn square_root_of(value: &Rational) -> Option<Rational> {
     square.then(|| Rational::from((value.numer().clone().sqrt(), value.denom().clone().sqrt())))
 }
 
-fn leading_coefficient(polynomial: &Polynomial, variable: &Symbol) -> Polynomial {
+fn leading_coefficient(polynomial: &Polynomial, variable: &Generator) -> Polynomial {
     polynomial.coefficients(variable).pop().unwrap_or_default()
 }
 

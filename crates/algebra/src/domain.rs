@@ -1,6 +1,6 @@
 //! What is assumed of the variables of a proof, and how roots are made rational by positive substitution.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
 
 use rug::Rational;
@@ -19,18 +19,18 @@ use super::{Condition, ConversionError, Expression, Function, RationalFunction, 
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Domain {
-    positive: Vec<String>,
+    positive: Vec<Symbol>,
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     given: Vec<Condition>,
     /// Variables with a known square: S² = 1 − C² says that (C, S) is a point of the unit circle.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
-    squares: Vec<(String, Expression)>,
-    substitutions: Vec<(String, Expression)>,
+    squares: Vec<(Symbol, Expression)>,
+    substitutions: Vec<(Symbol, Expression)>,
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
-    parameters: Vec<(String, Expression)>,
+    parameters: Vec<(Symbol, Expression)>,
     /// Values at which all assumptions hold; a positive variable without a value is 1, any other 0.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
-    example: Vec<(String, Expression)>,
+    example: Vec<(Symbol, Expression)>,
 }
 
 /// Why a domain says nothing, or something else than what is computed in it.
@@ -40,7 +40,7 @@ pub enum DomainError {
     #[error("{name} = {value} proves its image only: it does not reach every {name} of the assumptions")]
     NotCovered {
         /// The variable.
-        name: String,
+        name: Symbol,
         /// What is put in its place.
         value: Expression,
     },
@@ -48,13 +48,13 @@ pub enum DomainError {
     #[error("the parameter {name} = {value} is not positive under the assumptions")]
     Parameter {
         /// The parameter.
-        name: String,
+        name: Symbol,
         /// Its value in the original variables.
         value: Expression,
     },
     /// A name is used for two things.
     #[error("{0} stands for two things in one domain")]
-    Ambiguous(String),
+    Ambiguous(Symbol),
     /// The assumptions do not hold where the domain says that they do.
     #[error("{0} does not hold at the example, so that the assumptions may be impossible")]
     Impossible(String),
@@ -66,14 +66,27 @@ pub enum DomainError {
 impl Domain {
     /// A domain in which the variables of this space-separated list are positive; others are free.
     #[must_use]
-    pub fn positive(names: &str) -> Self {
-        Self { positive: names.split_whitespace().map(str::to_owned).collect(), ..Self::default() }
+    pub fn positive(names: &'static str) -> Self {
+        Self::of_positive(names.split_whitespace().map(Symbol::from))
+    }
+
+    /// A domain in which these variables are positive; others are free.
+    #[must_use]
+    pub fn of_positive(names: impl IntoIterator<Item = Symbol>) -> Self {
+        Self { positive: names.into_iter().collect(), ..Self::default() }
     }
 
     /// The same domain with more positive variables.
     #[must_use]
-    pub fn and_positive(mut self, names: &str) -> Self {
-        self.positive.extend(names.split_whitespace().map(str::to_owned));
+    pub fn and_positive(mut self, names: &'static str) -> Self {
+        self.positive.extend(names.split_whitespace().map(Symbol::from));
+        self
+    }
+
+    /// The same domain with one more positive variable.
+    #[must_use]
+    pub fn with_positive(mut self, name: Symbol) -> Self {
+        self.positive.push(name);
         self
     }
 
@@ -86,30 +99,31 @@ impl Domain {
 
     /// The same domain in which the square of a variable is known.
     #[must_use]
-    pub fn with_square(mut self, name: &str, square: Expression) -> Self {
-        self.squares.push((name.to_owned(), square));
+    pub fn with_square(mut self, name: impl Into<Symbol>, square: Expression) -> Self {
+        self.squares.push((name.into(), square));
         self
     }
 
     /// The same domain with one variable expressed by others (substitutions happen all at once, not in turn).
     #[must_use]
-    pub fn with(mut self, name: &str, value: Expression) -> Self {
-        self.substitutions.retain(|(known, _)| known != name);
-        self.substitutions.push((name.to_owned(), value));
+    pub fn with(mut self, name: impl Into<Symbol>, value: Expression) -> Self {
+        let name = name.into();
+        self.substitutions.retain(|(known, _)| *known != name);
+        self.substitutions.push((name, value));
         self
     }
 
     /// The same domain with a positive parameter, which has this value in the variables that the assumptions are about.
     #[must_use]
-    pub fn parameter(mut self, name: &str, value: Expression) -> Self {
-        self.parameters.push((name.to_owned(), value));
+    pub fn parameter(mut self, name: impl Into<Symbol>, value: Expression) -> Self {
+        self.parameters.push((name.into(), value));
         self
     }
 
     /// The same domain with the value of one variable at which all assumptions hold.
     #[must_use]
-    pub fn example(mut self, name: &str, value: Expression) -> Self {
-        self.example.push((name.to_owned(), value));
+    pub fn example(mut self, name: impl Into<Symbol>, value: Expression) -> Self {
+        self.example.push((name.into(), value));
         self
     }
 
@@ -120,11 +134,24 @@ impl Domain {
         self
     }
 
-    /// Is this variable positive? Values of the exponential always are.
+    /// Is this variable positive by assumption, or as a parameter?
     #[must_use]
     pub fn is_positive(&self, name: &Symbol) -> bool {
-        let listed = || self.positive.iter().chain(self.parameters.iter().map(|(name, _)| name));
-        name.as_str().starts_with("exp(") || listed().any(|known| known == name.as_str())
+        let mut listed = self.positive.iter().chain(self.parameters.iter().map(|(name, _)| name));
+        listed.any(|known| known == name)
+    }
+
+    /// The symbols that it speaks of.
+    #[must_use]
+    pub fn symbols(&self) -> BTreeSet<Symbol> {
+        let pairs = self.squares.iter().chain(&self.substitutions).chain(&self.parameters);
+        let named = pairs.flat_map(|(name, value)| {
+            let mut all = value.variables();
+            all.insert(name.clone());
+            all
+        });
+        let given = self.given.iter().flat_map(|condition| condition.expression.variables());
+        self.positive.iter().cloned().chain(named).chain(given).collect()
     }
 
     /// The conditions.
@@ -134,12 +161,12 @@ impl Domain {
     }
 
     /// The variables with a known square.
-    pub(super) fn squares(&self) -> &[(String, Expression)] {
+    pub(super) fn squares(&self) -> &[(Symbol, Expression)] {
         &self.squares
     }
 
     /// The parameters, each with its value in the original variables.
-    pub(super) fn parameters(&self) -> &[(String, Expression)] {
+    pub(super) fn parameters(&self) -> &[(Symbol, Expression)] {
         &self.parameters
     }
 
@@ -155,7 +182,7 @@ impl Domain {
 
     /// The substitutions, in the order given.
     #[must_use]
-    pub fn substitutions(&self) -> &[(String, Expression)] {
+    pub fn substitutions(&self) -> &[(Symbol, Expression)] {
         &self.substitutions
     }
 
@@ -246,7 +273,8 @@ impl Domain {
         }
         let parameters = values(&self.parameters);
         for (name, value) in self.substitutions.iter().filter(|(name, _)| self.is_assumed(name)) {
-            let reached = original.difference(&value.replaced(&parameters), &Expression::variable(name))?;
+            let reached =
+                original.difference(&value.replaced(&parameters), &Expression::Variable(name.clone()))?;
             if !reached.is_zero() {
                 return Err(DomainError::NotCovered { name: name.clone(), value: value.clone() });
             }
@@ -255,35 +283,29 @@ impl Domain {
     }
 
     /// Does an assumption speak of this variable?
-    pub(super) fn is_assumed(&self, name: &str) -> bool {
-        let symbol = Symbol::new(name);
-        self.positive.iter().any(|known| known == name)
-            || self.given.iter().any(|condition| condition.expression.variables().contains(&symbol))
-            || self
-                .squares
-                .iter()
-                .any(|(known, square)| known == name || square.variables().contains(&symbol))
+    pub(super) fn is_assumed(&self, name: &Symbol) -> bool {
+        self.positive.contains(name)
+            || self.given.iter().any(|condition| condition.expression.variables().contains(name))
+            || self.squares.iter().any(|(known, square)| known == name || square.variables().contains(name))
     }
 
     /// Substituted variables, parameters and other names must not be mixed up.
     fn check_names(&self) -> Result<(), DomainError> {
-        let mut seen = std::collections::BTreeSet::new();
-        let ambiguous = |name: &str| DomainError::Ambiguous(name.to_owned());
+        let mut seen = BTreeSet::new();
+        let ambiguous = |name: &Symbol| DomainError::Ambiguous(name.clone());
         for (name, _) in self.substitutions.iter().chain(&self.parameters) {
-            if !seen.insert(name.as_str()) {
+            if !seen.insert(name) {
                 return Err(ambiguous(name));
             }
         }
-        let substituted = |name: &Symbol| self.substitutions.iter().any(|(known, _)| known == name.as_str());
+        let substituted = |name: &Symbol| self.substitutions.iter().any(|(known, _)| known == name);
         let circular = self.substitutions.iter().flat_map(|(_, value)| value.variables()).find(substituted);
         let assumed = self.parameters.iter().map(|(name, _)| name).find(|name| self.is_assumed(name));
         let known = self.squares.iter().map(|(name, _)| name).find(|name| {
-            self.positive.contains(name)
-                || seen.contains(name.as_str())
-                || ["i", "pm"].contains(&name.as_str())
+            self.positive.contains(name) || seen.contains(name) || ["i", "pm"].contains(&name.as_str())
         });
         let imaginary = self.positive.iter().find(|name| ["i", "pm"].contains(&name.as_str()));
-        match circular.map(|name| name.to_string()).as_ref().or(assumed).or(known).or(imaginary) {
+        match circular.as_ref().or(assumed).or(known).or(imaginary) {
             Some(name) => Err(ambiguous(name)),
             None => Ok(()),
         }
@@ -294,13 +316,11 @@ impl Domain {
         let original = self.original();
         let value = |expression: &Expression| -> Result<Option<Rational>, DomainError> {
             let function = original.rational_function(expression)?;
-            let names = &function.numerator().variables() | &function.denominator().variables();
-            // The root of a number stands for itself and has no value here.
-            let names = names.into_iter().filter(|name| !name.as_str().contains('('));
+            let names = function.variables().into_iter();
             Ok(evaluate(&function, &names.map(|name| (name.clone(), self.example_of(&name))).collect()))
         };
         for name in &self.positive {
-            if !self.example_of(&Symbol::new(name)).is_positive() {
+            if !self.example_of(name).is_positive() {
                 return Err(DomainError::Impossible(format!("{name} > 0")));
             }
         }
@@ -315,7 +335,7 @@ impl Domain {
             }
         }
         for (name, square) in &self.squares {
-            let given = self.example_of(&Symbol::new(name));
+            let given = self.example_of(name);
             if value(square)? != Some(Rational::from(&given * &given)) {
                 return Err(DomainError::Impossible(format!("{name}^2 = {square}")));
             }
@@ -324,7 +344,7 @@ impl Domain {
     }
 
     pub(super) fn example_of(&self, name: &Symbol) -> Rational {
-        let given = self.example.iter().find(|(known, _)| known == name.as_str());
+        let given = self.example.iter().find(|(known, _)| known == name);
         let number =
             given.and_then(|(_, value)| Self::default().rational_function(value).ok()?.as_constant());
         number.unwrap_or_else(|| Rational::from(i32::from(self.is_positive(name))))
@@ -339,31 +359,31 @@ impl Domain {
     /// Does no assumption, substitution or parameter speak of this variable?
     pub(super) fn is_unbound(&self, name: &Symbol) -> bool {
         let values = self.substitutions.iter().chain(&self.parameters);
-        let mut values =
-            values.filter(|(known, value)| known == name.as_str() || value.variables().contains(name));
-        values.next().is_none() && !self.is_assumed(name.as_str())
+        let mut values = values.filter(|(known, value)| known == name || value.variables().contains(name));
+        values.next().is_none() && !self.is_assumed(name)
     }
 
     /// Does a limit in this variable leave every assumption and every other quantity as it is?
     pub(super) fn leaves_free(&self, name: &Symbol) -> bool {
-        let listed = self.positive.iter().any(|known| known == name.as_str());
+        let listed = self.positive.contains(name);
         let given = self.given.iter().map(|condition| &condition.expression);
         let bound = given.chain(self.squares.iter().chain(&self.parameters).map(|(_, value)| value));
-        let substituted = self.substitutions.iter().any(|(known, _)| known == name.as_str());
+        let substituted = self.substitutions.iter().any(|(known, _)| known == name);
         listed && !substituted && bound.into_iter().all(|value| !value.variables().contains(name))
     }
 }
 
-fn values(pairs: &[(String, Expression)]) -> BTreeMap<Symbol, Expression> {
-    pairs.iter().map(|(name, value)| (Symbol::new(name), value.clone())).collect()
+fn values(pairs: &[(Symbol, Expression)]) -> BTreeMap<Symbol, Expression> {
+    pairs.iter().cloned().collect()
 }
 
 impl fmt::Display for Domain {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let equal = |(name, value): &(String, Expression)| format!("{name} = {value}");
+        let equal = |(name, value): &(Symbol, Expression)| format!("{name} = {value}");
         let mut parts = Vec::new();
         if !self.positive.is_empty() {
-            parts.push(format!("{} > 0", self.positive.join(", ")));
+            let names: Vec<&str> = self.positive.iter().map(Symbol::as_str).collect();
+            parts.push(format!("{} > 0", names.join(", ")));
         }
         parts.extend(self.given.iter().map(ToString::to_string));
         parts.extend(self.squares.iter().map(|(name, square)| format!("{name}^2 = {square}")));

@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use super::division::integer_scale;
-use super::{Monomial, Polynomial, RationalFunction, Symbol};
+use super::{Condition, Monomial, Polynomial, RationalFunction, Relation, Symbol};
 use rug::Rational;
 
 crate::named! {
@@ -56,8 +56,8 @@ impl Expression {
 
     /// A variable.
     #[must_use]
-    pub fn variable(name: &str) -> Self {
-        Self::Variable(Symbol::new(name))
+    pub fn variable(name: impl Into<Symbol>) -> Self {
+        Self::Variable(name.into())
     }
 
     /// An integer power of this expression; the power 0 of anything but the number zero is 1.
@@ -105,6 +105,42 @@ impl Expression {
             Self::Sum(parts) | Self::Product(parts) => parts.iter().flat_map(Self::variables).collect(),
             Self::Quotient(left, right) => &left.variables() | &right.variables(),
             Self::Negation(inner) | Self::Power(inner, _) | Self::Call(_, inner) => inner.variables(),
+        }
+    }
+
+    /// What must hold for the expression to have a value, as it is written: of each divisor, base of a power that divides, argument of
+    /// a logarithm and of a root.
+    #[must_use]
+    pub fn demands(&self) -> Vec<Condition> {
+        let mut found = Vec::new();
+        self.add_demands(&mut found);
+        found
+    }
+
+    fn add_demands(&self, found: &mut Vec<Condition>) {
+        let mut demand = |expression: &Self, relation| {
+            let condition = Condition { expression: expression.clone(), relation };
+            if !found.contains(&condition) {
+                found.push(condition);
+            }
+        };
+        match self {
+            Self::Quotient(_, below) => demand(below, Relation::NonZero),
+            Self::Power(base, exponent) if *exponent <= 0 => demand(base, Relation::NonZero),
+            Self::Call(Function::Ln, argument) => demand(argument, Relation::Positive),
+            Self::Call(Function::Sqrt, argument) => demand(argument, Relation::NonNegative),
+            _ => {}
+        }
+        match self {
+            Self::Number(_) | Self::Variable(_) => {}
+            Self::Sum(parts) | Self::Product(parts) => {
+                parts.iter().for_each(|part| part.add_demands(found));
+            }
+            Self::Quotient(above, below) => {
+                above.add_demands(found);
+                below.add_demands(found);
+            }
+            Self::Negation(inner) | Self::Power(inner, _) | Self::Call(_, inner) => inner.add_demands(found),
         }
     }
 
@@ -185,8 +221,8 @@ impl Expression {
 
     /// This expression with one variable replaced.
     #[must_use]
-    pub fn with(&self, name: &str, value: &Expression) -> Self {
-        self.substitute(&BTreeMap::from([(Symbol::new(name), value.clone())]))
+    pub fn with(&self, name: impl Into<Symbol>, value: &Expression) -> Self {
+        self.substitute(&BTreeMap::from([(name.into(), value.clone())]))
     }
 }
 
@@ -267,7 +303,7 @@ impl From<&Polynomial> for Expression {
                 Self::Number(coefficient.clone().abs()),
                 |product, (name, exponent)| {
                     // Exponents here stay far below i32's limit: they come from equations of a dozen terms.
-                    product * Self::Variable(name.clone()).power(*exponent as i32)
+                    product * Self::from(name).power(*exponent as i32)
                 },
             );
             if coefficient.is_negative() { -size } else { size }

@@ -88,6 +88,9 @@ fn call(function: Function, argument: &str) -> String {
 }
 
 fn symbol(name: &Symbol) -> String {
+    if let Some(number) = name.number() {
+        return format!("\\#_{{{number}}}");
+    }
     let base = name.base();
     if base == "pm" {
         return "\\pm ".to_owned();

@@ -8,6 +8,7 @@
 //! assert_eq!(cubic.isolate_positive_roots().len(), 2);
 //! ```
 
+mod budget;
 mod calculus;
 mod certificate;
 mod check;
@@ -18,6 +19,7 @@ mod division;
 mod domain;
 mod enclose;
 mod expression;
+mod forms;
 mod latex;
 mod matrix;
 mod monomial;
@@ -38,6 +40,7 @@ mod symbol;
 mod univariate;
 mod value;
 
+pub use budget::{Exhausted, within_budget};
 pub use certificate::{Certificate, Toward};
 pub use condition::{Condition, Relation};
 pub use conversion::ConversionError;
@@ -58,5 +61,5 @@ pub use series::Series;
 pub use sign_formula::{Literal, Sign, SignFormula};
 pub use size::{Extent, TooLarge};
 pub use sturm::{IsolatingInterval, SturmSequence};
-pub use symbol::Symbol;
+pub use symbol::{Generator, Symbol};
 pub use univariate::UnivariatePolynomial;

@@ -1,6 +1,6 @@
 //! Determinants without fractions, and what is made of them: resultants and discriminants.
 
-use super::{Polynomial, Symbol};
+use super::{Generator, Polynomial};
 
 /// The determinant of a square matrix by Bareiss' fraction-free elimination: every division is exact.
 #[must_use]
@@ -37,7 +37,11 @@ fn eliminate_below(rows: &mut [Vec<Polynomial>], step: usize, previous: &Polynom
 
 /// The resultant with respect to one variable: zero exactly where both have a common root or drop in degree.
 #[must_use]
-pub fn resultant(left: &Polynomial, right: &Polynomial, variable: &Symbol) -> Polynomial {
+pub fn resultant(
+    left: &Polynomial,
+    right: &Polynomial,
+    variable: &(impl AsRef<Generator> + ?Sized),
+) -> Polynomial {
     let (left, right) = (left.coefficients(variable), right.coefficients(variable));
     let (left_degree, right_degree) = (left.len() - 1, right.len() - 1);
     let size = left_degree + right_degree;
@@ -58,7 +62,7 @@ pub fn resultant(left: &Polynomial, right: &Polynomial, variable: &Symbol) -> Po
 ///
 /// Degree at least 1; the zero polynomial has discriminant zero.
 #[must_use]
-pub fn discriminant(polynomial: &Polynomial, variable: &Symbol) -> Polynomial {
+pub fn discriminant(polynomial: &Polynomial, variable: &(impl AsRef<Generator> + ?Sized)) -> Polynomial {
     let degree = polynomial.degree(variable);
     let leading = polynomial.coefficients(variable).pop().unwrap_or_default();
     let resultant = resultant(polynomial, &polynomial.derivative(variable), variable);
@@ -69,8 +73,9 @@ pub fn discriminant(polynomial: &Polynomial, variable: &Symbol) -> Polynomial {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::Symbol;
 
-    fn variable(name: &str) -> Polynomial {
+    fn variable(name: &'static str) -> Polynomial {
         Polynomial::variable(name)
     }
 
@@ -80,7 +85,7 @@ mod tests {
         let quadratic = &(&(&a * &x.pow(2)) + &(&b * &x)) + &c;
         let four = Polynomial::constant(rug::Rational::from(4));
         let expected = &b.pow(2) - &(&four * &(&a * &c));
-        assert_eq!(discriminant(&quadratic, &Symbol::new("x")), expected);
+        assert_eq!(discriminant(&quadratic, &Symbol::from("x")), expected);
     }
 
     #[test]
@@ -88,7 +93,7 @@ mod tests {
         let (p, q, r, x) = (variable("p"), variable("q"), variable("r"), variable("x"));
         let cubic = &(&(&x - &p) * &(&x - &q)) * &(&x - &r);
         let differences = &(&(&p - &q) * &(&q - &r)) * &(&p - &r);
-        assert_eq!(discriminant(&cubic, &Symbol::new("x")), differences.pow(2));
+        assert_eq!(discriminant(&cubic, &Symbol::from("x")), differences.pow(2));
     }
 
     #[test]

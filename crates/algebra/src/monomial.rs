@@ -1,16 +1,16 @@
-//! Products of powers of variables, in lexicographic order.
+//! Products of powers of variables and functions, in lexicographic order.
 
 use std::cmp::Ordering;
 use std::collections::BTreeMap;
 
-use super::Symbol;
+use super::Generator;
 
 /// A product of positive powers of distinct variables; the empty product is 1.
 ///
 /// The order is lexicographic with the alphabetically first variable heaviest. It is admissible (1 is least, and
 /// products keep the order), which is all that exact division needs.
 #[derive(Debug, Clone, PartialEq, Eq, Hash, Default)]
-pub struct Monomial(Vec<(Symbol, u32)>);
+pub struct Monomial(Vec<(Generator, u32)>);
 
 impl Monomial {
     /// The monomial 1.
@@ -21,31 +21,31 @@ impl Monomial {
 
     /// variable^exponent.
     #[must_use]
-    pub fn power(variable: &Symbol, exponent: u32) -> Self {
-        if exponent == 0 { Self::one() } else { Self(vec![(variable.clone(), exponent)]) }
+    pub fn power(variable: &(impl AsRef<Generator> + ?Sized), exponent: u32) -> Self {
+        if exponent == 0 { Self::one() } else { Self(vec![(variable.as_ref().clone(), exponent)]) }
     }
 
     /// The factors, variables ascending, exponents positive.
-    pub fn factors(&self) -> impl Iterator<Item = &(Symbol, u32)> {
+    pub fn factors(&self) -> impl Iterator<Item = &(Generator, u32)> {
         self.0.iter()
     }
 
     /// The exponent of a variable, 0 when it is absent.
     #[must_use]
-    pub fn exponent(&self, variable: &Symbol) -> u32 {
-        self.0.iter().find(|(name, _)| name == variable).map_or(0, |(_, exponent)| *exponent)
+    pub fn exponent(&self, variable: &(impl AsRef<Generator> + ?Sized)) -> u32 {
+        self.0.iter().find(|(name, _)| name == variable.as_ref()).map_or(0, |(_, exponent)| *exponent)
     }
 
     /// This monomial with one variable struck out.
     #[must_use]
-    pub fn without(&self, variable: &Symbol) -> Self {
-        Self(self.0.iter().filter(|(name, _)| name != variable).cloned().collect())
+    pub fn without(&self, variable: &(impl AsRef<Generator> + ?Sized)) -> Self {
+        Self(self.0.iter().filter(|(name, _)| name != variable.as_ref()).cloned().collect())
     }
 
     /// The product of two monomials.
     #[must_use]
     pub fn times(&self, other: &Self) -> Self {
-        let mut exponents: BTreeMap<Symbol, u32> = self.0.iter().cloned().collect();
+        let mut exponents: BTreeMap<Generator, u32> = self.0.iter().cloned().collect();
         for (name, exponent) in &other.0 {
             *exponents.entry(name.clone()).or_insert(0) += exponent;
         }
@@ -100,10 +100,11 @@ impl Ord for Monomial {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::Symbol;
 
-    fn monomial(factors: &[(&str, u32)]) -> Monomial {
+    fn monomial(factors: &[(&'static str, u32)]) -> Monomial {
         factors.iter().fold(Monomial::one(), |product, (name, exponent)| {
-            product.times(&Monomial::power(&Symbol::new(name), *exponent))
+            product.times(&Monomial::power(&Symbol::from(*name), *exponent))
         })
     }
 

@@ -1,10 +1,10 @@
-//! Sparse polynomials over ℚ in any number of named variables.
+//! Sparse polynomials over ℚ in any number of variables and functions.
 
 use std::collections::{BTreeMap, BTreeSet};
 
 use rug::Rational;
 
-use super::{Monomial, Symbol};
+use super::{Expression, Generator, Monomial, Symbol};
 
 /// A polynomial over ℚ: a sum of rational coefficients times monomials, none of them zero.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
@@ -31,8 +31,14 @@ impl Polynomial {
 
     /// The polynomial that is one variable.
     #[must_use]
-    pub fn variable(name: &str) -> Self {
-        Self::term(Rational::from(1), Monomial::power(&Symbol::new(name), 1))
+    pub fn variable(name: impl Into<Symbol>) -> Self {
+        Self::generator(&name.into())
+    }
+
+    /// The polynomial that is one variable or function.
+    #[must_use]
+    pub fn generator(generator: &(impl AsRef<Generator> + ?Sized)) -> Self {
+        Self::term(Rational::from(1), Monomial::power(generator, 1))
     }
 
     /// coefficient · monomial.
@@ -84,15 +90,21 @@ impl Polynomial {
         self.0.last_key_value()
     }
 
-    /// The variables that occur, in alphabetical order.
+    /// The variables and functions that it is a polynomial in, in alphabetical order.
+    #[must_use]
+    pub fn generators(&self) -> BTreeSet<Generator> {
+        self.0.keys().flat_map(|monomial| monomial.factors().map(|(name, _)| name.clone())).collect()
+    }
+
+    /// The variables that occur, those in the arguments of functions too, in alphabetical order.
     #[must_use]
     pub fn variables(&self) -> BTreeSet<Symbol> {
-        self.0.keys().flat_map(|monomial| monomial.factors().map(|(name, _)| name.clone())).collect()
+        self.generators().iter().flat_map(Generator::variables).collect()
     }
 
     /// The degree in one variable; 0 for the zero polynomial.
     #[must_use]
-    pub fn degree(&self, variable: &Symbol) -> u32 {
+    pub fn degree(&self, variable: &(impl AsRef<Generator> + ?Sized)) -> u32 {
         self.0.keys().map(|monomial| monomial.exponent(variable)).max().unwrap_or(0)
     }
 
@@ -108,7 +120,7 @@ impl Polynomial {
 
     /// The coefficients as polynomials in the other variables, by ascending power of `variable` (at least one).
     #[must_use]
-    pub fn coefficients(&self, variable: &Symbol) -> Vec<Self> {
+    pub fn coefficients(&self, variable: &(impl AsRef<Generator> + ?Sized)) -> Vec<Self> {
         let mut coefficients = vec![Self::zero(); self.degree(variable) as usize + 1];
         for (monomial, coefficient) in &self.0 {
             let power = monomial.exponent(variable) as usize;
@@ -117,9 +129,9 @@ impl Polynomial {
         coefficients
     }
 
-    /// The partial derivative.
+    /// The partial derivative; functions count as constants ([`super::RationalFunction::hides`] names them).
     #[must_use]
-    pub fn derivative(&self, variable: &Symbol) -> Self {
+    pub fn derivative(&self, variable: &(impl AsRef<Generator> + ?Sized)) -> Self {
         let mut derivative = Self::zero();
         for (monomial, coefficient) in &self.0 {
             let exponent = monomial.exponent(variable);
@@ -132,7 +144,7 @@ impl Polynomial {
 
     /// This polynomial with another one put in the place of a variable (Horner's rule).
     #[must_use]
-    pub fn substitute(&self, variable: &Symbol, value: &Self) -> Self {
+    pub fn substitute(&self, variable: &(impl AsRef<Generator> + ?Sized), value: &Self) -> Self {
         if self.degree(variable) == 0 {
             return self.clone();
         }
@@ -142,14 +154,18 @@ impl Polynomial {
             .fold(Self::zero(), |sum, coefficient| &(&sum * value) + &coefficient)
     }
 
-    /// The exact value at a rational point; `None` when a variable has no value.
+    /// The exact value at a rational point; `None` when a variable has no value, or a function no rational one.
     #[must_use]
     pub fn evaluate(&self, point: &BTreeMap<Symbol, Rational>) -> Option<Rational> {
         let mut sum = Rational::new();
         for (monomial, coefficient) in &self.0 {
             let mut term = coefficient.clone();
             for (name, exponent) in monomial.factors() {
-                term *= power_of(point.get(name)?, *exponent);
+                let value = match name.function() {
+                    None => point.get(name)?.clone(),
+                    Some(_) => Expression::from(name).rational_value(point)?,
+                };
+                term *= power_of(&value, *exponent);
             }
             sum += term;
         }

@@ -6,11 +6,13 @@ use std::ops::{Add, Mul, Neg, Sub};
 use rug::Rational;
 
 use super::Polynomial;
+use super::budget::spend;
 
 impl Add for &Polynomial {
     type Output = Polynomial;
 
     fn add(self, other: Self) -> Polynomial {
+        spend(self.term_count() + other.term_count());
         let mut sum = self.clone();
         for (monomial, coefficient) in other.terms() {
             sum.add_term(monomial, coefficient);
@@ -39,6 +41,7 @@ impl Mul for &Polynomial {
     type Output = Polynomial;
 
     fn mul(self, other: Self) -> Polynomial {
+        spend(self.term_count() * other.term_count());
         let mut product = Polynomial::zero();
         for (left, left_coefficient) in self.terms() {
             for (right, right_coefficient) in other.terms() {
@@ -67,8 +70,8 @@ mod tests {
         proptest::collection::vec((-9i32..10, 1i32..5, 0u32..4, 0u32..4), 0..6).prop_map(|terms| {
             let mut sum = Polynomial::zero();
             for (numerator, denominator, x_power, y_power) in terms {
-                let monomial = Monomial::power(&Symbol::new("x"), x_power)
-                    .times(&Monomial::power(&Symbol::new("y"), y_power));
+                let monomial = Monomial::power(&Symbol::from("x"), x_power)
+                    .times(&Monomial::power(&Symbol::from("y"), y_power));
                 sum = &sum + &Polynomial::term(Rational::from((numerator, denominator)), monomial);
             }
             sum
@@ -88,14 +91,14 @@ mod tests {
 
         #[test]
         fn derivative_obeys_the_product_rule(a in polynomial(), b in polynomial()) {
-            let x = Symbol::new("x");
+            let x = Symbol::from("x");
             let rule = &(&a.derivative(&x) * &b) + &(&a * &b.derivative(&x));
             prop_assert_eq!((&a * &b).derivative(&x), rule);
         }
 
         #[test]
         fn substitution_is_a_homomorphism(a in polynomial(), b in polynomial(), value in polynomial()) {
-            let x = Symbol::new("x");
+            let x = Symbol::from("x");
             let product = &a.substitute(&x, &value) * &b.substitute(&x, &value);
             prop_assert_eq!((&a * &b).substitute(&x, &value), product);
         }

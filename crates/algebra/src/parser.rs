@@ -9,11 +9,14 @@
 //! name     := letter (letter | digit | '_')* '\''*        function := ln | sqrt | abs | exp | asinh
 //! ```
 //! `±` stands for the variable `pm` with pm² = 1, and `i` for the variable with i² = −1.
+//!
+//! Certificates may have parameters, `'#' digits`, where an expression has a name. No user can write them.
 
 use std::str::FromStr;
 
 use thiserror::Error;
 
+use super::symbol::PARAMETER;
 use super::{Condition, Expression, Function, Relation, Symbol};
 use crate::number::parse_decimal;
 
@@ -46,6 +49,8 @@ pub struct Demand {
 }
 
 struct Parser {
+    /// Whether parameters may occur.
+    parameters: bool,
     text: Vec<char>,
     position: usize,
     depth: usize,
@@ -58,7 +63,12 @@ impl Expression {
     /// # Errors
     /// When the text is not of the grammar.
     pub fn read(text: &str) -> Result<(Self, Vec<Demand>), ParseError> {
-        let mut parser = Parser { text: text.chars().collect(), position: 0, depth: 0, demands: Vec::new() };
+        Self::read_with(text, false)
+    }
+
+    fn read_with(text: &str, parameters: bool) -> Result<(Self, Vec<Demand>), ParseError> {
+        let text = text.chars().collect();
+        let mut parser = Parser { parameters, text, position: 0, depth: 0, demands: Vec::new() };
         if parser.text.len() > MAX_LENGTH {
             return Err(parser.error(format!("longer than {MAX_LENGTH} characters")));
         }
@@ -78,11 +88,51 @@ impl FromStr for Expression {
     }
 }
 
+/// An expression of a certificate.
 impl TryFrom<String> for Expression {
     type Error = ParseError;
 
     fn try_from(text: String) -> Result<Self, ParseError> {
-        text.parse()
+        Ok(Self::read_with(&text, true)?.0)
+    }
+}
+
+impl FromStr for Symbol {
+    type Err = ParseError;
+
+    fn from_str(text: &str) -> Result<Self, ParseError> {
+        match text.parse()? {
+            Expression::Variable(symbol) if symbol.as_str() == text => Ok(symbol),
+            _ => Err(ParseError { column: 1, message: "expected one name".to_owned() }),
+        }
+    }
+}
+
+/// A symbol of a certificate.
+impl TryFrom<String> for Symbol {
+    type Error = ParseError;
+
+    fn try_from(text: String) -> Result<Self, ParseError> {
+        match Expression::try_from(text)? {
+            Expression::Variable(symbol) => Ok(symbol),
+            _ => Err(ParseError { column: 1, message: "expected one name".to_owned() }),
+        }
+    }
+}
+
+impl From<Symbol> for String {
+    fn from(symbol: Symbol) -> Self {
+        symbol.as_str().to_owned()
+    }
+}
+
+/// A name that the program itself states.
+///
+/// # Panics
+/// When the text is no name.
+impl From<&'static str> for Symbol {
+    fn from(name: &'static str) -> Self {
+        name.parse().unwrap_or_else(|error| panic!("'{name}' is no name: {error}"))
     }
 }
 
@@ -147,7 +197,7 @@ impl Parser {
         } else if self.take('+') {
             self.signed()?
         } else if self.take('±') {
-            Expression::variable("pm") * self.signed()?
+            Expression::Variable(Symbol::read("pm")) * self.signed()?
         } else {
             self.power()?
         };
@@ -197,6 +247,7 @@ impl Parser {
             Some('(') => self.parenthesised(),
             Some(c) if c.is_ascii_digit() || c == '.' => self.number(),
             Some(c) if c.is_ascii_alphabetic() => self.named(),
+            Some(PARAMETER) if self.parameters => self.parameter(),
             Some(found) => Err(self.error(format!("expected a number, a name or '(', found '{found}'"))),
             None => Err(self.error("expected a number, a name or '(', found the end")),
         }
@@ -217,6 +268,13 @@ impl Parser {
             .map_err(|error| ParseError { column: start + 1, message: format!("'{digits}' is {error}") })
     }
 
+    fn parameter(&mut self) -> Result<Expression, ParseError> {
+        self.position += 1;
+        let digits = self.take_while(|c| c.is_ascii_digit());
+        let number = digits.parse().map_err(|_| self.error("expected the number of a parameter"))?;
+        Ok(Expression::Variable(Symbol::parameter(number)))
+    }
+
     fn named(&mut self) -> Result<Expression, ParseError> {
         let mut name = self.take_while(|c| c.is_ascii_alphanumeric() || c == '_');
         name += &self.take_while(|c| c == '\'');
@@ -235,7 +293,7 @@ impl Parser {
             None if self.peek() == Some('(') => {
                 Err(self.error(format!("'{name}' is not a function (write * for products)")))
             }
-            None => Ok(Expression::Variable(Symbol::new(&name))),
+            None => Ok(Expression::Variable(Symbol::read(&name))),
         }
     }
 

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use super::{Certificate, CounterExample, Domain, Expression, Refutation, Toward};
+use super::{Certificate, CounterExample, Domain, Expression, Refutation, Symbol, Toward};
 
 /// One step of a proof.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -147,13 +147,13 @@ impl Proof {
         self,
         says: &str,
         equations: &[&str],
-        (polynomial, variable): (&Expression, &str),
+        (polynomial, variable): (&Expression, impl Into<Symbol>),
         between: [Option<&Expression>; 2],
         domain: &Domain,
     ) -> Result<Self, Refutation> {
         let certificate = Certificate::Root {
             polynomial: polynomial.clone(),
-            variable: variable.to_owned(),
+            variable: variable.into(),
             between: between.map(|end| end.cloned()),
             domain: domain.clone(),
         };
@@ -168,10 +168,10 @@ impl Proof {
         self,
         says: &str,
         equations: &[&str],
-        (expression, variable, order): (&Expression, &str, u32),
+        (expression, variable, order): (&Expression, impl Into<Symbol>, u32),
         domain: &Domain,
     ) -> Result<Self, Refutation> {
-        let (expression, variable) = (expression.clone(), variable.to_owned());
+        let (expression, variable) = (expression.clone(), variable.into());
         let certificate = Certificate::Growth { expression, variable, order, domain: domain.clone() };
         self.certify(says, equations, certificate)
     }
@@ -185,13 +185,13 @@ impl Proof {
         says: &str,
         equations: &[&str],
         expression: &Expression,
-        (variable, toward): (&str, Toward),
+        (variable, toward): (impl Into<Symbol>, Toward),
         value: &Expression,
         domain: &Domain,
     ) -> Result<Self, Refutation> {
         let certificate = Certificate::Limit {
             expression: expression.clone(),
-            variable: variable.to_owned(),
+            variable: variable.into(),
             toward,
             value: value.clone(),
             domain: domain.clone(),

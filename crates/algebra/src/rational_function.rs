@@ -1,10 +1,11 @@
 //! Quotients of polynomials over ℚ in lowest terms.
 
+use std::collections::BTreeSet;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use rug::Rational;
 
-use super::{Expression, Polynomial, Symbol};
+use super::{Generator, Polynomial, Symbol};
 use crate::number::Field;
 
 /// numerator/denominator without common factor, the denominator's leading coefficient 1.
@@ -39,8 +40,14 @@ impl RationalFunction {
 
     /// A variable.
     #[must_use]
-    pub fn variable(name: &str) -> Self {
+    pub fn variable(name: impl Into<Symbol>) -> Self {
         Polynomial::variable(name).into()
+    }
+
+    /// A variable or function.
+    #[must_use]
+    pub fn generator(generator: &(impl AsRef<Generator> + ?Sized)) -> Self {
+        Polynomial::generator(generator).into()
     }
 
     /// The numerator.
@@ -67,14 +74,22 @@ impl RationalFunction {
         Some(self.numerator.as_constant()? / self.denominator.as_constant()?)
     }
 
-    /// A variable of it that stands for a function of this one, such as `exp(1/V)`; derivatives, degrees and limits do not see it.
+    /// The variables and functions that it is a quotient in.
     #[must_use]
-    pub fn hides(&self, variable: &Symbol) -> Option<Symbol> {
-        let variables = &self.numerator.variables() | &self.denominator.variables();
-        variables.into_iter().find(|name| {
-            let inner = || name.as_str().parse::<Expression>().map(|inner| inner.variables());
-            name.as_str().contains('(') && inner().map_or(true, |inner| inner.contains(variable))
-        })
+    pub fn generators(&self) -> BTreeSet<Generator> {
+        &self.numerator.generators() | &self.denominator.generators()
+    }
+
+    /// The variables that occur, those in the arguments of functions too.
+    #[must_use]
+    pub fn variables(&self) -> BTreeSet<Symbol> {
+        &self.numerator.variables() | &self.denominator.variables()
+    }
+
+    /// A function in it of this variable, such as `exp(1/V)`; derivatives, degrees and limits do not see it.
+    #[must_use]
+    pub fn hides(&self, variable: &Symbol) -> Option<Generator> {
+        self.generators().into_iter().find(|generator| generator.hides(variable))
     }
 
     /// The quotient; `None` when `divisor` is zero.
@@ -90,9 +105,9 @@ impl RationalFunction {
         Self { numerator: self.numerator.pow(exponent), denominator: self.denominator.pow(exponent) }
     }
 
-    /// The partial derivative.
+    /// The partial derivative; functions count as constants.
     #[must_use]
-    pub fn derivative(&self, variable: &Symbol) -> Self {
+    pub fn derivative(&self, variable: &(impl AsRef<Generator> + ?Sized)) -> Self {
         let numerator = &(&self.numerator.derivative(variable) * &self.denominator)
             - &(&self.numerator * &self.denominator.derivative(variable));
         reduced(numerator, self.denominator.pow(2))
@@ -204,7 +219,7 @@ mod tests {
     fn derivative_of_a_reciprocal() {
         let x = RationalFunction::variable("x");
         let reciprocal = RationalFunction::from(1) / &x;
-        assert_eq!(reciprocal.derivative(&Symbol::new("x")), RationalFunction::from(-1) / x.square());
+        assert_eq!(reciprocal.derivative(&Symbol::from("x")), RationalFunction::from(-1) / x.square());
     }
 
     #[test]

@@ -11,7 +11,7 @@ use rug::Rational;
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct CounterExample {
     /// Names and values.
-    pub point: Vec<(String, Expression)>,
+    pub point: Vec<(Symbol, Expression)>,
     /// The value of the side that was derived.
     pub left: Expression,
     /// The value of the side that was claimed.
@@ -61,7 +61,7 @@ impl CounterExample {
         const VALUES: [i32; 12] = [2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37];
         let variables: Vec<Symbol> = [left, right]
             .iter()
-            .flat_map(|side| &side.numerator().variables() | &side.denominator().variables())
+            .flat_map(|side| side.variables())
             .collect::<std::collections::BTreeSet<_>>()
             .into_iter()
             .collect();
@@ -87,11 +87,11 @@ pub(super) fn evaluate(function: &RationalFunction, point: &BTreeMap<Symbol, Rat
 }
 
 /// The point in the variables of the paper: values of the substituted variables are computed, the others kept.
-fn original_point(point: &BTreeMap<Symbol, Rational>, domain: &Domain) -> Vec<(String, Expression)> {
+fn original_point(point: &BTreeMap<Symbol, Rational>, domain: &Domain) -> Vec<(Symbol, Expression)> {
     let hidden =
         |name: &Symbol| domain.substitutions().iter().any(|(_, value)| value.variables().contains(name));
     let kept = point.iter().filter(|(name, _)| !hidden(name));
-    let kept = kept.map(|(name, value)| (name.to_string(), Expression::Number(value.clone())));
+    let kept = kept.map(|(name, value)| (name.clone(), Expression::Number(value.clone())));
     let computed = domain.substitutions().iter().filter_map(|(name, value)| {
         let value = evaluate(&Domain::default().rational_function(value).ok()?, point)?;
         Some((name.clone(), Expression::Number(value)))

@@ -176,7 +176,7 @@ mod tests {
     #[test]
     fn implicit_root_of_a_quadratic() {
         // y² = 1 + x: y = 1 + x/2 − x²/8 + …
-        let (x, y) = (Symbol::new("x"), Symbol::new("y"));
+        let (x, y) = (Symbol::from("x"), Symbol::from("y"));
         let relation = &(&Polynomial::variable("y").pow(2) - &Polynomial::one()) - &Polynomial::variable("x");
         let series = Series::implicit(&relation, &x, &y, RationalFunction::from(1), 3).expect("single root");
         let eighth = RationalFunction::from(1) / RationalFunction::from(8);
@@ -186,7 +186,7 @@ mod tests {
 
     #[test]
     fn double_roots_have_no_unique_series() {
-        let (x, y) = (Symbol::new("x"), Symbol::new("y"));
+        let (x, y) = (Symbol::from("x"), Symbol::from("y"));
         let relation = &Polynomial::variable("y").pow(2) - &Polynomial::variable("x");
         assert_eq!(Series::implicit(&relation, &x, &y, RationalFunction::from(0), 3), None);
     }

@@ -1,9 +1,11 @@
 //! Boolean combinations of the signs of expressions.
 
 use std::cmp::Ordering;
+use std::collections::BTreeMap;
 use std::fmt;
 
-use super::{Expression, Relation};
+use super::{Expression, Relation, Symbol};
+use crate::number::Rational;
 
 crate::named! {
     /// What is said of the sign of an expression.
@@ -58,6 +60,12 @@ impl Literal {
     #[must_use]
     pub fn new(expression: Expression, sign: Sign) -> Self {
         Self { expression, sign }
+    }
+
+    /// Whether it is true at a point; none where its expression has no value, or one that is not certain.
+    #[must_use]
+    pub fn holds_at(&self, point: &BTreeMap<Symbol, Rational>) -> Option<bool> {
+        Some(self.sign.admits(self.expression.order_at(point)?))
     }
 
     /// The opposite statement.

@@ -1,56 +1,227 @@
-//! Names of variables.
+//! What a polynomial is a polynomial in: names, parameters of a proof, and functions that keep their argument.
 //!
-//! Primes at the end of a name count time derivatives (`theta'` is dθ/dt), so that a differential equation is a
-//! polynomial in the names.
+//! A [`Symbol`] is a name that the parser has read, or a parameter, which is a number and which no user can write. It has values of its own.
+//! A [`Generator`] is a symbol or a function of something, such as `sqrt(V)`. A function has no values of its own: a point gives values to
+//! symbols only, and functions are computed from them.
+//!
+//! Primes at the end of a name count time derivatives (`theta'` is dθ/dt), so that a differential equation is a polynomial in the names.
+//!
+//! Text that is computed makes no symbol without the parser:
+//!
+//! ```compile_fail
+//! let name = String::from("sqrt(V)");
+//! let symbol = slipmode_algebra::Symbol::from(name);
+//! ```
+//!
+//! ```compile_fail
+//! let name = format!("gap_{}", 0);
+//! let symbol = slipmode_algebra::Symbol::from(name.as_str());
+//! ```
 
+use std::borrow::Borrow;
+use std::cmp::Ordering;
+use std::collections::BTreeSet;
 use std::fmt;
+use std::hash::{Hash, Hasher};
 use std::sync::Arc;
 
-/// The name of a variable, cheap to clone and ordered alphabetically.
+use super::{Expression, Function};
+
+/// What the text of a parameter begins with; no name does.
+pub(super) const PARAMETER: char = '#';
+
+/// A variable or a function of something. Ordered by its text, which the parser reads back.
+#[derive(Debug, Clone)]
+pub struct Generator {
+    text: Arc<str>,
+    /// The function and its argument; none for a symbol.
+    call: Option<Arc<(Function, Expression)>>,
+}
+
+impl Generator {
+    /// A function of this argument.
+    #[must_use]
+    pub fn call(function: Function, argument: Expression) -> Self {
+        let text = Arc::from(format!("{}({argument})", function.as_str()));
+        Self { text, call: Some(Arc::new((function, argument))) }
+    }
+
+    /// The text.
+    #[must_use]
+    pub fn as_str(&self) -> &str {
+        &self.text
+    }
+
+    /// The function with its argument; none for a symbol.
+    #[must_use]
+    pub fn function(&self) -> Option<(Function, &Expression)> {
+        self.call.as_ref().map(|call| (call.0, &call.1))
+    }
+
+    /// The argument, if this is the given function of something.
+    #[must_use]
+    pub fn argument_of(&self, function: Function) -> Option<&Expression> {
+        self.function().filter(|(own, _)| *own == function).map(|(_, argument)| argument)
+    }
+
+    /// The symbol; none for a function.
+    #[must_use]
+    pub fn symbol(&self) -> Option<Symbol> {
+        self.call.is_none().then(|| Symbol(self.clone()))
+    }
+
+    /// The symbols in it.
+    #[must_use]
+    pub fn variables(&self) -> BTreeSet<Symbol> {
+        match &self.call {
+            None => BTreeSet::from([Symbol(self.clone())]),
+            Some(call) => call.1.variables(),
+        }
+    }
+
+    /// Whether it is a function of something with this symbol.
+    #[must_use]
+    pub fn hides(&self, symbol: &Symbol) -> bool {
+        self.call.as_ref().is_some_and(|call| call.1.variables().contains(symbol))
+    }
+}
+
+impl From<&Generator> for Expression {
+    fn from(generator: &Generator) -> Self {
+        match &generator.call {
+            None => Self::Variable(Symbol(generator.clone())),
+            Some(call) => call.1.clone().call(call.0),
+        }
+    }
+}
+
+impl PartialEq for Generator {
+    fn eq(&self, other: &Self) -> bool {
+        self.text == other.text
+    }
+}
+
+impl Eq for Generator {}
+
+impl PartialOrd for Generator {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl Ord for Generator {
+    fn cmp(&self, other: &Self) -> Ordering {
+        if Arc::ptr_eq(&self.text, &other.text) { Ordering::Equal } else { self.text.cmp(&other.text) }
+    }
+}
+
+impl Hash for Generator {
+    fn hash<H: Hasher>(&self, state: &mut H) {
+        self.text.hash(state);
+    }
+}
+
+impl AsRef<Generator> for Generator {
+    fn as_ref(&self) -> &Generator {
+        self
+    }
+}
+
+impl fmt::Display for Generator {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.write_str(&self.text)
+    }
+}
+
+/// A name or a parameter, cheap to clone and ordered alphabetically.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct Symbol(Arc<str>);
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(try_from = "String", into = "String"))]
+pub struct Symbol(Generator);
 
 impl Symbol {
-    /// A symbol of this name.
+    /// A name that the parser has read.
+    pub(super) fn read(name: &str) -> Self {
+        Self(Generator { text: Arc::from(name), call: None })
+    }
+
+    /// A parameter of a proof, by its number. No user can write it.
     #[must_use]
-    pub fn new(name: &str) -> Self {
-        Self(Arc::from(name))
+    pub fn parameter(number: u32) -> Self {
+        Self::read(&format!("{PARAMETER}{number}"))
+    }
+
+    /// The parameter with the least number that is above those of all these symbols.
+    #[must_use]
+    pub fn fresh<'s>(used: impl IntoIterator<Item = &'s Self>) -> Self {
+        let next = used.into_iter().filter_map(Self::number).map(|number| number + 1);
+        Self::parameter(next.max().unwrap_or_default())
+    }
+
+    /// The number of a parameter; none for a name.
+    #[must_use]
+    pub fn number(&self) -> Option<u32> {
+        self.as_str().strip_prefix(PARAMETER)?.parse().ok()
     }
 
     /// The whole name, primes included.
     #[must_use]
     pub fn as_str(&self) -> &str {
-        &self.0
+        &self.0.text
     }
 
     /// The name without its primes.
     #[must_use]
     pub fn base(&self) -> &str {
-        self.0.trim_end_matches('\'')
+        self.as_str().trim_end_matches('\'')
     }
 
     /// The number of primes: the order of the time derivative.
     #[must_use]
     pub fn derivative_order(&self) -> usize {
-        self.0.len() - self.base().len()
+        self.as_str().len() - self.base().len()
+    }
+
+    /// The variable of which this is a time derivative: the name without its primes.
+    #[must_use]
+    pub fn undifferentiated(&self) -> Self {
+        Self::read(self.base())
     }
 
     /// The time derivative of this variable: one more prime.
     #[must_use]
     pub fn time_derivative(&self) -> Self {
-        Self(Arc::from(format!("{}'", self.0)))
+        Self::read(&format!("{self}'"))
     }
 }
 
-impl From<&str> for Symbol {
-    fn from(name: &str) -> Self {
-        Self::new(name)
+impl From<&Self> for Symbol {
+    fn from(symbol: &Self) -> Self {
+        symbol.clone()
+    }
+}
+
+impl From<Symbol> for Generator {
+    fn from(symbol: Symbol) -> Self {
+        symbol.0
+    }
+}
+
+impl AsRef<Generator> for Symbol {
+    fn as_ref(&self) -> &Generator {
+        &self.0
+    }
+}
+
+impl Borrow<Generator> for Symbol {
+    fn borrow(&self) -> &Generator {
+        &self.0
     }
 }
 
 impl fmt::Display for Symbol {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        formatter.write_str(&self.0)
+        formatter.write_str(self.as_str())
     }
 }
 
@@ -60,9 +231,26 @@ mod tests {
 
     #[test]
     fn primes_count_time_derivatives() {
-        let velocity = Symbol::new("delta").time_derivative();
+        let velocity = Symbol::from("delta").time_derivative();
         assert_eq!(velocity.as_str(), "delta'");
         assert_eq!(velocity.time_derivative().derivative_order(), 2);
         assert_eq!(velocity.base(), "delta");
+    }
+
+    #[test]
+    fn a_parameter_is_a_number_that_no_user_can_write() {
+        let third = Symbol::parameter(3);
+        assert_eq!((third.as_str(), third.number()), ("#3", Some(3)));
+        assert_eq!(Symbol::fresh([&third, &Symbol::from("x"), &Symbol::parameter(1)]), Symbol::parameter(4));
+        assert_eq!(Symbol::fresh([]), Symbol::parameter(0));
+        assert!("#3".parse::<Symbol>().is_err() && "#3 + 1".parse::<Expression>().is_err());
+    }
+
+    #[test]
+    fn a_function_keeps_its_argument() {
+        let root = Generator::call(Function::Sqrt, "x*y".parse().expect("in the grammar"));
+        assert_eq!((root.as_str(), root.symbol()), ("sqrt(x*y)", None));
+        assert_eq!(root.variables(), ["x", "y"].map(Symbol::from).into());
+        assert!(root.hides(&Symbol::from("x")) && !root.hides(&Symbol::from("z")));
     }
 }

@@ -1,9 +1,13 @@
 //! The value of an expression at given numbers: exact where it is rational, or enclosed.
 
+use std::cmp::Ordering;
 use std::collections::BTreeMap;
 
 use super::{Expression, Function, Symbol};
 use crate::number::{Ball, Field, Rational, Real};
+
+/// Bits of the numbers in which a value that is not rational is enclosed, in turn.
+const PRECISIONS: [u32; 2] = [96, 512];
 
 impl Expression {
     /// The exact value with these numbers for the variables; none when a variable has no number, when the value does not exist, and
@@ -39,6 +43,20 @@ impl Expression {
             }
             Self::Call(Function::Asinh, inner) => go(inner).filter(Rational::is_zero)?,
         })
+    }
+
+    /// How the value at these numbers compares with zero: exactly where it is rational, else enclosed; none where the value does not
+    /// exist, and where it may be zero without being rational.
+    #[must_use]
+    pub fn order_at(&self, values: &BTreeMap<Symbol, Rational>) -> Option<Ordering> {
+        if let Some(value) = self.rational_value(values) {
+            return Some(value.cmp0());
+        }
+        let enclosed = |bits: u32| {
+            let balls = values.iter().map(|(name, value)| (name.clone(), Ball::from_rational(value, bits)));
+            self.enclosed(&balls.collect(), bits).filter(Ball::is_bounded)?.sign()
+        };
+        PRECISIONS.into_iter().find_map(enclosed).filter(|order| order.is_ne())
     }
 
     /// The value with these numbers for the variables; none when a variable has no number.
@@ -78,7 +96,7 @@ mod tests {
     fn value(text: &str) -> Option<Ball> {
         let numbers = [("x", 3), ("y", -4)];
         let values = numbers
-            .map(|(name, value)| (Symbol::new(name), Ball::from_rational(&Rational::from(value), 128)));
+            .map(|(name, value)| (Symbol::from(name), Ball::from_rational(&Rational::from(value), 128)));
         text.parse::<Expression>().unwrap().enclosed(&values.into(), 128)
     }
 
@@ -90,6 +108,22 @@ mod tests {
             let found = value(text).unwrap();
             assert!(found.contains(&Rational::from(expected)), "{text}");
             assert!(found.relative_radius_log2() < -100.0, "{text}");
+        }
+    }
+
+    #[test]
+    fn values_that_are_not_rational_are_compared_with_zero_by_enclosures() {
+        let order = |text: &str| {
+            let values =
+                [("x", 2), ("y", -4)].map(|(name, value)| (Symbol::from(name), Rational::from(value)));
+            text.parse::<Expression>().unwrap().order_at(&values.into())
+        };
+        assert_eq!(order("exp(x) - 7"), Some(Ordering::Greater));
+        assert_eq!(order("sqrt(x) - 3/2"), Some(Ordering::Less));
+        assert_eq!(order("x + y + 2"), Some(Ordering::Equal));
+        // A zero that is not rational, a root and a logarithm of negative numbers, and an unknown name.
+        for text in ["sqrt(x)^2 - x", "sqrt(y)", "0*ln(y)", "1/(x + y/2)", "exp(x)*z"] {
+            assert_eq!(order(text), None, "{text}");
         }
     }
 

@@ -1,13 +1,14 @@
 //! How a side behaves as one variable moves: its limit, whether it rises or falls, whether it depends on the variable at all.
 
+use std::cmp::Ordering;
+
 use slipmode_algebra::{
     Certificate, Domain, Expression, Literal, Proof, RationalFunction, Refutation, Sign, Symbol, Toward,
 };
 
 use super::Problem;
-use super::points::{self, Points};
+use super::points::{self, Point, Points};
 use super::prover::Prover;
-use super::substitutions::domains;
 use crate::claims::Finding;
 use crate::scene::{Comparison, Statement};
 
@@ -25,13 +26,12 @@ impl Problem<'_> {
                 Points::MOST
             ));
         };
-        let attempt = Attempt {
-            proof,
-            numbers: self.numbers(),
-            domains: domains(&domain, &sides),
-            points,
-            problem: self,
+        let domain = match statement {
+            Statement::Depends(..) => domain.with_positive(other_value()),
+            _ => domain,
         };
+        let attempt =
+            Attempt { proof, numbers: self.numbers(), domains: domain.forms(&sides), points, problem: self };
         match (statement, &sides[..]) {
             (Statement::Monotone(_, _, variable), _) if !one_interval(&domain, variable) => {
                 Finding::not_checked(format!(
@@ -52,13 +52,17 @@ impl Problem<'_> {
     }
 }
 
+/// Another value of the variable on which an expression may depend: no formula has a parameter.
+pub(super) fn other_value() -> Symbol {
+    Symbol::parameter(0)
+}
+
 /// Whether the conditions allow one interval of a variable: each that contains it is linear in it, and no inequality of the kind ≠.
-fn one_interval(domain: &Domain, variable: &str) -> bool {
-    let name = Symbol::new(variable);
-    domain.conditions().iter().filter(|condition| condition.expression.variables().contains(&name)).all(
+fn one_interval(domain: &Domain, name: &Symbol) -> bool {
+    domain.conditions().iter().filter(|condition| condition.expression.variables().contains(name)).all(
         |condition| {
-            let slope = domain.rational_function(&condition.expression.derivative(&name));
-            let is_constant = |slope: RationalFunction| !Expression::from(&slope).variables().contains(&name);
+            let slope = domain.rational_function(&condition.expression.derivative(name));
+            let is_constant = |slope: RationalFunction| !slope.variables().contains(name);
             condition.relation != slipmode_algebra::Relation::NonZero && slope.is_ok_and(is_constant)
         },
     )
@@ -81,11 +85,11 @@ impl Attempt<'_> {
         Some(Finding::from_proof(Ok(proof)))
     }
 
-    fn all_points(&self, count: usize) -> impl Iterator<Item = points::Point> {
+    fn all_points(&self, count: usize) -> impl Iterator<Item = Point> {
         self.points.meeting(&self.problem.premises.conditions, count)
     }
 
-    fn text(&self, point: &points::Point) -> String {
+    fn text(&self, point: &Point) -> String {
         points::text(&self.problem.full(point))
     }
 
@@ -98,8 +102,8 @@ impl Attempt<'_> {
     }
 
     /// A slope of one sign. Only the opposite sign refutes it: a function with a slope of zero at one point may be monotone.
-    fn monotone(&self, side: &Expression, comparison: Comparison, variable: &str) -> Finding {
-        let slope = side.derivative(&Symbol::new(variable));
+    fn monotone(&self, side: &Expression, comparison: Comparison, variable: &Symbol) -> Finding {
+        let slope = side.derivative(variable);
         let is_zero = self
             .domains
             .first()
@@ -118,15 +122,22 @@ impl Attempt<'_> {
             return Finding::from_proof(steps.into_iter().try_fold(self.proof.clone(), step));
         }
         let refuted = self.all_points(Points::MOST).find_map(|point| {
-            let value = slope.rational_value(&point)?;
-            let opposite = if comparison == Comparison::Less { value > 0 } else { value < 0 };
+            let order = slope.order_at(&point)?;
+            let opposite = if comparison == Comparison::Less { order.is_gt() } else { order.is_lt() };
+            let value = points::value(&slope, &point)?;
             (opposite && self.can_move(&point, variable))
                 .then(|| format!("at {}: its slope in {variable} is {value}", self.text(&point)))
         });
         refuted.map_or_else(|| self.undecided("coefficients of one sign were not found"), Finding::failing)
     }
 
-    fn limit(&self, expression: &Expression, value: &Expression, variable: &str, toward: Toward) -> Finding {
+    fn limit(
+        &self,
+        expression: &Expression,
+        value: &Expression,
+        variable: &Symbol,
+        toward: Toward,
+    ) -> Finding {
         let prove = |domain: &Domain| {
             let proof = self.proof.clone();
             proof.limit("the limit", &self.numbers, expression, (variable, toward), value, domain)
@@ -151,72 +162,79 @@ impl Attempt<'_> {
         &self,
         expression: &Expression,
         value: &Expression,
-        variable: &str,
+        variable: &Symbol,
         toward: Toward,
     ) -> Option<String> {
-        let found = self.domains.first()?.limit(expression, &Symbol::new(variable), toward).ok()?;
+        let found = self.domains.first()?.limit(expression, variable, toward).ok()?;
         let found = Expression::from(&found);
         self.all_points(Points::MOST).find_map(|point| {
             let [limit, claimed] = [found.rational_value(&point)?, value.rational_value(&point)?];
-            let others: points::Point =
-                point.into_iter().filter(|(name, _)| name.as_str() != variable).collect();
+            let others: Point = point.into_iter().filter(|(name, _)| name != variable).collect();
             (limit != claimed)
                 .then(|| format!("at {}: the limit is {limit}, not {claimed}", self.text(&others)))
         })
     }
 
     /// Whether the conditions let a variable move away from a point that meets them, to both sides.
-    fn can_move(&self, point: &points::Point, variable: &str) -> bool {
-        let name = Symbol::new(variable);
+    fn can_move(&self, point: &Point, variable: &Symbol) -> bool {
         let of_variable =
-            |one: &&Literal| one.sign == Sign::NonNegative && one.expression.variables().contains(&name);
+            |one: &&Literal| one.sign == Sign::NonNegative && one.expression.variables().contains(variable);
         self.problem
             .premises
             .conditions
             .iter()
             .filter(of_variable)
-            .all(|one| one.expression.rational_value(point).is_some_and(|value| value > 0))
+            .all(|one| one.expression.order_at(point).is_some_and(Ordering::is_gt))
     }
 
-    fn depends(&self, expression: &Expression, claimed: bool, variable: &str) -> Finding {
-        let (name, other) = (Symbol::new(variable), Expression::variable("other_value"));
-        let changed = expression.with(variable, &other);
+    fn depends(&self, expression: &Expression, claimed: bool, variable: &Symbol) -> Finding {
+        let changed = expression.with(variable, &Expression::Variable(other_value()));
         let same = self.proved(|proof, domain| {
-            let domain = domain.clone().and_positive("other_value");
-            proof.identity(&format!("with another {variable}"), &self.numbers, expression, &changed, &domain)
+            proof.identity(&format!("with another {variable}"), &self.numbers, expression, &changed, domain)
         });
         if let Some(same) = same {
             let never = format!("it is the same for every {variable}");
             return if claimed { same.refuted(never) } else { same };
         }
-        // A point, and the same point with the variable's value of another one.
-        let pair = self.all_points(FIRST_POINTS).find_map(|point| {
-            let value = expression.rational_value(&point)?;
-            let changed = self.all_points(FIRST_POINTS).find_map(|other| {
-                let mut moved = point.clone();
-                moved.insert(name.clone(), other.get(&name)?.clone());
-                let changed = expression.rational_value(&moved).filter(|changed| *changed != value)?;
-                let allowed = self
-                    .problem
-                    .premises
-                    .conditions
-                    .iter()
-                    .all(|one| points::meets(one, &moved) == Some(true));
-                allowed.then(|| (moved[&name].clone(), changed))
-            })?;
-            Some((point, value, changed))
-        });
-        let Some((point, value, (moved, changed_value))) = pair else {
+        // A point, and the same point with the variable's value of another one. Values of a proof are rational.
+        let rational = |point: &Point| expression.rational_value(point).is_some();
+        let apart = expression.clone() - changed.clone();
+        let pair =
+            self.all_points(FIRST_POINTS).filter(|point| !claimed || rational(point)).find_map(|point| {
+                let moved = self.all_points(FIRST_POINTS).find_map(|other| {
+                    let mut moved = point.clone();
+                    moved.insert(variable.clone(), other.get(variable)?.clone());
+                    let mut both = point.clone();
+                    both.insert(other_value(), moved[variable].clone());
+                    let differ = apart.order_at(&both).is_some_and(Ordering::is_ne);
+                    let conditions = &self.problem.premises.conditions;
+                    let allowed = conditions.iter().all(|one| one.holds_at(&moved) == Some(true));
+                    (differ && allowed && (!claimed || rational(&moved))).then_some(moved)
+                })?;
+                Some((point, moved))
+            });
+        let Some((point, at_moved)) = pair else {
             return self.undecided("no identity was found");
         };
-        let words =
-            format!("at {}: {value}, and {changed_value} with {variable} = {moved}", self.text(&point));
+        let moved = at_moved[variable].clone();
+        let shown = |point: &Point| points::value(expression, point).unwrap_or_default();
+        let words = format!(
+            "at {}: {}, and {} with {variable} = {moved}",
+            self.text(&point),
+            shown(&point),
+            shown(&at_moved)
+        );
         if !claimed {
             return Finding::failing(words);
         }
-        let mut listed: Vec<(String, Expression)> =
-            point.iter().map(|(name, value)| (name.to_string(), Expression::Number(value.clone()))).collect();
-        listed.push(("other_value".into(), Expression::Number(moved)));
+        let Some((value, changed_value)) =
+            expression.rational_value(&point).zip(expression.rational_value(&at_moved))
+        else {
+            return self.undecided("no rational values were found");
+        };
+        let mut listed: Vec<(Symbol, Expression)> =
+            point.iter().map(|(name, value)| (name.clone(), Expression::Number(value.clone()))).collect();
+        listed.push((other_value(), Expression::Number(moved)));
         let values = [value, changed_value].map(Expression::Number);
         let certificate =
             Certificate::Difference { left: expression.clone(), right: changed, point: listed, values };

@@ -26,8 +26,7 @@ type Side = (Symbol, [Rational; 2]);
 impl Problem<'_> {
     /// The finding by enclosures, where every variable has ends or a value; none where it stays open.
     pub(super) fn enclosed(&self, lowered: &Lowered) -> Option<Finding> {
-        let whole: Vec<Side> =
-            self.formula.scope.within.iter().map(|(name, ends)| (Symbol::new(name), ends.clone())).collect();
+        let whole: Vec<Side> = self.formula.scope.within.clone();
         let ends = self.formula.scope.within.iter().flat_map(|(name, [low, high])| {
             let literal = |comparison: Comparison, end: &Rational| {
                 comparison.literal(Expression::variable(name), Expression::Number(end.clone()))

@@ -13,30 +13,32 @@ use crate::claims::Finding;
 use crate::scene::Premises;
 
 /// At how many values of the other variables a refutation is sought.
-const PLACES: usize = 8;
+const PLACES: usize = 64;
+
+/// At how many of them a certificate is sought.
+const MOST_PROOFS: usize = 8;
+
+/// How many values of the listed variables are tried at each.
+const VALUES: usize = 64;
 
 impl Problem<'_> {
-    /// The finding on: for all values of the other variables there are values of the listed ones, with which the formula is true.
+    /// The finding on: for all values of the other variables there are values of the listed ones that meet what is assumed of them, with
+    /// which the formula is true. A variable that only a condition names is one of the others.
     pub(super) fn there_is(&self, lowered: &Lowered) -> Finding {
-        let listed: BTreeSet<Symbol> =
-            self.formula.scope.there_is.iter().map(|name| Symbol::new(name)).collect();
-        let is_own = |literal: &&Literal| !literal.expression.variables().is_disjoint(&listed);
-        let (own, rest): (Vec<Literal>, Vec<Literal>) =
-            self.premises.conditions.iter().cloned().partition(|literal| is_own(&literal));
+        let listed: BTreeSet<Symbol> = self.formula.scope.there_is.iter().cloned().collect();
         let positive = listed.iter().filter(|name| self.premises.positive.contains(*name));
         let positive = positive.map(|name| Literal::new(Expression::Variable(name.clone()), Sign::Positive));
-        let wanted = positive.chain(own.clone()).map(SignFormula::Literal).chain([lowered.signs.clone()]);
+        let own: Vec<Literal> = positive.chain(self.premises.wanted.iter().cloned()).collect();
+        let wanted = own.iter().cloned().map(SignFormula::Literal).chain([lowered.signs.clone()]);
         let wanted = SignFormula::All(wanted.collect());
-        let outer = Premises {
-            positive: &self.premises.positive - &listed,
-            conditions: rest,
-            ..self.premises.clone()
-        };
-        let expressions = lowered.expressions();
+        let outer = Premises { positive: &self.premises.positive - &listed, ..self.premises.clone() };
+        let expressions: Vec<Expression> =
+            wanted.literals().into_iter().map(|literal| literal.expression.clone()).collect();
         let points = self.points(&expressions);
         let prover = Prover::new(&points);
-        let others = expressions.iter().flat_map(Expression::variables).filter(|name| !listed.contains(name));
-        let alone = others.count() == 0 && outer.conditions.is_empty();
+        let mut others =
+            expressions.iter().flat_map(Expression::variables).filter(|name| !listed.contains(name));
+        let alone = others.next().is_none() && outer.conditions.is_empty();
         let mut tried = Vec::new();
         if !self.formula.scope.witness.is_empty() {
             match self.by_witness(lowered, &wanted, &outer, &prover) {
@@ -44,19 +46,22 @@ impl Problem<'_> {
                 Err(reason) => tried.push(format!("the witness is not proved: {reason}")),
             }
         }
-        if alone && let Some(point) = found(&points, &self.premises.conditions, &lowered.signs, Points::MOST)
-        {
-            return self.at_point(lowered, &point);
+        let found = if alone && let Some(point) = found(&points, &[], &wanted, Points::MOST) {
+            Some(self.at_point(&wanted, lowered, &point))
+        } else {
+            self.nowhere(lowered, &wanted, &outer, &points, alone)
+        };
+        match found {
+            Some(found) => tried.iter().fold(found, |found, tried| found.remark(&capital(tried))),
+            None => {
+                tried.push(if alone {
+                    format!("none of {} points does, and no certificate excludes all", Points::MOST)
+                } else {
+                    format!("no certificate excludes all at {PLACES} values of the other variables")
+                });
+                Finding::not_checked(format!("Not decided: {}.", tried.join("; ")))
+            }
         }
-        let none = self.nowhere(lowered, &outer, &own, &points, alone);
-        none.unwrap_or_else(|| {
-            tried.push(if alone {
-                format!("none of {} points does, and no certificate excludes all", Points::MOST)
-            } else {
-                format!("no certificate excludes all at {PLACES} values of the other variables")
-            });
-            Finding::not_checked(format!("Not decided: {}.", tried.join("; ")))
-        })
     }
 
     /// The witness in the place of the listed variables, for all values of the others.
@@ -69,7 +74,7 @@ impl Problem<'_> {
     ) -> Result<Proof, String> {
         let witness = self.formula.scope.witness.iter();
         let values: BTreeMap<Symbol, Expression> =
-            witness.map(|(name, value)| (Symbol::new(name), self.put_in(value))).collect();
+            witness.map(|(name, value)| (name.clone(), self.put_in(value))).collect();
         let signs = wanted.map(&|expression| expression.substitute(&values));
         let domain = prover.domain(&self.premises, &[]).ok_or("no point meets the conditions")?;
         let start = self.with_lemmas(self.start(prover)?, lowered, &domain)?;
@@ -83,9 +88,9 @@ impl Problem<'_> {
     }
 
     /// The values of all expressions at a point.
-    fn at_point(&self, lowered: &Lowered, point: &Point) -> Finding {
-        let listed: Vec<(String, Expression)> =
-            point.iter().map(|(name, value)| (name.to_string(), Expression::Number(value.clone()))).collect();
+    fn at_point(&self, wanted: &SignFormula, lowered: &Lowered, point: &Point) -> Finding {
+        let listed: Vec<(Symbol, Expression)> =
+            point.iter().map(|(name, value)| (name.clone(), Expression::Number(value.clone()))).collect();
         let prover_points = self.points(&lowered.expressions());
         let prover = Prover::new(&prover_points);
         let start = self.start(&prover).and_then(|start| {
@@ -96,8 +101,8 @@ impl Problem<'_> {
             Ok(start) => start,
             Err(reason) => return Finding::not_checked(format!("Not decided: {reason}.")),
         };
-        let literals = self.premises.conditions.iter().chain(lowered.signs.literals());
-        let proof = literals.filter(|literal| points::meets(literal, point) == Some(true)).try_fold(
+        let literals = wanted.literals().into_iter();
+        let proof = literals.filter(|literal| literal.holds_at(point) == Some(true)).try_fold(
             start,
             |proof, literal| {
                 let value = literal.expression.rational_value(point).unwrap_or_default();
@@ -112,32 +117,36 @@ impl Problem<'_> {
         Finding::from_proof(proof)
     }
 
-    /// A certificate that the formula is false for all values of the listed variables, at some values of the others.
+    /// A certificate that no values of the listed variables do, at some values of the other ones.
     fn nowhere(
         &self,
         lowered: &Lowered,
+        wanted: &SignFormula,
         outer: &Premises,
-        own: &[Literal],
         points: &Points,
         alone: bool,
     ) -> Option<Finding> {
         let places: Vec<Point> =
             if alone { vec![Point::new()] } else { points.meeting(&outer.conditions, PLACES).collect() };
-        let listed = |name: &Symbol| self.formula.scope.there_is.iter().any(|one| one == name.as_str());
-        places.into_iter().find_map(|place| {
-            let place: Point = place.into_iter().filter(|(name, _)| !listed(name)).collect();
+        let listed = &self.formula.scope.there_is;
+        let positive: BTreeSet<Symbol> =
+            self.premises.positive.iter().filter(|name| listed.contains(name)).cloned().collect();
+        let inner =
+            Premises { positive, conditions: Vec::new(), wanted: Vec::new(), ..self.premises.clone() };
+        let open = places.into_iter().filter_map(|place| {
+            let place: Point = place.into_iter().filter(|(name, _)| !listed.contains(name)).collect();
             let values = super::expressions(&place);
-            let put_in = |expression: &Expression| expression.substitute(&values);
-            let conditions = own.iter().map(|one| Literal::new(put_in(&one.expression), one.sign)).collect();
-            let positive = self.premises.positive.iter().filter(|name| listed(name)).cloned().collect();
-            let inner = Premises { positive, conditions, ..self.premises.clone() };
-            let never = lowered.signs.negated().map(&put_in);
+            let there = wanted.map(&|expression| expression.substitute(&values));
             let points =
-                self.points_under(&inner, never.literals().into_iter().map(|literal| &literal.expression));
+                self.points_under(&inner, there.literals().into_iter().map(|literal| &literal.expression));
+            let does = alone || found(&points, &[], &there, VALUES).is_none();
+            does.then_some((place, there, points))
+        });
+        open.take(MOST_PROOFS).find_map(|(place, there, points)| {
             let prover = Prover::new(&points);
             let domain = prover.domain(&inner, &[])?;
             let start = self.with_lemmas(self.start(&prover).ok()?, lowered, &domain).ok()?;
-            let proof = self.with_signs(start, &never, &inner, &prover).ok()?;
+            let proof = self.with_signs(start, &there.negated(), &inner, &prover).ok()?;
             let words = if alone {
                 "there is none".to_owned()
             } else {
@@ -146,6 +155,14 @@ impl Problem<'_> {
             Some(Finding::from_disproof(Ok(proof), &words))
         })
     }
+}
+
+/// A sentence that begins with a capital letter.
+fn capital(text: &str) -> String {
+    let mut characters = text.chars();
+    characters
+        .next()
+        .map_or_else(String::new, |first| format!("{}{}.", first.to_uppercase(), characters.as_str()))
 }
 
 /// A point that meets the premises and at which signs are false.

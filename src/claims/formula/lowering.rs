@@ -57,14 +57,15 @@ impl Lowered {
                 let (signs, lemma) = crosses.map_err(|error| error.to_string())?;
                 self.rest_on(lemma);
                 // The critical value has to meet what is assumed of the parameter.
-                let parameter = Symbol::new(&crossing.parameter);
-                let positive = premises.positive.contains(&parameter);
+                let parameter = &crossing.parameter;
+                let positive = premises.positive.contains(parameter);
                 let positive = positive.then(|| Literal::new(critical.clone(), Sign::Positive));
-                let of_parameter = |one: &&Literal| one.expression.variables().contains(&parameter);
-                let there =
-                    premises.conditions.iter().filter(of_parameter).map(|one| {
-                        Literal::new(one.expression.with(parameter.as_str(), &critical), one.sign)
-                    });
+                let of_parameter = |one: &&Literal| one.expression.variables().contains(parameter);
+                let there = premises
+                    .conditions
+                    .iter()
+                    .filter(of_parameter)
+                    .map(|one| Literal::new(one.expression.with(parameter, &critical), one.sign));
                 let assumed = there.chain(positive).map(SignFormula::Literal);
                 Ok(SignFormula::All(assumed.chain([signs]).collect()))
             }
@@ -83,7 +84,7 @@ impl Lowered {
         &mut self,
         written: &Expression,
         names: &Names,
-        variable: &str,
+        variable: &Symbol,
         premises: &Premises,
     ) -> Result<Vec<Expression>, String> {
         let side = premises.put_in(&names.resolved_but(written, variable));

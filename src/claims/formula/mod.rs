@@ -7,14 +7,13 @@ mod lowering;
 mod motion;
 mod points;
 mod prover;
-mod substitutions;
 mod theorem;
 mod truth;
 mod warnings;
 
 use std::collections::BTreeMap;
 
-use slipmode_algebra::{Certificate, Expression, Proof, Symbol};
+use slipmode_algebra::{Certificate, Expression, Literal, Proof, Symbol};
 use slipmode_core::theory::Equations;
 
 use crate::claims::over_rows;
@@ -105,7 +104,10 @@ pub(super) fn criterion(stated: &StatedClaim) -> String {
         let given = if given.is_empty() { String::new() } else { format!(" for all {}", given.join(", ")) };
         let some = match &scope.there_is[..] {
             [] => String::new(),
-            names => format!("there is {} with ", names.join(", ")),
+            names => {
+                let names: Vec<&str> = names.iter().map(Symbol::as_str).collect();
+                format!("there is {} with ", names.join(", "))
+            }
         };
         format!("{some}{}{given}", formula.text)
     };
@@ -228,7 +230,7 @@ impl<'f> Problem<'f> {
 
     /// The beginning of a proof: how the equations among the conditions were solved.
     fn start(&self, prover: &Prover<'_>) -> Result<Proof, String> {
-        self.premises.solved.iter().try_fold(self.proof.clone(), |proof, solved| {
+        let start = self.premises.solved.iter().try_fold(self.proof.clone(), |proof, solved| {
             let name = Expression::Variable(solved.variable.clone());
             let domain = prover.domain(&self.premises, &[]).ok_or("no point meets the conditions")?;
             let left = solved.expression.clone() / solved.slope.clone();
@@ -236,6 +238,21 @@ impl<'f> Problem<'f> {
             let says = format!("the condition {} = 0 is {name} = {}", solved.expression, solved.value);
             let certificate = Certificate::Identity { left, right, domain };
             proof.certify(&says, &[], certificate).map_err(|error| error.to_string())
+        })?;
+        self.with_facts(start, prover)
+    }
+
+    /// Adds what follows from the assumptions and makes the sides have a value.
+    fn with_facts(&self, start: Proof, prover: &Prover<'_>) -> Result<Proof, String> {
+        let bare = Premises { facts: Vec::new(), ..self.premises.clone() };
+        self.premises.facts.iter().try_fold(start, |proof, fact| {
+            let domain = prover.domain(&bare, &[]).ok_or("no point meets the conditions")?;
+            let steps = prover.fact(fact, &domain);
+            let steps = steps.ok_or_else(|| format!("no certificate was found for {fact}"))?;
+            let add = |proof: Proof, (says, certificate): Draft| {
+                proof.certify(&format!("a side has a value: {says}"), &[], certificate)
+            };
+            steps.into_iter().try_fold(proof, add).map_err(|error| error.to_string())
         })
     }
 
@@ -253,11 +270,11 @@ impl<'f> Problem<'f> {
 
     /// Whether a full point meets every assumption as it is written.
     fn is_allowed(&self, point: &Point) -> bool {
-        let positive = point.iter().all(|(name, value)| !self.names.is_positive(name.as_str()) || *value > 0);
+        let positive = point.iter().all(|(name, value)| !self.names.is_positive(name) || *value > 0);
         let given = self.formula.scope.given.iter().all(|condition| {
             let literal = condition.literal();
-            let value = self.names.resolved(&literal.expression).rational_value(point);
-            value.is_some_and(|value| literal.sign.admits(value.cmp0()))
+            let resolved = Literal::new(self.names.resolved(&literal.expression), literal.sign);
+            resolved.holds_at(point) == Some(true)
         });
         positive && given
     }

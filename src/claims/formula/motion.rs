@@ -7,7 +7,6 @@ use slipmode_core::theory::weak_instability::ThreeStates;
 use super::Problem;
 use super::points::Points;
 use super::prover::Prover;
-use super::substitutions::domains;
 use crate::claims::Finding;
 use crate::scene::{ClaimMotion, MotionSaid};
 
@@ -56,11 +55,10 @@ impl Problem<'_> {
                 Points::MOST
             ));
         };
-        let with = |domain: Domain, (name, value): (Symbol, _)| {
-            domain.example(name.as_str(), Expression::Number(value))
-        };
+        let with =
+            |domain: Domain, (name, value): (Symbol, _)| domain.example(name, Expression::Number(value));
         let domain = example.into_iter().fold(self.premises.domain(), with);
-        let domains = domains(&domain, &[]);
+        let domains = domain.forms(&[]);
         let proof = match said {
             Said::Planar(system, lemma) => lemma.prove(start, &system, &domains),
             Said::WeakInstability(system, frequency) => system.weakly_unstable(start, &frequency, &domains),

@@ -2,8 +2,9 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use rug::float::Round;
 use slipmode_algebra::{Expression, Literal, Symbol};
-use slipmode_core::number::Rational;
+use slipmode_core::number::{Ball, Rational};
 
 use crate::scene::Premises;
 
@@ -46,7 +47,7 @@ impl Points {
     /// Points in the variables of these expressions and of the conditions.
     pub fn new<'e>(
         premises: &'e Premises,
-        within: &[(String, [Rational; 2])],
+        within: &[(Symbol, [Rational; 2])],
         expressions: impl IntoIterator<Item = &'e Expression>,
     ) -> Self {
         let conditions = premises.conditions.iter().map(|condition| &condition.expression);
@@ -57,7 +58,7 @@ impl Points {
             let positive = premises.positive.contains(&name);
             (name, positive)
         });
-        let within = within.iter().map(|(name, ends)| (Symbol::new(name), ends.clone())).collect();
+        let within = within.iter().cloned().collect();
         Self { variables: variables.collect(), within }
     }
 
@@ -93,7 +94,7 @@ impl Points {
     }
 
     fn repaired(&self, mut point: Point, literals: &[Literal], turn: usize) -> Option<Point> {
-        let unmet = |point: &Point| literals.iter().find(|literal| meets(literal, point) != Some(true));
+        let unmet = |point: &Point| literals.iter().find(|literal| literal.holds_at(point) != Some(true));
         for _ in 0..REPAIRS {
             let Some(literal) = unmet(&point) else { break };
             let count = self.variables.len().max(1);
@@ -113,7 +114,7 @@ impl Points {
             moved.insert(name.clone(), value);
             moved
         });
-        candidates.find(|moved| self.allows(moved) && meets(literal, moved) == Some(true))
+        candidates.find(|moved| self.allows(moved) && literal.holds_at(moved) == Some(true))
     }
 
     /// Point number `index`: the first has 1 everywhere, the others are spread by a linear congruential generator.
@@ -139,11 +140,6 @@ impl Points {
     }
 }
 
-/// Whether a literal is true at a point; none where its expression has no rational value.
-pub(super) fn meets(literal: &Literal, point: &Point) -> Option<bool> {
-    Some(literal.sign.admits(literal.expression.rational_value(point)?.cmp0()))
-}
-
 /// The zero of an expression that is linear in a variable, the others as at a point.
 fn zero(expression: &Expression, name: &Symbol, point: &Point) -> Option<Rational> {
     let at = |value: u32| {
@@ -155,6 +151,20 @@ fn zero(expression: &Expression, name: &Symbol, point: &Point) -> Option<Rationa
     let slope = Rational::from(&two - &one);
     (slope != 0 && Rational::from(&three - &two) == slope).then(|| 1 - one / &slope)
 }
+
+/// The value of an expression at a point: exact where it is rational, else to twelve digits.
+pub(super) fn value(expression: &Expression, point: &Point) -> Option<String> {
+    if let Some(value) = expression.rational_value(point) {
+        return Some(value.to_string());
+    }
+    let balls = point.iter().map(|(name, value)| (name.clone(), Ball::from_rational(value, BITS)));
+    let value = expression.enclosed(&balls.collect(), BITS).filter(Ball::is_bounded)?;
+    Some(format!("{}…", value.centre().to_string_radix_round(10, Some(DIGITS), Round::Zero)))
+}
+
+/// Bits and digits of values that are not rational.
+const BITS: u32 = 128;
+const DIGITS: usize = 12;
 
 /// A point in words.
 pub(super) fn text(point: &Point) -> String {

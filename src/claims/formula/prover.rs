@@ -3,11 +3,10 @@
 use std::cell::Cell;
 
 use slipmode_algebra::{
-    Certificate, Domain, Expression, Extent, Function, Literal, Proof, Relation, Sign, Symbol,
+    Certificate, Condition, Domain, Expression, Extent, Function, Literal, Proof, Relation, Sign, Symbol,
 };
 
 use super::points::Points;
-use super::substitutions::domains;
 use crate::scene::Premises;
 
 /// A step of a proof: its words and its certificate.
@@ -108,7 +107,7 @@ impl<'p> Prover<'p> {
                 format!("{} is zero exactly for {name} = {}", short(&solved.expression), short(&value));
             steps.push((says, self.certified(Certificate::Identity { left, right: name - value, domain })?));
             let replaced = |literal: &Literal| {
-                Literal::new(literal.expression.with(solved.variable.as_str(), &solved.value), literal.sign)
+                Literal::new(literal.expression.with(&solved.variable, &solved.value), literal.sign)
             };
             rest = rest.iter().map(replaced).collect();
             let assumed = premises.conditions.iter().map(replaced);
@@ -116,16 +115,14 @@ impl<'p> Prover<'p> {
             let own = positive.then(|| Literal::new(solved.value.clone(), Sign::Positive));
             let all: Vec<Literal> = assumed.chain(own).collect();
             let constant =
-                all.iter().find_map(|literal| self.impossible(premises, literal, &solved.variable));
+                all.iter().find_map(|literal| self.impossible(premises, literal, Some(&solved.variable)));
             if let Some(step) = constant {
                 steps.push(step);
                 return Some(None);
             }
             premises.put(solved).ok()?;
         }
-        if let Some(step) =
-            rest.iter().find_map(|literal| self.impossible(premises, literal, &Symbol::new("")))
-        {
+        if let Some(step) = rest.iter().find_map(|literal| self.impossible(premises, literal, None)) {
             steps.push(step);
             return Some(None);
         }
@@ -136,10 +133,12 @@ impl<'p> Prover<'p> {
     }
 
     /// The step that a literal compares a number with zero, and is false.
-    fn impossible(&self, premises: &Premises, literal: &Literal, without: &Symbol) -> Option<Draft> {
+    fn impossible(&self, premises: &Premises, literal: &Literal, without: Option<&Symbol>) -> Option<Draft> {
         let mut premises = premises.clone();
-        premises.positive.remove(without);
-        premises.conditions.retain(|condition| !condition.expression.variables().contains(without));
+        if let Some(without) = without {
+            premises.positive.remove(without);
+            premises.conditions.retain(|condition| !condition.expression.variables().contains(without));
+        }
         let value = premises.domain().rational_function(&literal.expression).ok()?.as_constant()?;
         if literal.sign.admits(value.cmp0()) {
             return None;
@@ -196,9 +195,21 @@ impl<'p> Prover<'p> {
         let named = assumed.conditions.iter().flat_map(|literal| literal.expression.variables());
         let named: std::collections::BTreeSet<Symbol> = named.collect();
         let values = point.into_iter().filter(|(name, _)| named.contains(name));
-        Some(values.fold(assumed.domain(), |domain, (name, value)| {
-            domain.example(name.as_str(), Expression::Number(value))
-        }))
+        Some(
+            values.fold(assumed.domain(), |domain, (name, value)| {
+                domain.example(name, Expression::Number(value))
+            }),
+        )
+    }
+
+    /// A condition under the assumptions of a domain.
+    pub fn fact(&self, condition: &Condition, domain: &Domain) -> Option<Vec<Draft>> {
+        let sign = match condition.relation {
+            Relation::Positive => Sign::Positive,
+            Relation::NonNegative => Sign::NonNegative,
+            Relation::NonZero => Sign::NonZero,
+        };
+        self.goal(&Literal::new(condition.expression.clone(), sign), domain, &[])
     }
 
     /// A literal under the assumptions of a domain; `from` is named in the words of the steps.
@@ -217,7 +228,7 @@ impl<'p> Prover<'p> {
 
     fn shown(&self, goal: &Literal, domain: &Domain, depth: usize) -> Option<Vec<Draft>> {
         let Literal { expression, sign } = goal;
-        let forms = domains(domain, std::slice::from_ref(expression));
+        let forms = domain.forms(std::slice::from_ref(expression));
         let opposite = -expression.clone();
         let identity = |left: Expression, right: Expression| {
             forms.iter().find_map(|form| {
@@ -288,10 +299,7 @@ impl<'p> Prover<'p> {
             .into_iter()
             .filter(|name| function.numerator().degree(name) == 2)
             .find_map(|name| {
-                if function.denominator().degree(&name) > 0
-                    || function.hides(&name).is_some()
-                    || name.as_str().contains('(')
-                {
+                if function.denominator().degree(&name) > 0 || function.hides(&name).is_some() {
                     return None;
                 }
                 let below = Expression::from(function.denominator());

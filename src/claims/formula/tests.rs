@@ -178,7 +178,7 @@ fn the_hand_written_theorems_state_the_equations_of_the_reports() {
             return parsed;
         }
         let paper = [("D", "D_c"), ("V", "V_0"), ("v", "V")];
-        paper.iter().fold(parsed, |text, (own, name)| text.with(own, &Expression::variable(name)))
+        paper.iter().fold(parsed, |text, (own, name)| text.with(*own, &Expression::variable(*name)))
     };
     // The terms of a polynomial in s are one expression.
     let mut sides: BTreeMap<[&str; 5], Vec<Expression>> = BTreeMap::new();
@@ -196,7 +196,7 @@ fn the_hand_written_theorems_state_the_equations_of_the_reports() {
     }
     for (key, mut terms) in sides {
         let [_, report, equation, side, _] = key;
-        let domain = Domain::positive(&reports[report].positive().join(" "));
+        let domain = Domain::of_positive(reports[report].names().positive().iter().cloned());
         let is_same = |left: &Expression, right: &Expression| {
             left == right
                 || domain.rational_function(&(left.clone() - right.clone())).is_ok_and(|zero| zero.is_zero())
@@ -241,7 +241,7 @@ fn a_whole_theorem_states_the_formula_with_its_conditions_and_rests_on_steps_of_
     let fixed = whole("K_c -> K_c_qs as M -> 0", &[], &equations).unwrap();
     assert!(fixed.statement.contains("filterlim (fun M : R => ") && !fixed.statement.contains("M'pos"));
     let slope = whole("K_c falls with D_c", &["a < b"], &equations).unwrap();
-    assert!(slope.statement.contains("forall low'D_c high'D_c : R, 0 < low'D_c -> low'D_c < high'D_c -> "));
+    assert!(slope.statement.contains("forall p'0 p'1 : R, 0 < p'0 -> p'0 < p'1 -> "));
     assert!(slope.proof.contains("apply (falls "), "{}", slope.proof);
     let same = whole("slope_1_velocity does not depend on V_0", &[], &equations).unwrap();
     assert!(same.altered.ends_with(" + 1"), "{}", same.altered);

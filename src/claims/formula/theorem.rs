@@ -9,6 +9,7 @@ use slipmode_algebra::coq::{self, Theorem};
 use slipmode_algebra::{Certificate, Expression, Literal, Proof, Sign, Symbol, Toward};
 use slipmode_core::theory::Equations;
 
+use super::behaviour::other_value;
 use crate::scene::{ClaimFormula, Comparison, Formula, Names, Premises, Statement};
 
 /// The digests of statements that Coq has accepted; `cargo xtask prove` writes and checks the list.
@@ -24,9 +25,6 @@ pub(super) fn accepted(list: &str) -> BTreeSet<&str> {
 
 /// What the name of a whole theorem begins with.
 const PREFIX: &str = "formula_";
-
-/// The name of another value of a variable.
-const OTHER: &str = "other_value";
 
 /// A formula as a theorem, with the steps that its proof uses.
 #[derive(Debug)]
@@ -171,9 +169,8 @@ impl Stated {
 
     /// Whether the equations assume that a variable is positive.
     fn is_positive(&self, name: &Symbol) -> bool {
-        let plain = name.as_str();
         let solved = self.premises.solved.iter().any(|solved| solved.variable == *name);
-        self.premises.positive.contains(name) || (solved && self.names.is_positive(plain))
+        self.premises.positive.contains(name) || (solved && self.names.is_positive(name))
     }
 
     fn text(&self, altered: bool) -> String {
@@ -228,14 +225,13 @@ impl Stated {
         match statement {
             Statement::True(formula) => self.formula(formula, altered),
             Statement::Limit(side, value, variable, toward) => {
-                let name = Symbol::new(variable);
-                let point = coq::text(&Expression::Variable(name.clone()));
-                let known = self.variables.contains(&name);
+                let point = coq::text(&Expression::variable(variable));
+                let known = self.variables.contains(variable);
                 let (side, value) = (self.shown(side)?, self.shown(value)?);
                 if known {
                     return Err(format!("a condition contains {variable}, which moves"));
                 }
-                self.variables.remove(&name);
+                self.variables.remove(variable);
                 let filter = match toward {
                     Toward::Zero => "(at_right 0)",
                     Toward::Infinity => "(Rbar_locally p_infty)",
@@ -244,35 +240,36 @@ impl Stated {
                 Ok(format!("filterlim (fun {point} : R => {side}) {filter} (locally {value})"))
             }
             Statement::Monotone(side, comparison, variable) => {
-                let name = Symbol::new(variable);
-                if self.variables.contains(&name) {
+                if self.variables.contains(variable) {
                     return Err(format!("a condition contains {variable}, which moves"));
                 }
-                let [low, high] =
-                    ["low", "high"].map(|end| Expression::variable(&format!("{end}'{variable}")));
+                // No formula has a parameter.
+                let [low, high] = [0, 1].map(|number| Expression::Variable(Symbol::parameter(number)));
                 let ends = [&low, &high].map(|end| {
                     let moved = self.side(side).with(variable, end);
                     coq::text(&moved)
                 });
                 self.shown(side)?;
-                self.variables.remove(&name);
+                self.variables.remove(variable);
                 let [low, high] = [low, high].map(|end| coq::text(&end));
-                let positive = if self.is_positive(&name) { format!("0 < {low} -> ") } else { String::new() };
+                let positive =
+                    if self.is_positive(variable) { format!("0 < {low} -> ") } else { String::new() };
                 let rises = (*comparison == Comparison::Greater) != altered;
                 let [first, second] = &ends;
                 let order = if rises { format!("{first} < {second}") } else { format!("{second} < {first}") };
                 Ok(format!("forall {low} {high} : R, {positive}{low} < {high} -> {order}"))
             }
             Statement::Depends(side, depends, variable) => {
-                let other = self.side(side).with(variable, &Expression::variable(OTHER));
+                let other = self.side(side).with(variable, &Expression::Variable(other_value()));
                 let side = self.shown(side)?;
-                if !self.premises.positive.contains(&Symbol::new(variable)) {
+                if !self.premises.positive.contains(variable) {
                     return Err(format!("{variable} is not positive, but its other value is"));
                 }
-                self.variables.insert(Symbol::new(OTHER));
-                let known = format!("{OTHER}'pos");
+                self.variables.insert(other_value());
+                let shown = coq::text(&Expression::Variable(other_value()));
+                let known = format!("{shown}'pos");
                 if self.hypotheses.iter().all(|(label, _)| *label != known) {
-                    self.hypotheses.push((known, format!("0 < {OTHER}")));
+                    self.hypotheses.push((known, format!("0 < {shown}")));
                 }
                 let other = coq::text(&other);
                 if *depends {
@@ -348,14 +345,14 @@ impl Steps<'_> {
                 })? + "stated h'"
             }
             Statement::Monotone(side, comparison, variable) => {
-                let name = Symbol::new(variable);
                 let side = self.put_in(side);
-                let slope = side.derivative(&name);
+                let slope = side.derivative(variable);
                 let falls = *comparison == Comparison::Less;
                 let rising = if falls { -slope.clone() } else { slope.clone() };
-                let moving = coq::text(&Expression::Variable(name.clone()));
-                let positive = if self.stated.is_positive(&name) { "assert (0 < t') by lra; " } else { "" };
-                let fact = self.fact(&[(name, "t'".to_owned())], |one| {
+                let moving = coq::text(&Expression::variable(variable));
+                let positive =
+                    if self.stated.is_positive(variable) { "assert (0 < t') by lra; " } else { "" };
+                let fact = self.fact(&[(variable.clone(), "t'".to_owned())], |one| {
                     matches!(one, Certificate::Sign { expression, sign: 1, .. } if *expression == rising)
                 })?;
                 format!(
@@ -370,7 +367,7 @@ impl Steps<'_> {
             Statement::Depends(_, true, _) => self.two_points()?,
             Statement::Depends(side, false, variable) => {
                 let side = self.put_in(side);
-                let other = side.with(variable, &Expression::variable(OTHER));
+                let other = side.with(variable, &Expression::Variable(other_value()));
                 self.equality(&side, &other)?
             }
             Statement::Motion(_) => return Err("a statement on the motions of a system".into()),
@@ -387,7 +384,7 @@ impl Steps<'_> {
         });
         let point = point.ok_or("no step of the proof compares two values")?;
         let value = |name: &Symbol| {
-            let known = point.iter().find(|(known, _)| *known == name.as_str());
+            let known = point.iter().find(|(known, _)| known == name);
             known.map_or_else(|| "1".to_owned(), |(_, value)| coq::text(value))
         };
         let values: Vec<String> = self.stated.variables.iter().map(value).collect();

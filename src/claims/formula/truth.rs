@@ -129,13 +129,13 @@ impl Problem<'_> {
         let point = found(points, &self.premises.conditions, &lowered.signs.negated(), count)?;
         let full = self.full(&point);
         let place = format!("at {}", points::text(&full));
-        let side = |side: &Expression| self.put_in(side).rational_value(&point);
+        let side = |side: &Expression| points::value(&self.put_in(side), &point);
         let words = match formula {
             Formula::Compare(left, Comparison::Equal, right) => {
                 format!("{place}: {} on the left, {} on the right", side(left)?, side(right)?)
             }
             Formula::Compare(left, _, right) => {
-                format!("{place}: left minus right is {}", side(left)? - side(right)?)
+                format!("{place}: left minus right is {}", side(&(left.clone() - right.clone()))?)
             }
             _ => format!("{place}: {}", truths(lowered, &point)),
         };
@@ -146,7 +146,7 @@ impl Problem<'_> {
 /// Which comparisons and predicates are true at a point.
 pub(super) fn truths(lowered: &Lowered, point: &Point) -> String {
     let atoms = lowered.atoms.iter().map(|(atom, signs)| {
-        let truth = signs.truth(&|literal| points::meets(literal, point));
+        let truth = signs.truth(&|literal| literal.holds_at(point));
         let truth = truth.map_or("open", |truth| if truth { "true" } else { "false" });
         format!("{} is {truth}", words(atom))
     });
@@ -163,8 +163,8 @@ pub(super) fn found(
     let expressions: Vec<Expression> =
         signs.literals().into_iter().map(|literal| literal.expression.clone()).collect();
     let is_found = |point: &Point| {
-        signs.truth(&|literal| points::meets(literal, point)) == Some(true)
-            && conditions.iter().all(|one| points::meets(one, point) == Some(true))
+        signs.truth(&|literal| literal.holds_at(point)) == Some(true)
+            && conditions.iter().all(|one| one.holds_at(point) == Some(true))
     };
     let mut first = points.meeting(conditions, count.min(FIRST_POINTS));
     points

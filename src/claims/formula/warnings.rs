@@ -74,11 +74,10 @@ fn existence(formula: &ClaimFormula, names: &Names) -> Vec<String> {
     let scope = &formula.scope;
     let used: Vec<_> =
         formula.statement.sides().into_iter().flat_map(|side| names.resolved(side).variables()).collect();
-    let is_used = |name: &String| used.iter().any(|known| known.as_str() == name);
-    let unused = scope.there_is.iter().filter(|name| !is_used(name));
+    let unused = scope.there_is.iter().filter(|name| !used.contains(name));
     let unused = unused
         .map(|name| format!("'{}' does not contain {name}, of which there is to be a value", formula.text));
-    let others = used.iter().any(|name| !scope.there_is.iter().any(|listed| listed == name.as_str()));
+    let others = used.iter().any(|name| !scope.there_is.contains(name));
     let fixed = scope.witness.iter().filter(|(_, value)| others && value.variables().is_empty());
     let fixed = fixed.map(|(name, value)| {
         format!("the witness {name} = {value} does not depend on the other variables: one value does for all of them")

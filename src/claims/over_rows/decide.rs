@@ -252,7 +252,7 @@ impl All<'_> {
         let shown = self.table.columns.iter().zip(&self.table.rows[at]).enumerate();
         let shown = shown.filter(|(place, (column, cell))| {
             !cell.text.is_empty()
-                && (*place < FIRST_COLUMNS || self.used.contains(&Symbol::new(&column.name)))
+                && (*place < FIRST_COLUMNS || self.used.iter().any(|name| name.as_str() == column.name))
         });
         shown
             .map(|(_, (column, cell))| format!("{} = {}", column.name, cell.text))

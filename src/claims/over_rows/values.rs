@@ -48,13 +48,13 @@ pub(super) fn rows(table: &Table, quoted: &[String]) -> Vec<Row> {
     let placeholders = quoted
         .iter()
         .enumerate()
-        .map(|(number, word)| (Symbol::new(&placeholder(number)), numbered(word, &mut words)));
+        .filter_map(|(number, word)| Some((placeholder(number).parse().ok()?, numbered(word, &mut words))));
     let start = Row { values: placeholders.collect(), ..Row::default() };
     let row = |cells: &Vec<Cell>| {
         let mut row = start.clone();
         let of_words = strength_of_words(cells, &errors);
         for ((column, cell), error) in table.columns.iter().zip(cells).zip(&errors) {
-            let name = Symbol::new(&column.name);
+            let Ok(name) = column.name.parse::<Symbol>() else { continue };
             if cell.text.is_empty() {
                 row.values.extend((column.kind == Kind::Text).then(|| (name, numbered("", &mut words))));
                 continue;

@@ -69,7 +69,7 @@ pub(in crate::scene) fn side(text: &str, names: &Names) -> Result<Expression, St
 }
 
 /// The name of a variable.
-pub(in crate::scene) fn variable(text: &str, names: &Names) -> Result<String, String> {
+pub(in crate::scene) fn variable(text: &str, names: &Names) -> Result<Symbol, String> {
     Reader { text, names }.variable(text)
 }
 
@@ -252,37 +252,34 @@ impl Reader<'_> {
     }
 
     /// An expression in known names and in one more.
-    fn side_in(&self, part: &str, own: Option<&str>) -> Result<Expression, String> {
+    fn side_in(&self, part: &str, own: Option<&Symbol>) -> Result<Expression, String> {
         let part = part.trim();
         let (expression, _) = Expression::read(part).map_err(|error| {
             format!("column {}: '{part}': {}", self.column(part) + error.column, error.message)
         })?;
-        let unknown = |name: &&Symbol| !self.names.has(name) && Some(name.as_str()) != own;
+        let unknown = |name: &&Symbol| !self.names.has(name) && Some(*name) != own;
         match expression.variables().iter().find(unknown) {
             Some(unknown) => Err(self.fault(part, self.names.refusal(unknown.as_str()))),
             None => Ok(expression),
         }
     }
 
-    fn variable(&self, part: &str) -> Result<String, String> {
+    fn variable(&self, part: &str) -> Result<Symbol, String> {
         let part = part.trim();
-        match self.names.variables().contains(&Symbol::new(part)) {
-            true => Ok(part.to_owned()),
-            false => Err(self.fault(part, self.names.refusal(part))),
-        }
+        let name = part.parse().ok().filter(|name| self.names.variables().contains(name));
+        name.ok_or_else(|| self.fault(part, self.names.refusal(part)))
     }
 
     /// A name for the roots: nothing may be assumed of it.
-    fn free(&self, part: &str) -> Result<String, String> {
-        let name = part.trim();
-        if self.names.is_positive(name) {
-            return Err(
-                self.fault(name, format!("{name} is positive by assumption; the roots may have any value"))
-            );
-        }
-        match Expression::read(name) {
-            Ok((Expression::Variable(_), _)) if !["i", "pm"].contains(&name) => Ok(name.to_owned()),
-            _ => Err(self.fault(name, format!("'{name}' is no name for the roots"))),
+    fn free(&self, part: &str) -> Result<Symbol, String> {
+        let part = part.trim();
+        match part.parse::<Symbol>() {
+            Ok(name) if self.names.is_positive(&name) => {
+                Err(self
+                    .fault(part, format!("{name} is positive by assumption; the roots may have any value")))
+            }
+            Ok(name) if !["i", "pm"].contains(&name.as_str()) => Ok(name),
+            _ => Err(self.fault(part, format!("'{part}' is no name for the roots"))),
         }
     }
 }

@@ -1,6 +1,6 @@
 //! Formulas as readers see them: words, and LaTeX between `$`.
 
-use slipmode_algebra::{Expression, Toward};
+use slipmode_algebra::{Expression, Symbol, Toward};
 
 use super::{ClaimFormula, Comparison, Formula, FormulaCondition, Statement};
 
@@ -13,7 +13,7 @@ impl ClaimFormula {
         }
         let scope = &self.scope;
         let mut given: Vec<String> = scope.given.iter().map(FormulaCondition::markdown).collect();
-        let ends = |(name, [low, high]): &(String, [_; 2])| {
+        let ends = |(name, [low, high]): &(Symbol, [_; 2])| {
             let [low, high] = [low, high].map(|end: &slipmode_core::number::Rational| number(end));
             format!("${low} \\le {} \\le {high}$", variable(name))
         };
@@ -28,7 +28,7 @@ impl ClaimFormula {
     }
 }
 
-fn variable(name: &str) -> String {
+fn variable(name: &Symbol) -> String {
     Expression::variable(name).latex()
 }
 

@@ -72,13 +72,15 @@ pub struct Scope {
     /// The conditions.
     pub given: Vec<FormulaCondition>,
     /// The variables of which there is a value for all values of the others.
-    pub there_is: Vec<String>,
+    pub there_is: Vec<Symbol>,
     /// Values for them.
-    pub witness: Vec<(String, Expression)>,
+    pub witness: Vec<(Symbol, Expression)>,
     /// Variables between two values, both included.
-    pub within: Vec<(String, [Rational; 2])>,
+    pub within: Vec<(Symbol, [Rational; 2])>,
+    /// The variables for which equations among the conditions are solved: they move along where another one does.
+    pub moves: Vec<Symbol>,
     /// Variables with one value.
-    pub at: Vec<(String, Rational)>,
+    pub at: Vec<(Symbol, Rational)>,
 }
 
 /// What a formula says, in the names of the file.
@@ -87,11 +89,11 @@ pub enum Statement {
     /// The formula is true everywhere.
     True(Formula),
     /// The first expression tends to the second as the variable goes there.
-    Limit(Expression, Expression, String, Toward),
+    Limit(Expression, Expression, Symbol, Toward),
     /// The expression rises (or falls) strictly with the variable.
-    Monotone(Expression, Comparison, String),
+    Monotone(Expression, Comparison, Symbol),
     /// Whether the variable changes the expression.
-    Depends(Expression, bool, String),
+    Depends(Expression, bool, Symbol),
     /// A lemma on the motions of a system.
     Motion(Box<ClaimMotion>),
 }
@@ -108,7 +110,7 @@ pub enum Formula {
     /// Both sides compare so.
     Compare(Expression, Comparison, Expression),
     /// A statement on the roots of a polynomial in a variable.
-    Roots(RootStatement, Expression, String),
+    Roots(RootStatement, Expression, Symbol),
     /// A pair of roots crosses the imaginary axis.
     Crossing(Box<Crossing>),
     /// The opposite.
@@ -129,9 +131,9 @@ pub struct Crossing {
     /// Whose roots.
     pub polynomial: Expression,
     /// Its variable.
-    pub variable: String,
+    pub variable: Symbol,
     /// What is changed.
-    pub parameter: String,
+    pub parameter: Symbol,
     /// Its value at which the pair is on the axis.
     pub critical: Expression,
     /// The pair's frequency there.
@@ -281,46 +283,45 @@ impl ClaimFormula {
         formula.statement.atoms().into_iter().try_for_each(|atom| check_atom(atom, &names, &premises))?;
         match &formula.statement {
             Statement::Limit(_, value, name, _)
-                if premises.put_in(&names.resolved(value)).variables().contains(&Symbol::new(name)) =>
+                if premises.put_in(&names.resolved(value)).variables().contains(name) =>
             {
                 Err(format!("the value '{value}' of the limit contains {name}"))
             }
-            Statement::True(said)
-                if said.signs(&Formula::opaque).clauses(&|_| None, MOST_CLAUSES) == Some(Vec::new()) =>
-            {
+            Statement::True(said) if said.opaque().clauses(&|_| None, MOST_CLAUSES) == Some(Vec::new()) => {
                 Err("true by construction, whatever its comparisons say".into())
             }
             _ => Ok(formula),
         }
     }
 
-    /// The premises, if every side has a value under them that is not too large.
+    /// The premises, if every side has a value under them that is not too large: as it is written, and as what it uses is.
     ///
     /// # Errors
     /// The first side without one.
     pub fn check_values(&self, equations: &Equations) -> Result<Premises, String> {
         let names = Names::of(equations);
-        let premises = self.premises(equations)?;
-        let domain = premises.domain();
-        let faults = |(side, own): (&Expression, Option<&str>)| {
-            let resolved = own.map_or_else(|| names.resolved(side), |own| names.resolved_but(side, own));
-            let resolved = premises.put_in(&resolved);
-            if let Err(error) = resolved.check_extent(LARGEST) {
-                return Some(format!("'{side}' is too large: {error}"));
-            }
-            if let Some(missing) = names.missing_condition(side, &domain, |one| premises.put_in(one)) {
-                return Some(missing);
-            }
-            match domain.rational_function(&resolved) {
-                // A logarithm or an open sign may still be decided with a substitution.
-                Err(ConversionError::Logarithm(_) | ConversionError::OpenSign(_)) | Ok(_) => None,
-                Err(error) => Some(format!("'{side}' has no value under the conditions: {error}")),
-            }
-        };
+        let mut premises = self.bare_premises(equations)?;
         let conditions = self.scope.given.iter().flat_map(|condition| &condition.sides);
         let conditions = conditions.map(|side| (side, None));
-        let fault = self.statement.sides_with_roots().into_iter().chain(conditions).find_map(faults);
-        fault.map_or(Ok(premises), Err)
+        for (side, own) in self.statement.sides_with_roots().into_iter().chain(conditions) {
+            let resolved = own.map_or_else(|| names.resolved(side), |own| names.resolved_but(side, own));
+            let resolved = premises.put_in(&resolved);
+            resolved.check_extent(LARGEST).map_err(|error| format!("'{side}' is too large: {error}"))?;
+            let domain = premises.with_wanted().domain();
+            if let Some(missing) = names.missing_condition(side, &domain, |one| premises.put_in(one)) {
+                return Err(missing);
+            }
+            let no_value = |error: String| format!("'{side}' has no value under the conditions: {error}");
+            for demand in names.demands_but(side, own) {
+                premises.demand(&demand).map_err(no_value)?;
+            }
+            match premises.with_wanted().domain().rational_function(&resolved) {
+                // A logarithm or an open sign may still be decided with a substitution.
+                Err(ConversionError::Logarithm(_) | ConversionError::OpenSign(_)) | Ok(_) => {}
+                Err(error) => return Err(no_value(error.to_string())),
+            }
+        }
+        Ok(premises)
     }
 
     /// What is assumed: the positive variables of the equations and the scope, with the definitions in place of their names.
@@ -328,13 +329,17 @@ impl ClaimFormula {
     /// # Errors
     /// When an equation among the conditions cannot be solved for a variable, or values do not meet the assumptions.
     pub fn premises(&self, equations: &Equations) -> Result<Premises, String> {
+        self.check_values(equations)
+    }
+
+    fn bare_premises(&self, equations: &Equations) -> Result<Premises, String> {
         Premises::new(&self.scope, self.statement.variable(), equations)
     }
 }
 
 /// Refuses an atom that is true by construction, and a predicate of what is no polynomial.
 fn check_atom(atom: &Formula, names: &Names, premises: &Premises) -> Result<(), String> {
-    let polynomial = |side: &Expression, variable: &str| {
+    let polynomial = |side: &Expression, variable: &Symbol| {
         let resolved = premises.put_in(&names.resolved_but(side, variable));
         let found = premises.domain().rational_function(&resolved).ok();
         let found = found.and_then(|function| coefficients(&function, variable));
@@ -379,7 +384,7 @@ impl Statement {
     }
 
     /// The expressions in it, each with the name that stands for its roots.
-    fn sides_with_roots(&self) -> Vec<(&Expression, Option<&str>)> {
+    fn sides_with_roots(&self) -> Vec<(&Expression, Option<&Symbol>)> {
         match self {
             Self::True(formula) => formula.sides(),
             Self::Limit(left, right, ..) => vec![(left, None), (right, None)],
@@ -389,7 +394,7 @@ impl Statement {
     }
 
     /// The variable that moves in a limit or a dependence.
-    fn variable(&self) -> Option<&str> {
+    fn variable(&self) -> Option<&Symbol> {
         match self {
             Self::True(_) | Self::Motion(_) => None,
             Self::Limit(_, _, variable, _)
@@ -435,22 +440,29 @@ impl Formula {
         }
     }
 
-    /// A comparison as it is written, and a predicate as a name of its own.
+    /// The formula with each comparison as it is written, and each predicate as a parameter of its own.
     fn opaque(&self) -> SignFormula {
-        SignFormula::Literal(match self {
-            Self::Compare(left, comparison, right) => comparison.literal(left.clone(), right.clone()),
-            other => Literal::new(Expression::variable(&format!("{other:?}")), Sign::Positive),
+        let atoms = self.atoms();
+        let number = |atom: &Self| atoms.iter().take_while(|known| **known != atom).count();
+        self.signs(&|atom| {
+            SignFormula::Literal(match atom {
+                Self::Compare(left, comparison, right) => comparison.literal(left.clone(), right.clone()),
+                other => {
+                    let parameter = Symbol::parameter(u32::try_from(number(other)).unwrap_or(u32::MAX));
+                    Literal::new(Expression::Variable(parameter), Sign::Positive)
+                }
+            })
         })
     }
 
-    fn sides(&self) -> Vec<(&Expression, Option<&str>)> {
-        let mut sides: Vec<(&Expression, Option<&str>)> = Vec::new();
+    fn sides(&self) -> Vec<(&Expression, Option<&Symbol>)> {
+        let mut sides: Vec<(&Expression, Option<&Symbol>)> = Vec::new();
         for atom in self.atoms() {
             match atom {
                 Self::Compare(left, _, right) => sides.extend([(left, None), (right, None)]),
                 Self::Roots(_, polynomial, own) => sides.push((polynomial, Some(own))),
                 Self::Crossing(crossing) => sides.extend([
-                    (&crossing.polynomial, Some(crossing.variable.as_str())),
+                    (&crossing.polynomial, Some(&crossing.variable)),
                     (&crossing.critical, None),
                     (&crossing.frequency, None),
                 ]),

@@ -6,7 +6,7 @@ use slipmode_algebra::{Condition, Domain, Expression, Literal, Relation, Sign, S
 use slipmode_core::number::Rational;
 use slipmode_core::theory::Equations;
 
-use super::{Comparison, Scope};
+use super::{Comparison, FormulaCondition, Scope};
 use crate::scene::claim_names::Names;
 
 /// What is assumed of the variables of a formula, in the variables that are left.
@@ -18,8 +18,12 @@ pub struct Premises {
     pub conditions: Vec<Literal>,
     /// The variables that were solved for, in this order.
     pub solved: Vec<Solved>,
+    /// What follows from the other assumptions in one of their forms, and makes sides have a value.
+    pub facts: Vec<Condition>,
     /// The values of variables that have one.
     pub values: BTreeMap<Symbol, Expression>,
+    /// What is assumed of the variables of which there is a value: it is a part of what that value does, and no assumption.
+    pub wanted: Vec<Literal>,
 }
 
 /// An equation, expression = slope·(variable − value) = 0 with a slope that is never zero.
@@ -36,53 +40,88 @@ pub struct Solved {
 }
 
 impl Premises {
-    pub(super) fn new(scope: &Scope, moving: Option<&str>, equations: &Equations) -> Result<Self, String> {
+    pub(super) fn new(scope: &Scope, moving: Option<&Symbol>, equations: &Equations) -> Result<Self, String> {
         let names = Names::of(equations);
         let number = |value: &Rational| Expression::Number(value.clone());
         let mut premises = Self {
-            positive: equations.positive().iter().map(|name| Symbol::new(name)).collect(),
-            values: scope.at.iter().map(|(name, value)| (Symbol::new(name), number(value))).collect(),
+            positive: names.positive().clone(),
+            values: scope.at.iter().map(|(name, value)| (name.clone(), number(value))).collect(),
             ..Self::default()
         };
         for (name, value) in &scope.at {
-            if premises.positive.remove(&Symbol::new(name)) && *value <= 0 {
+            if premises.positive.remove(name) && *value <= 0 {
                 return Err(format!("{name} = {value} is not positive as the equations assume"));
             }
         }
         for (name, [low, high]) in &scope.within {
-            if premises.positive.contains(&Symbol::new(name)) && *low <= 0 {
+            if premises.positive.contains(name) && *low <= 0 {
                 return Err(format!("{name} = {low} is not positive as the equations assume"));
             }
-            let name = || Expression::variable(name);
-            premises.conditions.extend([
-                Comparison::AtLeast.literal(name(), number(low)),
-                Comparison::AtMost.literal(name(), number(high)),
-            ]);
+            let ends = [(Comparison::AtLeast, low), (Comparison::AtMost, high)]
+                .map(|(comparison, end)| comparison.literal(Expression::variable(name), number(end)));
+            let is_own = scope.there_is.contains(name);
+            if is_own { &mut premises.wanted } else { &mut premises.conditions }.extend(ends);
         }
-        let (equal, other): (Vec<_>, Vec<_>) =
-            scope.given.iter().partition(|condition| condition.comparison == Comparison::Equal);
-        for condition in other {
+        let literal = |condition: &FormulaCondition| {
             let literal = condition.literal();
-            premises.assume(Literal::new(names.resolved(&literal.expression), literal.sign))?;
+            Literal::new(names.resolved(&literal.expression), literal.sign)
+        };
+        let is_own = |condition: &&FormulaCondition| {
+            scope.there_is.iter().any(|name| literal(condition).expression.variables().contains(name))
+        };
+        let (own, given): (Vec<_>, Vec<_>) = scope.given.iter().partition(is_own);
+        premises.wanted.extend(own.into_iter().map(literal));
+        let (equal, other): (Vec<_>, Vec<_>) =
+            given.into_iter().partition(|condition| condition.comparison == Comparison::Equal);
+        for condition in other {
+            premises.assume(literal(condition))?;
         }
         for condition in equal {
-            let expression = premises.put_in(&names.resolved(&condition.literal().expression));
-            let alone = condition.sides.iter().filter_map(|side| match side {
-                Expression::Variable(name) => Some(name.clone()),
-                _ => None,
-            });
-            let candidates: Vec<Symbol> = alone.chain(expression.variables()).collect();
-            let solved = candidates.iter().filter(|name| Some(name.as_str()) != moving);
-            let solved =
-                solved.into_iter().find_map(|name| premises.solve(&expression, name)).ok_or_else(|| {
-                    format!(
-                        "'{}' is not linear in one of its variables with a factor that is never zero",
-                        condition.text
-                    )
-                })?;
+            let expression = premises.put_in(&literal(condition).expression);
+            let solved = premises.solved_for(condition, &expression, moving, &scope.moves)?;
             premises.put(solved)?;
         }
+        let wanted = std::mem::take(&mut premises.wanted);
+        premises.wanted =
+            wanted.iter().map(|one| Literal::new(premises.put_in(&one.expression), one.sign)).collect();
         Ok(premises)
+    }
+
+    /// An equation among the conditions, solved for the variable that moves with another one, or for any one where none moves.
+    fn solved_for(
+        &self,
+        condition: &FormulaCondition,
+        expression: &Expression,
+        moving: Option<&Symbol>,
+        moves: &[Symbol],
+    ) -> Result<Solved, String> {
+        let variables = expression.variables();
+        let alone = condition.sides.iter().filter_map(|side| match side {
+            Expression::Variable(name) => Some(name.clone()),
+            _ => None,
+        });
+        let named: Vec<Symbol> = moves.iter().filter(|name| variables.contains(*name)).cloned().collect();
+        let is_open = named.is_empty() && moving.is_some_and(|moving| variables.contains(moving));
+        let candidates: Vec<Symbol> = match &named[..] {
+            [] => alone.chain(variables.iter().cloned()).filter(|name| Some(name) != moving).collect(),
+            _ => named,
+        };
+        let mut found = candidates.iter().filter_map(|name| self.solve(expression, name));
+        let text = &condition.text;
+        let first = found.next().ok_or_else(|| match &candidates[..] {
+            [name] if moves.contains(name) => {
+                format!("'{text}' is not linear in {name} with a factor that is never zero")
+            }
+            _ => format!("'{text}' is not linear in one of its variables with a factor that is never zero"),
+        })?;
+        let other = found.find(|other| other.variable != first.variable);
+        match (moving, other) {
+            (Some(moving), Some(other)) if is_open => Err(format!(
+                "with {moving} another variable of '{text}' moves: say which one, such as `moves = [\"{}\"]` or `moves = [\"{}\"]`",
+                first.variable, other.variable
+            )),
+            _ => Ok(first),
+        }
     }
 
     /// expression = 0 solved for a variable in which it is linear.
@@ -92,7 +131,7 @@ impl Premises {
         let slope = domain.rational_function(&expression.derivative(name)).ok()?;
         let slope = Some(Expression::from(&slope)).filter(|slope| !slope.variables().contains(name))?;
         domain.rational_function(&slope.clone().power(-1)).ok()?;
-        let rest = expression.with(name.as_str(), &Expression::integer(0));
+        let rest = expression.with(name, &Expression::integer(0));
         let value = Expression::from(&domain.rational_function(&-(rest / slope.clone())).ok()?);
         let is_free = !value.variables().contains(name);
         is_free.then(|| Solved { expression: expression.clone(), variable: name.clone(), value, slope })
@@ -128,20 +167,60 @@ impl Premises {
     #[must_use]
     pub fn put_in(&self, expression: &Expression) -> Expression {
         let start = expression.substitute(&self.values);
-        self.solved
-            .iter()
-            .fold(start, |expression, solved| expression.with(solved.variable.as_str(), &solved.value))
+        self.solved.iter().fold(start, |expression, solved| expression.with(&solved.variable, &solved.value))
+    }
+
+    /// Checks that a condition follows from the assumptions; one that follows in another form of them only is noted.
+    ///
+    /// # Errors
+    /// Why it does not.
+    pub fn demand(&mut self, condition: &Condition) -> Result<(), String> {
+        let relation = condition.relation;
+        let there = Condition { expression: self.put_in(&condition.expression), relation };
+        let domain = self.with_wanted().domain();
+        let found = domain.proves(&there);
+        if found == Ok(true) {
+            return Ok(());
+        }
+        // What the variables of which there is a value have to meet is no assumption: nothing follows from it elsewhere.
+        if self.domain().proves_in_some_form(&there).is_some() {
+            self.facts.push(there);
+            return Ok(());
+        }
+        if domain.proves_in_some_form(&there).is_some() {
+            return Ok(());
+        }
+        let part = &there.expression;
+        Err(match (found, relation) {
+            (Err(error), _) if !error.is_open() => error.to_string(),
+            (_, Relation::NonZero) => {
+                format!("{part} is a divisor and may be zero: the assumptions do not exclude it")
+            }
+            (_, Relation::NonNegative) => format!(
+                "{part} is the argument of a square root and may be negative: the assumptions do not exclude it"
+            ),
+            (_, Relation::Positive) => format!(
+                "{part} is the argument of a logarithm and may be zero or negative: the assumptions do not exclude it"
+            ),
+        })
+    }
+
+    /// The assumptions with what the variables of which there is a value have to meet.
+    #[must_use]
+    pub fn with_wanted(&self) -> Self {
+        let conditions = self.conditions.iter().chain(&self.wanted).cloned().collect();
+        Self { conditions, ..self.clone() }
     }
 
     /// The assumptions as a domain.
     #[must_use]
     pub fn domain(&self) -> Domain {
-        let names: Vec<&str> = self.positive.iter().map(Symbol::as_str).collect();
-        let known: Vec<Condition> = self.conditions.iter().filter_map(condition).collect();
+        let known = self.conditions.iter().filter_map(condition);
+        let facts = self.facts.iter().cloned();
         let given = |domain: Domain, Condition { expression, relation }: Condition| {
             domain.given(expression, relation)
         };
-        known.into_iter().fold(Domain::positive(&names.join(" ")), given)
+        known.chain(facts).fold(Domain::of_positive(self.positive.iter().cloned()), given)
     }
 }
 

@@ -128,7 +128,7 @@ fn point_domain(certificate: &Certificate) -> Domain {
 
 /// Variables without any assumption, and what is defined by them or by i, are complex where a statement has i.
 fn complex_variables(domain: &Domain, statement: &Statement) -> BTreeSet<Symbol> {
-    let imaginary = Symbol::new("i");
+    let imaginary = Symbol::from("i");
     let mut inner = BTreeSet::new();
     let written: Vec<Expression> = statement.terms().iter().map(|part| domain.as_written(part)).collect();
     written.iter().for_each(|part| arguments_of_calls(part, &mut inner));
@@ -144,7 +144,7 @@ fn complex_variables(domain: &Domain, statement: &Statement) -> BTreeSet<Symbol>
         let used = value.variables();
         !domain.is_assumed(name) && (used.contains(&imaginary) || !used.is_disjoint(&complex))
     });
-    let defined: Vec<Symbol> = defined.map(|(name, _)| Symbol::new(name)).collect();
+    let defined: Vec<Symbol> = defined.map(|(name, _)| name.clone()).collect();
     complex.extend(defined);
     complex
 }

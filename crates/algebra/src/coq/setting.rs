@@ -25,7 +25,7 @@ pub(super) struct Setting<'d> {
 /// Variables and hypotheses, in the order of a theorem's binders.
 #[derive(Default)]
 pub(super) struct Binders {
-    pub variables: Vec<(String, &'static str)>,
+    pub variables: Vec<(Symbol, &'static str)>,
     pub hypotheses: Vec<(String, String)>,
 }
 
@@ -34,8 +34,8 @@ impl Binders {
     pub fn text(&self) -> String {
         let mut text = String::new();
         for kind in ["R", "C"] {
-            let names: Vec<&str> =
-                self.variables.iter().filter(|(_, of)| *of == kind).map(|(name, _)| name.as_str()).collect();
+            let of_kind = self.variables.iter().filter(|(_, of)| *of == kind);
+            let names: Vec<String> = of_kind.map(|(symbol, _)| name(symbol)).collect();
             if !names.is_empty() {
                 let _ = write!(text, " ({} : {kind})", names.join(" "));
             }
@@ -48,7 +48,7 @@ impl Binders {
 
     /// Does a hypothesis speak of this variable?
     pub fn mentions(&self, variable: &Symbol) -> bool {
-        let variable = name(variable.as_str());
+        let variable = name(variable);
         let is_inner = |c: char| c.is_alphanumeric() || c == '_' || c == '\'';
         self.hypotheses.iter().any(|(_, text)| text.split(|c| !is_inner(c)).any(|word| word == variable))
     }
@@ -56,7 +56,7 @@ impl Binders {
     /// The variables, in the order of the binders.
     pub fn names(&self) -> Vec<String> {
         let of_kind = |kind| self.variables.iter().filter(move |(_, of)| *of == kind);
-        ["R", "C"].into_iter().flat_map(of_kind).map(|(name, _)| name.clone()).collect()
+        ["R", "C"].into_iter().flat_map(of_kind).map(|(symbol, _)| name(symbol)).collect()
     }
 
     /// The same names as arguments.
@@ -68,12 +68,12 @@ impl Binders {
 
 impl Setting<'_> {
     /// Substitutions that stand for an assumption.
-    fn covered(&self) -> Vec<&(String, Expression)> {
+    fn covered(&self) -> Vec<&(Symbol, Expression)> {
         self.domain.substitutions().iter().filter(|(name, _)| self.domain.is_assumed(name)).collect()
     }
 
     /// Substitutions that define a variable without assumptions.
-    fn defined(&self) -> Vec<&(String, Expression)> {
+    fn defined(&self) -> Vec<&(Symbol, Expression)> {
         self.domain.substitutions().iter().filter(|(name, _)| !self.domain.is_assumed(name)).collect()
     }
 
@@ -84,8 +84,8 @@ impl Setting<'_> {
         loop {
             let before = names.len();
             let covered = self.covered();
-            if covered.iter().any(|(name, _)| names.contains(&Symbol::new(name))) {
-                names.extend(covered.iter().map(|(name, _)| Symbol::new(name)));
+            if covered.iter().any(|(name, _)| names.contains(name)) {
+                names.extend(covered.iter().map(|(name, _)| name.clone()));
                 names.extend(self.domain.parameters().iter().flat_map(|(_, value)| value.variables()));
                 names.extend(covered.iter().flat_map(|(_, value)| {
                     let inner = value.variables().into_iter();
@@ -95,7 +95,7 @@ impl Setting<'_> {
             let values =
                 self.defined().into_iter().chain(self.domain.parameters()).chain(self.domain.squares());
             let used: Vec<Symbol> = values
-                .filter(|(name, _)| names.contains(&Symbol::new(name)))
+                .filter(|(name, _)| names.contains(name))
                 .flat_map(|(_, value)| value.variables())
                 .collect();
             names.extend(used);
@@ -111,7 +111,7 @@ impl Setting<'_> {
     }
 
     fn is_parameter(&self, name: &Symbol) -> bool {
-        self.domain.parameters().iter().any(|(known, _)| known == name.as_str())
+        self.domain.parameters().iter().any(|(known, _)| known == name)
     }
 
     fn bind(&self, names: &BTreeSet<Symbol>, domain: &Domain) -> Binders {
@@ -119,11 +119,11 @@ impl Setting<'_> {
         let names: BTreeSet<&Symbol> =
             names.iter().filter(|name| !self.bound.contains(*name) && name.as_str() != "i").collect();
         for symbol in &names {
-            let kind = if self.complex.contains(symbol) { "C" } else { "R" };
-            binders.variables.push((name(symbol.as_str()), kind));
+            let kind = if self.complex.contains(*symbol) { "C" } else { "R" };
+            binders.variables.push(((*symbol).clone(), kind));
         }
         for symbol in names.iter().filter(|name| domain.is_positive(name)) {
-            let variable = name(symbol.as_str());
+            let variable = name(symbol);
             binders.hypotheses.push((format!("{variable}'pos"), format!("0 < {variable}")));
         }
         if names.iter().any(|name| name.as_str() == "pm") {
@@ -153,7 +153,7 @@ impl Setting<'_> {
         let mut squares = Vec::new();
         for (known, square) in self.domain.squares() {
             let square = self.domain.as_written(square);
-            if names.contains(&Symbol::new(known)) {
+            if names.contains(known) {
                 names.extend(square.variables());
                 squares.push((known, square));
             }
@@ -180,7 +180,7 @@ impl Setting<'_> {
         for (index, given) in self.domain.conditions().iter().enumerate() {
             binders.hypotheses.push((format!("given'{}", index + 1), condition(given)));
         }
-        let in_use = |(known, _): &&(String, Expression)| names.contains(&Symbol::new(known));
+        let in_use = |(known, _): &&(Symbol, Expression)| names.contains(known);
         for (known, square) in self.domain.squares().iter().filter(in_use) {
             let known = name(known);
             binders.hypotheses.push((format!("{known}'square"), format!("{known} ^ 2 = {}", real(square))));
@@ -190,7 +190,7 @@ impl Setting<'_> {
             binders.hypotheses.push((format!("{known}'value"), format!("{known} = {}", real(value))));
         }
         for (known, value) in self.defined().into_iter().filter(in_use) {
-            let is_complex = self.complex.contains(&Symbol::new(known));
+            let is_complex = self.complex.contains(known);
             let known = name(known);
             let equality = match is_complex {
                 true => format!("({known} = {})%C", complex(value, &self.complex)),
@@ -209,7 +209,7 @@ impl Setting<'_> {
     /// Goes from the original variables to those after the substitutions, and applies the lemma on them.
     pub fn transfer(&self, original: &Binders, substituted: &Binders, lemma: &str) -> String {
         let mut tactics = String::new();
-        let has = |variable: &str| original.variables.iter().any(|(known, _)| *known == name(variable));
+        let has = |variable: &Symbol| original.variables.iter().any(|(known, _)| known == variable);
         let covered = self.covered();
         let used = covered.iter().any(|(known, _)| has(known))
             || self.domain.parameters().iter().any(|(known, _)| has(known));
@@ -242,7 +242,7 @@ impl Setting<'_> {
 
     fn cover_binders(&self) -> Binders {
         let covered = self.covered().into_iter().chain(self.domain.parameters());
-        let all: Vec<Expression> = covered.map(|(known, _)| Expression::variable(known)).collect();
+        let all: Vec<Expression> = covered.map(|(known, _)| Expression::Variable(known.clone())).collect();
         self.original(&all.iter().collect::<Vec<_>>())
     }
 
@@ -259,7 +259,7 @@ impl Setting<'_> {
         let original = self.domain.original();
         let tactics = Tactics(&original);
         let parameters = self.domain.parameters();
-        let values = parameters.iter().map(|(known, value)| (Symbol::new(known), value.clone())).collect();
+        let values = parameters.iter().map(|(known, value)| (known.clone(), value.clone())).collect();
         let (mut parts, mut proofs) = (Vec::new(), Vec::new());
         for (known, value) in parameters {
             parts.push(format!("0 < {}", name(known)));
@@ -267,7 +267,7 @@ impl Setting<'_> {
         }
         for (known, value) in &covered {
             parts.push(format!("{} = {}", name(known), real(value)));
-            proofs.push(tactics.equal(&Expression::variable(known), &value.replaced(&values))?);
+            proofs.push(tactics.equal(&Expression::Variable(known.clone()), &value.replaced(&values))?);
         }
         parts.push("True".to_owned());
         let substituted: String =
@@ -292,19 +292,18 @@ impl Setting<'_> {
             return None;
         }
         let label = format!("possible_{}", super::digest(&original.text()));
-        let value = |variable: &str| {
-            let symbol = Symbol::new(variable.strip_suffix("'v").unwrap_or(variable));
+        let value = |symbol: &Symbol| {
             let defined = self.domain.parameters().iter().chain(self.domain.substitutions());
             let defined = defined.filter(|(known, _)| !self.domain.is_assumed(known));
-            let mut defined = defined.filter(|(known, _)| known == symbol.as_str());
+            let mut defined = defined.filter(|(known, _)| known == symbol);
             match defined.next() {
                 Some(_) => None,
                 None if symbol.as_str() == "pm" => Some("1".to_owned()),
                 // The value 0, which is the example of a name without assumptions, often makes a double root.
-                None if self.nonzero.as_ref().is_some_and(|value| value.variables().contains(&symbol)) => {
+                None if self.nonzero.as_ref().is_some_and(|value| value.variables().contains(symbol)) => {
                     Some("2".to_owned())
                 }
-                None => Some(real(&Expression::Number(self.domain.original().example_of(&symbol)))),
+                None => Some(real(&Expression::Number(self.domain.original().example_of(symbol)))),
             }
         };
         let mut proof = String::new();
@@ -323,7 +322,7 @@ impl Setting<'_> {
             let _ = write!(proof, "try root_is {}; ", real(&Expression::Number(root)));
         }
         let names: Vec<String> =
-            original.variables.iter().map(|(name, kind)| format!("({name} : {kind})")).collect();
+            original.variables.iter().map(|(symbol, kind)| format!("({} : {kind})", name(symbol))).collect();
         let statements: Vec<&str> = original.hypotheses.iter().map(|(_, text)| text.as_str()).collect();
         let text = format!(
             "Lemma {label} :\n  exists {}, {}.\nProof. {proof}possible. Qed.\n",

@@ -77,7 +77,7 @@ impl Statement {
                 Self::root(polynomial, variable, between, domain)
             }
             Certificate::Growth { expression, variable, order, .. } => {
-                let growth = Self::growth_from(&written(expression), &Symbol::new(variable), *order, domain)?;
+                let growth = Self::growth_from(&written(expression), variable, *order, domain)?;
                 let pieces = |expression: &Expression| vec![text("0 < "), term(expression)];
                 let altered = pieces(&-expression.clone());
                 Ok(Self::plain(pieces(expression), altered, growth))
@@ -92,7 +92,7 @@ impl Statement {
     fn equality(left: &Expression, right: &Expression, domain: &Domain) -> Result<Self, Obstacle> {
         let tactics = Tactics(domain);
         let [l, r] = [left, right].map(|side| domain.as_written(side));
-        let imaginary = Symbol::new("i");
+        let imaginary = Symbol::from("i");
         let is_complex = [&l, &r].iter().any(|side| side.variables().contains(&imaginary));
         let proof = if is_complex { tactics.equal_complex(&[&l, &r])? } else { tactics.equal(&l, &r)? };
         let sides = |left: &Expression, right: &Expression| vec![term(left), text(" = "), term(right)];
@@ -112,16 +112,15 @@ impl Statement {
 
     fn limit(
         expression: &Expression,
-        (variable, toward): (&str, Toward),
+        (symbol, toward): (&Symbol, Toward),
         value: &Expression,
         domain: &Domain,
     ) -> Result<Self, Obstacle> {
         let tactics = Tactics(domain);
         let [inner, limit] = [expression, value].map(|part| domain.as_written(part));
-        let symbol = Symbol::new(variable);
         let function = domain.rational_function(&inner)?;
-        let mut sides = [function.numerator(), function.denominator()].map(|side| side.coefficients(&symbol));
-        let [x, at] = [name(variable), real(&Expression::Variable(symbol.clone()))];
+        let mut sides = [function.numerator(), function.denominator()].map(|side| side.coefficients(symbol));
+        let [x, at] = [name(symbol), real(&Expression::Variable(symbol.clone()))];
         let (lemma, point, filter) = match toward {
             Toward::Zero => ("limit_at_zero", Expression::Variable(symbol.clone()), "(at_right 0)"),
             Toward::Infinity => {
@@ -159,22 +158,21 @@ impl Statement {
             (true, value) => pieces(&value),
             (false, _) => pieces(&(value.clone() + Expression::integer(1))),
         };
-        Ok(Self { bound: [symbol].into(), ..Self::plain(pieces(value), altered, proof) })
+        Ok(Self { bound: [symbol.clone()].into(), ..Self::plain(pieces(value), altered, proof) })
     }
 
     fn root(
         polynomial: &Expression,
-        variable: &str,
+        symbol: &Symbol,
         between: &[Option<Expression>; 2],
         domain: &Domain,
     ) -> Result<Self, Obstacle> {
         let tactics = Tactics(domain);
-        let symbol = Symbol::new(variable);
-        let x = name(variable);
+        let x = name(symbol);
         let inner = domain.as_written(polynomial);
         let function = domain.rational_function(&inner)?;
         let divisor: RationalFunction = function.denominator().clone().into();
-        let coefficients = function.numerator().coefficients(&symbol).into_iter().map(|coefficient| {
+        let coefficients = function.numerator().coefficients(symbol).into_iter().map(|coefficient| {
             RationalFunction::from(coefficient)
                 .checked_div(&divisor)
                 .ok_or_else(|| Obstacle("a zero divisor".into()))
@@ -246,18 +244,17 @@ impl Statement {
         };
         let (_, altered) = altered_side(polynomial, polynomial, domain)?;
         let altered = pieces(&altered);
-        Ok(Self { bound: [symbol].into(), ..Self::plain(pieces(polynomial), altered, proof) })
+        Ok(Self { bound: [symbol.clone()].into(), ..Self::plain(pieces(polynomial), altered, proof) })
     }
 
     fn series(
         relation: &Expression,
-        [variable, unknown]: [&String; 2],
+        [small, root]: [&Symbol; 2],
         given: &[Expression],
         domain: &Domain,
     ) -> Result<Self, Obstacle> {
         let tactics = Tactics(domain);
-        let [small, root] = [variable, unknown].map(|name| Symbol::new(name));
-        let [x, y] = [name(variable), name(unknown)];
+        let [x, y] = [name(small), name(root)];
         let order = given.len();
         let inner = domain.as_written(relation);
         let function = domain.rational_function(&inner)?;
@@ -268,22 +265,22 @@ impl Statement {
             let whole = RationalFunction::from(part).checked_div(&below.clone().into());
             tactics.expression(&whole.ok_or_else(|| Obstacle("a divisor is zero".to_owned()))?)
         };
-        let rows = function.numerator().coefficients(&root).into_iter().map(|row| {
-            let row = row.coefficients(&small).into_iter();
+        let rows = function.numerator().coefficients(root).into_iter().map(|row| {
+            let row = row.coefficients(small).into_iter();
             row.map(|part| over(part, function.denominator())).collect::<Result<Vec<_>, _>>()
         });
         let rows: Vec<Vec<Expression>> = rows.collect::<Result<_, _>>()?;
-        let [x_point, y_point] = [&small, &root].map(|symbol| Expression::Variable(symbol.clone()));
+        let [x_point, y_point] = [small, root].map(|symbol| Expression::Variable(symbol.clone()));
         let series = Series::expression(given, &x_point);
         let sum = domain.as_written(&series);
         let at_sum = inner.replaced(&[(root.clone(), sum.clone())].into());
         let residual = domain.rational_function(&at_sum)?;
-        let rest = residual.numerator().coefficients(&small).into_iter().skip(order);
+        let rest = residual.numerator().coefficients(small).into_iter().skip(order);
         let rest: Vec<Expression> =
             rest.map(|part| over(part, residual.denominator())).collect::<Result<_, _>>()?;
         let written: Vec<Expression> = given.iter().map(|value| domain.as_written(value)).collect();
         let start = written.first().cloned().unwrap_or_else(|| Expression::integer(0));
-        let slope = over(function.numerator().derivative(&root), function.denominator())?;
+        let slope = over(function.numerator().derivative(root), function.denominator())?;
         let slope = slope.replaced(&[(small.clone(), Expression::integer(0)), (root.clone(), start)].into());
         let slope = tactics.expression(&domain.rational_function(&slope)?)?;
         let by_rows: Vec<Expression> = rows.iter().map(|row| horner(row, &x_point)).collect();
@@ -319,27 +316,27 @@ impl Statement {
             altered: pieces(&altered),
             tactics: proof,
             is_complex: false,
-            bound: [small, root].into(),
+            bound: [small.clone(), root.clone()].into(),
             nonzero: (!proven).then_some(slope),
         })
     }
 
     /// Any two points of the set are joined by a curve in it.
-    fn connected(image: &[(String, Expression)]) -> Self {
+    fn connected(image: &[(Symbol, Expression)]) -> Self {
         let parameters: BTreeSet<Symbol> = image.iter().flat_map(|(_, value)| value.variables()).collect();
-        let own: Vec<String> = parameters.iter().map(|symbol| name(symbol.as_str())).collect();
+        let own: Vec<String> = parameters.iter().map(|symbol| name(symbol)).collect();
         let others: Vec<String> = own.iter().map(|own| format!("{own}'other")).collect();
         let between: Vec<String> =
             own.iter().zip(&others).map(|(one, other)| format!("(between {one} {other} u')")).collect();
         // A name that stands in a text as it is.
         let exchange = |part: &Expression, names: &[String]| {
-            let names = names.iter().map(|name| Expression::Variable(Symbol::new(name)));
+            let names = names.iter().map(|name| Expression::Variable(Symbol::read(name)));
             part.replaced(&parameters.iter().cloned().zip(names).collect())
         };
         let positive = |names: &[String], joint: &str| -> String {
             names.iter().map(|name| format!("0 < {name}{joint}")).collect()
         };
-        let pieces = |image: &[(String, Expression)]| {
+        let pieces = |image: &[(Symbol, Expression)]| {
             let both = [own.clone(), others.clone()].concat();
             let coordinates: Vec<String> = image.iter().map(|(coordinate, _)| name(coordinate)).collect();
             let continuous: String =
@@ -365,7 +362,7 @@ impl Statement {
             }
             pieces
         };
-        let curve = |(_, value): &(String, Expression)| {
+        let curve = |(_, value): &(Symbol, Expression)| {
             format!("exists (fun u' : R => {}); ", real(&exchange(value, &between)))
         };
         let curves: String = image.iter().map(curve).collect();
@@ -382,7 +379,7 @@ impl Statement {
         );
         let mut altered = image.to_vec();
         altered.iter_mut().take(1).for_each(|(_, value)| *value = -value.clone());
-        let bound = own.iter().chain(&others).map(|name| Symbol::new(name)).collect();
+        let bound = own.iter().chain(&others).map(|name| Symbol::read(name)).collect();
         let (pieces, altered) = (pieces(image), pieces(&altered));
         Self { pieces, altered, tactics: proof, is_complex: false, bound, nonzero: None }
     }
@@ -397,7 +394,7 @@ impl Statement {
         if order == 0 {
             return tactics.sign(expression, 1);
         }
-        let x = name(variable.as_str());
+        let x = name(variable);
         let slope = expression.derivative(variable);
         let zero = expression.replaced(&[(variable.clone(), Expression::integer(0))].into());
         Ok(format!(

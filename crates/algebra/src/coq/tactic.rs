@@ -236,34 +236,35 @@ impl Tactics<'_> {
             .try_fold(self.expression_of(&rest).ok()?, |product, factor| Some(product * factor))
     }
 
-    /// A function as an expression in which what the converter has named by its text is a call again.
+    /// A function as an expression.
     pub fn expression(&self, function: &RationalFunction) -> Result<Expression, Obstacle> {
-        self.with_calls(&Expression::from(function))
+        self.with_forms(&Expression::from(function))
     }
 
     /// A polynomial as such an expression.
     pub fn expression_of(&self, polynomial: &Polynomial) -> Result<Expression, Obstacle> {
-        self.with_calls(&Expression::from(polynomial))
+        self.with_forms(&Expression::from(polynomial))
     }
 
-    /// Names of calls as calls. A quotient below a root has positive forms above and below, where the domain has them.
-    fn with_calls(&self, expression: &Expression) -> Result<Expression, Obstacle> {
-        let mut calls = BTreeMap::new();
-        for name in expression.variables().into_iter().filter(|name| name.as_str().contains('(')) {
-            let call = name
-                .as_str()
-                .parse()
-                .map_err(|error| Obstacle(format!("{name} cannot be read again: {error}")))?;
-            let call = match call {
-                Expression::Call(Function::Sqrt, inner) if divides(&inner) => {
-                    let form = self.not_negative_form(&inner)?;
-                    Expression::Call(Function::Sqrt, form.map_or(inner, Box::new))
-                }
-                other => other,
-            };
-            calls.insert(name, call);
-        }
-        Ok(expression.replaced(&calls))
+    /// A quotient below a root has positive forms above and below, where the domain has them.
+    fn with_forms(&self, expression: &Expression) -> Result<Expression, Obstacle> {
+        let all = |parts: &[Expression]| {
+            parts.iter().map(|part| self.with_forms(part)).collect::<Result<Vec<_>, _>>()
+        };
+        let boxed = |inner: &Expression| self.with_forms(inner).map(Box::new);
+        Ok(match expression {
+            Expression::Number(_) | Expression::Variable(_) => expression.clone(),
+            Expression::Sum(parts) => Expression::Sum(all(parts)?),
+            Expression::Product(parts) => Expression::Product(all(parts)?),
+            Expression::Quotient(above, below) => Expression::Quotient(boxed(above)?, boxed(below)?),
+            Expression::Negation(inner) => Expression::Negation(boxed(inner)?),
+            Expression::Power(inner, exponent) => Expression::Power(boxed(inner)?, *exponent),
+            Expression::Call(Function::Sqrt, inner) if divides(inner) => {
+                let form = self.not_negative_form(inner)?;
+                Expression::Call(Function::Sqrt, form.map_or_else(|| inner.clone(), Box::new))
+            }
+            Expression::Call(..) => expression.clone(),
+        })
     }
 
     /// Brings each condition to the form in which the converter uses it.

@@ -35,8 +35,12 @@ const TAKEN: [&str; 26] = [
 ];
 
 /// The name of a variable; no variable of a certificate has a prime inside its name.
-pub(super) fn name(variable: &str) -> String {
-    if TAKEN.contains(&variable) { format!("{variable}'v") } else { variable.to_owned() }
+pub(super) fn name(variable: &Symbol) -> String {
+    match variable.number() {
+        Some(number) => format!("p'{number}"),
+        None if TAKEN.contains(&variable.as_str()) => format!("{variable}'v"),
+        None => variable.to_string(),
+    }
 }
 
 /// The text of a real expression, which binds as tightly as an atom.
@@ -45,7 +49,7 @@ pub(super) fn real(expression: &Expression) -> String {
         Expression::Number(value) if value.is_integer() && !value.is_negative() => value.to_string(),
         Expression::Number(value) if value.is_integer() => format!("({value})"),
         Expression::Number(value) => format!("({} / {})", value.numer(), value.denom()),
-        Expression::Variable(symbol) => name(symbol.as_str()),
+        Expression::Variable(symbol) => name(symbol),
         Expression::Sum(parts) => sum(parts),
         Expression::Product(parts) => joined(parts, " * ", real),
         Expression::Quotient(above, below) => format!("({} / {})", real(above), real(below)),
@@ -84,7 +88,7 @@ fn sum(parts: &[Expression]) -> String {
 
 /// The text of an expression over the complex numbers. Variables in `complex` are complex, all others real.
 pub(super) fn complex(expression: &Expression, free: &BTreeSet<Symbol>) -> String {
-    let imaginary = Symbol::new("i");
+    let imaginary = Symbol::from("i");
     let text = |part: &Expression| complex(part, free);
     let variables = expression.variables();
     if !variables.contains(&imaginary) && variables.is_disjoint(free) {

@@ -51,10 +51,10 @@ fn quasi_static(
     let domain = domain.with("beta", formula("w^2"));
     // With σ = 1 the right side is σ_asymptote/σ, which is κ/κ_asymptote.
     let ratio = rational(&proof, &[number], &in_groups(&equations.right(number)), &domain)?;
-    let slope = ratio.derivative(&Symbol::new("kappa"));
+    let slope = ratio.derivative(&Symbol::from("kappa"));
     let level = RationalFunction::from(1)
         .checked_div(&slope)
-        .filter(|level| !level.numerator().variables().contains(&Symbol::new("kappa")))
+        .filter(|level| !level.numerator().variables().contains(&Symbol::from("kappa")))
         .ok_or_else(|| {
             proof.refute("σ is proportional to K", &[number], Expression::from(&ratio).to_string())
         })?;
@@ -158,20 +158,20 @@ fn no_asymptote(proof: &Proof, number: &str) -> Refutation {
 fn in_root(function: &RationalFunction) -> RationalFunction {
     let square = Polynomial::variable("w").pow(2);
     let [upper, lower] = [function.numerator(), function.denominator()]
-        .map(|side| side.substitute(&Symbol::new("beta"), &square));
+        .map(|side| side.substitute(&Symbol::from("beta"), &square));
     RationalFunction::new(upper, lower).unwrap_or_else(|| function.clone())
 }
 
 /// r as a power series in x = function(r), beginning with `start`.
 fn inverse_series(function: &RationalFunction, start: RationalFunction, length: usize) -> Option<Series> {
     let relation = function.numerator() - &(&Polynomial::variable("x") * function.denominator());
-    Series::implicit(&relation, &Symbol::new("x"), &Symbol::new("r"), start, length)
+    Series::implicit(&relation, &Symbol::from("x"), &Symbol::from("r"), start, length)
 }
 
 /// function(r) along a series for r.
 fn along(function: &RationalFunction, root: &Series) -> Option<Series> {
     let x = Series::variable(root.coefficients().len());
-    let places = [(&Symbol::new("x"), &x), (&Symbol::new("r"), root)];
+    let places = [(&Symbol::from("x"), &x), (&Symbol::from("r"), root)];
     let denominator = Series::of_polynomial(function.denominator(), places).reciprocal()?;
     Some(Series::of_polynomial(function.numerator(), places).times(&denominator))
 }
@@ -195,8 +195,8 @@ fn finish(
     let coefficients: Vec<Expression> = error.coefficients().iter().map(with_short_denominator).collect();
     let certificate = Certificate::Series {
         relation: Expression::from(&relation),
-        variable: "x".to_owned(),
-        unknown: "y".to_owned(),
+        variable: "x".into(),
+        unknown: "y".into(),
         coefficients: coefficients.clone(),
         domain,
     };
@@ -216,7 +216,7 @@ fn finish(
 /// The coefficient as an expression, a denominator that is a power of β − 1 written as one.
 fn with_short_denominator(coefficient: &RationalFunction) -> Expression {
     let whole = Expression::from(coefficient);
-    let degree = coefficient.denominator().degree(&Symbol::new("beta"));
+    let degree = coefficient.denominator().degree(&Symbol::from("beta"));
     let distance = &Polynomial::variable("beta") - &Polynomial::one();
     // Denominators in lowest terms have leading coefficient 1, so equality is all there is to check.
     if degree == 0 || distance.pow(degree) != *coefficient.denominator() {
@@ -227,7 +227,7 @@ fn with_short_denominator(coefficient: &RationalFunction) -> Expression {
 
 /// The numerator without powers of x as a factor.
 fn without_powers(function: &RationalFunction) -> Polynomial {
-    let x = Symbol::new("x");
+    let x = Symbol::from("x");
     let coefficients = function.numerator().coefficients(&x);
     let lowest = coefficients.iter().position(|coefficient| !coefficient.is_zero()).unwrap_or(0);
     let kept = coefficients.into_iter().skip(lowest).rev();

@@ -27,7 +27,7 @@ pub struct Curve {
 pub fn curve(equations: &Equations) -> Result<Curve, Refutation> {
     let proof = Proof::new("boundary-curve", "");
     let value = cubic(equations).with("p", &formula("r"));
-    let slope = value.derivative(&Symbol::new("r"));
+    let slope = value.derivative(&Symbol::from("r"));
     let [inertial_parameter, stiffness_group] = solve_for_groups(&proof, [&value, &slope])?;
     let [_, _, c2, c3]: [Expression; 4] = coefficients(&proof, &["8"], &cubic(equations), "p")?;
     let sum = (Expression::integer(-1) * c2 / c3 - formula("2*r"))
@@ -62,7 +62,7 @@ pub(super) fn solve_for_groups(
 /// The coefficients of η and of κ, and the rest, of an expression linear in both.
 fn linear_parts(proof: &Proof, expression: &Expression) -> Result<[RationalFunction; 3], Refutation> {
     let domain = Domain::default();
-    let part = |name: &str| rational(proof, &["8"], &expression.derivative(&Symbol::new(name)), &domain);
+    let part = |name: &'static str| rational(proof, &["8"], &expression.derivative(&name.into()), &domain);
     let rest = expression.with("eta", &formula("0")).with("kappa", &formula("0"));
     let parts = [part("eta")?, part("kappa")?, rational(proof, &["8"], &rest, &domain)?];
     let linear = formula("0")
@@ -86,7 +86,7 @@ pub fn prove(equations: &Equations) -> Result<Proof, Refutation> {
     let f = cubic(equations);
     let product = formula("eta*(p - r)^2") * (formula("p") - Expression::from(&curve.third_root));
     let determinant = formula("(r^3 + r^2) - (r + 1)*(3*r^2 + 2*r)");
-    let r = Symbol::new("r");
+    let r = Symbol::from("r");
     let envelope = kappa.derivative(&r) + formula("r^2") * eta.derivative(&r);
     let zero = formula("0");
     Proof::new(
@@ -150,11 +150,11 @@ pub fn cusp(equations: &Equations) -> Result<Proof, Refutation> {
         .with("beta", ratio.clone())
         .with("eta", formula("1/(3*x + 2)"))
         .with("kappa", formula("(1 + x)^3/(3*x + 2)"));
-    let second = f.derivative(&Symbol::new("p")).derivative(&Symbol::new("p"));
-    let slope = ratio.derivative(&Symbol::new("x"));
+    let second = f.derivative(&Symbol::from("p")).derivative(&Symbol::from("p"));
+    let slope = ratio.derivative(&Symbol::from("x"));
     let at_root = at_double_root();
     let curve = curve(equations)?;
-    let eta_slope = Expression::from(&curve.inertial_parameter.derivative(&Symbol::new("r")));
+    let eta_slope = Expression::from(&curve.inertial_parameter.derivative(&Symbol::from("r")));
     let condition = formula("(beta*(3*r + 1) - (r + 1)^3)");
     let quotient = simplified(
         &Proof::new("cusp", ""),
@@ -163,7 +163,7 @@ pub fn cusp(equations: &Equations) -> Result<Proof, Refutation> {
         &at_root.clone().given(condition.clone(), Relation::NonZero),
     )?;
     let triple = formula("eta*(p - r)^3");
-    let triple_curvature = triple.derivative(&Symbol::new("p")).derivative(&Symbol::new("p"));
+    let triple_curvature = triple.derivative(&Symbol::from("p")).derivative(&Symbol::from("p"));
     let minus_one = formula("-1");
     Proof::new(
         "cusp",

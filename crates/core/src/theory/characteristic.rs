@@ -98,7 +98,7 @@ pub(super) fn symbolic_parameters() -> Parameters<RationalFunction> {
 }
 
 /// Σ coefficients[k]·variable^k.
-fn polynomial(coefficients: &[RationalFunction], variable: &str) -> Expression {
+fn polynomial(coefficients: &[RationalFunction], variable: &'static str) -> Expression {
     let term = |(power, coefficient): (usize, &RationalFunction)| {
         Expression::from(coefficient) * Expression::variable(variable).power(power as i32)
     };
@@ -107,7 +107,7 @@ fn polynomial(coefficients: &[RationalFunction], variable: &str) -> Expression {
 
 /// The determinant of two equations that are linear in Δδ and Δθ and their derivatives, on solutions e^(st).
 fn determinant(first: &Expression, second: &Expression) -> Expression {
-    let entry = |equation: &Expression, kept: &str, dropped: &str| {
+    let entry = |equation: &Expression, kept: &'static str, dropped: &'static str| {
         exponential(equation).with(kept, &formula("1")).with(dropped, &formula("0"))
     };
     let (position, state) = ("Delta_delta", "Delta_theta");
@@ -123,7 +123,7 @@ fn exponential(equation: &Expression) -> Expression {
         .filter(|name| name.derivative_order() > 0)
         .map(|name| {
             let factor = Expression::variable("s").power(name.derivative_order() as i32);
-            let base = Expression::variable(name.base());
+            let base = Expression::Variable(name.undifferentiated());
             (name, factor * base)
         })
         .collect();

@@ -56,11 +56,11 @@ fn at_point(
     proof: Proof,
     says: &str,
     expression: &Expression,
-    point: &[(&str, &str)],
+    point: &[(&'static str, &str)],
 ) -> Result<Proof, Refutation> {
     let negative = says.contains("negative");
-    let point: Vec<_> = point.iter().map(|(name, value)| ((*name).to_owned(), formula(value))).collect();
-    let values = point.iter().map(|(name, value)| (Symbol::new(name), value.clone())).collect();
+    let point: Vec<_> = point.iter().map(|(name, value)| (Symbol::from(*name), formula(value))).collect();
+    let values = point.iter().cloned().collect();
     let value =
         super::notation::rational(&proof, &["8"], &expression.substitute(&values), &Domain::default())?;
     let sign = if negative { -1 } else { 1 };

@@ -19,10 +19,12 @@ pub(super) fn read(text: &str, given: &[Condition], domain: &Domain) -> Result<E
     let add = |domain: Domain, one: &Condition| domain.given(one.expression.clone(), one.relation);
     let all = given.iter().fold(domain.clone(), add);
     let case = |text: &str| all.clone().given(formula(text), Relation::Positive);
-    let has_effects = ["a", "b"].iter().all(|name| domain.is_positive(&Symbol::new(name)));
+    let has_effects = ["a", "b"].iter().all(|name| domain.is_positive(&Symbol::from(*name)));
     let mut cases = vec![all.clone()];
     cases.extend(has_effects.then(|| ["b - a", "a - b"].map(case)).into_iter().flatten());
-    let met = |demand: &Demand, case: &Domain| case.proves(&demand.condition) == Ok(true);
+    let met = |demand: &Demand, case: &Domain| {
+        case.proves(&demand.condition) == Ok(true) || case.proves_in_some_form(&demand.condition).is_some()
+    };
     if cases.iter().any(|case| demands.iter().all(|demand| met(demand, case))) {
         return Ok(expression);
     }
@@ -45,8 +47,9 @@ pub(super) fn unmet(
         Demand { column: *column, condition }
     });
     let mut resolved = resolved.filter(|demand| match domain.proves(&demand.condition) {
-        Ok(proved) => !proved,
-        Err(error) => !error.is_open(),
+        Ok(true) => false,
+        Ok(false) => domain.proves_in_some_form(&demand.condition).is_none(),
+        Err(error) => !error.is_open() && domain.proves_in_some_form(&demand.condition).is_none(),
     });
     resolved.next().map(|demand| message(&demand, domain, ""))
 }

@@ -54,8 +54,8 @@ fn of_slider(slider: &Slider<Rational>, precision_bits: u32) -> BTreeMap<Symbol,
     quantities.map(|(name, value)| named((name, Ball::from_rational(value, precision_bits)))).into()
 }
 
-fn named((name, value): (&str, Ball)) -> (Symbol, Ball) {
-    (Symbol::new(name), value)
+fn named((name, value): (&'static str, Ball)) -> (Symbol, Ball) {
+    (name.into(), value)
 }
 
 #[cfg(test)]

@@ -121,7 +121,7 @@ impl Equations {
         let mut faults = Vec::new();
         let domain = definitions::assumed(&assumptions).unwrap_or_else(|fault| {
             faults.push(fault);
-            Domain::positive(&assumptions.positive.join(" "))
+            definitions::positive(&assumptions)
         });
         let (equations, of_equations) = reading::read(equation, &assumptions.positive, &domain);
         let rest = Rest { assumptions, systems: system, definitions: definition, units };

@@ -37,7 +37,7 @@ fn exchange(equations: &Equations, number: &'static str) -> Result<Exchange, Ref
     let ratio = equation.left.clone() / equation.right.clone();
     let exchanged = exchanged(&ratio);
     let invariant = weakening().difference(&ratio, &exchanged).is_ok_and(|difference| difference.is_zero());
-    let contains_b = ratio.variables().contains(&Symbol::new("b"));
+    let contains_b = ratio.variables().contains(&Symbol::from("b"));
     let factor = if invariant { formula("1") } else { formula("b/a") };
     let proof = Proof::new(
         &format!("exchange-of-a-and-b-in-eq-{number}"),
@@ -141,30 +141,30 @@ pub fn frequency_contours(equations: &Equations) -> Result<Proof, Refutation> {
 
 /// a and b exchanged, both at once.
 fn exchanged(expression: &Expression) -> Expression {
-    expression.substitute(&[(Symbol::new("a"), formula("b")), (Symbol::new("b"), formula("a"))].into())
+    expression.substitute(&[(Symbol::from("a"), formula("b")), (Symbol::from("b"), formula("a"))].into())
 }
 
 /// A rational point with a = 0.004, b = 0.006, D_c = 10 µm, K = 10 MPa/m, M = 1000 kg/m² on the boundary: its double root
 /// is r = −3 D_c/V0, so that κ = 69/16 and η = 5/48; σ follows from κ and V0² from η.
-fn boundary_point() -> Vec<(String, Expression)> {
+fn boundary_point() -> Vec<(Symbol, Expression)> {
     let values =
         [("a", "1/250"), ("b", "3/500"), ("D_c", "1/100000"), ("K", "10000000"), ("sigma", "400000/69")];
-    let mut point: Vec<_> = values.map(|(name, value)| (name.to_owned(), formula(value))).into();
+    let mut point: Vec<_> = values.map(|(name, value)| (Symbol::from(name), formula(value))).into();
     // V0² = η σ a D_c/M is rational, V0 is not: the discriminant in s·V0 needs V0² only, so M V0² is given as a mass at V0 = 1.
-    point.push(("M".to_owned(), formula("5/48*400000/69*1/250*1/100000")));
-    point.push(("V_0".to_owned(), formula("1")));
+    point.push(("M".into(), formula("5/48*400000/69*1/250*1/100000")));
+    point.push(("V_0".into(), formula("1")));
     point
 }
 
 /// The discriminant in s with its exact value at a point.
 fn discriminant_at(
     cubic: &Expression,
-    point: &[(String, Expression)],
+    point: &[(Symbol, Expression)],
 ) -> Result<(Expression, Expression), Refutation> {
     let proof = Proof::new("frequency-contours-under-exchange", "");
     let cubic = cubic.clone() * formula("V_0*D_c");
     let expression = Expression::from(&discriminant_of_cubic(&proof, &cubic, "s", &any())?);
-    let values = point.iter().map(|(name, value)| (Symbol::new(name), value.clone())).collect();
+    let values = point.iter().cloned().collect();
     let value = super::notation::simplified(&proof, &["8"], &expression.substitute(&values), &any())?;
     Ok((expression, value))
 }

@@ -71,7 +71,7 @@ struct Turns {
 impl Turns {
     fn new(equations: &Equations, beta: &Rational) -> Result<Self, Refutation> {
         let proof = Proof::new("frequency-turns", "");
-        let [x, u, kappa] = ["x", "u", "kappa"].map(Symbol::new);
+        let [x, u, kappa] = ["x", "u", "kappa"].map(Symbol::from);
         let [eta_at, kappa_at] = groups_of_pair(equations, &proof, beta)?;
         let square = in_place(&proof, "u - (1 + x)^2")?;
         let y = &eta_at * &square;
@@ -92,7 +92,7 @@ impl Turns {
     ///
     /// The count changes where roots x meet, or pass through infinity, x = 0, w = 0 or η = 0.
     fn intervals_of_equal_count(&self) -> Result<(Vec<Ball>, Vec<Rational>), Refutation> {
-        let (x, kappa) = (Symbol::new("x"), Symbol::new("kappa"));
+        let (x, kappa) = (Symbol::from("x"), Symbol::from("kappa"));
         let by_power = self.eliminated.coefficients(&x);
         let [Some(first), Some(last)] = [by_power.first(), by_power.last()] else {
             return Err(undecided(&self.proof, "no coefficient"));
@@ -122,16 +122,16 @@ impl Turns {
 
     /// A polynomial in κ that is zero where a turning point has this value of u.
     fn turns_at(&self, limit: &Polynomial) -> Polynomial {
-        let [x, u, kappa] = ["x", "u", "kappa"].map(Symbol::new);
+        let [x, u, kappa] = ["x", "u", "kappa"].map(Symbol::from);
         let [jacobian, level] = [&self.jacobian, &self.level].map(|part| part.substitute(&u, limit));
         resultant(&jacobian, &without_content(&level, &kappa), &x)
     }
 
     /// The number of turning points with η > 0 and w > 0 at one κ.
     fn count(&self, kappa: &Rational) -> Result<usize, Refutation> {
-        let (x, u) = (Symbol::new("x"), Symbol::new("u"));
+        let (x, u) = (Symbol::from("x"), Symbol::from("u"));
         let at_kappa =
-            |part: &Polynomial| part.substitute(&Symbol::new("kappa"), &Polynomial::constant(kappa.clone()));
+            |part: &Polynomial| part.substitute(&Symbol::from("kappa"), &Polynomial::constant(kappa.clone()));
         let roots_of = univariate(&at_kappa(&self.eliminated), &x);
         let roots_of = roots_of.ok_or_else(|| undecided(&self.proof, "not a polynomial in x"))?;
         let mirrored = UnivariatePolynomial::new(
@@ -170,8 +170,8 @@ impl Turns {
 
     /// Whether u > 0, w > 0 and η > 0; none where a sign is not certain.
     fn is_physical(&self, x: &Ball, u: &Ball) -> Option<bool> {
-        let values = [("x", x), ("u", u)].map(|(name, value)| (Symbol::new(name), value.clone()));
-        let beta = (Symbol::new("beta"), Ball::from_rational(&self.beta, BITS));
+        let values = [("x", x), ("u", u)].map(|(name, value)| (Symbol::from(name), value.clone()));
+        let beta = (Symbol::from("beta"), Ball::from_rational(&self.beta, BITS));
         let values: BTreeMap<Symbol, Ball> = values.into_iter().chain([beta]).collect();
         let square = u.clone() - (Ball::from(1) + x.clone()).square();
         let eta = self.inertial_parameter.enclosed(&values, BITS)?;

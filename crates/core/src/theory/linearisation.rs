@@ -20,9 +20,9 @@ fn perturbations(equations: &Equations) -> [(&'static str, Expression, &'static 
 /// The part of a residual that is linear in the perturbations of steady sliding at velocity V_0.
 pub(super) fn linearised(equations: &Equations, residual: &Expression) -> Expression {
     let moving = perturbations(equations);
-    let steady = moving.iter().map(|(name, value, _)| (Symbol::new(name), value.clone())).collect();
-    let term = |(name, _, perturbation): &(&str, Expression, &str)| {
-        residual.derivative(&Symbol::new(name)).substitute(&steady) * formula(perturbation)
+    let steady = moving.iter().map(|(name, value, _)| (Symbol::from(*name), value.clone())).collect();
+    let term = |(name, _, perturbation): &(&'static str, Expression, &str)| {
+        residual.derivative(&Symbol::from(*name)).substitute(&steady) * formula(perturbation)
     };
     moving.iter().map(term).fold(Expression::integer(0), |sum, part| sum + part)
 }

@@ -26,12 +26,12 @@ fn eq_8_at(equations: &Equations, place: &str) -> Expression {
 fn directions(
     mut proof: Proof,
     g: &Expression,
-    [rises, falls]: [&[&str]; 2],
+    [rises, falls]: [&[&'static str]; 2],
     domain: &Domain,
 ) -> Result<Proof, Refutation> {
     for (parameters, is_rising) in [(rises, true), (falls, false)] {
         for parameter in parameters {
-            let slope = g.derivative(&Symbol::new(parameter));
+            let slope = g.derivative(&Symbol::from(*parameter));
             let says = format!("∂G/∂{parameter}");
             proof = if is_rising {
                 proof.positive(&says, &[], &slope, domain)?
@@ -132,7 +132,7 @@ pub fn unstable_side(equations: &Equations) -> Result<Proof, Refutation> {
         ("V_0", false),
         ("sigma", false),
     ] {
-        let slope = margin.derivative(&Symbol::new(parameter));
+        let slope = margin.derivative(&Symbol::from(parameter));
         let says = format!("∂(K − K_c)/∂{parameter} for a < b");
         proof = if is_rising {
             proof.positive(&says, &["9"], &slope, &weakening)?
@@ -177,10 +177,10 @@ fn ratios(mut proof: Proof, g: &Expression) -> Result<Proof, Refutation> {
     let ends = [("w_1", "(1 + e)/D_c"), ("w_2", "(1 + e + f)/D_c")];
     let domain = ends
         .iter()
-        .fold(any().and_positive("e f"), |domain, (name, value)| domain.with(name, formula(value)));
+        .fold(any().and_positive("e f"), |domain, (name, value)| domain.with(*name, formula(value)));
     let at = |f: &Expression, place: &str| f.with("w", &formula(place));
-    let ratio = |parameter: &str| {
-        let slope = g.derivative(&Symbol::new(parameter));
+    let ratio = |parameter: &'static str| {
+        let slope = g.derivative(&Symbol::from(parameter));
         at(&slope, "w_1") / at(&slope, "w_2")
     };
     for [earlier, later] in [["D_c", "b"], ["b", "K"], ["K", "sigma"], ["a", "M"], ["M", "V_0"]] {

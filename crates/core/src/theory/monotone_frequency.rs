@@ -88,7 +88,7 @@ fn along(
     let change_of = |f: &Expression| {
         let parts = ["x", "W", "q"].into_iter().zip(&changes);
         parts.fold(formula("0"), |sum, (variable, change)| {
-            sum + f.derivative(&Symbol::new(variable)) * change.clone()
+            sum + f.derivative(&Symbol::from(variable)) * change.clone()
         })
     };
     let mut proof = proof;

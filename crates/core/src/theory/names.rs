@@ -16,6 +16,8 @@ pub struct Meaning {
     pub equations: Vec<String>,
     /// What it is defined for, besides the assumptions of the file.
     pub given: Vec<Condition>,
+    /// What must hold for it to have a value, in variables only, as it and what it uses are written.
+    pub demands: Vec<Condition>,
     /// The definitions behind it with a proof, each after those that it uses; itself last.
     proofs: Vec<Symbol>,
 }
@@ -41,10 +43,16 @@ impl Names {
         &self.variables
     }
 
+    /// The variables that are positive by assumption.
+    #[must_use]
+    pub fn positive(&self) -> &BTreeSet<Symbol> {
+        &self.positive
+    }
+
     /// These variables, without an assumption about them.
     #[must_use]
     pub fn of_variables<'n>(names: impl Iterator<Item = &'n str>) -> Self {
-        Self { variables: names.map(Symbol::new).collect(), ..Self::default() }
+        Self { variables: names.filter_map(|name| name.parse().ok()).collect(), ..Self::default() }
     }
 
     /// Checks that the two have the same unit, where the file states units.
@@ -57,8 +65,8 @@ impl Names {
 
     /// Whether a variable is positive by assumption.
     #[must_use]
-    pub fn is_positive(&self, name: &str) -> bool {
-        self.positive.contains(&Symbol::new(name))
+    pub fn is_positive(&self, name: &Symbol) -> bool {
+        self.positive.contains(name)
     }
 
     /// All names.
@@ -121,6 +129,25 @@ impl Names {
         all
     }
 
+    /// What must hold for an expression to have a value, in variables only: as it is written, and as the definitions behind it are.
+    #[must_use]
+    pub fn demands_of(&self, expression: &Expression) -> Vec<Condition> {
+        let own = expression.demands().into_iter().map(|one| self.resolved_condition(&one));
+        let behind = self.meanings_in(expression).into_iter().flat_map(|one| one.demands.iter().cloned());
+        own.chain(behind).fold(Vec::new(), |mut all, one| {
+            if !all.contains(&one) {
+                all.push(one);
+            }
+            all
+        })
+    }
+
+    /// A condition with the meanings in place of the names.
+    #[must_use]
+    pub fn resolved_condition(&self, one: &Condition) -> Condition {
+        Condition { expression: self.resolved(&one.expression), relation: one.relation }
+    }
+
     /// The proofs of the definitions behind an expression, each after those that it uses.
     #[must_use]
     pub fn proofs_of(&self, expression: &Expression) -> Vec<&Proof> {
@@ -143,6 +170,13 @@ impl Names {
         given: Vec<Condition>,
         proof: Option<Proof>,
     ) {
+        let demands = behind.iter().flat_map(|expression| self.demands_of(expression));
+        let demands = demands.fold(Vec::new(), |mut all, one| {
+            if !all.contains(&one) {
+                all.push(one);
+            }
+            all
+        });
         let used: Vec<&Meaning> = behind.iter().flat_map(|expression| self.meanings_in(expression)).collect();
         let equations: BTreeSet<String> =
             used.iter().flat_map(|one| one.equations.iter().cloned()).chain(own).collect();
@@ -159,7 +193,8 @@ impl Names {
             proofs.push(name.clone());
             self.proofs.insert(name.clone(), proof);
         }
-        let meaning = Meaning { expression, equations: equations.into_iter().collect(), given: all, proofs };
+        let equations = equations.into_iter().collect();
+        let meaning = Meaning { expression, equations, given: all, demands, proofs };
         self.meanings.insert(name.clone(), meaning);
     }
 }
@@ -190,13 +225,15 @@ impl Defined {
 /// `residual_N` for each equation.
 ///
 /// A name that is assumed of keeps its meaning where an equation solves for it, and the two values of a ± define none.
+///
+/// Besides them, the names on the left of two equations, each with the numbers of both.
 pub(super) fn defined_by_equations(
     equations: &[Equation],
     assumed: &BTreeSet<Symbol>,
-) -> BTreeMap<Symbol, Defined> {
-    let mut defined = BTreeMap::new();
-    let mut doubled = BTreeSet::new();
-    let two_valued = Symbol::new("pm");
+) -> (BTreeMap<Symbol, Defined>, Vec<(Symbol, [String; 2])>) {
+    let mut defined: BTreeMap<Symbol, Defined> = BTreeMap::new();
+    let mut doubled = Vec::new();
+    let two_valued = Symbol::from("pm");
     for equation in equations {
         let meaning = |expression: Expression, kept: Option<&Symbol>| {
             let (number, given) = (equation.number.clone(), equation.given.clone());
@@ -207,9 +244,9 @@ pub(super) fn defined_by_equations(
             _ => None,
         };
         if let Some(name) = kept.filter(|_| !equation.right.variables().contains(&two_valued))
-            && defined.insert(name.clone(), meaning(equation.right.clone(), None)).is_some()
+            && let Some(earlier) = defined.insert(name.clone(), meaning(equation.right.clone(), None))
         {
-            doubled.insert(name.clone());
+            doubled.push((name.clone(), [earlier.number, equation.number.clone()]));
         }
         let sides = [
             ("left", equation.left.clone(), kept),
@@ -217,14 +254,18 @@ pub(super) fn defined_by_equations(
             ("residual", equation.residual(), kept),
         ];
         for (side, expression, kept) in sides {
-            defined.insert(Symbol::new(&format!("{side}_{}", equation.word())), meaning(expression, kept));
+            if let Ok(name) = format!("{side}_{}", equation.word()).parse() {
+                defined.insert(name, meaning(expression, kept));
+            }
         }
     }
-    defined.retain(|name, _| !doubled.contains(name));
     // A name that is defined by means of itself is a variable.
     let uses: BTreeMap<_, _> = defined.iter().map(|(name, one)| (name.clone(), one.uses())).collect();
     defined.retain(|name, _| circle(name, &uses).is_none());
-    defined
+    // Two laws may give two rates, and a rate is a variable.
+    defined.retain(|name, _| !doubled.iter().any(|(known, _)| known == name));
+    doubled.retain(|(name, _)| name.derivative_order() == 0);
+    (defined, doubled)
 }
 
 /// The way from a name back to itself through what the names use, if there is one.

@@ -108,7 +108,7 @@ pub fn stiffness(equations: &Equations) -> Result<Proof, Refutation> {
              √K. Eq 23 contains no K only because K was replaced by K_c.",
     );
     let square = frequency_squared_of_eq_14(equations, &proof)?;
-    let elasticity = formula("K") * square.derivative(&Symbol::new("K"));
+    let elasticity = formula("K") * square.derivative(&Symbol::from("K"));
     let critical = equations.right("10");
     let pair = Expression::integer(-1) * equations.right("23").power(2);
     proof
@@ -187,7 +187,7 @@ fn ratio_of_effects() -> Expression {
 
 /// The slope of a quantity in v at fixed g, times ∂g/∂u (which is positive).
 fn slope_at_critical_stress(quantity: &Expression) -> Expression {
-    let (u, v) = (Symbol::new("u"), Symbol::new("v"));
+    let (u, v) = (Symbol::from("u"), Symbol::from("v"));
     let g = ratio_of_effects();
     quantity.derivative(&v) * g.derivative(&u) - quantity.derivative(&u) * g.derivative(&v)
 }
@@ -234,6 +234,6 @@ fn critical_stress_lemma(equations: &Equations, proof: Proof) -> Result<Proof, R
             &Domain::positive("u v").with("g", g.clone()),
         )?
         .positive("g > 0 exactly for v = u³/(1 + u² + k), k > 0", &[], &g, &domain)?
-        .positive("∂g/∂u", &[], &g.derivative(&Symbol::new("u")), &domain)?
+        .positive("∂g/∂u", &[], &g.derivative(&Symbol::from("u")), &domain)?
         .positive("ω²/ω_n² = v/u − v²/(4u⁴): the pair is complex", &[], &frequency_squared(), &domain)
 }

@@ -79,21 +79,25 @@ pub(super) type Substitution = (&'static str, &'static str, &'static str, &'stat
 /// The domain with variables expressed by positive parameters.
 pub(super) fn in_parameters(domain: Domain, substitutions: &[Substitution]) -> Domain {
     substitutions.iter().fold(domain, |domain, (name, value, parameter, inverse)| {
-        domain.with(name, formula(value)).parameter(parameter, formula(inverse))
+        domain.with(*name, formula(value)).parameter(*parameter, formula(inverse))
     })
 }
 
 /// The domain with the condition that an expression is positive, and values at which it is.
-pub(super) fn given_positive(domain: Domain, expression: &str, example: &[(&str, &str)]) -> Domain {
+pub(super) fn given_positive(domain: Domain, expression: &str, example: &[(&'static str, &str)]) -> Domain {
     let domain = domain.given(formula(expression), Relation::Positive);
-    example.iter().fold(domain, |domain, (name, value)| domain.example(name, formula(value)))
+    example.iter().fold(domain, |domain, (name, value)| domain.example(*name, formula(value)))
 }
 
 /// The domain with the condition that expressions are not zero, and values at which they are not.
-pub(super) fn given_nonzero(domain: Domain, expressions: &[&str], example: &[(&str, &str)]) -> Domain {
+pub(super) fn given_nonzero(
+    domain: Domain,
+    expressions: &[&str],
+    example: &[(&'static str, &str)],
+) -> Domain {
     let domain =
         expressions.iter().fold(domain, |domain, text| domain.given(formula(text), Relation::NonZero));
-    example.iter().fold(domain, |domain, (name, value)| domain.example(name, formula(value)))
+    example.iter().fold(domain, |domain, (name, value)| domain.example(*name, formula(value)))
 }
 
 /// An equation in dimensionless groups: the unit of time is D_c/V_0, of length D_c, of stress a·σ.
@@ -111,7 +115,7 @@ pub(super) fn in_groups(expression: &Expression) -> Expression {
         ("b", "beta"),
         ("s", "p"),
     ];
-    expression.substitute(&values.map(|(name, value)| (Symbol::new(name), formula(value))).into())
+    expression.substitute(&values.map(|(name, value)| (Symbol::from(name), formula(value))).into())
 }
 
 /// Eq 8 in groups: F(p) = η p³ + (1 + η) p² + (κ + 1 − β) p + κ when eq 8 is right.
@@ -127,10 +131,10 @@ pub(super) fn coefficients<const COUNT: usize>(
     proof: &Proof,
     equation: &[&str],
     expression: &Expression,
-    variable: &str,
+    variable: &'static str,
 ) -> Result<[Expression; COUNT], Refutation> {
     let function = rational(proof, equation, expression, &any())?;
-    polynomial_coefficients(&function, &Symbol::new(variable))
+    polynomial_coefficients(&function, &variable.into())
         .and_then(|parts| <[Expression; COUNT]>::try_from(parts).ok())
         .ok_or_else(|| {
             let says = format!("a polynomial of degree {} in {variable}", COUNT - 1);
@@ -148,11 +152,11 @@ const MAX_COEFFICIENT_TERMS: usize = 8;
 pub(super) fn discriminant_of_cubic(
     proof: &Proof,
     expression: &Expression,
-    variable: &str,
+    variable: &'static str,
     domain: &Domain,
 ) -> Result<Polynomial, Refutation> {
     let function = rational(proof, &["8"], expression, domain)?;
-    let name = Symbol::new(variable);
+    let name = Symbol::from(variable);
     let cubic = function.numerator();
     let terms = cubic.coefficients(&name).iter().map(Polynomial::term_count).max().unwrap_or(0);
     if cubic.degree(&name) != 3 || function.hides(&name).is_some() || terms > MAX_COEFFICIENT_TERMS {

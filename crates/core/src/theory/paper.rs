@@ -99,6 +99,7 @@ fn strange(equation: &Equation, name: Option<&str>) -> Option<String> {
     };
     let left = &equation.left;
     let foreign = [("left", left), ("right", &equation.right)].into_iter().find_map(foreign);
-    let other = name.filter(|name| *left != Expression::variable(name));
+    let is_left = |name: &&str| matches!(left, Expression::Variable(symbol) if symbol.as_str() == *name);
+    let other = name.filter(|name| !is_left(name));
     foreign.or_else(|| other.map(|name| format!("the left side must be {name}, not {left}")))
 }

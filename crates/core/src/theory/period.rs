@@ -50,7 +50,7 @@ pub fn natural(
         Expression::Number(period_s[0].clone()),
         Expression::Number(period_s[1].clone())
     );
-    let slope = |terms| formula("1/(1 + x^2)") - partial_sum(terms).derivative(&Symbol::new("x"));
+    let slope = |terms| formula("1/(1 + x^2)") - partial_sum(terms).derivative(&Symbol::from("x"));
     let positive = Domain::positive("x");
     let proof = proof
         .identity(

@@ -14,7 +14,7 @@ use slipmode_algebra::{Certificate, Domain, Expression, Proof, Refutation, Symbo
 /// When eq 8 does not have that form.
 pub(super) fn by_roots(proof: Proof, equations: &Equations) -> Result<Proof, Refutation> {
     let f = cubic(equations);
-    let p = Symbol::new("p");
+    let p = Symbol::from("p");
     let product = formula("eta*(p + 1 + x_1)*(p + 1 + x_2)*(p + 1 + x_3)");
     let half_curvature =
         |cubic: &Expression| cubic.derivative(&p).derivative(&p).with("p", &formula("-1")) / formula("2");
@@ -182,7 +182,7 @@ fn image(
     let from_zero = roots.iter().fold(eta.clone(), |product, root| product * (formula("1") + root.clone()));
     let factors = roots.iter().fold(eta.clone(), |product, root| product * (formula("p + 1") + root.clone()));
     let area = parametrised.clone().with("eta", eta.clone()).with("kappa", from_zero.clone());
-    let image = vec![("eta".to_owned(), eta), ("kappa".to_owned(), from_zero)];
+    let image = vec![("eta".into(), eta), ("kappa".into(), from_zero)];
     proof
         .identity(
             &format!("{name} area: F has the roots −1 − x_i of every s, t > 0"),

@@ -5,7 +5,7 @@ use rug::ops::Pow;
 
 use super::Equations;
 use super::notation::{any, formula, given_positive, in_parameters};
-use slipmode_algebra::{Certificate, Domain, Expression, Proof, Refutation, Symbol};
+use slipmode_algebra::{Certificate, Domain, Expression, Proof, Refutation};
 
 /// By how much the regularised law changes the linear analysis.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -25,7 +25,7 @@ pub struct RegularisedDifference {
 pub fn linearisation(equations: &Equations) -> Result<Proof, Refutation> {
     let u = formula("V/(2*V_0)*exp((mu_0 + b*ln(V_0*theta/D_c))/a)");
     let factor = u.clone() / (formula("1") + u.clone().power(2)).call(slipmode_algebra::Function::Sqrt);
-    let slope = |number: &str, name: &str| equations.right(number).derivative(&Symbol::new(name));
+    let slope = |number: &str, name: &'static str| equations.right(number).derivative(&name.into());
     let steady = |expression: &Expression| {
         expression.with("theta", &equations.right("steady-state")).with("V", &formula("V_0"))
     };

@@ -51,7 +51,7 @@ pub fn prove(equations: &Equations) -> Result<Proof, Refutation> {
 /// The bound by the real root: F is η (p + u)((p − x)² + y²).
 fn with_inertia(proof: Proof, equations: &Equations) -> Result<Proof, Refutation> {
     let f = cubic(equations);
-    let p = Symbol::new("p");
+    let p = Symbol::from("p");
     let factors = formula("eta*(p + u)*((p - x)^2 + Y)");
     let half_curvature =
         |cubic: &Expression| cubic.derivative(&p).derivative(&p).with("p", &formula("0")) / formula("2");
@@ -153,7 +153,7 @@ impl Level {
     fn of(equations: &Equations, effect_ratio: &Rational, square_ratio: &Rational) -> Option<Self> {
         let proof = Proof::new("strip-frequency", "");
         let beta = Expression::Number(effect_ratio.clone());
-        let p = Symbol::new("p");
+        let p = Symbol::from("p");
         let value = cubic(equations).with("beta", &beta).with("eta", &formula("lambda*kappa"));
         let slope = value.derivative(&p);
         let curvature = slope.derivative(&p);
@@ -163,7 +163,7 @@ impl Level {
         let linear = |part: Expression| {
             let function =
                 rational(&proof, &["8"], &part.with("p", &formula("x")), &Domain::default()).ok()?;
-            let parts = function.numerator().coefficients(&Symbol::new("kappa"));
+            let parts = function.numerator().coefficients(&Symbol::from("kappa"));
             <[Polynomial; 2]>::try_from(parts).ok().filter(|_| function.denominator().as_constant().is_some())
         };
         let ([rest, slope], [other_rest, other_slope]) = (linear(imaginary)?, linear(real)?);
@@ -172,7 +172,7 @@ impl Level {
         let discriminant = (c1.power(2) - formula("4") * c2 * c0).with("beta", &beta);
         let strip = rational(&proof, &["14"], &discriminant, &Domain::default()).ok()?;
         let [e0, e1, e2] =
-            <[Polynomial; 3]>::try_from(strip.numerator().coefficients(&Symbol::new("kappa"))).ok()?;
+            <[Polynomial; 3]>::try_from(strip.numerator().coefficients(&Symbol::from("kappa"))).ok()?;
         let strip = &(&(&e2 * &rest.pow(2)) - &(&e1 * &(&rest * &slope))) + &(&e0 * &slope.pow(2));
         let level = &(&slope * &other_rest) - &(&other_slope * &rest);
         Some(Self { slope, rest, level, strip })
@@ -180,7 +180,7 @@ impl Level {
 
     /// Where the number of solutions in the strip can change: they are born in pairs, come from infinity or cross an edge.
     fn changes(&self) -> Option<UnivariatePolynomial> {
-        let x = Symbol::new("x");
+        let x = Symbol::from("x");
         let leading = self.level.coefficients(&x).pop()?;
         let all = [discriminant(&self.level, &x), resultant(&self.level, &self.strip, &x), leading];
         let product = all.iter().try_fold(UnivariatePolynomial::from_integers(&[1]), |product, change| {
@@ -192,8 +192,9 @@ impl Level {
     /// κ of the points between eqs 16 and 15 that have the ratio at this λ.
     fn solutions(&self, lambda: &Rational, bits: u32) -> Vec<Ball> {
         let value = Polynomial::constant(lambda.clone());
-        let at =
-            |polynomial: &Polynomial| univariate(&polynomial.substitute(&Symbol::new("lambda"), &value), "x");
+        let at = |polynomial: &Polynomial| {
+            univariate(&polynomial.substitute(&Symbol::from("lambda"), &value), "x")
+        };
         let all = [&self.level, &self.strip, &self.rest, &self.slope].map(at);
         let [Some(level), Some(strip), Some(rest), Some(slope)] = all else { return Vec::new() };
         let signs = level.coefficients().iter().enumerate();
@@ -212,8 +213,8 @@ impl Level {
 }
 
 /// The polynomial in one variable; none where it has another one.
-fn univariate(polynomial: &Polynomial, name: &str) -> Option<UnivariatePolynomial> {
-    let coefficients = polynomial.coefficients(&Symbol::new(name));
+fn univariate(polynomial: &Polynomial, name: &'static str) -> Option<UnivariatePolynomial> {
+    let coefficients = polynomial.coefficients(&Symbol::from(name));
     let values: Option<Vec<Rational>> = coefficients.iter().map(Polynomial::as_constant).collect();
     values.map(UnivariatePolynomial::new)
 }

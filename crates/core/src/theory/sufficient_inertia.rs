@@ -24,7 +24,7 @@ pub(super) fn sharp_bound(proof: Proof, equations: &Equations) -> Result<Proof, 
     );
     let below_half = given_positive(Domain::positive("beta eta"), "1 - 2*eta", &[("eta", "1/8")]);
     let below_half = in_parameters(below_half, &[("eta", "1/(2*(1 + e))", "e", "(1 - 2*eta)/(2*eta)")]);
-    let slope = threshold.derivative(&Symbol::new("eta"));
+    let slope = threshold.derivative(&Symbol::from("eta"));
     let proof = by_roots(proof, equations)?
         .positive(
             "F for a < b and −1 < p < 0: real roots of a stable point are left of −1",
@@ -96,7 +96,7 @@ fn closed_form(proof: Proof, threshold: &Expression) -> Result<Proof, Refutation
 pub fn sufficient_inertial_parameter(effect_ratio: &Rational, bits: u32) -> Option<Ball> {
     let threshold = formula(THRESHOLD).with("beta", &Expression::Number(effect_ratio.clone()));
     let function = Domain::default().rational_function(&threshold).ok()?;
-    let coefficients = function.numerator().coefficients(&Symbol::new("eta"));
+    let coefficients = function.numerator().coefficients(&Symbol::from("eta"));
     let coefficients: Option<Vec<Rational>> = coefficients.iter().map(|value| value.as_constant()).collect();
     let polynomial = UnivariatePolynomial::new(coefficients?);
     let root = polynomial.isolate_positive_roots().into_iter().next()?;

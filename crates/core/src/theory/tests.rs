@@ -85,12 +85,12 @@ fn sturm_sequences_count_the_same_areas_on_lines_of_fixed_inertial_parameter() {
         let point = [("beta", beta), ("eta", eta)];
         let line = point.iter().fold(discriminant.clone(), |line, (name, value)| {
             line.substitute(
-                &Symbol::new(name),
+                &Symbol::from(*name),
                 &slipmode_algebra::Polynomial::constant(Rational::from(*value)),
             )
         });
         let coefficients = line
-            .coefficients(&Symbol::new("kappa"))
+            .coefficients(&Symbol::from("kappa"))
             .iter()
             .filter_map(slipmode_algebra::Polynomial::as_constant)
             .collect();
@@ -112,9 +112,9 @@ fn the_sufficient_inertial_parameter_is_where_sturm_sequences_lose_two_roots() {
         let near = bound.centre().to_rational().expect("finite");
         let ends = |eta: Rational| {
             let number = |value: &Rational| slipmode_algebra::Polynomial::constant(value.clone());
-            let line = discriminant.substitute(&Symbol::new("beta"), &number(&beta));
-            let line = line.substitute(&Symbol::new("eta"), &number(&eta));
-            let coefficients = line.coefficients(&Symbol::new("kappa"));
+            let line = discriminant.substitute(&Symbol::from("beta"), &number(&beta));
+            let line = line.substitute(&Symbol::from("eta"), &number(&eta));
+            let coefficients = line.coefficients(&Symbol::from("kappa"));
             let values = coefficients.iter().filter_map(slipmode_algebra::Polynomial::as_constant);
             UnivariatePolynomial::new(values.collect()).isolate_positive_roots().len()
         };

@@ -37,7 +37,7 @@ pub fn stability(equations: &Equations) -> Result<Proof, Refutation> {
 /// The stiffness at which the Hurwitz determinant, linear in K, vanishes.
 fn critical_stiffness(proof: &Proof, hurwitz: &Expression) -> Result<Expression, Refutation> {
     let function = rational(proof, &["8"], hurwitz, &any())?;
-    let slope = function.derivative(&Symbol::new("K"));
+    let slope = function.derivative(&Symbol::from("K"));
     let rest = rational(proof, &["8"], &hurwitz.with("K", &formula("0")), &any())?;
     (-rest)
         .checked_div(&slope)

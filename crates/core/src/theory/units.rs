@@ -147,7 +147,8 @@ impl Units {
         if let Some(found) = self.0.get(name) {
             return Ok(found.clone());
         }
-        let base = self.0.get(&Symbol::new(name.base())).ok_or_else(|| format!("'{name}' has no unit"))?;
+        let base = name.base().parse::<Symbol>().ok().and_then(|base| self.0.get(&base));
+        let base = base.ok_or_else(|| format!("'{name}' has no unit"))?;
         let rate = |unit: Option<Dimension>, _| unit.map(|unit| unit.per_second());
         Ok((0..name.derivative_order()).fold(base.clone(), rate))
     }
@@ -188,7 +189,9 @@ mod tests {
 
     fn units() -> Units {
         let listed = [("A", "Pa"), ("L", "m"), ("V", "m/s"), ("K", "Pa/m"), ("M", "kg/m^2")];
-        Units(listed.map(|(name, unit)| (Symbol::new(name), Some(Dimension::read(unit).expect(unit)))).into())
+        Units(
+            listed.map(|(name, unit)| (Symbol::from(name), Some(Dimension::read(unit).expect(unit)))).into(),
+        )
     }
 
     fn of(text: &str) -> String {

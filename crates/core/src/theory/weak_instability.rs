@@ -57,12 +57,12 @@ impl ThreeStates {
             origin.map(|((name, steady), own)| (name.clone(), steady.clone() + formula(own))).collect();
         let rates = self.rates.each_ref().map(|rate| rate.substitute(&moved));
         let linear = rates.each_ref().map(|rate| taylor_part(rate, &DISTANCES, 1));
-        let trace = linear.iter().zip(DISTANCES).map(|(form, name)| form.derivative(&Symbol::new(name)));
+        let trace = linear.iter().zip(DISTANCES).map(|(form, name)| form.derivative(&Symbol::from(name)));
         let trace = trace.fold(Expression::integer(0), |sum, part| sum + part);
         let proof =
             positive(proof, "minus the sum of the roots, which is minus the third one,", &-trace, domains)?;
         let transposed = [0, 1, 2].map(|column| {
-            let slope = |row: usize| linear[row].derivative(&Symbol::new(DISTANCES[column]));
+            let slope = |row: usize| linear[row].derivative(&Symbol::from(DISTANCES[column]));
             (0..3).fold(Expression::integer(0), |sum, row| sum + slope(row) * formula(DISTANCES[row]))
         });
         let eigenvector = |forms: &Vector| eigenvector(&proof, forms, frequency, domain);
@@ -78,7 +78,7 @@ impl ThreeStates {
         };
         let (proof, first) = coefficient(proof, &[], &critical)?;
         let real = simplified(&proof, &[], &first.with("i", &formula("0")), domain)?;
-        let imaginary = simplified(&proof, &[], &first.derivative(&Symbol::new("i")), domain)?;
+        let imaginary = simplified(&proof, &[], &first.derivative(&Symbol::from("i")), domain)?;
         let parts = real.clone() + formula("i") * imaginary;
         let proof = proof.identity("the real and the imaginary part of c_1", &[], &first, &parts, domain)?;
         let proof = positive(proof, "Re c_1", &real, domains)?;
@@ -136,7 +136,7 @@ fn eigenvector(
         let pairs = unknowns.chunks(2).map(|pair| formula(&format!("{} + i*{}", pair[0], pair[1])));
         (0..3).filter(|place| *place != one).zip(pairs).for_each(|(place, pair)| vector[place] = pair);
         let values =
-            DISTANCES.iter().zip(&vector).map(|(name, part)| (Symbol::new(name), part.clone())).collect();
+            DISTANCES.iter().zip(&vector).map(|(name, part)| (Symbol::from(*name), part.clone())).collect();
         let rest =
             |n: usize| forms[n].substitute(&values) - formula("i") * frequency.clone() * vector[n].clone();
         let vanishing = [0, 1, 2].map(rest);
@@ -162,7 +162,7 @@ mod tests {
             law.to_owned(),
         ];
         ThreeStates {
-            state: ["f", "v", "theta"].map(Symbol::new),
+            state: ["f", "v", "theta"].map(Symbol::from),
             rates: rates.map(|rate| formula(&rate)),
             steady: ["0", "1", "1"].map(formula),
         }

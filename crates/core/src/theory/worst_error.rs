@@ -55,7 +55,7 @@ fn along_the_boundary(proof: Proof, equations: &Equations) -> Result<Proof, Refu
     let curve = curve(equations)?;
     let [eta, kappa, third] =
         [&curve.inertial_parameter, &curve.stiffness_group, &curve.third_root].map(Expression::from);
-    let r = Symbol::new("r");
+    let r = Symbol::from("r");
     let slope = eta.derivative(&r);
     let at_root =
         given_nonzero(Domain::default(), &["r", "r + 1", "(r + 1)^2 - beta"], &[("r", "1"), ("beta", "1")]);
@@ -73,7 +73,7 @@ fn along_the_boundary(proof: Proof, equations: &Equations) -> Result<Proof, Refu
 
 /// The lower boundary and the upper one for β > 1 and β < 1, by positive parameters.
 fn arcs() -> [Domain; 3] {
-    let arc = |names: &str, root: &str, beta: &str| {
+    let arc = |names: &'static str, root: &str, beta: &str| {
         Domain::positive(names).with("r", formula(root)).with("beta", formula(beta))
     };
     [
@@ -85,7 +85,7 @@ fn arcs() -> [Domain; 3] {
 
 /// Where η turns: at the cusp x³ = β (3x + 2) of the lower boundary, nowhere on the upper one.
 fn turns(proof: Proof, equations: &Equations) -> Result<Proof, Refutation> {
-    let slope = Expression::from(&curve(equations)?.inertial_parameter).derivative(&Symbol::new("r"));
+    let slope = Expression::from(&curve(equations)?.inertial_parameter).derivative(&Symbol::from("r"));
     let before = Domain::positive("x h")
         .with("r", formula("-1 - x"))
         .with("beta", formula("(x^3/(3*x + 2) + h*x^2)/(1 + h)"));

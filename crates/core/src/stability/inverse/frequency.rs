@@ -94,7 +94,7 @@ impl FrequencyCondition {
 
     /// The polynomials in ω² at whose zeros the number of positive solutions can change.
     fn changes(&self) -> [UnivariatePolynomial; 3] {
-        let [solution, square] = ["x", "w"].map(Symbol::new);
+        let [solution, square] = ["x", "w"].map(Symbol::from);
         let powers = || self.by_power.iter().flat_map(|part| part.coefficients().iter().enumerate());
         // Where V0 is the unknown, only even powers occur, and V0² serves as well.
         let step = if powers().any(|(power, value)| power % 2 == 1 && *value != 0) { 1 } else { 2 };

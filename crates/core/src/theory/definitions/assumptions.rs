@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use rug::Rational;
 
 use crate::theory::EquationFault;
-use crate::theory::derivation::read_condition;
+use crate::theory::derivation::{read_condition, read_name};
 use crate::theory::reading::AssumptionsText;
 use slipmode_algebra::{Condition, Domain, Expression, Relation, Symbol};
 
@@ -17,8 +17,13 @@ pub(in crate::theory) fn assumed(assumptions: &AssumptionsText) -> Result<Domain
     let fault = |message| EquationFault { key: "assumptions.conditions".to_owned(), message };
     let conditions: Result<Vec<Condition>, String> =
         assumptions.conditions.iter().map(|text| read_condition(text)).collect();
-    let domain = Domain::positive(&assumptions.positive.join(" "));
+    let domain = positive(assumptions);
     with_conditions(domain, &conditions.map_err(fault)?).map_err(fault)
+}
+
+/// The domain of the positive variables of a file, those at fault left out.
+pub(in crate::theory) fn positive(assumptions: &AssumptionsText) -> Domain {
+    Domain::of_positive(assumptions.positive.iter().filter_map(|name| read_name(name)))
 }
 
 /// The domain with more conditions, and values at which all hold.
@@ -58,5 +63,5 @@ pub(super) fn with_conditions(domain: Domain, more: &[Condition]) -> Result<Doma
         let all: Vec<String> = domain.conditions().iter().map(ToString::to_string).collect();
         return Err(format!("none of {TRIED} points meets {}: they may be impossible", all.join(", ")));
     };
-    Ok(point.into_iter().fold(domain, |domain, (name, value)| domain.example(name.as_str(), value)))
+    Ok(point.into_iter().fold(domain, |domain, (name, value)| domain.example(name, value)))
 }

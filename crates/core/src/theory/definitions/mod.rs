@@ -6,16 +6,20 @@ mod units;
 
 use std::collections::{BTreeMap, BTreeSet};
 
-pub(super) use assumptions::assumed;
 use assumptions::with_conditions;
+pub(super) use assumptions::{assumed, positive};
 
 use super::definedness;
-use super::derivation::{Form, Operation, System, Work, derive, is_name, read_condition};
+use super::derivation::{Form, Operation, System, Work, derive, is_name, read_condition, read_name};
 use super::names::{Names, circle, defined_by_equations, in_order};
 use super::reading::{AssumptionsText, DefinitionText, SystemText};
 use super::{Equation, EquationFault};
 use slipmode_algebra::nearest;
-use slipmode_algebra::{Condition, Domain, Expression, Function, Proof, Symbol};
+use slipmode_algebra::{Condition, Domain, Expression, Proof, Symbol};
+
+/// What is wrong with a definition whose name cannot be read.
+const NOT_A_NAME: &str =
+    "the name has 1 to 40 characters: a letter, then letters, digits and _; no word of the grammar";
 
 /// The most definitions of a file, and the most systems.
 const MOST: usize = 200;
@@ -62,44 +66,53 @@ impl Reader<'_> {
         for text in &rest.definitions {
             let given: Result<Vec<_>, _> = text.given.iter().map(|one| read_condition(one)).collect();
             match (Form::read(&text.is), given) {
-                (Ok(form), Ok(given)) => {
-                    if forms.insert(Symbol::new(&text.name), (text, form, given)).is_some() {
-                        self.fault(&key_of(text), "occurs twice");
+                (Ok(form), Ok(given)) => match read_name(&text.name) {
+                    None => self.fault(&key_of(text), NOT_A_NAME),
+                    Some(name) => {
+                        if forms.insert(name, (text, form, given)).is_some() {
+                            self.fault(&key_of(text), "occurs twice");
+                        }
                     }
-                }
+                },
                 (Err(message), _) | (_, Err(message)) => self.fault(&key_of(text), message),
             }
         }
         let assumptions = rest.assumptions.positive.iter().chain(&rest.assumptions.free);
         let states = rest.systems.iter().flat_map(|system| &system.state);
-        let mut assumed: BTreeSet<Symbol> = assumptions.chain(states).map(|name| Symbol::new(name)).collect();
+        let mut assumed: BTreeSet<Symbol> =
+            assumptions.chain(states).filter_map(|name| read_name(name)).collect();
         assumed.extend(forms.values().filter_map(|(_, form, _)| form.new_variable()).cloned());
-        let defined = defined_by_equations(equations, &assumed);
+        let (defined, doubled) = defined_by_equations(equations, &assumed);
+        for (name, [first, second]) in doubled {
+            let message = format!(
+                "{name} stands alone on the left of equation {first}, too: a name has one meaning; a variable is listed in `assumptions`"
+            );
+            self.fault(&format!("equation {second}"), message);
+        }
         for text in &rest.definitions {
-            let name = Symbol::new(&text.name);
+            let Some(name) = read_name(&text.name) else { continue };
             let by_equation = defined.get(&name).map(|one| format!("equation {}", one.number));
             let taken = match by_equation {
                 Some(equation) => Some(equation),
                 None => assumed.contains(&name).then(|| "an assumption, a state or a derivation".to_owned()),
             };
-            let is_reserved = ["i", "pm"].contains(&text.name.as_str())
-                || Function::from_word(&text.name).is_some()
-                || Operation::from_word(&text.name).is_some();
+            let is_reserved =
+                ["i", "pm"].contains(&text.name.as_str()) || Operation::from_word(&text.name).is_some();
             if let Some(taken) = taken {
                 self.fault(&key_of(text), format!("the name has a meaning by {taken}"));
-            } else if is_reserved || !is_name(&text.name) {
-                self.fault(&key_of(text), "the name has 1 to 40 characters: a letter, then letters, digits and _; no word of the grammar");
+            } else if is_reserved {
+                self.fault(&key_of(text), NOT_A_NAME);
             }
         }
         let in_equations = equations.iter().flat_map(|one| &one.left.variables() | &one.right.variables());
         let is_defined = |name: &Symbol| {
             defined.contains_key(name) || rest.definitions.iter().any(|text| text.name == name.as_str())
         };
-        self.names.positive = rest.assumptions.positive.iter().map(|name| Symbol::new(name)).collect();
+        self.names.positive = rest.assumptions.positive.iter().filter_map(|name| read_name(name)).collect();
         self.names.variables = in_equations.filter(|name| !is_defined(name)).chain(assumed).collect();
         let known: BTreeSet<Symbol> = (self.names.variables.iter().chain(defined.keys()).cloned())
-            .chain(rest.definitions.iter().map(|text| Symbol::new(&text.name)))
-            .chain(["i", "pm"].map(Symbol::new))
+            .chain(rest.definitions.iter().filter_map(|text| read_name(&text.name)))
+            .chain(["i", "pm"].map(Symbol::from))
             .collect();
         self.check_assumptions(domain);
         let systems = self.read_systems(&known);
@@ -139,7 +152,7 @@ impl Reader<'_> {
                     .iter()
                     .map(|one| Condition { expression: resolve(&one.expression), relation: one.relation });
                 let given = given.collect();
-                let behind: Vec<&Expression> = uses.iter().collect();
+                let behind: Vec<&Expression> = uses.iter().chain([&one.expression]).collect();
                 let expression = resolve(&one.expression);
                 self.names.define(name, expression, &behind, [one.number.clone()], given, None);
             } else if let Some((text, form, given)) = forms.get(name) {
@@ -182,8 +195,8 @@ impl Reader<'_> {
         used
     }
 
-    fn unknown(&self, name: &Symbol, known: &BTreeSet<Symbol>) -> String {
-        let near = nearest(name.as_str(), known.iter().map(Symbol::as_str));
+    fn unknown(&self, name: &str, known: &BTreeSet<Symbol>) -> String {
+        let near = nearest(name, known.iter().map(Symbol::as_str));
         let near = near.map(|near| format!("; did you mean `{near}`?")).unwrap_or_default();
         format!("'{name}' is no variable and no defined name of equations.toml{near}")
     }
@@ -196,8 +209,11 @@ impl Reader<'_> {
         known: &BTreeSet<Symbol>,
         systems: &BTreeMap<String, System>,
     ) {
-        let mut messages: Vec<String> =
-            used.iter().filter(|name| !known.contains(*name)).map(|name| self.unknown(name, known)).collect();
+        let mut messages: Vec<String> = used
+            .iter()
+            .filter(|name| !known.contains(*name))
+            .map(|name| self.unknown(name.as_str(), known))
+            .collect();
         if let Some(name) =
             form.system.as_ref().filter(|name| !self.rest.systems.iter().any(|one| one.name == **name))
         {
@@ -209,7 +225,7 @@ impl Reader<'_> {
         for name in variables.filter(|name| !self.names.variables.contains(*name)) {
             messages.push(match known.contains(name) {
                 true => format!("'{name}' has a meaning of its own and is no variable"),
-                false => self.unknown(name, known),
+                false => self.unknown(name.as_str(), known),
             });
         }
         if !messages.is_empty() {
@@ -235,11 +251,7 @@ impl Reader<'_> {
         let mut behind: Vec<&Expression> = form.expressions.iter().chain(values).collect();
         behind.extend(system.iter().flat_map(|system| system.rates.iter().chain(&system.steady)));
         behind.extend(given.iter().map(|one| &one.expression));
-        let resolved_condition = |one: &Condition| Condition {
-            expression: names.resolved(&one.expression),
-            relation: one.relation,
-        };
-        let given: Vec<Condition> = given.iter().map(resolved_condition).collect();
+        let given: Vec<Condition> = given.iter().map(|one| names.resolved_condition(one)).collect();
         let inherited = behind.iter().flat_map(|expression| names.given_of(expression)).cloned();
         let more: Vec<Condition> = given.iter().cloned().chain(inherited).fold(Vec::new(), |mut all, one| {
             if !all.contains(&one) {
@@ -277,7 +289,9 @@ impl Reader<'_> {
         let proof = Some(work.proof).filter(|proof| !proof.steps.is_empty());
         let behind: Vec<Expression> = behind.into_iter().cloned().collect();
         let behind: Vec<&Expression> = behind.iter().collect();
-        self.names.define(&Symbol::new(&text.name), found, &behind, sources.clone(), given, proof);
+        if let Some(name) = read_name(&text.name) {
+            self.names.define(&name, found, &behind, sources.clone(), given, proof);
+        }
         Ok(())
     }
 }

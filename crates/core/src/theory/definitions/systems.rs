@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::Reader;
 use super::assumptions::with_conditions;
-use crate::theory::derivation::{MOST_STATES, System, Work, is_name};
+use crate::theory::derivation::{MOST_STATES, System, Work, is_name, read_name};
 use crate::theory::reading::SystemText;
 use slipmode_algebra::{Condition, Domain, Expression, Proof, Symbol};
 
@@ -48,7 +48,9 @@ impl Reader<'_> {
                     let unknown: Vec<_> =
                         expression.variables().into_iter().filter(|name| !known.contains(name)).collect();
                     messages.extend(
-                        unknown.iter().map(|name| format!("{place} '{text}': {}", self.unknown(name, known))),
+                        unknown
+                            .iter()
+                            .map(|name| format!("{place} '{text}': {}", self.unknown(name.as_str(), known))),
                     );
                     expression
                 }
@@ -65,7 +67,7 @@ impl Reader<'_> {
             .iter()
             .map(|(at, text)| side(format!("steady value {at}"), text))
             .collect();
-        let state: Vec<Symbol> = text.state.iter().map(|name| Symbol::new(name)).collect();
+        let state: Vec<Symbol> = text.state.iter().filter_map(|name| read_name(name)).collect();
         if let Some(moving) = steady.iter().flat_map(Expression::variables).find(|name| state.contains(name))
         {
             messages.push(format!("a steady value contains the state {moving}"));

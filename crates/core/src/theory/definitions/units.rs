@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::{Forms, Reader};
 use crate::theory::Equation;
-use crate::theory::derivation::{Form, Operation, System};
+use crate::theory::derivation::{Form, Operation, System, read_name};
 use crate::theory::names::Defined;
 use crate::theory::units::{Dimension, Units};
 use slipmode_algebra::{Condition, Expression, Symbol};
@@ -87,14 +87,14 @@ impl Reader<'_> {
         let mut units = Units::default();
         let before = self.faults.len();
         for (name, text) in &rest.units {
-            let symbol = Symbol::new(name);
-            match Dimension::read(text) {
-                Err(message) => self.fault(&format!("units.{name}"), message),
-                Ok(_) if !self.names.variables.contains(&symbol) => {
-                    let message = self.unknown(&symbol, &self.names.variables);
+            let symbol = read_name(name).filter(|symbol| self.names.variables.contains(symbol));
+            match (Dimension::read(text), symbol) {
+                (Err(message), _) => self.fault(&format!("units.{name}"), message),
+                (Ok(_), None) => {
+                    let message = self.unknown(name, &self.names.variables);
                     self.fault(&format!("units.{name}"), message);
                 }
-                Ok(unit) => {
+                (Ok(unit), Some(symbol)) => {
                     units.0.insert(symbol, Some(unit));
                 }
             }

@@ -50,10 +50,10 @@ pub(super) fn discriminant_of(f: &Expression, x: &Symbol, work: &mut Work) -> Re
         2 => "c1^2 - 4*c2*c0",
         _ => "c2^2*c1^2 - 4*c3*c1^3 - 4*c2^3*c0 - 27*c3^2*c0^2 + 18*c3*c2*c1*c0",
     };
-    let named =
-        |(power, part): (usize, &RationalFunction)| (Symbol::new(&format!("c{power}")), expression(part));
+    // All names of the formula are replaced, all at once.
+    let named = |(name, part): (&&'static str, &RationalFunction)| (Symbol::from(*name), expression(part));
     let formula = super::super::notation::formula(formula);
-    let formula = formula.substitute(&parts.iter().enumerate().map(named).collect());
+    let formula = formula.substitute(&["c0", "c1", "c2", "c3"].iter().zip(&parts).map(named).collect());
     let found = expression(&found);
     work.identity(&format!("discriminant in {x}"), &formula, &found)?;
     Ok(found)
@@ -136,7 +136,7 @@ pub(super) fn eliminate(
     let powers = |from: usize, count: usize| {
         let term = |shift: usize| {
             &cofactor(from + shift)
-                * &Polynomial::variable(x.as_str()).pow(u32::try_from(count - 1 - shift).unwrap_or(0))
+                * &Polynomial::variable(x).pow(u32::try_from(count - 1 - shift).unwrap_or(0))
         };
         (0..count).map(term).fold(Polynomial::zero(), |sum, part| &sum + &part)
     };
@@ -182,7 +182,7 @@ pub(super) fn solve(f: &Expression, x: &Symbol, work: &mut Work) -> Result<Expre
     let solution = work.simplified("in lowest terms", &solution)?;
     work.identity(
         &format!("put back for {x}, it gives zero"),
-        &f.with(x.as_str(), &solution),
+        &f.with(x, &solution),
         &Expression::integer(0),
     )?;
     Ok(solution)

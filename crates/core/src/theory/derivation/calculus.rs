@@ -20,9 +20,7 @@ pub(super) fn limit(
     let found = expression(&work.domain.limit(f, x, toward)?);
     let end = if toward == Toward::Zero { "0" } else { "infinity" };
     let says = format!("its limit as {x} -> {end}");
-    work.step(|proof, equations, domain| {
-        proof.limit(&says, equations, f, (x.as_str(), toward), &found, domain)
-    })?;
+    work.step(|proof, equations, domain| proof.limit(&says, equations, f, (x, toward), &found, domain))?;
     Ok(found)
 }
 
@@ -44,7 +42,7 @@ pub(super) fn series(
     let rest = (f.clone() - sum.clone()) / power(order);
     let says = format!("what it leaves out is small against {x}^{order}");
     work.step(|proof, equations, domain| {
-        proof.limit(&says, equations, &rest, (x.as_str(), Toward::Zero), &Expression::integer(0), domain)
+        proof.limit(&says, equations, &rest, (x, Toward::Zero), &Expression::integer(0), domain)
     })?;
     Ok(sum)
 }

@@ -143,8 +143,10 @@ impl Form {
             Kind::Expression => self.expression(text, offset)?,
             Kind::System if is_name(trimmed) => self.system = Some(trimmed.to_owned()),
             Kind::System => return wrong("the name of a system"),
-            Kind::Variable if is_name(trimmed) => self.variables.push(Symbol::new(trimmed)),
-            Kind::Variable => return wrong("a variable"),
+            Kind::Variable => match read_name(trimmed) {
+                Some(name) => self.variables.push(name),
+                None => return wrong("a variable"),
+            },
             Kind::Whole => match trimmed.parse() {
                 Ok(whole) if whole <= LARGEST_WHOLE => self.whole = whole,
                 _ => return wrong(&format!("a whole number from 0 to {LARGEST_WHOLE}")),
@@ -155,11 +157,14 @@ impl Form {
                 _ => return wrong("0 or infinity"),
             },
             Kind::Values => match text.split_once('=') {
-                Some((name, value)) if is_name(name.trim()) => {
+                Some((name, value)) => {
+                    let Some(symbol) = read_name(name.trim()) else {
+                        return wrong("of the form `x = value`");
+                    };
                     self.expression(value, offset + name.chars().count() + 1)?;
-                    self.values.extend(self.expressions.pop().map(|value| (Symbol::new(name.trim()), value)));
+                    self.values.extend(self.expressions.pop().map(|value| (symbol, value)));
                 }
-                _ => return wrong("of the form `x = value`"),
+                None => return wrong("of the form `x = value`"),
             },
         }
         Ok(())
@@ -188,12 +193,22 @@ impl Form {
     }
 }
 
+/// A name that a file brings in: without primes, and no word of the grammar.
+pub(in crate::theory) fn read_name(text: &str) -> Option<Symbol> {
+    let is_short = text.len() <= LONGEST_NAME;
+    let symbol = is_short.then(|| text.parse::<Symbol>().ok()).flatten();
+    symbol.filter(|symbol| symbol.derivative_order() == 0 && !CONNECTIVES.contains(&symbol.as_str()))
+}
+
+/// Words between the comparisons of a formula.
+const CONNECTIVES: [&str; 5] = ["and", "iff", "implies", "not", "or"];
+
+/// The longest name that a file brings in, in characters.
+const LONGEST_NAME: usize = 40;
+
 /// Whether a text is one name.
 pub(in crate::theory) fn is_name(text: &str) -> bool {
-    let is_part = |character: char| character.is_ascii_alphanumeric() || character == '_';
-    text.starts_with(|first: char| first.is_ascii_alphabetic())
-        && text.chars().all(is_part)
-        && text.len() <= 40
+    read_name(text).is_some()
 }
 
 /// The arguments of a call that ends with the text, with their offsets in characters; none when it does not.

@@ -1,6 +1,7 @@
 //! Derivations by name: what they give, how it is proved, and what is refused.
 
 use crate::theory::Equations;
+use crate::theory::notation::formula;
 use slipmode_algebra::{Domain, Expression, Symbol};
 
 /// The quasi-static slider with a general one-state law near steady sliding, and the one with mass.
@@ -32,15 +33,15 @@ fn read(definitions: &[(&str, &str)], more: &str) -> Result<Equations, String> {
 fn gives(definitions: &[(&str, &str)], more: &str, expected: &str) {
     let (name, is) = definitions.last().expect("a definition");
     let equations = read(definitions, more).unwrap_or_else(|error| panic!("{is}: {error}"));
-    let found = equations.names().resolved(&Expression::variable(name));
+    let found = equations.names().resolved(&formula(name));
     let expected: Expression = expected.parse().expect("in the grammar");
-    let given = equations.names().given_of(&Expression::variable(name));
+    let given = equations.names().given_of(&formula(name));
     let domain = given.into_iter().fold(Domain::positive("A B L K M V v theta omega"), |domain, one| {
         domain.given(one.expression.clone(), one.relation)
     });
     let same = domain.difference(&found, &expected).unwrap_or_else(|error| panic!("{is}: {error}"));
     assert!(same.is_zero(), "{is} gives {found}");
-    for proof in equations.names().proofs_of(&Expression::variable(name)) {
+    for proof in equations.names().proofs_of(&formula(name)) {
         assert_eq!(proof.recheck(), Ok(()), "{is}");
         assert!(proof.is_certified(), "{is}");
     }
@@ -114,7 +115,7 @@ fn a_proof_says_how_a_solution_was_found_and_put_back() {
         assert!(text.contains(part), "{part} is not in:\n{text}");
     }
     assert!(proofs[2].steps.iter().all(|step| step.equations == ["system aging"]), "{text}");
-    assert!(equations.names().system("aging").is_some_and(|system| system.state[1] == Symbol::new("v")));
+    assert!(equations.names().system("aging").is_some_and(|system| system.state[1] == Symbol::from("v")));
 }
 
 #[test]

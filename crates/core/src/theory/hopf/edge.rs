@@ -4,7 +4,7 @@ use super::slider::{by_groups, derive};
 use crate::friction::EvolutionLaw;
 use crate::theory::Equations;
 use crate::theory::notation::formula;
-use slipmode_algebra::{Domain, Proof, Refutation, Symbol};
+use slipmode_algebra::{Domain, Proof, Refutation};
 
 /// The change of H by a force φ on the mass and by K ≠ K_c, and how Ω = Vθ/D_c moves along the closed orbits, both with the aging law.
 ///
@@ -22,7 +22,7 @@ pub fn change_of_integral(equations: &Equations) -> Result<Proof, Refutation> {
     let used = ["1", law.equation(), "4", "steady-state"];
     let groups = by_groups();
     let integral = formula("x + beta*y - (exp(x) + beta - 1)*exp(y)");
-    let slope = |name: &str| integral.derivative(&Symbol::new(name));
+    let slope = |name: &'static str| integral.derivative(&name.into());
     let without = loading.clone() - formula("beta") * evolution.clone();
     let rate = without.clone() - formula("f");
     let omega = formula("exp(x)*exp(y)");

@@ -5,13 +5,17 @@ use slipmode_algebra::{Domain, Expression, Polynomial, Proof, RationalFunction, 
 
 /// The homogeneous part of this degree of the Taylor series about zero, as derived: Euler's relation
 /// k T_k(f) = Σ x_j T_(k−1)(∂f/∂x_j) gives it from derivatives.
-pub(in crate::theory) fn taylor_part(expression: &Expression, variables: &[&str], degree: i32) -> Expression {
+pub(in crate::theory) fn taylor_part(
+    expression: &Expression,
+    variables: &[&'static str],
+    degree: i32,
+) -> Expression {
     if degree == 0 {
-        let origin = variables.iter().map(|name| (Symbol::new(name), Expression::integer(0))).collect();
+        let origin = variables.iter().map(|name| (Symbol::from(*name), Expression::integer(0))).collect();
         return expression.substitute(&origin);
     }
-    let term = |name: &&str| {
-        let slope = expression.derivative(&Symbol::new(name));
+    let term = |name: &&'static str| {
+        let slope = expression.derivative(&Symbol::from(*name));
         formula(name) * taylor_part(&slope, variables, degree - 1)
     };
     let sum = variables.iter().map(term).fold(Expression::integer(0), |sum, part| sum + part);
@@ -29,9 +33,9 @@ pub(in crate::theory) struct Conditions<'c> {
     /// What must vanish; linear in the unknowns.
     pub vanishing: &'c [Expression],
     /// The symbols in which it must vanish identically.
-    pub identically_in: &'c [&'c str],
+    pub identically_in: &'c [&'static str],
     /// The names of the unknowns.
-    pub unknowns: &'c [&'c str],
+    pub unknowns: &'c [&'static str],
 }
 
 /// The domain with the values of the unknowns.
@@ -49,14 +53,14 @@ pub(in crate::theory) fn solve(
         parts.push(rational(proof, equations, expression, &domain)?.numerator().clone());
     }
     for name in conditions.identically_in {
-        parts = parts.iter().flat_map(|part| part.coefficients(&Symbol::new(name))).collect();
+        parts = parts.iter().flat_map(|part| part.coefficients(&Symbol::from(*name))).collect();
     }
-    let unknowns: Vec<Symbol> = conditions.unknowns.iter().map(|name| Symbol::new(name)).collect();
+    let unknowns: Vec<Symbol> = conditions.unknowns.iter().copied().map(Symbol::from).collect();
     let rows = parts.iter().filter(|part| !part.is_zero()).map(|part| row(part, &unknowns)).collect();
     let values = eliminate(rows, unknowns.len())
         .map_err(|rest| proof.refute("unknown coefficients can be found", equations, rest))?;
     let values = unknowns.iter().zip(values.iter().map(Expression::from));
-    Ok(values.fold(domain, |domain, (name, value)| domain.with(name.as_str(), value)))
+    Ok(values.fold(domain, |domain, (name, value)| domain.with(name, value)))
 }
 
 /// The coefficients of the unknowns, then the constant part, of a polynomial linear in the unknowns.
@@ -115,7 +119,7 @@ mod tests {
     #[test]
     fn contradicting_conditions_and_open_unknowns_are_refuted() {
         let proof = Proof::new("unknowns", "");
-        let attempt = |vanishing: &[Expression], unknowns: &[&str]| {
+        let attempt = |vanishing: &[Expression], unknowns: &[&'static str]| {
             let conditions = Conditions { vanishing, identically_in: &["i"], unknowns };
             solve(&proof, &[], &conditions, Domain::default())
         };

@@ -104,7 +104,7 @@ fn extremum(proof: Proof, law: EvolutionLaw) -> Result<Proof, Refutation> {
         EvolutionLaw::Slip => integral * factor.call(slipmode_algebra::Function::Exp),
     };
     let rest = |expression: Expression| expression.with("x", &formula("0")).with("y", &formula("0"));
-    let second = |one: &str, other: &str| rest(slope(&slope(&whole, one), other));
+    let second = |one: &'static str, other: &'static str| rest(slope(&slope(&whole, one), other));
     let determinant = second("x", "x") * second("y", "y") - second("x", "y").power(2);
     let above = given_positive(Domain::positive("beta"), "beta - 1", &[("beta", "2")]);
     let above = in_parameters(above, &[("beta", "1 + d", "d", "beta - 1")]);
@@ -120,6 +120,6 @@ fn extremum(proof: Proof, law: EvolutionLaw) -> Result<Proof, Refutation> {
         )
 }
 
-fn slope(expression: &Expression, name: &str) -> Expression {
-    expression.derivative(&Symbol::new(name))
+fn slope(expression: &Expression, name: &'static str) -> Expression {
+    expression.derivative(&Symbol::from(name))
 }

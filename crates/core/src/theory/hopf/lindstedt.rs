@@ -55,7 +55,7 @@ pub(super) fn cycle(
     let harmonics = |f: &str| format!("{f}_c*(4*C^3 - 3*C) + {f}_s*S*(4*C^2 - 1)");
     let third = moving(&harmonics("h"), &format!("{} + l_c*C + l_s*S", harmonics("k")));
     let third = sum(&third, &retimed(&first));
-    let softened = linear.clone().map(|part| formula("kappa_2") * part.derivative(&Symbol::new("kappa")));
+    let softened = linear.clone().map(|part| formula("kappa_2") * part.derivative(&Symbol::from("kappa")));
     let rest = plus(&at(&linear, &third), &at(&softened, &first));
     let rest = plus(&rest, &plus(&mixed(&quadratic, &first, &second), &at(&cubic, &first)));
     let unknowns = ["h_c", "h_s", "k_c", "k_s", "l_c", "l_s", "Omega_2", "kappa_2"];
@@ -70,7 +70,7 @@ fn order(
     used: &[&str],
     power: &str,
     vanishing: &Pair,
-    unknowns: &[&str],
+    unknowns: &[&'static str],
     domain: Domain,
 ) -> Result<(Proof, Domain), Refutation> {
     let conditions = Conditions { vanishing, identically_in: &["C", "S"], unknowns };
@@ -105,7 +105,7 @@ fn physical(equations: &Equations, law: EvolutionLaw) -> Pair {
         ("theta", equations.right("steady-state").with("V", &formula("V_0")) * formula("Y")),
         ("theta'", formula("w'")),
     ];
-    let values = values.map(|(name, value)| (Symbol::new(name), value)).into();
+    let values = values.map(|(name, value)| (Symbol::from(name), value)).into();
     let pair = [balance * formula("D_c/(a*V_0)"), evolution(equations, law)];
     pair.map(|equation| equation.substitute(&values))
 }
@@ -122,9 +122,7 @@ fn taylor_parts(
         let reduced = simplified(&proof, used, equation, &by_groups())?;
         let says = format!("{name} in X = V/V_0 = 1 + u, Y = V_0 θ/D_c = 1 + w and the groups");
         proof = proof.identity(&says, used, equation, &reduced, &by_groups())?;
-        let residual = [("ln(X)", "ln(1 + u)"), ("ln(Y)", "ln(1 + w)"), ("X", "1 + u"), ("Y", "1 + w")]
-            .iter()
-            .fold(reduced, |residual, (name, value)| residual.with(name, &formula(value)));
+        let residual = reduced.with("X", &formula("1 + u")).with("Y", &formula("1 + w"));
         for (degree, pair) in (1..).zip(&mut parts) {
             let derived = taylor_part(&residual, &MOTION, degree);
             pair[side] = simplified(&proof, used, &derived, &by_groups())?;
@@ -158,12 +156,13 @@ fn retimed(motion: &Motion) -> Motion {
 
 /// The derivative by τ of an expression in C = cos τ and S = sin τ.
 fn turned(expression: &Expression) -> Expression {
-    formula("C") * expression.derivative(&Symbol::new("S"))
-        - formula("S") * expression.derivative(&Symbol::new("C"))
+    formula("C") * expression.derivative(&Symbol::from("S"))
+        - formula("S") * expression.derivative(&Symbol::from("C"))
 }
 
 fn at(forms: &Pair, motion: &Motion) -> Pair {
-    let values = MOTION.iter().zip(motion).map(|(name, value)| (Symbol::new(name), value.clone())).collect();
+    let values =
+        MOTION.iter().zip(motion).map(|(name, value)| (Symbol::from(*name), value.clone())).collect();
     forms.clone().map(|form| form.substitute(&values))
 }
 

@@ -13,7 +13,7 @@ pub fn along_velocity(equations: &Equations) -> Result<Proof, Refutation> {
     let eta = formula("M*V_0^2/(sigma*a*D_c)");
     let weight = formula("M*g");
     let domain = Domain::positive("a b D_c M V_0 g sigma");
-    let (velocity, stress) = (Symbol::new("V_0"), Symbol::new("sigma"));
+    let (velocity, stress) = (Symbol::from("V_0"), Symbol::from("sigma"));
     let per_weight = formula("V_0^2/(g*a*D_c)");
     // On the line dσ/dV_0 = −(∂K_c/∂V_0)/(∂K_c/∂σ).
     let slope = -critical.derivative(&velocity) / critical.derivative(&stress);

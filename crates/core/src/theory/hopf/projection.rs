@@ -16,7 +16,7 @@ struct Forms {
 /// Three equations of first order that rest at the origin, with a pair of roots on the imaginary axis.
 pub(in crate::theory) struct Critical<'c> {
     /// The state variables.
-    pub state: [&'c str; 3],
+    pub state: [&'static str; 3],
     /// Their rates.
     pub rates: Vector,
     /// The state in words, and where the pair is on the axis.
@@ -45,12 +45,18 @@ pub(in crate::theory) fn coefficient(
     let conjugate = each(|n| q[n].with("i", &formula("-i")));
     let source = critical.polar(&forms.quadratic, &q, &conjugate);
     let zero = formula("0");
-    let mean = Resolvent { name: "h11", rate: &zero, source, says: "h_11: 0 = A h_11 + B(q, q̄)", critical };
+    let mean = Resolvent {
+        names: ["h11_1", "h11_2", "h11_3"],
+        rate: &zero,
+        source,
+        says: "h_11: 0 = A h_11 + B(q, q̄)",
+        critical,
+    };
     let (proof, h11, domain) = mean.solve(proof, used, &forms, domain)?;
     let source = each(|n| formula("2") * critical.at(&forms.quadratic[n], &q));
     let says = "h_20: 2iω h_20 = A h_20 + B(q, q)";
     let twice = formula("2*i") * critical.frequency.clone();
-    let double = Resolvent { name: "h20", rate: &twice, source, says, critical };
+    let double = Resolvent { names: ["h20_1", "h20_2", "h20_3"], rate: &twice, source, says, critical };
     let (proof, h20, domain) = double.solve(proof, used, &forms, domain)?;
     let cubic = critical.third(&forms.cubic, &q, &conjugate);
     let direct = critical.polar(&forms.quadratic, &q, &h11);
@@ -104,12 +110,12 @@ fn eigenvectors(
     let length = dot(adjoint, q);
     let scaled = each(|n| adjoint[n].clone() / length.clone());
     let (proof, values) = simplify(proof, used, critical.adjoint_says, &scaled, &critical.domain)?;
-    let (p, domain) = named("p", &values, critical.domain.clone());
+    let (p, domain) = named(["p_1", "p_2", "p_3"], &values, critical.domain.clone());
     let rate = || formula("i") * critical.frequency.clone();
     let image = each(|n| critical.at(&forms.linear[n], q));
     let rotated = each(|n| rate() * q[n].clone());
     let row = dot(&p, &forms.linear);
-    let row = each(|n| row.derivative(&Symbol::new(critical.state[n])));
+    let row = each(|n| row.derivative(&Symbol::from(critical.state[n])));
     let turned = each(|n| rate() * p[n].clone());
     let proof = proof
         .identity("critical eigenvector: A q = iω q", used, &in_basis(&image), &in_basis(&rotated), &domain)?
@@ -118,16 +124,15 @@ fn eigenvectors(
 }
 
 /// The names of a vector's components, with their values in the domain: what follows stays short.
-fn named(name: &str, values: &Vector, domain: Domain) -> (Vector, Domain) {
-    let names = [1, 2, 3].map(|index| format!("{name}_{index}"));
-    let pairs = names.iter().zip(values);
+fn named(names: [&'static str; 3], values: &Vector, domain: Domain) -> (Vector, Domain) {
+    let pairs = names.into_iter().zip(values);
     let domain = pairs.fold(domain, |domain, (name, value)| domain.with(name, value.clone()));
-    (names.map(|name| formula(&name)), domain)
+    (names.map(Expression::variable), domain)
 }
 
 /// The equation (rate − A) h = source.
 struct Resolvent<'r> {
-    name: &'r str,
+    names: [&'static str; 3],
     rate: &'r Expression,
     source: Vector,
     says: &'r str,
@@ -150,7 +155,7 @@ impl Resolvent<'_> {
             unknowns: &["f_1", "g_1", "f_2", "g_2", "f_3", "g_3"],
         };
         let parts = solve(&proof, used, &conditions, self.critical.domain.clone())?;
-        let (h, domain) = named(self.name, &each(|n| parts.substituted(&unknown[n])), domain);
+        let (h, domain) = named(self.names, &each(|n| parts.substituted(&unknown[n])), domain);
         let rest = in_basis(&self.rest(forms, &h));
         Ok((proof.identity(self.says, used, &rest, &formula("0"), &domain)?, h, domain))
     }
@@ -168,7 +173,7 @@ fn each(part: impl Fn(usize) -> Expression) -> Vector {
 impl Critical<'_> {
     /// A form at a vector.
     fn at(&self, form: &Expression, vector: &Vector) -> Expression {
-        let values = self.state.iter().zip(vector).map(|(name, value)| (Symbol::new(name), value.clone()));
+        let values = self.state.iter().zip(vector).map(|(name, value)| (Symbol::from(*name), value.clone()));
         form.substitute(&values.collect())
     }
 

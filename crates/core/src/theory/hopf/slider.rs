@@ -81,7 +81,7 @@ pub(super) fn derive(
         )?
         .identity(&says, &used, &in_basis(&derived), &in_basis(&rates), &by_groups())?;
     let slider = Slider { rates: [0, 1, 2].map(|index| in_logarithms(&rates[index])) };
-    let rest = STATE.iter().fold(in_basis(&slider.rates), |sum, name| sum.with(name, &formula("0")));
+    let rest = STATE.iter().fold(in_basis(&slider.rates), |sum, name| sum.with(*name, &formula("0")));
     let proof = proof.identity("steady sliding is at rest", &used, &rest, &formula("0"), &by_groups())?;
     Ok((proof, slider))
 }
@@ -103,7 +103,7 @@ fn physical_rates(equations: &Equations, law: EvolutionLaw) -> [Expression; 3] {
         expression.with("theta", &theta).with("V", &formula("V_0*X"))
     };
     let motion = equations.residual("4").with("mu", &state(&equations.right("1")));
-    let mass = motion.derivative(&Symbol::new("delta''"));
+    let mass = motion.derivative(&Symbol::from("delta''"));
     let force = -motion.with("delta''", &formula("0")).with("delta", &displacement());
     // δ'' = V_0 X x'·V_0/D_c with x' per D_c/V_0.
     let velocity = force / (mass * formula("V_0^2/D_c*X"));
@@ -116,9 +116,7 @@ fn physical_rates(equations: &Equations, law: EvolutionLaw) -> [Expression; 3] {
 
 /// X = e^x and Y = e^y, with their logarithms.
 fn in_logarithms(rate: &Expression) -> Expression {
-    [("ln(X)", "x"), ("ln(Y)", "y"), ("X", "exp(x)"), ("Y", "exp(y)")]
-        .iter()
-        .fold(rate.clone(), |rate, (name, value)| rate.with(name, &formula(value)))
+    rate.with("X", &formula("exp(x)")).with("Y", &formula("exp(y)"))
 }
 
 /// ds/dκ of the critical root p = iω on K = K_c from eq 8: by the real part the side, by the imaginary part the pitch.
@@ -127,7 +125,7 @@ fn in_logarithms(rate: &Expression) -> Expression {
 /// When eq 8 depends otherwise on κ.
 pub(super) fn crossing_speed(proof: Proof, equations: &Equations) -> Result<Proof, Refutation> {
     let cubic = cubic(equations);
-    let slope = |name: &str| cubic.derivative(&Symbol::new(name)).with("p", &formula("i*omega"));
+    let slope = |name: &'static str| cubic.derivative(&Symbol::from(name)).with("p", &formula("i*omega"));
     let speed = -slope("kappa") / slope("p");
     proof
         .identity(

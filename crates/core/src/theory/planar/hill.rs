@@ -107,10 +107,10 @@ fn off_the_curve(steps: &mut Steps<'_>, zero: &Expression) -> Result<(), Refutat
     let solved =
         solved.ok_or_else(|| steps.refuse(says, format!("{zero} is linear in neither state variable")))?;
     let slope = zero.derivative(&system.state[solved]);
-    let rest = zero.with(system.state[solved].as_str(), &Expression::integer(0));
+    let rest = zero.with(&system.state[solved], &Expression::integer(0));
     steps.some_sign("the slope of the curve's expression in one variable, so that each value of the other has one point of the curve,", &slope)?;
     let on_curve = steps.quotient(says, &-rest, &slope)?;
-    let name = system.state[solved].as_str();
+    let name = &system.state[solved];
     let leaving = system.rate(zero).with(name, &on_curve);
     let steady =
         system.steady.as_ref().ok_or_else(|| steps.refuse(says, "the system has no steady state".into()))?;

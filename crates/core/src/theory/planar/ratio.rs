@@ -1,10 +1,7 @@
 //! A lemma for systems in which a product of both variables moves by itself.
 
 use super::Steps;
-use slipmode_algebra::{Expression, Refutation, Symbol};
-
-/// The name of the quantity w in the certificates.
-const RATIO: &str = "ratio_w";
+use slipmode_algebra::{Expression, Refutation};
 
 /// From every start a variable falls from some time on for ever, and tends to zero.
 pub(super) fn late_deceleration(
@@ -18,23 +15,22 @@ pub(super) fn late_deceleration(
     if !(steps.is_positive(0) && steps.is_positive(1)) {
         return Err(steps.refuse(&says, "a state variable is free".into()));
     }
-    if system.rates.iter().chain([quantity]).any(|known| known.variables().contains(&Symbol::new(RATIO))) {
-        return Err(steps.refuse(&says, format!("{RATIO} stands for two things")));
-    }
     let product = system.variable(falls) * system.variable(other);
     let factor = steps.quotient(&says, quantity, &product)?;
     steps.identity(&says, quantity, &(factor.clone() * product))?;
     steps.positive_constant("that constant is positive", &factor)?;
-    let w = Expression::variable(RATIO);
+    // The quantity w as a parameter of the certificates.
+    let ratio = steps.fresh();
+    let w = Expression::variable(&ratio);
     let value = w.clone() / (factor * system.variable(other));
     let by_itself = |steps: &mut Steps<'_>, says: String, expression: Expression| {
         // The expression is multiplied out first. A divisor w that is left is refused: what depends on w is a polynomial in it.
         let plain = Expression::from(&steps.rational(&says, &expression)?);
-        let in_ratio = Expression::from(&steps.rational(&says, &plain.with(v.as_str(), &value))?);
+        let in_ratio = Expression::from(&steps.rational(&says, &plain.with(v, &value))?);
         if in_ratio.variables().contains(x) {
             return Err(steps.refuse(&says, format!("{in_ratio} contains {x}")));
         }
-        let back = in_ratio.with(RATIO, quantity);
+        let back = in_ratio.with(&ratio, quantity);
         steps.identity(&says, &expression, &back).map(|()| in_ratio)
     };
     let relative = system.rate(quantity) / quantity.clone();
@@ -46,10 +42,10 @@ pub(super) fn late_deceleration(
     let clock = by_itself(steps, format!("the rate of {x} depends on w alone"), system.rates[other].clone())?;
     let course = system.variable(other) * steps.coordinate_rate(falls);
     let course = by_itself(steps, format!("{x} times the rate of ln {v} depends on w alone"), course)?;
-    let at_zero = |expression: &Expression| expression.with(RATIO, &Expression::integer(0));
+    let at_zero = |expression: &Expression| expression.with(&ratio, &Expression::integer(0));
     steps.sign(
         &format!("{x} times the rate of ln w is negative for w > 0"),
-        &fall.with(RATIO, quantity),
+        &fall.with(&ratio, quantity),
         -1,
     )?;
     steps.sign("and at w = 0", &at_zero(&fall), -1)?;

@@ -67,8 +67,7 @@ pub(super) fn unbounded(
         return Err(steps.refuse(&format!("{x} is positive"), format!("{x} is free")));
     }
     let zero = Expression::integer(0);
-    let [gain, loss] =
-        [system.rates[other].with(v.as_str(), &zero), -system.rates[other].derivative(v).derivative(x)];
+    let [gain, loss] = [system.rates[other].with(v, &zero), -system.rates[other].derivative(v).derivative(x)];
     let says = format!("{x} grows at a constant rate and is lost at a rate in proportion to {v} times {x}");
     steps.identity(
         &says,
@@ -123,7 +122,7 @@ fn driven(steps: &mut Steps<'_>, index: usize) -> Result<(), Refutation> {
         return Err(steps.refuse(&says, format!("a rate has {v} in a divisor, or that of {x} has {x}")));
     }
     let zero = Expression::integer(0);
-    let [slope, rest] = [system.rates[other].derivative(x), system.rates[other].with(x.as_str(), &zero)];
+    let [slope, rest] = [system.rates[other].derivative(x), system.rates[other].with(x, &zero)];
     let slope = Expression::from(&steps.rational(&says, &slope)?);
     if slope.variables().contains(x) {
         return Err(steps.refuse(&says, format!("the rate of {x} is not linear in it")));

@@ -5,9 +5,6 @@ use slipmode_algebra::{
     Certificate, Domain, Expression, Proof, RationalFunction, Refutation, Relation, Symbol,
 };
 
-/// The parameter of a region: how far its expression is above zero, or how far a variable is below its bound.
-const GAP: &str = "gap_of_region";
-
 /// A proof that grows, the system it is about, and the forms of the domain in which a step may be certified.
 pub(super) struct Steps<'a> {
     pub proof: Proof,
@@ -18,6 +15,13 @@ pub(super) struct Steps<'a> {
 impl<'a> Steps<'a> {
     pub fn new(proof: Proof, system: &'a PlanarSystem, domains: &'a [Domain]) -> Self {
         Self { proof, system, domains }
+    }
+
+    /// A parameter that neither the system nor a domain has.
+    pub fn fresh(&self) -> Symbol {
+        let of_domains = self.domains.iter().flat_map(Domain::symbols);
+        let of_system = self.system.rates.iter().flat_map(Expression::variables);
+        Symbol::fresh(&of_domains.chain(of_system).collect::<Vec<_>>())
     }
 
     /// Adds a step of plain reasoning.
@@ -64,7 +68,7 @@ impl<'a> Steps<'a> {
     /// Adds the steps that an expression is a positive constant of the motion's parameters.
     pub fn positive_constant(&mut self, says: &str, expression: &Expression) -> Result<(), Refutation> {
         self.sign(says, expression, 1)?;
-        match self.system.state.iter().find(|name| expression.variables().contains(name)) {
+        match self.system.state.iter().find(|name| expression.variables().contains(*name)) {
             Some(name) => Err(self.refuse(says, format!("{expression} contains {name}"))),
             None => Ok(()),
         }
@@ -151,17 +155,19 @@ impl<'a> Steps<'a> {
 
     /// The domain with the condition that an expression is positive: as it is, and with a state variable in which the expression is
     /// linear expressed by a positive gap: α s + γ = gap gives s = (gap − γ)/α, and α s + γ = gap·s gives s = γ/(gap − α).
+    /// The gap is a parameter: how far the expression is above zero, or how far the variable is below its bound.
     fn inside(&self, domain: &Domain, region: &Expression) -> Vec<Domain> {
         let given = domain.clone().given(region.clone(), Relation::Positive);
-        let gap = Expression::variable(GAP);
+        let parameter = Symbol::fresh(&domain.symbols());
+        let gap = Expression::variable(&parameter);
         let substituted = self.system.state.iter().flat_map(|name| {
             let Some(slope) = Self::slope_if_linear(domain, region, name) else { return Vec::new() };
-            let rest = region.with(name.as_str(), &Expression::integer(0));
+            let rest = region.with(name, &Expression::integer(0));
             let above = (gap.clone() - rest.clone()) / slope.clone();
             let below = rest / (gap.clone() - slope);
             let per_variable = region.clone() / Expression::Variable(name.clone());
-            let with = |value: &Expression, parameter: Expression| {
-                given.clone().with(name.as_str(), domain.substituted(value)).parameter(GAP, parameter)
+            let with = |value: &Expression, of_names: Expression| {
+                given.clone().with(name, domain.substituted(value)).parameter(&parameter, of_names)
             };
             vec![with(&above, region.clone()), with(&below, per_variable)]
         });
@@ -170,7 +176,7 @@ impl<'a> Steps<'a> {
 
     /// The slope of an expression in a variable, if it does not contain the variable and the domain expresses it by no others.
     fn slope_if_linear(domain: &Domain, expression: &Expression, name: &Symbol) -> Option<Expression> {
-        let is_free = domain.substitutions().iter().all(|(known, _)| known != name.as_str());
+        let is_free = domain.substitutions().iter().all(|(known, _)| known != name);
         let slope = domain.rational_function(&expression.derivative(name)).ok()?;
         let slope = Expression::from(&slope);
         (is_free && !slope.is_zero() && !slope.variables().contains(name)).then_some(slope)

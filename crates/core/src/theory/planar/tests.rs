@@ -7,9 +7,9 @@ use slipmode_algebra::Relation;
 /// What the sliders without mass conserve at the critical stiffness.
 const HILL: &str = "ln(V) - V*theta/L - K*V_l*theta/A + (K*L/A + 1)*ln(theta)";
 
-fn system(state: [&str; 2], rates: [&str; 2], steady: Option<[&str; 2]>) -> PlanarSystem {
+fn system(state: [&'static str; 2], rates: [&str; 2], steady: Option<[&str; 2]>) -> PlanarSystem {
     let steady = steady.map(|steady| steady.map(formula));
-    PlanarSystem { state: state.map(Symbol::new), rates: rates.map(formula), steady }
+    PlanarSystem { state: state.map(Symbol::from), rates: rates.map(formula), steady }
 }
 
 fn loaded() -> PlanarSystem {
@@ -28,19 +28,23 @@ fn slip_law() -> PlanarSystem {
 }
 
 /// All are positive but the listed parameter, which is expressed by the others and a gap.
-fn domains(condition: &str, [name, value]: [&str; 2], example: &[(&str, &str)]) -> Vec<Domain> {
+fn domains(
+    condition: &str,
+    [name, value]: [&'static str; 2],
+    example: &[(&'static str, &str)],
+) -> Vec<Domain> {
     let start = Domain::positive("A B K L V V_l theta").given(formula(condition), Relation::Positive);
-    let plain = example.iter().fold(start, |domain, (name, value)| domain.example(name, formula(value)));
+    let plain = example.iter().fold(start, |domain, (name, value)| domain.example(*name, formula(value)));
     let shifted = plain.clone().with(name, formula(value)).parameter("gap", formula(condition));
     vec![plain, shifted]
 }
 
-fn weakening(example: &[(&str, &str)]) -> Vec<Domain> {
+fn weakening(example: &[(&'static str, &str)]) -> Vec<Domain> {
     domains("B - A", ["B", "A + gap"], example)
 }
 
 /// K larger than critical.
-fn stiff(example: &[(&str, &str)]) -> Vec<Domain> {
+fn stiff(example: &[(&'static str, &str)]) -> Vec<Domain> {
     domains("K*L - B + A", ["K", "(B - A + gap)/L"], example)
         .into_iter()
         .chain(domains("K*L - B + A", ["A", "gap + B - K*L"], example))
@@ -48,7 +52,7 @@ fn stiff(example: &[(&str, &str)]) -> Vec<Domain> {
 }
 
 /// K smaller than critical.
-fn soft(example: &[(&str, &str)]) -> Vec<Domain> {
+fn soft(example: &[(&'static str, &str)]) -> Vec<Domain> {
     domains("B - A - K*L", ["B", "A + K*L + gap"], example)
 }
 

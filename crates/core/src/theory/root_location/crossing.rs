@@ -11,7 +11,7 @@ use slipmode_algebra::{Expression, Proof, Refutation, Sign, SignFormula, Symbol}
 /// Never, unless a step of the lemma is at fault; the tests prove all of them.
 pub fn pair_crosses(
     coefficients: &[Expression],
-    parameter: &str,
+    parameter: &Symbol,
     critical: &Expression,
     frequency: &Expression,
 ) -> Result<(SignFormula, Proof), Refutation> {
@@ -19,15 +19,14 @@ pub fn pair_crosses(
     let coefficient = |power: usize| coefficients.get(power).cloned().unwrap_or_else(zero);
     let critical_values = |one: &Expression| one.with(parameter, critical);
     let at = |power: usize| critical_values(&coefficient(power));
-    let slope = |power: usize| critical_values(&coefficient(power).derivative(&Symbol::new(parameter)));
+    let slope = |power: usize| critical_values(&coefficient(power).derivative(parameter));
     let square = frequency.clone().power(2);
     let real_part = at(0) - at(2) * square.clone();
     let imaginary_part = at(1) - at(3) * square.clone();
-    let values: Vec<(String, Expression)> = (0..4)
-        .flat_map(|power| [(format!("c_{power}"), at(power)), (format!("d_{power}"), slope(power))])
-        .chain([("omega".to_owned(), frequency.clone())])
-        .collect();
-    let values = values.into_iter().map(|(name, value)| (Symbol::new(&name), value)).collect();
+    let own =
+        |names: [&'static str; 4], values: [Expression; 4]| names.map(Symbol::from).into_iter().zip(values);
+    let values = own(VALUES, [0, 1, 2, 3].map(at)).chain(own(SLOPES, [0, 1, 2, 3].map(slope)));
+    let values = values.chain([("omega".into(), frequency.clone())]).collect();
     let rate = formula(RATE).substitute(&values);
     let mut signs = vec![
         SignFormula::sign(frequency, Sign::NonZero),
@@ -41,20 +40,24 @@ pub fn pair_crosses(
     Ok((SignFormula::All(signs), lemma(coefficients.len() - 1)?))
 }
 
+/// The names of the coefficients and of their slopes in the parameter, by ascending power.
+const VALUES: [&str; 4] = ["c_0", "c_1", "c_2", "c_3"];
+const SLOPES: [&str; 4] = ["d_0", "d_1", "d_2", "d_3"];
+
 /// Re(∂P/∂K · conj ∂P/∂s) at s = iω, where d_k = ∂c_k/∂K: the slope of the pair's real part times −|∂P/∂s|².
 const RATE: &str = "(d_0 - d_2*omega^2)*(c_1 - 3*c_3*omega^2) + 2*omega^2*c_2*(d_1 - d_3*omega^2)";
 
 fn lemma(degree: usize) -> Result<Proof, Refutation> {
-    let names = |letter: &str| {
-        (0..=degree).map(|power| Expression::variable(&format!("{letter}_{power}"))).collect::<Vec<_>>()
+    let names = |all: [&'static str; 4]| {
+        all.into_iter().take(degree + 1).map(Expression::variable).collect::<Vec<_>>()
     };
     let none_above = |one: Expression| match degree {
         3 => one,
         _ => one.with("c_3", &formula("0")).with("d_3", &formula("0")),
     };
-    let (at_root, imaginary) = (polynomial(&names("c"), "s"), formula("i*omega"));
-    let by_parameter = polynomial(&names("d"), "s").with("s", &imaginary);
-    let by_root = at_root.derivative(&Symbol::new("s"));
+    let (at_root, imaginary) = (polynomial(&names(VALUES), "s"), formula("i*omega"));
+    let by_parameter = polynomial(&names(SLOPES), "s").with("s", &imaginary);
+    let by_root = at_root.derivative(&Symbol::from("s"));
     let conjugate = by_root.with("s", &formula("-i*omega"));
     let rate = none_above(formula(RATE));
     let rest = none_above(formula(

@@ -32,8 +32,8 @@ slipmode_algebra::named! {
 
 /// The coefficients of a polynomial in a variable by ascending power; none when it is no polynomial in it of degree 1 to 3.
 #[must_use]
-pub fn coefficients(function: &RationalFunction, variable: &str) -> Option<Vec<Expression>> {
-    let parts = polynomial_coefficients(function, &Symbol::new(variable))?;
+pub fn coefficients(function: &RationalFunction, variable: &Symbol) -> Option<Vec<Expression>> {
+    let parts = polynomial_coefficients(function, variable)?;
     (2..=MOST_DEGREE + 1).contains(&parts.len()).then_some(parts)
 }
 
@@ -51,10 +51,11 @@ pub(super) fn polynomial_coefficients(function: &RationalFunction, name: &Symbol
 
 /// The polynomial with these coefficients, by ascending power.
 #[must_use]
-pub fn polynomial(coefficients: &[Expression], variable: &str) -> Expression {
+pub fn polynomial(coefficients: &[Expression], variable: impl Into<Symbol>) -> Expression {
+    let variable = Expression::variable(variable);
     let term = |(coefficient, power): (&Expression, i32)| match power {
         0 => coefficient.clone(),
-        _ => coefficient.clone() * Expression::variable(variable).power(power),
+        _ => coefficient.clone() * variable.clone().power(power),
     };
     coefficients.iter().zip(0..).map(term).fold(Expression::integer(0), |sum, term| term + sum)
 }

@@ -11,10 +11,12 @@ pub(super) fn signs(coefficients: &[Expression]) -> SignFormula {
         4 => formula(CUBIC),
         _ => return SignFormula::All(Vec::new()),
     };
-    let values = coefficients.iter().zip(0..);
-    let values = values.map(|(value, power)| (Symbol::new(&format!("c_{power}")), value.clone())).collect();
+    let values = NAMES.into_iter().map(Symbol::from).zip(coefficients.iter().cloned()).collect();
     SignFormula::sign(&discriminant.substitute(&values), Sign::NonNegative)
 }
+
+/// The names of the coefficients, by ascending power.
+const NAMES: [&str; 4] = ["c_0", "c_1", "c_2", "c_3"];
 
 const QUADRATIC: &str = "c_1^2 - 4*c_2*c_0";
 const CUBIC: &str = "18*c_3*c_2*c_1*c_0 - 4*c_2^3*c_0 + c_2^2*c_1^2 - 4*c_3*c_1^3 - 27*c_3^2*c_0^2";
@@ -27,8 +29,8 @@ pub(super) fn lemma(degree: usize) -> Result<Proof, Refutation> {
             "A real polynomial of degree {degree} has real roots only exactly when its discriminant is not negative."
         ),
     );
-    let by_roots = |text: &str, values: &[(&str, &str)]| {
-        values.iter().fold(formula(text), |formula_, (name, value)| formula_.with(name, &formula(value)))
+    let by_roots = |text: &str, values: &[(&'static str, &str)]| {
+        values.iter().fold(formula(text), |formula_, (name, value)| formula_.with(*name, &formula(value)))
     };
     let pair = Domain::positive("y");
     match degree {

@@ -93,7 +93,7 @@ fn a_pair_crosses_where_its_real_part_changes_and_the_third_root_is_off_the_axis
         let coefficients =
             [number(4) * third.clone(), number(4) - real.clone() * third.clone(), third - real, number(1)];
         let (signs, lemma) =
-            pair_crosses(&coefficients, "K", &expression(critical), &expression(frequency)).unwrap();
+            pair_crosses(&coefficients, &"K".into(), &expression(critical), &expression(frequency)).unwrap();
         assert!(lemma.is_certified() && lemma.recheck().is_ok());
         holds(&signs)
     };
@@ -103,6 +103,6 @@ fn a_pair_crosses_where_its_real_part_changes_and_the_third_root_is_off_the_axis
     assert!(!crosses("0", "K - 1", "2", "1"), "the third root is on the axis");
     assert!(!crosses("3", "(K - 1)^2", "2", "1"), "it touches the axis only");
     let quadratic = [number(4), expression("1 - K"), number(1)];
-    let (signs, lemma) = pair_crosses(&quadratic, "K", &number(1), &number(2)).unwrap();
+    let (signs, lemma) = pair_crosses(&quadratic, &"K".into(), &number(1), &number(2)).unwrap();
     assert!(holds(&signs) && lemma.recheck().is_ok());
 }

@@ -2,14 +2,32 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use slipmode_algebra::{Domain, Expression, Function, Polynomial, RationalFunction, Relation, Symbol};
+use super::{
+    Condition, Domain, Expression, Function, Generator, Polynomial, RationalFunction, Relation, Symbol,
+};
 
-/// The domain as it is, and with substitutions that reach every point of its conditions.
-///
+impl Domain {
+    /// The domain as it is, and with substitutions that reach every point of its conditions, in which more expressions have a sign.
+    /// The sides name the roots that are to become rational.
+    ///
+    /// Each form passes [`Domain::check`] where the domain does.
+    #[must_use]
+    pub fn forms(&self, sides: &[Expression]) -> Vec<Self> {
+        forms(self, sides)
+    }
+
+    /// Whether one of the forms proves a condition.
+    #[must_use]
+    pub fn proves_in_some_form(&self, condition: &Condition) -> Option<Self> {
+        let forms = self.forms(std::slice::from_ref(&condition.expression));
+        forms.into_iter().find(|form| form.proves(condition) == Ok(true))
+    }
+}
+
 /// A condition h x − r > 0 with h > 0 gives x = r/h + g with a parameter g > 0, one with h < 0 gives x = r/h − g, or r/(h (1 + g)) for
 /// a positive x. A variable x under a root becomes x = k² with k > 0. Two variables under roots, and the difference of two, give
 /// squares of sums and sums of squares.
-pub(super) fn domains(domain: &Domain, sides: &[Expression]) -> Vec<Domain> {
+fn forms(domain: &Domain, sides: &[Expression]) -> Vec<Domain> {
     let form = Form { given: domain, values: BTreeMap::new(), parameters: BTreeMap::new() };
     let gaps = [false, true].map(|last| form.with_gaps(last));
     let pairs =
@@ -38,38 +56,40 @@ struct Form<'d> {
 
 impl Form<'_> {
     fn domain(&self) -> Domain {
-        let with =
-            |domain: Domain, (name, value): (&Symbol, &Expression)| domain.with(name.as_str(), value.clone());
-        let parameter = |domain: Domain, (name, value): (&Symbol, &Expression)| {
-            domain.parameter(name.as_str(), value.clone())
-        };
+        let with = |domain: Domain, (name, value): (&Symbol, &Expression)| domain.with(name, value.clone());
+        let parameter =
+            |domain: Domain, (name, value): (&Symbol, &Expression)| domain.parameter(name, value.clone());
         let domain = self.values.iter().fold(self.given.clone(), with);
         self.parameters.iter().fold(domain, parameter)
     }
 
+    /// A parameter that the domain has not.
+    fn fresh(&self) -> Symbol {
+        Symbol::fresh(&self.domain().symbols())
+    }
+
     /// Puts a value in a new parameter in the place of a name; `of_names` is the parameter in the names so far.
-    fn put(&mut self, name: &Symbol, value: &Expression, parameter: &str, of_names: &Expression) {
+    fn put(&mut self, name: &Symbol, value: &Expression, parameter: &Symbol, of_names: &Expression) {
         let of_variables = of_names.substitute(&self.parameters);
         for known in self.values.values_mut() {
-            *known = known.with(name.as_str(), value);
+            *known = known.with(name, value);
         }
         if self.parameters.remove(name).is_none() {
             self.values.insert(name.clone(), value.clone());
         }
-        self.parameters.insert(Symbol::new(parameter), of_variables);
+        self.parameters.insert(parameter.clone(), of_variables);
     }
 
     /// Every condition that a name solves used so; `last` takes the last such name instead of the first.
     fn with_gaps(&self, last: bool) -> Self {
         let positive =
             self.given.conditions().iter().filter(|condition| condition.relation == Relation::Positive);
-        positive.zip(0..).fold(self.clone(), |form, (condition, number)| {
-            form.with_gap(&condition.expression, &format!("gap_{number}"), last).unwrap_or(form)
-        })
+        positive
+            .fold(self.clone(), |form, condition| form.with_gap(&condition.expression, last).unwrap_or(form))
     }
 
     /// A condition solved for a name in which it is linear.
-    fn with_gap(&self, condition: &Expression, gap: &str, last: bool) -> Option<Self> {
+    fn with_gap(&self, condition: &Expression, last: bool) -> Option<Self> {
         let domain = self.domain();
         let function = domain.rational_function(condition).ok()?;
         let sign = |polynomial: &Polynomial| domain.sign(&Expression::from(polynomial)).ok().flatten();
@@ -78,7 +98,7 @@ impl Form<'_> {
             .variables()
             .into_iter()
             .filter(|name| function.numerator().degree(name) == 1 && function.hides(name).is_none())
-            .filter(|name| !name.as_str().contains('(') && !["i", "pm"].contains(&name.as_str()))
+            .filter(|name| !["i", "pm"].contains(&name.as_str()))
             .filter_map(|name| {
                 let mut parts = function.numerator().coefficients(&name);
                 let (slope, rest) = (parts.pop()?, parts.pop()?);
@@ -93,7 +113,8 @@ impl Form<'_> {
         candidates.sort_by_key(|(rank, ..)| *rank);
         let (_, name, slope, rest, upward) = candidates.into_iter().next()?;
         let end = Expression::from(&RationalFunction::new(-&rest, slope)?);
-        let (x, g) = (Expression::Variable(name.clone()), Expression::variable(gap));
+        let gap = self.fresh();
+        let (x, g) = (Expression::Variable(name.clone()), Expression::variable(&gap));
         let (value, of_names) = match upward {
             1 => (end.clone() + g, x - end),
             _ if domain.is_positive(&name) => {
@@ -103,7 +124,7 @@ impl Form<'_> {
             _ => (end.clone() - g, end - x),
         };
         let mut form = self.clone();
-        form.put(&name, &value, gap, &of_names);
+        form.put(&name, &value, &gap, &of_names);
         Some(form)
     }
 
@@ -112,10 +133,8 @@ impl Form<'_> {
         let domain = self.domain();
         let open = |inner: &Expression| {
             let root = domain.rational_function(&inner.clone().call(Function::Sqrt));
-            let is_root = |name: &Symbol| name.as_str().starts_with("sqrt(");
-            root.map_or(true, |root| {
-                root.numerator().variables().iter().chain(&root.denominator().variables()).any(is_root)
-            })
+            let is_root = |name: &Generator| name.argument_of(Function::Sqrt).is_some();
+            root.map_or(true, |root| root.generators().iter().any(is_root))
         };
         let under = |inner: Expression| {
             Some(inner).filter(open).and_then(|inner| domain.rational_function(&inner).ok())
@@ -124,11 +143,12 @@ impl Form<'_> {
             .iter()
             .flat_map(under_roots)
             .filter_map(under)
-            .flat_map(|inner| &inner.numerator().variables() | &inner.denominator().variables())
-            .filter(|name| domain.is_positive(name) && !name.as_str().contains('('))
+            .flat_map(|inner| inner.generators())
+            .filter_map(|generator| generator.symbol())
+            .filter(|name| domain.is_positive(name))
             .collect();
         rooted.into_iter().fold(self.clone(), |mut form, name| {
-            let root = format!("root_{name}");
+            let root = form.fresh();
             let square = Expression::variable(&root).power(2);
             form.put(&name, &square, &root, &Expression::Variable(name.clone()).call(Function::Sqrt));
             form
@@ -157,15 +177,17 @@ impl Form<'_> {
 
     /// For larger > smaller: smaller = k², and larger = (k + g)² or k² + g².
     fn squares_of_pair(&self, larger: &Symbol, smaller: &Symbol, sides: &[Expression]) -> [Self; 2] {
-        let [k, g] = ["root_smaller", "gap_of_roots"].map(Expression::variable);
+        let root_of_smaller = self.fresh();
+        let gap_of_roots = Symbol::fresh([&root_of_smaller]);
+        let [k, g] = [&root_of_smaller, &gap_of_roots].map(Expression::variable);
         let root = |name: &Symbol| Expression::Variable(name.clone()).call(Function::Sqrt);
         let difference = Expression::Variable(larger.clone()) - Expression::Variable(smaller.clone());
         let of_sum = ((k.clone() + g.clone()).power(2), root(larger) - root(smaller));
         let of_squares = (k.clone().power(2) + g.power(2), difference.call(Function::Sqrt));
         [of_sum, of_squares].map(|(value, gap)| {
             let mut form = self.clone();
-            form.put(smaller, &k.clone().power(2), "root_smaller", &root(smaller));
-            form.put(larger, &value, "gap_of_roots", &gap);
+            form.put(smaller, &k.clone().power(2), &root_of_smaller, &root(smaller));
+            form.put(larger, &value, &gap_of_roots, &gap);
             form.with_squares(sides)
         })
     }
