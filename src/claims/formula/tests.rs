@@ -247,7 +247,7 @@ fn a_whole_theorem_states_the_formula_with_its_conditions_and_rests_on_steps_of_
     assert!(same.altered.ends_with(" + 1"), "{}", same.altered);
     let depends = whole("K_c_qs depends on sigma", &[], &equations).unwrap();
     assert!(
-        depends.statement.contains("exists D_c a b other_value sigma : R, 0 < D_c /\\ "),
+        depends.statement.contains("exists p'0 D_c a b sigma : R, 0 < D_c /\\ "),
         "{}",
         depends.statement
     );
