@@ -2,24 +2,10 @@
 
 use std::time::{Duration, Instant};
 
+use crate::random::Random;
+
 /// The longest that one reader may spend on one input.
 const PATIENCE: Duration = Duration::from_secs(2);
-
-/// A generator of 64-bit numbers: splitmix64, from a fixed seed.
-struct Random(u64);
-
-impl Random {
-    fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mixed = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        let mixed = (mixed ^ (mixed >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        mixed ^ (mixed >> 31)
-    }
-
-    fn below(&mut self, limit: usize) -> usize {
-        usize::try_from(self.next() % u64::try_from(limit.max(1)).unwrap()).unwrap()
-    }
-}
 
 /// Pieces that readers are known to stumble over.
 const PIECES: [&[u8]; 16] = [
