@@ -106,12 +106,11 @@ fn no_random_claim_gets_a_wrong_verdict() {
         let world = World::drawn(random, &accepted);
         let trials: Vec<Trial> = (0..IN_A_FOLDER).map(|_| Trial::drawn(random)).collect();
         let claims: Vec<claim::Claim> = trials.iter().map(Trial::claim).collect();
+        let answers = program::answers(&world, &claims);
         if let Some(kept) = &kept {
-            keep(&Path::new(kept).join(format!("r{folder}")), &world, &claims);
+            keep(&Path::new(kept).join(format!("r{folder}")), &world, &claims, &answers);
         }
-        for (number, (answer, trial)) in
-            program::answers(&world, &claims).into_iter().zip(&trials).enumerate()
-        {
+        for (number, (answer, trial)) in answers.into_iter().zip(&trials).enumerate() {
             let claim = &claims[number];
             let tally = tallies.entry((claim.kind, claim.truth)).or_default();
             match &answer {
@@ -133,13 +132,20 @@ fn no_random_claim_gets_a_wrong_verdict() {
     assert!(all == 0, "{all} of {count} claims, seed {seed}:\n\n{}", wrong.join("\n"));
 }
 
-/// The claims as a folder with a report, and their truth beside them.
-fn keep(folder: &Path, world: &World, claims: &[claim::Claim]) {
+/// The claims as a folder with a report, and beside them their truth and what the program says.
+fn keep(folder: &Path, world: &World, claims: &[claim::Claim], answers: &[Answer]) {
     let numbered: Vec<(usize, &claim::Claim)> = claims.iter().enumerate().collect();
     write_folder(folder, world, &numbered);
-    let mut truths = String::from("claim,kind,truth\n");
-    for (number, claim) in numbered {
-        writeln!(truths, "C{number},{},{:?}", claim.kind, claim.truth).unwrap();
+    let mut truths = String::from("claim,kind,truth,verdict\n");
+    for ((number, claim), answer) in numbered.into_iter().zip(answers) {
+        let verdict = match answer {
+            Answer::Holds => "holds",
+            Answer::Fails(_) => "fails",
+            Answer::NotChecked => "not-checked",
+            Answer::Refused(_) => "refused",
+            Answer::Broken(_) => "broken",
+        };
+        writeln!(truths, "C{number},{},{:?},{verdict}", claim.kind, claim.truth).unwrap();
     }
     std::fs::write(folder.join("truth.csv"), truths).unwrap();
 }

@@ -75,6 +75,17 @@ impl Term {
         Self::Power(Box::new(self.clone()), exponent)
     }
 
+    /// The sum, written as one where this already is a sum.
+    fn plus(self, other: Self) -> Self {
+        match self {
+            Self::Sum(mut parts) => {
+                parts.push(other);
+                Self::Sum(parts)
+            }
+            first => Self::Sum(vec![first, other]),
+        }
+    }
+
     /// The parts from which it is made.
     pub fn parts(&self) -> Vec<&Self> {
         match self {
@@ -258,20 +269,14 @@ fn product(parts: &[Term], spell: &dyn Fn(Name) -> String) -> String {
 impl<T: Borrow<Term>> Add<T> for Term {
     type Output = Term;
     fn add(self, other: T) -> Term {
-        match self {
-            Term::Sum(mut parts) => {
-                parts.push(other.borrow().clone());
-                Term::Sum(parts)
-            }
-            first => Term::Sum(vec![first, other.borrow().clone()]),
-        }
+        self.plus(other.borrow().clone())
     }
 }
 
 impl<T: Borrow<Term>> Sub<T> for Term {
     type Output = Term;
     fn sub(self, other: T) -> Term {
-        self + minus(other.borrow())
+        self.plus(minus(other.borrow()))
     }
 }
 

@@ -30,7 +30,7 @@ fn undefined(random: &mut Random) -> Term {
         5 => y.power(-1),
         6 => y.power(0),
         7 => ln(&b - n(2) * &b),
-        8 => n(0) / (&a - &a),
+        8 => n(0) / (&a + minus(&a)),
         9 => n(1) / n(0),
         10 => n(1) / (y.power(2) - n(1)),
         11 => sqrt(minus(a)),
@@ -49,7 +49,7 @@ fn without_value(random: &mut Random) -> Claim {
     let [a, x] = positives(random);
     let hidden = match random.below(5) {
         0 => n(0) * &bad,
-        1 => &bad - &bad,
+        1 => &bad + minus(&bad),
         2 => bad.power(0),
         3 => &bad * n(0),
         _ => n(0) * &bad * &a,
@@ -60,7 +60,7 @@ fn without_value(random: &mut Random) -> Claim {
     match random.below(13) {
         0 => Claim::compare(kind, true, side, "=", a),
         1 => Claim::compare(kind, true, hidden, "=", n(0)),
-        2 => Claim::compare(kind, true, &bad / &bad, "=", n(1)),
+        2 => Claim::compare(kind, true, bad.clone() / bad, "=", n(1)),
         3 => Claim::compare(kind, true, bad.clone(), "<", bad + n(1)),
         4 => Claim::formula(kind, true, Formula::Or(vec![known(&a), known(&bad)])),
         5 => Claim::formula(kind, true, known(&hidden).implies(known(&a))),
@@ -105,7 +105,8 @@ fn without_points(random: &mut Random) -> Claim {
     let kind = "no points";
     let [a, b, c] = positives(random);
     let [x, y] = frees(random);
-    let is = Claim::compare(kind, true, &a + &c, *random.pick(&["<", ">", "=", ">="]), b.clone());
+    let sign = ["<", ">", "=", ">="][random.below(4)];
+    let is = Claim::compare(kind, true, &a + &c, sign, b.clone());
     match random.below(8) {
         0 => is.given(a.clone(), "<", b.clone()).given(b, "<", a),
         1 => is.given(a.clone(), "=", &b + &c).given(a, "<", b),

@@ -9,6 +9,7 @@ mod growth;
 mod identities;
 mod limits;
 mod meaningless;
+mod pointed;
 mod roots;
 mod signs;
 
@@ -20,7 +21,7 @@ use crate::random::Random;
 /// A kind of claim, and how many of a hundred claims are of this kind.
 type Family = (fn(&mut Random) -> Claim, usize);
 
-const FAMILIES: [Family; 12] = [
+const FAMILIES: [Family; 13] = [
     (identities::claim, 12),
     (signs::claim, 14),
     (roots::location, 14),
@@ -31,7 +32,8 @@ const FAMILIES: [Family; 12] = [
     (existence::claim, 9),
     (conditions::claim, 6),
     (boxes::claim, 4),
-    (derivations::claim, 3),
+    (derivations::claim, 4),
+    (pointed::claim, 15),
     (meaningless::claim, 5),
 ];
 
