@@ -95,7 +95,7 @@ const OF_COQ: [&str; 24] = [
 ];
 
 /// Words of the grammar, Greek names, names that differ in case only, and plain ones.
-const OTHERS: [&str; 44] = [
+const OTHERS: [&str; 48] = [
     "as",
     "at",
     "with",
@@ -139,6 +139,10 @@ const OTHERS: [&str; 44] = [
     "S",
     "not",
     "and",
+    "or",
+    "implies",
+    "all_real",
+    "pair_crosses",
     "iff",
 ];
 
