@@ -78,7 +78,7 @@ fn other_form(one: &Term, names: &[Name], random: &mut Random) -> Term {
         return form;
     }
     let unit = positive(random, 1, names);
-    // A polynomial stays a polynomial in its variable.
+    // A polynomial stays a polynomial in its variable, whose values are complex.
     let is_polynomial = one.contains(Name::Root);
     match random.below(14) {
         0 => {
@@ -98,7 +98,8 @@ fn other_form(one: &Term, names: &[Name], random: &mut Random) -> Term {
             (n(count) * one + one) / n(count + 1)
         }
         7 => one + n(0),
-        8 if !is_polynomial => ln(exp(one)),
+        _ if is_polynomial => one + total(random, 1, names) * n(0),
+        8 => ln(exp(one)),
         9 if one.is_positive() => exp(ln(one)),
         10 if one.is_positive() => sqrt(one).power(2),
         11 if one.is_not_negative() => sqrt(one.power(2)),
