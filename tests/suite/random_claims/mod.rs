@@ -103,7 +103,6 @@ fn no_random_claim_gets_a_wrong_verdict() {
     let kept = env::var_os("SLIPMODE_RANDOM_CLAIMS_FOLDER");
     let (accepted, _) = accepted_names();
     let mut tallies: BTreeMap<(&str, claim::Truth), Tally> = BTreeMap::new();
-    let mut wrong = Vec::new();
     for folder in 0..count.div_ceil(IN_A_FOLDER) {
         let random = &mut Random(seed.wrapping_add(folder as u64 * 1_000_003));
         let world = World::drawn(random, &accepted);
@@ -125,7 +124,7 @@ fn no_random_claim_gets_a_wrong_verdict() {
             if trial::is_wrong(claim.truth, &answer) {
                 tally.wrong += 1;
                 if tally.wrong <= SHOWN {
-                    wrong.push(trial.shrunk(&world, &answer));
+                    println!("{}", trial.shrunk(&world, &answer));
                 }
             }
         }
@@ -133,7 +132,7 @@ fn no_random_claim_gets_a_wrong_verdict() {
     let (table, share) = table(&tallies);
     println!("{table}");
     let all: usize = tallies.values().map(|tally| tally.wrong).sum();
-    assert!(all == 0, "{all} of {count} claims, seed {seed}:\n\n{}", wrong.join("\n"));
+    assert!(all == 0, "{all} of {count} claims got a wrong verdict (seed {seed})");
     assert!(share >= LEAST_SHARE, "{share} % decided, at least {LEAST_SHARE} % are expected");
 }
 
