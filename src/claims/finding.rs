@@ -1,9 +1,15 @@
 //! A finding: the verdict on one claim, with everything that led to it.
 
+use std::collections::BTreeMap;
+
 use serde::Serialize;
 
 use crate::claims::{Evidence, Part, Reading, Strength, Verdict};
 use slipmode_algebra::{Proof, Refutation};
+use slipmode_core::number::Rational;
+
+/// The values of variables by name.
+pub type NamedPoint = BTreeMap<String, Rational>;
 
 /// What a check concluded, why, and where it stops.
 #[derive(Debug, Clone, Serialize)]
@@ -24,6 +30,12 @@ pub struct Finding {
     pub limit: Option<String>,
     /// Why the claim fails, or where it does outside its limit.
     pub counter_example: Option<String>,
+    /// Where the verdict is seen: the point of a counter-example, or the points that show a dependence or a value that does.
+    #[serde(skip)]
+    pub points: Vec<NamedPoint>,
+    /// What an independent evaluation found against what was proved: the program is at fault.
+    #[serde(skip)]
+    pub contradictions: Vec<String>,
     /// What a reader should know besides: ambiguities, slips of the pen, captions that disagree.
     pub remarks: Vec<String>,
 }
@@ -84,6 +96,20 @@ impl Finding {
         Finding { remarks: vec![reason.into()], ..Finding::bare(Verdict::NotChecked, Strength::Sampled) }
     }
 
+    /// A claim on which two evaluations of the program contradict each other: it is not checked, and the program is at fault.
+    #[must_use]
+    pub fn contradicted(contradiction: String) -> Self {
+        let finding = Finding::not_checked(format!("Error of slipmode: {contradiction}"));
+        Finding { contradictions: vec![contradiction], ..finding }
+    }
+
+    /// Where the verdict is seen.
+    #[must_use]
+    pub fn seen_at(mut self, points: impl IntoIterator<Item = NamedPoint>) -> Self {
+        self.points.extend(points);
+        self
+    }
+
     fn holding(evidence: Evidence) -> Self {
         Finding { evidence: vec![evidence.clone()], ..Finding::bare(Verdict::Holds, evidence.strength()) }
     }
@@ -97,6 +123,8 @@ impl Finding {
             readings: Vec::new(),
             limit: None,
             counter_example: None,
+            points: Vec::new(),
+            contradictions: Vec::new(),
             remarks: Vec::new(),
         }
     }
@@ -168,7 +196,10 @@ impl Finding {
                 premise.evidence.into_iter().fold(self, Finding::with_evidence)
             }
             Verdict::Fails => self.refuted(premise.counter_example.unwrap_or_default()),
-            Verdict::NotChecked => Finding::not_checked(premise.remarks.join(" ")),
+            Verdict::NotChecked => Finding {
+                contradictions: premise.contradictions,
+                ..Finding::not_checked(premise.remarks.join(" "))
+            },
         }
     }
 

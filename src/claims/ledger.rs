@@ -119,6 +119,12 @@ impl Ledger {
         self.claims.iter().any(Entry::is_of_the_paper)
     }
 
+    /// What an independent evaluation found against what was proved, with the claims' ids: the program is at fault.
+    pub fn contradictions(&self) -> impl Iterator<Item = (&str, &str)> {
+        let of = |entry: &'_ Entry| entry.finding.contradictions.iter().map(move |one| (entry.id.as_str(), one.as_str()));
+        self.claims.iter().flat_map(of)
+    }
+
     /// How many distinct steps the proofs of all claims have, and how many of them carry no certificate.
     #[must_use]
     pub fn proof_steps(&self) -> (usize, usize) {

@@ -16,6 +16,7 @@ mod formula;
 mod frequency;
 mod frequency_turns;
 mod friction_law;
+mod gate;
 mod ledger;
 mod linearisation;
 mod new_edge;

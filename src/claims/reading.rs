@@ -90,10 +90,12 @@ impl Draft {
 ///
 /// The parts keep their evidence in one list, where evidence that several parts rest on stands once.
 pub(super) fn of_readings(drafts: impl IntoIterator<Item = Draft>) -> Finding {
-    let (mut evidence, mut remarks) = (Vec::new(), Vec::new());
+    let (mut evidence, mut remarks, mut contradictions) = (Vec::new(), Vec::new(), Vec::new());
     let mut reading = |Draft { words, parts }: Draft| {
         let mut part = |(words, finding): (String, Finding)| {
-            let Finding { verdict, strength, mut limit, counter_example, remarks: own, .. } = finding;
+            let Finding { verdict, strength, mut limit, counter_example, remarks: own, contradictions: at_fault, .. } =
+                finding;
+            contradictions.extend(at_fault);
             match verdict {
                 Verdict::NotChecked => limit = Some(own.join(" ")),
                 _ => own.into_iter().for_each(|remark| add(&mut remarks, remark)),
@@ -127,6 +129,8 @@ pub(super) fn of_readings(drafts: impl IntoIterator<Item = Draft>) -> Finding {
         counter_example: counter_example(written),
         evidence,
         readings,
+        points: Vec::new(),
+        contradictions,
         remarks,
     }
 }

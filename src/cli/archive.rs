@@ -10,6 +10,7 @@ use serde_json::json;
 use slipmode::archive::{CODECHECK_FILE, Facts, Parts, ReleaseTime, contents, open_fields, pack, sha256_hex};
 use slipmode::report::{Product, without_environment};
 
+use crate::cli::claim::refuse_contradictions;
 use crate::cli::environment::{Environment, SOURCE_SHA256, versions};
 use crate::cli::failure::Failure;
 use crate::cli::folder::{Source, read_report_from};
@@ -42,7 +43,7 @@ pub struct Options {
 /// Computes a report and archives it.
 ///
 /// # Errors
-/// When the report's files are at fault, or the archive cannot be written.
+/// When the report's files are at fault, when a verdict does not pass the last gate, or when the archive cannot be written.
 pub fn run(options: &Options, progress: &Progress) -> Result<(), Failure> {
     let environment = Environment::start();
     let time = stated_time(std::env::var_os("SOURCE_DATE_EPOCH"))?;
@@ -50,6 +51,7 @@ pub fn run(options: &Options, progress: &Progress) -> Result<(), Failure> {
         (Output::create(&options.output)?, Output::create(&timings_file(&options.output))?);
     let (folder, inputs) = read_report_from(Source::Folder(options.folder.clone()), options.limit.limits()?)?;
     let Product { ledger, files } = recompute(&folder, &options.folder, progress)?;
+    refuse_contradictions(&ledger)?;
     let facts = facts(time);
     let (name, title) = (&folder.plan.name, &folder.plan.title);
     let codecheck = options.codecheck.then_some(&folder.plan.paper);

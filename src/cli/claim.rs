@@ -22,8 +22,28 @@ pub fn verify_claim(folder: &Folder, id: &str, progress: &Progress) -> Result<()
     for entry in &ledger.claims {
         terminal::print(&account(entry))?;
     }
-    let drift = drift(&ledger);
-    if drift.is_empty() { Ok(()) } else { Err(Failure::Check(drift.join("\n"))) }
+    let mut lines = contradictions(&ledger);
+    lines.extend(drift(&ledger));
+    if lines.is_empty() { Ok(()) } else { Err(Failure::Check(lines.join("\n"))) }
+}
+
+/// The errors of the program that its last gate found: two of its evaluations of one claim contradict each other.
+pub fn contradictions(ledger: &Ledger) -> Vec<String> {
+    let line = |(id, contradiction)| {
+        format!(
+            "error of slipmode: {id}: {contradiction} The claim has no verdict. Please report this with claims.toml and equations.toml."
+        )
+    };
+    ledger.contradictions().map(line).collect()
+}
+
+/// Refuses a ledger with an error of the program.
+///
+/// # Errors
+/// When the last gate found one.
+pub fn refuse_contradictions(ledger: &Ledger) -> Result<(), Failure> {
+    let found = contradictions(ledger);
+    if found.is_empty() { Ok(()) } else { Err(Failure::Check(found.join("\n"))) }
 }
 
 /// Prints the warnings about the formulas of claims on standard error.

@@ -194,7 +194,7 @@ fn complete(
     let bytes = files.iter().map(|(name, text)| (name.clone(), text.clone().into_bytes())).collect();
     let source = Source::Archive(place.to_path_buf(), bytes);
     let (folder, _) = read_report_from(source, Limits::default())?;
-    let decided = claims::decide(&folder, progress);
+    let decided = claims::decide(&folder, progress)?;
     for text in files.values_mut() {
         *text = decided.without_those_left_out(text);
     }

@@ -18,6 +18,7 @@ use slipmode::theorems::{Published, archived};
 use slipmode_core::number::nearest_f64;
 
 use crate::cli::archive::{facts, machine_free};
+use crate::cli::claim::contradictions;
 use crate::cli::failure::Failure;
 use crate::cli::folder::{Source, read_report_from};
 use crate::cli::input::read_file_up_to;
@@ -176,6 +177,7 @@ impl Replay<'_> {
             codecheck: self.opened.files.contains_key(CODECHECK_FILE).then_some(&folder.plan.paper),
         };
         let mut found = reproduction(&self.opened.container, &self.opened.files, &parts, &self.maker);
+        found.differences.extend(contradictions(&product.ledger));
         found.differences.extend(drift(&product.ledger));
         Ok((product, found))
     }

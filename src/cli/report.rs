@@ -10,7 +10,7 @@ use slipmode::report::{
 };
 use slipmode::scene::Limits;
 
-use crate::cli::claim::{print_warnings, verify_claim};
+use crate::cli::claim::{contradictions, print_warnings, refuse_contradictions, verify_claim};
 use crate::cli::environment::{ENVIRONMENT_FILE, Environment};
 use crate::cli::failure::Failure;
 use crate::cli::folder::{read_report, read_scene};
@@ -119,20 +119,23 @@ pub fn run(options: &RunOptions, progress: &Progress) -> Result<(), Failure> {
 /// Makes a report.
 ///
 /// # Errors
-/// When the report's files are at fault or the folder cannot be written.
+/// When the report's files are at fault or the folder cannot be written, and when a verdict does not pass the last gate.
 pub fn report(options: &ReportOptions, progress: &Progress) -> Result<(), Failure> {
     let Made { product, place, publish_page } = make(options, progress)?;
+    let sound = refuse_contradictions(&product.ledger);
     let main_file = if options.for_publication && !publish_page { "report.md" } else { PAGE };
     if options.json {
-        return terminal::print_json(&json!({
+        terminal::print_json(&json!({
             "schema": SCHEMA,
             "inputs": { "report": options.folder },
             "verdicts": verdicts_json(&product.ledger),
             "operating_points": product.ledger.operating_points,
             "output": place.join(main_file),
-        }));
+        }))?;
+    } else {
+        terminal::print(&format!("{}{}\n", summary(&product.ledger), place.join(main_file).display()))?;
     }
-    terminal::print(&format!("{}{}\n", summary(&product.ledger), place.join(main_file).display()))
+    sound
 }
 
 /// Makes a report and compares it with its published copy.
@@ -158,7 +161,8 @@ pub fn verify(options: &VerifyOptions, progress: &Progress) -> Result<(), Failur
         Vec::new()
     };
     moved.extend(product.files.get(PAGE).and_then(|page| over_budget(page.len())));
-    let mut drift = drift(&product.ledger);
+    let mut drift: Vec<String> = contradictions(&product.ledger);
+    drift.extend(self::drift(&product.ledger));
     drift.extend(product.ledger.overstated().map(|entry| {
         format!("{}: the strength {} is above its weakest part's", entry.id, entry.finding.strength.as_str())
     }));

@@ -55,6 +55,9 @@ pub struct Context<'c> {
     pub outcome: &'c Outcome,
     /// The claims of the report.
     pub claims: &'c [ClaimEntry],
+    /// Whether each verdict on a formula has to pass the last gate. It does but where equations are altered on purpose: there a
+    /// verdict is only compared with another one.
+    pub is_gated: bool,
     hopf: [OnceLock<Result<HopfCoefficient, Refutation>>; 2],
 }
 
@@ -62,13 +65,19 @@ impl<'c> Context<'c> {
     /// Nothing is derived from the equations yet.
     #[must_use]
     pub fn new(equations: &'c Equations, outcome: &'c Outcome) -> Self {
-        Self { equations, outcome, claims: &[], hopf: [OnceLock::new(), OnceLock::new()] }
+        Self { equations, outcome, claims: &[], is_gated: true, hopf: [OnceLock::new(), OnceLock::new()] }
     }
 
     /// With the claims of the report, for the tables about them.
     #[must_use]
     pub fn with_claims(self, claims: &'c [ClaimEntry]) -> Self {
         Self { claims, ..self }
+    }
+
+    /// Without the last gate.
+    #[must_use]
+    pub fn ungated(self) -> Self {
+        Self { is_gated: false, ..self }
     }
 
     /// The first Lyapunov coefficient. A claim and a table show it; it takes seconds, so it is derived once.

@@ -10,6 +10,7 @@ use super::Problem;
 use super::points::{self, Point, Points};
 use super::prover::Prover;
 use crate::claims::Finding;
+use crate::claims::finding::NamedPoint;
 use crate::scene::{Comparison, Statement};
 
 /// Of how many points each is compared with each other one.
@@ -93,6 +94,10 @@ impl Attempt<'_> {
         points::text(&self.problem.full(point))
     }
 
+    fn named(&self, point: &points::Point) -> NamedPoint {
+        points::named(&self.problem.full(point))
+    }
+
     fn undecided(&self, tried: &str) -> Finding {
         Finding::not_checked(format!(
             "Not decided: {tried} in {} forms of the conditions, and {} points do not refute it.",
@@ -108,8 +113,10 @@ impl Attempt<'_> {
             .domains
             .first()
             .is_some_and(|domain| domain.rational_function(&slope).is_ok_and(|slope| slope.is_zero()));
-        if is_zero && self.all_points(FIRST_POINTS).any(|point| self.can_move(&point, variable)) {
-            return Finding::failing(format!("its slope in {variable} is 0 everywhere"));
+        let movable = || self.all_points(FIRST_POINTS).find(|point| self.can_move(point, variable));
+        if is_zero && let Some(point) = movable() {
+            return Finding::failing(format!("its slope in {variable} is 0 everywhere"))
+                .seen_at([self.named(&point)]);
         }
         let rising = if comparison == Comparison::Less { -slope.clone() } else { slope.clone() };
         let prover = Prover::new(&self.points);
@@ -126,9 +133,12 @@ impl Attempt<'_> {
             let opposite = if comparison == Comparison::Less { order.is_gt() } else { order.is_lt() };
             let value = points::value(&slope, &point)?;
             (opposite && self.can_move(&point, variable))
-                .then(|| format!("at {}: its slope in {variable} is {value}", self.text(&point)))
+                .then(|| (format!("at {}: its slope in {variable} is {value}", self.text(&point)), point))
         });
-        refuted.map_or_else(|| self.undecided("coefficients of one sign were not found"), Finding::failing)
+        match refuted {
+            Some((words, point)) => Finding::failing(words).seen_at([self.named(&point)]),
+            None => self.undecided("coefficients of one sign were not found"),
+        }
     }
 
     fn limit(
@@ -148,7 +158,7 @@ impl Attempt<'_> {
             }
         }
         match self.other_limit(expression, value, variable, toward) {
-            Some(words) => Finding::failing(words),
+            Some((words, point)) => Finding::failing(words).seen_at([self.named(&point)]),
             None => Finding::not_checked(format!(
                 "Not decided: the limit was not found to be finite and {value} in {} forms of the conditions, and {} points do not refute it.",
                 self.domains.len(),
@@ -164,14 +174,15 @@ impl Attempt<'_> {
         value: &Expression,
         variable: &Symbol,
         toward: Toward,
-    ) -> Option<String> {
+    ) -> Option<(String, Point)> {
         let found = self.domains.first()?.limit(expression, variable, toward).ok()?;
         let found = Expression::from(&found);
         self.all_points(Points::MOST).find_map(|point| {
             let [limit, claimed] = [found.rational_value(&point)?, value.rational_value(&point)?];
             let others: Point = point.into_iter().filter(|(name, _)| name != variable).collect();
-            (limit != claimed)
-                .then(|| format!("at {}: the limit is {limit}, not {claimed}", self.text(&others)))
+            (limit != claimed).then(|| {
+                (format!("at {}: the limit is {limit}, not {claimed}", self.text(&others)), others)
+            })
         })
     }
 
@@ -224,8 +235,9 @@ impl Attempt<'_> {
             shown(&point),
             shown(&at_moved)
         );
+        let pair = [&point, &at_moved].map(|one| self.named(one));
         if !claimed {
-            return Finding::failing(words);
+            return Finding::failing(words).seen_at(pair);
         }
         let Some((value, changed_value)) =
             expression.rational_value(&point).zip(expression.rational_value(&at_moved))
@@ -238,6 +250,6 @@ impl Attempt<'_> {
         let values = [value, changed_value].map(Expression::Number);
         let certificate =
             Certificate::Difference { left: expression.clone(), right: changed, point: listed, values };
-        Finding::from_proof(self.proof.clone().certify(&words, &self.numbers, certificate))
+        Finding::from_proof(self.proof.clone().certify(&words, &self.numbers, certificate)).seen_at(pair)
     }
 }

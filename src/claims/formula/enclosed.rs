@@ -8,6 +8,7 @@ use slipmode_core::number::{Ball, Rational};
 
 use super::Problem;
 use super::lowering::Lowered;
+use super::points;
 use crate::claims::{Evidence, Finding};
 use crate::scene::Comparison;
 
@@ -76,10 +77,12 @@ impl Problem<'_> {
         } else {
             format!("false for all {}; ", sides.collect::<Vec<_>>().join(", "))
         };
-        let place = format!("at {}: {everywhere}{}", super::points::text(&point), enclosures(lowered, part));
+        let place = format!("at {}: {everywhere}{}", points::text(&point), enclosures(lowered, part));
         let quantity = format!("'{}', by enclosures", self.formula.text);
         let value = format!("false in part {looked_at} of the box, at most {MOST_PARTS}");
-        Finding::from_evidence(Evidence::Enclosure { quantity, value }).refuted(place)
+        Finding::from_evidence(Evidence::Enclosure { quantity, value })
+            .refuted(place)
+            .seen_at([points::named(&point)])
     }
 }
 

@@ -114,7 +114,7 @@ impl Problem<'_> {
                 proof.certify(&format!("true at {}", points::text(point)), &self.numbers(), certificate)
             },
         );
-        Finding::from_proof(proof)
+        Finding::from_proof(proof).seen_at([points::named(&self.full(point))])
     }
 
     /// A certificate that no values of the listed variables do, at some values of the other ones.
@@ -152,7 +152,7 @@ impl Problem<'_> {
             } else {
                 format!("at {}: there is none", points::text(&place))
             };
-            Some(Finding::from_disproof(Ok(proof), &words))
+            Some(Finding::from_disproof(Ok(proof), &words).seen_at([points::named(&self.full(&place))]))
         })
     }
 }

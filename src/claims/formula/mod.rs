@@ -16,6 +16,7 @@ use std::collections::BTreeMap;
 use slipmode_algebra::{Certificate, Expression, Literal, Proof, Symbol};
 use slipmode_core::theory::Equations;
 
+use crate::claims::gate;
 use crate::claims::over_rows;
 use crate::claims::reading::{self, of_readings};
 use crate::claims::{Evidence, Finding, Verdict};
@@ -131,7 +132,10 @@ pub(super) fn decide_part(id: &str, words: &str, formula: &ClaimFormula, context
             let found = outside.evidence.into_iter().fold(found, Finding::with_evidence);
             found.within(&limit.words).outside(words)
         }
-        _ => Finding::not_checked(format!("Not decided whether it holds outside its limit: {words}")),
+        _ => Finding {
+            contradictions: outside.contradictions,
+            ..Finding::not_checked(format!("Not decided whether it holds outside its limit: {words}"))
+        },
     }
 }
 
@@ -139,11 +143,12 @@ fn decide_formula(id: &str, words: &str, formula: &ClaimFormula, context: &Conte
     if let Some(table) = &formula.rows {
         return over_rows::decide(table, &formula.text, context);
     }
-    decide_equations(id, words, formula, context.equations)
+    let found = decide_equations(id, words, formula, context.equations);
+    if context.is_gated { gate::passed(formula, found, context.equations) } else { found }
 }
 
 /// The finding on a formula about the equations.
-fn decide_equations(id: &str, words: &str, formula: &ClaimFormula, equations: &Equations) -> Finding {
+pub(super) fn decide_equations(id: &str, words: &str, formula: &ClaimFormula, equations: &Equations) -> Finding {
     let problem = match Problem::new(id, words, formula, equations) {
         Ok(problem) => problem,
         Err(reason) => return Finding::not_checked(reason),

@@ -6,6 +6,7 @@ use rug::float::Round;
 use slipmode_algebra::{Expression, Literal, Symbol};
 use slipmode_core::number::{Ball, Rational};
 
+use crate::claims::finding::NamedPoint;
 use crate::scene::Premises;
 
 /// A value for each variable.
@@ -165,6 +166,11 @@ pub(super) fn value(expression: &Expression, point: &Point) -> Option<String> {
 /// Bits and digits of values that are not rational.
 const BITS: u32 = 128;
 const DIGITS: usize = 12;
+
+/// A point by the names of the variables.
+pub(super) fn named(point: &Point) -> NamedPoint {
+    point.iter().map(|(name, value)| (name.to_string(), value.clone())).collect()
+}
 
 /// A point in words.
 pub(super) fn text(point: &Point) -> String {

@@ -139,7 +139,7 @@ impl Problem<'_> {
             }
             _ => format!("{place}: {}", truths(lowered, &point)),
         };
-        self.is_allowed(&full).then(|| Finding::failing(words))
+        self.is_allowed(&full).then(|| Finding::failing(words).seen_at([points::named(&full)]))
     }
 }
 

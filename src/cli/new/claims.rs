@@ -6,6 +6,8 @@ use slipmode::claims::{Verdict, known_ids, premises};
 use slipmode::report::{self, Folder};
 use slipmode::scene::{ClaimEntry, Faults, read_claims, read_equations};
 
+use crate::cli::claim::refuse_contradictions;
+use crate::cli::failure::Failure;
 use crate::cli::folder::EQUATIONS;
 use crate::cli::new::Effects;
 use crate::cli::progress::Progress;
@@ -75,8 +77,12 @@ pub fn undecided(entries: &[ClaimEntry]) -> String {
 }
 
 /// Computes what the claims of a folder need, and decides them.
-pub fn decide(folder: &Folder, progress: Progress) -> Decided {
+///
+/// # Errors
+/// When a verdict does not pass the last gate.
+pub fn decide(folder: &Folder, progress: Progress) -> Result<Decided, Failure> {
     let (ledger, outcome) = progress.items(|progress| report::decide(folder, &folder.claims, progress));
+    refuse_contradictions(&ledger)?;
     let pairs = folder.claims.iter().cloned().zip(ledger.claims);
     let claims = pairs
         .map(|(entry, found)| DecidedClaim {
@@ -88,7 +94,7 @@ pub fn decide(folder: &Folder, progress: Progress) -> Decided {
     let grids =
         outcome.scenes.iter().filter_map(|scene| scene.simulations.as_ref()).flat_map(|runs| &runs.grids);
     let mut points = grids.flat_map(|(_, grid)| &grid.values);
-    Decided { claims, has_gaps: points.any(|point| point.simulation.is_err()) }
+    Ok(Decided { claims, has_gaps: points.any(|point| point.simulation.is_err()) })
 }
 
 impl Decided {

@@ -5,7 +5,7 @@ use std::sync::{Arc, LazyLock};
 
 use super::definitions::{self, Rest};
 use super::names::Names;
-use super::reading::{self, EquationsText};
+use super::reading::{self, DefinitionText, EquationsText, SystemText};
 use slipmode_algebra::{Condition, Domain, Expression};
 
 /// One equation of a paper.
@@ -157,6 +157,24 @@ impl Equations {
     #[must_use]
     pub fn positive(&self) -> &[String] {
         &self.rest.assumptions.positive
+    }
+
+    /// The variables of either sign.
+    #[must_use]
+    pub fn free(&self) -> &[String] {
+        &self.rest.assumptions.free
+    }
+
+    /// The definitions as they are written.
+    #[must_use]
+    pub fn definitions(&self) -> &[DefinitionText] {
+        &self.rest.definitions
+    }
+
+    /// The systems as they are written.
+    #[must_use]
+    pub fn systems(&self) -> &[SystemText] {
+        &self.rest.systems
     }
 
     /// The right side of the equation of this number.

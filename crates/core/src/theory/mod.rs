@@ -72,7 +72,7 @@ pub mod weak_instability;
 #[doc(hidden)]
 pub mod worst_error;
 
-pub use derivation::System;
+pub use derivation::{Form as Derivation, Operation, System};
 pub use equations::{Equation, EquationFault, Equations, EquationsError};
 pub use names::{Meaning, Names};
 pub use reading::{AssumptionsText, DefinitionText, EquationText, EquationsText, SystemText};

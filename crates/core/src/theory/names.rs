@@ -86,6 +86,12 @@ impl Names {
         self.meanings.get(name)
     }
 
+    /// What the definition of this name was found to be, in variables only.
+    #[must_use]
+    pub fn derived(&self, name: &str) -> Option<&Expression> {
+        self.meanings.iter().find(|(known, _)| known.as_str() == name).map(|(_, one)| &one.expression)
+    }
+
     /// The names of the systems.
     pub fn system_names(&self) -> impl Iterator<Item = &str> {
         self.systems.keys().map(String::as_str)

@@ -72,7 +72,7 @@ impl Operation {
 
 /// The right side of a definition, parsed.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(in crate::theory) struct Form {
+pub struct Form {
     /// What is derived; none for a bare expression.
     pub operation: Option<Operation>,
     /// The name of the system, if one is an argument.

@@ -11,8 +11,8 @@ mod system;
 mod tests;
 mod work;
 
-pub use form::Operation;
-pub(super) use form::{Form, is_name, read_condition, read_name};
+pub use form::{Form, Operation};
+pub(super) use form::{is_name, read_condition, read_name};
 pub(super) use system::MOST_STATES;
 pub use system::System;
 pub(super) use work::Work;

@@ -1,0 +1,323 @@
+//! A claim as the gate reads it: what is said, over which points, with all names found on the tree as it is written.
+
+use std::cmp::Ordering;
+use std::collections::{BTreeMap, BTreeSet};
+
+use slipmode_core::number::Rational;
+use slipmode_algebra::Toward;
+use slipmode_core::theory::Equations;
+
+use super::book::{Book, EITHER_SIGN, Term, UNIT};
+use super::evaluate::Place;
+use super::number::{Found, Number, Trouble};
+use super::truth::{Compared, Said, all};
+use super::value::Value;
+use crate::scene::{ClaimFormula, Comparison, Statement};
+
+/// Values of the variables that are chosen; those of the others follow from the conditions.
+pub(super) type Base = BTreeMap<usize, Rational>;
+
+/// The precisions of balls, one after the other while something stays open.
+const BITS: [u32; 2] = [96, 512];
+
+/// What a point says of something.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum At {
+    /// It does not meet the conditions, or it is not known to.
+    Outside,
+    /// It meets them, and the enclosures stay too wide.
+    Open,
+    /// It meets them, and a side has no value there.
+    NoValue,
+    Says(bool),
+}
+
+/// What is said.
+pub(super) enum Says {
+    True(Said),
+    Limit(Term, Term, usize, Toward),
+    Monotone(Term, Comparison, usize),
+    Depends(Term, bool, usize),
+}
+
+/// An equation among the conditions, and the variable that it is solved for.
+struct Solved {
+    difference: Term,
+    variable: usize,
+}
+
+/// A claim with what it assumes.
+pub(super) struct Claim {
+    pub book: Book,
+    pub says: Says,
+    /// Conditions that are no equations.
+    pub conditions: Vec<Compared>,
+    pub within: Vec<(usize, [Rational; 2])>,
+    at: Vec<(usize, Rational)>,
+    pub there_is: Vec<usize>,
+    pub witness: Vec<(usize, Term)>,
+    /// The variables whose values are chosen.
+    pub chosen: Vec<usize>,
+    solved: Vec<Solved>,
+    /// Whether each equation has one side that is the variable it is solved for, so that no other choice is at hand.
+    pub is_solved_plainly: bool,
+    has_two_signs: bool,
+}
+
+impl Claim {
+    /// The claim; none for statements on motions and rows, which the gate does not evaluate.
+    ///
+    /// # Errors
+    /// When an equation among the conditions is not solved by the gate.
+    pub fn of(formula: &ClaimFormula, equations: &Equations) -> Option<Result<Self, String>> {
+        let mut book = Book::of(equations);
+        let says = match &formula.statement {
+            Statement::True(said) => Says::True(Said::of(said, &mut book)),
+            Statement::Limit(left, value, variable, toward) => {
+                let [left, value] = [left, value].map(|side| book.term(side, None));
+                Says::Limit(left, value, book.variable(variable), *toward)
+            }
+            Statement::Monotone(side, comparison, variable) => {
+                Says::Monotone(book.term(side, None), *comparison, book.variable(variable))
+            }
+            Statement::Depends(side, depends, variable) => {
+                Says::Depends(book.term(side, None), *depends, book.variable(variable))
+            }
+            Statement::Motion(_) => return None,
+        };
+        if formula.rows.is_some() {
+            return None;
+        }
+        let scope = &formula.scope;
+        let condition = |one: &crate::scene::FormulaCondition, book: &mut Book| {
+            let [left, right] = &one.sides;
+            Compared { left: book.term(left, None), comparison: one.comparison, right: book.term(right, None) }
+        };
+        let given: Vec<Compared> = scope.given.iter().map(|one| condition(one, &mut book)).collect();
+        let (equal, conditions): (Vec<_>, Vec<_>) =
+            given.into_iter().partition(|one| one.comparison == Comparison::Equal);
+        let within = scope.within.iter().map(|(name, ends)| (book.variable(name), ends.clone())).collect();
+        let at = scope.at.iter().map(|(name, value)| (book.variable(name), value.clone())).collect();
+        let there_is = scope.there_is.iter().map(|name| book.variable(name)).collect();
+        let witness =
+            scope.witness.iter().map(|(name, value)| (book.variable(name), book.term(value, None))).collect();
+        let mut claim = Self {
+            book,
+            says,
+            conditions,
+            within,
+            at,
+            there_is,
+            witness,
+            chosen: Vec::new(),
+            solved: Vec::new(),
+            is_solved_plainly: true,
+            has_two_signs: false,
+        };
+        claim.choose(&equal);
+        Some(claim.solve(equal).map(|()| claim))
+    }
+
+    /// The variables that the claim reaches, but for those with one value.
+    fn choose(&mut self, equal: &[Compared]) {
+        let mut reached = BTreeSet::new();
+        let sides = equal.iter().chain(&self.conditions).flat_map(|one| [&one.left, &one.right]);
+        let witness = self.witness.iter().map(|(_, value)| value);
+        for term in sides.chain(witness).chain(self.terms()) {
+            self.book.reached(term, &mut reached);
+        }
+        reached.extend(self.there_is.iter().chain(self.moving().iter()));
+        self.has_two_signs = self.book.place(EITHER_SIGN).is_some_and(|sign| reached.contains(&sign));
+        let fixed: BTreeSet<usize> = (self.at.iter().map(|(variable, _)| *variable))
+            .chain([UNIT, EITHER_SIGN].iter().filter_map(|name| self.book.place(name)))
+            .collect();
+        self.chosen = reached.difference(&fixed).copied().collect();
+    }
+
+    fn terms(&self) -> Vec<&Term> {
+        match &self.says {
+            Says::True(said) => said.terms(),
+            Says::Limit(left, value, ..) => vec![left, value],
+            Says::Monotone(side, ..) | Says::Depends(side, ..) => vec![side],
+        }
+    }
+
+    /// The variable that moves.
+    pub fn moving(&self) -> Option<usize> {
+        match &self.says {
+            Says::True(_) => None,
+            Says::Limit(_, _, variable, _) | Says::Monotone(_, _, variable) | Says::Depends(_, _, variable) => {
+                Some(*variable)
+            }
+        }
+    }
+
+    /// Finds a variable for each equation: one that stands alone on a side, or else one in which it is linear.
+    fn solve(&mut self, equal: Vec<Compared>) -> Result<(), String> {
+        for one in equal {
+            let alone = [&one.left, &one.right].into_iter().filter_map(|side| match side {
+                Term::Variable(variable) => Some(*variable),
+                _ => None,
+            });
+            let alone: Vec<usize> = alone.filter(|variable| self.may_solve(*variable)).collect();
+            let mut reached = BTreeSet::new();
+            self.book.reached(&one.left, &mut reached);
+            self.book.reached(&one.right, &mut reached);
+            let mut others: Vec<usize> = reached.into_iter().filter(|variable| self.may_solve(*variable)).collect();
+            others.sort_by_key(|variable| self.book.name(*variable));
+            let difference = one.difference();
+            let candidates = alone.iter().chain(&others);
+            let found = candidates.copied().find(|variable| self.is_linear(&difference, *variable));
+            let variable = found.ok_or("an equation among the conditions is not linear in a variable")?;
+            self.is_solved_plainly &= alone.contains(&variable);
+            self.chosen.retain(|one| *one != variable);
+            self.solved.push(Solved { difference, variable });
+        }
+        Ok(())
+    }
+
+    fn may_solve(&self, variable: usize) -> bool {
+        self.chosen.contains(&variable)
+            && self.moving() != Some(variable)
+            && !self.there_is.contains(&variable)
+    }
+
+    /// Whether the coefficients of a term in a variable are two, at a point without special values.
+    fn is_linear(&self, term: &Term, variable: usize) -> bool {
+        let mut place = Place::new(&self.book, BITS[0]);
+        let all = self.chosen.iter().chain(self.solved.iter().map(|one| &one.variable));
+        for (one, step) in all.zip(1_u32..) {
+            place.set(*one, Number::Exact(Rational::from((3 * step + 4, step + 2))).into());
+        }
+        for (one, value) in &self.at {
+            place.set(*one, Number::Exact(value.clone()).into());
+        }
+        place.coefficients(term, variable).is_ok_and(|list| list.len() == 2)
+    }
+
+    /// The point with these values; none where an equation among the conditions has no solution there.
+    pub fn place(&self, base: &Base, bits: u32) -> Option<Place<'_>> {
+        let mut place = Place::new(&self.book, bits);
+        for (variable, value) in base.iter().chain(self.at.iter().map(|(variable, value)| (variable, value))) {
+            place.set(*variable, Number::Exact(value.clone()).into());
+        }
+        let mut open: Vec<&Solved> = self.solved.iter().filter(|one| !place.has(one.variable)).collect();
+        while !open.is_empty() {
+            let before = open.len();
+            open.retain(|one| match solution(one, &mut place) {
+                Some(value) => {
+                    place.set(one.variable, value);
+                    false
+                }
+                None => true,
+            });
+            if open.len() == before {
+                return None;
+            }
+        }
+        Some(place)
+    }
+
+    /// Whether the point meets every assumption but those of which a variable of `there_is` is a part.
+    pub fn allows(&self, place: &mut Place) -> Found<bool> {
+        let outer = |variable: &usize| !self.there_is.contains(variable);
+        let variables: Vec<usize> = self.variables().filter(outer).collect();
+        let conditions: Vec<&Compared> = self.conditions.iter().filter(|one| !self.is_inner(one)).collect();
+        self.meets(place, &variables, &conditions)
+    }
+
+    /// Whether the values of the variables of `there_is` meet what is assumed of them.
+    pub fn allows_inner(&self, place: &mut Place) -> Found<bool> {
+        let conditions: Vec<&Compared> = self.conditions.iter().filter(|one| self.is_inner(one)).collect();
+        self.meets(place, &self.there_is, &conditions)
+    }
+
+    fn is_inner(&self, condition: &Compared) -> bool {
+        let mut reached = BTreeSet::new();
+        self.book.reached(&condition.left, &mut reached);
+        self.book.reached(&condition.right, &mut reached);
+        self.there_is.iter().any(|variable| reached.contains(variable))
+    }
+
+    fn variables(&self) -> impl Iterator<Item = usize> {
+        let solved = self.solved.iter().map(|one| one.variable);
+        self.chosen.iter().copied().chain(solved).chain(self.at.iter().map(|(variable, _)| *variable))
+    }
+
+    fn meets(&self, place: &mut Place, variables: &[usize], conditions: &[&Compared]) -> Found<bool> {
+        let mut parts = Vec::new();
+        for variable in variables.iter().filter(|variable| self.book.is_positive(**variable)) {
+            let sign = place.get(*variable).and_then(Value::number).map(|number| number.sign());
+            parts.push(sign.and_then(|sign| sign.map(|sign| sign == Ordering::Greater).ok_or(Trouble::Open)));
+        }
+        for (variable, [low, high]) in self.within.iter().filter(|(variable, _)| variables.contains(variable)) {
+            let Ok(Number::Exact(value)) = place.get(*variable).and_then(Value::number) else {
+                parts.push(Err(Trouble::Open));
+                continue;
+            };
+            parts.push(Ok(*low <= value && value <= *high));
+        }
+        parts.extend(conditions.iter().map(|condition| condition.truth(place)));
+        all(parts.into_iter())
+    }
+
+    /// Whether something is true at a point, at the first precision that decides it; for both signs of ±.
+    pub fn decided(&self, base: &Base, ask: impl Fn(&mut Place) -> Found<bool>) -> Found<bool> {
+        let mut found = Err(Trouble::Open);
+        for bits in BITS {
+            let Some(mut place) = self.place(base, bits) else { return Err(Trouble::Open) };
+            found = match self.book.place(EITHER_SIGN).filter(|_| self.has_two_signs) {
+                None => ask(&mut place),
+                Some(sign) => all([1, -1].into_iter().map(|value| {
+                    place.set(sign, Value::whole(value));
+                    ask(&mut place)
+                })),
+            };
+            if found != Err(Trouble::Open) {
+                break;
+            }
+        }
+        found
+    }
+
+    /// Whether something is true at a point that meets the conditions.
+    pub fn at(&self, base: &Base, ask: &impl Fn(&mut Place) -> Found<bool>) -> At {
+        let is_inside = std::cell::Cell::new(false);
+        let found = self.decided(base, |place| {
+            if !is_inside.get() {
+                match self.allows(place) {
+                    Ok(true) => is_inside.set(true),
+                    Ok(false) => return Err(Trouble::NoValue),
+                    Err(trouble) => return Err(trouble),
+                }
+            }
+            ask(place)
+        });
+        match (is_inside.get(), found) {
+            (false, _) => At::Outside,
+            (true, Ok(truth)) => At::Says(truth),
+            (true, Err(Trouble::NoValue)) => At::NoValue,
+            (true, Err(Trouble::Open)) => At::Open,
+        }
+    }
+
+    /// The point in words: the variables that the claim reaches.
+    pub fn text(&self, base: &Base) -> String {
+        let Some(mut place) = self.place(base, BITS[0]) else { return String::new() };
+        let mut named: Vec<(&str, String)> = Vec::new();
+        for variable in self.variables() {
+            if let Ok(number) = place.number(&Term::Variable(variable)) {
+                named.push((self.book.name(variable), number.text()));
+            }
+        }
+        named.sort();
+        named.into_iter().map(|(name, value)| format!("{name} = {value}")).collect::<Vec<_>>().join(", ")
+    }
+}
+
+fn solution(one: &Solved, place: &mut Place) -> Option<Value> {
+    match &place.coefficients(&one.difference, one.variable).ok()?[..] {
+        [rest, slope] => rest.negated().over(slope).ok(),
+        _ => None,
+    }
+}

@@ -1,0 +1,266 @@
+//! The value of a term at a point: a walk along the tree as it is written, and along what its names mean.
+//!
+//! Derivatives are taken with dual numbers, determinants and coefficients with the values at the point, so that `characteristic`,
+//! `linearised`, `rate`, `derivative`, `coefficient`, `solve`, `at` and `exchange` are found without the program's derivations.
+//! `discriminant`, `hurwitz`, `eliminate`, `limit` and `series` need a degree or a limit that one point does not show: their values
+//! are those of the expressions that the program derived.
+
+use std::cmp::Ordering;
+
+use slipmode_algebra::Function;
+use slipmode_core::theory::Operation;
+
+use super::book::{Book, Derived, EITHER_SIGN, Meaning, Term, UNIT};
+use super::number::{Found, Number, Trouble};
+use super::value::{IMAGINARY, Kind, Mark, Value};
+
+/// A point, with what was worked out there.
+pub(super) struct Place<'b> {
+    pub book: &'b Book,
+    /// The precision of balls.
+    pub bits: u32,
+    values: Vec<Option<Value>>,
+    /// What defined names mean here, while no variable is changed.
+    known: Vec<Option<Found<Value>>>,
+    /// How many changes of variables are in force.
+    changes: u32,
+    marks: u32,
+}
+
+impl<'b> Place<'b> {
+    pub fn new(book: &'b Book, bits: u32) -> Self {
+        let mut values = vec![None; book.variable_count()];
+        if let Some(unit) = book.place(UNIT) {
+            values[unit] = Some(Value::with_quantity(Value::whole(0), IMAGINARY));
+        }
+        if let Some(sign) = book.place(EITHER_SIGN) {
+            values[sign] = Some(Value::whole(1));
+        }
+        Self { book, bits, values, known: vec![None; book.defined_count()], changes: 0, marks: 0 }
+    }
+
+    pub fn set(&mut self, variable: usize, value: Value) {
+        self.values[variable] = Some(value);
+        self.known.fill(None);
+    }
+
+    pub fn get(&self, variable: usize) -> Found<Value> {
+        self.values[variable].clone().ok_or(Trouble::Open)
+    }
+
+    pub fn has(&self, variable: usize) -> bool {
+        self.values[variable].is_some()
+    }
+
+    /// A quantity that occurs nowhere yet.
+    pub fn quantity(&mut self, kind: Kind) -> Mark {
+        self.marks += 1;
+        Mark { number: self.marks, kind }
+    }
+
+    /// Something found while variables have other values.
+    pub fn with<T>(&mut self, changes: Vec<(usize, Value)>, find: impl FnOnce(&mut Self) -> T) -> T {
+        let before: Vec<(usize, Option<Value>)> =
+            changes.into_iter().map(|(variable, value)| (variable, self.values[variable].replace(value))).collect();
+        self.changes += 1;
+        let found = find(self);
+        self.changes -= 1;
+        for (variable, value) in before.into_iter().rev() {
+            self.values[variable] = value;
+        }
+        found
+    }
+
+    /// The coefficients of a term as a polynomial in a variable, by ascending power.
+    pub fn coefficients(&mut self, term: &Term, variable: usize) -> Found<Vec<Value>> {
+        let mark = self.quantity(Kind::Free);
+        let free = Value::with_quantity(Value::whole(0), mark);
+        let value = self.with(vec![(variable, free)], |place| place.value(term))?;
+        Ok(value.coefficients(mark))
+    }
+
+    pub fn number(&mut self, term: &Term) -> Found<Number> {
+        self.value(term)?.number()
+    }
+
+    pub fn value(&mut self, term: &Term) -> Found<Value> {
+        match term {
+            Term::Number(value) => Ok(Value::Number(Number::Exact(value.clone()))),
+            Term::Variable(variable) => self.get(*variable),
+            Term::Defined(name) => self.meaning(*name),
+            Term::Sum(parts) => {
+                let mut sum = Value::whole(0);
+                for part in parts {
+                    sum = sum.plus(&self.value(part)?)?;
+                }
+                Ok(sum)
+            }
+            Term::Product(parts) => {
+                let mut product = Value::whole(1);
+                for part in parts {
+                    product = product.times(&self.value(part)?)?;
+                }
+                Ok(product)
+            }
+            Term::Quotient(above, below) => {
+                let above = self.value(above)?;
+                above.over(&self.value(below)?)
+            }
+            Term::Negation(inner) => Ok(self.value(inner)?.negated()),
+            Term::Power(inner, exponent) => self.value(inner)?.power(*exponent),
+            Term::Call(function, inner) => {
+                let bits = self.bits;
+                self.value(inner)?.call(*function, bits)
+            }
+        }
+    }
+
+    fn meaning(&mut self, name: usize) -> Found<Value> {
+        if self.changes == 0
+            && let Some(known) = &self.known[name]
+        {
+            return known.clone();
+        }
+        let book = self.book;
+        let found = match book.meaning(name) {
+            Meaning::Term(term) => self.value(term),
+            Meaning::Derived(derived) => self.derived(derived),
+        };
+        if self.changes == 0 {
+            self.known[name] = Some(found.clone());
+        }
+        found
+    }
+
+    fn derived(&mut self, derived: &Derived) -> Found<Value> {
+        let own = match (derived.operation, &derived.terms[..], &derived.variables[..]) {
+            (Operation::Characteristic, _, [s]) => self.characteristic(derived, *s),
+            (Operation::Linearised, _, [rate, by]) => {
+                let place = |name: &usize| derived.states.iter().position(|state| state == name);
+                match (place(rate), place(by)) {
+                    (Some(rate), Some(by)) => Ok(self.slopes(derived, by)?.swap_remove(rate)),
+                    _ => Err(Trouble::Open),
+                }
+            }
+            (Operation::Rate, [f], _) => self.rate(derived, f),
+            (Operation::Coefficient, [f], [x]) => {
+                let list = self.coefficients(f, *x)?;
+                Ok(list.get(derived.whole).cloned().unwrap_or_else(|| Value::whole(0)))
+            }
+            (Operation::Derivative, [f], [x]) => {
+                let at = self.get(*x)?;
+                self.slope(f, vec![(*x, at, Value::whole(1))])
+            }
+            (Operation::Solve, [f], [x]) => self.solution(f, *x),
+            (Operation::At, [f], _) => {
+                let mut values = Vec::new();
+                for (variable, value) in &derived.values {
+                    values.push((*variable, self.value(value)?));
+                }
+                self.with(values, |place| place.value(f))
+            }
+            (Operation::Exchange, [f], [x, y]) => {
+                let both = vec![(*x, self.get(*y)?), (*y, self.get(*x)?)];
+                self.with(both, |place| place.value(f))
+            }
+            _ => Err(Trouble::Open),
+        };
+        match (own, &derived.found) {
+            (Err(Trouble::Open), Some(found)) => self.value(found),
+            (own, _) => own,
+        }
+    }
+
+    /// The derivative of a term along a direction, at values of some variables.
+    fn slope(&mut self, term: &Term, along: Vec<(usize, Value, Value)>) -> Found<Value> {
+        let mark = self.quantity(Kind::Small);
+        let moved = along
+            .into_iter()
+            .map(|(variable, start, by)| (variable, Value::Series(mark, vec![start, by])))
+            .collect();
+        Ok(self.with(moved, |place| place.value(term))?.coefficient(mark, 1))
+    }
+
+    fn steady(&mut self, derived: &Derived) -> Found<Vec<Value>> {
+        if derived.steady.is_empty() {
+            return Err(Trouble::Open);
+        }
+        derived.steady.iter().map(|one| self.value(one)).collect()
+    }
+
+    /// The slopes of all rates in one state, at the steady state.
+    fn slopes(&mut self, derived: &Derived, by: usize) -> Found<Vec<Value>> {
+        let steady = self.steady(derived)?;
+        let direction = |at: usize| Value::whole(i32::from(at == by));
+        let along: Vec<(usize, Value, Value)> = derived
+            .states
+            .iter()
+            .zip(steady)
+            .enumerate()
+            .map(|(at, (state, value))| (*state, value, direction(at)))
+            .collect();
+        derived.rates.iter().map(|rate| self.slope(rate, along.clone())).collect()
+    }
+
+    /// det(s − J).
+    fn characteristic(&mut self, derived: &Derived, s: usize) -> Found<Value> {
+        let (size, s) = (derived.states.len(), self.get(s)?);
+        let columns = (0..size).map(|by| self.slopes(derived, by)).collect::<Found<Vec<_>>>()?;
+        let mut rows = Vec::new();
+        for row in 0..size {
+            let mut entries: Vec<Value> = columns.iter().map(|column| column[row].negated()).collect();
+            entries[row] = entries[row].plus(&s)?;
+            rows.push(entries);
+        }
+        determinant(&rows)
+    }
+
+    fn rate(&mut self, derived: &Derived, f: &Term) -> Found<Value> {
+        let mut along = Vec::new();
+        for (state, rate) in derived.states.iter().zip(&derived.rates) {
+            along.push((*state, self.get(*state)?, self.value(rate)?));
+        }
+        self.slope(f, along)
+    }
+
+    /// The one zero of what is linear in a variable, or has its square alone and the variable is positive.
+    fn solution(&mut self, f: &Term, x: usize) -> Found<Value> {
+        let bits = self.bits;
+        match &self.coefficients(f, x)?[..] {
+            [rest, slope] => rest.negated().over(slope),
+            [rest, none, square] if none.is_exactly_zero() => {
+                rest.negated().over(square)?.call(Function::Sqrt, bits)
+            }
+            _ => Err(Trouble::Open),
+        }
+    }
+}
+
+/// A determinant, along its first column.
+fn determinant(rows: &[Vec<Value>]) -> Found<Value> {
+    if rows.is_empty() {
+        return Ok(Value::whole(1));
+    }
+    let mut sum = Value::whole(0);
+    for (at, row) in rows.iter().enumerate().filter(|(_, row)| !row[0].is_exactly_zero()) {
+        let others = rows.iter().enumerate().filter(|(other, _)| *other != at);
+        let minor = determinant(&others.map(|(_, row)| row[1..].to_vec()).collect::<Vec<_>>())?;
+        let term = row[0].times(&minor)?;
+        sum = if at % 2 == 0 { sum.plus(&term)? } else { sum.minus(&term)? };
+    }
+    Ok(sum)
+}
+
+/// Whether a value is zero: none where it is open. A value with an imaginary part is zero where both parts are.
+pub(super) fn is_zero(value: &Value) -> Option<bool> {
+    match value {
+        Value::Number(number) => number.sign().map(|sign| sign == Ordering::Equal),
+        Value::Series(_, terms) => {
+            let terms: Vec<Option<bool>> = terms.iter().map(is_zero).collect();
+            match terms.contains(&Some(false)) {
+                true => Some(false),
+                false => terms.iter().all(Option::is_some).then_some(true),
+            }
+        }
+    }
+}

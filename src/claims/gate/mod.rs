@@ -1,0 +1,402 @@
+//! The last gate: before a verdict on a formula leaves the program, it is tested against the claim as it is written.
+//!
+//! The gate shares no code with the prover. It walks the expressions as the user wrote them, finds names on the way, and evaluates in
+//! exact rationals and in balls with outward rounding. A counter-example has to make the formula false with certainty. A claim that
+//! holds is tried at a thousand points that meet its conditions, their edges included. What contradicts a verdict is an error of the
+//! program, never a verdict.
+//!
+//! Statements on motions and on rows of tables are not evaluated.
+
+mod behaviour;
+mod book;
+mod claim;
+mod evaluate;
+mod number;
+mod points;
+mod polynomial;
+mod roots;
+mod truth;
+mod value;
+
+use std::collections::BTreeSet;
+
+use slipmode_core::number::Rational;
+use slipmode_core::theory::Equations;
+
+use crate::claims::finding::NamedPoint;
+use crate::claims::{Finding, Verdict};
+use crate::scene::ClaimFormula;
+use behaviour::Tail;
+use claim::{At, Base, Claim, Says};
+use points::{Sequence, comparisons, power_of_two};
+use truth::Said;
+
+/// At how many points a claim that holds is tried.
+const POINTS: usize = 1000;
+
+/// How many points are looked at for that, and at how many of those next to an edge.
+const LOOKED_AT: u32 = 3000;
+const EDGE_STARTS: usize = 12;
+
+/// Along how many sequences a limit is followed, and from how many points a counter-example to it.
+const SEQUENCES: usize = 24;
+
+/// What the gate found.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) enum Outcome {
+    /// Nothing contradicts the verdict. So many points were tried, and so many of them stayed open.
+    Passed { points: usize, open: usize },
+    /// There is nothing that the gate evaluates.
+    NotEvaluated(String),
+    /// A counter-example, or a point that shows that there is one, does not show it with certainty.
+    Unconfirmed(String),
+    /// The verdict is wrong.
+    Contradicted(String),
+}
+
+/// The finding, if the gate does not contradict it. Else the formula is not checked, and the finding says that the program is at fault.
+pub(super) fn passed(formula: &ClaimFormula, finding: Finding, equations: &Equations) -> Finding {
+    let verdict = finding.verdict.as_str();
+    match tested(formula, &finding, equations) {
+        Outcome::Passed { .. } | Outcome::NotEvaluated(_) => finding,
+        Outcome::Unconfirmed(why) => Finding::not_checked(format!(
+            "Not decided: the proof says that '{}' {verdict}, and an independent evaluation does not confirm it. {why}",
+            formula.text
+        )),
+        Outcome::Contradicted(why) => Finding::contradicted(format!(
+            "the proof says that '{}' {verdict}, and an independent evaluation contradicts it. {why}",
+            formula.text
+        )),
+    }
+}
+
+/// Tests a verdict on a formula.
+pub(super) fn tested(formula: &ClaimFormula, finding: &Finding, equations: &Equations) -> Outcome {
+    let holds = match finding.verdict {
+        Verdict::Holds => true,
+        Verdict::Fails => false,
+        Verdict::HoldsWithin | Verdict::NotChecked => {
+            return Outcome::NotEvaluated("there is no verdict".into());
+        }
+    };
+    let claim = match Claim::of(formula, equations) {
+        None => return Outcome::NotEvaluated("a statement on motions or rows".into()),
+        Some(Err(why)) => return Outcome::NotEvaluated(why),
+        Some(Ok(claim)) => claim,
+    };
+    let points: Vec<Base> = finding.points.iter().map(|point| claim.base(point)).collect();
+    match (&claim.says, holds) {
+        (Says::True(said), true) if claim.there_is.is_empty() => claim.everywhere(said),
+        (Says::True(said), false) if claim.there_is.is_empty() => claim.counter_example(said, &points),
+        (Says::True(said), true) => claim.somewhere(said, &points),
+        (Says::True(said), false) => claim.nowhere(said, &points),
+        (Says::Limit(..), _) => claim.limit(holds, &points),
+        (Says::Monotone(..), true) => claim.monotone(),
+        (Says::Monotone(..), false) => claim.not_monotone(&points),
+        (Says::Depends(_, depends, _), _) => {
+            if *depends == holds { claim.differs(&points) } else { claim.is_same() }
+        }
+    }
+}
+
+/// What was found so far on a formula that holds.
+#[derive(Default)]
+struct Tally {
+    tried: usize,
+    open: usize,
+    /// The first points that were tried.
+    starts: Vec<Base>,
+}
+
+impl Tally {
+    /// Tries a point, and says what contradicts there.
+    fn add(&mut self, claim: &Claim, said: &Said, base: Base) -> Option<Outcome> {
+        let found = claim.at(&base, &|place| said.truth(place));
+        self.tried += usize::from(found != At::Outside);
+        self.open += usize::from(found == At::Open);
+        match found {
+            At::Says(false) => Some(Outcome::Contradicted(format!("At {} it is false.", claim.text(&base)))),
+            At::NoValue => Some(Outcome::Contradicted(format!("At {} a side has no value.", claim.text(&base)))),
+            At::Says(true) if self.starts.len() < EDGE_STARTS => {
+                self.starts.push(base);
+                None
+            }
+            _ => None,
+        }
+    }
+}
+
+impl Claim {
+    /// The values of a point for the variables that are chosen; a variable that the point leaves out has the value 1.
+    fn base(&self, point: &NamedPoint) -> Base {
+        let value = |variable: &usize| {
+            let known = point.get(self.book.name(*variable)).cloned();
+            (*variable, known.unwrap_or_else(|| Rational::from(1)))
+        };
+        self.chosen.iter().map(value).collect()
+    }
+
+    /// Points that meet the conditions.
+    fn inside(&self) -> impl Iterator<Item = Base> + '_ {
+        let mut sequence = Sequence::new();
+        (0..LOOKED_AT).filter_map(move |turn| {
+            let point = self.point(turn, &mut sequence);
+            match self.is_inside(&point) {
+                true => Some(point),
+                false => self.repaired(point, turn).filter(|point| self.is_inside(point)),
+            }
+        })
+    }
+
+    /// Points next to where a comparison, a predicate or a condition changes.
+    fn edges(&self, said: &Said, starts: &[Base]) -> Vec<Base> {
+        let mut found = Vec::new();
+        let sides = comparisons(said).into_iter().chain(&self.conditions);
+        for (turn, compared) in sides.enumerate() {
+            for (at, base) in starts.iter().take(EDGE_STARTS).enumerate() {
+                let Some(variable) = self.nth_chosen(turn + at) else { continue };
+                found.extend(self.near_zero(base, compared, variable).into_iter().flatten());
+            }
+        }
+        for (turn, atom) in said.atoms().into_iter().enumerate() {
+            for (at, base) in starts.iter().take(EDGE_STARTS).enumerate() {
+                let Some(variable) = self.nth_chosen(turn + at) else { continue };
+                found.extend(self.next_to_edge(base, variable, &|place| atom.truth(place)));
+            }
+        }
+        let is_possible = |base: &Base| base.iter().all(|(variable, value)| !self.book.is_positive(*variable) || *value > 0);
+        found.retain(is_possible);
+        found
+    }
+
+    fn nth_chosen(&self, turn: usize) -> Option<usize> {
+        (!self.chosen.is_empty()).then(|| self.chosen[turn % self.chosen.len()])
+    }
+
+    /// A formula for all values that the conditions allow.
+    fn everywhere(&self, said: &Said) -> Outcome {
+        let mut tally = Tally::default();
+        let found = self.inside().take(POINTS).find_map(|base| tally.add(self, said, base));
+        let found = found.or_else(|| {
+            let edges = self.edges(said, &tally.starts);
+            edges.into_iter().find_map(|base| tally.add(self, said, base))
+        });
+        found.unwrap_or(Outcome::Passed { points: tally.tried, open: tally.open })
+    }
+
+    /// A point at which a formula is false.
+    fn counter_example(&self, said: &Said, points: &[Base]) -> Outcome {
+        let Some(base) = points.first() else {
+            return Outcome::Unconfirmed("The counter-example names no point.".into());
+        };
+        let place = self.text(base);
+        match self.at(base, &|place| said.truth(place)) {
+            At::Says(false) => Outcome::Passed { points: 1, open: 0 },
+            At::Says(true) => Outcome::Contradicted(format!("At {place} it is true.")),
+            At::NoValue => Outcome::Contradicted(format!("At {place} a side has no value.")),
+            At::Open => Outcome::Unconfirmed(format!("At {place} enclosures leave it open.")),
+            At::Outside if self.decided(base, |place| self.allows(place)) == Ok(false) => {
+                Outcome::Contradicted(format!("At {place} a condition is not met."))
+            }
+            At::Outside => Outcome::Unconfirmed(format!("At {place} enclosures leave a condition open.")),
+        }
+    }
+
+    /// Whether the values of the variables of `there_is` at a point, or those of the witness there, do.
+    fn does(&self, said: &Said, base: &Base) -> At {
+        self.at(base, &|place| {
+            let values = self.witness.iter().map(|(variable, value)| Ok((*variable, place.value(value)?)));
+            for (variable, value) in values.collect::<number::Found<Vec<_>>>()? {
+                place.set(variable, value);
+            }
+            truth::all([self.allows_inner(place), said.truth(place)].into_iter())
+        })
+    }
+
+    /// For all values of the other variables there is one that does: the witness, or without other variables the point.
+    fn somewhere(&self, said: &Said, points: &[Base]) -> Outcome {
+        if self.witness.is_empty() {
+            let Some(base) = points.first() else {
+                return Outcome::Unconfirmed("The proof names no point.".into());
+            };
+            return match self.does(said, base) {
+                At::Says(true) => Outcome::Passed { points: 1, open: 0 },
+                At::Says(false) | At::NoValue => {
+                    Outcome::Contradicted(format!("At {} it is false.", self.text(base)))
+                }
+                At::Open | At::Outside => {
+                    Outcome::Unconfirmed(format!("At {} enclosures leave it open.", self.text(base)))
+                }
+            };
+        }
+        let (mut tried, mut open) = (0, 0);
+        for base in self.inside().take(POINTS) {
+            match self.does(said, &base) {
+                At::Outside => {}
+                At::Open => open += 1,
+                At::Says(true) => tried += 1,
+                At::Says(false) | At::NoValue => {
+                    let place = self.text(&base);
+                    return Outcome::Contradicted(format!("With the witness in place it is false at {place}."));
+                }
+            }
+        }
+        Outcome::Passed { points: tried + open, open }
+    }
+
+    /// At the values of the other variables that the point names there is no value that does.
+    fn nowhere(&self, said: &Said, points: &[Base]) -> Outcome {
+        let Some(named) = points.first() else {
+            return Outcome::Unconfirmed("The proof names no values of the other variables.".into());
+        };
+        let mut tried = 0;
+        for other in self.inside().take(POINTS) {
+            let mut base = named.clone();
+            for variable in &self.there_is {
+                base.extend(other.get(variable).map(|value| (*variable, value.clone())));
+            }
+            let does = self.at(&base, &|place| truth::all([self.allows_inner(place), said.truth(place)].into_iter()));
+            match does {
+                At::Says(true) => {
+                    return Outcome::Contradicted(format!("At {} it is true.", self.text(&base)));
+                }
+                At::Outside if self.decided(&base, |place| self.allows(place)) == Ok(false) => {
+                    return Outcome::Contradicted(format!("At {} a condition is not met.", self.text(&base)));
+                }
+                _ => tried += 1,
+            }
+        }
+        Outcome::Passed { points: tried, open: 0 }
+    }
+
+    /// Pairs of points that meet the conditions and differ in the variable that moves.
+    fn pairs(&self, variable: usize, count: usize) -> impl Iterator<Item = [Base; 2]> + '_ {
+        let mut sequence = Sequence::new();
+        let bases: Vec<Base> = self.inside().take(count).collect();
+        let values: Vec<Base> = bases.iter().take(64).cloned().collect();
+        bases.into_iter().filter_map(move |base| {
+            let here = base.get(&variable)?.clone();
+            let other = match sequence.below(3) {
+                0 => here * (power_of_two(-(sequence.below(20) as i32)) + 1_u32),
+                _ => values.get(sequence.below(values.len() as u32) as usize)?.get(&variable)?.clone(),
+            };
+            let moved = Self::moved(&base, variable, other);
+            (moved != base && self.is_inside(&moved)).then_some([base, moved])
+        })
+    }
+
+    fn monotone(&self) -> Outcome {
+        let Says::Monotone(side, comparison, variable) = &self.says else {
+            return Outcome::NotEvaluated(String::new());
+        };
+        if !self.is_solved_plainly {
+            return Outcome::NotEvaluated("which variable moves along is open".into());
+        }
+        let mut tried = 0;
+        for [one, other] in self.pairs(*variable, POINTS) {
+            if self.refutes_monotone(side, *comparison, *variable, [&one, &other]) {
+                return Outcome::Contradicted(format!(
+                    "It does not at {} and {} = {}.",
+                    self.text(&one),
+                    self.book.name(*variable),
+                    other[variable]
+                ));
+            }
+            tried += 1;
+        }
+        Outcome::Passed { points: tried, open: 0 }
+    }
+
+    /// Two points, or a point next to which the side moves the wrong way.
+    fn not_monotone(&self, points: &[Base]) -> Outcome {
+        let Says::Monotone(side, comparison, variable) = &self.says else {
+            return Outcome::NotEvaluated(String::new());
+        };
+        if !self.is_solved_plainly {
+            return Outcome::NotEvaluated("which variable moves along is open".into());
+        }
+        let Some(base) = points.first() else {
+            return Outcome::Unconfirmed("The counter-example names no point.".into());
+        };
+        let here = &base[variable];
+        let near = (0..16).flat_map(|turn| {
+            let step = power_of_two(-2 * turn) * (Rational::from(here.abs_ref()) + power_of_two(-4)) / 2_u32;
+            [Rational::from(here + &step), Rational::from(here - &step)]
+        });
+        let near = near.map(|value| Self::moved(base, *variable, value));
+        let shown = points[1..]
+            .iter()
+            .cloned()
+            .chain(near)
+            .any(|other| self.refutes_monotone(side, *comparison, *variable, [base, &other]));
+        match shown {
+            true => Outcome::Passed { points: 1, open: 0 },
+            false => Outcome::Unconfirmed(format!("Next to {} no pair of points shows it.", self.text(base))),
+        }
+    }
+
+    /// Two points at which the side differs.
+    fn differs(&self, points: &[Base]) -> Outcome {
+        let Says::Depends(side, _, variable) = &self.says else { return Outcome::NotEvaluated(String::new()) };
+        let [one, other, ..] = points else {
+            return Outcome::Unconfirmed("The proof names no two points.".into());
+        };
+        let differ_in: BTreeSet<_> =
+            one.iter().filter(|(name, value)| other.get(name) != Some(value)).map(|(name, _)| *name).collect();
+        let places = format!("{} and {} = {}", self.text(one), self.book.name(*variable), other[variable]);
+        if differ_in != BTreeSet::from([*variable]) || !self.is_inside(one) || !self.is_inside(other) {
+            return Outcome::Contradicted(format!("The points {places} do not meet the conditions."));
+        }
+        match self.compared(side, one, other) {
+            Some(std::cmp::Ordering::Equal) => Outcome::Contradicted(format!("It is the same at {places}.")),
+            Some(_) => Outcome::Passed { points: 1, open: 0 },
+            None => Outcome::Unconfirmed(format!("At {places} enclosures leave it open.")),
+        }
+    }
+
+    /// No two points show a difference.
+    fn is_same(&self) -> Outcome {
+        let Says::Depends(side, _, variable) = &self.says else { return Outcome::NotEvaluated(String::new()) };
+        if !self.is_solved_plainly {
+            return Outcome::NotEvaluated("which variable moves along is open".into());
+        }
+        let mut tried = 0;
+        for [one, other] in self.pairs(*variable, POINTS) {
+            if self.compared(side, &one, &other).is_some_and(std::cmp::Ordering::is_ne) {
+                return Outcome::Contradicted(format!(
+                    "It differs at {} and {} = {}.",
+                    self.text(&one),
+                    self.book.name(*variable),
+                    other[variable]
+                ));
+            }
+            tried += 1;
+        }
+        Outcome::Passed { points: tried, open: 0 }
+    }
+
+    /// A limit that holds, or one that does not from a point on. A tail that is not clear contradicts nothing.
+    fn limit(&self, holds: bool, points: &[Base]) -> Outcome {
+        let Says::Limit(side, value, variable, toward) = &self.says else {
+            return Outcome::NotEvaluated(String::new());
+        };
+        let bases = if holds { self.inside().take(SEQUENCES).collect() } else { points.to_vec() };
+        let (mut clear, mut open) = (0, 0);
+        for base in &bases {
+            match (self.tail(side, value, *variable, *toward, base), holds) {
+                (Tail::There, true) | (Tail::Elsewhere(_), false) => clear += 1,
+                (Tail::Unclear, _) => open += 1,
+                (Tail::Elsewhere(words), true) => {
+                    return Outcome::Contradicted(format!("Along {} the side {words}.", self.text(base)));
+                }
+                (Tail::There, false) => {
+                    return Outcome::Contradicted(format!("Along {} it tends to the value.", self.text(base)));
+                }
+            }
+        }
+        Outcome::Passed { points: clear + open, open }
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,202 @@
+//! Numbers of the gate: an exact rational as long as every step is rational, a ball with outward rounding after that.
+
+use std::cmp::Ordering;
+
+use slipmode_core::number::{Ball, Rational, Real};
+use slipmode_algebra::Function;
+
+/// Why a term has no number.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Trouble {
+    /// It has none at this point, for certain: a division by zero, the logarithm or the root of a negative number.
+    NoValue,
+    /// The enclosures are too wide to say, or the gate has no way to evaluate it.
+    Open,
+}
+
+/// A number or why there is none.
+pub(super) type Found<T> = Result<T, Trouble>;
+
+/// A real number.
+#[derive(Debug, Clone)]
+pub(super) enum Number {
+    Exact(Rational),
+    /// The root of a positive rational that is no square, or its negative: a square of it is exact again.
+    Root {
+        square: Rational,
+        negative: bool,
+        bits: u32,
+    },
+    Within(Ball),
+}
+
+impl Number {
+    pub fn whole(value: i32) -> Self {
+        Self::Exact(Rational::from(value))
+    }
+
+    /// An enclosure of this precision.
+    pub fn ball(&self, bits: u32) -> Ball {
+        match self {
+            Self::Exact(value) => Ball::from_rational(value, bits),
+            Self::Root { square, negative, .. } => {
+                let root = Ball::from_rational(square, bits).sqrt();
+                if *negative { -root } else { root }
+            }
+            Self::Within(ball) => ball.clone(),
+        }
+    }
+
+    /// ±√square, exact where the square is one of a rational.
+    fn root(square: Rational, negative: bool, bits: u32) -> Self {
+        if square.numer().is_perfect_square() && square.denom().is_perfect_square() {
+            let (above, below) = square.into_numer_denom();
+            let root = Rational::from((above.sqrt(), below.sqrt()));
+            return Self::Exact(if negative { -root } else { root });
+        }
+        Self::Root { square, negative, bits }
+    }
+
+    /// Its square and whether it is negative, where it is a rational or the root of one; and the precision of the root.
+    fn square(&self) -> Option<(Rational, bool, u32)> {
+        match self {
+            Self::Exact(value) => Some((Rational::from(value.square_ref()), value.is_negative(), 0)),
+            Self::Root { square, negative, bits } => Some((square.clone(), *negative, *bits)),
+            Self::Within(_) => None,
+        }
+    }
+
+    /// The precision of an enclosure of it.
+    fn bits(&self) -> u32 {
+        match self {
+            Self::Exact(_) => 0,
+            Self::Root { bits, .. } => *bits,
+            Self::Within(ball) => ball.precision_bits(),
+        }
+    }
+
+    pub fn is_exactly_zero(&self) -> bool {
+        matches!(self, Self::Exact(value) if value.is_zero())
+    }
+
+    /// How it compares with zero; none where the ball leaves it open.
+    pub fn sign(&self) -> Option<Ordering> {
+        match self {
+            Self::Exact(value) => Some(value.cmp0()),
+            Self::Root { negative, .. } => Some(if *negative { Ordering::Less } else { Ordering::Greater }),
+            Self::Within(ball) => ball.sign(),
+        }
+    }
+
+    fn of(ball: Ball) -> Found<Self> {
+        if ball.is_bounded() { Ok(Self::Within(ball)) } else { Err(Trouble::Open) }
+    }
+
+    /// An operation on two exact numbers, or else on two balls of the precision that one of them has.
+    fn joined(
+        &self,
+        other: &Self,
+        exact: impl Fn(&Rational, &Rational) -> Rational,
+        enclosed: impl Fn(Ball, &Ball) -> Ball,
+    ) -> Found<Self> {
+        if let (Self::Exact(left), Self::Exact(right)) = (self, other) {
+            return Ok(Self::Exact(exact(left, right)));
+        }
+        let bits = self.bits().max(other.bits());
+        Self::of(enclosed(self.ball(bits), &other.ball(bits)))
+    }
+
+    /// A product or quotient of a root with a root or a rational, from the one of the squares.
+    fn of_squares(&self, other: &Self, join: impl Fn(Rational, Rational) -> Rational) -> Option<Self> {
+        if !matches!(self, Self::Root { .. }) && !matches!(other, Self::Root { .. }) {
+            return None;
+        }
+        let ((left, one, bits), (right, two, other_bits)) = (self.square()?, other.square()?);
+        Some(Self::root(join(left, right), one != two, bits.max(other_bits)))
+    }
+
+    pub fn plus(&self, other: &Self) -> Found<Self> {
+        self.joined(other, |left, right| Rational::from(left + right), |left, right| left + right)
+    }
+
+    pub fn minus(&self, other: &Self) -> Found<Self> {
+        if let (Self::Root { square, negative, .. }, Self::Root { square: right, negative: sign, .. }) =
+            (self, other)
+            && (square, negative) == (right, sign)
+        {
+            return Ok(Self::whole(0));
+        }
+        self.joined(other, |left, right| Rational::from(left - right), |left, right| left - right)
+    }
+
+    pub fn times(&self, other: &Self) -> Found<Self> {
+        if self.is_exactly_zero() || other.is_exactly_zero() {
+            return Ok(Self::whole(0));
+        }
+        if let Some(product) = self.of_squares(other, |left, right| left * right) {
+            return Ok(product);
+        }
+        self.joined(other, |left, right| Rational::from(left * right), |left, right| left * right)
+    }
+
+    pub fn over(&self, other: &Self) -> Found<Self> {
+        match other.sign() {
+            None => Err(Trouble::Open),
+            Some(Ordering::Equal) => Err(Trouble::NoValue),
+            Some(_) if self.is_exactly_zero() => Ok(Self::whole(0)),
+            Some(_) => match self.of_squares(other, |left, right| left / right) {
+                Some(quotient) => Ok(quotient),
+                None => {
+                    self.joined(other, |left, right| Rational::from(left / right), |left, right| left / right)
+                }
+            },
+        }
+    }
+
+    pub fn negated(&self) -> Self {
+        match self {
+            Self::Exact(value) => Self::Exact(Rational::from(-value)),
+            Self::Root { square, negative, bits } => {
+                Self::Root { square: square.clone(), negative: !negative, bits: *bits }
+            }
+            Self::Within(ball) => Self::Within(-ball.clone()),
+        }
+    }
+
+    /// A function of it: exact where the value is seen to be rational.
+    pub fn call(&self, function: Function, bits: u32) -> Found<Self> {
+        let sign = self.sign();
+        match function {
+            Function::Abs => match sign {
+                Some(Ordering::Less) => Ok(self.negated()),
+                Some(_) => Ok(self.clone()),
+                None => Self::of(slipmode_core::number::Field::square(&self.ball(bits)).sqrt()),
+            },
+            Function::Sqrt => match (self, sign) {
+                (_, Some(Ordering::Less)) => Err(Trouble::NoValue),
+                (_, None) => Err(Trouble::Open),
+                (_, Some(Ordering::Equal)) => Ok(Self::whole(0)),
+                (Self::Exact(value), _) => Ok(Self::root(value.clone(), false, bits)),
+                _ => Self::of(self.ball(bits).sqrt()),
+            },
+            Function::Ln => match (self, sign) {
+                (_, Some(Ordering::Less | Ordering::Equal)) => Err(Trouble::NoValue),
+                (_, None) => Err(Trouble::Open),
+                (Self::Exact(value), _) if *value == 1 => Ok(Self::whole(0)),
+                _ => Self::of(self.ball(bits).ln()),
+            },
+            Function::Exp if self.is_exactly_zero() => Ok(Self::whole(1)),
+            Function::Exp => Self::of(self.ball(bits).exp()),
+            Function::Asinh if self.is_exactly_zero() => Ok(Self::whole(0)),
+            Function::Asinh => Self::of(self.ball(bits).asinh()),
+        }
+    }
+
+    /// In words: the rational, or the digits of the middle of the ball.
+    pub fn text(&self) -> String {
+        match self {
+            Self::Exact(value) => value.to_string(),
+            _ => self.ball(64).centre().to_string_radix(10, Some(12)),
+        }
+    }
+}

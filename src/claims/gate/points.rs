@@ -1,0 +1,151 @@
+//! Points at which a claim is tried: numbers over many decades, small numbers, squares, equal values, and edges of comparisons.
+
+use slipmode_core::number::Rational;
+
+use super::claim::{At, Base, Claim};
+use super::evaluate::Place;
+use super::number::{Found, Number};
+use super::truth::{Compared, Said};
+use super::value::Value;
+
+/// A sequence of numbers that is the same everywhere.
+pub(super) struct Sequence(u64);
+
+impl Sequence {
+    pub fn new() -> Self {
+        Self(0x51_1d_e4_0d)
+    }
+
+    pub fn below(&mut self, end: u32) -> u32 {
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        ((self.0 >> 33) % u64::from(end)) as u32
+    }
+}
+
+/// 2^exponent.
+pub(super) fn power_of_two(exponent: i32) -> Rational {
+    let size = Rational::from(1) << exponent.unsigned_abs();
+    if exponent < 0 { size.recip() } else { size }
+}
+
+impl Claim {
+    /// A point without regard to the conditions.
+    pub fn point(&self, turn: u32, sequence: &mut Sequence) -> Base {
+        let mut base = Base::new();
+        for variable in &self.chosen {
+            let within = self.within.iter().find(|(one, _)| one == variable);
+            let value = match within {
+                Some((_, [low, high])) => {
+                    low + Rational::from(high - low) * Rational::from((sequence.below(17), 16))
+                }
+                None => self.unbounded(*variable, turn, sequence),
+            };
+            base.insert(*variable, value);
+        }
+        if turn % 8 == 6 && self.chosen.len() > 1 {
+            let mut any = || self.chosen[sequence.below(self.chosen.len() as u32) as usize];
+            let (one, other) = (any(), any());
+            if self.within.iter().all(|(variable, _)| *variable != one) && self.book.is_positive(other) {
+                base.insert(one, base[&other].clone());
+            }
+        }
+        base
+    }
+
+    fn unbounded(&self, variable: usize, turn: u32, sequence: &mut Sequence) -> Rational {
+        let mut small = |end: u32| 1 + sequence.below(end);
+        let size = match turn % 8 {
+            0 => Rational::from(if turn == 0 { 1 } else { small(3) }),
+            1 | 2 => Rational::from((small(63), 16)) * power_of_two(small(41) as i32 - 21),
+            3 | 4 => Rational::from((small(31), 16)) * power_of_two(small(9) as i32 - 5),
+            5 => {
+                let root = Rational::from((small(12), small(8)));
+                Rational::from(root.square_ref())
+            }
+            _ => Rational::from((small(9), small(3))),
+        };
+        match (self.book.is_positive(variable), small(9)) {
+            (true, _) => size,
+            (false, 1) => Rational::new(),
+            (false, 2..=5) => -size,
+            (false, _) => size,
+        }
+    }
+
+    /// The point moved so that it meets the conditions, one condition and one variable at a time.
+    pub fn repaired(&self, mut base: Base, turn: u32) -> Option<Base> {
+        for _ in 0..=self.conditions.len() {
+            let unmet = self.conditions.iter().find(|one| self.decided(&base, |place| one.truth(place)) != Ok(true));
+            let Some(unmet) = unmet else { return Some(base) };
+            let count = self.chosen.len();
+            let variables = (0..count).map(|at| self.chosen[(at + turn as usize) % count]);
+            base = variables.filter_map(|variable| self.near_zero(&base, unmet, variable)).flatten().find(|moved| {
+                self.decided(moved, |place| unmet.truth(place)) == Ok(true)
+                    && self.chosen.iter().all(|one| !self.book.is_positive(*one) || moved[one] > 0)
+            })?;
+        }
+        None
+    }
+
+    /// The point with the value of one variable at which two sides are equal, and values next to it, where they are linear in it.
+    pub fn near_zero(&self, base: &Base, compared: &Compared, variable: usize) -> Option<[Base; 7]> {
+        let mut place = self.place(base, 96)?;
+        let Ok([rest, slope]) = <[Value; 2]>::try_from(place.coefficients(&compared.difference(), variable).ok()?)
+        else {
+            return None;
+        };
+        let Ok(Number::Exact(zero)) = rest.negated().over(&slope).and_then(Value::number) else { return None };
+        let step = power_of_two(-30) * (Rational::from(zero.abs_ref()) + power_of_two(-10));
+        let values = [
+            zero.clone(),
+            Rational::from(&zero + &step),
+            Rational::from(&zero - &step),
+            Rational::from(&zero * 2_u32),
+            Rational::from(&zero / 2_u32),
+            Rational::from(&zero + 1_u32),
+            Rational::from(&zero - 1_u32),
+        ];
+        Some(values.map(|value| {
+            let mut moved = base.clone();
+            moved.insert(variable, value);
+            moved
+        }))
+    }
+
+    /// Points to both sides of where the truth of something changes as one variable grows from a point.
+    pub fn next_to_edge(&self, base: &Base, variable: usize, ask: &impl Fn(&mut Place) -> Found<bool>) -> Vec<Base> {
+        let with = |value: &Rational| {
+            let mut moved = base.clone();
+            moved.insert(variable, value.clone());
+            moved
+        };
+        let truth = |value: &Rational| match self.at(&with(value), ask) {
+            At::Says(truth) => Some(truth),
+            _ => None,
+        };
+        let start = base[&variable].clone();
+        let Some(here) = truth(&start).filter(|_| start != 0) else { return Vec::new() };
+        let scales = [1, -1, 3, -3, 8, -8, 20, -20];
+        let across = scales.into_iter().map(|scale| power_of_two(scale) * &start);
+        let Some(mut far) = across.into_iter().find(|value| truth(value) == Some(!here)) else { return Vec::new() };
+        let mut near = start;
+        for _ in 0..24 {
+            let middle = Rational::from(&near + &far) / 2_u32;
+            match truth(&middle) {
+                Some(truth) if truth == here => near = middle,
+                Some(_) => far = middle,
+                None => break,
+            }
+        }
+        vec![with(&near), with(&far)]
+    }
+}
+
+/// The comparisons of a formula.
+pub(super) fn comparisons<'s>(said: &'s Said) -> Vec<&'s Compared> {
+    let compared = |atom: &'s Said| match atom {
+        Said::Compare(compared) => Some(compared),
+        _ => None,
+    };
+    said.atoms().into_iter().filter_map(compared).collect()
+}
