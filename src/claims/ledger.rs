@@ -121,7 +121,9 @@ impl Ledger {
 
     /// What an independent evaluation found against what was proved, with the claims' ids: the program is at fault.
     pub fn contradictions(&self) -> impl Iterator<Item = (&str, &str)> {
-        let of = |entry: &'_ Entry| entry.finding.contradictions.iter().map(move |one| (entry.id.as_str(), one.as_str()));
+        let of = |entry: &'_ Entry| {
+            entry.finding.contradictions.iter().map(move |one| (entry.id.as_str(), one.as_str()))
+        };
         self.claims.iter().flat_map(of)
     }
 

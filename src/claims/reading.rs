@@ -93,8 +93,15 @@ pub(super) fn of_readings(drafts: impl IntoIterator<Item = Draft>) -> Finding {
     let (mut evidence, mut remarks, mut contradictions) = (Vec::new(), Vec::new(), Vec::new());
     let mut reading = |Draft { words, parts }: Draft| {
         let mut part = |(words, finding): (String, Finding)| {
-            let Finding { verdict, strength, mut limit, counter_example, remarks: own, contradictions: at_fault, .. } =
-                finding;
+            let Finding {
+                verdict,
+                strength,
+                mut limit,
+                counter_example,
+                remarks: own,
+                contradictions: at_fault,
+                ..
+            } = finding;
             contradictions.extend(at_fault);
             match verdict {
                 Verdict::NotChecked => limit = Some(own.join(" ")),

@@ -148,7 +148,12 @@ fn decide_formula(id: &str, words: &str, formula: &ClaimFormula, context: &Conte
 }
 
 /// The finding on a formula about the equations.
-pub(super) fn decide_equations(id: &str, words: &str, formula: &ClaimFormula, equations: &Equations) -> Finding {
+pub(super) fn decide_equations(
+    id: &str,
+    words: &str,
+    formula: &ClaimFormula,
+    equations: &Equations,
+) -> Finding {
     let problem = match Problem::new(id, words, formula, equations) {
         Ok(problem) => problem,
         Err(reason) => return Finding::not_checked(reason),

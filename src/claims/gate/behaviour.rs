@@ -2,11 +2,12 @@
 
 use std::cmp::Ordering;
 
-use slipmode_core::number::{Ball, Rational};
 use slipmode_algebra::Toward;
+use slipmode_core::number::{Ball, Rational};
 
 use super::book::Term;
 use super::claim::{At, Base, Claim};
+use super::evaluate::Place;
 use super::points::power_of_two;
 use crate::scene::Comparison;
 
@@ -14,7 +15,7 @@ use crate::scene::Comparison;
 const BITS: [u32; 2] = [96, 512];
 
 /// How many powers of 2^8 a limit is followed.
-const FAR: i32 = 40;
+const FAR: i32 = 32;
 
 /// How many of the last steps have to shrink, or to grow, for a tail to be clear.
 const LAST: usize = 12;
@@ -38,7 +39,7 @@ impl Claim {
     }
 
     pub fn is_inside(&self, base: &Base) -> bool {
-        self.at(base, &|_| Ok(true)) == At::Says(true)
+        self.at(base, &|_: &mut Place| Ok(true)) == At::Says(true)
     }
 
     /// How the value of a term at one point compares with that at another one.
@@ -84,7 +85,9 @@ impl Claim {
                 continue;
             }
             let Some(mut place) = self.place(&far, BITS[1]) else { return Tail::Unclear };
-            let (Ok(there), Ok(value)) = (place.number(side), place.number(value)) else { return Tail::Unclear };
+            let (Ok(there), Ok(value)) = (place.number(side), place.number(value)) else {
+                return Tail::Unclear;
+            };
             let Ok(distance) = there.minus(&value) else { return Tail::Unclear };
             scale = value.ball(BITS[1]);
             distances.push(distance.ball(BITS[1]));

@@ -5,10 +5,11 @@
 //! sides of equation 8 and their difference, in which the name that the equation defines stays a variable. A definition means what
 //! its derivation says.
 
+use std::cell::Cell;
 use std::collections::{BTreeMap, BTreeSet};
 
-use slipmode_core::number::Rational;
 use slipmode_algebra::{Expression, Function};
+use slipmode_core::number::Rational;
 use slipmode_core::theory::{Derivation, Equations, Operation};
 
 /// The imaginary unit, and the sign that stands for ±.
@@ -60,7 +61,12 @@ pub(super) struct Book {
     positive: BTreeSet<usize>,
     meanings: Vec<Meaning>,
     defined: BTreeMap<String, usize>,
+    /// How many steps the evaluations of one claim took.
+    steps: Cell<u32>,
 }
+
+/// The most steps: a claim of a report takes one to three million.
+const MOST_STEPS: u32 = 20_000_000;
 
 /// What a name means before its own names are found.
 #[derive(Clone)]
@@ -87,7 +93,9 @@ impl Draft {
                 let mut names = of(&derivation.expressions);
                 names.extend(derivation.values.iter().flat_map(|(_, value)| of(std::slice::from_ref(value))));
                 let system = derivation.system.as_ref().and_then(|name| systems.get(name));
-                names.extend(system.iter().flat_map(|system| of(&system.rates).into_iter().chain(of(&system.steady))));
+                names.extend(
+                    system.iter().flat_map(|system| of(&system.rates).into_iter().chain(of(&system.steady))),
+                );
                 names
             }
         }
@@ -103,7 +111,8 @@ struct System {
 
 impl Book {
     pub fn of(equations: &Equations) -> Self {
-        let parsed = |list: &[String]| list.iter().filter_map(|text| text.parse().ok()).collect::<Vec<Expression>>();
+        let parsed =
+            |list: &[String]| list.iter().filter_map(|text| text.parse().ok()).collect::<Vec<Expression>>();
         let systems: BTreeMap<String, System> = equations
             .systems()
             .iter()
@@ -212,6 +221,12 @@ impl Book {
         }
     }
 
+    /// Whether the evaluation may go on; beyond the most steps everything is open.
+    pub fn takes_a_step(&self) -> bool {
+        self.steps.set(self.steps.get().saturating_add(1));
+        self.steps.get() <= MOST_STEPS
+    }
+
     pub fn meaning(&self, place: usize) -> &Meaning {
         &self.meanings[place]
     }
@@ -219,11 +234,6 @@ impl Book {
     /// How many variables there are.
     pub fn variable_count(&self) -> usize {
         self.names.len()
-    }
-
-    /// How many defined names there are.
-    pub fn defined_count(&self) -> usize {
-        self.meanings.len()
     }
 
     pub fn name(&self, variable: usize) -> &str {
@@ -281,7 +291,8 @@ fn drafts(
     systems: &BTreeMap<String, System>,
     derivations: BTreeMap<String, Derivation>,
 ) -> BTreeMap<String, Draft> {
-    let mut assumed: BTreeSet<&str> = equations.positive().iter().chain(equations.free()).map(String::as_str).collect();
+    let mut assumed: BTreeSet<&str> =
+        equations.positive().iter().chain(equations.free()).map(String::as_str).collect();
     assumed.extend(systems.values().flat_map(|system| &system.states).map(String::as_str));
     let brings_in = derivations.values().filter(|one| one.operation == Some(Operation::Characteristic));
     let brought_in: Vec<String> =

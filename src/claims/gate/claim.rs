@@ -1,10 +1,11 @@
 //! A claim as the gate reads it: what is said, over which points, with all names found on the tree as it is written.
 
+use std::cell::Cell;
 use std::cmp::Ordering;
 use std::collections::{BTreeMap, BTreeSet};
 
-use slipmode_core::number::Rational;
 use slipmode_algebra::Toward;
+use slipmode_core::number::Rational;
 use slipmode_core::theory::Equations;
 
 use super::book::{Book, EITHER_SIGN, Term, UNIT};
@@ -91,7 +92,11 @@ impl Claim {
         let scope = &formula.scope;
         let condition = |one: &crate::scene::FormulaCondition, book: &mut Book| {
             let [left, right] = &one.sides;
-            Compared { left: book.term(left, None), comparison: one.comparison, right: book.term(right, None) }
+            Compared {
+                left: book.term(left, None),
+                comparison: one.comparison,
+                right: book.term(right, None),
+            }
         };
         let given: Vec<Compared> = scope.given.iter().map(|one| condition(one, &mut book)).collect();
         let (equal, conditions): (Vec<_>, Vec<_>) =
@@ -146,9 +151,9 @@ impl Claim {
     pub fn moving(&self) -> Option<usize> {
         match &self.says {
             Says::True(_) => None,
-            Says::Limit(_, _, variable, _) | Says::Monotone(_, _, variable) | Says::Depends(_, _, variable) => {
-                Some(*variable)
-            }
+            Says::Limit(_, _, variable, _)
+            | Says::Monotone(_, _, variable)
+            | Says::Depends(_, _, variable) => Some(*variable),
         }
     }
 
@@ -163,7 +168,8 @@ impl Claim {
             let mut reached = BTreeSet::new();
             self.book.reached(&one.left, &mut reached);
             self.book.reached(&one.right, &mut reached);
-            let mut others: Vec<usize> = reached.into_iter().filter(|variable| self.may_solve(*variable)).collect();
+            let mut others: Vec<usize> =
+                reached.into_iter().filter(|variable| self.may_solve(*variable)).collect();
             others.sort_by_key(|variable| self.book.name(*variable));
             let difference = one.difference();
             let candidates = alone.iter().chain(&others);
@@ -198,7 +204,8 @@ impl Claim {
     /// The point with these values; none where an equation among the conditions has no solution there.
     pub fn place(&self, base: &Base, bits: u32) -> Option<Place<'_>> {
         let mut place = Place::new(&self.book, bits);
-        for (variable, value) in base.iter().chain(self.at.iter().map(|(variable, value)| (variable, value))) {
+        for (variable, value) in base.iter().chain(self.at.iter().map(|(variable, value)| (variable, value)))
+        {
             place.set(*variable, Number::Exact(value.clone()).into());
         }
         let mut open: Vec<&Solved> = self.solved.iter().filter(|one| !place.has(one.variable)).collect();
@@ -250,7 +257,8 @@ impl Claim {
             let sign = place.get(*variable).and_then(Value::number).map(|number| number.sign());
             parts.push(sign.and_then(|sign| sign.map(|sign| sign == Ordering::Greater).ok_or(Trouble::Open)));
         }
-        for (variable, [low, high]) in self.within.iter().filter(|(variable, _)| variables.contains(variable)) {
+        for (variable, [low, high]) in self.within.iter().filter(|(variable, _)| variables.contains(variable))
+        {
             let Ok(Number::Exact(value)) = place.get(*variable).and_then(Value::number) else {
                 parts.push(Err(Trouble::Open));
                 continue;
@@ -263,9 +271,18 @@ impl Claim {
 
     /// Whether something is true at a point, at the first precision that decides it; for both signs of ±.
     pub fn decided(&self, base: &Base, ask: impl Fn(&mut Place) -> Found<bool>) -> Found<bool> {
+        self.decided_within(&BITS, base, ask)
+    }
+
+    fn decided_within(
+        &self,
+        bits: &[u32],
+        base: &Base,
+        ask: impl Fn(&mut Place) -> Found<bool>,
+    ) -> Found<bool> {
         let mut found = Err(Trouble::Open);
-        for bits in BITS {
-            let Some(mut place) = self.place(base, bits) else { return Err(Trouble::Open) };
+        for bits in bits {
+            let Some(mut place) = self.place(base, *bits) else { return Err(Trouble::Open) };
             found = match self.book.place(EITHER_SIGN).filter(|_| self.has_two_signs) {
                 None => ask(&mut place),
                 Some(sign) => all([1, -1].into_iter().map(|value| {
@@ -282,8 +299,17 @@ impl Claim {
 
     /// Whether something is true at a point that meets the conditions.
     pub fn at(&self, base: &Base, ask: &impl Fn(&mut Place) -> Found<bool>) -> At {
-        let is_inside = std::cell::Cell::new(false);
-        let found = self.decided(base, |place| {
+        self.at_within(&BITS, base, ask)
+    }
+
+    /// The same with the first precision alone: an equation between roots and logarithms stays open at any precision.
+    pub fn quickly_at(&self, base: &Base, ask: &impl Fn(&mut Place) -> Found<bool>) -> At {
+        self.at_within(&BITS[..1], base, ask)
+    }
+
+    fn at_within(&self, bits: &[u32], base: &Base, ask: &impl Fn(&mut Place) -> Found<bool>) -> At {
+        let is_inside = Cell::new(false);
+        let found = self.decided_within(bits, base, |place| {
             if !is_inside.get() {
                 match self.allows(place) {
                     Ok(true) => is_inside.set(true),

@@ -6,6 +6,7 @@
 //! are those of the expressions that the program derived.
 
 use std::cmp::Ordering;
+use std::collections::BTreeMap;
 
 use slipmode_algebra::Function;
 use slipmode_core::theory::Operation;
@@ -20,10 +21,8 @@ pub(super) struct Place<'b> {
     /// The precision of balls.
     pub bits: u32,
     values: Vec<Option<Value>>,
-    /// What defined names mean here, while no variable is changed.
-    known: Vec<Option<Found<Value>>>,
-    /// How many changes of variables are in force.
-    changes: u32,
+    /// What defined names mean here, and after each change of variables that is in force.
+    known: Vec<BTreeMap<usize, Found<Value>>>,
     marks: u32,
 }
 
@@ -36,12 +35,12 @@ impl<'b> Place<'b> {
         if let Some(sign) = book.place(EITHER_SIGN) {
             values[sign] = Some(Value::whole(1));
         }
-        Self { book, bits, values, known: vec![None; book.defined_count()], changes: 0, marks: 0 }
+        Self { book, bits, values, known: vec![BTreeMap::new()], marks: 0 }
     }
 
     pub fn set(&mut self, variable: usize, value: Value) {
         self.values[variable] = Some(value);
-        self.known.fill(None);
+        self.known = vec![BTreeMap::new()];
     }
 
     pub fn get(&self, variable: usize) -> Found<Value> {
@@ -60,11 +59,13 @@ impl<'b> Place<'b> {
 
     /// Something found while variables have other values.
     pub fn with<T>(&mut self, changes: Vec<(usize, Value)>, find: impl FnOnce(&mut Self) -> T) -> T {
-        let before: Vec<(usize, Option<Value>)> =
-            changes.into_iter().map(|(variable, value)| (variable, self.values[variable].replace(value))).collect();
-        self.changes += 1;
+        let before: Vec<(usize, Option<Value>)> = changes
+            .into_iter()
+            .map(|(variable, value)| (variable, self.values[variable].replace(value)))
+            .collect();
+        self.known.push(BTreeMap::new());
         let found = find(self);
-        self.changes -= 1;
+        self.known.pop();
         for (variable, value) in before.into_iter().rev() {
             self.values[variable] = value;
         }
@@ -84,6 +85,9 @@ impl<'b> Place<'b> {
     }
 
     pub fn value(&mut self, term: &Term) -> Found<Value> {
+        if !self.book.takes_a_step() {
+            return Err(Trouble::Open);
+        }
         match term {
             Term::Number(value) => Ok(Value::Number(Number::Exact(value.clone()))),
             Term::Variable(variable) => self.get(*variable),
@@ -116,18 +120,16 @@ impl<'b> Place<'b> {
     }
 
     fn meaning(&mut self, name: usize) -> Found<Value> {
-        if self.changes == 0
-            && let Some(known) = &self.known[name]
-        {
-            return known.clone();
+        if let Some(found) = self.known.last().and_then(|known| known.get(&name)) {
+            return found.clone();
         }
         let book = self.book;
         let found = match book.meaning(name) {
             Meaning::Term(term) => self.value(term),
             Meaning::Derived(derived) => self.derived(derived),
         };
-        if self.changes == 0 {
-            self.known[name] = Some(found.clone());
+        if let Some(known) = self.known.last_mut() {
+            known.insert(name, found.clone());
         }
         found
     }

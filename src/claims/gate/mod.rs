@@ -28,6 +28,7 @@ use crate::claims::{Finding, Verdict};
 use crate::scene::ClaimFormula;
 use behaviour::Tail;
 use claim::{At, Base, Claim, Says};
+use evaluate::Place;
 use points::{Sequence, comparisons, power_of_two};
 use truth::Said;
 
@@ -38,8 +39,11 @@ const POINTS: usize = 1000;
 const LOOKED_AT: u32 = 3000;
 const EDGE_STARTS: usize = 12;
 
+/// At one of so many points that stay open the precision is raised.
+const OPEN: u32 = 8;
+
 /// Along how many sequences a limit is followed, and from how many points a counter-example to it.
-const SEQUENCES: usize = 24;
+const SEQUENCES: usize = 16;
 
 /// What the gate found.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -94,7 +98,11 @@ pub(super) fn tested(formula: &ClaimFormula, finding: &Finding, equations: &Equa
         (Says::Monotone(..), true) => claim.monotone(),
         (Says::Monotone(..), false) => claim.not_monotone(&points),
         (Says::Depends(_, depends, _), _) => {
-            if *depends == holds { claim.differs(&points) } else { claim.is_same() }
+            if *depends == holds {
+                claim.differs(&points)
+            } else {
+                claim.is_same()
+            }
         }
     }
 }
@@ -109,14 +117,15 @@ struct Tally {
 }
 
 impl Tally {
-    /// Tries a point, and says what contradicts there.
-    fn add(&mut self, claim: &Claim, said: &Said, base: Base) -> Option<Outcome> {
-        let found = claim.at(&base, &|place| said.truth(place));
+    /// Adds what a point says, and says what contradicts there.
+    fn add(&mut self, claim: &Claim, base: Base, found: At) -> Option<Outcome> {
         self.tried += usize::from(found != At::Outside);
         self.open += usize::from(found == At::Open);
+        let contradicted =
+            |words: &str| Some(Outcome::Contradicted(format!("At {} {words}", claim.text(&base))));
         match found {
-            At::Says(false) => Some(Outcome::Contradicted(format!("At {} it is false.", claim.text(&base)))),
-            At::NoValue => Some(Outcome::Contradicted(format!("At {} a side has no value.", claim.text(&base)))),
+            At::Says(false) => contradicted("it is false."),
+            At::NoValue => contradicted("a side has no value."),
             At::Says(true) if self.starts.len() < EDGE_STARTS => {
                 self.starts.push(base);
                 None
@@ -136,16 +145,25 @@ impl Claim {
         self.chosen.iter().map(value).collect()
     }
 
-    /// Points that meet the conditions.
-    fn inside(&self) -> impl Iterator<Item = Base> + '_ {
+    /// Points that meet the conditions, each with what it says of something.
+    fn answers<'c>(
+        &'c self,
+        ask: &'c impl Fn(&mut Place) -> number::Found<bool>,
+    ) -> impl Iterator<Item = (Base, At)> + 'c {
         let mut sequence = Sequence::new();
         (0..LOOKED_AT).filter_map(move |turn| {
+            let answer = |base: Base| {
+                let found = if turn % OPEN == 0 { self.at(&base, ask) } else { self.quickly_at(&base, ask) };
+                (found != At::Outside).then_some((base, found))
+            };
             let point = self.point(turn, &mut sequence);
-            match self.is_inside(&point) {
-                true => Some(point),
-                false => self.repaired(point, turn).filter(|point| self.is_inside(point)),
-            }
+            answer(point.clone()).or_else(|| answer(self.repaired(point, turn)?))
         })
+    }
+
+    /// Points that meet the conditions.
+    fn inside(&self) -> impl Iterator<Item = Base> + '_ {
+        self.answers(&|_: &mut Place| Ok(true)).map(|(base, _)| base)
     }
 
     /// Points next to where a comparison, a predicate or a condition changes.
@@ -161,10 +179,12 @@ impl Claim {
         for (turn, atom) in said.atoms().into_iter().enumerate() {
             for (at, base) in starts.iter().take(EDGE_STARTS).enumerate() {
                 let Some(variable) = self.nth_chosen(turn + at) else { continue };
-                found.extend(self.next_to_edge(base, variable, &|place| atom.truth(place)));
+                found.extend(self.next_to_edge(base, variable, &|place: &mut Place| atom.truth(place)));
             }
         }
-        let is_possible = |base: &Base| base.iter().all(|(variable, value)| !self.book.is_positive(*variable) || *value > 0);
+        let is_possible = |base: &Base| {
+            base.iter().all(|(variable, value)| !self.book.is_positive(*variable) || *value > 0)
+        };
         found.retain(is_possible);
         found
     }
@@ -176,10 +196,14 @@ impl Claim {
     /// A formula for all values that the conditions allow.
     fn everywhere(&self, said: &Said) -> Outcome {
         let mut tally = Tally::default();
-        let found = self.inside().take(POINTS).find_map(|base| tally.add(self, said, base));
+        let ask = |place: &mut Place| said.truth(place);
+        let found = self.answers(&ask).take(POINTS).find_map(|(base, at)| tally.add(self, base, at));
         let found = found.or_else(|| {
             let edges = self.edges(said, &tally.starts);
-            edges.into_iter().find_map(|base| tally.add(self, said, base))
+            edges.into_iter().find_map(|base| {
+                let at = self.at(&base, &ask);
+                tally.add(self, base, at)
+            })
         });
         found.unwrap_or(Outcome::Passed { points: tally.tried, open: tally.open })
     }
@@ -190,7 +214,7 @@ impl Claim {
             return Outcome::Unconfirmed("The counter-example names no point.".into());
         };
         let place = self.text(base);
-        match self.at(base, &|place| said.truth(place)) {
+        match self.at(base, &|place: &mut Place| said.truth(place)) {
             At::Says(false) => Outcome::Passed { points: 1, open: 0 },
             At::Says(true) => Outcome::Contradicted(format!("At {place} it is true.")),
             At::NoValue => Outcome::Contradicted(format!("At {place} a side has no value.")),
@@ -203,14 +227,12 @@ impl Claim {
     }
 
     /// Whether the values of the variables of `there_is` at a point, or those of the witness there, do.
-    fn does(&self, said: &Said, base: &Base) -> At {
-        self.at(base, &|place| {
-            let values = self.witness.iter().map(|(variable, value)| Ok((*variable, place.value(value)?)));
-            for (variable, value) in values.collect::<number::Found<Vec<_>>>()? {
-                place.set(variable, value);
-            }
-            truth::all([self.allows_inner(place), said.truth(place)].into_iter())
-        })
+    fn does(&self, said: &Said, place: &mut Place) -> number::Found<bool> {
+        let values = self.witness.iter().map(|(variable, value)| Ok((*variable, place.value(value)?)));
+        for (variable, value) in values.collect::<number::Found<Vec<_>>>()? {
+            place.set(variable, value);
+        }
+        truth::all([self.allows_inner(place), said.truth(place)].into_iter())
     }
 
     /// For all values of the other variables there is one that does: the witness, or without other variables the point.
@@ -219,7 +241,7 @@ impl Claim {
             let Some(base) = points.first() else {
                 return Outcome::Unconfirmed("The proof names no point.".into());
             };
-            return match self.does(said, base) {
+            return match self.at(base, &|place: &mut Place| self.does(said, place)) {
                 At::Says(true) => Outcome::Passed { points: 1, open: 0 },
                 At::Says(false) | At::NoValue => {
                     Outcome::Contradicted(format!("At {} it is false.", self.text(base)))
@@ -229,19 +251,10 @@ impl Claim {
                 }
             };
         }
-        let (mut tried, mut open) = (0, 0);
-        for base in self.inside().take(POINTS) {
-            match self.does(said, &base) {
-                At::Outside => {}
-                At::Open => open += 1,
-                At::Says(true) => tried += 1,
-                At::Says(false) | At::NoValue => {
-                    let place = self.text(&base);
-                    return Outcome::Contradicted(format!("With the witness in place it is false at {place}."));
-                }
-            }
-        }
-        Outcome::Passed { points: tried + open, open }
+        let mut tally = Tally::default();
+        let ask = |place: &mut Place| self.does(said, place);
+        let found = self.answers(&ask).take(POINTS).find_map(|(base, at)| tally.add(self, base, at));
+        found.unwrap_or(Outcome::Passed { points: tally.tried, open: tally.open })
     }
 
     /// At the values of the other variables that the point names there is no value that does.
@@ -255,7 +268,7 @@ impl Claim {
             for variable in &self.there_is {
                 base.extend(other.get(variable).map(|value| (*variable, value.clone())));
             }
-            let does = self.at(&base, &|place| truth::all([self.allows_inner(place), said.truth(place)].into_iter()));
+            let does = self.at(&base, &|place: &mut Place| self.does(said, place));
             match does {
                 At::Says(true) => {
                     return Outcome::Contradicted(format!("At {} it is true.", self.text(&base)));
@@ -318,7 +331,9 @@ impl Claim {
         let Some(base) = points.first() else {
             return Outcome::Unconfirmed("The counter-example names no point.".into());
         };
-        let here = &base[variable];
+        let Some(here) = base.get(variable) else {
+            return Outcome::NotEvaluated("the variable that moves has one value".into());
+        };
         let near = (0..16).flat_map(|turn| {
             let step = power_of_two(-2 * turn) * (Rational::from(here.abs_ref()) + power_of_two(-4)) / 2_u32;
             [Rational::from(here + &step), Rational::from(here - &step)]
@@ -337,13 +352,21 @@ impl Claim {
 
     /// Two points at which the side differs.
     fn differs(&self, points: &[Base]) -> Outcome {
-        let Says::Depends(side, _, variable) = &self.says else { return Outcome::NotEvaluated(String::new()) };
+        let Says::Depends(side, _, variable) = &self.says else {
+            return Outcome::NotEvaluated(String::new());
+        };
         let [one, other, ..] = points else {
             return Outcome::Unconfirmed("The proof names no two points.".into());
         };
-        let differ_in: BTreeSet<_> =
-            one.iter().filter(|(name, value)| other.get(name) != Some(value)).map(|(name, _)| *name).collect();
-        let places = format!("{} and {} = {}", self.text(one), self.book.name(*variable), other[variable]);
+        let differ_in: BTreeSet<_> = one
+            .iter()
+            .filter(|(name, value)| other.get(name) != Some(value))
+            .map(|(name, _)| *name)
+            .collect();
+        let Some(moved) = other.get(variable) else {
+            return Outcome::NotEvaluated("the variable that moves has one value".into());
+        };
+        let places = format!("{} and {} = {moved}", self.text(one), self.book.name(*variable));
         if differ_in != BTreeSet::from([*variable]) || !self.is_inside(one) || !self.is_inside(other) {
             return Outcome::Contradicted(format!("The points {places} do not meet the conditions."));
         }
@@ -356,7 +379,9 @@ impl Claim {
 
     /// No two points show a difference.
     fn is_same(&self) -> Outcome {
-        let Says::Depends(side, _, variable) = &self.says else { return Outcome::NotEvaluated(String::new()) };
+        let Says::Depends(side, _, variable) = &self.says else {
+            return Outcome::NotEvaluated(String::new());
+        };
         if !self.is_solved_plainly {
             return Outcome::NotEvaluated("which variable moves along is open".into());
         }
@@ -390,7 +415,10 @@ impl Claim {
                     return Outcome::Contradicted(format!("Along {} the side {words}.", self.text(base)));
                 }
                 (Tail::There, false) => {
-                    return Outcome::Contradicted(format!("Along {} it tends to the value.", self.text(base)));
+                    return Outcome::Contradicted(format!(
+                        "Along {} it tends to the value.",
+                        self.text(base)
+                    ));
                 }
             }
         }

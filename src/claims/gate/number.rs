@@ -2,8 +2,8 @@
 
 use std::cmp::Ordering;
 
-use slipmode_core::number::{Ball, Rational, Real};
 use slipmode_algebra::Function;
+use slipmode_core::number::{Ball, Rational, Real};
 
 /// Why a term has no number.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

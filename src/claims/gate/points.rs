@@ -75,14 +75,17 @@ impl Claim {
     /// The point moved so that it meets the conditions, one condition and one variable at a time.
     pub fn repaired(&self, mut base: Base, turn: u32) -> Option<Base> {
         for _ in 0..=self.conditions.len() {
-            let unmet = self.conditions.iter().find(|one| self.decided(&base, |place| one.truth(place)) != Ok(true));
+            let unmet =
+                self.conditions.iter().find(|one| self.decided(&base, |place| one.truth(place)) != Ok(true));
             let Some(unmet) = unmet else { return Some(base) };
             let count = self.chosen.len();
             let variables = (0..count).map(|at| self.chosen[(at + turn as usize) % count]);
-            base = variables.filter_map(|variable| self.near_zero(&base, unmet, variable)).flatten().find(|moved| {
-                self.decided(moved, |place| unmet.truth(place)) == Ok(true)
-                    && self.chosen.iter().all(|one| !self.book.is_positive(*one) || moved[one] > 0)
-            })?;
+            base = variables.filter_map(|variable| self.near_zero(&base, unmet, variable)).flatten().find(
+                |moved| {
+                    self.decided(moved, |place| unmet.truth(place)) == Ok(true)
+                        && self.chosen.iter().all(|one| !self.book.is_positive(*one) || moved[one] > 0)
+                },
+            )?;
         }
         None
     }
@@ -90,11 +93,14 @@ impl Claim {
     /// The point with the value of one variable at which two sides are equal, and values next to it, where they are linear in it.
     pub fn near_zero(&self, base: &Base, compared: &Compared, variable: usize) -> Option<[Base; 7]> {
         let mut place = self.place(base, 96)?;
-        let Ok([rest, slope]) = <[Value; 2]>::try_from(place.coefficients(&compared.difference(), variable).ok()?)
+        let Ok([rest, slope]) =
+            <[Value; 2]>::try_from(place.coefficients(&compared.difference(), variable).ok()?)
         else {
             return None;
         };
-        let Ok(Number::Exact(zero)) = rest.negated().over(&slope).and_then(Value::number) else { return None };
+        let Ok(Number::Exact(zero)) = rest.negated().over(&slope).and_then(Value::number) else {
+            return None;
+        };
         let step = power_of_two(-30) * (Rational::from(zero.abs_ref()) + power_of_two(-10));
         let values = [
             zero.clone(),
@@ -113,7 +119,12 @@ impl Claim {
     }
 
     /// Points to both sides of where the truth of something changes as one variable grows from a point.
-    pub fn next_to_edge(&self, base: &Base, variable: usize, ask: &impl Fn(&mut Place) -> Found<bool>) -> Vec<Base> {
+    pub fn next_to_edge(
+        &self,
+        base: &Base,
+        variable: usize,
+        ask: &impl Fn(&mut Place) -> Found<bool>,
+    ) -> Vec<Base> {
         let with = |value: &Rational| {
             let mut moved = base.clone();
             moved.insert(variable, value.clone());
@@ -127,7 +138,9 @@ impl Claim {
         let Some(here) = truth(&start).filter(|_| start != 0) else { return Vec::new() };
         let scales = [1, -1, 3, -3, 8, -8, 20, -20];
         let across = scales.into_iter().map(|scale| power_of_two(scale) * &start);
-        let Some(mut far) = across.into_iter().find(|value| truth(value) == Some(!here)) else { return Vec::new() };
+        let Some(mut far) = across.into_iter().find(|value| truth(value) == Some(!here)) else {
+            return Vec::new();
+        };
         let mut near = start;
         for _ in 0..24 {
             let middle = Rational::from(&near + &far) / 2_u32;

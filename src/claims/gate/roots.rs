@@ -118,9 +118,10 @@ fn of_exact(statement: RootStatement, polynomial: &Exact) -> Option<bool> {
     let (zero, rest) = distinct.without_zero();
     let (pairs, rest) = rest.without_opposite_roots();
     // The roots of `pairs` are the squares of the roots whose opposites are roots too: on the axis where negative, else to both sides.
-    let on_axis_alone = || by_discs(RootStatement::AllReal, &pairs.numbers()).and_then(|real| {
-        Some(real && by_discs(RootStatement::Stable, &pairs.numbers())?)
-    });
+    let on_axis_alone = || {
+        by_discs(RootStatement::AllReal, &pairs.numbers())
+            .and_then(|real| Some(real && by_discs(RootStatement::Stable, &pairs.numbers())?))
+    };
     let others = || by_discs(statement, &rest.numbers());
     match statement {
         RootStatement::Stable if zero || pairs.degree() > 0 => Some(false),
@@ -188,7 +189,11 @@ fn is_real(disc: &Disc, all: &[Disc]) -> Option<bool> {
     if size > disc.radius {
         return Some(false);
     }
-    let image = Disc { re: disc.re.clone(), im: Float::with_val(disc.im.prec(), -&disc.im), radius: disc.radius.clone() };
+    let image = Disc {
+        re: disc.re.clone(),
+        im: Float::with_val(disc.im.prec(), -&disc.im),
+        radius: disc.radius.clone(),
+    };
     (all.iter().filter(|other| image.meets(other)).count() == 1).then_some(true)
 }
 
@@ -216,7 +221,8 @@ fn discs<T>(coefficients: &[Number], decide: impl Fn(&[Disc]) -> Option<T>) -> O
 
 /// Discs around centres, where they meet no other one.
 fn enclosed(coefficients: &[Ball], centres: &[[Float; 2]]) -> Option<Vec<Disc>> {
-    let points: Vec<Complex> = centres.iter().map(|[re, im]| Complex::point(re.clone(), im.clone())).collect();
+    let points: Vec<Complex> =
+        centres.iter().map(|[re, im]| Complex::point(re.clone(), im.clone())).collect();
     let count = Ball::from(i32::try_from(points.len()).ok()?);
     let disc = |at: usize| {
         let radius = (correction(coefficients, &points, at).size() * &count).upper();
@@ -238,7 +244,8 @@ fn correction(coefficients: &[Ball], points: &[Complex], at: usize) -> Complex {
     });
     let leading = coefficients.last().cloned().unwrap_or_else(zero);
     let others = points.iter().enumerate().filter(|(other, _)| *other != at);
-    let below = others.fold(Complex { re: leading, im: zero() }, |product, (_, other)| product.times(&z.minus(other)));
+    let below = others
+        .fold(Complex { re: leading, im: zero() }, |product, (_, other)| product.times(&z.minus(other)));
     value.over(&below)
 }
 
@@ -261,7 +268,8 @@ fn improve(coefficients: &[Ball], centres: &mut [[Float; 2]], bits: u32) {
 /// Roots in 64 bits; none for coefficients beyond their range.
 fn approximate(coefficients: &[Number]) -> Option<Vec<[Float; 2]>> {
     let list: Vec<f64> = coefficients.iter().map(|one| one.ball(64).to_f64()).collect();
-    let is_usable = |value: &f64| value.is_finite() && (*value == 0.0 || (1e-150..1e150).contains(&value.abs()));
+    let is_usable =
+        |value: &f64| value.is_finite() && (*value == 0.0 || (1e-150..1e150).contains(&value.abs()));
     let usable = list.iter().all(is_usable) && list.last().is_some_and(|leading| *leading != 0.0);
     if !usable {
         return None;
@@ -271,9 +279,10 @@ fn approximate(coefficients: &[Number]) -> Option<Vec<[Float; 2]>> {
         let mut largest = 0.0_f64;
         for at in 0..roots.len() {
             let z = roots[at];
-            let (value, slope) = list.iter().rev().fold((Complex64::ZERO, Complex64::ZERO), |(value, slope), one| {
-                (value * z + one, slope * z + value)
-            });
+            let (value, slope) =
+                list.iter().rev().fold((Complex64::ZERO, Complex64::ZERO), |(value, slope), one| {
+                    (value * z + one, slope * z + value)
+                });
             if value == Complex64::ZERO {
                 continue;
             }

@@ -43,7 +43,8 @@ pub(super) struct Crosses {
 
 impl Said {
     pub fn of(formula: &Formula, book: &mut Book) -> Self {
-        let all = |parts: &[Formula], book: &mut Book| parts.iter().map(|part| Self::of(part, book)).collect();
+        let all =
+            |parts: &[Formula], book: &mut Book| parts.iter().map(|part| Self::of(part, book)).collect();
         match formula {
             Formula::Compare(left, comparison, right) => Self::Compare(Compared {
                 left: book.term(left, None),
@@ -185,9 +186,8 @@ impl Crosses {
         let [real, imaginary] = on_axis(&at, &square)?;
         let [slope_real, slope_imaginary] = on_axis(&by, &square)?;
         let [root_real, root_imaginary] = on_axis(&along, &square)?;
-        let slope = slope_real
-            .times(&root_real)?
-            .plus(&square.times(&slope_imaginary.times(&root_imaginary)?)?)?;
+        let slope =
+            slope_real.times(&root_real)?.plus(&square.times(&slope_imaginary.times(&root_imaginary)?)?)?;
         let zero = |value: &Value| is_zero(value).ok_or(Trouble::Open);
         let others = numbers(without_pair(&at, &square)?)?;
         let apart = roots::is_one_on_axis(&others).map(|one| !one).ok_or(Trouble::Open);
@@ -200,9 +200,12 @@ impl Crosses {
 /// A and B with Σ c_k (iω)^k = A + iω·B, for the square of ω.
 fn on_axis(coefficients: &[Value], square: &Value) -> Found<[Value; 2]> {
     let part = |start: usize| {
-        coefficients.iter().skip(start).step_by(2).rev().try_fold(Value::whole(0), |sum, coefficient| {
-            coefficient.minus(&sum.times(square)?)
-        })
+        coefficients
+            .iter()
+            .skip(start)
+            .step_by(2)
+            .rev()
+            .try_fold(Value::whole(0), |sum, coefficient| coefficient.minus(&sum.times(square)?))
     };
     Ok([part(0)?, part(1)?])
 }
