@@ -121,10 +121,9 @@ impl Ledger {
 
     /// What an independent evaluation found against what was proved, with the claims' ids: the program is at fault.
     pub fn contradictions(&self) -> impl Iterator<Item = (&str, &str)> {
-        let of = |entry: &'_ Entry| {
-            entry.finding.contradictions.iter().map(move |one| (entry.id.as_str(), one.as_str()))
-        };
-        self.claims.iter().flat_map(of)
+        self.claims.iter().flat_map(|entry| {
+            entry.finding.contradictions.iter().map(|one| (entry.id.as_str(), one.as_str()))
+        })
     }
 
     /// How many distinct steps the proofs of all claims have, and how many of them carry no certificate.

@@ -102,10 +102,13 @@ pub(super) fn is_true(statement: RootStatement, coefficients: &[Number]) -> Opti
         })
         .collect();
     match exact {
-        Some(exact) => of_exact(statement, &Exact::new(exact)),
+        // Most points need no exact arithmetic.
+        Some(exact) => {
+            by_discs(&BITS[..1], statement, &list).or_else(|| of_exact(statement, &Exact::new(exact)))
+        }
         None => {
             list.last()?.sign().filter(|sign| *sign != Ordering::Equal)?;
-            by_discs(statement, &list)
+            by_discs(&BITS, statement, &list)
         }
     }
 }
@@ -113,16 +116,16 @@ pub(super) fn is_true(statement: RootStatement, coefficients: &[Number]) -> Opti
 fn of_exact(statement: RootStatement, polynomial: &Exact) -> Option<bool> {
     let distinct = polynomial.squarefree();
     if statement == RootStatement::AllReal {
-        return by_discs(statement, &distinct.numbers());
+        return by_discs(&BITS, statement, &distinct.numbers());
     }
     let (zero, rest) = distinct.without_zero();
     let (pairs, rest) = rest.without_opposite_roots();
     // The roots of `pairs` are the squares of the roots whose opposites are roots too: on the axis where negative, else to both sides.
     let on_axis_alone = || {
-        by_discs(RootStatement::AllReal, &pairs.numbers())
-            .and_then(|real| Some(real && by_discs(RootStatement::Stable, &pairs.numbers())?))
+        by_discs(&BITS, RootStatement::AllReal, &pairs.numbers())
+            .and_then(|real| Some(real && by_discs(&BITS, RootStatement::Stable, &pairs.numbers())?))
     };
-    let others = || by_discs(statement, &rest.numbers());
+    let others = || by_discs(&BITS, statement, &rest.numbers());
     match statement {
         RootStatement::Stable if zero || pairs.degree() > 0 => Some(false),
         RootStatement::Stable => others(),
@@ -145,7 +148,8 @@ pub(super) fn is_one_on_axis(coefficients: &[Number]) -> Option<bool> {
         .collect();
     let Some(exact) = exact else {
         coefficients.last()?.sign().filter(|sign| *sign != Ordering::Equal)?;
-        let apart = discs(coefficients, |discs| discs.iter().all(|disc| disc.side().is_some()).then_some(()));
+        let apart =
+            discs(&BITS, coefficients, |discs| discs.iter().all(|disc| disc.side().is_some()).then_some(()));
         return apart.map(|()| false);
     };
     let (zero, rest) = Exact::new(exact).squarefree().without_zero();
@@ -154,7 +158,7 @@ pub(super) fn is_one_on_axis(coefficients: &[Number]) -> Option<bool> {
         return Some(zero);
     }
     // A square that is negative is on the axis; one that is not real, or positive, is not.
-    discs(&pairs.numbers(), |discs| {
+    discs(&BITS, &pairs.numbers(), |discs| {
         let found = discs.iter().map(|disc| Some(is_real(disc, discs)? && disc.side()? == Ordering::Less));
         let found: Vec<Option<bool>> = found.collect();
         match found.contains(&Some(true)) {
@@ -164,11 +168,11 @@ pub(super) fn is_one_on_axis(coefficients: &[Number]) -> Option<bool> {
     })
 }
 
-fn by_discs(statement: RootStatement, coefficients: &[Number]) -> Option<bool> {
+fn by_discs(bits: &[u32], statement: RootStatement, coefficients: &[Number]) -> Option<bool> {
     if coefficients.len() < 2 {
         return Some(statement != RootStatement::Unstable);
     }
-    discs(coefficients, |discs| {
+    discs(bits, coefficients, |discs| {
         let wanted = |disc: &Disc| match statement {
             RootStatement::Stable => disc.side().map(|side| side == Ordering::Less),
             RootStatement::Unstable => disc.side().map(|side| side != Ordering::Greater),
@@ -198,12 +202,12 @@ fn is_real(disc: &Disc, all: &[Disc]) -> Option<bool> {
 }
 
 /// What discs decide that meet no other one, at the first precision at which they do.
-fn discs<T>(coefficients: &[Number], decide: impl Fn(&[Disc]) -> Option<T>) -> Option<T> {
+fn discs<T>(bits: &[u32], coefficients: &[Number], decide: impl Fn(&[Disc]) -> Option<T>) -> Option<T> {
     if coefficients.len() < 2 {
         return decide(&[]);
     }
     let mut centres = approximate(coefficients)?;
-    for bits in BITS {
+    for &bits in bits {
         let balls: Vec<Ball> = coefficients.iter().map(|one| one.ball(bits).with_precision(bits)).collect();
         centres = centres.into_iter().map(|one| one.map(|part| Float::with_val(bits, part))).collect();
         if bits > BITS[0] {
