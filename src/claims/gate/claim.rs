@@ -76,13 +76,13 @@ impl Claim {
             Statement::True(said) => Says::True(Said::of(said, &mut book)),
             Statement::Limit(left, value, variable, toward) => {
                 let [left, value] = [left, value].map(|side| book.term(side, None));
-                Says::Limit(left, value, book.variable(variable), *toward)
+                Says::Limit(left, value, book.variable(variable.as_str()), *toward)
             }
             Statement::Monotone(side, comparison, variable) => {
-                Says::Monotone(book.term(side, None), *comparison, book.variable(variable))
+                Says::Monotone(book.term(side, None), *comparison, book.variable(variable.as_str()))
             }
             Statement::Depends(side, depends, variable) => {
-                Says::Depends(book.term(side, None), *depends, book.variable(variable))
+                Says::Depends(book.term(side, None), *depends, book.variable(variable.as_str()))
             }
             Statement::Motion(_) => return None,
         };
@@ -101,11 +101,11 @@ impl Claim {
         let given: Vec<Compared> = scope.given.iter().map(|one| condition(one, &mut book)).collect();
         let (equal, conditions): (Vec<_>, Vec<_>) =
             given.into_iter().partition(|one| one.comparison == Comparison::Equal);
-        let within = scope.within.iter().map(|(name, ends)| (book.variable(name), ends.clone())).collect();
-        let at = scope.at.iter().map(|(name, value)| (book.variable(name), value.clone())).collect();
-        let there_is = scope.there_is.iter().map(|name| book.variable(name)).collect();
+        let within = scope.within.iter().map(|(name, ends)| (book.variable(name.as_str()), ends.clone())).collect();
+        let at = scope.at.iter().map(|(name, value)| (book.variable(name.as_str()), value.clone())).collect();
+        let there_is = scope.there_is.iter().map(|name| book.variable(name.as_str())).collect();
         let witness =
-            scope.witness.iter().map(|(name, value)| (book.variable(name), book.term(value, None))).collect();
+            scope.witness.iter().map(|(name, value)| (book.variable(name.as_str()), book.term(value, None))).collect();
         let mut claim = Self {
             book,
             says,

@@ -52,14 +52,14 @@ impl Said {
                 right: book.term(right, None),
             }),
             Formula::Roots(statement, polynomial, variable) => {
-                Self::Roots(*statement, book.term(polynomial, Some(variable)), book.variable(variable))
+                Self::Roots(*statement, book.term(polynomial, Some(variable.as_str())), book.variable(variable.as_str()))
             }
             Formula::Crossing(crossing) => {
                 let Crossing { polynomial, variable, parameter, critical, frequency } = &**crossing;
                 Self::Crossing(Box::new(Crosses {
-                    polynomial: book.term(polynomial, Some(variable)),
-                    variable: book.variable(variable),
-                    parameter: book.variable(parameter),
+                    polynomial: book.term(polynomial, Some(variable.as_str())),
+                    variable: book.variable(variable.as_str()),
+                    parameter: book.variable(parameter.as_str()),
                     critical: book.term(critical, None),
                     frequency: book.term(frequency, None),
                 }))
