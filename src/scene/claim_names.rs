@@ -51,13 +51,14 @@ impl Names {
     #[must_use]
     pub fn demands_but(&self, expression: &Expression, own: Option<&Symbol>) -> Vec<Condition> {
         let Some(own) = own else { return self.demands_of(expression) };
+        // Nothing is simplified: what has no value stays.
         let root = Symbol::fresh(&expression.variables());
-        let renamed = self.demands_of(&expression.with(own, &Expression::variable(&root))).into_iter();
+        let renamed = expression.replaced(&[(own.clone(), Expression::variable(&root))].into());
         let back = |one: Condition| Condition {
-            expression: one.expression.with(&root, &Expression::variable(own)),
+            expression: one.expression.replaced(&[(root.clone(), Expression::variable(own))].into()),
             relation: one.relation,
         };
-        renamed.map(back).collect()
+        self.demands_of(&renamed).into_iter().map(back).collect()
     }
 
     /// What a definition in an expression is given for and the domain does not prove after values are put in, in words.

@@ -204,7 +204,8 @@ impl Expression {
     }
 
     /// This expression with every variable of the map replaced and nothing else changed.
-    pub(super) fn replaced(&self, values: &BTreeMap<Symbol, Expression>) -> Self {
+    #[must_use]
+    pub fn replaced(&self, values: &BTreeMap<Symbol, Expression>) -> Self {
         let go = |inner: &Self| inner.replaced(values);
         let boxed = |inner: &Self| Box::new(inner.replaced(values));
         match self {

@@ -11,7 +11,7 @@ use super::points::{self, Point, Points};
 use super::prover::Prover;
 use crate::claims::Finding;
 use crate::claims::finding::NamedPoint;
-use crate::scene::{Comparison, Statement};
+use crate::scene::{Comparison, Premises, Statement};
 
 /// Of how many points each is compared with each other one.
 const FIRST_POINTS: usize = 64;
@@ -21,7 +21,12 @@ impl Problem<'_> {
         let sides: Vec<Expression> = statement.sides().into_iter().map(|side| self.put_in(side)).collect();
         let points = self.points(&sides);
         let prover = Prover::new(&points);
-        let (Some(domain), Ok(proof)) = (prover.domain(&self.premises, &[]), self.start(&prover)) else {
+        // A variable that goes to a limit has to be free, and what follows from the conditions does not bind it.
+        let premises = match statement {
+            Statement::Limit(..) => Premises { facts: Vec::new(), ..self.premises.clone() },
+            _ => self.premises.clone(),
+        };
+        let (Some(domain), Ok(proof)) = (prover.domain(&premises, &[]), self.start(&prover)) else {
             return Finding::not_checked(format!(
                 "None of {} points meets the conditions, so that they may be impossible.",
                 Points::MOST
@@ -34,7 +39,7 @@ impl Problem<'_> {
         let attempt =
             Attempt { proof, numbers: self.numbers(), domains: domain.forms(&sides), points, problem: self };
         match (statement, &sides[..]) {
-            (Statement::Monotone(_, _, variable), _) if !one_interval(&domain, variable) => {
+            (Statement::Monotone(_, _, variable), _) if !one_interval(&self.premises, variable) => {
                 Finding::not_checked(format!(
                     "Not decided: a condition that is not linear in {variable} may allow separate ranges of it, between which a slope says nothing."
                 ))
@@ -59,12 +64,13 @@ pub(super) fn other_value() -> Symbol {
 }
 
 /// Whether the conditions allow one interval of a variable: each that contains it is linear in it, and no inequality of the kind ≠.
-fn one_interval(domain: &Domain, name: &Symbol) -> bool {
-    domain.conditions().iter().filter(|condition| condition.expression.variables().contains(name)).all(
+fn one_interval(premises: &Premises, name: &Symbol) -> bool {
+    let domain = premises.domain();
+    premises.conditions.iter().filter(|condition| condition.expression.variables().contains(name)).all(
         |condition| {
             let slope = domain.rational_function(&condition.expression.derivative(name));
             let is_constant = |slope: RationalFunction| !slope.variables().contains(name);
-            condition.relation != slipmode_algebra::Relation::NonZero && slope.is_ok_and(is_constant)
+            condition.sign != Sign::NonZero && slope.is_ok_and(is_constant)
         },
     )
 }

@@ -68,7 +68,7 @@ impl Points {
         (0..count).filter_map(move |index| self.repaired(self.point(index), literals, index))
     }
 
-    /// The point moved onto the zeros of expressions, one variable at a time.
+    /// The point moved onto the zeros of expressions and to both sides of them, one variable at a time.
     pub fn edges<'p>(
         &'p self,
         point: &'p Point,
@@ -76,13 +76,18 @@ impl Points {
     ) -> impl Iterator<Item = Point> + 'p {
         let moved = move |expression: &'p Expression| {
             self.variables.iter().filter_map(move |(name, _)| {
-                let zero = zero(expression, name, point)?;
+                Some((name, zero(expression, name, point)?))
+            })
+        };
+        let beside = move |(name, zero): (&'p Symbol, Rational)| {
+            let values = [zero.clone(), zero.clone() + 1, zero - 1].into_iter();
+            values.filter_map(move |value| {
                 let mut moved = point.clone();
-                moved.insert(name.clone(), zero);
+                moved.insert(name.clone(), value);
                 self.allows(&moved).then_some(moved)
             })
         };
-        expressions.iter().flat_map(moved)
+        expressions.iter().flat_map(moved).flat_map(beside)
     }
 
     /// Whether each positive variable is, and each lies between its ends.

@@ -119,8 +119,9 @@ impl Claim {
             is_solved_plainly: true,
             has_two_signs: false,
         };
+        let moves: Vec<usize> = scope.moves.iter().map(|name| claim.book.variable(name.as_str())).collect();
         claim.choose(&equal);
-        Some(claim.solve(equal).map(|()| claim))
+        Some(claim.solve(equal, &moves).map(|()| claim))
     }
 
     /// The variables that the claim reaches, but for those with one value.
@@ -157,8 +158,9 @@ impl Claim {
         }
     }
 
-    /// Finds a variable for each equation: one that stands alone on a side, or else one in which it is linear.
-    fn solve(&mut self, equal: Vec<Compared>) -> Result<(), String> {
+    /// Finds a variable for each equation: one that is said to move with another one, or that stands alone on a side, or else one in
+    /// which it is linear.
+    fn solve(&mut self, equal: Vec<Compared>, moves: &[usize]) -> Result<(), String> {
         for one in equal {
             let alone = [&one.left, &one.right].into_iter().filter_map(|side| match side {
                 Term::Variable(variable) => Some(*variable),
@@ -172,6 +174,8 @@ impl Claim {
                 reached.into_iter().filter(|variable| self.may_solve(*variable)).collect();
             others.sort_by_key(|variable| self.book.name(*variable));
             let difference = one.difference();
+            let named: Vec<usize> = others.iter().copied().filter(|variable| moves.contains(variable)).collect();
+            let alone = if named.is_empty() { alone } else { named };
             let candidates = alone.iter().chain(&others);
             let found = candidates.copied().find(|variable| self.is_linear(&difference, *variable));
             let variable = found.ok_or("an equation among the conditions is not linear in a variable")?;

@@ -81,6 +81,10 @@ impl Premises {
             let solved = premises.solved_for(condition, &expression, moving, &scope.moves)?;
             premises.put(solved)?;
         }
+        let in_equations = |name: &Symbol| premises.solved.iter().any(|one| one.variable == *name);
+        if let Some(name) = scope.moves.iter().find(|name| !in_equations(name)) {
+            return Err(format!("`moves` names {name}, for which no equation among the conditions is solved"));
+        }
         let wanted = std::mem::take(&mut premises.wanted);
         premises.wanted =
             wanted.iter().map(|one| Literal::new(premises.put_in(&one.expression), one.sign)).collect();
@@ -158,7 +162,13 @@ impl Premises {
         match value.ok().and_then(|value| value.as_constant()) {
             Some(value) if literal.sign.admits(value.cmp0()) => {}
             Some(_) => return Err(format!("the condition {literal} is not met")),
-            None => self.conditions.push(Literal::new(expression, literal.sign)),
+            None => {
+                let literal = Literal::new(expression, literal.sign);
+                let follows = condition(&literal).is_some_and(|one| self.domain().proves(&one) == Ok(true));
+                if !follows {
+                    self.conditions.push(literal);
+                }
+            }
         }
         Ok(())
     }
