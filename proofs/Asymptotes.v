@@ -1,4 +1,5 @@
-(** Eq 8 without inertia and for small and large slip distances: eqs 14 to 20, claims B2 to B5 of Im and Avouac. *)
+(** Eq 8 without inertia, for small and large slip distances, and for high velocities and low normal stresses: eqs 14 to 22, claims B2
+    to B5 and Q2 of Im and Avouac. *)
 
 From Slipmode Require Export BoundaryCurve.
 
@@ -16,13 +17,7 @@ Qed.
 Lemma affine_limit (u v : R) : filterlim (fun x => u + x * v) (at_right 0) (locally u).
 Proof. eapply filterlim_filter_le_1; [apply filter_le_within | apply affine_near_zero]. Qed.
 
-Lemma inverse_limit (u v : R) : filterlim (fun x => u + / x * v) (Rbar_locally p_infty) (locally u).
-Proof.
-  apply (filterlim_comp _ _ _ Rinv (fun x => u + x * v) _ (locally 0)); [|apply affine_near_zero].
-  apply (is_lim_inv (fun x => x) p_infty p_infty (is_lim_id p_infty)); discriminate.
-Qed.
-
-(** An affine function of x from above to 0, and of 1/x to infinity. *)
+(** An affine function of x from above to 0, and a polynomial of degree 2 in 1/x to infinity. *)
 Lemma affine_tends (f : R -> C) (u v : C) :
   (forall x, 0 < x -> f x = (u + RtoC x * v)%C) -> tends f (at_right 0) u.
 Proof.
@@ -33,14 +28,11 @@ Proof.
     exists (mkposreal 1 Rlt_0_1); intros x _ P; rewrite (H x P); destruct u, v; simpl; ring.
 Qed.
 
-Lemma inverse_tends (f : R -> C) (u v : C) :
-  (forall x, 0 < x -> f x = (u + RtoC (/ x) * v)%C) -> tends f (Rbar_locally p_infty) u.
+Lemma inverse_tends (f : R -> C) (u v w : C) :
+  (forall x, 0 < x -> f x = (u + RtoC (/ x) * v + RtoC (/ x ^ 2) * w)%C) -> tends f (Rbar_locally p_infty) u.
 Proof.
-  intros H; split.
-  - apply filterlim_ext_loc with (f := fun x => fst u + / x * fst v); [|apply inverse_limit].
-    exists 0; intros x P; rewrite (H x P); destruct u, v; simpl; ring.
-  - apply filterlim_ext_loc with (f := fun x => snd u + / x * snd v); [|apply inverse_limit].
-    exists 0; intros x P; rewrite (H x P); destruct u, v; simpl; ring.
+  intros H; split; [apply (limit_at_infinity _ [fst u; fst v; fst w] [1]) | apply (limit_at_infinity _ [snd u; snd v; snd w] [1])];
+    try (intros x P; rewrite (H x P)); destruct u, v, w; simpl; try lra; field; lra.
 Qed.
 
 Lemma quadratic_real (a b c : R) :
@@ -204,7 +196,7 @@ Theorem B5 :
 Proof using a_pos b_pos K_pos M_pos V_pos sigma_pos.
   split.
   - intros z; apply inverse_tends with
-      (v := (RtoC (M * V) * z * z + RtoC ((a - b) * sigma) * z + RtoC (K * V))%C).
+      (v := (RtoC (M * V) * z * z + RtoC ((a - b) * sigma) * z + RtoC (K * V))%C) (w := RtoC 0).
     intros D P; unfold eq_8, c3, c2, c1, c0, l2, l1, l0, complex_cubic, quadratic; destruct z as [x y]; project; field;
       repeat split; apply Rgt_not_eq; assumption.
   - destruct (discriminant_zero a a_pos) as [Z L]; unfold left_20; rewrite (quadratic_real l2 l1 l0 M_pos).
@@ -212,3 +204,66 @@ Proof using a_pos b_pos K_pos M_pos V_pos sigma_pos.
 Qed.
 
 End Asymptotes.
+
+(** ** High velocities and low normal stresses *)
+
+Section HighVelocity.
+
+Variables a b D K M : R.
+Hypotheses (a_pos : 0 < a) (b_pos : 0 < b) (D_pos : 0 < D) (K_pos : 0 < K) (M_pos : 0 < M).
+
+(** The coefficients of eq 8, with the velocity and the normal stress that change, and those of eqs 21 and 22. *)
+Let p3 (V sigma : R) := M / sigma.
+Let p2 (V sigma : R) := a / V + M * V / (sigma * D).
+Let p1 (V sigma : R) := K / sigma + (a - b) / D.
+Let p0 (V sigma : R) := K * V / (sigma * D).
+Let m2 := M.
+Let m0 := K.
+Let n3 := M.
+Let n2 (V : R) := M * V / D.
+Let n1 := K.
+Let n0 (V : R) := K * V / D.
+Let omega_n := sqrt (K / M).
+
+(** Claim Q2, besides the limits of the roots: eq 8 tends to eq 21 for high velocities and to eq 22 for low normal stresses. The roots of
+    eq 21 are ±iω_n, and those of eq 22 are these and −V_0/D_c. *)
+Theorem Q2_equations :
+  (forall sigma z, 0 < sigma ->
+     tends (fun V => RtoC (sigma * D / V) * complex_cubic (p3 V sigma) (p2 V sigma) (p1 V sigma) (p0 V sigma) z)%C
+       (Rbar_locally p_infty) (quadratic m2 0 m0 z)) /\
+  (forall V z, 0 < V ->
+     tends (fun sigma => RtoC sigma * complex_cubic (p3 V sigma) (p2 V sigma) (p1 V sigma) (p0 V sigma) z)%C
+       (at_right 0) (complex_cubic n3 (n2 V) n1 (n0 V) z)) /\
+  (forall z, quadratic m2 0 m0 z = 0%C <-> z = (Ci * RtoC omega_n)%C \/ z = (- (Ci * RtoC omega_n))%C) /\
+  (forall V z, 0 < V -> (complex_cubic n3 (n2 V) n1 (n0 V) z = 0%C <->
+     z = (Ci * RtoC omega_n)%C \/ z = (- (Ci * RtoC omega_n))%C \/ z = RtoC (- (V / D)))).
+Proof using D_pos K_pos M_pos.
+  assert (W : omega_n ^ 2 = K / M) by (unfold omega_n; apply root_squared; left; pos).
+  assert (Q : forall z, quadratic m2 0 m0 z = (RtoC M * (z - Ci * RtoC omega_n) * (z + Ci * RtoC omega_n))%C).
+  { intros [x y]; unfold quadratic, m2, m0; replace K with (M * omega_n ^ 2) by (rewrite W; field; lra); project; ring. }
+  assert (N : RtoC M <> 0%C) by (intros H; apply (f_equal fst) in H; simpl in H; lra).
+  assert (E : forall z u : C, (z - u = 0)%C -> z = u) by (intros z u H; replace z with (z - u + u)%C by ring; rewrite H; ring).
+  assert (Z : forall z, quadratic m2 0 m0 z = 0%C <-> z = (Ci * RtoC omega_n)%C \/ z = (- (Ci * RtoC omega_n))%C).
+  { intros z; rewrite Q; split.
+    - intros H; apply integral in H; destruct H as [H|H]; [apply integral in H; destruct H as [H|H]|]; [contradiction | left | right].
+      + now apply E.
+      + apply E; rewrite <- H; ring.
+    - intros [->| ->]; ring. }
+  split; [|split; [|split; [exact Z|]]].
+  - intros sigma z S; apply inverse_tends with
+      (v := (RtoC (M * D) * z * z * z + RtoC (K * D + (a - b) * sigma) * z)%C) (w := (RtoC (a * sigma * D) * z * z)%C).
+    intros V P; unfold p3, p2, p1, p0, m2, m0, complex_cubic, quadratic; destruct z as [x y]; project; field;
+      repeat split; apply Rgt_not_eq; assumption.
+  - intros V z P; apply affine_tends with (v := (RtoC (a / V) * z * z + RtoC ((a - b) / D) * z)%C).
+    intros sigma S; unfold p3, p2, p1, p0, n3, n2, n1, n0, complex_cubic; destruct z as [x y]; project; field;
+      repeat split; apply Rgt_not_eq; assumption.
+  - intros V z P.
+    assert (F : complex_cubic n3 (n2 V) n1 (n0 V) z = (quadratic m2 0 m0 z * (z - RtoC (- (V / D))))%C).
+    { unfold complex_cubic, quadratic, n3, n2, n1, n0, m2, m0; destruct z as [x y]; project; field; lra. }
+    rewrite F; split.
+    + intros H; apply integral in H; destruct H as [H|H]; [apply Z in H; tauto | right; right; now apply E].
+    + intros H; assert (X : quadratic m2 0 m0 z = 0%C \/ z = RtoC (- (V / D))) by (rewrite Z; tauto).
+      destruct X as [-> | ->]; ring.
+Qed.
+
+End HighVelocity.

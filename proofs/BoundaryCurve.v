@@ -193,6 +193,37 @@ Proof using a_pos b_pos.
   split; [exact N0|]; split; [exact N1|]; rewrite <- w_squared; now apply arcs.
 Qed.
 
+(** The double root at a point of the curve. *)
+Let double_at (r : R) : on_arc r ->
+  0 < V_at r /\ 0 < sigma_at r /\
+  cubic (c3 (V_at r) (sigma_at r)) (c2 (V_at r) (sigma_at r)) (c1 (V_at r) (sigma_at r)) (c0 (V_at r) (sigma_at r)) (V_at r / D * r) = 0 /\
+  3 * c3 (V_at r) (sigma_at r) * (V_at r / D * r) ^ 2 + 2 * c2 (V_at r) (sigma_at r) * (V_at r / D * r) + c1 (V_at r) (sigma_at r) = 0.
+Proof using a_pos b_pos D_pos K_pos M_pos.
+  intros A; destruct (groups_pos r A) as (N0 & N1 & E & Q).
+  set (beta := b / a) in *; set (e := eta_at beta r) in *; set (k := kappa_at beta r) in *.
+  assert (B : 0 < beta) by (unfold beta; pos).
+  assert (P : 0 < e * K / (k * M)) by pos.
+  assert (v : 0 < V_at r) by (unfold V_at; fold beta e k; pos).
+  assert (s : 0 < sigma_at r) by (unfold sigma_at; fold beta k; pos).
+  split; [exact v|]; split; [exact s|].
+  assert (EE : M * V_at r ^ 2 / (sigma_at r * a * D) = e).
+  { unfold V_at, sigma_at; fold beta e k; rewrite Rpow_mult_distr, root_squared by lra.
+    field; repeat split; apply Rgt_not_eq; assumption. }
+  assert (EK : K * D / (a * sigma_at r) = k).
+  { unfold sigma_at; fold beta k; field; repeat split; apply Rgt_not_eq; assumption. }
+  assert (T : twice e k beta r) by (apply boundary_curve; repeat split; assumption).
+  destruct T as [T1 T2]; set (V := V_at r) in *; set (sigma := sigma_at r) in *.
+  split.
+  + replace (cubic (c3 V sigma) (c2 V sigma) (c1 V sigma) (c0 V sigma) (V / D * r))
+      with (a * V / D ^ 2 * cubic e (1 + e) (k + 1 - beta) k r)
+      by (rewrite <- EE, <- EK; unfold cubic, c3, c2, c1, c0, beta; field; repeat split; apply Rgt_not_eq; assumption).
+    rewrite T1; ring.
+  + replace (3 * c3 V sigma * (V / D * r) ^ 2 + 2 * c2 V sigma * (V / D * r) + c1 V sigma)
+      with (a / D * (3 * e * r ^ 2 + 2 * (1 + e) * r + (k + 1 - beta)))
+      by (rewrite <- EE, <- EK; unfold c3, c2, c1, beta; field; repeat split; apply Rgt_not_eq; assumption).
+    rewrite T2; ring.
+Qed.
+
 (** The boundary is the curve: every point of it, and nothing else. *)
 Theorem boundary_is_curve (V sigma : R) : boundary V sigma <-> exists r, on_arc r /\ V = V_at r /\ sigma = sigma_at r.
 Proof using a_pos b_pos D_pos K_pos M_pos.
@@ -220,29 +251,8 @@ Proof using a_pos b_pos D_pos K_pos M_pos.
         by (field; repeat split; apply Rgt_not_eq; assumption).
       rewrite sqrt_square by (left; pos); field; apply Rgt_not_eq; assumption.
     + unfold sigma_at; rewrite <- EK; unfold kappa; field; repeat split; apply Rgt_not_eq; assumption.
-  - intros (r & A & -> & ->); destruct (groups_pos r A) as (N0 & N1 & E & Q).
-    set (beta := b / a) in *; set (e := eta_at beta r) in *; set (k := kappa_at beta r) in *.
-    assert (B : 0 < beta) by (unfold beta; pos).
-    assert (P : 0 < e * K / (k * M)) by pos.
-    assert (v : 0 < V_at r) by (unfold V_at; fold beta e k; pos).
-    assert (s : 0 < sigma_at r) by (unfold sigma_at; fold beta k; pos).
-    split; [exact v|]; split; [exact s|]; apply double_root; [unfold c3; apply Rgt_not_eq; red; pos|].
-    assert (EE : M * V_at r ^ 2 / (sigma_at r * a * D) = e).
-    { unfold V_at, sigma_at; fold beta e k; rewrite Rpow_mult_distr, root_squared by lra.
-      field; repeat split; apply Rgt_not_eq; assumption. }
-    assert (EK : K * D / (a * sigma_at r) = k).
-    { unfold sigma_at; fold beta k; field; repeat split; apply Rgt_not_eq; assumption. }
-    assert (T : twice e k beta r) by (apply boundary_curve; repeat split; assumption).
-    destruct T as [T1 T2]; set (V := V_at r) in *; set (sigma := sigma_at r) in *.
-    exists (V / D * r); split.
-    + replace (cubic (c3 V sigma) (c2 V sigma) (c1 V sigma) (c0 V sigma) (V / D * r))
-        with (a * V / D ^ 2 * cubic e (1 + e) (k + 1 - beta) k r)
-        by (rewrite <- EE, <- EK; unfold cubic, c3, c2, c1, c0, beta; field; repeat split; apply Rgt_not_eq; assumption).
-      rewrite T1; ring.
-    + replace (3 * c3 V sigma * (V / D * r) ^ 2 + 2 * c2 V sigma * (V / D * r) + c1 V sigma)
-        with (a / D * (3 * e * r ^ 2 + 2 * (1 + e) * r + (k + 1 - beta)))
-        by (rewrite <- EE, <- EK; unfold c3, c2, c1, beta; field; repeat split; apply Rgt_not_eq; assumption).
-      rewrite T2; ring.
+  - intros (r & A & -> & ->); destruct (double_at r A) as (v & s & Z).
+    split; [exact v|]; split; [exact s|]; apply double_root; [unfold c3; apply Rgt_not_eq; red; pos | now exists (V_at r / D * r)].
 Qed.
 
 (** Eqs 18 and 20 along the curve. *)
@@ -419,6 +429,208 @@ Proof using a_pos b_pos D_pos K_pos M_pos.
       unfold ball; simpl; unfold AbsRing_ball, abs, minus, plus, opp; simpl; rewrite Ropp_0, Rplus_0_r, Rabs_pos_eq; lra. }
     split; (eapply filterlim_filter_le_1; [exact F|]); assumption.
   - destruct end_16 as [H1 H2]; split; (eapply filterlim_filter_le_1; [apply filter_le_within|]); assumption.
+Qed.
+
+(** ** In which zone the boundary tends to eqs 18 and 20 *)
+
+Let stable_at (V sigma : R) := stable (c3 V sigma) (c2 V sigma) (c1 V sigma) (c0 V sigma).
+Let unstable_at (V sigma : R) := unstable (c3 V sigma) (c2 V sigma) (c1 V sigma) (c0 V sigma).
+
+(** The zone is that of the sign of r. *)
+Let zone (r : R) : on_arc r ->
+  (0 < r -> unstable_at (V_at r) (sigma_at r)) /\ (r < 0 -> stable_at (V_at r) (sigma_at r)).
+Proof using a_pos b_pos D_pos K_pos M_pos.
+  intros A; destruct (double_at r A) as (v & s & Z & S); set (V := V_at r) in *; set (sigma := sigma_at r) in *.
+  assert (F : 0 < V / D) by pos; split; intros L.
+  - exists (RtoC (V / D * r)); split; [apply (complex_roots _ _ _ _ _ _ Z); now left | simpl; now apply Rmult_lt_0_compat].
+  - apply double_stable with (V / D * r); try assumption; [unfold c3; pos | unfold c0; pos|].
+    assert (0 < V / D * - r) by (apply Rmult_lt_0_compat; lra); lra.
+Qed.
+
+Let kappa_form (r : R) : r <> - 1 -> 2 * (r + 1) ^ 2 * kappa_at (b / a) r = r * ((2 * r + 1) * w ^ 2 - (r + 1) ^ 2).
+Proof using a_pos b_pos. intros N; rewrite w_squared; unfold kappa_at; field; split; lra. Qed.
+
+(** On the arc r < −1 − w, κ lies between 1/2 and r². *)
+Let kappa_lower (r : R) : r < - 1 - w -> / 2 < kappa_at (b / a) r < r ^ 2.
+Proof using a_pos b_pos.
+  intros L; pose proof w_pos as W; pose proof (kappa_form r ltac:(lra)) as F.
+  set (k := kappa_at (b / a) r) in *; set (m := (r + 1) ^ 2) in *.
+  assert (M0 : w ^ 2 < m) by (unfold m; nra).
+  assert (W2 : 0 < w ^ 2) by now apply pow_lt.
+  assert (T : 0 < - r * (- (2 * r + 1))) by (apply Rmult_lt_0_compat; lra).
+  assert (E : r * ((2 * r + 1) * w ^ 2 - m) = - r * (- (2 * r + 1)) * w ^ 2 + - r * m) by ring.
+  split; apply (Rmult_lt_reg_l (2 * m)); try lra; rewrite F, E.
+  - assert (0 < - r * (- (2 * r + 1)) * w ^ 2) by now apply Rmult_lt_0_compat.
+    assert (0 < (- r - 1) * m) by (apply Rmult_lt_0_compat; lra). lra.
+  - assert (0 < - r * (- (2 * r + 1)) * (m - w ^ 2)) by (apply Rmult_lt_0_compat; lra).
+    assert (2 * m * r ^ 2 = - r * (- (2 * r + 1)) * m + - r * m) by ring. lra.
+Qed.
+
+(** On the arc 0 < r < w − 1, κ is at least r times a constant, and bounded. *)
+Let kappa_upper (r : R) : 0 < r < w - 1 ->
+  Rmin (w ^ 2 - 1) (2 * (w - 1) * w ^ 2) * r <= 2 * w ^ 2 * kappa_at (b / a) r /\ kappa_at (b / a) r <= w ^ 4.
+Proof using a_pos b_pos.
+  intros L; pose proof (kappa_form r ltac:(lra)) as F.
+  set (k := kappa_at (b / a) r) in *; set (c := Rmin _ _).
+  assert (K0 : 0 < k) by (apply groups_pos; left; exact L).
+  assert (M1 : 1 <= (r + 1) ^ 2 <= w ^ 2) by nra.
+  set (m := (r + 1) ^ 2) in *; split.
+  - assert (C : c <= (2 * r + 1) * w ^ 2 - m).
+    { pose proof (Rmin_l (w ^ 2 - 1) (2 * (w - 1) * w ^ 2)) as C1; pose proof (Rmin_r (w ^ 2 - 1) (2 * (w - 1) * w ^ 2)) as C2; fold c in C1, C2.
+      assert (E : (w - 1) * ((2 * r + 1) * w ^ 2 - m) =
+                  (w - 1 - r) * (w ^ 2 - 1) + r * (2 * (w - 1) * w ^ 2) + (w - 1) * (r * (w - 1 - r))) by (unfold m; ring).
+      assert ((w - 1 - r) * c <= (w - 1 - r) * (w ^ 2 - 1)) by (apply Rmult_le_compat_l; lra).
+      assert (r * c <= r * (2 * (w - 1) * w ^ 2)) by (apply Rmult_le_compat_l; lra).
+      assert (0 <= (w - 1) * (r * (w - 1 - r))) by (apply Rmult_le_pos; [lra | apply Rmult_le_pos; lra]).
+      apply (Rmult_le_reg_l (w - 1)); [lra|]; lra. }
+    assert (2 * m * k <= 2 * w ^ 2 * k) by (apply Rmult_le_compat_r; lra).
+    assert (r * c <= r * ((2 * r + 1) * w ^ 2 - m)) by (apply Rmult_le_compat_l; lra). lra.
+  - assert (2 * 1 * k <= 2 * m * k) by (apply Rmult_le_compat_r; lra).
+    assert (W2 : 0 < w ^ 2) by (apply pow_lt; lra).
+    assert (T : r * (2 * r + 1) <= 2 * w ^ 2) by nra.
+    apply (Rmult_le_compat_r (w ^ 2)) in T; [|lra].
+    assert (0 <= r * m) by (apply Rmult_le_pos; lra).
+    replace (w ^ 4) with (w ^ 2 * w ^ 2) by ring; lra.
+Qed.
+
+(** The same on the arc w − 1 < r < 0. *)
+Let kappa_middle (r : R) : w - 1 < r < 0 ->
+  w ^ 2 * (1 - w ^ 2) * - r <= 2 * kappa_at (b / a) r /\ kappa_at (b / a) r <= 1.
+Proof using a_pos b_pos.
+  intros L; pose proof w_pos as W; pose proof (kappa_form r ltac:(lra)) as F.
+  assert (K0 : 0 < kappa_at (b / a) r) by (apply groups_pos; right; left; exact L).
+  set (k := kappa_at (b / a) r) in *; set (m := (r + 1) ^ 2) in *.
+  assert (M0 : w ^ 2 < m) by (unfold m; nra); assert (M1 : m < 1) by (unfold m; nra).
+  assert (W2 : 0 < w ^ 2) by now apply pow_lt.
+  split.
+  - assert (C : w ^ 2 * (1 - w ^ 2) <= m - (2 * r + 1) * w ^ 2).
+    { unfold m; replace ((r + 1) ^ 2 - (2 * r + 1) * w ^ 2) with ((r + 1 - w ^ 2) ^ 2 + w ^ 2 * (1 - w ^ 2)) by ring.
+      pose proof (pow2_ge_0 (r + 1 - w ^ 2)); lra. }
+    assert (- r * (w ^ 2 * (1 - w ^ 2)) <= - r * (m - (2 * r + 1) * w ^ 2)) by (apply Rmult_le_compat_l; lra).
+    assert (2 * m * k <= 2 * 1 * k) by (apply Rmult_le_compat_r; lra). lra.
+  - apply (Rmult_le_reg_l (2 * m)); [lra|]; rewrite F.
+    assert (0 <= (r + 1) * (- r) * w ^ 2) by (apply Rmult_le_pos; [apply Rmult_le_pos; lra | lra]).
+    assert (0 <= (r + 1) * (m - w ^ 2 * - r)) by (apply Rmult_le_pos; [lra|]; nra).
+    assert (r * ((2 * r + 1) * w ^ 2 - m) = - r * m + r * (r + 1) * w ^ 2 + r * r * w ^ 2) by ring.
+    assert (r * r * w ^ 2 <= m). { assert (r * r * w ^ 2 <= 1 * w ^ 2) by (apply Rmult_le_compat_r; nra). lra. }
+    nra.
+Qed.
+
+(** Where κ is small, so is r; where κ is large, r is on the lower arc and far out. *)
+Let small_kappa : a <> b -> exists c, 0 < c /\ forall r, on_arc r -> kappa_at (b / a) r < / 2 -> c * Rabs r <= kappa_at (b / a) r.
+Proof using a_pos b_pos.
+  intros N; pose proof w_pos as W.
+  assert (W1 : w <> 1).
+  { intros E; apply N; pose proof w_squared as S; rewrite E in S; apply (Rmult_eq_reg_r (/ a)); [|apply Rinv_neq_0_compat; lra].
+    unfold Rdiv in S; rewrite <- S; field; lra. }
+  assert (W2 : 0 < w ^ 2) by now apply pow_lt.
+  destruct (Rlt_le_dec 1 w) as [L|L].
+  - set (c := Rmin (w ^ 2 - 1) (2 * (w - 1) * w ^ 2)).
+    assert (C : 0 < c) by (unfold c; apply Rmin_pos; [nra | apply Rmult_lt_0_compat; lra]).
+    exists (c / (2 * w ^ 2)); split; [apply Rdiv_lt_0_compat; lra|]; intros r [A|[A|A]] S.
+    + rewrite Rabs_pos_eq by lra; destruct (kappa_upper r A) as [H _]; fold c in H.
+      apply (Rmult_le_reg_l (2 * w ^ 2)); [lra|]; replace (2 * w ^ 2 * (c / (2 * w ^ 2) * r)) with (c * r) by (field; lra); exact H.
+    + lra.
+    + pose proof (kappa_lower r A); lra.
+  - assert (C : 0 < w ^ 2 * (1 - w ^ 2)) by (apply Rmult_lt_0_compat; [lra | nra]).
+    exists (w ^ 2 * (1 - w ^ 2) / 2); split; [lra|]; intros r [A|[A|A]] S.
+    + lra.
+    + rewrite Rabs_left by lra; destruct (kappa_middle r A) as [H _]; lra.
+    + pose proof (kappa_lower r A); lra.
+Qed.
+
+Let large_kappa : exists c, 1 <= c /\ forall r, on_arc r -> c < kappa_at (b / a) r -> r < - 1 - w /\ kappa_at (b / a) r < r ^ 2.
+Proof using a_pos b_pos.
+  exists (Rmax 1 (w ^ 4)); split; [apply Rmax_l|]; intros r A L.
+  pose proof (Rmax_l 1 (w ^ 4)); pose proof (Rmax_r 1 (w ^ 4)); destruct A as [A|[A|A]].
+  - destruct (kappa_upper r A); lra.
+  - destruct (kappa_middle r A); lra.
+  - split; [exact A | apply kappa_lower, A].
+Qed.
+
+Let kappa_of_sigma (r : R) : on_arc r -> kappa_at (b / a) r = K * D / (a * sigma_at r).
+Proof using a_pos b_pos D_pos K_pos.
+  intros A; destruct (groups_pos r A) as (_ & _ & _ & Q); unfold sigma_at; field; repeat split; apply Rgt_not_eq; assumption.
+Qed.
+
+(** For a <> b the boundary has points at arbitrarily large σ. There it tends to eq 18. For a < b it lies in the unstable zone there. *)
+Theorem asymptote_18 : a <> b ->
+  (forall s, exists V sigma, boundary V sigma /\ s < sigma) /\
+  (forall e, 0 < e -> exists s, 0 < s /\ forall V sigma, boundary V sigma -> s < sigma ->
+     Rabs (left_18 V sigma - 1) < e /\ (a < b -> unstable_at V sigma) /\ (b < a -> stable_at V sigma)).
+Proof using a_pos b_pos D_pos K_pos M_pos.
+  intros N; pose proof w_pos as W; destruct (end_18 N) as [H1 H2].
+  assert (side : a < b /\ 1 < w \/ b < a /\ w < 1).
+  { destruct (Rdichotomy _ _ N) as [L|L]; [left|right]; (split; [exact L|]);
+      unfold w; rewrite <- sqrt_1 at 1; apply sqrt_lt_1; try lra; try (left; pos);
+      apply (Rmult_lt_reg_r a); try exact a_pos; replace (b / a * a) with b by (field; lra); lra. }
+  split.
+  - intros s; set (s1 := Rmax 1 s); assert (S1 : 0 < s1) by (unfold s1; pose proof (Rmax_l 1 s); lra).
+    assert (P : 0 < / s1) by now apply Rinv_0_lt_compat.
+    destruct (proj1 (filterlim_locally _ _) H2 (mkposreal _ P)) as [d B].
+    assert (X : exists r, on_arc r /\ Rabs r < d).
+    { pose proof (cond_pos d) as D0; destruct side as [[_ L]|[_ L]].
+      - exists (Rmin (d / 2) ((w - 1) / 2)); assert (0 < Rmin (d / 2) ((w - 1) / 2)) by (apply Rmin_pos; lra).
+        pose proof (Rmin_l (d / 2) ((w - 1) / 2)); pose proof (Rmin_r (d / 2) ((w - 1) / 2)).
+        split; [left; lra | rewrite Rabs_pos_eq by lra; lra].
+      - exists (- Rmin (d / 2) ((1 - w) / 2)); assert (0 < Rmin (d / 2) ((1 - w) / 2)) by (apply Rmin_pos; lra).
+        pose proof (Rmin_l (d / 2) ((1 - w) / 2)); pose proof (Rmin_r (d / 2) ((1 - w) / 2)).
+        split; [right; left; lra | rewrite Rabs_Ropp, Rabs_pos_eq by lra; lra]. }
+    destruct X as (r & A & R); exists (V_at r), (sigma_at r); split; [apply boundary_is_curve; now exists r|].
+    destruct (double_at r A) as (_ & S0 & _).
+    assert (Y : ball 0 (/ s1) (/ sigma_at r)).
+    { apply B; [|exact A]; unfold ball; simpl; unfold AbsRing_ball, abs, minus, plus, opp; simpl; now rewrite Ropp_0, Rplus_0_r. }
+    unfold ball in Y; simpl in Y; unfold AbsRing_ball, abs, minus, plus, opp in Y; simpl in Y; rewrite Ropp_0, Rplus_0_r in Y.
+    rewrite Rabs_pos_eq in Y by (left; now apply Rinv_0_lt_compat).
+    apply Rle_lt_trans with s1; [apply Rmax_r|].
+    rewrite <- (Rinv_inv s1), <- (Rinv_inv (sigma_at r)); apply Rinv_lt_contravar; [|exact Y].
+    apply Rmult_lt_0_compat; now apply Rinv_0_lt_compat.
+  - intros e E; destruct (proj1 (filterlim_locally _ _) H1 (mkposreal _ E)) as [d B].
+    destruct (small_kappa N) as (c & C & S); pose proof (cond_pos d) as D0.
+    set (k := Rmin (/ 2) (c * d)); assert (K0 : 0 < k) by (unfold k; apply Rmin_pos; [lra | now apply Rmult_lt_0_compat]).
+    exists (K * D / (a * k)); split; [pos|]; intros V sigma Y L; apply boundary_is_curve in Y; destruct Y as (r & A & -> & ->).
+    destruct (double_at r A) as (_ & S0 & _); destruct (groups_pos r A) as (N0 & _ & _ & Q); pose proof (kappa_of_sigma r A) as F.
+    assert (G : kappa_at (b / a) r < k).
+    { rewrite F; apply (Rmult_lt_reg_r (a * sigma_at r)); [pos|].
+      replace (K * D / (a * sigma_at r) * (a * sigma_at r)) with (K * D) by (field; lra).
+      apply (Rmult_lt_compat_r (a * k)) in L; [|pos]; replace (K * D / (a * k) * (a * k)) with (K * D) in L by (field; lra); lra. }
+    pose proof (Rmin_l (/ 2) (c * d)) as G1; pose proof (Rmin_r (/ 2) (c * d)) as G2; fold k in G1, G2.
+    assert (R : Rabs r < d) by (apply (Rmult_lt_reg_l c); [exact C|]; pose proof (S r A ltac:(lra)); lra).
+    split.
+    + change (ball 1 e (left_18 (V_at r) (sigma_at r))); apply B; [|exact A].
+      unfold ball; simpl; unfold AbsRing_ball, abs, minus, plus, opp; simpl; now rewrite Ropp_0, Rplus_0_r.
+    + assert (Low : ~ r < - 1 - w) by (intros O; pose proof (kappa_lower r O); lra).
+      destruct (zone r A) as [U T]; split; intros O; [apply U | apply T]; destruct A as [A|[A|A]]; lra.
+Qed.
+
+(** The boundary has points at arbitrarily small σ. There it tends to eq 20, and lies in the stable zone. *)
+Theorem asymptote_20 :
+  (forall s, 0 < s -> exists V sigma, boundary V sigma /\ sigma < s) /\
+  (forall e, 0 < e -> exists s, 0 < s /\ forall V sigma, boundary V sigma -> sigma < s ->
+     Rabs (left_20 V sigma - 1) < e /\ stable_at V sigma).
+Proof using a_pos b_pos D_pos K_pos M_pos.
+  pose proof w_pos as W; destruct end_20 as [H1 H2]; split.
+  - intros s S; destruct (proj1 (filterlim_locally _ _) H2 (mkposreal _ S)) as [m B].
+    set (r := Rmin m (- 1 - w) - 1); pose proof (Rmin_l m (- 1 - w)); pose proof (Rmin_r m (- 1 - w)).
+    assert (A : on_arc r) by (right; right; unfold r; lra).
+    exists (V_at r), (sigma_at r); split; [apply boundary_is_curve; now exists r|].
+    destruct (double_at r A) as (_ & S0 & _); pose proof (B r ltac:(unfold r; lra)) as Y.
+    unfold ball in Y; simpl in Y; unfold AbsRing_ball, abs, minus, plus, opp in Y; simpl in Y.
+    rewrite Ropp_0, Rplus_0_r, Rabs_pos_eq in Y by lra; exact Y.
+  - intros e E; destruct (proj1 (filterlim_locally _ _) H1 (mkposreal _ E)) as [m B].
+    destruct large_kappa as (c & C & G).
+    set (k := Rmax c (m ^ 2)); assert (K1 : 1 <= k) by (unfold k; pose proof (Rmax_l c (m ^ 2)); lra).
+    exists (K * D / (a * k)); split; [pos|]; intros V sigma Y L; apply boundary_is_curve in Y; destruct Y as (r & A & -> & ->).
+    destruct (double_at r A) as (_ & S0 & _); destruct (groups_pos r A) as (N0 & _ & _ & Q); pose proof (kappa_of_sigma r A) as F.
+    assert (X : k < kappa_at (b / a) r).
+    { rewrite F; apply (Rmult_lt_reg_r (a * sigma_at r)); [pos|].
+      replace (K * D / (a * sigma_at r) * (a * sigma_at r)) with (K * D) by (field; lra).
+      apply (Rmult_lt_compat_r (a * k)) in L; [|pos]; replace (K * D / (a * k) * (a * k)) with (K * D) in L by (field; lra); lra. }
+    pose proof (Rmax_l c (m ^ 2)) as X1; pose proof (Rmax_r c (m ^ 2)) as X2; fold k in X1, X2.
+    destruct (G r A ltac:(lra)) as [O P].
+    split; [|apply (zone r A); lra].
+    change (ball 1 e (left_20 (V_at r) (sigma_at r))); apply B.
+    destruct (Rlt_le_dec r m) as [|T]; [assumption|]; exfalso; assert (m ^ 2 < r ^ 2) by lra; nra.
 Qed.
 
 End Plane.

@@ -407,3 +407,23 @@ Proof.
   apply integral in H; destruct H as [H|H]; [|exact H].
   exfalso; apply N; exact (f_equal fst H).
 Qed.
+
+(** A cubic with a negative double root is stable. *)
+Lemma double_stable (a b c d r : R) :
+  0 < a -> 0 < d -> cubic a b c d r = 0 -> 3 * a * r ^ 2 + 2 * b * r + c = 0 -> r < 0 -> stable a b c d.
+Proof.
+  intros A D Z S L; apply routh_hurwitz; [exact A|]; unfold cubic in Z.
+  set (h := 2 * a * r + b).
+  assert (E : c = - 3 * a * r ^ 2 - 2 * b * r) by lra.
+  assert (F : d = r ^ 2 * h) by (unfold h; rewrite E in Z; replace d with (0 - (a * r ^ 3 + b * r ^ 2 + (- 3 * a * r ^ 2 - 2 * b * r) * r)) by lra; ring).
+  assert (R2 : 0 < r ^ 2) by (apply pow2_gt_0; lra).
+  assert (H : 0 < h) by (apply (Rmult_lt_reg_l (r ^ 2)); lra).
+  assert (P : 0 < a * - r) by (apply Rmult_lt_0_compat; lra).
+  split; [unfold h in H; lra|]; split; [exact D|].
+  apply Rminus_gt_0_lt; replace (b * c - a * d) with (2 * h * h * - r + 2 * a * - r * (a * r ^ 2) + 4 * (a * h * r ^ 2))
+    by (rewrite F, E; unfold h; ring).
+  assert (0 < a * r ^ 2) by (apply Rmult_lt_0_compat; lra); assert (0 < a * h) by (apply Rmult_lt_0_compat; lra).
+  assert (0 < h * h) by (apply Rmult_lt_0_compat; lra); assert (0 < h * h * - r) by (apply Rmult_lt_0_compat; lra).
+  assert (0 < a * - r * (a * r ^ 2)) by (apply Rmult_lt_0_compat; lra).
+  assert (0 < a * h * r ^ 2) by (apply Rmult_lt_0_compat; lra). lra.
+Qed.

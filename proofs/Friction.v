@@ -64,22 +64,29 @@ Proof using D_pos.
   - replace (V * (D / v) / D) with (/ (v / V)) by (field; lra); rewrite ln_Rinv by pos; ring.
 Qed.
 
-(** Claim F2: at steady state both laws have the same value and the same derivatives, by velocity and by state. *)
+(** Claim F2: at steady state both laws have the same value, the same derivatives by velocity and by state, and with them the same
+    derivative along every disturbance. *)
 Theorem F2 (v : R) : 0 < v ->
   eq_2 v (theta_ss v) = 0 /\ eq_3 v (theta_ss v) = 0 /\
   exists by_velocity by_state,
     is_derive (fun v' => eq_2 v' (theta_ss v)) v by_velocity /\ is_derive (fun v' => eq_3 v' (theta_ss v)) v by_velocity /\
-    is_derive (fun theta => eq_2 v theta) (theta_ss v) by_state /\ is_derive (fun theta => eq_3 v theta) (theta_ss v) by_state.
+    is_derive (fun theta => eq_2 v theta) (theta_ss v) by_state /\ is_derive (fun theta => eq_3 v theta) (theta_ss v) by_state /\
+    forall x y,
+      is_derive (fun e => eq_2 (v + e * x) (theta_ss v + e * y)) 0 (by_velocity * x + by_state * y) /\
+      is_derive (fun e => eq_3 (v + e * x) (theta_ss v + e * y)) 0 (by_velocity * x + by_state * y).
 Proof using D_pos.
-  intros P; assert (E : v * (D / v) / D = 1) by (field; lra); unfold eq_2, eq_3, theta_ss.
+  intros P; assert (E : v * (D / v) / D = 1) by (field; lra); assert (E' : v * (D / v) * / D = 1) by (field; lra).
+  unfold eq_2, eq_3, theta_ss.
   split; [rewrite E; ring|]; split; [rewrite E, ln_1; ring|].
-  exists (- (1 / v)), (- (v / D)); split; [|split; [|split]].
+  exists (- (1 / v)), (- (v / D)); split; [|split; [|split; [|split]]].
   - auto_derive; [exact I|]; real; field; lra.
-  - auto_derive; [replace (v * (D / v) * / D) with 1 by (field; lra); lra|].
-    replace (v * (D / v) * / D) with 1 by (field; lra); rewrite ln_1; real; field; lra.
+  - auto_derive; [rewrite E'; lra|]; rewrite E', ln_1; real; field; lra.
   - auto_derive; [exact I|]; real; field; lra.
-  - auto_derive; [replace (v * (D / v) * / D) with 1 by (field; lra); lra|].
-    replace (v * (D / v) * / D) with 1 by (field; lra); rewrite ln_1; real; field; lra.
+  - auto_derive; [rewrite E'; lra|]; rewrite E', ln_1; real; field; lra.
+  - intros x y; split.
+    + auto_derive; [exact I|]; rewrite !Rmult_0_l, !Rplus_0_r; real; field; lra.
+    + auto_derive; rewrite !Rmult_0_l, !Rplus_0_r; [rewrite E'; repeat split; try exact I; lra|].
+      rewrite E', ln_1; real; field; lra.
 Qed.
 
 (** Claim F3: as the velocity tends to zero at a given state, the rate of the state tends to 1 with the aging law and to 0 with the slip law. *)
@@ -105,18 +112,21 @@ Proof using D_pos.
     rewrite <- (sqrt_pow2 (e / 2)) by lra; apply sqrt_lt_1; lra.
 Qed.
 
-(** Claim F5: at V = 0 the state of the aging law grows as the time, and the state's part of eq 1 as b ln of it; eq 1 itself falls
-    without bound as V tends to zero. *)
+(** Claim F5: at V = 0 the state of the aging law grows as the time, and friction at every velocity as b ln of it; at a given state
+    friction is lower by a ln z at V/z than at V. *)
 Theorem F5 (V theta : R) : 0 < V -> 0 < theta ->
   filterlim (fun v => eq_2 v theta) (at_right 0) (locally 1) /\
   (forall v, 0 < v -> exists slope, is_derive (fun theta => eq_1 v V theta) theta slope /\ theta * slope = b) /\
+  (forall t, is_derive (fun t => theta + t) t (eq_2 0 (theta + t))) /\
   (forall state : R -> R, (forall t, is_derive state t (eq_2 0 (state t))) -> state 0 = theta ->
      forall t v, 0 <= t -> 0 < v -> state t = theta + t /\ eq_1 v V (state t) - eq_1 v V theta = b * ln (1 + t / theta)) /\
+  (forall t, 0 < t -> 0 < b * ln (1 + t / theta)) /\
   (forall v z, 0 < v -> 0 < z -> eq_1 (v / z) V theta = eq_1 v V theta - a * ln z).
-Proof using D_pos.
-  intros PV T; split; [exact (proj1 (F3 theta T))|]; split; [|split].
+Proof using b_pos D_pos.
+  intros PV T; split; [exact (proj1 (F3 theta T))|]; split; [|split; [|split; [|split]]].
   - intros v P; exists (b / theta); split; [|field; lra].
     unfold eq_1; auto_derive; [pos|]; real; field; repeat split; lra.
+  - intros t; unfold eq_2; auto_derive; [exact I|]; real; field; lra.
   - intros state S S0 t v Pt Pv.
     assert (E : state t = theta + t).
     { destruct (MVT_gen (fun t => state t - t) 0 t (fun _ => 0)) as (c & _ & H).
@@ -129,20 +139,30 @@ Proof using D_pos.
     split; [exact E|]; rewrite E; unfold eq_1.
     replace (V * (theta + t) / D) with (V * theta / D * (1 + t / theta)) by (field; lra).
     rewrite ln_mult; [ring | pos |]; assert (0 <= t / theta) by (apply Rdiv_le_0_compat; lra); lra.
+  - intros t P; apply Rmult_lt_0_compat; [exact b_pos|]; rewrite <- ln_1; apply ln_increasing; [lra|].
+    assert (0 < t / theta) by pos; lra.
   - intros v z Pv Pz; unfold eq_1; replace (v / z / V) with (v / V / z) by (field; lra).
     rewrite (ln_quotient (v / V) z) by pos; ring.
 Qed.
 
-(** Claim F6: the slopes of eq 1 do not depend on its reference velocity nor on μ_0: another reference velocity adds a constant to eq 1,
-    so that it can be the loading velocity. *)
-Theorem F6 (v V V' theta : R) : 0 < v -> 0 < V -> 0 < V' -> 0 < theta ->
-  is_derive (fun v => eq_1 v V theta) v (a / v) /\ is_derive (fun theta => eq_1 v V theta) theta (b / theta) /\
-  eq_1 v V' theta = eq_1 v V theta + (b - a) * ln (V' / V).
-Proof using D_pos.
-  intros Pv PV PV' Pt; unfold eq_1; split; [|split].
-  - auto_derive; [repeat split; try exact I; pos|]; real; field; repeat split; lra.
-  - auto_derive; [repeat split; try exact I; pos|]; real; field; repeat split; lra.
-  - logarithms; ring.
+(** Claim F6: in place of V_0 another reference velocity V_r adds a constant to eq 1, as another μ_0 does; with every V_r and μ_0
+    steady sliding at the loading velocity V solves eq 4, and the derivative of eq 4 along every disturbance is eq 5, which contains
+    neither of them. *)
+Theorem F6 (V V_r t Delta_delta Delta_delta' Delta_delta'' Delta_theta : R) : 0 < V -> 0 < V_r ->
+  (forall v theta, 0 < v -> 0 < theta -> eq_1 v V_r theta = eq_1 v V theta + (b - a) * ln (V_r / V)) /\
+  let mu := eq_1 V V_r (theta_ss V) in
+  let delta := V * t - sigma * mu / K in
+  eq_4_left 0 = eq_4_right V t delta mu /\
+  is_derive (fun e => eq_4_left (e * Delta_delta'') -
+      eq_4_right V t (delta + e * Delta_delta) (eq_1 (V + e * Delta_delta') V_r (theta_ss V + e * Delta_theta))) 0
+    (eq_5 V Delta_delta Delta_delta' Delta_delta'' Delta_theta).
+Proof using D_pos K_pos sigma_pos.
+  intros P Pr; split; [intros v theta Pv Pt; unfold eq_1; logarithms; ring|].
+  intros mu delta; assert (E : V_r * (D / V) * / D = V_r / V) by (field; lra).
+  split; [unfold eq_4_left, eq_4_right, delta; field; lra|].
+  unfold eq_1, eq_4_left, eq_4_right, eq_5, theta_ss.
+  auto_derive; rewrite !Rmult_0_l, !Rplus_0_r; [rewrite E; repeat split; try exact I; pos|].
+  real; field; repeat split; lra.
 Qed.
 
 (** Claim L1: steady sliding solves eqs 1 to 4 with either law, and the derivatives of the equations along every disturbance are eqs 5 and 6. *)
