@@ -45,3 +45,12 @@ Ltac stated h :=
 
 (** The slope of a function. *)
 Ltac slope := auto_derive; [ repeat split; first [exact I | divisor | pos] | field; divisors ].
+
+Lemma derivative_as (f : R -> R) (x d e : R) : d = e -> is_derive f x d -> is_derive f x e.
+Proof. now intros ->. Qed.
+
+(** The derivative of a function, which Coq differentiates by itself. *)
+Ltac derivative :=
+  auto_derive;
+  [ repeat split; first [exact I | pos | divisor | nra]
+  | lazymatch goal with |- ?u = ?v => change (u = v :> R) end; unfold Rdiv; field; divisors ].

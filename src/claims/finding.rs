@@ -277,6 +277,16 @@ impl Finding {
         self
     }
 
+    /// The step from what was decided to what the claim says is argued in words: the claim is no surer than that.
+    #[must_use]
+    pub fn argued(mut self, step: &str) -> Self {
+        let readings = self.readings.iter_mut().map(|reading| &mut reading.strength);
+        for strength in readings.chain([&mut self.strength]) {
+            *strength = Strength::Argued.max(*strength);
+        }
+        self.remark(format!("Argued in words: {step}"))
+    }
+
     /// Adds a remark for readers, if there is one.
     #[must_use]
     pub fn with_remark(mut self, remark: Option<String>) -> Self {
@@ -313,6 +323,12 @@ mod tests {
         assert_eq!(Finding::from_proof(Ok(proof)).verdict, Verdict::Fails);
         let undecided = Finding::from_proofs([]).with_evidence(sample(1)).within("a limit");
         assert_eq!(undecided.verdict, Verdict::NotChecked);
+    }
+
+    #[test]
+    fn what_is_argued_from_a_point_or_a_proof_is_no_surer_than_argued() {
+        assert_eq!(Finding::failing("at a point").argued("a step").strength, Strength::Argued);
+        assert_eq!(Finding::not_checked("no proof").argued("a step").strength, Strength::Sampled);
     }
 
     #[test]

@@ -203,8 +203,10 @@ fn decide_one(text: &ClaimEntry, context: &Context) -> Entry {
         error_bars: None,
         stated: text.stated.clone(),
     };
+    // Where the words are about more than the formulas, no theorem on the formulas states them.
+    let is_argued = entry.stated.as_ref().is_some_and(|stated| stated.argued.is_some());
     let tie = Some(())
-        .filter(|()| entry.finding.strength <= Strength::Argued)
+        .filter(|()| entry.finding.strength <= Strength::Argued && !is_argued)
         .and_then(|()| entry.tie(context.equations));
     match tie {
         Some(tie) => Entry { finding: entry.finding.with_whole_theorem(&tie.theorems), ..entry },

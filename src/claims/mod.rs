@@ -44,7 +44,7 @@ pub use by_hand::{ACCEPTED, LIBRARY, TIES, Tie, definitions, statement};
 pub use error_bars::{DecidedFor, PointWithin};
 pub use evidence::{Evidence, Strength};
 pub use finding::Finding;
-pub use formula::{WholeStatement, WholeTheorem, whole_statements, whole_theorems};
+pub use formula::{WholeStatement, WholeTheorem, certificate_digest, whole_statements, whole_theorems};
 pub use ledger::{Entry, Ledger, find, known_ids, needs, premises};
 pub use over_rows::row_faults;
 pub use planted_faults::{PlantedFaults, Survivor, plant_faults};

@@ -52,6 +52,8 @@ impl ClaimEntry {
 pub struct StatedClaim {
     /// What of the words the formulas leave out.
     pub leaves_out: String,
+    /// The step from the formulas to the words, where it is argued: the words are about more than the formulas.
+    pub argued: Option<String>,
     /// What a reader should know besides.
     pub remarks: Vec<String>,
     /// The ways to read the claim; the first is the claim as it is written, and decides.
@@ -131,10 +133,10 @@ pub fn read_claims(
 /// The formulas of a claim; the inner none for a claim without any.
 fn read_stated(section: &mut Section<'_>, equations: Option<&Equations>) -> Option<Option<StatedClaim>> {
     let formula = FormulaEntries::of(section);
-    let [parts, readings, leaves_out, remarks] =
-        ["part", "reading", "leaves_out", "remarks"].map(|key| section.optional(key));
+    let [parts, readings, leaves_out, argued, remarks] =
+        ["part", "reading", "leaves_out", "argued", "remarks"].map(|key| section.optional(key));
     if !formula.is_stated() && parts.is_none() && readings.is_none() {
-        let stray = formula.scope().chain(&leaves_out).chain(&remarks).next();
+        let stray = formula.scope().chain(&leaves_out).chain(&argued).chain(&remarks).next();
         return match stray {
             None => Some(None),
             Some(entry) => entry
@@ -168,8 +170,10 @@ fn read_stated(section: &mut Section<'_>, equations: Option<&Equations>) -> Opti
             "nothing else beside it: a claim has `formula`, [[claim.part]] or [[claim.reading]]".into(),
         )),
     };
+    let argued = argued.map_or(Some(None), |entry| entry.text().map(Some));
     let remarks = remarks.map_or(Some(Vec::new()), |list| list.list(Entry::text));
-    Some(Some(StatedClaim { leaves_out: leaves_out?, remarks: remarks?, readings: readings? }))
+    let (leaves_out, argued, remarks) = (leaves_out?, argued?, remarks?);
+    Some(Some(StatedClaim { leaves_out, argued, remarks, readings: readings? }))
 }
 
 /// Why a claim is out of reach: it has no formula, and is recorded as not checked.

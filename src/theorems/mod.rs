@@ -8,12 +8,11 @@ mod archived;
 use std::collections::{BTreeMap, BTreeSet};
 
 use serde::Deserialize;
-use sha2::{Digest, Sha256};
 use slipmode_algebra::coq::Theorem;
 use slipmode_algebra::{Certificate, Proof};
 use slipmode_core::theory::Equations;
 
-use crate::claims::{Strength, TIES, Tie, WholeTheorem, whole_theorems};
+use crate::claims::{Strength, TIES, Tie, WholeTheorem, certificate_digest, whole_theorems};
 use crate::scene::ClaimEntry;
 
 pub use archived::archived;
@@ -89,12 +88,6 @@ const LARGE_FILE_BYTES: usize = 30_000;
 /// A theorem's name and its certificate's digest, or the obstacle.
 type Outcome = Result<[String; 2], String>;
 
-/// SHA-256 of a certificate's JSON in lower-case hexadecimal.
-fn digest(certificate: &Certificate) -> String {
-    let json = serde_json::to_vec(certificate).unwrap_or_default();
-    Sha256::digest(json).iter().map(|byte| format!("{byte:02x}")).collect()
-}
-
 /// Theorems and altered theorems in the making, and where each distinct certificate stands.
 #[derive(Debug, Default)]
 struct Files {
@@ -115,9 +108,13 @@ pub fn files(reports: &[Published], further: (&str, Vec<Proof>)) -> Result<BTree
         for claim in &ledger.claims {
             files.add(name, &claim.id, claim.evidence.iter().filter_map(|evidence| evidence.proof.as_ref()));
             let stated = claims.iter().find(|known| known.id == claim.id);
+            let argued = stated.and_then(|known| known.stated.as_ref()?.argued.as_ref());
             if claim.strength <= Strength::Argued {
                 files.add_whole(name, claim, stated, equations);
-                files.add_by_hand(name, claim, equations);
+                match argued {
+                    Some(step) => files.add_argued(name, claim, step),
+                    None => files.add_by_hand(name, claim, equations),
+                }
             }
         }
     }
@@ -189,6 +186,12 @@ impl Files {
         self.close(&format!("{}_whole", place(report, &claim.id, 1)), &mut open);
     }
 
+    /// The step in words from the formulas to what the claim says.
+    fn add_argued(&mut self, report: &str, claim: &Claim, step: &str) {
+        let line = [report, &claim.id, "words"].map(one_line).join("\t");
+        self.steps += &format!("{line}\twhole\targued\t\t\t{}\n", one_line(step));
+    }
+
     /// The theorems written by hand that state the claim.
     fn add_by_hand(&mut self, report: &str, claim: &Claim, equations: &Equations) {
         let said = claim.said();
@@ -215,7 +218,7 @@ impl Files {
         let made = Theorem::of(certificate).map_err(|obstacle| obstacle.to_string());
         let result = made.map(|theorem| {
             open.add(&theorem, words);
-            [theorem.name, digest(certificate)]
+            [theorem.name, certificate_digest(certificate)]
         });
         self.known.push((certificate.clone(), result.clone()));
         result

@@ -317,7 +317,12 @@ fn formulas_at_fault_are_refused_all_at_once_with_file_and_key() {
 
 #[test]
 fn formulas_that_say_less_than_they_seem_to_are_warned_about() {
-    let warned: [(&str, &str, &str); 8] = [
+    let warned: [(&str, &str, &str); 9] = [
+        (
+            "K_c_qs does not depend on M",
+            "",
+            "is so by the equations that define its names: they do not contain M",
+        ),
         ("K_c > K_c_qs", WEAKENING, "'K_c > K_c_qs' says nothing about a = b, where it is false"),
         ("K_c > 0", "given = ['a < b', 'b < a']", "the conditions of 'K_c > 0' contradict each other"),
         ("K > M", "given = ['K = 2*M', 'M > K']", "contradict each other"),
@@ -365,6 +370,21 @@ fn formulas_that_say_less_than_they_seem_to_are_warned_about() {
         assert!(!ended.stderr.contains(&format!("warning: C{id}: ")), "C{id} in {}", ended.stderr);
     }
     // A formula whose conditions contradict each other says nothing: it is not decided, and the contradiction is proved.
-    assert_eq!(ledger["claims"][1]["verdict"], "not-checked");
-    assert_eq!(ledger["claims"][1]["evidence"][0]["kind"], "proof");
+    assert_eq!(ledger["claims"][2]["verdict"], "not-checked");
+    assert_eq!(ledger["claims"][2]["evidence"][0]["kind"], "proof");
+}
+
+#[test]
+fn a_claim_whose_words_say_more_than_its_formulas_is_argued_at_most() {
+    let both = ["", "argued = 'The words are about all motions.'\n"].map(|argued| {
+        let text = claim(1, "stable(left_8, s) iff K > K_c", "", "holds");
+        let place = report(&text.replace("leaves_out", &format!("{argued}leaves_out")));
+        place.run(["report", "r", "-o", "out"]);
+        let ledger: serde_json::Value = serde_json::from_str(&place.read("out/ledger.json")).unwrap();
+        let found = &ledger["claims"][0];
+        (found["strength"].as_str().unwrap().to_owned(), found["remarks"].to_string())
+    });
+    let [(strength, _), (argued, remarks)] = both;
+    assert_eq!((strength.as_str(), argued.as_str()), ("exact", "argued"));
+    assert!(remarks.contains("Argued in words: The words are about all motions."), "{remarks}");
 }

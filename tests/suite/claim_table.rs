@@ -259,7 +259,7 @@ fn a_side_without_a_value_is_refused_whatever_it_is_multiplied_with() {
 #[test]
 fn a_claim_on_an_equation_or_definition_without_a_value_is_refused() {
     let claim = "[[claim]]\nid = \"C1\"\nplace = \"p\"\nwords = \"w\"\nexpected = \"holds\"\nleaves_out = \"nothing\"\n\
-                 formula = \"mu = mu_0\"\n";
+                 formula = \"mu + a > mu_0\"\n";
     let assumptions = "[assumptions]\npositive = [\"a\", \"b\", \"mu_0\"]\n";
     let equation = "[[equation]]\nnumber = \"1\"\nequation = \"mu = 0*ln(a - b) + mu_0\"\n";
     let definition = "[[definition]]\nname = \"mu\"\nis = \"0*ln(a - b) + mu_0\"\n";

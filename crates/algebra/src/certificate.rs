@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use super::{Domain, Expression, Series, Symbol};
+use super::{Domain, Expression, Linearisation, Series, Symbol};
 
 /// Which way a variable goes in a limit; the others are held fixed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -48,6 +48,29 @@ pub enum Certificate {
         toward: Toward,
         /// The limit.
         value: Expression,
+        /// Assumptions and substitutions.
+        domain: Domain,
+    },
+    /// The derivative of an expression in one variable, at every point and with the others fixed.
+    Derivative {
+        /// What is differentiated.
+        expression: Expression,
+        /// The variable.
+        variable: String,
+        /// The derivative.
+        value: Expression,
+        /// Assumptions and substitutions.
+        domain: Domain,
+    },
+    /// The rates of a system vanish at its steady state, its slopes are their derivatives there, and det(variable − J) with the
+    /// matrix J of the slopes is the polynomial.
+    Characteristic {
+        /// The system with its slopes.
+        system: Linearisation,
+        /// The variable of the polynomial.
+        variable: String,
+        /// The polynomial.
+        polynomial: Expression,
         /// Assumptions and substitutions.
         domain: Domain,
     },
@@ -125,6 +148,8 @@ impl Certificate {
             Self::Identity { .. } => "identity",
             Self::Sign { .. } => "sign",
             Self::Limit { .. } => "limit",
+            Self::Derivative { .. } => "derivative",
+            Self::Characteristic { .. } => "characteristic",
             Self::Difference { .. } => "difference",
             Self::Value { .. } => "value",
             Self::Series { .. } => "series",
@@ -141,6 +166,8 @@ impl Certificate {
             Self::Identity { domain, .. }
             | Self::Sign { domain, .. }
             | Self::Limit { domain, .. }
+            | Self::Derivative { domain, .. }
+            | Self::Characteristic { domain, .. }
             | Self::Series { domain, .. }
             | Self::Root { domain, .. }
             | Self::Connected { domain, .. }
@@ -160,6 +187,27 @@ impl fmt::Display for Certificate {
             Self::Limit { expression, variable, toward, value, domain } => {
                 let end = if *toward == Toward::Zero { "0" } else { "infinity" };
                 write!(formatter, "{expression} -> {value} as {variable} -> {end}{}", Given(domain))
+            }
+            Self::Derivative { expression, variable, value, domain } => {
+                write!(formatter, "{expression} has the derivative {value} in {variable}{}", Given(domain))
+            }
+            Self::Characteristic { system, variable, polynomial, domain } => {
+                let listed = |values: &[Expression], join: &str| {
+                    let values = system.state.iter().zip(values);
+                    values.map(|(name, value)| format!("{name}{join}{value}")).collect::<Vec<_>>().join(", ")
+                };
+                let rows = system.slopes.iter().map(|row| {
+                    let row: Vec<String> = row.iter().map(ToString::to_string).collect();
+                    format!("[{}]", row.join(", "))
+                });
+                write!(
+                    formatter,
+                    "{polynomial} = det({variable} - J), J = [{}], of {} at {}{}",
+                    rows.collect::<Vec<_>>().join(", "),
+                    listed(&system.rates, "' = "),
+                    listed(&system.steady, " = "),
+                    Given(domain)
+                )
             }
             Self::Difference { left, right, point, values: [a, b] } => {
                 write!(formatter, "{left} differs from {right} at {}: {a} against {b}", Point(point))

@@ -46,6 +46,15 @@ impl Certificate {
                 let limit = limit(&domain.rational_function(expression)?, variable, *toward, domain)?;
                 compare(&limit, &domain.rational_function(value)?, domain)
             }
+            Self::Derivative { expression, variable, value, domain } => {
+                // What is differentiated has a value everywhere.
+                domain.rational_function(expression)?;
+                check_identity(&expression.derivative(&Symbol::new(variable)), value, domain)
+            }
+            Self::Characteristic { system, variable, polynomial, domain } => {
+                let identities = system.identities(variable, polynomial).map_err(Failure::remainder)?;
+                identities.iter().try_for_each(|[left, right]| check_identity(left, right, domain))
+            }
             Self::Difference { left, right, point, values } => {
                 check_value(left, point, &values[0])?;
                 check_value(right, point, &values[1])?;

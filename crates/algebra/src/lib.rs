@@ -21,6 +21,7 @@ mod enclose;
 mod expression;
 mod forms;
 mod latex;
+mod linearisation;
 mod matrix;
 mod monomial;
 mod multivariate;
@@ -49,6 +50,7 @@ pub use enclose::{Coefficients, enclose_root};
 #[doc(hidden)]
 pub use enclose::{derivative, horner, polish};
 pub use expression::{Expression, Function};
+pub use linearisation::{Linearisation, written_out};
 pub use matrix::{determinant, discriminant, resultant};
 pub use monomial::Monomial;
 pub use multivariate::Polynomial;

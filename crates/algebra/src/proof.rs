@@ -471,6 +471,46 @@ mod tests {
     }
 
     #[test]
+    fn forged_derivative_is_refused() {
+        let derivative = |expression: &str, value: &str| {
+            checked(&format!(
+                r#"{{"kind": "derivative", "expression": "{expression}", "variable": "x", "value": "{value}",
+                "domain": {{"positive": ["x", "y"], "substitutions": []}}}}"#
+            ))
+        };
+        assert_eq!(derivative("y*ln(x/y) + x^2", "y/x + 2*x"), Ok(()));
+        assert!(derivative("y*ln(x/y) + x^2", "y/x + x").is_err());
+        assert!(derivative("y*ln(x - y)", "y/(x - y)").is_err(), "no value at x = y");
+    }
+
+    #[test]
+    fn forged_linearisation_is_refused() {
+        let checked = |rates: &str, steady: &str, slopes: &str, polynomial: &str| {
+            checked(&format!(
+                r#"{{"kind": "characteristic", "system": {{"state": ["x", "v"], "rates": {rates}, "steady": {steady},
+                "slopes": {slopes}}}, "variable": "s", "polynomial": "{polynomial}",
+                "domain": {{"positive": ["k", "u"], "substitutions": []}}}}"#
+            ))
+        };
+        let (rates, steady) = (r#"["v - u", "k - k*x - ln(v/u)"]"#, r#"["1", "u"]"#);
+        let slopes = r#"[["0", "1"], ["-k", "-1/u"]]"#;
+        assert_eq!(checked(rates, steady, slopes, "s^2 + s/u + k"), Ok(()));
+        for (rates, steady, slopes, polynomial) in [
+            (rates, steady, slopes, "s^2 - s/u + k"),
+            (rates, steady, r#"[["0", "1"], ["-k", "-2/u"]]"#, "s^2 + 2*s/u + k"),
+            (rates, r#"["2", "u"]"#, slopes, "s^2 + s/u + k"),
+            (rates, r#"["1", "v"]"#, slopes, "s^2 + s/u + k"),
+            (rates, r#"["1"]"#, slopes, "s^2 + s/u + k"),
+            (r#"["v - u", "k - k*x - ln(v/u) + 0*s"]"#, steady, slopes, "s^2 + s/u + k"),
+        ] {
+            assert!(
+                checked(rates, steady, slopes, polynomial).is_err(),
+                "{rates} {steady} {slopes} {polynomial}"
+            );
+        }
+    }
+
+    #[test]
     fn forged_growth_of_what_does_not_grow_from_zero_is_refused() {
         let growth = |expression: &str, order: u32| {
             checked(&format!(

@@ -25,12 +25,13 @@ use crate::scene::{ClaimEntry, ClaimFormula, Names, Premises, StatedClaim, State
 use lowering::Lowered;
 use points::{Point, Points};
 use prover::{Draft, Prover};
-pub use theorem::{WholeStatement, WholeTheorem};
+pub use theorem::{WholeStatement, WholeTheorem, certificate_digest};
 pub(super) use warnings::warnings;
 
 /// The finding on a claim: one formula decides it, or all parts of its first reading.
 pub(super) fn decide(id: &str, stated: &StatedClaim, context: &Context) -> Finding {
-    stated.remarks.iter().fold(decide_readings(id, stated, context), Finding::remark)
+    let found = stated.remarks.iter().fold(decide_readings(id, stated, context), Finding::remark);
+    stated.argued.iter().fold(found, |found, step| found.argued(step))
 }
 
 fn decide_readings(id: &str, stated: &StatedClaim, context: &Context) -> Finding {
@@ -176,6 +177,13 @@ pub(super) fn decide_equations(
     .with_theorem(|| theorem::accepted_theorem(formula, equations))
 }
 
+/// All expressions of a formula, its conditions and its witness in one.
+fn all_expressions(formula: &ClaimFormula) -> Expression {
+    let conditions = formula.scope.given.iter().flat_map(|condition| &condition.sides);
+    let witness = formula.scope.witness.iter().map(|(_, value)| value);
+    Expression::Sum(formula.statement.sides().into_iter().chain(conditions).chain(witness).cloned().collect())
+}
+
 /// A formula with what it assumes.
 struct Problem<'f> {
     proof: Proof,
@@ -195,10 +203,7 @@ impl<'f> Problem<'f> {
             sides.iter().flat_map(|side| names.equations_of(side)).map(str::to_owned).collect();
         numbers.sort_unstable();
         numbers.dedup();
-        let conditions = formula.scope.given.iter().flat_map(|condition| &condition.sides);
-        let witness = formula.scope.witness.iter().map(|(_, value)| value);
-        let behind = sides.iter().copied().chain(conditions).chain(witness).cloned().collect();
-        let lemmas = names.proofs_of(&Expression::Sum(behind)).into_iter().cloned();
+        let lemmas = names.proofs_of(&all_expressions(formula)).into_iter().cloned();
         let proof = lemmas.fold(Proof::new(id, words), Proof::using);
         Ok(Self { proof, numbers, premises, names, formula })
     }

@@ -243,7 +243,7 @@ fn a_whole_theorem_states_the_formula_with_its_conditions_and_rests_on_steps_of_
     let slope = whole("K_c falls with D_c", &["a < b"], &equations).unwrap();
     assert!(slope.statement.contains("forall p'0 p'1 : R, 0 < p'0 -> p'0 < p'1 -> "));
     assert!(slope.proof.contains("apply (falls "), "{}", slope.proof);
-    let same = whole("slope_1_velocity does not depend on V_0", &[], &equations).unwrap();
+    let same = whole("K_c - K_c_dyn does not depend on V_0", &[], &equations).unwrap();
     assert!(same.altered.ends_with(" + 1"), "{}", same.altered);
     let depends = whole("K_c_qs depends on sigma", &[], &equations).unwrap();
     assert!(
@@ -252,6 +252,11 @@ fn a_whole_theorem_states_the_formula_with_its_conditions_and_rests_on_steps_of_
         depends.statement
     );
     assert!(depends.statement.contains(" <> ") && !depends.altered.contains(" <> "), "{}", depends.altered);
+    for same in ["K_c_qs does not depend on M", "K_c = right_9", "K_c > 0 and K_c_qs <= right_10"] {
+        let given = if same.contains('>') { vec!["a < b"] } else { Vec::new() };
+        let obstacle = whole(same, &given, &equations).unwrap_err();
+        assert!(obstacle.contains("a definition, and no theorem"), "{same}: {obstacle}");
+    }
     let obstacle = whole("stable(left_8, s) iff K > K_c", &[], &equations).unwrap_err();
     assert!(obstacle.contains("'iff'"), "{obstacle}");
 }

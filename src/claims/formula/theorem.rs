@@ -15,16 +15,29 @@ use crate::scene::{ClaimFormula, Comparison, Formula, Names, Premises, Statement
 /// The digests of statements that Coq has accepted; `cargo xtask prove` writes and checks the list.
 static ACCEPTED: LazyLock<BTreeSet<&str>> = LazyLock::new(|| accepted(crate::claims::ACCEPTED));
 
-/// The second word of each line that begins with the name of a whole theorem.
+/// The second word of each line that begins with the name of a whole theorem, or of one on derivatives.
 pub(super) fn accepted(list: &str) -> BTreeSet<&str> {
     list.lines()
-        .filter(|line| line.starts_with(PREFIX))
+        .filter(|line| line.starts_with(PREFIX) || DIFFERENTIATED.iter().any(|kind| line.starts_with(kind)))
         .filter_map(|line| Some(line.split_once(' ')?.1))
         .collect()
 }
 
 /// What the name of a whole theorem begins with.
 const PREFIX: &str = "formula_";
+
+/// The kinds of certificates that say what a derivative is.
+const DIFFERENTIATED: [&str; 2] = ["derivative", "characteristic"];
+
+/// SHA-256 of a certificate's JSON in lower-case hexadecimal.
+#[must_use]
+pub fn certificate_digest(certificate: &Certificate) -> String {
+    hexadecimal(&serde_json::to_vec(certificate).unwrap_or_default())
+}
+
+fn hexadecimal(text: &[u8]) -> String {
+    Sha256::digest(text).iter().map(|byte| format!("{byte:02x}")).collect()
+}
 
 /// A formula as a theorem, with the steps that its proof uses.
 #[derive(Debug)]
@@ -71,7 +84,7 @@ pub(super) fn accepted_statement<'c>(
     Some(WholeStatement { words, formula, name, statement })
 }
 
-/// The name and the statement, if this list of accepted statements has its digest.
+/// The name and the statement, if this list has its digest, and those of all derivatives behind the names of the formula.
 pub(super) fn accepted_in(
     list: &BTreeSet<&str>,
     formula: &ClaimFormula,
@@ -79,7 +92,13 @@ pub(super) fn accepted_in(
 ) -> Option<(String, String)> {
     let statement = Stated::new(formula, equations).ok()?.text(false);
     let (name, digest) = named(&statement);
-    list.contains(digest.as_str()).then_some((name, statement))
+    let names = Names::of(equations);
+    let steps = names.proofs_of(&super::all_expressions(formula)).into_iter().flat_map(|proof| &proof.steps);
+    let mut derivatives = steps
+        .filter_map(|step| step.certificate.as_ref())
+        .filter(|certificate| DIFFERENTIATED.contains(&certificate.kind()));
+    let is_known = derivatives.all(|certificate| list.contains(certificate_digest(certificate).as_str()));
+    (is_known && list.contains(digest.as_str())).then_some((name, statement))
 }
 
 /// The formula as a theorem, proved from the steps of this proof.
@@ -101,8 +120,13 @@ pub(super) fn whole_theorem(
 }
 
 fn named(statement: &str) -> (String, String) {
-    let digest: String = Sha256::digest(statement).iter().map(|byte| format!("{byte:02x}")).collect();
+    let digest = hexadecimal(statement.as_bytes());
     (format!("{PREFIX}{}", &digest[..16]), digest)
+}
+
+/// Why a formula is no theorem that has the same text on both sides.
+fn same_sides() -> String {
+    "both sides are the same by the equations that define them: a definition, and no theorem".to_owned()
 }
 
 /// A statement in the original variables.
@@ -272,6 +296,9 @@ impl Stated {
                     self.hypotheses.push((known, format!("0 < {shown}")));
                 }
                 let other = coq::text(&other);
+                if !*depends && side == other {
+                    return Err(same_sides());
+                }
                 if *depends {
                     return Ok(format!("{side} {} {other}", if altered { "=" } else { "<>" }));
                 }
@@ -293,6 +320,11 @@ impl Stated {
                     Comparison::Greater => Comparison::AtMost,
                     Comparison::AtLeast => Comparison::Less,
                 };
+                if matches!(comparison, Comparison::Equal | Comparison::AtMost | Comparison::AtLeast)
+                    && self.shown(left)? == self.shown(right)?
+                {
+                    return Err(same_sides());
+                }
                 self.compared(left, opposite, right)
             }
             Formula::All(parts) => {

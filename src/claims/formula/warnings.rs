@@ -63,6 +63,15 @@ fn of_formula(
         }));
         found.extend(hypotheses(said).into_iter().filter_map(|hypothesis| problem.never(hypothesis)));
     }
+    if let Statement::Depends(side, false, variable) = &formula.statement
+        && is_written(side)
+        && names.resolved(side).variables().iter().all(|name| name.as_str() != variable)
+    {
+        found.push(format!(
+            "'{}' is so by the equations that define its names: they do not contain {variable}",
+            formula.text
+        ));
+    }
     if verdict == Verdict::Holds {
         found.extend(forgotten_edges(formula, stated, equations));
     }

@@ -12,7 +12,7 @@ use crate::{
 
 /// A piece of a statement.
 #[derive(Clone)]
-enum Piece {
+pub(super) enum Piece {
     Text(String),
     Term(Expression),
 }
@@ -29,17 +29,17 @@ pub(super) struct Statement {
     pub nonzero: Option<Expression>,
 }
 
-fn text(text: &str) -> Piece {
+pub(super) fn text(text: &str) -> Piece {
     Piece::Text(text.to_owned())
 }
 
-fn term(expression: &Expression) -> Piece {
+pub(super) fn term(expression: &Expression) -> Piece {
     Piece::Term(expression.clone())
 }
 
 impl Statement {
     /// A statement over the reals that binds no variable.
-    fn plain(pieces: Vec<Piece>, altered: Vec<Piece>, tactics: String) -> Self {
+    pub(super) fn plain(pieces: Vec<Piece>, altered: Vec<Piece>, tactics: String) -> Self {
         Self { pieces, altered, tactics, is_complex: false, bound: BTreeSet::new(), nonzero: None }
     }
 
@@ -72,6 +72,12 @@ impl Statement {
             }
             Certificate::Limit { expression, variable, toward, value, .. } => {
                 Self::limit(expression, (variable, *toward), value, domain)
+            }
+            Certificate::Derivative { expression, variable, value, .. } => {
+                Self::derivative(expression, variable, value, domain)
+            }
+            Certificate::Characteristic { system, variable, polynomial, .. } => {
+                Self::characteristic(system, variable, polynomial, domain)
             }
             Certificate::Root { polynomial, variable, between, .. } => {
                 Self::root(polynomial, variable, between, domain)
@@ -159,6 +165,34 @@ impl Statement {
             (false, _) => pieces(&(value.clone() + Expression::integer(1))),
         };
         Ok(Self { bound: [symbol.clone()].into(), ..Self::plain(pieces(value), altered, proof) })
+    }
+
+    /// The function binds the variable again; outside of it the name is that of the point.
+    fn derivative(
+        expression: &Expression,
+        variable: &str,
+        value: &Expression,
+        domain: &Domain,
+    ) -> Result<Self, Obstacle> {
+        let symbol = Symbol::new(variable);
+        let moves =
+            |(known, image): &(String, Expression)| known == variable || image.variables().contains(&symbol);
+        if domain.substitutions().iter().any(moves) {
+            return Err(Obstacle(format!("a substitution contains {variable}, which moves")));
+        }
+        if expression.variables().contains(&Symbol::new("i")) {
+            return Err(Obstacle("the derivative of an expression that contains i".to_owned()));
+        }
+        let x = name(variable);
+        let pieces = |value: &Expression| {
+            let open = text(&format!("is_derive (fun {x} : R => "));
+            vec![open, term(expression), text(&format!(") {x} ")), term(value)]
+        };
+        let altered = match altered_side(value, expression, domain)? {
+            (true, value) => pieces(&value),
+            (false, _) => pieces(&(value.clone() + Expression::integer(1))),
+        };
+        Ok(Self::plain(pieces(value), altered, "derivative".to_owned()))
     }
 
     fn root(
@@ -429,7 +463,7 @@ impl Statement {
 }
 
 /// The first alteration of either side that changes its value: the sign of a term, or a factor 2 on it.
-fn altered_side(
+pub(super) fn altered_side(
     right: &Expression,
     left: &Expression,
     domain: &Domain,

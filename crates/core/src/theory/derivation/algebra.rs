@@ -1,9 +1,9 @@
 //! Derivations with polynomials: coefficients, discriminants, Hurwitz determinants, elimination, solutions.
 
-use super::system::{polynomial, written_out};
+use super::system::polynomial;
 use super::work::{Work, expression};
 use slipmode_algebra::{
-    Expression, Function, Polynomial, RationalFunction, Symbol, determinant, discriminant,
+    Expression, Function, Polynomial, RationalFunction, Symbol, determinant, discriminant, written_out,
 };
 
 /// The largest degree of a polynomial in its variable.

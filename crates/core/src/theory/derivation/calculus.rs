@@ -7,7 +7,8 @@ use slipmode_algebra::{Condition, Expression, Relation, Symbol, Toward};
 
 /// A derivative, the other variables fixed.
 pub(super) fn derivative(f: &Expression, x: &Symbol, work: &mut Work) -> Result<Expression, String> {
-    work.simplified(&format!("its derivative in {x}"), &f.derivative(x))
+    let raw = work.derivative("it", f, x)?;
+    work.simplified(&format!("its derivative in {x}"), &raw)
 }
 
 /// A limit, the other variables fixed.

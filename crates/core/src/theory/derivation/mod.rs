@@ -47,9 +47,7 @@ pub(super) fn derive(form: &Form, system: Option<&System>, work: &mut Work) -> R
             system.rest(work)?;
             system.slope(rate, by, work)
         }
-        (Some(Operation::Rate), [f], _, Some(system)) => {
-            work.simplified(&format!("its rate along the motions of {}", system.name), &system.rate_of(f))
-        }
+        (Some(Operation::Rate), [f], _, Some(system)) => system.rate(f, work),
         (Some(Operation::Coefficient), [p], [s], _) => algebra::coefficient(p, s, form.whole, work),
         (Some(Operation::Discriminant), [p], [s], _) => algebra::discriminant_of(p, s, work),
         (Some(Operation::Hurwitz), [p], [s], _) => algebra::hurwitz(p, s, form.whole, work),

@@ -1,7 +1,7 @@
 //! Autonomous systems of first order: their steady state, and what follows from it.
 
 use super::work::Work;
-use slipmode_algebra::{Expression, RationalFunction, Symbol};
+use slipmode_algebra::{Expression, Linearisation, RationalFunction, Symbol};
 
 /// An autonomous system of ordinary differential equations of first order.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -53,8 +53,22 @@ impl System {
         Ok(())
     }
 
-    /// The slope of one rate in one state at the steady state.
+    /// The rate of change of an expression along the motions, with its derivatives as steps.
+    pub(super) fn rate(&self, expression: &Expression, work: &mut Work) -> Result<Expression, String> {
+        for name in &self.state {
+            work.derivative("it", expression, name)?;
+        }
+        work.simplified(&format!("its rate along the motions of {}", self.name), &self.rate_of(expression))
+    }
+
+    /// The slope of one rate in one state at the steady state, with the step that it is the derivative.
     pub(super) fn slope(&self, rate: usize, by: usize, work: &mut Work) -> Result<Expression, String> {
+        work.derivative(&format!("the rate of {}", self.state[rate]), &self.rates[rate], &self.state[by])?;
+        self.entry(rate, by, work)
+    }
+
+    /// The slope of one rate in one state at the steady state, in lowest terms.
+    fn entry(&self, rate: usize, by: usize, work: &mut Work) -> Result<Expression, String> {
         if self.steady.is_empty() {
             return Err(format!("the system {} states no steady state", self.name));
         }
@@ -66,28 +80,25 @@ impl System {
         )
     }
 
-    /// det(s − J) with the matrix J of all slopes: by traces of powers of J, and written out as a determinant.
+    /// det(s − J) with the matrix J of all slopes: by traces of powers of J, with the certificate of rates, slopes and determinant.
     pub(super) fn characteristic(&self, variable: &Symbol, work: &mut Work) -> Result<Expression, String> {
         let size = self.state.len();
         let mut slopes = Vec::new();
         for rate in 0..size {
-            slopes.push((0..size).map(|by| self.slope(rate, by, work)).collect::<Result<Vec<_>, _>>()?);
+            slopes.push((0..size).map(|by| self.entry(rate, by, work)).collect::<Result<Vec<_>, _>>()?);
         }
-        let s = Expression::Variable(variable.clone());
-        let entry = |row: usize, column: usize| {
-            let diagonal = if row == column { s.clone() } else { Expression::integer(0) };
-            diagonal - slopes[row][column].clone()
-        };
-        let rows: Vec<Vec<_>> =
-            (0..size).map(|row| (0..size).map(|column| entry(row, column)).collect()).collect();
         let matrix = slopes
             .iter()
             .map(|row| row.iter().map(|slope| work.rational(slope)).collect::<Result<Vec<_>, _>>())
             .collect::<Result<Vec<_>, _>>()?;
-        let polynomial = polynomial(&by_traces(&matrix), &s);
+        let polynomial = polynomial(&by_traces(&matrix), &Expression::Variable(variable.clone()));
         let says =
             format!("determinant of {variable} − J with the slopes J of {} at its steady state", self.name);
-        work.identity(&says, &written_out(&rows), &polynomial)?;
+        let state = self.state.iter().map(|name| name.as_str().to_owned()).collect();
+        let (rates, steady) = (self.rates.clone(), self.steady.clone());
+        let system = Linearisation { state, rates, steady, slopes };
+        let certificate = system.certificate(variable.as_str(), polynomial.clone(), work.domain.clone());
+        work.step(|proof, equations, _| proof.certify(&says, equations, certificate))?;
         Ok(polynomial)
     }
 }
@@ -123,23 +134,4 @@ pub(super) fn polynomial(coefficients: &[RationalFunction], x: &Expression) -> E
         super::work::expression(coefficient) * x.clone().power(power as i32)
     };
     coefficients.iter().enumerate().rev().map(term).fold(Expression::integer(0), |sum, part| sum + part)
-}
-
-/// A determinant written out along its first row.
-pub(super) fn written_out(rows: &[Vec<Expression>]) -> Expression {
-    let Some((first, below)) = rows.split_first() else { return Expression::integer(1) };
-    let minor = |column: usize| {
-        let without = |row: &Vec<Expression>| {
-            let kept = row.iter().enumerate().filter(|(place, _)| *place != column);
-            kept.map(|(_, entry)| entry.clone()).collect()
-        };
-        written_out(&below.iter().map(without).collect::<Vec<_>>())
-    };
-    first.iter().enumerate().filter(|(_, entry)| !entry.is_zero()).fold(
-        Expression::integer(0),
-        |sum, (column, entry)| {
-            let term = entry.clone() * minor(column);
-            if column % 2 == 0 { sum + term } else { sum - term }
-        },
-    )
 }

@@ -1,6 +1,6 @@
 //! A derivation at work: its assumptions, and the proof of what was found so far.
 
-use slipmode_algebra::{Domain, Expression, Proof, RationalFunction, Relation, Symbol};
+use slipmode_algebra::{Certificate, Domain, Expression, Proof, RationalFunction, Relation, Symbol};
 
 /// The assumptions and the proof of one definition.
 pub(in crate::theory) struct Work<'e> {
@@ -41,6 +41,32 @@ impl Work<'_> {
         let added = add(self.proof.clone(), &equations, &self.domain);
         self.proof = added.map_err(|refutation| refutation.remainder)?;
         Ok(())
+    }
+
+    /// The derivative of an expression in a variable, the others fixed, with the step that it is the derivative. Where the expression
+    /// or the derivative is no rational function, the step is argued.
+    ///
+    /// # Errors
+    /// When it has no value under the assumptions.
+    pub fn derivative(&mut self, what: &str, f: &Expression, x: &Symbol) -> Result<Expression, String> {
+        let value = f.derivative(x);
+        if !f.variables().contains(x) {
+            return Ok(value);
+        }
+        let is_open =
+            |side: &Expression| matches!(self.domain.rational_function(side), Err(error) if error.is_open());
+        let says = format!("derivative of {what} in {x}");
+        if is_open(f) || is_open(&value) {
+            let proof = self.proof.clone();
+            self.proof = proof.reason(format!("The {says} is {value}, by the rules of differentiation."));
+            return Ok(value);
+        }
+        self.step(|proof, equations, domain| {
+            let (expression, value, domain) = (f.clone(), value.clone(), domain.clone());
+            let variable = x.as_str().to_owned();
+            proof.certify(&says, equations, Certificate::Derivative { expression, variable, value, domain })
+        })?;
+        Ok(value)
     }
 
     /// The expression in lowest terms, with the step that it is the same. What is no rational function stays as it is.
