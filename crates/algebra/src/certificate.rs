@@ -56,7 +56,7 @@ pub enum Certificate {
         /// What is differentiated.
         expression: Expression,
         /// The variable.
-        variable: String,
+        variable: Symbol,
         /// The derivative.
         value: Expression,
         /// Assumptions and substitutions.
@@ -68,7 +68,7 @@ pub enum Certificate {
         /// The system with its slopes.
         system: Linearisation,
         /// The variable of the polynomial.
-        variable: String,
+        variable: Symbol,
         /// The polynomial.
         polynomial: Expression,
         /// Assumptions and substitutions.

@@ -49,7 +49,7 @@ impl Certificate {
             Self::Derivative { expression, variable, value, domain } => {
                 // What is differentiated has a value everywhere.
                 domain.rational_function(expression)?;
-                check_identity(&expression.derivative(&Symbol::new(variable)), value, domain)
+                check_identity(&expression.derivative(variable), value, domain)
             }
             Self::Characteristic { system, variable, polynomial, domain } => {
                 let identities = system.identities(variable, polynomial).map_err(Failure::remainder)?;

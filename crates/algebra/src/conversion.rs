@@ -356,13 +356,15 @@ impl<'d> Converter<'d> {
     fn never_negative(&self, function: &RationalFunction) -> bool {
         let (_, rest) = self.factors(function.numerator(), |relation| relation != Relation::NonZero);
         let Some(lower) = self.polynomial_sign(function.denominator()) else { return false };
-        let signed = |polynomial: &Polynomial| self.weak_sign(polynomial).is_some_and(|upper| upper * lower > 0);
+        let signed =
+            |polynomial: &Polynomial| self.weak_sign(polynomial).is_some_and(|upper| upper * lower > 0);
         signed(&rest) || self.never_negative_with_root(&rest, lower)
     }
 
     /// The same of e + o·w with w² = t, from the sign of e − o·w and that of their product e² − o²·t.
     fn never_negative_with_root(&self, polynomial: &Polynomial, divisor: i8) -> bool {
-        let of_root = |name: &&Generator| name.argument_of(Function::Sqrt).is_some() && polynomial.degree(*name) > 0;
+        let of_root =
+            |name: &&Generator| name.argument_of(Function::Sqrt).is_some() && polynomial.degree(*name) > 0;
         let Some((name, square)) = self.squares.iter().find(|(name, _)| of_root(name)) else { return false };
         let (even, odd) = split_by_parity(polynomial, name, square);
         let conjugate = &even - &(&odd * &RationalFunction::generator(name));

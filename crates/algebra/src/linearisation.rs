@@ -9,7 +9,7 @@ use super::{Certificate, Domain, Expression, Symbol};
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Linearisation {
     /// The variables that move.
-    pub state: Vec<String>,
+    pub state: Vec<Symbol>,
     /// Their rates.
     pub rates: Vec<Expression>,
     /// Their values at which all rates are zero.
@@ -19,20 +19,16 @@ pub struct Linearisation {
 }
 
 impl Linearisation {
-    fn symbols(&self) -> impl Iterator<Item = Symbol> {
-        self.state.iter().map(|name| Symbol::new(name))
-    }
-
     /// An expression at the steady state.
     #[must_use]
     pub fn at_rest(&self, expression: &Expression) -> Expression {
-        expression.replaced(&self.symbols().zip(self.steady.iter().cloned()).collect())
+        expression.replaced(&self.state.iter().cloned().zip(self.steady.iter().cloned()).collect())
     }
 
     /// A rate as a function of one variable: all others have their steady values.
     #[must_use]
     pub fn along(&self, rate: usize, by: usize) -> Expression {
-        let others = self.symbols().zip(self.steady.iter().cloned()).enumerate();
+        let others = self.state.iter().cloned().zip(self.steady.iter().cloned()).enumerate();
         let others: BTreeMap<Symbol, Expression> =
             others.filter(|(place, _)| *place != by).map(|(_, known)| known).collect();
         self.rates[rate].replaced(&others)
@@ -41,7 +37,7 @@ impl Linearisation {
     /// The derivative of a rate in one variable at the steady state, by the rules of differentiation.
     #[must_use]
     pub fn derivative(&self, rate: usize, by: usize) -> Expression {
-        self.at_rest(&self.rates[rate].derivative(&Symbol::new(&self.state[by])))
+        self.at_rest(&self.rates[rate].derivative(&self.state[by]))
     }
 
     /// The pairs of a rate and a variable.
@@ -52,7 +48,7 @@ impl Linearisation {
 
     /// det(s − J), written out.
     #[must_use]
-    pub fn determinant(&self, variable: &str) -> Expression {
+    pub fn determinant(&self, variable: &Symbol) -> Expression {
         let s = Expression::variable(variable);
         let entry = |row: usize, (column, slope): (usize, &Expression)| {
             let diagonal = if row == column { s.clone() } else { Expression::integer(0) };
@@ -70,7 +66,7 @@ impl Linearisation {
     /// Why the lists do not make a system.
     pub(super) fn identities(
         &self,
-        variable: &str,
+        variable: &Symbol,
         polynomial: &Expression,
     ) -> Result<Vec<[Expression; 2]>, String> {
         self.check_form(variable)?;
@@ -82,24 +78,22 @@ impl Linearisation {
     }
 
     /// As many of each, and no moving variable in what is fixed.
-    fn check_form(&self, variable: &str) -> Result<(), String> {
+    fn check_form(&self, variable: &Symbol) -> Result<(), String> {
         let count = self.state.len();
         let is_square = self.slopes.len() == count && self.slopes.iter().all(|row| row.len() == count);
         if self.rates.len() != count || self.steady.len() != count || !is_square {
             return Err(format!("{count} variables need as many rates, steady values and rows of slopes"));
         }
         for (place, name) in self.state.iter().enumerate() {
-            let symbol = Symbol::new(name);
             let mut fixed = self.steady.iter().chain(self.slopes.iter().flatten());
             if self.state[..place].contains(name) || name == variable {
                 return Err(format!("{name} stands for two things"));
             }
-            if fixed.any(|value| value.variables().contains(&symbol)) {
+            if fixed.any(|value| value.variables().contains(name)) {
                 return Err(format!("a steady value or a slope contains {name}, which moves"));
             }
         }
-        let symbol = Symbol::new(variable);
-        match self.rates.iter().chain(&self.steady).any(|one| one.variables().contains(&symbol)) {
+        match self.rates.iter().chain(&self.steady).any(|one| one.variables().contains(variable)) {
             true => Err(format!("a rate or a steady value contains {variable}")),
             false => Ok(()),
         }
@@ -107,8 +101,8 @@ impl Linearisation {
 
     /// The certificate that this is the linearisation of the system, and that det(s − J) is this polynomial.
     #[must_use]
-    pub fn certificate(self, variable: &str, polynomial: Expression, domain: Domain) -> Certificate {
-        Certificate::Characteristic { system: self, variable: variable.to_owned(), polynomial, domain }
+    pub fn certificate(self, variable: &Symbol, polynomial: Expression, domain: Domain) -> Certificate {
+        Certificate::Characteristic { system: self, variable: variable.clone(), polynomial, domain }
     }
 }
 

@@ -186,9 +186,8 @@ impl Attempt<'_> {
         self.all_points(Points::MOST).find_map(|point| {
             let [limit, claimed] = [found.rational_value(&point)?, value.rational_value(&point)?];
             let others: Point = point.into_iter().filter(|(name, _)| name != variable).collect();
-            (limit != claimed).then(|| {
-                (format!("at {}: the limit is {limit}, not {claimed}", self.text(&others)), others)
-            })
+            (limit != claimed)
+                .then(|| (format!("at {}: the limit is {limit}, not {claimed}", self.text(&others)), others))
         })
     }
 

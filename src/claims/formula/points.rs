@@ -75,9 +75,7 @@ impl Points {
         expressions: &'p [Expression],
     ) -> impl Iterator<Item = Point> + 'p {
         let moved = move |expression: &'p Expression| {
-            self.variables.iter().filter_map(move |(name, _)| {
-                Some((name, zero(expression, name, point)?))
-            })
+            self.variables.iter().filter_map(move |(name, _)| Some((name, zero(expression, name, point)?)))
         };
         let beside = move |(name, zero): (&'p Symbol, Rational)| {
             let values = [zero.clone(), zero.clone() + 1, zero - 1].into_iter();

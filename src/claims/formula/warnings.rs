@@ -65,7 +65,7 @@ fn of_formula(
     }
     if let Statement::Depends(side, false, variable) = &formula.statement
         && is_written(side)
-        && names.resolved(side).variables().iter().all(|name| name.as_str() != variable)
+        && names.resolved(side).variables().iter().all(|name| name != variable)
     {
         found.push(format!(
             "'{}' is so by the equations that define its names: they do not contain {variable}",

@@ -101,11 +101,15 @@ impl Claim {
         let given: Vec<Compared> = scope.given.iter().map(|one| condition(one, &mut book)).collect();
         let (equal, conditions): (Vec<_>, Vec<_>) =
             given.into_iter().partition(|one| one.comparison == Comparison::Equal);
-        let within = scope.within.iter().map(|(name, ends)| (book.variable(name.as_str()), ends.clone())).collect();
+        let within =
+            scope.within.iter().map(|(name, ends)| (book.variable(name.as_str()), ends.clone())).collect();
         let at = scope.at.iter().map(|(name, value)| (book.variable(name.as_str()), value.clone())).collect();
         let there_is = scope.there_is.iter().map(|name| book.variable(name.as_str())).collect();
-        let witness =
-            scope.witness.iter().map(|(name, value)| (book.variable(name.as_str()), book.term(value, None))).collect();
+        let witness = scope
+            .witness
+            .iter()
+            .map(|(name, value)| (book.variable(name.as_str()), book.term(value, None)))
+            .collect();
         let mut claim = Self {
             book,
             says,
@@ -174,7 +178,8 @@ impl Claim {
                 reached.into_iter().filter(|variable| self.may_solve(*variable)).collect();
             others.sort_by_key(|variable| self.book.name(*variable));
             let difference = one.difference();
-            let named: Vec<usize> = others.iter().copied().filter(|variable| moves.contains(variable)).collect();
+            let named: Vec<usize> =
+                others.iter().copied().filter(|variable| moves.contains(variable)).collect();
             let alone = if named.is_empty() { alone } else { named };
             let candidates = alone.iter().chain(&others);
             let found = candidates.copied().find(|variable| self.is_linear(&difference, *variable));

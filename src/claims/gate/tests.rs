@@ -135,7 +135,7 @@ fn outcome(text: &str, given: &[&str], there_is: &[&str], verdict: &Finding) -> 
     let equations = read_equations("equations.toml", FILE.as_bytes()).unwrap();
     let names = Names::of(&equations);
     let given = given.iter().map(|text| FormulaCondition::read(text, &names).unwrap()).collect();
-    let there_is = there_is.iter().map(|&name| name.to_owned()).collect();
+    let there_is = there_is.iter().map(|&name| name.parse().unwrap()).collect();
     let formula =
         ClaimFormula::read(text, Scope { given, there_is, ..Scope::default() }, &equations).unwrap();
     tested(&formula, verdict, &equations)

@@ -51,9 +51,11 @@ impl Said {
                 comparison: *comparison,
                 right: book.term(right, None),
             }),
-            Formula::Roots(statement, polynomial, variable) => {
-                Self::Roots(*statement, book.term(polynomial, Some(variable.as_str())), book.variable(variable.as_str()))
-            }
+            Formula::Roots(statement, polynomial, variable) => Self::Roots(
+                *statement,
+                book.term(polynomial, Some(variable.as_str())),
+                book.variable(variable.as_str()),
+            ),
             Formula::Crossing(crossing) => {
                 let Crossing { polynomial, variable, parameter, critical, frequency } = &**crossing;
                 Self::Crossing(Box::new(Crosses {

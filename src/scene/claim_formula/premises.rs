@@ -83,7 +83,9 @@ impl Premises {
         }
         let in_equations = |name: &Symbol| premises.solved.iter().any(|one| one.variable == *name);
         if let Some(name) = scope.moves.iter().find(|name| !in_equations(name)) {
-            return Err(format!("`moves` names {name}, for which no equation among the conditions is solved"));
+            return Err(format!(
+                "`moves` names {name}, for which no equation among the conditions is solved"
+            ));
         }
         let wanted = std::mem::take(&mut premises.wanted);
         premises.wanted =

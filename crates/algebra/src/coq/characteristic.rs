@@ -10,13 +10,12 @@ use crate::{Domain, Expression, Linearisation, Symbol};
 impl Statement {
     pub(super) fn characteristic(
         system: &Linearisation,
-        variable: &str,
+        variable: &Symbol,
         polynomial: &Expression,
         domain: &Domain,
     ) -> Result<Self, Obstacle> {
-        let states: Vec<Symbol> = system.state.iter().map(|name| Symbol::new(name)).collect();
-        let substituted = |(known, image): &(String, Expression)| {
-            states.iter().any(|state| state.as_str() == known || image.variables().contains(state))
+        let substituted = |(known, image): &(Symbol, Expression)| {
+            system.state.iter().any(|state| state == known || image.variables().contains(state))
         };
         if domain.substitutions().iter().any(substituted) {
             return Err(Obstacle("a substitution contains a variable that moves".to_owned()));
@@ -57,7 +56,7 @@ impl Statement {
         let steps: String = proofs[..last].iter().map(|proof| format!("split; [ {proof} | ]; ")).collect();
         let proof = format!("{steps}{}", proofs[last]);
         let mut statement = Self::plain(all(polynomial), all(&altered), proof);
-        statement.bound = states.into_iter().collect();
+        statement.bound = system.state.iter().cloned().collect();
         Ok(statement)
     }
 }

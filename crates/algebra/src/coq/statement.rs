@@ -170,17 +170,16 @@ impl Statement {
     /// The function binds the variable again; outside of it the name is that of the point.
     fn derivative(
         expression: &Expression,
-        variable: &str,
+        variable: &Symbol,
         value: &Expression,
         domain: &Domain,
     ) -> Result<Self, Obstacle> {
-        let symbol = Symbol::new(variable);
         let moves =
-            |(known, image): &(String, Expression)| known == variable || image.variables().contains(&symbol);
+            |(known, image): &(Symbol, Expression)| known == variable || image.variables().contains(variable);
         if domain.substitutions().iter().any(moves) {
             return Err(Obstacle(format!("a substitution contains {variable}, which moves")));
         }
-        if expression.variables().contains(&Symbol::new("i")) {
+        if expression.variables().contains(&Symbol::from("i")) {
             return Err(Obstacle("the derivative of an expression that contains i".to_owned()));
         }
         let x = name(variable);

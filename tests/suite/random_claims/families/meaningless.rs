@@ -201,7 +201,6 @@ pub fn faulty_equations() -> Vec<(&'static str, &'static str)> {
         ("[[definition]]\nname = \"ln\"\nis = \"1\"\n", "ln"),
         ("[[definition]]\nname = \"i\"\nis = \"1\"\n", "i"),
         ("[[definition]]\nname = \"Z\"\nis = \"0*ln(a - b)\"\n", "Z"),
-        ("[[equation]]\nnumber = \"1\"\nequation = \"Z = 0*ln(a - b) + x\"\n", "1"),
         ("[[equation]]\nnumber = \"1\"\nequation = \"Z = 0/(a - a)\"\n", "1"),
         ("[[definition]]\nname = \"Z\"\nis = \"solve(a*x, y)\"\n", "Z"),
         ("[[definition]]\nname = \"Z\"\nis = \"derivative(a*no_such_name, a)\"\n", "no_such_name"),

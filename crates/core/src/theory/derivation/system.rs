@@ -94,10 +94,9 @@ impl System {
         let polynomial = polynomial(&by_traces(&matrix), &Expression::Variable(variable.clone()));
         let says =
             format!("determinant of {variable} − J with the slopes J of {} at its steady state", self.name);
-        let state = self.state.iter().map(|name| name.as_str().to_owned()).collect();
-        let (rates, steady) = (self.rates.clone(), self.steady.clone());
+        let (state, rates, steady) = (self.state.clone(), self.rates.clone(), self.steady.clone());
         let system = Linearisation { state, rates, steady, slopes };
-        let certificate = system.certificate(variable.as_str(), polynomial.clone(), work.domain.clone());
+        let certificate = system.certificate(variable, polynomial.clone(), work.domain.clone());
         work.step(|proof, equations, _| proof.certify(&says, equations, certificate))?;
         Ok(polynomial)
     }

@@ -63,7 +63,7 @@ impl Work<'_> {
         }
         self.step(|proof, equations, domain| {
             let (expression, value, domain) = (f.clone(), value.clone(), domain.clone());
-            let variable = x.as_str().to_owned();
+            let variable = x.clone();
             proof.certify(&says, equations, Certificate::Derivative { expression, variable, value, domain })
         })?;
         Ok(value)
