@@ -38,6 +38,7 @@ mod hard_cases;
 mod hard_points;
 mod harness;
 mod hostile;
+mod independent;
 mod joss_paper;
 mod json;
 mod locked_packages;

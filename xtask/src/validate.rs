@@ -35,7 +35,7 @@ pub const EMULATOR: &[&str] = &["qemu-x86_64"];
 const VENV: &str = "python3-venv";
 const BROWSER: &[&str] = &["chromium", "chromium-browser", "google-chrome"];
 
-const VALIDATORS: [Validator; 7] = [
+const VALIDATORS: [Validator; 8] = [
     Validator { name: "Nu HTML checker", programs: &[NPM, JAVA], commands: nu_html_checker },
     Validator { name: "html-validate", programs: &[NODE, NPM], commands: html_validate },
     Validator { name: "axe-core in Chromium", programs: &[NODE, NPM, BROWSER], commands: pages_in_browser },
@@ -43,6 +43,7 @@ const VALIDATORS: [Validator; 7] = [
     Validator { name: "RO-Crate validator", programs: &[PYTHON], commands: crate_validator },
     Validator { name: "CODECHECK rules", programs: &[PYTHON], commands: codecheck },
     Validator { name: "cffconvert", programs: &[PYTHON], commands: citation },
+    Validator { name: "independent program for claims", programs: &[PYTHON], commands: independent_program },
 ];
 
 /// Makes every report and its archive, and runs every validator on them.
@@ -301,6 +302,22 @@ fn checks_of_archives<'a>(
         command.arg(definition(script)).arg(&report.archive);
         command
     }))
+}
+
+/// Random points for each formula of the reports, and wrong verdicts planted in the shortest one.
+fn independent_program(_made: &[Made]) -> Result<Vec<Command>, Failure> {
+    let root = repository::root();
+    let runs = [
+        vec!["--points".into(), "100".into(), "--quiet".into()],
+        vec!["--points".into(), "5".into(), "--self-test".into(), root.join("reports/rice-ruina-1983")],
+    ];
+    let python = python_program("python")?;
+    let command = |arguments: Vec<PathBuf>| {
+        let mut command = Command::new(&python);
+        command.arg("-B").arg(root.join("tests/independent")).args(arguments);
+        command
+    };
+    Ok(runs.map(command).into())
 }
 
 fn citation(_made: &[Made]) -> Result<Vec<Command>, Failure> {
