@@ -85,7 +85,7 @@ class Names:
         names = {part for part in given if isinstance(part, str) and part not in self.systems}
         found = set().union(*(self.reach_of(part) for part in given if isinstance(part, tuple)), *map(self.reach, names))
         for system in (self.systems[part] for part in given if isinstance(part, str) and part in self.systems):
-            found |= set(system["state"]).union(*map(self.reach_of, system["rates"]))
+            found |= {system["name"]}.union(system["state"], *map(self.reach_of, system["rates"]))
             if word != "rate":
                 found = (found - set(system["state"])).union(*map(self.reach_of, system["steady"]))
         return found - {given[BINDS[word]]} if word in BINDS else found

@@ -55,7 +55,11 @@ fn place(flipped: Option<usize>) -> Workplace {
 fn no_verdict_of_the_five_reports_is_contradicted() {
     let Some(ended) = compared(&["--points", "1", "--quiet"]) else { return };
     assert_eq!((ended.code, ended.stderr.as_str()), (0, ""), "{}", ended.stdout);
-    assert!(ended.stdout.contains(" formulas, ") && ended.stdout.contains(" 0 contradictions "), "{}", ended.stdout);
+    assert!(
+        ended.stdout.contains(" formulas, ") && ended.stdout.contains(" 0 contradictions "),
+        "{}",
+        ended.stdout
+    );
 }
 
 #[test]
