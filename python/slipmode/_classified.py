@@ -82,8 +82,9 @@ class Classification:
 
     @property
     def frequency(self) -> float:
-        """max Im(s)/2π, Hz."""
-        return self.angular_frequency / (2 * np.pi)
+        """max Im(s)/2π, Hz, correctly rounded; NaN beyond the range of 64-bit numbers."""
+        found = self.details["frequency_hz"]
+        return np.nan if found is None else float(found)
 
     def _repr_html_(self) -> str:
         shown = {name: value for name, value in self.details.items() if isinstance(value, (int, float, str))}
@@ -150,16 +151,13 @@ class Classifications:
     growth_rate: NDArray[np.float64]
     #: max Im(s), 1/s; 0 exactly where no root is complex, NaN beyond the range of 64-bit numbers.
     angular_frequency: NDArray[np.float64]
+    #: max Im(s)/2π, Hz, correctly rounded; NaN beyond the range of 64-bit numbers.
+    frequency: NDArray[np.float64]
 
     @property
     def shape(self) -> tuple[int, ...]:
         """The shape of every array."""
         return self.transition_sign.shape
-
-    @property
-    def frequency(self) -> NDArray[np.float64]:
-        """max Im(s)/2π, Hz."""
-        return self.angular_frequency / (2 * np.pi)
 
     def _columns(self) -> dict[str, Any]:
         return {

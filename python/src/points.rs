@@ -7,7 +7,7 @@ use slipmode::scene::{AllowedRange, Fault, Faults, Problem, Quantity, Uncertain}
 use slipmode_core::friction::{Parameters, Slider};
 use slipmode_core::number::{Dd, Rational};
 use slipmode_core::stability::batch::classify_points as classify_rows;
-use slipmode_core::stability::{Classification, InertialThreshold, SlipMode, classify};
+use slipmode_core::stability::{Classification, Frequencies, InertialThreshold, SlipMode, classify};
 
 use crate::{input_error, threshold};
 
@@ -17,14 +17,14 @@ const PART: usize = 2048;
 const WIDTH: usize = 8;
 
 /// What is found of points: columns of 8-bit codes and of 64-bit numbers.
-type Columns<'py> = (Codes<'py>, Codes<'py>, Codes<'py>, Codes<'py>, Codes<'py>, Codes<'py>);
+type Columns<'py> = (Codes<'py>, Codes<'py>, Codes<'py>, Codes<'py>, Codes<'py>, Codes<'py>, Codes<'py>);
 type Codes<'py> = Bound<'py, PyByteArray>;
 
 /// Classifies points with a common slider, whose normal stresses and loading velocities are little-endian 64-bit numbers, taken
 /// as the exact binary numbers that they are.
 ///
-/// Returns the signs of K − K_c and of the discriminant, spectral classes and slip modes as codes of 8 bits, and max Re(s) and
-/// max Im(s) as 64-bit numbers, NaN beyond their range. `first` is the index of the first point, for messages.
+/// Returns the signs of K − K_c and of the discriminant, spectral classes and slip modes as codes of 8 bits, and max Re(s),
+/// max Im(s) and the frequency in Hz as 64-bit numbers, NaN beyond their range. `first` is the index of the first point, for messages.
 #[pyfunction]
 #[pyo3(signature = (slider, normal_stresses, loading_velocities, inertial_threshold=None, first=0))]
 pub fn classify_points<'py>(
@@ -66,6 +66,7 @@ pub fn classify_points<'py>(
         column(|part| &part.slip_modes)?,
         column(|part| &part.max_real_per_s)?,
         column(|part| &part.max_imaginary_per_s)?,
+        column(|part| &part.frequency_hz)?,
     ))
 }
 
@@ -118,6 +119,7 @@ struct Part {
     slip_modes: Vec<u8>,
     max_real_per_s: Vec<u8>,
     max_imaginary_per_s: Vec<u8>,
+    frequency_hz: Vec<u8>,
 }
 
 impl Work {
@@ -141,17 +143,19 @@ impl Work {
         let doubled: Vec<Parameters<Dd>> = points.iter().map(in_dd).collect();
         let found = classify_rows(&doubled, &self.threshold);
         let mut part = Part::with_capacity(points.len());
-        for (found, (stress, velocity)) in found.into_iter().zip(points) {
-            part.push(&found.unwrap_or_else(|| self.exactly(stress, velocity)));
+        for ((found, doubled), (stress, velocity)) in found.into_iter().zip(&doubled).zip(points) {
+            // The point of these binary numbers, where double-double does not decide.
+            let exact = || {
+                let [stress, velocity] =
+                    [stress, velocity].map(|value| Rational::from_f64(value).unwrap_or_default());
+                self.slider.at(stress, velocity)
+            };
+            let found = found.unwrap_or_else(|| classify(&exact(), &self.threshold));
+            let frequencies =
+                Frequencies::quickly(doubled, &found).unwrap_or_else(|| Frequencies::of(&exact(), &found));
+            part.push(&found, &frequencies);
         }
         Ok(part)
-    }
-
-    /// The point of these binary numbers, which double-double does not decide.
-    fn exactly(&self, stress: f64, velocity: f64) -> Classification {
-        let [stress, velocity] =
-            [stress, velocity].map(|value| Rational::from_f64(value).unwrap_or_default());
-        classify(&self.slider.at(stress, velocity), &self.threshold)
     }
 }
 
@@ -181,11 +185,12 @@ impl Part {
             slip_modes: codes(),
             max_real_per_s: numbers(),
             max_imaginary_per_s: numbers(),
+            frequency_hz: numbers(),
         }
     }
 
     /// The codes are the places in the lists of all classes and all modes, which have the order of the declaration.
-    fn push(&mut self, found: &Classification) {
+    fn push(&mut self, found: &Classification, frequencies: &Frequencies) {
         let mode = if found.transition_sign == 0 { SlipMode::ALL.len() } else { found.slip_mode as usize };
         self.transition_signs.push(found.transition_sign.to_le_bytes()[0]);
         self.boundary_signs.push(found.boundary_sign.to_le_bytes()[0]);
@@ -194,5 +199,6 @@ impl Part {
         let bytes = |value: slipmode_core::number::Wide| value.to_f64().unwrap_or(f64::NAN).to_le_bytes();
         self.max_real_per_s.extend_from_slice(&bytes(found.max_real_per_s));
         self.max_imaginary_per_s.extend_from_slice(&bytes(found.max_imaginary_per_s));
+        self.frequency_hz.extend_from_slice(&bytes(frequencies.frequency_hz));
     }
 }

@@ -1,12 +1,10 @@
 //! What a run is compared with: the linear theory, exactly, and our simulation, with its errors.
 
-use rug::Float;
-
 use slipmode_core::dynamics::{Behaviour, Simulation};
 use slipmode_core::friction::{EvolutionLaw, Parameters, SlipMode};
 use slipmode_core::number::{Rational, nearest_f64};
 use slipmode_core::roots::certified_roots;
-use slipmode_core::stability::{InertialThreshold, SpectralClass, classify};
+use slipmode_core::stability::{Frequencies, InertialThreshold, SpectralClass, classify};
 
 /// Our simulation of a slider to a relative error, or why there is none in words.
 pub type Simulate<'s> =
@@ -43,7 +41,7 @@ impl Theory {
         // Real roots come first, ascending; the pair last.
         let last = roots.last();
         let is_pair = last.is_some_and(|root| !root.im.is_zero());
-        let imaginary = last.filter(|_| is_pair).map(|root| Float::with_val(64, &root.im).abs().to_f64());
+        let frequencies = is_pair.then(|| Frequencies::of(parameters, &found));
         Self {
             class: found.spectral_class,
             slip_mode: found.slip_mode,
@@ -53,7 +51,7 @@ impl Theory {
                 _ => None,
             },
             stiffness_ratio: (critical > 0).then(ratio),
-            frequency_hz: imaginary.map(|imaginary| imaginary / std::f64::consts::TAU),
+            frequency_hz: frequencies.and_then(|frequencies| frequencies.frequency_hz.to_f64()),
             growth_rate_per_s: last.map_or(0.0, |root| root.re.to_f64()),
         }
     }

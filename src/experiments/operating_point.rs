@@ -5,7 +5,7 @@ use crate::experiments::{Outcome, SceneOutcome};
 use slipmode_core::friction::{OperatingPoint, Parameters};
 use slipmode_core::number::format::round_digits;
 use slipmode_core::number::{Ball, Rational, nearest_f64};
-use slipmode_core::stability::{Classification, OverBox, ParameterBox, classify, over_box};
+use slipmode_core::stability::{Classification, Frequencies, OverBox, ParameterBox, classify, over_box};
 use slipmode_plot::figure::{Axis, PointMark, Side};
 
 /// Digits of a ratio or a frequency in the sentence.
@@ -75,8 +75,7 @@ fn words(parameters: &Parameters<Rational>, found: &Classification) -> String {
         true => format!("K/K_c is {}", round_digits(nearest_f64(&ratio), DIGITS)),
         false => "there is no transition, because a ≥ b".into(),
     };
-    let frequency_hz = found.max_imaginary_per_s.to_f64().map(|rate| rate / std::f64::consts::TAU);
-    let frequency = match frequency_hz {
+    let frequency = match Frequencies::of(parameters, found).frequency_hz.to_f64() {
         Some(hertz) if hertz > 0.0 => {
             format!("small disturbances oscillate with {} Hz", round_digits(hertz, DIGITS))
         }

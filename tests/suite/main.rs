@@ -32,6 +32,7 @@ mod digit_for_digit;
 mod error_bars;
 mod estimated_errors;
 mod explore;
+mod frequencies;
 mod full_disk;
 mod grid;
 mod hard_cases;

@@ -126,6 +126,15 @@ impl Dd {
         (self.hi + (self.lo + 2.0 * error) == self.hi) & (self.hi + (self.lo - 2.0 * error) == self.hi)
     }
 
+    /// The 64-bit number to which every number within this relative error (at least [`Dd::UNIT`]) rounds, if there is one. Numbers
+    /// near the ends of the range have none: their trailing parts may have lost bits.
+    #[must_use]
+    pub fn rounded_surely(self, relative_error: f64) -> Option<f64> {
+        let size = self.hi.abs();
+        let has_range = size > 1e-250 && size < 1e250;
+        (has_range && self.rounds_surely(relative_error * size)).then_some(self.hi)
+    }
+
     #[inline(always)]
     fn add_accurately(&self, other: &Self) -> Self {
         let (sum, sum_error) = two_sum(self.hi, other.hi);

@@ -32,6 +32,7 @@ mod distance;
 mod double_root;
 #[cfg(test)]
 mod fixtures;
+mod frequencies;
 pub mod inverse;
 mod logarithm;
 mod nearest_place;
@@ -54,6 +55,7 @@ pub use boundary::{BoundaryCurve, BoundaryPoint, Mark, Section};
 pub use curve::Arc;
 pub use decision::{boundary_sign, transition_sign};
 pub use distance::LogDistance;
+pub use frequencies::Frequencies;
 pub use nearest_place::{NearestPlace, Uncertain, nearest_boundary_point};
 pub use over_box::{
     Distribution, Effort, OverBox, ParameterBox, Possible, Ranges, SampledShare, ValueRange,

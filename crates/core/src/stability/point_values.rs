@@ -34,6 +34,10 @@ pub(super) struct PointValues {
     pub(super) first: f64,
     /// The third real root, or the imaginary part of the pair, 1/s.
     pub(super) second: f64,
+    /// Its trailing part in double-double, 1/s.
+    pub(super) second_trailing: f64,
+    /// Bound on the error of both parts together, 1/s.
+    pub(super) second_error: f64,
     /// The largest real part, 1/s.
     pub(super) max_real: f64,
     /// Bound on its error, rounding included, 1/s.
@@ -53,7 +57,7 @@ pub(super) struct PointValues {
 }
 
 /// The number of the fields of [`PointValues`].
-pub(super) const FIELDS: usize = 13;
+pub(super) const FIELDS: usize = 15;
 
 impl From<PointValues> for [f64; FIELDS] {
     #[inline(always)]
@@ -64,6 +68,8 @@ impl From<PointValues> for [f64; FIELDS] {
             values.real,
             values.first,
             values.second,
+            values.second_trailing,
+            values.second_error,
             values.max_real,
             values.max_real_error,
             values.rounded,
@@ -79,8 +85,8 @@ impl From<PointValues> for [f64; FIELDS] {
 impl From<[f64; FIELDS]> for PointValues {
     #[inline(always)]
     fn from(values: [f64; FIELDS]) -> Self {
-        let [filtered, sign, real, first, second, max_real, max_real_error, rounded, frequency, rate, ..] =
-            values;
+        let [filtered, sign, real, first, second, second_trailing, second_error, ..] = values;
+        let [.., max_real, max_real_error, rounded, frequency, rate, _, _, _] = values;
         let [.., inertial_parameter, stiffness_group, effect_ratio] = values;
         Self {
             filtered,
@@ -88,6 +94,8 @@ impl From<[f64; FIELDS]> for PointValues {
             real,
             first,
             second,
+            second_trailing,
+            second_error,
             max_real,
             max_real_error,
             rounded,
@@ -108,7 +116,7 @@ fn select(condition: bool, yes: f64, no: f64) -> f64 {
 
 /// A root in 1/s, with its bound before it is rounded to 64-bit.
 #[inline(always)]
-fn in_si(root: &Bounded<Dd>, rate: Dd) -> Bounded<Dd> {
+pub(super) fn in_si(root: &Bounded<Dd>, rate: Dd) -> Bounded<Dd> {
     let value = root.value * rate;
     Bounded { value, error: (root.error * rate.hi() + value.hi().abs() * RATE_ERROR) * SLACK }
 }
@@ -131,6 +139,11 @@ impl PointValues {
             stiffness_group: self.stiffness_group,
             effect_ratio: self.effect_ratio,
         }
+    }
+
+    /// [`PointValues::second`] in double-double.
+    pub(super) const fn second_bounded(&self) -> Bounded<Dd> {
+        Bounded { value: Dd::from_parts(self.second, self.second_trailing), error: self.second_error }
     }
 
     /// The values of a point whose inputs are known so well.
@@ -171,6 +184,8 @@ impl PointValues {
             real,
             first,
             second,
+            second_trailing: parts[2].value.lo(),
+            second_error: parts[2].error,
             max_real,
             max_real_error,
             rounded: select(rounded[0] & rounded[1] & rounded[2], 1.0, 0.0),

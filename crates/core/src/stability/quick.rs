@@ -24,6 +24,7 @@ pub fn classify_quickly(
     let signs = bounded.signs_below_exact()?;
     let parts = LargestParts::of_bounded(&bounded.cubic().spectrum(), signs.transition)?;
     let in_si = parts.times_rate(parameters.rate_per_s())?;
+    let rounded = in_si.rounded()?;
     let spectral_class = SpectralClass::from_signs(signs.transition, signs.boundary);
     let groups = bounded.groups().map(Dd::hi);
     let slip_mode = slip_mode_by(
@@ -31,7 +32,7 @@ pub fn classify_quickly(
         || clearly_in_upper_area(&groups),
         || {
             let natural_squared = groups.natural_angular_frequency_squared();
-            clearly_inertial(parts.imaginary.hi(), natural_squared, threshold)
+            clearly_inertial(parts.imaginary.value.hi(), natural_squared, threshold)
         },
     )?;
     Some(Classification {
@@ -39,10 +40,11 @@ pub fn classify_quickly(
         boundary_sign: signs.boundary,
         spectral_class,
         slip_mode,
-        max_real_per_s: in_si.real,
-        max_imaginary_per_s: in_si.imaginary,
+        max_real_per_s: rounded.real,
+        max_imaginary_per_s: rounded.imaginary,
         precision_level: signs.precision_level,
         value_precision_level: PrecisionLevel::DoubleDouble,
+        angular_frequency: Some(in_si.imaginary),
     })
 }
 

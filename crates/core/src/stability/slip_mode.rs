@@ -1,6 +1,6 @@
 //! Slip modes: the names the paper gives to areas of the (V0, σ) plane, decided exactly.
 
-use rug::Complete;
+use rug::{Complete, Integer};
 
 use super::SpectralClass;
 use crate::friction::{Groups, SlipMode};
@@ -56,16 +56,30 @@ impl InertialThreshold {
     /// its left side changes sign from − to +; the only other real root it can have is z = −p, a double one, when q = 0.
     /// So ω² > w ⇔ 4p³ + 27q² − 4w(3p − 4w)² > 0, or w = p/4 on that double root.
     pub(super) fn exceeded_by(&self, depressed: &Depressed) -> bool {
-        let [c0, _, _, c3] = &depressed.cubic;
-        let (numerator, denominator) = (self.squared_ratio.numer(), self.squared_ratio.denom());
-        // w = T·c0/c3 in x is 9T·c3·c0 in y = 3c3·x + c2; everything times powers of T's denominator stays an integer.
-        let w = (c0 * c3).complete() * numerator * 9u32;
-        let p = (&depressed.linear * denominator).complete();
-        let difference = p.clone() * 3u32 - w.clone() * 4u32;
-        let cube = denominator.square_ref().complete() * denominator;
-        let g = -(&depressed.discriminant * cube) - w.clone() * 4u32 * difference.square();
-        g > 0 || (g.is_zero() && depressed.constant.is_zero() && p == w * 4u32)
+        let g = equation_at_ratio(depressed, &self.squared_ratio);
+        let is_double = || {
+            let [p, w] = scaled_at_ratio(depressed, &self.squared_ratio);
+            depressed.constant.is_zero() && p == w * 4u32
+        };
+        g > 0 || (g.is_zero() && is_double())
     }
+}
+
+/// p and w = T·κ/η of [`InertialThreshold::exceeded_by`] times the denominator of T.
+fn scaled_at_ratio(depressed: &Depressed, squared_ratio: &Rational) -> [Integer; 2] {
+    let [c0, _, _, c3] = &depressed.cubic;
+    // w = T·c0/c3 in x is 9T·c3·c0 in y = 3c3·x + c2.
+    let w = (c0 * c3).complete() * squared_ratio.numer() * 9u32;
+    [(&depressed.linear * squared_ratio.denom()).complete(), w]
+}
+
+/// 4p³ + 27q² − 4w(3p − 4w)² of [`InertialThreshold::exceeded_by`] times the cube of the denominator of T.
+pub(super) fn equation_at_ratio(depressed: &Depressed, squared_ratio: &Rational) -> Integer {
+    let [p, w] = scaled_at_ratio(depressed, squared_ratio);
+    let difference = p * 3u32 - w.clone() * 4u32;
+    let denominator = squared_ratio.denom();
+    let cube = denominator.square_ref().complete() * denominator;
+    -(&depressed.discriminant * cube) - w * 4u32 * difference.square()
 }
 
 /// The slip mode of a point. Each case is decided by signs of rationals.

@@ -3,6 +3,7 @@
 use rug::Float;
 
 use super::certain_signs::{self, BoundedGroups};
+use super::point_values::in_si;
 use super::slip_mode::slip_mode_given;
 use super::{InertialThreshold, SlipMode, SpectralClass};
 use crate::friction::{Groups, Parameters};
@@ -47,6 +48,8 @@ pub struct Classification {
     pub precision_level: PrecisionLevel,
     /// The precision level that gave the values: 64-bit cannot guarantee 1e-14, so double-double or exact.
     pub value_precision_level: PrecisionLevel,
+    /// The imaginary part of the pair with its bound, 1/s; none where double-double does not give it.
+    pub(super) angular_frequency: Option<Bounded<Dd>>,
 }
 
 /// The largest real and imaginary parts of the dimensionless roots p.
@@ -79,13 +82,15 @@ pub fn classify(parameters: &Parameters<Rational>, threshold: &InertialThreshold
     let in_si = parts.as_ref().and_then(|parts| parts.times_rate(Dd::from_rational(&rate_per_s)));
     let value_precision_level =
         if in_si.is_some() { PrecisionLevel::DoubleDouble } else { PrecisionLevel::Exact };
-    let LargestParts { real, imaginary } =
-        in_si.unwrap_or_else(|| LargestParts::exactly(&groups).times_rate(&rate_per_s));
+    let angular_frequency = in_si.as_ref().map(|parts| parts.imaginary);
+    let LargestParts { real, imaginary } = in_si
+        .and_then(|parts| parts.rounded())
+        .unwrap_or_else(|| LargestParts::exactly(&groups).times_rate(&rate_per_s));
 
     let exactly_inertial =
         || Depressed::of(&groups.characteristic_cubic()).is_some_and(|cubic| threshold.exceeded_by(&cubic));
     let inertial = || {
-        let imaginary = parts.as_ref().map(|parts| parts.imaginary.hi());
+        let imaginary = parts.as_ref().map(|parts| parts.imaginary.value.hi());
         let natural_squared = groups.map(nearest_f64).natural_angular_frequency_squared();
         imaginary
             .and_then(|p| clearly_inertial(p, natural_squared, threshold))
@@ -100,6 +105,7 @@ pub fn classify(parameters: &Parameters<Rational>, threshold: &InertialThreshold
         max_imaginary_per_s: imaginary,
         precision_level: signs.precision_level,
         value_precision_level,
+        angular_frequency,
     }
 }
 
@@ -118,12 +124,12 @@ pub(super) fn clearly_inertial_beyond(omega: f64, natural_squared: f64, squared_
     ((ratio - 1.0).abs() > 1e-12).then_some(ratio > 1.0)
 }
 
-impl LargestParts<Dd> {
+impl LargestParts<Bounded<Dd>> {
     /// From roots with error bounds, when each is at most [`TOLERANCE`] of its own part.
     ///
     /// On the transition itself the growth rate is zero, and its bound is compared with the pair's modulus.
     pub(super) fn of_bounded(spectrum: &Spectrum<Dd>, transition_sign: i8) -> Option<Self> {
-        let zero = Dd::from(0.0);
+        let zero = Bounded { value: Dd::from(0.0), error: 0.0 };
         let within = |bounded: &Bounded<Dd>, size: f64| bounded.error <= TOLERANCE * size;
         let own_size = |bounded: &Bounded<Dd>| within(bounded, bounded.value.hi().abs());
         let (pair, imaginary) = match &spectrum.pair {
@@ -131,25 +137,30 @@ impl LargestParts<Dd> {
             Pair::Real([lower, upper]) => (own_size(lower) && own_size(upper)).then_some((*upper, zero))?,
             Pair::Complex { re, im } if transition_sign == 0 => {
                 let (x, y) = (re.value.hi(), im.value.hi());
-                (own_size(im) && within(re, (x * x + y * y).sqrt())).then_some((*re, im.value))?
+                (own_size(im) && within(re, (x * x + y * y).sqrt())).then_some((*re, *im))?
             }
-            Pair::Complex { re, im } => (own_size(im) && own_size(re)).then_some((*re, im.value))?,
+            Pair::Complex { re, im } => (own_size(im) && own_size(re)).then_some((*re, *im))?,
         };
         let largest = if pair.value > spectrum.real.value { pair } else { spectrum.real };
-        let real = if transition_sign == 0 { zero } else { largest.value };
+        let real = if transition_sign == 0 { zero } else { largest };
         own_size(&spectrum.real).then_some(Self { real, imaginary })
     }
 
     /// The parts in 1/s, if the rate and they lie well inside f64's range.
-    pub(super) fn times_rate(&self, rate: Dd) -> Option<LargestParts<Wide>> {
-        let part = |part: Dd| {
-            let value = (part * rate).hi();
-            (value.abs() > 1e-250 && value.abs() < 1e250 || part.hi() == 0.0)
-                .then(|| Wide::from_f64(value))
-                .flatten()
+    pub(super) fn times_rate(&self, rate: Dd) -> Option<Self> {
+        let part = |part: &Bounded<Dd>| {
+            let in_si = in_si(part, rate);
+            let size = in_si.value.hi().abs();
+            (size > 1e-250 && size < 1e250 || part.value.hi() == 0.0).then_some(in_si)
         };
         let usable = rate.hi() > 1e-100 && rate.hi() < 1e100;
-        usable.then_some(LargestParts { real: part(self.real)?, imaginary: part(self.imaginary)? })
+        usable.then_some(Self { real: part(&self.real)?, imaginary: part(&self.imaginary)? })
+    }
+
+    /// The parts without their bounds.
+    pub(super) fn rounded(&self) -> Option<LargestParts<Wide>> {
+        let part = |part: &Bounded<Dd>| Wide::from_f64(part.value.hi());
+        Some(LargestParts { real: part(&self.real)?, imaginary: part(&self.imaginary)? })
     }
 }
 

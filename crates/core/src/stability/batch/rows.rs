@@ -73,6 +73,7 @@ fn classified(values: &PointValues, limit: f64) -> Option<Classification> {
         max_imaginary_per_s: Wide::from_f64(imaginary)?,
         precision_level: PrecisionLevel::F64,
         value_precision_level: PrecisionLevel::DoubleDouble,
+        angular_frequency: is_pair.then(|| values.second_bounded()),
     })
 }
 
