@@ -7,7 +7,7 @@ use std::ffi::OsString;
 
 use pyo3::exceptions::{PyRuntimeError, PyValueError};
 use pyo3::prelude::*;
-use slipmode::scene::{Fault, Faults};
+use slipmode::scene::{Fault, Faults, first_lines};
 use slipmode_core::stability::{InertialThreshold, SlipMode, SpectralClass};
 
 pyo3::create_exception!(_slipmode, InputError, PyValueError, "The input is at fault.");
@@ -56,12 +56,8 @@ fn classes() -> Vec<&'static str> {
 
 /// The exception of faults, one a line, the first ones when there are many.
 fn input_error(faults: &Faults) -> PyErr {
-    const MOST: usize = 25;
-    let mut lines: Vec<String> = faults.iter().take(MOST).map(Fault::to_string).collect();
-    if faults.len() > MOST {
-        lines.push(format!("and {} more like these", faults.len() - MOST));
-    }
-    InputError::new_err(lines.join("\n"))
+    let others = |more| format!("and at least {more} more like these");
+    InputError::new_err(first_lines(faults.iter().map(Fault::to_string), others).join("\n"))
 }
 
 /// The threshold of `--inertial-threshold`, that of the command line where none is given.

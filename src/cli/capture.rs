@@ -42,7 +42,9 @@ pub fn capture(arguments: impl IntoIterator<Item = OsString>) -> Captured {
         Ok(cli) => cli,
         Err(error) => {
             let error = without_usage_of_conflict(error);
-            let text = error.render().to_string().into_bytes();
+            let text = crate::cli::shortened_usage(&error)
+                .unwrap_or_else(|| error.render().to_string())
+                .into_bytes();
             let (output, messages) = if error.use_stderr() { (Vec::new(), text) } else { (text, Vec::new()) };
             return Captured { exit_code: crate::cli::exit_code_of_usage(&error), output, messages };
         }

@@ -4,7 +4,7 @@ use std::slice;
 
 use slipmode::claims::{Entry, Evidence, Ledger, Part, Strength, Verdict, known_ids};
 use slipmode::report::{Folder, decide};
-use slipmode::scene::{ClaimEntry, nearest};
+use slipmode::scene::{ClaimEntry, first_lines, nearest};
 
 use crate::cli::failure::Failure;
 use crate::cli::progress::Progress;
@@ -48,9 +48,12 @@ pub fn refuse_contradictions(ledger: &Ledger) -> Result<(), Failure> {
 
 /// Prints the warnings about the formulas of claims on standard error.
 pub fn print_warnings(ledger: &Ledger) {
-    for entry in &ledger.claims {
-        entry.warnings().for_each(|warning| terminal::message(&format!("warning: {}: {warning}", entry.id)));
-    }
+    let of = |entry: &Entry| {
+        entry.warnings().map(|warning| format!("warning: {}: {warning}", entry.id)).collect::<Vec<_>>()
+    };
+    let others = |more| format!("warning: and {more} more like these");
+    let warnings = first_lines(ledger.claims.iter().flat_map(of), others);
+    warnings.iter().for_each(|warning| terminal::message(warning));
 }
 
 fn listed<'f>(folder: &'f Folder, id: &str) -> Result<&'f ClaimEntry, Failure> {

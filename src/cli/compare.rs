@@ -12,7 +12,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use slipmode::scene::{AllowedRange, Problem};
+use slipmode::scene::{AllowedRange, Problem, first_lines};
 use slipmode_core::number::nearest_f64;
 
 use crate::cli::environment::Environment;
@@ -88,7 +88,10 @@ pub fn run(options: &Options, progress: Progress) -> Result<(), Failure> {
     } else if !takes_stdout {
         terminal::print(&view::text(&done.kept))?;
     }
-    done.faults.iter().for_each(|fault| terminal::message(&fault.to_string()));
+    let faults = done.faults.iter().map(ToString::to_string);
+    first_lines(faults, |more| format!("and at least {more} more like these"))
+        .iter()
+        .for_each(|fault| terminal::message(fault));
     print_warnings(&done.counts);
     verdict(&done.kept, done.counts.faulty)
 }

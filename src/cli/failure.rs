@@ -4,7 +4,7 @@ use std::fmt;
 use std::io;
 use std::path::Path;
 
-use slipmode::scene::{Fault, Faults};
+use slipmode::scene::{Fault, Faults, first_lines};
 
 use crate::cli::terminal;
 
@@ -71,16 +71,12 @@ impl Failure {
     }
 }
 
-/// The most errors that are printed; the rest is counted.
-const MOST_ERRORS: usize = 25;
-
+/// Prints the first errors, and how many more there are.
 fn print_errors<E: fmt::Display>(errors: impl Iterator<Item = E>) {
-    let mut errors = errors.fuse();
-    errors.by_ref().take(MOST_ERRORS).for_each(|error| terminal::message(&format!("error: {error}")));
-    match errors.count() {
-        0 => {}
-        more => terminal::message(&format!("error: and {more} more like these")),
-    }
+    let lines = errors.map(|error| format!("error: {error}"));
+    // Readers stop at some number of faults, so that there may be more than were found.
+    let others = |more| format!("error: and at least {more} more like these");
+    terminal::message(&first_lines(lines, others).join("\n"));
 }
 
 impl From<Faults> for Failure {

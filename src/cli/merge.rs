@@ -128,7 +128,7 @@ struct Found {
     foreign: Vec<String>,
 }
 
-/// One refusal of all faults, the first twenty reported one by one.
+/// One refusal of all faults, the first ones reported one by one.
 fn refusal(faults: &[String]) -> Option<Failure> {
     let mut lines: Vec<String> = faults.iter().take(MOST_FAULTS).cloned().collect();
     if faults.len() > MOST_FAULTS {

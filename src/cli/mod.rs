@@ -46,6 +46,7 @@ use clap::{CommandFactory, Parser, Subcommand};
 use failure::Failure;
 use options::Arguments;
 use progress::Progress;
+use slipmode::scene::{LONGEST_MESSAGE, with_short_quotations};
 
 pub use capture::{Captured, capture};
 pub use options::inertial_threshold;
@@ -131,8 +132,11 @@ pub fn main_with(arguments: impl IntoIterator<Item = OsString>) -> u8 {
         Ok(cli) => cli,
         Err(error) => {
             let error = without_usage_of_conflict(error);
-            // Help and version are no errors. Where they cannot be written, the exit code is the same.
-            let _ = error.print();
+            match shortened_usage(&error) {
+                Some(text) => terminal::message(&text),
+                // Help and version are no errors. Where they cannot be written, the exit code is the same.
+                None => _ = error.print(),
+            }
             return exit_code_of_usage(&error);
         }
     };
@@ -151,6 +155,13 @@ fn without_usage_of_conflict(mut error: clap::Error) -> clap::Error {
         error.remove(clap::error::ContextKind::Usage);
     }
     error
+}
+
+/// A message about wrong arguments that repeats long ones, shortened; none for other messages.
+fn shortened_usage(error: &clap::Error) -> Option<String> {
+    let text = error.render().to_string();
+    let is_long = error.use_stderr() && text.chars().count() > LONGEST_MESSAGE;
+    is_long.then(|| with_short_quotations(text.trim_end(), LONGEST_MESSAGE))
 }
 
 fn exit_code_of_usage(error: &clap::Error) -> u8 {

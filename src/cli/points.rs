@@ -19,7 +19,7 @@ use crate::cli::output::{Output, machine_write};
 use crate::cli::progress::Progress;
 use crate::cli::terminal;
 
-/// The most faults that are reported before the run stops looking for more.
+/// The faults after which the run stops looking for more.
 const MOST_FAULTS: usize = 20;
 
 /// What becomes of the rows of `--points`.
@@ -62,7 +62,7 @@ pub struct Done<K> {
 ///
 /// # Errors
 /// When a file cannot be opened, read or written. When a row is at fault, unless `--keep-going`: nothing is written then,
-/// and up to twenty faults are reported. A fault of the header or of the file's form always stops the run.
+/// and the first faults are reported. A fault of the header or of the file's form always stops the run.
 pub fn run<W: RowWork>(
     input: &Path,
     options: &RowsOptions,

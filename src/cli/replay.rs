@@ -13,7 +13,7 @@ use slipmode::archive::{
 };
 use slipmode::claims::Ledger;
 use slipmode::report::{Folder, Product, produce};
-use slipmode::scene::{AllowedRange, Limits};
+use slipmode::scene::{AllowedRange, Limits, first_lines};
 use slipmode::theorems::{Published, archived};
 use slipmode_core::number::nearest_f64;
 
@@ -74,7 +74,7 @@ pub fn run(options: &Options, progress: &Progress) -> Result<(), Failure> {
     let opened = open(&options.archive)?;
     let digests = digest_faults(&opened.files);
     if !digests.is_empty() {
-        return Err(Failure::Check(digests.join("\n")));
+        return Err(Failure::Check(first_lines(digests, |more| format!("and {more} more")).join("\n")));
     }
     let this = facts(opened.time);
     let refused = |fault: String| Failure::Refused(format!("{}: {fault}", options.archive.display()));
@@ -101,7 +101,13 @@ pub fn run(options: &Options, progress: &Progress) -> Result<(), Failure> {
     } else {
         terminal::print(&format!("{}{}\n{}", summary(&product.ledger), replay.compared(), open.concat()))?;
     }
-    if differences.is_empty() { Ok(()) } else { Err(Failure::Check(differences.join("\n"))) }
+    if differences.is_empty() {
+        Ok(())
+    } else {
+        Err(Failure::Check(
+            first_lines(differences, |more| format!("and {more} more; --json lists all")).join("\n"),
+        ))
+    }
 }
 
 fn budget(factor: &str) -> Result<Budget, Failure> {

@@ -8,7 +8,7 @@ use slipmode::claims::{Ledger, Verdict};
 use slipmode::report::{
     PAGE_BUDGET_BYTES, Product, ReportError, produce, produce_scene, without_environment,
 };
-use slipmode::scene::Limits;
+use slipmode::scene::{Limits, first_lines};
 
 use crate::cli::claim::{contradictions, print_warnings, refuse_contradictions, verify_claim};
 use crate::cli::environment::{ENVIRONMENT_FILE, Environment};
@@ -207,7 +207,9 @@ pub fn verify(options: &VerifyOptions, progress: &Progress) -> Result<(), Failur
         "check the differences; `slipmode report {} -o NEW --for-publication` writes the copy to publish",
         options.folder.display()
     );
-    let lines: Vec<String> = drift.into_iter().chain(moved).chain([counts, hint]).collect();
+    let differences =
+        first_lines(drift.into_iter().chain(moved), |more| format!("and {more} more; --json lists all"));
+    let lines: Vec<String> = differences.into_iter().chain([counts, hint]).collect();
     Err(Failure::Check(lines.join("\n")))
 }
 

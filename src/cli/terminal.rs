@@ -2,7 +2,7 @@
 
 use std::io::Write;
 
-use slipmode::scene::visible;
+use slipmode::scene::{LONGEST_MESSAGE, visible, with_short_quotations};
 
 use crate::cli::capture::{StandardError, StandardOutput};
 use crate::cli::failure::Failure;
@@ -31,18 +31,9 @@ fn print_raw(text: &str) -> Result<(), Failure> {
 
 /// Writes lines to standard error. Where it cannot be written, result and exit code are the same without them.
 pub fn message(text: &str) {
-    let lines = text.split('\n').map(shortened).collect::<Vec<_>>().join("\n");
-    let _ = StandardError.write_all(format!("{}\n", visible_lines(&lines)).as_bytes());
-}
-
-/// The longest line of a message, in characters: room for a list of allowed words, not for a value of 100 kB.
-const LONGEST_LINE: usize = 2_000;
-
-fn shortened(line: &str) -> String {
-    match line.char_indices().nth(LONGEST_LINE) {
-        None => line.to_string(),
-        Some((end, _)) => format!("{}… ({} bytes in all)", &line[..end], line.len()),
-    }
+    let line = |line: &str| with_short_quotations(&visible(line), LONGEST_MESSAGE);
+    let lines = text.split('\n').map(line).collect::<Vec<_>>().join("\n");
+    let _ = StandardError.write_all(format!("{lines}\n").as_bytes());
 }
 
 /// A number of things: `1 row`, `2 rows`.

@@ -4,7 +4,7 @@ use std::fmt;
 
 use thiserror::Error;
 
-use crate::scene::{CsvProblem, NameError, is_forbidden};
+use crate::scene::{CsvProblem, NameError, is_forbidden, shortened, with_short_quotations};
 use slipmode_core::number::DecimalError;
 
 /// One fault of an input; printed as `file:line: key = value: problem`.
@@ -169,14 +169,15 @@ fn suggestion(nearest: &Option<String>, known: &str) -> String {
 /// The longest piece of a value that a message repeats.
 const LONGEST_VALUE: usize = 60;
 
-/// A value as a message shows it: control characters escaped, cut when long.
+/// The longest name of a file that a message repeats.
+const LONGEST_FILE: usize = 300;
+
+/// The longest description of what is wrong.
+const LONGEST_PROBLEM: usize = 700;
+
+/// A value as a message shows it: control characters escaped, shortened when long.
 fn shown(value: &str) -> String {
-    let beginning: String = value.chars().take(LONGEST_VALUE).collect();
-    let mut text = visible(&beginning);
-    if value.chars().nth(LONGEST_VALUE).is_some() {
-        text.push('…');
-    }
-    text
+    visible(&shortened(value, LONGEST_VALUE))
 }
 
 /// A value between quotation marks, unless it is one plain word or number.
@@ -205,7 +206,7 @@ pub fn visible(text: &str) -> String {
 
 impl fmt::Display for Fault {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        formatter.write_str(&visible(&self.file))?;
+        formatter.write_str(&visible(&shortened(&self.file, LONGEST_FILE)))?;
         if let Some(line) = self.line {
             write!(formatter, ":{line}")?;
         }
@@ -217,7 +218,7 @@ impl fmt::Display for Fault {
             }
             formatter.write_str(": ")?;
         }
-        write!(formatter, "{}", self.problem)
+        formatter.write_str(&with_short_quotations(&self.problem.to_string(), LONGEST_PROBLEM))
     }
 }
 
@@ -243,6 +244,10 @@ mod tests {
     #[test]
     fn a_hostile_value_is_shown_escaped_and_cut() {
         assert_eq!(shown("a\u{1b}[31m\u{202e}"), "a\\u{1b}[31m\\u{202e}");
-        assert_eq!(shown(&"9".repeat(1000)).chars().count(), LONGEST_VALUE + 1);
+        let long = shown(&"9".repeat(1000));
+        assert!(
+            long.starts_with("999") && long.ends_with(" …[940 characters]… 99999999999999999999"),
+            "{long}"
+        );
     }
 }

@@ -68,12 +68,16 @@ fn ragged_rows_and_runaway_quotes_are_refused() {
 }
 
 #[test]
-fn several_faults_are_told_at_once_and_twenty_are_enough() {
+fn several_faults_are_told_at_once_and_the_first_are_enough() {
     let rows = format!("{HEADER}\n{}", "x,y,1e-5,1e7,1000,1e5,1e-3\n".repeat(1000));
     let place = Workplace::new();
     let ended = place.run_with_input(["classify", "--points", "-"], &rows);
-    assert_eq!(ended.stderr.lines().count(), 20);
-    ended.expect_refusal(&["row 1, column direct_effect = x", "row 10, column evolution_effect = y"]);
+    assert!(ended.stderr.chars().count() < 1_500, "{}", ended.stderr);
+    ended.expect_refusal(&[
+        "row 1, column direct_effect = x",
+        "row 5, column evolution_effect = y",
+        "\nerror: and at least ",
+    ]);
 }
 
 #[test]

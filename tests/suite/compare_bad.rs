@@ -174,12 +174,13 @@ fn a_gap_is_named_with_its_line() {
 }
 
 #[test]
-fn many_faults_of_a_trajectory_are_cut_at_twenty() {
+fn of_many_faults_of_a_trajectory_the_first_are_told() {
     let place = Workplace::new();
     place.write("runs.csv", format!("{HEADER},trajectory\n{ROW},t.csv\n"));
     place.write("t.csv", format!("{NAMES}\n{}", "x,1\n".repeat(9000)));
     let ended = place.run(["compare", "--runs", "runs.csv"]);
-    assert_eq!((ended.code, ended.stderr.lines().count()), (2, 20));
+    assert!(ended.code == 2 && ended.stderr.chars().count() < 1_500, "{}", ended.stderr);
+    assert!(ended.stderr.contains("t.csv:6") && ended.stderr.contains("more like these"), "{}", ended.stderr);
 }
 
 /// What `compare` says of one row with the period, peak velocity and stress drop of the paper's slider at 0.1 MPa and 1 mm/s.
