@@ -7,7 +7,7 @@ use serde_json::json;
 use slipmode::archive::sha256_hex;
 use slipmode::experiments::Scene;
 use slipmode::experiments::certificates::{CertificateFile, Stored, certify_grid, prove_again, written};
-use slipmode::scene::{Fault, Problem};
+use slipmode::scene::{Fault, Problem, first_lines};
 use slipmode_core::friction::EvolutionLaw;
 
 use crate::cli::failure::Failure;
@@ -109,9 +109,21 @@ impl Options {
                 "refused": refused,
             }))?;
         } else {
-            terminal::print(&format!("{proved} of {} certificates proved again\n", again.len()))?;
+            let without = rows.len() - again.len();
+            let rest = if without == 0 {
+                String::new()
+            } else {
+                format!("; {without} of {} points have none", rows.len())
+            };
+            terminal::print(&format!("{proved} of {} certificates proved again{rest}\n", again.len()))?;
         }
-        if refused.is_empty() { Ok(()) } else { Err(Failure::Check(refused.join("\n"))) }
+        if refused.is_empty() {
+            Ok(())
+        } else {
+            Err(Failure::Check(
+                first_lines(refused, |more| format!("and {more} more; --json lists all")).join("\n"),
+            ))
+        }
     }
 
     fn lacks(&self, key: &str, allowed: &str) -> Failure {

@@ -59,6 +59,9 @@ pub enum CsvProblem {
     /// A column that the output appends.
     #[error("a column of the output; remove or rename it")]
     OutputColumn,
+    /// A row that is not the one that a scene's grid has there, in words.
+    #[error("{0}")]
+    OffGrid(String),
     /// A row with fewer or more cells than the header.
     #[error("{found} cells, where the header has {wanted}")]
     CellCount {

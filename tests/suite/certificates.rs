@@ -3,10 +3,10 @@
 use std::fs;
 
 use serde_json::Value;
-use slipmode::archive::{Caps, unpack};
+use slipmode::archive::{Caps, sha256_hex, unpack};
 
 use crate::archive::small_report;
-use crate::harness::Workplace;
+use crate::harness::{Ended, Workplace};
 
 const SCENE: &str = "name = \"s\"\ntitle = \"S\"\n[parameters]\ndirect_effect = 0.004\nevolution_effect = 0.006\n\
     critical_slip_distance_m = 1e-5\nstiffness_pa_per_m = 1e7\nmass_per_area_kg_per_m2 = 1000\n[simulations]\n\
@@ -68,6 +68,117 @@ fn a_changed_byte_is_refused_and_a_changed_bound_with_its_digest_is_not_proved()
     let ended = place.run(all);
     assert_eq!((ended.code, ended.stdout.as_str()), (1, "3 of 4 certificates proved again\n"));
     assert!(ended.stderr.contains("slip law: the stored peak velocity is another one"), "{}", ended.stderr);
+}
+
+/// Stores these rows with the digest of their file in the scene, and proves them again.
+fn with_rows(place: &Workplace, header: &str, rows: &[&str]) -> Ended {
+    let text: String = std::iter::once(&header).chain(rows).map(|line| format!("{line}\n")).collect();
+    place.write("certified.toml", scene(&format!("sha256 = \"{}\"\n", sha256_hex(text.as_bytes()))));
+    place.write("c.csv", text);
+    place.run(["certificates", "certified.toml"])
+}
+
+/// A file that has not exactly the rows of the grid is refused in one message, also by a run that would prove some of them.
+#[test]
+fn a_file_without_rows_or_with_missing_repeated_foreign_or_exchanged_ones_is_refused() {
+    let place = Workplace::new();
+    write_certified(&place);
+    let right = place.read("c.csv");
+    let lines: Vec<&str> = right.lines().collect();
+    let [header, first, second, third, fourth] = lines[..] else { panic!("{right}") };
+    let here = "the grid of [simulations] has here σ = 1000 Pa, V_l = 0.01 m/s";
+    let counts = |rows: usize| format!("(points of the grid of [simulations]: 4; rows of the file: {rows})");
+    let [foreign, other_law] = [second.replacen(",0.01,", ",0.011,", 1), second.replace(",slip,", ",aging,")];
+    assert!(foreign != second && other_law != second);
+    let all_aging: Vec<String> = lines[1..].iter().map(|row| row.replace(",slip,", ",aging,")).collect();
+    let other_slider = second.replacen("0.006,", "0.007,", 1);
+    for (rows, line, what) in [
+        (vec![], 1, format!("row 1: missing: σ = 1000 Pa, V_l = 0.001 m/s {}", counts(0))),
+        (
+            vec![first, second, third],
+            4,
+            format!("row 4: missing: σ = 100000 Pa, V_l = 0.01 m/s {}", counts(3)),
+        ),
+        (
+            vec![second, third, fourth],
+            2,
+            format!("row 1: missing: σ = 1000 Pa, V_l = 0.001 m/s {}", counts(3)),
+        ),
+        (vec![first, third, fourth], 3, format!("row 2: missing: σ = 1000 Pa, V_l = 0.01 m/s {}", counts(3))),
+        (
+            vec![first, first, second, third, fourth],
+            3,
+            format!("row 2: repeated: σ = 1000 Pa, V_l = 0.001 m/s is row 1 already ({here})"),
+        ),
+        (
+            vec![first, second, third, fourth, third],
+            6,
+            format!("row 5: repeated: σ = 100000 Pa, V_l = 0.001 m/s is row 3 already {}", counts(5)),
+        ),
+        (
+            vec![first, fourth, third, second],
+            3,
+            format!("row 2: out of place: σ = 100000 Pa, V_l = 0.01 m/s belongs into row 4 ({here})"),
+        ),
+        (
+            vec![first, &foreign, third, fourth],
+            3,
+            format!("row 2: σ = 1000 Pa, V_l = 0.011 m/s is no point of the grid ({here})"),
+        ),
+        (
+            vec![first, &other_law, third, fourth],
+            3,
+            "row 2: out of place: aging law (all other rows have the slip law)".into(),
+        ),
+        (
+            all_aging.iter().map(String::as_str).collect(),
+            2,
+            "law = aging: out of range (allowed: a law of [simulations]: slip)".into(),
+        ),
+        (
+            vec![first, &other_slider, third, fourth],
+            3,
+            "evolution_effect = 0.007: another slider's (the scene has 0.006)".into(),
+        ),
+    ] {
+        let ended = with_rows(&place, header, &rows);
+        let wanted = format!("error: ./c.csv:{line}: {what}\n");
+        assert_eq!((ended.code, ended.stdout.as_str(), ended.stderr.as_str()), (2, "", wanted.as_str()));
+        let ended = place.run(["run", "certified.toml", "-o", "out"]);
+        assert_eq!((ended.code, ended.stderr.as_str()), (2, wanted.as_str()));
+    }
+    assert_eq!(with_rows(&place, header, &lines[1..]).expect_success(), "4 of 4 certificates proved again\n");
+}
+
+#[test]
+fn a_second_file_of_one_law_and_a_scene_without_a_grid_are_refused() {
+    let place = Workplace::new();
+    write_certified(&place);
+    let known = place.read("certified.toml");
+    let second = known.rsplit_once("[[certificates.file]]").unwrap().1.replace("\"c\"", "\"d\"");
+    place.write("d.csv", place.read("c.csv"));
+    place.write("certified.toml", format!("{known}[[certificates.file]]{second}"));
+    place
+        .run(["certificates", "certified.toml"])
+        .expect_refusal(&["d.csv: law = slip: the same as the law of ./c.csv\n"]);
+    let (before, rest) = known.split_once("[simulations]").unwrap();
+    let without = format!("{before}[certificates]{}", rest.split_once("[certificates]").unwrap().1);
+    place.write("certified.toml", without);
+    place
+        .run(["certificates", "certified.toml"])
+        .expect_refusal(&["c.csv: needs a section [simulations] in the scene `s`: its grid has the rows\n"]);
+}
+
+#[test]
+fn points_without_a_certificate_are_counted() {
+    let place = Workplace::new();
+    write_certified(&place);
+    let right = place.read("c.csv");
+    let lines: Vec<&str> = right.lines().collect();
+    let inputs: Vec<&str> = lines[2].split(',').take(8).collect();
+    let none = format!("{},none: because{}", inputs.join(","), ",".repeat(lines[0].split(',').count() - 9));
+    let ended = with_rows(&place, lines[0], &[lines[1], &none, lines[3], lines[4]]);
+    assert_eq!(ended.expect_success(), "3 of 3 certificates proved again; 1 of 4 points have none\n");
 }
 
 #[test]

@@ -1,7 +1,7 @@
 //! The files that scenes and reports name: what sweeps that ran elsewhere came to, and what was measured apart.
 
 use slipmode::archive::sha256_hex;
-use slipmode::experiments::certificates::{CertificateFile, Stored, read_stored};
+use slipmode::experiments::certificates::{CertificateFile, Stored, StoredFiles};
 use slipmode::experiments::swept::{Swept, SweptEntry, read_swept};
 use slipmode::experiments::{References, Scene};
 use slipmode::scene::{Measured, file_text, with_rows};
@@ -21,20 +21,26 @@ impl Reader {
             let found = self.swept(entry, folder);
             references.swept.extend(found.map(|found| (entry.name.clone(), found)));
         }
-        for entry in
-            scenes.iter().filter_map(|scene| scene.certificates.as_ref()).flat_map(|section| &section.files)
-        {
-            let found = self.certificates(entry, folder);
-            references.certificates.extend(found.map(|found| (entry.name.clone(), found)));
+        for scene in scenes {
+            let mut files = StoredFiles::of(scene);
+            for entry in scene.certificates.iter().flat_map(|section| &section.files) {
+                let found = self.certificates(entry, &mut files, folder);
+                references.certificates.extend(found.map(|found| (entry.name.clone(), found)));
+            }
         }
         references
     }
 
-    /// A file of certificates.
-    fn certificates(&mut self, entry: &CertificateFile, folder: &str) -> Option<Vec<Stored>> {
+    /// A file of certificates, with the points of the scene's grid.
+    fn certificates(
+        &mut self,
+        entry: &CertificateFile,
+        files: &mut StoredFiles,
+        folder: &str,
+    ) -> Option<Vec<Stored>> {
         self.read(&format!("{folder}{}.csv", entry.name), |name, bytes, _| {
             let text = file_text(name, bytes).map_err(|fault| vec![fault])?;
-            read_stored(entry, &sha256_hex(bytes), (name, text))
+            files.read(entry, &sha256_hex(bytes), (name, text))
         })
     }
 

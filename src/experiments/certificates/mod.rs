@@ -1,13 +1,15 @@
 //! Certificates of runs, which were proved elsewhere and of which each run of the report proves some again.
 
+pub(crate) mod grid;
 pub(crate) mod run;
 pub(crate) mod section;
 pub(crate) mod stored;
 pub(crate) mod tables;
 
+pub use grid::StoredFiles;
 pub use run::{Certificates, ProvedAgain, certify_grid, prove_again};
 pub use section::{CertificateFile, CertificatesSection};
-pub use stored::{BOUNDS, Stored, read_stored, written};
+pub use stored::{BOUNDS, Stored, written};
 
 use crate::experiments::certificates::run::EXTREMES;
 use crate::experiments::{Experiment, Setting, TableMaker, Work};

@@ -5,11 +5,12 @@ use std::collections::{BTreeMap, BTreeSet};
 use rayon::prelude::*;
 
 use crate::experiments::certificates::Stored;
+use crate::experiments::certificates::grid::Grid;
 use crate::experiments::simulations::SimulationsSection;
 use slipmode_core::dynamics::Start;
 use slipmode_core::dynamics::certified::{self, Certificate, Proved, certify};
 use slipmode_core::friction::{EvolutionLaw, Parameters, Slider};
-use slipmode_core::number::format::{rational_to_decimal, shortest};
+use slipmode_core::number::format::rational_to_decimal;
 use slipmode_core::number::{Rational, nearest_f64, parse_decimal};
 
 /// The certificates of a scene.
@@ -158,37 +159,23 @@ pub fn certify_grid(
     section: &SimulationsSection,
     law: EvolutionLaw,
 ) -> Vec<Stored> {
-    let velocities = section.rectangle.loading_velocity_m_per_s.coordinates();
-    let stresses = section.rectangle.normal_stress_pa.coordinates();
-    let places: Vec<[f64; 2]> = stresses
-        .iter()
-        .flat_map(|&stress| velocities.iter().map(move |&velocity| [stress, velocity]))
-        .collect();
-    let certified = |place: [f64; 2]| {
-        let decimal = |value: &Rational| shortest(nearest_f64(value));
-        let [stress, velocity] = place.map(shortest);
-        let inputs = [
-            decimal(&slider.direct_effect),
-            decimal(&slider.evolution_effect),
-            decimal(&slider.critical_slip_distance_m),
-            decimal(&slider.stiffness_pa_per_m),
-            decimal(&slider.mass_per_area_kg_per_m2),
-            stress,
-            velocity,
-        ];
+    let grid = Grid::of(slider, section);
+    let certified = |point: usize| {
+        let inputs = grid.inputs(point);
         // What is certified is what the row says.
         let parameters =
             Parameters::from(inputs.each_ref().map(|text| parse_decimal(text).unwrap_or_default()));
         let found = certify(&parameters, law, Start::default());
         Stored::of(inputs, parameters, law, found)
     };
-    places.into_par_iter().map(certified).collect()
+    (0..grid.points()).into_par_iter().map(certified).collect()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::experiments::certificates::{CertificateFile, read_stored, written};
+    use crate::experiments::certificates::stored::read_stored;
+    use crate::experiments::certificates::{CertificateFile, written};
     use crate::experiments::shared::fixtures::paper;
     use crate::scene::{LogAxis, Rectangle};
 
@@ -213,7 +200,8 @@ mod tests {
 
     fn read(text: &str, sha256: &str) -> Result<Vec<Stored>, String> {
         let entry = CertificateFile { name: "c".into(), sha256: "0".repeat(64) };
-        read_stored(&entry, sha256, ("c.csv", text)).map_err(|faults| faults[0].to_string())
+        let read = read_stored(&entry, sha256, ("c.csv", text)).map_err(|faults| faults[0].to_string());
+        read.map(|rows| rows.into_iter().map(|(_, row)| row).collect())
     }
 
     #[test]

@@ -119,6 +119,11 @@ impl Stored {
         proved.into_iter().chain(observed).find(|(holds, _)| !holds).map(|(_, what)| what)
     }
 
+    /// The seven decimals as written.
+    pub(super) fn inputs(&self) -> &[String] {
+        &self.inputs
+    }
+
     fn cells(&self) -> Vec<String> {
         let mut cells = self.inputs.clone();
         cells.push(self.law.as_str().into());
@@ -226,15 +231,15 @@ pub fn written(rows: &[Stored]) -> String {
     lines.join("\n") + "\n"
 }
 
-/// The rows of a file whose digest the scene states.
+/// The rows of a file whose digest the scene states, each with its line.
 ///
 /// # Errors
 /// When the file is another one, has other columns, or a cell is at fault.
-pub fn read_stored(
+pub(super) fn read_stored(
     entry: &CertificateFile,
     digest: &str,
     (file, text): (&str, &str),
-) -> Result<Vec<Stored>, Faults> {
+) -> Result<Vec<(usize, Stored)>, Faults> {
     let fault = |line, key: &str, value, problem| {
         vec![Fault { file: file.to_string(), line, key: key.into(), value, problem }]
     };
@@ -250,11 +255,12 @@ pub fn read_stored(
         return Err(fault(Some(1), "header", None, wanted.into()));
     }
     let row = |record: csv::StringRecord| {
-        Stored::read(&record).map_err(|(column, problem)| {
-            let line = record.position().and_then(|position| usize::try_from(position.line()).ok());
+        let line = record.position().and_then(|position| usize::try_from(position.line()).ok());
+        let stored = Stored::read(&record).map_err(|(column, problem)| {
             let value = record.get(column).filter(|_| record.len() == columns().len()).map(str::to_string);
             fault(line, columns()[column], value, problem)
-        })
+        })?;
+        Ok((line.unwrap_or(1), stored))
     };
     records.map(row).collect()
 }
