@@ -9,6 +9,7 @@ use std::collections::BTreeMap;
 use rug::Rational;
 use thiserror::Error;
 
+use super::budget::spend;
 use super::size::{Extent, TooLarge};
 use super::{
     Condition, Domain, Expression, Function, Generator, Monomial, Polynomial, RationalFunction, Relation,
@@ -107,6 +108,7 @@ impl<'d> Converter<'d> {
     }
 
     fn function(&mut self, expression: &Expression) -> Result<RationalFunction, ConversionError> {
+        spend(1);
         match expression {
             Expression::Number(value) => Ok(RationalFunction::constant(value.clone())),
             Expression::Variable(name) => Ok(RationalFunction::variable(name)),

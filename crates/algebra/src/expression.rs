@@ -144,6 +144,21 @@ impl Expression {
         }
     }
 
+    /// Is it, as can be seen at once, positive where these variables are?
+    #[must_use]
+    pub fn is_positive_by_form(&self, is_positive: &impl Fn(&Symbol) -> bool) -> bool {
+        let go = |inner: &Self| inner.is_positive_by_form(is_positive);
+        match self {
+            Self::Number(value) => value.is_positive(),
+            Self::Variable(name) => is_positive(name),
+            Self::Sum(parts) | Self::Product(parts) => parts.iter().all(go),
+            Self::Quotient(above, below) => go(above) && go(below),
+            Self::Negation(_) => false,
+            Self::Power(inner, _) | Self::Call(Function::Sqrt, inner) => go(inner),
+            Self::Call(..) => false,
+        }
+    }
+
     /// Has it a value for all values of its variables, as far as can be seen at once?
     pub(super) fn is_total(&self) -> bool {
         match self {

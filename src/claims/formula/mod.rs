@@ -13,7 +13,7 @@ mod warnings;
 
 use std::collections::BTreeMap;
 
-use slipmode_algebra::{Certificate, Expression, Literal, Proof, Symbol};
+use slipmode_algebra::{Certificate, Expression, Literal, Proof, Symbol, within_budget};
 use slipmode_core::theory::Equations;
 
 use crate::claims::gate;
@@ -148,13 +148,26 @@ fn decide_formula(id: &str, words: &str, formula: &ClaimFormula, context: &Conte
     if context.is_gated { gate::passed(formula, found, context.equations) } else { found }
 }
 
-/// The finding on a formula about the equations.
+/// The most steps of algebra that the decision of one formula takes, and of a statement on motions.
+const STEPS: u64 = 6_000_000;
+const STEPS_OF_MOTION: u64 = 100_000_000;
+
+/// The finding on a formula about the equations, if it takes no more steps than allowed.
 pub(super) fn decide_equations(
     id: &str,
     words: &str,
     formula: &ClaimFormula,
     equations: &Equations,
 ) -> Finding {
+    let steps = match &formula.statement {
+        Statement::Motion(_) => STEPS_OF_MOTION,
+        _ => STEPS,
+    };
+    within_budget(steps, || decide_within(id, words, formula, equations))
+        .unwrap_or_else(|exhausted| Finding::not_checked(format!("Not decided: {exhausted}.")))
+}
+
+fn decide_within(id: &str, words: &str, formula: &ClaimFormula, equations: &Equations) -> Finding {
     let problem = match Problem::new(id, words, formula, equations) {
         Ok(problem) => problem,
         Err(reason) => return Finding::not_checked(reason),

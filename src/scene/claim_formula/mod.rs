@@ -23,7 +23,9 @@ mod premises;
 
 use std::cmp::Ordering;
 
-use slipmode_algebra::{ConversionError, Expression, Extent, Literal, Sign, SignFormula, Symbol, Toward};
+use slipmode_algebra::{
+    ConversionError, Expression, Extent, Literal, Sign, SignFormula, Symbol, Toward, within_budget,
+};
 use slipmode_core::number::Rational;
 use slipmode_core::theory::Equations;
 use slipmode_core::theory::root_location::{MOST_DEGREE, RootStatement, coefficients};
@@ -38,6 +40,9 @@ const LARGEST: Extent = Extent { terms: 1000, degree: 64, bits: 4096 };
 
 /// The same of an expression that a lemma on motions differentiates twice and divides.
 const LARGEST_OF_MOTION: Extent = Extent { terms: 60, degree: 20, bits: 512 };
+
+/// The most steps of algebra that the reading of one formula takes.
+const STEPS: u64 = 1_000_000;
 
 /// The most clauses of a formula, and the most comparisons of a clause.
 pub const MOST_CLAUSES: usize = 64;
@@ -275,6 +280,11 @@ impl ClaimFormula {
     }
 
     fn checked(self, equations: &Equations) -> Result<Self, String> {
+        within_budget(STEPS, || self.checked_all(equations))
+            .unwrap_or_else(|exhausted| Err(exhausted.to_string()))
+    }
+
+    fn checked_all(self, equations: &Equations) -> Result<Self, String> {
         let (names, formula) = (Names::of(equations), self);
         let premises = formula.check_values(equations)?;
         let mut compared = formula.scope.given.iter().map(|condition| &condition.sides);

@@ -189,6 +189,9 @@ impl Premises {
     pub fn demand(&mut self, condition: &Condition) -> Result<(), String> {
         let relation = condition.relation;
         let there = Condition { expression: self.put_in(&condition.expression), relation };
+        if there.expression.is_positive_by_form(&|name| self.positive.contains(name)) {
+            return Ok(());
+        }
         let domain = self.with_wanted().domain();
         let found = domain.proves(&there);
         if found == Ok(true) {

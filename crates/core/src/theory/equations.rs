@@ -6,7 +6,10 @@ use std::sync::{Arc, LazyLock};
 use super::definitions::{self, Rest};
 use super::names::Names;
 use super::reading::{self, DefinitionText, EquationsText, SystemText};
-use slipmode_algebra::{Condition, Domain, Expression};
+use slipmode_algebra::{Condition, Domain, Expression, within_budget};
+
+/// The most steps of algebra that the reading of one file takes.
+const STEPS: u64 = 6_000_000;
 
 /// One equation of a paper.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -117,6 +120,16 @@ impl Equations {
     /// The equations that can be read, and all faults.
     #[must_use]
     pub fn read_partly(text: EquationsText) -> (Self, Vec<EquationFault>) {
+        let assumptions = text.assumptions.clone();
+        within_budget(STEPS, || Self::read_all(text)).unwrap_or_else(|exhausted| {
+            let rest = Rest { assumptions, ..Rest::default() };
+            let domain = definitions::positive(&rest.assumptions);
+            let nothing = Self { equations: Vec::new(), rest, domain, names: Arc::default() };
+            (nothing, vec![EquationFault { key: "equations".to_owned(), message: exhausted.to_string() }])
+        })
+    }
+
+    fn read_all(text: EquationsText) -> (Self, Vec<EquationFault>) {
         let EquationsText { assumptions, equation, system, units, definition } = text;
         let mut faults = Vec::new();
         let domain = definitions::assumed(&assumptions).unwrap_or_else(|fault| {
