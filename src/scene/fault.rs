@@ -245,9 +245,6 @@ mod tests {
     fn a_hostile_value_is_shown_escaped_and_cut() {
         assert_eq!(shown("a\u{1b}[31m\u{202e}"), "a\\u{1b}[31m\\u{202e}");
         let long = shown(&"9".repeat(1000));
-        assert!(
-            long.starts_with("999") && long.ends_with(" …[940 characters]… 99999999999999999999"),
-            "{long}"
-        );
+        assert!(long.contains("9 …[961 characters]… 9") && long.chars().count() <= LONGEST_VALUE, "{long}");
     }
 }

@@ -6,17 +6,21 @@ pub const LONGEST_MESSAGE: usize = 1_400;
 /// The longest quotation in a message.
 const LONGEST_QUOTATION: usize = 120;
 
-/// A text of at most about this many characters: its beginning and its end, and how many characters are left out between them.
+/// A text of at most this many characters (40 or more): its beginning and its end, and how many characters are left out between
+/// them. What is short enough stays as it is, also what was shortened before.
 #[must_use]
 pub fn shortened(text: &str, most: usize) -> String {
     let count = text.chars().count();
     if count <= most {
         return text.to_string();
     }
-    let end = most / 3;
-    let beginning: String = text.chars().take(most - end).collect();
+    let mark = |left_out: usize| format!(" …[{left_out} characters]… ");
+    // The number of what is left out has no more digits than that of the whole text.
+    let kept = most.saturating_sub(mark(count).chars().count());
+    let end = kept / 3;
+    let beginning: String = text.chars().take(kept - end).collect();
     let ending: String = text.chars().skip(count - end).collect();
-    format!("{beginning} …[{} characters]… {ending}", count - most)
+    format!("{beginning}{}{ending}", mark(count - kept))
 }
 
 /// A message whose quotations, between `` ` `` or `'`, are each [`shortened`], and then the whole.
@@ -73,9 +77,12 @@ mod tests {
 
     #[test]
     fn a_long_text_keeps_both_ends_and_says_how_much_is_missing() {
-        assert_eq!(shortened("abc", 3), "abc");
-        assert_eq!(shortened("abcdefghij", 6), "abcd …[4 characters]… ij");
-        assert_eq!(shortened(&"ä".repeat(10), 3), "ää …[7 characters]… ä");
+        assert_eq!(shortened("abc", 40), "abc");
+        let long = format!("{}{}", "ä".repeat(50), "z".repeat(50));
+        let short = shortened(&long, 40);
+        let wanted = format!("{} …[80 characters]… {}", "ä".repeat(14), "z".repeat(6));
+        assert_eq!((short.as_str(), short.chars().count()), (wanted.as_str(), 39));
+        assert_eq!(shortened(&short, 40), short);
     }
 
     #[test]

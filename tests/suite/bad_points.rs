@@ -75,7 +75,7 @@ fn several_faults_are_told_at_once_and_the_first_are_enough() {
     assert!(ended.stderr.chars().count() < 1_500, "{}", ended.stderr);
     ended.expect_refusal(&[
         "row 1, column direct_effect = x",
-        "row 5, column evolution_effect = y",
+        "row 4, column evolution_effect = y",
         "\nerror: and at least ",
     ]);
 }

@@ -4,7 +4,6 @@
 use rug::float::Constant;
 use rug::ops::Pow;
 use rug::{Float, Rational};
-use serde_json::Value;
 
 use crate::hard_cases::decimal;
 use crate::harness::{HEADER, Workplace};
@@ -55,6 +54,12 @@ fn frequencies(inputs: &Inputs) -> [Float; 2] {
     let omega = (product - half_sum.square()).sqrt() * float(v / d);
     let tau = Float::with_val(BITS, Constant::Pi) * 2u32;
     [omega.clone() / tau, omega / float(k / m).sqrt()]
+}
+
+/// The 64-bit number nearest to a value. A midpoint, which is known to 1 000 bits only, becomes one again with 400: no other row
+/// is so near to one.
+fn nearest(value: &Float) -> f64 {
+    Float::with_val(400, value).to_f64()
 }
 
 /// Numbers without a pattern.
@@ -176,7 +181,7 @@ fn every_frequency_is_the_nearest_64_bit_number() {
         oscillating += usize::from(!wanted[0].is_zero());
         for (column, wanted) in [hertz, ratio].into_iter().zip(&wanted) {
             let found: f64 = cells[column.unwrap()].parse().unwrap();
-            assert_eq!(found.to_bits(), wanted.to_f64().to_bits(), "{row:?}: {found} {wanted}");
+            assert_eq!(found.to_bits(), nearest(wanted).to_bits(), "{row:?}: {found} {wanted}");
         }
     }
     assert_eq!(printed.lines().count(), rows.len() + 1);
@@ -190,13 +195,12 @@ fn one_point_has_the_numbers_of_its_row() {
     for row in all_rows().iter().step_by(53) {
         let pairs = options.iter().zip(row).flat_map(|(option, value)| [*option, value.as_str()]);
         let arguments = std::iter::once("classify").chain(pairs).chain(["--json"]);
-        let found: Value = serde_json::from_str(&place.run(arguments).expect_warnings()).unwrap();
+        let text = place.run(arguments).expect_warnings();
         for (name, wanted) in ["frequency_hz", "frequency_over_natural"].into_iter().zip(frequencies(row)) {
-            assert_eq!(
-                found[name].as_f64().unwrap().to_bits(),
-                wanted.to_f64().to_bits(),
-                "{name} of {row:?}"
-            );
+            let start = format!("\"{name}\": ");
+            let found = text.lines().find_map(|line| line.trim().strip_prefix(&start)).unwrap();
+            let found: f64 = found.trim_end_matches(',').parse().unwrap();
+            assert_eq!(found.to_bits(), nearest(&wanted).to_bits(), "{name} of {row:?}");
         }
     }
 }

@@ -207,11 +207,11 @@ fn messages_stay_short_whatever_they_repeat() {
     let strangers: String = (0..500).map(|n| format!("y_{n} = \"Pa\"\n")).collect();
     let powers: Vec<String> = (0..50).map(|n| format!("a^{n}*b^{}", 50 - n)).collect();
     for (equations, claims, reason) in [
-        (sound.clone(), claim(&format!("{} > 0", nested("(", 6_000))), "nested deeper"),
-        (sound.clone(), claim(&format!("{} > 0", nested("sqrt(a + ", 3_000))), "nested deeper"),
-        (sound.clone(), claim(&format!("{} > 0", "y".repeat(5_000))), "is no variable"),
+        (sound.clone(), claim(&format!("{} > 0", nested("(", 6_000))), "claim[1].formula = "),
+        (sound.clone(), claim(&format!("{} > 0", nested("sqrt(a + ", 350))), "claim[1].formula = "),
+        (sound.clone(), claim(&format!("{} > 0", "y".repeat(2_000))), "is no variable"),
         (sound.clone(), claim(&format!("({})^12 > 0", powers.join(" + "))), "is too large"),
-        (equations(&format!("r = {}", nested("(", 5_000))), claim("a > 0"), "nested deeper"),
+        (equations(&format!("r = {}", nested("(", 5_000))), claim("a > 0"), "equation 2: right side '((("),
         (
             equations(&format!("r = {})", "a + ".repeat(2_000))),
             claim("a > 0"),

@@ -54,7 +54,7 @@ fn a_row_says_what_classify_says_of_the_point() {
         out.lines().nth(1).unwrap(),
         format!(
             "{ROW},-1,-1,unstable-complex,stick-slip,11.393570596829527,42.22571431798806,f64,\
-             6.720431159294019,2.5e7,0.4,0.42225714317988056"
+             6.720431159294019,2.5e7,0.4,0.4222571431798806"
         )
     );
 }
