@@ -106,7 +106,7 @@ def candidates(formula, sampler, point):
     for index in range(CANDIDATES):
         values = {name: sampler.value(name, index % 4) for name in formula.there_is}
         drawn = Point(sampler.names, point.values | values)
-        edge = sampler.on_edge(drawn, index, formula.there_is) if index % 2 else None
+        edge = sampler.on_edge(drawn, index // 2, formula.there_is) if index % 2 else None
         yield {name: (edge or drawn).values[name] for name in formula.there_is}
 
 

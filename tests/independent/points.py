@@ -13,6 +13,7 @@ from truth import FEW, MANY, difference, meets, sign
 
 SMALL = [Fraction(*pair) for pair in ((1, 1), (2, 1), (1, 2), (3, 1), (4, 1), (1, 4), (9, 1), (1, 9), (16, 1), (3, 2), (25, 4))]
 TRIES = 40
+LEAST = mpf(10) ** -30  # What is closer to zero than this is a zero with a rounding error.
 
 
 class Ambiguous(Exception):
@@ -171,7 +172,8 @@ class Sampler:
             for count in (FEW, MANY):
                 with digits(count):
                     found.append(place())
-            if not all(map(arithmetic.is_real, found)) or abs(found[0] - found[1]) > abs(found[1]) * mpf(10) ** (-FEW // 2):
+            off = abs(found[0] - found[1])
+            if not all(map(arithmetic.is_real, found)) or off > abs(found[1]) * mpf(10) ** (-FEW // 2) or abs(found[1]) < LEAST:
                 raise Unclear("no zero that more digits confirm")
             return place
 

@@ -116,8 +116,10 @@ def crosses(point, one):
         wanted, at = mp.mpc(0, 1) * frequency(), critical()
         with digits(mp.dps + mp.dps // 2):
             step = at * mpf(10) ** (-mp.dps // 4)
-            ends = [nearest(point.moved({one.parameter: at + way * step}), wanted).real for way in (1, -1)]
-        return (ends[0] - ends[1]) / (2 * step), abs(wanted / at)
+            ends = [nearest(point.moved({one.parameter: at + way * step}), wanted) for way in (1, -1)]
+        if max(abs(end - wanted) for end in ends) > abs(wanted) / 100:
+            raise Unclear("a pair that moves far with a small step")
+        return (ends[0].real - ends[1].real) / (2 * step), abs(wanted / at)
 
     found = [sign(lambda: (frequency(), abs(frequency()))), sign(others), sign(slope), sign(lambda: off(1)), sign(lambda: off(-1))]
     true = [value if value is None else bool(value) for value in found[:3]]
