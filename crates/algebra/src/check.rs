@@ -2,6 +2,8 @@
 
 use std::collections::BTreeMap;
 
+use rug::Rational;
+
 use super::refutation::CounterExample;
 use super::{
     Certificate, ConversionError, Domain, DomainError, Expression, Polynomial, RationalFunction, Series,
@@ -56,14 +58,15 @@ impl Certificate {
                 identities.iter().try_for_each(|[left, right]| check_identity(left, right, domain))
             }
             Self::Difference { left, right, point, values } => {
-                check_value(left, point, &values[0])?;
-                check_value(right, point, &values[1])?;
-                match [number(&values[0])?, number(&values[1])?] {
-                    [one, other] if one == other => Err(Failure::remainder("both sides are equal there")),
-                    _ => Ok(()),
+                let [left, right] =
+                    [check_value(left, point, &values[0])?, check_value(right, point, &values[1])?];
+                if left == right {
+                    Err(Failure::remainder(format!("both sides are {left} there")))
+                } else {
+                    Ok(())
                 }
             }
-            Self::Value { expression, point, value } => check_value(expression, point, value),
+            Self::Value { expression, point, value } => check_value(expression, point, value).map(|_| ()),
             Self::Series { relation, variable, unknown, coefficients, domain } => {
                 check_series(relation, variable, unknown, coefficients, domain)
             }
@@ -156,24 +159,17 @@ fn no_hidden(function: &RationalFunction, name: &Symbol) -> Result<(), Failure> 
     hidden.map_or(Ok(()), |hidden| Err(Failure::remainder(format!("{hidden} depends on {name}"))))
 }
 
+/// The number that the value comes to, if the expression has it at the point: one number can be written in several ways.
 fn check_value(
     expression: &Expression,
     point: &[(Symbol, Expression)],
     value: &Expression,
-) -> Result<(), Failure> {
+) -> Result<Rational, Failure> {
     let values: BTreeMap<Symbol, Expression> = point.iter().cloned().collect();
     let domain = Domain::default();
-    compare(
-        &domain.rational_function(&expression.substitute(&values))?,
-        &domain.rational_function(value)?,
-        &domain,
-    )
-}
-
-/// The number that an expression without variables is.
-fn number(value: &Expression) -> Result<rug::Rational, Failure> {
-    let found = Domain::default().rational_function(value)?.as_constant();
-    found.ok_or_else(|| Failure::remainder(format!("{value} is no rational number")))
+    let stated = domain.rational_function(value)?;
+    compare(&domain.rational_function(&expression.substitute(&values))?, &stated, &domain)?;
+    stated.as_constant().ok_or_else(|| Failure::remainder(format!("the value {value} is not a number")))
 }
 
 fn check_series(

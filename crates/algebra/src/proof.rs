@@ -328,6 +328,29 @@ mod tests {
     }
 
     #[test]
+    fn values_are_compared_as_numbers() {
+        let point = || vec![("x".into(), parse("2"))];
+        let certify = |certificate| Proof::new("values", "Two values.").certify("one", &[], certificate);
+        let difference = |right: &str, values: [&str; 2]| {
+            let [left, right] = ["x", right].map(parse);
+            certify(Certificate::Difference { left, right, point: point(), values: values.map(parse) })
+        };
+        assert!(difference("x + 1", ["2", "3"]).is_ok() && difference("x + 1", ["1 + 1", "6/2"]).is_ok());
+        let refutation = difference("x", ["2", "1 + 1"]).expect_err("two is not two");
+        assert_eq!(refutation.remainder, "both sides are 2 there");
+        assert!(difference("x", ["2", "3"]).is_err());
+        let value = |expression: &str, value: &str| {
+            let (expression, value) = (parse(expression), parse(value));
+            certify(Certificate::Value { expression, point: point(), value })
+        };
+        assert!(value("x^2", "1 + 3").is_ok());
+        // What the point leaves open is no value, and two of them may be equal.
+        let refutation = value("x*y", "2*y").expect_err("y has no value");
+        assert_eq!(refutation.remainder, "the value 2*y is not a number");
+        assert!(difference("y", ["2", "y"]).is_err());
+    }
+
+    #[test]
     fn proof_survives_json() {
         let proof = binomial("x^2 + 2*x*y + y^2").expect("true");
         let text = serde_json::to_string(&proof).expect("serialisable");
