@@ -18,6 +18,7 @@ pub(super) const CHECKS: &[Check] = &[
         criterion: "For a < b the set max Im(s) = 0 has two connected parts over the whole (V, σ) plane, one with positive and one with negative roots.",
         not_established: "The shape of the areas: see the chapter on the boundary.",
         needs: &[Need::Map],
+        equations: &["8", "9", "inertial-parameter"],
         rests_on: &["L3"],
         decide: b1,
     },
@@ -26,6 +27,7 @@ pub(super) const CHECKS: &[Check] = &[
         criterion: "Eq 8 times σD_c/V0 tends to eq 17 as D_c → 0, whose discriminant vanishes at eq 18, and the boundary's upper arc tends to eq 18.",
         not_established: "The distance between boundary and eq 18 at a given D_c: see the chapter on the asymptotes.",
         needs: &[],
+        equations: &["8", "15", "16", "17", "18", "20"],
         rests_on: &["L3"],
         decide: |context| {
             let limit = inertial::small_slip_distance(context.equations);
@@ -42,6 +44,7 @@ pub(super) const CHECKS: &[Check] = &[
         criterion: "Eq 8 tends to s times eq 19 as D_c → ∞, whose discriminant vanishes at eq 20, and the boundary's lower arc tends to eq 20.",
         not_established: "The distance between boundary and eq 20 at a given D_c: see the chapter on the asymptotes.",
         needs: &[],
+        equations: &["8", "15", "16", "18", "19", "20"],
         rests_on: &["L3"],
         decide: |context| {
             let limit = inertial::large_slip_distance(context.equations);
@@ -56,6 +59,7 @@ pub(super) const CHECKS: &[Check] = &[
         criterion: "None of the four equations changes when a and b are exchanged.",
         not_established: "The effect of the exchange on the exact boundary: see B7.",
         needs: &[],
+        equations: &["15", "16", "18", "20"],
         rests_on: &["B2", "B4", "B5"],
         decide: b6,
     },
@@ -64,6 +68,7 @@ pub(super) const CHECKS: &[Check] = &[
         criterion: "max Im(s) at every (V, σ) is the same for (a, b) and for (b, a).",
         not_established: "Whether the difference is visible in the printed figure.",
         needs: &[Need::Map],
+        equations: &["8", "14"],
         rests_on: &["L3"],
         decide: b7,
     },
@@ -72,6 +77,7 @@ pub(super) const CHECKS: &[Check] = &[
         criterion: "Eqs 15, 16, 18 and 20 give the same lines for (a, b) and for (b, a).",
         not_established: "Which line the authors drew in which figure.",
         needs: &[],
+        equations: &["15", "16", "18", "20"],
         rests_on: &["B6"],
         decide: b8,
     },
@@ -80,6 +86,7 @@ pub(super) const CHECKS: &[Check] = &[
         criterion: "Each of the areas (i)-(iv) has a point, for a < b, a = b and a > b.",
         not_established: "Whether the four areas match the slip modes: see Z1.",
         needs: &[],
+        equations: &["8", "9", "inertial-parameter"],
         rests_on: &["B1", "S1"],
         decide: b9,
     },
@@ -88,6 +95,7 @@ pub(super) const CHECKS: &[Check] = &[
         criterion: "For a < b the boundary has two ends for each of its connected areas, and each end tends to one of eqs 15, 16, 18 and 20.",
         not_established: "How far the asymptotes are from the boundary: see Z5.",
         needs: &[],
+        equations: &["8", "9", "15", "16", "18", "20", "inertial-parameter"],
         rests_on: &["B1", "B4", "B5"],
         decide: b10,
     },

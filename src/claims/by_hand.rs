@@ -1,12 +1,14 @@
-//! Claims that theorems written by hand state whole. A row of `proofs/claims.csv` ties a claim to its theorems by a digest of the
-//! claim, its equations, and the theorems' statements with their definitions: a change of one of them ends the tie.
+//! Claims that theorems written by hand state whole. A row of `proofs/claims.csv` ties a claim to its theorems. It has the digest of
+//! the claim as resolved, and a digest of that, of what was found, and of the theorems' statements with their definitions. A change of
+//! one of them ends the tie.
 
 use std::collections::BTreeSet;
 use std::sync::LazyLock;
 
-use serde::Deserialize;
-use sha2::{Digest, Sha256};
+use serde::{Deserialize, Serialize};
 use slipmode_core::theory::Equations;
+
+use super::{Finding, Part, Reading, sha256_hex};
 
 /// The modules of the hand-written library with their texts, in the order of their names.
 pub const LIBRARY: &[(&str, &str)] = &include!(concat!(env!("OUT_DIR"), "/library.rs"));
@@ -15,18 +17,74 @@ pub const LIBRARY: &[(&str, &str)] = &include!(concat!(env!("OUT_DIR"), "/librar
 pub const ACCEPTED: &str = include_str!("../../proofs/accepted.txt");
 
 /// A claim with the theorems that state it together.
-#[derive(Debug, Clone, PartialEq, Eq, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Tie {
-    /// The report for which the theorems were written. A claim of another report with the same digest is tied too.
+    /// The report for which the theorems were written. A claim of another report with the same digests is tied too.
     pub report: String,
     /// The claim's id.
     pub claim: String,
-    /// The digest of claim, equations and theorems.
+    /// The digest of the claim as resolved.
+    pub claim_digest: String,
+    /// The digest of the claim as resolved, of what was found, and of the theorems.
     pub digest: String,
     /// The theorems as `Module.name`, with a space between two of them.
     pub theorems: String,
     /// What they say, in words.
     pub says: String,
+}
+
+/// A claim of a ledger as a tie sees it.
+#[derive(Debug, Clone)]
+pub struct Tied<'e> {
+    /// The claim's id.
+    pub claim: &'e str,
+    /// The digest of the claim as resolved.
+    pub digest: &'e str,
+    /// What was found.
+    pub conclusion: Conclusion,
+}
+
+/// What was found on a claim, without the evidence: the theorems have to state it.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Conclusion {
+    verdict: String,
+    limit: Option<String>,
+    counter_example: Option<String>,
+    #[serde(default)]
+    readings: Vec<ConcludedReading>,
+}
+
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+struct ConcludedReading {
+    words: String,
+    verdict: String,
+    parts: Vec<ConcludedPart>,
+}
+
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+struct ConcludedPart {
+    words: String,
+    verdict: String,
+}
+
+impl From<&Finding> for Conclusion {
+    fn from(finding: &Finding) -> Self {
+        let part = |part: &Part| ConcludedPart {
+            words: part.words.clone(),
+            verdict: part.verdict.as_str().to_owned(),
+        };
+        let reading = |reading: &Reading| ConcludedReading {
+            words: reading.words.clone(),
+            verdict: reading.verdict.as_str().to_owned(),
+            parts: reading.parts.iter().map(part).collect(),
+        };
+        Self {
+            verdict: finding.verdict.as_str().to_owned(),
+            limit: finding.limit.clone(),
+            counter_example: finding.counter_example.clone(),
+            readings: finding.readings.iter().map(reading).collect(),
+        }
+    }
 }
 
 /// The rows of `proofs/claims.csv`.
@@ -47,10 +105,10 @@ impl Tie {
         self.theorems.split_whitespace()
     }
 
-    /// The digest of a claim, in the words of its ledger, with these theorems; none when a theorem or an equation is missing.
+    /// The digest of a claim with its result and these theorems; none when a theorem or an equation is missing.
     #[must_use]
-    pub fn digest_of(&self, said: &[&str], equations: &Equations) -> Option<String> {
-        let mut all: Vec<String> = said.iter().map(|&words| words.to_owned()).collect();
+    pub fn digest_of(&self, tied: &Tied<'_>, equations: &Equations) -> Option<String> {
+        let mut all = vec![tied.digest.to_owned(), serde_json::to_string(&tied.conclusion).ok()?];
         for name in self.names() {
             let (module, _) = name.split_once('.')?;
             all.push(statement(name)?.to_owned());
@@ -62,30 +120,54 @@ impl Tie {
                 all.push(format!("{file} {number} {side}: {text}"));
             }
         }
-        let json = serde_json::to_vec(&all).unwrap_or_default();
-        Some(Sha256::digest(json).iter().map(|byte| format!("{byte:02x}")).collect())
+        serde_json::to_string(&all).ok().map(|json| sha256_hex(&json))
+    }
+
+    /// Whether its theorems are about this claim with this result.
+    #[must_use]
+    pub fn is_about(&self, tied: &Tied<'_>, equations: &Equations) -> bool {
+        self.claim == tied.claim
+            && self.claim_digest == tied.digest
+            && self.digest_of(tied, equations).is_some_and(|digest| digest == self.digest)
     }
 }
 
-/// The tie of a claim, in the words of its ledger, if Coq has accepted its theorems.
-pub(super) fn accepted_tie(claim: &str, said: &[&str], equations: &Equations) -> Option<&'static Tie> {
+/// The tie of a claim, if Coq has accepted its theorems.
+pub(super) fn accepted_tie(tied: &Tied<'_>, equations: &Equations) -> Option<&'static Tie> {
     static LINES: LazyLock<BTreeSet<&str>> = LazyLock::new(|| ACCEPTED.lines().collect());
-    tie_in(&TIES, &LINES, claim, said, equations)
+    tie_in(&TIES, &LINES, tied, equations)
 }
 
 /// The same among these ties, with this list of accepted theorems.
 fn tie_in<'t>(
     ties: &'t [Tie],
     lines: &BTreeSet<&str>,
-    claim: &str,
-    said: &[&str],
+    tied: &Tied<'_>,
     equations: &Equations,
 ) -> Option<&'t Tie> {
-    let is_accepted = |tie: &Tie| {
-        tie.names().all(|name| lines.contains(format!("{name} {}", tie.digest).as_str()))
-            && tie.digest_of(said, equations).is_some_and(|digest| digest == tie.digest)
+    let is_accepted =
+        |tie: &Tie| tie.names().all(|name| lines.contains(format!("{name} {}", tie.digest).as_str()));
+    ties.iter().find(|tie| is_accepted(tie) && tie.is_about(tied, equations))
+}
+
+/// Why the theorems that are tied to this claim of a report are about another one; none where they are about it, or there are none.
+pub(super) fn untied(report: &str, tied: &Tied<'_>, equations: &Equations) -> Option<String> {
+    untied_in(&TIES, report, tied, equations)
+}
+
+fn untied_in(ties: &[Tie], report: &str, tied: &Tied<'_>, equations: &Equations) -> Option<String> {
+    let own = |tie: &&Tie| tie.report == report && tie.claim == tied.claim;
+    if ties.iter().any(|tie| tie.is_about(tied, equations)) {
+        return None;
+    }
+    let same_claim = ties.iter().filter(own).find(|tie| tie.claim_digest == tied.digest);
+    let tie = same_claim.or_else(|| ties.iter().find(own))?;
+    let (id, theorems) = (tied.claim, &tie.theorems);
+    let why = match same_claim {
+        None => "the theorem is about other equations, definitions or words",
+        Some(_) => "the theorem is about another result, or its statement is another one",
     };
-    ties.iter().find(|tie| tie.claim == claim && is_accepted(tie))
+    Some(format!("{id}: {why} than when proofs/claims.csv tied {theorems} to the claim"))
 }
 
 /// The statement of a theorem given as `Module.name`.
@@ -170,27 +252,40 @@ mod tests {
     }
 
     #[test]
-    fn a_tie_ends_when_claim_equation_or_theorem_is_another_one_or_is_not_accepted() {
+    fn a_tie_ends_when_claim_result_equation_or_theorem_is_another_one_or_is_not_accepted() {
         let known = TIES.iter().find(|tie| tie.claim == "S5").unwrap();
         let equations = equations();
         let altered = equations.altered("9", "K_c = 7*(b - a)*sigma/D_c").unwrap();
-        let said = ["words", "criterion"];
-        let digest = known.digest_of(&said, &equations).unwrap();
+        let tied = |digest: &'static str, finding: Finding| Tied {
+            claim: "S5",
+            digest,
+            conclusion: Conclusion::from(&finding),
+        };
+        let (own, failing) = (Finding::not_checked("a result"), Finding::failing("another one"));
+        let sound = tied("00ff", own.clone());
+        let digest = known.digest_of(&sound, &equations).unwrap();
         let others = [
-            known.digest_of(&["words", "criteria"], &equations),
-            known.digest_of(&said, &altered),
-            Tie { theorems: "Slider.S1".into(), ..known.clone() }.digest_of(&said, &equations),
+            known.digest_of(&tied("00fe", own.clone()), &equations),
+            known.digest_of(&tied("00ff", failing.clone()), &equations),
+            known.digest_of(&sound, &altered),
+            Tie { theorems: "Slider.S1".into(), ..known.clone() }.digest_of(&sound, &equations),
         ];
         assert!(others.iter().flatten().all(|other| *other != digest) && others.iter().all(Option::is_some));
         let missing = Tie { theorems: "Slider.S99".into(), ..known.clone() };
-        assert_eq!(missing.digest_of(&said, &equations), None);
-        let tied = [Tie { digest, ..known.clone() }];
+        assert_eq!(missing.digest_of(&sound, &equations), None);
+        let ties = [Tie { digest, claim_digest: "00ff".into(), ..known.clone() }];
         let listed = |names: &[&str]| {
-            let lines: Vec<String> = names.iter().map(|name| format!("{name} {}", tied[0].digest)).collect();
+            let lines: Vec<String> = names.iter().map(|name| format!("{name} {}", ties[0].digest)).collect();
             let lines: BTreeSet<&str> = lines.iter().map(String::as_str).collect();
-            tie_in(&tied, &lines, "S5", &said, &equations).cloned()
+            tie_in(&ties, &lines, &sound, &equations).cloned()
         };
-        assert_eq!(listed(&["Slider.S5", "NoTransition.S5_critical"]), Some(tied[0].clone()));
+        assert_eq!(listed(&["Slider.S5", "NoTransition.S5_critical"]), Some(ties[0].clone()));
         assert_eq!((listed(&["Slider.S5"]), listed(&[])), (None, None));
+        let why = |tied: &Tied<'_>, equations| untied_in(&ties, "im-avouac", tied, equations);
+        assert_eq!((why(&sound, &equations), untied_in(&ties, "another", &sound, &altered)), (None, None));
+        let of_claim = why(&tied("00fe", own), &equations).unwrap();
+        assert!(of_claim.starts_with("S5: the theorem is about other equations"), "{of_claim}");
+        let of_result = why(&tied("00ff", failing), &equations).unwrap();
+        assert!(of_result.contains("another result"), "{of_result}");
     }
 }

@@ -13,6 +13,7 @@ pub(super) const CHECKS: &[Check] = &[Check {
     criterion: "At every σ between eqs 16 and 15, max Im(s) has no turning point in V0.",
     not_established: "How far the frequency falls where it does. The count is for the scene's b/a.",
     needs: &[],
+    equations: &["8"],
     rests_on: &["B2", "L3"],
     decide: rises_in_the_area,
 }];

@@ -4,8 +4,8 @@ use rayon::prelude::*;
 use serde::Serialize;
 
 use crate::claims::error_bars::{points_within, state_values};
-use crate::claims::{Check, Evidence, Finding, Strength, Tie, Verdict, by_hand, formula, over_rows};
-use crate::claims::{DecidedFor, PointWithin};
+use crate::claims::{Check, Evidence, Finding, Strength, Tie, Tied, Verdict, by_hand, formula, over_rows};
+use crate::claims::{Conclusion, DecidedFor, PointWithin, Resolved};
 use crate::experiments::operating_point::error_bars;
 use crate::experiments::{Context, Needs};
 use crate::scene::{ClaimEntry, StatedClaim, is_library_claim, library_claim, library_ids};
@@ -23,6 +23,8 @@ pub struct Entry {
     pub words: String,
     /// What had to be found for it to hold.
     pub criterion: String,
+    /// SHA-256 of the claim as resolved: its words, its formulas, and all of the equations that they reach.
+    pub digest: String,
     /// What the check concluded.
     #[serde(flatten)]
     pub finding: Finding,
@@ -35,6 +37,9 @@ pub struct Entry {
     /// The values for which the verdict was decided, where a scene has error bars.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub error_bars: Option<DecidedFor>,
+    /// Why theorems that were tied to the claim of this report are about something else, where that is so.
+    #[serde(skip)]
+    pub untied: Option<String>,
     /// What the claim says as formulas, where formulas decide it.
     #[serde(skip)]
     pub stated: Option<StatedClaim>,
@@ -52,16 +57,13 @@ impl Entry {
     /// The theorems written by hand that state the whole claim, if Coq has accepted them.
     #[must_use]
     pub fn tie(&self, equations: &Equations) -> Option<&'static Tie> {
-        let readings = self.finding.readings.iter();
-        let parts = readings.flat_map(|reading| {
-            let words = reading.parts.iter().map(|part| part.words.as_str());
-            std::iter::once(reading.words.as_str()).chain(words)
-        });
-        let found =
-            [&self.finding.limit, &self.finding.counter_example].into_iter().flatten().map(String::as_str);
-        let said = [self.words.as_str(), self.criterion.as_str()].into_iter().chain(found).chain(parts);
-        let said: Vec<&str> = said.collect();
-        by_hand::accepted_tie(&self.id, &said, equations)
+        by_hand::accepted_tie(&self.tied(), equations)
+    }
+
+    /// The claim with its result, as ties to theorems see it.
+    #[must_use]
+    pub fn tied(&self) -> Tied<'_> {
+        Tied { claim: &self.id, digest: &self.digest, conclusion: Conclusion::from(&self.finding) }
     }
 
     /// Whether the computed verdict is the recorded one.
@@ -95,7 +97,11 @@ impl Ledger {
     /// Decides every listed claim.
     #[must_use]
     pub fn decide(report: &str, texts: &[ClaimEntry], context: &Context) -> Self {
-        let mut claims: Vec<Entry> = texts.par_iter().map(|text| decide_one(text, context)).collect();
+        let decided = |text: &ClaimEntry| {
+            let entry = decide_one(text, context);
+            Entry { untied: by_hand::untied(report, &entry.tied(), context.equations), ..entry }
+        };
+        let mut claims: Vec<Entry> = texts.par_iter().map(decided).collect();
         if context.outcome.scenes.iter().any(|scene| error_bars(scene).is_some()) {
             state_values(&mut claims);
         }
@@ -160,7 +166,10 @@ pub(super) fn finding_on(claim: &ClaimEntry, context: &Context) -> Finding {
         (Some(stated), ..) => formula::decide(&claim.id, stated, context),
         (None, Some(reason), _) => Finding::not_checked(reason),
         (None, None, Some(check)) => match context.equations.demand_paper() {
-            Ok(()) => (check.decide)(context),
+            Ok(()) => {
+                let equations = context.equations.only(check.equations);
+                (check.decide)(&context.with_equations(&equations))
+            }
             Err(missing) => Finding::not_checked(missing.to_string()),
         },
         (None, None, None) => Finding::not_checked("The program has no check with this id."),
@@ -196,11 +205,13 @@ fn decide_one(text: &ClaimEntry, context: &Context) -> Entry {
         place: text.place.clone(),
         words: text.words.clone(),
         criterion,
+        digest: Resolved::of(text, context.equations).digest(),
         finding,
         not_established,
         rests_on: premises(text),
         expected: text.expected,
         error_bars: None,
+        untied: None,
         stated: text.stated.clone(),
     };
     // Where the words are about more than the formulas, no theorem on the formulas states them.
@@ -222,7 +233,7 @@ pub fn premises(claim: &ClaimEntry) -> Vec<String> {
 }
 
 /// The check of a listed claim, if one decides it.
-fn check_of(claim: &ClaimEntry) -> Option<&'static Check> {
+pub(super) fn check_of(claim: &ClaimEntry) -> Option<&'static Check> {
     find(&claim.id).filter(|_| claim.has_check())
 }
 

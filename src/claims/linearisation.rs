@@ -12,6 +12,7 @@ pub(super) const CHECKS: &[Check] = &[Check {
     criterion: "The characteristic polynomial of eqs 5 and 6 is the left side of eq 8.",
     not_established: "The behaviour of solutions that are not of the form exp(st).",
     needs: &[Need::LinearRegime],
+    equations: &["1", "2", "3", "4", "5", "6", "7", "8", "inertial-parameter", "steady-state"],
     rests_on: &["L1", "L2"],
     decide: l3,
 }];

@@ -28,6 +28,7 @@ mod overshoot;
 mod planted_fault_tables;
 mod planted_faults;
 mod reading;
+mod resolved;
 mod simulated;
 mod simulated_courses;
 mod simulated_damping;
@@ -40,15 +41,16 @@ mod simulated_trends;
 mod theory_tables;
 mod zones;
 
-pub use by_hand::{ACCEPTED, LIBRARY, TIES, Tie, definitions, statement};
+pub use by_hand::{ACCEPTED, Conclusion, LIBRARY, TIES, Tie, Tied, definitions, statement};
 pub use error_bars::{DecidedFor, PointWithin};
 pub use evidence::{Evidence, Strength};
 pub use finding::Finding;
-pub use formula::{WholeStatement, WholeTheorem, certificate_digest, whole_statements, whole_theorems};
+pub use formula::{WholeStatement, WholeTheorem, statement_digest, whole_statements, whole_theorems};
 pub use ledger::{Entry, Ledger, find, known_ids, needs, premises};
 pub use over_rows::row_faults;
 pub use planted_faults::{PlantedFaults, Survivor, plant_faults};
 pub use reading::{Part, Reading, verdict_of_parts};
+pub use resolved::{Resolved, sha256_hex};
 
 use crate::experiments::{Context, Need, TableMaker};
 pub use crate::scene::Verdict;
@@ -65,6 +67,8 @@ pub struct Check {
     pub criterion: &'static str,
     /// What a verdict does not establish.
     pub not_established: &'static str,
+    /// The equations that it may use, by their numbers: it is given no others.
+    pub equations: &'static [&'static str],
     /// What the check needs computed.
     pub needs: &'static [Need],
     /// Claims whose truth this one presupposes.

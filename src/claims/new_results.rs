@@ -14,6 +14,7 @@ pub(super) const CHECKS: &[Check] = &[
         criterion: "With the slip law, in every limit cycle of the grid that is deep stick-slip, stress drop and peak velocity follow the formulas up to what the spring loses while the state weakens, and the distance of the lowest peak from its formula falls at every step of σ.",
         not_established: "Values of the remainder beyond the grid, and other values of b/a. Next to b/a = 1 the stress drop is not large against aσ, and the contact remembers the previous slip. Next to K = K_c,qs the slip is not long against D_c.",
         needs: &[Need::Simulations],
+        equations: &["18"],
         rests_on: &["N7"],
         decide: |context| new_peak::decide(context, EvolutionLaw::Slip).unwrap_or_else(|undecided| undecided),
     },
@@ -22,6 +23,7 @@ pub(super) const CHECKS: &[Check] = &[
         criterion: "The same with the aging law, whose strength contains the logarithm of the stick's duration.",
         not_established: "Values of the remainder beyond the grid, and other values of b/a. Next to b/a = 1 the stress drop is not large against aσ, and the contact remembers the previous slip. Next to K = K_c,qs the slip is not long against D_c.",
         needs: &[Need::Simulations],
+        equations: &["18"],
         rests_on: &["N7"],
         decide: |context| {
             new_peak::decide(context, EvolutionLaw::Aging).unwrap_or_else(|undecided| undecided)
@@ -32,6 +34,7 @@ pub(super) const CHECKS: &[Check] = &[
         criterion: "η rises along K = K_c with velocity; the first Lyapunov coefficient of the aging law is positive below one velocity and negative above it, and that of the slip law negative everywhere, for all b/a > 1.",
         not_established: "Other friction laws. With a steady-state friction that has a minimum in velocity, Putelat, Dawes & Willis (2010) find the order of the experiments.",
         needs: &[],
+        equations: &["1", "2", "3", "4", "8", "9", "inertial-parameter", "steady-state"],
         rests_on: &["S1"],
         decide: x3,
     },
@@ -40,6 +43,7 @@ pub(super) const CHECKS: &[Check] = &[
         criterion: "At every η up to 0.01, K/K_c − 1 at the fold of the aging law's cycles is the largest value of the balance over the closed orbits without inertia, within the relative size η V_peak² of the terms left out.",
         not_established: "A proof that the balance is asymptotic: the term of second order is derived for large orbits. Other values of b/a.",
         needs: &[Need::NearTransition],
+        equations: &["1", "2", "4", "steady-state"],
         rests_on: &["N4"],
         decide: |context| new_edge::decide(context).unwrap_or_else(|undecided| undecided),
     },

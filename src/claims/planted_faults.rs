@@ -6,9 +6,9 @@ use rayon::prelude::*;
 
 use super::alterations::{Alteration, alike, alterations};
 use super::ledger::finding_on;
-use crate::claims::{Evidence, Finding, Verdict, formula};
+use crate::claims::{Evidence, Finding, Resolved, Verdict, formula};
 use crate::experiments::Context;
-use crate::scene::{ClaimEntry, ClaimFormula, Names, Statement};
+use crate::scene::{ClaimEntry, ClaimFormula};
 use slipmode_algebra::Symbol;
 use slipmode_core::theory::Equation;
 
@@ -69,8 +69,8 @@ struct Sound<'c> {
     verdicts: Vec<Verdict>,
     /// The equations that its proofs name.
     equations: BTreeSet<String>,
-    /// The equations that its formula names: no other can change the verdict on it. None where it names a system instead.
-    stated: Option<BTreeSet<String>>,
+    /// Its digest: an alteration that leaves the claim as resolved as it is cannot change the verdict.
+    digest: String,
     /// How long its proofs are: the short ones are tried first.
     steps: usize,
 }
@@ -82,7 +82,7 @@ impl<'c> Sound<'c> {
             part,
             verdicts: Vec::new(),
             equations: BTreeSet::new(),
-            stated: None,
+            digest: String::new(),
             steps: 0,
         };
         match &claim.stated {
@@ -105,18 +105,19 @@ impl<'c> Sound<'c> {
         let steps: Vec<_> = proofs.flat_map(|proof| &proof.steps).collect();
         self.steps = steps.len();
         self.equations = steps.iter().flat_map(|step| step.equations.iter().cloned()).collect();
-        let names = Names::of(context.equations);
-        let names_a_system = |part: &&ClaimFormula| matches!(part.statement, Statement::Motion(_));
-        self.stated = self.part.filter(|part| !names_a_system(part)).map(|part| {
-            let sides = part.with_outside().flat_map(ClaimFormula::expressions);
-            sides.flat_map(|side| names.equations_of(side)).map(str::to_owned).collect()
-        });
+        self.digest = self.digest_in(context);
         self
     }
 
-    fn notices(&self, number: &str, altered: &Context) -> bool {
-        self.stated.as_ref().is_none_or(|stated| stated.contains(number))
-            && verdicts(&self.finding(altered)) != self.verdicts
+    fn digest_in(&self, context: &Context) -> String {
+        match self.part {
+            Some(part) => Resolved::of_formula(part, context.equations).digest(),
+            None => Resolved::of(self.claim, context.equations).digest(),
+        }
+    }
+
+    fn notices(&self, altered: &Context) -> bool {
+        self.digest_in(altered) != self.digest && verdicts(&self.finding(altered)) != self.verdicts
     }
 }
 
@@ -148,7 +149,7 @@ fn plant(
             continue;
         };
         let altered = Context::new(&equations, context.outcome).ungated();
-        match sound.iter().position(|sound| sound.notices(&equation.number, &altered)) {
+        match sound.iter().position(|sound| sound.notices(&altered)) {
             Some(at) => {
                 found.noticed += 1;
                 // A claim that noticed one fault of an equation is tried on the next one first.

@@ -16,6 +16,7 @@ pub(super) const CHECKS: &[Check] = &[Check {
     criterion: "As η grows at given κ, the least friction of a limit cycle of strong vibration tends to μ0 − a√(4π(β−1)√(κη)) within the estimated error, and a run of the grid has a least velocity below one atomic distance in the age of the universe.",
     not_established: "What a real contact does there: the law is that of eq 1 with the states of eqs 2 and 3.",
     needs: &[Need::Simulations],
+    equations: &[],
     rests_on: &["F1"],
     decide: |context| x5(context).unwrap_or_else(|undecided| undecided),
 }];

@@ -276,19 +276,14 @@ fn claim_line(entry: &slipmode::claims::Entry) -> String {
     format!("{:<4} {verdict:<13} {strength:<10}{limit}\n", entry.id)
 }
 
-/// The claims whose verdict is not the recorded one: id, old, new.
+/// The claims whose verdict is not the recorded one, with both, and those whose theorems are about something else.
 pub fn drift(ledger: &Ledger) -> Vec<String> {
-    ledger
-        .drift()
-        .map(|entry| {
-            format!(
-                "{}: recorded {}, now {}",
-                entry.id,
-                entry.expected.as_str(),
-                entry.finding.verdict.as_str()
-            )
-        })
-        .collect()
+    let verdict = |entry: &slipmode::claims::Entry| {
+        let [recorded, now] = [entry.expected, entry.finding.verdict].map(Verdict::as_str);
+        format!("{}: recorded {recorded}, now {now}", entry.id)
+    };
+    let untied = ledger.claims.iter().filter_map(|entry| entry.untied.clone());
+    ledger.drift().map(verdict).chain(untied).collect()
 }
 
 fn claim_json(entry: &slipmode::claims::Entry) -> Value {

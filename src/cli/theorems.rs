@@ -4,13 +4,16 @@ use std::path::PathBuf;
 
 use clap::Args;
 use slipmode::scene::Limits;
-use slipmode::theorems::{Published, files};
+use slipmode::theorems::{Published, file_list, files, ties};
 use slipmode_core::theory::monotone;
 
 use crate::cli::diff::ledger;
 use crate::cli::failure::Failure;
 use crate::cli::folder::read_report;
 use crate::cli::output::OutputFolder;
+
+/// The list of the files of archives, with what they state.
+const FILE_LIST: &str = "files.tsv";
 
 /// Options of `theorems`.
 #[derive(Debug, Args)]
@@ -43,5 +46,9 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     let paper = published.iter().find(|report| report.equations.demand_paper().is_ok());
     let of_a_box = paper.map_or_else(|| Ok(Vec::new()), |report| monotone::of_a_box(&report.equations));
     let of_a_box = of_a_box.map_err(|refutation| Failure::Refused(refutation.to_string()))?;
-    folder.commit(&files(&published, ("error-bars", of_a_box)).map_err(Failure::Refused)?)
+    let mut made = files(&published, ("error-bars", of_a_box)).map_err(Failure::Refused)?;
+    made.insert(FILE_LIST.to_owned(), file_list(&published).map_err(Failure::Refused)?);
+    let moved = ties(&published).map_err(Failure::Refused)?;
+    made.extend(moved.into_iter().map(|(line, text)| (format!("ties/{line}.txt"), text)));
+    folder.commit(&made)
 }

@@ -38,13 +38,13 @@ pub use scene::check_distinct_scene_names;
 pub use tables::TableMaker;
 pub use work::Work;
 
-use std::sync::OnceLock;
+use std::sync::{Arc, OnceLock};
 
 use crate::scene::ClaimEntry;
 use slipmode_algebra::Refutation;
 use slipmode_core::friction::EvolutionLaw;
 use slipmode_core::theory::Equations;
-use slipmode_core::theory::hopf::{HopfCoefficient, coefficient};
+use slipmode_core::theory::hopf::{self, HopfCoefficient, coefficient};
 
 /// What a table or a check may look at.
 #[derive(Debug)]
@@ -58,14 +58,14 @@ pub struct Context<'c> {
     /// Whether each verdict on a formula has to pass the last gate. It does but where equations are altered on purpose: there a
     /// verdict is only compared with another one.
     pub is_gated: bool,
-    hopf: [OnceLock<Result<HopfCoefficient, Refutation>>; 2],
+    hopf: Arc<[OnceLock<Result<HopfCoefficient, Refutation>>; 2]>,
 }
 
 impl<'c> Context<'c> {
     /// Nothing is derived from the equations yet.
     #[must_use]
     pub fn new(equations: &'c Equations, outcome: &'c Outcome) -> Self {
-        Self { equations, outcome, claims: &[], is_gated: true, hopf: [OnceLock::new(), OnceLock::new()] }
+        Self { equations, outcome, claims: &[], is_gated: true, hopf: Arc::default() }
     }
 
     /// With the claims of the report, for the tables about them.
@@ -80,12 +80,21 @@ impl<'c> Context<'c> {
         Self { is_gated: false, ..self }
     }
 
+    /// The same with some of its equations only.
+    #[must_use]
+    pub fn with_equations<'e>(&'e self, equations: &'e Equations) -> Context<'e> {
+        // What was derived once stands for all who may derive it.
+        let may_derive = hopf::EQUATIONS.iter().all(|number| equations.has(number));
+        let hopf = if may_derive { self.hopf.clone() } else { Arc::default() };
+        Context { equations, outcome: self.outcome, claims: self.claims, is_gated: self.is_gated, hopf }
+    }
+
     /// The first Lyapunov coefficient. A claim and a table show it; it takes seconds, so it is derived once.
     ///
     /// # Errors
     /// When the equations do not give the stated coefficient.
     pub fn hopf_coefficient(&self, law: EvolutionLaw) -> Result<&HopfCoefficient, Refutation> {
-        let [slip, aging] = &self.hopf;
+        let [slip, aging] = &*self.hopf;
         let derived = match law {
             EvolutionLaw::Slip => slip,
             EvolutionLaw::Aging => aging,

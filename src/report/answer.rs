@@ -179,10 +179,12 @@ mod tests {
             place: String::new(),
             words: format!("Words of {id}."),
             criterion: find(id).map_or(String::new(), |check| check.criterion.into()),
+            digest: String::new(),
             expected: finding.verdict,
             finding,
             not_established: String::new(),
             error_bars: None,
+            untied: None,
             rests_on: Vec::new(),
             stated: None,
         }

@@ -4,6 +4,7 @@
 //! A ledger is read as the text that was published, so that the theorems are about the very certificates that it shows.
 
 mod archived;
+mod ties;
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -12,10 +13,13 @@ use slipmode_algebra::coq::Theorem;
 use slipmode_algebra::{Certificate, Proof};
 use slipmode_core::theory::Equations;
 
-use crate::claims::{Strength, TIES, Tie, WholeTheorem, certificate_digest, whole_theorems};
+use crate::claims::{
+    Conclusion, Resolved, Strength, TIES, Tied, WholeTheorem, statement_digest, whole_theorems,
+};
 use crate::scene::ClaimEntry;
 
-pub use archived::archived;
+pub use archived::{archived, file_list};
+pub use ties::ties;
 
 /// A ledger of which only the proofs are read.
 #[derive(Debug, Deserialize)]
@@ -26,36 +30,10 @@ struct Ledger {
 #[derive(Debug, Deserialize)]
 struct Claim {
     id: String,
-    words: String,
-    criterion: String,
-    limit: Option<String>,
-    counter_example: Option<String>,
+    #[serde(flatten)]
+    conclusion: Conclusion,
     strength: Strength,
     evidence: Vec<Evidence>,
-    #[serde(default)]
-    readings: Vec<Reading>,
-}
-
-#[derive(Debug, Deserialize)]
-struct Reading {
-    words: String,
-    parts: Vec<Part>,
-}
-
-#[derive(Debug, Deserialize)]
-struct Part {
-    words: String,
-}
-
-impl Claim {
-    /// What the claim says, as a tie to theorems written by hand has it.
-    fn said(&self) -> Vec<&str> {
-        let parts = self.readings.iter().flat_map(|reading| {
-            std::iter::once(&reading.words).chain(reading.parts.iter().map(|part| &part.words))
-        });
-        let found = [&self.limit, &self.counter_example].into_iter().flatten();
-        [&self.words, &self.criterion].into_iter().chain(found).chain(parts).map(String::as_str).collect()
-    }
 }
 
 #[derive(Debug, Deserialize)]
@@ -85,7 +63,7 @@ const COLUMNS: &str = "report\tclaim\tproof\tstep\tkind\ttheorem\tdigest\tobstac
 /// The bytes of theorems after which a claim's next theorem begins another file, so that files are checked side by side.
 const LARGE_FILE_BYTES: usize = 30_000;
 
-/// A theorem's name and its certificate's digest, or the obstacle.
+/// A theorem's name and the digest of its statement, or the obstacle.
 type Outcome = Result<[String; 2], String>;
 
 /// Theorems and altered theorems in the making, and where each distinct certificate stands.
@@ -103,19 +81,9 @@ struct Files {
 /// When a text is no ledger.
 pub fn files(reports: &[Published], further: (&str, Vec<Proof>)) -> Result<BTreeMap<String, String>, String> {
     let mut files = Files { steps: COLUMNS.to_owned(), ..Files::default() };
-    for Published { name, ledger, claims, equations } in reports {
-        let ledger: Ledger = serde_json::from_slice(ledger).map_err(|error| format!("{name}: {error}"))?;
-        for claim in &ledger.claims {
-            files.add(name, &claim.id, claim.evidence.iter().filter_map(|evidence| evidence.proof.as_ref()));
-            let stated = claims.iter().find(|known| known.id == claim.id);
-            let argued = stated.and_then(|known| known.stated.as_ref()?.argued.as_ref());
-            if claim.strength <= Strength::Argued {
-                files.add_whole(name, claim, stated, equations);
-                match argued {
-                    Some(step) => files.add_argued(name, claim, step),
-                    None => files.add_by_hand(name, claim, equations),
-                }
-            }
+    for report in reports {
+        for claim in &report.ledger()?.claims {
+            files.add_claim(report, claim);
         }
     }
     let (name, proofs) = further;
@@ -124,7 +92,36 @@ pub fn files(reports: &[Published], further: (&str, Vec<Proof>)) -> Result<BTree
     Ok(files.texts)
 }
 
+impl Published {
+    fn ledger(&self) -> Result<Ledger, String> {
+        serde_json::from_slice(&self.ledger).map_err(|error| format!("{}: {error}", self.name))
+    }
+}
+
+impl Claim {
+    /// The claim as ties see it, with the digest of it as resolved.
+    fn tied<'c>(&'c self, digest: &'c str) -> Tied<'c> {
+        Tied { claim: &self.id, digest, conclusion: self.conclusion.clone() }
+    }
+}
+
 impl Files {
+    /// A claim of a ledger: the steps of its proofs, and the theorems that state it whole.
+    fn add_claim(&mut self, report: &Published, claim: &Claim) {
+        let Published { name, claims, equations, .. } = report;
+        self.add(name, &claim.id, claim.evidence.iter().filter_map(|evidence| evidence.proof.as_ref()));
+        let stated = claims.iter().find(|known| known.id == claim.id);
+        if claim.strength > Strength::Argued {
+            return;
+        }
+        self.add_whole(name, claim, stated, equations);
+        let Some(stated) = stated else { return };
+        match stated.stated.as_ref().and_then(|stated| stated.argued.as_ref()) {
+            Some(step) => self.add_argued(name, claim, step),
+            None => self.add_by_hand(name, claim, stated, equations),
+        }
+    }
+
     /// The steps of proofs, in the files of a claim.
     fn add<'a>(&mut self, report: &str, claim: &str, proofs: impl Iterator<Item = &'a Proof>) {
         let mut open = OpenFile::default();
@@ -193,19 +190,17 @@ impl Files {
     }
 
     /// The theorems written by hand that state the claim.
-    fn add_by_hand(&mut self, report: &str, claim: &Claim, equations: &Equations) {
-        let said = claim.said();
-        let digests =
-            TIES.iter().filter(|tie| tie.claim == claim.id).map(|tie| (tie, tie.digest_of(&said, equations)));
-        let digests: Vec<(&Tie, Option<String>)> = digests.collect();
+    fn add_by_hand(&mut self, report: &str, claim: &Claim, stated: &ClaimEntry, equations: &Equations) {
+        let digest = Resolved::of(stated, equations).digest();
+        let tied = claim.tied(&digest);
         let line = [report, &claim.id, "by hand"].map(one_line).join("\t");
-        if let Some((tie, _)) = digests.iter().find(|(tie, digest)| digest.as_ref() == Some(&tie.digest)) {
+        if let Some(tie) = TIES.iter().find(|tie| tie.is_about(&tied, equations)) {
             for name in tie.names() {
                 self.steps += &format!("{line}\twhole\tby hand\t{name}\t{}\t\n", tie.digest);
             }
-        } else if let Some((_, digest)) = digests.iter().find(|(tie, _)| tie.report == report) {
-            let digest = digest.as_deref().unwrap_or("none: a theorem or an equation is missing");
-            let obstacle = format!("proofs/claims.csv has another digest; that of this claim is {digest}");
+        } else if TIES.iter().any(|tie| tie.report == report && tie.claim == claim.id) {
+            let obstacle =
+                "proofs/claims.csv has another digest: read both, then `cargo xtask tie` writes it";
             self.steps += &format!("{line}\twhole\tby hand\t\t\t{obstacle}\n");
         }
     }
@@ -218,7 +213,8 @@ impl Files {
         let made = Theorem::of(certificate).map_err(|obstacle| obstacle.to_string());
         let result = made.map(|theorem| {
             open.add(&theorem, words);
-            [theorem.name, certificate_digest(certificate)]
+            let digest = statement_digest(&theorem);
+            [theorem.name, digest]
         });
         self.known.push((certificate.clone(), result.clone()));
         result
@@ -326,7 +322,7 @@ mod tests {
             format!(r#"{{"id": "binomial", "statement": "A formula.", "steps": [{step}, {argued}]}}"#);
         let claim = |id: &str| {
             format!(
-                r#"{{"id": "{id}", "words": "", "criterion": "", "strength": "argued", "evidence": [{{"kind": "proof", "proof": {proof}}}, {{"kind": "sample"}}]}}"#
+                r#"{{"id": "{id}", "verdict": "holds", "strength": "argued", "evidence": [{{"kind": "proof", "proof": {proof}}}, {{"kind": "sample"}}]}}"#
             )
         };
         format!(r#"{{"claims": [{}, {}]}}"#, claim("S1"), claim("S-2")).into_bytes()

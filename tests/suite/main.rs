@@ -4,6 +4,8 @@
 #![allow(clippy::disallowed_methods)]
 
 mod archive;
+#[cfg(unix)]
+mod archive_check;
 mod arguments;
 mod bad_archives;
 mod bad_inputs;
@@ -21,6 +23,7 @@ mod claim_limits;
 mod claim_motions;
 mod claim_names;
 mod claim_table;
+mod claim_ties;
 mod claims_over_rows;
 mod classify;
 mod codecheck;

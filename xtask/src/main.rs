@@ -47,6 +47,8 @@ usage: cargo xtask <command> [arguments]
   open-fields   list what only a person can state about the program and its paper: authors, addresses, identifiers
   prove         have Coq check every certified step of every published ledger as a theorem, with the lemmas in proofs/;
                 --planted-faults [sample]: have it refuse every altered theorem, or one of each file
+  tie           list the claims whose hand-written theorems are about something else by now; REPORT [CLAIM...]: show claim,
+                result and theorems, and tie them again in proofs/claims.csv
   wheel         build the Python package into target/wheels/; --test: install, test and check it
   cluster-test  run a sweep on a real Slurm and kill one node midway (Linux)
   machine       check for the programs that the build of GMP, MPFR and MPC needs
@@ -69,6 +71,7 @@ fn run(arguments: &[String]) -> Result<(), Failure> {
     match command.as_str() {
         "bench" | "cost" | "coverage" | "sweep-cost" | "tables" | "timings" => bench::run(command, rest),
         "prove" => prove::run(rest),
+        "tie" => prove::tie(rest),
         "wheel" => wheel::run(rest),
         _ if !rest.is_empty() => {
             Err(Failure::bad_input(format!("`{command}` takes no arguments\n\n{USAGE}")))

@@ -7,6 +7,7 @@ mod assumptions;
 mod by_hand;
 mod files;
 mod summary;
+mod tie;
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -19,6 +20,7 @@ use crate::failure::Failure;
 use crate::{machine, process, repository, verify};
 use files::{library, names, read, write};
 use summary::Steps;
+pub use tie::run as tie;
 
 /// Debian's packages, each with what shows that it is installed.
 const PACKAGES: [(&str, &str); 3] = [
@@ -69,7 +71,7 @@ pub fn run(arguments: &[String]) -> Result<(), Failure> {
         }
     }
     let checked = check_all(&folder, files, &version, &library)?;
-    let steps = Steps::read(&read(&generated.join("steps.tsv"))?)?;
+    let steps = Steps::read(&read(&generated.join("steps.tsv"))?, &read(&generated.join("files.tsv"))?)?;
     let result = summary::print(&steps, &checked, mode);
     println!("prove: {:.0} s", start.elapsed().as_secs_f64());
     let accepted = result?;

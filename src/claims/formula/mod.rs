@@ -25,7 +25,7 @@ use crate::scene::{ClaimEntry, ClaimFormula, Names, Premises, StatedClaim, State
 use lowering::Lowered;
 use points::{Point, Points};
 use prover::{Draft, Prover};
-pub use theorem::{WholeStatement, WholeTheorem, certificate_digest};
+pub use theorem::{WholeStatement, WholeTheorem, statement_digest};
 pub(super) use warnings::warnings;
 
 /// The finding on a claim: one formula decides it, or all parts of its first reading.

@@ -4,12 +4,12 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::LazyLock;
 
-use sha2::{Digest, Sha256};
 use slipmode_algebra::coq::{self, Theorem};
 use slipmode_algebra::{Certificate, Expression, Literal, Proof, Sign, Symbol, Toward};
 use slipmode_core::theory::Equations;
 
 use super::behaviour::other_value;
+use crate::claims::sha256_hex;
 use crate::scene::{ClaimFormula, Comparison, Formula, Names, Premises, Statement};
 
 /// The digests of statements that Coq has accepted; `cargo xtask prove` writes and checks the list.
@@ -29,14 +29,12 @@ const PREFIX: &str = "formula_";
 /// The kinds of certificates that say what a derivative is.
 const DIFFERENTIATED: [&str; 2] = ["derivative", "characteristic"];
 
-/// SHA-256 of a certificate's JSON in lower-case hexadecimal.
+/// SHA-256 of what the theorem of a step states: the text between its name and the full stop before its proof.
 #[must_use]
-pub fn certificate_digest(certificate: &Certificate) -> String {
-    hexadecimal(&serde_json::to_vec(certificate).unwrap_or_default())
-}
-
-fn hexadecimal(text: &[u8]) -> String {
-    Sha256::digest(text).iter().map(|byte| format!("{byte:02x}")).collect()
+pub fn statement_digest(theorem: &Theorem) -> String {
+    let head = format!("Theorem {}", theorem.name);
+    let stated = theorem.text.split_once(&head).and_then(|(_, rest)| rest.split_once(".\nProof."));
+    stated.map_or_else(String::new, |(stated, _)| sha256_hex(stated))
 }
 
 /// A formula as a theorem, with the steps that its proof uses.
@@ -97,7 +95,9 @@ pub(super) fn accepted_in(
     let mut derivatives = steps
         .filter_map(|step| step.certificate.as_ref())
         .filter(|certificate| DIFFERENTIATED.contains(&certificate.kind()));
-    let is_known = derivatives.all(|certificate| list.contains(certificate_digest(certificate).as_str()));
+    let is_known = derivatives.all(|certificate| {
+        Theorem::of(certificate).is_ok_and(|theorem| list.contains(statement_digest(&theorem).as_str()))
+    });
     (is_known && list.contains(digest.as_str())).then_some((name, statement))
 }
 
@@ -120,7 +120,7 @@ pub(super) fn whole_theorem(
 }
 
 fn named(statement: &str) -> (String, String) {
-    let digest = hexadecimal(statement.as_bytes());
+    let digest = sha256_hex(statement);
     (format!("{PREFIX}{}", &digest[..16]), digest)
 }
 

@@ -404,7 +404,8 @@ impl Statement {
     }
 
     /// The variable that moves in a limit or a dependence.
-    fn variable(&self) -> Option<&Symbol> {
+    #[must_use]
+    pub fn variable(&self) -> Option<&Symbol> {
         match self {
             Self::True(_) | Self::Motion(_) => None,
             Self::Limit(_, _, variable, _)

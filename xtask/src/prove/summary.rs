@@ -65,38 +65,41 @@ fn refusals(output: &str, theorems: &[String]) -> Result<String, String> {
     }
 }
 
-/// The list of steps that the program writes: what became of each step of each proof.
-pub struct Steps(Vec<[String; 8]>);
+/// The lists that the program writes: what became of each step of each proof, and the files of archives.
+pub struct Steps {
+    lines: Vec<[String; 8]>,
+    /// Path, SHA-256, and the theorems in it.
+    files: Vec<[String; 3]>,
+}
 
 impl Steps {
-    /// Reads the list.
+    /// Reads both lists.
     ///
     /// # Errors
     /// When a line has another number of fields.
-    pub fn read(text: &str) -> Result<Self, Failure> {
-        let lines = text.lines().skip(1).map(|line| {
-            let fields: Vec<String> = line.split('\t').map(str::to_owned).collect();
-            fields.try_into().map_err(|_| Failure::check(format!("steps.tsv: {line}")))
-        });
-        lines.collect::<Result<_, _>>().map(Self)
+    pub fn read(steps: &str, files: &str) -> Result<Self, Failure> {
+        let lines = steps.lines().skip(1).map(|line| fields("steps.tsv", line));
+        let files = files.lines().map(|line| fields("files.tsv", line));
+        Ok(Self { lines: lines.collect::<Result<_, _>>()?, files: files.collect::<Result<_, _>>()? })
     }
 
-    /// Accepted theorems of steps, each with the digest of its certificate.
+    /// Accepted theorems, each with its digest, and the files of archives of which Coq has accepted every theorem.
     fn record(&self, proved: &BTreeSet<&str>) -> String {
-        let lines: BTreeSet<String> = self
-            .0
-            .iter()
-            .filter(|[.., theorem, _, _]| proved.contains(theorem.as_str()))
-            .map(|[.., theorem, digest, _]| format!("{theorem} {digest}\n"))
-            .collect();
-        lines.into_iter().collect()
+        let theorems = self.lines.iter().filter(|[.., theorem, _, _]| proved.contains(theorem.as_str()));
+        let theorems = theorems.map(|[.., theorem, digest, _]| format!("{theorem} {digest}\n"));
+        let is_proved = |[_, _, names]: &&[String; 3]| {
+            names.split(' ').all(|name| name.is_empty() || proved.contains(name))
+        };
+        let files = self.files.iter().filter(is_proved);
+        let files = files.map(|[path, digest, _]| format!("{path} {digest}\n"));
+        theorems.chain(files).collect::<BTreeSet<String>>().into_iter().collect()
     }
 
     /// A line for each kind of step, one for each step without a theorem that Coq accepted, and the table of claims.
     fn coverage(&self, proved: &BTreeSet<&str>) -> String {
         let (mut kinds, mut open) = (BTreeMap::new(), String::new());
         let mut claims: BTreeMap<[&str; 2], Claim<'_>> = BTreeMap::new();
-        for [report, claim, proof, step, kind, theorem, _, obstacle] in &self.0 {
+        for [report, claim, proof, step, kind, theorem, _, obstacle] in &self.lines {
             let is_proved = proved.contains(theorem.as_str());
             let why = if theorem.is_empty() { obstacle } else { "Coq did not accept it" };
             let claim_of = claims.entry([report, claim]).or_default();
@@ -128,6 +131,12 @@ impl Steps {
             "the others: {steps} by steps, {argued} with an argued step, {open} with a step that is not proved\n"
         )
     }
+}
+
+/// The fields of a line.
+fn fields<const COUNT: usize>(list: &str, line: &str) -> Result<[String; COUNT], Failure> {
+    let fields: Vec<String> = line.split('\t').map(str::to_owned).collect();
+    fields.try_into().map_err(|_| Failure::check(format!("{list}: {line}")))
 }
 
 /// The kind of a claim's formula as a theorem.
@@ -219,18 +228,21 @@ mod tests {
         r\tS4\tp\twhole\twhole\t\t\tno formula\n\
         r\tS4\tby hand\twhole\tby hand\tSlider.S4\t00ee\t\n";
 
+    const FILES: &str =
+        "library/Slider.v\t00dd\t\nr/claim_S1.v\t00cc\tidentity_1\nr/claim_S4.v\t00bb\tidentity_1 sign_1\n";
+
     fn result(output: Said, mode: Mode) -> Result<String, Failure> {
         let task = Task {
             file: "r/claim_S1".into(),
             text: String::new(),
             theorems: vec![if mode == Mode::Faults { "fault_1" } else { "identity_1" }.into()],
         };
-        print(&Steps::read(STEPS).unwrap(), &[(task, output)], mode)
+        print(&Steps::read(STEPS, FILES).unwrap(), &[(task, output)], mode)
     }
 
     #[test]
     fn steps_are_counted_by_kind_and_those_without_a_theorem_are_named() {
-        let steps = Steps::read(STEPS).unwrap();
+        let steps = Steps::read(STEPS, FILES).unwrap();
         let text = steps.coverage(&BTreeSet::from(["identity_1"]));
         assert!(text.contains("identity        3 of    3 steps"), "{text}");
         assert!(text.contains("not proved: r S1, p, step 2 (argued): no certificate\n"), "{text}");
@@ -253,17 +265,17 @@ mod tests {
             "{nothing}"
         );
         assert!(steps.record(&BTreeSet::from(["Slider.S4"])).contains("Slider.S4 00ee"));
-        assert_eq!(steps.record(&BTreeSet::new()), "");
-        assert!(Steps::read("a\nb\tc\n").is_err());
+        assert_eq!(steps.record(&BTreeSet::new()), "library/Slider.v 00dd\n");
+        assert!(Steps::read("a\nb\tc\n", FILES).is_err() && Steps::read(STEPS, "a\n").is_err());
     }
 
     #[test]
     fn a_file_without_a_list_of_assumptions_or_with_a_strange_axiom_fails() {
         let clean = result(Ok("Closed under the global context\n".into()), Mode::Proofs);
-        assert_eq!(clean.unwrap(), "identity_1 00ff\n");
+        assert_eq!(clean.unwrap(), "identity_1 00ff\nlibrary/Slider.v 00dd\nr/claim_S1.v 00cc\n");
         assert!(result(Ok(String::new()), Mode::Proofs).is_err());
         assert!(result(Ok("Axioms:\nmine : False\n".into()), Mode::Proofs).is_err());
-        assert_eq!(result(Err("Timeout!".into()), Mode::Proofs).unwrap(), "");
+        assert_eq!(result(Err("Timeout!".into()), Mode::Proofs).unwrap(), "library/Slider.v 00dd\n");
     }
 
     #[test]

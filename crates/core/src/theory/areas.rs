@@ -42,7 +42,7 @@ pub fn count(equations: &Equations, effects: Effects) -> Result<Areas, Refutatio
     let id = format!("areas-for-{}", format!("{effects:?}").to_lowercase());
     let proof = by_roots(Proof::new(&id, ""), equations)?;
     let proof = upper_area(lower_area(proof, equations)?, equations, effects)?;
-    let proof = complex_points(plane(separate(proof)?)?, equations, effects)?;
+    let proof = complex_points(plane(separate(proof)?, equations)?, equations, effects)?;
     let (upper, unstable) = (effects != Effects::Neutral, effects == Effects::Weakening);
     let kind = match effects {
         Effects::Weakening => "and an unstable one at high σ",
@@ -95,18 +95,18 @@ fn separate(proof: Proof) -> Result<Proof, Refutation> {
 }
 
 /// The quadrants of (V0, σ) and of (η, κ) are mapped onto each other, continuously both ways.
-fn plane(proof: Proof) -> Result<Proof, Refutation> {
+fn plane(proof: Proof, equations: &Equations) -> Result<Proof, Refutation> {
     let (stress, velocity) = (formula("K*D_c/(a*kappa)"), formula("D_c*sqrt(eta*K/(kappa*M))"));
     let groups = Domain::positive("a D_c K M eta kappa");
-    let group = |text: &str| formula(text).with("sigma", &stress).with("V_0", &velocity);
-    let back =
-        velocity.with("eta", &formula("M*V_0^2/(sigma*a*D_c)")).with("kappa", &formula("K*D_c/(a*sigma)"));
+    let [eta, kappa] = [equations.right("inertial-parameter"), formula("K*D_c/(a*sigma)")];
+    let group = |group: &Expression| group.with("sigma", &stress).with("V_0", &velocity);
+    let back = velocity.with("eta", &eta).with("kappa", &kappa);
     proof
-        .identity("κ at σ = K D_c/(aκ)", &[], &group("K*D_c/(a*sigma)"), &formula("kappa"), &groups)?
+        .identity("κ at σ = K D_c/(aκ)", &[], &group(&kappa), &formula("kappa"), &groups)?
         .identity(
             "η at this σ and V0 = D_c √(ηK/(κM))",
             &["inertial-parameter"],
-            &group("M*V_0^2/(sigma*a*D_c)"),
+            &group(&eta),
             &formula("eta"),
             &groups,
         )?

@@ -149,6 +149,18 @@ impl Equations {
         &self.names
     }
 
+    /// The same file with other equations, and without systems and definitions.
+    pub(super) fn with_equations(&self, equations: Vec<Equation>) -> Self {
+        let rest = Rest { assumptions: self.rest.assumptions.clone(), ..Rest::default() };
+        let (names, _) = definitions::names(&rest, &equations, &self.domain);
+        Self { equations, rest, domain: self.domain.clone(), names: Arc::new(names) }
+    }
+
+    /// The unit of a variable as stated.
+    pub(super) fn unit(&self, name: &str) -> Option<&str> {
+        self.rest.units.get(name).map(String::as_str)
+    }
+
     /// The conditions for everything in the file, as written.
     #[must_use]
     pub fn conditions(&self) -> &[String] {
@@ -159,6 +171,12 @@ impl Equations {
     #[must_use]
     pub fn equation(&self, number: &str) -> &Equation {
         self.iter().find(|equation| equation.number == number).unwrap_or_else(|| &MISSING)
+    }
+
+    /// Whether there is an equation of this number.
+    #[must_use]
+    pub fn has(&self, number: &str) -> bool {
+        self.iter().any(|equation| equation.number == number)
     }
 
     /// All equations, in the order of the file.

@@ -54,6 +54,7 @@ mod paper;
 #[doc(hidden)]
 pub mod period;
 pub mod planar;
+mod reached;
 mod reading;
 mod real_roots;
 #[doc(hidden)]
@@ -75,6 +76,7 @@ pub mod worst_error;
 pub use derivation::{Form as Derivation, Operation, System};
 pub use equations::{Equation, EquationFault, Equations, EquationsError};
 pub use names::{Meaning, Names};
+pub use reached::{Start, without_layout};
 pub use reading::{AssumptionsText, DefinitionText, EquationText, EquationsText, SystemText};
 pub use units::Dimension;
 

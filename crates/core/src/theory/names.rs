@@ -30,6 +30,8 @@ pub struct Names {
     pub(super) positive: BTreeSet<Symbol>,
     pub(super) meanings: BTreeMap<Symbol, Meaning>,
     pub(super) systems: BTreeMap<String, System>,
+    /// The number of the equation that defines a name.
+    pub(super) defining: BTreeMap<Symbol, String>,
     /// Their units, where the file states units.
     pub(super) units: Option<Units>,
     /// The proof of a definition, in the order in which they were worked out.
@@ -90,6 +92,12 @@ impl Names {
     #[must_use]
     pub fn derived(&self, name: &str) -> Option<&Expression> {
         self.meanings.iter().find(|(known, _)| known.as_str() == name).map(|(_, one)| &one.expression)
+    }
+
+    /// The number of the equation that defines a name: the name stands alone on its left, or means one of its sides.
+    #[must_use]
+    pub fn defining_equation(&self, name: &str) -> Option<&str> {
+        self.defining.iter().find(|(known, _)| known.as_str() == name).map(|(_, number)| number.as_str())
     }
 
     /// The names of the systems.

@@ -108,6 +108,7 @@ impl Reader<'_> {
         let is_defined = |name: &Symbol| {
             defined.contains_key(name) || rest.definitions.iter().any(|text| text.name == name.as_str())
         };
+        self.names.defining = defined.iter().map(|(name, one)| (name.clone(), one.number.clone())).collect();
         self.names.positive = rest.assumptions.positive.iter().filter_map(|name| read_name(name)).collect();
         self.names.variables = in_equations.filter(|name| !is_defined(name)).chain(assumed).collect();
         let known: BTreeSet<Symbol> = (self.names.variables.iter().chain(defined.keys()).cloned())

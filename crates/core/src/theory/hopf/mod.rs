@@ -26,6 +26,9 @@ use super::notation::{formula, given_nonzero, simplified};
 use crate::friction::EvolutionLaw;
 use slipmode_algebra::{Domain, Expression, Proof, Refutation};
 
+/// The numbers of the equations from which the coefficient is derived.
+pub const EQUATIONS: [&str; 6] = ["1", "2", "3", "4", "8", "steady-state"];
+
 /// The cubic coefficient on K = K_c and what follows from it, as functions of `eta` and `omega` = √(β − 1).
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct HopfCoefficient {

@@ -1,0 +1,103 @@
+//! `cargo xtask tie`: the rows of `proofs/claims.csv` whose digests are no longer those of their claims.
+//!
+//! That theorems state a claim is a person's judgement. The task therefore shows the claim as resolved, what was found on it and the
+//! theorems, and writes only the rows that it is given.
+
+use std::collections::BTreeSet;
+
+use super::files::{below, read, write};
+use super::{generate, repository};
+use crate::failure::Failure;
+use crate::{machine, verify};
+
+/// A row that has moved: the number of its line, the line as it would be, and what a person reads before.
+struct Moved {
+    line: usize,
+    row: String,
+    to_read: String,
+}
+
+/// Prints the rows that have moved, and writes those of a report, or of its claims that are named.
+///
+/// # Errors
+/// When the program cannot list them, or a claim has none.
+pub fn run(arguments: &[String]) -> Result<(), Failure> {
+    machine::run()?;
+    verify::build_release()?;
+    let generated = generate(&repository::root().join("target/proofs"))?;
+    let mut moved = Vec::new();
+    for path in below(&generated)? {
+        let Some(line) = path.strip_prefix("ties/").and_then(|path| path.strip_suffix(".txt")) else {
+            continue;
+        };
+        let text = read(&generated.join(&path))?;
+        let (row, to_read) = text.split_once('\n').unwrap_or((&text, ""));
+        let line = line.parse().map_err(|_| Failure::check(format!("{path}: no number of a line")))?;
+        moved.push(Moved { line, row: row.to_owned(), to_read: to_read.to_owned() });
+    }
+    let Some((report, ids)) = arguments.split_first() else {
+        for Moved { line, row, .. } in &moved {
+            println!("proofs/claims.csv:{line}: {}", claim_of(row).join(" "));
+        }
+        println!("tie: {} rows have other digests than their claims", moved.len());
+        println!("tie: `cargo xtask tie REPORT [CLAIM...]` shows and writes them");
+        return Ok(());
+    };
+    let path = repository::root().join("proofs/claims.csv");
+    let ids = if ids.is_empty() { ids_of(&moved, report) } else { ids.to_vec() };
+    let text = rewritten(&read(&path)?, &moved, report, &ids)?;
+    write(&path, &text)?;
+    println!(
+        "tie: proofs/claims.csv is written; `cargo xtask prove` has Coq accept the theorems for these claims"
+    );
+    Ok(())
+}
+
+/// The report and the claim of a row.
+fn claim_of(row: &str) -> [&str; 2] {
+    let mut fields = row.split(',');
+    [fields.next().unwrap_or_default(), fields.next().unwrap_or_default()]
+}
+
+/// The claims of a report whose rows have moved.
+fn ids_of(moved: &[Moved], report: &str) -> Vec<String> {
+    let claims = moved.iter().map(|one| claim_of(&one.row)).filter(|[name, _]| *name == report);
+    claims.map(|[_, id]| id.to_owned()).collect::<BTreeSet<String>>().into_iter().collect()
+}
+
+/// The table with the rows of these claims as they would be; each is shown.
+fn rewritten(table: &str, moved: &[Moved], report: &str, ids: &[String]) -> Result<String, Failure> {
+    let mut lines: Vec<&str> = table.lines().collect();
+    for id in ids {
+        let is_own = |one: &&Moved| claim_of(&one.row) == [report, id];
+        let mut own = moved.iter().filter(is_own).peekable();
+        if own.peek().is_none() {
+            return Err(Failure::bad_input(format!("{report} {id}: no row of proofs/claims.csv has moved")));
+        }
+        for Moved { line, row, to_read } in own {
+            let place = lines.get_mut(line - 1).filter(|known| claim_of(known) == [report, id]);
+            let place = place
+                .ok_or_else(|| Failure::check(format!("proofs/claims.csv:{line}: not the row of {id}")))?;
+            println!("--- {report} {id}\n{to_read}");
+            *place = row;
+        }
+    }
+    Ok(lines.iter().map(|line| format!("{line}\n")).collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_the_rows_of_named_claims_are_written() {
+        let table = "report,claim,claim_digest,digest\nr,S1,0,0\nr,S2,0,0\n";
+        let moved = |line, row: &str| Moved { line, row: row.to_owned(), to_read: String::new() };
+        let all = [moved(2, "r,S1,1,1"), moved(3, "r,S2,1,1")];
+        let written = |id: &str| rewritten(table, &all, "r", &[id.to_owned()]);
+        assert_eq!(written("S2").unwrap(), "report,claim,claim_digest,digest\nr,S1,0,0\nr,S2,1,1\n");
+        assert!(written("S3").is_err());
+        let elsewhere = [moved(2, "r,S2,1,1")];
+        assert!(rewritten(table, &elsewhere, "r", &["S2".to_owned()]).is_err());
+    }
+}
