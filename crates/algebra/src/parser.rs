@@ -23,8 +23,9 @@ use crate::number::parse_decimal;
 /// The deepest nesting that is read; more is refused instead of exhausting the stack.
 const MAX_DEPTH: usize = 64;
 
-/// The longest text that is read, in characters.
+/// The longest text that is read, in characters: of a user, and of a certificate, which the program has written.
 const MAX_LENGTH: usize = 4_000;
+const MAX_CERTIFIED_LENGTH: usize = 100_000;
 
 /// The largest exponent that is read.
 const MAX_POWER: i32 = 64;
@@ -69,8 +70,9 @@ impl Expression {
     fn read_with(text: &str, parameters: bool) -> Result<(Self, Vec<Demand>), ParseError> {
         let text = text.chars().collect();
         let mut parser = Parser { parameters, text, position: 0, depth: 0, demands: Vec::new() };
-        if parser.text.len() > MAX_LENGTH {
-            return Err(parser.error(format!("longer than {MAX_LENGTH} characters")));
+        let longest = if parameters { MAX_CERTIFIED_LENGTH } else { MAX_LENGTH };
+        if parser.text.len() > longest {
+            return Err(parser.error(format!("longer than {longest} characters")));
         }
         let expression = parser.sum()?;
         match parser.peek() {
