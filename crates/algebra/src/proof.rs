@@ -524,7 +524,7 @@ mod tests {
             (rates, r#"["2", "u"]"#, slopes, "s^2 + s/u + k"),
             (rates, r#"["1", "v"]"#, slopes, "s^2 + s/u + k"),
             (rates, r#"["1"]"#, slopes, "s^2 + s/u + k"),
-            (r#"["v - u", "k - k*x - ln(v/u) + 0*s"]"#, steady, slopes, "s^2 + s/u + k"),
+            (r#"["v - u", "k - k*x - ln(v/u) + (s - s)"]"#, steady, slopes, "s^2 + s/u + k"),
         ] {
             assert!(
                 checked(rates, steady, slopes, polynomial).is_err(),

@@ -176,20 +176,20 @@ mod tests {
     #[test]
     fn a_linearised_system_states_its_rates_derivatives_and_determinant() {
         let system = crate::Linearisation {
-            state: vec!["v".to_owned()],
+            state: vec!["v".into()],
             rates: vec![parsed("k - k*v/u")],
             steady: vec![parsed("u")],
             slopes: vec![vec![parsed("-k/u")]],
         };
         let domain = Domain::positive("k u v");
         let theorem =
-            Theorem::of(&system.clone().certificate("s", parsed("s + k/u"), domain.clone())).unwrap();
+            Theorem::of(&system.clone().certificate(&"s".into(), parsed("s + k/u"), domain.clone())).unwrap();
         let statement = "(k - ((k * u) / u)) = 0 /\\ \
-            is_derive (fun v : R => (k - ((k * v) / u))) u (- (k / u)) /\\ (s - (- (k / u))) = (s + (k / u)).";
+            is_derive (fun v : R => (k - ((k * v) / u))) u (- (k / u)) /\\ (s + (k / u)) = (s + (k / u)).";
         assert!(theorem.text.contains(statement), "{}", theorem.text);
         assert!(!theorem.text.contains("v'pos") && theorem.text.contains("u'pos"), "{}", theorem.text);
         let moving = domain.given(parsed("v - u"), Relation::NonNegative).example("v", parsed("2"));
-        let obstacle = Theorem::of(&system.certificate("s", parsed("s + k/u"), moving)).unwrap_err();
+        let obstacle = Theorem::of(&system.certificate(&"s".into(), parsed("s + k/u"), moving)).unwrap_err();
         assert!(obstacle.to_string().contains("contains v"), "{obstacle}");
     }
 
