@@ -133,6 +133,7 @@ class Sampler:
         beside = self.random.choice((0, 0, 1, -1))
         place = zero if not beside else self.beside(zero, beside * Fraction(1, 10 ** self.random.randint(1, 12)))
         try:
+            self.rational(zero)  # A zero that is a rounding error has no points beside it either.
             moved = Point(self.names, point.values | {name: self.rational(place)})
             positive = name not in self.names.positive or sign(lambda: (moved.get(name), 1)) == 1
             return moved if positive and meets(moved, self.wanted()) else None
