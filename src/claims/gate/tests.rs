@@ -126,7 +126,7 @@ fn a_formula_that_an_altered_equation_makes_false_does_not_pass_as_one_that_hold
     assert!(planted >= 20 && missed.is_empty(), "{planted} planted, missed: {missed:#?}");
 }
 
-const FILE: &str = "[assumptions]\npositive = [\"A\", \"B\", \"K\", \"M\", \"V\"]\nfree = [\"x\", \"y\"]\n\
+const FILE: &str = "[assumptions]\npositive = [\"A\", \"B\", \"K\", \"M\", \"V\"]\nfree = [\"x\", \"y\", \"s\"]\n\
     [[equation]]\nnumber = \"1\"\nequation = \"w = sqrt(K/M)\"\n\
     [[definition]]\nname = \"H\"\nis = \"hurwitz(s^3 + A*s^2 + B*s + K, s, 2)\"\n\
     [[definition]]\nname = \"K_0\"\nis = \"solve(H, K)\"\n";
