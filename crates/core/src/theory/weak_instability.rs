@@ -17,6 +17,9 @@ pub struct ThreeStates {
     pub steady: [Expression; 3],
 }
 
+/// The names of the certificates, each with a number behind it: coordinates, components of vectors, unknowns.
+const OWN: [&str; 9] = ["distance", "e", "f", "g", "h11", "h20", "imaginary", "p", "real"];
+
 /// The distances of the state variables from the steady state.
 const DISTANCES: [&str; 3] = ["distance_1", "distance_2", "distance_3"];
 
@@ -50,6 +53,14 @@ impl ThreeStates {
         let Some(domain) = domains.first() else {
             return Err(start.refute("the lemma has a domain", &[], "there is none"));
         };
+        if let Some(name) = self.own_name(frequency, domain) {
+            let says = "the lemma has coordinates of its own";
+            return Err(start.refute(
+                says,
+                &[],
+                format!("{name} stands for two things: choose another name"),
+            ));
+        }
         let proof = self.rests(start, domain)?;
         let proof = positive(proof, "the frequency of the pair", frequency, domains)?;
         let origin = self.state.iter().zip(&self.steady).zip(DISTANCES);
@@ -88,6 +99,17 @@ impl ThreeStates {
              state is unstable and no periodic motion is near it. Where a parameter moves the pair into the stable half-plane with a \
              speed that is not zero, an unstable periodic motion surrounds the steady state (Andronov and Hopf).",
         ))
+    }
+
+    /// A name of the system that the certificates of the lemma use for something of their own.
+    fn own_name(&self, frequency: &Expression, domain: &Domain) -> Option<Symbol> {
+        let said = self.rates.iter().chain(&self.steady).chain([frequency]).flat_map(Expression::variables);
+        let said: Vec<Symbol> = said.chain(domain.symbols()).collect();
+        let is_own = |name: &&Symbol| {
+            let Some((letters, number)) = name.as_str().rsplit_once('_') else { return false };
+            OWN.contains(&letters) && ["1", "2", "3"].contains(&number)
+        };
+        said.iter().find(is_own).cloned()
     }
 
     fn rests(&self, proof: Proof, domain: &Domain) -> Result<Proof, Refutation> {
