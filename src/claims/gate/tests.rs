@@ -88,7 +88,7 @@ fn the_verdicts_of_the_reports_pass_and_their_opposites_do_not() {
         }
     }
     eprintln!("{passed} passed, {on_motions} on motions; {noticed} of {planted} planted verdicts noticed");
-    assert!(passed >= 100 && on_motions == 10, "{passed} passed, {on_motions} on motions");
+    assert!(passed >= 100 && on_motions == 9, "{passed} passed, {on_motions} on motions");
     assert_eq!(noticed, planted);
 }
 
