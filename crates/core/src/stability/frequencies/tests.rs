@@ -1,3 +1,5 @@
+//! Frequencies are the nearest numbers to those of an independent computation with many more bits.
+
 use super::*;
 use crate::friction::Slider;
 use crate::number::parse_decimal;
