@@ -2,7 +2,7 @@
 
 mod watch;
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
 use clap::Args;
@@ -105,9 +105,18 @@ pub fn run(options: &Options, progress: &Progress) -> Result<(), Failure> {
         Ok(())
     } else {
         Err(Failure::Check(
-            first_lines(differences, |more| format!("and {more} more; --json lists all")).join("\n"),
+            first_lines(of_each_file(differences), |more| format!("and {more} more; --json lists all"))
+                .join("\n"),
         ))
     }
+}
+
+/// The first line on each file or claim, then the others: a message that is cut short names all of them.
+fn of_each_file(lines: Vec<String>) -> impl Iterator<Item = String> {
+    let mut seen = BTreeSet::new();
+    let is_first = |line: &String| seen.insert(line.split(':').next().map(str::to_owned));
+    let (first, others): (Vec<String>, Vec<String>) = lines.into_iter().partition(is_first);
+    first.into_iter().chain(others)
 }
 
 fn budget(factor: &str) -> Result<Budget, Failure> {

@@ -38,7 +38,9 @@ pub use scene::check_distinct_scene_names;
 pub use tables::TableMaker;
 pub use work::Work;
 
-use std::sync::{Arc, OnceLock};
+use std::any::Any;
+use std::collections::BTreeMap;
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use crate::scene::ClaimEntry;
 use slipmode_algebra::Refutation;
@@ -58,6 +60,7 @@ pub struct Context<'c> {
     /// Whether each verdict on a formula has to pass the last gate. It does but where equations are altered on purpose: there a
     /// verdict is only compared with another one.
     pub is_gated: bool,
+    known: Arc<Mutex<BTreeMap<String, Arc<dyn Any + Send + Sync>>>>,
     hopf: Arc<[OnceLock<Result<HopfCoefficient, Refutation>>; 2]>,
 }
 
@@ -65,7 +68,7 @@ impl<'c> Context<'c> {
     /// Nothing is derived from the equations yet.
     #[must_use]
     pub fn new(equations: &'c Equations, outcome: &'c Outcome) -> Self {
-        Self { equations, outcome, claims: &[], is_gated: true, hopf: Arc::default() }
+        Self { equations, outcome, claims: &[], is_gated: true, known: Arc::default(), hopf: Arc::default() }
     }
 
     /// With the claims of the report, for the tables about them.
@@ -86,7 +89,28 @@ impl<'c> Context<'c> {
         // What was derived once stands for all who may derive it.
         let may_derive = hopf::EQUATIONS.iter().all(|number| equations.has(number));
         let hopf = if may_derive { self.hopf.clone() } else { Arc::default() };
-        Context { equations, outcome: self.outcome, claims: self.claims, is_gated: self.is_gated, hopf }
+        let known = self.known.clone();
+        Context {
+            equations,
+            outcome: self.outcome,
+            claims: self.claims,
+            is_gated: self.is_gated,
+            known,
+            hopf,
+        }
+    }
+
+    /// What the work gives, done once for a key. The key names everything that the result depends on.
+    ///
+    /// Nobody waits for another's work, since that could wait for this one: two threads that come at once both do it.
+    pub fn once<T: Clone + Send + Sync + 'static>(&self, key: String, work: impl FnOnce() -> T) -> T {
+        let known = || self.known.lock().unwrap_or_else(PoisonError::into_inner);
+        let found = known().get(&key).and_then(|found| found.downcast_ref::<T>().cloned());
+        found.unwrap_or_else(|| {
+            let made = work();
+            known().insert(key, Arc::new(made.clone()));
+            made
+        })
     }
 
     /// The first Lyapunov coefficient. A claim and a table show it; it takes seconds, so it is derived once.

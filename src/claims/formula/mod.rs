@@ -19,7 +19,7 @@ use slipmode_core::theory::Equations;
 use crate::claims::gate;
 use crate::claims::over_rows;
 use crate::claims::reading::{self, of_readings};
-use crate::claims::{Evidence, Finding, Verdict};
+use crate::claims::{Evidence, Finding, Resolved, Verdict};
 use crate::experiments::Context;
 use crate::scene::{ClaimEntry, ClaimFormula, Names, Premises, StatedClaim, Statement};
 use lowering::Lowered;
@@ -144,8 +144,12 @@ fn decide_formula(id: &str, words: &str, formula: &ClaimFormula, context: &Conte
     if let Some(table) = &formula.rows {
         return over_rows::decide(table, &formula.text, context);
     }
-    let found = decide_equations(id, words, formula, context.equations);
-    if context.is_gated { gate::passed(formula, found, context.equations) } else { found }
+    // A claim is a premise of others, too.
+    let digest = Resolved::of_formula(formula, context.equations).digest();
+    context.once(format!("{digest} {} {id} {words}", context.is_gated), || {
+        let found = decide_equations(id, words, formula, context.equations);
+        if context.is_gated { gate::passed(formula, found, context.equations) } else { found }
+    })
 }
 
 /// The most steps of algebra that the decision of one formula takes, and of a statement on motions.

@@ -11,7 +11,8 @@ use super::prover::{Draft, Prover};
 use crate::claims::Finding;
 use crate::scene::{Comparison, Formula, MOST_CLAUSES, Premises};
 
-/// Points that are looked at before a proof is sought, and whose neighbours on the edges of the literals are looked at too.
+/// Points that are looked at before a proof is sought. Their neighbours on the edges of the literals are looked at after it: where the
+/// formula is true, they cost more than its proof.
 const FIRST_POINTS: usize = 64;
 
 impl Problem<'_> {
@@ -26,14 +27,17 @@ impl Problem<'_> {
                 Points::MOST
             ));
         }
-        if let Some(found) = self.refuted(formula, lowered, &points, FIRST_POINTS) {
+        let (conditions, negated) = (&self.premises.conditions, lowered.signs.negated());
+        let refuted = |point: Option<Point>| self.refuted(formula, lowered, &point?);
+        if let Some(found) = refuted(among(&points, conditions, &negated, FIRST_POINTS)) {
             return found;
         }
         let tried = match self.proved(formula, lowered, &prover) {
             Ok(proof) => return Finding::from_proof(Ok(proof)),
             Err(tried) => tried,
         };
-        let refuted = self.refuted(formula, lowered, &points, Points::MOST);
+        let on_edges = refuted(on_edges(&points, conditions, &negated, FIRST_POINTS));
+        let refuted = on_edges.or_else(|| refuted(among(&points, conditions, &negated, Points::MOST)));
         refuted.or_else(|| self.enclosed(lowered)).unwrap_or_else(|| {
             let points = Points::MOST;
             Finding::not_checked(format!("Not decided: {tried}, and {points} points do not refute it."))
@@ -118,18 +122,11 @@ impl Problem<'_> {
         steps.into_iter().try_fold(start, step).map_err(|error| error.to_string())
     }
 
-    /// A point at which the formula is false.
-    fn refuted(
-        &self,
-        formula: &Formula,
-        lowered: &Lowered,
-        points: &Points,
-        count: usize,
-    ) -> Option<Finding> {
-        let point = found(points, &self.premises.conditions, &lowered.signs.negated(), count)?;
-        let full = self.full(&point);
+    /// The finding that the formula is false at a point.
+    fn refuted(&self, formula: &Formula, lowered: &Lowered, point: &Point) -> Option<Finding> {
+        let full = self.full(point);
         let place = format!("at {}", points::text(&full));
-        let side = |side: &Expression| points::value(&self.put_in(side), &point);
+        let side = |side: &Expression| points::value(&self.put_in(side), point);
         let words = match formula {
             Formula::Compare(left, Comparison::Equal, right) => {
                 format!("{place}: {} on the left, {} on the right", side(left)?, side(right)?)
@@ -137,7 +134,7 @@ impl Problem<'_> {
             Formula::Compare(left, _, right) => {
                 format!("{place}: left minus right is {}", side(&(left.clone() - right.clone()))?)
             }
-            _ => format!("{place}: {}", truths(lowered, &point)),
+            _ => format!("{place}: {}", truths(lowered, point)),
         };
         self.is_allowed(&full).then(|| Finding::failing(words).seen_at([points::named(&full)]))
     }
@@ -160,17 +157,26 @@ pub(super) fn found(
     signs: &SignFormula,
     count: usize,
 ) -> Option<Point> {
+    among(points, conditions, signs, count).or_else(|| on_edges(points, conditions, signs, count))
+}
+
+/// A point that meets the conditions and at which the signs are true, among so many points.
+fn among(points: &Points, conditions: &[Literal], signs: &SignFormula, count: usize) -> Option<Point> {
+    points.meeting(conditions, count).find(|point| is_found(point, conditions, signs))
+}
+
+/// The same on the edges of the literals next to the first points.
+fn on_edges(points: &Points, conditions: &[Literal], signs: &SignFormula, count: usize) -> Option<Point> {
     let expressions: Vec<Expression> =
         signs.literals().into_iter().map(|literal| literal.expression.clone()).collect();
-    let is_found = |point: &Point| {
-        signs.truth(&|literal| literal.holds_at(point)) == Some(true)
-            && conditions.iter().all(|one| one.holds_at(point) == Some(true))
-    };
     let mut first = points.meeting(conditions, count.min(FIRST_POINTS));
-    points
-        .meeting(conditions, count)
-        .find(is_found)
-        .or_else(|| first.find_map(|point| points.edges(&point, &expressions).find(is_found)))
+    first
+        .find_map(|point| points.edges(&point, &expressions).find(|point| is_found(point, conditions, signs)))
+}
+
+fn is_found(point: &Point, conditions: &[Literal], signs: &SignFormula) -> bool {
+    signs.truth(&|literal| literal.holds_at(point)) == Some(true)
+        && conditions.iter().all(|one| one.holds_at(point) == Some(true))
 }
 
 /// Whether the conditions fix the truth of a literal, with the certificate.

@@ -4,6 +4,7 @@ use super::*;
 use crate::claims::{find, known_ids};
 use crate::experiments::{Outcome, Scene, SceneOutcome};
 use crate::scene::{Limits, read_claims, read_equations};
+use slipmode_algebra::Expression;
 use slipmode_core::theory::Equations;
 
 /// The first paper's equations, claims and slider, without anything computed.
@@ -54,9 +55,22 @@ fn a_function_decides_its_claim_by_each_equation_that_it_lists() {
         .collect();
     assert!(decided.len() > 15, "{}", decided.len());
     let is_noticed = |sound: &Sound, number: &str| {
-        alterations(equations.equation(number), &pairs).iter().any(|change| {
-            let altered = equations.altered(number, &change.text);
-            !change.says_the_same && altered.is_ok_and(|one| sound.notices(&Context::new(&one, &nothing)))
+        let equation = equations.equation(number);
+        let by_rule = alterations(equation, &pairs).into_iter().filter(|change| !change.says_the_same);
+        // No rule breaks the symmetry of eq 18 in a and b. Twice a variable everywhere does.
+        let twice = |variable: &Symbol| {
+            let doubled = Expression::integer(2) * Expression::variable(variable.clone());
+            format!(
+                "{} = {}",
+                equation.left.with(variable.clone(), &doubled),
+                equation.right.with(variable.clone(), &doubled)
+            )
+        };
+        let variables = equation.residual().variables();
+        let mut texts = by_rule.map(|change| change.text).chain(variables.iter().map(twice));
+        texts.any(|text| {
+            let altered = equations.altered(number, &text);
+            altered.is_ok_and(|one| sound.notices(&Context::new(&one, &nothing)))
         })
     };
     let unnoticed = |sound: &Sound| {

@@ -357,7 +357,7 @@ impl Statement {
     /// Any two points of the set are joined by a curve in it.
     fn connected(image: &[(Symbol, Expression)]) -> Self {
         let parameters: BTreeSet<Symbol> = image.iter().flat_map(|(_, value)| value.variables()).collect();
-        let own: Vec<String> = parameters.iter().map(|symbol| name(symbol)).collect();
+        let own: Vec<String> = parameters.iter().map(name).collect();
         let others: Vec<String> = own.iter().map(|own| format!("{own}'other")).collect();
         let between: Vec<String> =
             own.iter().zip(&others).map(|(one, other)| format!("(between {one} {other} u')")).collect();

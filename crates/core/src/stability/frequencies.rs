@@ -65,7 +65,7 @@ impl Frequencies {
         let [frequency_hz, frequency_over_natural] = if found.max_imaginary_per_s.is_zero() {
             [Wide::ZERO; 2]
         } else {
-            let Bounded { value, error } = found.angular_frequency?;
+            let Bounded { value, error } = found.angular_frequency.0?;
             let relative = error / value.hi();
             [
                 nearest_wide(value * INVERSE_TAU, relative + 2.0 * Dd::UNIT)?,

@@ -2,7 +2,7 @@
 
 use super::certain_signs::BoundedGroups;
 use super::slip_mode::slip_mode_by;
-use super::spectrum::{LargestParts, clearly_inertial};
+use super::spectrum::{LargestParts, OfPair, clearly_inertial};
 use super::{Classification, InertialThreshold, SpectralClass};
 use crate::friction::{Groups, Parameters};
 use crate::number::Dd;
@@ -44,7 +44,7 @@ pub fn classify_quickly(
         max_imaginary_per_s: rounded.imaginary,
         precision_level: signs.precision_level,
         value_precision_level: PrecisionLevel::DoubleDouble,
-        angular_frequency: Some(in_si.imaginary),
+        angular_frequency: OfPair(Some(in_si.imaginary)),
     })
 }
 

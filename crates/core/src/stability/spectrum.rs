@@ -49,7 +49,18 @@ pub struct Classification {
     /// The precision level that gave the values: 64-bit cannot guarantee 1e-14, so double-double or exact.
     pub value_precision_level: PrecisionLevel,
     /// The imaginary part of the pair with its bound, 1/s; none where double-double does not give it.
-    pub(super) angular_frequency: Option<Bounded<Dd>>,
+    pub(super) angular_frequency: OfPair,
+}
+
+/// The imaginary part of a pair with its bound. It is on the way to the frequencies and no part of the answer: a point's
+/// classification is the same on each way, this number is not.
+#[derive(Debug, Clone)]
+pub(super) struct OfPair(pub(super) Option<Bounded<Dd>>);
+
+impl PartialEq for OfPair {
+    fn eq(&self, _: &Self) -> bool {
+        true
+    }
 }
 
 /// The largest real and imaginary parts of the dimensionless roots p.
@@ -82,7 +93,7 @@ pub fn classify(parameters: &Parameters<Rational>, threshold: &InertialThreshold
     let in_si = parts.as_ref().and_then(|parts| parts.times_rate(Dd::from_rational(&rate_per_s)));
     let value_precision_level =
         if in_si.is_some() { PrecisionLevel::DoubleDouble } else { PrecisionLevel::Exact };
-    let angular_frequency = in_si.as_ref().map(|parts| parts.imaginary);
+    let angular_frequency = OfPair(in_si.as_ref().map(|parts| parts.imaginary));
     let LargestParts { real, imaginary } = in_si
         .and_then(|parts| parts.rounded())
         .unwrap_or_else(|| LargestParts::exactly(&groups).times_rate(&rate_per_s));

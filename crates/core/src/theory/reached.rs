@@ -246,12 +246,14 @@ mod tests {
         let known = reached(FILE, &["P"]);
         for (from, to) in [
             ("\"1 - v*theta/L\"]", "\"2 - 2*v*theta/L\"]"),
-            ("characteristic(aging, s)", "K*s + V"),
+            ("characteristic(aging, s)", "K*V/L"),
             ("K = \"Pa/m\"", "K = \"Pa*m/m^2\""),
             ("[\"A < B\"]", "[\"A < 2*B\"]"),
         ] {
             assert!(FILE.contains(from), "{from}");
+            // Without the polynomial the unit of its variable has no place.
             let altered = FILE.replace(from, to);
+            let altered = if to == "K*V/L" { altered.replace("s = \"1/s\"\n", "") } else { altered };
             assert_ne!(reached(&altered, &["P"]), known, "{from}");
         }
         for (from, to) in [

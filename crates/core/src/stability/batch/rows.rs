@@ -11,7 +11,7 @@ use crate::stability::certain_signs::InputError;
 use crate::stability::point_values::{PointValues, Route};
 use crate::stability::quick::{classify_quickly, clearly_in_upper_area};
 use crate::stability::slip_mode::slip_mode_by;
-use crate::stability::spectrum::clearly_inertial_beyond;
+use crate::stability::spectrum::{OfPair, clearly_inertial_beyond};
 use crate::stability::three_roots::{RootsError, ThreeRoots, three_roots};
 use crate::stability::{Classification, InertialThreshold, SpectralClass};
 
@@ -73,7 +73,7 @@ fn classified(values: &PointValues, limit: f64) -> Option<Classification> {
         max_imaginary_per_s: Wide::from_f64(imaginary)?,
         precision_level: PrecisionLevel::F64,
         value_precision_level: PrecisionLevel::DoubleDouble,
-        angular_frequency: is_pair.then(|| values.second_bounded()),
+        angular_frequency: OfPair(is_pair.then(|| values.second_bounded())),
     })
 }
 
