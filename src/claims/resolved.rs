@@ -226,7 +226,7 @@ mod tests {
             let tied: BTreeSet<&str> =
                 TIES.iter().filter(|tie| tie.report == report).map(|tie| tie.claim.as_str()).collect();
             let is_noticed = |id: &&str| reached.iter().any(|(known, _)| known == id);
-            assert!(tried > 10 && tied.iter().all(|id| is_noticed(&id)), "{report}: {tried}, {tied:?}");
+            assert!(tried > 10 && tied.iter().all(is_noticed), "{report}: {tried}, {tied:?}");
         }
     }
 

@@ -92,7 +92,7 @@ fn rounded(value: &Rational) -> String {
 
 /// A slider with unit a, D_c and σ, so that η, κ and β are free; its frequencies rise in proportion to V0.
 fn with_groups(eta: &Rational, kappa: &Rational, beta: &Rational, v: &Rational) -> Inputs {
-    let mass = Rational::from(eta / Rational::from(v * v));
+    let mass = eta / Rational::from(v * v);
     let [beta, kappa, mass, v] = [beta, kappa, &mass, v].map(rounded);
     let one = || String::from("1");
     [one(), beta, one(), kappa, mass, one(), v]

@@ -52,7 +52,7 @@ impl Problem<'_> {
             self.nowhere(lowered, &wanted, &outer, &points, alone)
         };
         match found {
-            Some(found) => tried.iter().fold(found, |found, tried| found.remark(&capital(tried))),
+            Some(found) => tried.iter().fold(found, |found, tried| found.remark(capital(tried))),
             None => {
                 tried.push(if alone {
                     format!("none of {} points does, and no certificate excludes all", Points::MOST)

@@ -46,7 +46,7 @@ fn wrong_equations_are_noticed_by_the_claims_that_rest_on_them() {
 #[test]
 fn a_function_decides_its_claim_by_each_equation_that_it_lists() {
     let (equations, claims, nothing) = paper();
-    let context = Context::new(&equations, &nothing);
+    let context = Context::new(&equations, &nothing).ungated();
     let pairs = alike(&equations);
     let decided: Vec<Sound> = (claims.iter().filter(|claim| claim.has_check()))
         .flat_map(Sound::parts_of)
@@ -70,7 +70,7 @@ fn a_function_decides_its_claim_by_each_equation_that_it_lists() {
         let mut texts = by_rule.map(|change| change.text).chain(variables.iter().map(twice));
         texts.any(|text| {
             let altered = equations.altered(number, &text);
-            altered.is_ok_and(|one| sound.notices(&Context::new(&one, &nothing)))
+            altered.is_ok_and(|one| sound.notices(&Context::new(&one, &nothing).ungated()))
         })
     };
     let unnoticed = |sound: &Sound| {
@@ -85,7 +85,7 @@ fn a_function_decides_its_claim_by_each_equation_that_it_lists() {
 #[test]
 fn every_claim_that_the_equations_decide_notices_a_fault_of_its_own() {
     let (equations, claims, nothing) = paper();
-    let context = Context::new(&equations, &nothing);
+    let context = Context::new(&equations, &nothing).ungated();
     let pairs = alike(&equations);
     let altered: Vec<_> = equations
         .iter()
@@ -105,7 +105,7 @@ fn every_claim_that_the_equations_decide_notices_a_fault_of_its_own() {
     let seeing = decided.par_iter().filter(|sound| {
         let is_named = |(number, _): &&(&str, _)| sound.equations.contains(*number);
         let (likely, other): (Vec<_>, Vec<_>) = altered.iter().partition(is_named);
-        let seen = |(_, altered): &&(&str, _)| sound.notices(&Context::new(altered, &nothing));
+        let seen = |(_, altered): &&(&str, _)| sound.notices(&Context::new(altered, &nothing).ungated());
         likely.iter().any(seen) || other.iter().any(seen)
     });
     let seeing: BTreeSet<&str> = seeing.map(|sound| sound.claim.id.as_str()).collect();
@@ -115,12 +115,12 @@ fn every_claim_that_the_equations_decide_notices_a_fault_of_its_own() {
 #[test]
 fn a_claim_whose_proof_names_the_equation_notices_each_wrong_version() {
     let (equations, claims, nothing) = paper();
-    let sound = sound_claims(&Context::new(&equations, &nothing).with_claims(&claims));
+    let sound = sound_claims(&Context::new(&equations, &nothing).ungated().with_claims(&claims));
     let versions: Vec<(&str, &str)> =
         WRONG.iter().flat_map(|(number, texts)| texts.iter().map(move |text| (*number, *text))).collect();
     let unseen = versions.into_par_iter().filter(|(number, text)| {
         let altered = equations.altered(number, text).unwrap();
-        let altered = Context::new(&altered, &nothing);
+        let altered = Context::new(&altered, &nothing).ungated();
         let mut naming: Vec<&Sound> =
             sound.iter().filter(|sound| sound.equations.contains(*number)).collect();
         naming.sort_by_key(|sound| sound.steps);

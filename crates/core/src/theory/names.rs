@@ -235,6 +235,9 @@ impl Defined {
     }
 }
 
+/// A name on the left of two equations, with their numbers.
+pub(super) type Doubled = (Symbol, [String; 2]);
+
 /// The names that equations define: each that stands alone on the left of exactly one equation, and `left_N`, `right_N` and
 /// `residual_N` for each equation.
 ///
@@ -244,7 +247,7 @@ impl Defined {
 pub(super) fn defined_by_equations(
     equations: &[Equation],
     assumed: &BTreeSet<Symbol>,
-) -> (BTreeMap<Symbol, Defined>, Vec<(Symbol, [String; 2])>) {
+) -> (BTreeMap<Symbol, Defined>, Vec<Doubled>) {
     let mut defined: BTreeMap<Symbol, Defined> = BTreeMap::new();
     let mut doubled = Vec::new();
     let two_valued = Symbol::from("pm");

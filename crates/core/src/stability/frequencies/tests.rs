@@ -14,7 +14,7 @@ fn point(eta: &Rational, kappa: &Rational, beta: &Rational, rate: &Rational) -> 
         evolution_effect: beta.clone(),
         critical_slip_distance_m: one.clone(),
         stiffness_pa_per_m: kappa.clone(),
-        mass_per_area_kg_per_m2: Rational::from(eta / Rational::from(rate.square_ref())),
+        mass_per_area_kg_per_m2: eta / Rational::from(rate.square_ref()),
     };
     slider.at(one, rate.clone())
 }
