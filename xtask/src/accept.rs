@@ -16,7 +16,7 @@ const NOT_PUBLISHED: [&str; 1] = ["environment.json"];
 /// When the machine lacks a tool, a report cannot be made, or a file cannot be written.
 pub fn run() -> Result<(), Failure> {
     machine::run()?;
-    verify::build_release()?;
+    verify::build()?;
     for name in repository::reports()? {
         let report = format!("reports/{name}");
         let code = process::status(&mut verify::slipmode(&["report", "--for-publication", &report]))?;

@@ -53,7 +53,7 @@ pub fn run() -> Result<(), Failure> {
             Ok(())
         };
     }
-    verify::build_release()?;
+    verify::build()?;
     let place = env::temp_dir().join(format!("slipmode-cluster-{}", std::process::id()));
     let result = Cluster::start(&place).and_then(|mut cluster| {
         let result = rehearse(&mut cluster, &place);

@@ -46,7 +46,8 @@ usage: cargo xtask <command> [arguments]
   validate      run external validators on every report's page, Markdown, archive and citation
   open-fields   list what only a person can state about the program and its paper: authors, addresses, identifiers
   prove         have Coq check every certified step of every published ledger as a theorem, with the lemmas in proofs/;
-                --planted-faults [sample]: have it refuse every altered theorem, or one of each file
+                files that are as proofs/checked.csv records are not checked again, but with --all;
+                --planted-faults: have it refuse every altered theorem
   tie           list the claims whose hand-written theorems are about something else by now; REPORT [CLAIM...]: show claim,
                 result and theorems, and tie them again in proofs/claims.csv
   wheel         build the Python package into target/wheels/; --test: install, test and check it

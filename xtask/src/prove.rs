@@ -1,14 +1,17 @@
 //! `cargo xtask prove`: every certified step of every published ledger as a theorem that Coq checks.
 //!
 //! The program writes one file a claim below `target/proofs/generated`. Coq compiles it with the library in `proofs/`. A file
-//! whose text, library and version of Coq are as before is not checked again.
+//! whose text, library and version of Coq are as before is not checked again, be it before on this machine or in the record
+//! `proofs/checked.csv`; `--all` does without the record.
 
 mod assumptions;
 mod by_hand;
 mod files;
+mod record;
 mod summary;
 mod tie;
 
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -19,6 +22,7 @@ use std::time::Instant;
 use crate::failure::Failure;
 use crate::{machine, process, repository, verify};
 use files::{library, names, read, write};
+use record::Record;
 use summary::Steps;
 pub use tie::run as tie;
 
@@ -45,18 +49,19 @@ pub enum Mode {
 /// the record of accepted theorems was another one; with 2 when Coq is missing.
 pub fn run(arguments: &[String]) -> Result<(), Failure> {
     let words: Vec<&str> = arguments.iter().map(String::as_str).collect();
-    let mode = match words[..] {
-        [] => Mode::Proofs,
-        ["--planted-faults"] => Mode::Faults,
-        _ => return Err(Failure::bad_input("prove takes no argument or `--planted-faults`")),
+    let (mode, record) = match words[..] {
+        [] => (Mode::Proofs, Record::read()),
+        ["--all"] => (Mode::Proofs, Record::default()),
+        ["--planted-faults"] => (Mode::Faults, Record::default()),
+        _ => return Err(Failure::bad_input("prove takes `--all`, `--planted-faults` or nothing")),
     };
     let start = Instant::now();
     let folder = repository::root().join("target/proofs");
     let version = require_coq(&folder)?;
     machine::run()?;
-    verify::build_release()?;
+    verify::build()?;
     let generated = generate(&folder)?;
-    let library = compile_library(&folder, &version)?;
+    let library = library(&repository::root().join("proofs"))?;
     let mut files = generated_files(&generated, mode)?;
     match mode {
         Mode::Proofs => {
@@ -70,16 +75,68 @@ pub fn run(arguments: &[String]) -> Result<(), Failure> {
             )?);
         }
     }
-    let checked = check_all(&folder, files, &version, &library)?;
+    let digests = digests(&files, &version, &library)?;
+    let (mut checked, left) = as_recorded(files, &record, &digests);
+    if !left.is_empty() {
+        compile_library(&folder, &version, &library)?;
+        checked.extend(check_all(&folder, left, &version, &library)?);
+    }
     let steps = Steps::read(&read(&generated.join("steps.tsv"))?, &read(&generated.join("files.tsv"))?)?;
     let result = summary::print(&steps, &checked, mode);
     println!("prove: {:.0} s", start.elapsed().as_secs_f64());
     let accepted = result?;
-    if mode == Mode::Proofs { record(&accepted) } else { Ok(()) }
+    if mode == Mode::Faults {
+        return Ok(());
+    }
+    if record.update(&checked, &digests)? {
+        println!("prove: proofs/checked.csv records what was checked now: commit it, and nobody checks it again");
+    }
+    write_accepted(&accepted)
+}
+
+/// The digest of each file with all on which it rests.
+fn digests(
+    tasks: &[Task],
+    version: &str,
+    library: &[(String, String)],
+) -> Result<BTreeMap<String, String>, Failure> {
+    let digest = |task: &Task| {
+        let text = format!("{version}\n{}\n{}", files::imported(library, &task.text), task.text);
+        Ok((task.file.clone(), record::digest(&text)?))
+    };
+    tasks.iter().map(digest).collect()
+}
+
+/// The files of which the record knows what Coq says, and the others.
+fn as_recorded(
+    tasks: Vec<Task>,
+    record: &Record,
+    digests: &BTreeMap<String, String>,
+) -> (Vec<(Task, Said)>, Vec<Task>) {
+    let (mut known, mut left, mut commits) = (Vec::new(), Vec::new(), BTreeSet::new());
+    for task in tasks {
+        match digests.get(&task.file).and_then(|digest| record.known(&task.file, digest)) {
+            Some((said, commit)) => {
+                commits.insert(commit);
+                known.push((task, said));
+            }
+            None => left.push(task),
+        }
+    }
+    if !known.is_empty() {
+        let commits: Vec<&str> = commits.into_iter().collect();
+        println!(
+            "prove: {} of {} files are as they were when Coq checked them, at commit {}; `prove --all` checks them again",
+            known.len(),
+            known.len() + left.len(),
+            commits.join(", ")
+        );
+    }
+    (known, left)
 }
 
 /// Writes the record of accepted theorems, from which the ledger knows what Coq has checked.
-fn record(text: &str) -> Result<(), Failure> {
+fn write_accepted(text: &str) -> Result<(), Failure> {
     let path = repository::root().join("proofs/accepted.txt");
     if read(&path).is_ok_and(|known| known == text) {
         return Ok(());
@@ -138,24 +195,22 @@ fn generate(folder: &Path) -> Result<PathBuf, Failure> {
     Ok(generated)
 }
 
-/// Compiles the hand-written library, unless the same text was compiled with the same version before. Its modules.
-fn compile_library(folder: &Path, version: &str) -> Result<Vec<(String, String)>, Failure> {
-    let modules = library(&repository::root().join("proofs"))?;
+/// Compiles the hand-written library, unless the same text was compiled with the same version before.
+fn compile_library(folder: &Path, version: &str, modules: &[(String, String)]) -> Result<(), Failure> {
     let text: String = modules.iter().map(|(_, text)| text.as_str()).collect();
     let key = format!("{version}\n{text}");
     let (place, seal) = (folder.join("library"), folder.join("library/compiled"));
     if read(&seal).is_ok_and(|known| known == key) {
-        return Ok(modules);
+        return Ok(());
     }
     println!("prove: compiling proofs/ with Coq {version}");
-    for (name, text) in &modules {
+    for (name, text) in modules {
         files::check_text(&format!("proofs/{name}.v"), text)?;
         let path = place.join(format!("{name}.v"));
         write(&path, text)?;
         process::check(&mut coqc(folder, &path))?;
     }
-    write(&seal, &key)?;
-    Ok(modules)
+    write(&seal, &key)
 }
 
 /// A file that asks what the lemmas of the library assume.

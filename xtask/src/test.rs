@@ -1,9 +1,10 @@
 //! `cargo xtask test`: every check of the repository in one command, and a count of the tests at the end.
 
+use std::process::Command;
 use std::time::Instant;
 
 use crate::failure::Failure;
-use crate::{licences, machine, process, tidy};
+use crate::{licences, machine, process, tidy, verify};
 
 /// A step's name and what it does.
 type Step = (&'static str, fn() -> Result<(), Failure>);
@@ -56,28 +57,34 @@ fn format() -> Result<(), Failure> {
     process::check(&mut process::cargo(&["fmt", "--all", "--check"]))
 }
 
+/// A command of cargo. Where continuous integration runs, the profile is the one that all its steps share; elsewhere it is the one
+/// that is compiled soonest after an edit.
+fn cargo(command: &str, arguments: &[&str]) -> Command {
+    let mut command = process::cargo(&[command]);
+    if machine::is_continuous_integration() {
+        command.args(["--profile", verify::profile()]);
+    }
+    command.args(arguments);
+    command
+}
+
 fn clippy() -> Result<(), Failure> {
-    let arguments =
-        ["clippy", "--workspace", "--all-targets", "--locked", "--quiet", "--", "--deny", "warnings"];
-    process::check(&mut process::cargo(&arguments))
+    let arguments = ["--workspace", "--all-targets", "--locked", "--quiet", "--", "--deny", "warnings"];
+    process::check(&mut cargo("clippy", &arguments))
 }
 
 fn core_without_features() -> Result<(), Failure> {
-    let arguments = ["check", "--package", "slipmode-core", "--no-default-features", "--locked", "--quiet"];
-    process::check(&mut process::cargo(&arguments))
+    let arguments = ["--package", "slipmode-core", "--no-default-features", "--locked", "--quiet"];
+    process::check(&mut cargo("check", &arguments))
 }
 
 fn rustdoc() -> Result<(), Failure> {
-    let mut command = process::cargo(&["doc", "--workspace", "--no-deps", "--locked", "--quiet"]);
+    let mut command = cargo("doc", &["--workspace", "--no-deps", "--locked", "--quiet"]);
     process::check(command.env("RUSTDOCFLAGS", "--deny warnings"))
 }
 
 fn tests(count: &mut Count) -> Result<(), Failure> {
-    let mut command = process::cargo(&["test", "--workspace", "--locked", "--no-fail-fast"]);
-    // What is compiled once and run for minutes is worth optimising; what is compiled again after each edit is not.
-    if std::env::var_os("CI").is_some() {
-        command.args(["--config", "profile.dev.package.slipmode.opt-level=1"]);
-    }
+    let mut command = cargo("test", &["--workspace", "--locked", "--no-fail-fast"]);
     let code = process::listen(&mut command, |line| count.hear(line))?;
     if code == 0 && count.failed == 0 && count.passed > 0 {
         return Ok(());

@@ -52,7 +52,7 @@ const VALIDATORS: [Validator; 8] = [
 /// With exit code 1 when a validator finds a fault, 2 when a required one cannot be installed.
 pub fn run() -> Result<(), Failure> {
     machine::run()?;
-    verify::build_release()?;
+    verify::build()?;
     let lacking = VALIDATORS.each_ref().map(|validator| lacking_after_install(validator.programs));
     let made = std::thread::scope(|scope| {
         // Packages are loaded while reports are made. If that fails, the validator that needs them tries again and reports it.
@@ -106,7 +106,7 @@ fn is_current(page: &Path, report: &str) -> Result<bool, Failure> {
     let written = |path: &Path| fs::metadata(path).and_then(|data| data.modified()).ok();
     let Some(made) = written(page) else { return Ok(false) };
     let inputs = repository::files()?.into_iter().filter(|path| path.starts_with(&format!("{report}/")));
-    let mut sources = inputs.map(|path| repository::root().join(path)).chain([verify::release_binary()]);
+    let mut sources = inputs.map(|path| repository::root().join(path)).chain([verify::binary()]);
     Ok(sources.all(|path| written(&path).is_some_and(|time| time < made)))
 }
 

@@ -13,7 +13,7 @@ use crate::{machine, process, repository};
 /// With the code of `slipmode verify`: 1 on drift, 2 on bad input; also when the machine lacks a tool or the build fails.
 pub fn run() -> Result<(), Failure> {
     machine::run()?;
-    build_release()?;
+    build()?;
     let mut worst = 0;
     let mut unverified = Vec::new();
     for name in repository::reports()? {
@@ -30,33 +30,38 @@ pub fn run() -> Result<(), Failure> {
     Failure::of_exit(worst, &format!("verify of {}", unverified.join(", ")))
 }
 
-/// Builds the release binary as the lock file says.
+/// The profile of the program that the tasks run: in continuous integration that of the tests, so that all is compiled once.
+pub fn profile() -> &'static str {
+    if machine::is_continuous_integration() { "ci" } else { "release" }
+}
+
+/// Builds the binary that the tasks run, as the lock file says.
 ///
 /// # Errors
 /// When the build fails.
-pub fn build_release() -> Result<(), Failure> {
-    let mut build = process::cargo(&["build", "--release", "--locked", "--bin", "slipmode"]);
+pub fn build() -> Result<(), Failure> {
+    let mut command = process::cargo(&["build", "--profile", profile(), "--locked", "--bin", "slipmode"]);
     if env::var_os("CARGO_INCREMENTAL").is_none() {
         // The first build is a tenth shorter without what makes later ones short.
-        build.env("CARGO_INCREMENTAL", "0");
+        command.env("CARGO_INCREMENTAL", "0");
     }
     if machine::is_continuous_integration() {
-        // The features of shared dependencies are then those of the wheel, which is built from the same parts.
-        build.args(["--package", "slipmode", "--package", "slipmode-python"]);
+        // The features of shared dependencies are then those of the wheel and of the tests, which are built from the same parts.
+        command.args(["--package", "slipmode", "--package", "slipmode-python"]);
     }
-    process::check(&mut build)
+    process::check(&mut command)
 }
 
-/// A command of the release binary, in the repository's root.
+/// A command of this binary, in the repository's root.
 pub fn slipmode(arguments: &[&str]) -> Command {
-    let mut command = Command::new(release_binary());
+    let mut command = Command::new(binary());
     command.args(arguments).current_dir(repository::root());
     command
 }
 
-/// Where cargo puts the release binary: in the target folder that this program lies in too.
-pub fn release_binary() -> PathBuf {
+/// Where cargo puts this binary: in the target folder that this program lies in too.
+pub fn binary() -> PathBuf {
     let own = env::current_exe().unwrap_or_default();
     let target = own.ancestors().nth(2).unwrap_or(&own);
-    target.join("release").join(format!("slipmode{}", env::consts::EXE_SUFFIX))
+    target.join(profile()).join(format!("slipmode{}", env::consts::EXE_SUFFIX))
 }

@@ -1,14 +1,14 @@
 //! `cargo xtask wheel`: the Python package as a wheel and a source archive in `target/wheels/`.
 //!
 //! The tools are those of `python/tests/requirements.txt`, installed by pip below `target/wheel/`. With `--test`, the wheel is built
-//! with the profile `release`, whose parts the other tasks share; it is then installed where no compiler is found, tested and checked.
+//! with the profile of the other tasks, whose parts it shares; it is then installed where no compiler is found, tested and checked.
 
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use crate::failure::Failure;
-use crate::{machine, process, repository, validate};
+use crate::{machine, process, repository, validate, verify};
 
 /// The first use of the package, without the packages that are optional.
 const FIRST_USE: &str = "import slipmode; s = slipmode.Slider(a='0.004', b='0.006', d_c='10um', k='1e7', m='1000'); \
@@ -34,7 +34,7 @@ pub fn run(arguments: &[String]) -> Result<(), Failure> {
     }
     machine::run()?;
     let tools = tools()?;
-    let wheel = build(&tools, if is_test { "release" } else { "dist" })?;
+    let wheel = build(&tools, if is_test { verify::profile() } else { "dist" })?;
     if is_test { test(&tools, &wheel) } else { Ok(()) }
 }
 

@@ -23,7 +23,7 @@ struct Moved {
 /// When the program cannot list them, or a claim has none.
 pub fn run(arguments: &[String]) -> Result<(), Failure> {
     machine::run()?;
-    verify::build_release()?;
+    verify::build()?;
     let generated = generate(&repository::root().join("target/proofs"))?;
     let mut moved = Vec::new();
     for path in below(&generated)? {

@@ -1,0 +1,118 @@
+//! What Coq said of each file before, as `proofs/checked.csv` records it: a file that is as it was then is not checked again.
+//!
+//! A digest covers the version of Coq, the file's text and the modules of the library on which it rests.
+
+use std::collections::BTreeMap;
+use std::io::Write;
+use std::process::{Command, Stdio};
+
+use super::files::{failure, read, write};
+use super::{Said, Task};
+use crate::failure::Failure;
+use crate::{process, repository};
+
+const HEADER: &str = "file,digest,commit,assumes\n";
+
+/// What stands in the place of the axioms of a file that Coq did not accept.
+const REFUSED: &str = "not accepted";
+
+/// A file of an earlier run.
+struct Row {
+    digest: String,
+    commit: String,
+    assumes: String,
+}
+
+/// The files of earlier runs.
+#[derive(Default)]
+pub struct Record {
+    rows: BTreeMap<String, Row>,
+}
+
+impl Record {
+    /// Reads the table; there may be none yet.
+    pub fn read() -> Self {
+        let text = read(&path()).unwrap_or_default();
+        let row = |line: &str| {
+            let [file, digest, commit, assumes] = line.splitn(4, ',').collect::<Vec<_>>().try_into().ok()?;
+            let [digest, commit, assumes] = [digest, commit, assumes].map(str::to_owned);
+            Some((file.to_owned(), Row { digest, commit, assumes }))
+        };
+        Self { rows: text.lines().skip(1).filter_map(row).collect() }
+    }
+
+    /// What Coq said of this file when it was as it is now, and at which commit.
+    pub fn known(&self, file: &str, digest: &str) -> Option<(Said, &str)> {
+        let row = self.rows.get(file).filter(|row| row.digest == digest)?;
+        let said = match row.assumes.as_str() {
+            REFUSED => Err(format!("as recorded at {}", row.commit)),
+            "" => Ok("Closed under the global context\n".to_owned()),
+            axioms => Ok(format!("Axioms:\n{}\n", axioms.replace(' ', "\n"))),
+        };
+        Some((said, &row.commit))
+    }
+
+    /// The table with what Coq says now; a file that is as it was keeps its commit. Whether it differs from the one on disk.
+    pub fn update(&self, checked: &[(Task, Said)], digests: &BTreeMap<String, String>) -> Result<bool, Failure> {
+        let mut git = Command::new("git");
+        git.args(["rev-parse", "--short=12", "HEAD"]).current_dir(repository::root());
+        let commit = process::output(&mut git)?.trim().to_owned();
+        let row = |(task, said): &(Task, Said)| {
+            let digest = digests.get(&task.file)?;
+            let axioms = said.as_ref().map(|output| super::assumptions::listed(output).unwrap_or_default());
+            let assumes = axioms.map_or(REFUSED.to_owned(), |axioms| axioms.join(" "));
+            let known = self.rows.get(&task.file).filter(|row| row.digest == *digest);
+            let commit = known.map_or(commit.as_str(), |row| &row.commit);
+            Some(format!("{},{digest},{commit},{assumes}\n", task.file))
+        };
+        let mut rows: Vec<String> = checked.iter().filter_map(row).collect();
+        rows.sort();
+        let text = format!("{HEADER}{}", rows.concat());
+        let differs = read(&path()).is_ok_and(|known| known != text) || !path().is_file();
+        if differs {
+            write(&path(), &text)?;
+        }
+        Ok(differs)
+    }
+}
+
+fn path() -> std::path::PathBuf {
+    repository::root().join("proofs/checked.csv")
+}
+
+/// The digest of a text, as git computes that of a file.
+pub fn digest(text: &str) -> Result<String, Failure> {
+    let cannot = |error: std::io::Error| failure("git hash-object".as_ref(), &error);
+    let mut git = Command::new("git");
+    git.args(["hash-object", "--stdin"]).stdin(Stdio::piped()).stdout(Stdio::piped());
+    let mut child = git.spawn().map_err(cannot)?;
+    if let Some(mut input) = child.stdin.take() {
+        input.write_all(text.as_bytes()).map_err(cannot)?;
+    }
+    let output = child.wait_with_output().map_err(cannot)?;
+    Ok(String::from_utf8_lossy(&output.stdout).trim().to_owned())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_file_is_known_only_as_it_was() {
+        let row = |assumes: &str| Row { digest: "d1".into(), commit: "c1".into(), assumes: assumes.into() };
+        let rows = [("a", row("")), ("b", row("X.y Z.w")), ("c", row(REFUSED))];
+        let record = Record { rows: rows.map(|(file, row)| (file.to_owned(), row)).into() };
+        let said = |file: &str, digest: &str| record.known(file, digest).map(|(said, _)| said);
+        assert_eq!(said("a", "d1"), Some(Ok("Closed under the global context\n".into())));
+        let axioms = said("b", "d1").unwrap().unwrap();
+        assert_eq!(super::super::assumptions::listed(&axioms), Some(vec!["X.y", "Z.w"]));
+        assert!(said("c", "d1").is_some_and(|said| said.is_err()));
+        assert!(said("a", "d2").is_none() && said("e", "d1").is_none());
+    }
+
+    #[test]
+    fn another_text_has_another_digest() {
+        assert_eq!(digest("").unwrap(), "e69de29bb2d1d6434b8b29ae775ad8c2e48c5391");
+        assert_ne!(digest("a").unwrap(), digest("b").unwrap());
+    }
+}
