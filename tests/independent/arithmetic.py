@@ -81,7 +81,7 @@ def apply(word, value):
         raise NoValue(f"{word} of a number that is not positive")
     if exact:
         return apply_exactly(word, value)
-    return {"ln": mp.ln, "sqrt": mp.sqrt, "abs": abs, "exp": mp.exp, "asinh": mp.asinh}[word](value)
+    return {"ln": mp.ln, "sqrt": mp.sqrt, "abs": abs, "exp": mp.exp, "asinh": mp.asinh, "sin": mp.sin, "cos": mp.cos}[word](value)
 
 
 def apply_exactly(word, value):

@@ -9,7 +9,7 @@ class Unreadable(Exception):
     """A text that is not of the language, or a file that does not fit together."""
 
 
-FUNCTIONS = ("ln", "sqrt", "abs", "exp", "asinh")
+FUNCTIONS = ("ln", "sqrt", "abs", "exp", "asinh", "sin", "cos")
 DERIVATIONS = {  # What each argument is: a system, an expression, a name, a word that stays as it is, or values.
     "characteristic": "sn", "linearised": "snn", "rate": "es", "coefficient": "enw", "discriminant": "en", "hurwitz": "enw",
     "eliminate": "een", "solve": "en", "derivative": "en", "limit": "enw", "series": "enw", "exchange": "enn", "at": "ev",

@@ -89,7 +89,9 @@ pub fn run(arguments: &[String]) -> Result<(), Failure> {
         return Ok(());
     }
     if record.update(&checked, &digests)? {
-        println!("prove: proofs/checked.csv records what was checked now: commit it, and nobody checks it again");
+        println!(
+            "prove: proofs/checked.csv records what was checked now: commit it, and nobody checks it again"
+        );
     }
     write_accepted(&accepted)
 }

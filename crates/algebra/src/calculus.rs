@@ -58,5 +58,7 @@ fn chain_rule(function: Function, argument: &Expression) -> Expression {
         Function::Abs => argument.clone() / argument.call(Function::Abs),
         Function::Exp => argument.call(Function::Exp),
         Function::Asinh => one.clone() / (one + argument.power(2)).call(Function::Sqrt),
+        Function::Sin => argument.call(Function::Cos),
+        Function::Cos => -argument.call(Function::Sin),
     }
 }

@@ -21,6 +21,10 @@ crate::named! {
         Exp = "exp",
         /// Inverse hyperbolic sine (regularised friction law).
         Asinh = "asinh",
+        /// Sine.
+        Sin = "sin",
+        /// Cosine.
+        Cos = "cos",
     }
 }
 
@@ -168,7 +172,7 @@ impl Expression {
             Self::Negation(inner) => inner.is_total(),
             Self::Power(inner, exponent) => *exponent > 0 && inner.is_total(),
             Self::Call(function, inner) => {
-                matches!(function, Function::Abs | Function::Exp | Function::Asinh) && inner.is_total()
+                !matches!(function, Function::Ln | Function::Sqrt) && inner.is_total()
             }
         }
     }

@@ -84,6 +84,8 @@ fn call(function: Function, argument: &str) -> String {
         Function::Ln => format!("\\ln\\left({argument}\\right)"),
         Function::Exp => format!("\\exp\\left({argument}\\right)"),
         Function::Asinh => format!("\\operatorname{{asinh}}\\left({argument}\\right)"),
+        Function::Sin => format!("\\sin\\left({argument}\\right)"),
+        Function::Cos => format!("\\cos\\left({argument}\\right)"),
     }
 }
 

@@ -6,7 +6,7 @@
 //! signed   := ('-' | '+' | '±') signed | power
 //! power    := atom ('^' ['-'] digits)?
 //! atom     := decimal | name | function '(' sum ')' | '(' sum ')'
-//! name     := letter (letter | digit | '_')* '\''*        function := ln | sqrt | abs | exp | asinh
+//! name     := letter (letter | digit | '_')* '\''*        function := ln | sqrt | abs | exp | asinh | sin | cos
 //! ```
 //! `±` stands for the variable `pm` with pm² = 1, and `i` for the variable with i² = −1.
 //!
@@ -288,7 +288,7 @@ impl Parser {
                 match function {
                     Function::Ln => self.demand(column, &argument, Relation::Positive),
                     Function::Sqrt => self.demand(column, &argument, Relation::NonNegative),
-                    Function::Abs | Function::Exp | Function::Asinh => {}
+                    Function::Abs | Function::Exp | Function::Asinh | Function::Sin | Function::Cos => {}
                 }
                 Ok(argument.call(function))
             }

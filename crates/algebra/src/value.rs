@@ -38,10 +38,10 @@ impl Expression {
             Self::Call(Function::Ln, inner) => {
                 Some(Rational::new()).filter(|_| go(inner).is_some_and(|one| one == 1))?
             }
-            Self::Call(Function::Exp, inner) => {
+            Self::Call(Function::Asinh | Function::Sin, inner) => go(inner).filter(Rational::is_zero)?,
+            Self::Call(Function::Exp | Function::Cos, inner) => {
                 Some(Rational::from(1)).filter(|_| go(inner).is_some_and(|zero| zero.is_zero()))?
             }
-            Self::Call(Function::Asinh, inner) => go(inner).filter(Rational::is_zero)?,
         })
     }
 
@@ -85,6 +85,8 @@ impl Expression {
             Self::Call(Function::Ln, inner) => go(inner)?.ln(),
             Self::Call(Function::Exp, inner) => go(inner)?.exp(),
             Self::Call(Function::Asinh, inner) => go(inner)?.asinh(),
+            Self::Call(Function::Sin, inner) => go(inner)?.sin(),
+            Self::Call(Function::Cos, inner) => go(inner)?.cos(),
         })
     }
 }

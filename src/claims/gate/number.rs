@@ -189,6 +189,10 @@ impl Number {
             Function::Exp => Self::of(self.ball(bits).exp()),
             Function::Asinh if self.is_exactly_zero() => Ok(Self::whole(0)),
             Function::Asinh => Self::of(self.ball(bits).asinh()),
+            Function::Sin if self.is_exactly_zero() => Ok(Self::whole(0)),
+            Function::Sin => Self::of(self.ball(bits).sin()),
+            Function::Cos if self.is_exactly_zero() => Ok(Self::whole(1)),
+            Function::Cos => Self::of(self.ball(bits).cos()),
         }
     }
 

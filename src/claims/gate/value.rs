@@ -231,6 +231,8 @@ impl Value {
                         let square = start.times(start)?.plus(&Self::whole(1))?;
                         slope.over(&square.call(Function::Sqrt, bits)?)?
                     }
+                    Function::Sin => slope.times(&start.call(Function::Cos, bits)?)?,
+                    Function::Cos => slope.times(&start.call(Function::Sin, bits)?)?.negated(),
                 };
                 Ok(Self::Series(mark, vec![there, by]))
             }

@@ -53,7 +53,11 @@ impl Record {
     }
 
     /// The table with what Coq says now; a file that is as it was keeps its commit. Whether it differs from the one on disk.
-    pub fn update(&self, checked: &[(Task, Said)], digests: &BTreeMap<String, String>) -> Result<bool, Failure> {
+    pub fn update(
+        &self,
+        checked: &[(Task, Said)],
+        digests: &BTreeMap<String, String>,
+    ) -> Result<bool, Failure> {
         let mut git = Command::new("git");
         git.args(["rev-parse", "--short=12", "HEAD"]).current_dir(repository::root());
         let commit = process::output(&mut git)?.trim().to_owned();

@@ -136,7 +136,11 @@ impl Tactics<'_> {
             return Ok(format!("f_equal; {}", self.equal(argument, other)?));
         }
         match function {
+            Function::Sin | Function::Cos => Err(Obstacle(format!("no tactic for {call}"))),
             Function::Exp | Function::Asinh => {
+                if !self.0.rational_function(argument)?.is_zero() {
+                    return Err(Obstacle(format!("no tactic for {call} = {normal}")));
+                }
                 let zero = self.equal(argument, &Expression::integer(0))?;
                 Ok(format!("replace {} with 0 by (symmetry; {zero}); apply exp_0", real(argument)))
             }

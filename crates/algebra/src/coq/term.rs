@@ -69,6 +69,8 @@ fn function_name(function: Function) -> &'static str {
         Function::Abs => "Rabs",
         Function::Exp => "exp",
         Function::Asinh => "arcsinh",
+        Function::Sin => "sin",
+        Function::Cos => "cos",
     }
 }
 

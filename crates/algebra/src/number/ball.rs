@@ -158,6 +158,30 @@ impl Ball {
         self.rising(Float::asinh_round)
     }
 
+    /// The sine: its slope is at most 1, so that the radius stays.
+    #[must_use]
+    pub fn sin(&self) -> Self {
+        self.of_angle(Float::sin)
+    }
+
+    /// The cosine, with the radius of the angle.
+    #[must_use]
+    pub fn cos(&self) -> Self {
+        self.of_angle(Float::cos)
+    }
+
+    fn of_angle(&self, function: fn(Float) -> Float) -> Self {
+        let precision = self.precision_bits();
+        if !self.is_bounded() {
+            return Self::new(Float::new(precision), Float::with_val(precision, 1));
+        }
+        // Half a unit of the last place of a number up to 1 is the error of rounding.
+        let rounding =
+            Float::with_val(precision, Float::i_exp(1, -i32::try_from(precision).unwrap_or(i32::MAX)));
+        let radius = Float::with_val_round(precision, self.radius() + rounding, Round::Up).0;
+        Self::new(function(self.centre.clone()), radius)
+    }
+
     /// The image under a function that rises, from its values at both ends.
     fn rising(&self, function: fn(&mut Float, Round) -> Ordering) -> Self {
         if !self.is_bounded() {

@@ -1,0 +1,247 @@
+//! Functions of rational functions in a normal form: as far as it is known, each value is written in one way.
+//!
+//! A logarithm of a product is a sum, that of a number one over primes. An exponential of a sum is a product. Roots of squares are taken.
+//! Whatever remains is a generator that keeps its argument, with the square of a root, and of a sine, known.
+
+use rug::Rational;
+
+use super::conversion::{ConversionError, Converter};
+use super::{Expression, Function, Generator, Monomial, Polynomial, RationalFunction};
+
+/// The largest prime that is looked for in a number: what is left of the number counts as one.
+const LARGEST_PRIME: u32 = 1000;
+
+/// The largest power of an exponential: beyond, the factor stays in the argument.
+const LARGEST_POWER: u32 = 16;
+
+impl Converter<'_> {
+    pub(super) fn call(
+        &mut self,
+        function: Function,
+        argument: &RationalFunction,
+    ) -> Result<RationalFunction, ConversionError> {
+        match function {
+            Function::Ln => self.logarithm(argument),
+            Function::Abs => self.absolute(argument),
+            Function::Sqrt => self.root(argument),
+            Function::Exp => self.exponential(argument),
+            Function::Sin | Function::Cos => Ok(self.of_angle(function, argument)),
+            Function::Asinh => Ok(opaque(function, argument)),
+        }
+    }
+
+    fn logarithm(&mut self, argument: &RationalFunction) -> Result<RationalFunction, ConversionError> {
+        let upper = self.logarithm_of_polynomial(argument.numerator(), argument)?;
+        let lower = self.logarithm_of_polynomial(argument.denominator(), argument)?;
+        Ok(upper - lower)
+    }
+
+    /// The logarithm of a product of positive factors, which falls apart; that of an exponential is its argument. A positive sum stays.
+    fn logarithm_of_polynomial(
+        &mut self,
+        polynomial: &Polynomial,
+        whole: &RationalFunction,
+    ) -> Result<RationalFunction, ConversionError> {
+        let error = || ConversionError::Logarithm(Expression::from(whole).to_string());
+        let shared = polynomial.terms().map(|(monomial, _)| monomial.clone());
+        let shared =
+            shared.reduce(|divisor, monomial| divisor.common_divisor(&monomial)).ok_or_else(error)?;
+        let is_positive = shared.factors().all(|(name, _)| self.is_positive(name));
+        let shared = if is_positive { shared } else { Monomial::one() };
+        let factor = Polynomial::term(Rational::from(1), shared.clone());
+        let core = polynomial.divide_exact(&factor).ok_or_else(error)?;
+        let primitive = core.with_integers();
+        let content = core.leading_term().zip(primitive.leading_term());
+        let content = content.map(|((_, all), (_, own))| Rational::from(all / own)).ok_or_else(error)?;
+        let (content, core) = match primitive.as_constant() {
+            Some(number) => (content * number, None),
+            None => (content, Some(RationalFunction::from(primitive))),
+        };
+        if content <= 0 || core.as_ref().is_some_and(|core| self.sign_of(core) != Some(1)) {
+            return Err(error());
+        }
+        let core = core.map(|core| opaque(Function::Ln, &core));
+        let start = logarithm_of_number(&content) + core.unwrap_or_else(|| RationalFunction::from(0));
+        shared.factors().try_fold(start, |sum, (name, exponent)| {
+            let logarithm = match name.argument_of(Function::Exp) {
+                Some(argument) => self.reduced(argument)?,
+                None => RationalFunction::generator(&Generator::call(Function::Ln, Expression::from(name))),
+            };
+            Ok(sum + logarithm * RationalFunction::constant(Rational::from(*exponent)))
+        })
+    }
+
+    /// e^(n t/d) = (e^(t/d))^n for each term of the argument; e^(n ln x) = x^n.
+    fn exponential(&mut self, argument: &RationalFunction) -> Result<RationalFunction, ConversionError> {
+        let below = argument.denominator();
+        let mut product = RationalFunction::from(1);
+        for (monomial, coefficient) in argument.numerator().terms() {
+            let (power, divisor) = coefficient.clone().into_numer_denom();
+            let power = power.to_i32().filter(|power| power.unsigned_abs() <= LARGEST_POWER);
+            let (power, unit) = match power {
+                Some(power) => (power, Rational::from((1, divisor))),
+                None => (1, coefficient.clone()),
+            };
+            let unit = Polynomial::term(unit, monomial.clone());
+            let unit = RationalFunction::new(unit, below.clone());
+            let unit =
+                unit.ok_or_else(|| ConversionError::DivisionByZero(Expression::from(argument).to_string()))?;
+            let base = match single(&unit).and_then(|name| name.argument_of(Function::Ln).cloned()) {
+                Some(inside) => self.reduced(&inside)?,
+                None => opaque(Function::Exp, &unit),
+            };
+            let raised = base.pow(power.unsigned_abs());
+            product = if power < 0 { &product / &raised } else { &product * &raised };
+        }
+        Ok(product)
+    }
+
+    /// The sine or cosine of an angle, whose first term is written with a positive sign.
+    fn of_angle(&mut self, function: Function, angle: &RationalFunction) -> RationalFunction {
+        if angle.is_zero() {
+            return RationalFunction::from(i32::from(function == Function::Cos));
+        }
+        let is_negative = angle.numerator().leading_term().is_some_and(|(_, leading)| leading.is_negative());
+        let angle = if is_negative { -angle.clone() } else { angle.clone() };
+        let value = opaque(function, &angle);
+        if function == Function::Cos {
+            return value;
+        }
+        let cosine = opaque(Function::Cos, &angle);
+        let sine = Generator::call(Function::Sin, Expression::from(&angle));
+        self.squares.insert(sine, RationalFunction::from(1) - cosine.pow(2));
+        if is_negative { -value } else { value }
+    }
+
+    fn absolute(&self, argument: &RationalFunction) -> Result<RationalFunction, ConversionError> {
+        match self.sign_of(argument) {
+            _ if argument.is_zero() => Ok(argument.clone()),
+            Some(1) => Ok(argument.clone()),
+            Some(_) => Ok(-argument.clone()),
+            None => Err(ConversionError::OpenSign(Expression::from(argument).to_string())),
+        }
+    }
+
+    fn root(&mut self, argument: &RationalFunction) -> Result<RationalFunction, ConversionError> {
+        let possible_negative = || ConversionError::PossibleNegative(Expression::from(argument).to_string());
+        let argument = self.without_squares(argument).ok_or_else(possible_negative)?;
+        if argument.is_zero() {
+            return Ok(argument);
+        }
+        let roots = argument.numerator().square_root().zip(argument.denominator().square_root());
+        let root = roots.and_then(|(upper, lower)| RationalFunction::new(upper, lower));
+        match root.and_then(|root| Some((self.sign_of(&root)?, root))) {
+            Some((1, root)) => return Ok(root),
+            Some((_, root)) => return Ok(-root),
+            // Of two roots of unknown sign neither is the non-negative one: the root stays a variable.
+            None => {}
+        }
+        if !self.never_negative(&argument) {
+            return Err(possible_negative());
+        }
+        match argument.as_constant() {
+            Some(number) => Ok(self.root_of_number(&number)),
+            None => Ok(self.opaque_root(argument)),
+        }
+    }
+
+    fn opaque_root(&mut self, argument: RationalFunction) -> RationalFunction {
+        let root = Generator::call(Function::Sqrt, Expression::from(&argument));
+        let function = RationalFunction::generator(&root);
+        self.squares.insert(root, argument);
+        function
+    }
+
+    /// The root of a positive number as a product of roots of primes.
+    fn root_of_number(&mut self, number: &Rational) -> RationalFunction {
+        let (above, below) = number.clone().into_numer_denom();
+        let start = RationalFunction::constant(Rational::from((1, below.clone())));
+        primes(&Rational::from(above * below)).into_iter().fold(start, |product, (prime, exponent)| {
+            let prime = RationalFunction::constant(prime);
+            let whole = prime.pow(exponent.unsigned_abs() / 2);
+            let product = &product * &whole;
+            if exponent % 2 == 0 { product } else { &product * &self.opaque_root(prime) }
+        })
+    }
+}
+
+/// The generator, if the function is nothing else.
+fn single(function: &RationalFunction) -> Option<&Generator> {
+    let (monomial, coefficient) = function.numerator().leading_term()?;
+    let mut factors = monomial.factors();
+    let (name, exponent) = factors.next()?;
+    let is_single = function.numerator().term_count() == 1
+        && *coefficient == 1
+        && *exponent == 1
+        && factors.next().is_none()
+        && function.denominator().as_constant().is_some_and(|below| below == 1);
+    is_single.then_some(name)
+}
+
+/// The logarithm of a positive number over those of its primes.
+fn logarithm_of_number(number: &Rational) -> RationalFunction {
+    primes(number).into_iter().fold(RationalFunction::from(0), |sum, (prime, exponent)| {
+        let logarithm = Generator::call(Function::Ln, Expression::Number(prime));
+        sum + RationalFunction::constant(Rational::from(exponent)) * RationalFunction::generator(&logarithm)
+    })
+}
+
+/// A positive number as a product of powers of primes, and of what is left of it without small ones.
+fn primes(number: &Rational) -> Vec<(Rational, i32)> {
+    let (mut above, mut below) = number.clone().into_numer_denom();
+    let mut found = Vec::new();
+    for prime in 2..=LARGEST_PRIME {
+        let (up, down) = (above.remove_factor_mut(&prime.into()), below.remove_factor_mut(&prime.into()));
+        // What has a composite divisor had a prime one before.
+        if up + down > 0 {
+            found.push((Rational::from(prime), up as i32 - down as i32));
+        }
+    }
+    found.extend(
+        [(above, 1), (below, -1)]
+            .into_iter()
+            .filter(|(left, _)| *left != 1)
+            .map(|(left, exponent)| (Rational::from(left), exponent)),
+    );
+    found
+}
+
+fn opaque(function: Function, argument: &RationalFunction) -> RationalFunction {
+    RationalFunction::generator(&Generator::call(function, Expression::from(argument)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Domain;
+
+    fn same(left: &str, right: &str) -> bool {
+        let [left, right] = [left, right].map(|text| text.parse::<Expression>().expect("in the grammar"));
+        Domain::positive("x y").difference(&left, &right).expect("rational").is_zero()
+    }
+
+    #[test]
+    fn numbers_fall_apart_into_primes() {
+        assert!(same("ln(2) + ln(3)", "ln(6)") && same("ln(12*x)", "2*ln(2) + ln(3) + ln(x)"));
+        assert!(same("ln(3/500)", "ln(3) - 2*ln(2) - 3*ln(5)") && !same("ln(6)", "ln(5)"));
+        assert!(same("sqrt(8)", "2*sqrt(2)") && same("sqrt(2)*sqrt(3)", "sqrt(6)"));
+        assert!(same("sqrt(1/2)", "sqrt(2)/2") && same("sqrt(9/4)", "3/2"));
+        // A large prime is left as it is, and so is a product of two.
+        assert!(same("ln(1009*1013)", "ln(1022117)") && same("ln(2*1009)", "ln(2) + ln(1009)"));
+    }
+
+    #[test]
+    fn exponentials_and_logarithms_of_sums() {
+        assert!(same("exp(x + y)", "exp(x)*exp(y)") && same("exp(-x)", "1/exp(x)"));
+        assert!(same("exp(2*ln(x) - y)", "x^2/exp(y)") && same("exp(p/2)^2", "exp(p)") == false);
+        assert!(same("ln(2*x + 2*x*y)", "ln(2) + ln(x) + ln(1 + y)"));
+        assert!(same("exp(ln(x + y))", "x + y") && same("ln(exp(p))", "p"));
+    }
+
+    #[test]
+    fn sine_and_cosine_know_their_squares_and_signs() {
+        assert!(same("sin(p)^2 + cos(p)^2", "1") && same("sin(p - x)", "-sin(x - p)"));
+        assert!(same("cos(-p)", "cos(p)") && same("sin(0) + cos(0)", "1"));
+        assert!(same("sin(p)^4", "(1 - cos(p)^2)^2") && !same("sin(p)", "cos(p)"));
+    }
+}

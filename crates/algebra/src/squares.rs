@@ -1,0 +1,198 @@
+//! Polynomials that are nowhere negative because they are sums of squares, and products of these with squares.
+//!
+//! A square is completed where a term has the wrong sign: c m² + b m t = c (m + b t/(2c))² − b² t²/(4c). What is left has to have terms
+//! of the right sign only. Whatever is found is multiplied out again and compared, so that the search decides nothing.
+
+use rug::Rational;
+
+use super::{Generator, Monomial, Polynomial};
+
+/// The most terms, and the largest degree, of a polynomial that is tried: others are left undecided.
+const MOST_TERMS: usize = 40;
+const MOST_DEGREE: u32 = 16;
+
+/// How often a square is completed in one search, and how many squares a sum has at most: numbers double their length with each.
+const MOST_TRIED: usize = 60;
+const MOST_SQUARES: usize = 8;
+
+/// What is known of the values of generators.
+pub(super) struct Known<'k> {
+    /// Is it positive?
+    pub positive: &'k dyn Fn(&Generator) -> bool,
+    /// Is it positive or zero?
+    pub not_negative: &'k dyn Fn(&Generator) -> bool,
+}
+
+impl Known<'_> {
+    /// A term with this monomial and a positive coefficient is not negative.
+    fn allows(&self, monomial: &Monomial) -> bool {
+        monomial.factors().all(|(name, exponent)| exponent % 2 == 0 || (self.not_negative)(name))
+    }
+
+    /// A polynomial that has a term in positive generators, and no term below zero, is positive.
+    fn has_positive_term(&self, polynomial: &Polynomial) -> bool {
+        polynomial.terms().any(|(monomial, coefficient)| {
+            *coefficient > 0 && monomial.factors().all(|(name, _)| (self.positive)(name))
+        })
+    }
+}
+
+/// Whether a polynomial in real generators is positive everywhere (`Some(true)`) or at least nowhere negative (`Some(false)`).
+pub(super) fn as_squares(polynomial: &Polynomial, known: &Known<'_>) -> Option<bool> {
+    let is_small = polynomial.term_count() <= MOST_TERMS && polynomial.total_degree() <= MOST_DEGREE;
+    if !is_small || polynomial.is_zero() || polynomial.generators().iter().any(is_imaginary) {
+        return None;
+    }
+    let (rest, squared) = without_squares(polynomial);
+    let is_positive = sum_of_squares(&rest, known)?;
+    Some(is_positive && squared.iter().all(|factor| sum_of_squares(factor, known) == Some(true)))
+}
+
+fn is_imaginary(generator: &Generator) -> bool {
+    generator.variables().iter().any(|name| name.as_str() == "i")
+}
+
+/// polynomial = rest · Π factor², with the factors.
+fn without_squares(polynomial: &Polynomial) -> (Polynomial, Vec<Polynomial>) {
+    let (mut rest, mut factors) = (polynomial.clone(), Vec::new());
+    while let Some((quotient, factor)) = rest.generators().iter().find_map(|name| square_factor(&rest, name))
+    {
+        rest = quotient;
+        factors.push(factor);
+    }
+    (rest, factors)
+}
+
+/// A factor that occurs twice, as its derivative shows, and the quotient by its square.
+fn square_factor(polynomial: &Polynomial, name: &Generator) -> Option<(Polynomial, Polynomial)> {
+    if polynomial.degree(name) < 2 {
+        return None;
+    }
+    let shared = polynomial.gcd(&polynomial.derivative(name));
+    let factor = shared.gcd(&polynomial.divide_exact(&shared)?);
+    let quotient = polynomial.divide_exact(&factor)?.divide_exact(&factor)?;
+    factor.as_constant().is_none().then_some((quotient, factor))
+}
+
+fn sum_of_squares(polynomial: &Polynomial, known: &Known<'_>) -> Option<bool> {
+    // The first and the last term are squares of their own in any such sum.
+    let mut ends = polynomial.terms().take(1).chain(polynomial.terms().next_back());
+    if !ends.all(|(monomial, coefficient)| *coefficient > 0 && known.allows(monomial)) {
+        return None;
+    }
+    let mut squares = Vec::new();
+    let rest = complete(polynomial.clone(), known, &mut squares, &mut { MOST_TRIED })?;
+    let sum = squares
+        .iter()
+        .fold(rest.clone(), |sum, (coefficient, root)| &sum + &(root * root).scale(coefficient));
+    let is_proved = sum == *polynomial
+        && squares.iter().all(|(coefficient, _)| *coefficient > 0)
+        && rest.terms().all(|(monomial, coefficient)| *coefficient > 0 && known.allows(monomial));
+    is_proved.then(|| known.has_positive_term(&rest))
+}
+
+/// Completes squares until no term is below zero; the squares are added to the list. What is left.
+fn complete(
+    polynomial: Polynomial,
+    known: &Known<'_>,
+    squares: &mut Vec<(Rational, Polynomial)>,
+    left: &mut usize,
+) -> Option<Polynomial> {
+    let is_bad =
+        |(monomial, coefficient): &(&Monomial, &Rational)| **coefficient < 0 || !known.allows(monomial);
+    let Some((bad, _)) = polynomial.terms().rev().find(is_bad) else { return Some(polynomial) };
+    if squares.len() >= MOST_SQUARES {
+        return None;
+    }
+    // The square of a term of a square has no higher degree than the whole, in any generator.
+    let fits =
+        |term: &Monomial| term.factors().all(|(name, exponent)| 2 * exponent <= polynomial.degree(name));
+    for (monomial, coefficient) in polynomial.terms().rev().filter(|(_, coefficient)| **coefficient > 0) {
+        let Some(root) = monomial.square_root() else { continue };
+        let partner = |term: &Monomial| term.divided_by(&root).filter(fits);
+        if partner(bad).is_none() {
+            continue;
+        }
+        *left = left.checked_sub(1)?;
+        let mut square = Polynomial::term(Rational::from(1), root.clone());
+        for (term, factor) in polynomial.terms().filter(is_bad) {
+            if let Some(other) = partner(term) {
+                square.add_term(&other, &(factor.clone() / (coefficient.clone() * 2)));
+            }
+        }
+        squares.push((coefficient.clone(), square.clone()));
+        let rest = &polynomial - &(&square * &square).scale(coefficient);
+        if let Some(rest) = complete(rest, known, squares, left) {
+            return Some(rest);
+        }
+        squares.pop();
+    }
+    None
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+    use crate::{Domain, Expression};
+
+    fn decided(text: &str) -> Option<bool> {
+        let expression: Expression = text.parse().expect("in the grammar");
+        let function = Domain::positive("x y").rational_function(&expression).expect("a polynomial");
+        let positive = |name: &Generator| ["x", "y"].contains(&name.as_str());
+        as_squares(function.numerator(), &Known { positive: &positive, not_negative: &positive })
+    }
+
+    #[test]
+    fn sums_and_products_of_squares_are_decided() {
+        for text in
+            ["(p - 7)^2", "(p^2 - 2)^2", "p^2 + q^2 - 2*p*q", "p^4 + q^4 - 2*p^2*q^2", "(x - y)^2*(x + y)"]
+        {
+            assert_eq!(decided(text), Some(false), "{text}");
+        }
+        assert_eq!(decided("p^2 + q^2 + r^2 - p*q - q*r - r*p"), Some(false));
+        for text in
+            ["(p - q)^2 + 1", "p^2*q^2 - p*q + 1", "x^2 - x*y + y^2", "p^2 - 2*p + x + 1", "(p^2 - p + 1)^3"]
+        {
+            assert_eq!(decided(text), Some(true), "{text}");
+        }
+    }
+
+    #[test]
+    fn what_may_be_negative_is_not() {
+        for text in [
+            "p^2 - 1",
+            "p*q",
+            "p^2 + q^2 - 3*p*q",
+            "(p - q)^2*(x - y)",
+            "p^3",
+            "-p^2",
+            "(i*p + q)^2",
+            "x - y",
+        ] {
+            assert_eq!(decided(text), None, "{text}");
+        }
+    }
+
+    proptest! {
+        /// A polynomial that is decided has the sign at every point that is tried.
+        #[test]
+        fn a_decided_polynomial_is_nowhere_negative(
+            coefficients in prop::collection::vec(-3..=3_i32, 6),
+            points in prop::collection::vec((-4..=4_i32, -4..=4_i32), 20),
+        ) {
+            let names = ["p^2", "p*q", "q^2", "p", "q", "1"];
+            let term = |(factor, name): (&i32, &str)| format!("({factor})*{name}");
+            let text = coefficients.iter().zip(names).map(term).collect::<Vec<_>>().join(" + ");
+            let expression: Expression = text.parse().expect("in the grammar");
+            let found = decided(&text);
+            for (p, q) in points {
+                let value = expression.with("p", &Expression::integer(p)).with("q", &Expression::integer(q));
+                let value = Domain::default().rational_function(&value).unwrap().as_constant().unwrap();
+                prop_assert!(found != Some(true) || value > 0, "{text} at {p}, {q}");
+                prop_assert!(found.is_none() || value >= 0, "{text} at {p}, {q}");
+            }
+        }
+    }
+}
