@@ -6,8 +6,8 @@ use rug::Rational;
 
 use super::refutation::CounterExample;
 use super::{
-    Certificate, ConversionError, Domain, DomainError, Expression, Polynomial, RationalFunction, Series,
-    Symbol, Toward,
+    Certificate, ConversionError, Domain, DomainError, End, Expression, RationalFunction, Series, Symbol,
+    Toward,
 };
 
 /// Why a certificate does not hold.
@@ -45,8 +45,7 @@ impl Certificate {
             Self::Identity { left, right, domain } => check_identity(left, right, domain),
             Self::Sign { expression, sign, domain } => check_sign(expression, *sign, domain),
             Self::Limit { expression, variable, toward, value, domain } => {
-                let limit = limit(&domain.rational_function(expression)?, variable, *toward, domain)?;
-                compare(&limit, &domain.rational_function(value)?, domain)
+                check_limit(expression, variable, *toward, value, domain)
             }
             Self::Derivative { expression, variable, value, domain } => {
                 // What is differentiated has a value everywhere.
@@ -106,51 +105,19 @@ fn check_sign(expression: &Expression, sign: i8, domain: &Domain) -> Result<(), 
     Err(Failure::remainder(format!("{} has no certified sign {sign:+}", Expression::from(&function))))
 }
 
-impl Domain {
-    /// The limit of an expression as a variable goes to an end, the others fixed.
-    ///
-    /// # Errors
-    /// When the variable is not free to go there alone, or there is no finite limit for all values of the others.
-    pub fn limit(
-        &self,
-        expression: &Expression,
-        variable: &Symbol,
-        toward: Toward,
-    ) -> Result<RationalFunction, String> {
-        let function = self.rational_function(expression).map_err(|error| error.to_string())?;
-        limit(&function, variable, toward, self).map_err(|failure| failure.remainder)
-    }
-}
-
-fn limit(
-    function: &RationalFunction,
-    name: &Symbol,
+fn check_limit(
+    expression: &Expression,
+    variable: &Symbol,
     toward: Toward,
+    value: &Expression,
     domain: &Domain,
-) -> Result<RationalFunction, Failure> {
-    if !domain.leaves_free(name) {
-        return Err(Failure::remainder(format!(
-            "{name} is not free to move alone: an assumption contains it"
-        )));
-    }
-    no_hidden(function, name)?;
-    let end = |polynomial: &Polynomial, degree: u32| match toward {
-        Toward::Zero => polynomial.coefficients(name).swap_remove(0),
-        Toward::Infinity => {
-            polynomial.coefficients(name).into_iter().nth(degree as usize).unwrap_or_default()
+) -> Result<(), Failure> {
+    match domain.end(expression, variable, toward).map_err(Failure::remainder)? {
+        End::Finite(end) => check_identity(&end, value, domain),
+        End::Infinite(_) => {
+            Err(Failure::remainder(format!("{expression} has no finite limit in {variable}")))
         }
-    };
-    let degree = function.denominator().degree(name);
-    let denominator = RationalFunction::from(end(function.denominator(), degree));
-    // A denominator of one sign at the limit makes the limit finite for all values of the other variables.
-    let grows = toward == Toward::Infinity && function.numerator().degree(name) > degree;
-    if grows || domain.sign_of(&denominator).is_none() {
-        return Err(Failure::remainder(format!(
-            "{} has no finite limit in {name}",
-            Expression::from(function)
-        )));
     }
-    Ok(&RationalFunction::from(end(function.numerator(), degree)) / &denominator)
 }
 
 /// A function of the variable that stays opaque, such as exp(1/V), would count as a constant.

@@ -285,12 +285,15 @@ impl<'d> Converter<'d> {
         core.as_constant().is_none().then_some((core, relation))
     }
 
-    /// Is this positive? Values of the exponential are, and so is the root of something positive.
+    /// Is this positive? Values of the exponential are, and so is the root of something positive and the logarithm of what is above 1.
     pub(super) fn is_positive(&self, name: &Generator) -> bool {
         match name.function() {
             None => name.symbol().is_some_and(|symbol| self.domain.is_positive(&symbol)),
             Some((Function::Exp, _)) => true,
-            Some((Function::Sqrt, argument)) => self.is_positive_expression(argument),
+            Some((Function::Sqrt | Function::Asinh, argument)) => self.is_positive_expression(argument),
+            Some((Function::Ln, argument)) => {
+                self.is_positive_expression(&(argument.clone() - Expression::integer(1)))
+            }
             Some(_) => false,
         }
     }
@@ -368,7 +371,7 @@ fn reduce_square(
     (&constant + &(&linear * &root)).checked_div(&norm)
 }
 
-fn split_by_parity(
+pub(super) fn split_by_parity(
     polynomial: &Polynomial,
     name: &Generator,
     square: &RationalFunction,

@@ -26,6 +26,7 @@ impl Converter<'_> {
             Function::Sqrt => self.root(argument),
             Function::Exp => self.exponential(argument),
             Function::Sin | Function::Cos => Ok(self.of_angle(function, argument)),
+            Function::Asinh if argument.is_zero() => Ok(argument.clone()),
             Function::Asinh => Ok(opaque(function, argument)),
         }
     }

@@ -22,6 +22,7 @@ mod enclose;
 mod expression;
 mod forms;
 mod latex;
+mod limit;
 mod linearisation;
 mod matrix;
 mod monomial;
@@ -52,6 +53,7 @@ pub use enclose::{Coefficients, enclose_root};
 #[doc(hidden)]
 pub use enclose::{derivative, horner, polish};
 pub use expression::{Expression, Function};
+pub use limit::End;
 pub use linearisation::{Linearisation, written_out};
 pub use matrix::{determinant, discriminant, resultant};
 pub use monomial::Monomial;

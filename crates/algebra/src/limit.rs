@@ -1,0 +1,348 @@
+//! Limits of expressions as one variable goes to zero or infinity, the others fixed.
+//!
+//! The limits of parts give that of the whole where they decide it. Where they do not, the whole is a quotient: a root in the numerator is
+//! moved by its conjugate, or numerator and denominator are differentiated (l'Hôpital). That rule needs a denominator whose slope is not
+//! zero near the end. Quotients, roots, logarithms and exponentials have that: their slopes are zero everywhere or nowhere near the end.
+//! So a sine, a cosine or an absolute value of something that moves is refused.
+
+use std::cell::Cell;
+
+use super::conversion::{Converter, split_by_parity};
+use super::{Domain, Expression, Function, Generator, Polynomial, RationalFunction, Symbol, Toward};
+
+/// How often a quotient is differentiated, and how many parts are looked at.
+const MOST_SLOPES: usize = 6;
+const MOST_PARTS: usize = 400;
+
+/// Where an expression goes.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum End {
+    /// To this value.
+    Finite(Expression),
+    /// Beyond all bounds: +1 up, −1 down.
+    Infinite(i8),
+}
+
+impl Domain {
+    /// Where an expression goes as a variable goes to an end, the others fixed.
+    ///
+    /// # Errors
+    /// When the variable is not free to go there alone, or the rules do not decide it for all values of the others.
+    pub fn end(&self, expression: &Expression, variable: &Symbol, toward: Toward) -> Result<End, String> {
+        if !self.leaves_free(variable) {
+            return Err(format!("{variable} is not free to move alone: an assumption contains it"));
+        }
+        let function = self.rational_function(expression).map_err(|error| error.to_string())?;
+        if let Some(hidden) = function.generators().iter().find(|one| turns(one, variable)) {
+            return Err(format!("{hidden} has no rule for its limit"));
+        }
+        let search = Search { domain: self, variable, toward, left: Cell::new(MOST_PARTS) };
+        let written = self.substituted(expression);
+        let found = search.quotient(&function, MOST_SLOPES).or_else(|| search.end(&written, MOST_SLOPES));
+        found.ok_or_else(|| format!("{} has no certified limit in {variable}", Expression::from(&function)))
+    }
+}
+
+/// Whether it is a function that may rise and fall without end as the variable moves.
+fn turns(generator: &Generator, variable: &Symbol) -> bool {
+    fn inside(expression: &Expression, variable: &Symbol) -> bool {
+        let go = |part: &Expression| inside(part, variable);
+        match expression {
+            Expression::Number(_) | Expression::Variable(_) => false,
+            Expression::Sum(parts) | Expression::Product(parts) => parts.iter().any(go),
+            Expression::Quotient(above, below) => go(above) || go(below),
+            Expression::Negation(inner) | Expression::Power(inner, _) => go(inner),
+            Expression::Call(function, inner) => {
+                matches!(function, Function::Sin | Function::Cos | Function::Abs)
+                    && inner.variables().contains(variable)
+                    || go(inner)
+            }
+        }
+    }
+    inside(&Expression::from(generator), variable)
+}
+
+struct Search<'s> {
+    domain: &'s Domain,
+    variable: &'s Symbol,
+    toward: Toward,
+    left: Cell<usize>,
+}
+
+impl Search<'_> {
+    /// The end of an expression from those of its parts.
+    fn end(&self, expression: &Expression, slopes: usize) -> Option<End> {
+        self.left.set(self.left.get().checked_sub(1)?);
+        if !expression.variables().contains(self.variable) {
+            return Some(End::Finite(expression.clone()));
+        }
+        let go = |part: &Expression| self.end(part, slopes);
+        let direct = match expression {
+            Expression::Number(_) => None,
+            Expression::Variable(_) => Some(match self.toward {
+                Toward::Zero => End::Finite(Expression::integer(0)),
+                Toward::Infinity => End::Infinite(1),
+            }),
+            Expression::Negation(inner) => return go(inner).map(negated),
+            Expression::Sum(parts) => {
+                let ends: Option<Vec<End>> = parts.iter().map(go).collect();
+                ends.and_then(sum)
+            }
+            Expression::Product(parts) => {
+                let one = End::Finite(Expression::integer(1));
+                parts.iter().try_fold(one, |product, part| self.product(product, go(part)?))
+            }
+            Expression::Quotient(above, below) => self.divided(go(above)?, below, slopes),
+            Expression::Power(inner, exponent) => {
+                let base = (**inner).clone();
+                let one = End::Finite(Expression::integer(1));
+                match exponent {
+                    ..0 => self.divided(one, &base.power(-exponent), slopes),
+                    _ => (0..*exponent).try_fold(one, |power, _| self.product(power, go(inner)?)),
+                }
+            }
+            Expression::Call(function, inner) => return self.call(*function, go(inner)?),
+        };
+        direct.or_else(|| {
+            let function = self.domain.rational_function(expression).ok()?;
+            self.quotient(&function, slopes)
+        })
+    }
+
+    fn sign(&self, expression: &Expression) -> Option<i8> {
+        self.domain.sign(expression).ok()?
+    }
+
+    fn is_zero(&self, expression: &Expression) -> bool {
+        self.domain.rational_function(expression).is_ok_and(|value| value.is_zero())
+    }
+
+    fn product(&self, one: End, other: End) -> Option<End> {
+        match (one, other) {
+            (End::Finite(one), End::Finite(other)) => Some(End::Finite(one * other)),
+            (End::Infinite(one), End::Infinite(other)) => Some(End::Infinite(one * other)),
+            (End::Infinite(infinite), End::Finite(finite))
+            | (End::Finite(finite), End::Infinite(infinite)) => {
+                Some(End::Infinite(infinite * self.sign(&finite)?))
+            }
+        }
+    }
+
+    /// The end of a quotient from that of its numerator. A denominator that goes to zero has a sign everywhere.
+    fn divided(&self, above: End, below: &Expression, slopes: usize) -> Option<End> {
+        match (above, self.end(below, slopes)?) {
+            (End::Finite(_), End::Infinite(_)) => Some(End::Finite(Expression::integer(0))),
+            (End::Infinite(_), End::Infinite(_)) => None,
+            (End::Finite(above), End::Finite(end)) if !self.is_zero(&end) => {
+                let quotient = above / end;
+                self.domain.rational_function(&quotient).is_ok().then_some(End::Finite(quotient))
+            }
+            (above, End::Finite(end)) => {
+                let sign = if self.is_zero(&end) { self.sign(below)? } else { self.sign(&end)? };
+                let above = match above {
+                    End::Finite(above) => self.sign(&above)?,
+                    End::Infinite(above) => above,
+                };
+                Some(End::Infinite(above * sign))
+            }
+        }
+    }
+
+    /// The end of a function, which is continuous where it is defined.
+    fn call(&self, function: Function, inner: End) -> Option<End> {
+        match (function, inner) {
+            (Function::Exp, End::Infinite(-1)) => Some(End::Finite(Expression::integer(0))),
+            (Function::Ln | Function::Sqrt, End::Infinite(-1))
+            | (Function::Sin | Function::Cos, End::Infinite(_)) => None,
+            (Function::Abs, End::Infinite(_)) => Some(End::Infinite(1)),
+            (_, End::Infinite(sign)) => Some(End::Infinite(sign)),
+            (Function::Ln, End::Finite(inner)) if self.is_zero(&inner) => Some(End::Infinite(-1)),
+            (_, End::Finite(inner)) => {
+                let value = inner.call(function);
+                self.domain.rational_function(&value).is_ok().then_some(End::Finite(value))
+            }
+        }
+    }
+
+    /// The end of a quotient of polynomials in the variable and in functions of it.
+    fn quotient(&self, function: &RationalFunction, slopes: usize) -> Option<End> {
+        self.left.set(self.left.get().checked_sub(1)?);
+        if function.hides(self.variable).is_none() {
+            return self.of_powers(function);
+        }
+        let [above, below] = [function.numerator(), function.denominator()].map(Expression::from);
+        self.by_conjugate(function, slopes)
+            .or_else(|| self.by_slopes(&above, &below, slopes))
+            .or_else(|| self.by_turned_factor(function, slopes))
+    }
+
+    /// The terms that decide: the lowest powers of the variable as it goes to zero, the highest ones as it goes to infinity.
+    fn of_powers(&self, function: &RationalFunction) -> Option<End> {
+        let deciding = |polynomial: &Polynomial| -> Option<(i64, Polynomial)> {
+            let parts = polynomial.coefficients(self.variable).into_iter().zip(0_i64..);
+            let mut parts = parts.filter(|(part, _)| !part.is_zero());
+            let (part, power) = match self.toward {
+                Toward::Zero => parts.next()?,
+                Toward::Infinity => parts.last()?,
+            };
+            Some((power, part))
+        };
+        let (below, divisor) = deciding(function.denominator())?;
+        let divisor = RationalFunction::from(divisor);
+        let sign = self.domain.sign_of(&divisor)?;
+        let Some((above, leading)) = deciding(function.numerator()) else {
+            return Some(End::Finite(Expression::integer(0)));
+        };
+        let larger = if self.toward == Toward::Zero { below - above } else { above - below };
+        match larger {
+            ..0 => Some(End::Finite(Expression::integer(0))),
+            0 => Some(End::Finite(Expression::from(&(&RationalFunction::from(leading) / &divisor)))),
+            _ => Some(End::Infinite(sign * self.domain.sign_of(&RationalFunction::from(leading))?)),
+        }
+    }
+
+    /// (e + o w)/d = (e² − o² w²)/((e − o w) d) for a root w in the numerator.
+    fn by_conjugate(&self, function: &RationalFunction, slopes: usize) -> Option<End> {
+        let converter = Converter::for_sign_of(self.domain, function);
+        let numerator = function.numerator();
+        let (name, square) = converter.squares.iter().find(|(name, _)| {
+            name.argument_of(Function::Sqrt).is_some()
+                && name.hides(self.variable)
+                && numerator.degree(*name) > 0
+        })?;
+        let (even, odd) = split_by_parity(numerator, name, square);
+        let norm = converter.without_squares(&(&(&even * &even) - &(&(&odd * &odd) * square)))?;
+        let conjugate = &even - &(&odd * &RationalFunction::generator(name));
+        let below = Expression::from(&conjugate) * Expression::from(function.denominator());
+        // The quotient is not brought to its normal form, which would move the root up again.
+        self.divided(self.end(&Expression::from(&norm), slopes)?, &below, slopes)
+    }
+
+    /// Numerator and denominator both go to zero, or both beyond all bounds: the quotient of their slopes has the same end.
+    fn by_slopes(&self, above: &Expression, below: &Expression, slopes: usize) -> Option<End> {
+        let slopes = slopes.checked_sub(1)?;
+        let ends = [self.end(above, slopes)?, self.end(below, slopes)?];
+        let is_open = match &ends {
+            [End::Finite(above), End::Finite(below)] => self.is_zero(above) && self.is_zero(below),
+            [End::Infinite(_), End::Infinite(_)] => true,
+            _ => false,
+        };
+        if !is_open {
+            let [above, _] = ends;
+            return self.divided(above, below, slopes);
+        }
+        let [above, below] = [above, below].map(|side| side.derivative(self.variable));
+        self.end(&(above / below), slopes)
+    }
+
+    /// f g = g/(1/f) for a function g that is a factor and goes beyond all bounds.
+    fn by_turned_factor(&self, function: &RationalFunction, slopes: usize) -> Option<End> {
+        let numerator = function.numerator();
+        numerator.generators().into_iter().filter(|name| name.hides(self.variable)).find_map(|name| {
+            let rest = numerator.divide_exact(&Polynomial::generator(&name))?;
+            let alone = Expression::from(&name);
+            if rest.degree(&name) > 0 || !matches!(self.end(&alone, slopes)?, End::Infinite(_)) {
+                return None;
+            }
+            let turned = Expression::from(function.denominator()) / Expression::from(&rest);
+            self.by_slopes(&alone, &turned, slopes)
+        })
+    }
+}
+
+fn negated(end: End) -> End {
+    match end {
+        End::Finite(value) => End::Finite(-value),
+        End::Infinite(sign) => End::Infinite(-sign),
+    }
+}
+
+/// The end of a sum; none where some parts go up and others down without bound.
+fn sum(ends: Vec<End>) -> Option<End> {
+    let infinite: Vec<i8> = ends
+        .iter()
+        .filter_map(|end| if let End::Infinite(sign) = end { Some(*sign) } else { None })
+        .collect();
+    match infinite.first() {
+        Some(first) => infinite.iter().all(|sign| sign == first).then_some(End::Infinite(*first)),
+        None => {
+            let finite = ends
+                .into_iter()
+                .filter_map(|end| if let End::Finite(value) = end { Some(value) } else { None });
+            Some(End::Finite(finite.fold(Expression::integer(0), |sum, value| sum + value)))
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn end(text: &str, toward: Toward) -> Option<End> {
+        let expression: Expression = text.parse().expect("in the grammar");
+        Domain::positive("x a b").end(&expression, &"x".into(), toward).ok()
+    }
+
+    fn finite(text: &str, toward: Toward, value: &str) -> bool {
+        let value: Expression = value.parse().expect("in the grammar");
+        matches!(end(text, toward), Some(End::Finite(found))
+            if Domain::positive("x a b").difference(&found, &value).expect("rational").is_zero())
+    }
+
+    #[test]
+    fn limits_that_every_textbook_has() {
+        use Toward::{Infinity, Zero};
+        for (text, toward, value) in [
+            ("exp(-x)", Infinity, "0"),
+            ("exp(-x)", Zero, "1"),
+            ("sqrt(x^2 + a) - x", Infinity, "0"),
+            ("x*exp(-x)", Infinity, "0"),
+            ("x^3*exp(-x)", Infinity, "0"),
+            ("(exp(a*x) - 1)/x", Zero, "a"),
+            ("ln(1 + x)/x", Zero, "1"),
+            ("x*ln(x)", Zero, "0"),
+            ("ln(x)/x", Infinity, "0"),
+            ("sqrt(x)/(1 + x)", Infinity, "0"),
+            ("(a*x^2 + 1)/(b*x^2 + x)", Infinity, "a/b"),
+            ("exp(-1/x)", Zero, "0"),
+            ("asinh(x)/x", Zero, "1"),
+            ("a + b*exp(-x/a)", Infinity, "a"),
+            ("p/(1 + x)", Infinity, "0"),
+            ("(1 - exp(-x))/(1 + exp(-x))", Infinity, "1"),
+            ("sin(a)*x/(1 + x)", Infinity, "sin(a)"),
+        ] {
+            assert!(finite(text, toward, value), "{text}: {:?}", end(text, toward));
+        }
+        for (text, toward, sign) in [
+            ("x^2 + a", Infinity, 1),
+            ("1/x", Zero, 1),
+            ("ln(x)", Zero, -1),
+            ("exp(x)/x^2", Infinity, 1),
+            ("-a*x/(1 + ln(1 + x))", Infinity, -1),
+            ("(a - 1/x)", Zero, -1),
+        ] {
+            assert_eq!(end(text, toward), Some(End::Infinite(sign)), "{text}");
+        }
+    }
+
+    #[test]
+    fn what_has_no_limit_or_another_one_for_other_values_is_not_decided() {
+        use Toward::{Infinity, Zero};
+        for (text, toward) in [
+            ("sin(x)", Infinity),
+            ("sin(x)/x", Infinity),
+            ("p*x", Infinity),
+            ("exp(p*x)", Infinity),
+            ("(a - b)/x", Zero),
+            ("x/(a - b + x)", Infinity),
+            ("x^2 - a*x^3*exp(p)", Zero),
+        ] {
+            let found = end(text, toward);
+            let is_right = found.is_none()
+                || text.starts_with("x/") && found == Some(End::Finite(Expression::integer(1)))
+                || text.starts_with("x^2") && finite(text, toward, "0");
+            assert!(is_right, "{text}: {found:?}");
+        }
+        assert!(Domain::positive("x").end(&"y".parse().expect("a name"), &"y".into(), Zero).is_err());
+    }
+}
