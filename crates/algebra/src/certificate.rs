@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use super::{Domain, Expression, Linearisation, Series, Symbol};
+use super::{Domain, End, Expression, Linearisation, Series, Symbol};
 
 /// Which way a variable goes in a limit; the others are held fixed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -13,6 +13,12 @@ pub enum Toward {
     Zero,
     /// Up to infinity.
     Infinity,
+}
+
+impl fmt::Display for Toward {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.write_str(if *self == Self::Zero { "0" } else { "infinity" })
+    }
 }
 
 /// A checkable fact over ℚ. Expressions are kept as written, so that the check repeats the whole computation.
@@ -48,6 +54,19 @@ pub enum Certificate {
         toward: Toward,
         /// The limit.
         value: Expression,
+        /// Assumptions and substitutions.
+        domain: Domain,
+    },
+    /// An expression goes beyond all bounds as one variable goes to zero or infinity.
+    Divergence {
+        /// What grows.
+        expression: Expression,
+        /// The variable that moves; the others are fixed.
+        variable: Symbol,
+        /// Where it goes.
+        toward: Toward,
+        /// +1 up, −1 down.
+        sign: i8,
         /// Assumptions and substitutions.
         domain: Domain,
     },
@@ -148,6 +167,7 @@ impl Certificate {
             Self::Identity { .. } => "identity",
             Self::Sign { .. } => "sign",
             Self::Limit { .. } => "limit",
+            Self::Divergence { .. } => "divergence",
             Self::Derivative { .. } => "derivative",
             Self::Characteristic { .. } => "characteristic",
             Self::Difference { .. } => "difference",
@@ -166,6 +186,7 @@ impl Certificate {
             Self::Identity { domain, .. }
             | Self::Sign { domain, .. }
             | Self::Limit { domain, .. }
+            | Self::Divergence { domain, .. }
             | Self::Derivative { domain, .. }
             | Self::Characteristic { domain, .. }
             | Self::Series { domain, .. }
@@ -185,8 +206,11 @@ impl fmt::Display for Certificate {
                 write!(formatter, "{expression} {} 0{}", if *sign > 0 { '>' } else { '<' }, Given(domain))
             }
             Self::Limit { expression, variable, toward, value, domain } => {
-                let end = if *toward == Toward::Zero { "0" } else { "infinity" };
-                write!(formatter, "{expression} -> {value} as {variable} -> {end}{}", Given(domain))
+                write!(formatter, "{expression} -> {value} as {variable} -> {toward}{}", Given(domain))
+            }
+            Self::Divergence { expression, variable, toward, sign, domain } => {
+                let end = End::Infinite(*sign);
+                write!(formatter, "{expression} -> {end} as {variable} -> {toward}{}", Given(domain))
             }
             Self::Derivative { expression, variable, value, domain } => {
                 write!(formatter, "{expression} has the derivative {value} in {variable}{}", Given(domain))

@@ -45,7 +45,10 @@ impl Certificate {
             Self::Identity { left, right, domain } => check_identity(left, right, domain),
             Self::Sign { expression, sign, domain } => check_sign(expression, *sign, domain),
             Self::Limit { expression, variable, toward, value, domain } => {
-                check_limit(expression, variable, *toward, value, domain)
+                check_end(expression, variable, *toward, &End::Finite(value.clone()), domain)
+            }
+            Self::Divergence { expression, variable, toward, sign, domain } => {
+                check_end(expression, variable, *toward, &End::Infinite(*sign), domain)
             }
             Self::Derivative { expression, variable, value, domain } => {
                 // What is differentiated has a value everywhere.
@@ -105,17 +108,18 @@ fn check_sign(expression: &Expression, sign: i8, domain: &Domain) -> Result<(), 
     Err(Failure::remainder(format!("{} has no certified sign {sign:+}", Expression::from(&function))))
 }
 
-fn check_limit(
+fn check_end(
     expression: &Expression,
     variable: &Symbol,
     toward: Toward,
-    value: &Expression,
+    stated: &End,
     domain: &Domain,
 ) -> Result<(), Failure> {
-    match domain.end(expression, variable, toward).map_err(Failure::remainder)? {
-        End::Finite(end) => check_identity(&end, value, domain),
-        End::Infinite(_) => {
-            Err(Failure::remainder(format!("{expression} has no finite limit in {variable}")))
+    match (domain.end(expression, variable, toward).map_err(Failure::remainder)?, stated) {
+        (End::Finite(end), End::Finite(value)) => check_identity(&end, value, domain),
+        (found, stated) if found == *stated => Ok(()),
+        (found, _) => {
+            Err(Failure::remainder(format!("{expression} tends to {found} as {variable} -> {toward}")))
         }
     }
 }

@@ -6,6 +6,7 @@
 //! So a sine, a cosine or an absolute value of something that moves is refused.
 
 use std::cell::Cell;
+use std::fmt;
 
 use super::conversion::{Converter, split_by_parity};
 use super::{Domain, Expression, Function, Generator, Polynomial, RationalFunction, Symbol, Toward};
@@ -21,6 +22,15 @@ pub enum End {
     Finite(Expression),
     /// Beyond all bounds: +1 up, −1 down.
     Infinite(i8),
+}
+
+impl fmt::Display for End {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Finite(value) => value.fmt(formatter),
+            Self::Infinite(sign) => formatter.write_str(if *sign > 0 { "infinity" } else { "-infinity" }),
+        }
+    }
 }
 
 impl Domain {

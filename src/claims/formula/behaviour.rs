@@ -3,7 +3,7 @@
 use std::cmp::Ordering;
 
 use slipmode_algebra::{
-    Certificate, Domain, Expression, Literal, Proof, RationalFunction, Refutation, Sign, Symbol, Toward,
+    Certificate, Domain, End, Expression, Literal, Proof, RationalFunction, Refutation, Sign, Symbol, Toward,
 };
 
 use super::Problem;
@@ -47,8 +47,12 @@ impl Problem<'_> {
             (Statement::Monotone(_, comparison, variable), [side, ..]) => {
                 attempt.monotone(side, *comparison, variable)
             }
-            (Statement::Limit(_, _, variable, toward), [side, value]) => {
-                attempt.limit(side, value, variable, *toward)
+            (Statement::Limit(_, end, variable, toward), [side, ..]) => {
+                let end = match (end, &sides[1..]) {
+                    (End::Finite(_), [value]) => End::Finite(value.clone()),
+                    _ => end.clone(),
+                };
+                attempt.limit(side, &end, variable, *toward)
             }
             (Statement::Depends(_, depends, variable), [side, ..]) => {
                 attempt.depends(side, *depends, variable)
@@ -134,6 +138,9 @@ impl Attempt<'_> {
             };
             return Finding::from_proof(steps.into_iter().try_fold(self.proof.clone(), step));
         }
+        if let Some(found) = self.with_flat_points(&prover, &rising, variable) {
+            return found;
+        }
         let refuted = self.all_points(Points::MOST).find_map(|point| {
             let order = slope.order_at(&point)?;
             let opposite = if comparison == Comparison::Less { order.is_gt() } else { order.is_lt() };
@@ -147,46 +154,75 @@ impl Attempt<'_> {
         }
     }
 
-    fn limit(
+    /// A slope that is not negative, and zero at single points only: as a polynomial in the variable it has a coefficient that is not zero.
+    fn with_flat_points(
         &self,
-        expression: &Expression,
-        value: &Expression,
+        prover: &Prover<'_>,
+        rising: &Expression,
         variable: &Symbol,
-        toward: Toward,
-    ) -> Finding {
-        let prove = |domain: &Domain| {
-            let proof = self.proof.clone();
-            proof.limit("the limit", &self.numbers, expression, (variable, toward), value, domain)
-        };
-        for domain in &self.domains {
-            if let Ok(proof) = prove(domain) {
-                return Finding::from_proof(Ok(proof));
-            }
+    ) -> Option<Finding> {
+        let premises = &self.problem.premises;
+        let function = premises.domain().rational_function(rising).ok()?;
+        if function.hides(variable).is_some() {
+            return None;
         }
-        match self.other_limit(expression, value, variable, toward) {
+        let slope = [Literal::new(rising.clone(), Sign::NonNegative)];
+        let mut steps = prover.clause(premises, &slope)?;
+        let coefficients = function.numerator().coefficients(variable).into_iter().rev();
+        let apart = coefficients
+            .filter(|one| !one.is_zero())
+            .find_map(|one| prover.clause(premises, &[Literal::new(Expression::from(&one), Sign::NonZero)]));
+        steps.extend(apart?);
+        let step = |proof: Proof, (says, certificate)| -> Result<Proof, Refutation> {
+            let says = format!("its slope in {variable}, which is zero at single points at most: {says}");
+            proof.certify(&says, &self.numbers, certificate)
+        };
+        Some(Finding::from_proof(steps.into_iter().try_fold(self.proof.clone(), step)))
+    }
+
+    fn limit(&self, expression: &Expression, end: &End, variable: &Symbol, toward: Toward) -> Finding {
+        let prove = |proof: Proof, domain: &Domain| {
+            let (expression, variable, domain) = (expression.clone(), variable.clone(), domain.clone());
+            let certificate = match end.clone() {
+                End::Finite(value) => Certificate::Limit { expression, variable, toward, value, domain },
+                End::Infinite(sign) => Certificate::Divergence { expression, variable, toward, sign, domain },
+            };
+            proof.certify("the limit", &self.numbers, certificate)
+        };
+        self.proved(prove).unwrap_or_else(|| match self.other_limit(expression, end, variable, toward) {
             Some((words, point)) => Finding::failing(words).seen_at([self.named(&point)]),
             None => Finding::not_checked(format!(
-                "Not decided: the limit was not found to be finite and {value} in {} forms of the conditions, and {} points do not refute it.",
+                "Not decided: the limit was not found to be {end} in {} forms of the conditions, and {} points do not refute it.",
                 self.domains.len(),
                 Points::MOST
             )),
-        }
+        })
     }
 
     /// A point that meets the conditions and at which the limit is another one.
     fn other_limit(
         &self,
         expression: &Expression,
-        value: &Expression,
+        claimed: &End,
         variable: &Symbol,
         toward: Toward,
     ) -> Option<(String, Point)> {
-        let found = self.domains.first()?.limit(expression, variable, toward).ok()?;
-        let found = Expression::from(&found);
+        let found = self.domains.first()?.end(expression, variable, toward).ok()?;
         self.all_points(Points::MOST).find_map(|point| {
-            let [limit, claimed] = [found.rational_value(&point)?, value.rational_value(&point)?];
+            let differ = match (&found, claimed) {
+                (End::Finite(found), End::Finite(claimed)) => {
+                    (found.clone() - claimed.clone()).order_at(&point).is_some_and(Ordering::is_ne)
+                }
+                (found, claimed) => found != claimed,
+            };
+            let shown = |end: &End| match end {
+                End::Finite(value) => points::value(value, &point).unwrap_or_else(|| value.to_string()),
+                End::Infinite(_) => end.to_string(),
+            };
+            let words = [&found, claimed].map(shown);
             let others: Point = point.into_iter().filter(|(name, _)| name != variable).collect();
-            (limit != claimed)
+            let [limit, claimed] = words;
+            differ
                 .then(|| (format!("at {}: the limit is {limit}, not {claimed}", self.text(&others)), others))
         })
     }

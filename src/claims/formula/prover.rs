@@ -21,6 +21,9 @@ const LONGEST_WORDS: usize = 60;
 /// How often a case is divided into two.
 const MOST_DIVISIONS: usize = 8;
 
+/// The highest derivative that shows that something grows.
+const MOST_ORDER: u32 = 3;
+
 /// Points among which an example of the assumptions is sought.
 const EXAMPLES: usize = 256;
 
@@ -247,6 +250,7 @@ impl<'p> Prover<'p> {
                 .iter()
                 .find_map(|form| self.positive(expression, form))
                 .or_else(|| self.by_quotient(expression, domain))
+                .or_else(|| self.by_growth(expression, domain))
         };
         let single = |certificate: Certificate| vec![(words(goal), certificate)];
         let zero = Expression::integer(0);
@@ -287,6 +291,21 @@ impl<'p> Prover<'p> {
             domain.conditions().iter().filter(|condition| condition.relation == Relation::Positive);
         let mut quotients = positive.map(|condition| expression.clone() / condition.expression.clone());
         quotients.find_map(|quotient| self.positive(&quotient, domain))
+    }
+
+    /// What is zero where a positive variable is zero, and then grows. Only functions need it.
+    fn by_growth(&self, expression: &Expression, domain: &Domain) -> Option<Certificate> {
+        let function = domain.rational_function(expression).ok()?;
+        let grows = |name: &Symbol| domain.is_positive(name) && function.hides(name).is_some();
+        let names: Vec<Symbol> = function.variables().into_iter().filter(grows).collect();
+        names.into_iter().find_map(|variable| {
+            (1..=MOST_ORDER).find_map(|order| {
+                let expression = expression.clone();
+                let domain = domain.clone();
+                self.attempts.set(self.attempts.get() + 1);
+                self.certified(Certificate::Growth { expression, variable: variable.clone(), order, domain })
+            })
+        })
     }
 
     /// 4A(A x² + B x + C) = (2A x + B)² + 4AC − B², where A and 4AC − B² are positive.

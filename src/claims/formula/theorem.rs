@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::sync::LazyLock;
 
 use slipmode_algebra::coq::{self, Theorem};
-use slipmode_algebra::{Certificate, Expression, Literal, Proof, Sign, Symbol, Toward};
+use slipmode_algebra::{Certificate, End, Expression, Literal, Proof, Sign, Symbol, Toward};
 use slipmode_core::theory::Equations;
 
 use super::behaviour::other_value;
@@ -248,7 +248,8 @@ impl Stated {
     fn goal_of(&mut self, statement: &Statement, altered: bool) -> Result<String, String> {
         match statement {
             Statement::True(formula) => self.formula(formula, altered),
-            Statement::Limit(side, value, variable, toward) => {
+            Statement::Limit(_, End::Infinite(_), ..) => Err("a limit beyond all bounds".into()),
+            Statement::Limit(side, End::Finite(value), variable, toward) => {
                 let point = coq::text(&Expression::variable(variable));
                 let known = self.variables.contains(variable);
                 let (side, value) = (self.shown(side)?, self.shown(value)?);
@@ -369,7 +370,8 @@ impl Steps<'_> {
         }
         let rest = match statement {
             Statement::True(formula) => self.formula(formula)?,
-            Statement::Limit(side, value, variable, _) => {
+            Statement::Limit(_, End::Infinite(_), ..) => return Err("a limit beyond all bounds".into()),
+            Statement::Limit(side, End::Finite(value), variable, _) => {
                 let [side, value] = [side, value].map(|side| self.put_in(side));
                 self.fact(&[], |one| {
                     matches!(one, Certificate::Limit { expression, variable: moving, value: end, .. }

@@ -6,8 +6,9 @@ use slipmode_algebra::Toward;
 use slipmode_core::number::{Ball, Rational};
 
 use super::book::Term;
-use super::claim::{At, Base, Claim};
+use super::claim::{At, Base, Claim, Goal};
 use super::evaluate::Place;
+use super::number::Number;
 use super::points::power_of_two;
 use crate::scene::Comparison;
 
@@ -74,7 +75,7 @@ impl Claim {
     }
 
     /// Where a side tends as a variable goes to its end.
-    pub fn tail(&self, side: &Term, value: &Term, variable: usize, toward: Toward, base: &Base) -> Tail {
+    pub fn tail(&self, side: &Term, goal: &Goal, variable: usize, toward: Toward, base: &Base) -> Tail {
         let sign = if toward == Toward::Zero { -1 } else { 1 };
         let mut distances: Vec<Ball> = Vec::new();
         let mut scale = Ball::from(1);
@@ -85,21 +86,41 @@ impl Claim {
                 continue;
             }
             let Some(mut place) = self.place(&far, BITS[1]) else { return Tail::Unclear };
-            let (Ok(there), Ok(value)) = (place.number(side), place.number(value)) else {
-                return Tail::Unclear;
+            let from = match goal {
+                Goal::Value(value) => place.number(value),
+                Goal::Infinity(_) => Ok(Number::whole(0)),
             };
-            let Ok(distance) = there.minus(&value) else { return Tail::Unclear };
-            scale = value.ball(BITS[1]);
+            let (Ok(there), Ok(from)) = (place.number(side), from) else { return Tail::Unclear };
+            let Ok(distance) = there.minus(&from) else { return Tail::Unclear };
+            scale = from.ball(BITS[1]);
             distances.push(distance.ball(BITS[1]));
         }
-        clear(&distances, &scale)
+        match (course(&distances, &scale), goal) {
+            (Course::Unclear, _) => Tail::Unclear,
+            (Course::Falls, Goal::Value(_)) => Tail::There,
+            (Course::Grows(order), Goal::Infinity(wanted)) if order == *wanted => Tail::There,
+            (Course::Stays(away), Goal::Value(_)) => Tail::Elsewhere(format!("stays {away} away from it")),
+            (Course::Grows(_), _) => Tail::Elsewhere("grows beyond all bounds".into()),
+            (Course::Falls | Course::Stays(_), Goal::Infinity(_)) => Tail::Elsewhere("stays bounded".into()),
+        }
     }
 }
 
+/// How the distances from a value end.
+enum Course {
+    /// They go to zero.
+    Falls,
+    /// They tend to one that is not zero.
+    Stays(String),
+    /// They go beyond all bounds, with this sign.
+    Grows(Ordering),
+    Unclear,
+}
+
 /// What the last distances from a value show.
-fn clear(distances: &[Ball], value: &Ball) -> Tail {
+fn course(distances: &[Ball], value: &Ball) -> Course {
     if distances.len() <= LAST {
-        return Tail::Unclear;
+        return Course::Unclear;
     }
     let last = &distances[distances.len() - LAST - 1..];
     let size = |ball: &Ball| [ball.lower().abs(), ball.upper().abs()];
@@ -120,14 +141,14 @@ fn clear(distances: &[Ball], value: &Ball) -> Tail {
     let final_step = largest(&steps[LAST - 1]);
     // Steps that shrink by 3/4 or more sum to at most four times the last one.
     if shrink && smallest(end) > final_step.clone() * 8_u32 {
-        return Tail::Elsewhere(format!("stays {} away from it", end.centre().to_string_radix(10, Some(6))));
+        return Course::Stays(end.centre().to_string_radix(10, Some(6)));
     }
     let grow = last.windows(2).all(|pair| smallest(&pair[1]) * 2_u32 >= largest(&pair[0]) * 3_u32);
     let bound = (largest(value) + 1_u32) << 64_u32;
     if grow && smallest(end) > bound {
-        return Tail::Elsewhere("grows beyond all bounds".into());
+        return end.sign().map_or(Course::Unclear, Course::Grows);
     }
     let falls = last.windows(2).all(|pair| largest(&pair[1]) * 4_u32 <= largest(&pair[0]) * 3_u32);
     let near = (largest(value) + rug::Float::with_val(53, 1)) >> 40_u32;
-    if falls && largest(end) < near { Tail::There } else { Tail::Unclear }
+    if falls && largest(end) < near { Course::Falls } else { Course::Unclear }
 }

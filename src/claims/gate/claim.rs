@@ -4,7 +4,7 @@ use std::cell::Cell;
 use std::cmp::Ordering;
 use std::collections::{BTreeMap, BTreeSet};
 
-use slipmode_algebra::Toward;
+use slipmode_algebra::{End, Toward};
 use slipmode_core::number::Rational;
 use slipmode_core::theory::Equations;
 
@@ -36,9 +36,16 @@ pub(super) enum At {
 /// What is said.
 pub(super) enum Says {
     True(Said),
-    Limit(Term, Term, usize, Toward),
+    Limit(Term, Goal, usize, Toward),
     Monotone(Term, Comparison, usize),
     Depends(Term, bool, usize),
+}
+
+/// Where a side is said to go.
+pub(super) enum Goal {
+    Value(Term),
+    /// Beyond all bounds.
+    Infinity(Ordering),
 }
 
 /// An equation among the conditions, and the variable that it is solved for.
@@ -75,8 +82,11 @@ impl Claim {
         let says = match &formula.statement {
             Statement::True(said) => Says::True(Said::of(said, &mut book)),
             Statement::Limit(left, value, variable, toward) => {
-                let [left, value] = [left, value].map(|side| book.term(side, None));
-                Says::Limit(left, value, book.variable(variable.as_str()), *toward)
+                let goal = match value {
+                    End::Finite(value) => Goal::Value(book.term(value, None)),
+                    End::Infinite(sign) => Goal::Infinity(sign.cmp(&0)),
+                };
+                Says::Limit(book.term(left, None), goal, book.variable(variable.as_str()), *toward)
             }
             Statement::Monotone(side, comparison, variable) => {
                 Says::Monotone(book.term(side, None), *comparison, book.variable(variable.as_str()))
@@ -147,8 +157,8 @@ impl Claim {
     fn terms(&self) -> Vec<&Term> {
         match &self.says {
             Says::True(said) => said.terms(),
-            Says::Limit(left, value, ..) => vec![left, value],
-            Says::Monotone(side, ..) | Says::Depends(side, ..) => vec![side],
+            Says::Limit(left, Goal::Value(value), ..) => vec![left, value],
+            Says::Limit(side, ..) | Says::Monotone(side, ..) | Says::Depends(side, ..) => vec![side],
         }
     }
 

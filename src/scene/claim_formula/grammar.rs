@@ -1,6 +1,6 @@
 //! The grammar of formulas: every fault has the column at which it was found.
 
-use slipmode_algebra::{Expression, Symbol, Toward};
+use slipmode_algebra::{End, Expression, Symbol, Toward};
 use slipmode_core::theory::root_location::RootStatement;
 
 use super::{Comparison, Crossing, Formula, Statement};
@@ -25,7 +25,7 @@ pub(super) fn statement(text: &str, names: &Names) -> Result<Statement, String> 
     let side = |part| reader.side(part);
     let name = |part| reader.variable(part);
     if let Some((left, rest)) = text.split_once("->") {
-        let form = "a limit has the form `side -> side as name -> 0` or `-> infinity`";
+        let form = "a limit has the form `side -> side as name -> 0` or `-> infinity`, where the second side may be infinity or -infinity";
         let (value, rest) = rest.split_once(" as ").ok_or(form)?;
         let (variable, end) = rest.split_once("->").ok_or(form)?;
         let toward = match end.trim() {
@@ -33,7 +33,12 @@ pub(super) fn statement(text: &str, names: &Names) -> Result<Statement, String> 
             "infinity" => Toward::Infinity,
             _ => return Err(form.into()),
         };
-        return Ok(Statement::Limit(side(left)?, side(value)?, name(variable)?, toward));
+        let value = match value.trim() {
+            "infinity" => End::Infinite(1),
+            "-infinity" => End::Infinite(-1),
+            value => End::Finite(side(value)?),
+        };
+        return Ok(Statement::Limit(side(left)?, value, name(variable)?, toward));
     }
     for (word, comparison) in [(" rises with ", Comparison::Greater), (" falls with ", Comparison::Less)] {
         if let Some((expression, variable)) = text.split_once(word) {

@@ -1,6 +1,6 @@
 //! Formulas as readers see them: words, and LaTeX between `$`.
 
-use slipmode_algebra::{Expression, Symbol, Toward};
+use slipmode_algebra::{End, Expression, Symbol, Toward};
 
 use super::{ClaimFormula, Comparison, Formula, FormulaCondition, Statement};
 
@@ -62,7 +62,12 @@ impl Statement {
             Self::Limit(left, value, name, toward) => {
                 let toward = if *toward == Toward::Zero { "0" } else { "\\infty" };
                 let name = variable(name);
-                format!("${} \\to {}$ as ${name} \\to {toward}$", set(left), set(value))
+                let end = match value {
+                    End::Finite(value) => set(value),
+                    End::Infinite(1) => "\\infty".to_owned(),
+                    End::Infinite(_) => "-\\infty".to_owned(),
+                };
+                format!("${} \\to {end}$ as ${name} \\to {toward}$", set(left))
             }
             Self::Monotone(expression, comparison, name) => {
                 let word = if *comparison == Comparison::Greater { "rises" } else { "falls" };

@@ -24,7 +24,7 @@ mod premises;
 use std::cmp::Ordering;
 
 use slipmode_algebra::{
-    ConversionError, Expression, Extent, Literal, Sign, SignFormula, Symbol, Toward, within_budget,
+    ConversionError, End, Expression, Extent, Literal, Sign, SignFormula, Symbol, Toward, within_budget,
 };
 use slipmode_core::number::Rational;
 use slipmode_core::theory::Equations;
@@ -93,8 +93,8 @@ pub struct Scope {
 pub enum Statement {
     /// The formula is true everywhere.
     True(Formula),
-    /// The first expression tends to the second as the variable goes there.
-    Limit(Expression, Expression, Symbol, Toward),
+    /// The expression goes to this end as the variable goes there.
+    Limit(Expression, End, Symbol, Toward),
     /// The expression rises (or falls) strictly with the variable.
     Monotone(Expression, Comparison, Symbol),
     /// Whether the variable changes the expression.
@@ -292,7 +292,7 @@ impl ClaimFormula {
         formula.statement.check_units(&names)?;
         formula.statement.atoms().into_iter().try_for_each(|atom| check_atom(atom, &names, &premises))?;
         match &formula.statement {
-            Statement::Limit(_, value, name, _)
+            Statement::Limit(_, End::Finite(value), name, _)
                 if premises.put_in(&names.resolved(value)).variables().contains(name) =>
             {
                 Err(format!("the value '{value}' of the limit contains {name}"))
@@ -374,7 +374,7 @@ impl Statement {
     /// What is compared has the same unit, where units are stated.
     fn check_units(&self, names: &Names) -> Result<(), String> {
         self.sides().into_iter().try_for_each(|side| names.same_units(side, side))?;
-        if let Self::Limit(left, value, ..) = self {
+        if let Self::Limit(left, End::Finite(value), ..) = self {
             names.same_units(left, value)?;
         }
         self.atoms().into_iter().try_for_each(|atom| match atom {
@@ -397,7 +397,8 @@ impl Statement {
     fn sides_with_roots(&self) -> Vec<(&Expression, Option<&Symbol>)> {
         match self {
             Self::True(formula) => formula.sides(),
-            Self::Limit(left, right, ..) => vec![(left, None), (right, None)],
+            Self::Limit(side, End::Finite(value), ..) => vec![(side, None), (value, None)],
+            Self::Limit(side, End::Infinite(_), ..) => vec![(side, None)],
             Self::Monotone(expression, ..) | Self::Depends(expression, ..) => vec![(expression, None)],
             Self::Motion(motion) => motion.expressions().into_iter().map(|(_, side)| (side, None)).collect(),
         }

@@ -73,6 +73,9 @@ impl Statement {
             Certificate::Limit { expression, variable, toward, value, .. } => {
                 Self::limit(expression, (variable, *toward), value, domain)
             }
+            Certificate::Divergence { expression, .. } => {
+                Err(Obstacle(format!("no tactic for {expression} beyond all bounds")))
+            }
             Certificate::Derivative { expression, variable, value, .. } => {
                 Self::derivative(expression, variable, value, domain)
             }

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::work::{Work, expression};
-use slipmode_algebra::{Condition, Expression, Relation, Symbol, Toward};
+use slipmode_algebra::{Condition, End, Expression, Relation, Symbol, Toward};
 
 /// A derivative, the other variables fixed.
 pub(super) fn derivative(f: &Expression, x: &Symbol, work: &mut Work) -> Result<Expression, String> {
@@ -18,11 +18,23 @@ pub(super) fn limit(
     toward: Toward,
     work: &mut Work,
 ) -> Result<Expression, String> {
-    let found = expression(&work.domain.limit(f, x, toward)?);
+    let found = finite(f, x, toward, work)?;
     let end = if toward == Toward::Zero { "0" } else { "infinity" };
     let says = format!("its limit as {x} -> {end}");
     work.step(|proof, equations, domain| proof.limit(&says, equations, f, (x, toward), &found, domain))?;
     Ok(found)
+}
+
+/// The finite limit in normal form.
+fn finite(f: &Expression, x: &Symbol, toward: Toward, work: &Work) -> Result<Expression, String> {
+    match work.domain.end(f, x, toward)? {
+        End::Finite(value) => work
+            .domain
+            .rational_function(&value)
+            .map(|value| expression(&value))
+            .map_err(|error| error.to_string()),
+        End::Infinite(_) => Err(format!("{f} has no finite limit in {x}")),
+    }
 }
 
 /// Σ c_k·x^k up to the order n: what f differs by from it, over x^n, tends to 0.
@@ -37,7 +49,7 @@ pub(super) fn series(
     let mut sum = Expression::integer(0);
     for exponent in 0..=order {
         let rest = (f.clone() - sum.clone()) / power(exponent);
-        let next = expression(&work.domain.limit(&rest, x, Toward::Zero)?);
+        let next = finite(&rest, x, Toward::Zero, work)?;
         sum = sum + next * power(exponent);
     }
     let rest = (f.clone() - sum.clone()) / power(order);
