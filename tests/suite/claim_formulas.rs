@@ -199,7 +199,8 @@ const ROWS: &[Row] = &[
         }),
     ),
     // True, and equal on the edge, where no number of bits decides.
-    ("exp(ln(K)) = K", "box = { K = ['1', '2'] }", "not-checked", None),
+    ("exp(K/2)^2 = exp(K)", "box = { K = ['1', '2'] }", "not-checked", None),
+    ("exp(ln(K)) = K", "box = { K = ['1', '2'] }", "holds", None),
 ];
 
 pub fn claim(id: usize, formula: &str, scope: &str, verdict: &str) -> String {

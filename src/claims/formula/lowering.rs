@@ -1,7 +1,7 @@
 //! Formulas as signs of expressions: definitions are put in, and predicates become signs of coefficients by general lemmas.
 
 use slipmode_algebra::{Expression, Literal, Proof, Sign, SignFormula, Symbol};
-use slipmode_core::theory::root_location::{self, coefficients, pair_crosses};
+use slipmode_core::theory::root_location::{self, MOST_DEGREE, coefficients, pair_crosses};
 
 use crate::scene::{Formula, Names, Premises};
 
@@ -90,8 +90,9 @@ impl Lowered {
         let side = premises.put_in(&names.resolved_but(written, variable));
         let function = premises.domain().rational_function(&side);
         let function = function.map_err(|error| format!("{written}: {error}"))?;
-        let found = coefficients(&function, variable)
-            .ok_or_else(|| format!("{written} is no polynomial of degree 1 to 3 in {variable}"))?;
+        let found = coefficients(&function, variable, MOST_DEGREE).ok_or_else(|| {
+            format!("{written} is no polynomial of degree 1 to {MOST_DEGREE} in {variable}")
+        })?;
         let right = root_location::polynomial(&found, variable);
         let step = (format!("the coefficients of {written} as a polynomial in {variable}"), side, right);
         if !self.polynomials.contains(&step) {

@@ -28,7 +28,7 @@ use slipmode_algebra::{
 };
 use slipmode_core::number::Rational;
 use slipmode_core::theory::Equations;
-use slipmode_core::theory::root_location::{MOST_DEGREE, RootStatement, coefficients};
+use slipmode_core::theory::root_location::{MOST_DEGREE_OF_OTHERS, RootStatement, coefficients};
 
 use crate::scene::claim_motion::ClaimMotion;
 use crate::scene::claim_names::Names;
@@ -349,23 +349,25 @@ impl ClaimFormula {
 
 /// Refuses an atom that is true by construction, and a predicate of what is no polynomial.
 fn check_atom(atom: &Formula, names: &Names, premises: &Premises) -> Result<(), String> {
-    let polynomial = |side: &Expression, variable: &Symbol| {
+    let polynomial = |side: &Expression, variable: &Symbol, most: usize| {
         let resolved = premises.put_in(&names.resolved_but(side, variable));
         let found = premises.domain().rational_function(&resolved).ok();
-        let found = found.and_then(|function| coefficients(&function, variable));
+        let found = found.and_then(|function| coefficients(&function, variable, most));
         let imaginary =
             |one: &Expression| one.variables().iter().any(|name| ["i", "pm"].contains(&name.as_str()));
         match found {
             Some(found) if !found.iter().any(imaginary) => Ok(()),
-            _ => Err(format!("'{side}' is no real polynomial of degree 1 to {MOST_DEGREE} in {variable}")),
+            _ => Err(format!("'{side}' is no real polynomial of degree 1 to {most} in {variable}")),
         }
     };
     match atom {
         Formula::Compare(left, _, right) if left == right => {
             Err("both sides are the same by construction".into())
         }
-        Formula::Roots(_, side, variable) => polynomial(side, variable),
-        Formula::Crossing(crossing) => polynomial(&crossing.polynomial, &crossing.variable),
+        Formula::Roots(said, side, variable) => polynomial(side, variable, said.most_degree()),
+        Formula::Crossing(crossing) => {
+            polynomial(&crossing.polynomial, &crossing.variable, MOST_DEGREE_OF_OTHERS)
+        }
         _ => Ok(()),
     }
 }

@@ -1,12 +1,32 @@
 //! Routh and Hurwitz for degrees 1 to 3: when all roots lie left of the imaginary axis, and when one lies right of it.
 
-use super::free;
+use super::{free, quadratic_factors};
 use crate::theory::notation::{formula, given_nonzero, given_positive, in_parameters};
-use slipmode_algebra::{Domain, Expression, Proof, Refutation, Relation};
+use slipmode_algebra::{Domain, Expression, Proof, Refutation, Relation, Sign, SignFormula};
 
-/// For a positive leading coefficient: all are positive exactly when all roots have negative real parts, and one is negative exactly
-/// when a root has a positive real part.
-pub(super) fn conditions(coefficients: &[Expression]) -> Vec<Expression> {
+/// For a positive leading coefficient: all are positive exactly when all roots have negative real parts.
+pub(super) fn stable(coefficients: &[Expression]) -> Vec<Expression> {
+    match coefficients {
+        [_, _, _, _, _, ..] => quadratic_factors::stable(coefficients),
+        _ => conditions(coefficients),
+    }
+}
+
+/// For a positive leading coefficient: a root has a positive real part.
+pub(super) fn unstable(coefficients: &[Expression]) -> SignFormula {
+    match coefficients {
+        [_, _, _, _, _, ..] => quadratic_factors::unstable(coefficients),
+        _ => SignFormula::Any(conditions(coefficients).iter().map(below_zero).collect()),
+    }
+}
+
+/// The expression is negative.
+pub(super) fn below_zero(expression: &Expression) -> SignFormula {
+    SignFormula::sign(&-expression.clone(), Sign::Positive)
+}
+
+/// Up to degree 3 one list serves both: a root has a positive real part exactly when one of these is negative.
+fn conditions(coefficients: &[Expression]) -> Vec<Expression> {
     match coefficients {
         [lower @ .., _] if lower.len() < 3 => lower.to_vec(),
         [c0, c1, c2, c3] => {
@@ -27,6 +47,7 @@ pub(super) fn lemma(degree: usize) -> Result<Proof, Refutation> {
     match degree {
         1 => linear(Proof::new("roots-of-degree-1", statement("its other coefficients"))),
         2 => quadratic(Proof::new("roots-of-degree-2", statement("its other coefficients"))),
+        4.. => quadratic_factors::lemma(degree),
         _ => {
             let proof = Proof::new("roots-of-degree-3", statement("c2, c1, c0 and c2 c1 − c3 c0"));
             cubic(positive_coefficients(pair(proof)?)?)
@@ -152,7 +173,7 @@ fn cubic(proof: Proof) -> Result<Proof, Refutation> {
 }
 
 /// Adds the step that an expression is not negative: its square root is real.
-fn not_negative_step(
+pub(super) fn not_negative_step(
     proof: Proof,
     says: &str,
     expression: &Expression,

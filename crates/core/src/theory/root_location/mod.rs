@@ -1,10 +1,11 @@
-//! Where the roots of a polynomial of degree 1 to 3 lie, as signs of its coefficients, with the proofs of the general lemmas.
+//! Where the roots of a polynomial of degree 1 to 6 lie, as signs of its coefficients, with the proofs of the general lemmas.
 //!
 //! The leading coefficient may have either sign and may vanish: then the statement is that on the polynomial of lower degree.
 //! The polynomial zero has every number as a root.
 
 mod crossing;
 mod half_plane;
+mod quadratic_factors;
 mod real;
 
 pub use crossing::pair_crosses;
@@ -14,8 +15,11 @@ use slipmode_algebra::{
     Domain, Expression, Polynomial, Proof, RationalFunction, Refutation, Sign, SignFormula, Symbol,
 };
 
-/// The largest degree of a polynomial whose roots are located.
-pub const MOST_DEGREE: usize = 3;
+/// The largest degree of a polynomial whose roots are located in a half plane.
+pub const MOST_DEGREE: usize = 6;
+
+/// The largest degree of one whose roots are all real or not, or of which a pair crosses the axis.
+pub const MOST_DEGREE_OF_OTHERS: usize = 3;
 
 slipmode_algebra::named! {
     /// What is said of the roots of a polynomial.
@@ -30,11 +34,12 @@ slipmode_algebra::named! {
     }
 }
 
-/// The coefficients of a polynomial in a variable by ascending power; none when it is no polynomial in it of degree 1 to 3.
+/// The coefficients of a polynomial in a variable by ascending power; none when it is no polynomial in it of degree 1 to
+/// `most`.
 #[must_use]
-pub fn coefficients(function: &RationalFunction, variable: &Symbol) -> Option<Vec<Expression>> {
+pub fn coefficients(function: &RationalFunction, variable: &Symbol, most: usize) -> Option<Vec<Expression>> {
     let parts = polynomial_coefficients(function, variable)?;
-    (2..=MOST_DEGREE + 1).contains(&parts.len()).then_some(parts)
+    (2..=most + 1).contains(&parts.len()).then_some(parts)
 }
 
 /// The coefficients by ascending power; none where the variable occurs in the denominator or inside a function.
@@ -87,18 +92,22 @@ impl RootStatement {
 
     /// The leading coefficient is positive, and the statement holds.
     fn for_positive_leading(self, coefficients: &[Expression]) -> SignFormula {
-        let (leading, lower) = (coefficients.last(), half_plane::conditions(coefficients));
-        let leading = leading.map(|leading| SignFormula::sign(leading, Sign::Positive));
+        let leading = coefficients.last().map(|leading| SignFormula::sign(leading, Sign::Positive));
+        let positive = |one: &Expression| SignFormula::sign(one, Sign::Positive);
         let lower = match self {
-            Self::Unstable => SignFormula::Any(
-                lower.iter().map(|one| SignFormula::sign(&-one.clone(), Sign::Positive)).collect(),
-            ),
-            _ => SignFormula::All(lower.iter().map(|one| SignFormula::sign(one, Sign::Positive)).collect()),
+            Self::Unstable => half_plane::unstable(coefficients),
+            _ => SignFormula::All(half_plane::stable(coefficients).iter().map(positive).collect()),
         };
         SignFormula::All(leading.into_iter().chain([lower]).collect())
     }
 
-    /// The general lemma behind [`Self::signs`] for polynomials of this degree, which has to be 1 to 3.
+    /// The largest degree of a polynomial of which it is decided.
+    #[must_use]
+    pub fn most_degree(self) -> usize {
+        if self == Self::AllReal { MOST_DEGREE_OF_OTHERS } else { MOST_DEGREE }
+    }
+
+    /// The general lemma behind [`Self::signs`] for polynomials of this degree, which has to be 1 to [`Self::most_degree`].
     ///
     /// # Errors
     /// Never, unless a step is at fault; the tests prove all of them.

@@ -65,6 +65,41 @@ fn signs_agree_with_roots_that_are_known_beforehand() {
     assert!(compared > 2000, "{compared}");
 }
 
+/// All lists of this length with entries in order, of which the same may stand twice.
+fn multisets<T: Copy>(from: &[T], length: usize) -> Vec<Vec<T>> {
+    let Some(shorter) = length.checked_sub(1) else { return vec![Vec::new()] };
+    let begin = |at: usize| {
+        multisets(&from[at..], shorter).into_iter().map(move |mut rest| {
+            rest.insert(0, from[at]);
+            rest
+        })
+    };
+    (0..from.len()).flat_map(begin).collect()
+}
+
+#[test]
+fn higher_degrees_agree_with_roots_that_are_known_beforehand() {
+    let all_pairs: Vec<(i32, i32)> = (-1..=1).flat_map(|x| [(x, 1), (x, 2)]).collect();
+    let mut compared = 0;
+    for degree in 4..=MOST_DEGREE {
+        for count in 0..=degree / 2 {
+            for pairs in multisets(&all_pairs, count) {
+                for real in multisets(&[-2, -1, 0, 1], degree - 2 * count) {
+                    let leading = [1, -2, 3][compared % 3];
+                    let coefficients = product(leading, &real, &pairs);
+                    let parts = || real.iter().copied().chain(pairs.iter().map(|(x, _)| *x));
+                    let says = |statement: RootStatement| holds(&statement.signs(&coefficients));
+                    let words = format!("{leading} {real:?} {pairs:?}");
+                    assert_eq!(says(RootStatement::Stable), parts().all(|part| part < 0), "{words}");
+                    assert_eq!(says(RootStatement::Unstable), parts().any(|part| part > 0), "{words}");
+                    compared += 1;
+                }
+            }
+        }
+    }
+    assert!(compared > 900, "{compared}");
+}
+
 #[test]
 fn the_polynomial_zero_has_every_root() {
     let zero = [number(0), number(0)];
@@ -75,7 +110,7 @@ fn the_polynomial_zero_has_every_root() {
 #[test]
 fn every_lemma_is_proved_and_has_no_step_in_words() {
     for statement in RootStatement::ALL {
-        for degree in 1..=MOST_DEGREE {
+        for degree in 1..=statement.most_degree() {
             let lemma = statement.lemma(degree).unwrap_or_else(|error| panic!("{error}"));
             assert_eq!(lemma.recheck(), Ok(()));
             assert!(lemma.is_certified() && !lemma.steps.is_empty());
