@@ -137,10 +137,11 @@ impl Tactics<'_> {
         }
         match function {
             Function::Sin | Function::Cos => Err(Obstacle(format!("no tactic for {call}"))),
+            Function::Exp if !self.0.rational_function(argument)?.is_zero() => {
+                Ok("apply ln_inv; [ apply exp_pos | pos | logarithms; first [ ring | field; divisors ] ]"
+                    .to_owned())
+            }
             Function::Exp | Function::Asinh => {
-                if !self.0.rational_function(argument)?.is_zero() {
-                    return Err(Obstacle(format!("no tactic for {call} = {normal}")));
-                }
                 let zero = self.equal(argument, &Expression::integer(0))?;
                 Ok(format!("replace {} with 0 by (symmetry; {zero}); apply exp_0", real(argument)))
             }
