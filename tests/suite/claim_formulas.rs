@@ -198,6 +198,38 @@ const ROWS: &[Row] = &[
             k > Rational::from((16_487, 10_000)) && k <= 2
         }),
     ),
+    // Where a physicist stops: squares, means, slopes that are zero at one point, limits of functions.
+    ("(x - 7)^2 >= 0 and (x^2 - 2)^2 >= 0", "", "holds", None),
+    ("a + b >= 2*sqrt(a*b)", "", "holds", None),
+    ("a + b > 2*sqrt(a*b)", "", "fails", Some(|point| point.of("a") == point.of("b"))),
+    ("(a + b)*(1/a + 1/b) >= 4", "", "holds", None),
+    ("1/((x - a)^2 + b) > 0", "", "holds", None),
+    ("x^3 rises with x", "", "holds", None),
+    ("exp(K) > 1 + K and ln(1 + K) < K", "", "holds", None),
+    ("ln(2) + ln(3) = ln(6) and exp(K + M) = exp(K)*exp(M)", "", "holds", None),
+    ("sin(x)^2 + cos(x)^2 = 1", "", "holds", None),
+    ("exp(-K) -> 0 as K -> infinity", "", "holds", None),
+    ("exp(-K) -> 1 as K -> infinity", "", "fails", Some(|point| !point.0.contains_key("K"))),
+    ("sqrt(K^2 + a) - K -> 0 as K -> infinity", "", "holds", None),
+    ("K^2 + a -> infinity as K -> infinity", "", "holds", None),
+    ("ln(K) -> -infinity as K -> 0", "", "holds", None),
+    ("a/K -> -infinity as K -> 0", "", "fails", Some(|point| point.of("a") > 0)),
+    // Degrees 4 to 6.
+    ("stable(s^4 + a*s^3 + b*s^2 + K*s + M, s) iff a*b*K > K^2 + a^2*M", "", "holds", None),
+    ("unstable(s^4 + x*s^2 + a, s) iff x < 2*sqrt(a)", "", "holds", None),
+    ("stable((s + a)*(s^2 + K*s + M)^2, s)", "", "holds", None),
+    (
+        "stable(s^5 + a*s^4 + b*s^3 + K*s^2 + M*s + 1, s)",
+        "",
+        "fails",
+        Some(|point| {
+            let [a, b, k, m] = point.values(["a", "b", "K", "M"]);
+            let second = Rational::from(&a * &b) - &k;
+            let last = Rational::from(&m * &a) - 1;
+            second <= 0 || second * (m * k - b) <= last.clone() * last
+        }),
+    ),
+    ("unstable(s^6 + s^2 + a, s) and not unstable((s^2 + a)^2*(s^2 + b), s)", "", "holds", None),
     // True, and equal on the edge, where no number of bits decides.
     ("exp(K/2)^2 = exp(K)", "box = { K = ['1', '2'] }", "not-checked", None),
     ("exp(ln(K)) = K", "box = { K = ['1', '2'] }", "holds", None),

@@ -21,6 +21,12 @@ pub enum Statement {
         of: Name,
         to: &'static str,
     },
+    Unbounded {
+        side: Term,
+        up: bool,
+        of: Name,
+        to: &'static str,
+    },
     Monotone {
         side: Term,
         rises: bool,
@@ -169,7 +175,7 @@ impl Claim {
     /// The variable that moves in a limit, a rise, a dependence or a crossing.
     pub fn moving(&self) -> Option<Name> {
         match &self.statement {
-            Statement::Limit { of, .. } => Some(*of),
+            Statement::Limit { of, .. } | Statement::Unbounded { of, .. } => Some(*of),
             Statement::Monotone { with, .. } => Some(*with),
             Statement::Depends { on, .. } => Some(*on),
             Statement::Formula(formula) => formula.parameter(),
@@ -182,7 +188,9 @@ impl Claim {
         let mut sides = match &mut self.statement {
             Statement::Formula(formula) => formula.sides_mut(),
             Statement::Limit { side, value, .. } => vec![side, value],
-            Statement::Monotone { side, .. } | Statement::Depends { side, .. } => vec![side],
+            Statement::Unbounded { side, .. }
+            | Statement::Monotone { side, .. }
+            | Statement::Depends { side, .. } => vec![side],
             Statement::IllFormed(_) => Vec::new(),
         };
         sides.extend(self.given.iter_mut().flat_map(|one| [&mut one.left, &mut one.right]));
@@ -270,6 +278,10 @@ impl Statement {
             Self::Formula(formula) => formula.text(spell),
             Self::Limit { side, value, of, to } => {
                 format!("{} -> {} as {} -> {to}", side.text(spell), value.text(spell), spell(*of))
+            }
+            Self::Unbounded { side, up, of, to } => {
+                let end = if *up { "infinity" } else { "-infinity" };
+                format!("{} -> {end} as {} -> {to}", side.text(spell), spell(*of))
             }
             Self::Monotone { side, rises, with } => {
                 let word = if *rises { "rises" } else { "falls" };

@@ -86,12 +86,17 @@ fn names_for_parts(claim: &Claim, random: &mut Random) -> Vec<Name> {
 fn rewritten(mut claim: Claim, random: &mut Random) -> Claim {
     let mut names = names_for_parts(&claim, random);
     let (moving, is_limit) = (claim.moving(), matches!(claim.statement, Statement::Limit { .. }));
+    let (there_is, conditions) = (claim.there_is.clone(), 2 * claim.given.len());
     let mut sides = claim.sides_mut();
     let count = sides.len();
     if count == 0 {
         return claim;
     }
     let at = random.below(count);
+    // A condition on a variable of which there is a value is one that this value has to meet.
+    if at + conditions >= count {
+        names.retain(|name| !there_is.contains(name));
+    }
     // The value of a limit does not contain the variable that moves, and a condition on it stays linear in it.
     if (is_limit && at == 1) || moving.is_some() {
         names.retain(|name| Some(*name) != moving);

@@ -25,7 +25,9 @@ pub fn total(random: &mut Random, depth: usize, names: &[Name]) -> Term {
 }
 
 fn functions_of(random: &mut Random, depth: usize, names: &[Name]) -> Term {
-    match random.below(4) {
+    match random.below(6) {
+        4 => total(random, depth.min(1), names).call("sin"),
+        5 => total(random, depth.min(1), names).call("cos"),
         0 => sqrt(positive(random, depth, names)),
         1 => ln(positive(random, depth, names)),
         2 => exp(total(random, depth.min(1), names)),
@@ -80,7 +82,11 @@ fn other_form(one: &Term, names: &[Name], random: &mut Random) -> Term {
     let unit = positive(random, 1, names);
     // A polynomial stays a polynomial in its variable, whose values are complex.
     let is_polynomial = one.contains(Name::Root);
-    match random.below(14) {
+    match random.below(15) {
+        14 if !is_polynomial => {
+            let angle = total(random, 1, names);
+            one * (angle.call("sin").power(2) + angle.call("cos").power(2))
+        }
         0 => {
             let more = total(random, 1, names);
             if random.coin() { one + &more - more } else { more.clone() + one - more }

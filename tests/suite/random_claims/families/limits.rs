@@ -10,6 +10,7 @@ pub fn claim(random: &mut Random) -> Claim {
     match random.below(10) {
         0..=4 => rational(random),
         5..=7 => with_functions(random),
+        8 => beyond_all_bounds(random),
         _ => without_limit(random),
     }
 }
@@ -88,19 +89,37 @@ fn with_functions(random: &mut Random) -> Claim {
     limit("limits with functions", truth, side, value, &x, to)
 }
 
+/// An expression that grows without bound as x goes there, and whether it goes up.
+fn unbounded(random: &mut Random, [x, u, v]: [&Term; 3]) -> (Term, &'static str, bool) {
+    match random.below(10) {
+        0 => (u * x + v, "infinity", true),
+        1 => (u / x, "0", true),
+        2 => (ln(x), "0", false),
+        3 => (sqrt(x) * u, "infinity", true),
+        4 => (exp(x), "infinity", true),
+        5 => (x.power(2) / (x + u), "infinity", true),
+        6 => ((x + u) / x.power(2), "0", true),
+        7 => (exp(x) / x.power(2) * u, "infinity", true),
+        8 => (ln(u + x) - v / x, "0", false),
+        _ => (u - v * x, "infinity", false),
+    }
+}
+
+/// What goes up, or down, without bound; or does not.
+fn beyond_all_bounds(random: &mut Random) -> Claim {
+    let [x, u, v] = positives(random);
+    let (side, to, up) = unbounded(random, [&x, &u, &v]);
+    let (side, grows) = if random.percent(20) { (&u / (n(1) + side.power(2)), false) } else { (side, true) };
+    let (side, up) = if random.coin() { (minus(side), !up) } else { (side, up) };
+    let says_up = random.coin();
+    let statement = Statement::Unbounded { side, up: says_up, of: name_of(&x), to };
+    Claim::new("limits beyond all bounds", Truth::of(grows && says_up == up), statement)
+}
+
 /// Expressions that grow without bound: no number is their limit.
 fn without_limit(random: &mut Random) -> Claim {
     let [x, u, v] = positives(random);
-    let (side, to) = match random.below(8) {
-        0 => (&u * &x + &v, "infinity"),
-        1 => (&u / &x, "0"),
-        2 => (ln(&x), "0"),
-        3 => (sqrt(&x) * &u, "infinity"),
-        4 => (exp(&x), "infinity"),
-        5 => (x.power(2) / (&x + &u), "infinity"),
-        6 => ((&x + &u) / x.power(2), "0"),
-        _ => (&u - &v * &x, "infinity"),
-    };
+    let (side, to, _) = unbounded(random, [&x, &u, &v]);
     let value = random.pick(&[n(0), n(1), u, v]).clone();
     limit("no limit", false, side, value, &x, to)
 }

@@ -5,8 +5,9 @@ use crate::random_claims::claim::{Claim, Formula, compare};
 use crate::random_claims::rewriting::{frees, positives};
 use crate::random_claims::term::{Name, Term, exp, ln, minus, n, s, sqrt};
 
-/// The largest degree of a polynomial of which a claim may speak.
-const MOST_DEGREE: usize = 3;
+/// The largest degree of a polynomial of which a claim may speak, and of one with roots that may all be real.
+const MOST_DEGREE: usize = 6;
+const MOST_DEGREE_OF_REAL: usize = 3;
 
 fn is(left: &Term, sign: &'static str, right: &Term) -> Formula {
     Formula::Compare(compare(left.clone(), sign, right.clone()))
@@ -75,22 +76,24 @@ fn always(random: &mut Random) -> Claim {
             },
         });
     }
-    let Some(Factor { term, left, right, real, .. }) = found else { return exactly(random) };
+    let Some(Factor { term, degree, left, right, real }) = found else { return exactly(random) };
     let polynomial = leading(random, term);
-    let (word, truth) = *random.pick(&[("stable", left), ("unstable", right), ("all_real", real)]);
+    let words = [("stable", left), ("unstable", right), ("all_real", real)];
+    let count = if degree > MOST_DEGREE_OF_REAL { 2 } else { 3 };
+    let (word, truth) = *random.pick(&words[..count]);
     Claim::formula("roots of products", truth, Formula::Roots(word, polynomial))
 }
 
 /// A polynomial, and a condition that is true exactly where the statement on its roots is.
 fn exactly(random: &mut Random) -> Claim {
     let [x, y] = frees(random);
-    let [u, v, w] = positives(random);
+    let [u, v, w, z] = positives(random);
     let zero = n(0);
     let positive = |one: &Term| is(one, ">", &zero);
     let negative = |one: &Term| is(one, "<", &zero);
     let damped = s().power(2) + &x * s() + &v;
     // The statement, the condition, and the condition at whose edge it is wrong.
-    let (polynomial, word, right, wrong) = match random.below(14) {
+    let (polynomial, word, right, wrong) = match random.below(20) {
         0 => (s() + &x, "stable", positive(&x), is(&x, ">=", &zero)),
         1 => (s() + &x, "unstable", negative(&x), is(&x, "<=", &zero)),
         2 => (damped, "stable", positive(&x), is(&x, ">=", &zero)),
@@ -138,8 +141,23 @@ fn exactly(random: &mut Random) -> Claim {
             is(&x.power(2), ">=", &(n(4) * &y)),
             is(&y, "<=", &zero),
         ),
+        12 => ((s().power(2) + &u * s() + &w) * damped, "stable", positive(&x), is(&x, ">=", &zero)),
+        13 => ((s().power(2) + &u * s() + &w) * damped, "unstable", negative(&x), is(&x, "<=", &zero)),
+        14 => ((s() + &u).power(3) * damped, "unstable", negative(&x), is(&x, "!=", &zero)),
+        15 | 16 => {
+            let quartic = s().power(4) + &u * s().power(3) + &v * s().power(2) + &w * s() + &z;
+            let [right, left] = [&u * &v * &w, w.power(2) + u.power(2) * &z];
+            match random.coin() {
+                true => (quartic, "stable", is(&right, ">", &left), is(&right, ">=", &left)),
+                false => (quartic, "unstable", is(&right, "<", &left), is(&right, "<=", &left)),
+            }
+        }
+        17 => {
+            let even = s().power(4) + &x * s().power(2) + &v;
+            (even, "unstable", is(&x, "<", &(n(2) * sqrt(&v))), is(&x, "<=", &(n(2) * sqrt(&v))))
+        }
         // The leading coefficient may vanish, and the root is then that of the rest.
-        12 => (&x * s().power(2) + &u * s() + &v, "stable", is(&x, ">=", &zero), positive(&x)),
+        18 => (&x * s().power(2) + &u * s() + &v, "stable", is(&x, ">=", &zero), positive(&x)),
         _ => (s() - (&u - &v), "stable", is(&u, "<", &v), is(&u, "<=", &v)),
     };
     let roots = Formula::Roots(word, polynomial);

@@ -17,7 +17,7 @@ pub struct System {
 }
 
 /// The most states: a determinant of so many rows is written out in its certificate.
-pub(in crate::theory) const MOST_STATES: usize = 4;
+pub(in crate::theory) const MOST_STATES: usize = 6;
 
 impl System {
     /// An expression at the steady state.
