@@ -222,8 +222,11 @@ impl Attempt<'_> {
             let words = [&found, claimed].map(shown);
             let others: Point = point.into_iter().filter(|(name, _)| name != variable).collect();
             let [limit, claimed] = words;
-            differ
-                .then(|| (format!("at {}: the limit is {limit}, not {claimed}", self.text(&others)), others))
+            let place = match others.is_empty() {
+                true => String::new(),
+                false => format!("at {}: ", self.text(&others)),
+            };
+            differ.then(|| (format!("{place}the limit is {limit}, not {claimed}"), others))
         })
     }
 
