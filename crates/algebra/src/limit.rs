@@ -2,14 +2,14 @@
 //!
 //! The limits of parts give that of the whole where they decide it. Where they do not, the whole is a quotient: a root in the numerator is
 //! moved by its conjugate, or numerator and denominator are differentiated (l'Hôpital). That rule needs a denominator whose slope is not
-//! zero near the end. Quotients, roots, logarithms and exponentials have that: their slopes are zero everywhere or nowhere near the end.
-//! So a sine, a cosine or an absolute value of something that moves is refused.
+//! zero near the end. Quotients, roots, logarithms and exponentials have that: their slopes are zero everywhere or nowhere near the end. So
+//! have the sine and cosine of what tends to a finite value; those of what goes beyond all bounds are refused.
 
 use std::cell::Cell;
 use std::fmt;
 
 use super::conversion::{Converter, split_by_parity};
-use super::{Domain, Expression, Function, Generator, Polynomial, RationalFunction, Symbol, Toward};
+use super::{Domain, Expression, Function, Polynomial, RationalFunction, Symbol, Toward};
 
 /// How often a quotient is differentiated, and how many parts are looked at.
 const MOST_SLOPES: usize = 6;
@@ -43,33 +43,11 @@ impl Domain {
             return Err(format!("{variable} is not free to move alone: an assumption contains it"));
         }
         let function = self.rational_function(expression).map_err(|error| error.to_string())?;
-        if let Some(hidden) = function.generators().iter().find(|one| turns(one, variable)) {
-            return Err(format!("{hidden} has no rule for its limit"));
-        }
         let search = Search { domain: self, variable, toward, left: Cell::new(MOST_PARTS) };
         let written = self.substituted(expression);
         let found = search.quotient(&function, MOST_SLOPES).or_else(|| search.end(&written, MOST_SLOPES));
         found.ok_or_else(|| format!("{} has no certified limit in {variable}", Expression::from(&function)))
     }
-}
-
-/// Whether it is a function that may rise and fall without end as the variable moves.
-fn turns(generator: &Generator, variable: &Symbol) -> bool {
-    fn inside(expression: &Expression, variable: &Symbol) -> bool {
-        let go = |part: &Expression| inside(part, variable);
-        match expression {
-            Expression::Number(_) | Expression::Variable(_) => false,
-            Expression::Sum(parts) | Expression::Product(parts) => parts.iter().any(go),
-            Expression::Quotient(above, below) => go(above) || go(below),
-            Expression::Negation(inner) | Expression::Power(inner, _) => go(inner),
-            Expression::Call(function, inner) => {
-                matches!(function, Function::Sin | Function::Cos | Function::Abs)
-                    && inner.variables().contains(variable)
-                    || go(inner)
-            }
-        }
-    }
-    inside(&Expression::from(generator), variable)
 }
 
 struct Search<'s> {
@@ -320,6 +298,8 @@ mod tests {
             ("p/(1 + x)", Infinity, "0"),
             ("(1 - exp(-x))/(1 + exp(-x))", Infinity, "1"),
             ("sin(a)*x/(1 + x)", Infinity, "sin(a)"),
+            ("sin(x)/x", Zero, "1"),
+            ("(1 - cos(a*x))/x^2", Zero, "a^2/2"),
         ] {
             assert!(finite(text, toward, value), "{text}: {:?}", end(text, toward));
         }
@@ -341,6 +321,7 @@ mod tests {
         for (text, toward) in [
             ("sin(x)", Infinity),
             ("sin(x)/x", Infinity),
+            ("x*sin(1/x)", Zero),
             ("p*x", Infinity),
             ("exp(p*x)", Infinity),
             ("(a - b)/x", Zero),

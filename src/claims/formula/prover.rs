@@ -300,9 +300,10 @@ impl<'p> Prover<'p> {
         let names: Vec<Symbol> = function.variables().into_iter().filter(grows).collect();
         names.into_iter().find_map(|variable| {
             (1..=MOST_ORDER).find_map(|order| {
-                let expression = expression.clone();
-                let domain = domain.clone();
+                let (expression, domain) = (expression.clone(), domain.clone());
                 self.attempts.set(self.attempts.get() + 1);
+                let is_allowed = self.attempts.get() <= Self::MOST;
+                is_allowed.then_some(())?;
                 self.certified(Certificate::Growth { expression, variable: variable.clone(), order, domain })
             })
         })

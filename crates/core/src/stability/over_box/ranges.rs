@@ -77,7 +77,17 @@ pub fn ranges_over_box(region: &ParameterBox, found: &OverBox) -> Ranges {
     } else {
         range(Quantity::Imaginary)
     };
-    Ranges { max_real_per_s: real, max_imaginary_per_s: imaginary }
+    let [max_real_per_s, max_imaginary_per_s] =
+        [real, imaginary].map(|range| range.map(ValueRange::consistent));
+    Ranges { max_real_per_s, max_imaginary_per_s }
+}
+
+impl ValueRange {
+    /// With attained values inside the enclosure: over a thin box the rounding of an attained value is wider than the range.
+    fn consistent(self) -> Self {
+        let [low, high] = self.enclosure;
+        Self { attained: self.attained.map(|value| value.clamp(low, high)), ..self }
+    }
 }
 
 /// Growth has the sign of K_c − K, whose extremes are known exactly.

@@ -135,6 +135,25 @@ fn a_box_that_touches_the_cusp_alone_is_not_certain() {
     assert_eq!(sliding(&modes(&region("0.0625", ["1", "1.41421356237309504"]))), None);
 }
 
+/// A velocity known to a share of 1e-13: the rounding of the value at one end is wider than the range.
+#[test]
+fn what_a_thin_box_attains_lies_in_its_enclosure() {
+    let end = |velocity: (i64, i64)| {
+        Parameters::from(
+            [(12, 1), (436, 9), (1, 31), (267_011_680, 27), (7, 1), (1, 1), velocity].map(Rational::from),
+        )
+    };
+    let region = ParameterBox::new(end((22, 1)), end((110_000_000_000_011, 5_000_000_000_000))).unwrap();
+    let found = over_box(&region, &InertialThreshold::default()).unwrap();
+    let ranges = ranges_over_box(&region, &found);
+    for range in [ranges.max_real_per_s, ranges.max_imaginary_per_s].map(Option::unwrap) {
+        let ([low, high], [least, greatest]) = (range.enclosure, range.attained);
+        assert!(low <= least && least <= greatest && greatest <= high, "{range:?}");
+        // Of roots with a frequency of about 1e3 /s.
+        assert!(high - low < 1e-9, "{range:?}");
+    }
+}
+
 #[test]
 fn a_threshold_below_one_fifth_is_refused_over_a_box() {
     let point = Parameters::from([1, 2, 3, 4, 5, 6, 7].map(Rational::from));
