@@ -33,8 +33,7 @@ mod verdict;
 
 pub use axis::{Limits, LogAxis, LogCoordinates};
 pub use claim_formula::{
-    ClaimFormula, Comparison, Crossing, Formula, FormulaCondition, MOST_CLAUSES, Premises, Scope, Solved,
-    Statement,
+    ClaimFormula, Crossing, Formula, FormulaCondition, MOST_CLAUSES, Premises, Scope, Solved, Statement,
 };
 pub use claim_library::{is_library_claim, library_claim, library_ids};
 pub use claim_list::{ClaimEntry, StatedClaim, StatedReading, read_claims};

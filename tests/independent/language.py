@@ -200,6 +200,7 @@ class Behaviour:
     variable: str
     value: tuple = None
     toward: str = None
+    beyond: int = 0  # Of a limit beyond all bounds: its sign.
 
 
 def comparison(text):
@@ -272,7 +273,9 @@ def statement(text):
     """The tree of a formula."""
     if match := LIMIT.fullmatch(text):
         side, value, variable, toward = match.groups()
-        return Behaviour("tends", expression(side), variable.strip(), expression(value), toward)
+        beyond = {"infinity": 1, "-infinity": -1}.get(value.strip(), 0)
+        value = None if beyond else expression(value)
+        return Behaviour("tends", expression(side), variable.strip(), value, toward, beyond)
     if match := MOVES.fullmatch(text):
         side, kind, variable = match.groups()
         return Behaviour(kind.split(" with")[0].removesuffix(" on"), expression(side), variable.strip())

@@ -170,23 +170,34 @@ DISTANCES = (10, 20, 40, 80)
 
 
 def tends(point, said):
-    """Whether the side comes closer to the value at four distances from the end of the variable's range."""
+    """Whether the side comes closer to the value, or grows, at four distances from the end of the variable's range."""
     ends = [1] if said.variable in point.names.positive or said.toward == "infinity" else [1, -1]
     return every([tends_from(point, said, way) for way in ends])
 
 
 def tends_from(point, said, way):
-    found = []
     with digits(6 * DISTANCES[-1]):
+        places = [way * mpf(10) ** (distance if said.toward == "infinity" else -distance) for distance in DISTANCES]
+        found = [point.with_moved(said.side, said.variable)(at) for at in places]
+        if said.beyond:
+            return goes_beyond([said.beyond * one for one in found])
         value = point.value(said.value)
-        for distance in DISTANCES:
-            at = way * mpf(10) ** (distance if said.toward == "infinity" else -distance)
-            found.append(point.with_moved(said.side, said.variable)(at))
         off = [abs(one - value) for one in found]
         if off[-1] <= mpf(10) ** -30 * abs(value) or off[-1] <= off[-2] * 1e-4 <= off[-3] * 1e-8:
             return True
         settled = abs(found[-1] - found[-2]) <= off[-1] / 1000
         return False if settled or abs(found[-1]) > 1e6 * abs(found[-2]) else None
+
+
+def goes_beyond(found):
+    """Whether values grow beyond all bounds: a logarithm doubles from one distance to the next."""
+    if not all(arithmetic.is_real(one) for one in found):
+        return None
+    grows = lambda way: way * found[-3] > 0 and all(way * (later - 1.5 * one) > 0 for one, later in zip(found[-3:], found[-2:]))
+    if grows(1):
+        return True
+    stays = abs(found[-1]) <= abs(found[-2]) * (1 + mpf(10) ** -4) <= abs(found[-3]) * (1 + mpf(10) ** -3)
+    return False if stays or grows(-1) else None
 
 
 def moved_pairs(point, said, conditions, random):

@@ -22,7 +22,7 @@ const EQUATIONS: &str = "[assumptions]\npositive = [\"a\", \"b\"]\nfree = [\"x\"
     [[equation]]\nnumber = \"1\"\nequation = \"c = a + b\"\n";
 
 /// Formulas with their conditions and true verdicts.
-const ROWS: [(&str, &str, &str); 10] = [
+const ROWS: [(&str, &str, &str); 16] = [
     ("c > a", "", "holds"),
     ("c > 2*a", "", "fails"),
     ("c > 2*a", "given = ['b > a']", "holds"),
@@ -33,6 +33,12 @@ const ROWS: [(&str, &str, &str); 10] = [
     ("not unstable(s^2 + x*s + b, s)", "", "fails"),
     ("all_real(s^2 + a*s + b, s) iff a^2 >= 4*b", "", "holds"),
     ("x^2 >= 0 and exp(x) > 0", "", "holds"),
+    ("a^2 - b*a -> infinity as a -> infinity", "", "holds"),
+    ("ln(a) - b -> -infinity as a -> 0", "", "holds"),
+    ("(a + b)/(a - 2*b) -> infinity as a -> infinity", "", "fails"),
+    ("1/b - a -> infinity as a -> infinity", "", "fails"),
+    ("b + exp(-a) -> infinity as a -> infinity", "", "fails"),
+    ("a/b -> 1 as a -> infinity", "", "fails"),
 ];
 
 fn place(flipped: Option<usize>) -> Workplace {

@@ -3,7 +3,8 @@
 use std::cmp::Ordering;
 
 use slipmode_algebra::{
-    Certificate, Domain, End, Expression, Literal, Proof, RationalFunction, Refutation, Sign, Symbol, Toward,
+    Certificate, Comparison, Domain, End, Expression, Literal, Proof, RationalFunction, Refutation, Sign,
+    Symbol, Toward,
 };
 
 use super::Problem;
@@ -11,7 +12,7 @@ use super::points::{self, Point, Points};
 use super::prover::Prover;
 use crate::claims::Finding;
 use crate::claims::finding::NamedPoint;
-use crate::scene::{Comparison, Premises, Statement};
+use crate::scene::{Premises, Statement};
 
 /// Of how many points each is compared with each other one.
 const FIRST_POINTS: usize = 64;

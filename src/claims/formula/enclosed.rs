@@ -3,14 +3,13 @@
 use std::cmp::Ordering;
 use std::collections::BTreeMap;
 
-use slipmode_algebra::{Expression, Literal, Sign, SignFormula, Symbol};
+use slipmode_algebra::{Comparison, Expression, Literal, Sign, SignFormula, Symbol};
 use slipmode_core::number::{Ball, Rational};
 
 use super::Problem;
 use super::lowering::Lowered;
 use super::points;
 use crate::claims::{Evidence, Finding};
-use crate::scene::Comparison;
 
 /// The most parts of a box that are looked at.
 const MOST_PARTS: usize = 4096;

@@ -5,12 +5,12 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::sync::LazyLock;
 
 use slipmode_algebra::coq::{self, Theorem};
-use slipmode_algebra::{Certificate, End, Expression, Literal, Proof, Sign, Symbol, Toward};
+use slipmode_algebra::{Certificate, Comparison, End, Expression, Literal, Proof, Sign, Symbol, Toward};
 use slipmode_core::theory::Equations;
 
 use super::behaviour::other_value;
 use crate::claims::sha256_hex;
-use crate::scene::{ClaimFormula, Comparison, Formula, Names, Premises, Statement};
+use crate::scene::{ClaimFormula, Formula, Names, Premises, Statement};
 
 /// The digests of statements that Coq has accepted; `cargo xtask prove` writes and checks the list.
 static ACCEPTED: LazyLock<BTreeSet<&str>> = LazyLock::new(|| accepted(crate::claims::ACCEPTED));

@@ -2,14 +2,14 @@
 
 use std::cell::RefCell;
 
-use slipmode_algebra::{Certificate, Domain, Expression, Literal, Proof, Sign, SignFormula};
+use slipmode_algebra::{Certificate, Comparison, Domain, Expression, Literal, Proof, Sign, SignFormula};
 
 use super::Problem;
 use super::lowering::{Lowered, words};
 use super::points::{self, Point, Points};
 use super::prover::{Draft, Prover};
 use crate::claims::Finding;
-use crate::scene::{Comparison, Formula, MOST_CLAUSES, Premises};
+use crate::scene::{Formula, MOST_CLAUSES, Premises};
 
 /// Points that are looked at before a proof is sought. Their neighbours on the edges of the literals are looked at after it: where the
 /// formula is true, they cost more than its proof.

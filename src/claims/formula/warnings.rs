@@ -1,13 +1,13 @@
 //! Warnings about formulas that may say less than they seem to.
 
-use slipmode_algebra::Expression;
+use slipmode_algebra::{Comparison, Expression};
 use slipmode_core::theory::Equations;
 
 use super::lowering::{Lowered, words};
 use super::prover::Prover;
 use super::{Problem, decide_equations};
 use crate::claims::{Finding, Verdict};
-use crate::scene::{ClaimFormula, Comparison, Formula, FormulaCondition, Names, StatedClaim, Statement};
+use crate::scene::{ClaimFormula, Formula, FormulaCondition, Names, StatedClaim, Statement};
 
 /// How many edges of one formula are looked at.
 const MOST_EDGES: usize = 4;

@@ -2,7 +2,7 @@
 
 use std::cmp::Ordering;
 
-use slipmode_algebra::Toward;
+use slipmode_algebra::{Comparison, Toward};
 use slipmode_core::number::{Ball, Rational};
 
 use super::book::Term;
@@ -10,7 +10,6 @@ use super::claim::{At, Base, Claim, Goal};
 use super::evaluate::Place;
 use super::number::Number;
 use super::points::power_of_two;
-use crate::scene::Comparison;
 
 /// The precisions at which two values are compared.
 const BITS: [u32; 2] = [96, 512];

@@ -4,7 +4,7 @@ use std::cell::Cell;
 use std::cmp::Ordering;
 use std::collections::{BTreeMap, BTreeSet};
 
-use slipmode_algebra::{End, Toward};
+use slipmode_algebra::{Comparison, End, Toward};
 use slipmode_core::number::Rational;
 use slipmode_core::theory::Equations;
 
@@ -13,7 +13,7 @@ use super::evaluate::Place;
 use super::number::{Found, Number, Trouble};
 use super::truth::{Compared, Said, all};
 use super::value::Value;
-use crate::scene::{ClaimFormula, Comparison, Statement};
+use crate::scene::{ClaimFormula, Statement};
 
 /// Values of the variables that are chosen; those of the others follow from the conditions.
 pub(super) type Base = BTreeMap<usize, Rational>;

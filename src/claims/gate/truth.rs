@@ -2,6 +2,7 @@
 
 use std::cmp::Ordering;
 
+use slipmode_algebra::Comparison;
 use slipmode_core::theory::root_location::RootStatement;
 
 use super::book::{Book, Term};
@@ -9,7 +10,7 @@ use super::evaluate::{Place, is_zero};
 use super::number::{Found, Number, Trouble};
 use super::roots;
 use super::value::{Kind, Value};
-use crate::scene::{Comparison, Crossing, Formula};
+use crate::scene::{Crossing, Formula};
 
 /// Two sides that compare so.
 #[derive(Debug, Clone)]

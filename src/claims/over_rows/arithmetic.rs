@@ -4,7 +4,7 @@ use std::cmp::Ordering;
 
 use slipmode_core::number::{Ball, Rational, Real};
 
-use crate::scene::Comparison;
+use slipmode_algebra::Comparison;
 
 /// Bits of the values.
 pub(super) const BITS: u32 = 96;

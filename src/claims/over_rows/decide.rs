@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use slipmode_algebra::{Expression, Function, Symbol};
+use slipmode_algebra::{Comparison, Expression, Function, Symbol};
 use slipmode_core::number::format::round_digits;
 use slipmode_core::number::{Ball, Rational};
 use slipmode_plot::table::Table;
@@ -11,7 +11,7 @@ use super::arithmetic::{BITS, compared, correlation, magnitude};
 use super::statement::{Form, RowStatement};
 use super::values::{Row, rows};
 use crate::claims::{Evidence, Finding, Strength};
-use crate::scene::{Comparison, Formula};
+use crate::scene::Formula;
 
 /// How many columns name a row: scene, law and place in most tables.
 const FIRST_COLUMNS: usize = 4;

@@ -14,10 +14,10 @@
 
 use std::collections::BTreeSet;
 
-use slipmode_algebra::{Expression, Function, Symbol};
+use slipmode_algebra::{Comparison, Expression, Function, Source, Symbol};
 use slipmode_core::number::{Rational, parse_decimal};
 
-use crate::scene::{Comparison, Formula, Names, nearest};
+use crate::scene::{Formula, Names, nearest};
 use slipmode_plot::table::{Column, Kind};
 
 /// A statement and the rows that it is about.
@@ -273,12 +273,10 @@ fn all() -> Formula {
 
 /// What stands before the last comparison of a text, the comparison, and the number after it.
 fn compared(text: &str) -> Result<(&str, Comparison, Rational), String> {
-    let missing = || format!("'{text}' needs a comparison with a number");
-    let end = text.rfind(['=', '<', '>']).ok_or_else(missing)? + 1;
-    let ends = |comparison: &Comparison| text[..end].ends_with(comparison.as_str());
-    let longest = Comparison::ALL.into_iter().filter(ends).max_by_key(|one| one.as_str().len());
-    let comparison = longest.ok_or_else(missing)?;
-    Ok((&text[..end - comparison.as_str().len()], comparison, number(&text[end..])?))
+    let last = Source::new(text).comparisons(text).pop();
+    let (before, comparison, after) =
+        last.ok_or_else(|| format!("'{text}' needs a comparison with a number"))?;
+    Ok((before, comparison, number(after)?))
 }
 
 fn number(text: &str) -> Result<Rational, String> {

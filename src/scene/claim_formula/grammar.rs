@@ -1,9 +1,9 @@
 //! The grammar of formulas: every fault has the column at which it was found.
 
-use slipmode_algebra::{End, Expression, Symbol, Toward};
+use slipmode_algebra::{Comparison, End, Expression, Source, Symbol, Toward};
 use slipmode_core::theory::root_location::RootStatement;
 
-use super::{Comparison, Crossing, Formula, Statement};
+use super::{Crossing, Formula, Statement};
 use crate::scene::claim_names::Names;
 
 /// The most words, brackets and comparisons of one formula.
@@ -21,7 +21,7 @@ const CROSSING: &str = "pair_crosses";
 
 /// Reads a whole statement.
 pub(super) fn statement(text: &str, names: &Names) -> Result<Statement, String> {
-    let reader = Reader { text, names };
+    let reader = Reader { source: Source::new(text), names };
     let side = |part| reader.side(part);
     let name = |part| reader.variable(part);
     if let Some((left, rest)) = text.split_once("->") {
@@ -65,17 +65,17 @@ pub(super) fn statement(text: &str, names: &Names) -> Result<Statement, String> 
 
 /// The two sides of the one comparison in a text.
 pub(super) fn compared(text: &str, names: &Names) -> Result<(Expression, Comparison, Expression), String> {
-    Reader { text, names }.comparison(text)
+    Reader { source: Source::new(text), names }.comparison(text)
 }
 
 /// An expression in known names.
 pub(in crate::scene) fn side(text: &str, names: &Names) -> Result<Expression, String> {
-    Reader { text, names }.side(text)
+    Reader { source: Source::new(text), names }.side(text)
 }
 
 /// The name of a variable.
 pub(in crate::scene) fn variable(text: &str, names: &Names) -> Result<Symbol, String> {
-    Reader { text, names }.variable(text)
+    Reader { source: Source::new(text), names }.variable(text)
 }
 
 /// The words that join, the brackets, and the texts between them.
@@ -167,23 +167,17 @@ impl Parser<'_> {
 /// Reads parts of a text.
 #[derive(Clone, Copy)]
 struct Reader<'t> {
-    text: &'t str,
+    source: Source<'t>,
     names: &'t Names,
 }
 
 impl Reader<'_> {
-    /// The column at which a part of the text begins, from 0; the end for what is no part of it.
-    fn column(&self, part: &str) -> usize {
-        let start = (part.as_ptr() as usize).wrapping_sub(self.text.as_ptr() as usize);
-        self.text.get(..start).unwrap_or(self.text).chars().count()
-    }
-
     fn fault(&self, part: &str, message: impl AsRef<str>) -> String {
-        format!("column {}: {}", self.column(part) + 1, message.as_ref())
+        format!("column {}: {}", self.source.column(part), message.as_ref())
     }
 
     fn atom(&self, text: &str) -> Result<Formula, String> {
-        let word = text.split('(').next().unwrap_or_default().trim();
+        let (word, arguments) = self.source.call(text);
         let statement = RootStatement::from_word(word);
         if statement.is_none() && word != CROSSING {
             let predicates = RootStatement::ALL.map(RootStatement::as_str).into_iter().chain([CROSSING]);
@@ -195,15 +189,11 @@ impl Reader<'_> {
             let (left, comparison, right) = self.comparison(text)?;
             return Ok(Formula::Compare(left, comparison, right));
         }
-        let inside = text[text.find('(').unwrap_or(text.len())..].strip_prefix('(');
-        let inside = inside.and_then(|inside| inside.strip_suffix(')')).filter(|inside| is_closed(inside));
-        let Some(inside) = inside else {
-            return Err(self.fault(
-                text,
-                format!("{word}(...) stands alone: it is true or false and has no value to compare"),
-            ));
-        };
-        match (statement, &arguments(inside)[..]) {
+        let arguments = arguments.ok_or_else(|| {
+            let alone = format!("{word}(...) stands alone: it is true or false and has no value to compare");
+            self.fault(text, alone)
+        })?;
+        match (statement, &arguments[..]) {
             (Some(statement), [polynomial, variable]) => {
                 let variable = self.free(variable)?;
                 Ok(Formula::Roots(statement, self.side_in(polynomial, Some(&variable))?, variable))
@@ -232,24 +222,11 @@ impl Reader<'_> {
     }
 
     fn comparison(&self, text: &str) -> Result<(Expression, Comparison, Expression), String> {
-        let mut rest = text;
-        let mut found = None;
-        while let Some(at) = rest.find(['=', '<', '>', '!']) {
-            let comparison = Comparison::ALL.into_iter().find(|one| rest[at..].starts_with(one.as_str()));
-            let (Some(comparison), None) = (comparison, found) else {
-                return Err(self.fault(&rest[at..], FORMS));
-            };
-            found = Some((comparison, self.column_in(text, &rest[at..])));
-            rest = &rest[at + comparison.as_str().len()..];
+        match self.source.comparisons(text)[..] {
+            [(left, comparison, right)] => Ok((self.side(left)?, comparison, self.side(right)?)),
+            [] => Err(self.fault(text, FORMS)),
+            [_, (before, ..), ..] => Err(self.fault(&text[before.len()..], FORMS)),
         }
-        let Some((comparison, at)) = found else { return Err(self.fault(text, FORMS)) };
-        let (left, right) = text.split_at(at);
-        Ok((self.side(left)?, comparison, self.side(&right[comparison.as_str().len()..])?))
-    }
-
-    /// Where a part begins in a text, in bytes.
-    fn column_in(&self, text: &str, part: &str) -> usize {
-        (part.as_ptr() as usize).wrapping_sub(text.as_ptr() as usize)
     }
 
     fn side(&self, part: &str) -> Result<Expression, String> {
@@ -259,9 +236,10 @@ impl Reader<'_> {
     /// An expression in known names and in one more.
     fn side_in(&self, part: &str, own: Option<&Symbol>) -> Result<Expression, String> {
         let part = part.trim();
-        let (expression, _) = Expression::read(part).map_err(|error| {
-            format!("column {}: '{part}': {}", self.column(part) + error.column, error.message)
-        })?;
+        let (expression, _) = self
+            .source
+            .expression(part)
+            .map_err(|error| format!("column {}: '{part}': {}", error.column, error.message))?;
         let unknown = |name: &&Symbol| !self.names.has(name) && Some(*name) != own;
         match expression.variables().iter().find(unknown) {
             Some(unknown) => Err(self.fault(part, self.names.refusal(unknown.as_str()))),
@@ -287,23 +265,4 @@ impl Reader<'_> {
             _ => Err(self.fault(part, format!("'{part}' is no name for the roots"))),
         }
     }
-}
-
-/// Whether no bracket is closed before it is opened.
-fn is_closed(text: &str) -> bool {
-    let depths = text.chars().scan(0_i32, |depth, c| {
-        *depth += i32::from(c == '(') - i32::from(c == ')');
-        Some(*depth)
-    });
-    depths.into_iter().all(|depth| depth >= 0)
-}
-
-/// The texts between the commas outside brackets.
-fn arguments(text: &str) -> Vec<&str> {
-    let mut depth = 0;
-    text.split(|c: char| {
-        depth += i32::from(c == '(') - i32::from(c == ')');
-        c == ',' && depth == 0
-    })
-    .collect()
 }

@@ -1,8 +1,8 @@
 //! Formulas as readers see them: words, and LaTeX between `$`.
 
-use slipmode_algebra::{End, Expression, Symbol, Toward};
+use slipmode_algebra::{Comparison, End, Expression, Symbol, Toward};
 
-use super::{ClaimFormula, Comparison, Formula, FormulaCondition, Statement};
+use super::{ClaimFormula, Formula, FormulaCondition, Statement};
 
 impl ClaimFormula {
     /// The formula and over what it is said, in words and LaTeX between `$`.

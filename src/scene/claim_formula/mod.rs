@@ -21,10 +21,9 @@ mod grammar;
 mod markdown;
 mod premises;
 
-use std::cmp::Ordering;
-
 use slipmode_algebra::{
-    ConversionError, End, Expression, Extent, Literal, Sign, SignFormula, Symbol, Toward, within_budget,
+    Comparison, ConversionError, End, Expression, Extent, Literal, Sign, SignFormula, Symbol, Toward,
+    within_budget,
 };
 use slipmode_core::number::Rational;
 use slipmode_core::theory::Equations;
@@ -145,25 +144,6 @@ pub struct Crossing {
     pub frequency: Expression,
 }
 
-slipmode_algebra::named! {
-    /// How two sides compare.
-    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-    pub enum Comparison {
-        /// The left side is not larger.
-        AtMost = "<=",
-        /// The left side is not smaller.
-        AtLeast = ">=",
-        /// Not equal.
-        Unequal = "!=",
-        /// Equal.
-        Equal = "=",
-        /// The left side is smaller.
-        Less = "<",
-        /// The left side is larger.
-        Greater = ">",
-    }
-}
-
 impl ClaimFormula {
     /// The formula, and what is said of the outside of its limit.
     pub fn with_outside(&self) -> impl Iterator<Item = &Self> {
@@ -188,34 +168,6 @@ impl Formula {
         match grammar::statement(text, names)? {
             Statement::True(formula) => Ok(formula),
             _ => Err(format!("'{text}' is no condition that is true or false in a row")),
-        }
-    }
-}
-
-impl Comparison {
-    /// Whether two numbers in this order compare so.
-    #[must_use]
-    pub fn holds(self, order: Ordering) -> bool {
-        match self {
-            Self::AtMost => order.is_le(),
-            Self::AtLeast => order.is_ge(),
-            Self::Unequal => order.is_ne(),
-            Self::Equal => order.is_eq(),
-            Self::Less => order.is_lt(),
-            Self::Greater => order.is_gt(),
-        }
-    }
-
-    /// The comparison of two sides as one of their difference with zero.
-    #[must_use]
-    pub fn literal(self, left: Expression, right: Expression) -> Literal {
-        match self {
-            Self::Greater => Literal::new(left - right, Sign::Positive),
-            Self::AtLeast => Literal::new(left - right, Sign::NonNegative),
-            Self::Less => Literal::new(right - left, Sign::Positive),
-            Self::AtMost => Literal::new(right - left, Sign::NonNegative),
-            Self::Equal => Literal::new(left - right, Sign::Zero),
-            Self::Unequal => Literal::new(left - right, Sign::NonZero),
         }
     }
 }

@@ -2,11 +2,11 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use slipmode_algebra::{Condition, Domain, Expression, Literal, Relation, Sign, Symbol};
+use slipmode_algebra::{Comparison, Condition, Domain, Expression, Literal, Relation, Sign, Symbol};
 use slipmode_core::number::Rational;
 use slipmode_core::theory::Equations;
 
-use super::{Comparison, FormulaCondition, Scope};
+use super::{FormulaCondition, Scope};
 use crate::scene::claim_names::Names;
 
 /// What is assumed of the variables of a formula, in the variables that are left.

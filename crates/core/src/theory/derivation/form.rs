@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use slipmode_algebra::{Condition, Demand, Expression, ParseError, Symbol, Toward};
+use slipmode_algebra::{Comparison, Condition, Demand, Expression, Relation, Source, Symbol, Toward};
 
 slipmode_algebra::named! {
     /// What can be derived by name.
@@ -110,74 +110,65 @@ impl Form {
             values: Vec::new(),
             demands: Vec::new(),
         };
-        let called = text.split_once('(').map(|(word, rest)| (word.trim(), rest));
-        let called = called.and_then(|(word, rest)| Some((Operation::from_word(word)?, rest)));
-        let Some((operation, rest)) = called else {
-            form.expression(text, 0)?;
+        let source = Source::new(text);
+        let (word, arguments) = source.call(text);
+        let Some(operation) = Operation::from_word(word) else {
+            form.expression(source, text)?;
             return Ok(form);
         };
         form.operation = Some(operation);
         let (words, kinds) = operation.form();
-        let start = text.len() - rest.len();
-        let arguments = arguments(text, start).ok_or_else(|| {
-            format!(
-                "`{}` has the form `{words}` and stands alone: give it a name of its own",
-                operation.as_str()
-            )
+        let arguments = arguments.ok_or_else(|| {
+            format!("`{word}` has the form `{words}` and stands alone: give it a name of its own")
         })?;
         let wanted = if kinds.contains(&Kind::Values) { arguments.len().max(2) } else { kinds.len() };
         if arguments.len() != wanted {
             return Err(format!("`{words}` has {wanted} arguments, not {}", arguments.len()));
         }
         let kinds = kinds.iter().chain(std::iter::repeat(&kinds[kinds.len() - 1]));
-        for ((offset, argument), kind) in arguments.into_iter().zip(kinds) {
-            form.argument(argument, offset, *kind)?;
+        for (argument, kind) in arguments.into_iter().zip(kinds) {
+            form.argument(source, argument.trim(), *kind)?;
         }
         Ok(form)
     }
 
-    fn argument(&mut self, text: &str, offset: usize, kind: Kind) -> Result<(), String> {
-        let trimmed = text.trim();
-        let wrong = |wanted: &str| Err(format!("column {}: '{trimmed}' is not {wanted}", offset + 1));
+    fn argument(&mut self, source: Source<'_>, text: &str, kind: Kind) -> Result<(), String> {
+        let wrong = |wanted: &str| Err(format!("column {}: '{text}' is not {wanted}", source.column(text)));
         match kind {
-            Kind::Expression => self.expression(text, offset)?,
-            Kind::System if is_name(trimmed) => self.system = Some(trimmed.to_owned()),
+            Kind::Expression => self.expression(source, text)?,
+            Kind::System if is_name(text) => self.system = Some(text.to_owned()),
             Kind::System => return wrong("the name of a system"),
-            Kind::Variable => match read_name(trimmed) {
+            Kind::Variable => match read_name(text) {
                 Some(name) => self.variables.push(name),
                 None => return wrong("a variable"),
             },
-            Kind::Whole => match trimmed.parse() {
+            Kind::Whole => match text.parse() {
                 Ok(whole) if whole <= LARGEST_WHOLE => self.whole = whole,
                 _ => return wrong(&format!("a whole number from 0 to {LARGEST_WHOLE}")),
             },
-            Kind::End => match trimmed {
+            Kind::End => match text {
                 "0" => self.toward = Toward::Zero,
                 "infinity" => self.toward = Toward::Infinity,
                 _ => return wrong("0 or infinity"),
             },
-            Kind::Values => match text.split_once('=') {
-                Some((name, value)) => {
-                    let Some(symbol) = read_name(name.trim()) else {
-                        return wrong("of the form `x = value`");
-                    };
-                    self.expression(value, offset + name.chars().count() + 1)?;
-                    self.values.extend(self.expressions.pop().map(|value| (symbol, value)));
-                }
-                None => return wrong("of the form `x = value`"),
-            },
+            Kind::Values => {
+                let [(name, Comparison::Equal, value)] = source.comparisons(text)[..] else {
+                    return wrong("of the form `x = value`");
+                };
+                let Some(symbol) = read_name(name.trim()) else {
+                    return wrong("of the form `x = value`");
+                };
+                self.expression(source, value)?;
+                self.values.extend(self.expressions.pop().map(|value| (symbol, value)));
+            }
         }
         Ok(())
     }
 
-    fn expression(&mut self, text: &str, offset: usize) -> Result<(), String> {
-        let (expression, demands) = Expression::read(text).map_err(|error| {
-            let ParseError { column, message } = error;
-            format!("column {}: {message}", column + offset)
-        })?;
+    fn expression(&mut self, source: Source<'_>, part: &str) -> Result<(), String> {
+        let (expression, demands) = source.expression(part).map_err(|error| error.to_string())?;
         self.expressions.push(expression);
-        let moved = demands.into_iter().map(|demand| Demand { column: demand.column + offset, ..demand });
-        self.demands.extend(moved);
+        self.demands.extend(demands);
         Ok(())
     }
 
@@ -211,46 +202,25 @@ pub(in crate::theory) fn is_name(text: &str) -> bool {
     read_name(text).is_some()
 }
 
-/// The arguments of a call that ends with the text, with their offsets in characters; none when it does not.
-fn arguments(text: &str, start: usize) -> Option<Vec<(usize, &str)>> {
-    let mut found = Vec::new();
-    let (mut depth, mut begin) = (1_usize, start);
-    for (place, character) in text.char_indices().filter(|(place, _)| *place >= start) {
-        depth = match character {
-            '(' => depth + 1,
-            ')' => depth.checked_sub(1)?,
-            _ => depth,
-        };
-        if depth == 0 || (depth == 1 && character == ',') {
-            found.push((text[..begin].chars().count(), &text[begin..place]));
-            begin = place + 1;
-        }
-        if depth == 0 {
-            return text[begin..].trim().is_empty().then_some(found);
-        }
-    }
-    None
-}
-
 /// A condition between two sides, such as `A < B`.
 ///
 /// # Errors
 /// When there is not one of `<`, `>`, `<=`, `>=` and `!=`, or a side is not of the grammar.
 pub(in crate::theory) fn read_condition(text: &str) -> Result<Condition, String> {
-    use slipmode_algebra::Relation::{NonNegative, NonZero, Positive};
-    let marks = [("<=", NonNegative, true), (">=", NonNegative, false), ("!=", NonZero, false)];
-    let marks = marks.into_iter().chain([("<", Positive, true), (">", Positive, false)]);
-    let found = marks.into_iter().find_map(|(mark, relation, swapped)| {
-        let (left, right) = text.split_once(mark)?;
-        Some((if swapped { [right, left] } else { [left, right] }, relation))
-    });
     let form = "a condition has one of '<', '>', '<=', '>=' and '!=' between two sides";
-    let (sides, relation) = found.ok_or(form)?;
-    let side = |text: &str| {
-        let read = text.trim().parse::<Expression>();
-        read.map_err(|error| format!("'{}', {error}", text.trim()))
+    let source = Source::new(text);
+    let [(left, comparison, right)] = source.comparisons(text)[..] else { return Err(form.into()) };
+    let (relation, sides) = match comparison {
+        Comparison::Equal => return Err(form.into()),
+        Comparison::AtMost => (Relation::NonNegative, [right, left]),
+        Comparison::AtLeast => (Relation::NonNegative, [left, right]),
+        Comparison::Unequal => (Relation::NonZero, [left, right]),
+        Comparison::Less => (Relation::Positive, [right, left]),
+        Comparison::Greater => (Relation::Positive, [left, right]),
     };
-    Ok(Condition { expression: side(sides[0])? - side(sides[1])?, relation })
+    let [larger, smaller] =
+        sides.map(|side| source.expression(side).map_err(|error| format!("'{}', {error}", side.trim())));
+    Ok(Condition { expression: larger?.0 - smaller?.0, relation })
 }
 
 #[cfg(test)]
@@ -277,7 +247,7 @@ mod tests {
         assert!(refusal("1 + solve(P, s)").contains("column 10: 'solve' is not a function"));
         assert!(refusal("solve(P, s) + 1").contains("stands alone"));
         assert!(refusal("solve(P, s").contains("stands alone"));
-        assert_eq!(refusal("hurwitz(P, s, x)"), "column 14: 'x' is not a whole number from 0 to 12");
+        assert_eq!(refusal("hurwitz(P, s, x)"), "column 15: 'x' is not a whole number from 0 to 12");
         assert!(refusal("solve(P +, s)").starts_with("column 10: expected a number"));
         assert!(refusal("at(P, s)").contains("of the form `x = value`"));
         assert!(read_condition("a = b").is_err() && read_condition("a <= b").is_ok());

@@ -1,18 +1,21 @@
 //! Checking certificates: every fact is computed anew.
 
+#[cfg(test)]
+mod tests;
+
 use std::collections::BTreeMap;
 
 use rug::Rational;
 
-use super::refutation::CounterExample;
-use super::{
+use crate::refutation::CounterExample;
+use crate::{
     Certificate, ConversionError, Domain, DomainError, End, Expression, RationalFunction, Series, Symbol,
     Toward,
 };
 
 /// Why a certificate does not hold.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(super) struct Failure {
+pub(crate) struct Failure {
     pub remainder: String,
     pub counter_example: Option<Box<CounterExample>>,
 }
@@ -37,7 +40,7 @@ impl Failure {
 
 impl Certificate {
     /// Computes the certificate's fact anew.
-    pub(super) fn check(&self) -> Result<(), Failure> {
+    pub(crate) fn check(&self) -> Result<(), Failure> {
         if let Some(domain) = self.domain() {
             domain.check()?;
         }
