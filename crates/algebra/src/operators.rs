@@ -41,7 +41,7 @@ impl Mul for &Polynomial {
     type Output = Polynomial;
 
     fn mul(self, other: Self) -> Polynomial {
-        spend(self.term_count() * other.term_count());
+        spend(self.term_count() * other.term_count() * length(self).max(length(other)));
         let mut product = Polynomial::zero();
         for (left, left_coefficient) in self.terms() {
             for (right, right_coefficient) in other.terms() {
@@ -50,6 +50,13 @@ impl Mul for &Polynomial {
         }
         product
     }
+}
+
+/// The length of the longest coefficient in machine words, at least 1.
+fn length(polynomial: &Polynomial) -> usize {
+    let bits =
+        |value: &Rational| value.numer().significant_bits().max(value.denom().significant_bits()) as usize;
+    1 + polynomial.terms().map(|(_, coefficient)| bits(coefficient)).max().unwrap_or(0) / 64
 }
 
 impl fmt::Display for Polynomial {

@@ -5,7 +5,7 @@
 
 use rug::Rational;
 
-use super::{Generator, Monomial, Polynomial};
+use super::{Generator, Monomial, Polynomial, within_budget};
 
 /// The most terms, and the largest degree, of a polynomial that is tried: others are left undecided.
 const MOST_TERMS: usize = 40;
@@ -14,6 +14,9 @@ const MOST_DEGREE: u32 = 16;
 /// How often a square is completed in one search, and how many squares a sum has at most: numbers double their length with each.
 const MOST_TRIED: usize = 60;
 const MOST_SQUARES: usize = 8;
+
+/// The most steps of one search.
+const STEPS: u64 = 50_000;
 
 /// What is known of the values of generators.
 pub(super) struct Known<'k> {
@@ -43,9 +46,12 @@ pub(super) fn as_squares(polynomial: &Polynomial, known: &Known<'_>) -> Option<b
     if !is_small || polynomial.is_zero() || polynomial.generators().iter().any(is_imaginary) {
         return None;
     }
-    let (rest, squared) = without_squares(polynomial);
-    let is_positive = sum_of_squares(&rest, known)?;
-    Some(is_positive && squared.iter().all(|factor| sum_of_squares(factor, known) == Some(true)))
+    let found = within_budget(STEPS, || {
+        let (rest, squared) = without_squares(polynomial);
+        let is_positive = sum_of_squares(&rest, known)?;
+        Some(is_positive && squared.iter().all(|factor| sum_of_squares(factor, known) == Some(true)))
+    });
+    found.ok().flatten()
 }
 
 fn is_imaginary(generator: &Generator) -> bool {

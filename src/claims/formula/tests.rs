@@ -101,6 +101,17 @@ fn no_random_formula_holds_that_a_point_refutes_and_every_counter_example_is_one
     assert!(held >= 10 && failed >= 60 && open <= 20, "{held} held, {failed} failed, {open} open");
 }
 
+/// Its conditions of Hurwitz have long coefficients, of which squares were sought for 40 s.
+#[test]
+fn a_search_without_a_result_ends_within_its_steps() {
+    let equations: Equations = read_equations("equations.toml", EQUATIONS).unwrap();
+    let text = "[not stable((z^2 + K*z + M)*(z^2 + V*z + a)*(z + b), z)] implies K*K + 1 = 0";
+    let read = ClaimFormula::read(text, Scope::default(), &equations).unwrap();
+    let found = within_budget(STEPS / 4, || decide_equations("f", "", &read, &equations)).unwrap();
+    assert_eq!(found.verdict, Verdict::NotChecked);
+    assert!(found.remarks[0].contains("no certificate was found"), "{:?}", found.remarks);
+}
+
 /// The theorem of the last step of the proof of a formula, without its proof.
 fn stated(text: &str, equations: &Equations) -> String {
     let read = ClaimFormula::read(text, Scope::default(), equations).unwrap();

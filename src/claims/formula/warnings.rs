@@ -1,11 +1,11 @@
 //! Warnings about formulas that may say less than they seem to.
 
-use slipmode_algebra::{Comparison, Expression};
+use slipmode_algebra::{Comparison, Expression, within_budget};
 use slipmode_core::theory::Equations;
 
 use super::lowering::{Lowered, words};
 use super::prover::Prover;
-use super::{Problem, decide_equations};
+use super::{Problem, STEPS, decide_equations};
 use crate::claims::{Finding, Verdict};
 use crate::scene::{ClaimFormula, Formula, FormulaCondition, Names, StatedClaim, Statement};
 
@@ -24,7 +24,11 @@ pub(in crate::claims) fn warnings(
     let about_equations =
         stated.parts().zip(parts.chain(alone)).filter(|((_, formula), _)| formula.rows.is_none());
     for ((_, formula), verdict) in about_equations {
-        for warning in of_formula(formula, verdict, stated, equations) {
+        let own = within_budget(STEPS, || of_formula(formula, verdict, stated, equations));
+        let own = own.unwrap_or_else(|exhausted| {
+            vec![format!("not all warnings on '{}' were looked for: {exhausted}", formula.text)]
+        });
+        for warning in own {
             if !warnings.contains(&warning) {
                 warnings.push(warning);
             }
