@@ -92,7 +92,7 @@ def apply_exactly(word, value):
         if roots[0] ** 2 == value.numerator and roots[1] ** 2 == value.denominator:
             return Fraction(*roots)
     elif value == (1 if word == "ln" else 0):
-        return Fraction(int(word == "exp"))
+        return Fraction(int(word in ("exp", "cos")))
     raise Inexact(word)
 
 

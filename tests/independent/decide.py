@@ -147,8 +147,8 @@ def refuted(formula, sampler, point, said):
             change = changes(point, moved, statement.side)
             return None if change is None or not meets(moved, sampler.conditions) else change == 0
         if statement.kind in ("rises", "falls"):
-            at = point.get(statement.variable)
-            moved = point.moved({statement.variable: point.values[statement.variable] * (1 + Fraction(1, 10**9)) if at else Fraction(1, 10**9)})
+            at = point.values[statement.variable]
+            moved = point.moved({statement.variable: at + (abs(at) or 1) * Fraction(1, 10**9)})
             change = changes(point, moved, statement.side)
             return None if change is None else change == (1 if statement.kind == "rises" else -1)
         return truth(point, statement, sampler.conditions, sampler.random)

@@ -2,7 +2,8 @@
 
 A quantity is computed with fractions where that is possible. Otherwise it is computed with 50 and with 80 digits. Their difference
 estimates the error of the first; the sign counts only where the quantity exceeds it a thousand times, and the quantity counts as
-zero only where 80 digits bring it 20 orders of magnitude below that error.
+zero only where 80 digits bring it 20 orders of magnitude below that error, and where it comes from numbers below 10^20: beside
+larger ones a difference of any size may be below the last digit.
 """
 
 from fractions import Fraction
@@ -15,6 +16,7 @@ from language import Behaviour, Comparison, Crossing, Joined, Roots
 
 FEW, MANY = 50, 80
 TINY = mpf(10) ** -20
+LARGEST = mpf(10) ** 20
 
 
 def sign(quantity):
@@ -29,15 +31,16 @@ def sign(quantity):
         few, size = quantity()
     with digits(MANY):
         many = quantity()[0]
+        is_zero = lambda error: abs(many) <= TINY * error and size < LARGEST
         error = max(abs(few - many), size * mpf(10) ** (5 - FEW))
         if not mp.isfinite(error):
             return None
         if not arithmetic.is_real(many):
-            return 1 if abs(many) > 1000 * error else 0 if abs(many) <= TINY * error else None
+            return 1 if abs(many) > 1000 * error else 0 if is_zero(error) else None
         many = many.real
         if abs(many) > 1000 * error:
             return 1 if many > 0 else -1
-        return 0 if abs(many) <= TINY * error else None
+        return 0 if is_zero(error) else None
 
 
 def difference(point, left, right):

@@ -69,7 +69,7 @@ fn a_claim_out_of_reach_has_no_formula_and_no_other_verdict() {
 #[test]
 fn equations_with_faults_are_refused_all_at_once() {
     let faulty = EQUATIONS
-        .replace("\"A\", \"B\"", "\"A\", \"i\", \"2x\", \"B\"")
+        .replace("\"A\", \"B\"", "\"A\", \"i\", \"2x\", \"infinity\", \"B\"")
         .replace("number = \"mass\"", "number = \"3.2\"");
     let more = "[[equation]]\nnumber = \"a b\"\nequation = \"x = 1\"\n[[equation]]\nnumber = \"4\"\nequation = \"x = 1/(K - M)\"\n\
         [[equation]]\nnumber = \"5\"\nequation = \"x + 1\"\n";
@@ -77,7 +77,8 @@ fn equations_with_faults_are_refused_all_at_once() {
         .run(["verify", "r"])
         .expect_refusal(&[
             "assumptions.positive: 'i' is no variable",
-            "assumptions.positive: '2x' is not a name",
+            "assumptions.positive: '2x' is not a name: a name has 1 to 40 characters",
+            "assumptions.positive: 'infinity' is not a name",
             "equation 3.2: occurs twice",
             "equation a b: a number has 1 to 40 characters",
             "equation 4: right side '1/(K - M)', column 3: 'K - M' may be zero",

@@ -8,7 +8,7 @@ use crate::harness::{Ended, Workplace};
 const ROOT: &str = env!("CARGO_MANIFEST_DIR");
 
 /// Runs the program; none where Python or mpmath is missing, which `cargo xtask validate` reports.
-fn compared(arguments: &[&str]) -> Option<Ended> {
+pub fn compared(arguments: &[&str]) -> Option<Ended> {
     let has_mpmath = Command::new("python3").args(["-c", "import mpmath, tomllib"]).output();
     if !has_mpmath.is_ok_and(|output| output.status.success()) {
         return None;

@@ -1,10 +1,11 @@
 //! Random claims whose truth is known by construction, decided by the program as a user runs it.
 //!
 //! A claim begins as a statement whose truth follows from how it is built, and is then disguised by changes that keep its truth. The
-//! program may leave a claim undecided. It must never call a false claim true, a true one false, or decide what has no meaning.
+//! program may leave a claim undecided. It must never call a false claim true, a true one false, or decide what has no meaning. The
+//! independent program in `tests/independent` reads the claims that were decided, and must contradict no verdict.
 //!
 //! `SLIPMODE_RANDOM_CLAIMS=100000` decides more claims than the 2 000 of every run, `SLIPMODE_RANDOM_CLAIMS_SEED` others, and
-//! `SLIPMODE_RANDOM_CLAIMS_FOLDER` keeps the folders, each with `truth.csv`, for another program to read.
+//! `SLIPMODE_RANDOM_CLAIMS_FOLDER` keeps the folders, each with `truth.csv`.
 
 mod claim;
 mod disguise;
@@ -18,9 +19,10 @@ mod world;
 use std::collections::BTreeMap;
 use std::env;
 use std::fmt::Write;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use crate::harness::Workplace;
+use crate::independent::compared;
 use crate::random::Random;
 use program::{Answer, write_folder};
 use trial::Trial;
@@ -84,6 +86,9 @@ fn a_variable_with_a_word_of_the_grammar_as_its_name_is_refused_or_is_that_varia
     assert!(accepted.len() > 90, "{accepted:?}");
 }
 
+/// At how many points the independent program evaluates each claim.
+const POINTS: &str = "5";
+
 /// How many wrong verdicts of a kind are shown.
 const SHOWN: usize = 6;
 
@@ -100,7 +105,9 @@ struct Tally {
 fn no_random_claim_gets_a_wrong_verdict() {
     let count = setting("SLIPMODE_RANDOM_CLAIMS").map_or(COUNT, |count| usize::try_from(count).unwrap());
     let seed = setting("SLIPMODE_RANDOM_CLAIMS_SEED").unwrap_or(29);
-    let kept = env::var_os("SLIPMODE_RANDOM_CLAIMS_FOLDER");
+    let place = Workplace::new();
+    let kept = env::var_os("SLIPMODE_RANDOM_CLAIMS_FOLDER").map_or_else(|| place.path(""), PathBuf::from);
+    let mut folders = Vec::new();
     let (accepted, _) = accepted_names();
     let mut tallies: BTreeMap<(&str, claim::Truth), Tally> = BTreeMap::new();
     for folder in 0..count.div_ceil(IN_A_FOLDER) {
@@ -109,9 +116,8 @@ fn no_random_claim_gets_a_wrong_verdict() {
         let trials: Vec<Trial> = (0..IN_A_FOLDER).map(|_| Trial::drawn(random)).collect();
         let claims: Vec<claim::Claim> = trials.iter().map(Trial::claim).collect();
         let answers = program::answers(&world, &claims);
-        if let Some(kept) = &kept {
-            keep(&Path::new(kept).join(format!("r{folder}")), &world, &claims, &answers);
-        }
+        folders.push(kept.join(format!("r{folder}")));
+        keep(&folders[folder], &world, &claims, &answers);
         for (number, (answer, trial)) in answers.into_iter().zip(&trials).enumerate() {
             let claim = &claims[number];
             let tally = tallies.entry((claim.kind, claim.truth)).or_default();
@@ -134,23 +140,37 @@ fn no_random_claim_gets_a_wrong_verdict() {
     let all: usize = tallies.values().map(|tally| tally.wrong).sum();
     assert!(all == 0, "{all} of {count} claims got a wrong verdict (seed {seed})");
     assert!(share >= LEAST_SHARE, "{share} % decided, at least {LEAST_SHARE} % are expected");
+    let folders = folders.iter().map(|folder| folder.to_str().unwrap());
+    let Some(ended) = compared(&folders.chain(["--points", POINTS, "--quiet"]).collect::<Vec<_>>()) else {
+        return;
+    };
+    println!("{}", ended.stdout);
+    assert_eq!((ended.code, ended.stderr.as_str()), (0, ""), "{}", ended.stdout);
 }
 
-/// The claims as a folder with a report, and beside them their truth and what the program says.
+/// The claims that were decided as a folder with a report and its ledger, and beside them the truth of all and what the program says.
 fn keep(folder: &Path, world: &World, claims: &[claim::Claim], answers: &[Answer]) {
-    let numbered: Vec<(usize, &claim::Claim)> = claims.iter().enumerate().collect();
-    write_folder(folder, world, &numbered);
+    let (mut decided, mut entries) = (Vec::new(), Vec::new());
     let mut truths = String::from("claim,kind,truth,verdict\n");
-    for ((number, claim), answer) in numbered.into_iter().zip(answers) {
-        let verdict = match answer {
-            Answer::Holds => "holds",
-            Answer::Fails(_) => "fails",
-            Answer::NotChecked => "not-checked",
-            Answer::Refused(_) => "refused",
-            Answer::Broken(_) => "broken",
+    for ((number, claim), answer) in claims.iter().enumerate().zip(answers) {
+        let (verdict, counter_example) = match answer {
+            Answer::Holds => ("holds", Some("null")),
+            Answer::Fails(counter_example) => ("fails", Some(counter_example.as_str())),
+            Answer::NotChecked => ("not-checked", None),
+            Answer::Refused(_) => ("refused", None),
+            Answer::Broken(_) => ("broken", None),
         };
         writeln!(truths, "C{number},{},{:?},{verdict}", claim.kind, claim.truth).unwrap();
+        if let Some(example) = counter_example {
+            decided.push((number, claim));
+            entries.push(format!(
+                "{{\"id\": \"C{number}\", \"verdict\": \"{verdict}\", \"counter_example\": {example}}}"
+            ));
+        }
     }
+    write_folder(folder, world, &decided);
+    std::fs::write(folder.join("ledger.json"), format!("{{\"claims\": [{}]}}\n", entries.join(", ")))
+        .unwrap();
     std::fs::write(folder.join("truth.csv"), truths).unwrap();
 }
 

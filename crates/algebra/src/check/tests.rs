@@ -107,6 +107,8 @@ fn forged_root_without_a_change_of_sign_is_refused() {
     assert!(root("s", r#"["1", "-1"]"#, "").is_err());
     assert!(root("s + c", left, r#""c", "s""#).is_err(), "a positive s is never −c");
     assert_eq!(root("s", r#"["-1", "1"]"#, ""), Ok(()));
+    // A root at an end is not between the ends.
+    assert!(root("s", r#"["0", "1"]"#, "").is_err() && root("s", r#"["-1", "0"]"#, "").is_err());
     assert!(root("s/(s^2 + 1)", r#"["-1", "1"]"#, "").expect_err("a quotient").contains("no polynomial"));
     // With a constant in the place of exp(-s) it had one.
     assert!(root("s + exp(-s)", "[null, null]", "").expect_err("at least 1").contains("depends on s"));

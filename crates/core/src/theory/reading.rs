@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::derivation::{is_name, read_condition};
+use super::derivation::{NOT_A_NAME, is_name, read_condition};
 use super::{Equation, EquationFault, definedness};
 use slipmode_algebra::{Condition, Domain, Expression};
 
@@ -130,7 +130,7 @@ fn not_positive(name: &str) -> Option<EquationFault> {
     let message = match name {
         "i" | "pm" => format!("'{name}' is no variable: i^2 = -1 and pm^2 = 1"),
         _ if is_name(name) => return None,
-        _ => format!("'{name}' is not a name (1 to 40 characters: a letter, then letters, digits and _)"),
+        _ => format!("'{name}' is not a name: {NOT_A_NAME}"),
     };
     Some(EquationFault { key: "assumptions.positive".to_owned(), message })
 }

@@ -10,16 +10,14 @@ use assumptions::with_conditions;
 pub(super) use assumptions::{assumed, positive};
 
 use super::definedness;
-use super::derivation::{Form, Operation, System, Work, derive, is_name, read_condition, read_name};
+use super::derivation::{
+    Form, NOT_A_NAME, Operation, System, Work, derive, is_name, read_condition, read_name,
+};
 use super::names::{Names, circle, defined_by_equations, in_order};
 use super::reading::{AssumptionsText, DefinitionText, SystemText};
 use super::{Equation, EquationFault};
 use slipmode_algebra::nearest;
 use slipmode_algebra::{Condition, Domain, Expression, Proof, Symbol};
-
-/// What is wrong with a definition whose name cannot be read.
-const NOT_A_NAME: &str =
-    "the name has 1 to 40 characters: a letter, then letters, digits and _; no word of the grammar";
 
 /// The most definitions of a file, and the most systems.
 const MOST: usize = 200;

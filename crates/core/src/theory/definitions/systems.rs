@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::Reader;
 use super::assumptions::with_conditions;
-use crate::theory::derivation::{MOST_STATES, System, Work, is_name, read_name};
+use crate::theory::derivation::{MOST_STATES, NOT_A_NAME, System, Work, is_name, read_name};
 use crate::theory::reading::SystemText;
 use slipmode_algebra::{Condition, Domain, Expression, Proof, Symbol};
 
@@ -28,7 +28,7 @@ impl Reader<'_> {
         let mut messages = Vec::new();
         let count = text.state.len();
         if !is_name(&text.name) {
-            messages.push("the name has 1 to 40 characters: a letter, then letters, digits and _".to_owned());
+            messages.push(NOT_A_NAME.to_owned());
         }
         if count == 0
             || count > MOST_STATES

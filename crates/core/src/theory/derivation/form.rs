@@ -188,14 +188,17 @@ impl Form {
 pub(in crate::theory) fn read_name(text: &str) -> Option<Symbol> {
     let is_short = text.len() <= LONGEST_NAME;
     let symbol = is_short.then(|| text.parse::<Symbol>().ok()).flatten();
-    symbol.filter(|symbol| symbol.derivative_order() == 0 && !CONNECTIVES.contains(&symbol.as_str()))
+    symbol.filter(|symbol| symbol.derivative_order() == 0 && !WORDS.contains(&symbol.as_str()))
 }
 
-/// Words between the comparisons of a formula.
-const CONNECTIVES: [&str; 5] = ["and", "iff", "implies", "not", "or"];
+/// Words between the comparisons of a formula, and the end of a limit.
+const WORDS: [&str; 6] = ["and", "iff", "implies", "infinity", "not", "or"];
 
 /// The longest name that a file brings in, in characters.
 const LONGEST_NAME: usize = 40;
+
+/// What is said of a text that is no name.
+pub(in crate::theory) const NOT_A_NAME: &str = "a name has 1 to 40 characters: a letter, then letters, digits and _; it is no word of formulas such as 'and' and 'infinity'";
 
 /// Whether a text is one name.
 pub(in crate::theory) fn is_name(text: &str) -> bool {

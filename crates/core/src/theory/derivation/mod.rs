@@ -12,7 +12,7 @@ mod tests;
 mod work;
 
 pub use form::{Form, Operation};
-pub(super) use form::{is_name, read_condition, read_name};
+pub(super) use form::{NOT_A_NAME, is_name, read_condition, read_name};
 pub(super) use system::MOST_STATES;
 pub use system::System;
 pub(super) use work::Work;
