@@ -268,4 +268,32 @@ mod tests {
         }
         assert!(compared > 2000, "{compared}");
     }
+
+    #[test]
+    fn a_literal_is_true_false_or_open_at_a_point() {
+        let holds = |text: &str, sign, value: i32| {
+            let literal = Literal::new(text.parse().unwrap(), sign);
+            literal.holds_at(&[("x".into(), Rational::from(value))].into())
+        };
+        assert_eq!(holds("x - 1", Sign::Positive, 2), Some(true));
+        assert_eq!(holds("x - 1", Sign::Positive, 1), Some(false));
+        assert_eq!(holds("1/x", Sign::NonZero, 0), None);
+    }
+
+    #[test]
+    fn clauses_have_a_bound_and_none_is_implied_by_another() {
+        let positive = |name: &str| SignFormula::Literal(Literal::new(name.parse().unwrap(), Sign::Positive));
+        let [a, b, c, d] = ["a", "b", "c", "d"].map(positive);
+        let count = |formula: &SignFormula, most| formula.clauses(&|_| None, most).map(|all| all.len());
+        let pair = |one: &SignFormula, other: &SignFormula| vec![one.clone(), other.clone()];
+        let joined = SignFormula::Any(vec![SignFormula::All(pair(&a, &b)), SignFormula::All(pair(&c, &d))]);
+        assert_eq!((count(&joined, 4), count(&joined, 3)), (Some(4), None));
+        assert_eq!(joined.literals().len(), 4);
+        let long = SignFormula::Any(vec![a.clone(), b.clone(), c]);
+        assert_eq!((count(&long, 3), count(&long, 2)), (Some(1), None));
+        let implied = SignFormula::All(vec![a.clone(), SignFormula::Any(pair(&a, &b))]);
+        assert_eq!(count(&implied, 4), Some(1));
+        let turned = SignFormula::All(vec![SignFormula::Any(pair(&a, &b)), a]);
+        assert_eq!(count(&turned, 4), Some(1));
+    }
 }
