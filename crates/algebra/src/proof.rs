@@ -310,6 +310,19 @@ mod tests {
     }
 
     #[test]
+    fn both_sides_have_their_values_at_the_printed_point() {
+        let (domain, sides) = (Domain::positive("x y"), ["x/y", "(x + 1)/(y + x)"].map(parse));
+        let proof = Proof::new("quotients", "Two quotients.");
+        let refutation = proof.identity("q", &[], &sides[0], &sides[1], &domain).expect_err("they differ");
+        let example = refutation.counter_example.expect("two sides");
+        let point = example.point.iter().map(|(name, value)| (name.clone(), value.clone())).collect();
+        for (side, value) in sides.iter().zip([example.left, example.right]) {
+            let found = Domain::default().rational_function(&side.substitute(&point)).unwrap();
+            assert_eq!(found.as_constant().map(Expression::Number), Some(value));
+        }
+    }
+
+    #[test]
     fn two_constants_that_differ_have_no_place() {
         let domain = Domain::positive("");
         let proof = Proof::new("constants", "One is zero.");

@@ -114,6 +114,29 @@ mod tests {
     }
 
     #[test]
+    fn rational_values_are_exact_or_none() {
+        let values = [("x", (2, 3)), ("y", (-4, 1)), ("z", (0, 1))];
+        let values = values.map(|(name, value)| (Symbol::from(name), Rational::from(value))).into();
+        let at = |text: &str| text.parse::<Expression>().unwrap().rational_value(&values);
+        for (text, expected) in [
+            ("3*x*y", (-8, 1)),
+            ("x - y/x + 1", (23, 3)),
+            ("-x^-2", (-9, 4)),
+            ("z^2 + x^0", (1, 1)),
+            ("sqrt(x^2/y^2)", (1, 6)),
+            ("abs(y)*ln(x - y - 11/3) + asinh(z) + sin(z)", (0, 1)),
+            ("exp(z) + 2*cos(z*x)", (3, 1)),
+        ] {
+            assert_eq!(at(text), Some(Rational::from(expected)), "{text}");
+        }
+        for text in
+            ["x/z", "z^0", "z^-1", "sqrt(x)", "sqrt(x^2*3)", "ln(x)", "exp(x)", "cos(x)", "sin(x)", "w"]
+        {
+            assert_eq!(at(text), None, "{text}");
+        }
+    }
+
+    #[test]
     fn values_that_are_not_rational_are_compared_with_zero_by_enclosures() {
         let order = |text: &str| {
             let values =

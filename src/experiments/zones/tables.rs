@@ -21,11 +21,14 @@ fn zones(context: &Context) -> Option<Table> {
     });
     let found = modes.filter(|(.., [exact, simplified])| exact + simplified > 0);
     Table::of("zones", "Slip modes: exact, and by the lines of fig 7", found)
+        .note("Areas are counted on the exact map's points, which is a sample: where an area is narrower than the grid, as at a cusp, its parts count apart.")
         .text("scene", "Scene", |(name, ..)| name)
         .text("slip_mode", "Slip mode", |(_, _, mode, _)| mode.as_str())
         .number("points_exact", "Points, exact", "", |(.., [exact, _])| exact)
         .number("points_simplified", "Points, simplified map", "", |(.., [_, simplified])| simplified)
-        .number("areas", "Connected areas, exact", "", |(_, zones, mode, _)| zones.exact.areas_of(&mode))
+        .number("areas", "Connected areas on the grid", "", |(_, zones, mode, _)| {
+            zones.exact.areas_of(&mode)
+        })
         .table()
         .into()
 }
