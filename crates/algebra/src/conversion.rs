@@ -408,7 +408,64 @@ pub(super) fn split_by_parity(
 
 #[cfg(test)]
 mod tests {
+    use std::cmp::Ordering;
+
+    use proptest::prelude::*;
+
     use super::*;
+
+    /// Terms of which the square is known, or nothing.
+    const ROOTS: [&str; 6] = ["sqrt(x)", "sqrt(x + y)", "sqrt(x^2 + 1)", "sqrt(2)", "sin(x)", "exp(-x)"];
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(1000))]
+
+        /// A decided sign is that of the value everywhere, and what is never zero has one sign everywhere.
+        #[test]
+        fn decided_signs_are_those_of_values(
+            factors in prop::collection::vec(-3_i32..4, 6),
+            root in 0..ROOTS.len(),
+            points in prop::collection::vec((1_u32..60, 1_u32..60), 4),
+        ) {
+            let [a, b, c, d, e, f] = factors[..] else { unreachable!() };
+            let text = format!("({a}*x + {b}*y + {c}) + ({d}*x + {e}*y + {f})*{}", ROOTS[root]);
+            let (domain, expression) = (Domain::positive("x y"), parse(&text));
+            let orders: Vec<Option<Ordering>> = points.iter().map(|(x, y)| {
+                let values = [("x", x), ("y", y)].map(|(name, value)| (name.into(), Rational::from((*value, 8))));
+                expression.order_at(&values.into())
+            }).collect();
+            if let Ok(Some(sign)) = domain.sign(&expression) {
+                let wanted = if sign > 0 { Ordering::Greater } else { Ordering::Less };
+                prop_assert!(orders.iter().all(|order| *order == Some(wanted)), "{} has the sign {}", text, sign);
+            }
+            if domain.rational_function(&parse(&format!("1/({text})"))).is_ok() {
+                prop_assert!(orders.iter().all(|order| *order == orders[0] && order.is_some()), "1/({})", text);
+            }
+        }
+    }
+
+    #[test]
+    fn signs_with_roots_are_decided_by_their_squares() {
+        let domain = Domain::positive("x y");
+        let sign = |text: &str| domain.sign(&parse(text)).ok().flatten();
+        for (text, expected) in [
+            ("x + 2 - sqrt(x)", Some(1)),
+            ("sqrt(x) - x - 2", Some(-1)),
+            ("sqrt(x^2 + 1) - x", Some(1)),
+            ("x - sqrt(x^2 + 1)", Some(-1)),
+            ("3*sqrt(2) - 4", Some(1)),
+            ("1 - sqrt(x)", None),
+            ("1 - 2*sin(x)", None),
+            ("x - sqrt(x + y)", None),
+        ] {
+            assert_eq!(sign(text), expected, "{text}");
+        }
+        for (text, has_value) in
+            [("1/(x + 2 - sqrt(x))", true), ("1/(1 - sqrt(x))", false), ("1/(3*sqrt(2) - 4)", true)]
+        {
+            assert_eq!(domain.rational_function(&parse(text)).is_ok(), has_value, "{text}");
+        }
+    }
 
     fn parse(text: &str) -> Expression {
         text.parse().expect("in the grammar")
