@@ -1,8 +1,7 @@
 //! A bound on the work of a computation, in steps that are counted: the same on every machine.
 //!
 //! A step is a product of two terms of polynomials (one for each machine word of the longest coefficient), a term of a sum, or a part
-//! of an expression that is converted. Where no budget is set,
-//! nothing is counted.
+//! of an expression that is converted. Where no budget is set, nothing is counted.
 
 use std::cell::Cell;
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};

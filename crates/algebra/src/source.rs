@@ -60,16 +60,16 @@ impl Comparison {
 /// use slipmode_algebra::{Comparison, Source};
 ///
 /// let source = Source::new("solve(a + (b - 1, x) > 2");
-/// let [(left, comparison, right)] = source.comparisons(source.text())[..] else { unreachable!() };
+/// let [(left, comparison, right)] = Source::comparisons(source.text())[..] else { unreachable!() };
 /// assert_eq!((left, comparison, right), ("solve(a + (b - 1, x) ", Comparison::Greater, " 2"));
 /// assert_eq!(source.column(right.trim()), 24);
 ///
 /// let source = Source::new("solve(ln(a + b), x)");
-/// let (word, arguments) = source.call(source.text());
+/// let (word, arguments) = Source::call(source.text());
 /// assert_eq!((word, arguments), ("solve", Some(vec!["ln(a + b)", " x"])));
 ///
 /// let source = Source::new("solve(a +, x)");
-/// let (_, arguments) = source.call(source.text());
+/// let (_, arguments) = Source::call(source.text());
 /// assert_eq!(source.expression(arguments.unwrap()[0]).unwrap_err().column, 10);
 /// ```
 #[derive(Debug, Clone, Copy)]
@@ -113,14 +113,14 @@ impl<'t> Source<'t> {
 
     /// The word before the first bracket of a part; and the texts between the commas, where that bracket is closed at the part's end.
     #[must_use]
-    pub fn call<'p>(&self, part: &'p str) -> (&'p str, Option<Vec<&'p str>>) {
+    pub fn call(part: &'t str) -> (&'t str, Option<Vec<&'t str>>) {
         let (word, inside) = part.split_once('(').unwrap_or((part, ""));
         (word.trim(), arguments(inside))
     }
 
     /// Every comparison in a part, with all that stands before it and all that stands after it.
     #[must_use]
-    pub fn comparisons<'p>(&self, part: &'p str) -> Vec<(&'p str, Comparison, &'p str)> {
+    pub fn comparisons(part: &'t str) -> Vec<(&'t str, Comparison, &'t str)> {
         let (mut found, mut from) = (Vec::new(), 0);
         while let Some(next) = part[from..].find(['=', '<', '>', '!']) {
             let at = from + next;
@@ -162,11 +162,10 @@ mod tests {
 
     #[test]
     fn a_call_ends_with_its_own_bracket() {
-        let source = Source::new("");
-        assert_eq!(source.call("f(a, (b, c)) "), ("f", Some(vec!["a", " (b, c)"])));
-        assert_eq!(source.call("f()"), ("f", Some(vec![""])));
+        assert_eq!(Source::call("f(a, (b, c)) "), ("f", Some(vec!["a", " (b, c)"])));
+        assert_eq!(Source::call("f()"), ("f", Some(vec![""])));
         for open in ["f", "f(a", "f(a) + (b)", "f(a)) + b", "f(a))"] {
-            assert_eq!(source.call(open).1, None, "{open}");
+            assert_eq!(Source::call(open).1, None, "{open}");
         }
     }
 
@@ -183,7 +182,7 @@ mod tests {
     #[test]
     fn comparisons_are_the_longest_marks_in_their_order() {
         let all = |text| {
-            let found = Source::new(text).comparisons(text);
+            let found = Source::comparisons(text);
             found.into_iter().map(|(left, comparison, _)| (left, comparison.as_str())).collect::<Vec<_>>()
         };
         assert_eq!(all("a <= b != c"), [("a ", "<="), ("a <= b ", "!=")]);

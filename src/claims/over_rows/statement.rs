@@ -273,7 +273,7 @@ fn all() -> Formula {
 
 /// What stands before the last comparison of a text, the comparison, and the number after it.
 fn compared(text: &str) -> Result<(&str, Comparison, Rational), String> {
-    let last = Source::new(text).comparisons(text).pop();
+    let last = Source::comparisons(text).pop();
     let (before, comparison, after) =
         last.ok_or_else(|| format!("'{text}' needs a comparison with a number"))?;
     Ok((before, comparison, number(after)?))

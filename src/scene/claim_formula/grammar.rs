@@ -177,7 +177,7 @@ impl Reader<'_> {
     }
 
     fn atom(&self, text: &str) -> Result<Formula, String> {
-        let (word, arguments) = self.source.call(text);
+        let (word, arguments) = Source::call(text);
         let statement = RootStatement::from_word(word);
         if statement.is_none() && word != CROSSING {
             let predicates = RootStatement::ALL.map(RootStatement::as_str).into_iter().chain([CROSSING]);
@@ -222,7 +222,7 @@ impl Reader<'_> {
     }
 
     fn comparison(&self, text: &str) -> Result<(Expression, Comparison, Expression), String> {
-        match self.source.comparisons(text)[..] {
+        match Source::comparisons(text)[..] {
             [(left, comparison, right)] => Ok((self.side(left)?, comparison, self.side(right)?)),
             [] => Err(self.fault(text, FORMS)),
             [_, (before, ..), ..] => Err(self.fault(&text[before.len()..], FORMS)),

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use slipmode_algebra::{Comparison, Condition, Demand, Expression, Relation, Source, Symbol, Toward};
+use slipmode_algebra::{Comparison, Condition, Demand, Expression, Source, Symbol, Toward};
 
 slipmode_algebra::named! {
     /// What can be derived by name.
@@ -111,7 +111,7 @@ impl Form {
             demands: Vec::new(),
         };
         let source = Source::new(text);
-        let (word, arguments) = source.call(text);
+        let (word, arguments) = Source::call(text);
         let Some(operation) = Operation::from_word(word) else {
             form.expression(source, text)?;
             return Ok(form);
@@ -152,7 +152,7 @@ impl Form {
                 _ => return wrong("0 or infinity"),
             },
             Kind::Values => {
-                let [(name, Comparison::Equal, value)] = source.comparisons(text)[..] else {
+                let [(name, Comparison::Equal, value)] = Source::comparisons(text)[..] else {
                     return wrong("of the form `x = value`");
                 };
                 let Some(symbol) = read_name(name.trim()) else {
@@ -198,7 +198,7 @@ const WORDS: [&str; 6] = ["and", "iff", "implies", "infinity", "not", "or"];
 const LONGEST_NAME: usize = 40;
 
 /// What is said of a text that is no name.
-pub(in crate::theory) const NOT_A_NAME: &str = "a name has 1 to 40 characters: a letter, then letters, digits and _; it is no word of formulas such as 'and' and 'infinity'";
+pub(in crate::theory) const NOT_A_NAME: &str = "a name has 1 to 40 characters: a letter, then letters, digits and _; it is no word of the grammar such as 'sqrt', 'and' and 'infinity'";
 
 /// Whether a text is one name.
 pub(in crate::theory) fn is_name(text: &str) -> bool {
@@ -212,18 +212,13 @@ pub(in crate::theory) fn is_name(text: &str) -> bool {
 pub(in crate::theory) fn read_condition(text: &str) -> Result<Condition, String> {
     let form = "a condition has one of '<', '>', '<=', '>=' and '!=' between two sides";
     let source = Source::new(text);
-    let [(left, comparison, right)] = source.comparisons(text)[..] else { return Err(form.into()) };
-    let (relation, sides) = match comparison {
-        Comparison::Equal => return Err(form.into()),
-        Comparison::AtMost => (Relation::NonNegative, [right, left]),
-        Comparison::AtLeast => (Relation::NonNegative, [left, right]),
-        Comparison::Unequal => (Relation::NonZero, [left, right]),
-        Comparison::Less => (Relation::Positive, [right, left]),
-        Comparison::Greater => (Relation::Positive, [left, right]),
+    let [(left, comparison, right)] = Source::comparisons(text)[..] else { return Err(form.into()) };
+    let side = |part: &str| {
+        let read = source.expression(part).map_err(|error| format!("'{text}', {error}"))?;
+        Ok::<_, String>(read.0)
     };
-    let [larger, smaller] =
-        sides.map(|side| source.expression(side).map_err(|error| format!("'{}', {error}", side.trim())));
-    Ok(Condition { expression: larger?.0 - smaller?.0, relation })
+    let literal = comparison.literal(side(left)?, side(right)?);
+    Ok(Condition { relation: literal.sign.relation().ok_or(form)?, expression: literal.expression })
 }
 
 #[cfg(test)]

@@ -158,7 +158,7 @@ fn definitions_at_fault_are_refused_all_at_once() {
         "definition g: 1/K has no finite limit in K",
         "definition k: K is positive, and the value -1 in its place may be negative",
         "definition K: the name has a meaning by an assumption",
-        "definition sqrt: the name has 1 to 40 characters",
+        "definition sqrt: a name has 1 to 40 characters",
         "definition big: '(A + B + L + K + M + V)^20' is too large",
     ] {
         assert!(message.contains(fault), "{fault} is not in:\n{message}");
