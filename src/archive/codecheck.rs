@@ -78,7 +78,8 @@ fn comment(path: &str) -> String {
         Some((folder, _)) => format!("{folder}: {stem}"),
         None => match path {
             "index.html" => "the report as one page".into(),
-            "report.md" => "the report in Markdown".into(),
+            "report.md" => "the reader's edition: answer, verdicts, figures".into(),
+            "ledger.md" => "the whole report in Markdown".into(),
             "ledger.json" => "every claim with its verdict and evidence".into(),
             _ => stem.into(),
         },

@@ -14,7 +14,7 @@ pub(super) fn readme(parts: &Parts<'_>) -> String {
         "# {title}\n\n\
          The report `{name}`, with all its inputs, archived by slipmode {version}.\n\n\
          | path | content |\n| --- | --- |\n\
-         | `{REPORT_FOLDER}/index.html` | the report as one page; `report.md` is the same in Markdown |\n\
+         | `{REPORT_FOLDER}/index.html` | the report as one page; `ledger.md` is the same in Markdown, `report.md` its reader's edition |\n\
          | `{REPORT_FOLDER}/ledger.json` | every claim with its verdict and evidence |\n\
          | `{REPORT_FOLDER}/tables/`, `{REPORT_FOLDER}/figures/` | all numbers and figures |\n\
          | `{THEOREMS_FOLDER}/` | the proofs as theorems for Coq, with their library; `sh check.sh` there has Coq check them |\n\
@@ -54,7 +54,7 @@ pub(super) fn readme(parts: &Parts<'_>) -> String {
             "\n## CODECHECK\n\n\
              The manifest of `{CODECHECK_FILE}` lists every file below `{REPORT_FOLDER}/`. `LICENSE` names the licences of all files.\n\
              `slipmode report {INPUT_FOLDER} --output again` makes these files again, below `again/`. \
-             `index.html` and `report.md` then end with the versions and the machine of the run; nothing else differs.\n"
+             `index.html` and `ledger.md` then end with the versions and the machine of the run; nothing else differs.\n"
         );
     }
     text

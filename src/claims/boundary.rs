@@ -2,6 +2,7 @@
 
 use crate::claims::exchange::{b6, b7, b8};
 use crate::claims::reading::{Draft, of_readings};
+use crate::claims::rule::Region;
 use crate::claims::{Check, Evidence, Finding};
 use crate::experiments::{Context, Need, SceneOutcome};
 use slipmode_algebra::{Proof, Refutation};
@@ -20,7 +21,7 @@ pub(super) const CHECKS: &[Check] = &[
         needs: &[Need::Map],
         equations: &["8", "9", "inertial-parameter"],
         rests_on: &["L3"],
-        decide: b1,
+        decide: |context| two_areas(context, Effects::Weakening, 1),
     },
     Check {
         id: "B4",
@@ -99,22 +100,38 @@ pub(super) const CHECKS: &[Check] = &[
         rests_on: &["B1", "B4", "B5"],
         decide: b10,
     },
+    Check {
+        id: "B11",
+        criterion: "For a > b the set max Im(s) = 0 has two connected parts over the whole (V, σ) plane, both with negative roots.",
+        not_established: "Where the two zones are: see the chapter on the boundary.",
+        needs: &[Need::Map],
+        equations: &["8", "9", "inertial-parameter"],
+        rests_on: &["L3"],
+        decide: |context| two_areas(context, Effects::Strengthening, 0),
+    },
 ];
 
-fn b1(context: &Context) -> Finding {
-    let areas = match areas::count(context.equations, Effects::Weakening) {
+/// B1 and B11: the number of separate areas without imaginary part, and how many of them are unstable.
+fn two_areas(context: &Context, effects: Effects, wanted_unstable: usize) -> Finding {
+    let areas = match areas::count(context.equations, effects) {
         Ok(areas) => areas,
         Err(refutation) => return Finding::from_proofs([Err(refutation)]),
     };
     let (real, unstable) = (areas.real_areas, areas.unstable_real_areas);
+    let scene = match effects {
+        Effects::Strengthening => context.outcome.intrinsically_stable(),
+        _ => context.outcome.potentially_unstable(),
+    };
     let finding = Finding::from_proofs([
         Ok(areas.proof),
         boundary::prove(context.equations),
         boundary::cusp(context.equations),
     ])
-    .require(real == 2 && unstable == 1, || format!("{real} areas, {unstable} of them unstable"))
-    .remark("The proof covers all σ > 0 and V > 0, not only the rectangle of fig 1.");
-    match context.outcome.potentially_unstable().and_then(areas_on_map) {
+    .require(real == 2 && unstable == wanted_unstable, || {
+        format!("{real} areas, {unstable} of them unstable")
+    })
+    .remark("The proof covers all σ > 0 and V > 0, not only the rectangle of the figure.");
+    match scene.and_then(areas_on_map) {
         Some(evidence) => finding.with_supporting(evidence),
         None => finding,
     }
@@ -198,5 +215,6 @@ fn b9(context: &Context) -> Finding {
     if lacking.is_empty() {
         return finding;
     }
-    finding.within(complete.join("; ")).outside(format!("Existing areas for {}.", lacking.join("; for ")))
+    let outside = format!("Existing areas for {}.", lacking.join("; for "));
+    finding.within(Region { inside: complete.join("; "), outside })
 }

@@ -36,6 +36,9 @@ pub struct Finding {
     /// What an independent evaluation found against what was proved: the program is at fault.
     #[serde(skip)]
     pub contradictions: Vec<String>,
+    /// Numbers by name, for a replacement of the sentence.
+    #[serde(skip)]
+    pub numbers: BTreeMap<&'static str, String>,
     /// What a reader should know besides: ambiguities, slips of the pen, captions that disagree.
     pub remarks: Vec<String>,
 }
@@ -125,6 +128,7 @@ impl Finding {
             counter_example: None,
             points: Vec::new(),
             contradictions: Vec::new(),
+            numbers: BTreeMap::new(),
             remarks: Vec::new(),
         }
     }
@@ -253,17 +257,16 @@ impl Finding {
         self
     }
 
-    /// A claim that holds only inside `limit`; one that fails already stays failed.
-    #[must_use]
-    pub fn within(mut self, limit: impl Into<String>) -> Self {
+    /// A claim that holds only inside a limit; one that fails already stays failed.
+    pub(super) fn limited(mut self, limit: String) -> Self {
         if self.verdict == Verdict::Holds {
             self.verdict = Verdict::HoldsWithin;
         }
-        self.limit = Some(limit.into());
+        self.limit = Some(limit);
         self
     }
 
-    /// The points that a universal statement was looked at on; the verdict stays, and says so.
+    /// The points that a universal statement was looked at on, or how far a statement goes; the verdict stays.
     #[must_use]
     pub fn on(mut self, points: impl Into<String>) -> Self {
         self.limit = Some(points.into());
@@ -285,6 +288,13 @@ impl Finding {
             *strength = Strength::Argued.max(*strength);
         }
         self.remark(format!("Argued in words: {step}"))
+    }
+
+    /// Names a number for a replacement of the sentence.
+    #[must_use]
+    pub fn number(mut self, name: &'static str, value: String) -> Self {
+        self.numbers.insert(name, value);
+        self
     }
 
     /// Adds a remark for readers, if there is one.
@@ -321,7 +331,7 @@ mod tests {
         assert_eq!(Finding::from_evidence(sample(0)).verdict, Verdict::NotChecked);
         let proof = Proof::new("no-step", "A statement without a certificate.").reason("Because.");
         assert_eq!(Finding::from_proof(Ok(proof)).verdict, Verdict::Fails);
-        let undecided = Finding::from_proofs([]).with_evidence(sample(1)).within("a limit");
+        let undecided = Finding::from_proofs([]).with_evidence(sample(1)).limited("a limit".into());
         assert_eq!(undecided.verdict, Verdict::NotChecked);
     }
 

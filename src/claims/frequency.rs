@@ -80,11 +80,11 @@ fn q3(context: &Context) -> Finding {
     let proved = || Finding::from_proofs([non_inertial::at_critical_stress(context.equations)]);
     let near = near_the_limits(context).into_iter().fold(proved(), Finding::with_supporting);
     let written = Draft::new("on the line σ = σ_c, which is K = K_c without inertia")
-        .part("at low velocity the frequency is eq 23", near.within("the limit V0 → 0"))
+        .part("the lower the velocity, the closer the frequency is to eq 23", near)
         .part("the frequency rises with velocity", proved())
         .part(
-            "it reaches ω_n",
-            proved().within("the limit V0 → ∞; it is strictly below ω_n at every velocity"),
+            "it comes as close to ω_n as one likes",
+            proved().on("it is strictly below ω_n at every velocity"),
         );
     let area = Draft::new("in the whole area of low frequency, between eqs 16 and 15").part(
         "at every normal stress the frequency rises with velocity",
@@ -134,26 +134,25 @@ fn last_velocity_near(outcome: &FrequencyOutcome, line: &FrequencyLine, eq23_per
 }
 
 fn q4(context: &Context) -> Finding {
-    let no_inertia =
-        "without inertia (eq 14); with inertia the frequency depends on it, to the relative order η";
-    let at_ratio =
-        || Finding::from_proofs([non_inertial::at_stress_ratio(context.equations)]).within(no_inertia);
+    let at_ratio = || Finding::from_proofs([non_inertial::at_stress_ratio(context.equations)]);
     let stiffness = Finding::from_disproof(
         non_inertial::stiffness(context.equations),
         "without inertia K dω²/dK = ω² at K = K_c,qs, so the frequency grows as √K",
     );
-    let written = Draft::new("at fixed normal stress")
+    let written = Draft::new("at fixed normal stress, without inertia (eq 14)")
         .part(
             "the frequency does not depend on mass",
-            Finding::from_proofs([non_inertial::mass(context.equations)]).within(no_inertia),
+            Finding::from_proofs([non_inertial::mass(context.equations)]),
         )
         .part("the frequency does not depend on stiffness", stiffness);
-    let ratio = Draft::new("at fixed σ/σ_c, as in fig 2")
+    let ratio = Draft::new("at fixed σ/σ_c, as in fig 2, without inertia")
         .part("the frequency does not depend on mass", at_ratio())
         .part("the frequency does not depend on stiffness", at_ratio());
-    of_readings([written, ratio]).remark(
-        "Eq 23 does not contain K because K was replaced by K_c; there the other parameters determine K.",
-    )
+    of_readings([written, ratio])
+        .remark("With inertia the frequency depends on the mass, to the relative order η.")
+        .remark(
+            "Eq 23 does not contain K because K was replaced by K_c; there the other parameters determine K.",
+        )
 }
 
 fn q5(context: &Context) -> Finding {
@@ -169,22 +168,23 @@ fn q5(context: &Context) -> Finding {
         Ok(natural) => {
             let printed = printed_period_s();
             let [low, high] = &natural.period_s;
-            let low_error = (low.clone() - &printed) / &printed;
-            let high_error = (high.clone() - &printed) / &printed;
-            let finding = Finding::from_proofs([Ok(natural.proof)])
+            let finding = || Finding::from_proofs([Ok(natural.proof.clone())]);
+            let angular = finding()
                 .require(natural.natural_angular_frequency_per_s.to_string() == "100", || {
                     format!("ω_n = {} /s", natural.natural_angular_frequency_per_s)
                 });
-            if low_error <= 0 && high_error >= 0 {
-                return finding;
-            }
-            finding
-                .within(format!("{} %: ω_n = 100 /s is exact", rational_to_decimal(&(low_error * 100u32), 2)))
-                .outside(format!(
-                    "2π/ω_n = {} s, not {} s",
-                    rational_to_decimal(low, 5),
-                    rational_to_decimal(&printed, 5)
-                ))
+            // A printed number is right where the exact one rounds to it.
+            let half = Rational::from((1, 20_000));
+            let rounds = *low >= printed.clone() - &half && *high <= printed.clone() + half;
+            let period = rational_to_decimal(low, 5);
+            let own = finding()
+                .require(rounds, || {
+                    format!("2π/ω_n = {period} s, not {} s", rational_to_decimal(&printed, 5))
+                })
+                .number("period", format!("{} s", rational_to_decimal(low, 3)));
+            of_readings([Draft::new("the printed numbers")
+                .part("ω_n is 100 /s", angular)
+                .part("the period is 0.0625 s", own)])
         }
     }
 }
@@ -208,7 +208,7 @@ fn q6(context: &Context) -> Finding {
         ))
     });
     let Some((slider, reach)) = reach else {
-        return finding.within(format!("η ≪ 1: {law}; with inertia (ω/ω_n)² < 2η"));
+        return finding.on(format!("η ≪ 1: {law}; with inertia (ω/ω_n)² < 2η"));
     };
     let slider = slider.map(|value| Ball::from_rational(value, 2 * BITS));
     let length_per_time = slider.natural_angular_frequency_per_s() * &slider.critical_slip_distance_m;
@@ -221,7 +221,7 @@ fn q6(context: &Context) -> Finding {
     });
     let place = stress.as_ref().map_or_else(|| " on eq 16".into(), |stress| format!(" at σ = {stress}"));
     finding
-        .within(format!(
+        .on(format!(
             "ω < ω_n/10 everywhere between eqs 16 and 15 exactly for V0 below {velocity} m/s, where ω_n/10 is reached{place}; {law}"
         ))
         .with_evidence(Evidence::Enclosure {

@@ -41,7 +41,7 @@ fn f4(context: &Context) -> Finding {
         Err(refutation) => Finding::from_proofs([Err(refutation)]),
         Ok(difference) => {
             let bound = difference.log10_bound;
-            let linear = Finding::from_proofs([Ok(difference.proof)]).within(format!(
+            let linear = Finding::from_proofs([Ok(difference.proof)]).on(format!(
                 "a relative difference of σ in eq 8 below 1e{bound}, for μ0 = 0.6 and the scene's a"
             ));
             let analysis = |words| Draft::new(words).part("linear analysis", linear.clone());

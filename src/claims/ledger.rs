@@ -1,5 +1,7 @@
 //! The ledger: the claims a report lists, each with the verdict its check computed.
 
+use std::collections::BTreeSet;
+
 use rayon::prelude::*;
 use serde::Serialize;
 
@@ -8,7 +10,7 @@ use crate::claims::{Check, Evidence, Finding, Strength, Tie, Tied, Verdict, by_h
 use crate::claims::{Conclusion, DecidedFor, PointWithin, Resolved};
 use crate::experiments::operating_point::error_bars;
 use crate::experiments::{Context, Needs};
-use crate::scene::{ClaimEntry, StatedClaim, is_library_claim, library_claim, library_ids};
+use crate::scene::{ClaimEntry, Sentence, Source, StatedClaim, is_library_claim, library_claim, library_ids};
 use slipmode_algebra::Step;
 use slipmode_core::theory::Equations;
 
@@ -21,6 +23,9 @@ pub struct Entry {
     pub place: String,
     /// The claim in our words.
     pub words: String,
+    /// What kind of sentence it is, and whose.
+    #[serde(flatten)]
+    pub sentence: Sentence,
     /// What had to be found for it to hold.
     pub criterion: String,
     /// SHA-256 of the claim as resolved: its words, its formulas, and all of the equations that they reach.
@@ -72,6 +77,26 @@ impl Entry {
         self.finding.verdict == self.expected
     }
 
+    /// Where the sentence is about more than was decided, what limits it; and the replacement of a sentence that fails, with its numbers.
+    fn with_what_the_sentence_needs(mut self) -> Self {
+        if let (Verdict::Holds, Some(decided)) = (self.finding.verdict, &self.sentence.decided_for) {
+            self.finding = self.finding.limited(decided.clone());
+        }
+        self.sentence.change = self.sentence.change.filter(|_| self.finding.verdict == Verdict::Fails);
+        if let Some(change) = &mut self.sentence.change {
+            match change.filled(&self.finding.numbers) {
+                Ok(text) => change.instead = text,
+                Err(name) => {
+                    let warning = format!(
+                        "{WARNING}the replacement names {{{name}}}, which the check does not compute."
+                    );
+                    self.finding.remarks.push(warning);
+                }
+            }
+        }
+        self
+    }
+
     /// Whether a function of this program decided it, or the formulas of the first paper's claim.
     fn is_of_the_paper(&self) -> bool {
         match &self.stated {
@@ -99,7 +124,8 @@ impl Ledger {
     pub fn decide(report: &str, texts: &[ClaimEntry], context: &Context) -> Self {
         let decided = |text: &ClaimEntry| {
             let entry = decide_one(text, context);
-            Entry { untied: by_hand::untied(report, &entry.tied(), context.equations), ..entry }
+            let untied = by_hand::untied(report, &entry.tied(), context.equations);
+            Entry { untied, ..entry }.with_what_the_sentence_needs()
         };
         let mut claims: Vec<Entry> = texts.par_iter().map(decided).collect();
         if context.outcome.scenes.iter().any(|scene| error_bars(scene).is_some()) {
@@ -153,10 +179,30 @@ impl Ledger {
         serde_json::to_string_pretty(self).map_or_else(|error| format!("\"{error}\""), |text| text + "\n")
     }
 
-    /// How many claims have this verdict.
+    /// The claims of a source.
+    pub fn of(&self, source: Source) -> impl Iterator<Item = &Entry> {
+        self.claims.iter().filter(move |entry| entry.sentence.source == source)
+    }
+
+    /// How many claims of a source have this verdict.
     #[must_use]
-    pub fn count(&self, verdict: Verdict) -> usize {
-        self.claims.iter().filter(|entry| entry.finding.verdict == verdict).count()
+    pub fn count(&self, source: Source, verdict: Verdict) -> usize {
+        self.of(source).filter(|entry| entry.finding.verdict == verdict).count()
+    }
+
+    /// How many findings the claims of the paper with this verdict are: claims that repeat another or share its counter-example are one.
+    #[must_use]
+    pub fn findings(&self, verdict: Verdict) -> usize {
+        let found = self.of(Source::Paper).filter(|entry| entry.finding.verdict == verdict);
+        found.map(|entry| self.first_of_finding(entry)).collect::<BTreeSet<_>>().len()
+    }
+
+    /// The first claim of the finding that a claim belongs to.
+    fn first_of_finding<'e>(&'e self, entry: &'e Entry) -> &'e str {
+        let earlier = self.claims.iter().take_while(|one| one.id != entry.id);
+        let same =
+            entry.sentence.same_as.as_ref().and_then(|id| earlier.into_iter().find(|one| one.id == *id));
+        same.map_or(&entry.id, |same| self.first_of_finding(same))
     }
 }
 
@@ -168,7 +214,7 @@ pub(super) fn finding_on(claim: &ClaimEntry, context: &Context) -> Finding {
         (None, None, Some(check)) => match context.equations.demand_paper() {
             Ok(()) => {
                 let equations = context.equations.only(check.equations);
-                (check.decide)(&context.with_equations(&equations))
+                (check.decide)(&context.with_equations(&equations).for_kind(claim.sentence.kind))
             }
             Err(missing) => Finding::not_checked(missing.to_string()),
         },
@@ -204,6 +250,7 @@ fn decide_one(text: &ClaimEntry, context: &Context) -> Entry {
         id: text.id.clone(),
         place: text.place.clone(),
         words: text.words.clone(),
+        sentence: text.sentence.clone(),
         criterion,
         digest: Resolved::of(text, context.equations).digest(),
         finding,
@@ -285,7 +332,7 @@ mod tests {
     #[test]
     fn no_claim_of_the_paper_is_overstated_and_under_three_percent_of_all_proof_steps_are_argued() {
         let ledger = paper();
-        assert!(ledger.claims.len() - ledger.count(Verdict::NotChecked) >= 38);
+        assert!(ledger.of(Source::Paper).count() - ledger.count(Source::Paper, Verdict::NotChecked) >= 38);
         let overstated: Vec<&str> = ledger.overstated().map(|entry| entry.id.as_str()).collect();
         assert!(overstated.is_empty(), "{overstated:?}");
         let (steps, argued) = ledger.proof_steps();

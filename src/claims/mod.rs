@@ -29,6 +29,7 @@ mod planted_fault_tables;
 mod planted_faults;
 mod reading;
 mod resolved;
+mod rule;
 mod simulated;
 mod simulated_courses;
 mod simulated_damping;

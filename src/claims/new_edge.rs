@@ -75,7 +75,7 @@ pub(super) fn decide(context: &Context) -> Result<Finding, Finding> {
     let written = Draft::new("the fold of the cycles of the aging law as η → 0")
         .part("the first integral without inertia changes only by the mass and by K − K_c", Finding::from_proofs(proofs))
         .part(
-            "K/K_c − 1 at the fold is the largest value of [η ∮Ω'² dt − η² (β − 1)/2 ∮V V'² dt]/[(β − 1) ∮(Ω − 1)² dt] − η over the closed orbits, but for a relative O(η V_peak²) = O(η^(1/3))",
+            "(1 + η)(K/K_c − 1) at the fold is the largest value of [η ∮Ω'² dt − η² (β − 1)/2 ∮V V'² dt]/[(β − 1) ∮(Ω − 1)² dt] − η over the closed orbits, but for a relative O(η V_peak²) = O(η^(1/3))",
             agreement(&small, &all),
         );
     Ok(of_readings([written]).with_supporting(exponents(effect_ratio, &small)?).remark(

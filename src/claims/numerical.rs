@@ -5,14 +5,14 @@ use std::slice;
 use crate::claims::certified::remark;
 use crate::claims::overshoot::Overshoots;
 use crate::claims::reading::{Draft, of_readings};
-use crate::claims::simulated::{Run, Runs, certificates, evidence, for_each_law, grids};
+use crate::claims::simulated::{Run, Runs, certificates, error_of, evidence, for_each_law, grids};
 use crate::claims::simulated_courses::n15;
 use crate::claims::simulated_damping::{n11, n14};
 use crate::claims::simulated_laws::{ends_next_to_transition, n4};
 use crate::claims::simulated_least_peak::{n7, n8};
 use crate::claims::simulated_onset::n6;
 use crate::claims::simulated_transition::{n12, n13, n16};
-use crate::claims::simulated_trends::{n3, n5, n10};
+use crate::claims::simulated_trends::{n3, n5, n10, natural_period_s};
 use crate::claims::{Check, Evidence, Finding};
 use crate::experiments::certificates::Certificates;
 use crate::experiments::{Context, Need, Outcome};
@@ -227,43 +227,77 @@ fn certified_ends(grid: &Runs) -> Option<Evidence> {
     })
 }
 
+/// The six conditions of section 3.1 in its order: the sign of K_c − K, whether max Im(s) is 0, and whether it is near ω_n; and the
+/// slip mode that each gives.
+const CONDITIONS: [(bool, Option<bool>, SlipMode); 6] = [
+    (true, None, SlipMode::StickSlip),
+    (true, Some(false), SlipMode::StickSlip),
+    (false, Some(false), SlipMode::NonInertialUnderdampedOscillation),
+    (true, Some(true), SlipMode::HarmonicVibration),
+    (false, None, SlipMode::OverdampedStableSliding),
+    (false, Some(true), SlipMode::InertialUnderdampedOscillation),
+];
+
 fn n2(context: &Context) -> Result<Finding, Finding> {
     let grids = grids(context, Outcome::potentially_unstable)?;
-    let all: Vec<_> = grids.iter().flat_map(|grid| &grid.runs).collect();
-    let differing: Vec<_> = all.iter().filter(|run| !run.is(run.theory.slip_mode)).collect();
-    let slowed = differing
-        .iter()
-        .filter(|run| run.theory.slip_mode == SlipMode::HarmonicVibration && run.is(SlipMode::StickSlip))
-        .count();
-    let counts = |run_mode: bool| {
-        let named = |mode: &SlipMode| {
-            let count = all
-                .iter()
-                .filter(|run| if run_mode { run.is(*mode) } else { run.theory.slip_mode == *mode })
-                .count();
-            (count > 0).then(|| format!("{} {count}", mode.as_str()))
-        };
-        SlipMode::ALL.iter().filter_map(named).collect::<Vec<_>>().join(", ")
+    let natural_per_s = std::f64::consts::TAU / natural_period_s(context)?;
+    let by_threshold = |run: &Run| {
+        use SlipMode::{HarmonicVibration, InertialUnderdampedOscillation};
+        matches!(run.theory.slip_mode, HarmonicVibration | InertialUnderdampedOscillation)
     };
-    let finding = Finding::from_evidence(evidence(&grids, "Slip modes by simulation", counts(true)))
-        .with_evidence(Evidence::Sample {
-            quantity: "Slip modes by the exact linear theory".into(),
-            value: counts(false),
-            points: all.len(),
-        })
-        .require(slowed == differing.len(), || {
-            format!("{} modes differ in more than the period of a cycle", differing.len() - slowed)
-        });
-    let Some(first) = differing.first() else { return Ok(finding) };
-    Ok(finding
-        .within(format!(
-            "{} of {} runs; the other {} are unstable with a complex pair above the frequency threshold, but their limit cycle is slower than their small oscillation and falls below the threshold",
-            all.len() - differing.len(),
-            all.len(),
-            differing.len()
-        ))
-        .outside(format!("{}: theory harmonic vibration, simulation stick-slip", first.place()))
+    let within_a_tenth =
+        |run: &Run| run.theory.max_imaginary_per_s.to_f64().unwrap_or(0.0) >= (1.0 - NEAR) * natural_per_s;
+    let written = Draft::new("max Im(s) is near ω_n from √½ ω_n on");
+    let written = CONDITIONS.into_iter().fold(written, |draft, condition| {
+        draft.part(condition_words(condition), ends_in(&grids, condition, &by_threshold))
+    });
+    let strict = Draft::new("max Im(s) is near ω_n within 10 % of it");
+    let strict = CONDITIONS
+        .into_iter()
+        .filter(|(_, near, _)| *near == Some(true))
+        .fold(strict, |draft, one| draft.part(condition_words(one), ends_in(&grids, one, &within_a_tenth)));
+    Ok(of_readings([written, strict])
         .remark("Two of the six conditions give stick-slip, so there are five names for six conditions. No simulation distinguishes these two conditions."))
+}
+
+/// The share of ω_n up to which a frequency is near it, where "≈" is read as for every approximate sentence.
+const NEAR: f64 = 0.1;
+
+fn condition_words((is_unstable, near, mode): (bool, Option<bool>, SlipMode)) -> String {
+    let stiffness = if is_unstable { "K < K_c" } else { "K > K_c" };
+    let frequency = match near {
+        None => "max Im(s) = 0",
+        Some(false) => "0 < max Im(s), far below ω_n",
+        Some(true) => "max Im(s) near ω_n",
+    };
+    format!("{stiffness} and {frequency}: {}", mode.as_str())
+}
+
+/// Whether every run under a condition ends in its slip mode.
+fn ends_in(
+    grids: &[Runs],
+    (is_unstable, near, mode): (bool, Option<bool>, SlipMode),
+    is_near: &dyn Fn(&Run) -> bool,
+) -> Finding {
+    let meets = |run: &&Run| {
+        let frequency = (run.theory.boundary_sign < 0).then(|| is_near(run));
+        (run.theory.transition_sign < 0) == is_unstable && frequency == near
+    };
+    let runs: Vec<&Run> = grids.iter().flat_map(|grid| &grid.runs).filter(meets).collect();
+    let other: Vec<&&Run> = runs.iter().filter(|run| !run.is(mode)).collect();
+    let finding = Finding::from_evidence(Evidence::Simulation {
+        quantity: format!("Runs under this condition that end in {}", mode.as_str()),
+        value: format!("{} of {}", runs.len() - other.len(), runs.len()),
+        error: error_of(grids),
+        runs: runs.len(),
+    });
+    let Some(first) = other.first() else { return finding };
+    let share = format!("{} of {} runs", other.len(), runs.len());
+    finding.number("share", share.clone()).refuted(format!(
+        "{share} do not: at {} the slip mode is {}, because the limit cycle is slower than the small oscillation",
+        first.place(),
+        first.simulation.slip_mode.as_str()
+    ))
 }
 
 /// Relative deviation of a decay's period from that of the exact pair; 0 without oscillation.
@@ -309,5 +343,5 @@ fn n9(context: &Context) -> Result<Finding, Finding> {
         "Largest V/V_l − 1 of the runs without oscillation: upper area, lower area",
         overshoots.text(),
     ));
-    Ok(if overshoots.lower > 0.0 { finding.within(overshoots.limit()) } else { finding })
+    Ok(if overshoots.lower > 0.0 { finding.on(overshoots.limit()) } else { finding })
 }

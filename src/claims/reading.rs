@@ -3,6 +3,8 @@
 //! A claim is read as it is written first, and then in every other way that a fair reader could mean. A reading is the conjunction
 //! of its parts. Each part is decided on its own evidence.
 
+use std::collections::BTreeMap;
+
 use serde::Serialize;
 
 use crate::claims::{Evidence, Finding, Strength, Verdict};
@@ -91,6 +93,7 @@ impl Draft {
 /// The parts keep their evidence in one list, where evidence that several parts rest on stands once.
 pub(super) fn of_readings(drafts: impl IntoIterator<Item = Draft>) -> Finding {
     let (mut evidence, mut remarks, mut contradictions) = (Vec::new(), Vec::new(), Vec::new());
+    let mut numbers = BTreeMap::new();
     let mut reading = |Draft { words, parts }: Draft| {
         let mut part = |(words, finding): (String, Finding)| {
             let Finding {
@@ -100,9 +103,12 @@ pub(super) fn of_readings(drafts: impl IntoIterator<Item = Draft>) -> Finding {
                 counter_example,
                 remarks: own,
                 contradictions: at_fault,
+                numbers: named,
                 ..
             } = finding;
             contradictions.extend(at_fault);
+            // The reading as written comes first, and its numbers stay.
+            named.into_iter().for_each(|(name, value)| _ = numbers.entry(name).or_insert(value));
             match verdict {
                 Verdict::NotChecked => limit = Some(own.join(" ")),
                 _ => own.into_iter().for_each(|remark| add(&mut remarks, remark)),
@@ -138,6 +144,7 @@ pub(super) fn of_readings(drafts: impl IntoIterator<Item = Draft>) -> Finding {
         readings,
         points: Vec::new(),
         contradictions,
+        numbers,
         remarks,
     }
 }
@@ -253,8 +260,9 @@ mod tests {
             value: "2".into(),
             points: 1,
         });
-        let found =
-            of_readings([Draft::new("r").part("p", limited.within("x < 1")).part("q", enclosed("a"))]);
+        let found = of_readings([Draft::new("r")
+            .part("p", limited.limited("x < 1".into()))
+            .part("q", enclosed("a"))]);
         assert_eq!((found.verdict, found.strength), (Verdict::HoldsWithin, Strength::Sampled));
         assert_eq!(found.limit.as_deref(), Some("p: x < 1"));
         assert_eq!(of_readings([]).verdict, Verdict::NotChecked);

@@ -1,9 +1,11 @@
 //! Claims N11 and N14: eq 16 as critical damping, and what the five runs of fig 4 show on either side of eq 20.
 
 use crate::claims::reading::{Draft, of_readings};
+use crate::claims::rule::{Deviations, Measure};
 use crate::claims::{Evidence, Finding};
 use crate::experiments::onset::{Located, Onset, SeenOnset, ShownRun, StressOnset, Swing};
 use crate::experiments::{Context, SceneOutcome};
+use crate::scene::Kind;
 use slipmode_core::friction::Slider;
 use slipmode_core::number::format::{certain_digits, rational_to_decimal, round_digits};
 use slipmode_core::number::{Ball, Rational, nearest_f64};
@@ -44,7 +46,10 @@ pub(super) fn n11(context: &Context) -> Result<Finding, Finding> {
     let begins = crossed.iter().fold(begins, |draft, line| {
         let velocity = line.velocity();
         draft
-            .part(format!("at V_l = {velocity} m/s the exact boundary is at eq 16"), line.on_the_boundary())
+            .part(
+                format!("at V_l = {velocity} m/s the exact boundary is at eq 16"),
+                line.on_the_boundary(context.kind),
+            )
             .part(
                 format!("at V_l = {velocity} m/s simulations begin to oscillate there"),
                 line.in_simulations(),
@@ -71,7 +76,7 @@ impl<'c> Crossed<'c> {
         rational_to_decimal(&self.line.loading_velocity_m_per_s, 4)
     }
 
-    fn on_the_boundary(&self) -> Finding {
+    fn on_the_boundary(&self, kind: Kind) -> Finding {
         let excess = self.line.boundary_pa.clone() / &self.eq16_pa - Ball::from(1);
         let most = Ball::from_rational(&(self.leading.clone() * LEADING_ERRORS), BITS);
         let is_near = excess.upper() <= most.lower() && excess.lower() >= (-most).upper();
@@ -91,7 +96,7 @@ impl<'c> Crossed<'c> {
         .require(is_near, || {
             format!("it differs by a relative {digits}, although the next order allows at most {LEADING_ERRORS} × {leading}")
         })
-        .within(format!("a relative {digits} above eq 16"))
+        .near(kind, &Deviations::new(Measure::Place, [(libm::log10(1.0 + excess.to_f64()), 0.0)]))
     }
 
     fn in_simulations(&self) -> Finding {

@@ -62,7 +62,7 @@ fn regularised(grid: &Runs, direct_effect: f64, reference: f64) -> Finding {
                 courses.len()
             )
         })
-        .within(format!(
+        .on(format!(
             "V differs by less than {difference} V_l at the same friction and state, so that no digit of a peak velocity or period changes; eq 1's friction coefficient is as low as {} ({}) and negative in {negative} of {} runs",
             round_digits(friction(course), 4),
             run.place(),

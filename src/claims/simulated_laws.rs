@@ -7,7 +7,7 @@ use crate::experiments::near_transition::{
 };
 use crate::experiments::{Context, Outcome, SceneOutcome};
 use slipmode_core::friction::EvolutionLaw;
-use slipmode_core::number::format::{rational_to_decimal, round_digits};
+use slipmode_core::number::format::{Side, rational_to_decimal, round_digits, rounded};
 use slipmode_core::number::{Rational, nearest_f64};
 use slipmode_core::theory::hopf::{Criticality, degenerate_inertial_parameter, quasi_static_centre};
 
@@ -41,6 +41,7 @@ pub(super) fn n4(context: &Context) -> Result<Finding, Finding> {
         .with_evidence(runs_evidence(near))
         .with_evidence(families_evidence(near))
         .require(contradicting == 0, || format!("{contradicting} grid points differ in stability"));
+    let finding = finding.remark("The criteria of the linear theory are the same for both laws (claim F2): the laws differ after a finite disturbance.");
     let finding = match proved(near) {
         [0, 0] => finding,
         proved => finding.with_evidence(certified_evidence(proved)),
@@ -48,10 +49,10 @@ pub(super) fn n4(context: &Context) -> Result<Finding, Finding> {
     let finding = below(near, finding);
     let coexisting = coexisting(near);
     match widest(near)? {
-        Some(widest) => Ok(within_strip(finding, scene, near, widest, &coexisting)),
+        Some(widest) => Ok(bistable(finding, scene, near, widest, &coexisting)),
         None if !coexisting.is_empty() => Ok(finding.refuted(ends(&coexisting))),
         None if renamed == 0 => Ok(finding),
-        None => Ok(finding.within(format!("the same stability everywhere; {renamed} of {points} cycles differ so much in period that their names differ"))),
+        None => Ok(finding.refuted(format!("{renamed} of {points} cycles differ so much in period that their slip modes differ; the stability is the same everywhere"))),
     }
 }
 
@@ -124,7 +125,8 @@ fn widest(near: &NearTransitionOutcome) -> Result<Option<Widest<'_>>, Finding> {
     Ok(widest)
 }
 
-fn within_strip(
+/// A stable limit cycle beside stable sliding refutes it; where the strip ends is what is true instead.
+fn bistable(
     finding: Finding,
     scene: &SceneOutcome,
     near: &NearTransitionOutcome,
@@ -133,14 +135,14 @@ fn within_strip(
 ) -> Finding {
     let count = near.families.iter().filter(|family| matches!(family.edge, Ok(Some(_)))).count();
     let [proved, _] = proved(near);
-    let limit = format!(
-        "infinitesimal disturbances only: with the {} law a stable limit cycle coexists with stable sliding up to K/K_c = 1 + {} (± {}) at η = {}, the largest range for {count} values of η; at {proved} stiffnesses below these limits this is proved",
-        family.law.as_str(),
-        round_digits(edge.excess, 5),
+    let law = family.law.as_str();
+    let widest = format!("K/K_c = 1 + {}", round_digits(edge.excess, 5));
+    let finding = finding.number("widest", rounded(1.0 + edge.excess, 5, Side::Above)).refuted(format!(
+        "with the {law} law a stable limit cycle coexists with stable sliding up to {widest} (± {}) at η = {}, the largest range for {count} values of η; at {proved} stiffnesses below these limits this is proved; {}",
         round_digits(edge.error, 1),
         rational_to_decimal(&family.inertial_parameter, 6),
-    );
-    let finding = finding.within(limit).outside(ends(coexisting));
+        ends(coexisting)
+    ));
     match place(scene, near) {
         Some(place) => finding.remark(place),
         None => finding,

@@ -1,9 +1,11 @@
 //! Claim N6: at which velocity inertial vibration first appears in the runs of fig 4, and in which unit its caption speaks.
 
 use crate::claims::reading::{Draft, of_readings};
+use crate::claims::rule::{Deviations, Measure};
 use crate::claims::{Evidence, Finding};
 use crate::experiments::Context;
 use crate::experiments::onset::{Located, Onset, OnsetOutcome, OtherUnit, SeenOnset};
+use crate::scene::Kind;
 use slipmode_core::dynamics::Behaviour;
 use slipmode_core::friction::Slider;
 use slipmode_core::number::format::{certain_digits, rational_to_decimal, round_digits};
@@ -46,7 +48,10 @@ pub(super) fn n6(context: &Context) -> Result<Finding, Finding> {
     let begins = compared.iter().fold(begins, |draft, line| {
         let stress = line.stress();
         draft
-            .part(format!("at σ = {stress} Pa the exact boundary is at eq 20"), on_the_boundary(line))
+            .part(
+                format!("at σ = {stress} Pa the exact boundary and inertial oscillation begin at eq 20"),
+                on_the_boundary(line, context.kind),
+            )
             .part(format!("at σ = {stress} Pa simulations begin to oscillate there"), in_simulations(line))
     });
     let seen = Draft::new("where the recorded velocity first shows an oscillation");
@@ -100,7 +105,7 @@ impl Compared<'_> {
 }
 
 /// Whether the exact boundary is at eq 20, but for the error that its own series states.
-fn on_the_boundary(compared: &Compared) -> Finding {
+fn on_the_boundary(compared: &Compared, kind: Kind) -> Finding {
     let stress = compared.stress();
     let excess = certain_digits(&compared.excess, 5);
     let velocities = Evidence::Enclosure {
@@ -113,16 +118,15 @@ fn on_the_boundary(compared: &Compared) -> Finding {
     };
     let percent = round_digits(100.0 * compared.excess.to_f64(), 3);
     let allowed = round_digits(100.0 * nearest_f64(&compared.leading) * f64::from(LEADING_ERRORS), 3);
-    let inertial = compared.line.inertial.as_ref().map_or("no velocity".into(), |found| {
-        format!("{} dex above eq 20", round_digits(compared.dex(found), 3))
-    });
+    let begins = libm::log10(1.0 + compared.excess.to_f64());
+    let inertial = compared.line.inertial.as_ref().map(|found| (compared.dex(found), found.error_dex));
+    let deviations = Deviations::new(Measure::Place, inertial.into_iter().chain([(begins, 0.0)]));
     Finding::from_evidence(velocities)
         .require(compared.is_near(), || {
             format!("it is {percent} % above eq 20, although its series allows at most {allowed} %")
         })
-        .within(format!(
-            "{percent} % above eq 20; by the frequency threshold the oscillation is inertial from {inertial}"
-        ))
+        .near(kind, &deviations)
+        .remark(format!("At σ = {stress} Pa the exact boundary is {percent} % above eq 20."))
 }
 
 /// Whether simulations begin to oscillate where the exact boundary is.

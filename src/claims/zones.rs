@@ -5,19 +5,22 @@ use std::collections::BTreeSet;
 use crate::claims::criteria::{z2, z5};
 use crate::claims::ledger::premise;
 use crate::claims::reading::{Draft, of_readings};
+use crate::claims::rule::{Deviations, Measure};
 use crate::claims::{Check, Evidence, Finding};
 use crate::experiments::zones::{InertialLine, LineCount, ZonesOutcome};
 use crate::experiments::{Context, Need, SceneOutcome};
-use slipmode_core::number::format::round_digits;
+use crate::scene::Kind;
+use slipmode_core::number::Ball;
+use slipmode_core::number::format::{certain_digits, round_digits};
 use slipmode_core::stability::SlipMode;
 use slipmode_core::theory::{asymptote_series, frequency};
 
 pub(super) const CHECKS: &[Check] = &[
     Check {
         id: "Z1",
-        criterion: "The exact map has five slip modes for a < b and four for a > b, and the zones drawn from the named equations are the same.",
+        criterion: "The exact map has five slip modes for a < b and four for a > b, and the boundary is within a quarter decade of the lines of the named equations.",
         not_established: "Whether simulations show the same modes: see the N claims.",
-        needs: &[Need::Map, Need::Zones],
+        needs: &[Need::Map, Need::Zones, Need::Tolerance],
         equations: &["8", "9", "12", "13", "20", "23", "inertial-parameter", "natural-frequency"],
         rests_on: &["B1", "B9", "S1"],
         decide: z1,
@@ -65,37 +68,66 @@ fn z1(context: &Context) -> Finding {
         (context.outcome.potentially_unstable(), 5, "a < b"),
         (context.outcome.intrinsically_stable(), 4, "a > b"),
     ];
-    let mut finding = Finding::from_proof(frequency::low_frequency_zone(context.equations))
+    let proved = Finding::from_proof(frequency::low_frequency_zone(context.equations))
         .with_premise(premise("S1", context));
-    let mut limits = Vec::new();
+    let mut draft = Draft::new("the zones of the exact map, and the lines between them")
+        .part("at low frequency the area between eqs 15 and 16 is one zone, which K = K_c divides", proved);
     for (scene, expected, case) in scenes {
         let Some(zones) = scene.and_then(|scene: &SceneOutcome| scene.zones.as_ref()) else {
             return Finding::not_checked(format!("The report has no zones for {case}."));
         };
         let modes: BTreeSet<&str> = zones.exact.values.iter().map(|mode| mode.as_str()).collect();
-        finding = finding.with_evidence(modes_evidence(zones, &modes, case)).require(
-            modes.len() == expected,
-            || {
-                format!(
-                    "{} slip modes for {case}: {}",
-                    modes.len(),
-                    modes.iter().copied().collect::<Vec<_>>().join(", ")
-                )
-            },
-        );
-        limits.push(format!(
-            "{} % of the points for {case}",
-            percent(zones.disagreeing_areas, zones.exact.values.len())
-        ));
-        finding = finding.with_evidence(Evidence::Sample {
-            quantity: format!("Points where fig 7's zones and the exact slip modes differ, {case} (stability or oscillation; slip mode)"),
-            value: format!("{}; {}", zones.disagreeing_areas, zones.disagreeing_modes),
-            points: zones.exact.values.len(),
-        });
+        let found = modes.len();
+        let counted = Finding::from_evidence(modes_evidence(zones, &modes, case))
+            .require(found == expected, || {
+                format!("{found} slip modes: {}", modes.iter().copied().collect::<Vec<_>>().join(", "))
+            });
+        let points = zones.exact.values.len();
+        let drawn = lines_near(scene, context.kind)
+            .with_supporting(Evidence::Sample {
+                quantity: format!("Points where fig 7's zones and the exact slip modes differ, {case} (stability or oscillation; slip mode)"),
+                value: format!("{}; {}", zones.disagreeing_areas, zones.disagreeing_modes),
+                points,
+            })
+            .remark(format!(
+                "The lines give the wrong stability or oscillation on {} % of the points of the map for {case}.",
+                percent(zones.disagreeing_areas, points)
+            ));
+        draft = draft
+            .part(format!("{case}: {expected} slip modes"), counted)
+            .part(format!("{case}: the lines are where stability or oscillation change"), drawn);
     }
-    finding
-        .within(format!("the lines give the wrong stability or oscillation on {} of the map", limits.join(" and ")))
+    of_readings([draft])
         .remark("The line between inertial and non-inertial oscillation follows from none of the five equations. It needs a threshold on ω/ω_n, or another line such as V0 = V_c.")
+}
+
+/// Whether the boundary is near the lines of eqs 15, 16, 18 and 20. On each arc the error is largest where its two lines meet.
+fn lines_near(scene: Option<&SceneOutcome>, kind: Kind) -> Finding {
+    let Some(found) = scene.and_then(|scene| scene.tolerance.as_ref()) else {
+        return Finding::not_checked("The report computes no error of the asymptotes.");
+    };
+    let upper = found
+        .corners
+        .upper
+        .as_ref()
+        .map(|pair| (pair.quasi_static.clone() + Ball::from(1)).ln() / Ball::from(10).ln());
+    let dex = [upper, Some(found.corners.lower_worst_log10.clone())];
+    let evidence = Evidence::Enclosure {
+        quantity: "Largest log10 distance of the upper and of the lower arc from their lines".into(),
+        value: dex.iter().flatten().map(|dex| certain_digits(dex, 6)).collect::<Vec<_>>().join("; "),
+    };
+    let deviations = dex.iter().flatten().map(|dex| (dex.to_f64(), 0.0));
+    Finding::from_evidence(evidence).near(kind, &Deviations::new(Measure::Place, deviations))
+}
+
+/// A distance on the map, with the step of its grid as its error.
+fn place(zones: &ZonesOutcome, off_dex: f64) -> Deviations {
+    let step = |axis: &[f64]| match axis {
+        [first, second, ..] => libm::log10(second / first),
+        _ => 0.0,
+    };
+    let step = step(&zones.exact.loading_velocity_m_per_s).max(step(&zones.exact.normal_stress_pa));
+    Deviations::new(Measure::Place, [(off_dex, step)])
 }
 
 /// The best of the lines that could divide inertial from non-inertial oscillation.
@@ -111,7 +143,6 @@ fn z7(context: &Context) -> Finding {
     let tends = |numbers: [&str; 2]| {
         let named = series.iter().filter(|series| numbers.contains(&series.equation));
         Finding::from_proofs(named.map(|series| Ok(series.proof.clone())))
-            .within("the limits that Z5 quantifies")
     };
     let zones = context.outcome.potentially_unstable().and_then(|scene| scene.zones.as_ref());
     let inertial = match zones.and_then(|zones| Some((zones, best_line(zones)?))) {
@@ -150,7 +181,7 @@ fn z8(context: &Context) -> Finding {
             case,
             match zones.zip(straight) {
                 None => Finding::not_checked(format!("The report has no zones for {case}.")),
-                Some((zones, straight)) => drawn_map(zones, straight),
+                Some((zones, straight)) => drawn_map(zones, straight, case, context.kind),
             },
         )
     };
@@ -160,7 +191,7 @@ fn z8(context: &Context) -> Finding {
 }
 
 /// The map with the straight line between the corners: how often it is wrong, next to the other lines.
-fn drawn_map(zones: &ZonesOutcome, straight: &LineCount) -> Finding {
+fn drawn_map(zones: &ZonesOutcome, straight: &LineCount, case: &str, kind: Kind) -> Finding {
     let points = zones.exact.values.len();
     let counts =
         zones.inertial_lines.iter().map(|count| format!("{}: {}", count.line.as_str(), count.misplaced));
@@ -169,13 +200,10 @@ fn drawn_map(zones: &ZonesOutcome, straight: &LineCount) -> Finding {
         value: counts.collect::<Vec<_>>().join("; "),
         points,
     });
-    match straight.misplaced {
-        0 => finding.on("the grid of the map"),
-        misplaced => finding.within(format!(
-            "{} % of the points of the map are in another slip mode",
-            percent(misplaced, points)
-        )),
-    }
+    finding.near(kind, &place(zones, zones.modes_off_dex)).remark(format!(
+        "{case}: {} % of the points of the map are in another slip mode.",
+        percent(straight.misplaced, points)
+    ))
 }
 
 fn percent(part: usize, whole: usize) -> String {

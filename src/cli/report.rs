@@ -8,7 +8,7 @@ use slipmode::claims::{Ledger, Verdict};
 use slipmode::report::{
     PAGE_BUDGET_BYTES, Product, ReportError, produce, produce_scene, without_environment,
 };
-use slipmode::scene::{Limits, first_lines};
+use slipmode::scene::{Limits, Source, first_lines};
 
 use crate::cli::claim::{contradictions, print_warnings, refuse_contradictions, verify_claim};
 use crate::cli::environment::{ENVIRONMENT_FILE, Environment};
@@ -297,25 +297,41 @@ fn claim_json(entry: &slipmode::claims::Entry) -> Value {
     })
 }
 
-/// How many claims have each verdict, under the verdict's word.
+/// How many of the paper's claims have each verdict, under the verdict's word.
 pub fn verdicts_json(ledger: &Ledger) -> Value {
     let all = [Verdict::Holds, Verdict::HoldsWithin, Verdict::Fails, Verdict::NotChecked];
     all.into_iter()
-        .map(|verdict| (verdict.as_str().to_string(), json!(ledger.count(verdict))))
+        .map(|verdict| (verdict.as_str().to_string(), json!(ledger.count(Source::Paper, verdict))))
         .collect::<Map<_, _>>()
         .into()
 }
 
+/// How many claims have each verdict: those of the paper, and apart from them those of each other source.
 pub fn summary(ledger: &Ledger) -> String {
-    let count = |verdict| ledger.count(verdict);
-    format!(
-        "{}: {} hold, {} hold within a limit, {} fail, {} not checked\n",
-        count_of(ledger.claims.len(), "claim"),
-        count(Verdict::Holds),
-        count(Verdict::HoldsWithin),
-        count(Verdict::Fails),
-        count(Verdict::NotChecked),
-    )
+    let line = |source: Source| {
+        let name = match source {
+            Source::Paper => "claim",
+            Source::Standard => "standard result",
+            Source::Question => "question",
+            Source::Assumption => "assumption",
+            Source::Result => "own result",
+        };
+        let claims = count_of(ledger.of(source).count(), name);
+        let count = |verdict| ledger.count(source, verdict);
+        format!(
+            "{claims}: {} hold, {} hold within a limit, {} fail, {} not checked\n",
+            count(Verdict::Holds),
+            count(Verdict::HoldsWithin),
+            count(Verdict::Fails),
+            count(Verdict::NotChecked),
+        )
+    };
+    let has_others = ledger.of(Source::Paper).count() < ledger.claims.len();
+    let is_shown = |source: &Source| match source {
+        Source::Paper => !has_others || ledger.of(Source::Paper).next().is_some(),
+        other => ledger.of(*other).next().is_some(),
+    };
+    Source::ALL.into_iter().filter(is_shown).map(line).collect()
 }
 
 #[cfg(test)]

@@ -42,7 +42,7 @@ use std::any::Any;
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
-use crate::scene::ClaimEntry;
+use crate::scene::{ClaimEntry, Kind};
 use slipmode_algebra::Refutation;
 use slipmode_core::friction::EvolutionLaw;
 use slipmode_core::theory::Equations;
@@ -57,6 +57,8 @@ pub struct Context<'c> {
     pub outcome: &'c Outcome,
     /// The claims of the report.
     pub claims: &'c [ClaimEntry],
+    /// The kind of the sentence that is decided.
+    pub kind: Kind,
     /// Whether each verdict on a formula has to pass the last gate. It does but where equations are altered on purpose: there a
     /// verdict is only compared with another one.
     pub is_gated: bool,
@@ -68,13 +70,20 @@ impl<'c> Context<'c> {
     /// Nothing is derived from the equations yet.
     #[must_use]
     pub fn new(equations: &'c Equations, outcome: &'c Outcome) -> Self {
-        Self { equations, outcome, claims: &[], is_gated: true, known: Arc::default(), hopf: Arc::default() }
+        let (kind, known, hopf) = (Kind::default(), Arc::default(), Arc::default());
+        Self { equations, outcome, claims: &[], kind, is_gated: true, known, hopf }
     }
 
     /// With the claims of the report, for the tables about them.
     #[must_use]
     pub fn with_claims(self, claims: &'c [ClaimEntry]) -> Self {
         Self { claims, ..self }
+    }
+
+    /// For a sentence of this kind.
+    #[must_use]
+    pub fn for_kind(self, kind: Kind) -> Self {
+        Self { kind, ..self }
     }
 
     /// Without the last gate.
@@ -94,6 +103,7 @@ impl<'c> Context<'c> {
             equations,
             outcome: self.outcome,
             claims: self.claims,
+            kind: self.kind,
             is_gated: self.is_gated,
             known,
             hopf,

@@ -57,7 +57,7 @@ fn words_over_box(found: &OverBox) -> String {
 }
 
 fn words(parameters: &Parameters<Rational>, found: &Classification) -> String {
-    let shown = |value: &Rational| scientific(&Ball::from_rational(value, WORKING_BITS));
+    let shown = |value: &Rational| scientific(&Ball::from_rational(value, WORKING_BITS), None);
     let point = &parameters.point;
     let place = format!(
         "At σ = {} Pa and V0 = {} m/s",

@@ -6,11 +6,11 @@ use crate::experiments::operating_point::operating_point_words;
 use crate::experiments::simulations::range_of_velocities;
 use crate::experiments::tolerance::accuracy_of_asymptotes;
 use crate::report::AnswerView;
-use crate::scene::Question;
+use crate::scene::{Question, Source};
 use slipmode_plot::table::escape_markdown;
 
-/// Letters of the claims' ids: heading of the group, and what its claims are about. Those of `X` are our own.
-pub(super) const GROUPS: [(char, &str, &str); 8] = [
+/// Letters of the claims' ids: heading of the group, and what its claims are about.
+pub(super) const GROUPS: [(char, &str, &str); 7] = [
     ('F', "Friction law (F)", "the friction law"),
     ('L', "Linearisation (L)", "the linearisation"),
     ('S', "Stability transition (S)", "the stability transition"),
@@ -18,7 +18,6 @@ pub(super) const GROUPS: [(char, &str, &str); 8] = [
     ('Q', "Frequency (Q)", "the frequency"),
     ('N', "Numerical runs (N)", "numerical runs"),
     ('Z', "Maps and criteria (Z)", "maps and criteria"),
-    ('X', "New results of this project (X)", "new results"),
 ];
 
 /// Claims of simulations that say most about the theory: stability, slip modes, and the other evolution law.
@@ -26,19 +25,20 @@ const SIMULATED: [&str; 3] = ["N1", "N2", "N4"];
 
 /// What the report finds, the question of the report first.
 pub(super) fn answer(question: Question, ledger: &Ledger, outcome: &Outcome) -> Vec<AnswerView> {
+    let paper: Vec<&Entry> = ledger.of(Source::Paper).collect();
+    let others = Source::ALL.into_iter().filter(|source| *source != Source::Paper);
+    let others: Vec<_> =
+        others.map(|source| of_source(source, &ledger.of(source).collect::<Vec<_>>())).collect();
     if !ledger.is_of_the_paper() {
-        let all: Vec<&Entry> = ledger.claims.iter().collect();
-        return [counts(&all), wrong(&all)].into_iter().flatten().collect();
+        return [counts(&paper), wrong(ledger, &paper)].into_iter().chain(others).flatten().collect();
     }
-    let (own, paper): (Vec<&Entry>, Vec<&Entry>) =
-        ledger.claims.iter().partition(|entry| entry.id.starts_with('X'));
     let worst = paper.iter().filter(|entry| entry.id == "Z5").map(|entry| &entry.id);
     let formulas = accuracy_of_asymptotes(outcome).map(|text| AnswerView::new(text, worst));
     let validity = range_of_velocities(outcome).map(|text| AnswerView::new(text, []));
     let claims = [counts(&paper), right(&paper)];
     let point = operating_point_words(outcome).map(|text| AnswerView::new(text, []));
     let error_bars = error_bars_words(ledger).map(|text| AnswerView::new(text, []));
-    let rest = [error_bars, wrong(&paper), simulations(&paper), new_results(&own)];
+    let rest = [error_bars, wrong(ledger, &paper), simulations(&paper)].into_iter().chain(others);
     let ordered: Vec<Option<AnswerView>> = match question {
         Question::Claims => claims.into_iter().chain([formulas]).chain(rest).collect(),
         Question::Formulas => [point, formulas, validity].into_iter().chain(claims).chain(rest).collect(),
@@ -120,15 +120,32 @@ fn listed(words: &[&str]) -> Option<String> {
     Some(if before.is_empty() { (*last).into() } else { format!("{} and {last}", before.join(", ")) })
 }
 
-/// Every claim that fails, in its own words.
-fn wrong(claims: &[&Entry]) -> Option<AnswerView> {
+/// The claims that fail: those for which the report has a replacement stand with it, the others below in their own words.
+fn wrong(ledger: &Ledger, claims: &[&Entry]) -> Option<AnswerView> {
     let failed: Vec<&Entry> = with(claims, Verdict::Fails).copied().collect();
+    let findings = match (failed.len(), ledger.findings(Verdict::Fails)) {
+        (all, fewer) if fewer < all => {
+            format!(" They are {fewer} findings: some repeat another one or share its counter-example.")
+        }
+        _ => String::new(),
+    };
+    let has_change = |entry: &&Entry| entry.sentence.change.is_some();
     let text = match failed.len() {
         0 => return None,
-        1 => "One claim is wrong as stated, with a counter-example:".to_owned(),
-        count => format!("Wrong as stated are {count} claims, each with a counter-example:"),
+        1 => "One claim is wrong as stated, with a counter-example".to_owned(),
+        count => format!("Wrong as stated are {count} claims, each with a counter-example"),
     };
-    Some(AnswerView { is_list: true, ..AnswerView::new(text, failed.iter().map(|entry| &entry.id)) })
+    if failed.iter().any(has_change) {
+        let ids = failed.iter().filter(|entry| !has_change(entry)).map(|entry| &entry.id);
+        return Some(AnswerView::new(
+            format!("{text}: [what would be true instead](#sentences-to-change).{findings}"),
+            ids,
+        ));
+    }
+    Some(AnswerView {
+        is_list: true,
+        ..AnswerView::new(format!("{text}:{findings}"), failed.iter().map(|entry| &entry.id))
+    })
 }
 
 /// What simulations of the full equations say of stability, slip modes and the other law.
@@ -141,16 +158,28 @@ fn simulations(claims: &[&Entry]) -> Option<AnswerView> {
     (!ids.is_empty()).then(|| AnswerView::new(format!("In simulations: {}.", said.join("; ")), ids))
 }
 
-/// The claims of this report's own, in their own words.
-fn new_results(own: &[&Entry]) -> Option<AnswerView> {
+/// Sentences that are not the paper's, in their own words: counted apart from its claims.
+fn of_source(source: Source, claims: &[&Entry]) -> Option<AnswerView> {
     let found = [
-        counted(own, Verdict::Holds, ["result of our own holds", "results of our own hold"]),
-        counted(own, Verdict::HoldsWithin, ["holds within a limit", "hold within a limit"]),
-        counted(own, Verdict::Fails, ["fails", "fail"]),
+        counted(claims, Verdict::Holds, ["holds", "hold"]),
+        counted(claims, Verdict::HoldsWithin, ["holds within a limit", "hold within a limit"]),
+        counted(claims, Verdict::Fails, ["fails", "fail"]),
     ];
     let found: Vec<&str> = found.iter().map(String::as_str).filter(|part| !part.starts_with("0 ")).collect();
-    let text = format!("Beyond the paper, {}:", listed(&found)?);
-    Some(AnswerView { is_list: true, ..AnswerView::new(text, own.iter().map(|entry| &entry.id)) })
+    let [lead, one, several] = match source {
+        Source::Paper => return None,
+        Source::Standard => ["Known in the field", "standard result", "standard results"],
+        Source::Question => {
+            ["Not answered by the paper", "question of this report", "questions of this report"]
+        }
+        Source::Assumption => {
+            ["Not stated by the paper", "assumption of this report", "assumptions of this report"]
+        }
+        Source::Result => ["Beyond the paper", "result of our own", "results of our own"],
+    };
+    let of = if claims.len() == 1 { one } else { several };
+    let text = format!("{lead}, {} {of}: {}.", claims.len(), listed(&found)?);
+    Some(AnswerView { is_list: true, ..AnswerView::new(text, claims.iter().map(|entry| &entry.id)) })
 }
 
 /// The words of a claim with what was found, up to the first semicolon of its limit; `None` for what was not checked.
@@ -172,6 +201,7 @@ fn said(entry: &Entry) -> Option<String> {
 mod tests {
     use super::*;
     use crate::claims::{Evidence, Finding, find};
+    use crate::scene::Sentence;
 
     fn entry(id: &str, finding: Finding) -> Entry {
         Entry {
@@ -180,6 +210,10 @@ mod tests {
             words: format!("Words of {id}."),
             criterion: find(id).map_or(String::new(), |check| check.criterion.into()),
             digest: String::new(),
+            sentence: Sentence {
+                source: if id.starts_with('X') { Source::Result } else { Source::Paper },
+                ..Sentence::default()
+            },
             expected: finding.verdict,
             finding,
             not_established: String::new(),
@@ -201,7 +235,7 @@ mod tests {
 
     #[test]
     fn the_letters_of_another_papers_claims_name_no_subject() {
-        let mut claims = vec![entry("Q1", held()), entry("X2", held())];
+        let mut claims = vec![entry("Q1", held()), entry("Z2", held())];
         claims.iter_mut().for_each(|claim| claim.criterion = "a formula".into());
         let found = sentences(claims);
         assert_eq!(found.len(), 1);
@@ -214,7 +248,8 @@ mod tests {
 
     #[test]
     fn every_sentence_follows_from_verdicts() {
-        let limited = held().within("a first limit; a second one");
+        let limit = Some("a first limit; a second one".to_owned());
+        let limited = Finding { verdict: Verdict::HoldsWithin, limit, ..held() };
         let found = sentences(vec![
             entry("L1", held()),
             entry("S1", held()),
@@ -233,7 +268,7 @@ mod tests {
                 "Right: all claims about the linearisation hold as stated, and those about the stability transition at least within a limit.",
                 "One claim is wrong as stated, with a counter-example:",
                 "In simulations: “Words of N1” holds; “Words of N2” holds within a first limit.",
-                "Beyond the paper, 1 result of our own holds:",
+                "Beyond the paper, 1 result of our own: 1 holds.",
             ]
         );
         assert!(found[2].is_list && found[2].claims == ["B6"]);

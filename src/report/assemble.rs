@@ -7,12 +7,13 @@ use crate::experiments::{Figure, Outcome};
 use crate::report::answer::{GROUPS, answer};
 use crate::report::blocks::{BlockKind, Piece, pieces};
 use crate::report::certificates::Certificates;
+use crate::report::changes::{changes, decided_by};
 use crate::report::claims_picture::claims_picture;
 use crate::report::{
     CardView, ChapterView, ClaimGroupView, ClaimView, EquationView, EvidenceView, FactView, InputView,
     PartView, ProvenanceView, ReadingView, ReportView,
 };
-use crate::scene::{Chapter, ReportPlan, StatedClaim};
+use crate::scene::{Chapter, ReportPlan, Sentence, Source, StatedClaim};
 use slipmode_core::theory::Equations;
 use slipmode_plot::table::Table;
 
@@ -53,6 +54,7 @@ pub fn assemble(material: Material) -> ReportView {
         subtitle: introduction.map_or_else(String::new, |chapter| chapter.title.clone()),
         answer: answer(plan.question, ledger, outcome),
         summary_markdown: introduction.map_or_else(String::new, |chapter| chapter_text(chapter, prose)),
+        changes: changes(ledger),
         cards: cards(ledger),
         chapters: chapters.map(|chapter| chapter_view(chapter, prose)).collect(),
         ledger: groups(ledger, place),
@@ -113,7 +115,11 @@ fn cards(ledger: &Ledger) -> Vec<CardView> {
         (Verdict::NotChecked, "in this report"),
     ]
     .into_iter()
-    .map(|(verdict, note)| CardView { verdict, count: ledger.count(verdict).to_string(), note: note.into() })
+    .map(|(verdict, note)| CardView {
+        verdict,
+        count: ledger.count(Source::Paper, verdict).to_string(),
+        note: note.into(),
+    })
     .collect()
 }
 
@@ -122,20 +128,42 @@ fn groups(ledger: &Ledger, place: &str) -> Vec<ClaimGroupView> {
     // The letters are those of one paper: claims of another one are one group.
     let subjects = if ledger.is_of_the_paper() { &GROUPS[..] } else { &[] };
     let known = |id: &str| subjects.iter().any(|(letter, ..)| id.starts_with(*letter));
-    let group = |title: &str, belongs: &dyn Fn(&str) -> bool| ClaimGroupView {
+    let group = |title: &str, belongs: &dyn Fn(&Entry) -> bool| ClaimGroupView {
         title: title.into(),
         claims: ledger
             .claims
             .iter()
-            .filter(|entry| belongs(&entry.id))
+            .filter(|entry| belongs(entry))
             .map(|entry| claim_view(entry, ledger, &certificates, place))
             .collect(),
     };
+    let of_paper = |entry: &Entry| entry.sentence.source == Source::Paper;
     // Claims that a report states as formulas may have any letter.
-    let title = if subjects.is_empty() { "Claims" } else { "Claims stated as formulas" };
-    let own = group(title, &|id| !known(id));
-    let known = subjects.iter().map(|(letter, title, _)| group(title, &|id| id.starts_with(*letter)));
-    known.chain([own]).filter(|group| !group.claims.is_empty()).collect()
+    let title = if subjects.is_empty() { "Claims of the paper" } else { "Claims stated as formulas" };
+    let unknown = group(title, &|entry| of_paper(entry) && !known(&entry.id));
+    let known = subjects
+        .iter()
+        .map(|(letter, title, _)| group(title, &|one| of_paper(one) && one.id.starts_with(*letter)));
+    let others = Source::ALL.into_iter().filter(|source| *source != Source::Paper);
+    let others = others.map(|source| group(source_title(source), &|entry| entry.sentence.source == source));
+    known.chain([unknown]).chain(others).filter(|group| !group.claims.is_empty()).collect()
+}
+
+/// The heading of the claims of a source, the paper's apart.
+const fn source_title(source: Source) -> &'static str {
+    match source {
+        Source::Paper => "Claims of the paper",
+        Source::Standard => "Standard results",
+        Source::Question => "Questions of this report",
+        Source::Assumption => "Assumptions of this report",
+        Source::Result => "New results of this project",
+    }
+}
+
+/// The kind of a sentence, with the words that make it so.
+fn kind_words(sentence: &Sentence) -> String {
+    let kind = sentence.kind.as_str();
+    if sentence.quote.is_empty() { kind.into() } else { format!("{kind} (“{}”)", plain(&sentence.quote)) }
 }
 
 /// Of a claim that is proved.
@@ -160,6 +188,9 @@ fn claim_view(entry: &Entry, ledger: &Ledger, certificates: &Certificates<'_>, f
     ClaimView {
         id: entry.id.clone(),
         place: entry.place.clone(),
+        source: entry.sentence.source,
+        kind_markdown: kind_words(&entry.sentence),
+        decided_markdown: decided_by(finding),
         statement_markdown: plain(&entry.words),
         acceptance_markdown: acceptance(entry),
         verdict: finding.verdict,

@@ -44,7 +44,8 @@ impl<'a> Catalogue<'a> {
 }
 
 /// Sections that every page has.
-const SECTIONS: [&str; 6] = ["overview", "claims-by-verdict", "ledger", "appendix", "provenance", "inputs"];
+const SECTIONS: [&str; 7] =
+    ["overview", "sentences-to-change", "claims-by-verdict", "ledger", "appendix", "provenance", "inputs"];
 
 /// Deep links of the page, in the order of the view; a link that occurs twice is a fault.
 pub(crate) fn anchors(view: &ReportView) -> Vec<String> {

@@ -68,6 +68,7 @@ mod tests {
             words: String::new(),
             criterion: String::new(),
             digest: String::new(),
+            sentence: Default::default(),
             finding: Finding::from_proofs(proofs.iter().map(|&proof| Ok(proof.clone()))),
             not_established: String::new(),
             error_bars: None,

@@ -5,6 +5,7 @@ use serde_json::{Value, json};
 use super::catalogue::Catalogue;
 use super::markdown::Prose;
 use super::view::{ClaimView, EvidenceView, PartView, ReadingView};
+use crate::scene::Source;
 
 /// The claim's verdict with a link.
 pub(crate) fn chip(claim: &ClaimView) -> Value {
@@ -26,6 +27,8 @@ pub(crate) fn claim_page(claim: &ClaimView, catalogue: &Catalogue<'_>, prose: &m
         |markdown: &str, part: &str| prose.inline(markdown, &format!("claim {}, {part}", claim.id));
     json!({
         "id": claim.id,
+        "is_of_the_paper": claim.source == Source::Paper,
+        "kind_html": html(&claim.kind_markdown, "sentence"),
         "place": claim.place,
         "class": claim.verdict.as_str(),
         "symbol": claim.verdict.symbol(),

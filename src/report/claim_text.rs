@@ -2,17 +2,25 @@
 
 use serde_json::{Value, json};
 
-use super::markdown::slug;
 use super::view::{ClaimView, EvidenceView, FactView, PartView, ReadingView};
+use crate::scene::Source;
 use slipmode_plot::table::{escape_cell, escape_markdown, printable};
 
 /// What the templates show of a claim; its prose goes through `prose`.
-pub(crate) fn claim_text(claim: &ClaimView, rests_on: String, prose: &dyn Fn(&str) -> String) -> Value {
+pub(crate) fn claim_text(
+    claim: &ClaimView,
+    link: &dyn Fn(&str) -> String,
+    prose: &dyn Fn(&str) -> String,
+) -> Value {
+    let rests_on = claim.rests_on.iter().map(|id| link(id)).collect::<Vec<_>>().join(", ");
     let item = |markdown: &str| line(&prose(markdown));
     json!({
         "id_md": escape_markdown(&claim.id),
-        "link_md": claim_link(&claim.id),
+        "link_md": link(&claim.id),
+        "kind_md": item(&claim.kind_markdown),
+        "decided_md": item(&claim.decided_markdown).replace('|', "\\|"),
         "cell_md": item(&claim.statement_markdown).replace('|', "\\|"),
+        "is_of_the_paper": claim.source == Source::Paper,
         "place_md": escape_cell(&claim.place),
         "symbol": claim.verdict.symbol(),
         "word": claim.verdict.word(),
@@ -21,18 +29,13 @@ pub(crate) fn claim_text(claim: &ClaimView, rests_on: String, prose: &dyn Fn(&st
         "acceptance_md": item(&claim.acceptance_markdown),
         "verdict_md": item(&claim.verdict_markdown),
         "readings": claim.readings.iter().map(|one| reading(one, &item)).collect::<Vec<_>>(),
-        "evidence": claim.evidence.iter().map(|one| evidence(one, &item)).collect::<Vec<_>>(),
+        "evidence": claim.evidence.iter().map(|one| evidence(one, link, &item)).collect::<Vec<_>>(),
         "counter_example_md": item(&claim.counter_example_markdown),
         "not_established_md": item(&claim.not_established_markdown),
         "remark_md": item(&claim.remark_markdown),
         "rests_on_md": rests_on,
         "command_md": code_span(&claim.command),
     })
-}
-
-/// A link to a claim's heading; empty for no claim.
-pub(crate) fn claim_link(id: &str) -> String {
-    if id.is_empty() { String::new() } else { format!("[{}](#{})", escape_cell(id), slug(id)) }
 }
 
 fn reading(reading: &ReadingView, item: &dyn Fn(&str) -> String) -> Value {
@@ -56,7 +59,8 @@ fn reading(reading: &ReadingView, item: &dyn Fn(&str) -> String) -> Value {
     })
 }
 
-fn evidence(evidence: &EvidenceView, item: &dyn Fn(&str) -> String) -> Value {
+fn evidence(evidence: &EvidenceView, link: &dyn Fn(&str) -> String, item: &dyn Fn(&str) -> String) -> Value {
+    let home = &evidence.certificate_at;
     let fact = |fact: &FactView| format!("{}: {}", escape_cell(&fact.name), escape_cell(&fact.value));
     let numbers = evidence.numbers.iter().map(fact).collect::<Vec<_>>().join("; ");
     json!({
@@ -65,7 +69,7 @@ fn evidence(evidence: &EvidenceView, item: &dyn Fn(&str) -> String) -> Value {
         "text_md": item(&evidence.text_markdown),
         "numbers_md": if numbers.is_empty() { numbers } else { format!("({numbers})") },
         "certificate_md": code_block(&evidence.certificate),
-        "certificate_at_md": claim_link(&evidence.certificate_at),
+        "certificate_at_md": if home.is_empty() { String::new() } else { link(home) },
     })
 }
 

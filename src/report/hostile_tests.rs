@@ -17,6 +17,9 @@ fn hostile_view() -> ReportView {
     for card in &mut view.cards {
         (card.count, card.note) = (text(), text());
     }
+    for change in &mut view.changes {
+        (change.instead_markdown, change.affects_markdown) = (text(), text());
+    }
     for sentence in &mut view.answer {
         sentence.text_markdown = text();
     }
@@ -31,6 +34,7 @@ fn hostile_view() -> ReportView {
                 (text(), text(), text());
             (claim.counter_example_markdown, claim.remark_markdown) = (text(), text());
             claim.not_established_markdown = text();
+            (claim.kind_markdown, claim.decided_markdown) = (text(), text());
             for reading in &mut claim.readings {
                 (reading.words_markdown, reading.strength) = (text(), text());
                 for part in &mut reading.parts {

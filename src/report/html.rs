@@ -11,9 +11,11 @@ use super::markdown::Prose;
 use super::page_style::{SCRIPT, content_policy, style_sheet};
 use super::parts::{anchor, lead, runs, title};
 use super::templates::Templates;
-use super::view::{AnswerView, CardView, ChapterView, ClaimView, EquationView, FigureView, ReportView};
+use super::view::{
+    AnswerView, CardView, ChangeView, ChapterView, ClaimView, EquationView, FigureView, ReportView,
+};
 use super::{ReportError, cut_note, shown_rows};
-use crate::scene::Part;
+use crate::scene::{Part, Source};
 use slipmode_plot::figure::within_html;
 use slipmode_plot::table::{Cell, Kind, Table};
 
@@ -53,6 +55,7 @@ impl<'a> Page<'a> {
         let view = self.view;
         let (summary_html, figure_html) = self.summary()?;
         let answer: Vec<Value> = view.answer.iter().map(|sentence| self.sentence(sentence)).collect();
+        let changes: Vec<Value> = view.changes.iter().filter_map(|change| self.change(change)).collect();
         let verdicts: Vec<Value> = view.cards.iter().map(|card| self.tiles(card)).collect();
         let [before, after] = runs(&view.chapters);
         let (parts, later_parts) = (self.parts(before)?, self.parts(after)?);
@@ -72,6 +75,7 @@ impl<'a> Page<'a> {
             "style_css": style_css,
             "answer": answer,
             "figure_html": figure_html,
+            "changes": changes,
             "verdicts": verdicts,
             "summary_html": summary_html,
             "parts": parts,
@@ -107,11 +111,26 @@ impl<'a> Page<'a> {
         })
     }
 
-    /// The claims of one verdict, each with its words.
+    /// What would be true in the place of a sentence, with the claim.
+    fn change(&mut self, change: &ChangeView) -> Option<Value> {
+        let claim = self.catalogue.claims.get(change.claim.as_str()).copied()?;
+        let mut html = |markdown: &str| self.prose.inline(markdown, "sentences to change");
+        Some(json!({
+            "chip": chip(claim),
+            "place": claim.place,
+            "words_html": html(&claim.statement_markdown),
+            "instead_html": html(&change.instead_markdown),
+            "affects_html": html(&change.affects_markdown),
+        }))
+    }
+
+    /// The paper's claims of one verdict, each with its words.
     fn tiles(&mut self, card: &CardView) -> Value {
         let verdict = card.verdict;
         let claims = self.view.ledger.iter().flat_map(|group| &group.claims);
-        let ids = claims.filter(|claim| claim.verdict == verdict).map(|claim| claim.id.as_str());
+        let ids = claims
+            .filter(|claim| claim.verdict == verdict && claim.source == Source::Paper)
+            .map(|claim| claim.id.as_str());
         json!({
             "class": verdict.as_str(),
             "symbol": verdict.symbol(),

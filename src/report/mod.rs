@@ -9,9 +9,11 @@ mod assemble;
 mod blocks;
 mod catalogue;
 mod certificates;
+mod changes;
 mod claim_html;
 mod claim_text;
 mod claims_picture;
+mod edition;
 mod error;
 mod explorer;
 #[cfg(test)]
@@ -33,6 +35,7 @@ mod text;
 mod theorems;
 mod view;
 
+pub use edition::render_edition;
 pub use error::ReportError;
 pub use explorer::{ExplorerPage, render_explorer};
 pub use html::render_html;
@@ -41,8 +44,8 @@ pub use markdown::formula_faults;
 pub use produce::{Folder, Product, decide, produce, produce_scene};
 pub use text::render_markdown;
 pub use view::{
-    AnswerView, CardView, ChapterView, ClaimGroupView, ClaimView, EquationView, EvidenceView, FactView,
-    FigureView, InputView, PartView, ProvenanceView, ReadingView, ReportView,
+    AnswerView, CardView, ChangeView, ChapterView, ClaimGroupView, ClaimView, EquationView, EvidenceView,
+    FactView, FigureView, InputView, PartView, ProvenanceView, ReadingView, ReportView,
 };
 
 use slipmode_plot::table::Table;

@@ -13,7 +13,7 @@ use crate::experiments::{
 use crate::report::assemble::{Material, assemble};
 use crate::report::blocks::{BlockKind, Piece, pieces};
 use crate::report::theorems::{THEOREMS_FILE, theorems};
-use crate::report::{FactView, InputView, ReportError, render_html, render_markdown};
+use crate::report::{FactView, InputView, ReportError, render_edition, render_html, render_markdown};
 use crate::scene::{ClaimEntry, Measured, MeasuredChart, ReportPlan};
 use slipmode_core::theory::Equations;
 use slipmode_plot::table::Table;
@@ -96,7 +96,8 @@ pub fn produce(
         files.insert(format!("figures/{}.svg", picture.id), picture.svg.clone());
     }
     files.insert("index.html".into(), render_html(&view)?);
-    files.insert("report.md".into(), render_markdown(&view)?);
+    files.insert("report.md".into(), render_edition(&view)?);
+    files.insert("ledger.md".into(), render_markdown(&view)?);
     Ok(Product { ledger, files })
 }
 

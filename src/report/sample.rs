@@ -1,7 +1,7 @@
 //! A report with the parts of a real one, for tests and for looking at; its numbers are made up.
 
 use super::*;
-use crate::scene::Verdict;
+use crate::scene::{Source, Verdict};
 use slipmode_plot::figure::{Axis, Caption, LineChart, Series};
 use slipmode_plot::table::{Cell, Column, Table};
 
@@ -9,6 +9,9 @@ fn claim(id: &str, verdict: Verdict, statement: &str) -> ClaimView {
     ClaimView {
         id: id.into(),
         place: "2.2, fig. 1".into(),
+        source: Source::Paper,
+        kind_markdown: "universal (“is”)".into(),
+        decided_markdown: "The discriminant factors".into(),
         statement_markdown: statement.into(),
         acceptance_markdown: "The identity holds over $\\mathbb{Q}$ for all $\\eta > 0$, $\\kappa > 0$, $\\beta > 0$.".into(),
         verdict,
@@ -255,6 +258,11 @@ pub(crate) fn view() -> ReportView {
         title: "When does frictional slip vibrate?".into(),
         subtitle: "The linear theory of Im & Avouac, proved, measured and checked claim by claim".into(),
         summary_markdown: "Every checkable claim of *Linear stability analysis of the condition for vibration during frictional slip* was decided by computation: identities over $\\mathbb{Q}$, certified enclosures of the roots, and the exact boundary $\\max\\operatorname{Im}(s) = 0$ by three routes that share nothing but eq. 8.".into(),
+        changes: vec![ChangeView {
+            claim: "S4".into(),
+            instead_markdown: "Only $V > V_c$ is needed.".into(),
+            affects_markdown: "fig 1".into(),
+        }],
         cards: vec![
             card(Verdict::Holds, "21", "proved or certified"),
             card(Verdict::HoldsWithin, "7", "with a quantified limit"),

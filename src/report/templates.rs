@@ -26,8 +26,9 @@ const HTML: [(&str, &str); 12] = [
 ];
 
 /// Templates of the Markdown report. Every one is escaped for Markdown.
-const MARKDOWN: [(&str, &str); 3] = [
+const MARKDOWN: [(&str, &str); 4] = [
     ("report.md", include_str!("../../templates/report.md")),
+    ("ledger.md", include_str!("../../templates/ledger.md")),
     ("part.md", include_str!("../../templates/part.md")),
     ("claim.md", include_str!("../../templates/claim.md")),
 ];

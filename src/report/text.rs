@@ -6,40 +6,84 @@ use serde_json::{Value, json};
 
 use super::blocks::{BlockKind, Piece, pieces};
 use super::catalogue::{Catalogue, faults, texts};
-use super::claim_text::{claim_link, claim_text, code_span, line};
+use super::claim_text::{claim_text, code_span, line};
 use super::markdown::{harmless, slug};
 use super::parts::{lead, runs, title};
 use super::templates::Templates;
 use super::view::{
-    AnswerView, CardView, ChapterView, ClaimGroupView, ClaimView, EquationView, FactView, FigureView,
-    InputView, ReportView,
+    AnswerView, CardView, ChangeView, ChapterView, ClaimGroupView, ClaimView, EquationView, FactView,
+    FigureView, InputView, ReportView,
 };
 use super::{ReportError, cut_note, shown_rows};
 use slipmode_plot::table::{Table, escape_cell, escape_markdown};
 
-/// Renders the report as Markdown, one document that links to `figures/*.svg` and `tables/*.csv` next to it.
+/// Renders the whole report as Markdown, one document that links to `figures/*.svg` and `tables/*.csv` next to it.
 ///
 /// # Errors
 /// The faults of the view that [`super::render_html`] reports too, save those of formulas and deep links.
 pub fn render_markdown(view: &ReportView) -> Result<String, ReportError> {
-    let found = faults(view);
-    if !found.is_empty() {
-        return Err(ReportError::Faults(found));
-    }
-    let templates = Templates::markdown()?;
-    let report = Report { view, catalogue: Catalogue::of(view), templates: &templates };
-    let text = templates.render("report.md", &report.context()?)?;
-    Ok(tidied(&text))
+    Report::rendered(view, "ledger.md", "", |report| report.context())
 }
 
+/// The heading of the sentences to change.
+const CHANGES: &str = "sentences-to-change";
+
 /// A report under construction.
-struct Report<'a> {
+pub(super) struct Report<'a> {
     view: &'a ReportView,
     catalogue: Catalogue<'a>,
     templates: &'a Templates,
+    /// The file in which claims and chapters have their headings; empty for this one.
+    whole: &'static str,
 }
 
 impl<'a> Report<'a> {
+    /// A template with what it shows of a view.
+    pub(super) fn rendered(
+        view: &'a ReportView,
+        template: &str,
+        whole: &'static str,
+        context: impl FnOnce(&Report<'_>) -> Result<Value, ReportError>,
+    ) -> Result<String, ReportError> {
+        let found = faults(view);
+        if !found.is_empty() {
+            return Err(ReportError::Faults(found));
+        }
+        let templates = Templates::markdown()?;
+        let report = Report { view, catalogue: Catalogue::of(view), templates: &templates, whole };
+        Ok(tidied(&templates.render(template, &context(&report)?)?))
+    }
+
+    /// What the reader's edition shows.
+    pub(super) fn edition(&self) -> Result<Value, ReportError> {
+        let figures = self.view.figures.iter().filter(|figure| figure.is_of_the_paper());
+        Ok(json!({
+            "title": self.view.title,
+            "subtitle": self.view.subtitle,
+            "answer": self.view.answer.iter().map(|sentence| self.sentence(sentence)).collect::<Vec<_>>(),
+            "changes": self.changes(),
+            "cards": self.view.cards.iter().map(card).collect::<Vec<_>>(),
+            "groups": self.groups()?,
+            "figures": figures.map(|figure| self.figure(figure)).collect::<Vec<_>>(),
+            "command_md": code_span(&self.view.provenance.command),
+        }))
+    }
+
+    fn changes(&self) -> Vec<Value> {
+        let cell = |markdown: &str| line(&self.prose(markdown, 1)).replace('|', "\\|");
+        let change = |change: &ChangeView| {
+            let claim = self.catalogue.claims.get(change.claim.as_str())?;
+            Some(json!({
+                "link_md": self.claim_link(&change.claim),
+                "place_md": escape_cell(&claim.place),
+                "words_md": cell(&claim.statement_markdown),
+                "instead_md": cell(&change.instead_markdown),
+                "affects_md": cell(&change.affects_markdown),
+            }))
+        };
+        self.view.changes.iter().filter_map(change).collect()
+    }
+
     fn context(&self) -> Result<Value, ReportError> {
         let view = self.view;
         let [before, after] = runs(&view.chapters);
@@ -47,6 +91,7 @@ impl<'a> Report<'a> {
             "title": view.title,
             "subtitle": view.subtitle,
             "answer": view.answer.iter().map(|sentence| self.sentence(sentence)).collect::<Vec<_>>(),
+            "changes": self.changes(),
             "summary_md": self.body(&view.summary_markdown, 1),
             "cards": view.cards.iter().map(card).collect::<Vec<_>>(),
             "parts": before.into_iter().map(|run| self.part(run)).collect::<Vec<_>>(),
@@ -61,7 +106,17 @@ impl<'a> Report<'a> {
     }
 
     fn prose(&self, markdown: &str, shift: usize) -> String {
-        harmless(markdown, shift, &|anchor| self.heading_of(anchor))
+        harmless(markdown, shift, &|anchor| self.heading_of(anchor).map(|heading| self.link_to(&heading)))
+    }
+
+    /// A link to a heading, which the whole report has.
+    fn link_to(&self, heading: &str) -> String {
+        let is_here = ["verdicts", CHANGES].contains(&heading);
+        format!("{}#{heading}", if is_here { "" } else { self.whole })
+    }
+
+    fn claim_link(&self, id: &str) -> String {
+        format!("[{}]({})", escape_cell(id), self.link_to(&slug(id)))
     }
 
     /// Where a deep link of the page leads here: claims and chapters have headings, blocks have none.
@@ -70,8 +125,12 @@ impl<'a> Report<'a> {
             return Some(slug(id));
         }
         let chapter = self.view.chapters.iter().find(|chapter| chapter.id == anchor);
-        let fixed =
-            [("ledger", "ledger-of-claims"), ("provenance", "provenance"), ("claims-by-verdict", "verdicts")];
+        let fixed = [
+            ("ledger", "ledger-of-claims"),
+            ("provenance", "provenance"),
+            ("claims-by-verdict", "verdicts"),
+            (CHANGES, CHANGES),
+        ];
         let section = fixed.iter().find(|(name, _)| *name == anchor).map(|(_, heading)| (*heading).into());
         chapter.map(|chapter| slug(&chapter.title)).or(section)
     }
@@ -80,7 +139,7 @@ impl<'a> Report<'a> {
         let words = |id: &String| {
             let claim = self.catalogue.claims.get(id.as_str())?;
             Some(
-                json!({ "link_md": claim_link(id), "words_md": line(&self.prose(&claim.statement_markdown, 1)) }),
+                json!({ "link_md": self.claim_link(id), "words_md": line(&self.prose(&claim.statement_markdown, 1)) }),
             )
         };
         let listed = sentence.claims.iter().filter(|_| sentence.is_list).filter_map(words);
@@ -92,12 +151,12 @@ impl<'a> Report<'a> {
     }
 
     fn claim_links(&self, ids: &[String]) -> String {
-        ids.iter().map(|id| claim_link(id)).collect::<Vec<_>>().join(", ")
+        ids.iter().map(|id| self.claim_link(id)).collect::<Vec<_>>().join(", ")
     }
 
     fn groups(&self) -> Result<Vec<Value>, ReportError> {
         let prose = |markdown: &str| self.prose(markdown, 4);
-        let text = |claim: &ClaimView| claim_text(claim, self.claim_links(&claim.rests_on), &prose);
+        let text = |claim: &ClaimView| claim_text(claim, &|id| self.claim_link(id), &prose);
         let group = |group: &ClaimGroupView| {
             let claims: Vec<Value> = group.claims.iter().map(text).collect();
             let rendered = claims.iter().map(|claim| self.templates.render("claim.md", claim));

@@ -6,7 +6,7 @@
 use serde::Serialize;
 
 pub use crate::experiments::Figure as FigureView;
-use crate::scene::{Part, Verdict};
+use crate::scene::{Part, Source, Verdict};
 use slipmode_plot::table::Table;
 
 /// A whole report.
@@ -18,6 +18,8 @@ pub struct ReportView {
     pub subtitle: String,
     /// The answer, sentence by sentence.
     pub answer: Vec<AnswerView>,
+    /// What would be true in the place of the sentences that fail, in the order in which it matters to a reader of the paper.
+    pub changes: Vec<ChangeView>,
     /// What was checked, how, and how to read the answer. A figure that it places stands beside the answer.
     pub summary_markdown: String,
     /// Counts of verdicts, in the order in which they are shown.
@@ -70,6 +72,17 @@ impl AnswerView {
     }
 }
 
+/// What would be true in the place of a sentence that fails.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ChangeView {
+    /// The claim; it must be in the ledger.
+    pub claim: String,
+    /// What is true instead.
+    pub instead_markdown: String,
+    /// What in the paper depends on the sentence.
+    pub affects_markdown: String,
+}
+
 /// A chapter of prose.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ChapterView {
@@ -100,6 +113,10 @@ pub struct ClaimView {
     pub id: String,
     /// Place in the paper, such as `3.2, fig. 6`.
     pub place: String,
+    /// Whose sentence it is.
+    pub source: Source,
+    /// What kind of sentence it is, with the words that make it so.
+    pub kind_markdown: String,
     /// The claim in our words.
     pub statement_markdown: String,
     /// What had to be found for the claim to hold, stated before the result.
@@ -112,6 +129,8 @@ pub struct ClaimView {
     pub strength: String,
     /// The ways to read the claim, each with its parts; empty where it has one reading of one part.
     pub readings: Vec<ReadingView>,
+    /// What decides it, in one sentence.
+    pub decided_markdown: String,
     /// What the verdict rests on.
     pub evidence: Vec<EvidenceView>,
     /// The counter-example, exact where it can be; empty when there is none.

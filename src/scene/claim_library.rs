@@ -2,17 +2,33 @@
 
 use slipmode_core::theory::Equations;
 
-use crate::scene::{ClaimEntry, StatedClaim, read_claims};
+use crate::scene::{ClaimEntry, Sentence, StatedClaim, read_claims};
 
 const PAPER: &str = include_str!("../../reports/im-avouac/claims.toml");
 
-/// The sections that have formulas, by the ids of their claims.
-fn sections() -> impl Iterator<Item = (&'static str, &'static str)> {
+/// The sections, by the ids of their claims.
+fn all_sections() -> impl Iterator<Item = (&'static str, &'static str)> {
     let id = |section: &'static str| {
         section.lines().find_map(|line| line.strip_prefix("id = \"")?.strip_suffix('"'))
     };
-    let stated = PAPER.split("[[claim]]\n").skip(1).filter(|section| section.contains("\nformula = "));
-    stated.filter_map(move |section| Some((id(section)?, section)))
+    PAPER.split("[[claim]]\n").skip(1).filter_map(move |section| Some((id(section)?, section)))
+}
+
+/// Those that have formulas.
+fn sections() -> impl Iterator<Item = (&'static str, &'static str)> {
+    all_sections().filter(|(_, section)| section.contains("\nformula = "))
+}
+
+/// What kind of sentence the first paper's claim of this id is.
+pub(super) fn library_sentence(id: &str) -> Option<Sentence> {
+    /// The file with one section.
+    #[derive(serde::Deserialize)]
+    struct File {
+        claim: [Sentence; 1],
+    }
+    let (_, section) = all_sections().find(|(known, _)| *known == id)?;
+    let file: Option<File> = toml::from_str(&format!("[[claim]]\n{section}")).ok();
+    file.map(|File { claim: [sentence] }| sentence)
 }
 
 /// The ids of these claims.

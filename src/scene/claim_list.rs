@@ -3,11 +3,11 @@
 use slipmode_core::theory::Equations;
 
 use crate::scene::claim_formula::ClaimFormula;
-use crate::scene::claim_library::library_claim;
+use crate::scene::claim_library::{library_claim, library_sentence};
 use crate::scene::claim_scope::FormulaEntries;
 use crate::scene::document::read_document;
 use crate::scene::section::{Entry, Section};
-use crate::scene::{Faults, Limits, Problem, Verdict, of_word, same_name};
+use crate::scene::{Faults, Limits, Problem, Sentence, Verdict, of_word, same_name};
 
 /// One claim of the paper, in our words.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -20,6 +20,8 @@ pub struct ClaimEntry {
     pub words: String,
     /// The recorded verdict; the verdict itself is always computed.
     pub expected: Verdict,
+    /// What kind of sentence it is, and whose.
+    pub sentence: Sentence,
     /// What the claim says as formulas.
     pub stated: Option<StatedClaim>,
     /// Why the claim is out of reach.
@@ -93,6 +95,7 @@ pub fn read_claims(
         top.required("claim", "[[claim]] sections")?.list(|member| {
             let mut section = member.section()?;
             let stated = read_stated(&mut section, equations);
+            let sentence = Sentence::read(&mut section);
             let reason = section.optional("reason");
             let is_stated = !matches!(stated, Some(None)) || reason.is_some();
             let id = read_id(&mut section, known_ids, is_stated, &mut seen);
@@ -113,8 +116,12 @@ pub fn read_claims(
                 let own = reading.parts.iter_mut().map(|(own, _)| own).chain([&mut reading.words]);
                 own.filter(|own| own.is_empty()).for_each(|own| own.clone_from(&words));
             }
+            let (id, is_known) = (id?, stated.is_none() && reason.as_ref().is_some_and(Option::is_none));
             let entry = ClaimEntry {
-                id: id?,
+                sentence: sentence?
+                    .or_else(|| library_sentence(&id).filter(|_| is_known))
+                    .unwrap_or_default(),
+                id,
                 place: place?,
                 words,
                 expected: expected?,

@@ -280,7 +280,7 @@ fn markup_in_titles_and_prose_stays_text() {
             assert!(!outside_quotes.contains(attribute), "<{tag}>");
         }
     }
-    let markdown = place.read("out/report.md");
+    let markdown = place.read("out/ledger.md");
     for forbidden in ["<img", "<script", "](javascript", "](data:", "![r]"] {
         let bare = markdown.match_indices(forbidden).any(|(at, _)| !markdown[..at].ends_with('\\'));
         assert!(!bare, "{forbidden} is in the Markdown report");

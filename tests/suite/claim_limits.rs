@@ -19,7 +19,7 @@ fn a_formula_holds_within_its_limit_only_if_what_is_said_of_the_outside_is_true(
         assert!(said.contains(part), "{part} is not in:\n{said}");
     }
     place.run(["report", "r", "-o", "out"]).expect_warnings();
-    assert!(place.read("out/report.md").contains("- **Depends on:** [C2](#c2)"));
+    assert!(place.read("out/ledger.md").contains("- **Depends on:** [C2](#c2)"));
     let wrong = report(&limited("K_c rises with V_0", "a > b")).run(["verify", "r", "--claim", "C1"]);
     assert!(
         wrong.code == 1 && wrong.stderr.contains("C1: recorded holds-within, now not-checked"),

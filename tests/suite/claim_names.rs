@@ -32,7 +32,7 @@ fn equations_of_another_paper_decide_claims_of_any_letter() {
     let said = place.run(["verify", "r", "--claim", "X1"]).expect_success();
     assert!(said.contains("not-checked") && said.contains("Two blocks are outside this theory."), "{said}");
     place.run(["report", "r", "-o", "out"]).expect_warnings();
-    let page = place.read("out/report.md");
+    let page = place.read("out/ledger.md");
     // The letters are those of the first paper: here they name nothing.
     assert!(!page.contains("Frequency (Q)") && page.contains("Of the 3 claims of the paper"), "{page}");
 }

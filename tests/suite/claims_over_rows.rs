@@ -127,7 +127,7 @@ fn statements_over_rows_get_the_verdict_and_the_strength_that_they_deserve() {
         let told = format!("{} {} {}", found["evidence"], found["counter_example"], found["remarks"]);
         assert!(told.contains(part), "{statement}: {found:#}");
     }
-    let text = place.read("out/report.md");
+    let text = place.read("out/ledger.md");
     assert!(text.contains("over the rows of the table `simulations`, `count = 11`"), "{text}");
 }
 

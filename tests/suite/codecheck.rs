@@ -78,7 +78,7 @@ fn the_manifest_is_made_again_and_an_altered_one_is_noticed() {
     for path in files.keys().filter_map(|path| path.strip_prefix("report/")) {
         let (archived, again) =
             (text(&files, &format!("report/{path}")), place.read(&format!("again/{path}")));
-        let is_page = ["index.html", "report.md"].contains(&path);
+        let is_page = ["index.html", "ledger.md"].contains(&path);
         assert!(if is_page { again.len() > archived.len() } else { again == archived }, "{path}");
     }
     let (mut altered, time) = unpack(&fs::read(place.path("small.zip")).unwrap(), &Caps::default()).unwrap();

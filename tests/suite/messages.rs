@@ -286,7 +286,7 @@ fn a_name_too_long_for_its_scene_is_refused_before_anything_is_computed() {
 fn commands_that_messages_and_pages_print_work_for_the_reader() {
     let place = small_report("Words.\n");
     place.run(["report", "small", "-o", "out"]).expect_success();
-    let page = place.read("out/report.md");
+    let page = place.read("out/ledger.md");
     assert!(page.contains("slipmode verify small --claim S1"), "{page}");
     place.run("verify small --claim S1".split(' ')).expect_success();
     fs::create_dir(place.path("small/published")).unwrap();

@@ -78,7 +78,7 @@ fn an_operating_point_stands_in_the_first_sentence_and_on_the_maps() {
     }
     assert!(place.read("lab/prose/introduction.md").contains("| 8e-6 | m |"));
     place.run(["report", "lab"]).expect_success();
-    let page = place.read("target/report/lab/report.md");
+    let page = place.read("target/report/lab/ledger.md");
     let said = "the slider is linearly unstable: stick-slip; K/K_c is 0.889, and small disturbances oscillate with 0.119 Hz.";
     let (at, formulas) =
         (page.find(said).expect(&page), page.find("The asymptotes equal the exact boundary").unwrap());

@@ -40,7 +40,7 @@ fn formulas_and_their_conditions_stand_typeset_beside_the_words() {
         + &part("it tends", "K_c -> K_c_qs as M -> 0");
     let place = report(&claims);
     place.run(["report", "r", "-o", "out"]).expect_warnings();
-    let text = place.read("out/report.md");
+    let text = place.read("out/ledger.md");
     for wanted in [
         "- **Holds if:** $K_{c} > K_{c,qs}$ for all $a < b$, $K \\ne M$",
         "  - it rises ($K_{c}$ rises with $M$ for all $a < b$): ",

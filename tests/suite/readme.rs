@@ -73,7 +73,7 @@ fn the_guide_works_as_written_from_an_empty_folder() {
         assert!(is_as_shown(&printed, &shown), "slipmode {arguments} printed:\n{printed}");
     }
     assert!(place.read("target/report/lab/index.html").contains("<html"));
-    let text = place.read("target/report/lab/report.md");
+    let text = place.read("target/report/lab/ledger.md");
     let answer = "For all values within the error bars, the slider is linearly stable for some values and not for others, \
         and the possible slip modes are";
     assert!(text.contains(answer) && text.contains("verdicts, which are proved, hold for all"), "{text}");

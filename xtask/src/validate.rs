@@ -272,7 +272,7 @@ fn markdownlint(made: &[Made]) -> Result<Vec<Command>, Failure> {
     let command = |report: &Made| {
         let mut command = node_tool("markdownlint-cli2")?;
         command.arg("--config").arg(definition(".markdownlint.json"));
-        command.arg("report.md").current_dir(&report.folder);
+        command.args(["report.md", "ledger.md"]).current_dir(&report.folder);
         Ok(command)
     };
     made.iter().map(command).collect()

@@ -19,6 +19,7 @@ use slipmode_core::theory::Equations;
 use crate::claims::gate;
 use crate::claims::over_rows;
 use crate::claims::reading::{self, of_readings};
+use crate::claims::rule::Region;
 use crate::claims::{Evidence, Finding, Resolved, Verdict};
 use crate::experiments::Context;
 use crate::scene::{ClaimEntry, ClaimFormula, Names, Premises, StatedClaim, Statement};
@@ -131,7 +132,7 @@ pub(super) fn decide_part(id: &str, words: &str, formula: &ClaimFormula, context
     match outside.verdict {
         Verdict::Holds => {
             let found = outside.evidence.into_iter().fold(found, Finding::with_evidence);
-            found.within(&limit.words).outside(words)
+            found.within(Region { inside: limit.words.clone(), outside: words.clone() })
         }
         _ => Finding {
             contradictions: outside.contradictions,

@@ -49,6 +49,23 @@ impl<T: PartialEq> Grid<T> {
         areas
     }
 
+    /// How far, in decades along one of the axes, the nearest point of this value is from the point at an index; infinite without one.
+    #[must_use]
+    pub fn distance_dex(&self, index: usize, wanted: &T) -> f64 {
+        let columns = self.loading_velocity_m_per_s.len();
+        let (row, column) = (index / columns, index % columns);
+        let along = |axis: &[f64], from: usize, index: &dyn Fn(usize) -> usize| {
+            let reached = (0..axis.len()).filter(|&place| self.values[index(place)] == *wanted);
+            let dex = reached.map(|place| libm::log10(axis[place] / axis[from]).abs());
+            dex.fold(f64::INFINITY, f64::min)
+        };
+        along(&self.loading_velocity_m_per_s, column, &|place| row * columns + place).min(along(
+            &self.normal_stress_pa,
+            row,
+            &|place| place * columns + column,
+        ))
+    }
+
     fn flood(&self, start: usize, wanted: &T, seen: &mut [bool]) {
         let mut open = vec![start];
         while let Some(index) = open.pop() {
@@ -71,6 +88,17 @@ impl<T: PartialEq> Grid<T> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_distance_is_the_shorter_one_along_an_axis() {
+        let grid = Grid {
+            loading_velocity_m_per_s: vec![1.0, 10.0, 100.0],
+            normal_stress_pa: vec![1.0, 1e3],
+            values: vec![0, 0, 1, 1, 0, 0],
+        };
+        assert_eq!([0, 1, 4].map(|index| grid.distance_dex(index, &1)), [2.0, 1.0, 1.0]);
+        assert_eq!((grid.distance_dex(0, &0), grid.distance_dex(0, &7)), (0.0, f64::INFINITY));
+    }
 
     #[test]
     fn an_area_may_run_across_corners() {

@@ -4,7 +4,7 @@ use crate::experiments::Outcome;
 use crate::experiments::boundary::figures::equation_label;
 use crate::experiments::tolerance::tables::place_of_limit;
 use crate::experiments::tolerance::{ToleranceOutcome, ToleranceRow};
-use slipmode_core::number::format::{rational_to_decimal, round_digits};
+use slipmode_core::number::format::{Side, rational_to_decimal, round_digits, rounded};
 use slipmode_core::number::{Ball, Rational};
 use slipmode_core::stability::boundary::ErrorPair;
 
@@ -23,7 +23,7 @@ pub fn accuracy_of_asymptotes(outcome: &Outcome) -> Option<String> {
     let per_cent = rational_to_decimal(&Rational::from(tolerance * 100u32), DIGITS);
     let list: Vec<String> = rows.map(row_words).collect();
     Some(format!(
-        "The asymptotes equal the exact boundary within {per_cent} % only far from their corners: {}. Up to the corner or the cusp, where another one takes over, their errors reach {}.",
+        "The asymptotes equal the exact boundary within {per_cent} % only far from their corners: {}. Up to the corner or the cusp, where another one takes over, their errors are up to {}.",
         list.join(", "),
         worst_words(found)
     ))
@@ -36,17 +36,17 @@ fn row_words(row: &ToleranceRow) -> String {
         return format!("{equation} for {}", place_of_limit(limit.asymptote, limit.whole_branch));
     }
     let unit = if limit.asymptote.is_quasi_static() { "m/s" } else { "Pa" };
-    format!(
-        "{equation} for {} {} {unit}",
-        place_of_limit(limit.asymptote, limit.whole_branch),
-        scientific(&row.in_si)
-    )
+    let place = place_of_limit(limit.asymptote, limit.whole_branch);
+    let side = if place.ends_with("above") { Side::Above } else { Side::Below };
+    format!("{equation} for {place} {} {unit}", scientific(&row.in_si, Some(side)))
 }
 
 /// The largest error of each asymptote: of eqs 15 and 18 at the V0 of their corner, of eqs 16 and 20 at the cusp.
 fn worst_words(found: &ToleranceOutcome) -> String {
     let per_cent = |error: &Ball, equation: u32| {
-        format!("{} % (eq {equation})", round_digits(100.0 * error.to_f64(), DIGITS).replace('-', "−"))
+        let error = 100.0 * error.to_f64();
+        let side = if error < 0.0 { Side::Below } else { Side::Above };
+        format!("{} % (eq {equation})", rounded(error, DIGITS, side).replace('-', "−"))
     };
     let upper = found.corners.upper.as_ref();
     let (cusp, upper) = (&found.corners.cusp, |of: fn(&ErrorPair) -> &Ball, equation| {
@@ -61,14 +61,18 @@ fn worst_words(found: &ToleranceOutcome) -> String {
     errors.into_iter().flatten().collect::<Vec<_>>().join(", ")
 }
 
-/// The value as `$6.2\times10^{-5}$`, or as it is between a hundredth and ten thousand.
-pub(crate) fn scientific(value: &Ball) -> String {
+/// The value as `$6.2\times10^{-5}$`, or as it is between a hundredth and ten thousand, rounded to one side or else to nearest.
+pub(crate) fn scientific(value: &Ball, side: Option<Side>) -> String {
+    let shown = |value: f64| match side {
+        Some(side) => rounded(value, DIGITS, side),
+        None => round_digits(value, DIGITS),
+    };
     let value = value.to_f64();
     let exponent = libm::floor(libm::log10(value));
     if (-2.0..4.0).contains(&exponent) {
-        return round_digits(value, DIGITS);
+        return shown(value);
     }
-    format!("${}\\times10^{{{exponent}}}$", round_digits(value / libm::exp10(exponent), DIGITS))
+    format!("${}\\times10^{{{exponent}}}$", shown(value / libm::exp10(exponent)))
 }
 
 #[cfg(test)]
@@ -77,9 +81,12 @@ mod tests {
 
     #[test]
     fn powers_of_ten_are_set_where_they_help() {
-        let shown = |value: f64| scientific(&Ball::from_rational(&Rational::from_f64(value).unwrap(), 64));
-        assert_eq!(shown(6.24e-5), "$6.2\\times10^{-5}$");
-        assert_eq!(shown(333.0), "330");
-        assert_eq!(shown(3.04e7), "$3\\times10^{7}$");
+        let shown = |value: f64, side: Side| {
+            scientific(&Ball::from_rational(&Rational::from_f64(value).unwrap(), 64), Some(side))
+        };
+        assert_eq!(shown(6.24e-5, Side::Below), "$6.2\\times10^{-5}$");
+        assert_eq!(shown(6.24e-5, Side::Above), "$6.3\\times10^{-5}$");
+        assert_eq!(shown(333.0, Side::Below), "330");
+        assert_eq!(shown(3.04e7, Side::Above), "$3.1\\times10^{7}$");
     }
 }

@@ -49,6 +49,9 @@ pub struct ZonesOutcome {
     pub disagreeing_areas: usize,
     /// Points where they disagree on the slip mode (also on inertial against non-inertial).
     pub disagreeing_modes: usize,
+    /// How far a line of the map with the straight line between the corners is from where the slip mode changes, at most, in decades
+    /// along an axis.
+    pub modes_off_dex: f64,
     /// How often the simplified map is wrong with each line between inertial and non-inertial, in the order of the list.
     pub inertial_lines: Vec<LineCount>,
     /// How the map depends on the threshold between inertial and non-inertial.
@@ -87,18 +90,27 @@ pub fn compare_zones(parameters: &Slider<Rational>, map: &Grid<MapPoint>) -> Zon
     let inertial_lines = drawn.map(|line| LineCount { line, misplaced: misplaced(&zones(line)) }).collect();
     let simplified = zones(InertialLine::CriticalVelocity);
     let pairs = map.values.iter().zip(&simplified.values);
+    let exact = map.map(|point| point.slip_mode);
+    let between_corners = match lines.has_corners() {
+        true => zones(InertialLine::Corners).map(Zone::slip_mode),
+        false => simplified.map(Zone::slip_mode),
+    };
     ZonesOutcome {
-        exact: map.map(|point| point.slip_mode),
+        modes_off_dex: off_dex(&exact, &between_corners),
+        exact,
         disagreeing_areas: pairs.filter(|(point, zone)| area(point.spectral_class) != zone.area()).count(),
         disagreeing_modes: misplaced(&simplified),
-        between_corners: match lines.has_corners() {
-            true => zones(InertialLine::Corners).map(Zone::slip_mode),
-            false => simplified.map(Zone::slip_mode),
-        },
+        between_corners,
         simplified: simplified.map(Zone::slip_mode),
         inertial_lines,
         thresholds: threshold_shares(parameters, map),
     }
+}
+
+/// How far the points that are drawn wrong are from those where the drawn value is exact, at most, in decades along an axis.
+fn off_dex<T: PartialEq>(exact: &Grid<T>, drawn: &Grid<T>) -> f64 {
+    let wrong = drawn.values.iter().enumerate().filter(|(index, value)| exact.values[*index] != **value);
+    wrong.map(|(index, value)| exact.distance_dex(index, value)).fold(0.0, f64::max)
 }
 
 /// Whether a point is stable, and whether it oscillates.

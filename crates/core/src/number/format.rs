@@ -68,6 +68,28 @@ pub fn round_digits(value: f64, significant: usize) -> String {
     round_float(&Float::with_val(53, value), significant)
 }
 
+/// The side of a number on which its rounded text lies: a bound in words stays true only there.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Side {
+    /// Not above the number: "at least".
+    Below,
+    /// Not below the number: "at most".
+    Above,
+}
+
+/// The f64 rounded to this many significant digits to one side; a number with fewer digits stays as it is.
+#[must_use]
+pub fn rounded(value: f64, significant: usize, side: Side) -> String {
+    let nearest = round_digits(value, significant);
+    if value == 0.0 || !value.is_finite() || nearest.parse() == Ok(value) {
+        return nearest;
+    }
+    let round = if side == Side::Above { Round::Up } else { Round::Down };
+    let float = Float::with_val(53, value);
+    let (negative, digits, exponent) = float.to_sign_string_exp_round(10, Some(significant.max(1)), round);
+    Decimal { negative, digits, exponent: i64::from(exponent.unwrap_or(0)) }.trimmed().layout(false)
+}
+
 /// The shortest decimal that reads back as the same f64.
 #[must_use]
 pub fn shortest(value: f64) -> String {
@@ -185,6 +207,16 @@ mod tests {
             assert_eq!(round_digits(value, 6), text);
         }
         assert_eq!(round_digits(999_999.9, 4), "1e6");
+    }
+
+    #[test]
+    fn a_bound_is_rounded_to_its_side() {
+        assert_eq!(rounded(0.319_2, 3, Side::Above), "0.32");
+        assert_eq!(rounded(0.319_2, 3, Side::Below), "0.319");
+        assert_eq!(rounded(-0.487_6, 3, Side::Above), "-0.487");
+        assert_eq!(rounded(-0.487_6, 3, Side::Below), "-0.488");
+        // A number that has no more digits stays as it is, although its binary value lies a little above.
+        assert_eq!([Side::Above, Side::Below].map(|side| rounded(0.1, 3, side)), ["0.1", "0.1"]);
     }
 
     #[test]

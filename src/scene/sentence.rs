@@ -1,0 +1,122 @@
+//! What kind of sentence a claim is, whose it is, and what its author would change: the keys of a claim beside its formulas.
+
+use std::collections::BTreeMap;
+
+use serde::{Deserialize, Serialize};
+
+use crate::scene::section::Section;
+
+slipmode_algebra::named! {
+    /// What a sentence says, by the paper's own words. The kind decides the verdict before any number is computed.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+    #[serde(rename_all = "kebab-case")]
+    pub enum Kind {
+        /// "every", "always", "is", an equation: one counter-example refutes it.
+        #[default]
+        Universal = "universal",
+        /// "approximately", "near", "asymptotic": it may be off by the tolerance of all such sentences.
+        Approximate = "approximate",
+        /// "low", "wide", "rapidly": the weakest statement that the word cannot be denied to mean.
+        Qualitative = "qualitative",
+    }
+}
+
+slipmode_algebra::named! {
+    /// Whose sentence it is.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+    #[serde(rename_all = "kebab-case")]
+    pub enum Source {
+        /// The paper's text has it.
+        #[default]
+        Paper = "paper",
+        /// A result that the field knows and that the paper builds on.
+        Standard = "standard",
+        /// A question of the report, which the paper does not answer.
+        Question = "question",
+        /// What the report assumes of the paper's work where its text is silent.
+        Assumption = "assumption",
+        /// A result of the report.
+        Result = "result",
+    }
+}
+
+/// A sentence: its kind with the words that make it so, whose it is, and what would be true in its place.
+#[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[serde(default)]
+pub struct Sentence {
+    /// Its kind.
+    pub kind: Kind,
+    /// A few words of the paper that make it of this kind; may be empty.
+    #[serde(skip_serializing_if = "String::is_empty")]
+    pub quote: String,
+    /// Whose it is.
+    pub source: Source,
+    /// The earlier claim with which it forms one finding: it repeats that claim, or has the same counter-example.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub same_as: Option<String>,
+    /// Those of the things it is about that the report decides, where the sentence is about more; it holds within them at most.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub decided_for: Option<String>,
+    /// What an author would write in its place, where it fails.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub change: Option<Change>,
+}
+
+/// A replacement for a sentence that fails.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Change {
+    /// What is true instead, in one sentence. `{name}` stands for a number that the check computes.
+    pub instead: String,
+    /// What in the paper depends on the sentence, or `nothing`.
+    pub affects: String,
+    /// Its place in the list, from 1: what changes most for a reader of the paper comes first.
+    pub rank: u64,
+}
+
+impl Sentence {
+    /// The keys of a claim; the inner none for a claim without any of them.
+    pub(super) fn read(section: &mut Section<'_>) -> Option<Option<Self>> {
+        let kind = section.optionally("kind", |entry| entry.word(&Kind::ALL, Kind::as_str));
+        let source = section.optionally("source", |entry| entry.word(&Source::ALL, Source::as_str));
+        let quote = section.optionally("quote", |entry| entry.text());
+        let same_as = section.optionally("same_as", |entry| entry.text());
+        let decided_for = section.optionally("decided_for", |entry| entry.text());
+        let change = section.optionally("change", |entry| Change::read(entry.section()?));
+        let (kind, source, quote, same_as) = (kind?, source?, quote?, same_as?);
+        let (decided_for, change) = (decided_for?, change?);
+        let is_stated = kind.is_some() || source.is_some() || quote.is_some();
+        let is_stated = is_stated || same_as.is_some() || decided_for.is_some() || change.is_some();
+        Some(is_stated.then(|| Self {
+            kind: kind.unwrap_or_default(),
+            quote: quote.unwrap_or_default(),
+            source: source.unwrap_or_default(),
+            same_as,
+            decided_for,
+            change,
+        }))
+    }
+}
+
+impl Change {
+    /// The replacement with its numbers.
+    ///
+    /// # Errors
+    /// The first name between braces that has no number.
+    pub fn filled(&self, numbers: &BTreeMap<&'static str, String>) -> Result<String, String> {
+        let mut parts = self.instead.split('{');
+        let mut text = parts.next().unwrap_or_default().to_owned();
+        for part in parts {
+            let (name, rest) = part.split_once('}').unwrap_or((part, ""));
+            text += numbers.get(name).ok_or(name)?;
+            text += rest;
+        }
+        Ok(text)
+    }
+
+    fn read(mut section: Section<'_>) -> Option<Self> {
+        let [instead, affects] = ["instead", "affects"].map(|key| section.text(key, "a text"));
+        let rank = section.whole("rank", 1..=100);
+        section.finish();
+        Some(Self { instead: instead?, affects: affects?, rank: rank? })
+    }
+}
