@@ -3,7 +3,7 @@
 use crate::claims::reading::{Draft, of_readings};
 use crate::claims::{Check, Evidence, Finding};
 use crate::experiments::Context;
-use slipmode_core::number::format::certain_digits;
+use slipmode_core::number::format::{Side, certain_digits, rounded};
 use slipmode_core::number::{Ball, Rational};
 use slipmode_core::stability::asymptote;
 use slipmode_core::theory::frequency_turns::{self, TurningInterval};
@@ -44,7 +44,7 @@ pub(super) fn rises_in_the_area(context: &Context) -> Finding {
     let rising =
         counts().with_evidence(enclosure("σ/σ₁₆ below which max Im(s) falls with V0 somewhere", falls));
     let falling = counts()
-        .number("falls", falls.clone())
+        .number("falls", falls.parse().map_or_else(|_| falls.clone(), |it| rounded(it, 3, Side::Above)))
         .with_evidence(enclosure("σ/σ₁₆ below which max Im(s) falls to zero and rises again, at the cusp", stops))
         .refuted(format!("the frequency falls in a range of velocities; below {stops} times the stress of eq 16 it falls to zero, so that the oscillation ends and starts again"));
     of_readings([Draft::new("in the whole area between eqs 16 and 15")

@@ -280,6 +280,28 @@ mod tests {
         simulations.flat_map(|simulations| &mut simulations.grids).flat_map(|(_, grid)| &mut grid.values)
     }
 
+    /// The verdict on a claim by its id, with one point of the grid altered.
+    fn verdict_with(id: &str, alter: impl Fn(&mut SimulatedPoint)) -> Verdict {
+        let mut outcome = small_grid();
+        points(&mut outcome).last().into_iter().for_each(alter);
+        let check = crate::claims::find(id).unwrap();
+        let text = include_bytes!("../../reports/im-avouac/equations.toml");
+        let equations = read_equations("equations.toml", text).unwrap();
+        (check.decide)(&Context::new(&equations, &outcome).for_kind(Kind::Approximate)).verdict
+    }
+
+    #[test]
+    fn a_claim_on_all_runs_fails_with_one_run_that_contradicts_it() {
+        let altered = |id: &str, alter: fn(&mut slipmode_core::dynamics::Simulation)| {
+            verdict_with(id, move |point| alter(point.simulation.as_mut().unwrap()))
+        };
+        assert_eq!(altered("N1", |_| {}), Verdict::Holds);
+        assert_eq!(altered("N1", |run| run.behaviour = Behaviour::Decaying), Verdict::Fails);
+        assert_eq!(altered("N2", |run| run.slip_mode = SlipMode::OverdampedStableSliding), Verdict::Fails);
+        assert_eq!(altered("N3", |run| run.peak_velocity_m_per_s = 1e-30), Verdict::Fails);
+        assert_eq!(altered("N10", |run| run.period_s = Some(1.0)), Verdict::Fails);
+    }
+
     #[test]
     fn runs_that_were_altered_change_the_verdicts_on_harmonics_and_on_the_divisors_of_fig_5() {
         let mut outcome = small_grid();

@@ -48,13 +48,10 @@ fn every_citation_has_an_entry_and_every_entry_is_cited() {
 
 #[test]
 fn the_numbers_are_those_of_the_repository() {
-    let (paper, measured, readme) =
-        (read("paper.md"), read("crates/bench/results/peers.md"), read("README.md"));
+    let (paper, measured) = (read("paper.md"), read("crates/bench/results/peers.md"));
     let rows: Vec<&str> = paper.lines().filter(|line| line.starts_with("| ")).collect();
     assert!(rows.len() > 10);
     for row in rows {
         assert!(measured.lines().any(|line| line == row), "not measured: {row}");
     }
-    let verdicts = "28 hold, 19 hold within a limit that the report quantifies, and 10 fail";
-    assert!(paper.contains(verdicts) && readme.contains(verdicts));
 }

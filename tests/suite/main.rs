@@ -29,6 +29,7 @@ mod classify;
 mod codecheck;
 mod compare;
 mod compare_bad;
+mod counts;
 mod csv_promises;
 mod decimal_layouts;
 mod digit_for_digit;

@@ -231,3 +231,37 @@ const WRONG: [(&str, &[&str]); 28] = [
         ],
     ),
 ];
+
+/// The claims that computed runs or maps decide: other tests alter these.
+const BY_COMPUTATION: [&str; 26] = [
+    "F4", "Z1", "Z5", "Z7", "Z8", "N1", "N2", "N3", "N4", "N5", "N6", "N7", "N8", "N9", "N10", "N11", "N12",
+    "N13", "N14", "N15", "N16", "X1", "X2", "X3", "X4", "X5",
+];
+
+#[test]
+fn each_claim_about_the_equations_fails_for_some_wrong_equation() {
+    let (equations, claims, nothing) = paper();
+    let pairs = alike(&equations);
+    let context = Context::new(&equations, &nothing).ungated();
+    let by_equations = claims.iter().filter(|claim| !BY_COMPUTATION.contains(&claim.id.as_str()));
+    let cannot_fail: Vec<&str> = by_equations
+        .collect::<Vec<_>>()
+        .into_par_iter()
+        .filter(|claim| {
+            let digest = Resolved::of(claim, &equations).digest();
+            let wrong = equations.iter().flat_map(|equation| {
+                let all = alterations(equation, &pairs).into_iter();
+                all.filter_map(|one| equations.altered(&equation.number, &one.text).ok())
+            });
+            let fails = |altered: Equations| {
+                let reaches = Resolved::of(claim, &altered).digest() != digest;
+                reaches
+                    && finding_on(claim, &Context::new(&altered, &nothing).ungated()).verdict
+                        == Verdict::Fails
+            };
+            finding_on(claim, &context).verdict != Verdict::Fails && !wrong.into_iter().any(fails)
+        })
+        .map(|claim| claim.id.as_str())
+        .collect();
+    assert!(cannot_fail.is_empty(), "{cannot_fail:?}");
+}

@@ -12,7 +12,7 @@ const MOST_ROUNDS: usize = 20;
 
 /// The same prose as Markdown without raw HTML, images and unknown schemes; headings `shift` levels further down.
 ///
-/// `link` says where a deep link of the page leads in the Markdown report; a link that leads nowhere keeps its words.
+/// `link` says where a deep link of the page leads in the Markdown report, with the file or `#` in front; a link that leads nowhere keeps its words.
 pub(crate) fn harmless(markdown: &str, shift: usize, link: &dyn Fn(&str) -> Option<String>) -> String {
     let mut text = visible(markdown);
     // What is dropped may bring forth new markup from its neighbours; every round makes the text shorter.
@@ -81,7 +81,7 @@ fn finishing_edits(text: &str, shift: usize, link: &dyn Fn(&str) -> Option<Strin
                 let target = link(&dest_url[1..]);
                 edits.push((
                     range.clone(),
-                    target.map_or_else(|| words.clone(), |to| format!("[{words}](#{to})")),
+                    target.map_or_else(|| words.clone(), |to| format!("[{words}]({to})")),
                 ));
             }
             _ => {}

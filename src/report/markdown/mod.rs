@@ -258,7 +258,7 @@ mod tests {
     #[test]
     fn references_end_where_their_definitions_lead() {
         let text = "![a][r] and [b][r] and [c][k]\n\n[r]: javascript:x\n[k]: #claim-B8\n";
-        let found = harmless(text, 2, &|anchor| (anchor == "claim-B8").then(|| "b8".into()));
+        let found = harmless(text, 2, &|anchor| (anchor == "claim-B8").then(|| "#b8".into()));
         assert!(found.starts_with("a and b and [c](#b8)\n"), "{found}");
     }
 
@@ -276,7 +276,7 @@ mod tests {
         let mut prose = Prose::default();
         prose.blocks("see [B8](#claim-B8)", 2, "chapter x");
         assert_eq!(prose.links, [("claim-B8".into(), "chapter x".into())]);
-        let to = |anchor: &str| (anchor == "claim-B8").then(|| "b8".into());
+        let to = |anchor: &str| (anchor == "claim-B8").then(|| "#b8".into());
         assert_eq!(harmless("see [**B8**](#claim-B8), [f](#fig)", 2, &to), "see [**B8**](#b8), f");
     }
 
