@@ -399,3 +399,6 @@ impl fmt::Display for Domain {
         formatter.write_str(&parts.join("; "))
     }
 }
+
+#[cfg(test)]
+mod tests;
