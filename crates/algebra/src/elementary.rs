@@ -213,12 +213,109 @@ fn opaque(function: Function, argument: &RationalFunction) -> RationalFunction {
 
 #[cfg(test)]
 mod tests {
+    use proptest::prelude::*;
+
     use super::*;
-    use crate::Domain;
+    use crate::number::Ball;
+    use crate::{Domain, Relation};
+
+    /// Terms in x and y > x > 0 with whole numbers in the places of N, M and K.
+    const TERMS: [&str; 32] = [
+        "ln(N/M*x^3)",
+        "ln(N*x^2/(M*y) + N*x/M)",
+        "ln(1009*N/(M*x*exp(K*y)))",
+        "ln(N*x*y + M*x)",
+        "ln(sqrt(N*x)/M)",
+        "ln(y - x)",
+        "exp(N*ln(x)/M)",
+        "exp(-N*ln(x) + K*y/M)",
+        "exp(ln(x)^2/M)",
+        "exp(ln(x)/(M*y))",
+        "exp(ln(x)*ln(y)*N)",
+        "exp(y*ln(x))",
+        "exp(N*ln(2)/M - 17*x)",
+        "exp(20*ln(x + y))",
+        "exp(K/M)",
+        "sin(K*x - M*y)",
+        "cos(K*x - M*y)",
+        "sin(K*x - K*x)",
+        "cos(K*x - K*x)",
+        "sin(y - x)^2",
+        "abs(K*x + K*y)",
+        "abs(N*(x - y))",
+        "abs(x - x)",
+        "sqrt(N/M)",
+        "sqrt(4*N*M)",
+        "sqrt(1009*N/M^3)",
+        "sqrt(N*x^2/M)",
+        "sqrt((N*x - N*y)^2)",
+        "sqrt((x + y)^2/M^2)",
+        "sqrt(x + N*y)",
+        "asinh(K*x)",
+        "asinh(x - x)",
+    ];
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(600))]
+
+        /// Whatever is written in its normal form has the same value as before.
+        #[test]
+        fn a_normal_form_has_the_value_of_what_was_written(
+            terms in prop::array::uniform2(0..TERMS.len()),
+            numbers in prop::array::uniform2((1_u32..40, 1_u32..40, -4_i32..5)),
+            joined in 0..JOINS.len(),
+            (x, above) in (1_u32..30, 1_u32..30),
+        ) {
+            let [u, v] = [0, 1].map(|index| written(TERMS[terms[index]], numbers[index]));
+            let whole = parse(JOINS[joined]).replaced(&[("u".into(), u), ("v".into(), v)].into());
+            if let Ok(function) = domain().rational_function(&whole) {
+                let (x, y) = (Rational::from((x, 8)), Rational::from((x + above, 8)));
+                let at = [("x", x), ("y", y)].map(|(name, value)| (name.into(), Ball::from_rational(&value, 200)));
+                let value = |one: &Expression| one.enclosed(&at.clone().into(), 200).expect("all have numbers");
+                let (before, after) = (value(&whole), value(&Expression::from(&function)));
+                prop_assert!((before - after).contains_zero(), "{} became {}", whole, Expression::from(&function));
+            }
+        }
+    }
+
+    #[test]
+    fn what_may_have_no_value_is_refused() {
+        for term in TERMS {
+            assert!(domain().rational_function(&written(term, (6, 35, -2))).is_ok(), "{term}");
+        }
+        for text in [
+            "ln(-2)",
+            "ln(0)",
+            "ln(-2*x)",
+            "ln(x - y)",
+            "ln(x - 1)",
+            "ln(p)",
+            "sqrt(-2)",
+            "sqrt(x - y)",
+            "abs(p)",
+        ] {
+            assert!(domain().rational_function(&parse(text)).is_err(), "{text}");
+        }
+    }
+
+    /// How two terms are joined.
+    const JOINS: [&str; 5] = ["u + v", "u*v", "u^2 - v", "u/(1 + v^2)", "u^3*v^2"];
+
+    fn domain() -> Domain {
+        Domain::positive("x y").given(parse("y - x"), Relation::Positive)
+    }
+
+    fn written(term: &str, (n, m, k): (u32, u32, i32)) -> Expression {
+        let text = term.replace('N', &n.to_string()).replace('M', &m.to_string());
+        parse(&text.replace('K', &format!("({k})")))
+    }
+
+    fn parse(text: &str) -> Expression {
+        text.parse().expect("in the grammar")
+    }
 
     fn same(left: &str, right: &str) -> bool {
-        let [left, right] = [left, right].map(|text| text.parse::<Expression>().expect("in the grammar"));
-        Domain::positive("x y").difference(&left, &right).expect("rational").is_zero()
+        Domain::positive("x y").difference(&parse(left), &parse(right)).expect("rational").is_zero()
     }
 
     #[test]
