@@ -264,7 +264,85 @@ fn sum(ends: Vec<End>) -> Option<End> {
 
 #[cfg(test)]
 mod tests {
+    use std::cmp::Ordering;
+
+    use proptest::prelude::*;
+    use rug::Rational;
+
     use super::*;
+    use crate::number::{Ball, Field};
+
+    /// What the parts of an expression are, and how four of them are joined.
+    const PARTS: [&str; 24] = [
+        "1",
+        "a",
+        "-b",
+        "a - 2*b",
+        "x",
+        "-x^2",
+        "a*x + b",
+        "1/x",
+        "x^-2",
+        "sqrt(x)",
+        "sqrt(x^2 + a)",
+        "sqrt(a*x + b)",
+        "exp(x)",
+        "exp(-a*x)",
+        "exp(-1/x)",
+        "ln(x)",
+        "ln(1 + a*x)",
+        "asinh(b*x)",
+        "sin(a/x)",
+        "cos(b*x)",
+        "sin(x/(1 + x))",
+        "abs(-x)",
+        "x/(x + a)",
+        "exp(b/(1 + x))",
+    ];
+    const JOINS: [&str; 6] =
+        ["(u + v)/(w + z)", "u*v - w*z", "(u - v)*w/z", "u/v + w/z", "(u - v)/w^2 + z", "u^-2*v*(w - z)"];
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(300))]
+
+        /// The value comes nearer to an end that is decided, or grows on its side, between two points far out.
+        #[test]
+        fn values_go_where_the_end_is(
+            parts in prop::array::uniform4(0..PARTS.len()),
+            joined in 0..JOINS.len(),
+            up in any::<bool>(),
+            (a, b) in (1_i32..20, 1_i32..20),
+        ) {
+            let toward = if up { Toward::Infinity } else { Toward::Zero };
+            let parts = ["u", "v", "w", "z"].into_iter().zip(parts.map(|part| parse(PARTS[part])));
+            let whole = parse(JOINS[joined]).replaced(&parts.map(|(name, part)| (name.into(), part)).collect());
+            let value = |expression: &Expression, exponent: i64| {
+                let x = Rational::from(1) << (if up { exponent } else { -exponent }) as i32;
+                let at = [("x", x), ("a", Rational::from((a, 8))), ("b", Rational::from((b, 8)))];
+                let at = at.map(|(name, value)| (name.into(), Ball::from_rational(&value, 400)));
+                expression.enclosed(&at.into(), 400).expect("all have numbers")
+            };
+            let is_below = |one: Ball, other: Ball| (one - other).sign() == Some(Ordering::Less);
+            let [near, far] = [12, 20].map(|exponent| value(&whole, exponent));
+            let refuted = match Domain::positive("x a b").end(&whole, &"x".into(), toward) {
+                Ok(End::Finite(end)) => {
+                    let end = value(&end, 20);
+                    let [near, far] = [near, far].map(|one| (one - &end).square());
+                    is_below(near.clone() * Ball::from(2) / Ball::from(3), far.clone()) && is_below(Ball::from(1) / Ball::from(1 << 20), far)
+                }
+                Ok(End::Infinite(sign)) => {
+                    let [near, far] = [near, far].map(|one| one * Ball::from(i32::from(sign)));
+                    is_below(far, near + Ball::from(1) / Ball::from(1 << 10))
+                }
+                Err(_) => false,
+            };
+            prop_assert!(!refuted, "{} does not go there as x -> {}: {:?}", whole, toward, Domain::positive("x a b").end(&whole, &"x".into(), toward));
+        }
+    }
+
+    fn parse(text: &str) -> Expression {
+        text.parse().expect("in the grammar")
+    }
 
     fn end(text: &str, toward: Toward) -> Option<End> {
         let expression: Expression = text.parse().expect("in the grammar");
