@@ -214,5 +214,64 @@ mod tests {
                 }
             }
         }
+
+        #[test]
+        fn counts_are_those_of_the_known_roots(
+            roots in prop::collection::vec((-60_i64..60, 1_i64..9), 0..5),
+            squares in prop::collection::vec(1_i64..50, 0..3),
+            ends in prop::collection::vec((-70_i64..70, 1_i64..9), 2),
+        ) {
+            // x² + n has no root, and x² − n² has two.
+            let p = squares.iter().fold(from_roots(&roots), |p, n| p.times(&UnivariatePolynomial::from_integers(&[*n, 0, 1])));
+            let known: std::collections::BTreeSet<Rational> = roots.iter().map(|root| Rational::from(*root)).collect();
+            let [lower, upper] = [0, 1].map(|index| Rational::from(ends[index]));
+            let between = known.iter().filter(|root| lower < **root && **root <= upper).count();
+            prop_assert_eq!(p.count_roots(&lower, &upper), between);
+        }
+
+        /// Each interval holds one root and has none at its ends, and none is left out; roots need not be rational.
+        #[test]
+        fn intervals_are_apart_and_hold_all_positive_roots(coefficients in prop::collection::vec(-30_i64..30, 1..8), shift in 0_u32..90) {
+            let scaled: Vec<Rational> = coefficients.iter().zip(0_u32..).map(|(c, power)| Rational::from(*c) << (shift * power)).collect();
+            let p = UnivariatePolynomial::new(scaled);
+            let intervals = p.isolate_positive_roots();
+            let far = Rational::from(1) << 100_u32;
+            prop_assert_eq!(intervals.len(), if p.is_zero() { 0 } else { p.count_roots(&Rational::new(), &far) });
+            let mut end = Rational::new();
+            for interval in &intervals {
+                let (lower, upper) = match interval {
+                    IsolatingInterval::Exact(root) => {
+                        prop_assert!(p.evaluate(root) == 0);
+                        (root.clone(), root.clone())
+                    }
+                    IsolatingInterval::Between(lower, upper) => {
+                        prop_assert!(p.evaluate(lower) != 0 && p.evaluate(upper) != 0 && lower < upper);
+                        prop_assert_eq!(p.count_roots(lower, upper), 1);
+                        (lower.clone(), upper.clone())
+                    }
+                };
+                prop_assert!(lower > 0 && lower >= end);
+                end = upper;
+            }
+        }
+
+        #[test]
+        fn another_polynomial_has_a_root_in_an_interval_where_they_share_it(
+            (shared, own, other) in (-20_i64..20, -20_i64..20, -20_i64..20),
+        ) {
+            let square = |n: i64| UnivariatePolynomial::from_integers(&[-n, 0, 1]);
+            let p = square(shared).times(&from_roots(&[(own, 1)]));
+            let q = p.gcd(&square(shared).times(&square(other)));
+            for interval in p.isolate_positive_roots() {
+                let is_own = match &interval {
+                    IsolatingInterval::Exact(root) => *root == own,
+                    IsolatingInterval::Between(lower, upper) => *lower < own && own < *upper,
+                };
+                let is_shared = !is_own || [shared, other].contains(&(own * own));
+                prop_assert_eq!(q.has_root_in(&interval), is_shared, "{:?}", interval);
+                prop_assert!(UnivariatePolynomial::from_integers(&[]).has_root_in(&interval));
+                prop_assert!(!UnivariatePolynomial::from_integers(&[3]).has_root_in(&interval));
+            }
+        }
     }
 }
