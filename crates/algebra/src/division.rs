@@ -163,7 +163,76 @@ fn leading_coefficient(polynomial: &Polynomial, variable: &Generator) -> Polynom
 
 #[cfg(test)]
 mod tests {
+    use proptest::prelude::*;
+
     use super::*;
+
+    /// A polynomial in x, y and z from a few terms: numbers over 6, and exponents.
+    fn polynomial() -> impl Strategy<Value = Polynomial> {
+        let term = (-4..=4_i32, prop::array::uniform3(0..=2_u32));
+        prop::collection::vec(term, 1..4).prop_map(|terms| {
+            let term = |(coefficient, exponents): &(i32, [u32; 3])| {
+                let names = ["x", "y", "z"].map(Polynomial::variable);
+                let powers = names.iter().zip(exponents).map(|(name, exponent)| name.pow(*exponent));
+                powers.fold(Polynomial::constant(Rational::from((*coefficient, 6))), |product, power| {
+                    &product * &power
+                })
+            };
+            terms.iter().map(term).fold(Polynomial::zero(), |sum, term| &sum + &term)
+        })
+    }
+
+    proptest! {
+        #[test]
+        fn a_product_divided_by_a_factor_is_the_other_one(one in polynomial(), other in polynomial(), more in polynomial()) {
+            let product = &one * &other;
+            prop_assert_eq!(product.divide_exact(&other), (!other.is_zero()).then_some(one));
+            if let Some(quotient) = (&product + &more).divide_exact(&other) {
+                prop_assert_eq!(&quotient * &other, &product + &more);
+            }
+        }
+
+        #[test]
+        fn the_greatest_common_divisor_divides_both_and_holds_every_shared_factor(
+            shared in polynomial(),
+            one in polynomial(),
+            other in polynomial(),
+        ) {
+            let (left, right) = (&shared * &one, &shared * &other);
+            let divisor = left.gcd(&right);
+            if divisor.is_zero() {
+                prop_assert!(left.is_zero() && right.is_zero());
+            } else {
+                let parts = [&left, &right].map(|product| product.divide_exact(&divisor).expect("it divides both"));
+                prop_assert!(shared.is_zero() || divisor.divide_exact(&shared).is_some());
+                // Nothing is shared any more.
+                prop_assert!(parts[0].gcd(&parts[1]).as_constant().is_some());
+                prop_assert_eq!(divisor.clone(), divisor.monic());
+                prop_assert_eq!(divisor.leading_term().map(|(_, one)| one.clone()), Some(Rational::from(1)));
+            }
+        }
+
+        #[test]
+        fn a_square_root_is_that_of_its_square(root in polynomial(), more in polynomial()) {
+            let found = root.pow(2).square_root();
+            prop_assert!(found.as_ref().is_none_or(|found| found.leading_term().is_some_and(|(_, leading)| *leading > 0)));
+            prop_assert!(root.is_zero() || found == Some(root.clone()) || found == Some(-&root));
+            let changed = &root.pow(2) + &more;
+            if let Some(found) = changed.square_root() {
+                prop_assert_eq!(found.pow(2), changed);
+            }
+        }
+
+        #[test]
+        fn integer_coefficients_have_the_sign_and_no_common_factor(one in polynomial()) {
+            let whole = one.with_integers();
+            prop_assert!(whole.terms().all(|(_, value)| value.is_integer()));
+            let shared = whole.terms().fold(Integer::new(), |shared, (_, value)| shared.gcd(value.numer()));
+            prop_assert!(one.is_zero() || shared == 1);
+            prop_assert_eq!(whole.monic(), one.monic());
+            prop_assert!(one.is_zero() || (one.leading_term().unwrap().1 > &0) == (whole.leading_term().unwrap().1 > &0));
+        }
+    }
 
     #[test]
     fn indivisible_polynomials_have_no_quotient() {

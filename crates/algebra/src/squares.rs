@@ -141,7 +141,11 @@ mod tests {
     use proptest::prelude::*;
 
     use super::*;
-    use crate::{Domain, Expression};
+    use crate::{Domain, Expression, Symbol};
+
+    /// Factors and terms of which some may be negative or zero.
+    const FACTORS: [&str; 8] = ["1", "x", "z", "p^2", "p", "x - y", "(x - y)^2", "x + z"];
+    const ADDED: [&str; 9] = ["0", "1", "x*y", "z", "p^2", "q", "p*q", "x*z", "y*q^2"];
 
     fn decided(text: &str) -> Option<bool> {
         let expression: Expression = text.parse().expect("in the grammar");
@@ -181,7 +185,38 @@ mod tests {
         }
     }
 
+    /// The names of the random polynomials: x and y are positive, z is not negative.
+    const NAMES: [&str; 5] = ["p", "q", "x", "y", "z"];
+
     proptest! {
+        #![proptest_config(ProptestConfig::with_cases(300))]
+
+        /// The same in positive, non-negative and real variables, of products of almost squares.
+        #[test]
+        fn a_decided_product_is_nowhere_negative(
+            squares in prop::collection::vec((1..=3_i32, prop::array::uniform3(-2..=2_i32), 0..NAMES.len()), 1..3),
+            factor in 0..FACTORS.len(),
+            (added, weight) in (0..ADDED.len(), -2..=2_i32),
+            points in prop::collection::vec(prop::array::uniform5(0..=6_i32), 30),
+        ) {
+            let square = |(weight, [a, b, c], name): &(i32, [i32; 3], usize)| {
+                format!("{weight}*(({a})*p + ({b})*{} + ({c}))^2", NAMES[*name])
+            };
+            let sum = squares.iter().map(square).collect::<Vec<_>>().join(" + ");
+            let text = format!("({sum} + ({weight})*{})*({})", ADDED[added], FACTORS[factor]);
+            let polynomial = Domain::default().rational_function(&text.parse().expect("in the grammar")).unwrap();
+            let positive = |name: &Generator| ["x", "y"].contains(&name.as_str());
+            let not_negative = |name: &Generator| ["x", "y", "z"].contains(&name.as_str());
+            let found = as_squares(polynomial.numerator(), &Known { positive: &positive, not_negative: &not_negative });
+            for [p, q, x, y, z] in points {
+                let values = [p - 3, q - 3, x + 1, y + 1, z].map(Rational::from);
+                let at = NAMES.map(Symbol::from).into_iter().zip(values).collect();
+                let value = polynomial.numerator().evaluate(&at).unwrap();
+                prop_assert!(found != Some(true) || value > 0, "{text} at {at:?}");
+                prop_assert!(found.is_none() || value >= 0, "{text} at {at:?}");
+            }
+        }
+
         /// A polynomial that is decided has the sign at every point that is tried.
         #[test]
         fn a_decided_polynomial_is_nowhere_negative(
