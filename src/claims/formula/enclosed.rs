@@ -8,7 +8,7 @@ use slipmode_core::number::{Ball, Rational};
 
 use super::Problem;
 use super::lowering::Lowered;
-use super::points;
+use super::points::{self, Point};
 use crate::claims::{Evidence, Finding};
 
 /// The most parts of a box that are looked at.
@@ -64,6 +64,16 @@ impl Problem<'_> {
             _ => format!("true in each of {looked_at} parts of the box, at most {MOST_PARTS}"),
         };
         Some(Finding::from_evidence(Evidence::Enclosure { quantity, value }))
+    }
+
+    /// The finding that the formula is true at a point.
+    pub(super) fn true_at(&self, lowered: &Lowered, point: &Point) -> Finding {
+        let part: Vec<Side> =
+            point.iter().map(|(name, value)| (name.clone(), [value.clone(), value.clone()])).collect();
+        let quantity = format!("'{}', by enclosures", self.formula.text);
+        let value = format!("true at {}: {}", points::text(point), enclosures(lowered, &part));
+        Finding::from_evidence(Evidence::Enclosure { quantity, value })
+            .seen_at([points::named(&self.full(point))])
     }
 
     /// The finding that the formula is false everywhere in a part.

@@ -89,6 +89,12 @@ impl Problem<'_> {
 
     /// The values of all expressions at a point.
     fn at_point(&self, wanted: &SignFormula, lowered: &Lowered, point: &Point) -> Finding {
+        let met: Vec<&Literal> =
+            wanted.literals().into_iter().filter(|literal| literal.holds_at(point) == Some(true)).collect();
+        // A certificate states a rational value. Of another one the sign is known by an enclosure.
+        if met.iter().any(|literal| literal.expression.rational_value(point).is_none()) {
+            return self.true_at(lowered, point);
+        }
         let listed: Vec<(Symbol, Expression)> =
             point.iter().map(|(name, value)| (name.clone(), Expression::Number(value.clone()))).collect();
         let prover_points = self.points(&lowered.expressions());
@@ -101,19 +107,15 @@ impl Problem<'_> {
             Ok(start) => start,
             Err(reason) => return Finding::not_checked(format!("Not decided: {reason}.")),
         };
-        let literals = wanted.literals().into_iter();
-        let proof = literals.filter(|literal| literal.holds_at(point) == Some(true)).try_fold(
-            start,
-            |proof, literal| {
-                let value = literal.expression.rational_value(point).unwrap_or_default();
-                let certificate = Certificate::Value {
-                    expression: literal.expression.clone(),
-                    point: listed.clone(),
-                    value: Expression::Number(value),
-                };
-                proof.certify(&format!("true at {}", points::text(point)), &self.numbers(), certificate)
-            },
-        );
+        let proof = met.into_iter().try_fold(start, |proof, literal| {
+            let value = literal.expression.rational_value(point).unwrap_or_default();
+            let certificate = Certificate::Value {
+                expression: literal.expression.clone(),
+                point: listed.clone(),
+                value: Expression::Number(value),
+            };
+            proof.certify(&format!("true at {}", points::text(point)), &self.numbers(), certificate)
+        });
         Finding::from_proof(proof).seen_at([points::named(&self.full(point))])
     }
 

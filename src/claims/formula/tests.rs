@@ -307,3 +307,66 @@ fn a_verdict_is_kernel_checked_when_the_list_of_accepted_theorems_has_its_whole_
     let failing = Finding::failing("no").with_theorem(|| Some(made.name.clone()));
     assert_eq!(failing.strength, Strength::Exact);
 }
+
+/// Equations of a slider with a spring K and a mass M, and variables of either sign.
+const SMALL: &str = "[assumptions]\npositive = [\"A\", \"B\", \"K\", \"M\", \"V\"]\nfree = [\"x\", \"y\", \"s\"]\n\
+    [[equation]]\nnumber = \"1\"\nequation = \"w = sqrt(K/M)\"\n";
+
+/// Decides a formula; what is said of its variables stands behind `|`: a condition, `there is V`, `V by A`, `x in 0 to 1`, `M at 2`.
+fn decided(line: &str) -> Finding {
+    let equations = read_equations("equations.toml", SMALL.as_bytes()).unwrap();
+    let names = Names::of(&equations);
+    let mut parts = line.split('|').map(str::trim);
+    let (text, mut scope) = (parts.next().unwrap(), Scope::default());
+    for part in parts {
+        if let Some(name) = part.strip_prefix("there is ") {
+            scope.there_is.push(name.parse().unwrap());
+        } else if let Some((name, value)) = part.split_once(" by ") {
+            scope.witness.push((name.parse().unwrap(), value.parse().unwrap()));
+        } else if let Some((name, ends)) = part.split_once(" in ") {
+            let (low, high) = ends.split_once(" to ").unwrap();
+            scope.within.push((name.parse().unwrap(), [low, high].map(|end| end.parse().unwrap())));
+        } else if let Some((name, value)) = part.split_once(" at ") {
+            scope.at.push((name.parse().unwrap(), value.parse().unwrap()));
+        } else {
+            scope.given.push(FormulaCondition::read(part, &names).unwrap());
+        }
+    }
+    let read = ClaimFormula::read(text, scope, &equations).unwrap_or_else(|error| panic!("{line}: {error}"));
+    let found = decide_equations("formula", "", &read, &equations);
+    let tested = gate::tested(&read, &found, &equations);
+    let is_sound = match found.verdict {
+        Verdict::NotChecked => matches!(tested, gate::Outcome::NotEvaluated(_)),
+        _ => matches!(tested, gate::Outcome::Passed { points: 1.., .. }),
+    };
+    assert!(is_sound, "{line}: {:?}, {tested:?}", found.verdict);
+    found
+}
+
+/// The verdicts, whatever is said: the last gate finds nothing against them.
+fn assert_verdicts(verdict: Verdict, lines: &[&str]) {
+    for line in lines {
+        let found = decided(line);
+        assert_eq!(found.verdict, verdict, "{line}: {:?} {:?}", found.counter_example, found.remarks);
+    }
+}
+
+#[test]
+fn what_there_is_holds_with_a_value_and_fails_where_no_value_does() {
+    let holds = [
+        "x > 2 | there is x",
+        "exp(x) > 2 | there is x",
+        "V^2 < A | there is V | V by A/(1 + A)",
+        "V > A and V < B | there is V | V by (A + B)/2 | A < B",
+        "x + A = 0 | there is x | x by -A",
+        "V^2 = 4 | there is V",
+    ];
+    let fails = [
+        "x^2 < -1 | there is x",
+        "V + A < 0 | there is V",
+        "V > A and V < B | there is V",
+        "V > 2 and V < 1 | there is V",
+    ];
+    assert_verdicts(Verdict::Holds, &holds);
+    assert_verdicts(Verdict::Fails, &fails);
+}
