@@ -352,6 +352,64 @@ fn assert_verdicts(verdict: Verdict, lines: &[&str]) {
 }
 
 #[test]
+fn what_is_true_everywhere_holds() {
+    let lines = [
+        "K + A > A",
+        "K*M >= 0",
+        "K != -A",
+        "x^2 + 1 > 0",
+        "x^2 - 2*x*y + y^2 >= 0",
+        "w^2*M = K",
+        "K > A or K <= A",
+        "K > A implies K >= A",
+        "not [K < A] iff K >= A",
+        "K > M implies K > A | M > A",
+        "K^2 > A^2 | K > A",
+        "K > B | K = A + B",
+        "x = y | x - y = 0",
+        "K*x^2 + M*x + A > 0 | 4*K*A > M^2",
+        "exp(K) > 1 + K",
+        "x^2 >= 4 iff x >= 2 | x >= 0",
+        "x != y or x*y >= 0",
+        "stable(s^2 + A*s + B, s)",
+        "stable(s^2 + (A - B)*s + K, s) iff A > B",
+        "all_real(s^2 + 2*x*s + x^2 - A, s)",
+        "sqrt(K) > 7/5 | K at 2",
+    ];
+    assert_verdicts(Verdict::Holds, &lines);
+}
+
+#[test]
+fn what_is_false_somewhere_fails_at_a_point_where_it_is_false() {
+    let lines = [
+        "K > A",
+        "K = A",
+        "K != A",
+        "K >= A",
+        "(x - 2)^2 > 0",
+        "x > 0",
+        "K > A and K > 0",
+        "K > A implies K > B",
+        "K > A iff K >= A",
+        "K^2 > M | K > A",
+        "x >= 2 | x^2 >= 4",
+        "K > 2*B | K = A + B",
+        "stable(s^2 + (A - B)*s + K, s)",
+        "unstable(s^2 + (A - B)*s + K, s) iff A <= B",
+        "sqrt(K) > 3/2 | K at 2",
+    ];
+    assert_verdicts(Verdict::Fails, &lines);
+}
+
+#[test]
+fn conditions_that_contradict_each_other_decide_nothing() {
+    assert_verdicts(
+        Verdict::NotChecked,
+        &["K > 0 | K > A | K < A", "K > B | x^2 < 0", "w rises with K | K > A | A > K"],
+    );
+}
+
+#[test]
 fn what_there_is_holds_with_a_value_and_fails_where_no_value_does() {
     let holds = [
         "x > 2 | there is x",
@@ -366,6 +424,52 @@ fn what_there_is_holds_with_a_value_and_fails_where_no_value_does() {
         "V + A < 0 | there is V",
         "V > A and V < B | there is V",
         "V > 2 and V < 1 | there is V",
+    ];
+    assert_verdicts(Verdict::Holds, &holds);
+    assert_verdicts(Verdict::Fails, &fails);
+}
+
+#[test]
+fn boxes_are_decided_by_enclosures() {
+    let holds = [
+        "exp(x) < 3 | x in 0 to 1",
+        "x*exp(-x) < 1/2 | x in 0 to 4",
+        "sin(x) + y < 5/2 | x in -1 to 1 | y in 0 to 3/2",
+    ];
+    let fails = ["exp(x) > 2 | x in 0 to 1", "x*exp(-x) < 1/4 | x in 0 to 4", "exp(x) = 2 | x in 0 to 1"];
+    assert_verdicts(Verdict::Holds, &holds);
+    assert_verdicts(Verdict::Fails, &fails);
+}
+
+#[test]
+fn slopes_limits_and_dependences_have_their_verdicts() {
+    let holds = [
+        "w rises with K",
+        "w falls with M",
+        "x^3 rises with x",
+        "x^2 rises with x | x > 0",
+        "-x^2 rises with x | x < 0",
+        "K*x rises with x",
+        "w does not depend on A",
+        "w depends on K",
+        "A*x depends on x",
+        "K/(K + A) -> 1 as K -> infinity",
+        "K/(K + A) -> 0 as K -> 0",
+        "A*K -> infinity as K -> infinity",
+        "-A/K -> -infinity as K -> 0",
+    ];
+    let fails = [
+        "w falls with K",
+        "w rises with M",
+        "w rises with A",
+        "x^2 rises with x",
+        "(A - B)*x rises with x",
+        "w does not depend on K",
+        "w depends on A",
+        "K/(K + A) -> 0 as K -> infinity",
+        "A*K -> -infinity as K -> infinity",
+        "A*K -> 0 as K -> infinity",
+        "K/(K + A) -> infinity as K -> infinity",
     ];
     assert_verdicts(Verdict::Holds, &holds);
     assert_verdicts(Verdict::Fails, &fails);
