@@ -35,6 +35,9 @@ pub enum ConversionError {
     /// The absolute value of something whose sign the assumptions leave open.
     #[error("the sign of {0} is not decided by the assumptions")]
     OpenSign(String),
+    /// A function of something that contains the imaginary unit.
+    #[error("{0} is the argument of a function and contains i: functions are those of real numbers")]
+    Imaginary(String),
     /// Multiplying out would take too long.
     #[error(transparent)]
     TooLarge(#[from] TooLarge),
@@ -504,6 +507,25 @@ mod tests {
     #[test]
     fn imaginary_unit_squares_to_minus_one() {
         assert!(same(&Domain::default(), "(±i*x)^2", "-x^2"));
+    }
+
+    /// exp(i π) + 1 is zero: what is said of exponentials, of roots and of even powers is said of real numbers.
+    #[test]
+    fn functions_of_imaginary_numbers_are_refused() {
+        let domain = Domain::positive("x");
+        for text in [
+            "exp(i*x)",
+            "1/(exp(i*x) + 1)",
+            "cos(x + i)^2",
+            "sin(exp(i))",
+            "asinh(i/x)",
+            "sqrt(2 + i)",
+            "abs(i)",
+        ] {
+            let found = domain.rational_function(&parse(text));
+            assert!(matches!(found, Err(ConversionError::Imaginary(_))), "{text}: {found:?}");
+        }
+        assert!(same(&domain, "sqrt(-i^2*x^2) + (i*x)^2", "x - x^2"));
     }
 
     #[test]

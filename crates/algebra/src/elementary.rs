@@ -6,6 +6,7 @@
 use rug::Rational;
 
 use super::conversion::{ConversionError, Converter};
+use super::squares::is_imaginary;
 use super::{Expression, Function, Generator, Monomial, Polynomial, RationalFunction};
 
 /// The largest prime that is looked for in a number: what is left of the number counts as one.
@@ -20,6 +21,10 @@ impl Converter<'_> {
         function: Function,
         argument: &RationalFunction,
     ) -> Result<RationalFunction, ConversionError> {
+        let reduced = self.without_squares(argument);
+        if reduced.is_none_or(|reduced| reduced.generators().iter().any(is_imaginary)) {
+            return Err(ConversionError::Imaginary(Expression::from(argument).to_string()));
+        }
         match function {
             Function::Ln => self.logarithm(argument),
             Function::Abs => self.absolute(argument),

@@ -54,7 +54,8 @@ pub(super) fn as_squares(polynomial: &Polynomial, known: &Known<'_>) -> Option<b
     found.ok().flatten()
 }
 
-fn is_imaginary(generator: &Generator) -> bool {
+/// Whether the imaginary unit is in it.
+pub(super) fn is_imaginary(generator: &Generator) -> bool {
     generator.variables().iter().any(|name| name.as_str() == "i")
 }
 
