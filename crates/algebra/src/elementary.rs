@@ -225,12 +225,14 @@ mod tests {
     use crate::{Domain, Relation};
 
     /// Terms in x and y > x > 0 with whole numbers in the places of N, M and K.
-    const TERMS: [&str; 32] = [
+    const TERMS: [&str; 34] = [
         "ln(N/M*x^3)",
         "ln(N*x^2/(M*y) + N*x/M)",
         "ln(1009*N/(M*x*exp(K*y)))",
         "ln(N*x*y + M*x)",
         "ln(sqrt(N*x)/M)",
+        "ln(N*x/1013)",
+        "sqrt(N/1013)",
         "ln(y - x)",
         "exp(N*ln(x)/M)",
         "exp(-N*ln(x) + K*y/M)",

@@ -231,9 +231,16 @@ mod tests {
 
         /// Each interval holds one root and has none at its ends, and none is left out; roots need not be rational.
         #[test]
-        fn intervals_are_apart_and_hold_all_positive_roots(coefficients in prop::collection::vec(-30_i64..30, 1..8), shift in 0_u32..90) {
+        fn intervals_are_apart_and_hold_all_positive_roots(
+            coefficients in prop::collection::vec(-30_i64..30, 1..8),
+            shift in 0_u32..90,
+            dyadic in prop::collection::vec(-4_i32..5, 0..3),
+        ) {
             let scaled: Vec<Rational> = coefficients.iter().zip(0_u32..).map(|(c, power)| Rational::from(*c) << (shift * power)).collect();
-            let p = UnivariatePolynomial::new(scaled);
+            // Roots at ends of intervals, which are powers of two.
+            let p = dyadic.iter().fold(UnivariatePolynomial::new(scaled), |p, exponent| {
+                p.times(&UnivariatePolynomial::new(vec![-(Rational::from(1) << *exponent), Rational::from(1)]))
+            });
             let intervals = p.isolate_positive_roots();
             let far = Rational::from(1) << 100_u32;
             prop_assert_eq!(intervals.len(), if p.is_zero() { 0 } else { p.count_roots(&Rational::new(), &far) });

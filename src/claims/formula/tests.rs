@@ -431,12 +431,20 @@ fn what_there_is_holds_with_a_value_and_fails_where_no_value_does() {
 
 #[test]
 fn boxes_are_decided_by_enclosures() {
+    // The largest value of x/exp(x) is 0.36788, at x = 1.
     let holds = [
         "exp(x) < 3 | x in 0 to 1",
-        "x*exp(-x) < 1/2 | x in 0 to 4",
+        "x*exp(-x) < 3679/10000 | x in 1/2 to 3",
+        "x*exp(-x) > 1/7 | x in 1/4 to 3",
         "sin(x) + y < 5/2 | x in -1 to 1 | y in 0 to 3/2",
+        "exp(x) > 1 or y > 1/2 | x in 1/8 to 1 | y in 0 to 1",
     ];
-    let fails = ["exp(x) > 2 | x in 0 to 1", "x*exp(-x) < 1/4 | x in 0 to 4", "exp(x) = 2 | x in 0 to 1"];
+    let fails = [
+        "exp(x) > 2 | x in 0 to 1",
+        "x*exp(-x) < 1/4 | x in 0 to 4",
+        "-x*exp(-x) + y >= -1/4 | x in 1/2 to 3 | y in 0 to 1",
+        "exp(x) = 2 | x in 0 to 1",
+    ];
     assert_verdicts(Verdict::Holds, &holds);
     assert_verdicts(Verdict::Fails, &fails);
 }
@@ -469,8 +477,28 @@ fn slopes_limits_and_dependences_have_their_verdicts() {
         "K/(K + A) -> 0 as K -> infinity",
         "A*K -> -infinity as K -> infinity",
         "A*K -> 0 as K -> infinity",
+        "A*K/(K + B) -> -A as K -> infinity",
+        "A*K/(K + B) -> B as K -> infinity",
         "K/(K + A) -> infinity as K -> infinity",
     ];
     assert_verdicts(Verdict::Holds, &holds);
     assert_verdicts(Verdict::Fails, &fails);
+}
+
+#[test]
+fn what_the_rules_do_not_decide_is_not_said_to_fail() {
+    let lines = [
+        "sin(K) -> 0 as K -> infinity",
+        "K*sin(1/K) -> 0 as K -> 0",
+        "(A - B)/K -> infinity as K -> 0",
+        // A slope says nothing of two ranges that are apart.
+        "-1/x rises with x | x != 0",
+        // The conditions allow one x, from which it does not move.
+        "A - x rises with x | x >= 1 | x <= 1",
+        "A rises with x | x >= 1 | x <= 1",
+        "x + sin(x) rises with x",
+        "V^2 < A | there is V",
+    ];
+    assert_verdicts(Verdict::NotChecked, &lines);
+    assert_verdicts(Verdict::Holds, &["-1/x rises with x | x > 0", "-1/x rises with x | x >= 1"]);
 }
