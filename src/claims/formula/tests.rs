@@ -493,6 +493,9 @@ fn what_the_rules_do_not_decide_is_not_said_to_fail() {
         "(A - B)/K -> infinity as K -> 0",
         // A slope says nothing of two ranges that are apart.
         "-1/x rises with x | x != 0",
+        // False between two points that are tried only, where enclosures of any size contain the edge.
+        "x*exp(-x) < 367/1000 | x in 0 to 3",
+        "x*exp(-x) <= 367/1000 | x in 0 to 3",
         // The conditions allow one x, from which it does not move.
         "A - x rises with x | x >= 1 | x <= 1",
         "A rises with x | x >= 1 | x <= 1",
@@ -500,5 +503,13 @@ fn what_the_rules_do_not_decide_is_not_said_to_fail() {
         "V^2 < A | there is V",
     ];
     assert_verdicts(Verdict::NotChecked, &lines);
-    assert_verdicts(Verdict::Holds, &["-1/x rises with x | x > 0", "-1/x rises with x | x >= 1"]);
+    assert_verdicts(Verdict::Holds, &["-1/x rises with x | x > 0", "x^2 rises with x | x >= 1"]);
+}
+
+/// The divisor is positive in another form of the condition only, K = M + g.
+#[test]
+fn a_proof_has_the_steps_that_make_its_sides_have_a_value() {
+    let found = decided("1/(K + A - M) < 1/A | K > M");
+    let steps = &found.evidence[0].proof().unwrap().steps;
+    assert!(steps.iter().any(|step| step.says.starts_with("a side has a value: ")), "{steps:?}");
 }
