@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use slipmode_algebra::{Expression, Function, Symbol};
+use slipmode_algebra::{Expression, Function, Symbol, unknowns};
 use slipmode_core::number::{Ball, Rational};
 use slipmode_core::theory::{Equation, Equations};
 
@@ -45,9 +45,10 @@ fn sums(expression: &Expression, found: &mut BTreeSet<[Symbol; 2]>) {
         }
         Expression::Product(parts) => parts.iter().for_each(|part| sums(part, found)),
         Expression::Quotient(above, below) => [above, below].into_iter().for_each(|part| sums(part, found)),
-        Expression::Negation(inner) | Expression::Power(inner, _) | Expression::Call(_, inner) => {
-            sums(inner, found)
-        }
+        Expression::Negation(inner)
+        | Expression::Power(inner, _)
+        | Expression::Call(_, inner)
+        | Expression::Generic(_, inner) => sums(inner, found),
     }
 }
 
@@ -139,6 +140,10 @@ fn within(expression: &Expression) -> Vec<Variant> {
             }
             found.extend(within(inner).into_iter().map(|(kind, part)| (kind, part.call(*function))));
         }
+        Expression::Generic(function, inner) => {
+            let of = |part| Expression::Generic(function.clone(), Box::new(part));
+            found.extend(within(inner).into_iter().map(|(kind, part)| (kind, of(part))));
+        }
     }
     found
 }
@@ -181,7 +186,7 @@ const COMPARED_BITS: u32 = 256;
 
 /// Whether two residuals are the same up to a constant factor, compared at two points; false where they cannot be evaluated.
 fn same_zeros(one: &Expression, other: &Expression) -> bool {
-    let names: BTreeSet<Symbol> = one.variables().union(&other.variables()).cloned().collect();
+    let names = unknowns([one, other]);
     // Ascending numbers, so that a < b, without a common factor that a power could hide.
     let point = |shift: u32| -> BTreeMap<Symbol, Ball> {
         let value =

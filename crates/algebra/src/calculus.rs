@@ -25,6 +25,9 @@ impl Expression {
                 Self::integer(*exponent) * (**inner).clone().power(exponent - 1) * d(inner)
             }
             Self::Call(function, inner) => chain_rule(*function, inner) * d(inner),
+            Self::Generic(function, inner) => {
+                Self::Generic(function.time_derivative(), inner.clone()) * d(inner)
+            }
         }
     }
 

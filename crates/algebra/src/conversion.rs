@@ -9,7 +9,7 @@ use thiserror::Error;
 
 use super::budget::spend;
 use super::size::{Extent, TooLarge};
-use super::squares::{Known, as_squares};
+use super::squares::{Known, as_squares, is_imaginary};
 use super::{
     Condition, Domain, Expression, Function, Generator, Monomial, Polynomial, RationalFunction, Relation,
     Symbol,
@@ -131,6 +131,13 @@ impl<'d> Converter<'d> {
             Expression::Call(function, inner) => {
                 let argument = self.function(inner)?;
                 self.call(*function, &argument)
+            }
+            Expression::Generic(function, inner) => {
+                let argument = self.reduced(inner)?;
+                let is_real = !argument.generators().iter().any(is_imaginary);
+                let argument = Expression::from(&argument);
+                let value = || RationalFunction::generator(&Generator::generic(function, argument.clone()));
+                is_real.then(value).ok_or_else(|| ConversionError::Imaginary(argument.to_string()))
             }
         }
     }
@@ -297,10 +304,13 @@ impl<'d> Converter<'d> {
         core.as_constant().is_none().then_some((core, relation))
     }
 
-    /// Is this positive? Values of the exponential are, and so is the root of something positive and the logarithm of what is above 1.
+    /// Is this positive? A function of which nothing is known is where a condition says so. Values of the exponential are, and so is the root of something positive and the logarithm of what is above 1.
     pub(super) fn is_positive(&self, name: &Generator) -> bool {
         match name.function() {
-            None => name.symbol().is_some_and(|symbol| self.domain.is_positive(&symbol)),
+            None => match name.symbol() {
+                Some(symbol) => self.domain.is_positive(&symbol),
+                None => self.conditions.contains(&(Polynomial::generator(name), Relation::Positive)),
+            },
             Some((Function::Exp, _)) => true,
             Some((Function::Sqrt | Function::Asinh, argument)) => self.is_positive_expression(argument),
             Some((Function::Ln, argument)) => {

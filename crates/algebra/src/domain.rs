@@ -154,6 +154,13 @@ impl Domain {
         self.positive.iter().cloned().chain(named).chain(given).collect()
     }
 
+    /// The expressions of its assumptions, substitutions and parameters.
+    pub(super) fn expressions(&self) -> Vec<&Expression> {
+        let pairs = self.squares.iter().chain(&self.substitutions).chain(&self.parameters);
+        let given = self.given.iter().map(|condition| &condition.expression);
+        given.chain(pairs.map(|(_, value)| value)).collect()
+    }
+
     /// The conditions.
     #[must_use]
     pub fn conditions(&self) -> &[Condition] {
@@ -316,7 +323,9 @@ impl Domain {
         let original = self.original();
         let value = |expression: &Expression| -> Result<Option<Rational>, DomainError> {
             let function = original.rational_function(expression)?;
-            let names = function.variables().into_iter();
+            let of_functions = self.example.iter().map(|(name, _)| name.clone());
+            let of_functions = of_functions.filter(|name| name.function_at_zero().is_some());
+            let names = function.variables().into_iter().chain(of_functions);
             Ok(evaluate(&function, &names.map(|name| (name.clone(), self.example_of(&name))).collect()))
         };
         for name in &self.positive {

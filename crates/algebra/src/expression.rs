@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use super::division::integer_scale;
-use super::{Condition, Monomial, Polynomial, RationalFunction, Relation, Symbol};
+use super::{Condition, Generator, Monomial, Polynomial, RationalFunction, Relation, Symbol};
 use rug::Rational;
 
 crate::named! {
@@ -49,6 +49,8 @@ pub enum Expression {
     Power(Box<Expression>, i32),
     /// A function of one argument.
     Call(Function, Box<Expression>),
+    /// A smooth function of one argument of which nothing else is known, or one of its derivatives: f, f′, f″, ….
+    Generic(Symbol, Box<Expression>),
 }
 
 impl Expression {
@@ -108,8 +110,46 @@ impl Expression {
             Self::Variable(name) => BTreeSet::from([name.clone()]),
             Self::Sum(parts) | Self::Product(parts) => parts.iter().flat_map(Self::variables).collect(),
             Self::Quotient(left, right) => &left.variables() | &right.variables(),
-            Self::Negation(inner) | Self::Power(inner, _) | Self::Call(_, inner) => inner.variables(),
+            Self::Negation(inner)
+            | Self::Power(inner, _)
+            | Self::Call(_, inner)
+            | Self::Generic(_, inner) => inner.variables(),
         }
+    }
+
+    /// Adds the functions in it of which nothing is known, each as often as it has different arguments.
+    pub(super) fn add_generics(&self, found: &mut BTreeSet<Generator>) {
+        match self {
+            Self::Number(_) | Self::Variable(_) => {}
+            Self::Sum(parts) | Self::Product(parts) => {
+                parts.iter().for_each(|part| part.add_generics(found));
+            }
+            Self::Quotient(left, right) => {
+                left.add_generics(found);
+                right.add_generics(found);
+            }
+            Self::Negation(inner) | Self::Power(inner, _) | Self::Call(_, inner) => inner.add_generics(found),
+            Self::Generic(function, inner) => {
+                found.insert(Generator::generic(function, (**inner).clone()));
+                inner.add_generics(found);
+            }
+        }
+    }
+
+    /// The names, without primes, of the functions in it of which nothing is known.
+    #[must_use]
+    pub fn functions(&self) -> BTreeSet<Symbol> {
+        let mut found = BTreeSet::new();
+        self.add_generics(&mut found);
+        found.iter().filter_map(Generator::generic_function).map(Symbol::undifferentiated).collect()
+    }
+
+    /// Whether it has a function of this variable of which nothing is known.
+    #[must_use]
+    pub fn has_function_of(&self, variable: &Symbol) -> bool {
+        let mut found = BTreeSet::new();
+        self.add_generics(&mut found);
+        found.iter().any(|generator| generator.hides(variable))
     }
 
     /// What must hold for the expression to have a value, as it is written: of each divisor, base of a power that divides, argument of
@@ -144,7 +184,10 @@ impl Expression {
                 above.add_demands(found);
                 below.add_demands(found);
             }
-            Self::Negation(inner) | Self::Power(inner, _) | Self::Call(_, inner) => inner.add_demands(found),
+            Self::Negation(inner)
+            | Self::Power(inner, _)
+            | Self::Call(_, inner)
+            | Self::Generic(_, inner) => inner.add_demands(found),
         }
     }
 
@@ -159,7 +202,7 @@ impl Expression {
             Self::Quotient(above, below) => go(above) && go(below),
             Self::Negation(_) => false,
             Self::Power(inner, _) | Self::Call(Function::Sqrt, inner) => go(inner),
-            Self::Call(..) => false,
+            Self::Call(..) | Self::Generic(..) => false,
         }
     }
 
@@ -169,7 +212,7 @@ impl Expression {
             Self::Number(_) | Self::Variable(_) => true,
             Self::Sum(parts) | Self::Product(parts) => parts.iter().all(Self::is_total),
             Self::Quotient(above, below) => above.is_total() && below.is_never_zero(),
-            Self::Negation(inner) => inner.is_total(),
+            Self::Negation(inner) | Self::Generic(_, inner) => inner.is_total(),
             Self::Power(inner, exponent) => *exponent > 0 && inner.is_total(),
             Self::Call(function, inner) => {
                 !matches!(function, Function::Ln | Function::Sqrt) && inner.is_total()
@@ -219,6 +262,7 @@ impl Expression {
             Self::Power(inner, 0) => Self::Power(Box::new(go(inner)), 0),
             Self::Power(inner, exponent) => go(inner).power(*exponent),
             Self::Call(function, inner) => Self::Call(*function, Box::new(go(inner))),
+            Self::Generic(function, inner) => Self::Generic(function.clone(), Box::new(go(inner))),
         }
     }
 
@@ -236,6 +280,7 @@ impl Expression {
             Self::Negation(inner) => Self::Negation(boxed(inner)),
             Self::Power(inner, exponent) => Self::Power(boxed(inner), *exponent),
             Self::Call(function, inner) => Self::Call(*function, boxed(inner)),
+            Self::Generic(function, inner) => Self::Generic(function.clone(), boxed(inner)),
         }
     }
 

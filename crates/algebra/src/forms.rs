@@ -202,6 +202,6 @@ fn under_roots(expression: &Expression) -> Vec<Expression> {
         Expression::Quotient(above, below) => [under_roots(above), under_roots(below)].concat(),
         Expression::Negation(inner) | Expression::Power(inner, _) => under_roots(inner),
         Expression::Call(Function::Sqrt, inner) => [vec![(**inner).clone()], under_roots(inner)].concat(),
-        Expression::Call(_, inner) => under_roots(inner),
+        Expression::Call(_, inner) | Expression::Generic(_, inner) => under_roots(inner),
     }
 }

@@ -24,6 +24,7 @@ impl Expression {
             Self::Negation(inner) => format!("-{}", factor(inner)),
             Self::Power(inner, exponent) => format!("{}^{{{exponent}}}", base(inner)),
             Self::Call(function, inner) => call(*function, &inner.latex()),
+            Self::Generic(function, inner) => generic(function, &inner.latex()),
         }
     }
 }
@@ -87,6 +88,12 @@ fn call(function: Function, argument: &str) -> String {
         Function::Sin => format!("\\sin\\left({argument}\\right)"),
         Function::Cos => format!("\\cos\\left({argument}\\right)"),
     }
+}
+
+/// Primes at a function are derivatives in its argument, and no time derivatives: they are no dots.
+fn generic(function: &Symbol, argument: &str) -> String {
+    let primes = "'".repeat(function.derivative_order());
+    format!("{}{primes}\\left({argument}\\right)", symbol(&function.undifferentiated()))
 }
 
 fn symbol(name: &Symbol) -> String {

@@ -71,3 +71,4 @@ pub use source::{Comparison, Source};
 pub use sturm::{IsolatingInterval, SturmSequence};
 pub use symbol::{Generator, Symbol};
 pub use univariate::UnivariatePolynomial;
+pub use value::unknowns;

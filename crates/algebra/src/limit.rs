@@ -3,7 +3,8 @@
 //! The limits of parts give that of the whole where they decide it. Where they do not, the whole is a quotient: a root in the numerator is
 //! moved by its conjugate, or numerator and denominator are differentiated (l'Hôpital). That rule needs a denominator whose slope is not
 //! zero near the end. Quotients, roots, logarithms and exponentials have that: their slopes are zero everywhere or nowhere near the end. So
-//! have the sine and cosine of what tends to a finite value; those of what goes beyond all bounds are refused.
+//! have the sine and cosine of what tends to a finite value; those of what goes beyond all bounds are refused. A function of which nothing is
+//! known may have any slope: it is refused in a denominator that is differentiated.
 
 use std::cell::Cell;
 use std::fmt;
@@ -90,6 +91,7 @@ impl Search<'_> {
                 }
             }
             Expression::Call(function, inner) => return self.call(*function, go(inner)?),
+            Expression::Generic(function, inner) => return self.generic(function, go(inner)?),
         };
         direct.or_else(|| {
             let function = self.domain.rational_function(expression).ok()?;
@@ -152,6 +154,14 @@ impl Search<'_> {
         }
     }
 
+    /// The end of a function of which is known that it is continuous everywhere.
+    fn generic(&self, function: &Symbol, inner: End) -> Option<End> {
+        match inner {
+            End::Finite(inner) => Some(End::Finite(Expression::Generic(function.clone(), Box::new(inner)))),
+            End::Infinite(_) => None,
+        }
+    }
+
     /// The end of a quotient of polynomials in the variable and in functions of it.
     fn quotient(&self, function: &RationalFunction, slopes: usize) -> Option<End> {
         self.left.set(self.left.get().checked_sub(1)?);
@@ -208,7 +218,7 @@ impl Search<'_> {
 
     /// Numerator and denominator both go to zero, or both beyond all bounds: the quotient of their slopes has the same end.
     fn by_slopes(&self, above: &Expression, below: &Expression, slopes: usize) -> Option<End> {
-        let slopes = slopes.checked_sub(1)?;
+        let slopes = slopes.checked_sub(1).filter(|_| !below.has_function_of(self.variable))?;
         let ends = [self.end(above, slopes)?, self.end(below, slopes)?];
         let is_open = match &ends {
             [End::Finite(above), End::Finite(below)] => self.is_zero(above) && self.is_zero(below),

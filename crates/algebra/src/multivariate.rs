@@ -161,9 +161,9 @@ impl Polynomial {
         for (monomial, coefficient) in &self.0 {
             let mut term = coefficient.clone();
             for (name, exponent) in monomial.factors() {
-                let value = match name.function() {
-                    None => point.get(name)?.clone(),
-                    Some(_) => Expression::from(name).rational_value(point)?,
+                let value = match point.get(name) {
+                    Some(value) => value.clone(),
+                    None => Expression::from(name).rational_value(point)?,
                 };
                 term *= power_of(&value, *exponent);
             }

@@ -10,8 +10,12 @@
 //! ```
 //! `±` stands for the variable `pm` with pm² = 1, and `i` for the variable with i² = −1.
 //!
-//! Certificates may have parameters, `'#' digits`, where an expression has a name. No user can write them.
+//! A file may declare more functions. Each prime at the end of their names is a derivative.
+//!
+//! Certificates may have parameters, `'#' digits`, where an expression has a name. No user can write them. Every name before a bracket is
+//! that of a function there.
 
+use std::collections::BTreeSet;
 use std::str::FromStr;
 
 use thiserror::Error;
@@ -29,6 +33,12 @@ const MAX_CERTIFIED_LENGTH: usize = 100_000;
 
 /// The largest exponent that is read.
 const MAX_POWER: i32 = 64;
+
+/// The highest derivative of a function that is read of a user.
+const MAX_PRIMES: usize = 6;
+
+/// No functions besides those of the grammar.
+pub(super) static NO_FUNCTIONS: BTreeSet<Symbol> = BTreeSet::new();
 
 /// Where and why a text is not an expression.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
@@ -49,9 +59,17 @@ pub struct Demand {
     pub condition: Condition,
 }
 
-struct Parser {
-    /// Whether parameters may occur.
-    parameters: bool,
+/// Which names may stand before a bracket, and whether parameters may occur.
+#[derive(Clone, Copy)]
+enum Names<'f> {
+    /// Of a user: the functions that a file declares.
+    Declared(&'f BTreeSet<Symbol>),
+    /// Of a certificate.
+    Any,
+}
+
+struct Parser<'f> {
+    names: Names<'f>,
     text: Vec<char>,
     position: usize,
     depth: usize,
@@ -64,13 +82,24 @@ impl Expression {
     /// # Errors
     /// When the text is not of the grammar.
     pub fn read(text: &str) -> Result<(Self, Vec<Demand>), ParseError> {
-        Self::read_with(text, false)
+        Self::read_in(text, &NO_FUNCTIONS)
     }
 
-    fn read_with(text: &str, parameters: bool) -> Result<(Self, Vec<Demand>), ParseError> {
+    /// The same with functions of which nothing is known but these names.
+    ///
+    /// # Errors
+    /// As [`Expression::read`].
+    pub fn read_in(text: &str, functions: &BTreeSet<Symbol>) -> Result<(Self, Vec<Demand>), ParseError> {
+        Self::read_with(text, Names::Declared(functions))
+    }
+
+    fn read_with(text: &str, names: Names<'_>) -> Result<(Self, Vec<Demand>), ParseError> {
         let text = text.chars().collect();
-        let mut parser = Parser { parameters, text, position: 0, depth: 0, demands: Vec::new() };
-        let longest = if parameters { MAX_CERTIFIED_LENGTH } else { MAX_LENGTH };
+        let mut parser = Parser { names, text, position: 0, depth: 0, demands: Vec::new() };
+        let longest = match names {
+            Names::Any => MAX_CERTIFIED_LENGTH,
+            Names::Declared(_) => MAX_LENGTH,
+        };
         if parser.text.len() > longest {
             return Err(parser.error(format!("longer than {longest} characters")));
         }
@@ -95,7 +124,7 @@ impl TryFrom<String> for Expression {
     type Error = ParseError;
 
     fn try_from(text: String) -> Result<Self, ParseError> {
-        Ok(Self::read_with(&text, true)?.0)
+        Ok(Self::read_with(&text, Names::Any)?.0)
     }
 }
 
@@ -117,6 +146,7 @@ impl TryFrom<String> for Symbol {
     fn try_from(text: String) -> Result<Self, ParseError> {
         match Expression::try_from(text)? {
             Expression::Variable(symbol) => Ok(symbol),
+            Expression::Generic(function, argument) if argument.is_zero() => Ok(Self::at_zero(&function)),
             _ => Err(ParseError { column: 1, message: "expected one name".to_owned() }),
         }
     }
@@ -138,7 +168,7 @@ impl From<&'static str> for Symbol {
     }
 }
 
-impl Parser {
+impl Parser<'_> {
     fn error(&self, message: impl Into<String>) -> ParseError {
         ParseError { column: self.position + 1, message: message.into() }
     }
@@ -249,7 +279,7 @@ impl Parser {
             Some('(') => self.parenthesised(),
             Some(c) if c.is_ascii_digit() || c == '.' => self.number(),
             Some(c) if c.is_ascii_alphabetic() => self.named(),
-            Some(PARAMETER) if self.parameters => self.parameter(),
+            Some(PARAMETER) if matches!(self.names, Names::Any) => self.parameter(),
             Some(found) => Err(self.error(format!("expected a number, a name or '(', found '{found}'"))),
             None => Err(self.error("expected a number, a name or '(', found the end")),
         }
@@ -278,6 +308,7 @@ impl Parser {
     }
 
     fn named(&mut self) -> Result<Expression, ParseError> {
+        let start = self.position;
         let mut name = self.take_while(|c| c.is_ascii_alphanumeric() || c == '_');
         name += &self.take_while(|c| c == '\'');
         match Function::from_word(&name) {
@@ -292,11 +323,33 @@ impl Parser {
                 }
                 Ok(argument.call(function))
             }
+            None if self.is_function(&name) => self.generic(&name, start + 1),
             None if self.peek() == Some('(') => {
                 Err(self.error(format!("'{name}' is not a function (write * for products)")))
             }
             None => Ok(Expression::Variable(Symbol::read(&name))),
         }
+    }
+
+    /// Whether a name is that of a function besides those of the grammar.
+    fn is_function(&mut self, name: &str) -> bool {
+        match self.names {
+            Names::Any => self.peek() == Some('('),
+            Names::Declared(functions) => functions.contains(&Symbol::read(name).undifferentiated()),
+        }
+    }
+
+    /// A function of which nothing is known; its name begins at the column.
+    fn generic(&mut self, name: &str, column: usize) -> Result<Expression, ParseError> {
+        let function = Symbol::read(name);
+        let base = function.base();
+        if self.peek() != Some('(') {
+            return Err(ParseError { column, message: format!("{base} is a function: write {name}(...)") });
+        }
+        if matches!(self.names, Names::Declared(_)) && function.derivative_order() > MAX_PRIMES {
+            return Err(ParseError { column, message: format!("{base} has at most {MAX_PRIMES} primes") });
+        }
+        Ok(Expression::Generic(function, Box::new(self.parenthesised()?)))
     }
 
     fn take_while(&mut self, wanted: impl Fn(char) -> bool) -> String {

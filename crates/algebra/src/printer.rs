@@ -14,7 +14,9 @@ fn binding(expression: &Expression) -> u8 {
     match expression {
         Expression::Number(value) if value.is_negative() => SUM,
         Expression::Number(value) if !value.is_integer() => PRODUCT,
-        Expression::Number(_) | Expression::Variable(_) | Expression::Call(..) => ATOM,
+        Expression::Number(_) | Expression::Variable(_) | Expression::Call(..) | Expression::Generic(..) => {
+            ATOM
+        }
         Expression::Sum(_) | Expression::Negation(_) => SUM,
         Expression::Product(_) | Expression::Quotient(..) => PRODUCT,
         Expression::Power(..) => POWER,
@@ -66,6 +68,7 @@ impl fmt::Display for Expression {
                 write!(formatter, "^{exponent}")
             }
             Self::Call(function, inner) => write!(formatter, "{}({inner})", function.as_str()),
+            Self::Generic(function, inner) => write!(formatter, "{function}({inner})"),
         }
     }
 }

@@ -148,9 +148,9 @@ impl Expression {
                 let [above, below] = go(inner)?.map(|side| side.power(exponent.unsigned_abs()));
                 if *exponent < 0 { [below, above] } else { [above, below] }
             }
-            Self::Call(function, inner) => {
+            Self::Call(_, inner) | Self::Generic(_, inner) => {
                 let [above, below] = go(inner)?;
-                let inside = if *function == Function::Abs { above.terms } else { 1 };
+                let inside = if matches!(self, Self::Call(Function::Abs, _)) { above.terms } else { 1 };
                 // Each function is one more level of the chain rule.
                 let degree = above.degree.max(below.degree).saturating_add(1);
                 [Extent { terms: inside, degree, bits: above.bits.saturating_add(below.bits) }, Extent::ONE]

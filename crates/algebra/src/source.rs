@@ -3,8 +3,10 @@
 //! A language built of expressions takes its texts apart here, so that a bracket, a comma and a column mean the same everywhere.
 
 use std::cmp::Ordering;
+use std::collections::BTreeSet;
 
-use crate::{Demand, Expression, Literal, ParseError, Sign};
+use crate::parser::NO_FUNCTIONS;
+use crate::{Demand, Expression, Literal, ParseError, Sign, Symbol};
 
 crate::named! {
     /// How two sides compare.
@@ -75,13 +77,20 @@ impl Comparison {
 #[derive(Debug, Clone, Copy)]
 pub struct Source<'t> {
     text: &'t str,
+    functions: &'t BTreeSet<Symbol>,
 }
 
 impl<'t> Source<'t> {
     /// The whole text.
     #[must_use]
     pub fn new(text: &'t str) -> Self {
-        Self { text }
+        Self { text, functions: &NO_FUNCTIONS }
+    }
+
+    /// The same text, in which these are functions of which nothing is known.
+    #[must_use]
+    pub fn with_functions(self, functions: &'t BTreeSet<Symbol>) -> Self {
+        Self { functions, ..self }
     }
 
     /// The text as given.
@@ -105,7 +114,7 @@ impl<'t> Source<'t> {
         let part = part.trim();
         let before = self.column(part) - 1;
         let moved = |demand: Demand| Demand { column: demand.column + before, ..demand };
-        match Expression::read(part) {
+        match Expression::read_in(part, self.functions) {
             Ok((expression, demands)) => Ok((expression, demands.into_iter().map(moved).collect())),
             Err(error) => Err(ParseError { column: error.column + before, ..error }),
         }

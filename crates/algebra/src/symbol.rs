@@ -2,7 +2,8 @@
 //!
 //! A [`Symbol`] is a name that the parser has read, or a parameter, which is a number and which no user can write. It has values of its own.
 //! A [`Generator`] is a symbol or a function of something, such as `sqrt(V)`. A function has no values of its own: a point gives values to
-//! symbols only, and functions are computed from them.
+//! symbols only, and functions are computed from them. To a function f of which nothing is known a point gives its value at 0 and those of
+//! its derivatives, which are symbols too ([`Symbol::at_zero`]): `f(V)` is computed from them as a polynomial.
 //!
 //! Primes at the end of a name count time derivatives (`theta'` is dθ/dt), so that a differential equation is a polynomial in the names.
 //!
@@ -30,20 +31,32 @@ use super::{Expression, Function};
 /// What the text of a parameter begins with; no name does.
 pub(super) const PARAMETER: char = '#';
 
+/// What the text of a function's value at 0 ends with; no name does.
+const AT_ZERO: &str = "(0)";
+
 /// A variable or a function of something. Ordered by its text, which the parser reads back.
 #[derive(Debug, Clone)]
 pub struct Generator {
     text: Arc<str>,
-    /// The function and its argument; none for a symbol.
-    call: Option<Arc<(Function, Expression)>>,
+    /// The function of something; none for a symbol.
+    call: Option<Arc<Expression>>,
 }
 
 impl Generator {
     /// A function of this argument.
     #[must_use]
     pub fn call(function: Function, argument: Expression) -> Self {
-        let text = Arc::from(format!("{}({argument})", function.as_str()));
-        Self { text, call: Some(Arc::new((function, argument))) }
+        Self::of(argument.call(function))
+    }
+
+    /// A function of this argument of which nothing is known; each prime of the function is a derivative.
+    #[must_use]
+    pub fn generic(function: &Symbol, argument: Expression) -> Self {
+        Self::of(Expression::Generic(function.clone(), Box::new(argument)))
+    }
+
+    fn of(call: Expression) -> Self {
+        Self { text: Arc::from(call.to_string()), call: Some(Arc::new(call)) }
     }
 
     /// The text.
@@ -52,10 +65,22 @@ impl Generator {
         &self.text
     }
 
-    /// The function with its argument; none for a symbol.
+    /// The function with its argument; none for a symbol, and for a function of which nothing is known.
     #[must_use]
     pub fn function(&self) -> Option<(Function, &Expression)> {
-        self.call.as_ref().map(|call| (call.0, &call.1))
+        match self.call.as_deref() {
+            Some(Expression::Call(function, argument)) => Some((*function, argument)),
+            _ => None,
+        }
+    }
+
+    /// The function of which nothing is known, with its primes, if this is one of something.
+    #[must_use]
+    pub fn generic_function(&self) -> Option<&Symbol> {
+        match self.call.as_deref() {
+            Some(Expression::Generic(function, _)) => Some(function),
+            _ => None,
+        }
     }
 
     /// The argument, if this is the given function of something.
@@ -75,14 +100,14 @@ impl Generator {
     pub fn variables(&self) -> BTreeSet<Symbol> {
         match &self.call {
             None => BTreeSet::from([Symbol(self.clone())]),
-            Some(call) => call.1.variables(),
+            Some(call) => call.variables(),
         }
     }
 
     /// Whether it is a function of something with this symbol.
     #[must_use]
     pub fn hides(&self, symbol: &Symbol) -> bool {
-        self.call.as_ref().is_some_and(|call| call.1.variables().contains(symbol))
+        self.call.as_ref().is_some_and(|call| call.variables().contains(symbol))
     }
 }
 
@@ -90,7 +115,7 @@ impl From<&Generator> for Expression {
     fn from(generator: &Generator) -> Self {
         match &generator.call {
             None => Self::Variable(Symbol(generator.clone())),
-            Some(call) => call.1.clone().call(call.0),
+            Some(call) => (**call).clone(),
         }
     }
 }
@@ -158,6 +183,18 @@ impl Symbol {
         Self::parameter(next.max().unwrap_or_default())
     }
 
+    /// What a point gives of a function, or of a derivative of it: the value at 0. No user can write it as a name.
+    #[must_use]
+    pub fn at_zero(function: &Self) -> Self {
+        Self::read(&format!("{function}{AT_ZERO}"))
+    }
+
+    /// The function, with its primes, of which this is the value at 0; none for a name and a parameter.
+    #[must_use]
+    pub fn function_at_zero(&self) -> Option<Self> {
+        self.as_str().strip_suffix(AT_ZERO).map(Self::read)
+    }
+
     /// The number of a parameter; none for a name.
     #[must_use]
     pub fn number(&self) -> Option<u32> {
@@ -176,19 +213,19 @@ impl Symbol {
         self.as_str().trim_end_matches('\'')
     }
 
-    /// The number of primes: the order of the time derivative.
+    /// The number of primes: the order of the time derivative, or of the derivative of a function.
     #[must_use]
     pub fn derivative_order(&self) -> usize {
         self.as_str().len() - self.base().len()
     }
 
-    /// The variable of which this is a time derivative: the name without its primes.
+    /// The variable of which this is a time derivative, or the function of which it is a derivative: the name without its primes.
     #[must_use]
     pub fn undifferentiated(&self) -> Self {
         Self::read(self.base())
     }
 
-    /// The time derivative of this variable: one more prime.
+    /// The time derivative of this variable, or the derivative of this function: one more prime.
     #[must_use]
     pub fn time_derivative(&self) -> Self {
         Self::read(&format!("{self}'"))

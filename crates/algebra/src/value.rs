@@ -1,9 +1,10 @@
 //! The value of an expression at given numbers: exact where it is rational, or enclosed.
 
 use std::cmp::Ordering;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
+use std::ops::Add;
 
-use super::{Expression, Function, Symbol};
+use super::{Expression, Function, Generator, Symbol};
 use crate::number::{Ball, Field, Rational, Real};
 
 /// Bits of the numbers in which a value that is not rational is enclosed, in turn.
@@ -28,6 +29,7 @@ impl Expression {
                 let base = Some(go(inner)?).filter(|base| *exponent > 0 || !base.is_zero())?;
                 rug::ops::Pow::pow(base, *exponent)
             }
+            Self::Generic(function, inner) => horner(&taylor(function, values), &go(inner)?)?,
             Self::Call(Function::Abs, inner) => go(inner)?.abs(),
             Self::Call(Function::Sqrt, inner) => {
                 let square = go(inner)?;
@@ -59,6 +61,43 @@ impl Expression {
         PRECISIONS.into_iter().find_map(enclosed).filter(|order| order.is_ne())
     }
 
+    /// The expression with the numbers of a point in the place of variables, and with its polynomials in the place of functions. A
+    /// function of something that has a function of no known value stays as it is, so that nothing grows with each level.
+    #[must_use]
+    pub fn at_point(&self, point: &BTreeMap<Symbol, Rational>) -> Self {
+        let numbers = point.iter().map(|(name, value)| (name.clone(), Self::Number(value.clone())));
+        self.with_polynomials(point).substitute(&numbers.collect())
+    }
+
+    /// The polynomial that a point gives for a function, in a variable or in something else; none where the point gives nothing for it.
+    #[must_use]
+    pub fn polynomial(function: &Symbol, inner: &Self, point: &BTreeMap<Symbol, Rational>) -> Option<Self> {
+        let factors = Some(taylor(function, point)).filter(|factors| !factors.is_empty())?;
+        let term = |(factor, power): (Rational, i32)| Self::Number(factor) * inner.clone().power(power);
+        Some(factors.into_iter().zip(0..).map(term).fold(Self::integer(0), Add::add))
+    }
+
+    fn with_polynomials(&self, point: &BTreeMap<Symbol, Rational>) -> Self {
+        let go = |inner: &Self| inner.with_polynomials(point);
+        let boxed = |inner: &Self| Box::new(go(inner));
+        match self {
+            Self::Number(_) | Self::Variable(_) => self.clone(),
+            Self::Sum(parts) => Self::Sum(parts.iter().map(go).collect()),
+            Self::Product(parts) => Self::Product(parts.iter().map(go).collect()),
+            Self::Quotient(left, right) => Self::Quotient(boxed(left), boxed(right)),
+            Self::Negation(inner) => Self::Negation(boxed(inner)),
+            Self::Power(inner, exponent) => Self::Power(boxed(inner), *exponent),
+            Self::Call(function, inner) => Self::Call(*function, boxed(inner)),
+            Self::Generic(function, inner) => match self.rational_value(point) {
+                Some(value) => Self::Number(value),
+                None if inner.functions().is_empty() => {
+                    Self::polynomial(function, inner, point).unwrap_or_else(|| self.clone())
+                }
+                None => Self::Generic(function.clone(), boxed(inner)),
+            },
+        }
+    }
+
     /// The value with these numbers for the variables; none when a variable has no number.
     #[must_use]
     pub fn enclosed(&self, values: &BTreeMap<Symbol, Ball>, precision_bits: u32) -> Option<Ball> {
@@ -80,6 +119,7 @@ impl Expression {
                 let power = (0..exponent.unsigned_abs()).fold(one(), |product, _| product * &base);
                 if *exponent < 0 { one() / power } else { power }
             }
+            Self::Generic(function, inner) => horner(&taylor(function, values), &go(inner)?)?,
             Self::Call(Function::Sqrt, inner) => go(inner)?.sqrt(),
             Self::Call(Function::Abs, inner) => go(inner)?.square().sqrt(),
             Self::Call(Function::Ln, inner) => go(inner)?.ln(),
@@ -89,6 +129,54 @@ impl Expression {
             Self::Call(Function::Cos, inner) => go(inner)?.cos(),
         })
     }
+}
+
+/// The most different arguments of one function for which a point gives it independent values.
+const MOST_ARGUMENTS: usize = 8;
+
+/// What a point gives values to: the variables of these expressions, and of each function in them of which nothing is known the values
+/// at 0 of it and of its derivatives. There are enough of them for independent values of all that occurs.
+#[must_use]
+pub fn unknowns<'e>(expressions: impl IntoIterator<Item = &'e Expression>) -> BTreeSet<Symbol> {
+    let (mut found, mut calls) = (BTreeSet::new(), BTreeSet::new());
+    for expression in expressions {
+        found.extend(expression.variables());
+        expression.add_generics(&mut calls);
+    }
+    let mut counts: BTreeMap<Symbol, (usize, usize)> = BTreeMap::new();
+    for function in calls.iter().filter_map(Generator::generic_function) {
+        let (highest, arguments) = counts.entry(function.undifferentiated()).or_default();
+        *highest = function.derivative_order().max(*highest);
+        *arguments += 1;
+    }
+    for (mut function, (highest, arguments)) in counts {
+        for _ in 0..(highest + 2).max(arguments.min(MOST_ARGUMENTS)) {
+            found.insert(Symbol::at_zero(&function));
+            function = function.time_derivative();
+        }
+    }
+    found
+}
+
+/// The coefficients, by ascending power, of the polynomial that a point gives for a function: f(0), f′(0), f″(0)/2, …; none where the
+/// point gives nothing for it.
+fn taylor<N: Field>(function: &Symbol, values: &BTreeMap<Symbol, N>) -> Vec<N> {
+    let (mut found, mut function, mut factorial) = (Vec::new(), function.clone(), N::from(1));
+    while let Some(value) = values.get(&Symbol::at_zero(&function)) {
+        found.push(value.clone() / &factorial);
+        factorial = factorial * N::from(i32::try_from(found.len()).unwrap_or(i32::MAX));
+        function = function.time_derivative();
+    }
+    let is_past_the_last =
+        found.is_empty() && values.contains_key(&Symbol::at_zero(&function.undifferentiated()));
+    found.extend(is_past_the_last.then(|| N::from(0)));
+    found
+}
+
+/// The value at x of the polynomial with these coefficients; none without coefficients.
+fn horner<N: Field>(coefficients: &[N], x: &N) -> Option<N> {
+    let (last, others) = coefficients.split_last()?;
+    Some(others.iter().rev().fold(last.clone(), |value, coefficient| value * x + coefficient))
 }
 
 #[cfg(test)]

@@ -243,6 +243,14 @@ impl Attempt<'_> {
             .all(|one| one.expression.order_at(point).is_some_and(Ordering::is_gt))
     }
 
+    /// A function of which nothing is known in the normal form of an expression.
+    fn function_in(&self, expression: &Expression) -> Option<Symbol> {
+        let normal = self.domains.first()?.rational_function(expression).ok();
+        let functions =
+            normal.map_or_else(|| expression.functions(), |one| Expression::from(&one).functions());
+        functions.into_iter().next()
+    }
+
     fn depends(&self, expression: &Expression, claimed: bool, variable: &Symbol) -> Finding {
         let changed = expression.with(variable, &Expression::Variable(other_value()));
         let same = self.proved(|proof, domain| {
@@ -252,9 +260,14 @@ impl Attempt<'_> {
             let never = format!("it is the same for every {variable}");
             return if claimed { same.refuted(never) } else { same };
         }
+        let apart = expression.clone() - changed.clone();
+        if let Some(function) = self.function_in(&apart).filter(|_| claimed) {
+            return Finding::not_checked(format!(
+                "Not decided: whether it depends on {variable} may differ from one function {function} to another."
+            ));
+        }
         // A point, and the same point with the variable's value of another one. Values of a proof are rational.
         let rational = |point: &Point| expression.rational_value(point).is_some();
-        let apart = expression.clone() - changed.clone();
         let pair =
             self.all_points(FIRST_POINTS).filter(|point| !claimed || rational(point)).find_map(|point| {
                 let moved = self.all_points(FIRST_POINTS).find_map(|other| {

@@ -3,7 +3,7 @@
 use std::cmp::Ordering;
 use std::collections::BTreeMap;
 
-use slipmode_algebra::{Comparison, Expression, Literal, Sign, SignFormula, Symbol};
+use slipmode_algebra::{Comparison, Expression, Literal, Sign, SignFormula, Symbol, unknowns};
 use slipmode_core::number::{Ball, Rational};
 
 use super::Problem;
@@ -38,12 +38,8 @@ impl Problem<'_> {
         let not_met = other.map(|condition| SignFormula::Literal(condition.negated()));
         let signs = SignFormula::Any(not_met.chain([lowered.signs.clone()]).collect());
         let has_ends = |name: &Symbol| whole.iter().any(|(known, _)| known == name);
-        if !signs
-            .literals()
-            .into_iter()
-            .flat_map(|literal| literal.expression.variables())
-            .all(|name| has_ends(&name))
-        {
+        let expressions = signs.literals().into_iter().map(|literal| &literal.expression);
+        if !unknowns(expressions).iter().all(has_ends) {
             return None;
         }
         let (mut open, mut looked_at) = (vec![whole.clone()], 0);

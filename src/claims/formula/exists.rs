@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use slipmode_algebra::{Certificate, Expression, Literal, Proof, Sign, SignFormula, Symbol};
+use slipmode_algebra::{Certificate, Expression, Literal, Proof, Sign, SignFormula, Symbol, unknowns};
 
 use super::Problem;
 use super::lowering::Lowered;
@@ -36,8 +36,7 @@ impl Problem<'_> {
             wanted.literals().into_iter().map(|literal| literal.expression.clone()).collect();
         let points = self.points(&expressions);
         let prover = Prover::new(&points);
-        let mut others =
-            expressions.iter().flat_map(Expression::variables).filter(|name| !listed.contains(name));
+        let mut others = unknowns(&expressions).into_iter().filter(|name| !listed.contains(name));
         let alone = others.next().is_none() && outer.conditions.is_empty();
         let mut tried = Vec::new();
         if !self.formula.scope.witness.is_empty() {
@@ -137,8 +136,7 @@ impl Problem<'_> {
             Premises { positive, conditions: Vec::new(), wanted: Vec::new(), ..self.premises.clone() };
         let open = places.into_iter().filter_map(|place| {
             let place: Point = place.into_iter().filter(|(name, _)| !listed.contains(name)).collect();
-            let values = super::expressions(&place);
-            let there = wanted.map(&|expression| expression.substitute(&values));
+            let there = wanted.map(&|expression| expression.at_point(&place));
             let points =
                 self.points_under(&inner, there.literals().into_iter().map(|literal| &literal.expression));
             let does = alone || found(&points, &[], &there, VALUES).is_none();

@@ -11,8 +11,6 @@ mod theorem;
 mod truth;
 mod warnings;
 
-use std::collections::BTreeMap;
-
 use slipmode_algebra::{Certificate, Expression, Literal, Proof, Symbol, within_budget};
 use slipmode_core::theory::Equations;
 
@@ -311,11 +309,6 @@ impl<'f> Problem<'f> {
         });
         positive && given
     }
-}
-
-/// Values by name, for a substitution.
-fn expressions(point: &Point) -> BTreeMap<Symbol, Expression> {
-    point.iter().map(|(name, value)| (name.clone(), Expression::Number(value.clone()))).collect()
 }
 
 #[cfg(test)]

@@ -1,9 +1,9 @@
 //! Rational points at which conditions are met: examples of a domain, and counter-examples.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 
 use rug::float::Round;
-use slipmode_algebra::{Expression, Literal, Symbol};
+use slipmode_algebra::{Expression, Literal, Symbol, unknowns};
 use slipmode_core::number::{Ball, Rational};
 
 use crate::claims::finding::NamedPoint;
@@ -35,7 +35,7 @@ const REPAIRS: usize = 3;
 
 /// The points of a fixed sequence.
 pub(super) struct Points {
-    /// The variables, and whether each is positive.
+    /// The variables and what is to be known of functions, and whether each is positive.
     variables: Vec<(Symbol, bool)>,
     /// The ends of those that have some.
     within: BTreeMap<Symbol, [Rational; 2]>,
@@ -52,13 +52,12 @@ impl Points {
         expressions: impl IntoIterator<Item = &'e Expression>,
     ) -> Self {
         let conditions = premises.conditions.iter().map(|condition| &condition.expression);
-        let names: BTreeSet<Symbol> =
-            expressions.into_iter().chain(conditions).flat_map(Expression::variables).collect();
         let is_variable = |name: &Symbol| !["i", "pm"].contains(&name.as_str());
-        let variables = names.into_iter().filter(is_variable).map(|name| {
-            let positive = premises.positive.contains(&name);
-            (name, positive)
-        });
+        let variables =
+            unknowns(expressions.into_iter().chain(conditions)).into_iter().filter(is_variable).map(|name| {
+                let positive = premises.positive.contains(&name);
+                (name, positive)
+            });
         let within = within.iter().cloned().collect();
         Self { variables: variables.collect(), within }
     }
@@ -175,7 +174,20 @@ pub(super) fn named(point: &Point) -> NamedPoint {
     point.iter().map(|(name, value)| (name.to_string(), value.clone())).collect()
 }
 
-/// A point in words.
+/// A point in words: the values of variables, and functions as polynomials.
 pub(super) fn text(point: &Point) -> String {
-    point.iter().map(|(name, value)| format!("{name} = {value}")).collect::<Vec<_>>().join(", ")
+    let letter = LETTERS.iter().find(|letter| point.keys().all(|name| name.as_str() != **letter));
+    let letter: Option<Symbol> = letter.and_then(|letter| letter.parse().ok());
+    let one = |(name, value): (&Symbol, &Rational)| match (name.function_at_zero(), &letter) {
+        (None, _) | (_, None) => Some(format!("{name} = {value}")),
+        (Some(function), Some(_)) if function.derivative_order() > 0 => None,
+        (Some(function), Some(letter)) => {
+            let polynomial = Expression::polynomial(&function, &Expression::variable(letter), point)?;
+            Some(format!("{function}({letter}) = {polynomial}"))
+        }
+    };
+    point.iter().filter_map(one).collect::<Vec<_>>().join(", ")
 }
+
+/// Letters for the argument of a function, of which no variable of the point may be one.
+const LETTERS: [&str; 8] = ["x", "y", "z", "u", "w", "r", "p", "q"];

@@ -1,6 +1,7 @@
 //! Certificates that literals contradict each other under the premises of a formula.
 
 use std::cell::Cell;
+use std::collections::BTreeSet;
 
 use slipmode_algebra::{
     Certificate, Condition, Domain, Expression, Extent, Function, Literal, Proof, Relation, Sign, Symbol,
@@ -195,9 +196,13 @@ impl<'p> Prover<'p> {
         let mut assumed = premises.clone();
         assumed.conditions.extend(literals.iter().filter(|literal| literal.sign != Sign::Zero).cloned());
         let point = self.points.meeting(&assumed.conditions, EXAMPLES).next()?;
-        let named = assumed.conditions.iter().flat_map(|literal| literal.expression.variables());
-        let named: std::collections::BTreeSet<Symbol> = named.collect();
-        let values = point.into_iter().filter(|(name, _)| named.contains(name));
+        let expressions = || assumed.conditions.iter().map(|literal| &literal.expression);
+        let named: BTreeSet<Symbol> = expressions().flat_map(Expression::variables).collect();
+        let functions: BTreeSet<Symbol> = expressions().flat_map(Expression::functions).collect();
+        let values = point.into_iter().filter(|(name, _)| match name.function_at_zero() {
+            None => named.contains(name),
+            Some(function) => functions.contains(&function.undifferentiated()),
+        });
         Some(
             values.fold(assumed.domain(), |domain, (name, value)| {
                 domain.example(name, Expression::Number(value))

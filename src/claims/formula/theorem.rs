@@ -223,6 +223,9 @@ impl Stated {
         if let Some(name) = variables.iter().find(|name| matches!(name.as_str(), "i" | "pm")) {
             return Err(format!("the formula contains {name}"));
         }
+        if let Some(function) = side.functions().first() {
+            return Err(format!("the formula has the function {function}, of which nothing is known"));
+        }
         self.variables.extend(variables);
         Ok(coq::text(&side))
     }

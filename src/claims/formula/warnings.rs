@@ -1,6 +1,6 @@
 //! Warnings about formulas that may say less than they seem to.
 
-use slipmode_algebra::{Comparison, Expression, within_budget};
+use slipmode_algebra::{Comparison, Expression, unknowns, within_budget};
 use slipmode_core::theory::Equations;
 
 use super::lowering::{Lowered, words};
@@ -91,7 +91,7 @@ fn existence(formula: &ClaimFormula, names: &Names) -> Vec<String> {
     let unused = unused
         .map(|name| format!("'{}' does not contain {name}, of which there is to be a value", formula.text));
     let others = used.iter().any(|name| !scope.there_is.contains(name));
-    let fixed = scope.witness.iter().filter(|(_, value)| others && value.variables().is_empty());
+    let fixed = scope.witness.iter().filter(|(_, value)| others && unknowns([value]).is_empty());
     let fixed = fixed.map(|(name, value)| {
         format!("the witness {name} = {value} does not depend on the other variables: one value does for all of them")
     });

@@ -7,6 +7,7 @@
 
 use std::cell::Cell;
 use std::collections::{BTreeMap, BTreeSet};
+use std::ops::Range;
 
 use slipmode_algebra::{Expression, Function};
 use slipmode_core::number::Rational;
@@ -28,6 +29,8 @@ pub(super) enum Term {
     Negation(Box<Term>),
     Power(Box<Term>, i32),
     Call(Function, Box<Term>),
+    /// A function of which nothing is known: a polynomial by its value at 0, which is this variable, and those of its derivatives.
+    Polynomial(usize, Box<Term>),
 }
 
 /// A derivation, with its arguments as terms.
@@ -61,9 +64,14 @@ pub(super) struct Book {
     positive: BTreeSet<usize>,
     meanings: Vec<Meaning>,
     defined: BTreeMap<String, usize>,
+    /// The values at 0 of a function and of its derivatives, for each function: variables one after the other.
+    coefficients: Vec<Range<usize>>,
     /// How many steps the evaluations of one claim took.
     steps: Cell<u32>,
 }
+
+/// How many values at 0 a function has: that of itself and those of its derivatives up to one order.
+const COEFFICIENTS: usize = 12;
 
 /// The most steps: a claim of a report takes one to three million.
 const MOST_STEPS: u32 = 20_000_000;
@@ -111,8 +119,10 @@ struct System {
 
 impl Book {
     pub fn of(equations: &Equations) -> Self {
-        let parsed =
-            |list: &[String]| list.iter().filter_map(|text| text.parse().ok()).collect::<Vec<Expression>>();
+        let functions = equations.names().functions();
+        let parsed = |list: &[String]| -> Vec<Expression> {
+            list.iter().filter_map(|text| Some(Expression::read_in(text, functions).ok()?.0)).collect()
+        };
         let systems: BTreeMap<String, System> = equations
             .systems()
             .iter()
@@ -124,13 +134,18 @@ impl Book {
         let derivations: BTreeMap<String, Derivation> = equations
             .definitions()
             .iter()
-            .filter_map(|text| Some((text.name.clone(), Derivation::read(&text.is).ok()?)))
+            .filter_map(|text| Some((text.name.clone(), Derivation::read(&text.is, functions).ok()?)))
             .collect();
         let drafts = drafts(equations, &systems, derivations);
         let mut book = Self::default();
         for name in drafts.keys() {
             book.defined.insert(name.clone(), book.meanings.len());
             book.meanings.push(Meaning::Term(Term::Number(Rational::new())));
+        }
+        for name in functions {
+            let names = (0..COEFFICIENTS).map(|order| at_zero(name.as_str(), order));
+            let places: Vec<usize> = names.map(|name| book.variable(&name)).collect();
+            book.coefficients.extend(places.first().map(|first| *first..first + COEFFICIENTS));
         }
         for name in equations.positive() {
             let slot = book.variable(name);
@@ -218,6 +233,10 @@ impl Book {
             Expression::Negation(inner) => Term::Negation(Box::new(go(inner))),
             Expression::Power(inner, exponent) => Term::Power(Box::new(go(inner)), *exponent),
             Expression::Call(function, inner) => Term::Call(*function, Box::new(go(inner))),
+            Expression::Generic(function, inner) => {
+                let inner = Box::new(go(inner));
+                Term::Polynomial(self.variable(&at_zero(function.as_str(), 0)), inner)
+            }
         }
     }
 
@@ -243,6 +262,18 @@ impl Book {
     /// The place of a variable that is known by now.
     pub fn place(&self, name: &str) -> Option<usize> {
         self.variables.get(name).copied()
+    }
+
+    /// The variables that are the values at 0 of a function and of its derivatives, from this one on; none for another variable.
+    pub fn coefficients_from(&self, variable: usize) -> Range<usize> {
+        let known = self.coefficients.iter().find(|places| places.contains(&variable));
+        known.map_or(0..0, |places| variable..places.end)
+    }
+
+    /// The order of the derivative of which a variable is the value at 0; none where it is no such value.
+    pub fn order(&self, variable: usize) -> Option<usize> {
+        let known = self.coefficients.iter().find(|places| places.contains(&variable))?;
+        Some(variable - known.start)
     }
 
     pub fn is_positive(&self, variable: usize) -> bool {
@@ -281,8 +312,17 @@ impl Book {
             Term::Negation(inner) | Term::Power(inner, _) | Term::Call(_, inner) => {
                 self.reach(inner, found, seen);
             }
+            Term::Polynomial(first, inner) => {
+                found.extend(self.coefficients_from(*first));
+                self.reach(inner, found, seen);
+            }
         }
     }
+}
+
+/// The name of the value at 0 of a derivative of a function.
+fn at_zero(function: &str, order: usize) -> String {
+    format!("{function}{}(0)", "'".repeat(order))
 }
 
 /// The names with a meaning: those that equations define, the sides of equations, and definitions.

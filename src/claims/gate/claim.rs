@@ -203,6 +203,7 @@ impl Claim {
 
     fn may_solve(&self, variable: usize) -> bool {
         self.chosen.contains(&variable)
+            && self.book.order(variable).is_none()
             && self.moving() != Some(variable)
             && !self.there_is.contains(&variable)
     }
@@ -350,7 +351,9 @@ impl Claim {
     pub fn text(&self, base: &Base) -> String {
         let Some(mut place) = self.place(base, BITS[0]) else { return String::new() };
         let mut named: Vec<(&str, String)> = Vec::new();
-        for variable in self.variables() {
+        let is_zero = |variable: &usize| base.get(variable).is_some_and(|value| *value == 0);
+        let is_named = |variable: &usize| self.book.order(*variable).is_none() || !is_zero(variable);
+        for variable in self.variables().filter(is_named) {
             if let Ok(number) = place.number(&Term::Variable(variable)) {
                 named.push((self.book.name(variable), number.text()));
             }

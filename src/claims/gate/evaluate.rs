@@ -116,7 +116,24 @@ impl<'b> Place<'b> {
                 let bits = self.bits;
                 self.value(inner)?.call(*function, bits)
             }
+            Term::Polynomial(first, inner) => {
+                let at = self.value(inner)?;
+                self.polynomial(*first, &at)
+            }
         }
+    }
+
+    /// c_0 + x·(c_1 + x/2·(c_2 + x/3·(…))) with the values c_k at 0 of a function and of its derivatives.
+    fn polynomial(&mut self, first: usize, x: &Value) -> Found<Value> {
+        let mut sum = Value::whole(0);
+        for variable in self.book.coefficients_from(first).rev() {
+            if !sum.is_exactly_zero() {
+                let next = i32::try_from(variable - first + 1).map_err(|_| Trouble::Open)?;
+                sum = sum.times(x)?.over(&Value::whole(next))?;
+            }
+            sum = sum.plus(&self.get(variable)?)?;
+        }
+        Ok(sum)
     }
 
     fn meaning(&mut self, name: usize) -> Found<Value> {

@@ -88,6 +88,9 @@ pub(super) fn tested(formula: &ClaimFormula, finding: &Finding, equations: &Equa
         Some(Err(why)) => return Outcome::NotEvaluated(why),
         Some(Ok(claim)) => claim,
     };
+    if finding.points.iter().any(|point| claim.misses(point)) {
+        return Outcome::Unconfirmed("A function has too many terms at the point.".into());
+    }
     let points: Vec<Base> = finding.points.iter().map(|point| claim.base(point)).collect();
     match (&claim.says, holds) {
         (Says::True(said), true) if claim.there_is.is_empty() => claim.everywhere(said),
@@ -136,11 +139,18 @@ impl Tally {
 }
 
 impl Claim {
-    /// The values of a point for the variables that are chosen; a variable that the point leaves out has the value 1.
+    /// Whether a point gives a function more terms than are evaluated.
+    fn misses(&self, point: &NamedPoint) -> bool {
+        point.keys().any(|name| name.ends_with(')') && self.book.place(name).is_none())
+    }
+
+    /// The values of a point for the variables that are chosen; a variable that the point leaves out has the value 1, a term of a
+    /// function the factor 0.
     fn base(&self, point: &NamedPoint) -> Base {
         let value = |variable: &usize| {
             let known = point.get(self.book.name(*variable)).cloned();
-            (*variable, known.unwrap_or_else(|| Rational::from(1)))
+            let other = i32::from(self.book.order(*variable).is_none());
+            (*variable, known.unwrap_or_else(|| Rational::from(other)))
         };
         self.chosen.iter().map(value).collect()
     }

@@ -38,7 +38,10 @@ impl Claim {
                 Some((_, [low, high])) => {
                     low + Rational::from(high - low) * Rational::from((sequence.below(17), 16))
                 }
-                None => self.unbounded(*variable, turn, sequence),
+                None => match self.book.order(*variable) {
+                    Some(order) => coefficient(order, turn, sequence),
+                    None => self.unbounded(*variable, turn, sequence),
+                },
             };
             base.insert(*variable, value);
         }
@@ -152,6 +155,13 @@ impl Claim {
         }
         vec![with(&near), with(&far)]
     }
+}
+
+/// The value at 0 of a derivative of a function: a small number. At most points the function is a polynomial of degree 1, 2 or 3.
+fn coefficient(order: usize, turn: u32, sequence: &mut Sequence) -> Rational {
+    let degree = [1, 2, 3, usize::MAX][turn as usize / 8 % 4];
+    let value = Rational::from((sequence.below(19) as i32 - 9, 1 + sequence.below(4)));
+    if order > degree { Rational::new() } else { value }
 }
 
 /// The comparisons of a formula.

@@ -21,7 +21,7 @@ const CROSSING: &str = "pair_crosses";
 
 /// Reads a whole statement.
 pub(super) fn statement(text: &str, names: &Names) -> Result<Statement, String> {
-    let reader = Reader { source: Source::new(text), names };
+    let reader = Reader::new(text, names);
     let side = |part| reader.side(part);
     let name = |part| reader.variable(part);
     if let Some((left, rest)) = text.split_once("->") {
@@ -65,17 +65,17 @@ pub(super) fn statement(text: &str, names: &Names) -> Result<Statement, String> 
 
 /// The two sides of the one comparison in a text.
 pub(super) fn compared(text: &str, names: &Names) -> Result<(Expression, Comparison, Expression), String> {
-    Reader { source: Source::new(text), names }.comparison(text)
+    Reader::new(text, names).comparison(text)
 }
 
 /// An expression in known names.
 pub(in crate::scene) fn side(text: &str, names: &Names) -> Result<Expression, String> {
-    Reader { source: Source::new(text), names }.side(text)
+    Reader::new(text, names).side(text)
 }
 
 /// The name of a variable.
 pub(in crate::scene) fn variable(text: &str, names: &Names) -> Result<Symbol, String> {
-    Reader { source: Source::new(text), names }.variable(text)
+    Reader::new(text, names).variable(text)
 }
 
 /// The words that join, the brackets, and the texts between them.
@@ -171,7 +171,11 @@ struct Reader<'t> {
     names: &'t Names,
 }
 
-impl Reader<'_> {
+impl<'t> Reader<'t> {
+    fn new(text: &'t str, names: &'t Names) -> Self {
+        Self { source: Source::new(text).with_functions(names.functions()), names }
+    }
+
     fn fault(&self, part: &str, message: impl AsRef<str>) -> String {
         format!("column {}: {}", self.source.column(part), message.as_ref())
     }
@@ -260,6 +264,9 @@ impl Reader<'_> {
             Ok(name) if self.names.is_positive(&name) => {
                 Err(self
                     .fault(part, format!("{name} is positive by assumption; the roots may have any value")))
+            }
+            Ok(name) if self.names.functions().contains(&name.undifferentiated()) => {
+                Err(self.fault(part, format!("{part} is a function, and no name for the roots")))
             }
             Ok(name) if !["i", "pm"].contains(&name.as_str()) => Ok(name),
             _ => Err(self.fault(part, format!("'{part}' is no name for the roots"))),

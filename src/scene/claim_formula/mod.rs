@@ -224,7 +224,13 @@ impl ClaimFormula {
         let rates = names.system(&motion.name).map(|system| &system.rates).into_iter().flatten();
         for (word, side) in motion.expressions().into_iter().chain(rates.map(|rate| ("rate", rate))) {
             let fault = |error| format!("the {word} {side} is too large: {error}");
-            names.resolved(side).check_extent(LARGEST_OF_MOTION).map_err(fault)?;
+            let resolved = names.resolved(side);
+            resolved.check_extent(LARGEST_OF_MOTION).map_err(fault)?;
+            if let Some(function) = resolved.functions().first() {
+                return Err(format!(
+                    "the {word} {side} has the function {function}: no lemma on motions is for functions of which nothing is known"
+                ));
+            }
         }
         let text = motion.words(ToString::to_string);
         Self { text, statement: Statement::Motion(Box::new(motion)), scope, ..Self::default() }

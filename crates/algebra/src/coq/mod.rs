@@ -68,6 +68,12 @@ impl Theorem {
     pub fn of(certificate: &Certificate) -> Result<Self, Obstacle> {
         let point = point_domain(certificate);
         let domain = certificate.domain().unwrap_or(&point);
+        let parts = certificate.expressions().into_iter().chain(domain.expressions());
+        if let Some(function) = parts.flat_map(Expression::functions).next() {
+            return Err(Obstacle(format!(
+                "no tactic for the function {function}, of which nothing is known"
+            )));
+        }
         let statement = Statement::of(certificate, domain)?;
         let complex =
             if statement.is_complex { complex_variables(domain, &statement) } else { BTreeSet::new() };
@@ -114,6 +120,35 @@ impl Theorem {
             shown(true, true)
         );
         Ok(Self { name, variables: original.names(), lemmas, text, fault })
+    }
+}
+
+impl Certificate {
+    /// The expressions of the fact, without those of its assumptions.
+    fn expressions(&self) -> Vec<&Expression> {
+        match self {
+            Self::Identity { left, right, .. } => vec![left, right],
+            Self::Difference { left, right, values: [a, b], .. } => vec![left, right, a, b],
+            Self::Limit { expression, value, .. }
+            | Self::Derivative { expression, value, .. }
+            | Self::Value { expression, value, .. } => vec![expression, value],
+            Self::Sign { expression, .. }
+            | Self::Divergence { expression, .. }
+            | Self::Growth { expression, .. } => {
+                vec![expression]
+            }
+            Self::Characteristic { system, polynomial, .. } => {
+                let slopes = system.slopes.iter().flatten();
+                system.rates.iter().chain(&system.steady).chain(slopes).chain([polynomial]).collect()
+            }
+            Self::Series { relation, coefficients, .. } => {
+                [relation].into_iter().chain(coefficients).collect()
+            }
+            Self::Root { polynomial, between, .. } => {
+                [polynomial].into_iter().chain(between.iter().flatten()).collect()
+            }
+            Self::Connected { image, .. } => image.iter().map(|(_, coordinate)| coordinate).collect(),
+        }
     }
 }
 

@@ -268,7 +268,7 @@ impl Tactics<'_> {
                 let form = self.not_negative_form(inner)?;
                 Expression::Call(Function::Sqrt, form.map_or_else(|| inner.clone(), Box::new))
             }
-            Expression::Call(..) => expression.clone(),
+            Expression::Call(..) | Expression::Generic(..) => expression.clone(),
         })
     }
 
@@ -328,7 +328,7 @@ impl Tactics<'_> {
 /// What an expression divides by, but for products and powers of it.
 fn divisors_in(expression: &Expression, found: &mut BTreeMap<String, Expression>) {
     match expression {
-        Expression::Number(_) | Expression::Variable(_) | Expression::Call(..) => {}
+        Expression::Number(_) | Expression::Variable(_) | Expression::Call(..) | Expression::Generic(..) => {}
         Expression::Sum(parts) | Expression::Product(parts) => {
             parts.iter().for_each(|part| divisors_in(part, found));
         }
@@ -355,7 +355,7 @@ fn factors_in(divisor: &Expression, found: &mut BTreeMap<String, Expression>) {
         Expression::Sum(_) => {
             found.insert(real(divisor), divisor.clone());
         }
-        Expression::Number(_) | Expression::Variable(_) | Expression::Call(..) => {}
+        Expression::Number(_) | Expression::Variable(_) | Expression::Call(..) | Expression::Generic(..) => {}
     }
 }
 

@@ -59,6 +59,7 @@ pub(super) fn real(expression: &Expression) -> String {
         }
         Expression::Power(inner, exponent) => format!("({} ^ {exponent})", real(inner)),
         Expression::Call(function, inner) => format!("({} {})", function_name(*function), real(inner)),
+        Expression::Generic(function, inner) => format!("({function} {})", real(inner)),
     }
 }
 
@@ -135,7 +136,7 @@ pub(super) fn outer_calls(expression: &Expression, found: &mut BTreeMap<String, 
             outer_calls(below, found);
         }
         Expression::Negation(inner) | Expression::Power(inner, _) => outer_calls(inner, found),
-        Expression::Call(..) => {
+        Expression::Call(..) | Expression::Generic(..) => {
             found.insert(real(expression), expression.clone());
         }
     }
@@ -145,7 +146,7 @@ pub(super) fn outer_calls(expression: &Expression, found: &mut BTreeMap<String, 
 pub(super) fn divides(expression: &Expression) -> bool {
     match expression {
         Expression::Number(value) => !value.is_integer(),
-        Expression::Variable(_) | Expression::Call(..) => false,
+        Expression::Variable(_) | Expression::Call(..) | Expression::Generic(..) => false,
         Expression::Sum(parts) | Expression::Product(parts) => parts.iter().any(divides),
         Expression::Quotient(..) => true,
         Expression::Negation(inner) => divides(inner),

@@ -4,6 +4,7 @@
 //! quantities of one of the two cases at least. The proofs state which case they are about. Other conditions are written beside it.
 
 use super::notation::formula;
+use super::reading::Assumed;
 use slipmode_algebra::{Condition, Demand, Domain, Expression, Extent, Relation, Symbol};
 
 /// What a side of an equation may come to when it is multiplied out. The largest side of the paper has 8 terms and degree 14.
@@ -13,8 +14,9 @@ const LARGEST: Extent = Extent { terms: 16, degree: 24, bits: 4096 };
 ///
 /// # Errors
 /// With the column: text outside the grammar, what has no value, and what is too large.
-pub(super) fn read(text: &str, given: &[Condition], domain: &Domain) -> Result<Expression, String> {
-    let (expression, demands) = Expression::read(text).map_err(|error| error.to_string())?;
+pub(super) fn read(text: &str, given: &[Condition], assumed: &Assumed<'_>) -> Result<Expression, String> {
+    let Assumed { domain, functions } = *assumed;
+    let (expression, demands) = Expression::read_in(text, functions).map_err(|error| error.to_string())?;
     expression.check_extent(LARGEST).map_err(|error| format!("column 1: {error}"))?;
     let add = |domain: Domain, one: &Condition| domain.given(one.expression.clone(), one.relation);
     let all = given.iter().fold(domain.clone(), add);

@@ -5,7 +5,7 @@ use std::sync::{Arc, LazyLock};
 
 use super::definitions::{self, Rest};
 use super::names::Names;
-use super::reading::{self, DefinitionText, EquationsText, SystemText};
+use super::reading::{self, Assumed, DefinitionText, EquationsText, FunctionText, SystemText};
 use slipmode_algebra::{Condition, Domain, Expression, within_budget};
 
 /// The most steps of algebra that the reading of one file takes.
@@ -130,14 +130,16 @@ impl Equations {
     }
 
     fn read_all(text: EquationsText) -> (Self, Vec<EquationFault>) {
-        let EquationsText { assumptions, equation, system, units, definition } = text;
+        let EquationsText { assumptions, equation, function, system, units, definition } = text;
         let mut faults = Vec::new();
-        let domain = definitions::assumed(&assumptions).unwrap_or_else(|fault| {
+        let functions = definitions::functions(&function);
+        let domain = definitions::assumed(&assumptions, &functions).unwrap_or_else(|fault| {
             faults.push(fault);
             definitions::positive(&assumptions)
         });
-        let (equations, of_equations) = reading::read(equation, &assumptions.positive, &domain);
-        let rest = Rest { assumptions, systems: system, definitions: definition, units };
+        let assumed = Assumed { domain: &domain, functions: &functions };
+        let (equations, of_equations) = reading::read(equation, &assumptions.positive, &assumed);
+        let rest = Rest { assumptions, functions: function, systems: system, definitions: definition, units };
         let (names, of_names) = definitions::names(&rest, &equations, &domain);
         faults.extend(of_equations.into_iter().chain(of_names));
         (Self { equations, rest, domain, names: Arc::new(names) }, faults)
@@ -151,7 +153,8 @@ impl Equations {
 
     /// The same file with other equations, and without systems and definitions.
     pub(super) fn with_equations(&self, equations: Vec<Equation>) -> Self {
-        let rest = Rest { assumptions: self.rest.assumptions.clone(), ..Rest::default() };
+        let (assumptions, functions) = (self.rest.assumptions.clone(), self.rest.functions.clone());
+        let rest = Rest { assumptions, functions, ..Rest::default() };
         let (names, _) = definitions::names(&rest, &equations, &self.domain);
         Self { equations, rest, domain: self.domain.clone(), names: Arc::new(names) }
     }
@@ -202,6 +205,12 @@ impl Equations {
         &self.rest.definitions
     }
 
+    /// The functions as they are declared.
+    #[must_use]
+    pub fn functions(&self) -> &[FunctionText] {
+        &self.rest.functions
+    }
+
     /// The systems as they are written.
     #[must_use]
     pub fn systems(&self) -> &[SystemText] {
@@ -229,7 +238,8 @@ impl Equations {
         let mut altered = self.clone();
         let known = altered.equations.iter_mut().find(|equation| equation.number == number);
         let known = known.ok_or_else(|| fault("there is no such equation".to_owned()))?;
-        *known = reading::read_again(known, text, &self.domain).map_err(fault)?;
+        let assumed = Assumed { domain: &self.domain, functions: &self.names.functions };
+        *known = reading::read_again(known, text, &assumed).map_err(fault)?;
         let (names, faults) = definitions::names(&self.rest, &altered.equations, &self.domain);
         if !faults.is_empty() {
             return Err(EquationsError { faults });

@@ -77,7 +77,7 @@ pub use derivation::{Form as Derivation, Operation, System};
 pub use equations::{Equation, EquationFault, Equations, EquationsError};
 pub use names::{Meaning, Names};
 pub use reached::{Start, without_layout};
-pub use reading::{AssumptionsText, DefinitionText, EquationText, EquationsText, SystemText};
+pub use reading::{AssumptionsText, DefinitionText, EquationText, EquationsText, FunctionText, SystemText};
 pub use units::Dimension;
 
 #[cfg(test)]

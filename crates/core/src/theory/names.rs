@@ -30,6 +30,8 @@ pub struct Names {
     pub(super) positive: BTreeSet<Symbol>,
     pub(super) meanings: BTreeMap<Symbol, Meaning>,
     pub(super) systems: BTreeMap<String, System>,
+    /// Functions of which nothing is known but that they are smooth.
+    pub(super) functions: BTreeSet<Symbol>,
     /// The number of the equation that defines a name.
     pub(super) defining: BTreeMap<Symbol, String>,
     /// Their units, where the file states units.
@@ -74,6 +76,12 @@ impl Names {
     /// All names.
     pub fn all(&self) -> impl Iterator<Item = &str> {
         self.variables.iter().chain(self.meanings.keys()).map(Symbol::as_str)
+    }
+
+    /// The functions of which nothing is known but that they are smooth.
+    #[must_use]
+    pub fn functions(&self) -> &BTreeSet<Symbol> {
+        &self.functions
     }
 
     /// Whether there is such a name.

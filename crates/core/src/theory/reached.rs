@@ -24,6 +24,7 @@ pub struct Start<'c> {
 enum Part {
     Condition(String),
     Equation(String),
+    Function(String),
     Name(String),
     System(String),
 }
@@ -69,7 +70,7 @@ impl Equations {
         };
         match part {
             Part::Condition(text) => {
-                (Some(format!("condition {}", without_layout(text))), names_of_condition(text))
+                (Some(format!("condition {}", without_layout(text))), self.names_of_condition(text))
             }
             Part::Equation(number) => {
                 let Some(equation) = self.iter().find(|equation| equation.number == *number) else {
@@ -95,19 +96,22 @@ impl Equations {
                 let line = format!("system {name}: {}; steady {}", rates.join(", "), steady.join(", "));
                 let states = system.state.iter().cloned().map(Part::Name);
                 let texts = system.rates.iter().chain(&system.steady);
-                let sides = texts.filter_map(|text| text.parse::<Expression>().ok());
+                let functions = self.names().functions();
+                let sides = texts.filter_map(|text| Some(Expression::read_in(text, functions).ok()?.0));
                 (Some(line), sides.flat_map(|side| names_in(&side)).chain(states).collect())
             }
+            Part::Function(name) => self.function(name),
             Part::Name(name) => {
                 if let Some(text) = self.definitions().iter().find(|text| text.name == *name) {
                     let conditions = given(text.given.iter().map(|one| without_layout(one)).collect());
                     let line = format!("definition {name} = {}{conditions}", without_layout(&text.is));
                     let mut next: Vec<Part> =
-                        text.given.iter().flat_map(|one| names_of_condition(one)).collect();
-                    if let Ok(form) = Form::read(&text.is) {
+                        text.given.iter().flat_map(|one| self.names_of_condition(one)).collect();
+                    if let Ok(form) = Form::read(&text.is, self.names().functions()) {
                         let values = form.values.iter().map(|(name, _)| name);
                         let variables = form.variables.iter().chain(values).map(name_of);
-                        next.extend(variables.chain(form.names().iter().map(name_of)));
+                        next.extend(variables);
+                        next.extend(form.all_expressions().flat_map(names_in));
                         next.extend(form.system.map(Part::System));
                     }
                     return (Some(line), next);
@@ -118,6 +122,21 @@ impl Equations {
                 }
             }
         }
+    }
+
+    /// A function with the units of its value and of its argument.
+    fn function(&self, name: &str) -> (Option<String>, Vec<Part>) {
+        let known = self.functions().iter().find(|text| text.name == name);
+        let of = known.and_then(|text| text.of.as_ref()).filter(|_| self.unit(name).is_some());
+        let unit = |of: &String| format!(", {} of {of}", without_layout(self.unit(name).unwrap_or_default()));
+        let units = of.map(unit).unwrap_or_default();
+        let next = of.map(|of| Part::Name(of.clone())).into_iter().collect();
+        (Some(format!("function {name}: smooth{units}")), next)
+    }
+
+    fn names_of_condition(&self, text: &str) -> Vec<Part> {
+        let condition = read_condition(text, self.names().functions());
+        condition.map_or_else(|_| Vec::new(), |condition| names_in(&condition.expression))
     }
 
     /// A variable with what is assumed of it and its unit; none for a constant of the grammar.
@@ -153,11 +172,8 @@ fn name_of(symbol: &Symbol) -> Part {
 }
 
 fn names_in(expression: &Expression) -> Vec<Part> {
-    expression.variables().iter().map(name_of).collect()
-}
-
-fn names_of_condition(text: &str) -> Vec<Part> {
-    read_condition(text).map_or_else(|_| Vec::new(), |condition| names_in(&condition.expression))
+    let functions = expression.functions().into_iter().map(|name| Part::Function(name.to_string()));
+    expression.variables().iter().map(name_of).chain(functions).collect()
 }
 
 fn sorted(mut texts: Vec<String>) -> Vec<String> {

@@ -1,10 +1,10 @@
 //! Reading a file of equations: all faults at once.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::derivation::{NOT_A_NAME, is_name, read_condition};
 use super::{Equation, EquationFault, definedness};
-use slipmode_algebra::{Condition, Domain, Expression};
+use slipmode_algebra::{Condition, Domain, Expression, Symbol};
 
 /// The most equations of a file: each costs a proof that it has a value.
 const MOST: usize = 500;
@@ -22,6 +22,9 @@ pub struct EquationsText {
     /// The equations in any order.
     #[cfg_attr(feature = "serde", serde(default))]
     pub equation: Vec<EquationText>,
+    /// Functions of which nothing is known but that they are smooth.
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub function: Vec<FunctionText>,
     /// Systems of differential equations.
     #[cfg_attr(feature = "serde", serde(default))]
     pub system: Vec<SystemText>,
@@ -64,6 +67,20 @@ pub struct SystemText {
     pub steady: Vec<String>,
 }
 
+/// A function of one argument, as text: it has a value and derivatives of all orders everywhere, and nothing else is known of it.
+#[derive(Debug, Clone, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(deny_unknown_fields))]
+pub struct FunctionText {
+    /// The name.
+    pub name: String,
+    /// A variable with the unit of the argument.
+    pub of: Option<String>,
+    /// What it is.
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub note: String,
+}
+
 /// A definition as text.
 #[derive(Debug, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Deserialize))]
@@ -100,11 +117,20 @@ pub struct EquationText {
     pub given: Vec<String>,
 }
 
+/// What a file assumes while its equations are read.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Assumed<'a> {
+    /// The positive variables and the conditions.
+    pub domain: &'a Domain,
+    /// The functions of which nothing is known.
+    pub functions: &'a BTreeSet<Symbol>,
+}
+
 /// The equations of a file that can be read, in its order, and all faults.
 pub(super) fn read(
     file: Vec<EquationText>,
     positive: &[String],
-    domain: &Domain,
+    assumed: &Assumed<'_>,
 ) -> (Vec<Equation>, Vec<EquationFault>) {
     let mut faults: Vec<EquationFault> = positive.iter().filter_map(|name| not_positive(name)).collect();
     if file.len() > MOST {
@@ -114,7 +140,7 @@ pub(super) fn read(
     let mut equations: Vec<Equation> = Vec::new();
     for entry in file.into_iter().take(MOST) {
         let key = format!("equation {}", entry.number);
-        match read_entry(entry, domain) {
+        match read_entry(entry, assumed) {
             Ok(equation) if equations.iter().any(|known| known.word() == equation.word()) => {
                 faults.push(EquationFault { key, message: "occurs twice".to_owned() });
             }
@@ -136,32 +162,37 @@ fn not_positive(name: &str) -> Option<EquationFault> {
 }
 
 /// An equation with other sides.
-pub(super) fn read_again(known: &Equation, text: &str, domain: &Domain) -> Result<Equation, String> {
-    let (left, right) = read_sides(text, &known.given, domain)?;
+pub(super) fn read_again(known: &Equation, text: &str, assumed: &Assumed<'_>) -> Result<Equation, String> {
+    let (left, right) = read_sides(text, &known.given, assumed)?;
     Ok(Equation { left, right, ..known.clone() })
 }
 
-fn read_entry(entry: EquationText, domain: &Domain) -> Result<Equation, String> {
+fn read_entry(entry: EquationText, assumed: &Assumed<'_>) -> Result<Equation, String> {
     let number = &entry.number;
     let is_plain = |character: char| character.is_ascii_alphanumeric() || "._-".contains(character);
     if number.is_empty() || number.len() > LONGEST_NUMBER || !number.chars().all(is_plain) {
         return Err(format!("a number has 1 to {LONGEST_NUMBER} characters of A-Z a-z 0-9 . _ -"));
     }
-    let given = entry.given.iter().map(|text| read_condition(text)).collect::<Result<Vec<_>, _>>()?;
-    let (left, right) = read_sides(&entry.equation, &given, domain)?;
-    let printed = entry.printed.as_deref().map(|text| read_sides(text, &given, domain)).transpose();
+    let given = entry.given.iter().map(|text| read_condition(text, assumed.functions));
+    let given = given.collect::<Result<Vec<_>, _>>()?;
+    let (left, right) = read_sides(&entry.equation, &given, assumed)?;
+    let printed = entry.printed.as_deref().map(|text| read_sides(text, &given, assumed)).transpose();
     let printed = printed.map_err(|error| format!("printed: {error}"))?;
     Ok(Equation { number: entry.number, left, right, printed, note: entry.note, given })
 }
 
-fn read_sides(text: &str, given: &[Condition], domain: &Domain) -> Result<(Expression, Expression), String> {
+fn read_sides(
+    text: &str,
+    given: &[Condition],
+    assumed: &Assumed<'_>,
+) -> Result<(Expression, Expression), String> {
     let sides: Vec<&str> = text.split('=').collect();
     let [left, right] = sides[..] else {
         return Err(format!("needs one '=' but has {}: {text}", sides.len() - 1));
     };
     let side = |text: &str, side: &str| {
         let text = text.trim();
-        let read = definedness::read(text, given, domain);
+        let read = definedness::read(text, given, assumed);
         read.map_err(|error| format!("{side} side '{text}', {error}"))
     };
     Ok((side(left, "left")?, side(right, "right")?))

@@ -101,9 +101,9 @@ impl fmt::Display for Dimension {
     }
 }
 
-/// The units of names; none for a name that means zero.
+/// The units of names, and those of the arguments of functions; none for a name that means zero.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
-pub struct Units(pub(super) BTreeMap<Symbol, Option<Dimension>>);
+pub struct Units(pub(super) BTreeMap<Symbol, Option<Dimension>>, pub(super) BTreeMap<Symbol, Dimension>);
 
 impl Units {
     /// The unit of an expression; none for zero, which fits any.
@@ -130,6 +130,7 @@ impl Units {
             Expression::Call(Function::Sqrt, inner) => {
                 Ok(self.of(inner)?.map(|inner| inner.power(&Rational::from((1, 2)))))
             }
+            Expression::Generic(function, inner) => self.of_function(function, inner),
             Expression::Call(function, inner) => match self.of(inner)? {
                 Some(found) if found != one() => {
                     let word = function.as_str();
@@ -137,6 +138,19 @@ impl Units {
                 }
                 _ => Ok(Some(one())),
             },
+        }
+    }
+
+    /// A derivative has the unit of the function over that of the argument.
+    fn of_function(&self, function: &Symbol, inner: &Expression) -> Result<Option<Dimension>, String> {
+        let base = function.undifferentiated();
+        let stated = self.0.get(&base).cloned().flatten().zip(self.1.get(&base));
+        let (value, argument) = stated.ok_or_else(|| format!("'{base}' has no unit"))?;
+        match self.of(inner)? {
+            Some(found) if found != *argument => {
+                Err(format!("the argument of {function}({inner}) is {found}, and must be {argument}"))
+            }
+            _ => Ok(Some(value.over(&argument.power(&Rational::from(function.derivative_order()))))),
         }
     }
 
@@ -191,6 +205,7 @@ mod tests {
         let listed = [("A", "Pa"), ("L", "m"), ("V", "m/s"), ("K", "Pa/m"), ("M", "kg/m^2")];
         Units(
             listed.map(|(name, unit)| (Symbol::from(name), Some(Dimension::read(unit).expect(unit)))).into(),
+            BTreeMap::new(),
         )
     }
 

@@ -7,16 +7,19 @@ use rug::Rational;
 use crate::theory::EquationFault;
 use crate::theory::derivation::{read_condition, read_name};
 use crate::theory::reading::AssumptionsText;
-use slipmode_algebra::{Condition, Domain, Expression, Relation, Symbol};
+use slipmode_algebra::{Condition, Domain, Expression, Relation, Symbol, unknowns};
 
 /// The positive variables and the conditions of a file, with values at which they hold.
 ///
 /// # Errors
 /// A condition that cannot be read.
-pub(in crate::theory) fn assumed(assumptions: &AssumptionsText) -> Result<Domain, EquationFault> {
+pub(in crate::theory) fn assumed(
+    assumptions: &AssumptionsText,
+    functions: &BTreeSet<Symbol>,
+) -> Result<Domain, EquationFault> {
     let fault = |message| EquationFault { key: "assumptions.conditions".to_owned(), message };
     let conditions: Result<Vec<Condition>, String> =
-        assumptions.conditions.iter().map(|text| read_condition(text)).collect();
+        assumptions.conditions.iter().map(|text| read_condition(text, functions)).collect();
     let domain = positive(assumptions);
     with_conditions(domain, &conditions.map_err(fault)?).map_err(fault)
 }
@@ -36,21 +39,20 @@ pub(super) fn with_conditions(domain: Domain, more: &[Condition]) -> Result<Doma
     }
     let add = |domain: Domain, one: &Condition| domain.given(one.expression.clone(), one.relation);
     let domain = more.iter().fold(domain.without_example(), add);
-    let variables: BTreeSet<Symbol> =
-        domain.conditions().iter().flat_map(|condition| condition.expression.variables()).collect();
+    let variables = unknowns(domain.conditions().iter().map(|condition| &condition.expression));
     let found = (0..TRIED).find_map(|index| {
         let mut rest = index;
-        let point: BTreeMap<Symbol, Expression> = variables
+        let point: BTreeMap<Symbol, Rational> = variables
             .iter()
             .map(|name| {
                 let count = if domain.is_positive(name) { VALUES.len() - 2 } else { VALUES.len() };
-                let value = Expression::Number(Rational::from(VALUES[rest % count]));
+                let value = Rational::from(VALUES[rest % count]);
                 rest /= count;
                 (name.clone(), value)
             })
             .collect();
         let holds = |condition: &Condition| {
-            let value = Domain::default().rational_function(&condition.expression.substitute(&point)).ok();
+            let value = Domain::default().rational_function(&condition.expression.at_point(&point)).ok();
             value.and_then(|value| value.as_constant()).is_some_and(|value| match condition.relation {
                 Relation::Positive => value > 0,
                 Relation::NonNegative => value >= 0,
@@ -63,5 +65,6 @@ pub(super) fn with_conditions(domain: Domain, more: &[Condition]) -> Result<Doma
         let all: Vec<String> = domain.conditions().iter().map(ToString::to_string).collect();
         return Err(format!("none of {TRIED} points meets {}: they may be impossible", all.join(", ")));
     };
-    Ok(point.into_iter().fold(domain, |domain, (name, value)| domain.example(name, value)))
+    let example = |domain: Domain, (name, value)| domain.example(name, Expression::Number(value));
+    Ok(point.into_iter().fold(domain, example))
 }

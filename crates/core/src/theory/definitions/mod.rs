@@ -1,6 +1,7 @@
 //! Reading what a file defines besides its equations: conditions, systems, definitions.
 
 mod assumptions;
+mod functions;
 mod systems;
 mod units;
 
@@ -8,13 +9,14 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use assumptions::with_conditions;
 pub(super) use assumptions::{assumed, positive};
+pub(super) use functions::functions;
 
 use super::definedness;
 use super::derivation::{
     Form, NOT_A_NAME, Operation, System, Work, derive, is_name, read_condition, read_name,
 };
 use super::names::{Names, circle, defined_by_equations, in_order};
-use super::reading::{AssumptionsText, DefinitionText, SystemText};
+use super::reading::{AssumptionsText, DefinitionText, FunctionText, SystemText};
 use super::{Equation, EquationFault};
 use slipmode_algebra::nearest;
 use slipmode_algebra::{Condition, Domain, Expression, Proof, Symbol};
@@ -26,6 +28,7 @@ const MOST: usize = 200;
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub(super) struct Rest {
     pub assumptions: AssumptionsText,
+    pub functions: Vec<FunctionText>,
     pub systems: Vec<SystemText>,
     pub definitions: Vec<DefinitionText>,
     pub units: BTreeMap<String, String>,
@@ -43,7 +46,8 @@ struct Reader<'r> {
 
 /// The names of a file, and all faults of its definitions.
 pub(super) fn names(rest: &Rest, equations: &[Equation], domain: &Domain) -> (Names, Vec<EquationFault>) {
-    let mut reader = Reader { rest, names: Names::default(), faults: Vec::new() };
+    let names = Names { functions: functions(&rest.functions), ..Names::default() };
+    let mut reader = Reader { rest, names, faults: Vec::new() };
     reader.read(equations, domain);
     (reader.names, reader.faults)
 }
@@ -55,15 +59,17 @@ impl Reader<'_> {
 
     fn read(&mut self, equations: &[Equation], domain: &Domain) {
         let rest = self.rest;
-        for (what, count) in [("system", rest.systems.len()), ("definition", rest.definitions.len())] {
+        let counts = [rest.functions.len(), rest.systems.len(), rest.definitions.len()];
+        for (what, count) in ["function", "system", "definition"].into_iter().zip(counts) {
             if count > MOST {
                 return self.fault(what, format!("{count} of them (allowed: at most {MOST})"));
             }
         }
         let mut forms: Forms<'_> = BTreeMap::new();
         for text in &rest.definitions {
-            let given: Result<Vec<_>, _> = text.given.iter().map(|one| read_condition(one)).collect();
-            match (Form::read(&text.is), given) {
+            let functions = &self.names.functions;
+            let given = text.given.iter().map(|one| read_condition(one, functions));
+            match (Form::read(&text.is, functions), given.collect::<Result<Vec<_>, _>>()) {
                 (Ok(form), Ok(given)) => match read_name(&text.name) {
                     None => self.fault(&key_of(text), NOT_A_NAME),
                     Some(name) => {
@@ -108,12 +114,14 @@ impl Reader<'_> {
         };
         self.names.defining = defined.iter().map(|(name, one)| (name.clone(), one.number.clone())).collect();
         self.names.positive = rest.assumptions.positive.iter().filter_map(|name| read_name(name)).collect();
-        self.names.variables = in_equations.filter(|name| !is_defined(name)).chain(assumed).collect();
+        self.names.variables =
+            in_equations.filter(|name| !is_defined(name)).chain(assumed.iter().cloned()).collect();
         let known: BTreeSet<Symbol> = (self.names.variables.iter().chain(defined.keys()).cloned())
             .chain(rest.definitions.iter().filter_map(|text| read_name(&text.name)))
             .chain(["i", "pm"].map(Symbol::from))
             .collect();
         self.check_assumptions(domain);
+        self.check_functions(&assumed, &defined, &forms);
         let systems = self.read_systems(&known);
         let mut uses: BTreeMap<Symbol, BTreeSet<Symbol>> =
             defined.iter().map(|(name, one)| (name.clone(), one.uses())).collect();

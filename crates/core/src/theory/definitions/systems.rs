@@ -43,7 +43,7 @@ impl Reader<'_> {
             messages.push("the states are different names".to_owned());
         }
         let mut side = |place: String, text: &String| -> Expression {
-            match Expression::read(text) {
+            match Expression::read_in(text, &self.names.functions) {
                 Ok((expression, _)) => {
                     let unknown: Vec<_> =
                         expression.variables().into_iter().filter(|name| !known.contains(name)).collect();

@@ -26,7 +26,7 @@ impl Reader<'_> {
         let mut faults: Vec<(String, String)> = Vec::new();
         let conditions = &self.rest.assumptions.conditions;
         for text in conditions {
-            let read = crate::theory::derivation::read_condition(text);
+            let read = crate::theory::derivation::read_condition(text, &self.names.functions);
             if let Some(Err(message)) = read.ok().map(|condition| units.of(&condition.expression)) {
                 faults.push(("assumptions.conditions".to_owned(), message));
             }
@@ -87,7 +87,10 @@ impl Reader<'_> {
         let mut units = Units::default();
         let before = self.faults.len();
         for (name, text) in &rest.units {
-            let symbol = read_name(name).filter(|symbol| self.names.variables.contains(symbol));
+            let is_known = |symbol: &Symbol| {
+                self.names.variables.contains(symbol) || self.names.functions.contains(symbol)
+            };
+            let symbol = read_name(name).filter(is_known);
             match (Dimension::read(text), symbol) {
                 (Err(message), _) => self.fault(&format!("units.{name}"), message),
                 (Ok(_), None) => {
@@ -103,10 +106,8 @@ impl Reader<'_> {
         let is_stated = |name: &&Symbol| {
             constants.contains(&name.base()) || rest.units.keys().any(|known| known == name.base())
         };
-        let lacking: BTreeSet<String> = self
-            .names
-            .variables
-            .iter()
+        let lacking: BTreeSet<String> = (self.names.variables.iter())
+            .chain(&self.names.functions)
             .filter(|name| !is_stated(name))
             .map(|name| name.base().to_owned())
             .collect();
@@ -115,6 +116,10 @@ impl Reader<'_> {
                 &format!("units.{name}"),
                 "missing: every variable of the file has a unit, or none has",
             );
+        }
+        for text in &rest.functions {
+            let of = text.of.as_ref().and_then(|of| units.0.get(&read_name(of)?)?.clone());
+            units.1.extend(read_name(&text.name).zip(of));
         }
         (self.faults.len() == before).then_some(units)
     }

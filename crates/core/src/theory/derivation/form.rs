@@ -95,11 +95,11 @@ pub struct Form {
 const LARGEST_WHOLE: usize = 12;
 
 impl Form {
-    /// Reads the right side of a definition.
+    /// Reads the right side of a definition, in which these are functions of which nothing is known.
     ///
     /// # Errors
     /// With the column: text outside the grammar, a wrong number of arguments, an argument of a wrong kind.
-    pub fn read(text: &str) -> Result<Self, String> {
+    pub fn read(text: &str, functions: &BTreeSet<Symbol>) -> Result<Self, String> {
         let mut form = Self {
             operation: None,
             system: None,
@@ -110,7 +110,7 @@ impl Form {
             values: Vec::new(),
             demands: Vec::new(),
         };
-        let source = Source::new(text);
+        let source = Source::new(text).with_functions(functions);
         let (word, arguments) = Source::call(text);
         let Some(operation) = Operation::from_word(word) else {
             form.expression(source, text)?;
@@ -174,8 +174,12 @@ impl Form {
 
     /// The names that occur in the expressions.
     pub fn names(&self) -> BTreeSet<Symbol> {
-        let values = self.values.iter().map(|(_, value)| value);
-        self.expressions.iter().chain(values).flat_map(Expression::variables).collect()
+        self.all_expressions().flat_map(Expression::variables).collect()
+    }
+
+    /// The expressions among the arguments, those that are put in too.
+    pub fn all_expressions(&self) -> impl Iterator<Item = &Expression> {
+        self.expressions.iter().chain(self.values.iter().map(|(_, value)| value))
     }
 
     /// The variable that the derivation brings in.
@@ -209,9 +213,12 @@ pub(in crate::theory) fn is_name(text: &str) -> bool {
 ///
 /// # Errors
 /// When there is not one of `<`, `>`, `<=`, `>=` and `!=`, or a side is not of the grammar.
-pub(in crate::theory) fn read_condition(text: &str) -> Result<Condition, String> {
+pub(in crate::theory) fn read_condition(
+    text: &str,
+    functions: &BTreeSet<Symbol>,
+) -> Result<Condition, String> {
     let form = "a condition has one of '<', '>', '<=', '>=' and '!=' between two sides";
-    let source = Source::new(text);
+    let source = Source::new(text).with_functions(functions);
     let [(left, comparison, right)] = Source::comparisons(text)[..] else { return Err(form.into()) };
     let side = |part: &str| {
         let read = source.expression(part).map_err(|error| format!("'{text}', {error}"))?;
@@ -226,17 +233,18 @@ mod tests {
     use super::*;
 
     fn refusal(text: &str) -> String {
-        Form::read(text).expect_err(text)
+        Form::read(text, &BTreeSet::new()).expect_err(text)
     }
 
     #[test]
     fn derivations_and_expressions_are_read_with_their_arguments() {
-        let form = Form::read("at(a/(b + c), b = 2, c = ln(a))").expect("in the grammar");
+        let read = |text: &str| Form::read(text, &BTreeSet::new());
+        let form = read("at(a/(b + c), b = 2, c = ln(a))").expect("in the grammar");
         assert_eq!((form.operation, form.values.len()), (Some(Operation::At), 2));
         assert_eq!(form.demands.iter().map(|demand| demand.column).collect::<Vec<_>>(), [6, 28]);
-        let form = Form::read(" limit( K*(a + b), a, infinity ) ").expect("in the grammar");
+        let form = read(" limit( K*(a + b), a, infinity ) ").expect("in the grammar");
         assert_eq!((form.toward, form.variables[0].as_str()), (Toward::Infinity, "a"));
-        assert_eq!(Form::read("(a + b)*c").expect("an expression").operation, None);
+        assert_eq!(read("(a + b)*c").expect("an expression").operation, None);
     }
 
     #[test]
@@ -248,6 +256,7 @@ mod tests {
         assert_eq!(refusal("hurwitz(P, s, x)"), "column 15: 'x' is not a whole number from 0 to 12");
         assert!(refusal("solve(P +, s)").starts_with("column 10: expected a number"));
         assert!(refusal("at(P, s)").contains("of the form `x = value`"));
-        assert!(read_condition("a = b").is_err() && read_condition("a <= b").is_ok());
+        let condition = |text: &str| read_condition(text, &BTreeSet::new());
+        assert!(condition("a = b").is_err() && condition("a <= b").is_ok());
     }
 }

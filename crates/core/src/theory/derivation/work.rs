@@ -143,10 +143,5 @@ impl Work<'_> {
 
 /// A rational function as an expression. Roots, logarithms and the like are written out again.
 pub(in crate::theory) fn expression(function: &RationalFunction) -> Expression {
-    let written = Expression::from(function);
-    let is_opaque = |name: &Symbol| name.as_str().contains('(');
-    match written.variables().iter().any(is_opaque) {
-        true => written.to_string().parse().unwrap_or(written),
-        false => written,
-    }
+    Expression::from(function)
 }

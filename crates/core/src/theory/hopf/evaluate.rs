@@ -51,7 +51,7 @@ fn value(expression: &Expression, eta: &Rational, omega_squared: &Rational) -> O
             }
             _ => raised(of(inner)?, *exponent),
         },
-        Expression::Call(..) => None,
+        Expression::Call(..) | Expression::Generic(..) => None,
     }
 }
 

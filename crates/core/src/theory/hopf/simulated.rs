@@ -126,7 +126,7 @@ fn value(expression: &Expression, eta: f64) -> f64 {
         Expression::Quotient(left, right) => of(left) / of(right),
         Expression::Negation(inner) => -of(inner),
         Expression::Power(inner, exponent) => libm::pow(of(inner), f64::from(*exponent)),
-        Expression::Call(..) => f64::NAN,
+        Expression::Call(..) | Expression::Generic(..) => f64::NAN,
     }
 }
 
