@@ -72,6 +72,14 @@ def power(base, exponent):
     return base**exponent
 
 
+def taylor(values, at):
+    """The value of the polynomial with these values at 0 of itself and of its derivatives."""
+    found = number(Fraction(0))
+    for place in range(len(values) - 1, -1, -1):
+        found = values[place] + (found * at / (place + 1) if found else found)
+    return found
+
+
 def apply(word, value):
     """One of the functions of the language."""
     value = value.real if is_real(value) else value

@@ -5,10 +5,12 @@ import re
 import tomllib
 from dataclasses import dataclass
 from fractions import Fraction
+from math import factorial
 from pathlib import Path
 
-from language import Behaviour, Comparison, Unreadable, atoms, comparison, expression, statement
-from names import Names
+from arithmetic import coefficients, exactly
+from language import Behaviour, Comparison, Unreadable, atoms, comparison, expression, statement, values_at_zero
+from names import Names, Point
 
 
 @dataclass
@@ -142,7 +144,7 @@ def read_formula(names, label, part, verdict, counter_example):
     )
 
 
-PLACE = re.compile(r"(?:^|: )at ((?:[A-Za-z][\w']* = -?[\d/]+(?:, )?)+): (.*)", re.S)
+PLACE = re.compile(r"(?:^|: )at ((?:(?:[A-Za-z][\w']*(?:\(0\))? = -?[\d/]+|[A-Za-z]\w*\([a-z]\) = [-+*/^\d a-z]+)(?:, )?)+): (.*)", re.S)
 OTHER = re.compile(r"with ([A-Za-z][\w']*) = (-?[\d/]+)")
 
 
@@ -151,8 +153,27 @@ def printed_point(text):
     match = PLACE.search(text)
     if not match:
         return None
-    pairs = (pair.split(" = ") for pair in match.group(1).rstrip(", ").split(", "))
-    return {name: Fraction(value) for name, value in pairs}, match.group(2)
+    values = {}
+    for name, value in (pair.split(" = ") for pair in match.group(1).rstrip(", ").split(", ")):
+        is_function = name.endswith(")") and not name.endswith("(0)")
+        values |= printed_function(name, value) if is_function else {name: Fraction(value)}
+    return values, match.group(2)
+
+
+def printed_function(name, text):
+    """The values at 0 of a printed polynomial such as `f(x) = 3 - x` and of its derivatives."""
+    function, letter = name.rstrip(")").split("(")
+    tree, names = expression(text), values_at_zero(function)
+    with exactly():
+        found = coefficients(lambda value: tree_value(tree, letter, value), len(names) - 1)
+    if len(found) > len(names):
+        raise Unreadable(f"'{name} = {text}' has too many terms")
+    return {key: factorial(order) * (found[order] if order < len(found) else Fraction(0)) for order, key in enumerate(names)}
+
+
+def tree_value(tree, letter, value):
+    """The value of a printed polynomial in one letter."""
+    return Point(None, {letter: value}).value(tree)
 
 
 def sides(formula):

@@ -10,6 +10,8 @@ class Unreadable(Exception):
 
 
 FUNCTIONS = ("ln", "sqrt", "abs", "exp", "asinh", "sin", "cos")
+declared = set()  # The names of the functions that `equations.toml` declares; primes at them are derivatives.
+COEFFICIENTS = 14  # A declared function is a polynomial by so many values at 0: of itself and of its derivatives.
 DERIVATIONS = {  # What each argument is: a system, an expression, a name, a word that stays as it is, or values.
     "characteristic": "sn", "linearised": "snn", "rate": "es", "coefficient": "enw", "discriminant": "en", "hurwitz": "enw",
     "eliminate": "een", "solve": "en", "derivative": "en", "limit": "enw", "series": "enw", "exchange": "enn", "at": "ev",
@@ -84,6 +86,8 @@ class Reader:
             self.tokens.pop(0)
             if not self.next_is("("):
                 return ("name", name)
+            if name.rstrip("'") in declared:
+                return ("function", name, self.bracketed())
             if name not in FUNCTIONS:
                 self.fail(f"'{name}' is not a function")
             return ("call", name, self.bracketed())
@@ -146,11 +150,19 @@ def definition(text):
     return ("derived", word, tuple(found))
 
 
+def values_at_zero(function):
+    """The names of the values at 0 of a declared function and of its derivatives."""
+    first = function.count("'")
+    return [f"{function.rstrip(chr(39))}{chr(39) * order}(0)" for order in range(first, COEFFICIENTS)]
+
+
 def names_in(tree):
-    """The names that occur in a tree: variables, definitions, and systems."""
+    """The names that occur in a tree: variables, definitions, systems, and the values at 0 of functions."""
     word = tree[0]
     if word == "name":
         return {tree[1]}
+    if word == "function":
+        return names_in(tree[2]).union(values_at_zero(tree[1]))
     if word == "number":
         return set()
     if word == "value":

@@ -6,7 +6,7 @@ from mpmath import mp, mpf
 
 import arithmetic
 from arithmetic import Inexact, NoValue, Unclear, number
-from language import Unreadable, definition, expression, names_in
+from language import Unreadable, declared, definition, expression, names_in, values_at_zero
 
 
 # Which argument of a derivation is a name that stands for any value.
@@ -17,6 +17,8 @@ class Names:
     """Variables, definitions and systems of `equations.toml`."""
 
     def __init__(self, content):
+        declared.clear()
+        declared.update(one["name"] for one in content.get("function", ()))
         assumptions = content.get("assumptions", {})
         self.positive = set(assumptions.get("positive", ()))
         self.conditions = list(assumptions.get("conditions", ()))
@@ -155,6 +157,8 @@ class Point:
             return number(tree[1])
         if word == "name":
             return self.get(tree[1])
+        if word == "function":
+            return arithmetic.taylor([self.get(name) for name in values_at_zero(tree[1])], self.value(tree[2]))
         if word == "call":
             return arithmetic.apply(tree[1], self.value(tree[2]))
         if word == "power":

@@ -20,6 +20,11 @@ class Ambiguous(Exception):
     """An equation among the conditions can be solved for several variables, and another one moves."""
 
 
+def is_coefficient(name):
+    """Whether a name is the value at 0 of a function or of its derivative."""
+    return name.endswith("(0)")
+
+
 class Sampler:
     """Points of one formula."""
 
@@ -50,7 +55,7 @@ class Sampler:
         moves = self.formula.moves
         alone = [side[1] for side in (condition.left, condition.right) if side[0] == "name" and side[1] in self.variables]
         listed = [moves] if isinstance(moves, str) else list(moves or ())
-        wanted = [name for name in [*listed, *alone, *self.names.variables_of([tree])] if name not in fixed]
+        wanted = [name for name in [*listed, *alone, *self.names.variables_of([tree])] if name not in fixed and not is_coefficient(name)]
         found = [name for name in dict.fromkeys(wanted) if self.is_linear(tree, name)]
         if not found:
             raise Ambiguous(f"'{condition.left} = {condition.right}' is linear in no variable")
@@ -85,6 +90,9 @@ class Sampler:
         if name in formula.box:
             low, high = formula.box[name]
             return low + (high - low) * random.choice((Fraction(0), Fraction(1), Fraction(random.randint(0, 10**6), 10**6)))
+        if is_coefficient(name):
+            degree = random.choice((1, 1, 2, 3, 6))
+            return Fraction(random.randint(-9, 9), random.randint(1, 4)) if name.count("'") <= degree else Fraction(0)
         if kind == 0:
             size = random.choice(SMALL)
         else:

@@ -157,6 +157,19 @@ mod tests {
     }
 
     #[test]
+    fn functions_of_a_file_carry_primes() {
+        let latex = |text: &str| Expression::try_from(text.to_owned()).expect("of a certificate").latex();
+        assert_eq!(latex("f''(V)^2/M"), r"\frac{\left(f''\left(V\right)\right)^{2}}{M}");
+        assert_eq!(latex("tau_s'(v/2)"), r"\tau_{s}'\left(\frac{v}{2}\right)");
+        for text in ["f(x)*tau_s''''''(f'(0))", "-f'(x)^-2"] {
+            let latex = latex(text);
+            let converted = math_core::LatexToMathML::default()
+                .convert_with_local_state(&latex, math_core::MathDisplay::Inline);
+            assert!(converted.is_ok(), "{text}: {latex}");
+        }
+    }
+
+    #[test]
     fn derivatives_carry_dots() {
         assert_eq!(latex("Delta_theta'''"), r"\Delta \dddot{\theta}");
     }

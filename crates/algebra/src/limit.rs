@@ -404,6 +404,32 @@ mod tests {
     }
 
     #[test]
+    fn a_smooth_function_is_continuous_and_may_do_anything_far_away_or_in_a_divisor() {
+        let end = |text: &str, toward| {
+            let expression = Expression::try_from(text.to_owned()).expect("of a certificate");
+            Domain::positive("x a").end(&expression, &"x".into(), toward).ok().map(|end| end.to_string())
+        };
+        for (text, value) in [
+            ("f(x)", "f(0)"),
+            ("f(a + x)*x", "0"),
+            ("(f(x) - f(0))/x", "f'(0)"),
+            ("(f(a + x) - f(a) - x*f'(a))/x^2", "1/2*f''(a)"),
+        ] {
+            assert_eq!(end(text, Toward::Zero).as_deref(), Some(value), "{text}");
+        }
+        for (text, toward) in [
+            ("f(x)", Toward::Infinity),
+            ("f(1/x)", Toward::Zero),
+            ("f(x)/x", Toward::Infinity),
+            ("x/(1 + f(x)^2)", Toward::Infinity),
+            ("f(x)/(1 + f(x)^2)", Toward::Infinity),
+            ("exp(-x)*f(x)", Toward::Infinity),
+        ] {
+            assert_eq!(end(text, toward), None, "{text}");
+        }
+    }
+
+    #[test]
     fn what_has_no_limit_or_another_one_for_other_values_is_not_decided() {
         use Toward::{Infinity, Zero};
         for (text, toward) in [

@@ -393,6 +393,25 @@ mod tests {
     }
 
     #[test]
+    fn declared_functions_are_read_with_their_primes_and_no_others() {
+        let functions = ["f", "g_1"].map(Symbol::from).into();
+        let read = |text: &str| Expression::read_in(text, &functions).map(|(expression, _)| expression.to_string());
+        let fault = |text: &str| read(text).expect_err("malformed").to_string();
+        for text in ["f(x)", "2*f'(x + 1)", "f''''''(f(x))*g_1(0)", "sqrt(f(x)^2)"] {
+            assert_eq!(read(text).as_deref(), Ok(text));
+        }
+        assert_eq!(fault("x + f"), "column 5: f is a function: write f(...)");
+        assert_eq!(fault("f'*x"), "column 1: f is a function: write f'(...)");
+        assert_eq!(fault("f'''''''(x)"), "column 1: f has at most 6 primes");
+        assert_eq!(fault("h(x)"), "column 2: 'h' is not a function (write * for products)");
+        assert_eq!(fault("f(x"), "column 4: expected ')'");
+        assert_eq!(fault("f()"), "column 3: expected a number, a name or '(', found ')'");
+        // The divisor in the argument counts, the function itself has a value everywhere.
+        let (_, demands) = Expression::read_in("f(1/x)", &functions).expect("in the grammar");
+        assert_eq!(demands.iter().map(|demand| demand.column).collect::<Vec<_>>(), [5]);
+    }
+
+    #[test]
     fn deep_nesting_is_refused() {
         let text = format!("{}x{}", "(".repeat(100), ")".repeat(100));
         assert!(message(&text).contains("nested deeper"));

@@ -289,5 +289,18 @@ mod tests {
         assert_eq!((root.as_str(), root.symbol()), ("sqrt(x*y)", None));
         assert_eq!(root.variables(), ["x", "y"].map(Symbol::from).into());
         assert!(root.hides(&Symbol::from("x")) && !root.hides(&Symbol::from("z")));
+        let slope = Generator::generic(&Symbol::from("f'"), "x*y".parse().expect("in the grammar"));
+        assert_eq!((slope.as_str(), slope.symbol(), slope.function()), ("f'(x*y)", None, None));
+        assert!(slope.hides(&Symbol::from("x")) && !slope.hides(&Symbol::from("f'")));
+    }
+
+    #[test]
+    fn the_value_at_0_of_a_function_is_no_name() {
+        let slope = Symbol::at_zero(&Symbol::from("f'"));
+        assert_eq!((slope.as_str(), slope.function_at_zero()), ("f'(0)", Some(Symbol::from("f'"))));
+        assert_eq!(Symbol::from("f'").function_at_zero(), None);
+        assert!("f'(0)".parse::<Symbol>().is_err());
+        assert_eq!(Symbol::try_from("f'(0)".to_owned()), Ok(slope));
+        assert!(Symbol::try_from("f'(1)".to_owned()).is_err() && Symbol::try_from("f(x)".to_owned()).is_err());
     }
 }

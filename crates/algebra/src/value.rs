@@ -240,6 +240,66 @@ mod tests {
         }
     }
 
+    fn certified(text: &str) -> Expression {
+        Expression::try_from(text.to_owned()).expect("of a certificate")
+    }
+
+    /// f = 3 − 2x + 5x²/2, and x and y.
+    fn point_with_function() -> BTreeMap<Symbol, Rational> {
+        let values = [("f", 3), ("f'", -2), ("f''", 5)];
+        let values = values.map(|(name, value)| (Symbol::at_zero(&name.into()), Rational::from(value)));
+        let others = [("x", 2), ("y", 4)].map(|(name, value)| (Symbol::from(name), Rational::from(value)));
+        values.into_iter().chain(others).collect()
+    }
+
+    #[test]
+    fn a_function_is_the_polynomial_that_the_point_gives() {
+        let point = point_with_function();
+        for (text, expected) in [
+            ("f(x)", 9),
+            ("f'(x)", 8),
+            ("f''(x)", 5),
+            ("f'''(x)", 0),
+            ("f''''''(x)", 0),
+            ("f(sqrt(y)) - f(x)", 0),
+            ("f(0) + f'(0) + f''(0)", 6),
+        ] {
+            assert_eq!(certified(text).rational_value(&point), Some(Rational::from(expected)), "{text}");
+        }
+        assert_eq!(certified("f(f(0))").rational_value(&point), Some(Rational::from((39, 2))));
+        assert_eq!(certified("g(x)").rational_value(&point), None);
+        assert_eq!(certified("f(sqrt(x)) - 4").order_at(&point), Some(Ordering::Greater));
+        let shown = Expression::polynomial(&"f".into(), &Expression::variable("x"), &point);
+        assert_eq!(shown.map(|shown| shown.to_string()).as_deref(), Some("3 - 2*x + 5/2*x^2"));
+    }
+
+    #[test]
+    fn numbers_and_polynomials_of_a_point_are_put_in() {
+        let mut point = point_with_function();
+        point.remove(&Symbol::from("x"));
+        for (text, expected) in [
+            ("f(x) + f(y)", "3 - 2*x + 5/2*x^2 + 35"),
+            ("f(f(x))", "f(3 - 2*x + 5/2*x^2)"),
+            ("g(x*y)", "g(x*4)"),
+        ] {
+            assert_eq!(certified(text).at_point(&point).to_string(), expected, "{text}");
+        }
+        let mut nested = "x".to_owned();
+        (0..30).for_each(|_| nested = format!("f({nested})"));
+        assert!(certified(&nested).at_point(&point).to_string().len() < 1000);
+    }
+
+    #[test]
+    fn a_point_has_free_values_for_all_that_occurs() {
+        let names = |texts: &[&str]| {
+            let all: Vec<Expression> = texts.iter().map(|text| certified(text)).collect();
+            unknowns(&all).iter().map(ToString::to_string).collect::<Vec<_>>().join(" ")
+        };
+        assert_eq!(names(&["x + y"]), "x y");
+        assert_eq!(names(&["f'(V)/M"]), "M V f''(0) f'(0) f(0)");
+        assert_eq!(names(&["f(x)*f(y)", "f(z) + f(2) + g(f(1))"]), "f''''(0) f'''(0) f''(0) f'(0) f(0) g'(0) g(0) x y z");
+    }
+
     #[test]
     fn what_has_no_number_has_no_value() {
         assert!(value("x + z").is_none() && value("ln(x)").is_some_and(|ball| ball.is_bounded()));

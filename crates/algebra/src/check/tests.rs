@@ -226,3 +226,87 @@ fn forged_series_is_refused() {
     assert!(series("y - c - x*exp(x)", r#"["c", "exp(x)"]"#).expect_err("in x").contains("depends on x"));
     assert!(series("y - c - x*exp(y)", r#"["c", "exp(y)"]"#).expect_err("in y").contains("depends on y"));
 }
+
+const FREE: &str = r#"{"positive": [], "substitutions": []}"#;
+
+#[test]
+fn functions_of_which_nothing_is_known_are_read_and_checked() {
+    assert_eq!(identity("f(2*x/2) + f'(y)", "f'(y) + f(x)", FREE), Ok(()));
+    for (left, right) in [("f(x)", "f(y)"), ("f(x)", "f(-x)"), ("f(x)", "f'(x)"), ("f(0)", "0"), ("f(f(x))", "f(x)")] {
+        assert!(identity(left, right, FREE).is_err(), "{left} = {right}");
+    }
+    let derivative = |value: &str| {
+        checked(&format!(
+            r#"{{"kind": "derivative", "expression": "x*f(2*x)", "variable": "x", "value": "{value}", "domain": {FREE}}}"#
+        ))
+    };
+    assert_eq!(derivative("f(2*x) + 2*x*f'(2*x)"), Ok(()));
+    assert!(derivative("f(2*x) + x*f'(2*x)").is_err());
+}
+
+#[test]
+fn forged_values_of_a_function_as_assumptions_are_refused_or_of_no_use() {
+    // A substitution, a square or a sign of f, or of its value at 0, says nothing of f(x).
+    for domain in [
+        r#"{"positive": [], "substitutions": [["f", "1"]]}"#,
+        r#"{"positive": [], "substitutions": [["f(0)", "1"]]}"#,
+        r#"{"positive": [], "substitutions": [["f(0)", "1"], ["f'(0)", "0"]]}"#,
+        r#"{"positive": ["f"], "substitutions": []}"#,
+        r#"{"positive": [], "squares": [["f", "1"]], "substitutions": [], "example": [["f", "1"]]}"#,
+    ] {
+        assert!(identity("f(x)", "f(y)", domain).is_err(), "{domain}");
+        assert!(identity("f(x)^2", "1", domain).is_err(), "{domain}");
+        assert!(sign("f(x)", domain).is_err(), "{domain}");
+    }
+    let given = |example: &str| format!(r#"{{"positive": ["x"], "given": ["f'(x) > 0"], "substitutions": [], "example": [{example}]}}"#);
+    assert_eq!(sign("x*f'(x)", &given(r#"["f(0)", "0"], ["f'(0)", "3"]"#)), Ok(()));
+    assert!(sign("f'(2*x)", &given(r#"["f(0)", "0"], ["f'(0)", "3"]"#)).is_err());
+    for impossible in [r#"["f(0)", "0"], ["f'(0)", "-3"]"#, r#"["f(0)", "5"]"#, ""] {
+        let error = sign("x*f'(x)", &given(impossible)).expect_err("no such function");
+        assert!(error.contains("does not hold at the example"), "{error}");
+    }
+}
+
+#[test]
+fn a_value_with_a_function_is_that_of_the_polynomial_at_its_point() {
+    let value = |value: &str, point: &str| {
+        checked(&format!(r#"{{"kind": "value", "expression": "f(x) + f''(x)", "point": [{point}], "value": "{value}"}}"#))
+    };
+    let point = r#"["x", "2"], ["f(0)", "3"], ["f'(0)", "-2"], ["f''(0)", "5"]"#;
+    assert_eq!(value("14", point), Ok(()));
+    assert!(value("13", point).is_err() && value("14", r#"["x", "2"]"#).is_err());
+    let difference = |point: &str| {
+        checked(&format!(
+            r#"{{"kind": "difference", "left": "f(x)", "right": "f(y)", "point": [{point}], "values": ["1", "2"]}}"#
+        ))
+    };
+    assert_eq!(difference(r#"["x", "0"], ["y", "1"], ["f(0)", "1"], ["f'(0)", "1"]"#), Ok(()));
+    assert!(difference(r#"["x", "0"], ["y", "1"], ["f(0)", "1"]"#).is_err());
+    assert!(difference(r#"["x", "0"], ["y", "1"], ["f", "1"], ["f'", "1"]"#).is_err());
+}
+
+#[test]
+fn forged_growth_of_a_function_needs_a_sign_everywhere() {
+    let growth = |expression: &str, domain: &str| {
+        checked(&format!(
+            r#"{{"kind": "growth", "expression": "{expression}", "variable": "x", "order": 1, "domain": {domain}}}"#
+        ))
+    };
+    assert_eq!(growth("x + x*f(y)^2", r#"{"positive": ["x"], "substitutions": []}"#), Ok(()));
+    assert!(growth("f(x) - f(0)", r#"{"positive": ["x"], "substitutions": []}"#).is_err());
+    // Of one x only.
+    let given = r#"{"positive": ["x"], "given": ["f'(x) > 0"], "substitutions": [], "example": [["f(0)", "0"], ["f'(0)", "1"]]}"#;
+    assert!(growth("f(x) - f(0)", given).is_err());
+}
+
+#[test]
+fn a_certificate_with_a_function_has_no_theorem() {
+    let of = |certificate: &str| {
+        let certificate: crate::Certificate = serde_json::from_str(certificate).expect("readable");
+        crate::coq::Theorem::of(&certificate).expect_err("no theorem").to_string()
+    };
+    let wanted = "no tactic for the function f, of which nothing is known";
+    assert_eq!(of(&format!(r#"{{"kind": "identity", "left": "f(x)", "right": "f(x)", "domain": {FREE}}}"#)), wanted);
+    let given = r#"{"positive": [], "given": ["f'(0) > 0"], "substitutions": []}"#;
+    assert_eq!(of(&format!(r#"{{"kind": "identity", "left": "x", "right": "x", "domain": {given}}}"#)), wanted);
+}
