@@ -18,6 +18,7 @@ mod boundary_command;
 mod certificates;
 mod certify;
 mod claim_formulas;
+mod claim_functions;
 mod claim_guide;
 mod claim_limits;
 mod claim_motions;

@@ -395,7 +395,8 @@ mod tests {
     #[test]
     fn declared_functions_are_read_with_their_primes_and_no_others() {
         let functions = ["f", "g_1"].map(Symbol::from).into();
-        let read = |text: &str| Expression::read_in(text, &functions).map(|(expression, _)| expression.to_string());
+        let read =
+            |text: &str| Expression::read_in(text, &functions).map(|(expression, _)| expression.to_string());
         let fault = |text: &str| read(text).expect_err("malformed").to_string();
         for text in ["f(x)", "2*f'(x + 1)", "f''''''(f(x))*g_1(0)", "sqrt(f(x)^2)"] {
             assert_eq!(read(text).as_deref(), Ok(text));

@@ -301,6 +301,8 @@ mod tests {
         assert_eq!(Symbol::from("f'").function_at_zero(), None);
         assert!("f'(0)".parse::<Symbol>().is_err());
         assert_eq!(Symbol::try_from("f'(0)".to_owned()), Ok(slope));
-        assert!(Symbol::try_from("f'(1)".to_owned()).is_err() && Symbol::try_from("f(x)".to_owned()).is_err());
+        assert!(
+            Symbol::try_from("f'(1)".to_owned()).is_err() && Symbol::try_from("f(x)".to_owned()).is_err()
+        );
     }
 }

@@ -297,7 +297,10 @@ mod tests {
         };
         assert_eq!(names(&["x + y"]), "x y");
         assert_eq!(names(&["f'(V)/M"]), "M V f''(0) f'(0) f(0)");
-        assert_eq!(names(&["f(x)*f(y)", "f(z) + f(2) + g(f(1))"]), "f''''(0) f'''(0) f''(0) f'(0) f(0) g'(0) g(0) x y z");
+        assert_eq!(
+            names(&["f(x)*f(y)", "f(z) + f(2) + g(f(1))"]),
+            "f''''(0) f'''(0) f''(0) f'(0) f(0) g'(0) g(0) x y z"
+        );
     }
 
     #[test]

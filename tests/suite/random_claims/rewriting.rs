@@ -1,6 +1,6 @@
 //! Other ways to write an expression, with the same value wherever the expression has one.
 
-use super::term::{Name, Term, exp, f, ln, minus, n, p, sqrt};
+use super::term::{Name, Term, exp, f, ln, minus, n, p, sqrt, unknown};
 use super::world::{FREE, POSITIVE};
 use crate::random::Random;
 
@@ -25,7 +25,8 @@ pub fn total(random: &mut Random, depth: usize, names: &[Name]) -> Term {
 }
 
 fn functions_of(random: &mut Random, depth: usize, names: &[Name]) -> Term {
-    match random.below(6) {
+    match random.below(7) {
+        6 => unknown(random.below(3), &total(random, depth.min(1), names)),
         4 => total(random, depth.min(1), names).call("sin"),
         5 => total(random, depth.min(1), names).call("cos"),
         0 => sqrt(positive(random, depth, names)),

@@ -15,6 +15,8 @@ pub enum Name {
     Root,
     /// A name that the claim's own equations define.
     Defined(usize),
+    /// The function of which nothing is known.
+    Function,
 }
 
 /// An expression.
@@ -50,6 +52,14 @@ pub fn s() -> Term {
     Term::Name(Name::Root)
 }
 
+/// What the function of which nothing is known and its derivatives are called before they are spelled.
+const UNKNOWN: [&str; 6] = ["?", "?'", "?''", "?'''", "?''''", "?'''''"];
+
+/// A derivative of the function of which nothing is known.
+pub fn unknown(order: usize, argument: &Term) -> Term {
+    argument.call(UNKNOWN[order])
+}
+
 pub fn sqrt(inner: impl Borrow<Term>) -> Term {
     inner.borrow().call("sqrt")
 }
@@ -69,6 +79,14 @@ pub fn minus(inner: impl Borrow<Term>) -> Term {
 impl Term {
     pub fn call(&self, function: &'static str) -> Self {
         Self::Call(function, Box::new(self.clone()))
+    }
+
+    /// The order of the derivative that it is of the function of which nothing is known.
+    pub fn primes(&self) -> usize {
+        match self {
+            Self::Call(function, _) => function.len() - 1,
+            _ => 0,
+        }
     }
 
     pub fn power(&self, exponent: i32) -> Self {
@@ -221,6 +239,10 @@ impl Term {
                 (format!("{}^{exponent}", inner.bound(spell, Binding::Atom)), Binding::Power)
             }
             Self::Call(function, inner) => {
+                let function = match function.strip_prefix(UNKNOWN[0]) {
+                    Some(primes) => spell(Name::Function) + primes,
+                    None => (*function).to_owned(),
+                };
                 (format!("{function}({})", inner.bound(spell, Binding::Sum)), Binding::Atom)
             }
         };

@@ -17,6 +17,7 @@ const LONGEST: usize = 40;
 pub struct World {
     positive: Vec<String>,
     free: Vec<String>,
+    function: String,
     root: String,
     /// What the names of definitions begin with.
     prefix: &'static str,
@@ -146,6 +147,10 @@ const OTHERS: [&str; 48] = [
     "iff",
 ];
 
+/// Names of variables that no function may have: before a bracket they are derivations or predicates.
+const IN_DEFINITIONS: [&str; 8] =
+    ["stable", "unstable", "all_real", "pair_crosses", "solve", "limit", "rate", "coefficient"];
+
 /// Names for the roots of a polynomial.
 const ROOTS: [&str; 6] = ["s", "s", "lambda", "root_of_polynomial", "z", "c_0"];
 
@@ -159,7 +164,7 @@ impl World {
     pub fn drawn(random: &mut Random, accepted: &[&str]) -> Self {
         let root = *random.pick(&ROOTS);
         let mut names: Vec<String> = Vec::new();
-        while names.len() < POSITIVE + FREE {
+        while names.len() < POSITIVE + FREE + 1 {
             let name = match random.below(6) {
                 0..=2 => (*random.pick(&OF_PROOFS)).to_owned(),
                 // A proof puts root_x in the place of sqrt(x).
@@ -172,15 +177,18 @@ impl World {
             }
         }
         random.shuffle(&mut names);
+        let function = names.pop().filter(|name| !IN_DEFINITIONS.iter().any(|word| name.ends_with(word)));
+        let function = function.unwrap_or_else(|| "f".repeat(LONGEST - 2));
         let free = names.split_off(POSITIVE);
         let prefix = random.pick(&["W", "gap_", "root_", "c_", "left_"]);
-        Self { positive: names, free, root: root.to_owned(), prefix }
+        Self { positive: names, free, function, root: root.to_owned(), prefix }
     }
 
     /// Names that mean nothing to anybody.
     pub fn plain() -> Self {
         let numbered = |letter: &str, count| (0..count).map(|index| format!("{letter}{index}")).collect();
-        Self { positive: numbered("p", POSITIVE), free: numbered("f", FREE), root: "s".into(), prefix: "W" }
+        let [function, root] = ["f", "s"].map(str::to_owned);
+        Self { positive: numbered("p", POSITIVE), free: numbered("f", FREE), function, root, prefix: "W" }
     }
 
     /// A name in a claim of this number.
@@ -188,6 +196,7 @@ impl World {
         match name {
             Name::Positive(index) => self.positive[index].clone(),
             Name::Free(index) => self.free[index].clone(),
+            Name::Function => self.function.clone(),
             Name::Root => self.root.clone(),
             Name::Defined(index) => format!("{}{claim}_{index}", self.prefix),
         }
@@ -195,6 +204,9 @@ impl World {
 
     /// The assumptions of `equations.toml`.
     pub fn toml(&self) -> String {
-        format!("[assumptions]\npositive = {:?}\nfree = {:?}\n", self.positive, self.free)
+        format!(
+            "[assumptions]\npositive = {:?}\nfree = {:?}\n[[function]]\nname = {:?}\n",
+            self.positive, self.free, self.function
+        )
     }
 }

@@ -232,7 +232,9 @@ const FREE: &str = r#"{"positive": [], "substitutions": []}"#;
 #[test]
 fn functions_of_which_nothing_is_known_are_read_and_checked() {
     assert_eq!(identity("f(2*x/2) + f'(y)", "f'(y) + f(x)", FREE), Ok(()));
-    for (left, right) in [("f(x)", "f(y)"), ("f(x)", "f(-x)"), ("f(x)", "f'(x)"), ("f(0)", "0"), ("f(f(x))", "f(x)")] {
+    for (left, right) in
+        [("f(x)", "f(y)"), ("f(x)", "f(-x)"), ("f(x)", "f'(x)"), ("f(0)", "0"), ("f(f(x))", "f(x)")]
+    {
         assert!(identity(left, right, FREE).is_err(), "{left} = {right}");
     }
     let derivative = |value: &str| {
@@ -258,7 +260,11 @@ fn forged_values_of_a_function_as_assumptions_are_refused_or_of_no_use() {
         assert!(identity("f(x)^2", "1", domain).is_err(), "{domain}");
         assert!(sign("f(x)", domain).is_err(), "{domain}");
     }
-    let given = |example: &str| format!(r#"{{"positive": ["x"], "given": ["f'(x) > 0"], "substitutions": [], "example": [{example}]}}"#);
+    let given = |example: &str| {
+        format!(
+            r#"{{"positive": ["x"], "given": ["f'(x) > 0"], "substitutions": [], "example": [{example}]}}"#
+        )
+    };
     assert_eq!(sign("x*f'(x)", &given(r#"["f(0)", "0"], ["f'(0)", "3"]"#)), Ok(()));
     assert!(sign("f'(2*x)", &given(r#"["f(0)", "0"], ["f'(0)", "3"]"#)).is_err());
     for impossible in [r#"["f(0)", "0"], ["f'(0)", "-3"]"#, r#"["f(0)", "5"]"#, ""] {
@@ -270,7 +276,9 @@ fn forged_values_of_a_function_as_assumptions_are_refused_or_of_no_use() {
 #[test]
 fn a_value_with_a_function_is_that_of_the_polynomial_at_its_point() {
     let value = |value: &str, point: &str| {
-        checked(&format!(r#"{{"kind": "value", "expression": "f(x) + f''(x)", "point": [{point}], "value": "{value}"}}"#))
+        checked(&format!(
+            r#"{{"kind": "value", "expression": "f(x) + f''(x)", "point": [{point}], "value": "{value}"}}"#
+        ))
     };
     let point = r#"["x", "2"], ["f(0)", "3"], ["f'(0)", "-2"], ["f''(0)", "5"]"#;
     assert_eq!(value("14", point), Ok(()));
@@ -306,7 +314,13 @@ fn a_certificate_with_a_function_has_no_theorem() {
         crate::coq::Theorem::of(&certificate).expect_err("no theorem").to_string()
     };
     let wanted = "no tactic for the function f, of which nothing is known";
-    assert_eq!(of(&format!(r#"{{"kind": "identity", "left": "f(x)", "right": "f(x)", "domain": {FREE}}}"#)), wanted);
+    assert_eq!(
+        of(&format!(r#"{{"kind": "identity", "left": "f(x)", "right": "f(x)", "domain": {FREE}}}"#)),
+        wanted
+    );
     let given = r#"{"positive": [], "given": ["f'(0) > 0"], "substitutions": []}"#;
-    assert_eq!(of(&format!(r#"{{"kind": "identity", "left": "x", "right": "x", "domain": {given}}}"#)), wanted);
+    assert_eq!(
+        of(&format!(r#"{{"kind": "identity", "left": "x", "right": "x", "domain": {given}}}"#)),
+        wanted
+    );
 }

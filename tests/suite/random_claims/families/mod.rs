@@ -5,6 +5,7 @@ mod conditions;
 mod dependence;
 mod derivations;
 mod existence;
+mod functions;
 mod growth;
 mod identities;
 mod limits;
@@ -21,7 +22,8 @@ use crate::random::Random;
 /// A kind of claim, and how many of a hundred claims are of this kind.
 type Family = (fn(&mut Random) -> Claim, usize);
 
-const FAMILIES: [Family; 13] = [
+const FAMILIES: [Family; 14] = [
+    (functions::claim, 10),
     (identities::claim, 12),
     (signs::claim, 14),
     (roots::location, 14),
