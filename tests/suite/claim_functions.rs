@@ -240,6 +240,7 @@ fn texts_that_misuse_a_function_are_refused_with_their_place() {
         ("1/f(x) > 0", "", "may be zero"),
         ("f(1/x) > 0", "", "may be zero"),
         ("f(i*x)^2 >= 0", "", "'i' is no variable"),
+        ("f(f(f(f(x)))) = x", "", "is too large: multiplied out it may have 1 terms and degree 121"),
         ("f(x) > 0", "given = ['f(x) = f(y)']", "is not linear in one of its variables"),
     ] {
         let place = Workplace::with_report(EQUATIONS, &claim(1, "holds", formula, keys), "Words.\n");

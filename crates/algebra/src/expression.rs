@@ -145,8 +145,7 @@ impl Expression {
     }
 
     /// Whether it has a function of this variable of which nothing is known.
-    #[must_use]
-    pub fn has_function_of(&self, variable: &Symbol) -> bool {
+    pub(super) fn has_function_of(&self, variable: &Symbol) -> bool {
         let mut found = BTreeSet::new();
         self.add_generics(&mut found);
         found.iter().any(|generator| generator.hides(variable))

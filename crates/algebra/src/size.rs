@@ -52,6 +52,9 @@ impl std::fmt::Display for Count {
     }
 }
 
+/// A function of which nothing is known is a polynomial at a point: its numbers grow with each function in the argument of another one.
+const DEGREE_OF_A_POINT: u64 = 3;
+
 impl Extent {
     const ONE: Self = Self { terms: 1, degree: 0, bits: 0 };
 
@@ -152,7 +155,11 @@ impl Expression {
                 let [above, below] = go(inner)?;
                 let inside = if matches!(self, Self::Call(Function::Abs, _)) { above.terms } else { 1 };
                 // Each function is one more level of the chain rule.
-                let degree = above.degree.max(below.degree).saturating_add(1);
+                let inner = above.degree.max(below.degree);
+                let degree = match self {
+                    Self::Generic(..) => inner.saturating_mul(DEGREE_OF_A_POINT).saturating_add(1),
+                    _ => inner.saturating_add(1),
+                };
                 [Extent { terms: inside, degree, bits: above.bits.saturating_add(below.bits) }, Extent::ONE]
             }
         };
@@ -181,6 +188,16 @@ mod tests {
         assert!(error("(a + b + c)^13").is_some_and(|error| error.contains("degree 13")));
         assert!(error("(a + b + c + d)^9").is_some_and(|error| error.contains("220 terms")));
         assert!(error("exp((a + b + c + d)^9)").is_some());
+    }
+
+    #[test]
+    fn functions_in_arguments_of_functions_multiply_degrees() {
+        let extent = |text: &str| {
+            let expression = Expression::try_from(text.to_owned()).expect("of a certificate");
+            expression.check_extent(Extent { terms: 100, degree: 64, bits: 1000 })
+        };
+        assert_eq!(extent("f(f(f(x)))*f'(f(x))"), Ok(()));
+        assert!(extent("f(f(f(f(x))))").is_err() && extent("f(x^22)").is_err());
     }
 
     #[test]

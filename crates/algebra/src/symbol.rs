@@ -75,8 +75,7 @@ impl Generator {
     }
 
     /// The function of which nothing is known, with its primes, if this is one of something.
-    #[must_use]
-    pub fn generic_function(&self) -> Option<&Symbol> {
+    pub(super) fn generic_function(&self) -> Option<&Symbol> {
         match self.call.as_deref() {
             Some(Expression::Generic(function, _)) => Some(function),
             _ => None,

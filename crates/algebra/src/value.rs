@@ -66,7 +66,7 @@ impl Expression {
     #[must_use]
     pub fn at_point(&self, point: &BTreeMap<Symbol, Rational>) -> Self {
         let numbers = point.iter().map(|(name, value)| (name.clone(), Self::Number(value.clone())));
-        self.with_polynomials(point).substitute(&numbers.collect())
+        self.substitute(&numbers.collect()).with_polynomials(point)
     }
 
     /// The polynomial that a point gives for a function, in a variable or in something else; none where the point gives nothing for it.
@@ -90,7 +90,8 @@ impl Expression {
             Self::Call(function, inner) => Self::Call(*function, boxed(inner)),
             Self::Generic(function, inner) => match self.rational_value(point) {
                 Some(value) => Self::Number(value),
-                None if inner.functions().is_empty() => {
+                // A constant function would hide that its argument may have no value.
+                None if inner.is_total() && inner.functions().is_empty() => {
                     Self::polynomial(function, inner, point).unwrap_or_else(|| self.clone())
                 }
                 None => Self::Generic(function.clone(), boxed(inner)),
@@ -279,6 +280,8 @@ mod tests {
         point.remove(&Symbol::from("x"));
         for (text, expected) in [
             ("f(x) + f(y)", "3 - 2*x + 5/2*x^2 + 35"),
+            ("f(x/y)", "3 - 2*(x/4) + 5/2*(x/4)^2"),
+            ("f(1/x)", "f(1/x)"),
             ("f(f(x))", "f(3 - 2*x + 5/2*x^2)"),
             ("g(x*y)", "g(x*4)"),
         ] {

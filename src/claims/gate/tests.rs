@@ -197,3 +197,77 @@ fn a_contradiction_makes_the_claim_undecided_and_names_the_formula() {
     let honest = passed(&formula, fails_at(&[("K", 1), ("A", 1)]), &equations);
     assert_eq!((honest.verdict, honest.contradictions.len()), (Verdict::Fails, 0));
 }
+
+/// A file with a function of which nothing is known.
+const WITH_FUNCTION: &str = r#"
+[assumptions]
+positive = ["K", "M", "V"]
+free = ["x", "y"]
+[[function]]
+name = "f"
+[[system]]
+name = "slider"
+state = ["x", "y"]
+rates = ["V - y", "(K*x - f(y))/M"]
+steady = ["f(V)/K", "V"]
+[[definition]]
+name = "P"
+is = "characteristic(slider, s)"
+[[definition]]
+name = "D"
+is = "derivative(f(2*x), x)"
+"#;
+
+#[test]
+fn wrong_verdicts_on_every_smooth_function_do_not_pass() {
+    let equations = read_equations("equations.toml", WITH_FUNCTION.as_bytes()).unwrap();
+    let names = Names::of(&equations);
+    let formula = |text: &str, given: &[&str]| {
+        let given = given.iter().map(|one| FormulaCondition::read(one, &names).unwrap()).collect();
+        ClaimFormula::read(text, Scope { given, ..Scope::default() }, &equations).unwrap()
+    };
+    for (text, given) in [
+        ("stable(P, s) iff f'(V) > 0", &[][..]),
+        ("D = 2*f'(2*x)", &[]),
+        ("f(x) = f(y)", &["x = y"]),
+        ("x*f'(y) rises with x", &["f'(y) > 0"]),
+        ("f(x) -> f(0) as K -> 0", &["x = 0"]),
+    ] {
+        let said = formula(text, given);
+        let own = tested(&said, &planted_to_hold(), &equations);
+        assert!(matches!(own, Outcome::Passed { points: 1.., .. }), "{text}: {own:?}");
+        let claim = Claim::of(&said, &equations).unwrap().unwrap();
+        let opposite = tested(&said, &planted_to_fail(&claim), &equations);
+        assert!(!matches!(opposite, Outcome::Passed { .. }), "{text}: {opposite:?}");
+    }
+    for (text, given) in [
+        ("stable(P, s)", &[][..]),
+        ("D = f'(2*x)", &[]),
+        ("f(x) = f(y)", &[]),
+        ("f(x) = f(-x)", &[]),
+        ("f'(x) > 0", &["f'(y) > 0"]),
+        ("f(x) rises with x", &["f'(y) > 0"]),
+        ("f(x) does not depend on x", &[]),
+        ("f(K) -> 0 as K -> infinity", &[]),
+    ] {
+        let own = tested(&formula(text, given), &planted_to_hold(), &equations);
+        assert!(matches!(own, Outcome::Contradicted(_)), "{text}: {own:?}");
+    }
+}
+
+#[test]
+fn a_counter_example_gives_the_function_its_own_terms() {
+    let equations = read_equations("equations.toml", WITH_FUNCTION.as_bytes()).unwrap();
+    let formula = ClaimFormula::read("f(x) = f(y)", Scope::default(), &equations).unwrap();
+    let at = |values: &[(&str, i32)]| {
+        let point: NamedPoint =
+            values.iter().map(|(name, value)| ((*name).to_owned(), Rational::from(*value))).collect();
+        tested(&formula, &Finding::failing("planted").seen_at([point]), &equations)
+    };
+    assert!(matches!(at(&[("x", 0), ("y", 1), ("f(0)", 3), ("f'(0)", -1)]), Outcome::Passed { .. }));
+    // A constant, and an even function at opposite values.
+    assert!(matches!(at(&[("x", 0), ("y", 1), ("f(0)", 3)]), Outcome::Contradicted(_)));
+    assert!(matches!(at(&[("x", 1), ("y", -1), ("f''(0)", 3)]), Outcome::Contradicted(_)));
+    let high = format!("f{}(0)", "'".repeat(30));
+    assert!(matches!(at(&[("x", 0), ("y", 1), (high.as_str(), 1)]), Outcome::Unconfirmed(_)));
+}

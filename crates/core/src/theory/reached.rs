@@ -258,6 +258,27 @@ mod tests {
     }
 
     #[test]
+    fn a_function_is_reached_with_the_units_of_its_value_and_of_its_argument() {
+        let file = |units: &str, note: &str| {
+            format!(
+                "[assumptions]\npositive = [\"K\", \"V\"]\n{units}[[function]]\nname = \"f\"\nof = \"V\"\nnote = \"{note}\"\n\
+                 [[definition]]\nname = \"D\"\nis = \"derivative(f(2*V), V)\"\n\
+                 [[definition]]\nname = \"E\"\nis = \"2*K\"\n"
+            )
+        };
+        let plain = reached(&file("", ""), &["D"]);
+        assert_eq!(
+            plain,
+            ["definition D = derivative(f(2*V),V)", "function f: smooth", "variable V: positive"]
+        );
+        assert_eq!(reached(&file("", "Friction."), &["D"]), plain);
+        assert!(!reached(&file("", ""), &["E"]).iter().any(|line| line.starts_with("function")));
+        let units = "[units]\nK = \"N/m\"\nV = \"m/s\"\nf = \"N\"\n";
+        let with_units = reached(&file(units, ""), &["D"]);
+        assert!(with_units.contains(&"function f: smooth, N of V".to_owned()), "{with_units:?}");
+    }
+
+    #[test]
     fn what_is_reached_changes_the_text_and_nothing_else_does() {
         let known = reached(FILE, &["P"]);
         for (from, to) in [
