@@ -374,6 +374,8 @@ fn what_is_true_everywhere_holds() {
         "stable(s^2 + A*s + B, s)",
         "stable(s^2 + (A - B)*s + K, s) iff A > B",
         "all_real(s^2 + 2*x*s + x^2 - A, s)",
+        "pair_crosses(s^2 + (A - K)*s + B, s, K, A, sqrt(B))",
+        "pair_crosses(s^2 + (A - K)*s + B, s, K, A, sqrt(B)) | K > B | A > B",
         "sqrt(K) > 7/5 | K at 2",
     ];
     assert_verdicts(Verdict::Holds, &lines);
@@ -396,6 +398,11 @@ fn what_is_false_somewhere_fails_at_a_point_where_it_is_false() {
         "K > 2*B | K = A + B",
         "stable(s^2 + (A - B)*s + K, s)",
         "unstable(s^2 + (A - B)*s + K, s) iff A <= B",
+        "pair_crosses(s^2 + (A - K)*s + B, s, K, 2*A, sqrt(B))",
+        "pair_crosses(s^2 + (A - K)*s + B, s, K, A, B)",
+        "pair_crosses(s^2 + (A - K)^2*s + B, s, K, A, sqrt(B))",
+        // The critical value has to be positive, as K is.
+        "pair_crosses(s^2 + (A + K)*s + B, s, K, -A, sqrt(B))",
         "sqrt(K) > 3/2 | K at 2",
     ];
     assert_verdicts(Verdict::Fails, &lines);
@@ -512,4 +519,14 @@ fn a_proof_has_the_steps_that_make_its_sides_have_a_value() {
     let found = decided("1/(K + A - M) < 1/A | K > M");
     let steps = &found.evidence[0].proof().unwrap().steps;
     assert!(steps.iter().any(|step| step.says.starts_with("a side has a value: ")), "{steps:?}");
+}
+
+#[test]
+fn a_predicate_rests_on_its_lemma_and_on_the_coefficients_of_its_polynomial() {
+    for line in ["stable(s^2 + A*s + B, s)", "pair_crosses(s^2 + (A - K)*s + B, s, K, A, sqrt(B))"] {
+        let found = decided(line);
+        let proof = found.evidence[0].proof().unwrap();
+        assert!(proof.steps.iter().any(|step| !step.begins.is_empty()), "{proof}");
+        assert!(proof.steps.iter().any(|step| step.says.starts_with("the coefficients of ")), "{proof}");
+    }
 }
