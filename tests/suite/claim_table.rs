@@ -72,6 +72,9 @@ is = "s^2 + 2*zeta*w*s + w^2"
             ("stable(s + ln(V), s)", "", Fail),
             ("pair_crosses(s^2 + (V - exp(K))*s + 1, s, V, exp(K), 1)", "", Hold),
             ("pair_crosses(s^2 + (exp(K) - exp(V))*s + 1, s, K, V, 1)", "", Hold),
+            // The critical value has to meet what is assumed of K; it need not be above M.
+            ("pair_crosses(s^2 + (V - K)*s + M, s, K, V, sqrt(M))", "", Hold),
+            ("pair_crosses(s^2 + (V - K)*s + M, s, K, V, sqrt(M))", "K > M", Fail),
         ],
     );
 }

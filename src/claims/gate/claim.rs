@@ -111,6 +111,10 @@ impl Claim {
         let given: Vec<Compared> = scope.given.iter().map(|one| condition(one, &mut book)).collect();
         let (equal, conditions): (Vec<_>, Vec<_>) =
             given.into_iter().partition(|one| one.comparison == Comparison::Equal);
+        let says = match says {
+            Says::True(said) => Says::True(said.under(&conditions)),
+            other => other,
+        };
         let within =
             scope.within.iter().map(|(name, ends)| (book.variable(name.as_str()), ends.clone())).collect();
         let at = scope.at.iter().map(|(name, value)| (book.variable(name.as_str()), value.clone())).collect();

@@ -40,6 +40,8 @@ pub(super) struct Crosses {
     parameter: usize,
     critical: Term,
     frequency: Term,
+    /// The conditions of the claim that are no equations: the critical value has to meet them.
+    conditions: Vec<Compared>,
 }
 
 impl Said {
@@ -65,6 +67,7 @@ impl Said {
                     parameter: book.variable(parameter.as_str()),
                     critical: book.term(critical, None),
                     frequency: book.term(frequency, None),
+                    conditions: Vec::new(),
                 }))
             }
             Formula::Not(inner) => Self::Not(Box::new(Self::of(inner, book))),
@@ -74,6 +77,21 @@ impl Said {
                 Self::Any(vec![Self::Not(Box::new(Self::of(&both[0], book))), Self::of(&both[1], book)])
             }
             Formula::Iff(both) => Self::Iff(Box::new([Self::of(&both[0], book), Self::of(&both[1], book)])),
+        }
+    }
+
+    /// The same under conditions that a critical value has to meet.
+    pub fn under(self, conditions: &[Compared]) -> Self {
+        let all = |parts: Vec<Self>| parts.into_iter().map(|part| part.under(conditions)).collect();
+        match self {
+            Self::Crossing(crosses) => {
+                Self::Crossing(Box::new(Crosses { conditions: conditions.to_vec(), ..*crosses }))
+            }
+            Self::Not(inner) => Self::Not(Box::new(inner.under(conditions))),
+            Self::All(parts) => Self::All(all(parts)),
+            Self::Any(parts) => Self::Any(all(parts)),
+            Self::Iff(both) => Self::Iff(Box::new(both.map(|one| one.under(conditions)))),
+            Self::Compare(_) | Self::Roots(..) => self,
         }
     }
 
@@ -162,7 +180,7 @@ impl Compared {
 }
 
 impl Crosses {
-    /// P has the roots ±iω at the critical value, ω is not 0, no other root is on the axis, and by implicit differentiation the slope
+    /// The critical value meets what is assumed of the parameter, and there P has the roots ±iω, ω is not 0, no other root is on the axis, and by implicit differentiation the slope
     /// of the pair's real part, −Re(∂P/∂K · conj ∂P/∂s)/|∂P/∂s|², is not 0.
     fn truth(&self, place: &mut Place) -> Found<bool> {
         let critical = place.value(&self.critical)?;
@@ -172,6 +190,10 @@ impl Crosses {
                 Some(Ordering::Greater) => {}
                 Some(_) => return Ok(false),
             }
+        }
+        let there = vec![(self.parameter, critical.clone())];
+        if !place.with(there, |place| all(self.conditions.iter().map(|one| one.truth(place))))? {
+            return Ok(false);
         }
         let frequency = place.value(&self.frequency)?;
         let square = frequency.times(&frequency)?;
