@@ -125,7 +125,7 @@ impl Ledger {
         let decided = |text: &ClaimEntry| {
             let entry = decide_one(text, context);
             let untied = by_hand::untied(report, &entry.tied(), context.equations);
-            Entry { untied, ..entry }.with_what_the_sentence_needs()
+            Entry { untied, ..entry }
         };
         let mut claims: Vec<Entry> = texts.par_iter().map(decided).collect();
         if context.outcome.scenes.iter().any(|scene| error_bars(scene).is_some()) {
@@ -261,6 +261,7 @@ fn decide_one(text: &ClaimEntry, context: &Context) -> Entry {
         untied: None,
         stated: text.stated.clone(),
     };
+    let entry = entry.with_what_the_sentence_needs();
     // Where the words are about more than the formulas, no theorem on the formulas states them.
     let is_argued = entry.stated.as_ref().is_some_and(|stated| stated.argued.is_some());
     let tie = Some(())

@@ -297,11 +297,12 @@ fn claim_json(entry: &slipmode::claims::Entry) -> Value {
     })
 }
 
-/// How many of the paper's claims have each verdict, under the verdict's word.
+/// How many claims have each verdict, under the verdict's word.
 pub fn verdicts_json(ledger: &Ledger) -> Value {
     let all = [Verdict::Holds, Verdict::HoldsWithin, Verdict::Fails, Verdict::NotChecked];
+    let count = |verdict| ledger.claims.iter().filter(|entry| entry.finding.verdict == verdict).count();
     all.into_iter()
-        .map(|verdict| (verdict.as_str().to_string(), json!(ledger.count(Source::Paper, verdict))))
+        .map(|verdict| (verdict.as_str().to_string(), json!(count(verdict))))
         .collect::<Map<_, _>>()
         .into()
 }

@@ -65,7 +65,6 @@ impl<'a> Report<'a> {
             "cards": self.view.cards.iter().map(card).collect::<Vec<_>>(),
             "groups": self.groups()?,
             "figures": figures.map(|figure| self.figure(figure)).collect::<Vec<_>>(),
-            "command_md": code_span(&self.view.provenance.command),
         }))
     }
 

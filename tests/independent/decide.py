@@ -9,7 +9,7 @@ from claims import OTHER, printed_point
 from language import Behaviour, Unreadable
 from names import Point
 from points import Ambiguous, Sampler, words
-from truth import changes, formula_truth, meets, truth
+from truth import changes, exact_only, formula_truth, meets, truth
 
 CANDIDATES = 60
 
@@ -94,9 +94,21 @@ def there_is(formula, sampler, point):
             found.append(met and truth(place, formula.statement, sampler.conditions, sampler.random))
         except (Unclear, Inexact, NoValue):
             continue
-        if found[-1]:
+        if found[-1] and is_certain(formula, sampler, place):
             return True
+        found[-1] = None if found[-1] else found[-1]
     return None if None in found or len(formula.there_is) > 1 else False
+
+
+def is_certain(formula, sampler, place):
+    """Whether a formula that digits make true is true without them."""
+    if "=" not in formula.text.replace("!=", ""):
+        return True
+    try:
+        with exact_only():
+            return truth(place, formula.statement, sampler.conditions, sampler.random) is True
+    except (Unclear, Inexact, NoValue):
+        return False
 
 
 def candidates(formula, sampler, point):

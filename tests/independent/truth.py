@@ -6,6 +6,7 @@ zero only where 80 digits bring it 20 orders of magnitude below that error, and 
 larger ones a difference of any size may be below the last digit.
 """
 
+from contextlib import contextmanager
 from fractions import Fraction
 
 from mpmath import mp, mpf
@@ -19,6 +20,20 @@ TINY = mpf(10) ** -20
 LARGEST = mpf(10) ** 20
 
 
+is_exact_only = False
+
+
+@contextmanager
+def exact_only():
+    """What has no exact sign has none: a difference too small for the digits, such as exp(-10^4), is no zero."""
+    global is_exact_only
+    before, is_exact_only = is_exact_only, True
+    try:
+        yield
+    finally:
+        is_exact_only = before
+
+
 def sign(quantity):
     """The sign of the first of what a computation gives, beside the size of what it was computed from."""
     try:
@@ -26,7 +41,8 @@ def sign(quantity):
             value = quantity()[0]
             return (value > 0) - (value < 0)
     except Inexact:
-        pass
+        if is_exact_only:
+            return None
     with digits(FEW):
         few, size = quantity()
     with digits(MANY):

@@ -254,7 +254,7 @@ fn texts_that_misuse_a_function_are_refused_with_their_place() {
         ("coefficient(x*f(x), x, 1)", "is no polynomial in x"),
         ("limit(f(V), V, infinity)", "has no certified limit in V"),
         ("series(f(1/V), V, 1)", "has no certified limit in V"),
-        ("f(i*x)^2", "i*x is the argument of a function of real numbers and is not real"),
+        ("f(i*x)^2", "i*x is the argument of a function and contains i: functions are those of real numbers"),
         ("derivative(f(x), f)", "'f' is no variable"),
         ("at(K, f = 1)", "'f' is no variable"),
         ("characteristic(slider, f)", "the name has a meaning by an assumption, a state or a derivation"),

@@ -74,7 +74,7 @@ is = "s^2 + 2*zeta*w*s + w^2"
             ("pair_crosses(s^2 + (exp(K) - exp(V))*s + 1, s, K, V, 1)", "", Hold),
             // The critical value has to meet what is assumed of K; it need not be above M.
             ("pair_crosses(s^2 + (V - K)*s + M, s, K, V, sqrt(M))", "", Hold),
-            ("pair_crosses(s^2 + (V - K)*s + M, s, K, V, sqrt(M))", "K > M", Fail),
+            ("pair_crosses(s^2 + (V - K)*s + M, s, K, V, sqrt(M))", "given = ['K > M']", Fail),
         ],
     );
 }

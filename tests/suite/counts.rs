@@ -125,7 +125,10 @@ fn number_after(text: &str, words: &str) -> f64 {
     let rest = &text[text.find(words).unwrap_or_else(|| panic!("no {words}")) + words.len()..];
     let rest = rest.trim_start().trim_start_matches('$').replace('−', "-");
     let end = rest.find([' ', ',', ';', '$', ')']).unwrap_or(rest.len());
-    let (mantissa, power) = rest[..end].split_once("\\times10^{").unwrap_or((&rest[..end], "0}"));
+    let (mantissa, power) = rest[..end]
+        .trim_end_matches('.')
+        .split_once("\\times10^{")
+        .unwrap_or((rest[..end].trim_end_matches('.'), "0}"));
     let power: i32 = power.trim_end_matches('}').parse().unwrap();
     mantissa.parse::<f64>().unwrap() * 10f64.powi(power)
 }

@@ -329,7 +329,7 @@ const KINDS: &[Kind] = &[
         |f| replace(f, "input/report.toml", "title = \"Small\"", "title = \"Large\""),
         "report/index.html:",
     ),
-    ("prose", |f| replace(f, "input/prose/c.md", "Words.", "Proved."), "report/report.md:"),
+    ("prose", |f| replace(f, "input/prose/c.md", "Words.", "Proved."), "report/ledger.md:"),
     (
         "an equation",
         |f| replace(f, "input/equations.toml", "(b - a)*sigma/D_c*(1 + M", "(b - a)*sigma/D_c*(2 + M"),
