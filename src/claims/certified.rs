@@ -277,6 +277,17 @@ mod tests {
     }
 
     #[test]
+    fn a_stress_drop_that_falls_with_the_normal_stress_refutes_the_claim_on_it() {
+        let mut altered = outcome(|_| {});
+        altered.scenes[0].certificates = None;
+        assert_eq!(found(&altered, n5).verdict, Verdict::Holds);
+        let grids = &mut altered.scenes[0].simulations.as_mut().unwrap().grids;
+        let highest = grids[0].1.values.last_mut().unwrap();
+        highest.simulation.as_mut().unwrap().stress_drop_pa = 1e-30;
+        assert_eq!(found(&altered, n5).verdict, Verdict::Fails);
+    }
+
+    #[test]
     fn a_run_outside_of_its_enclosure_and_a_certificate_that_is_not_proved_leave_a_claim_open() {
         let moved = outcome(|all| {
             let proof = all.rows[0].certificate.as_mut().unwrap();

@@ -86,6 +86,10 @@ impl Entry {
         if let Some(change) = &mut self.sentence.change {
             match change.filled(&self.finding.numbers) {
                 Ok(text) => change.instead = text,
+                // A report that does not compute the numbers of a check has no replacement for the sentence.
+                Err(_) if self.stated.is_none() && self.finding.numbers.is_empty() => {
+                    self.sentence.change = None
+                }
                 Err(name) => {
                     let warning = format!(
                         "{WARNING}the replacement names {{{name}}}, which the check does not compute."

@@ -257,7 +257,11 @@ mod tests {
 
     /// A small grid of the paper's slider, with the slip law: σ below and above σ_c, V_l from 10^-5.5 m/s.
     fn small_grid() -> Outcome {
-        let text = include_str!("../../reports/im-avouac/scenes/potentially-unstable.toml");
+        small_grid_of(include_str!("../../reports/im-avouac/scenes/potentially-unstable.toml"))
+    }
+
+    /// The same of the slider of another scene.
+    fn small_grid_of(text: &str) -> Outcome {
         let (head, _) = text.split_once("[simulations]").unwrap();
         let slider = format!(
             "{}[simulations]\nloading_velocity_m_per_s = {{ from = 3.1622776601683795e-6, to = 3.1622776601683795e-2, points = 3 }}\n\
@@ -282,7 +286,10 @@ mod tests {
 
     /// The verdict on a claim by its id, with one point of the grid altered.
     fn verdict_with(id: &str, alter: impl Fn(&mut SimulatedPoint)) -> Verdict {
-        let mut outcome = small_grid();
+        verdict_in(small_grid(), id, alter)
+    }
+
+    fn verdict_in(mut outcome: Outcome, id: &str, alter: impl Fn(&mut SimulatedPoint)) -> Verdict {
         points(&mut outcome).last().into_iter().for_each(alter);
         let check = crate::claims::find(id).unwrap();
         let text = include_bytes!("../../reports/im-avouac/equations.toml");
@@ -303,6 +310,12 @@ mod tests {
             (run.slip_mode, run.period_s) = (SlipMode::HarmonicVibration, Some(1.0));
         };
         assert_eq!(altered("N10", slow), Verdict::Fails);
+        let stable =
+            || small_grid_of(include_str!("../../reports/im-avouac/scenes/intrinsically-stable.toml"));
+        assert_eq!(verdict_in(stable(), "N9", |_| {}), Verdict::Holds);
+        let cycle =
+            |point: &mut SimulatedPoint| point.simulation.as_mut().unwrap().behaviour = Behaviour::Periodic;
+        assert_eq!(verdict_in(stable(), "N9", cycle), Verdict::Fails);
     }
 
     #[test]
