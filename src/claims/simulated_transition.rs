@@ -85,14 +85,17 @@ pub(super) fn n13(context: &Context) -> Result<Finding, Finding> {
     let grids = grids(context, Outcome::potentially_unstable)?;
     let slider = slider(context)?;
     let draft = Draft::new("V of every limit cycle named harmonic vibration is sinusoidal");
-    let written = grids.iter().map(|grid| (grid, distortion(grid, &slider, context.kind)));
+    let measured: Vec<_> = grids.iter().map(|grid| (grid, distortions(grid, &slider))).collect();
+    let written =
+        measured.iter().map(|(grid, found)| (grid, distortion(grid.law, found.as_deref(), context.kind)));
     let written = written.fold(draft, |draft, (grid, finding)| {
         draft.part(
             format!("{} law: the overtones are at most a tenth of the fundamental", grid.law.as_str()),
             finding,
         )
     });
-    let from = grids.iter().filter_map(|grid| harmonic_from(grid, &slider, context.kind)).fold(0.0, f64::max);
+    let all = measured.iter().filter_map(|(_, found)| found.as_deref());
+    let from = all.filter_map(|found| harmonic_from(found, context.kind)).fold(0.0, f64::max);
     Ok(of_readings([written]).number("harmonic_from", rounded(from, 2, Side::Above)).remark("For V_l far above eq 18 the friction of one cycle is that of steady state, with a short pulse where the slider nearly stops. The overtone n of V then has the amplitude 2(β − 1)/((n + 1)√(κη)), so that the distortion tends to 4√(π²/6 − 5/4) V_18/V_l = 2.514 V_18/V_l: the velocity of eq 18 sets how harmonic the vibration is."))
 }
 
@@ -125,18 +128,14 @@ fn deviations(measured: &[(f64, Estimate)]) -> Deviations {
 }
 
 /// The V_l/V_18 above which every vibration of the grid is harmonic.
-fn harmonic_from(grid: &Runs, slider: &Slider<f64>, kind: Kind) -> Option<f64> {
-    let measured = distortions(grid, slider)?;
-    let allowed = deviations(&measured);
-    measured
-        .iter()
-        .rev()
-        .find(|(_, distortion)| allowed.is_outside(kind, distortion.value))
-        .map(|found| found.0)
+fn harmonic_from(measured: &[(f64, Estimate)], kind: Kind) -> Option<f64> {
+    let allowed = deviations(measured);
+    let distorted = measured.iter().rev().find(|(_, distortion)| allowed.is_outside(kind, distortion.value));
+    distorted.map(|(over_eq18, _)| *over_eq18)
 }
 
-fn distortion(grid: &Runs, slider: &Slider<f64>, kind: Kind) -> Finding {
-    let Some(measured) = distortions(grid, slider) else {
+fn distortion(law: EvolutionLaw, measured: Option<&[(f64, Estimate)]>, kind: Kind) -> Finding {
+    let Some(measured) = measured else {
         return Finding::not_checked("The harmonics of a limit cycle could not be computed.");
     };
     let Some((fastest, last)) = measured.last().copied() else {
@@ -148,14 +147,14 @@ fn distortion(grid: &Runs, slider: &Slider<f64>, kind: Kind) -> Finding {
     Finding::from_evidence(Evidence::Simulation {
         quantity: format!(
             "{} law: total harmonic distortion of V, least and largest; the same times V_l/V_18 at the largest V_l/V_18, {}",
-            grid.law.as_str(),
+            law.as_str(),
             round_digits(fastest, 3)
         ),
         value: format!("{}; {}", range(values, 3), round_digits(last.value * fastest, 4)),
         error: format!("{} of the distortion", round_digits(error, 1)),
         runs: measured.len(),
     })
-    .near(kind, &deviations(&measured))
+    .near(kind, &deviations(measured))
 }
 
 /// log10 of the velocity in m/s by whose peak fig 5 divides, and how far a column of the grid may be from it.

@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use crate::claims::criteria::{z2, z5};
 use crate::claims::ledger::premise;
 use crate::claims::reading::{Draft, of_readings};
-use crate::claims::rule::{Deviations, Measure};
+use crate::claims::rule::{Deviations, Measure, enclosed};
 use crate::claims::{Check, Evidence, Finding};
 use crate::experiments::zones::{InertialLine, LineCount, ZonesOutcome};
 use crate::experiments::{Context, Need, SceneOutcome};
@@ -116,7 +116,7 @@ fn lines_near(scene: Option<&SceneOutcome>, kind: Kind) -> Finding {
         quantity: "Largest log10 distance of the upper and of the lower arc from their lines".into(),
         value: dex.iter().flatten().map(|dex| certain_digits(dex, 6)).collect::<Vec<_>>().join("; "),
     };
-    let deviations = dex.iter().flatten().map(|dex| (dex.to_f64(), 0.0));
+    let deviations = dex.iter().flatten().map(enclosed);
     Finding::from_evidence(evidence).near(kind, &Deviations::new(Measure::Place, deviations))
 }
 

@@ -13,7 +13,6 @@ mod changes;
 mod claim_html;
 mod claim_text;
 mod claims_picture;
-mod edition;
 mod error;
 mod explorer;
 #[cfg(test)]
@@ -35,14 +34,13 @@ mod text;
 mod theorems;
 mod view;
 
-pub use edition::render_edition;
 pub use error::ReportError;
 pub use explorer::{ExplorerPage, render_explorer};
 pub use html::render_html;
 pub use junit::junit;
 pub use markdown::formula_faults;
 pub use produce::{Folder, Product, decide, produce, produce_scene};
-pub use text::render_markdown;
+pub use text::{render_edition, render_markdown};
 pub use view::{
     AnswerView, CardView, ChangeView, ChapterView, ClaimGroupView, ClaimView, EquationView, EvidenceView,
     FactView, FigureView, InputView, PartView, ProvenanceView, ReadingView, ReportView,

@@ -28,8 +28,16 @@ pub fn render_markdown(view: &ReportView) -> Result<String, ReportError> {
 /// The heading of the sentences to change.
 const CHANGES: &str = "sentences-to-change";
 
+/// Renders the reader's edition: answer, sentences to change, verdicts with what decides them, and the paper's figures.
+///
+/// # Errors
+/// Those of the whole report.
+pub fn render_edition(view: &ReportView) -> Result<String, ReportError> {
+    Report::rendered(view, "report.md", "ledger.md", |report| report.edition())
+}
+
 /// A report under construction.
-pub(super) struct Report<'a> {
+struct Report<'a> {
     view: &'a ReportView,
     catalogue: Catalogue<'a>,
     templates: &'a Templates,
@@ -39,7 +47,7 @@ pub(super) struct Report<'a> {
 
 impl<'a> Report<'a> {
     /// A template with what it shows of a view.
-    pub(super) fn rendered(
+    fn rendered(
         view: &'a ReportView,
         template: &str,
         whole: &'static str,
@@ -55,7 +63,7 @@ impl<'a> Report<'a> {
     }
 
     /// What the reader's edition shows.
-    pub(super) fn edition(&self) -> Result<Value, ReportError> {
+    fn edition(&self) -> Result<Value, ReportError> {
         let figures = self.view.figures.iter().filter(|figure| figure.is_of_the_paper());
         Ok(json!({
             "title": self.view.title,

@@ -268,13 +268,19 @@ impl Expression {
     /// This expression with every variable of the map replaced and nothing else changed.
     #[must_use]
     pub fn replaced(&self, values: &BTreeMap<Symbol, Expression>) -> Self {
-        let go = |inner: &Self| inner.replaced(values);
-        let boxed = |inner: &Self| Box::new(inner.replaced(values));
         match self {
-            Self::Number(_) => self.clone(),
             Self::Variable(name) => values.get(name).unwrap_or(self).clone(),
-            Self::Sum(parts) => Self::Sum(parts.iter().map(go).collect()),
-            Self::Product(parts) => Self::Product(parts.iter().map(go).collect()),
+            other => other.with_parts(&|part| part.replaced(values)),
+        }
+    }
+
+    /// The same with each part that it is directly made of replaced, and nothing simplified.
+    pub(super) fn with_parts(&self, new: &dyn Fn(&Self) -> Self) -> Self {
+        let boxed = |inner: &Self| Box::new(new(inner));
+        match self {
+            Self::Number(_) | Self::Variable(_) => self.clone(),
+            Self::Sum(parts) => Self::Sum(parts.iter().map(new).collect()),
+            Self::Product(parts) => Self::Product(parts.iter().map(new).collect()),
             Self::Quotient(left, right) => Self::Quotient(boxed(left), boxed(right)),
             Self::Negation(inner) => Self::Negation(boxed(inner)),
             Self::Power(inner, exponent) => Self::Power(boxed(inner), *exponent),

@@ -78,25 +78,15 @@ impl Expression {
     }
 
     fn with_polynomials(&self, point: &BTreeMap<Symbol, Rational>) -> Self {
-        let go = |inner: &Self| inner.with_polynomials(point);
-        let boxed = |inner: &Self| Box::new(go(inner));
-        match self {
-            Self::Number(_) | Self::Variable(_) => self.clone(),
-            Self::Sum(parts) => Self::Sum(parts.iter().map(go).collect()),
-            Self::Product(parts) => Self::Product(parts.iter().map(go).collect()),
-            Self::Quotient(left, right) => Self::Quotient(boxed(left), boxed(right)),
-            Self::Negation(inner) => Self::Negation(boxed(inner)),
-            Self::Power(inner, exponent) => Self::Power(boxed(inner), *exponent),
-            Self::Call(function, inner) => Self::Call(*function, boxed(inner)),
-            Self::Generic(function, inner) => match self.rational_value(point) {
-                Some(value) => Self::Number(value),
-                // A constant function would hide that its argument may have no value.
-                None if inner.is_total() && inner.functions().is_empty() => {
-                    Self::polynomial(function, inner, point).unwrap_or_else(|| self.clone())
-                }
-                None => Self::Generic(function.clone(), boxed(inner)),
-            },
+        let inside = || self.with_parts(&|part| part.with_polynomials(point));
+        let Self::Generic(function, inner) = self else { return inside() };
+        if let Some(value) = self.rational_value(point) {
+            return Self::Number(value);
         }
+        // A constant function would hide that its argument may have no value.
+        let is_plain = inner.is_total() && inner.functions().is_empty();
+        let polynomial = || Self::polynomial(function, inner, point).unwrap_or_else(|| self.clone());
+        if is_plain { polynomial() } else { inside() }
     }
 
     /// The value with these numbers for the variables; none when a variable has no number.
