@@ -10,7 +10,7 @@ use std::process::Command;
 use sha2::{Digest, Sha256};
 
 /// What this package is built from, besides its dependencies.
-const SOURCES: [&str; 9] = [
+const SOURCES: [&str; 10] = [
     "CITATION.cff",
     "LICENSE-APACHE",
     "LICENSE-MIT",
@@ -18,6 +18,7 @@ const SOURCES: [&str; 9] = [
     "proofs",
     "reports/im-avouac/claims.toml",
     "reports/im-avouac/equations.toml",
+    "reports/im-avouac/proofs",
     "src",
     "templates",
 ];
@@ -39,19 +40,23 @@ fn main() {
     println!("cargo:rustc-env=SLIPMODE_RUSTC={}", version.trim());
     println!("cargo:rustc-env=SLIPMODE_SOURCE_SHA256={}", source_digest());
     let out = PathBuf::from(std::env::var_os("OUT_DIR").unwrap_or_default());
-    if let Err(error) = fs::write(out.join("library.rs"), library()) {
-        println!("cargo:error=library.rs: {error}");
+    for (name, folder, extension) in
+        [("library.rs", "proofs", ".v"), ("stated_proofs.rs", "reports/im-avouac/proofs", ".toml")]
+    {
+        if let Err(error) = fs::write(out.join(name), library(folder, extension)) {
+            println!("cargo:error={name}: {error}");
+        }
     }
 }
 
-/// The modules of `proofs/` as an expression: their names and texts, in the order of the names.
-fn library() -> String {
+/// The files of a folder with an extension as an expression: their names without it and their texts, in the order of the names.
+fn library(folder: &str, extension: &str) -> String {
     let root = PathBuf::from(std::env::var_os("CARGO_MANIFEST_DIR").unwrap_or_default());
     let mut files = Vec::new();
-    collect(&root.join("proofs"), Path::new(""), &mut files);
+    collect(&root.join(folder), Path::new(""), &mut files);
     files.sort();
     let module = |(name, path): &(PathBuf, PathBuf)| {
-        let module = name.to_str()?.strip_suffix(".v")?;
+        let module = name.to_str()?.strip_suffix(extension)?;
         Some(format!("({module:?}, include_str!({:?})),\n", path.to_str()?))
     };
     format!("[{}]", files.iter().filter_map(module).collect::<String>())

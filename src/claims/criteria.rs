@@ -1,19 +1,29 @@
-//! Claims Z2 and Z5: how good the criteria for oscillation are.
+//! How good the criteria for oscillation are.
 
 use crate::claims::boundary::SERIES_ORDER;
-use crate::claims::ledger::premise;
+use crate::claims::computed::Asked;
 use crate::claims::rule::{Deviations, Measure, enclosed};
-use crate::claims::{BITS, Evidence, Finding, Verdict};
-use crate::experiments::Context;
+use crate::claims::{BITS, Check, Evidence, Finding, Verdict};
+use crate::experiments::{Context, Need};
 use crate::scene::Kind;
 use slipmode_algebra::Expression;
 use slipmode_core::number::Ball;
 use slipmode_core::number::format::{Side, certain_digits, rounded};
+use slipmode_core::theory::asymptote_series;
 use slipmode_core::theory::sufficient_inertia::sufficient_inertial_parameter;
-use slipmode_core::theory::{asymptote_series, criteria, inertial, worst_error};
 
-pub(super) fn z2(context: &Context) -> Finding {
-    let finding = Finding::from_proofs([criteria::inertial_parameter(context.equations)]);
+pub(super) const CHECKS: &[Check] = &[
+    Check { name: "sufficient-inertia", is_of_runs: false, needs: &[], decide: sufficient_inertia },
+    Check {
+        name: "errors-of-the-asymptotes",
+        is_of_runs: false,
+        needs: &[Need::Tolerance],
+        decide: errors_of_the_asymptotes,
+    },
+];
+
+fn sufficient_inertia(context: &Context, asked: Asked) -> Finding {
+    let finding = asked.proved();
     let bound = "η > η_c suffices, with (1 − 2η_c)³ = 27 (b/a) η_c², that is η_c = 1/(2 + 6√(b/a) cos(⅓ arccos √(a/b)))";
     let all = "η ≥ 1/8 suffices for all a < b; no smaller bound does";
     let slider = context.outcome.potentially_unstable().and_then(|scene| scene.slider());
@@ -34,23 +44,14 @@ pub(super) fn z2(context: &Context) -> Finding {
 /// The equations with the names of their largest errors.
 const NUMBERS: [(&str, &str); 4] = [("15", "eq15"), ("16", "eq16"), ("18", "eq18"), ("20", "eq20")];
 
-pub(super) fn z5(context: &Context) -> Finding {
+fn errors_of_the_asymptotes(context: &Context, asked: Asked) -> Finding {
     let series = match asymptote_series::derive(context.equations, SERIES_ORDER) {
         Ok(series) => series,
         Err(refutation) => return Finding::not_checked(refutation.to_string()),
     };
     let is_exact = series.iter().all(|one| one.coefficients.iter().all(Expression::is_zero));
     let proofs = series.into_iter().map(|series| Ok(series.proof));
-    let finding = Finding::from_proofs(proofs)
-        .with_proof(worst_error::prove(context.equations))
-        .with_premise(premise("B2", context))
-        .with_proof(inertial::small_slip_distance(context.equations))
-        .with_proof(inertial::large_slip_distance(context.equations))
-        .with_premise(premise("S1", context))
-        .with_premise(premise("S6", context))
-        .remark("Exact: eqs 9-13 and 23. Exact without inertia: eqs 15 and 16. Asymptotic: eqs 15, 16, 18 and 20 on the boundary of eq 8.")
-        .remark("Errors are exact/asymptote − 1, of σ at the same V0 (eqs 15 and 16) and of V0 at the same σ (eqs 18 and 20). The arc of eq 16 ends and that of eq 20 begins at the cusp; those of eqs 15 and 18 meet at the V0 of their corner.")
-        .remark("Oscillation can start across eq 16 (at low velocity), across eq 20, or near their corner, where neither equation is the boundary.");
+    let finding = Finding::from_proofs(proofs).with_premise(asked.proved());
     // It fails by what is proved of the errors: without a proof nothing is known of them.
     if finding.verdict != Verdict::Holds {
         return Finding::not_checked(finding.counter_example.unwrap_or_default());

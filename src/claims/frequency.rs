@@ -1,96 +1,35 @@
-//! Claims Q: the frequency of oscillation and its limits.
+//! The frequency of oscillation and its limits.
 
-use crate::claims::ledger::premise;
+use crate::claims::computed::Asked;
 use crate::claims::reading::{Draft, of_readings};
-use crate::claims::{BITS, Check, Evidence, Finding, Verdict, frequency_turns};
+use crate::claims::{BITS, Check, Evidence, Finding, Show, Verdict};
 use crate::experiments::frequency::{FrequencyLine, FrequencyOutcome};
 use crate::experiments::{Context, Need};
 use slipmode_core::number::format::{certain_digits, rational_to_decimal, round_digits};
 use slipmode_core::number::{Ball, Rational, Real};
-use slipmode_core::theory::{frequency, non_inertial, period, strip_frequency};
+use slipmode_core::theory::{period, strip_frequency};
 
 pub(super) const CHECKS: &[Check] = &[
     Check {
-        id: "Q1",
-        criterion: "Every complex root of eq 8 has |s| < √(K/M) for all parameters, and some roots come arbitrarily close to this bound.",
-        not_established: "The frequency of finite-amplitude motion.",
+        name: "natural-period",
+        is_of_runs: false,
         needs: &[],
-        equations: &["8", "21", "22", "natural-frequency"],
-        rests_on: &["L3"],
-        decide: |context| {
-            Finding::from_proof(frequency::bounded(context.equations)).with_premise(premise("Q2", context))
-        },
+        decide: |context, _| natural_period(context),
     },
     Check {
-        id: "Q3",
-        criterion: "At σ = σ_c the ratio of max Im(s) to eq 23 tends to 1 as V0 → 0, max Im(s) rises strictly with V0, and it reaches ω_n.",
-        not_established: "By how much the frequency falls at normal stresses close to eq 16.",
-        needs: &[Need::Frequency],
-        equations: &["8", "12", "21", "23", "natural-frequency"],
-        rests_on: &["S6", "Q1"],
-        decide: q3,
-    },
-    Check {
-        id: "Q4",
-        criterion: "Without inertia and at fixed σ the frequency depends neither on M nor on K.",
-        not_established: "Whether the dependence is visible in fig 2, where K is fixed.",
+        name: "largest-frequency-in-the-area",
+        is_of_runs: false,
         needs: &[],
-        equations: &["8", "10", "12", "14", "23"],
-        rests_on: &["B2", "S6"],
-        decide: q4,
-    },
-    Check {
-        id: "Q5",
-        criterion: "For the paper's values √(K/M) is 100 /s, and 2π/ω_n rounds to the printed period.",
-        not_established: "The period of the simulated vibrations: see the N claims.",
-        needs: &[],
-        equations: &["natural-frequency"],
-        rests_on: &[],
-        decide: q5,
-    },
-    Check {
-        id: "Q6",
-        criterion: "Between eqs 16 and 15, the largest max Im(s)/ω_n tends to 0 with the velocity.",
-        not_established: "The equation of the dashed line of fig 3a.",
-        needs: &[],
-        equations: &[
-            "8",
-            "9",
-            "12",
-            "13",
-            "14",
-            "15",
-            "16",
-            "20",
-            "23",
-            "inertial-parameter",
-            "natural-frequency",
-        ],
-        rests_on: &["B2", "Q1"],
-        decide: q6,
+        decide: largest_in_the_area,
     },
 ];
+
+pub(super) const SHOWS: &[Show] =
+    &[Show { name: "frequency-near-its-limits", needs: &[Need::Frequency], evidence: near_the_limits }];
 
 /// The period that the paper prints, s.
 fn printed_period_s() -> Rational {
     Rational::from((625, 10_000))
-}
-
-fn q3(context: &Context) -> Finding {
-    let proved = || Finding::from_proofs([non_inertial::at_critical_stress(context.equations)]);
-    let near = near_the_limits(context).into_iter().fold(proved(), Finding::with_supporting);
-    let written = Draft::new("on the line σ = σ_c, which is K = K_c without inertia")
-        .part("the lower the velocity, the closer the frequency is to eq 23", near)
-        .part("the frequency rises with velocity", proved())
-        .part(
-            "it comes as close to ω_n as one likes",
-            proved().on("it is strictly below ω_n at every velocity"),
-        );
-    let area = Draft::new("in the whole area of low frequency, between eqs 16 and 15").part(
-        "at every normal stress the frequency rises with velocity",
-        frequency_turns::rises_in_the_area(context),
-    );
-    of_readings([written, area])
 }
 
 /// How far eq 23 and ω_n are from the computed line at σ = σ_c.
@@ -133,29 +72,7 @@ fn last_velocity_near(outcome: &FrequencyOutcome, line: &FrequencyLine, eq23_per
     }
 }
 
-fn q4(context: &Context) -> Finding {
-    let at_ratio = || Finding::from_proofs([non_inertial::at_stress_ratio(context.equations)]);
-    let stiffness = Finding::from_disproof(
-        non_inertial::stiffness(context.equations),
-        "without inertia K dω²/dK = ω² at K = K_c,qs, so the frequency grows as √K",
-    );
-    let written = Draft::new("at fixed normal stress, without inertia (eq 14)")
-        .part(
-            "the frequency does not depend on mass",
-            Finding::from_proofs([non_inertial::mass(context.equations)]),
-        )
-        .part("the frequency does not depend on stiffness", stiffness);
-    let ratio = Draft::new("at fixed σ/σ_c, as in fig 2, without inertia")
-        .part("the frequency does not depend on mass", at_ratio())
-        .part("the frequency does not depend on stiffness", at_ratio());
-    of_readings([written, ratio])
-        .remark("With inertia the frequency depends on the mass, to the relative order η.")
-        .remark(
-            "Eq 23 does not contain K because K was replaced by K_c; there the other parameters determine K.",
-        )
-}
-
-fn q5(context: &Context) -> Finding {
+fn natural_period(context: &Context) -> Finding {
     let Some(parameters) = context.outcome.potentially_unstable().and_then(|scene| scene.slider()) else {
         return Finding::not_checked("No scene of the report has a < b, so K and M are unknown.");
     };
@@ -192,12 +109,8 @@ fn q5(context: &Context) -> Finding {
 /// The share of ω_n below which a frequency is called far below it.
 const FAR_BELOW: (i32, i32) = (1, 10);
 
-fn q6(context: &Context) -> Finding {
-    let finding = Finding::from_proofs([
-        strip_frequency::prove(context.equations),
-        frequency::low_frequency_zone(context.equations),
-    ])
-    .remark("The paper gives no equation for the dashed line of fig 3a. Two candidates: the line η = 1, on which K = K_c has ω = ω_n/√2, and the line V0 = V_c, where eq 23 equals ω_n. The two cross on σ = σ_c.");
+fn largest_in_the_area(context: &Context, asked: Asked) -> Finding {
+    let finding = asked.proved();
     let law = "without inertia the largest frequency is √(b/a) V0/D_c, at σ = K D_c/(a + b)";
     let slider = context.outcome.potentially_unstable().and_then(|scene| scene.slider());
     let reach = slider.filter(|_| finding.verdict == Verdict::Holds).and_then(|slider| {

@@ -1,4 +1,4 @@
-//! Claim Q7: whether the frequency rises with velocity in the whole area of low frequency.
+//! Whether the frequency rises with velocity in the whole area of low frequency.
 
 use crate::claims::reading::{Draft, of_readings};
 use crate::claims::{Check, Evidence, Finding};
@@ -9,13 +9,10 @@ use slipmode_core::stability::asymptote;
 use slipmode_core::theory::frequency_turns::{self, TurningInterval};
 
 pub(super) const CHECKS: &[Check] = &[Check {
-    id: "Q7",
-    criterion: "At every σ between eqs 16 and 15, max Im(s) has no turning point in V0.",
-    not_established: "How far the frequency falls where it does. The count is for the scene's b/a.",
+    name: "turning-points-of-the-frequency",
+    is_of_runs: false,
     needs: &[],
-    equations: &["8"],
-    rests_on: &["B2", "L3"],
-    decide: rises_in_the_area,
+    decide: |context, _| rises_in_the_area(context),
 }];
 
 /// Digits of the ratios of normal stresses.
@@ -25,7 +22,7 @@ const DIGITS: usize = 10;
 const BITS: u32 = 128;
 
 /// Where between eqs 16 and 15 max Im(s) rises with velocity, from the number of its turning points at each normal stress.
-pub(super) fn rises_in_the_area(context: &Context) -> Finding {
+fn rises_in_the_area(context: &Context) -> Finding {
     let strip = match turns_in_strip(context) {
         Ok(strip) => strip,
         Err(undecided) => return undecided,

@@ -6,11 +6,11 @@ use rayon::prelude::*;
 use serde::Serialize;
 
 use crate::claims::error_bars::{points_within, state_values};
-use crate::claims::{Check, Evidence, Finding, Strength, Tie, Tied, Verdict, by_hand, formula, over_rows};
 use crate::claims::{Conclusion, DecidedFor, PointWithin, Resolved};
+use crate::claims::{Evidence, Finding, Strength, Tie, Tied, Verdict, by_hand, computed, formula, over_rows};
 use crate::experiments::operating_point::error_bars;
 use crate::experiments::{Context, Needs};
-use crate::scene::{ClaimEntry, Sentence, Source, StatedClaim, is_library_claim, library_claim, library_ids};
+use crate::scene::{ClaimEntry, ClaimFormula, InAnswer, Sentence, Source, StatedClaim, Subject};
 use slipmode_algebra::Step;
 use slipmode_core::theory::Equations;
 
@@ -45,6 +45,12 @@ pub struct Entry {
     /// Why theorems that were tied to the claim of this report are about something else, where that is so.
     #[serde(skip)]
     pub untied: Option<String>,
+    /// What it is about.
+    #[serde(skip)]
+    pub subject: Option<Subject>,
+    /// Where a report's answer uses it.
+    #[serde(skip)]
+    pub in_answer: Option<InAnswer>,
     /// What the claim says as formulas, where formulas decide it.
     #[serde(skip)]
     pub stated: Option<StatedClaim>,
@@ -83,13 +89,16 @@ impl Entry {
             self.finding = self.finding.limited(decided.clone());
         }
         self.sentence.change = self.sentence.change.filter(|_| self.finding.verdict == Verdict::Fails);
+        let has_check = self
+            .stated
+            .iter()
+            .flat_map(StatedClaim::parts)
+            .any(|(_, formula)| formula.computed().is_some_and(|computed| computed.check.is_some()));
         if let Some(change) = &mut self.sentence.change {
             match change.filled(&self.finding.numbers) {
                 Ok(text) => change.instead = text,
                 // A report that does not compute the numbers of a check has no replacement for the sentence.
-                Err(_) if self.stated.is_none() && self.finding.numbers.is_empty() => {
-                    self.sentence.change = None
-                }
+                Err(_) if has_check && self.finding.numbers.is_empty() => self.sentence.change = None,
                 Err(name) => {
                     let warning = format!(
                         "{WARNING}the replacement names {{{name}}}, which the check does not compute."
@@ -99,14 +108,6 @@ impl Entry {
             }
         }
         self
-    }
-
-    /// Whether a function of this program decided it, or the formulas of the first paper's claim.
-    fn is_of_the_paper(&self) -> bool {
-        match &self.stated {
-            Some(stated) => is_library_claim(&self.id, stated),
-            None => find(&self.id).is_some_and(|check| check.criterion == self.criterion),
-        }
     }
 }
 
@@ -149,10 +150,17 @@ impl Ledger {
         self.claims.iter().filter(|entry| entry.finding.is_overstated())
     }
 
-    /// Whether it is about the paper that the checks of this program are about: the letters of its ids then name its subjects.
+    /// What its claims are about, in the order of their file.
     #[must_use]
-    pub fn is_of_the_paper(&self) -> bool {
-        self.claims.iter().any(Entry::is_of_the_paper)
+    pub fn subjects(&self) -> Vec<&Subject> {
+        let mut all: Vec<&Subject> = Vec::new();
+        for subject in self.claims.iter().filter_map(|entry| entry.subject.as_ref()) {
+            if !all.contains(&subject) {
+                all.push(subject);
+            }
+        }
+        all.sort_by_key(|subject| subject.place);
+        all
     }
 
     /// What an independent evaluation found against what was proved, with the claims' ids: the program is at fault.
@@ -210,46 +218,26 @@ impl Ledger {
     }
 }
 
-/// What decides a claim: its formulas, the reason why it is out of reach, or else the check of its id.
+/// What decides a claim: its formulas and parts, or the reason why it is out of reach.
 pub(super) fn finding_on(claim: &ClaimEntry, context: &Context) -> Finding {
-    match (&claim.stated, &claim.reason, check_of(claim)) {
-        (Some(stated), ..) => formula::decide(&claim.id, stated, context),
-        (None, Some(reason), _) => Finding::not_checked(reason),
-        (None, None, Some(check)) => match context.equations.demand_paper() {
-            Ok(()) => {
-                let equations = context.equations.only(check.equations);
-                (check.decide)(&context.with_equations(&equations).for_kind(claim.sentence.kind))
-            }
-            Err(missing) => Finding::not_checked(missing.to_string()),
-        },
-        (None, None, None) => Finding::not_checked("The program has no check with this id."),
-    }
-}
-
-/// What the formulas of one of the first paper's claims find, as a premise of another claim.
-pub(super) fn premise(id: &str, context: &Context) -> Finding {
-    match library_claim(id, context.equations) {
-        Some(Ok(claim)) => match finding_on(&claim, context) {
-            undecided if undecided.verdict == Verdict::NotChecked => undecided,
-            decided => Finding { readings: Vec::new(), remarks: Vec::new(), ..decided },
-        },
-        Some(Err(reason)) => Finding::not_checked(reason),
-        None => Finding::not_checked(format!("Claim {id} has no formulas.")),
+    match (&claim.stated, &claim.reason) {
+        (Some(stated), _) => formula::decide(&claim.id, stated, &context.with_kind(claim.sentence.kind)),
+        (None, Some(reason)) => Finding::not_checked(reason),
+        (None, None) => Finding::not_checked("The claim says nothing that can be decided."),
     }
 }
 
 fn decide_one(text: &ClaimEntry, context: &Context) -> Entry {
-    let check = check_of(text);
     let mut finding = finding_on(text, context);
     if let Some(stated) = &text.stated {
         let warnings = formula::warnings(stated, &finding, context.equations);
         finding.remarks.extend(warnings.into_iter().map(|warning| format!("{WARNING}{warning}.")));
     }
-    let (criterion, not_established) = match (&text.stated, check) {
-        (Some(stated), _) => (formula::criterion(stated), stated.leaves_out.clone()),
-        (None, Some(check)) => (check.criterion.into(), check.not_established.into()),
-        (None, None) => Default::default(),
-    };
+    let stated = text.stated.as_ref();
+    let criterion = stated.map_or_else(String::new, |stated| {
+        stated.criterion.clone().unwrap_or_else(|| formula::criterion(stated))
+    });
+    let not_established = stated.map_or_else(String::new, |stated| stated.leaves_out.clone());
     let entry = Entry {
         id: text.id.clone(),
         place: text.place.clone(),
@@ -259,10 +247,12 @@ fn decide_one(text: &ClaimEntry, context: &Context) -> Entry {
         digest: Resolved::of(text, context.equations).digest(),
         finding,
         not_established,
-        rests_on: premises(text),
+        rests_on: text.rests_on.clone(),
         expected: text.expected,
         error_bars: None,
         untied: None,
+        subject: text.subject.clone(),
+        in_answer: text.in_answer,
         stated: text.stated.clone(),
     };
     let entry = entry.with_what_the_sentence_needs();
@@ -277,43 +267,22 @@ fn decide_one(text: &ClaimEntry, context: &Context) -> Entry {
     }
 }
 
-/// The claims whose truth a claim presupposes.
-#[must_use]
-pub fn premises(claim: &ClaimEntry) -> Vec<String> {
-    let of_check = check_of(claim).into_iter().flat_map(|check| check.rests_on);
-    of_check.map(|&id| id.to_owned()).chain(claim.rests_on.iter().cloned()).collect()
-}
-
-/// The check of a listed claim, if one decides it.
-pub(super) fn check_of(claim: &ClaimEntry) -> Option<&'static Check> {
-    find(&claim.id).filter(|_| claim.has_check())
-}
-
-/// The check of a claim, by id.
-#[must_use]
-pub fn find(id: &str) -> Option<&'static Check> {
-    super::checks().find(|check| check.id == id)
-}
-
-/// The ids of all claims that the program can decide by their id alone: those that have a check, and those of the first paper that are
-/// stated as formulas.
-#[must_use]
-pub fn known_ids() -> Vec<&'static str> {
-    super::checks().map(|check| check.id).chain(library_ids()).collect()
-}
-
 /// What the listed claims need computed.
 #[must_use]
 pub fn needs(claims: &[ClaimEntry]) -> Needs {
-    let of_checks = claims.iter().filter_map(check_of).flat_map(|check| check.needs);
-    let stated = claims.iter().filter_map(|claim| claim.stated.as_ref()).flat_map(StatedClaim::parts);
-    let of_rows = stated.filter_map(|(_, formula)| formula.rows.as_deref()).flat_map(over_rows::needs);
-    of_checks.chain(of_rows).copied().collect()
+    let formulas = || {
+        let stated = claims.iter().filter_map(|claim| claim.stated.as_ref());
+        stated.flat_map(StatedClaim::parts).map(|(_, formula)| formula)
+    };
+    let of_rows = formulas().filter_map(|formula| formula.rows.as_deref()).flat_map(over_rows::needs);
+    let of_procedures = formulas().filter_map(ClaimFormula::computed).flat_map(computed::needs);
+    of_rows.copied().chain(of_procedures).collect()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::claims::procedures;
     use crate::experiments::{Need, References, Scene, run};
     use crate::scene::{Limits, read_claims, read_equations};
 
@@ -330,7 +299,7 @@ mod tests {
         let needs = [Need::Map, Need::Zones, Need::Frequency, Need::Tolerance].into();
         let outcome = run(&scenes, &needs, &References::default(), &|_, _, _| {});
         let claims =
-            read_claims("claims.toml", &read("claims.toml"), &known_ids(), Some(&equations)).unwrap();
+            read_claims("claims.toml", &read("claims.toml"), &procedures(), Some(&equations)).unwrap();
         Ledger::decide("paper", &claims, &Context::new(&equations, &outcome))
     }
 

@@ -1,34 +1,19 @@
-//! Claim L3: the cubic.
+//! Small disturbances of the nonlinear slider.
 
-use crate::claims::reading::{Draft, of_readings};
 use crate::claims::{Check, Evidence, Finding};
 use crate::experiments::linear_regime::ModeRuns;
-use crate::experiments::{Context, Need, Outcome};
+use crate::experiments::{Need, Outcome};
 use slipmode_core::number::format::round_digits;
-use slipmode_core::theory::characteristic;
 
 pub(super) const CHECKS: &[Check] = &[Check {
-    id: "L3",
-    criterion: "The characteristic polynomial of eqs 5 and 6 is the left side of eq 8.",
-    not_established: "The behaviour of solutions that are not of the form exp(st).",
+    name: "small-disturbances",
+    is_of_runs: true,
     needs: &[Need::LinearRegime],
-    equations: &["1", "2", "3", "4", "5", "6", "7", "8", "inertial-parameter", "steady-state"],
-    rests_on: &["L1", "L2"],
-    decide: l3,
+    decide: |context, _| match SmallDisturbances::of(context.outcome) {
+        Some(seen) => seen.finding(),
+        None => Finding::not_checked("The report has no runs of small disturbances."),
+    },
 }];
-
-fn l3(context: &Context) -> Finding {
-    let finding = Finding::from_proofs([
-        characteristic::prove(context.equations),
-        characteristic::dimensionless(context.equations),
-    ]);
-    let Some(seen) = SmallDisturbances::of(context.outcome) else { return finding };
-    let linear =
-        Draft::new("of the linearised equations").part("eq 8 is their characteristic equation", finding);
-    let nonlinear = Draft::new("of small disturbances of the nonlinear equations, in simulations")
-        .part("their rates tend to the roots of eq 8", seen.finding());
-    of_readings([linear, nonlinear])
-}
 
 /// How far a measured mismatch may be from what the quadratic terms predict at the smallest amplitude: terms of third order change
 /// it by a part in 10^6 there, and a rate that is not a root by more than the mismatch itself.

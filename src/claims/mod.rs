@@ -1,12 +1,15 @@
-//! The ledger: one function per claim, every verdict computed.
+//! The ledger: every verdict computed, by the formulas, proofs and procedures that `claims.toml` names.
 //!
-//! Letter X: statements of this project; all others are statements of the paper. One file per letter of the claims' ids; each has a list of checks, and a check says what must be found, what it
-//! needs computed, and what its verdict does not establish.
+//! A procedure has a name, knows what it needs computed, and returns a finding. What a claim says, what has to be found and what a
+//! verdict does not establish stand in `claims.toml`.
 
 mod alterations;
 mod boundary;
 mod by_hand;
+#[cfg(test)]
+mod can_fail;
 mod certified;
+mod computed;
 mod criteria;
 mod error_bars;
 mod evidence;
@@ -43,11 +46,13 @@ mod theory_tables;
 mod zones;
 
 pub use by_hand::{ACCEPTED, Conclusion, LIBRARY, TIES, Tie, Tied, definitions, statement};
+use computed::Asked;
+pub use computed::procedures;
 pub use error_bars::{DecidedFor, PointWithin};
 pub use evidence::{Evidence, Strength};
 pub use finding::Finding;
 pub use formula::{WholeStatement, WholeTheorem, statement_digest, whole_statements, whole_theorems};
-pub use ledger::{Entry, Ledger, find, known_ids, needs, premises};
+pub use ledger::{Entry, Ledger, needs};
 pub use over_rows::row_faults;
 pub use planted_faults::{PlantedFaults, Survivor, plant_faults};
 pub use reading::{Part, Reading, verdict_of_parts};
@@ -59,33 +64,38 @@ pub use crate::scene::Verdict;
 /// Bits of the certified numbers in limits: more than the digits shown.
 const BITS: u32 = 64;
 
-/// How one claim is decided.
+/// A procedure that decides a part of a claim. `claims.toml` names it.
 #[derive(Debug)]
-pub struct Check {
-    /// The claim's id, such as `B8`.
-    pub id: &'static str,
-    /// What has to be found for the claim to hold.
-    pub criterion: &'static str,
-    /// What a verdict does not establish.
-    pub not_established: &'static str,
-    /// The equations that it may use, by their numbers: it is given no others.
-    pub equations: &'static [&'static str],
-    /// What the check needs computed.
-    pub needs: &'static [Need],
-    /// Claims whose truth this one presupposes.
-    pub rests_on: &'static [&'static str],
+pub(crate) struct Check {
+    /// Its name.
+    name: &'static str,
+    /// Whether it is about runs, which are computed without the equations of the report.
+    is_of_runs: bool,
+    /// What it needs computed.
+    needs: &'static [Need],
     /// Computes the verdict.
-    pub decide: fn(&Context) -> Finding,
+    decide: fn(&Context, Asked) -> Finding,
 }
 
-/// All checks, in the order of the letters F, L, S, B, Q, Z, N, X.
-pub fn checks() -> impl Iterator<Item = &'static Check> {
+/// A procedure that computes evidence beside what decides. `claims.toml` names it.
+#[derive(Debug)]
+pub(crate) struct Show {
+    /// Its name.
+    name: &'static str,
+    /// What it needs computed.
+    needs: &'static [Need],
+    /// Computes the evidence.
+    evidence: fn(&Context) -> Vec<Evidence>,
+}
+
+fn checks() -> impl Iterator<Item = &'static Check> {
     [
         friction_law::CHECKS,
         linearisation::CHECKS,
         boundary::CHECKS,
         frequency::CHECKS,
         frequency_turns::CHECKS,
+        criteria::CHECKS,
         zones::CHECKS,
         numerical::CHECKS,
         new_results::CHECKS,
@@ -93,6 +103,10 @@ pub fn checks() -> impl Iterator<Item = &'static Check> {
     ]
     .into_iter()
     .flatten()
+}
+
+fn shows() -> impl Iterator<Item = &'static Show> {
+    [boundary::SHOWS, exchange::SHOWS, frequency::SHOWS].into_iter().flatten()
 }
 
 /// The tables about the equations and the claims.

@@ -1,5 +1,6 @@
-//! Claim X4: the edge of bistability of the aging law as η → 0, by the balance of small terms along the closed orbits without inertia.
+//! The edge of bistability of the aging law as η → 0, by the balance of small terms along the closed orbits without inertia.
 
+use crate::claims::computed::Asked;
 use crate::claims::reading::{Draft, of_readings};
 use crate::claims::simulated_least_peak::extent;
 use crate::claims::{Evidence, Finding};
@@ -10,7 +11,7 @@ use slipmode_core::dynamics::edge_orbit;
 use slipmode_core::friction::EvolutionLaw;
 use slipmode_core::number::format::round_digits;
 use slipmode_core::number::nearest_f64;
-use slipmode_core::theory::hopf::{change_of_integral, quasi_static_centre};
+use slipmode_core::theory::hopf::quasi_static_centre;
 
 /// The largest η at which the law is required.
 const LARGEST: f64 = 0.01;
@@ -50,7 +51,7 @@ impl Compared<'_> {
     }
 }
 
-pub(super) fn decide(context: &Context) -> Result<Finding, Finding> {
+pub(super) fn decide(context: &Context, asked: Asked) -> Result<Finding, Finding> {
     let missing = || Finding::not_checked("The report has no edge of bistability with the aging law.");
     let scene = context.outcome.potentially_unstable().ok_or_else(missing)?;
     let near = scene.near_transition.as_ref().ok_or_else(missing)?;
@@ -70,17 +71,15 @@ pub(super) fn decide(context: &Context) -> Result<Finding, Finding> {
     if small.len() < FEWEST {
         return Err(missing());
     }
-    let proofs =
-        [quasi_static_centre(context.equations, EvolutionLaw::Aging), change_of_integral(context.equations)];
+    let proofs = Finding::from_proof(quasi_static_centre(context.equations, EvolutionLaw::Aging));
+    let proofs = proofs.with_premise(asked.proved());
     let written = Draft::new("the fold of the cycles of the aging law as η → 0")
-        .part("the first integral without inertia changes only by the mass and by K − K_c", Finding::from_proofs(proofs))
+        .part("the first integral without inertia changes only by the mass and by K − K_c", proofs)
         .part(
             "(1 + η)(K/K_c − 1) at the fold is the largest value of [η ∮Ω'² dt − η² (β − 1)/2 ∮V V'² dt]/[(β − 1) ∮(Ω − 1)² dt] − η over the closed orbits, but for a relative O(η V_peak²) = O(η^(1/3))",
             agreement(&small, &all),
         );
-    Ok(of_readings([written]).with_supporting(exponents(effect_ratio, &small)?).remark(
-        "The integrals are as V_peak, V_peak⁴ and (ln V_peak)²: at the fold V_peak is in proportion to η^(−1/3), and K/K_c − 1 to η^(2/3)/(ln η)² with logarithms of logarithms, so that no power of η fits. The closed orbits of the aging law without inertia are due to Ranjith & Rice (1999).",
-    ))
+    Ok(of_readings([written]).with_supporting(exponents(effect_ratio, &small)?))
 }
 
 /// The largest K/K_c − 1 over the closed orbits, and where.

@@ -1,4 +1,4 @@
-//! Claims X1 and X2: the peak velocity of deep stick-slip, and why eq 18 governs the least one.
+//! The peak velocity of deep stick-slip, and why eq 18 governs the least one.
 
 use crate::claims::reading::{Draft, of_readings};
 use crate::claims::simulated::{Run, Runs, grids, outcome};

@@ -3,16 +3,21 @@
 use std::slice;
 
 use crate::claims::certified::remark;
+use crate::claims::computed::either;
 use crate::claims::overshoot::Overshoots;
 use crate::claims::reading::{Draft, of_readings};
 use crate::claims::simulated::{Run, Runs, certificates, error_of, evidence, for_each_law, grids};
-use crate::claims::simulated_courses::n15;
-use crate::claims::simulated_damping::{n11, n14};
-use crate::claims::simulated_laws::{ends_next_to_transition, n4};
-use crate::claims::simulated_least_peak::{n7, n8};
-use crate::claims::simulated_onset::n6;
-use crate::claims::simulated_transition::{n12, n13, n16};
-use crate::claims::simulated_trends::{n3, n5, n10, natural_period_s};
+use crate::claims::simulated_courses::visible_peaks;
+use crate::claims::simulated_damping::{onset_in_normal_stress, visible_onset};
+use crate::claims::simulated_laws::{ends_next_to_transition, laws_end_alike};
+use crate::claims::simulated_least_peak::{peak_along_velocity, velocity_of_least_peak};
+use crate::claims::simulated_onset::onset_in_velocity;
+use crate::claims::simulated_transition::{
+    cycles_at_one_velocity, harmonic_distortion, period_at_least_peak,
+};
+use crate::claims::simulated_trends::{
+    drop_and_period_fall, natural_period_s, peak_rises, period_of_vibration,
+};
 use crate::claims::{Check, Evidence, Finding};
 use crate::experiments::certificates::Certificates;
 use crate::experiments::{Context, Need, Outcome};
@@ -26,152 +31,104 @@ const CERTIFIED_NEEDS: &[Need] = &[Need::Simulations, Need::Certificates];
 
 pub(super) const CHECKS: &[Check] = &[
     Check {
-        id: "N1",
-        criterion: "Every run of the grid with K < K_c ends on a limit cycle and every run with K > K_c decays.",
-        not_established: "The behaviour between the grid's points and closer to K = K_c than the grid: see N4.",
+        name: "ends-by-stiffness",
+        is_of_runs: true,
         needs: &[Need::Simulations, Need::NearTransition, Need::Certificates],
-        equations: &[],
-        rests_on: &["S1"],
-        decide: |context| n1(context).unwrap_or_else(|undecided| undecided),
+        decide: |context, _| either(long_term(context)),
     },
     Check {
-        id: "N2",
-        criterion: "At every grid point, the slip mode determined from the trajectory alone is the slip mode of the exact linear theory.",
-        not_established: "The six cases of fig 3b-g themselves, because the text does not state their coordinates. The name of a cycle depends on the threshold ω/ω_n = √½.",
+        name: "modes-by-theory",
+        is_of_runs: true,
         needs: NEEDS,
-        equations: &[],
-        rests_on: &["S1", "B1"],
-        decide: |context| n2(context).unwrap_or_else(|undecided| undecided),
+        decide: |context, _| either(modes_by_theory(context)),
     },
     Check {
-        id: "N3",
-        criterion: "The peak velocity of the limit cycles rises between all neighbouring grid points, along σ and along V_l.",
-        not_established: "Monotonic behaviour between the grid's points.",
+        name: "peak-rises",
+        is_of_runs: true,
         needs: CERTIFIED_NEEDS,
-        equations: &[],
-        rests_on: &["N1"],
-        decide: |context| n3(context).unwrap_or_else(|undecided| undecided),
+        decide: |context, _| either(peak_rises(context)),
     },
     Check {
-        id: "N4",
-        criterion: "Both laws have the same long-term behaviour at every grid point and in every run next to K = K_c, and neither has a limit cycle where K > K_c.",
-        not_established: "Starts other than steady state at V_l/10, and limit cycles that continuation from K = K_c does not reach.",
+        name: "laws-end-alike",
+        is_of_runs: true,
         needs: &[Need::Simulations, Need::NearTransition],
-        equations: &["1", "2", "3", "4", "8", "steady-state"],
-        rests_on: &["F2"],
-        decide: |context| n4(context).unwrap_or_else(|undecided| undecided),
+        decide: |context, _| either(laws_end_alike(context)),
     },
     Check {
-        id: "N5",
-        criterion: "For neighbouring stick-slip points at the same V_l, stress drop and period are both smaller at the lower σ.",
-        not_established: "Monotonic behaviour between the grid's points.",
+        name: "drop-and-period-fall",
+        is_of_runs: true,
         needs: CERTIFIED_NEEDS,
-        equations: &[],
-        rests_on: &["N1"],
-        decide: |context| n5(context).unwrap_or_else(|undecided| undecided),
+        decide: |context, _| either(drop_and_period_fall(context)),
     },
     Check {
-        id: "N6",
-        criterion: "At each σ, small deviations in simulations begin to oscillate at the velocity of the exact boundary, and eq 20 differs from it by at most twice its own leading error bσ/(2KD_c).",
-        not_established: "The velocities of the paper's own runs, which only the colours of fig 3a show; starts other than steady state at V_l/10; other definitions of visible oscillation.",
+        name: "onset-in-velocity",
+        is_of_runs: true,
         needs: &[Need::Onset],
-        equations: &["20"],
-        rests_on: &["B5"],
-        decide: |context| n6(context).unwrap_or_else(|undecided| undecided),
+        decide: |context, _| either(onset_in_velocity(context)),
     },
     Check {
-        id: "N7",
-        criterion: "At every σ above σ_c, the velocity that minimises the peak velocity equals that of eq 18 within the error of the minimisation.",
-        not_established: "Minima outside one decade around eq 18; normal stresses below σ_c, where eq 18 lies in the stable zone.",
+        name: "velocity-of-least-peak",
+        is_of_runs: true,
         needs: NEEDS,
-        equations: &[],
-        rests_on: &["B4"],
-        decide: |context| n7(context).unwrap_or_else(|undecided| undecided),
+        decide: |context, _| either(velocity_of_least_peak(context)),
     },
     Check {
-        id: "N8",
-        criterion: "Between neighbouring points at the same σ, the peak velocity falls with V_l in stick-slip and rises with V_l in harmonic vibration.",
-        not_established: "Whether another threshold between the two modes gives the same counts.",
+        name: "peak-along-velocity",
+        is_of_runs: true,
         needs: CERTIFIED_NEEDS,
-        equations: &[],
-        rests_on: &["N1"],
-        decide: |context| n8(context).unwrap_or_else(|undecided| undecided),
+        decide: |context, _| either(peak_along_velocity(context)),
     },
     Check {
-        id: "N9",
-        criterion: "For a > b every run decays, and small deviations oscillate exactly where the discriminant is negative.",
-        not_established: "Visible oscillation: an oscillation that decays within a fraction of its period leaves no visible wave.",
+        name: "runs-that-strengthen",
+        is_of_runs: true,
         needs: NEEDS,
-        equations: &[],
-        rests_on: &["S5", "B1"],
-        decide: |context| n9(context).unwrap_or_else(|undecided| undecided),
+        decide: |context, _| either(strengthening_runs(context)),
     },
     Check {
-        id: "N10",
-        criterion: "The period of every harmonic vibration and of every inertial underdamped oscillation is 2π/√(K/M).",
-        not_established: "Periods between the grid's points.",
+        name: "period-of-vibration",
+        is_of_runs: true,
         needs: NEEDS,
-        equations: &[],
-        rests_on: &["Q1"],
-        decide: |context| n10(context).unwrap_or_else(|undecided| undecided),
+        decide: |context, _| either(period_of_vibration(context)),
     },
     Check {
-        id: "N11",
-        criterion: "At each V_l, small deviations in simulations begin to oscillate at the normal stress of the exact boundary, and eq 16 differs from it by at most twice its own leading relative error η.",
-        not_established: "Other starts than steady state at V_l/10; velocities next to the corner of eqs 16 and 20.",
+        name: "onset-in-normal-stress",
+        is_of_runs: true,
         needs: &[Need::Onset],
-        equations: &["16"],
-        rests_on: &["B2"],
-        decide: |context| n11(context).unwrap_or_else(|undecided| undecided),
+        decide: |context, _| either(onset_in_normal_stress(context)),
     },
     Check {
-        id: "N12",
-        criterion: "At every σ above σ_c and with both laws, the period of the limit cycle falls below √2 natural periods, and its peak velocity is lowest, at the velocity of eq 18 within the errors of the search.",
-        not_established: "Normal stresses below σ_c, where eq 18 lies in the stable zone.",
+        name: "period-at-least-peak",
+        is_of_runs: true,
         needs: NEEDS,
-        equations: &[],
-        rests_on: &["B4"],
-        decide: |context| n12(context).unwrap_or_else(|undecided| undecided),
+        decide: |context, _| either(period_at_least_peak(context)),
     },
     Check {
-        id: "N13",
-        criterion: "The total harmonic distortion of V on every limit cycle of harmonic vibration is at most 0.1.",
-        not_established: "Cycles between the grid's points. Another limit of the distortion gives another range.",
+        name: "harmonic-distortion",
+        is_of_runs: true,
         needs: NEEDS,
-        equations: &[],
-        rests_on: &["N2"],
-        decide: |context| n13(context).unwrap_or_else(|undecided| undecided),
+        decide: |context, _| either(harmonic_distortion(context)),
     },
     Check {
-        id: "N14",
-        criterion: "At both normal stresses of fig 4, the two slowest of five runs show no second rise and no undershoot, the third only a single visible peak, and the two fastest vibrate visibly and are inertial.",
-        not_established: "The paper's own velocities: the text states none, so quarter decades around eq 20 are assumed, with two of them below it. The slip law only.",
+        name: "visible-onset",
+        is_of_runs: true,
         needs: &[Need::Onset],
-        equations: &[],
-        rests_on: &["N6"],
-        decide: |context| n14(context).unwrap_or_else(|undecided| undecided),
+        decide: |context, _| either(visible_onset(context)),
     },
     Check {
-        id: "N15",
-        criterion: "In the runs of fig 6c, V has at most one visible peak and one visible trough where the oscillation is non-inertial, and more where it is inertial.",
-        not_established: "The paper's own points: the text states none, so the points are assumed. The slip law only.",
+        name: "visible-peaks",
+        is_of_runs: true,
         needs: &[Need::Trajectories],
-        equations: &[],
-        rests_on: &["N9"],
-        decide: |context| n15(context).unwrap_or_else(|undecided| undecided),
+        decide: |context, _| either(visible_peaks(context)),
     },
     Check {
-        id: "N16",
-        criterion: "At every normal stress of fig 3a, the run at 10^-5.5 m/s ends on a limit cycle.",
-        not_established: "The normal stresses of the paper's fig 5, whose axis range the text does not state: those of fig 3a are assumed.",
+        name: "cycles-at-one-velocity",
+        is_of_runs: true,
         needs: CERTIFIED_NEEDS,
-        equations: &[],
-        rests_on: &["N1"],
-        decide: |context| n16(context).unwrap_or_else(|undecided| undecided),
+        decide: |context, _| either(cycles_at_one_velocity(context)),
     },
 ];
 
-fn n1(context: &Context) -> Result<Finding, Finding> {
+fn long_term(context: &Context) -> Result<Finding, Finding> {
     let grids = grids(context, Outcome::potentially_unstable)?;
     let words = |law: EvolutionLaw| format!("{} law", law.as_str());
     let on_the_grid = Draft::new("the simulations on the grid of fig 3a");
@@ -238,7 +195,7 @@ const CONDITIONS: [(bool, Option<bool>, SlipMode); 6] = [
     (false, Some(true), SlipMode::InertialUnderdampedOscillation),
 ];
 
-fn n2(context: &Context) -> Result<Finding, Finding> {
+fn modes_by_theory(context: &Context) -> Result<Finding, Finding> {
     let grids = grids(context, Outcome::potentially_unstable)?;
     let natural_per_s = std::f64::consts::TAU / natural_period_s(context)?;
     let by_threshold = |run: &Run| {
@@ -256,8 +213,7 @@ fn n2(context: &Context) -> Result<Finding, Finding> {
         .into_iter()
         .filter(|(_, near, _)| *near == Some(true))
         .fold(strict, |draft, one| draft.part(condition_words(one), ends_in(&grids, one, &within_a_tenth)));
-    Ok(of_readings([written, strict])
-        .remark("Two of the six conditions give stick-slip, so there are five names for six conditions. No simulation distinguishes these two conditions."))
+    Ok(of_readings([written, strict]))
 }
 
 /// The share of ω_n up to which a frequency is near it, where "≈" is read as for every approximate sentence.
@@ -306,7 +262,7 @@ fn period_deviation(run: &Run) -> f64 {
     run.simulation.period_s.map_or(0.0, |period| (period * exact / std::f64::consts::TAU - 1.0).abs())
 }
 
-fn n9(context: &Context) -> Result<Finding, Finding> {
+fn strengthening_runs(context: &Context) -> Result<Finding, Finding> {
     let grids = grids(context, Outcome::intrinsically_stable)?;
     let all: Vec<_> = grids.iter().flat_map(|grid| &grid.runs).collect();
     let ends_in = |mode| all.iter().filter(|run| run.is(mode)).count();

@@ -5,10 +5,9 @@ use std::collections::BTreeSet;
 use rayon::prelude::*;
 
 use super::alterations::{Alteration, alike, alterations};
-use super::ledger::finding_on;
-use crate::claims::{Evidence, Finding, Resolved, Verdict, formula};
+use crate::claims::{Evidence, Finding, Resolved, Verdict, computed, formula};
 use crate::experiments::Context;
-use crate::scene::{ClaimEntry, ClaimFormula};
+use crate::scene::{ClaimEntry, ClaimFormula, Source, StatedClaim};
 use slipmode_algebra::Symbol;
 use slipmode_core::theory::Equation;
 
@@ -50,22 +49,22 @@ pub fn plant_faults(context: &Context) -> Vec<PlantedFaults> {
     all.into_par_iter().map(|equation| plant(equation, &pairs, context, sound.clone())).collect()
 }
 
+fn is_of_equations(formula: &ClaimFormula) -> bool {
+    formula.rows.is_none() && !formula.computed().is_some_and(computed::is_of_runs)
+}
+
 /// The claims about the equations, decided.
 fn sound_claims<'c>(context: &Context<'c>) -> Vec<Sound<'c>> {
-    let about_equations = |claim: &&ClaimEntry| match &claim.stated {
-        Some(stated) => stated.parts().any(|(_, formula)| formula.rows.is_none()),
-        None => !claim.id.starts_with(['N', 'X']),
-    };
-    let claims = context.claims.iter().filter(about_equations);
+    let claims = context.claims.iter().filter(|claim| claim.sentence.source != Source::Result);
     let sound: Vec<Sound> = claims.flat_map(Sound::parts_of).collect();
     sound.into_par_iter().map(|sound| sound.decided(context)).collect()
 }
 
-/// A claim, or a part of one that is stated as formulas, as the report's own equations decide it.
+/// A part of a claim as the report's own equations decide it.
 #[derive(Clone)]
 struct Sound<'c> {
     claim: &'c ClaimEntry,
-    part: Option<&'c ClaimFormula>,
+    part: &'c ClaimFormula,
     verdicts: Vec<Verdict>,
     /// The equations that its proofs name.
     equations: BTreeSet<String>,
@@ -85,17 +84,13 @@ impl<'c> Sound<'c> {
             digest: String::new(),
             steps: 0,
         };
-        match &claim.stated {
-            Some(stated) => stated.parts().map(|(_, formula)| of(Some(formula))).collect(),
-            None => vec![of(None)],
-        }
+        let parts = claim.stated.iter().flat_map(StatedClaim::parts).map(|(_, formula)| formula);
+        parts.filter(|formula| is_of_equations(formula)).map(of).collect()
     }
 
     fn finding(&self, context: &Context) -> Finding {
-        match self.part {
-            Some(part) => formula::decide_part("part", &self.claim.words, part, context),
-            None => finding_on(self.claim, context),
-        }
+        let context = context.with_kind(self.claim.sentence.kind);
+        formula::decide_part("part", &self.claim.words, self.part, &context)
     }
 
     fn decided(mut self, context: &Context) -> Self {
@@ -110,10 +105,7 @@ impl<'c> Sound<'c> {
     }
 
     fn digest_in(&self, context: &Context) -> String {
-        match self.part {
-            Some(part) => Resolved::of_formula(part, context.equations).digest(),
-            None => Resolved::of(self.claim, context.equations).digest(),
-        }
+        Resolved::of_formula(self.part, context.equations).digest()
     }
 
     fn notices(&self, altered: &Context) -> bool {

@@ -8,9 +8,7 @@ use sha2::{Digest, Sha256};
 use slipmode_algebra::{Expression, Symbol};
 use slipmode_core::theory::{Equations, Start, without_layout};
 
-use super::Check;
-use super::ledger::check_of;
-use crate::scene::{ClaimEntry, ClaimFormula, Scope, StatedClaim, Statement};
+use crate::scene::{ClaimEntry, ClaimFormula, Computed, Scope, StatedClaim, Statement};
 
 /// The text of a claim as resolved.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -22,14 +20,10 @@ impl Resolved {
     pub fn of(claim: &ClaimEntry, equations: &Equations) -> Self {
         let mut lines = vec![format!("words: {}", one_line(&claim.words))];
         let mut start = Start::default();
-        match (&claim.stated, &claim.reason, check_of(claim)) {
-            (Some(stated), ..) => lines.extend(of_readings(stated, &mut start)),
-            (None, Some(reason), _) => lines.push(format!("out of reach: {}", one_line(reason))),
-            (None, None, Some(Check { criterion, equations, .. })) => {
-                lines.push(format!("criterion: {}", one_line(criterion)));
-                start.equations.extend(*equations);
-            }
-            (None, None, None) => {}
+        match (&claim.stated, &claim.reason) {
+            (Some(stated), _) => lines.extend(of_readings(stated, equations, &mut start)),
+            (None, Some(reason)) => lines.push(format!("out of reach: {}", one_line(reason))),
+            (None, None) => {}
         }
         Self::from_parts(lines, &start, equations)
     }
@@ -38,7 +32,7 @@ impl Resolved {
     #[must_use]
     pub fn of_formula(formula: &ClaimFormula, equations: &Equations) -> Self {
         let mut start = Start::default();
-        let lines = of_formula("", formula, &mut start);
+        let lines = of_formula("", formula, equations, &mut start);
         Self::from_parts(lines, &start, equations)
     }
 
@@ -68,21 +62,27 @@ pub fn sha256_hex(text: &str) -> String {
 }
 
 /// The readings of a claim, each with its parts.
-fn of_readings<'c>(stated: &'c StatedClaim, start: &mut Start<'c>) -> Vec<String> {
-    let mut lines: Vec<String> =
-        stated.argued.iter().map(|step| format!("argued: {}", one_line(step))).collect();
+fn of_readings<'c>(stated: &'c StatedClaim, equations: &'c Equations, start: &mut Start<'c>) -> Vec<String> {
+    let argued = stated.argued.iter().map(|step| format!("argued: {}", one_line(step)));
+    let criterion = stated.criterion.iter().map(|found| format!("criterion: {}", one_line(found)));
+    let mut lines: Vec<String> = argued.chain(criterion).collect();
     for reading in &stated.readings {
         lines.push(format!("reading: {}", one_line(&reading.words)));
         for (words, formula) in &reading.parts {
             lines.push(format!("part: {}", one_line(words)));
-            lines.extend(of_formula("", formula, start));
+            lines.extend(of_formula("", formula, equations, start));
         }
     }
     lines
 }
 
 /// A formula with its scope and its limit; `place` is written before each key.
-fn of_formula<'c>(place: &str, formula: &'c ClaimFormula, start: &mut Start<'c>) -> Vec<String> {
+fn of_formula<'c>(
+    place: &str,
+    formula: &'c ClaimFormula,
+    equations: &'c Equations,
+    start: &mut Start<'c>,
+) -> Vec<String> {
     start.expressions.extend(formula.expressions());
     let scope = &formula.scope;
     let bounded = scope.within.iter().map(|(name, _)| name).chain(scope.at.iter().map(|(name, _)| name));
@@ -94,13 +94,40 @@ fn of_formula<'c>(place: &str, formula: &'c ClaimFormula, start: &mut Start<'c>)
     }
     let key = if formula.rows.is_some() { "rows" } else { "formula" };
     let table = formula.rows.as_ref().map_or(String::new(), |table| format!("{table}: "));
-    let mut lines = vec![format!("{place}{key}: {table}{}", without_layout(&formula.text))];
+    let mut lines = match formula.computed() {
+        None => vec![format!("{place}{key}: {table}{}", without_layout(&formula.text))],
+        Some(computed) => of_computed(place, computed, equations, start),
+    };
     lines.extend(of_scope(scope).into_iter().map(|line| format!("{place}{line}")));
     if let Some(limit) = &formula.limit {
         let (words, outside) = &limit.outside;
         lines.push(format!("{place}limit: {}", one_line(&limit.words)));
         lines.push(format!("{place}outside: {}", one_line(words)));
-        lines.extend(of_formula(&format!("{place}outside "), outside, start));
+        lines.extend(of_formula(&format!("{place}outside "), outside, equations, start));
+    }
+    lines
+}
+
+/// What proofs, premises or a procedure decide, with the equations that they reach.
+fn of_computed<'c>(
+    place: &str,
+    computed: &'c Computed,
+    equations: &'c Equations,
+    start: &mut Start<'c>,
+) -> Vec<String> {
+    let line = |key: &str, text: &str| format!("{place}{key}: {}", one_line(text));
+    let mut lines: Vec<String> = computed.check.iter().map(|name| line("check", name)).collect();
+    lines.extend(computed.of.iter().map(|of| line("of", of)));
+    start.equations.extend(computed.equations.iter().map(String::as_str));
+    for id in &computed.proofs {
+        lines.push(line("proof", &format!("{id}: {}", computed.stated.says(id))));
+        start.equations.extend(computed.stated.reached(id, equations));
+    }
+    lines.extend(computed.counter_example.iter().map(|shown| line("counter-example", shown)));
+    for premise in &computed.premises {
+        lines.push(line("premise", &premise.id));
+        let inside = of_readings(&premise.stated, equations, start);
+        lines.extend(inside.into_iter().map(|inner| format!("{place}premise {inner}")));
     }
     lines
 }
@@ -137,7 +164,7 @@ mod tests {
     use std::collections::BTreeSet;
 
     use super::*;
-    use crate::claims::{TIES, known_ids};
+    use crate::claims::{TIES, procedures};
     use crate::scene::{read_claims, read_equations};
 
     /// A report's equations as the tables of their file, so that one place of it can be altered.
@@ -158,7 +185,7 @@ mod tests {
         /// The resolved claims by their ids; none when the altered file is refused.
         fn resolved(&self, table: &toml::Table) -> Option<Vec<(String, Resolved)>> {
             let equations = read_equations("equations.toml", table.to_string().as_bytes()).ok()?;
-            let claims = read_claims("claims.toml", &self.claims, &known_ids(), Some(&equations)).ok()?;
+            let claims = read_claims("claims.toml", &self.claims, &procedures(), Some(&equations)).ok()?;
             Some(claims.iter().map(|claim| (claim.id.clone(), Resolved::of(claim, &equations))).collect())
         }
     }

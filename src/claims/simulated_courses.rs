@@ -1,4 +1,4 @@
-//! Claim N15: what the runs of fig 6c show on either side of the frequency threshold.
+//! What the runs of fig 6c show on either side of the frequency threshold.
 
 use crate::claims::reading::{Draft, of_readings};
 use crate::claims::{Evidence, Finding};
@@ -13,7 +13,7 @@ const POINTS: &str = "6c";
 /// Smallest deviation from V_l, in V_l, that a reader sees as a peak or trough.
 const VISIBLE: f64 = 0.01;
 
-pub(super) fn n15(context: &Context) -> Result<Finding, Finding> {
+pub(super) fn visible_peaks(context: &Context) -> Result<Finding, Finding> {
     let scene = context.outcome.intrinsically_stable();
     let runs = scene.and_then(|scene| scene.trajectories.as_ref());
     let runs = runs.ok_or_else(|| Finding::not_checked("The report follows no run with a > b."))?;

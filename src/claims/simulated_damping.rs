@@ -1,4 +1,4 @@
-//! Claims N11 and N14: eq 16 as critical damping, and what the five runs of fig 4 show on either side of eq 20.
+//! Eq 16 as critical damping, and what the five runs of fig 4 show on either side of eq 20.
 
 use crate::claims::reading::{Draft, of_readings};
 use crate::claims::rule::{Deviations, Measure};
@@ -15,7 +15,7 @@ use slipmode_core::theory::emergence;
 /// Precision of eq 16's normal stress, in bits.
 const BITS: u32 = 128;
 
-/// How many times its own leading error η eq 16 may be off, as eq 20 in claim N6.
+/// How many times its own leading error η eq 16 may be off, as eq 20.
 const LEADING_ERRORS: u32 = 2;
 
 /// Eq 16 as the report states it against what is found on one line of constant loading velocity.
@@ -33,7 +33,7 @@ fn scene<'c>(context: &'c Context) -> Result<(&'c SceneOutcome, &'c Slider<Ratio
         .ok_or_else(|| Finding::not_checked("The report has no scene with a < b."))
 }
 
-pub(super) fn n11(context: &Context) -> Result<Finding, Finding> {
+pub(super) fn onset_in_normal_stress(context: &Context) -> Result<Finding, Finding> {
     let (scene, slider) = scene(context)?;
     let lines = scene.onset.as_ref().map_or(&[][..], |found| &found.stress_lines);
     if lines.is_empty() {
@@ -59,9 +59,7 @@ pub(super) fn n11(context: &Context) -> Result<Finding, Finding> {
     let seen = crossed.iter().fold(seen, |draft, line| {
         draft.part(format!("at V_l = {} m/s it is visible from eq 16 on", line.velocity()), line.visible())
     });
-    Ok(of_readings([begins, seen]).remark(
-        "To the next order the exact boundary is at σ = (1 + η) σ_16, with η at eq 16: a double root s = −√κ of eq 8 at κ = (1 + √β)² moves to κ(1 − η).",
-    ))
+    Ok(of_readings([begins, seen]))
 }
 
 impl<'c> Crossed<'c> {
@@ -183,7 +181,7 @@ struct Coloured<'c> {
     error: f64,
 }
 
-pub(super) fn n14(context: &Context) -> Result<Finding, Finding> {
+pub(super) fn visible_onset(context: &Context) -> Result<Finding, Finding> {
     let (scene, _) = scene(context)?;
     let missing =
         || Finding::not_checked("The report does not have five runs at each normal stress of fig 4.");

@@ -1,5 +1,6 @@
-//! Claim F4 on the simulations, and claim X5: the friction that eq 1 reaches in runs, and where eq 1 leaves its range.
+//! The friction that eq 1 reaches in runs, and where eq 1 leaves its range.
 
+use crate::claims::computed::either;
 use crate::claims::reading::{Draft, of_readings};
 use crate::claims::simulated::{Run, Runs, grids, outcome};
 use crate::claims::simulated_least_peak::{extent, range};
@@ -12,13 +13,10 @@ use slipmode_core::number::format::round_digits;
 use std::f64::consts::{LN_10, PI};
 
 pub(super) const CHECKS: &[Check] = &[Check {
-    id: "X5",
-    criterion: "As η grows at given κ, the least friction of a limit cycle of strong vibration tends to μ0 − a√(4π(β−1)√(κη)) within the estimated error, and a run of the grid has a least velocity below one atomic distance in the age of the universe.",
-    not_established: "What a real contact does there: the law is that of eq 1 with the states of eqs 2 and 3.",
+    name: "least-friction",
+    is_of_runs: true,
     needs: &[Need::Simulations],
-    equations: &[],
-    rests_on: &["F1"],
-    decide: |context| x5(context).unwrap_or_else(|undecided| undecided),
+    decide: |context, _| either(least_friction_of_runs(context)),
 }];
 
 /// Relative difference of two numbers that 64-bit arithmetic does not resolve.
@@ -70,25 +68,21 @@ fn regularised(grid: &Runs, direct_effect: f64, reference: f64) -> Finding {
         ))
 }
 
-/// Parts on the simulations of each law; one that is not checked where the report has no simulations.
-pub(super) fn in_simulations(context: &Context, draft: Draft, reference: f64) -> Draft {
+/// Whether the regularised law changes the simulations of the law of this name.
+pub(super) fn in_simulations(context: &Context, law: &str, reference: f64) -> Finding {
     let found = grids(context, Outcome::potentially_unstable).and_then(|grids| {
         let direct_effect = slider(context)?.direct_effect;
-        let part = |grid: &Runs| {
-            (format!("simulations, {} law", grid.law.as_str()), regularised(grid, direct_effect, reference))
-        };
-        Ok(grids.iter().map(part).collect::<Vec<_>>())
+        let grid = grids.iter().find(|grid| grid.law.as_str() == law);
+        let missing = || Finding::not_checked(format!("The report has no simulations with the {law} law."));
+        grid.map(|grid| regularised(grid, direct_effect, reference)).ok_or_else(missing)
     });
-    match found {
-        Ok(parts) => parts.into_iter().fold(draft, |draft, (words, finding)| draft.part(words, finding)),
-        Err(undecided) => draft.part("simulations", undecided),
-    }
+    either(found)
 }
 
 /// One atomic distance in the age of the universe, m/s.
 const SLOWEST_MEANINGFUL: f64 = 1e-10 / 4.35e17;
 
-fn x5(context: &Context) -> Result<Finding, Finding> {
+fn least_friction_of_runs(context: &Context) -> Result<Finding, Finding> {
     let grids = grids(context, Outcome::potentially_unstable)?;
     let found = &outcome(context, Outcome::potentially_unstable)?.strong_vibrations;
     let effect_ratio = slider(context)?.effect_ratio();
@@ -107,7 +101,7 @@ fn x5(context: &Context) -> Result<Finding, Finding> {
                 least_velocity(grid),
             )
     });
-    Ok(of_readings([draft]).remark("With the velocity V_18 of eq 18 the law is μ_min = μ0 − (b − a)√(2π V_l/V_18). It follows from the energy of one cycle: velocity weakening supplies 2π(β − 1)/ω, and the slider, which nearly stops once a cycle, has to lose it there. Corrections fall only as (V_l/D_c ω_n)^(−1/3)."))
+    Ok(of_readings([draft]))
 }
 
 /// Value at infinite η of a series whose corrections fall as η^(−1/6), with the change of the extrapolation as its error.

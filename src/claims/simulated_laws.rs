@@ -1,4 +1,4 @@
-//! Claim N4: whether the two evolution laws end alike, on the grid and next to K = K_c.
+//! Whether the two evolution laws end alike, on the grid and next to K = K_c.
 
 use crate::claims::simulated::{evidence, grids};
 use crate::claims::{Evidence, Finding};
@@ -14,7 +14,7 @@ use slipmode_core::theory::hopf::{Criticality, degenerate_inertial_parameter, qu
 /// The widest edge of bistability: its family and where it is.
 type Widest<'c> = (&'c CycleFamilyOutcome, &'c Edge);
 
-pub(super) fn n4(context: &Context) -> Result<Finding, Finding> {
+pub(super) fn laws_end_alike(context: &Context) -> Result<Finding, Finding> {
     let grids = grids(context, Outcome::potentially_unstable)?;
     let by = |law| grids.iter().find(|grid| grid.law == law);
     let (Some(slip), Some(aging)) = (by(EvolutionLaw::Slip), by(EvolutionLaw::Aging)) else {
@@ -41,7 +41,7 @@ pub(super) fn n4(context: &Context) -> Result<Finding, Finding> {
         .with_evidence(runs_evidence(near))
         .with_evidence(families_evidence(near))
         .require(contradicting == 0, || format!("{contradicting} grid points differ in stability"));
-    let finding = finding.remark("The criteria of the linear theory are the same for both laws (claim F2): the laws differ after a finite disturbance.");
+    let finding = finding.remark("The criteria of the linear theory are the same for both laws: the laws differ after a finite disturbance.");
     let finding = match proved(near) {
         [0, 0] => finding,
         proved => finding.with_evidence(certified_evidence(proved)),
@@ -74,7 +74,7 @@ fn consistent(near: &NearTransitionOutcome) -> Result<(), Finding> {
     }
 }
 
-/// Whether every run of a law next to K = K_c ends as the sign of K − K_c says (claim N1).
+/// Whether every run of a law next to K = K_c ends as the sign of K − K_c says.
 pub(super) fn ends_next_to_transition(near: &NearTransitionOutcome, law: EvolutionLaw) -> Finding {
     let runs = || near.runs.iter().filter(|run| run.law == law);
     let contradicts = |run: &&NearRun| run.periodic() == Some(run.stiffness_over_critical > 1);

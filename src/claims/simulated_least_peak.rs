@@ -1,4 +1,4 @@
-//! Claims N7 and N8: where the peak velocity turns from falling to rising, against eq 18 and against the change of mode.
+//! Where the peak velocity turns from falling to rising, against eq 18 and against the change of mode.
 
 use crate::claims::certified::{Pair, Pairs, both_certainly, rises};
 use crate::claims::reading::{Draft, of_readings};
@@ -30,7 +30,7 @@ fn width(least: &LeastPeak, level: usize) -> Option<f64> {
     Some(upper? - lower?)
 }
 
-pub(super) fn n7(context: &Context) -> Result<Finding, Finding> {
+pub(super) fn velocity_of_least_peak(context: &Context) -> Result<Finding, Finding> {
     let least = &outcome(context, Outcome::potentially_unstable)?.least_peaks;
     let by = |law: EvolutionLaw| least.iter().filter(move |found| found.law == law);
     if EvolutionLaw::ALL.iter().any(|&law| by(law).count() < FEWEST_STRESSES) {
@@ -89,7 +89,7 @@ pub(super) fn n7(context: &Context) -> Result<Finding, Finding> {
         .remark("The minimum is flat, so a grid of quarter decades locates it only to within one grid step."))
 }
 
-pub(super) fn n8(context: &Context) -> Result<Finding, Finding> {
+pub(super) fn peak_along_velocity(context: &Context) -> Result<Finding, Finding> {
     let grids = grids(context, Outcome::potentially_unstable)?;
     let natural_s = natural_period_s(context)?;
     let by_mode = |mode: SlipMode, falls: bool| {

@@ -1,4 +1,4 @@
-//! Claim N6: at which velocity inertial vibration first appears in the runs of fig 4, and in which unit its caption speaks.
+//! At which velocity inertial vibration first appears in the runs of fig 4, and in which unit its caption speaks.
 
 use crate::claims::reading::{Draft, of_readings};
 use crate::claims::rule::{Deviations, Measure};
@@ -30,7 +30,7 @@ struct Compared<'c> {
     leading: Rational,
 }
 
-pub(super) fn n6(context: &Context) -> Result<Finding, Finding> {
+pub(super) fn onset_in_velocity(context: &Context) -> Result<Finding, Finding> {
     let scene = context
         .outcome
         .potentially_unstable()
@@ -58,9 +58,7 @@ pub(super) fn n6(context: &Context) -> Result<Finding, Finding> {
     let seen = compared.iter().fold(seen, |draft, line| {
         draft.part(format!("at σ = {} Pa it is visible from eq 20 on", line.stress()), visible(line, outcome))
     });
-    Ok(unit(of_readings([begins, seen]), &outcome.other_unit)
-        .remark(first_peak(&compared))
-        .remark("The text states no velocity for fig 4. The report's runs use five of fig 3a's quarter decades, two below eq 20 and three above it, consistent with the text on the colours."))
+    Ok(unit(of_readings([begins, seen]), &outcome.other_unit).remark(first_peak(&compared)))
 }
 
 fn compare<'c>(context: &Context, slider: &Slider<Rational>, line: &'c Onset) -> Option<Compared<'c>> {

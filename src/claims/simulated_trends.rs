@@ -22,7 +22,7 @@ pub(super) fn peaks(pair: Pair) -> String {
     )
 }
 
-pub(super) fn n3(context: &Context) -> Result<Finding, Finding> {
+pub(super) fn peak_rises(context: &Context) -> Result<Finding, Finding> {
     let grids = grids(context, Outcome::potentially_unstable)?;
     let with_stress = risen(&grids, "at the same V_l", |grid| Box::new(grid.along_stress()));
     let with_velocity = risen(&grids, "at the same σ", |grid| Box::new(grid.along_velocity()));
@@ -33,9 +33,7 @@ pub(super) fn n3(context: &Context) -> Result<Finding, Finding> {
         .part("the peak velocity grows with loading velocity", with_velocity);
     let joint = Draft::new("along lines on which σ and V_l increase together")
         .part("the peak velocity grows with σ and V_l", jointly);
-    Ok(of_readings([written, joint]).remark(
-        "For stick-slip, claim N8 from the same section states the opposite of the part that fails here.",
-    ))
+    Ok(of_readings([written, joint]))
 }
 
 /// Neighbouring limit cycles of a grid.
@@ -62,7 +60,7 @@ fn risen(
     }
 }
 
-pub(super) fn n5(context: &Context) -> Result<Finding, Finding> {
+pub(super) fn drop_and_period_fall(context: &Context) -> Result<Finding, Finding> {
     let grids = grids(context, Outcome::potentially_unstable)?;
     let natural_s = natural_period_s(context)?;
     let both = |(lower, upper): &Pair| lower.is(SlipMode::StickSlip) && upper.is(SlipMode::StickSlip);
@@ -87,7 +85,7 @@ pub(super) fn natural_period_s(context: &Context) -> Result<f64, Finding> {
     Ok(std::f64::consts::TAU / slider.map(nearest_f64).natural_angular_frequency_per_s())
 }
 
-pub(super) fn n10(context: &Context) -> Result<Finding, Finding> {
+pub(super) fn period_of_vibration(context: &Context) -> Result<Finding, Finding> {
     let grids = grids(context, Outcome::potentially_unstable)?;
     let natural_s = natural_period_s(context)?;
     let modes = [SlipMode::HarmonicVibration, SlipMode::InertialUnderdampedOscillation];
@@ -120,6 +118,5 @@ pub(super) fn n10(context: &Context) -> Result<Finding, Finding> {
     .require(shortest > 1.0, || format!("one period is {} of the natural period", round_digits(shortest, 8)))
     .near(context.kind, &Deviations::new(Measure::Value, frequencies))
     .number("lowest", rounded(1.0 / longest, 2, Side::Below));
-    Ok(finding
-        .remark("The longest periods occur at the threshold ω/ω_n = √½ that ends the two modes; there the period is √2 times the natural period."))
+    Ok(finding)
 }

@@ -2,9 +2,9 @@
 
 use std::slice;
 
-use slipmode::claims::{Entry, Evidence, Ledger, Part, Strength, Verdict, known_ids};
+use slipmode::claims::{Entry, Evidence, Ledger, Part, Strength, Verdict};
 use slipmode::report::{Folder, decide};
-use slipmode::scene::{ClaimEntry, first_lines, nearest};
+use slipmode::scene::{ClaimEntry, first_lines, library_ids, nearest};
 
 use crate::cli::failure::Failure;
 use crate::cli::progress::Progress;
@@ -60,7 +60,7 @@ fn listed<'f>(folder: &'f Folder, id: &str) -> Result<&'f ClaimEntry, Failure> {
     folder.claims.iter().find(|claim| claim.id == id).ok_or_else(|| {
         let listed = folder.claims.iter().map(|claim| claim.id.as_str());
         let near = match nearest(id, listed) {
-            _ if known_ids().contains(&id) => {
+            _ if library_ids().any(|known| known == id) => {
                 "; it is a claim of the paper that claims.toml leaves out".into()
             }
             near => near.map(|near| format!("; did you mean {near}?")).unwrap_or_default(),

@@ -7,14 +7,15 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use slipmode::archive::{Files, sha256_hex};
-use slipmode::claims::{known_ids, row_faults};
+use slipmode::claims::{procedures, row_faults};
 use slipmode::experiments::{References, Scene, check_distinct_scene_names};
 use slipmode::report::{Folder, InputView, formula_faults};
 use slipmode::scene::{
-    ClaimEntry, Fault, Faults, Limits, Problem, ReportPlan, file_text, paper_faults, read_claims,
-    read_equations, read_equations_partly,
+    ClaimEntry, Fault, Faults, Limits, Problem, ReportPlan, file_text, join_proofs, paper_faults,
+    read_claims, read_equations, read_equations_partly, read_proofs,
 };
 use slipmode_core::theory::Equations;
+use slipmode_core::theory::stated_proofs::StatedProofs;
 
 use crate::cli::input::{fault_of, place_inside, read_small_file, unreadable};
 use references::VECTORS;
@@ -91,8 +92,11 @@ pub fn read_report_from(source: Source, limits: Limits) -> Result<(Folder, Files
     let (equations, mut faults) = reader
         .read("equations.toml", |file, bytes, _| read_equations_partly(file, bytes))
         .map_or((None, Faults::new()), |(equations, faults)| (Some(equations), faults));
-    let sound = equations.as_ref().filter(|_| faults.is_empty());
-    let claims = reader.read("claims.toml", |file, bytes, _| read_claims(file, bytes, &known_ids(), sound));
+    let proofs = reader.proofs(plan.as_ref().map_or(&[], |plan| &plan.proofs));
+    let has_proofs = proofs.is_some();
+    let equations = equations.map(|equations| equations.with_proofs(proofs.unwrap_or_default()));
+    let sound = equations.as_ref().filter(|_| faults.is_empty() && has_proofs);
+    let claims = reader.read("claims.toml", |file, bytes, _| read_claims(file, bytes, &procedures(), sound));
     if let (Some(equations), Some(claims)) = (&equations, &claims)
         && claims.iter().any(ClaimEntry::has_check)
     {
@@ -170,6 +174,16 @@ impl Reader {
     /// The name of a file, for messages.
     fn name(&self, path: &str) -> String {
         self.source.name(path)
+    }
+
+    /// Reads the files of `proofs/` with these names.
+    fn proofs(&mut self, names: &[String]) -> Option<StatedProofs> {
+        let path = |name: &String| format!("proofs/{name}.toml");
+        let files: Vec<_> = names
+            .iter()
+            .filter_map(|name| self.read(&path(name), |file, bytes, _| read_proofs(file, bytes)))
+            .collect();
+        join_proofs(&self.name("proofs"), files).map_err(|faults| self.faults.extend(faults)).ok()
     }
 
     /// Reads a file with `parse`; its faults are kept.

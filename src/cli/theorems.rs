@@ -3,9 +3,9 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use slipmode::scene::Limits;
+use slipmode::scene::{Limits, library_proofs};
 use slipmode::theorems::{Published, file_list, files, ties};
-use slipmode_core::theory::monotone;
+use slipmode_algebra::{Proof, Refutation};
 
 use crate::cli::diff::ledger;
 use crate::cli::failure::Failure;
@@ -14,6 +14,16 @@ use crate::cli::output::OutputFolder;
 
 /// The list of the files of archives, with what they state.
 const FILE_LIST: &str = "files.tsv";
+
+/// The proofs that decide a box of parameters: on the areas, on K < K_c, and on thresholds of the frequency.
+const OF_A_BOX: [&str; 6] = [
+    "unstable-real-area-is-monotone",
+    "upper-area-is-monotone",
+    "unstable-side-is-monotone",
+    "lower-area-by-a-path",
+    "lower-area-between-two-corners",
+    "frequency-threshold-is-crossed-once",
+];
 
 /// Options of `theorems`.
 #[derive(Debug, Args)]
@@ -44,8 +54,12 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     let published = published.collect::<Result<Vec<_>, Failure>>()?;
     // What decides a slider with error bars is about the paper's equations.
     let paper = published.iter().find(|report| report.equations.demand_paper().is_ok());
-    let of_a_box = paper.map_or_else(|| Ok(Vec::new()), |report| monotone::of_a_box(&report.equations));
-    let of_a_box = of_a_box.map_err(|refutation| Failure::Refused(refutation.to_string()))?;
+    let of_a_box = paper.map_or_else(
+        || Ok(Vec::new()),
+        |report| OF_A_BOX.map(|id| library_proofs().prove(id, &report.equations)).into_iter().collect(),
+    );
+    let of_a_box: Vec<Proof> =
+        of_a_box.map_err(|refutation: Refutation| Failure::Refused(refutation.to_string()))?;
     let mut made = files(&published, ("error-bars", of_a_box)).map_err(Failure::Refused)?;
     made.insert(FILE_LIST.to_owned(), file_list(&published).map_err(Failure::Refused)?);
     let moved = ties(&published).map_err(Failure::Refused)?;

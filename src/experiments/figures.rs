@@ -42,7 +42,7 @@ impl Figure {
 
     /// Whether the paper has such a figure.
     #[must_use]
-    pub fn is_of_the_paper(&self) -> bool {
+    pub fn has_number_of_the_paper(&self) -> bool {
         let number = self.label.split_once(' ').map_or("", |(_, number)| number);
         number.starts_with(|first: char| first.is_ascii_digit())
     }

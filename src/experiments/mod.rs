@@ -82,8 +82,8 @@ impl<'c> Context<'c> {
 
     /// For a sentence of this kind.
     #[must_use]
-    pub fn for_kind(self, kind: Kind) -> Self {
-        Self { kind, ..self }
+    pub fn with_kind(&self, kind: Kind) -> Context<'_> {
+        Context { kind, known: self.known.clone(), hopf: self.hopf.clone(), ..*self }
     }
 
     /// Without the last gate.

@@ -6,22 +6,8 @@ use crate::experiments::operating_point::operating_point_words;
 use crate::experiments::simulations::range_of_velocities;
 use crate::experiments::tolerance::accuracy_of_asymptotes;
 use crate::report::AnswerView;
-use crate::scene::{Question, Source};
+use crate::scene::{InAnswer, Question, Source, Subject};
 use slipmode_plot::table::escape_markdown;
-
-/// Letters of the claims' ids: heading of the group, and what its claims are about.
-pub(super) const GROUPS: [(char, &str, &str); 7] = [
-    ('F', "Friction law (F)", "the friction law"),
-    ('L', "Linearisation (L)", "the linearisation"),
-    ('S', "Stability transition (S)", "the stability transition"),
-    ('B', "Boundary of oscillation (B)", "the boundary of oscillation"),
-    ('Q', "Frequency (Q)", "the frequency"),
-    ('N', "Numerical runs (N)", "numerical runs"),
-    ('Z', "Maps and criteria (Z)", "maps and criteria"),
-];
-
-/// Claims of simulations that say most about the theory: stability, slip modes, and the other evolution law.
-const SIMULATED: [&str; 3] = ["N1", "N2", "N4"];
 
 /// What the report finds, the question of the report first.
 pub(super) fn answer(question: Question, ledger: &Ledger, outcome: &Outcome) -> Vec<AnswerView> {
@@ -29,16 +15,24 @@ pub(super) fn answer(question: Question, ledger: &Ledger, outcome: &Outcome) -> 
     let others = Source::ALL.into_iter().filter(|source| *source != Source::Paper);
     let others: Vec<_> =
         others.map(|source| of_source(source, &ledger.of(source).collect::<Vec<_>>())).collect();
-    if !ledger.is_of_the_paper() {
+    let entering = |answer: InAnswer| paper.iter().copied().filter(move |one| one.in_answer == Some(answer));
+    // Without subjects there is no sentence on what is right about them.
+    if ledger.subjects().is_empty() {
         return [counts(&paper), wrong(ledger, &paper)].into_iter().chain(others).flatten().collect();
     }
-    let worst = paper.iter().filter(|entry| entry.id == "Z5").map(|entry| &entry.id);
+    let worst = entering(InAnswer::Formulas).map(|entry| &entry.id);
     let formulas = accuracy_of_asymptotes(outcome).map(|text| AnswerView::new(text, worst));
     let validity = range_of_velocities(outcome).map(|text| AnswerView::new(text, []));
-    let claims = [counts(&paper), right(&paper)];
+    let claims = [counts(&paper), right(ledger, &paper)];
     let point = operating_point_words(outcome).map(|text| AnswerView::new(text, []));
     let error_bars = error_bars_words(ledger).map(|text| AnswerView::new(text, []));
-    let rest = [error_bars, wrong(ledger, &paper), simulations(&paper)].into_iter().chain(others);
+    let rest = [
+        error_bars,
+        wrong(ledger, &paper),
+        simulations(&entering(InAnswer::Simulations).collect::<Vec<_>>()),
+    ]
+    .into_iter()
+    .chain(others);
     let ordered: Vec<Option<AnswerView>> = match question {
         Question::Claims => claims.into_iter().chain([formulas]).chain(rest).collect(),
         Question::Formulas => [point, formulas, validity].into_iter().chain(claims).chain(rest).collect(),
@@ -85,17 +79,18 @@ fn counts(claims: &[&Entry]) -> Option<AnswerView> {
 }
 
 /// The subjects on which nothing is wrong.
-fn right(claims: &[&Entry]) -> Option<AnswerView> {
-    let verdicts = |letter: char| {
-        let of_letter = claims.iter().filter(move |entry| entry.id.starts_with(letter));
-        of_letter.map(|entry| entry.finding.verdict).collect::<Vec<_>>()
+fn right(ledger: &Ledger, claims: &[&Entry]) -> Option<AnswerView> {
+    let verdicts = |subject: &Subject| {
+        let about = claims.iter().filter(|entry| entry.subject.as_ref() == Some(subject));
+        about.map(|entry| entry.finding.verdict).collect::<Vec<_>>()
     };
     let subjects = |fits: &dyn Fn(&[Verdict]) -> bool| {
-        let fitting = GROUPS.iter().filter(|(letter, ..)| {
-            let verdicts = verdicts(*letter);
+        let all = ledger.subjects().into_iter();
+        let fitting = all.filter(|subject| {
+            let verdicts = verdicts(subject);
             !verdicts.is_empty() && fits(&verdicts)
         });
-        listed(&fitting.map(|(.., subject)| *subject).collect::<Vec<_>>())
+        listed(&fitting.map(|subject| subject.words.as_str()).collect::<Vec<_>>())
     };
     let held = |verdicts: &[Verdict]| verdicts.iter().all(|it| *it == Verdict::Holds);
     let right = |verdicts: &[Verdict]| {
@@ -150,10 +145,7 @@ fn wrong(ledger: &Ledger, claims: &[&Entry]) -> Option<AnswerView> {
 
 /// What simulations of the full equations say of stability, slip modes and the other law.
 fn simulations(claims: &[&Entry]) -> Option<AnswerView> {
-    let decided = SIMULATED.iter().filter_map(|id| {
-        let entry = claims.iter().find(|entry| entry.id == *id)?;
-        Some((&entry.id, said(entry)?))
-    });
+    let decided = claims.iter().filter_map(|entry| Some((&entry.id, said(entry)?)));
     let (ids, said): (Vec<&String>, Vec<String>) = decided.unzip();
     (!ids.is_empty()).then(|| AnswerView::new(format!("In simulations: {}.", said.join("; ")), ids))
 }
@@ -200,7 +192,7 @@ fn said(entry: &Entry) -> Option<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::claims::{Evidence, Finding, find};
+    use crate::claims::{Evidence, Finding};
     use crate::scene::Sentence;
 
     fn entry(id: &str, finding: Finding) -> Entry {
@@ -208,7 +200,7 @@ mod tests {
             id: id.into(),
             place: String::new(),
             words: format!("Words of {id}."),
-            criterion: find(id).map_or(String::new(), |check| check.criterion.into()),
+            criterion: String::new(),
             digest: String::new(),
             sentence: Sentence {
                 source: if id.starts_with('X') { Source::Result } else { Source::Paper },
@@ -219,9 +211,23 @@ mod tests {
             not_established: String::new(),
             error_bars: None,
             untied: None,
+            subject: subject(id),
+            in_answer: ["N1", "N2", "N4"].contains(&id).then_some(InAnswer::Simulations),
             rests_on: Vec::new(),
             stated: None,
         }
+    }
+
+    fn subject(id: &str) -> Option<Subject> {
+        let all = [
+            ("L", "the linearisation"),
+            ("S", "the stability transition"),
+            ("B", "the boundary of oscillation"),
+            ("N", "numerical runs"),
+        ];
+        let place = all.iter().position(|(letter, _)| id.starts_with(letter))?;
+        let (letter, words) = all[place];
+        Some(Subject { place, letter: letter.into(), title: letter.into(), words: words.into() })
     }
 
     fn held() -> Finding {
@@ -234,10 +240,8 @@ mod tests {
     }
 
     #[test]
-    fn the_letters_of_another_papers_claims_name_no_subject() {
-        let mut claims = vec![entry("Q1", held()), entry("Z2", held())];
-        claims.iter_mut().for_each(|claim| claim.criterion = "a formula".into());
-        let found = sentences(claims);
+    fn claims_without_a_subject_are_counted() {
+        let found = sentences(vec![entry("Q1", held()), entry("Z2", held())]);
         assert_eq!(found.len(), 1);
         assert!(
             found[0]

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use crate::claims::{DecidedFor, Entry, Evidence, Ledger, Part, Reading, Strength, Verdict};
 use crate::experiments::{Figure, Outcome};
-use crate::report::answer::{GROUPS, answer};
+use crate::report::answer::answer;
 use crate::report::blocks::{BlockKind, Piece, pieces};
 use crate::report::certificates::Certificates;
 use crate::report::changes::{changes, decided_by};
@@ -89,7 +89,7 @@ fn numbered(mut figures: Vec<Figure>, plan: &ReportPlan, prose: &BTreeMap<String
             .position(|piece| matches!(piece, Piece::Block(BlockKind::Figure, id) if *id == figure.id))
     };
     figures.sort_by_key(place);
-    let own = figures.iter_mut().filter(|figure| !figure.is_of_the_paper());
+    let own = figures.iter_mut().filter(|figure| !figure.has_number_of_the_paper());
     own.zip(1_usize..).for_each(|(figure, number)| figure.label = format!("Figure R{number}"));
     figures
 }
@@ -125,9 +125,7 @@ fn cards(ledger: &Ledger) -> Vec<CardView> {
 
 fn groups(ledger: &Ledger, place: &str) -> Vec<ClaimGroupView> {
     let certificates = Certificates::of(ledger);
-    // The letters are those of one paper: claims of another one are one group.
-    let subjects = if ledger.is_of_the_paper() { &GROUPS[..] } else { &[] };
-    let known = |id: &str| subjects.iter().any(|(letter, ..)| id.starts_with(*letter));
+    let subjects = ledger.subjects();
     let group = |title: &str, belongs: &dyn Fn(&Entry) -> bool| ClaimGroupView {
         title: title.into(),
         claims: ledger
@@ -140,10 +138,10 @@ fn groups(ledger: &Ledger, place: &str) -> Vec<ClaimGroupView> {
     let of_paper = |entry: &Entry| entry.sentence.source == Source::Paper;
     // Claims that a report states as formulas may have any letter.
     let title = if subjects.is_empty() { "Claims of the paper" } else { "Claims stated as formulas" };
-    let unknown = group(title, &|entry| of_paper(entry) && !known(&entry.id));
+    let unknown = group(title, &|entry| of_paper(entry) && entry.subject.is_none());
     let known = subjects
         .iter()
-        .map(|(letter, title, _)| group(title, &|one| of_paper(one) && one.id.starts_with(*letter)));
+        .map(|subject| group(&subject.title, &|one| of_paper(one) && one.subject.as_ref() == Some(*subject)));
     let others = Source::ALL.into_iter().filter(|source| *source != Source::Paper);
     let others = others.map(|source| group(source_title(source), &|entry| entry.sentence.source == source));
     known.chain([unknown]).chain(others).filter(|group| !group.claims.is_empty()).collect()
@@ -221,16 +219,23 @@ fn strength_of(verdict: Verdict, strength: Strength) -> String {
 /// What has to be found: the formulas with their conditions, where formulas decide; several stand with their parts.
 fn acceptance(entry: &Entry) -> String {
     let mut parts = entry.stated.iter().flat_map(StatedClaim::parts);
+    let says_itself = entry.stated.as_ref().is_some_and(|stated| stated.criterion.is_some());
     match (parts.next(), parts.next()) {
         (None, _) => plain(&entry.criterion),
+        _ if says_itself => plain(&entry.criterion),
         (Some((_, formula)), None) => formula.markdown(),
         _ => "all parts below hold".into(),
     }
 }
 
 fn readings(entry: &Entry) -> Vec<ReadingView> {
-    let formulas = entry.stated.iter().flat_map(StatedClaim::parts);
-    let mut formulas = formulas.map(|(_, formula)| formula.markdown());
+    let formulas: Vec<String> =
+        entry.stated.iter().flat_map(StatedClaim::parts).map(|(_, formula)| formula.markdown()).collect();
+    // A procedure that decides a whole claim may find readings and parts of its own.
+    let parts = entry.finding.readings.iter().map(|reading| reading.parts.len()).sum::<usize>();
+    let mut formulas = formulas
+        .into_iter()
+        .filter(|_| entry.stated.as_ref().is_some_and(|stated| stated.parts().count() == parts));
     let mut part = |part: &Part| PartView {
         words_markdown: plain(&part.words),
         formula_markdown: formulas.next().unwrap_or_default(),
@@ -312,6 +317,7 @@ mod tests {
             publish_page: true,
             question: crate::scene::Question::Claims,
             scenes: Vec::new(),
+            proofs: Vec::new(),
             measured: None,
             paper: Default::default(),
             chapters: vec![chapter("one"), chapter("two")],

@@ -73,6 +73,8 @@ mod tests {
             not_established: String::new(),
             error_bars: None,
             untied: None,
+            subject: None,
+            in_answer: None,
             rests_on: Vec::new(),
             expected: Verdict::Holds,
             stated: None,

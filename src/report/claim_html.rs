@@ -27,7 +27,7 @@ pub(crate) fn claim_page(claim: &ClaimView, catalogue: &Catalogue<'_>, prose: &m
         |markdown: &str, part: &str| prose.inline(markdown, &format!("claim {}, {part}", claim.id));
     json!({
         "id": claim.id,
-        "is_of_the_paper": claim.source == Source::Paper,
+        "is_of_paper": claim.source == Source::Paper,
         "kind_html": html(&claim.kind_markdown, "sentence"),
         "place": claim.place,
         "class": claim.verdict.as_str(),

@@ -18,9 +18,9 @@ pub(crate) fn claim_text(
         "id_md": escape_markdown(&claim.id),
         "link_md": link(&claim.id),
         "kind_md": item(&claim.kind_markdown),
-        "decided_md": item(&claim.decided_markdown).replace('|', "\\|"),
-        "cell_md": item(&claim.statement_markdown).replace('|', "\\|"),
-        "is_of_the_paper": claim.source == Source::Paper,
+        "decided_md": cell(&item(&claim.decided_markdown)),
+        "cell_md": cell(&item(&claim.statement_markdown)),
+        "is_of_paper": claim.source == Source::Paper,
         "place_md": escape_cell(&claim.place),
         "symbol": claim.verdict.symbol(),
         "word": claim.verdict.word(),
@@ -78,6 +78,20 @@ pub(crate) fn line(markdown: &str) -> String {
     markdown.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
+/// A line of Markdown as one cell of a table: a `|` in it does not end the cell.
+pub(crate) fn cell(line: &str) -> String {
+    let mut cell = String::with_capacity(line.len());
+    let mut escaped = false;
+    for c in line.chars() {
+        if c == '|' && !escaped {
+            cell.push('\\');
+        }
+        cell.push(c);
+        escaped = c == '\\' && !escaped;
+    }
+    cell
+}
+
 /// Text as an inline code span that shows exactly these characters, on one line; empty for empty text.
 pub(crate) fn code_span(text: &str) -> String {
     let one_line: String =
@@ -106,6 +120,12 @@ fn longest_run(text: &str) -> usize {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_bar_does_not_end_a_cell() {
+        assert_eq!(cell(r"|s| = 1"), r"\|s\| = 1");
+        assert_eq!(cell(r"\|s\| = \\\\|"), r"\|s\| = \\\\\|");
+    }
 
     #[test]
     fn code_cannot_be_left() {

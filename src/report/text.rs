@@ -6,7 +6,7 @@ use serde_json::{Value, json};
 
 use super::blocks::{BlockKind, Piece, pieces};
 use super::catalogue::{Catalogue, faults, texts};
-use super::claim_text::{claim_text, code_span, line};
+use super::claim_text::{cell, claim_text, code_span, line};
 use super::markdown::{harmless, slug};
 use super::parts::{lead, runs, title};
 use super::templates::Templates;
@@ -64,7 +64,7 @@ impl<'a> Report<'a> {
 
     /// What the reader's edition shows.
     fn edition(&self) -> Result<Value, ReportError> {
-        let figures = self.view.figures.iter().filter(|figure| figure.is_of_the_paper());
+        let figures = self.view.figures.iter().filter(|figure| figure.has_number_of_the_paper());
         Ok(json!({
             "title": self.view.title,
             "subtitle": self.view.subtitle,
@@ -77,7 +77,7 @@ impl<'a> Report<'a> {
     }
 
     fn changes(&self) -> Vec<Value> {
-        let cell = |markdown: &str| line(&self.prose(markdown, 1)).replace('|', "\\|");
+        let cell = |markdown: &str| cell(&line(&self.prose(markdown, 1)));
         let change = |change: &ChangeView| {
             let claim = self.catalogue.claims.get(change.claim.as_str())?;
             Some(json!({

@@ -109,7 +109,7 @@ pub struct ClaimGroupView {
 /// One claim of the ledger.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ClaimView {
-    /// Id, such as `B8`; the deep link is `claim-B8`.
+    /// Id, such as `R2`; the deep link is `claim-R2`.
     pub id: String,
     /// Place in the paper, such as `3.2, fig. 6`.
     pub place: String,

@@ -1,8 +1,12 @@
 //! The claims of the first paper that are stated as formulas: a report that lists one of them by its id alone is decided by them.
 
-use slipmode_core::theory::Equations;
+use std::sync::{Arc, LazyLock};
 
-use crate::scene::{ClaimEntry, Sentence, StatedClaim, read_claims};
+use slipmode_core::theory::Equations;
+use slipmode_core::theory::stated_proofs::StatedProofs;
+
+use crate::scene::claim_computed::Procedures;
+use crate::scene::{ClaimEntry, Sentence, read_claims};
 
 const PAPER: &str = include_str!("../../reports/im-avouac/claims.toml");
 
@@ -12,11 +16,6 @@ fn all_sections() -> impl Iterator<Item = (&'static str, &'static str)> {
         section.lines().find_map(|line| line.strip_prefix("id = \"")?.strip_suffix('"'))
     };
     PAPER.split("[[claim]]\n").skip(1).filter_map(move |section| Some((id(section)?, section)))
-}
-
-/// Those that have formulas.
-fn sections() -> impl Iterator<Item = (&'static str, &'static str)> {
-    all_sections().filter(|(_, section)| section.contains("\nformula = "))
 }
 
 /// What kind of sentence the first paper's claim of this id is.
@@ -33,28 +32,64 @@ pub(super) fn library_sentence(id: &str) -> Option<Sentence> {
 
 /// The ids of these claims.
 pub fn library_ids() -> impl Iterator<Item = &'static str> {
-    sections().map(|(id, _)| id)
+    all_sections().map(|(id, _)| id)
 }
 
-/// Whether a claim with this id says what one of these claims says.
+/// The proofs of the first paper's report.
 #[must_use]
-pub fn is_library_claim(id: &str, stated: &StatedClaim) -> bool {
-    let says = |section: &str| {
-        stated.parts().all(|(_, formula)| section.contains(&format!("\nformula = \"{}\"\n", formula.text)))
-    };
-    sections().any(|(known, section)| known == id && says(section))
+pub fn library_proofs() -> &'static Arc<StatedProofs> {
+    const FILES: &[(&str, &str)] = &include!(concat!(env!("OUT_DIR"), "/stated_proofs.rs"));
+    static PROOFS: LazyLock<Arc<StatedProofs>> = LazyLock::new(|| {
+        // A test reads them all.
+        let files = FILES.iter().filter_map(|(_, text)| toml::from_str(text).ok());
+        Arc::new(StatedProofs::read(files).unwrap_or_default())
+    });
+    &PROOFS
 }
 
 /// One of these claims in the names of a report's equations.
 ///
 /// # Errors
-/// Why its formulas cannot be read in these names.
-pub fn library_claim(id: &str, equations: &Equations) -> Option<Result<ClaimEntry, String>> {
-    let (_, section) = sections().find(|(known, _)| *known == id)?;
-    let read = read_claims("claims.toml", format!("[[claim]]\n{section}").as_bytes(), &[], Some(equations));
+/// Why it cannot be read in these names.
+pub fn library_claim(
+    id: &str,
+    equations: &Equations,
+    procedures: &Procedures,
+) -> Option<Result<ClaimEntry, String>> {
+    let sections = with_premises(id)?;
+    let read = read_claims("claims.toml", sections.as_bytes(), procedures, Some(equations));
     let read = read.map(|mut claims| claims.pop());
     let words = |fault: &crate::scene::Fault| {
         format!("The claim's formulas cannot be read in the report's equations: {fault}.")
     };
     read.map_err(|faults| faults.first().map_or_else(String::new, words)).transpose()
+}
+
+/// The claim after its premises, each once.
+fn with_premises(id: &str) -> Option<String> {
+    fn add(id: &str, found: &mut Vec<&'static str>) -> Option<()> {
+        let (_, section) = all_sections().find(|(known, _)| *known == id)?;
+        let lists = section.lines().filter_map(|line| line.strip_prefix("premises = [")?.strip_suffix(']'));
+        for id in lists.flat_map(|list| list.split(',')).map(|id| id.trim().trim_matches('"')) {
+            add(id, found)?;
+        }
+        if !found.contains(&section) {
+            found.push(section);
+        }
+        Some(())
+    }
+    let mut found = Vec::new();
+    add(id, &mut found)?;
+    let head = PAPER.split("[[claim]]\n").next().unwrap_or_default();
+    Some(found.into_iter().fold(head.to_owned(), |text, section| format!("{text}[[claim]]\n{section}")))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_proofs_of_the_library_are_read() {
+        assert!(library_proofs().ids().count() > 20);
+    }
 }

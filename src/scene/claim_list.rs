@@ -1,10 +1,15 @@
 //! `claims.toml`: the claims that a report decides, with the verdict recorded when they were last reviewed.
 
+use std::collections::{BTreeMap, BTreeSet};
+use std::sync::Arc;
+
 use slipmode_core::theory::Equations;
 
+use crate::scene::claim_computed::{Computed, Known, Premise, Procedures};
 use crate::scene::claim_formula::ClaimFormula;
-use crate::scene::claim_library::{library_claim, library_sentence};
+use crate::scene::claim_library::{library_claim, library_ids, library_sentence};
 use crate::scene::claim_scope::FormulaEntries;
+use crate::scene::claim_subject::{InAnswer, Sliders, Subject, read_subjects};
 use crate::scene::document::read_document;
 use crate::scene::section::{Entry, Section};
 use crate::scene::{Faults, Limits, Problem, Sentence, Verdict, of_word, same_name};
@@ -12,7 +17,7 @@ use crate::scene::{Faults, Limits, Problem, Sentence, Verdict, of_word, same_nam
 /// One claim of the paper, in our words.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ClaimEntry {
-    /// The id, such as `B8`.
+    /// The id, such as `R2`.
     pub id: String,
     /// Where in the paper.
     pub place: String,
@@ -26,32 +31,41 @@ pub struct ClaimEntry {
     pub stated: Option<StatedClaim>,
     /// Why the claim is out of reach.
     pub reason: Option<String>,
-    /// Claims whose truth this one presupposes; those of a check are known besides.
+    /// Claims whose truth this one presupposes.
     pub rests_on: Vec<String>,
+    /// What it is about.
+    pub subject: Option<Subject>,
+    /// Where a report's answer uses it.
+    pub in_answer: Option<InAnswer>,
+    /// The sliders for which a new report lists it.
+    pub sliders: Vec<Sliders>,
 }
 
 impl ClaimEntry {
-    /// Whether a function of this program decides the claim, by its id: it has neither formulas nor a reason.
+    /// Whether a part of it takes the equations of the first paper.
     #[must_use]
     pub fn has_check(&self) -> bool {
-        self.stated.is_none() && self.reason.is_none()
+        let parts = self.stated.iter().flat_map(StatedClaim::parts);
+        parts.filter_map(|(_, formula)| formula.computed()).any(Computed::needs_the_paper)
     }
-}
 
-impl ClaimEntry {
-    /// A claim that is listed by its id alone, with the formulas of the first paper's claim of this id, where that has formulas.
-    fn with_library(self, equations: &Equations) -> Self {
-        match library_claim(&self.id, equations) {
+    /// A claim that is listed by its id alone, as the first paper's claim of this id states it.
+    fn with_library(self, equations: &Equations, procedures: &Procedures) -> Self {
+        match library_claim(&self.id, equations, procedures) {
             None => self,
-            Some(Ok(ClaimEntry { stated, rests_on, .. })) => Self { stated, rests_on, ..self },
+            Some(Ok(ClaimEntry { stated, rests_on, subject, in_answer, .. })) => {
+                Self { stated, rests_on, subject: subject.or(self.subject), in_answer, ..self }
+            }
             Some(Err(reason)) => Self { reason: Some(reason), ..self },
         }
     }
 }
 
-/// A claim as formulas.
-#[derive(Debug, Clone, PartialEq, Eq)]
+/// What a claim says as formulas, and what else decides it.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct StatedClaim {
+    /// What has to be found for it to hold, where that is more than formulas.
+    pub criterion: Option<String>,
     /// What of the words the formulas leave out.
     pub leaves_out: String,
     /// The step from the formulas to the words, where it is argued: the words are about more than the formulas.
@@ -63,6 +77,11 @@ pub struct StatedClaim {
 }
 
 impl StatedClaim {
+    fn premises_mut(&mut self) -> impl Iterator<Item = &mut Premise> {
+        let parts = self.readings.iter_mut().flat_map(|reading| &mut reading.parts);
+        parts.flat_map(|(_, formula)| formula.premises_mut())
+    }
+
     /// All parts of all readings, in order.
     pub fn parts(&self) -> impl Iterator<Item = &(String, ClaimFormula)> {
         self.readings.iter().flat_map(|reading| &reading.parts)
@@ -78,27 +97,28 @@ pub struct StatedReading {
     pub parts: Vec<(String, ClaimFormula)>,
 }
 
-/// Reads `claims.toml`; `known_ids` are the ids for which a check exists: a claim without formulas and without a reason has one of
-/// them. A claim with formulas may have any id, and they decide it. Formulas are read in the names of the equations; where the
-/// equations are at fault themselves (none), formulas are not read.
+/// Reads `claims.toml`. A claim may have any id, and its formulas and parts decide it; one that has none of them and no reason is one
+/// of the first paper's. Formulas are read in the names of the equations; where the equations are at fault themselves (none), formulas
+/// are not read.
 ///
 /// # Errors
 /// All the faults at once: among them unknown ids (with the nearest known one) and ids given twice.
 pub fn read_claims(
     file: &str,
     bytes: &[u8],
-    known_ids: &[&str],
+    procedures: &Procedures,
     equations: Option<&Equations>,
 ) -> Result<Vec<ClaimEntry>, Faults> {
     read_document(file, bytes, Limits::default(), |top| {
         let mut seen: Vec<String> = Vec::new();
-        top.required("claim", "[[claim]] sections")?.list(|member| {
+        let subjects = top.optionally("subject", read_subjects)?.unwrap_or_default();
+        let claims = top.required("claim", "[[claim]] sections")?.list(|member| {
             let mut section = member.section()?;
-            let stated = read_stated(&mut section, equations);
+            let stated = read_stated(&mut section, &Known { equations, procedures });
             let sentence = Sentence::read(&mut section);
             let reason = section.optional("reason");
             let is_stated = !matches!(stated, Some(None)) || reason.is_some();
-            let id = read_id(&mut section, known_ids, is_stated, &mut seen);
+            let id = read_id(&mut section, is_stated, &mut seen);
             let [place, words] = ["place", "words"].map(|key| section.text(key, "a text"));
             let allowed = Verdict::ALL.map(Verdict::as_str).join(", ");
             let expected = section.required("expected", &allowed);
@@ -109,6 +129,11 @@ pub fn read_claims(
             };
             let rests_on =
                 section.optional("rests_on").map_or(Some(Vec::new()), |list| list.list(Entry::text));
+            let in_answer =
+                section.optionally("in_answer", |entry| entry.word(&InAnswer::ALL, InAnswer::as_str));
+            let sliders = section.optionally("sliders", |entry| {
+                entry.list(|member| member.word(&Sliders::ALL, Sliders::as_str))
+            });
             section.finish();
             let (mut stated, words) = (stated?, words?);
             // A formula or a list of parts without words of its own says what the claim's words say.
@@ -121,6 +146,7 @@ pub fn read_claims(
                 sentence: sentence?
                     .or_else(|| library_sentence(&id).filter(|_| is_known))
                     .unwrap_or_default(),
+                subject: subjects.iter().find(|subject| id.starts_with(&subject.letter)).cloned(),
                 id,
                 place: place?,
                 words,
@@ -128,26 +154,79 @@ pub fn read_claims(
                 stated,
                 reason: reason?,
                 rests_on: rests_on?,
+                in_answer: in_answer?,
+                sliders: sliders?.unwrap_or_default(),
             };
-            Some(match equations.filter(|_| entry.has_check()) {
-                Some(equations) => entry.with_library(equations),
+            Some(match equations.filter(|_| is_known) {
+                Some(equations) => entry.with_library(equations, procedures),
                 None => entry,
             })
-        })
+        });
+        let of_library = |id: &str| library_claim(id, equations?, procedures)?.ok()?.stated;
+        let (claims, unknown) = with_premises(claims?, of_library);
+        if equations.is_none() {
+            return Some(claims);
+        }
+        for (id, premise) in &unknown {
+            let needs =
+                "the id of a claim that does not rest on this one: of this file, or of the first paper";
+            top.fault(&format!("claim {id}: premises: {premise}"), Problem::Needs(needs.into()));
+        }
+        unknown.is_empty().then_some(claims)
     })
 }
 
+/// The claims with what their premises say, and each premise that is no claim or rests on its own claim. A premise that the file
+/// does not list is one of the first paper's claims.
+fn with_premises(
+    mut claims: Vec<ClaimEntry>,
+    of_library: impl Fn(&str) -> Option<StatedClaim>,
+) -> (Vec<ClaimEntry>, Vec<(String, String)>) {
+    let ids: BTreeSet<String> = claims.iter().map(|claim| claim.id.clone()).collect();
+    let stated = claims.iter_mut().filter_map(|claim| claim.stated.as_mut());
+    for premise in stated.flat_map(StatedClaim::premises_mut).filter(|one| !ids.contains(&one.id)) {
+        premise.stated = of_library(&premise.id).map(Arc::new).unwrap_or_default();
+    }
+    let mut done: BTreeMap<String, Arc<StatedClaim>> = BTreeMap::new();
+    loop {
+        let known = done.len();
+        for claim in &mut claims {
+            let Some(stated) = claim.stated.as_mut().filter(|_| !done.contains_key(&claim.id)) else {
+                continue;
+            };
+            stated.premises_mut().filter(|one| one.stated.readings.is_empty()).for_each(|premise| {
+                premise.stated = done.get(&premise.id).cloned().unwrap_or_default();
+            });
+            if stated.premises_mut().all(|premise| !premise.stated.readings.is_empty()) {
+                done.insert(claim.id.clone(), Arc::new(stated.clone()));
+            }
+        }
+        if done.len() == known {
+            break;
+        }
+    }
+    let mut unknown = Vec::new();
+    for claim in claims.iter_mut().filter(|claim| !done.contains_key(&claim.id)) {
+        let open = claim.stated.iter_mut().flat_map(StatedClaim::premises_mut);
+        let open = open.filter(|premise| premise.stated.readings.is_empty());
+        unknown.extend(open.map(|premise| (claim.id.clone(), premise.id.clone())));
+    }
+    (claims, unknown)
+}
+
 /// The formulas of a claim; the inner none for a claim without any.
-fn read_stated(section: &mut Section<'_>, equations: Option<&Equations>) -> Option<Option<StatedClaim>> {
+fn read_stated(section: &mut Section<'_>, known: &Known<'_>) -> Option<Option<StatedClaim>> {
     let formula = FormulaEntries::of(section);
-    let [parts, readings, leaves_out, argued, remarks] =
-        ["part", "reading", "leaves_out", "argued", "remarks"].map(|key| section.optional(key));
+    let [parts, readings, criterion, leaves_out, argued, remarks] =
+        ["part", "reading", "criterion", "leaves_out", "argued", "remarks"].map(|key| section.optional(key));
     if !formula.is_stated() && parts.is_none() && readings.is_none() {
-        let stray = formula.scope().chain(&leaves_out).chain(&argued).chain(&remarks).next();
+        let stray =
+            formula.scope().chain(&criterion).chain(&leaves_out).chain(&argued).chain(&remarks).next();
         return match stray {
             None => Some(None),
-            Some(entry) => entry
-                .refuse(Problem::Needs("`formula`, `motion`, [[claim.part]] or [[claim.reading]]".into())),
+            Some(entry) => entry.refuse(Problem::Needs(
+                "`formula`, `motion`, `proofs`, `check`, [[claim.part]] or [[claim.reading]]".into(),
+            )),
         };
     }
     let leaves_out = match leaves_out {
@@ -160,17 +239,15 @@ fn read_stated(section: &mut Section<'_>, equations: Option<&Equations>) -> Opti
     };
     let alone = |parts| vec![StatedReading { words: String::new(), parts }];
     let readings = match (formula.is_stated(), parts, readings) {
-        (true, None, None) => formula.read(equations).map(|formula| alone(vec![(String::new(), formula)])),
-        (false, Some(parts), None) => {
-            formula.no_scope().and_then(|()| read_parts(&parts, equations)).map(alone)
-        }
+        (true, None, None) => formula.read(known).map(|formula| alone(vec![(String::new(), formula)])),
+        (false, Some(parts), None) => formula.no_scope().and_then(|()| read_parts(&parts, known)).map(alone),
         (false, None, Some(readings)) => formula.no_scope().and_then(|()| {
             readings.list(|reading| {
                 let mut reading = reading.section()?;
                 let words = reading.text("words", "a text");
                 let parts = reading.required("part", "[[claim.reading.part]] sections");
                 reading.finish();
-                Some(StatedReading { words: words?, parts: read_parts(&parts?, equations)? })
+                Some(StatedReading { words: words?, parts: read_parts(&parts?, known)? })
             })
         }),
         (_, parts, readings) => readings.or(parts)?.refuse(Problem::Needs(
@@ -179,8 +256,9 @@ fn read_stated(section: &mut Section<'_>, equations: Option<&Equations>) -> Opti
     };
     let argued = argued.map_or(Some(None), |entry| entry.text().map(Some));
     let remarks = remarks.map_or(Some(Vec::new()), |list| list.list(Entry::text));
-    let (leaves_out, argued, remarks) = (leaves_out?, argued?, remarks?);
-    Some(Some(StatedClaim { leaves_out, argued, remarks, readings: readings? }))
+    let criterion = criterion.map_or(Some(None), |entry| entry.text().map(Some));
+    let (criterion, leaves_out, argued, remarks) = (criterion?, leaves_out?, argued?, remarks?);
+    Some(Some(StatedClaim { criterion, leaves_out, argued, remarks, readings: readings? }))
 }
 
 /// Why a claim is out of reach: it has no formula, and is recorded as not checked.
@@ -202,7 +280,7 @@ fn read_reason(
     }
 }
 
-fn read_parts(parts: &Entry<'_>, equations: Option<&Equations>) -> Option<Vec<(String, ClaimFormula)>> {
+fn read_parts(parts: &Entry<'_>, known: &Known<'_>) -> Option<Vec<(String, ClaimFormula)>> {
     parts.list(|part| {
         let mut part = part.section()?;
         let words = part.text("words", "a text");
@@ -211,16 +289,11 @@ fn read_parts(parts: &Entry<'_>, equations: Option<&Equations>) -> Option<Vec<(S
             part.fault("formula", Problem::Missing { allowed: "a formula, or `motion`".into() });
         }
         part.finish();
-        Some((words?, formula.read(equations)?))
+        Some((words?, formula.read(known)?))
     })
 }
 
-fn read_id(
-    section: &mut Section<'_>,
-    known_ids: &[&str],
-    is_stated: bool,
-    seen: &mut Vec<String>,
-) -> Option<String> {
+fn read_id(section: &mut Section<'_>, is_stated: bool, seen: &mut Vec<String>) -> Option<String> {
     let entry = section.required("id", "the id of a claim")?;
     let id = entry.text()?;
     if let Some(first) = seen.iter().find(|first| same_name(first, &id)) {
@@ -229,7 +302,8 @@ fn read_id(
     }
     seen.push(id.clone());
     if !is_stated {
-        entry.sound(of_word(&id, known_ids, |known| known))?;
+        let known: Vec<&str> = library_ids().collect();
+        entry.sound(of_word(&id, &known, |known| known))?;
     } else {
         let is_letter = |first: char| first.is_ascii_uppercase();
         let well_formed =
@@ -254,7 +328,7 @@ mod tests {
     #[test]
     fn claims_are_read_in_order() {
         let text = claim("B8", "holds-within") + &claim("B1", "fails");
-        let claims = read_claims("claims.toml", text.as_bytes(), &["B1", "B8"], None).unwrap();
+        let claims = read_claims("claims.toml", text.as_bytes(), &Procedures::default(), None).unwrap();
         assert_eq!(claims.iter().map(|claim| claim.id.as_str()).collect::<Vec<_>>(), ["B8", "B1"]);
         assert_eq!(claims[0].expected, Verdict::HoldsWithin);
     }
@@ -262,7 +336,7 @@ mod tests {
     #[test]
     fn doubled_and_unknown_ids_and_unknown_verdicts_are_all_reported() {
         let text = claim("B8", "holds") + &claim("B8", "holds") + &claim("X9", "hold");
-        let faults = read_claims("claims.toml", text.as_bytes(), &["B1", "B8"], None).unwrap_err();
+        let faults = read_claims("claims.toml", text.as_bytes(), &Procedures::default(), None).unwrap_err();
         let lines: Vec<_> = faults.iter().filter_map(|fault| fault.line).collect();
         assert_eq!(lines, [7, 12, 15]);
         assert!(matches!(faults[0].problem, Problem::Duplicate { folded: false, .. }));

@@ -5,6 +5,7 @@ use slipmode_core::number::{Rational, parse_decimal};
 use slipmode_core::theory::Equations;
 
 use crate::scene::Problem;
+use crate::scene::claim_computed::{ComputedEntries, Known};
 use crate::scene::claim_formula::{
     ClaimFormula, FormulaCondition, FormulaLimit, Scope, read_side, read_variable,
 };
@@ -15,6 +16,7 @@ use crate::scene::section::{Entry, Section};
 /// The entries that state one formula, or what is said of the motions of a system.
 pub(super) struct FormulaEntries<'t> {
     formula: Option<Entry<'t>>,
+    computed: ComputedEntries<'t>,
     rows: Option<Entry<'t>>,
     limit: Option<Entry<'t>>,
     outside: Option<Entry<'t>>,
@@ -34,12 +36,13 @@ impl<'t> FormulaEntries<'t> {
             "moves",
         ]
         .map(|key| section.optional(key));
-        Self { formula, motion, rows, limit, outside, given, there_is, witness, within, at, moves }
+        let computed = ComputedEntries::of(section);
+        Self { formula, computed, motion, rows, limit, outside, given, there_is, witness, within, at, moves }
     }
 
     /// Whether something is stated.
     pub fn is_stated(&self) -> bool {
-        self.formula.is_some() || self.motion.is_some()
+        self.formula.is_some() || self.motion.is_some() || self.computed.is_stated()
     }
 
     /// What says over what the formula is said.
@@ -57,6 +60,7 @@ impl<'t> FormulaEntries<'t> {
         ]
         .into_iter()
         .flatten()
+        .chain(self.computed.first())
     }
 
     /// Refuses a scope without a formula beside it.
@@ -68,28 +72,36 @@ impl<'t> FormulaEntries<'t> {
     }
 
     /// The formula over its scope, with its limit.
-    pub fn read(&self, equations: Option<&Equations>) -> Option<ClaimFormula> {
+    pub fn read(&self, known: &Known<'_>) -> Option<ClaimFormula> {
         let limit = match (&self.limit, &self.outside) {
             (None, None) => None,
             (Some(limit), Some(outside)) => {
                 let mut outside = outside.section()?;
                 let (words, formula) = (outside.text("words", "a text"), Self::of(&mut outside));
                 outside.finish();
-                Some(Box::new(FormulaLimit {
-                    words: limit.text()?,
-                    outside: (words?, formula.read(equations)?),
-                }))
+                Some(Box::new(FormulaLimit { words: limit.text()?, outside: (words?, formula.read(known)?) }))
             }
             (limit, outside) => {
                 let lone = limit.as_ref().or(outside.as_ref())?;
                 return lone.refuse(Problem::Needs("`limit` and `outside` beside each other".into()));
             }
         };
-        Some(ClaimFormula { limit, ..self.read_alone(equations)? })
+        Some(ClaimFormula { limit, ..self.read_alone(known)? })
     }
 
     /// The formula over its scope; all faults of the scope are found first.
-    fn read_alone(&self, equations: Option<&Equations>) -> Option<ClaimFormula> {
+    fn read_alone(&self, known: &Known<'_>) -> Option<ClaimFormula> {
+        let equations = known.equations;
+        if let Some(first) = self.computed.first() {
+            let needs = match (&self.formula, &self.motion, &self.rows) {
+                (None, None, None) if self.computed.is_stated() => {
+                    return Some(ClaimFormula::of_computed(self.computed.read(known)?));
+                }
+                (None, None, None) => "`check`, `proofs` or `premises` beside it",
+                _ => "no formula beside it: it has a part of its own",
+            };
+            return first.refuse(Problem::Needs(needs.into()));
+        }
         if let Some(motion) = &self.motion {
             return self.read_motion(motion, equations?);
         }

@@ -20,10 +20,8 @@ pub fn read_equations(file: &str, bytes: &[u8]) -> Result<Equations, Faults> {
 /// TOML that does not parse, and unknown keys.
 pub fn read_equations_partly(file: &str, bytes: &[u8]) -> Result<(Equations, Faults), Faults> {
     let text = file_text(file, bytes).map_err(|fault| vec![fault])?;
-    let equations: EquationsText = toml::from_str(text).map_err(|error| {
-        let line = error.span().map(|span| line_at(text.as_bytes(), span.start));
-        vec![Fault { line, ..equation_fault(file, "", error.message()) }]
-    })?;
+    let equations: EquationsText =
+        toml::from_str(text).map_err(|error| vec![toml_fault(file, text, &error)])?;
     let (equations, faults) = Equations::read_partly(equations);
     Ok((equations, faults.iter().map(|fault| equation_fault(file, &fault.key, &fault.message)).collect()))
 }
@@ -36,7 +34,13 @@ pub fn paper_faults(file: &str, equations: &Equations, known: &Faults) -> Faults
     missing.iter().filter(is_new).map(|fault| equation_fault(file, &fault.key, &fault.message)).collect()
 }
 
-fn equation_fault(file: &str, key: &str, message: &str) -> Fault {
+/// TOML that does not parse, with its line.
+pub(super) fn toml_fault(file: &str, text: &str, error: &toml::de::Error) -> Fault {
+    let line = error.span().map(|span| line_at(text.as_bytes(), span.start));
+    Fault { line, ..equation_fault(file, "", error.message()) }
+}
+
+pub(super) fn equation_fault(file: &str, key: &str, message: &str) -> Fault {
     let problem = Problem::Equation(message.trim_end().replace('\n', "; "));
     Fault { file: file.to_string(), line: None, key: key.to_string(), value: None, problem }
 }

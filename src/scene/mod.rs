@@ -5,12 +5,14 @@
 //! Decimals are taken from their text ([`slipmode_core::number::parse_decimal`]); no number passes through binary.
 
 mod axis;
+mod claim_computed;
 mod claim_formula;
 mod claim_library;
 mod claim_list;
 mod claim_motion;
 mod claim_names;
 mod claim_scope;
+mod claim_subject;
 mod csv_problem;
 pub(crate) mod document;
 mod equations_file;
@@ -20,6 +22,7 @@ mod measured;
 mod name;
 pub(crate) mod paper;
 pub(crate) mod part;
+mod proofs_file;
 pub(crate) mod quantity;
 pub(crate) mod question;
 mod range;
@@ -33,13 +36,15 @@ mod units;
 mod verdict;
 
 pub use axis::{Limits, LogAxis, LogCoordinates};
+pub use claim_computed::{Computed, Premise, Procedures};
 pub use claim_formula::{
     ClaimFormula, Crossing, Formula, FormulaCondition, MOST_CLAUSES, Premises, Scope, Solved, Statement,
 };
-pub use claim_library::{is_library_claim, library_claim, library_ids};
+pub use claim_library::{library_claim, library_ids, library_proofs};
 pub use claim_list::{ClaimEntry, StatedClaim, StatedReading, read_claims};
 pub use claim_motion::{ClaimMotion, MotionSaid};
 pub use claim_names::Names;
+pub use claim_subject::{InAnswer, Sliders, Subject};
 pub use csv_problem::CsvProblem;
 pub use equations_file::{paper_faults, read_equations, read_equations_partly};
 pub use fault::{Fault, Faults, Problem, visible};
@@ -49,6 +54,7 @@ pub use measured::{Measured, MeasuredChart, with_rows};
 pub use name::{NameError, check_name, nearest, of_word, same_name};
 pub use paper::{Author, Paper, is_orcid};
 pub use part::Part;
+pub use proofs_file::{join_proofs, read_proofs};
 pub use quantity::{ParametersSection, Quantity};
 pub use question::Question;
 pub use range::{AllowedRange, parse_whole};

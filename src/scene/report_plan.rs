@@ -21,6 +21,8 @@ pub struct ReportPlan {
     pub question: Question,
     /// The names of the scenes, each in `scenes/NAME.toml`; none for a report about equations alone.
     pub scenes: Vec<String>,
+    /// The names of the files of proofs, each in `proofs/NAME.toml`.
+    pub proofs: Vec<String>,
     /// The folder of tables and charts that were measured apart, if any.
     pub measured: Option<String>,
     /// The paper that the report accompanies.
@@ -54,10 +56,11 @@ impl ReportPlan {
             let title = top.text("title", "a text");
             let publish_page = top.optionally("publish_page", Entry::truth);
             let question = top.optionally("question", |entry| entry.word(&Question::ALL, Question::as_str));
-            let scenes = top.optionally("scenes", |entry| {
+            let names = |entry: &Entry<'_>| {
                 let mut names = Vec::new();
                 entry.list(|member| distinct_name(member, &mut names))
-            });
+            };
+            let [scenes, proofs] = ["scenes", "proofs"].map(|key| top.optionally(key, names));
             let measured = top.optionally("measured", read_measured);
             let paper = top.optionally("paper", Paper::read);
             let chapters = top.required("chapter", "[[chapter]] sections");
@@ -68,6 +71,7 @@ impl ReportPlan {
                 publish_page: publish_page?.unwrap_or(true),
                 question: question?.unwrap_or_default(),
                 scenes: scenes?.unwrap_or_default(),
+                proofs: proofs?.unwrap_or_default(),
                 measured: measured?,
                 paper: paper?.unwrap_or_default(),
                 chapters: chapters?,

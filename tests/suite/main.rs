@@ -23,6 +23,7 @@ mod claim_guide;
 mod claim_limits;
 mod claim_motions;
 mod claim_names;
+mod claim_proofs;
 mod claim_table;
 mod claim_ties;
 mod claims_over_rows;

@@ -8,7 +8,7 @@ use std::sync::LazyLock;
 
 use rug::ops::Pow;
 use slipmode::archive::{Caps, pack, unpack};
-use slipmode::claims::known_ids;
+use slipmode::claims::procedures;
 use slipmode::experiments::References;
 use slipmode::experiments::Scene;
 use slipmode::experiments::{figure_makers, table_makers};
@@ -57,7 +57,7 @@ pub fn scene(bytes: &[u8]) {
 
 /// A list of claims and the plan of a report that are accepted are the same with another system's line ends.
 pub fn ledger(bytes: &[u8]) {
-    let _ = document(bytes, |bytes| read_claims(FILE, bytes, &known_ids(), Some(&EQUATIONS)));
+    let _ = document(bytes, |bytes| read_claims(FILE, bytes, &procedures(), Some(&EQUATIONS)));
     if let Some(plan) = document(bytes, |bytes| ReportPlan::parse(FILE, bytes)) {
         let names = plan.scenes.iter().chain(plan.chapters.iter().map(|chapter| &chapter.id));
         assert!(names.chain([&plan.name]).all(|name| check_name(name).is_ok()));
@@ -182,6 +182,7 @@ fn page(prose: &str) -> Option<String> {
         publish_page: true,
         question: slipmode::scene::Question::Claims,
         scenes: Vec::new(),
+        proofs: Vec::new(),
         measured: None,
         paper: Default::default(),
         chapters: vec![chapter],

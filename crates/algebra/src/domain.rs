@@ -178,7 +178,8 @@ impl Domain {
     }
 
     /// The same assumptions without substitutions.
-    pub(super) fn original(&self) -> Self {
+    #[must_use]
+    pub fn original(&self) -> Self {
         Self { substitutions: Vec::new(), parameters: Vec::new(), ..self.clone() }
     }
 

@@ -1,7 +1,7 @@
 //! Formulas whose variables all lie between two numbers, or have one value: decided by balls with outward rounding.
 
 use std::cmp::Ordering;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, VecDeque};
 
 use slipmode_algebra::{Comparison, Expression, Literal, Sign, SignFormula, Symbol, unknowns};
 use slipmode_core::number::{Ball, Rational};
@@ -42,8 +42,9 @@ impl Problem<'_> {
         if !unknowns(expressions).iter().all(has_ends) {
             return None;
         }
-        let (mut open, mut looked_at) = (vec![whole.clone()], 0);
-        while let Some(part) = open.pop() {
+        let (mut open, mut looked_at) = (VecDeque::from([whole.clone()]), 0);
+        // The large parts first: along an edge of the formula there is no end of small ones.
+        while let Some(part) = open.pop_front() {
             looked_at += 1;
             let values: BTreeMap<Symbol, Ball> =
                 part.iter().map(|(name, [low, high])| (name.clone(), between(low, high))).collect();

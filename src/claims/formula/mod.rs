@@ -18,7 +18,7 @@ use crate::claims::gate;
 use crate::claims::over_rows;
 use crate::claims::reading::{self, of_readings};
 use crate::claims::rule::Region;
-use crate::claims::{Evidence, Finding, Resolved, Verdict};
+use crate::claims::{Evidence, Finding, Resolved, Verdict, computed};
 use crate::experiments::Context;
 use crate::scene::{ClaimEntry, ClaimFormula, Names, Premises, StatedClaim, Statement};
 use lowering::Lowered;
@@ -143,6 +143,9 @@ fn decide_formula(id: &str, words: &str, formula: &ClaimFormula, context: &Conte
     if let Some(table) = &formula.rows {
         return over_rows::decide(table, &formula.text, context);
     }
+    if let Some(part) = formula.computed() {
+        return computed::decide(part, context);
+    }
     // A claim is a premise of others, too.
     let digest = Resolved::of_formula(formula, context.equations).digest();
     context.once(format!("{digest} {} {id} {words}", context.is_gated), || {
@@ -188,6 +191,7 @@ fn decide_within(id: &str, words: &str, formula: &ClaimFormula, equations: &Equa
             Ok(lowered) => problem.there_is(&lowered),
         },
         Statement::Motion(motion) => problem.motion(motion),
+        Statement::Computed(_) => Finding::not_checked("No formula decides it."),
         other => problem.behaviour(other),
     }
     .with_theorem(|| theorem::accepted_theorem(formula, equations))
@@ -313,3 +317,5 @@ impl<'f> Problem<'f> {
 
 #[cfg(test)]
 mod tests;
+#[cfg(test)]
+mod verdict_tests;

@@ -7,7 +7,7 @@ use slipmode_algebra::{
     Certificate, Condition, Domain, Expression, Extent, Function, Literal, Proof, Relation, Sign, Symbol,
 };
 
-use super::points::Points;
+use super::points::{Point, Points};
 use crate::scene::Premises;
 
 /// A step of a proof: its words and its certificate.
@@ -195,8 +195,11 @@ impl<'p> Prover<'p> {
     pub fn domain(&self, premises: &Premises, literals: &[Literal]) -> Option<Domain> {
         let mut assumed = premises.clone();
         assumed.conditions.extend(literals.iter().filter(|literal| literal.sign != Sign::Zero).cloned());
-        let point = self.points.meeting(&assumed.conditions, EXAMPLES).next()?;
         let expressions = || assumed.conditions.iter().map(|literal| &literal.expression);
+        let meeting = || self.points.meeting(&assumed.conditions, EXAMPLES);
+        // Coq computes the conditions at the example: rational roots are the easy ones.
+        let is_rational = |point: &Point| expressions().all(|one| one.rational_value(point).is_some());
+        let point = meeting().find(is_rational).or_else(|| meeting().next())?;
         let named: BTreeSet<Symbol> = expressions().flat_map(Expression::variables).collect();
         let functions: BTreeSet<Symbol> = expressions().flat_map(Expression::functions).collect();
         let values = point.into_iter().filter(|(name, _)| match name.function_at_zero() {

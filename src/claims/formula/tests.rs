@@ -6,9 +6,10 @@ use slipmode_algebra::coq::Theorem;
 use slipmode_algebra::{Domain, Expression};
 use slipmode_core::theory::Equations;
 
+use super::verdict_tests::{SMALL, decided};
 use super::*;
 use crate::claims::{Strength, Verdict};
-use crate::scene::{FormulaCondition, Scope, read_equations};
+use crate::scene::{FormulaCondition, Scope, read_claims, read_equations};
 
 const EQUATIONS: &[u8] = include_bytes!("../../../reports/im-avouac/equations.toml");
 
@@ -254,6 +255,17 @@ fn a_whole_theorem_states_the_formula_with_its_conditions_and_rests_on_steps_of_
     let slope = whole("K_c falls with D_c", &["a < b"], &equations).unwrap();
     assert!(slope.statement.contains("forall p'0 p'1 : R, 0 < p'0 -> p'0 < p'1 -> "));
     assert!(slope.proof.contains("apply (falls "), "{}", slope.proof);
+    // The value at the larger one of two values is the smaller one.
+    let order =
+        |statement: &str| statement.rsplit(" -> ").next().unwrap().split(" < ").next().unwrap().to_owned();
+    assert!(order(&slope.statement).contains("p'1") && order(&slope.altered).contains("p'0"));
+    let small = read_equations("equations.toml", SMALL.as_bytes()).unwrap();
+    let solved = whole("x*K = A*K", &["x = A"], &small).unwrap();
+    assert!(
+        solved.statement.contains("A'pos") && !solved.statement.contains("x'pos"),
+        "{}",
+        solved.statement
+    );
     let same = whole("K_c - K_c_dyn does not depend on V_0", &[], &equations).unwrap();
     assert!(same.altered.ends_with(" + 1"), "{}", same.altered);
     let depends = whole("K_c_qs depends on sigma", &[], &equations).unwrap();
@@ -308,225 +320,33 @@ fn a_verdict_is_kernel_checked_when_the_list_of_accepted_theorems_has_its_whole_
     assert_eq!(failing.strength, Strength::Exact);
 }
 
-/// Equations of a slider with a spring K and a mass M, and variables of either sign.
-const SMALL: &str = "[assumptions]\npositive = [\"A\", \"B\", \"K\", \"M\", \"V\"]\nfree = [\"x\", \"y\", \"s\"]\n\
-    [[equation]]\nnumber = \"1\"\nequation = \"w = sqrt(K/M)\"\n";
-
-/// Decides a formula; what is said of its variables stands behind `|`: a condition, `there is V`, `V by A`, `x in 0 to 1`, `M at 2`.
-fn decided(line: &str) -> Finding {
-    let equations = read_equations("equations.toml", SMALL.as_bytes()).unwrap();
-    let names = Names::of(&equations);
-    let mut parts = line.split('|').map(str::trim);
-    let (text, mut scope) = (parts.next().unwrap(), Scope::default());
-    for part in parts {
-        if let Some(name) = part.strip_prefix("there is ") {
-            scope.there_is.push(name.parse().unwrap());
-        } else if let Some((name, value)) = part.split_once(" by ") {
-            scope.witness.push((name.parse().unwrap(), value.parse().unwrap()));
-        } else if let Some((name, ends)) = part.split_once(" in ") {
-            let (low, high) = ends.split_once(" to ").unwrap();
-            scope.within.push((name.parse().unwrap(), [low, high].map(|end| end.parse().unwrap())));
-        } else if let Some((name, value)) = part.split_once(" at ") {
-            scope.at.push((name.parse().unwrap(), value.parse().unwrap()));
-        } else {
-            scope.given.push(FormulaCondition::read(part, &names).unwrap());
-        }
+#[test]
+fn the_accepted_formulas_of_the_first_report_are_kernel_checked_and_others_are_not() {
+    let equations: Equations = read_equations("equations.toml", EQUATIONS).unwrap();
+    let claims = include_bytes!("../../../reports/im-avouac/claims.toml");
+    let claims = read_claims("claims.toml", claims, &crate::claims::procedures(), Some(&equations)).unwrap();
+    let stated = || claims.iter().filter_map(|claim| claim.stated.as_ref());
+    let accepted: Vec<WholeStatement<'_>> =
+        stated().flat_map(|stated| whole_statements(stated, &equations)).collect();
+    let [first, .., last] = &accepted[..] else { panic!("{accepted:?}") };
+    for whole in [first, last] {
+        let found = decide_equations("f", "", whole.formula, &equations);
+        assert_eq!(found.strength, Strength::KernelChecked, "{}", whole.formula.text);
+        assert!(found.evidence.iter().any(|one| one.proof().unwrap().theorem.as_ref() == Some(&whole.name)));
     }
-    let read = ClaimFormula::read(text, scope, &equations).unwrap_or_else(|error| panic!("{line}: {error}"));
-    let found = decide_equations("formula", "", &read, &equations);
-    let tested = gate::tested(&read, &found, &equations);
-    let is_sound = match found.verdict {
-        Verdict::NotChecked => matches!(tested, gate::Outcome::NotEvaluated(_)),
-        _ => matches!(tested, gate::Outcome::Passed { points: 1.., .. }),
+    assert_ne!(decided("K + A > A").strength, Strength::KernelChecked);
+}
+
+#[test]
+fn the_digest_of_a_theorem_is_that_of_its_statement() {
+    let theorem = |proof: &str| Theorem {
+        name: "same".into(),
+        variables: vec!["x".into()],
+        lemmas: Vec::new(),
+        text: format!("Theorem same (x : R) :\n  x = x.\nProof. {proof} Qed.\n"),
+        fault: String::new(),
     };
-    assert!(is_sound, "{line}: {:?}, {tested:?}", found.verdict);
-    found
-}
-
-/// The verdicts, whatever is said: the last gate finds nothing against them.
-fn assert_verdicts(verdict: Verdict, lines: &[&str]) {
-    for line in lines {
-        let found = decided(line);
-        assert_eq!(found.verdict, verdict, "{line}: {:?} {:?}", found.counter_example, found.remarks);
-    }
-}
-
-#[test]
-fn what_is_true_everywhere_holds() {
-    let lines = [
-        "K + A > A",
-        "K*M >= 0",
-        "K != -A",
-        "x^2 + 1 > 0",
-        "x^2 - 2*x*y + y^2 >= 0",
-        "w^2*M = K",
-        "K > A or K <= A",
-        "K > A implies K >= A",
-        "not [K < A] iff K >= A",
-        "K > M implies K > A | M > A",
-        "K^2 > A^2 | K > A",
-        "K > B | K = A + B",
-        "x = y | x - y = 0",
-        "K*x^2 + M*x + A > 0 | 4*K*A > M^2",
-        "exp(K) > 1 + K",
-        "x^2 >= 4 iff x >= 2 | x >= 0",
-        "x != y or x*y >= 0",
-        "stable(s^2 + A*s + B, s)",
-        "stable(s^2 + (A - B)*s + K, s) iff A > B",
-        "all_real(s^2 + 2*x*s + x^2 - A, s)",
-        "pair_crosses(s^2 + (A - K)*s + B, s, K, A, sqrt(B))",
-        "pair_crosses(s^2 + (A - K)*s + B, s, K, A, sqrt(B)) | K > B | A > B",
-        "sqrt(K) > 7/5 | K at 2",
-    ];
-    assert_verdicts(Verdict::Holds, &lines);
-}
-
-#[test]
-fn what_is_false_somewhere_fails_at_a_point_where_it_is_false() {
-    let lines = [
-        "K > A",
-        "K = A",
-        "K != A",
-        "K >= A",
-        "(x - 2)^2 > 0",
-        "x > 0",
-        "K > A and K > 0",
-        "K > A implies K > B",
-        "K > A iff K >= A",
-        "K^2 > M | K > A",
-        "x >= 2 | x^2 >= 4",
-        "K > 2*B | K = A + B",
-        "stable(s^2 + (A - B)*s + K, s)",
-        "unstable(s^2 + (A - B)*s + K, s) iff A <= B",
-        "pair_crosses(s^2 + (A - K)*s + B, s, K, 2*A, sqrt(B))",
-        "pair_crosses(s^2 + (A - K)*s + B, s, K, A, B)",
-        "pair_crosses(s^2 + (A - K)^2*s + B, s, K, A, sqrt(B))",
-        // The critical value has to be positive, as K is.
-        "pair_crosses(s^2 + (A + K)*s + B, s, K, -A, sqrt(B))",
-        "sqrt(K) > 3/2 | K at 2",
-    ];
-    assert_verdicts(Verdict::Fails, &lines);
-}
-
-#[test]
-fn conditions_that_contradict_each_other_decide_nothing() {
-    assert_verdicts(
-        Verdict::NotChecked,
-        &["K > 0 | K > A | K < A", "K > B | x^2 < 0", "w rises with K | K > A | A > K"],
-    );
-}
-
-#[test]
-fn what_there_is_holds_with_a_value_and_fails_where_no_value_does() {
-    let holds = [
-        "x > 2 | there is x",
-        "exp(x) > 2 | there is x",
-        "V^2 < A | there is V | V by A/(1 + A)",
-        "V > A and V < B | there is V | V by (A + B)/2 | A < B",
-        "x + A = 0 | there is x | x by -A",
-        "V^2 = 4 | there is V",
-    ];
-    let fails = [
-        "x^2 < -1 | there is x",
-        "V + A < 0 | there is V",
-        "V > A and V < B | there is V",
-        "V > 2 and V < 1 | there is V",
-    ];
-    assert_verdicts(Verdict::Holds, &holds);
-    assert_verdicts(Verdict::Fails, &fails);
-}
-
-#[test]
-fn boxes_are_decided_by_enclosures() {
-    // The largest value of x/exp(x) is 0.36788, at x = 1.
-    let holds = [
-        "exp(x) < 3 | x in 0 to 1",
-        "x*exp(-x) < 3679/10000 | x in 1/2 to 3",
-        "x*exp(-x) > 1/7 | x in 1/4 to 3",
-        "sin(x) + y < 5/2 | x in -1 to 1 | y in 0 to 3/2",
-        "exp(x) > 1 or y > 1/2 | x in 1/8 to 1 | y in 0 to 1",
-    ];
-    let fails = [
-        "exp(x) > 2 | x in 0 to 1",
-        "x*exp(-x) < 1/4 | x in 0 to 4",
-        "-x*exp(-x) + y >= -1/4 | x in 1/2 to 3 | y in 0 to 1",
-        "exp(x) = 2 | x in 0 to 1",
-    ];
-    assert_verdicts(Verdict::Holds, &holds);
-    assert_verdicts(Verdict::Fails, &fails);
-}
-
-#[test]
-fn slopes_limits_and_dependences_have_their_verdicts() {
-    let holds = [
-        "w rises with K",
-        "w falls with M",
-        "x^3 rises with x",
-        "x^2 rises with x | x > 0",
-        "-x^2 rises with x | x < 0",
-        "K*x rises with x",
-        "w does not depend on A",
-        "w depends on K",
-        "A*x depends on x",
-        "K/(K + A) -> 1 as K -> infinity",
-        "K/(K + A) -> 0 as K -> 0",
-        "A*K -> infinity as K -> infinity",
-        "-A/K -> -infinity as K -> 0",
-    ];
-    let fails = [
-        "w falls with K",
-        "w rises with M",
-        "w rises with A",
-        "x^2 rises with x",
-        "(A - B)*x rises with x",
-        "w does not depend on K",
-        "w depends on A",
-        "K/(K + A) -> 0 as K -> infinity",
-        "A*K -> -infinity as K -> infinity",
-        "A*K -> 0 as K -> infinity",
-        "A*K/(K + B) -> -A as K -> infinity",
-        "A*K/(K + B) -> B as K -> infinity",
-        "K/(K + A) -> infinity as K -> infinity",
-    ];
-    assert_verdicts(Verdict::Holds, &holds);
-    assert_verdicts(Verdict::Fails, &fails);
-}
-
-#[test]
-fn what_the_rules_do_not_decide_is_not_said_to_fail() {
-    let lines = [
-        "sin(K) -> 0 as K -> infinity",
-        "K*sin(1/K) -> 0 as K -> 0",
-        "(A - B)/K -> infinity as K -> 0",
-        // A slope says nothing of two ranges that are apart.
-        "-1/x rises with x | x != 0",
-        // False between two points that are tried only, where enclosures of any size contain the edge.
-        "x*exp(-x) < 367/1000 | x in 0 to 3",
-        "x*exp(-x) <= 367/1000 | x in 0 to 3",
-        // The conditions allow one x, from which it does not move.
-        "A - x rises with x | x >= 1 | x <= 1",
-        "A rises with x | x >= 1 | x <= 1",
-        "x + sin(x) rises with x",
-        "V^2 < A | there is V",
-    ];
-    assert_verdicts(Verdict::NotChecked, &lines);
-    assert_verdicts(Verdict::Holds, &["-1/x rises with x | x > 0", "x^2 rises with x | x >= 1"]);
-}
-
-/// The divisor is positive in another form of the condition only, K = M + g.
-#[test]
-fn a_proof_has_the_steps_that_make_its_sides_have_a_value() {
-    let found = decided("1/(K + A - M) < 1/A | K > M");
-    let steps = &found.evidence[0].proof().unwrap().steps;
-    assert!(steps.iter().any(|step| step.says.starts_with("a side has a value: ")), "{steps:?}");
-}
-
-#[test]
-fn a_predicate_rests_on_its_lemma_and_on_the_coefficients_of_its_polynomial() {
-    for line in ["stable(s^2 + A*s + B, s)", "pair_crosses(s^2 + (A - K)*s + B, s, K, A, sqrt(B))"] {
-        let found = decided(line);
-        let proof = found.evidence[0].proof().unwrap();
-        assert!(proof.steps.iter().any(|step| !step.begins.is_empty()), "{proof}");
-        assert!(proof.steps.iter().any(|step| step.says.starts_with("the coefficients of ")), "{proof}");
+    for proof in ["ring.", "reflexivity."] {
+        assert_eq!(statement_digest(&theorem(proof)), crate::claims::sha256_hex(" (x : R) :\n  x = x"));
     }
 }

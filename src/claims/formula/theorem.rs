@@ -309,6 +309,7 @@ impl Stated {
                 Ok(if altered { format!("{side} = {other} + 1") } else { format!("{side} = {other}") })
             }
             Statement::Motion(_) => Err("a statement on the motions of a system".into()),
+            Statement::Computed(_) => Err("no formula".into()),
         }
     }
 
@@ -408,6 +409,7 @@ impl Steps<'_> {
                 self.equality(&side, &other)?
             }
             Statement::Motion(_) => return Err("a statement on the motions of a system".into()),
+            Statement::Computed(_) => return Err("no formula".into()),
         };
         Ok(tactics + &rest)
     }

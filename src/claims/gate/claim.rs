@@ -94,7 +94,7 @@ impl Claim {
             Statement::Depends(side, depends, variable) => {
                 Says::Depends(book.term(side, None), *depends, book.variable(variable.as_str()))
             }
-            Statement::Motion(_) => return None,
+            Statement::Motion(_) | Statement::Computed(_) => return None,
         };
         if formula.rows.is_some() {
             return None;

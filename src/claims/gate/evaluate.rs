@@ -162,7 +162,7 @@ impl<'b> Place<'b> {
                 }
             }
             (Operation::Rate, [f], _) => self.rate(derived, f),
-            (Operation::Coefficient, [f], [x]) => {
+            (Operation::Coefficient | Operation::Leading, [f], [x]) => {
                 let list = self.coefficients(f, *x)?;
                 Ok(list.get(derived.whole).cloned().unwrap_or_else(|| Value::whole(0)))
             }

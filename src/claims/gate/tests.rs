@@ -5,8 +5,11 @@ use std::sync::Arc;
 use super::*;
 use crate::claims::alterations::alterations;
 use crate::claims::formula::decide_equations;
-use crate::claims::{Evidence, known_ids};
+use crate::claims::{Evidence, procedures};
 use crate::scene::{ClaimEntry, FormulaCondition, Names, Scope, Statement, read_claims, read_equations};
+use number::{Number, Trouble};
+use slipmode_core::theory::root_location::RootStatement;
+use value::{IMAGINARY, Kind, Mark, Value};
 
 const REPORTS: [&str; 5] =
     ["im-avouac", "paper-on-paper", "ranjith-rice-1999", "rice-ruina-1983", "rock-friction"];
@@ -24,10 +27,12 @@ fn of_report(report: &str) -> Vec<Stated> {
         std::fs::read(format!("{}/reports/{report}/{name}", env!("CARGO_MANIFEST_DIR"))).unwrap()
     };
     let equations = Arc::new(read_equations("equations.toml", &read("equations.toml")).unwrap());
-    let claims = read_claims("claims.toml", &read("claims.toml"), &known_ids(), Some(&equations)).unwrap();
+    let claims = read_claims("claims.toml", &read("claims.toml"), &procedures(), Some(&equations)).unwrap();
     let of_claim = |claim: ClaimEntry| {
         let parts = claim.stated.iter().flat_map(|stated| stated.parts()).map(|(_, formula)| formula);
-        let all = parts.flat_map(ClaimFormula::with_outside).filter(|formula| formula.rows.is_none());
+        let all = parts
+            .flat_map(ClaimFormula::with_outside)
+            .filter(|formula| formula.rows.is_none() && formula.computed().is_none());
         let stated = |formula: &ClaimFormula| Stated {
             id: format!("{report} {}", claim.id),
             formula: formula.clone(),
@@ -132,12 +137,15 @@ const FILE: &str = "[assumptions]\npositive = [\"A\", \"B\", \"K\", \"M\", \"V\"
     [[definition]]\nname = \"K_0\"\nis = \"solve(H, K)\"\n";
 
 fn outcome(text: &str, given: &[&str], there_is: &[&str], verdict: &Finding) -> Outcome {
+    let there_is = there_is.iter().map(|&name| name.parse().unwrap()).collect();
+    outcome_over(text, given, Scope { there_is, ..Scope::default() }, verdict)
+}
+
+fn outcome_over(text: &str, given: &[&str], scope: Scope, verdict: &Finding) -> Outcome {
     let equations = read_equations("equations.toml", FILE.as_bytes()).unwrap();
     let names = Names::of(&equations);
     let given = given.iter().map(|text| FormulaCondition::read(text, &names).unwrap()).collect();
-    let there_is = there_is.iter().map(|&name| name.parse().unwrap()).collect();
-    let formula =
-        ClaimFormula::read(text, Scope { given, there_is, ..Scope::default() }, &equations).unwrap();
+    let formula = ClaimFormula::read(text, Scope { given, ..scope }, &equations).unwrap();
     tested(&formula, verdict, &equations)
 }
 
@@ -157,6 +165,8 @@ fn what_is_false_at_an_edge_alone_does_not_pass() {
         ("w depends on A", vec![]),
         ("w does not depend on K", vec![]),
         ("w rises with M", vec![]),
+        ("17*K != 31*M + 5", vec![]),
+        ("x != 1237", vec!["x > 5"]),
         ("1/(K + x^2) -> 1/M as x -> 0", vec![]),
     ] {
         let found = outcome(text, &given, &[], &planted_to_hold());
@@ -270,4 +280,297 @@ fn a_counter_example_gives_the_function_its_own_terms() {
     assert!(matches!(at(&[("x", 1), ("y", -1), ("f''(0)", 3)]), Outcome::Contradicted(_)));
     let high = format!("f{}(0)", "'".repeat(30));
     assert!(matches!(at(&[("x", 0), ("y", 1), (high.as_str(), 1)]), Outcome::Unconfirmed(_)));
+}
+
+/// Whether a formula is true at A = 1, B = 4, K = 2, M = 3, V = 9, x = -2, y = 0; none where that stays open.
+fn is_true_there(text: &str) -> Option<bool> {
+    let values = [("A", 1), ("B", 4), ("K", 2), ("M", 3), ("V", 9), ("x", -2), ("y", 0)];
+    match outcome(text, &[], &[], &fails_at(&values)) {
+        Outcome::Passed { .. } => Some(false),
+        Outcome::Contradicted(words) if words.ends_with("it is true.") => Some(true),
+        _ => None,
+    }
+}
+
+#[test]
+fn terms_have_their_values_at_a_point() {
+    for (term, low) in [
+        ("1 - sqrt(K)", -41422),
+        ("sqrt(K) + sqrt(M)", 314_626),
+        ("sqrt(K) - sqrt(M)", -31784),
+        ("sqrt(K)/sqrt(M)", 81649),
+        ("sqrt(K)*sqrt(M)", 244_948),
+        ("-sqrt(K)*sqrt(M)", -244_949),
+        ("exp(K) - exp(M)", -1_269_649),
+        ("exp(K) + sqrt(K)", 880_326),
+        ("exp(K)*exp(-M)", 36787),
+        ("exp(K)/exp(M)", 36787),
+        ("-exp(K)", -738_906),
+        ("abs(exp(K) - exp(M))", 1_269_648),
+        ("sqrt(exp(M))", 448_168),
+        ("ln(K) - ln(M)", -40547),
+        ("asinh(K)", 144_363),
+        ("sin(K)", 90929),
+        ("cos(K)", -41615),
+        ("exp(x)^3", 247),
+    ] {
+        let between = format!("100000*({term}) > {low} and 100000*({term}) < {low} + 1");
+        assert_eq!(is_true_there(&between), Some(true), "{term}");
+    }
+    for exact in [
+        "sqrt(K)*sqrt(M) = sqrt(6)",
+        "(-sqrt(K))*(-sqrt(M)) = sqrt(6)",
+        "K/sqrt(K) = sqrt(K)",
+        "sqrt(K) = sqrt(2)",
+        "sqrt(V) = 3",
+        "abs(x) = K",
+        "abs(-sqrt(K)) = sqrt(K)",
+        "y*exp(K) = 0",
+        "y/exp(K) = 0",
+        "exp(y) = A",
+        "ln(A) = y",
+        "asinh(y) + sin(y) = 0",
+        "cos(y) = A",
+        "x^3 = -8",
+        "1/(K + x^2) = 1/6",
+        "exp(K + 1/(2^64*2^64)) > exp(K)",
+    ] {
+        assert_eq!(is_true_there(exact), Some(true), "{exact}");
+    }
+}
+
+#[test]
+fn a_number_without_a_value_is_told_from_one_that_stays_open() {
+    use slipmode_algebra::Function::{Exp, Ln, Sqrt};
+    let call = |value: i32, function| Number::whole(value).call(function, 96);
+    // e/e − 1, of which enclosures do not tell the sign.
+    let one = call(1, Exp).unwrap().times(&call(-1, Exp).unwrap()).unwrap();
+    let open = one.minus(&Number::whole(1)).unwrap();
+    assert!(call(0, Sqrt).unwrap().is_exactly_zero() && open.sign().is_none());
+    let root = call(2, Sqrt).unwrap();
+    let product = root.times(&root.negated()).unwrap();
+    assert!(matches!(&product, Number::Exact(value) if *value == -2), "{product:?}");
+    for (found, trouble) in [
+        (call(-1, Sqrt), Trouble::NoValue),
+        (call(-1, Ln), Trouble::NoValue),
+        (call(0, Ln), Trouble::NoValue),
+        (Number::whole(1).over(&Number::whole(0)), Trouble::NoValue),
+        (open.call(Sqrt, 96), Trouble::Open),
+        (open.call(Ln, 96), Trouble::Open),
+        (Number::whole(1).over(&open), Trouble::Open),
+    ] {
+        assert_eq!(found.unwrap_err(), trouble);
+    }
+}
+
+#[test]
+fn complex_numbers_and_derivatives_follow_their_rules() {
+    use slipmode_algebra::Function::{Abs, Asinh, Cos, Exp, Ln, Sin, Sqrt};
+    let is_zero = |value: Value| evaluate::is_zero(&value);
+    let [two, five] = [2, 5].map(Value::whole);
+    let complex = |re: i32, im: i32| {
+        let i = Value::with_quantity(Value::whole(0), IMAGINARY);
+        Value::whole(re).plus(&i.times(&Value::whole(im)).unwrap()).unwrap()
+    };
+    for (found, wanted) in [
+        (complex(2, 1).times(&complex(2, -1)), five.clone()),
+        (complex(2, 1).power(2), complex(3, 4)),
+        (complex(2, 1).power(3), complex(2, 11)),
+        (five.over(&complex(2, 1)), complex(2, -1)),
+        (complex(3, 4).over(&complex(2, 1)), complex(2, 1)),
+        (complex(6, 4).over(&two), complex(3, 2)),
+        (complex(2, 1).power(-1).and_then(|one| one.times(&five)), complex(2, -1)),
+    ] {
+        let found = found.unwrap();
+        assert_eq!(is_zero(found.minus(&wanted).unwrap()), Some(true), "{found:?}");
+        assert_eq!(is_zero(found.plus(&complex(0, 1)).unwrap().minus(&wanted).unwrap()), Some(false));
+    }
+    let mark = Mark { number: 1, kind: Kind::Small };
+    let at = |above: i32, below: i32| {
+        Value::with_quantity(Number::Exact(Rational::from((above, below))).into(), mark)
+    };
+    for (found, slope) in [
+        (at(1, 2).call(Ln, 96), (2, 1)),
+        (at(0, 1).call(Exp, 96), (1, 1)),
+        (at(1, 4).call(Sqrt, 96), (1, 1)),
+        (at(4, 1).call(Sqrt, 96), (1, 4)),
+        (at(-3, 1).call(Abs, 96), (-1, 1)),
+        (at(0, 1).call(Asinh, 96), (1, 1)),
+        (at(3, 4).call(Asinh, 96), (4, 5)),
+        (at(0, 1).call(Sin, 96), (1, 1)),
+        (at(0, 1).call(Cos, 96), (0, 1)),
+        (at(3, 1).power(3), (27, 1)),
+        (at(3, 1).power(-1), (-1, 9)),
+        (at(3, 1).over(&at(2, 1)), (-1, 4)),
+        (at(3, 1).times(&at(2, 1)), (5, 1)),
+        (at(3, 1).minus(&at(2, 1).times(&two).unwrap()), (-1, 1)),
+        (at(3, 1).times(&complex(0, 1)).and_then(|one| one.over(&complex(0, 3))), (1, 3)),
+    ] {
+        let found = found.unwrap().coefficient(mark, 1);
+        let wanted = Number::Exact(Rational::from(slope)).into();
+        assert_eq!(is_zero(found.minus(&wanted).unwrap()), Some(true), "{found:?} is not {slope:?}");
+    }
+    // sin′(1) = cos(1) > 0, and cos′(1) = −sin(1) < 0.
+    for (function, positive) in [(Sin, true), (Cos, false), (Exp, true)] {
+        let slope = at(1, 1).call(function, 96).unwrap().coefficient(mark, 1).number().unwrap();
+        assert_eq!(slope.sign(), Some(if positive { 1.cmp(&0) } else { 0.cmp(&1) }), "{function:?}");
+    }
+}
+
+#[test]
+fn one_false_part_decides_and_a_part_without_a_value_outweighs_an_open_one() {
+    let (none, open) = (Err(Trouble::NoValue), Err(Trouble::Open));
+    for (parts, found) in [
+        (vec![], Ok(true)),
+        (vec![Ok(true), Ok(true)], Ok(true)),
+        (vec![open, none, Ok(false)], Ok(false)),
+        (vec![open, none, Ok(true)], none),
+        (vec![none, open], none),
+        (vec![Ok(true), open, Ok(true)], open),
+    ] {
+        assert_eq!(truth::all(parts.clone().into_iter()), found, "{parts:?}");
+    }
+}
+
+/// The coefficients of a product of factors, by ascending power.
+fn product(factors: &[Vec<Rational>]) -> Vec<Rational> {
+    factors.iter().fold(vec![Rational::from(1)], |left, right| {
+        let mut found = vec![Rational::new(); left.len() + right.len() - 1];
+        for (at, one) in left.iter().enumerate() {
+            for (by, two) in right.iter().enumerate() {
+                found[at + by] += Rational::from(one * two);
+            }
+        }
+        found
+    })
+}
+
+#[test]
+fn statements_on_roots_are_those_of_the_known_roots() {
+    let near = || power_of_two(-70);
+    let reals = [-2, -1, 0, 1, 3].map(Rational::from).into_iter();
+    let reals: Vec<Rational> = reals.chain([near(), -near()]).collect();
+    let pairs = [(-1, 1), (-1, 2), (0, 1), (0, 3), (2, 1), (1, 1), (-2, 5)];
+    let pairs = pairs.map(|(re, im)| (Rational::from(re), im)).into_iter();
+    let pairs: Vec<(Rational, i32)> = pairs.chain([(near(), 7), (-near(), 4)]).collect();
+    let mut decided = 0;
+    let mut sequence = Sequence::new();
+    for turn in 0..200 {
+        let mut pick = |list: usize| sequence.below(list as u32) as usize;
+        let real: Vec<&Rational> = (0..turn % 4).map(|_| &reals[pick(reals.len())]).collect();
+        let pair: Vec<&(Rational, i32)> = (0..turn / 4 % 3).map(|_| &pairs[pick(pairs.len())]).collect();
+        let of_real = real.iter().map(|&root| vec![Rational::from(-root), Rational::from(1)]);
+        let of_pair = pair.iter().map(|(re, im)| {
+            let size = Rational::from(re.square_ref()) + im * im;
+            vec![size, Rational::from(re * -2), Rational::from(1)]
+        });
+        let list = product(&of_real.chain(of_pair).collect::<Vec<_>>());
+        let stable = real.iter().all(|root| **root < 0) && pair.iter().all(|(re, _)| *re < 0);
+        let unstable = real.iter().any(|root| **root > 0) || pair.iter().any(|(re, _)| *re > 0);
+        let on_axis = real.iter().any(|root| **root == 0) || pair.iter().any(|(re, _)| *re == 0);
+        let exact: Vec<Number> = list.iter().cloned().map(Number::Exact).collect();
+        let root = Number::Exact(Rational::from(2)).call(slipmode_algebra::Function::Sqrt, 96).unwrap();
+        let enclosed: Vec<Number> = exact.iter().map(|one| one.times(&root).unwrap()).collect();
+        for (statement, truth) in [
+            (RootStatement::Stable, stable),
+            (RootStatement::Unstable, unstable),
+            (RootStatement::AllReal, pair.is_empty()),
+        ] {
+            assert_eq!(roots::is_true(statement, &exact), Some(truth), "{real:?} {pair:?} {statement:?}");
+            let found = roots::is_true(statement, &enclosed);
+            assert_ne!(found, Some(!truth), "{real:?} {pair:?} {statement:?}");
+            decided += usize::from(found.is_some());
+        }
+        assert_eq!(roots::is_one_on_axis(&exact), Some(on_axis), "{real:?} {pair:?}");
+        let found = roots::is_one_on_axis(&enclosed);
+        assert_ne!(found, Some(!on_axis), "{real:?} {pair:?}");
+        decided += usize::from(found.is_some());
+    }
+    // Every number is a root of the polynomial zero, and none of another constant.
+    for (constant, is_stable) in [(0, false), (5, true)] {
+        let list = [Number::whole(constant), Number::whole(0)];
+        assert_eq!(roots::is_true(RootStatement::Stable, &list), Some(is_stable));
+        assert_eq!(roots::is_true(RootStatement::Unstable, &list), Some(!is_stable));
+    }
+    // Enclosed coefficients leave repeated roots and those on the axis open.
+    assert!(decided >= 570, "{decided}");
+}
+
+#[test]
+fn limits_are_followed_to_their_ends() {
+    for (text, is_true) in [
+        ("K/(K + A) -> 1 as K -> infinity", true),
+        ("K/(K + A) -> 0 as K -> 0", true),
+        ("A*K -> infinity as K -> infinity", true),
+        ("-A/K -> -infinity as K -> 0", true),
+        ("K/(K + A) -> 2 as K -> infinity", false),
+        ("K/(K + A) -> infinity as K -> infinity", false),
+        ("A*K -> -infinity as K -> infinity", false),
+        ("A*K -> 5 as K -> infinity", false),
+        ("K -> infinity as K -> 0", false),
+    ] {
+        let holds = outcome(text, &[], &[], &planted_to_hold());
+        let fails = outcome(text, &[], &[], &fails_at(&[("A", 1)]));
+        let (right, wrong) = if is_true { (holds, fails) } else { (fails, holds) };
+        assert!(matches!(right, Outcome::Passed { open: 0, points: 1.. }), "{text}: {right:?}");
+        assert!(matches!(wrong, Outcome::Contradicted(_)), "{text}: {wrong:?}");
+    }
+    // It grows too slowly to be seen to.
+    let slow = outcome("ln(K) -> infinity as K -> infinity", &[], &[], &planted_to_hold());
+    assert!(matches!(slow, Outcome::Passed { open: 16, points: 16 }), "{slow:?}");
+}
+
+#[test]
+fn a_slope_is_refuted_next_to_a_point_and_a_dependence_has_two_points_that_differ_in_one_value() {
+    let falls = |x: i32| outcome("x^2 rises with x", &[], &[], &fails_at(&[("x", x)]));
+    assert_eq!(falls(-3), Outcome::Passed { points: 1, open: 0 });
+    assert!(matches!(falls(3), Outcome::Unconfirmed(_)));
+    let depends = |one: [i32; 3], other: [i32; 3]| {
+        let points = [one, other].map(|values| {
+            let named = ["A", "K", "x"].iter().zip(values);
+            named.map(|(name, value)| ((*name).to_owned(), Rational::from(value))).collect::<NamedPoint>()
+        });
+        outcome("K*x depends on K", &["K > A"], &[], &planted_to_hold().seen_at(points))
+    };
+    assert_eq!(depends([1, 2, 1], [1, 3, 1]), Outcome::Passed { points: 1, open: 0 });
+    for (one, other) in [
+        ([1, 2, 1], [2, 3, 1]),
+        ([1, 2, 0], [1, 3, 0]),
+        ([1, 1, 1], [1, 3, 1]),
+        ([1, 3, 1], [1, 1, 1]),
+        ([1, 2, 1], [1, 2, 1]),
+    ] {
+        let found = depends(one, other);
+        assert!(matches!(found, Outcome::Contradicted(_)), "{one:?} {other:?}: {found:?}");
+    }
+}
+
+#[test]
+fn points_outside_the_conditions_confirm_nothing() {
+    // An enclosure does not show that the condition is met.
+    let open = outcome("K > A", &["exp(x)*exp(-x) >= 1"], &[], &fails_at(&[("K", 1), ("A", 1), ("x", 1)]));
+    assert!(matches!(open, Outcome::Unconfirmed(_)), "{open:?}");
+    let nowhere = |a: i32| fails_at(&[("A", a), ("B", 3), ("M", 7)]);
+    let there_is = |a: i32| outcome("V^2 < A", &["V > B", "A > M"], &["V"], &nowhere(a));
+    assert!(matches!(there_is(8), Outcome::Passed { .. }));
+    assert!(matches!(there_is(6), Outcome::Contradicted(_)));
+    let within = |text: &str, given: &[&str], verdict: &Finding| {
+        let ends = [-1, 1].map(Rational::from);
+        let scope = Scope { within: vec![("x".parse().unwrap(), ends)], ..Scope::default() };
+        outcome_over(text, given, scope, verdict)
+    };
+    for (x, is_met) in [(-2, false), (-1, true), (1, true), (2, false)] {
+        let found = within("x^2 > 4", &[], &fails_at(&[("x", x)]));
+        assert_eq!(matches!(found, Outcome::Passed { .. }), is_met, "{x}: {found:?}");
+    }
+    // It falls from one range to the other, and rises within each of them.
+    let ranges = within("x^3 - x/2 rises with x", &["x^2 >= 1/4"], &planted_to_hold());
+    assert!(matches!(ranges, Outcome::Passed { points: 1.., .. }), "{ranges:?}");
+    let unnamed = outcome("V^2 < A", &[], &["V"], &planted_to_hold());
+    assert!(matches!(unnamed, Outcome::Unconfirmed(_)), "{unnamed:?}");
+    let crosses = "pair_crosses(s^2 + (A - K)*s + B, s, K, A, sqrt(B))";
+    for (given, is_met) in [(&["A > B"][..], true), (&["K > B", "A > B"], true), (&["K > B"], false)] {
+        let found = outcome(crosses, given, &[], &planted_to_hold());
+        assert_eq!(matches!(found, Outcome::Passed { points: 1.., .. }), is_met, "{given:?}: {found:?}");
+    }
 }

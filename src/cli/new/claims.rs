@@ -2,9 +2,9 @@
 
 use std::collections::BTreeSet;
 
-use slipmode::claims::{Verdict, known_ids, premises};
+use slipmode::claims::{Verdict, procedures};
 use slipmode::report::{self, Folder};
-use slipmode::scene::{ClaimEntry, Faults, read_claims, read_equations};
+use slipmode::scene::{ClaimEntry, Faults, Sliders, read_claims, read_equations};
 
 use crate::cli::claim::refuse_contradictions;
 use crate::cli::failure::Failure;
@@ -14,16 +14,6 @@ use crate::cli::progress::Progress;
 
 /// The claims of the paper's own report, for their words.
 const PAPER: &str = include_str!("../../../reports/im-avouac/claims.toml");
-
-/// Claims on which the formulas rest for every slider; those that compare a < b with a > b are left to the paper's report.
-const GENERAL: &[&str] = &["F1", "F2", "F3", "L1", "L2", "L3", "B4", "B5", "Q1", "Q2", "Z3", "Z4", "Z5"];
-
-/// Claims about sliders with a < b: the transition, and what simulations show around it.
-const WEAKENING: &[&str] =
-    &["F4", "S1", "S2", "S4", "S6", "B1", "B2", "B3", "Q3", "Q6", "N1", "N2", "N3", "N5", "N7", "N8", "N10"];
-
-/// Claims about sliders with a > b.
-const STRENGTHENING: &[&str] = &["S5", "B2", "N9"];
 
 /// What was found.
 #[derive(Debug)]
@@ -47,25 +37,27 @@ struct DecidedClaim {
 /// # Errors
 /// When the list of the paper's claims is at fault.
 pub fn candidates(effects: Effects) -> Result<Vec<ClaimEntry>, Faults> {
-    let special = match effects {
-        Effects::Weakening => WEAKENING,
-        Effects::Neutral => &[],
-        Effects::Strengthening => STRENGTHENING,
+    let sliders = match effects {
+        Effects::Weakening => Sliders::Weakening,
+        Effects::Neutral => Sliders::Neutral,
+        Effects::Strengthening => Sliders::Strengthening,
     };
     let equations = read_equations("equations.toml", EQUATIONS.as_bytes())?;
-    let mut entries = read_claims("claims.toml", PAPER.as_bytes(), &known_ids(), Some(&equations))?;
-    let kept = with_premises(GENERAL.iter().chain(special).copied(), &entries);
+    let mut entries = read_claims("claims.toml", PAPER.as_bytes(), &procedures(), Some(&equations))?;
+    let listed = entries.iter().filter(|entry| entry.sliders.contains(&sliders));
+    let kept = with_premises(listed.map(|entry| entry.id.clone()).collect(), &entries);
     entries.retain(|entry| kept.contains(entry.id.as_str()));
     Ok(entries)
 }
 
 /// These claims with all that they rest on: a claim whose premise is not checked would hold of changed equations too.
-fn with_premises(ids: impl Iterator<Item = &'static str>, entries: &[ClaimEntry]) -> BTreeSet<String> {
-    let mut open: Vec<String> = ids.map(str::to_owned).collect();
+fn with_premises(ids: Vec<String>, entries: &[ClaimEntry]) -> BTreeSet<String> {
+    let mut open = ids;
     let mut kept = BTreeSet::new();
     while let Some(id) = open.pop() {
         if kept.insert(id.clone()) {
-            open.extend(entries.iter().filter(|entry| entry.id == id).flat_map(premises));
+            let presupposed = entries.iter().filter(|entry| entry.id == id).flat_map(|entry| &entry.rests_on);
+            open.extend(presupposed.cloned());
         }
     }
     kept

@@ -1,4 +1,4 @@
-//! The simplified map of fig 7, drawn from the paper's equations, against exact slip modes (claims Z1 and Z8).
+//! The simplified map of fig 7, drawn from the paper's equations, against exact slip modes.
 
 use crate::experiments::map::MapPoint;
 use crate::experiments::shared::Grid;

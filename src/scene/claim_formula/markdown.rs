@@ -58,6 +58,7 @@ impl Statement {
         let set = Expression::latex;
         match self {
             Self::True(formula) => formula.markdown(),
+            Self::Computed(computed) => computed.text(),
             Self::Motion(motion) => motion.words(|side| format!("${}$", set(side))),
             Self::Limit(left, value, name, toward) => {
                 let toward = if *toward == Toward::Zero { "0" } else { "\\infty" };

@@ -29,6 +29,7 @@ use slipmode_core::number::Rational;
 use slipmode_core::theory::Equations;
 use slipmode_core::theory::root_location::{MOST_DEGREE_OF_OTHERS, RootStatement, coefficients};
 
+use crate::scene::claim_computed::{Computed, Premise};
 use crate::scene::claim_motion::ClaimMotion;
 use crate::scene::claim_names::Names;
 pub(super) use grammar::{side as read_side, variable as read_variable};
@@ -100,6 +101,8 @@ pub enum Statement {
     Depends(Expression, bool, Symbol),
     /// A lemma on the motions of a system.
     Motion(Box<ClaimMotion>),
+    /// What is no formula: proofs that go through, claims that hold, what a procedure finds.
+    Computed(Box<Computed>),
 }
 
 impl Default for Statement {
@@ -237,6 +240,32 @@ impl ClaimFormula {
             .checked(equations)
     }
 
+    /// What proofs, other claims or a procedure decide.
+    #[must_use]
+    pub fn of_computed(computed: Computed) -> Self {
+        let text = computed.text();
+        Self { text, statement: Statement::Computed(Box::new(computed)), ..Self::default() }
+    }
+
+    /// The claims that have to hold, in it and outside its limit.
+    pub(in crate::scene) fn premises_mut(&mut self) -> impl Iterator<Item = &mut Premise> {
+        let of = |statement| match statement {
+            &mut Statement::Computed(ref mut computed) => computed.premises.iter_mut(),
+            _ => [].iter_mut(),
+        };
+        let outside = self.limit.as_mut().map(|limit| &mut limit.outside.1.statement);
+        std::iter::once(&mut self.statement).chain(outside).flat_map(of)
+    }
+
+    /// What decides it, where that is no formula.
+    #[must_use]
+    pub fn computed(&self) -> Option<&Computed> {
+        match &self.statement {
+            Statement::Computed(computed) => Some(computed),
+            _ => None,
+        }
+    }
+
     fn checked(self, equations: &Equations) -> Result<Self, String> {
         within_budget(STEPS, || self.checked_all(equations))
             .unwrap_or_else(|exhausted| Err(exhausted.to_string()))
@@ -361,6 +390,7 @@ impl Statement {
             Self::Limit(side, End::Infinite(_), ..) => vec![(side, None)],
             Self::Monotone(expression, ..) | Self::Depends(expression, ..) => vec![(expression, None)],
             Self::Motion(motion) => motion.expressions().into_iter().map(|(_, side)| (side, None)).collect(),
+            Self::Computed(_) => Vec::new(),
         }
     }
 
@@ -368,7 +398,7 @@ impl Statement {
     #[must_use]
     pub fn variable(&self) -> Option<&Symbol> {
         match self {
-            Self::True(_) | Self::Motion(_) => None,
+            Self::True(_) | Self::Motion(_) | Self::Computed(_) => None,
             Self::Limit(_, _, variable, _)
             | Self::Monotone(_, _, variable)
             | Self::Depends(_, _, variable) => Some(variable),

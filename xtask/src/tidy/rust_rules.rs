@@ -36,6 +36,7 @@ pub fn check(source: &RustSource, found: &mut Vec<Complaint>) {
         check_panics(source, found);
         check_side_effects(source, found);
         check_unsafe(source, found);
+        check_claims(source, found);
     }
 }
 
@@ -104,6 +105,28 @@ fn check_unsafe(source: &RustSource, found: &mut Vec<Complaint>) {
     }
 }
 
+/// Whether a claim of the first paper's report is named: `"B8"`, or `claim B8`.
+fn check_claims(source: &RustSource, found: &mut Vec<Complaint>) {
+    for (number, _, text) in source.lines_outside_tests() {
+        let after =
+            |mark: &str| text.match_indices(mark).map(|(at, mark)| at + mark.len()).collect::<Vec<_>>();
+        let starts = [after("\""), after("claim "), after("claims ")].concat();
+        if starts.into_iter().any(|at| is_claim(&text[at..])) {
+            let message =
+                "the program knows no claim: its words, criterion and procedure stand in claims.toml";
+            found.push(source.file.complaint(number, message));
+        }
+    }
+}
+
+/// Whether a text begins with the id of such a claim.
+fn is_claim(text: &str) -> bool {
+    let digits = text.strip_prefix(['F', 'L', 'S', 'B', 'Q', 'Z', 'N', 'X']).unwrap_or_default();
+    let rest = digits.trim_start_matches(|c: char| c.is_ascii_digit());
+    (1..=2).contains(&(digits.len() - rest.len()))
+        && !rest.starts_with(|c: char| c.is_alphanumeric() || c == '_')
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -159,5 +182,15 @@ mod tests {
             complaints("crates/core/src/number/dd.rs", "//! unsafe\n#![forbid(unsafe_code)]\n"),
             [0; 0]
         );
+    }
+
+    #[test]
+    fn a_claim_is_named_in_data_and_in_tests_only() {
+        let bad = "//! Subject.\n//! Claims N7 and N8.\nconst A: &str = \"Z5\";\n// See claim B8.\n";
+        assert_eq!(complaints("src/claims/a.rs", &bad.replace("Claims", "claims")), [2, 3, 4]);
+        let good = "//! Subject.\nconst A: &str = \"N7b\";\nconst S1: &str = \"S\";\n";
+        assert_eq!(complaints("src/claims/a.rs", good), Vec::<usize>::new());
+        let test = "//! Subject.\n#[cfg(test)]\nmod tests { const A: &str = \"Z5\"; }\n";
+        assert_eq!(complaints("src/claims/a.rs", test), Vec::<usize>::new());
     }
 }

@@ -3,10 +3,9 @@
 //! Two ways that share only eq 8: along the boundary's parametrisation by its double root, and by checking that the
 //! series makes the discriminant of eq 8 vanish to the same order (the proof's certificate).
 
-use super::Equations;
 use super::boundary::{Curve, cubic_discriminant, curve};
-use super::inertial::velocity_ratio;
 use super::notation::{formula, given_nonzero, in_groups, rational};
+use super::{Equation, Equations};
 use slipmode_algebra::{
     Certificate, Domain, Expression, Polynomial, Proof, RationalFunction, Refutation, Relation, Series,
     Symbol,
@@ -232,4 +231,9 @@ fn without_powers(function: &RationalFunction) -> Polynomial {
     let lowest = coefficients.iter().position(|coefficient| !coefficient.is_zero()).unwrap_or(0);
     let kept = coefficients.into_iter().skip(lowest).rev();
     kept.fold(Polynomial::zero(), |sum, coefficient| &(&sum * &Polynomial::variable("x")) + &coefficient)
+}
+
+/// left/right of an equation "ratio = 1": for eqs 18 and 20 the ratio of V0 to the velocity at which they hold.
+fn velocity_ratio(equation: &Equation) -> Expression {
+    equation.left.clone() / equation.right.clone()
 }

@@ -1,13 +1,8 @@
 //! The exact boundary max Im(s) = 0: a rational curve with one cusp.
 
 use super::Equations;
-use super::notation::{
-    coefficients, cubic, discriminant_of_cubic, formula, given_nonzero, given_positive, in_parameters,
-    rational, simplified,
-};
-use slipmode_algebra::{
-    Domain, Expression, Polynomial, Proof, RationalFunction, Refutation, Relation, Symbol,
-};
+use super::notation::{coefficients, cubic, discriminant_of_cubic, formula, given_nonzero, rational};
+use slipmode_algebra::{Domain, Expression, Polynomial, Proof, RationalFunction, Refutation, Symbol};
 
 /// The parametrisation of the boundary by its double root r, as derived from eq 8.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -72,58 +67,6 @@ fn linear_parts(proof: &Proof, expression: &Expression) -> Result<[RationalFunct
     Ok(parts)
 }
 
-/// The curve carries every double root and nothing else, and has slope dκ/dη = −r².
-///
-/// # Errors
-/// When a relation does not follow from eq 8.
-pub fn prove(equations: &Equations) -> Result<Proof, Refutation> {
-    let curve = curve(equations)?;
-    let (eta, kappa) =
-        (Expression::from(&curve.inertial_parameter), Expression::from(&curve.stiffness_group));
-    let free = Domain::default();
-    let at_root = at_double_root();
-    let on_curve = at_root.clone().with("eta", eta.clone()).with("kappa", kappa.clone());
-    let f = cubic(equations);
-    let product = formula("eta*(p - r)^2") * (formula("p") - Expression::from(&curve.third_root));
-    let determinant = formula("(r^3 + r^2) - (r + 1)*(3*r^2 + 2*r)");
-    let r = Symbol::from("r");
-    let envelope = kappa.derivative(&r) + formula("r^2") * eta.derivative(&r);
-    let zero = formula("0");
-    Proof::new(
-        "boundary-curve",
-        format!(
-            "Eq 8 has a double root r exactly for η = {eta}, κ = {kappa}; the third root is {}; \
-             dκ/dη = −r².",
-            Expression::from(&curve.third_root)
-        ),
-    )
-    .identity("F(−1) = β", &["8"], &f.with("p", &formula("-1")), &formula("beta"), &free)?
-    .identity("F(0) = κ", &["8"], &f.with("p", &zero), &formula("kappa"), &free)?
-    .identity(
-        "determinant of F(r) = F'(r) = 0 in (η, κ)",
-        &["8"],
-        &determinant,
-        &formula("-2*r*(r + 1)^2"),
-        &free,
-    )?
-    .identity(
-        "its quotient by itself: it is not zero, because r is neither −1 nor 0, so that r determines η and κ",
-        &[],
-        &(determinant.clone() / determinant.clone()),
-        &formula("1"),
-        &given_nonzero(Domain::default(), &["r", "r + 1"], &[("r", "1")]),
-    )?
-    .identity("F on the curve", &["8"], &f, &product, &on_curve)?
-    .identity("dκ/dr = −r² dη/dr", &[], &envelope, &zero, &at_root)?
-    .identity(
-        "discriminant on the curve",
-        &["8"],
-        &Expression::from(&cubic_discriminant(equations)?),
-        &zero,
-        &on_curve,
-    )
-}
-
 /// A double root r is neither 0 nor −1, because F(0) = κ and F(−1) = β are not zero; with η > 0 it is not −1 ± √β either.
 fn at_double_root() -> Domain {
     given_nonzero(Domain::default(), &["r", "r + 1", "(r + 1)^2 - beta"], &[("r", "1"), ("beta", "1")])
@@ -136,100 +79,4 @@ fn at_double_root() -> Domain {
 pub fn cubic_discriminant(equations: &Equations) -> Result<Polynomial, Refutation> {
     let proof = Proof::new("discriminant", "");
     discriminant_of_cubic(&proof, &cubic(equations), "p", &Domain::default())
-}
-
-/// One triple root for each β: (r+1)³ = β(3r+1) with r < −1, η = −1/(3r+1), κ = r³/(3r+1).
-///
-/// # Errors
-/// When the triple root of eq 8 is another one.
-pub fn cusp(equations: &Equations) -> Result<Proof, Refutation> {
-    let f = cubic(equations);
-    // With r = −1 − x, x > 0, everything at the cusp is a quotient of polynomials with positive coefficients.
-    let ratio = formula("x^3/(3*x + 2)");
-    let at_cusp = Domain::positive("x")
-        .with("beta", ratio.clone())
-        .with("eta", formula("1/(3*x + 2)"))
-        .with("kappa", formula("(1 + x)^3/(3*x + 2)"));
-    let second = f.derivative(&Symbol::from("p")).derivative(&Symbol::from("p"));
-    let slope = ratio.derivative(&Symbol::from("x"));
-    let at_root = at_double_root();
-    let curve = curve(equations)?;
-    let eta_slope = Expression::from(&curve.inertial_parameter.derivative(&Symbol::from("r")));
-    let condition = formula("(beta*(3*r + 1) - (r + 1)^3)");
-    let quotient = simplified(
-        &Proof::new("cusp", ""),
-        &["8"],
-        &(eta_slope.clone() / condition.clone()),
-        &at_root.clone().given(condition.clone(), Relation::NonZero),
-    )?;
-    let triple = formula("eta*(p - r)^3");
-    let triple_curvature = triple.derivative(&Symbol::from("p")).derivative(&Symbol::from("p"));
-    let minus_one = formula("-1");
-    Proof::new(
-        "cusp",
-        "The boundary has exactly one cusp for each β > 0: the triple root r = −1 − x with β \
-             = x³/(3x + 2), η = 1/(3x + 2) < 1/2, κ = (1 + x)³/(3x + 2). At a = b: r = −3, η = \
-             1/8, κ = 27/8.",
-    )
-    .identity("F is η (p + 1 + x)³ there", &["8"], &f, &formula("eta*(p + 1 + x)^3"), &at_cusp)?
-    .identity(
-        "second derivative at the triple root",
-        &["8"],
-        &second.with("p", &formula("-1 - x")),
-        &formula("0"),
-        &at_cusp,
-    )?
-    .identity(
-        "dη/dr vanishes where (r + 1)³ = β (3r + 1)",
-        &["8"],
-        &eta_slope,
-        &(quotient * condition),
-        &at_root,
-    )?
-    .positive("β rises with x, from 0 without limit: one x for each β", &[], &slope, &Domain::positive("x"))?
-    .positive("1/2 − η", &[], &formula("1/2 - 1/(3*x + 2)"), &Domain::positive("x"))?
-    .identity("β at x = 2", &[], &ratio.with("x", &formula("2")), &formula("1"), &Domain::default())?
-    .identity(
-        "conversely with a triple root r = −1 − x F is η (p − r)³: F(−1) = β = η x³, so x > 0",
-        &[],
-        &triple.with("p", &minus_one).with("r", &formula("-1 - x")),
-        &formula("eta*x^3"),
-        &Domain::default(),
-    )?
-    .identity(
-        "and F''(−1)/2 = 1 − 2η",
-        &["8"],
-        &(second.with("p", &minus_one) / formula("2")),
-        &formula("1 - 2*eta"),
-        &Domain::default(),
-    )?
-    .identity(
-        "is 3ηx, so η = 1/(3x + 2) and β = x³/(3x + 2)",
-        &[],
-        &(triple_curvature.with("p", &minus_one).with("r", &formula("-1 - x")) / formula("2")),
-        &formula("3*eta*x"),
-        &Domain::default(),
-    )
-}
-
-/// For a < b the transition never meets the boundary: the discriminant is negative all along K = K_c.
-///
-/// # Errors
-/// When eq 9 meets the boundary of eq 8.
-pub fn transition_avoids(equations: &Equations) -> Result<Proof, Refutation> {
-    let critical = super::notation::in_groups(&equations.right("9"));
-    let discriminant = Expression::from(&cubic_discriminant(equations)?).with("kappa", &critical);
-    let weakening = given_positive(Domain::positive("eta beta"), "beta - 1", &[("beta", "2")]);
-    let domain = in_parameters(weakening, &[("beta", "1 + d", "d", "beta - 1")]);
-    Proof::new(
-        "transition-avoids-boundary",
-        "For a < b the roots on K = K_c are never all real: K = K_c does not meet the \
-             boundary.",
-    )
-    .positive(
-        "minus the discriminant at κ = (β − 1)(1 + η), β = 1 + d",
-        &["8", "9"],
-        &(-discriminant),
-        &domain,
-    )
 }

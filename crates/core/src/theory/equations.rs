@@ -6,6 +6,7 @@ use std::sync::{Arc, LazyLock};
 use super::definitions::{self, Rest};
 use super::names::Names;
 use super::reading::{self, Assumed, DefinitionText, EquationsText, FunctionText, SystemText};
+use super::stated_proofs::StatedProofs;
 use slipmode_algebra::{Condition, Domain, Expression, within_budget};
 
 /// The most steps of algebra that the reading of one file takes.
@@ -33,6 +34,12 @@ impl Equation {
     #[must_use]
     pub fn residual(&self) -> Expression {
         self.left.clone() - self.right.clone()
+    }
+
+    /// What the names `left_N`, `right_N` and `residual_N` mean, each with the word that stands before N.
+    #[must_use]
+    pub fn sides(&self) -> [(&'static str, Expression); 3] {
+        [("left", self.left.clone()), ("right", self.right.clone()), ("residual", self.residual())]
     }
 
     /// Its number as a part of a name, as in `left_steady_state`.
@@ -91,6 +98,7 @@ pub struct Equations {
     rest: Rest,
     domain: Domain,
     names: Arc<Names>,
+    proofs: Arc<StatedProofs>,
 }
 
 /// What stands for an equation that is not there: it has no value, so that every step of a proof with it is refused.
@@ -124,7 +132,7 @@ impl Equations {
         within_budget(STEPS, || Self::read_all(text)).unwrap_or_else(|exhausted| {
             let rest = Rest { assumptions, ..Rest::default() };
             let domain = definitions::positive(&rest.assumptions);
-            let nothing = Self { equations: Vec::new(), rest, domain, names: Arc::default() };
+            let nothing = Self { rest, domain, ..Self::default() };
             (nothing, vec![EquationFault { key: "equations".to_owned(), message: exhausted.to_string() }])
         })
     }
@@ -142,7 +150,7 @@ impl Equations {
         let rest = Rest { assumptions, functions: function, systems: system, definitions: definition, units };
         let (names, of_names) = definitions::names(&rest, &equations, &domain);
         faults.extend(of_equations.into_iter().chain(of_names));
-        (Self { equations, rest, domain, names: Arc::new(names) }, faults)
+        (Self { equations, rest, domain, names: Arc::new(names), proofs: Arc::default() }, faults)
     }
 
     /// What the names of the file mean.
@@ -151,12 +159,25 @@ impl Equations {
         &self.names
     }
 
+    /// The proofs about them that the report states.
+    #[must_use]
+    pub fn proofs(&self) -> &Arc<StatedProofs> {
+        &self.proofs
+    }
+
+    /// With the proofs of the report.
+    #[must_use]
+    pub fn with_proofs(self, proofs: StatedProofs) -> Self {
+        Self { proofs: Arc::new(proofs), ..self }
+    }
+
     /// The same file with other equations, and without systems and definitions.
     pub(super) fn with_equations(&self, equations: Vec<Equation>) -> Self {
         let (assumptions, functions) = (self.rest.assumptions.clone(), self.rest.functions.clone());
         let rest = Rest { assumptions, functions, ..Rest::default() };
         let (names, _) = definitions::names(&rest, &equations, &self.domain);
-        Self { equations, rest, domain: self.domain.clone(), names: Arc::new(names) }
+        let (domain, proofs) = (self.domain.clone(), self.proofs.clone());
+        Self { equations, rest, domain, names: Arc::new(names), proofs }
     }
 
     /// The unit of a variable as stated.
@@ -274,8 +295,9 @@ pub(super) mod tests {
         let text = "[assumptions]\npositive = [\"A\", \"L\"]\n[[equation]]\nnumber = \"3.1\"\nequation = \"Q = A/L\"\n";
         let equations = read(text).expect("another paper's equation");
         assert_eq!(equations.equation("3.1").to_string(), "Q = A/L");
-        let refused = crate::theory::transition::stability(&equations).expect_err("eq 8 is missing");
-        assert!(refused.remainder.contains("division by zero in 0/0"), "{refused}");
+        let library = crate::theory::stated_proofs::tests::library();
+        let refused = library.prove("stability-transition", &equations).expect_err("eq 8 is missing");
+        assert!(refused.remainder.ends_with("there is no equation for the name `residual_8`"), "{refused}");
         let missing = equations.demand_paper().expect_err("nothing of the paper is there").to_string();
         for part in
             ["equation 8: is missing", "'theta' must be positive", "'L' is not a variable of the paper"]

@@ -14,15 +14,9 @@
 //! ```
 
 #[doc(hidden)]
-pub mod areas;
-#[doc(hidden)]
 pub mod asymptote_series;
 #[doc(hidden)]
 pub mod boundary;
-#[doc(hidden)]
-pub mod characteristic;
-#[doc(hidden)]
-pub mod criteria;
 mod definedness;
 mod definitions;
 #[doc(hidden)]
@@ -31,24 +25,10 @@ pub mod derivation;
 pub mod emergence;
 mod equations;
 #[doc(hidden)]
-pub mod exchange;
-#[doc(hidden)]
-pub mod frequency;
-#[doc(hidden)]
 pub mod frequency_turns;
 #[doc(hidden)]
 pub mod hopf;
-#[doc(hidden)]
-pub mod inertial;
-#[doc(hidden)]
-pub mod linearisation;
-#[doc(hidden)]
-pub mod monotone;
-#[doc(hidden)]
-pub mod monotone_frequency;
 mod names;
-#[doc(hidden)]
-pub mod non_inertial;
 mod notation;
 mod paper;
 #[doc(hidden)]
@@ -56,22 +36,16 @@ pub mod period;
 pub mod planar;
 mod reached;
 mod reading;
-mod real_roots;
 #[doc(hidden)]
 pub mod regularised;
 pub mod root_location;
-#[doc(hidden)]
-pub mod steady_state;
+pub mod stated_proofs;
 #[doc(hidden)]
 pub mod strip_frequency;
 #[doc(hidden)]
 pub mod sufficient_inertia;
-#[doc(hidden)]
-pub mod transition;
 mod units;
 pub mod weak_instability;
-#[doc(hidden)]
-pub mod worst_error;
 
 pub use derivation::{Form as Derivation, Operation, System};
 pub use equations::{Equation, EquationFault, Equations, EquationsError};

@@ -273,12 +273,8 @@ pub(super) fn defined_by_equations(
         {
             doubled.push((name.clone(), [earlier.number, equation.number.clone()]));
         }
-        let sides = [
-            ("left", equation.left.clone(), kept),
-            ("right", equation.right.clone(), None),
-            ("residual", equation.residual(), kept),
-        ];
-        for (side, expression, kept) in sides {
+        for (side, expression) in equation.sides() {
+            let kept = kept.filter(|_| side != "right");
             if let Ok(name) = format!("{side}_{}", equation.word()).parse() {
                 defined.insert(name, meaning(expression, kept));
             }

@@ -22,57 +22,6 @@ pub(super) fn any() -> Domain {
     Domain::positive(QUANTITIES)
 }
 
-/// a < b.
-pub(super) fn below() -> Domain {
-    any().given(formula("b - a"), Relation::Positive).example("b", formula("2"))
-}
-
-/// a > b.
-pub(super) fn above() -> Domain {
-    any().given(formula("a - b"), Relation::Positive).example("a", formula("2"))
-}
-
-/// a < b with both roots rational: a = α², b = (α + γ)².
-pub(super) fn weakening() -> Domain {
-    let alpha = ("a", "alpha^2", "alpha", "sqrt(a)");
-    let gamma = ("b", "(alpha + gamma)^2", "gamma", "sqrt(b) - sqrt(a)");
-    in_parameters(below(), &[SQUARE_STIFFNESS, SQUARE_MASS, alpha, gamma])
-}
-
-/// a > b with both roots rational: a = (α + γ)², b = α².
-pub(super) fn strengthening() -> Domain {
-    let gamma = ("a", "(alpha + gamma)^2", "gamma", "sqrt(a) - sqrt(b)");
-    let alpha = ("b", "alpha^2", "alpha", "sqrt(b)");
-    in_parameters(above(), &[SQUARE_STIFFNESS, SQUARE_MASS, gamma, alpha])
-}
-
-/// a < b with √a and √(b − a) rational: a = α², b = α² + γ²; K = k², M = m².
-pub(super) fn weakening_by_square() -> Domain {
-    in_parameters(crossing(), &[SQUARE_STIFFNESS, SQUARE_MASS])
-}
-
-/// a = α², b = α² + γ²: √a and √(b − a) rational.
-pub(super) fn crossing() -> Domain {
-    let alpha = ("a", "alpha^2", "alpha", "sqrt(a)");
-    in_parameters(below(), &[alpha, ("b", "alpha^2 + gamma^2", "gamma", "sqrt(b - a)")])
-}
-
-/// a > b written as a = b + d with d > 0.
-pub(super) fn stronger_direct_effect() -> Domain {
-    in_parameters(above(), &[("a", "b + d", "d", "a - b")])
-}
-
-/// a < b written as b = a + d with d > 0.
-pub(super) fn weaker_direct_effect() -> Domain {
-    in_parameters(below(), &[("b", "a + d", "d", "b - a")])
-}
-
-/// √K rational: K = k².
-pub(super) const SQUARE_STIFFNESS: Substitution = ("K", "k^2", "k", "sqrt(K)");
-
-/// √M rational: M = m².
-pub(super) const SQUARE_MASS: Substitution = ("M", "m^2", "m", "sqrt(M)");
-
 /// A variable, its value in parameters, one parameter, and its value in the variables.
 pub(super) type Substitution = (&'static str, &'static str, &'static str, &'static str);
 

@@ -1,4 +1,4 @@
-//! The natural angular frequency and period with rational bounds of π (claim Q5).
+//! The natural angular frequency and period with rational bounds of π.
 
 use rug::Rational;
 

@@ -1,4 +1,4 @@
-//! The regularised friction law μ = a asinh(V/(2V0) exp((μ0 + b ln(V0θ/D_c))/a)) in the linear analysis (claim F4).
+//! The regularised friction law μ = a asinh(V/(2V0) exp((μ0 + b ln(V0θ/D_c))/a)) in the linear analysis.
 
 use rug::Rational;
 use rug::ops::Pow;

@@ -4,87 +4,13 @@
 //! of this ratio both equations for x and y are linear in κ, which leaves one polynomial in x and λ.
 
 use super::Equations;
-use super::non_inertial::frequency_squared_of_eq_14;
-use super::notation::{
-    any, coefficients, cubic, formula, given_nonzero, in_groups, rational, strengthening, weakening,
-};
+use super::notation::{coefficients, cubic, formula, in_groups, rational};
 use crate::number::{Ball, Rational};
 use rug::Float;
 use slipmode_algebra::{
-    Coefficients, Domain, Expression, IsolatingInterval, Polynomial, Proof, Refutation, Symbol,
-    UnivariatePolynomial, discriminant, horner, resultant,
+    Coefficients, Domain, Expression, IsolatingInterval, Polynomial, Proof, Symbol, UnivariatePolynomial,
+    discriminant, horner, resultant,
 };
-
-/// Without inertia the largest frequency is √(b/a) V0/D_c at σ = K D_c/(a + b); with inertia it has a bound (claim Q6).
-///
-/// # Errors
-/// When eq 14 or 8 gives another frequency.
-pub fn prove(equations: &Equations) -> Result<Proof, Refutation> {
-    let proof = Proof::new(
-        "largest-frequency-between-eqs-16-and-15",
-        "Without inertia (eq 14) the largest frequency at given V0 is √(b/a) V0/D_c, at σ = K D_c/(a + b) between eqs 16 \
-             and 15. With inertia (eq 8) a complex pair and the real root −u V0/D_c have \
-             ω²(D_c/V0)² ≤ b/a − 1 + (1 + (b/a)/(u − 1))², which tends to b/a as u → ∞, where η → 0.",
-    );
-    let square = frequency_squared_of_eq_14(equations, &proof)? * formula("D_c^2/V_0^2");
-    let top = formula("K*D_c/(a + b)");
-    let proof = proof.identity(
-        "(ωD_c/V0)² of eq 14: b/a less a square that vanishes at σ = K D_c/(a + b)",
-        &["14"],
-        &square,
-        &formula("b/a - (K*D_c/(a*sigma) - (a + b)/a)^2/4"),
-        &any(),
-    )?;
-    let sides = [(equations.right("15") - top.clone(), "15"), (top - equations.right("16"), "16")];
-    let proof = sides.iter().try_fold(proof, |proof, (side, number)| {
-        let says = format!("its distance from eq {number}, a < b");
-        proof.positive(&says, &[number], side, &weakening())?.positive(
-            "the same for a > b",
-            &[number],
-            side,
-            &strengthening(),
-        )
-    })?;
-    with_inertia(proof, equations)
-}
-
-/// The bound by the real root: F is η (p + u)((p − x)² + y²).
-fn with_inertia(proof: Proof, equations: &Equations) -> Result<Proof, Refutation> {
-    let f = cubic(equations);
-    let p = Symbol::from("p");
-    let factors = formula("eta*(p + u)*((p - x)^2 + Y)");
-    let half_curvature =
-        |cubic: &Expression| cubic.derivative(&p).derivative(&p).with("p", &formula("0")) / formula("2");
-    let free = Domain::default();
-    let apart = given_nonzero(free.clone(), &["u - 1"], &[]);
-    let share = "(1 + beta/(u - 1))";
-    let height = formula("beta*(u - 1 - 2*x)/(u - 1) - (1 + x)^2");
-    let minus_one = formula("-1");
-    proof
-        .identity("F(−1) = β", &["8"], &f.with("p", &minus_one), &formula("beta"), &free)?
-        .identity("F''(0)/2 = 1 + η", &["8"], &half_curvature(&f), &formula("1 + eta"), &free)?
-        .identity(
-            "with the roots −u and x ± iy: β = η (u − 1)((1 + x)² + y²)",
-            &[],
-            &factors.with("p", &minus_one),
-            &formula("eta*(u - 1)*((1 + x)^2 + Y)"),
-            &free,
-        )?
-        .identity(
-            "and 1 + η = η (u − 2x), so 1/η = u − 1 − 2x",
-            &[],
-            &half_curvature(&factors),
-            &formula("eta*(u - 2*x)"),
-            &free,
-        )?
-        .identity(
-            "so y² = β (u − 1 − 2x)/(u − 1) − (1 + x)² is the bound less a square",
-            &[],
-            &height,
-            &(formula(&format!("beta - 1 + {share}^2")) - formula(&format!("(x + {share})^2"))),
-            &apart,
-        )
-}
 
 /// The least λ = (V0/(ω_n D_c))² at which a point between eqs 16 and 15 has the given ω²/ω_n², and the κ of that point.
 #[derive(Debug, Clone)]

@@ -4,50 +4,25 @@ use rug::Rational;
 
 use super::equations::tests::paper;
 use super::*;
-use slipmode_algebra::{Expression, Proof, Refutation, Symbol, UnivariatePolynomial};
+use crate::friction::Parameters;
+use crate::theory::notation::{any, formula};
+use slipmode_algebra::{Expression, Proof, RationalFunction, Symbol, UnivariatePolynomial};
 
-type Prover = fn(&Equations) -> Result<Proof, Refutation>;
-
-/// Every proof of this module, by the path of its function.
-const PROVERS: [(&str, Prover); 28] = [
-    ("steady_state::laws_differ_at_rest", steady_state::laws_differ_at_rest),
-    ("regularised::linearisation", regularised::linearisation),
-    ("characteristic::prove", characteristic::prove),
-    ("characteristic::dimensionless", characteristic::dimensionless),
-    ("transition::stability", transition::stability),
-    ("transition::intrinsically_stable", transition::intrinsically_stable),
-    ("inertial::small_slip_distance", inertial::small_slip_distance),
-    ("inertial::large_slip_distance", inertial::large_slip_distance),
-    ("frequency::bounded", frequency::bounded),
-    ("frequency::low_frequency_zone", frequency::low_frequency_zone),
-    ("non_inertial::at_critical_stress", non_inertial::at_critical_stress),
-    ("non_inertial::mass", non_inertial::mass),
-    ("non_inertial::stiffness", non_inertial::stiffness),
-    ("non_inertial::at_stress_ratio", non_inertial::at_stress_ratio),
-    ("exchange::no_other_choice", exchange::no_other_choice),
-    ("exchange::frequency_contours", exchange::frequency_contours),
-    ("boundary::prove", boundary::prove),
-    ("boundary::cusp", boundary::cusp),
-    ("boundary::transition_avoids", boundary::transition_avoids),
-    ("worst_error::prove", worst_error::prove),
-    ("strip_frequency::prove", strip_frequency::prove),
-    ("criteria::inertial_parameter", criteria::inertial_parameter),
-    ("monotone::unstable_real_area", monotone::unstable_real_area),
-    ("monotone::upper_area", monotone::upper_area),
-    ("monotone::unstable_side", monotone::unstable_side),
-    ("monotone::lower_area_path", monotone::lower_area_path),
-    ("monotone::lower_area_between", monotone::lower_area_between),
-    ("monotone_frequency::threshold", monotone_frequency::threshold),
-];
+/// The proofs that the paper's report states, and those of this module.
+fn proofs() -> Vec<Proof> {
+    let (paper, library) = (paper(), stated_proofs::tests::library());
+    let own = [regularised::linearisation(&paper)];
+    let stated = library.ids().map(|id| library.prove(id, &paper));
+    stated.chain(own).map(|proof| proof.unwrap_or_else(|refutation| panic!("{refutation}"))).collect()
+}
 
 #[test]
 fn the_papers_equations_are_proved_and_the_proofs_recheck_after_a_round_trip() {
-    for (name, prover) in PROVERS {
-        let proof = prover(&paper()).unwrap_or_else(|refutation| panic!("{name}: {refutation}"));
+    for proof in proofs() {
         let text = serde_json::to_string(&proof).expect("serialisable");
         let read: Proof = serde_json::from_str(&text).expect("readable");
-        assert_eq!(read.to_string(), proof.to_string(), "{name}");
-        assert_eq!(read.recheck(), Ok(()), "{name}");
+        assert_eq!(read.to_string(), proof.to_string(), "{}", proof.id);
+        assert_eq!(read.recheck(), Ok(()), "{}", proof.id);
     }
 }
 
@@ -65,18 +40,7 @@ fn leading_errors_of_the_asymptotes() {
     assert_eq!(second("20"), ["0", "beta/2", "(3*beta^2 + 2*beta)/8"]);
 }
 
-#[test]
-fn areas_are_two_one_and_two_and_unstable_for_weakening_only() {
-    let counted = areas::Effects::ALL.map(|effects| {
-        let areas = areas::count(&paper(), effects).expect("eq 8 has the form");
-        assert_eq!(areas.proof.recheck(), Ok(()));
-        (areas.real_areas, areas.unstable_real_areas, areas.exists)
-    });
-    let (stable, all) = ([true, true, false, false], [true; 4]);
-    assert_eq!(counted, [(2, 1, all), (1, 0, stable), (2, 0, stable)]);
-}
-
-/// The same count by another way: at fixed η the positive roots of the discriminant in κ, counted by Sturm sequences,
+/// The areas of the proofs `areas-for-weakening` and so on by another way: at fixed η the positive roots of the discriminant in κ, counted by Sturm sequences,
 /// close one interval [0, m] (a ≠ b) and, below the cusp, a second one.
 #[test]
 fn sturm_sequences_count_the_same_areas_on_lines_of_fixed_inertial_parameter() {
@@ -129,16 +93,6 @@ fn the_sufficient_inertial_parameter_is_where_sturm_sequences_lose_two_roots() {
 }
 
 #[test]
-fn exchange_changes_equation_20_only() {
-    let exchanges = exchange::asymptotes(&paper()).expect("definite factors");
-    let changed: Vec<&str> = exchanges.iter().filter(|e| !e.invariant).map(|e| e.equation).collect();
-    assert_eq!(changed, ["20"]);
-    assert_eq!(exchanges[3].factor, "b/a".parse::<Expression>().expect("in the grammar"));
-    assert!(!exchanges[3].contains_b);
-    assert!(exchanges.iter().all(|exchange| exchange.proof.recheck().is_ok()));
-}
-
-#[test]
 fn regularised_law_differs_by_less_than_86_orders_of_magnitude() {
     let bound = |effect: (i32, i32)| {
         let difference = regularised::bound(&paper(), &Rational::from((3, 5)), &Rational::from(effect));
@@ -160,9 +114,7 @@ fn natural_period_of_the_papers_machine_is_not_the_printed_one() {
 fn every_step_of_every_proof_has_a_certificate() {
     use crate::friction::EvolutionLaw;
     let paper = paper();
-    let mut proofs: Vec<Proof> = PROVERS.iter().map(|(_, prover)| prover(&paper).unwrap()).collect();
-    proofs.extend(areas::Effects::ALL.map(|effects| areas::count(&paper, effects).unwrap().proof));
-    proofs.extend(exchange::asymptotes(&paper).unwrap().into_iter().map(|exchange| exchange.proof));
+    let mut proofs = proofs();
     proofs.extend(asymptote_series::derive(&paper, 2).unwrap().into_iter().map(|series| series.proof));
     for law in EvolutionLaw::ALL {
         proofs.push(hopf::coefficient(&paper, law).unwrap().proof);
@@ -181,4 +133,29 @@ fn every_step_of_every_proof_has_a_certificate() {
             .collect();
         assert!(argued.is_empty(), "{}: {argued:?}", proof.id);
     }
+}
+
+/// The parameters as symbols.
+fn symbolic_parameters() -> Parameters<RationalFunction> {
+    Parameters::from(["a", "b", "D_c", "K", "M", "sigma", "V_0"].map(RationalFunction::variable))
+}
+
+/// Σ coefficients[k]·variable^k.
+fn polynomial(coefficients: &[RationalFunction], variable: &'static str) -> Expression {
+    let term = |(power, coefficient): (usize, &RationalFunction)| {
+        Expression::from(coefficient) * Expression::variable(variable).power(power as i32)
+    };
+    coefficients.iter().enumerate().map(term).fold(Expression::integer(0), |sum, part| sum + part)
+}
+
+#[test]
+fn the_cubic_that_the_program_computes_with_is_eq_8_in_groups_and_per_second() {
+    let (parameters, eq8) = (symbolic_parameters(), paper().residual("8"));
+    let scaled = eq8.with("s", &formula("p*V_0/D_c")) * formula("D_c^2/(a*V_0)");
+    let groups = polynomial(&parameters.groups().characteristic_cubic(), "p");
+    let per_second = polynomial(&parameters.characteristic_cubic_per_s(), "s");
+    Proof::new("cubic", "")
+        .identity("in groups", &["8"], &scaled, &groups, &any())
+        .and_then(|proof| proof.identity("in s", &["8"], &(eq8 * formula("sigma")), &per_second, &any()))
+        .expect("the same polynomials");
 }

@@ -174,7 +174,9 @@ fn of_form(
         (Some(Operation::Linearised), [rate, by]) => over(units.of(rate)?.map(|unit| unit.per_second()), by),
         (Some(Operation::Rate), _) => Ok(first.map(|unit| unit.per_second())),
         (Some(Operation::Derivative), [x]) => over(first, x),
-        (Some(Operation::Coefficient), [s]) => over(first, &s.clone().power(form.whole as i32)),
+        (Some(Operation::Coefficient | Operation::Leading), [s]) => {
+            over(first, &s.clone().power(form.whole as i32))
+        }
         (Some(Operation::Solve), [x]) => units.of(x),
         (Some(Operation::Exchange), [x, y]) => units.same(x, y).map(|()| first),
         (Some(Operation::Discriminant | Operation::Hurwitz | Operation::Eliminate), _) => units.of(found),

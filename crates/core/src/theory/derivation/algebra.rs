@@ -23,6 +23,17 @@ pub(super) fn coefficient(
     Ok(parts.get(power).map_or(Expression::integer(0), expression))
 }
 
+/// The coefficient of the highest power, which has to be this one.
+pub(super) fn leading(
+    f: &Expression,
+    x: &Symbol,
+    power: usize,
+    work: &mut Work,
+) -> Result<Expression, String> {
+    let parts = in_powers(f, x, power..=power, work)?;
+    Ok(parts.last().map_or(Expression::integer(0), expression))
+}
+
 /// The coefficients by ascending power, with the step that they are.
 fn in_powers(
     f: &Expression,

@@ -16,6 +16,8 @@ slipmode_algebra::named! {
         Rate = "rate",
         /// The factor of a power.
         Coefficient = "coefficient",
+        /// The factor of the highest power, which has to be this one.
+        Leading = "leading",
         /// The discriminant of a polynomial.
         Discriminant = "discriminant",
         /// A leading principal minor of the Hurwitz matrix.
@@ -42,7 +44,10 @@ slipmode_algebra::named! {
 enum Kind {
     System,
     Expression,
+    /// A variable, a time derivative such as `theta'` too.
     Variable,
+    /// A variable that the derivation brings in.
+    New,
     Whole,
     End,
     Values,
@@ -51,12 +56,13 @@ enum Kind {
 impl Operation {
     /// The form in words, and the kinds of its arguments.
     fn form(self) -> (&'static str, &'static [Kind]) {
-        use Kind::{End, Expression, System, Values, Variable, Whole};
+        use Kind::{End, Expression, New, System, Values, Variable, Whole};
         match self {
-            Self::Characteristic => ("characteristic(system, s)", &[System, Variable]),
+            Self::Characteristic => ("characteristic(system, s)", &[System, New]),
             Self::Linearised => ("linearised(system, rate_state, by_state)", &[System, Variable, Variable]),
             Self::Rate => ("rate(f, system)", &[Expression, System]),
             Self::Coefficient => ("coefficient(P, s, n)", &[Expression, Variable, Whole]),
+            Self::Leading => ("leading(P, s, n)", &[Expression, Variable, Whole]),
             Self::Discriminant => ("discriminant(P, s)", &[Expression, Variable]),
             Self::Hurwitz => ("hurwitz(P, s, n)", &[Expression, Variable, Whole]),
             Self::Eliminate => ("eliminate(P, Q, x)", &[Expression, Expression, Variable]),
@@ -138,10 +144,11 @@ impl Form {
             Kind::Expression => self.expression(source, text)?,
             Kind::System if is_name(text) => self.system = Some(text.to_owned()),
             Kind::System => return wrong("the name of a system"),
-            Kind::Variable => match read_name(text) {
-                Some(name) => self.variables.push(name),
-                None => return wrong("a variable"),
-            },
+            Kind::Variable | Kind::New => {
+                let read = if kind == Kind::New { read_name(text) } else { read_variable(text) };
+                let Some(name) = read else { return wrong("a variable") };
+                self.variables.push(name);
+            }
             Kind::Whole => match text.parse() {
                 Ok(whole) if whole <= LARGEST_WHOLE => self.whole = whole,
                 _ => return wrong(&format!("a whole number from 0 to {LARGEST_WHOLE}")),
@@ -155,7 +162,7 @@ impl Form {
                 let [(name, Comparison::Equal, value)] = Source::comparisons(text)[..] else {
                     return wrong("of the form `x = value`");
                 };
-                let Some(symbol) = read_name(name.trim()) else {
+                let Some(symbol) = read_variable(name.trim()) else {
                     return wrong("of the form `x = value`");
                 };
                 self.expression(source, value)?;
@@ -190,9 +197,14 @@ impl Form {
 
 /// A name that a file brings in: without primes, and no word of the grammar.
 pub(in crate::theory) fn read_name(text: &str) -> Option<Symbol> {
+    read_variable(text).filter(|symbol| symbol.derivative_order() == 0)
+}
+
+/// The same, or a time derivative.
+fn read_variable(text: &str) -> Option<Symbol> {
     let is_short = text.len() <= LONGEST_NAME;
     let symbol = is_short.then(|| text.parse::<Symbol>().ok()).flatten();
-    symbol.filter(|symbol| symbol.derivative_order() == 0 && !WORDS.contains(&symbol.as_str()))
+    symbol.filter(|symbol| !WORDS.contains(&symbol.as_str()))
 }
 
 /// Words between the comparisons of a formula, and the end of a limit.
@@ -245,6 +257,9 @@ mod tests {
         let form = read(" limit( K*(a + b), a, infinity ) ").expect("in the grammar");
         assert_eq!((form.toward, form.variables[0].as_str()), (Toward::Infinity, "a"));
         assert_eq!(read("(a + b)*c").expect("an expression").operation, None);
+        let form = read("at(a*x'', x'' = 0)").expect("in the grammar");
+        assert_eq!(form.values[0].0.derivative_order(), 2);
+        assert!(read("derivative(a*x', x')").is_ok());
     }
 
     #[test]
@@ -255,6 +270,7 @@ mod tests {
         assert!(refusal("solve(P, s").contains("stands alone"));
         assert_eq!(refusal("hurwitz(P, s, x)"), "column 15: 'x' is not a whole number from 0 to 12");
         assert!(refusal("solve(P +, s)").starts_with("column 10: expected a number"));
+        assert!(refusal("characteristic(slider, s')").contains("is not a variable"));
         assert!(refusal("at(P, s)").contains("of the form `x = value`"));
         let condition = |text: &str| read_condition(text, &BTreeSet::new());
         assert!(condition("a = b").is_err() && condition("a <= b").is_ok());

@@ -54,6 +54,11 @@ fn the_characteristic_polynomial_of_the_slider_with_mass_gives_its_critical_stif
     gives(&[p], "", eq8);
     gives(&[p, ("c", "coefficient(P, s, 2)")], "", "A/(M*V) + V/L");
     gives(&[p, ("c", "coefficient(P, s, 4)")], "", "0");
+    gives(&[p, ("c", "leading(P, s, 3)")], "", "1");
+    for power in ["2", "4"] {
+        let is = format!("leading(P, s, {power})");
+        assert!(read(&[p, ("c", &is)], "").expect_err("another degree").contains("has degree 3 in s"));
+    }
     let h = ("H", "hurwitz(P, s, 2)");
     gives(&[p, h], "", "(A/(M*V) + V/L)*(K/M + (A - B)/(L*M)) - K*V/(L*M)");
     gives(&[p, h, ("K_cr", "solve(H, K)")], "", "(B - A)/L*(1 + M*V^2/(A*L))");

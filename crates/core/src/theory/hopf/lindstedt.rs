@@ -6,7 +6,6 @@ use super::expansion::{Conditions, solve, taylor_part};
 use super::slider::{by_groups, on_transition};
 use crate::friction::EvolutionLaw;
 use crate::theory::Equations;
-use crate::theory::linearisation::{evolution, motion};
 use crate::theory::notation::{formula, simplified};
 use slipmode_algebra::{Domain, Expression, Proof, Refutation, Symbol};
 
@@ -172,4 +171,15 @@ fn plus(left: &Pair, right: &Pair) -> Pair {
 
 fn sum(left: &Motion, right: &Motion) -> Motion {
     [0, 1, 2, 3, 4].map(|n| left[n].clone() + right[n].clone())
+}
+
+/// Eq 4 with a friction law put in, as left − right in δ and θ.
+fn motion(equations: &Equations, friction: &Expression) -> Expression {
+    let velocity = formula("delta'");
+    equations.residual("4").with("mu", &friction.with("V", &velocity))
+}
+
+/// Eq 2 or 3 as left − right in δ and θ.
+fn evolution(equations: &Equations, law: EvolutionLaw) -> Expression {
+    equations.residual(law.equation()).with("V", &formula("delta'"))
 }

@@ -6,20 +6,16 @@
 //! the expansion of Lindstedt and Poincaré, and both are certified to agree.
 
 mod closed_form;
-mod edge;
 mod evaluate;
 pub(super) mod expansion;
 mod first_integral;
 mod lindstedt;
-mod path;
 pub(super) mod projection;
 mod slider;
 
 pub use closed_form::Criticality;
-pub use edge::change_of_integral;
 pub use evaluate::{degenerate_inertial_parameter, square_amplitude};
 pub use first_integral::prove as quasi_static_centre;
-pub use path::along_velocity;
 
 use super::Equations;
 use super::notation::{formula, given_nonzero, simplified};

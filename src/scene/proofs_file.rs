@@ -1,0 +1,25 @@
+//! `proofs/NAME.toml`: the proofs that a report states.
+
+use slipmode_core::theory::stated_proofs::{ProofsText, StatedProofs};
+
+use crate::scene::equations_file::{equation_fault, toml_fault};
+use crate::scene::{Faults, file_text};
+
+/// Reads one file of proofs.
+///
+/// # Errors
+/// TOML that does not parse, and unknown keys.
+pub fn read_proofs(file: &str, bytes: &[u8]) -> Result<ProofsText, Faults> {
+    let text = file_text(file, bytes).map_err(|fault| vec![fault])?;
+    toml::from_str(text).map_err(|error| vec![toml_fault(file, text, &error)])
+}
+
+/// The proofs of all files of a folder, which share their names.
+///
+/// # Errors
+/// All the faults at once.
+pub fn join_proofs(folder: &str, files: Vec<ProofsText>) -> Result<StatedProofs, Faults> {
+    StatedProofs::read(files).map_err(|faults| {
+        faults.iter().map(|fault| equation_fault(folder, &fault.key, &fault.message)).collect()
+    })
+}
