@@ -32,6 +32,12 @@ fn error_series(context: &Context, asked: Asked) -> Finding {
     };
     let named: Vec<&AsymptoteSeries> =
         series.iter().filter(|series| asked.of.iter().any(|number| number == series.equation)).collect();
+    if named.len() != asked.of.len() {
+        return Finding::not_checked(format!(
+            "Not each of these is the number of one asymptote: {}.",
+            asked.of.join(", ")
+        ));
+    }
     // Two equations for one end have the same series.
     let is_new = |at: &usize| {
         let of = |one: &AsymptoteSeries| (one.quantity, one.coefficients.clone());

@@ -6,8 +6,6 @@
 mod alterations;
 mod boundary;
 mod by_hand;
-#[cfg(test)]
-mod can_fail;
 mod certified;
 mod computed;
 mod criteria;
@@ -113,3 +111,6 @@ fn shows() -> impl Iterator<Item = &'static Show> {
 pub fn table_makers() -> impl Iterator<Item = &'static TableMaker> {
     [planted_fault_tables::TABLES, theory_tables::TABLES].into_iter().flatten()
 }
+
+#[cfg(test)]
+mod tests;

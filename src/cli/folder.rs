@@ -5,6 +5,7 @@ mod references;
 use std::collections::{BTreeMap, BTreeSet};
 use std::io;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use slipmode::archive::{Files, sha256_hex};
 use slipmode::claims::{procedures, row_faults};
@@ -177,12 +178,14 @@ impl Reader {
     }
 
     /// Reads the files of `proofs/` with these names.
-    fn proofs(&mut self, names: &[String]) -> Option<StatedProofs> {
+    fn proofs(&mut self, names: &[String]) -> Option<Arc<StatedProofs>> {
         let path = |name: &String| format!("proofs/{name}.toml");
         let files: Vec<_> = names
             .iter()
-            .filter_map(|name| self.read(&path(name), |file, bytes, _| read_proofs(file, bytes)))
+            .map(|name| self.read(&path(name), |file, bytes, _| read_proofs(file, bytes)))
             .collect();
+        // With a file missing, a fault of the others may only say so again.
+        let files = files.into_iter().collect::<Option<Vec<_>>>()?;
         join_proofs(&self.name("proofs"), files).map_err(|faults| self.faults.extend(faults)).ok()
     }
 

@@ -1,5 +1,6 @@
 //! A part of a claim that proofs, other claims or a procedure of this program decide: the keys beside its words.
 
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use slipmode_core::theory::Equations;
@@ -51,17 +52,12 @@ pub struct Premise {
     pub stated: Arc<StatedClaim>,
 }
 
-/// The entries of such a part.
-pub(super) struct ComputedEntries<'t> {
-    check: Option<Entry<'t>>,
-    proofs: Option<Entry<'t>>,
-    premises: Option<Entry<'t>>,
-    of: Option<Entry<'t>>,
-    equations: Option<Entry<'t>>,
-    counter_example: Option<Entry<'t>>,
-    extent: Option<Entry<'t>>,
-    shows: Option<Entry<'t>>,
-}
+/// The keys of such a part; the first three decide.
+const KEYS: [&str; 8] =
+    ["check", "proofs", "premises", "of", "equations", "counter_example", "extent", "shows"];
+
+/// The entries of such a part, by their keys.
+pub(super) struct ComputedEntries<'t>(BTreeMap<&'static str, Entry<'t>>);
 
 /// What a part is read with: the equations and the procedures.
 #[derive(Clone, Copy)]
@@ -72,44 +68,41 @@ pub(super) struct Known<'k> {
 
 impl<'t> ComputedEntries<'t> {
     pub fn of(section: &mut Section<'t>) -> Self {
-        let [check, proofs, premises, of, equations, counter_example, extent, shows] =
-            ["check", "proofs", "premises", "of", "equations", "counter_example", "extent", "shows"]
-                .map(|key| section.optional(key));
-        Self { check, proofs, premises, of, equations, counter_example, extent, shows }
+        Self(KEYS.into_iter().filter_map(|key| Some((key, section.optional(key)?))).collect())
     }
 
     /// The first key that is there.
     pub fn first(&self) -> Option<&Entry<'t>> {
-        let besides = [&self.of, &self.equations, &self.counter_example, &self.extent, &self.shows];
-        [&self.check, &self.proofs, &self.premises].into_iter().chain(besides).flatten().next()
+        KEYS.into_iter().find_map(|key| self.0.get(key))
     }
 
     /// Whether something decides.
     pub fn is_stated(&self) -> bool {
-        self.check.is_some() || self.proofs.is_some() || self.premises.is_some()
+        KEYS[..3].iter().any(|key| self.0.contains_key(key))
+    }
+
+    fn text(&self, key: &str) -> Option<Option<String>> {
+        self.0.get(key).map_or(Some(None), |entry| entry.text().map(Some))
+    }
+
+    fn texts(&self, key: &str) -> Option<Vec<String>> {
+        self.0.get(key).map_or(Some(Vec::new()), |entry| entry.list(Entry::text))
     }
 
     pub fn read(&self, known: &Known<'_>) -> Option<Computed> {
-        fn texts(entry: &Option<Entry<'_>>) -> Option<Vec<String>> {
-            entry.as_ref().map_or(Some(Vec::new()), |entry| entry.list(Entry::text))
-        }
-        fn text(entry: &Option<Entry<'_>>) -> Option<Option<String>> {
-            entry.as_ref().map_or(Some(None), |entry| entry.text().map(Some))
-        }
-        let check = self.check.as_ref().map_or(Some(None), |entry| {
+        let name = |entry: &Entry<'_>, known: &[&'static str]| {
             let name = entry.text()?;
-            entry.sound(of_word(&name, &known.procedures.checks, |known| known))?;
-            Some(Some(name))
-        });
-        let shows = self.shows.as_ref().map_or(Some(Vec::new()), |entry| {
-            entry.list(|member| {
-                let name = member.text()?;
-                member.sound(of_word(&name, &known.procedures.shows, |known| known))?;
-                Some(name)
-            })
-        });
+            entry.sound(of_word(&name, known, |known| known))?;
+            Some(name)
+        };
+        let check =
+            self.0.get("check").map_or(Some(None), |entry| name(entry, &known.procedures.checks).map(Some));
+        let shows = self
+            .0
+            .get("shows")
+            .map_or(Some(Vec::new()), |entry| entry.list(|member| name(member, &known.procedures.shows)));
         let own = known.equations.map(Equations::proofs);
-        let proofs = texts(&self.proofs);
+        let proofs = self.texts("proofs");
         let all = |proofs: &StatedProofs, ids: &[String]| ids.iter().all(|id| proofs.has(id));
         let stated = proofs.as_ref().and_then(|ids| match own {
             Some(own) if all(own, ids) => Some(own.clone()),
@@ -118,17 +111,17 @@ impl<'t> ComputedEntries<'t> {
             _ if all(library_proofs(), ids) => Some(library_proofs().clone()),
             _ => {
                 let missing = ids.iter().find(|id| !own.is_some_and(|own| own.has(id)))?;
-                self.proofs.as_ref()?.refuse(Problem::Needs(format!(
+                self.0.get("proofs")?.refuse(Problem::Needs(format!(
                     "proofs of the report's folder `proofs`: there is no `{missing}`"
                 )))
             }
         });
-        let premises = texts(&self.premises).map(|ids| {
+        let premises = self.texts("premises").map(|ids| {
             // What they say is put in when all claims of the file are read.
             ids.into_iter().map(|id| Premise { id, stated: Arc::default() }).collect()
         });
-        let (of, equations) = (texts(&self.of), texts(&self.equations));
-        let (counter_example, extent) = (text(&self.counter_example), text(&self.extent));
+        let [of, equations] = ["of", "equations"].map(|key| self.texts(key));
+        let [counter_example, extent] = ["counter_example", "extent"].map(|key| self.text(key));
         Some(Computed {
             check: check?,
             of: of?,
@@ -153,7 +146,7 @@ impl Computed {
     /// Whether its proofs are those of the first paper's report: that their steps imply what they say was reviewed with the program.
     #[must_use]
     pub fn has_reviewed_proofs(&self) -> bool {
-        Arc::ptr_eq(&self.stated, library_proofs()) || self.stated == *library_proofs()
+        Arc::ptr_eq(&self.stated, library_proofs())
     }
 
     /// What decides it, in a few words.

@@ -1,4 +1,4 @@
-//! The claims of the first paper that are stated as formulas: a report that lists one of them by its id alone is decided by them.
+//! The claims and the proofs of the first paper's report: a report that lists one of the claims by its id alone is decided as it is.
 
 use std::sync::{Arc, LazyLock};
 
@@ -56,32 +56,16 @@ pub fn library_claim(
     equations: &Equations,
     procedures: &Procedures,
 ) -> Option<Result<ClaimEntry, String>> {
-    let sections = with_premises(id)?;
-    let read = read_claims("claims.toml", sections.as_bytes(), procedures, Some(equations));
+    let (_, section) = all_sections().find(|(known, _)| *known == id)?;
+    // What stands before the first claim names the subjects.
+    let head = PAPER.split("[[claim]]\n").next().unwrap_or_default();
+    let text = format!("{head}[[claim]]\n{section}");
+    let read = read_claims("claims.toml", text.as_bytes(), procedures, Some(equations));
     let read = read.map(|mut claims| claims.pop());
     let words = |fault: &crate::scene::Fault| {
         format!("The claim's formulas cannot be read in the report's equations: {fault}.")
     };
     read.map_err(|faults| faults.first().map_or_else(String::new, words)).transpose()
-}
-
-/// The claim after its premises, each once.
-fn with_premises(id: &str) -> Option<String> {
-    fn add(id: &str, found: &mut Vec<&'static str>) -> Option<()> {
-        let (_, section) = all_sections().find(|(known, _)| *known == id)?;
-        let lists = section.lines().filter_map(|line| line.strip_prefix("premises = [")?.strip_suffix(']'));
-        for id in lists.flat_map(|list| list.split(',')).map(|id| id.trim().trim_matches('"')) {
-            add(id, found)?;
-        }
-        if !found.contains(&section) {
-            found.push(section);
-        }
-        Some(())
-    }
-    let mut found = Vec::new();
-    add(id, &mut found)?;
-    let head = PAPER.split("[[claim]]\n").next().unwrap_or_default();
-    Some(found.into_iter().fold(head.to_owned(), |text, section| format!("{text}[[claim]]\n{section}")))
 }
 
 #[cfg(test)]

@@ -26,7 +26,7 @@ pub fn read_equations_partly(file: &str, bytes: &[u8]) -> Result<(Equations, Fau
     Ok((equations, faults.iter().map(|fault| equation_fault(file, &fault.key, &fault.message)).collect()))
 }
 
-/// What the claims that a function of this program decides miss in the equations, but for the keys of known faults.
+/// What procedures and proofs of the first paper's report miss in the equations, but for the keys of known faults.
 #[must_use]
 pub fn paper_faults(file: &str, equations: &Equations, known: &Faults) -> Faults {
     let missing = equations.demand_paper().err().map_or(Vec::new(), |error| error.faults);

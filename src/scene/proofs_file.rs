@@ -1,7 +1,10 @@
 //! `proofs/NAME.toml`: the proofs that a report states.
 
+use std::sync::Arc;
+
 use slipmode_core::theory::stated_proofs::{ProofsText, StatedProofs};
 
+use crate::scene::claim_library::library_proofs;
 use crate::scene::equations_file::{equation_fault, toml_fault};
 use crate::scene::{Faults, file_text};
 
@@ -14,12 +17,15 @@ pub fn read_proofs(file: &str, bytes: &[u8]) -> Result<ProofsText, Faults> {
     toml::from_str(text).map_err(|error| vec![toml_fault(file, text, &error)])
 }
 
-/// The proofs of all files of a folder, which share their names.
+/// The proofs of all files of a folder, which share their names. Those of the first paper's report are the library's own, which were
+/// reviewed with the program.
 ///
 /// # Errors
 /// All the faults at once.
-pub fn join_proofs(folder: &str, files: Vec<ProofsText>) -> Result<StatedProofs, Faults> {
-    StatedProofs::read(files).map_err(|faults| {
-        faults.iter().map(|fault| equation_fault(folder, &fault.key, &fault.message)).collect()
-    })
+pub fn join_proofs(folder: &str, files: Vec<ProofsText>) -> Result<Arc<StatedProofs>, Faults> {
+    let proofs = StatedProofs::read(files).map_err(|faults| {
+        faults.iter().map(|fault| equation_fault(folder, &fault.key, &fault.message)).collect::<Faults>()
+    })?;
+    let library = library_proofs();
+    Ok(if proofs == **library { library.clone() } else { Arc::new(proofs) })
 }

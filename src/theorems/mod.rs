@@ -158,10 +158,8 @@ impl Files {
         let mut found = stated.map_or(Vec::new(), |stated| whole_theorems(stated, equations, proof));
         for proof in proofs().filter(|proof| !found.iter().any(|(id, _)| *id == proof.id)).collect::<Vec<_>>()
         {
-            found.push((
-                proof.id.clone(),
-                Err("a function of the program decides it, not a formula".to_owned()),
-            ));
+            found
+                .push((proof.id.clone(), Err("a proof or a procedure decides it, not a formula".to_owned())));
         }
         if found.is_empty() {
             found.push((String::new(), Err("a point decides it, without a proof".to_owned())));
@@ -340,7 +338,7 @@ mod tests {
         assert!(text.contains("(** S1, A formula., step 1: a ( *square* ) of 'a' sum *)"), "{text}");
         let steps: Vec<Vec<&str>> = made[STEPS_FILE].lines().map(|line| line.split('\t').collect()).collect();
         assert!(steps.len() == 7 && steps[1][5].starts_with("identity_") && steps[1][5..] == steps[4][5..]);
-        assert_eq!(steps[3][4..], ["whole", "", "", "a function of the program decides it, not a formula"]);
+        assert_eq!(steps[3][4..], ["whole", "", "", "a proof or a procedure decides it, not a formula"]);
         assert_eq!(steps[2][4..], ["argued", "", "", "a step of plain reasoning has no certificate"]);
         let other = files(&published(ledger("x^2 + 3*x*y + y^2")), NONE).expect("a ledger");
         assert!(

@@ -120,3 +120,17 @@ fn a_procedure_takes_the_equations_of_the_first_paper() {
     let place = report(&claim("C1", "holds", "check = \"error-series\"\nof = [\"15\"]"), PROOFS);
     place.run(["report", "r"]).expect_refusal(&["equation 8", "is missing"]);
 }
+
+#[test]
+fn a_procedure_that_is_asked_about_something_unknown_decides_nothing() {
+    for (name, of) in
+        [("error-series", "17"), ("number-of-slip-modes", "a < b"), ("peak-velocity-law", "ageing")]
+    {
+        let asked = format!(
+            "check = \"{name}\"\nof = [\"{of}\"]\nequations = [\"8\", \"15\", \"16\", \"18\", \"20\"]"
+        );
+        let place = crate::claim_formulas::report(&claim("C1", "not-checked", &asked));
+        let said = place.run(["verify", "r", "--claim", "C1"]).expect_success();
+        assert!(said.contains("not-checked"), "{name}: {said}");
+    }
+}

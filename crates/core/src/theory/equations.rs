@@ -91,7 +91,7 @@ impl std::error::Error for EquationsError {}
 
 /// The equations of a paper, in the order of the file: any numbers, any variables.
 ///
-/// The derivations of this module are those of one paper. They can start from equations that meet [`Equations::demand_paper`].
+/// The procedures of this module are for one paper. They can start from equations that meet [`Equations::demand_paper`].
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Equations {
     equations: Vec<Equation>,
@@ -167,8 +167,8 @@ impl Equations {
 
     /// With the proofs of the report.
     #[must_use]
-    pub fn with_proofs(self, proofs: StatedProofs) -> Self {
-        Self { proofs: Arc::new(proofs), ..self }
+    pub fn with_proofs(self, proofs: Arc<StatedProofs>) -> Self {
+        Self { proofs, ..self }
     }
 
     /// The same file with other equations, and without systems and definitions.

@@ -1,13 +1,13 @@
-//! The paper's derivations as proofs over ℚ.
+//! Proofs over ℚ about the equations of a paper.
 //!
-//! The numbered equations are input data ([`Equations`]). Each function derives its result from eqs 1-4 (or from
-//! what was derived from them), compares it with what the paper states, and returns the proof or the refutation:
-//! an equation with a wrong sign is refuted by name, with the exact remainder.
+//! The numbered equations are input data ([`Equations`]), and so are most proofs about them ([`stated_proofs`]). A procedure derives
+//! its result from them, compares it with what the paper states, and returns the proof or the refutation: an equation with a wrong
+//! sign is refuted by name, with the exact remainder.
 //!
 //! ```
 //! use slipmode_core::theory::{AssumptionsText, EquationsText, Equations};
 //!
-//! // The equations are input. A list without eq 1 is one of another paper: the derivations here cannot start from it.
+//! // The equations are input. A list without eq 1 is one of another paper: the procedures here cannot start from it.
 //! let text = EquationsText { assumptions: AssumptionsText { positive: vec!["K".into()], ..Default::default() }, ..Default::default() };
 //! let error = Equations::read(text).unwrap().demand_paper().unwrap_err();
 //! assert!(error.faults.iter().any(|fault| fault.key == "equation 1"), "{error}");

@@ -1,7 +1,7 @@
 //! What the derivations of the first paper ask of a file of equations.
 //!
-//! Any file may state any equations. A claim that a function of this program decides needs all equations of the paper by Im and
-//! Avouac, in its variables.
+//! Any file may state any equations. A procedure of this program, and a proof of the report on Im and Avouac, need all
+//! equations of that paper, in its variables.
 
 use super::{Equation, EquationFault, Equations, EquationsError};
 use slipmode_algebra::Expression;
